@@ -1,0 +1,57 @@
+# How every folder becomes one target. A target's link libraries are the include rule
+# (tests/layout greps the #include lines as well).
+#
+#   wrinkle_library(NAME LINK lib...)        static library of the folder's *.cpp
+#   wrinkle_test(NAME LINK lib...)           one GoogleTest program of the folder's *.cpp
+
+option(WRINKLE_WERROR "Treat warnings as errors" ON)
+option(WRINKLE_SANITIZE "Build with AddressSanitizer and UndefinedBehaviorSanitizer" OFF)
+
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_C_STANDARD 11)
+set(CMAKE_POSITION_INDEPENDENT_CODE ON)
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/bin)
+set(WRINKLE_MODULE_DIRECTORY ${CMAKE_BINARY_DIR}/lib/wrinkle)
+
+if(NOT CMAKE_BUILD_TYPE)
+    set(CMAKE_BUILD_TYPE Release)
+endif()
+find_program(CCACHE_PROGRAM ccache)
+if(CCACHE_PROGRAM)
+    set(CMAKE_C_COMPILER_LAUNCHER ${CCACHE_PROGRAM})
+    set(CMAKE_CXX_COMPILER_LAUNCHER ${CCACHE_PROGRAM})
+endif()
+
+# Equal bits on every machine and compiler: no fused multiply-add behind our back.
+add_compile_options(-Wall -Wextra -Wpedantic -ffp-contract=off -fno-math-errno)
+if(WRINKLE_WERROR)
+    add_compile_options(-Werror)
+endif()
+if(WRINKLE_SANITIZE)
+    add_compile_options(-fsanitize=address,undefined -fno-sanitize-recover=all
+                        -fno-omit-frame-pointer)
+    add_link_options(-fsanitize=address,undefined)
+endif()
+
+function(wrinkle_library name)
+    cmake_parse_arguments(ARG "" "" "LINK" ${ARGN})
+    file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
+    add_library(wrinkle_${name} STATIC ${sources})
+    target_include_directories(wrinkle_${name} PUBLIC ${PROJECT_SOURCE_DIR}/core)
+    target_link_libraries(wrinkle_${name} PUBLIC ${ARG_LINK})
+endfunction()
+
+function(wrinkle_test name)
+    cmake_parse_arguments(ARG "" "" "LINK" ${ARGN})
+    find_package(GTest REQUIRED)
+    file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
+    add_executable(test_${name} ${sources})
+    target_link_libraries(test_${name} PRIVATE ${ARG_LINK} GTest::gtest GTest::gtest_main)
+    target_include_directories(test_${name} PRIVATE ${PROJECT_SOURCE_DIR}/tests)
+    target_compile_definitions(test_${name} PRIVATE
+        WRINKLE_SOURCE_DIR="${PROJECT_SOURCE_DIR}" WRINKLE_BINARY_DIR="${CMAKE_BINARY_DIR}")
+    add_test(NAME ${name} COMMAND test_${name} WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
+endfunction()

@@ -1,0 +1,72 @@
+#include "base/diagnostics.h"
+
+#include "base/text.h"
+
+namespace wrinkle {
+
+void Diagnostics::add(Diagnostic diagnostic) {
+    if (diagnostic.severity == Severity::error) ++error_count_;
+    if (list_.size() < limit_)
+        list_.push_back(std::move(diagnostic));
+    else
+        ++dropped_;
+}
+
+void Diagnostics::error(std::string message, std::string expected) {
+    Diagnostic diagnostic;
+    diagnostic.message = std::move(message);
+    diagnostic.expected = std::move(expected);
+    add(std::move(diagnostic));
+}
+
+void Diagnostics::append(const Diagnostics& other) {
+    for (const Diagnostic& diagnostic : other.list_)
+        add(diagnostic);
+    dropped_ += other.dropped_;
+}
+
+std::string to_text(const Diagnostic& diagnostic) {
+    std::string text;
+    const Location& where = diagnostic.where;
+    if (!where.file.empty()) {
+        text += where.file;
+        if (where.line > 0)
+            text += ":" + std::to_string(where.line) + ":" + std::to_string(where.column);
+        text += ": ";
+    }
+    text += diagnostic.severity == Severity::error ? "error: " : "warning: ";
+    if (!diagnostic.node.empty()) text += "node '" + diagnostic.node + "': ";
+    text += diagnostic.message;
+    if (!diagnostic.expected.empty()) text += " (" + diagnostic.expected + ")";
+    return text;
+}
+
+std::string to_text(const Diagnostics& diagnostics) {
+    std::string text;
+    for (const Diagnostic& diagnostic : diagnostics.list())
+        text += to_text(diagnostic) + "\n";
+    if (diagnostics.dropped() > 0)
+        text += "and " + std::to_string(diagnostics.dropped()) + " more problems\n";
+    return text;
+}
+
+std::string to_json(const Diagnostics& diagnostics) {
+    std::string text = "{\"version\": 1, \"diagnostics\": [";
+    const char* separator = "\n  ";
+    for (const Diagnostic& d : diagnostics.list()) {
+        text += separator;
+        text += "{\"severity\": ";
+        text += d.severity == Severity::error ? "\"error\"" : "\"warning\"";
+        text += ", \"file\": " + json_quoted(d.where.file);
+        text += ", \"line\": " + std::to_string(d.where.line);
+        text += ", \"column\": " + std::to_string(d.where.column);
+        text += ", \"pointer\": " + json_quoted(d.pointer);
+        text += ", \"node\": " + json_quoted(d.node);
+        text += ", \"message\": " + json_quoted(d.message);
+        text += ", \"expected\": " + json_quoted(d.expected) + "}";
+        separator = ",\n  ";
+    }
+    return text + "], \"dropped\": " + std::to_string(diagnostics.dropped()) + "}\n";
+}
+
+}  // namespace wrinkle
