@@ -1,0 +1,52 @@
+// A picture in memory: float values, one to four channels, interleaved.
+//
+// Row 0 is the BOTTOM row and column 0 the left one, so the uv origin is the first value and texel
+// (x, y) covers u in [x, x + 1] / width, v in [y, y + 1] / height. This is also the order that
+// glTexImage2D wants. Loading and saving turn the rows over; nothing else ever does.
+//
+// Values are raw, whatever the file says about its colours: an 8-bit 255 and a 16-bit 65535 are
+// 1.0, float files keep their numbers, NaN and infinities included. Alpha is never multiplied in.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+namespace wrinkle {
+
+// How the file stores a value. u8 and u16 mean value / max in [0, 1].
+enum class PixelType : uint8_t { u8, u16, half, float32 };
+
+std::string_view name_of(PixelType type);  // "u8", "u16", "half", "float"
+size_t bytes_of(PixelType type);
+
+struct Image {
+    uint32_t width = 0;
+    uint32_t height = 0;
+    uint32_t channels = 0;                  // 1 gray, 2 (see has_alpha), 3 rgb, 4 rgba
+    bool has_alpha = false;                 // with 2 channels: gray and alpha, else red and green
+    PixelType source = PixelType::float32;  // of the file; what an upload may choose to keep
+    std::vector<float> data;                // [(y * width + x) * channels + channel], y up
+
+    bool empty() const { return data.empty(); }
+    const float* texel(uint32_t x, uint32_t y) const { return data.data() + offset(x, y); }
+    float* texel(uint32_t x, uint32_t y) { return data.data() + offset(x, y); }
+
+private:
+    size_t offset(uint32_t x, uint32_t y) const {
+        return (static_cast<size_t>(y) * width + x) * channels;
+    }
+};
+
+// All zero; has_alpha is set for 4 channels.
+Image make_image(uint32_t width, uint32_t height, uint32_t channels,
+                 PixelType source = PixelType::float32);
+
+// The one rule by which fewer channels become four: gray is repeated into r, g and b; red-green
+// gets blue 0; a missing alpha is 1. `values` points at `channels` floats.
+std::array<float, 4> expand_texel(const float* values, uint32_t channels, bool has_alpha);
+Image to_rgba(const Image& image);  // every texel through expand_texel
+
+}  // namespace wrinkle

@@ -1,0 +1,70 @@
+// Image files, read and written: PNG, JPEG, TIFF, OpenEXR, Radiance HDR; PFM and PNM are read only.
+//
+// The first bytes of a file decide its format, its extension does not. No colour conversion takes
+// place and EXIF orientation is ignored. A file with more than four channels gives R, G, B and A if
+// it begins with them and is refused otherwise; so are deep, volume and cropped-window images. Of
+// several sub-images or mip levels the first is read. Integers of other widths and doubles arrive
+// as float.
+//
+// OpenImageIO does the work in a module of its own (lib/wrinkle/wrinkle_image_oiio.so) that is
+// loaded on the first call that needs it; see module.h. Both functions may be called from several
+// threads.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "base/diagnostics.h"
+#include "image/image.h"
+
+namespace wrinkle {
+
+// What a file's header may ask for; checked before any pixel is decoded.
+struct ImageLimits {
+    uint32_t max_side = 16384;                // of width and of height, texels
+    uint64_t max_pixels = uint64_t{1} << 27;  // width * height
+    uint64_t max_bytes = uint64_t{2} << 30;   // width * height * channels * 4, in memory
+};
+
+// The defaults, changed by WRINKLE_IMAGE_MAX_SIDE, WRINKLE_IMAGE_MAX_PIXELS and
+// WRINKLE_IMAGE_MAX_BYTES (whole numbers from 1); a value that is no such number is reported.
+ImageLimits image_limits_from_environment(Diagnostics& diagnostics);
+
+struct ImageInfo {
+    std::string format;  // "png", "jpeg", "tiff", "exr", "hdr", "pnm"
+    uint32_t width = 0;
+    uint32_t height = 0;
+    uint32_t channels = 0;  // as load_image would give them
+    bool has_alpha = false;
+    PixelType source = PixelType::float32;
+};
+
+// The header alone. Errors as load_image.
+std::optional<ImageInfo> read_image_info(const std::filesystem::path& path,
+                                         const ImageLimits& limits, Diagnostics& diagnostics);
+
+// The picture, or nothing with one error that names the file and says what would help: missing,
+// empty, no image, damaged, truncated, over a limit. NaN and infinite values are kept as they are
+// and reported once as a warning with their count and the place of the first.
+std::optional<Image> load_image(const std::filesystem::path& path, const ImageLimits& limits,
+                                Diagnostics& diagnostics);
+// With the limits of the environment.
+std::optional<Image> load_image(const std::filesystem::path& path, Diagnostics& diagnostics);
+
+struct SaveOptions {
+    PixelType type = PixelType::u8;
+    std::string compression;  // "" is the format's default; exr: none rle zip zips piz; tiff: none
+                              // lzw zip; others have none to choose
+    int quality = 95;         // jpeg, 1 to 100
+};
+
+// Writes by the extension: .png (u8, u16), .jpg .jpeg (u8), .tif .tiff (u8, u16, half, float), .exr
+// (half, float), .hdr (float). Integer types clamp to [0, 1] and round to nearest; NaN becomes 0
+// there. What a format cannot hold is refused, never converted. The file appears whole, by rename,
+// or not at all; equal images give equal bytes, and a file that already holds them is untouched.
+bool save_image(const Image& image, const std::filesystem::path& path, const SaveOptions& options,
+                Diagnostics& diagnostics);
+
+}  // namespace wrinkle

@@ -1,0 +1,30 @@
+// The mip levels of an image, by one filter for every backend.
+//
+// Level k + 1 has size max(1, floor(n / 2)) in each direction, as in GL, down to 1 x 1. Each of its
+// texels is the area-weighted mean of the texels it covers: two per direction for even sizes, three
+// with the weights (m - i, m, i + 1) / n for odd n = 2m + 1 (the polyphase box filter of Guthe and
+// Heckbert, "Non-Power-of-Two Mipmap Creation", NVIDIA 2005). The mean of an image is kept, and a
+// constant one stays the same to the last bit. Sums run in double, left to right and bottom to top.
+//
+// The filter works on raw values, without wrapping and without renormalising: the mean of unit
+// normals is shorter than one, and that length is information. NaN spreads to what it touches.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "image/image.h"
+
+namespace wrinkle {
+
+struct MipChain {
+    std::vector<Image> levels;  // [0] is the image itself; empty for an empty image
+
+    uint32_t count() const { return static_cast<uint32_t>(levels.size()); }
+};
+
+uint32_t mip_count(uint32_t width, uint32_t height);  // 1 + floor(log2(max)); 0 for no texels
+Image half_size(const Image& image);                  // the next level
+MipChain build_mips(Image base);
+
+}  // namespace wrinkle
