@@ -1,0 +1,27 @@
+// The surface-gradient algebra, in one place: opaque gradients, frames and derivatives become
+// ordinary arithmetic, and each resolve one normalize.
+//
+// A gradient is held as a small fixed sum: one 2-vector of slopes per frame (layers on one frame
+// add as 2-vectors and the frame is applied once), one 2-vector of screen differentials (every
+// `surface`-scale height, Mikkelsen 2010 eq. 3), one volume vector (projected once), and the rest
+// as a tangent vector. resolve gives normalize(n - Gamma). Formulas, clamps and sources:
+// docs/surface-gradient.md.
+#pragma once
+
+#include "base/diagnostics.h"
+#include "ir/module.h"
+
+namespace wrinkle {
+
+enum class BackFaces : uint8_t { mirror, flip, none };
+
+struct ExpandOptions {
+    bool vertex_tangents = true;  // false: `auto` frames of uv0 are derived (--no-tangents)
+    BackFaces back_faces = BackFaces::mirror;
+};
+
+// A module without opaque ops, ddx and ddy. What cannot be expanded (a frame method that does not
+// fit its scale, say) is a problem in the result.
+Module expand(const Module& source, const ExpandOptions& options);
+
+}  // namespace wrinkle

@@ -1,0 +1,220 @@
+// The expression language: a module of immutable, interned instructions.
+//
+// An instruction is 32 bytes in one vector and is named by its index, its Id. Operands always have
+// smaller ids, so id order is a topological order and every pass is a loop. add() interns: equal
+// expressions are one value. It also checks types, folds constants and applies peepholes, so an
+// expression is simplified by being written. Id 0 is poison: the result of anything that made no
+// sense; ops on poison are poison, silently.
+//
+// Regions are the one concept for loops and functions. A region's body is ordinary instructions
+// over region_param(level, k). An instruction's level is the greatest level of its operands; 0 is
+// outside every region. What a loop body uses from lower levels is captured, so loop-invariant code
+// stands outside by itself. Functions are closed: end_region() turns what they capture (but
+// literals, parameters of the user, resources) into further parameters, and renames their
+// parameters to level 1 so that equal functions are one region wherever they were recorded. A
+// loop's region has its parameters at the level where it stands.
+//   function: results are its outputs.
+//   loop:     parameters are the state; results[0] is a bool "go on", results[1..] the next state.
+//   It runs while
+//             "go on" holds for the state at hand, at most `max_iterations` times; its value is the
+//             last state. (The results are computed first; where "go on" is false the next state is
+//             dropped.)
+// `loop` and `call` have type tuple; result(k) takes a member.
+//
+// Literals are scalars in double; a vector constant is a construct of literals. A node's
+// unconnected numbers enter as `parameter`s; bake_parameters() (ir/rewrite.h) turns them into
+// literals by a rebuild, so that frames, bases and errors never depend on a value.
+//
+// A gradient-typed instruction holds its base in `extra` (the Id of a `base` instruction; 0 is the
+// surface or, of gradient_zero, any). Adding or mixing gradients of two bases is a problem, not a
+// picture. A resolve's `extra` is an identity of the node instance that made it, so two resolves
+// never become one base by folding.
+//
+// Side tables: origin[id] is the node instance that first wrote the instruction; `named` lists the
+// values at node outputs; problems lists what add() refused, by origin.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <initializer_list>
+#include <span>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "base/texture_options.h"
+#include "ir/op.h"
+
+namespace wrinkle {
+
+using Id = uint32_t;
+inline constexpr Id poison = 0;
+
+struct Inst {
+    Op op = Op::poison_;
+    Type type = Type::poison_;
+    uint8_t level = 0;
+    std::array<Id, 4> arg{};  // unused ones 0; of loop and call: arg[0] is an index into lists
+    uint32_t extra = 0;       // see the comments of the op table
+    double value = 0;         // of a literal
+    bool operator==(const Inst&) const = default;
+};
+
+// `extra` of an input: which surface input, and the value itself or its change to the next pixel.
+// The change of `position` in shaders is taken from a camera-relative position in object axes, for
+// precision.
+enum class Variant : uint8_t { value, dx, dy };
+constexpr uint32_t input_extra(SurfaceInput input, Variant variant) {
+    return static_cast<uint32_t>(input) | static_cast<uint32_t>(variant) << 8;
+}
+constexpr SurfaceInput input_of(uint32_t extra) {
+    return static_cast<SurfaceInput>(extra & 0xFF);
+}
+constexpr Variant variant_of(uint32_t extra) {
+    return static_cast<Variant>(extra >> 8);
+}
+
+enum class RegionKind : uint8_t { function, loop };
+struct Region {
+    RegionKind kind = RegionKind::function;
+    uint8_t level = 1;  // of its parameters
+    uint32_t max_iterations = 0;
+    std::vector<Type> params;
+    std::vector<Id> results;
+    std::string name;  // of a function; no part of its identity
+};
+
+// A recorded region and, of a function, the values it captured: they became further parameters, and
+// apply() passes them after the arguments. (Equal functions share a region and may capture
+// different values.)
+struct RegionUse {
+    uint32_t region = 0;
+    std::vector<Id> captured;
+};
+
+// A number the user may change. Its place in Module::parameters is its identity.
+struct Parameter {
+    uint32_t node = 0;  // Module::nodes; 0 for a graph input
+    std::string port;   // "amount"; of a graph input its name
+    Type type = Type::float_;
+    std::array<double, 4> value{};
+    bool graph_input = false;  // stays a uniform when parameters are baked
+};
+
+// An image that shaders sample. Equal file and options are one resource.
+struct Resource {
+    std::string file;  // resolved path, to be opened
+    std::string name;  // as the graph writes it
+    TextureOptions options;
+    struct Reader {
+        uint32_t node;
+        std::string port;
+    };
+    std::vector<Reader> readers;  // node ports, in the order met
+};
+
+// A node instance. Entry 0 is the graph itself.
+struct NodeInstance {
+    std::string path;   // "weave"; in a sub-graph "strap/weave"
+    std::string title;  // the type's title
+    std::string note;   // one line for the generated text, may be empty
+};
+
+struct Named {
+    Id value;
+    uint32_t node;
+    std::string port;
+};
+
+struct Output {
+    std::string name;  // "normal"
+    uint32_t port_type = WR_PORT_float;
+    Id value = poison;
+};
+
+struct Problem {
+    uint32_t node;
+    std::string message;
+    std::string expected;
+};
+
+class Module {
+public:
+    Module();
+
+    // The general form. `type` is used by construct, result and region_param only; elsewhere the
+    // type follows from the operands. Poison (and a problem, unless an operand is poison) when they
+    // do not fit.
+    Id add(Op op, std::span<const Id> args, uint32_t extra = 0, Type type = Type::poison_);
+    Id add(Op op, std::initializer_list<Id> args, uint32_t extra = 0, Type type = Type::poison_) {
+        return add(op, std::span<const Id>(args.begin(), args.size()), extra, type);
+    }
+
+    Id literal(Type scalar, double value);
+    Id number(double value) { return literal(Type::float_, value); }
+    Id constant(Type type, std::span<const double> lanes);  // vectors and mat3 (column-major) too
+    Id zero(Type type);
+    Id input(SurfaceInput input, Variant variant = Variant::value);
+    Id parameter(uint32_t index);
+    Id construct(Type type, std::initializer_list<Id> parts);
+    Id swizzle(Id vector, std::string_view components);  // "xy", "z"
+    // Gradient sources: as add(), on the given base (0: the surface).
+    Id gradient(Op op, Id operand, Id base);
+
+    // Regions are recorded one inside the other. begin gives the parameters; between begin and end,
+    // what is added and uses them is the body.
+    std::vector<Id> begin_region(RegionKind kind, std::string name, std::span<const Type> params);
+    RegionUse end_region(std::span<const Id> results, uint32_t max_iterations = 0);
+    // Calls a function or runs a loop; one Id per output or per member of the state.
+    std::vector<Id> apply(const RegionUse& use, std::span<const Id> args);
+    // A region that is already closed and levelled, as passes that rebuild make them.
+    uint32_t intern_region(Region region);
+    int depth() const { return static_cast<int>(open_.size()); }
+
+    const Inst& operator[](Id id) const { return inst_[id]; }  // not to be held across add()
+    Id size() const { return static_cast<Id>(inst_.size()); }
+    Type type(Id id) const { return inst_[id].type; }
+    std::span<const Id> operands(Id id) const;
+    const Region& region(uint32_t index) const { return regions_[index]; }
+    uint32_t region_count() const { return static_cast<uint32_t>(regions_.size()); }
+
+    bool is_literal(Id id,
+                    double value) const;  // a scalar literal, or a construct of such, of this value
+    bool is_constant(Id id) const;        // a literal or a construct of literals
+
+    uint32_t add_parameter(Parameter parameter);
+    uint32_t add_resource(const Resource& resource);  // merges with an equal one
+
+    void problem(std::string message, std::string expected = {});
+
+    // Side tables; passes carry them along.
+    std::vector<NodeInstance> nodes;
+    std::vector<Parameter> parameters;
+    std::vector<Resource> resources;
+    std::vector<Named> named;
+    std::vector<Output> outputs;
+    std::vector<Problem> problems;
+    std::vector<uint32_t> origin;  // by Id
+    uint32_t current_node = 0;     // the origin of what is added now
+
+private:
+    struct Hash {
+        size_t operator()(const Inst& inst) const;
+    };
+    struct OpenRegion {
+        RegionKind kind;
+        std::string name;
+        std::vector<Type> params;
+        Id first;  // ids below were there before
+    };
+    Id intern(Inst inst);
+    uint32_t intern_list(std::span<const Id> ids);
+
+    std::vector<Inst> inst_;
+    std::unordered_map<Inst, Id, Hash> table_;
+    std::vector<std::vector<Id>> lists_;
+    std::vector<Region> regions_;
+    std::vector<OpenRegion> open_;
+};
+
+}  // namespace wrinkle

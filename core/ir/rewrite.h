@@ -1,0 +1,38 @@
+// Rebuilding expressions: the one loop that every pass over a module shares.
+//
+// A Rewriter walks the instructions that some roots need, in id order, and writes each one again
+// with its operands replaced; since writing simplifies, a replaced leaf folds upwards by itself.
+// Regions that change are rebuilt and re-interned. Constant stack, linear time.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "ir/module.h"
+
+namespace wrinkle {
+
+// Marks what the roots need, through regions too. needed[id] is true for those.
+std::vector<bool> reachable(const Module& module, std::span<const Id> roots);
+
+// In the same module: `root` with each `from[i]` replaced by `to[i]`. Types must agree. Only what
+// depends on them is written anew.
+Id substitute(Module& module, Id root, std::span<const Id> from, std::span<const Id> to);
+
+// Rebuilds a module from its outputs with one callback: `replace(target, source, id, mapped)`
+// returns the new id of source instruction `id`, or poison to write it again as it is; mapped[]
+// holds the new ids of its operands. Side tables (nodes, parameters, resources, named values that
+// are still needed, origins) come along.
+using Replace = Id (*)(void* context, Module& target, const Module& source, Id id,
+                       std::span<const Id> mapped);
+Module rebuild(const Module& source, Replace replace, void* context);
+
+// Parameters (but graph inputs) become literals of their value.
+Module bake_parameters(const Module& source);
+
+// The lod of an implicit sample written out: each `sample` becomes sample_lod with
+// lod = 0.5 log2(max(|size*duv/dx|^2, |size*duv/dy|^2, 2^-40)), from the uv's forward derivative.
+// The CPU and shaders with given differentials use this form.
+Module explicit_lod(const Module& source);
+
+}  // namespace wrinkle
