@@ -1,0 +1,51 @@
+// An OpenGL 3.3 core context without a window, made through EGL.
+//
+// offscreen() needs no display: it tries Mesa's surfaceless platform, then every EGL device, and
+// works with any driver that offers one of them (llvmpipe included). sharing_current() makes a
+// second context that shares textures, buffers and programs with the one that is current on the
+// calling thread, for drawing on another thread; that context must come from EGL.
+//
+// A new context is not current. A context is current on at most one thread; every other function of
+// this folder wants one current on its thread, and objects are destroyed where it, or one that
+// shares with it, is current. Failing gives one error of one sentence.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "base/diagnostics.h"
+
+namespace wrinkle::gpu {
+
+class Context {
+public:
+    static std::optional<Context> offscreen(Diagnostics& diagnostics);
+    static std::optional<Context> sharing_current(Diagnostics& diagnostics);
+
+    Context(Context&& other) noexcept;
+    Context& operator=(Context&& other) noexcept;
+    ~Context();
+
+    bool make_current();
+    void release_current();  // no context is current on this thread afterwards
+
+    // "llvmpipe (LLVM 15.0.6, 256 bits)" and "4.5 (Core Profile) Mesa 22.3.6"; of a current
+    // context.
+    static std::string renderer_name();
+    static std::string version_name();
+
+    // Waits until all that was drawn here can be seen by contexts that share with this one.
+    static void finish();
+
+private:
+    Context() = default;
+    static std::optional<Context> on_display(void* display, void* share, std::string& why);
+    void destroy();
+
+    void* display_ = nullptr;  // EGLDisplay
+    void* context_ = nullptr;  // EGLContext
+    void* surface_ = nullptr;  // EGLSurface; a 1 x 1 buffer where the driver wants one
+    bool counted_ = false;     // the display is ours to terminate after its last context
+};
+
+}  // namespace wrinkle::gpu

@@ -1,0 +1,43 @@
+// A linked vertex and fragment shader, and its uniforms by name.
+#pragma once
+
+#include <cstdint>
+#include <glm/mat3x3.hpp>
+#include <glm/mat4x4.hpp>
+#include <optional>
+#include <span>
+#include <string>
+
+namespace wrinkle::gpu {
+
+class Program {
+public:
+    // Nothing when the driver refuses; `log` then holds its words, the stage before them. `outputs`
+    // are the fragment shader's variables for color attachments 0, 1, …
+    static std::optional<Program> link(const std::string& vertex, const std::string& fragment,
+                                       std::span<const std::string> outputs, std::string& log);
+
+    Program(Program&& other) noexcept;
+    Program& operator=(Program&& other) noexcept;
+    ~Program();
+
+    void use() const;
+
+    // All of these act on the program in use; a name that the program does not use is ignored.
+    void set(const char* name, float value) const;
+    void set(const char* name, int value) const;
+    void set(const char* name, glm::vec2 value) const;
+    void set(const char* name, glm::vec3 value) const;
+    void set(const char* name, glm::vec4 value) const;
+    void set(const char* name, const glm::mat3& value) const;
+    void set(const char* name, const glm::mat4& value) const;
+    void set(const char* name, std::span<const float> value) const;  // 1 to 4 components
+
+    uint32_t id() const { return id_; }
+
+private:
+    explicit Program(uint32_t id) : id_(id) {}
+    uint32_t id_ = 0;
+};
+
+}  // namespace wrinkle::gpu

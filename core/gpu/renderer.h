@@ -1,0 +1,109 @@
+// Draws one mesh with one material: the preview and `wrinkle render`.
+//
+// Set a mesh and a material, then draw into a target as often as you like. Changing a uniform, the
+// scene or the camera compiles nothing; each view of a material is compiled when first drawn. Equal
+// input gives equal pixels on one driver.
+//
+// Views, and the value each has (`raw`) before it is made a color:
+//   shaded      linear radiance of one directional GGX light and a sky-and-ground environment. Made
+//   a
+//               color: times exposure; up to 0.8 unchanged, above it 0.8 + 0.2 x / (x + 0.2) of
+//               what goes beyond, per channel; sRGB curve.
+//   normal      the resolved normal, object space, unit.                       0.5 + 0.5 n
+//   gradient    n - n' / (n . n'), from normal n' and surface normal n.        0.5 + 0.5 value
+//   height      the output `height`; refused where the graph has none.         gray over
+//   height_range uv          (u, v, 0) of uv0.                                              its
+//   fraction difference  angle in degrees between the normal and the un-bumped one, or the one of
+//   the output
+//               `against`; heat map: black, blue, green, yellow, red at 0, 1/4, … of heat_degrees.
+// Alpha is 1 on the mesh and 0 beside it in raw values; colors show the background there, opaque.
+//
+// Missing outputs: normal = the surface's (turned towards the eye on back faces), color 0.8,
+// roughness 0.5, metalness 0, occlusion 1. The object matrix M acts outside the material: normals
+// go through cof(M) times the sign of det(M), which also sets what a front face is.
+//
+// Errors name what is at fault: the driver's log for a text it refuses (lines of the material's
+// text stand as 1:LINE), a missing output, an attribute that the material reads and the mesh lacks,
+// an image that cannot be read, a singular M.
+#pragma once
+
+#include <cstdint>
+#include <glm/mat4x4.hpp>
+#include <map>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "base/diagnostics.h"
+#include "gpu/camera.h"
+#include "gpu/material.h"
+#include "gpu/target.h"
+#include "image/mips.h"
+#include "mesh/mesh.h"
+
+namespace wrinkle::gpu {
+
+enum class View : uint8_t { shaded, normal, gradient, height, uv, difference };
+
+std::span<const std::string_view> view_names();  // in the order of the enumerators
+std::optional<View> view_named(std::string_view name);
+
+struct Scene {
+    glm::mat4 object{1};  // object to world
+    OrbitCamera camera;
+    glm::vec3 to_light{-0.5F, 0.7F, 0.6F};  // world space, any length
+    float light = 2.5F;                     // irradiance of a surface that faces it, over pi
+    float environment = 1;                  // factor on sky and ground
+    float exposure = 1;
+    glm::vec4 background{0.16F, 0.16F, 0.17F, 1};  // as displayed
+};
+
+struct ViewOptions {
+    View view = View::shaded;
+    std::string against;  // for difference: an output with a normal; "" is the un-bumped surface
+    float heat_degrees = 45;
+    glm::vec2 height_range{0, 1};
+    bool raw = false;  // the value itself; wants an rgba32f target with one sample
+};
+
+struct AngleStatistics {
+    double mean_degrees = 0;  // over the pixels of the mesh
+    double max_degrees = 0;
+    uint64_t pixels = 0;
+};
+
+class Renderer {
+public:
+    Renderer();
+    Renderer(Renderer&& other) noexcept;
+    Renderer& operator=(Renderer&& other) noexcept;
+    ~Renderer();
+
+    void set_mesh(const Mesh& mesh);
+
+    // Compiles the shaded view and brings up the images; on failure the former material stays.
+    bool set_material(const Material& material, Diagnostics& diagnostics);
+    // A value of the material in use; false when it has no such uniform.
+    bool set_uniform(std::string_view name, std::span<const float> value);
+
+    // Keeps pixels under a name that samplers may give as their file; other files are read when a
+    // material first needs them. forget_images() makes the next set_material read them anew.
+    void add_image(const std::string& file, const MipChain& chain);
+    void forget_images();
+
+    // Clears the target, draws and resolves it.
+    bool draw(const Scene& scene, const ViewOptions& options, const Target& target,
+              Diagnostics& diagnostics);
+
+    // The difference view in numbers, at the given size.
+    std::optional<AngleStatistics> measure(const Scene& scene, const std::string& against,
+                                           int width, int height, Diagnostics& diagnostics);
+
+private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
+}  // namespace wrinkle::gpu

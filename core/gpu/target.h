@@ -1,0 +1,63 @@
+// What is drawn into: color textures of one size, with a depth buffer when wanted.
+//
+// Pixels are read from the bottom row upwards, as `Image` holds them. With several samples the
+// drawing lies in multisampled buffers until resolve() averages it into the color textures.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "base/diagnostics.h"
+#include "image/image.h"
+
+namespace wrinkle::gpu {
+
+enum class PixelFormat : uint8_t { rgba8, rgba32f };
+
+struct TargetOptions {
+    int width = 512;
+    int height = 512;
+    PixelFormat format = PixelFormat::rgba8;
+    int samples = 1;  // lowered to what the driver can do
+    int colors = 1;   // 1 to 8
+    bool depth = true;
+};
+
+class Target {
+public:
+    // Errors: a size below 1 or above the driver's, an incomplete framebuffer.
+    static std::optional<Target> make(const TargetOptions& options, Diagnostics& diagnostics);
+
+    Target(Target&& other) noexcept;
+    Target& operator=(Target&& other) noexcept;
+    ~Target();
+
+    void bind() const;     // as the framebuffer to draw into, with the viewport over all of it
+    void resolve() const;  // after drawing, before the texture is shown or read
+
+    int width() const { return options_.width; }
+    int height() const { return options_.height; }
+    const TargetOptions& options() const { return options_; }
+    uint32_t texture(int color = 0) const { return textures_[static_cast<size_t>(color)]; }
+
+    // Four floats a pixel; of an rgba8 target value / 255.
+    std::vector<float> read(int color = 0) const;
+    // The same as a picture with four channels; of an rgba8 target it saves as 8 bits unchanged.
+    Image read_image(int color = 0) const;
+
+private:
+    Target() = default;
+    bool build();
+    uint32_t framebuffer_of_textures();
+    uint32_t framebuffer_of_samples();
+    void destroy();
+
+    TargetOptions options_;
+    std::vector<uint32_t> textures_;
+    std::vector<uint32_t> buffers_;    // renderbuffers: depth and multisampled colors
+    uint32_t framebuffer_ = 0;         // over the textures
+    uint32_t sample_framebuffer_ = 0;  // 0 without multisampling
+};
+
+}  // namespace wrinkle::gpu

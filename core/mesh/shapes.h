@@ -1,0 +1,37 @@
+// The built-in shapes, by name. Centred at the origin, +y up, front towards +z; all have normals,
+// tangents, color0 white, uv0 and uv1, and enough triangles that silhouettes look round.
+//
+// uv0 covers a part of [0, 1]^2 without overlap, so a uv names one place of the surface. Seen from
+// outside, u runs to the right and v up. uv1 is uv0 turned by 30 degrees about the middle and twice
+// as dense (it leaves [0, 1]): a second set for layers that must not follow the first.
+//
+//   sphere    radius 1. u = longitude, seam at the back (-z), 0.5 at the front; v = latitude.
+//   plane     x and y in [-1, 1], normal +z, one uv square. Open: the one shape with a border.
+//   cube      x, y, z in [-1, 1], hard edges. Squares of side 1/3, in a row of three from the
+//   bottom
+//             left: +x, +y, +z; above them -x, -y, -z. Nothing above v = 2/3.
+//   cylinder  radius 1, y in [-1, 1], axis y. Side: v in [0, 0.5], u as on the sphere. Top and
+//   bottom:
+//             discs of radius 0.24 round (0.25, 0.75) and (0.75, 0.75).
+//   torus     ring radius 0.7 in the xz plane, tube radius 0.3. u round the ring as on the sphere,
+//             v round the tube, 0.5 at the outer rim.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string_view>
+
+#include "mesh/mesh.h"
+
+namespace wrinkle {
+
+struct Shape {
+    std::string_view name;
+    std::string_view doc;  // one sentence
+    Mesh (*make)();
+};
+
+std::span<const Shape> shapes();  // the first is the default
+std::optional<Mesh> make_shape(std::string_view name);
+
+}  // namespace wrinkle
