@@ -8,12 +8,10 @@
 // docs/surface-gradient.md.
 #pragma once
 
-#include "base/diagnostics.h"
 #include "ir/module.h"
+#include "ir/surface.h"
 
 namespace wrinkle {
-
-enum class BackFaces : uint8_t { mirror, flip, none };
 
 struct ExpandOptions {
     bool vertex_tangents = true;  // false: `auto` frames of uv0 are derived (--no-tangents)

@@ -1,0 +1,211 @@
+#include "ir/expand.h"
+
+#include <unordered_map>
+
+#include "ir/gradient_sum.h"
+#include "ir/rewrite.h"
+
+namespace wrinkle {
+namespace {
+
+// The reference's clamp of slopes from normal maps, and a floor that makes a zero vector flat.
+constexpr double steepest_slope = 128;
+constexpr double smallest_depth = 1e-6;
+// FLT_EPSILON: keeps SurfgradFromPerturbedNormal finite where the normal lies in the tangent plane.
+constexpr double smallest_cosine = 1.1920929e-7;
+
+struct Derivative {
+    Value slope;  // in the uv; over depth
+    Value depth;  // empty: 1
+    Frame frame;
+};
+
+struct Expander {
+    const ExpandOptions& options;
+    const std::vector<uint32_t> dependencies;  // of the source
+    Module* target = nullptr;
+    std::optional<ScreenDerivatives> screen;
+    std::optional<GradientAlgebra> algebra;
+    // By source Id.
+    std::unordered_map<Id, Frame> frames;
+    std::unordered_map<Id, Derivative> derivatives;
+    std::unordered_map<Id, GradientSum> gradients;
+    std::unordered_map<Id, Value> bases;  // the resolved normal; empty for the surface
+
+    Value value(Id id) const { return {target, id}; }
+    Value base_normal(const Module& source, Id gradient) const;
+    Id opaque(const Module& source, Id id, std::span<const Id> mapped);
+    void gradient(const Module& source, Id id, std::span<const Id> mapped);
+    GradientSum source_gradient(const Module& source, Id id, std::span<const Id> mapped);
+    GradientSum from_normal(Value n, Value v) const;
+    Derivative normal_derivative(Value m, Value strength, const Frame& frame) const;
+    Id resolve(const Module& source, Id id);
+    void base(const Module& source, Id id, std::span<const Id> mapped);
+};
+
+// What an opaque value maps to: never read, as every reader is opaque too.
+Id stand_in(Module& target) {
+    return target.number(0);
+}
+
+Value Expander::base_normal(const Module& source, Id gradient) const {
+    const Id base = source[gradient].extra;
+    return base == poison ? Value{} : bases.at(base);
+}
+
+// SurfgradFromPerturbedNormal: (k n - v) / |k|, k = n.v.
+GradientSum Expander::from_normal(Value n, Value v) const {
+    const Value k = dot(n, v);
+    GradientSum result;
+    result.flat.rest = (n * k - v) / max(abs(k), smallest_cosine);
+    return result;
+}
+
+// TspaceNormalToDerivative: -xy / max(|z|, max(|x|,|y|)/128), the division left for later.
+Derivative Expander::normal_derivative(Value m, Value strength, const Frame& frame) const {
+    const Value widest = max(abs(m.x()), abs(m.y()));
+    const Value depth = max(max(abs(m.z()), widest * (1 / steepest_slope)), smallest_depth);
+    return {-m.xy() * strength, depth, frame};
+}
+
+GradientSum Expander::source_gradient(const Module& source, Id id, std::span<const Id> mapped) {
+    const Inst& inst = source[id];
+    switch (inst.op) {
+        case Op::gradient_from_derivative_: {
+            const auto found = derivatives.find(inst.arg[0]);
+            if (found == derivatives.end()) return {};
+            const Derivative& d = found->second;
+            return algebra->from_slope(d.frame.key, slope_in_basis(d.frame, d.slope), d.depth);
+        }
+        case Op::gradient_from_height_: {
+            const Id x = screen->along_surface(Variant::dx, mapped[0]).id;
+            const Id y = screen->along_surface(Variant::dy, mapped[0]).id;
+            if (target->is_literal(x, 0) && target->is_literal(y, 0)) return {};
+            return algebra->from_slope({}, vec2(value(x), value(y)), {});
+        }
+        case Op::gradient_from_volume_: {
+            GradientSum result;
+            result.flat.volume = value(mapped[0]);
+            return result;
+        }
+        case Op::gradient_from_normal_: {
+            const Value on_base = base_normal(source, id);
+            return from_normal(on_base ? on_base : value(unit_normal(*target)), value(mapped[0]));
+        }
+        default:
+            return {};  // gradient_zero
+    }
+}
+
+void Expander::gradient(const Module& source, Id id, std::span<const Id> mapped) {
+    const Inst& inst = source[id];
+    GradientSum result;
+    if (inst.op == Op::gradient_add_) {
+        result = algebra->add(gradients[inst.arg[0]], gradients[inst.arg[1]]);
+    } else if (inst.op == Op::gradient_scale_) {
+        result = algebra->scale(gradients[inst.arg[0]], value(mapped[1]));
+    } else if (inst.op == Op::gradient_mix_) {
+        const Value t = value(mapped[2]);
+        result = algebra->add(algebra->scale(gradients[inst.arg[0]], number(t, 1) - t),
+                              algebra->scale(gradients[inst.arg[1]], t));
+    } else {
+        result = source_gradient(source, id, mapped);
+    }
+    gradients[id] = std::move(result);
+}
+
+Id Expander::resolve(const Module& source, Id id) {
+    const GradientSum& sum = gradients[source[id].arg[0]];
+    Value facing;
+    if (options.back_faces != BackFaces::none) facing = value(target->input(SurfaceInput::facing_));
+    const Value sign = options.back_faces == BackFaces::flip ? facing : Value{};
+    return detach(algebra->resolve(sum, facing, sign, base_normal(source, source[id].arg[0]))).id;
+}
+
+void Expander::base(const Module& source, Id id, std::span<const Id> mapped) {
+    const Inst& inst = source[id];
+    if (source[inst.arg[0]].op == Op::resolve_) {
+        bases[id] = value(mapped[0]);
+        return;
+    }
+    bases[id] = {};
+    if (mapped[0] != surface_normal(*target, options.back_faces) &&
+        mapped[0] != unit_normal(*target))
+        target->problem("the base is neither the surface's normal nor the output of a resolve",
+                        "connect a resolve's normal, or leave the port unconnected");
+}
+
+Id Expander::opaque(const Module& source, Id id, std::span<const Id> mapped) {
+    const Inst inst = source[id];
+    switch (inst.op) {
+        case Op::ddx_:
+            return screen->on_screen(Variant::dx, mapped[0]).id;
+        case Op::ddy_:
+            return screen->on_screen(Variant::dy, mapped[0]).id;
+        case Op::base_:
+            base(source, id, mapped);
+            break;
+        case Op::frame_: {
+            const Id direction = mapped.size() > 1 ? mapped[1] : poison;
+            const auto frame = resolve_frame(*target, *screen, mapped[0], direction, inst.extra,
+                                             dependencies[inst.arg[0]], options);
+            if (frame) frames.emplace(id, *frame);
+            break;
+        }
+        case Op::derivative_:
+            if (frames.count(inst.arg[1]))
+                derivatives[id] = {value(mapped[0]), {}, frames.at(inst.arg[1])};
+            break;
+        case Op::normal_derivative_:
+            if (frames.count(inst.arg[2]))
+                derivatives[id] =
+                    normal_derivative(value(mapped[0]), value(mapped[1]), frames.at(inst.arg[2]));
+            break;
+        case Op::slope_: {
+            const auto found = derivatives.find(inst.arg[0]);
+            if (found == derivatives.end()) return target->zero(Type::vec2_);
+            const Derivative& d = found->second;
+            return d.depth ? (d.slope / d.depth).id : d.slope.id;
+        }
+        case Op::gradient_vector_: {
+            const Value gamma = algebra->vector(gradients[inst.arg[0]]);
+            return gamma ? gamma.id : target->zero(Type::vec3_);
+        }
+        case Op::resolve_:
+            return resolve(source, id);
+        default:
+            gradient(source, id, mapped);
+    }
+    return stand_in(*target);
+}
+
+Id expand_one(void* context, Module& target, const Module& source, Id id,
+              std::span<const Id> mapped) {
+    auto& expander = *static_cast<Expander*>(context);
+    if (!expander.target) {
+        expander.target = &target;
+        expander.screen.emplace(target);
+        expander.algebra.emplace(target, *expander.screen);
+    }
+    if (!is_opaque(source[id].op)) return poison;
+    if (source[id].level > 0) {
+        target.problem("a bump cannot be made inside a loop or a function",
+                       "compute heights or slopes there, and make the gradient outside");
+        return stand_in(target);
+    }
+    return expander.opaque(source, id, mapped);
+}
+
+Id strip_detach(void*, Module&, const Module& source, Id id, std::span<const Id> mapped) {
+    return source[id].op == Op::detach_ ? mapped[0] : poison;
+}
+
+}  // namespace
+
+Module expand(const Module& source, const ExpandOptions& options) {
+    Expander expander{options, input_dependencies(source), nullptr, {}, {}, {}, {}, {}, {}};
+    const Module expanded = rebuild(source, expand_one, &expander);
+    return rebuild(expanded, strip_detach, nullptr);
+}
+
+}  // namespace wrinkle

@@ -1,0 +1,189 @@
+#include "ir/gradient_frame.h"
+
+#include <bit>
+
+#include "ir/surface.h"
+
+namespace wrinkle {
+namespace {
+
+constexpr uint32_t bit(SurfaceInput input) {
+    return 1u << static_cast<uint32_t>(input);
+}
+constexpr uint32_t all_uv_sets = bit(SurfaceInput::uv0_) | bit(SurfaceInput::uv1_) |
+                                 bit(SurfaceInput::uv2_) | bit(SurfaceInput::uv3_);
+
+// Below it a length counts as zero; well under (pixel size)^4 of any sensible scene.
+constexpr double tiny_square = 1e-36;
+
+Value safe_unit(Value v) {
+    return v * inversesqrt(max(dot(v, v), tiny_square));
+}
+
+// The one uv set that these inputs are, if they are one.
+std::optional<SurfaceInput> single_uv_set(uint32_t dependencies) {
+    if (std::popcount(dependencies) != 1 || !(dependencies & all_uv_sets)) return {};
+    return static_cast<SurfaceInput>(std::countr_zero(dependencies));
+}
+
+// The rows of J^T / sqrt|det J|, J = d(uv)/d(set); nothing is stored where J is the identity.
+void bring_to_set(Module& target, Id uv, SurfaceInput set, Frame& frame) {
+    if (uv == target.input(set)) return;
+    const Value u{&target, uv_direction(target, set, 0).tangent_or_zero(uv)};
+    const Value v{&target, uv_direction(target, set, 1).tangent_or_zero(uv)};
+    const Value det = abs(u.x() * v.y() - u.y() * v.x());
+    const Value scale = select(greater(det, 0), inversesqrt(max(det, tiny_square)), number(u, 0));
+    frame.row_u = vec2(u.x() * scale, u.y() * scale);
+    frame.row_v = vec2(v.x() * scale, v.y() * scale);
+}
+
+struct Choice {
+    uint32_t method;
+    uint32_t scale;
+};
+
+Choice chosen(uint32_t extra, uint32_t dependencies, const ExpandOptions& options) {
+    Choice choice{extra & 0xFF, extra >> 8};
+    if (choice.method != WR_FRAME_auto) return choice;
+    if (choice.scale == WR_SCALE_surface)
+        choice.method = WR_FRAME_exact;
+    else if (dependencies == bit(SurfaceInput::uv0_) && options.vertex_tangents)
+        choice.method = WR_FRAME_vertex;
+    else
+        choice.method = WR_FRAME_derived;
+    return choice;
+}
+
+bool fits(Module& target, const Choice& choice, uint32_t dependencies) {
+    const bool exact = choice.method == WR_FRAME_exact;
+    if (exact != (choice.scale == WR_SCALE_surface)) {
+        target.problem(exact ? "the frame 'exact' goes with the scale 'surface'"
+                             : "the scale 'surface' goes with the frame 'exact'",
+                       "set the frame to 'auto', or change the scale");
+        return false;
+    }
+    if (choice.method == WR_FRAME_vertex && dependencies != bit(SurfaceInput::uv0_)) {
+        target.problem("the frame 'vertex' needs a uv that is made from uv0 alone",
+                       "vertex tangents belong to uv0; set the frame to 'derived' or 'auto'");
+        return false;
+    }
+    return true;
+}
+
+TangentBasis vertex_basis(Module& target, bool raw) {
+    const Value n{&target, target.input(SurfaceInput::normal_)};
+    const Value tangent{&target, target.input(SurfaceInput::tangent_)};
+    const Value sign = select(greater(tangent.w(), 0), number(n, 1), number(n, -1));
+    const Value t = tangent.xyz();
+    const Value b = cross(n, t) * sign;
+    if (raw) return {t, b};
+    const Value scale = inversesqrt(dot(n, n));
+    return {t * scale, b * scale};
+}
+
+// GenBasisTB of the reference, sign(0) = +1.
+TangentBasis derived_basis(Module& target, Id uv, ScreenDerivatives& screen) {
+    const Value uv_x = screen.along_surface(Variant::dx, uv);
+    const Value uv_y = screen.along_surface(Variant::dy, uv);
+    const Value p_x = screen.position(Variant::dx);
+    const Value p_y = screen.position(Variant::dy);
+    const Value n{&target, unit_normal(target)};
+    const Value det_sign = sign_nonzero(uv_x.x() * uv_y.y() - uv_y.x() * uv_x.y());
+    const Value flip = sign_nonzero(dot(p_y, cross(n, p_x)));
+    const Value t = safe_unit((p_x * uv_y.y() - p_y * uv_x.y()) * det_sign);
+    return {t, cross(n, t) * (det_sign * flip)};
+}
+
+TangentBasis guessed_basis(Module& target, Id direction) {
+    const Value n{&target, unit_normal(target)};
+    const Value d{&target, direction};
+    const Value t = safe_unit(d - n * dot(n, d));
+    return {t, cross(n, t)};
+}
+
+}  // namespace
+
+Value ScreenDerivatives::change(Variant axis, Id value, bool project) {
+    const size_t index = (axis == Variant::dy ? 1u : 0u) + (project ? 2u : 0u);
+    auto& direction = directions_[index];
+    if (!direction) direction = screen_direction(*target_, axis, project);
+    return {target_, direction->tangent_or_zero(value)};
+}
+
+Value ScreenDerivatives::along_surface(Variant axis, Id value) {
+    return change(axis, value, true);
+}
+Value ScreenDerivatives::on_screen(Variant axis, Id value) {
+    return change(axis, value, false);
+}
+
+Value ScreenDerivatives::position(Variant axis) {
+    return {target_, projected_position(*target_, axis)};
+}
+
+std::vector<uint32_t> input_dependencies(const Module& module) {
+    std::vector<uint32_t> inputs(module.size(), 0);
+    for (Id id = 1; id < module.size(); ++id) {
+        const Inst& inst = module[id];
+        if (inst.op == Op::input_) inputs[id] = bit(input_of(inst.extra));
+        for (const Id operand : module.operands(id))
+            inputs[id] |= inputs[operand];
+        if (inst.op == Op::loop_ || inst.op == Op::call_)
+            for (const Id result : module.region(inst.extra).results)
+                inputs[id] |= inputs[result];
+    }
+    return inputs;
+}
+
+std::optional<Frame> resolve_frame(Module& target, ScreenDerivatives& screen, Id uv, Id direction,
+                                   uint32_t extra, uint32_t dependencies,
+                                   const ExpandOptions& options) {
+    const Choice choice = chosen(extra, dependencies, options);
+    if (!fits(target, choice, dependencies)) return {};
+    Frame frame;
+    if (choice.method == WR_FRAME_exact) {
+        frame.row_u = screen.along_surface(Variant::dx, uv);
+        frame.row_v = screen.along_surface(Variant::dy, uv);
+        return frame;
+    }
+    const auto set = single_uv_set(dependencies);
+    if (set) bring_to_set(target, uv, *set, frame);
+    if (choice.method == WR_FRAME_guess)
+        frame.key = {Basis::guess, direction};
+    else if (choice.method == WR_FRAME_vertex)
+        frame.key = {Basis::vertex, poison};
+    else if (set)
+        frame.key = {Basis::derived_set, static_cast<Id>(*set)};
+    else
+        frame.key = {Basis::derived_uv, uv};
+    return frame;
+}
+
+TangentBasis tangent_basis(Module& target, const FrameKey& key, ScreenDerivatives& screen,
+                           bool raw) {
+    switch (key.basis) {
+        case Basis::vertex:
+            return vertex_basis(target, raw);
+        case Basis::derived_set:
+            return derived_basis(target, target.input(static_cast<SurfaceInput>(key.source)),
+                                 screen);
+        case Basis::derived_uv:
+            return derived_basis(target, key.source, screen);
+        case Basis::guess:
+            return guessed_basis(target, key.source);
+        case Basis::exact:
+            break;
+    }
+    return {};
+}
+
+Value slope_in_basis(const Frame& frame, Value slope) {
+    if (!frame.row_u) return slope;
+    if (frame.key.basis == Basis::exact)
+        return vec2(dot(slope, frame.row_u), dot(slope, frame.row_v));
+    // By components, so that a diagonal J of literals folds away.
+    return vec2(slope.x() * frame.row_u.x() + slope.y() * frame.row_u.y(),
+                slope.x() * frame.row_v.x() + slope.y() * frame.row_v.y());
+}
+
+}  // namespace wrinkle

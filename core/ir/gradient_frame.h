@@ -1,0 +1,79 @@
+// Frames: what turns a slope dh/d(u,v) into a surface gradient. Part of the expansion pass.
+//
+// A frame is resolved to one of a few bases of the tangent plane, its FrameKey; every uv that is a
+// function of one uv set shares that set's basis, so layers on it add as 2-vectors. J =
+// d(uv)/d(set) brings a slope in the uv to the set: dh/d(set) = J^T dh/d(uv), divided by sqrt|det
+// J| so that tiling does not steepen a `unit` slope; det J = 0 is flat.
+//
+//   vertex    T, B of MikkTSpace: B = sign(w) N x T from the un-normalised interpolated N and T; T,
+//   B and N share the factor 1/|N| derived   Mikkelsen 2020, GenBasisTB: T = normalize(sgn(det)
+//   (v_y Px - v_x Py)), B = sgn(det) flip n x T, on the
+//             projected screen differentials; orthonormal, sign-corrected, invariant under n -> -n
+//   guess     T = the direction's part in the tangent plane, B = n x T; flat where the direction is
+//   parallel to n exact     no basis of its own: a slope goes to screen differentials by the chain
+//   rule, s . d(uv)/dx (eq. 3)
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "ir/derive.h"
+#include "ir/expand.h"
+#include "ir/value.h"
+
+namespace wrinkle {
+
+// The changes of values to the next pixel, each direction made when first asked for.
+class ScreenDerivatives {
+public:
+    explicit ScreenDerivatives(Module& target) : target_(&target) {}
+
+    // Along the tangent plane of the surface: for heights and uvs.
+    Value along_surface(Variant axis, Id value);
+    // Of the value as it stands on the screen: the ops ddx and ddy.
+    Value on_screen(Variant axis, Id value);
+    // The position's own, projected on the tangent plane.
+    Value position(Variant axis);
+
+private:
+    Value change(Variant axis, Id value, bool project);
+    Module* target_;
+    std::array<std::optional<Direction>, 4> directions_;
+};
+
+enum class Basis : uint8_t { vertex, derived_set, derived_uv, guess, exact };
+
+struct FrameKey {
+    Basis basis = Basis::exact;
+    Id source = poison;  // the uv set (as its number), the uv, or the direction
+    bool operator==(const FrameKey&) const = default;
+};
+
+// A frame met in the source: its basis, and what brings a slope in its uv into that basis.
+struct Frame {
+    FrameKey key;
+    Value row_u, row_v;  // vec2: slope . row_u is the slope along the basis' u; empty: identity
+};
+
+struct TangentBasis {
+    Value t, b;  // vec3; zero where degenerate
+};
+
+// Which surface inputs each instruction depends on, a bit per SurfaceInput; bits of region bodies
+// count.
+std::vector<uint32_t> input_dependencies(const Module& module);
+
+// `dependencies` are those of the uv. Nothing, with a problem recorded, where method and scale do
+// not fit.
+std::optional<Frame> resolve_frame(Module& target, ScreenDerivatives& screen, Id uv, Id direction,
+                                   uint32_t extra, uint32_t dependencies,
+                                   const ExpandOptions& options);
+
+// The basis' vectors; `raw` leaves out the factor 1/|N| of a vertex basis.
+TangentBasis tangent_basis(Module& target, const FrameKey& key, ScreenDerivatives& screen,
+                           bool raw);
+
+// A slope brought into the frame's basis (screen differentials dh/dx, dh/dy for an exact one).
+Value slope_in_basis(const Frame& frame, Value slope);
+
+}  // namespace wrinkle

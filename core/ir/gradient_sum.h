@@ -1,0 +1,74 @@
+// A surface gradient while it is being composed. Part of the expansion pass.
+//
+// Gamma = sum over bases (T s.x + B s.y)  +  eq. 3 of (hx, hy)  +  (g - n (n.g))  +  rest, held as
+// its parts: a 2-vector of slopes per tangent basis, one of screen differentials, one volume
+// vector, one tangent vector. All parts are linear, so layers add part by part.
+//
+// A tangent-space normal's slope is a quotient, -xy/z. Up to two such terms wait with their depths
+// z undivided: resolve multiplies n through instead, as positive factors drop out under the final
+// normalize. With a third every term is divided: the product of three small depths overflows, and
+// dividing is then cheaper.
+#pragma once
+
+#include <vector>
+
+#include "ir/gradient_frame.h"
+
+namespace wrinkle {
+
+struct Slopes {
+    struct Slot {
+        FrameKey basis;
+        Value slope;  // vec2
+    };
+    std::vector<Slot> slots;  // at most max_slots; more go into rest
+    Value screen;             // vec2 (dh/dx, dh/dy); an empty Value is zero
+    Value volume;             // vec3
+    Value rest;               // vec3, tangent to the base
+
+    bool empty() const { return slots.empty() && !screen && !volume && !rest; }
+};
+
+struct GradientSum {
+    Slopes flat;
+    struct Term {
+        Slopes over;  // to be divided by depth
+        Value depth;  // float > 0
+    };
+    std::vector<Term> pending;  // at most 2
+};
+
+class GradientAlgebra {
+public:
+    static constexpr size_t max_slots = 8;
+    static constexpr size_t max_pending = 2;
+
+    GradientAlgebra(Module& target, ScreenDerivatives& screen)
+        : target_(&target), screen_(&screen) {}
+
+    GradientSum from_slope(const FrameKey& basis, Value slope, Value depth);
+    GradientSum add(const GradientSum& a, const GradientSum& b);
+    GradientSum scale(const GradientSum& a, Value amount);
+
+    // Gamma itself, every term divided; empty for a flat one.
+    Value vector(const GradientSum& sum);
+
+    // normalize(n - sign * Gamma); on_base is the resolved normal that Gamma is projected on, or
+    // empty: the surface, whose normal is `facing` times the interpolated one (`facing` may be
+    // empty: 1).
+    Value resolve(const GradientSum& sum, Value facing, Value sign, Value on_base);
+
+private:
+    struct Homogeneous;
+    Slopes add(const Slopes& a, const Slopes& b);
+    Slopes scale(const Slopes& a, Value amount);
+    Value vector(const Slopes& slopes, bool raw);
+    void divide(GradientSum& sum);
+    Slopes over_common_depth(const GradientSum& sum, Value& depth);
+    Value screen_gradient(Value slope);
+
+    Module* target_;
+    ScreenDerivatives* screen_;
+};
+
+}  // namespace wrinkle

@@ -1,0 +1,24 @@
+#include "ir/surface.h"
+
+#include "ir/value.h"
+
+namespace wrinkle {
+
+Id unit_normal(Module& module) {
+    return module.add(Op::normalize_, {module.input(SurfaceInput::normal_)});
+}
+
+Id surface_normal(Module& module, BackFaces back_faces) {
+    const Value normal{&module, unit_normal(module)};
+    if (back_faces == BackFaces::none) return normal.id;
+    const Value facing{&module, module.input(SurfaceInput::facing_)};
+    return (normal * facing).id;
+}
+
+Id projected_position(Module& module, Variant axis) {
+    const Value normal{&module, unit_normal(module)};
+    const Value change{&module, module.input(SurfaceInput::position_, axis)};
+    return (change - normal * dot(normal, change)).id;
+}
+
+}  // namespace wrinkle

@@ -1,0 +1,25 @@
+// The surface point's normal and its differentials: the few expressions that lowering and expansion
+// must agree on. All in object space.
+#pragma once
+
+#include "ir/module.h"
+
+namespace wrinkle {
+
+// What a back face does to the surface's normal n and to the gradient's sign (one choice per
+// graph).
+//   mirror   n turns towards the viewer, bumps stay outward on both sides
+//   flip     n turns, and a bump seen from behind is a dent (a thin sheet)
+//   none     n stays
+enum class BackFaces : uint8_t { mirror, flip, none };
+
+// The interpolated normal made unit, without the back-face rule. A zero normal is unspecified.
+Id unit_normal(Module& module);
+
+// The normal that a graph sees: unit, turned by `facing` unless the rule is none.
+Id surface_normal(Module& module, BackFaces back_faces);
+
+// The position's change to the next pixel, in its tangent plane: P - n (n.P).
+Id projected_position(Module& module, Variant axis);
+
+}  // namespace wrinkle

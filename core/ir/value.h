@@ -1,0 +1,91 @@
+// A value of a module with operators, so that passes read like the formulas they stand for.
+//   Value gamma = t * slope.x() + b * slope.y();
+// Nothing more than an Id and its module; every operator is one Module::add().
+#pragma once
+
+#include "ir/module.h"
+
+namespace wrinkle {
+
+struct Value {
+    Module* module = nullptr;
+    Id id = poison;
+
+    Value x() const { return {module, module->swizzle(id, "x")}; }
+    Value y() const { return {module, module->swizzle(id, "y")}; }
+    Value z() const { return {module, module->swizzle(id, "z")}; }
+    Value w() const { return {module, module->swizzle(id, "w")}; }
+    Value xy() const { return {module, module->swizzle(id, "xy")}; }
+    Value xyz() const { return {module, module->swizzle(id, "xyz")}; }
+    explicit operator bool() const { return id != poison; }
+};
+
+inline Value op(Op o, Value a) {
+    return {a.module, a.module->add(o, {a.id})};
+}
+inline Value op(Op o, Value a, Value b) {
+    return {a.module, a.module->add(o, {a.id, b.id})};
+}
+inline Value op(Op o, Value a, Value b, Value c) {
+    return {a.module, a.module->add(o, {a.id, b.id, c.id})};
+}
+inline Value number(Value like, double value) {
+    return {like.module, like.module->number(value)};
+}
+inline Value vec2(Value a, Value b) {
+    return {a.module, a.module->construct(Type::vec2_, {a.id, b.id})};
+}
+
+inline Value operator-(Value a) {
+    return op(Op::neg_, a);
+}
+inline Value operator+(Value a, Value b) {
+    return op(Op::add_, a, b);
+}
+inline Value operator-(Value a, Value b) {
+    return op(Op::sub_, a, b);
+}
+inline Value operator*(Value a, Value b) {
+    return op(Op::mul_, a, b);
+}
+inline Value operator*(Value a, double b) {
+    return op(Op::mul_, a, number(a, b));
+}
+inline Value operator/(Value a, Value b) {
+    return op(Op::div_, a, b);
+}
+inline Value abs(Value a) {
+    return op(Op::abs_, a);
+}
+inline Value max(Value a, Value b) {
+    return op(Op::max_, a, b);
+}
+inline Value max(Value a, double b) {
+    return op(Op::max_, a, number(a, b));
+}
+inline Value dot(Value a, Value b) {
+    return op(Op::dot_, a, b);
+}
+inline Value cross(Value a, Value b) {
+    return op(Op::cross_, a, b);
+}
+inline Value normalize(Value a) {
+    return op(Op::normalize_, a);
+}
+inline Value inversesqrt(Value a) {
+    return op(Op::inversesqrt_, a);
+}
+inline Value sign_nonzero(Value a) {
+    return op(Op::sign_nonzero_, a);
+}
+inline Value detach(Value a) {
+    return op(Op::detach_, a);
+}
+inline Value greater(Value a, double b) {
+    return op(Op::gt_, a, number(a, b));
+}
+inline Value select(Value condition, Value a, Value b) {
+    return op(Op::select_, condition, a, b);
+}
+
+}  // namespace wrinkle
