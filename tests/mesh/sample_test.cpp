@@ -1,0 +1,106 @@
+#include "mesh/sample.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <limits>
+
+#include "mesh/shapes.h"
+
+namespace wrinkle {
+namespace {
+
+using glm::dvec2;
+using glm::dvec3;
+
+std::string error_of(const Mesh& mesh, dvec2 uv, uint32_t size) {
+    Diagnostics diagnostics;
+    EXPECT_FALSE(sample_mesh(mesh, uv, size, diagnostics));
+    EXPECT_EQ(diagnostics.error_count(), 1U);
+    return to_text(diagnostics);
+}
+
+TEST(SampleMesh, GivesTheDifferentialsOfOneTexel) {
+    Diagnostics none;
+    const auto point = sample_mesh(*make_shape("plane"), {0.25, 0.75}, 512, none);
+    ASSERT_TRUE(point);
+    EXPECT_EQ(point->value.position, dvec3(-0.5, 0.5, 0));
+    EXPECT_EQ(point->value.normal, dvec3(0, 0, 1));
+    EXPECT_EQ(point->value.tangent, glm::dvec4(1, 0, 0, 1));
+    EXPECT_EQ(point->dx.position, dvec3(2.0 / 512, 0, 0));
+    EXPECT_EQ(point->dy.position, dvec3(0, 2.0 / 512, 0));
+    EXPECT_EQ(point->dx.uv[0], dvec2(1.0 / 512, 0));
+    EXPECT_EQ(point->dy.uv[0], dvec2(0, 1.0 / 512));
+    EXPECT_EQ(point->dx.normal, dvec3(0));
+    EXPECT_EQ(point->dy.color, glm::dvec4(0));
+    // uv1 turns by 30 degrees and doubles.
+    EXPECT_NEAR(point->dx.uv[1].x, std::sqrt(3.0) / 512, 1e-8);
+    EXPECT_NEAR(point->dx.uv[1].y, 1.0 / 512, 1e-8);
+}
+
+TEST(SampleMesh, DifferentialsAreDifferencesOfPoints) {
+    const Mesh mesh = *make_shape("torus");
+    const dvec2 uv(0.3704, 0.6103);
+    constexpr uint32_t size = 1 << 16;  // a texel well within the triangle
+    Diagnostics none;
+    const auto here = sample_mesh(mesh, uv, size, none);
+    const auto right = sample_mesh(mesh, uv + dvec2(1.0 / size, 0), size, none);
+    const auto up = sample_mesh(mesh, uv + dvec2(0, 1.0 / size), size, none);
+    ASSERT_TRUE(here && right && up);
+    ASSERT_EQ(here->triangle, right->triangle);
+    ASSERT_EQ(here->triangle, up->triangle);
+    const auto near = [](auto a, auto b) { return glm::length(a - b) < 1e-14; };
+    EXPECT_TRUE(near(here->dx.position, right->value.position - here->value.position));
+    EXPECT_TRUE(near(here->dy.position, up->value.position - here->value.position));
+    EXPECT_TRUE(near(here->dx.normal, right->value.normal - here->value.normal));
+    EXPECT_TRUE(near(here->dy.normal, up->value.normal - here->value.normal));
+    EXPECT_TRUE(near(here->dx.tangent, right->value.tangent - here->value.tangent));
+    EXPECT_TRUE(near(here->dy.uv[1], up->value.uv[1] - here->value.uv[1]));
+}
+
+TEST(SampleMesh, CoversEdgesAndCorners) {
+    const Mesh cube = *make_shape("cube");
+    for (const dvec2 uv :
+         {dvec2(0, 0), dvec2(1 / 3.0, 1 / 3.0), dvec2(1, 0), dvec2(0.5, 1 / 3.0)}) {
+        Diagnostics none;
+        EXPECT_TRUE(sample_mesh(cube, uv, 1024, none)) << uv.x << " " << uv.y;
+    }
+}
+
+TEST(SampleMesh, SaysWhatTheMeshLacks) {
+    Mesh mesh = *make_shape("plane");
+    mesh.tangents.clear();
+    mesh.uvs[1].clear();
+    Diagnostics none;
+    const auto point = sample_mesh(mesh, {0.5, 0.5}, 1024, none);
+    ASSERT_TRUE(point);
+    EXPECT_TRUE(point->has.normal);
+    EXPECT_TRUE(point->has.uv[0]);
+    EXPECT_TRUE(point->has.color);
+    EXPECT_FALSE(point->has.tangent);
+    EXPECT_FALSE(point->has.uv[1]);
+    EXPECT_EQ(point->value.tangent, glm::dvec4(0));
+}
+
+TEST(SampleMesh, RefusesPlacesOutsideTheLayout) {
+    const Mesh cube = *make_shape("cube");
+    EXPECT_NE(error_of(cube, {0.5, 0.9}, 1024).find("(0.5, 0.9)"), std::string::npos);
+    EXPECT_NE(error_of(cube, {-0.1, 0.1}, 1024).find("no triangle"), std::string::npos);
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    error_of(cube, {nan, 0.5}, 1024);
+    error_of(cube, {std::numeric_limits<double>::infinity(), 0.5}, 1024);
+}
+
+TEST(SampleMesh, RefusesAMeshWithoutUvsAndALayoutWithoutTexels) {
+    Mesh mesh = *make_shape("plane");
+    EXPECT_NE(error_of(mesh, {0.5, 0.5}, 0).find("size"), std::string::npos);
+    mesh.uvs[0].clear();
+    EXPECT_NE(error_of(mesh, {0.5, 0.5}, 1024).find("no uvs"), std::string::npos);
+    Mesh collapsed = *make_shape("plane");
+    collapsed.uvs[0].assign(collapsed.vertex_count(), glm::vec2(0.5F));
+    EXPECT_NE(error_of(collapsed, {0.5, 0.5}, 1024).find("no triangle"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace wrinkle
