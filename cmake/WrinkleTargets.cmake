@@ -27,6 +27,9 @@ endif()
 
 # Equal bits on every machine and compiler: no fused multiply-add behind our back.
 add_compile_options(-Wall -Wextra -Wpedantic -ffp-contract=off -fno-math-errno)
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
+    add_compile_options(-Wno-restrict)  # false alarms in std::string, gcc bug 105651
+endif()
 if(WRINKLE_WERROR)
     add_compile_options(-Werror)
 endif()
