@@ -1,0 +1,94 @@
+// An immutable ordered table with fast lookup by key, cheap to copy.
+//
+// Copies share their contents; `with` and `without` return a changed copy (O(n), a replaced entry
+// keeps the shared index). Keys are unique: of equal keys the first is found. An entry type says
+// its key by a function `std::string_view table_key(const T&)` beside it.
+#pragma once
+
+#include <bit>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace wrinkle {
+
+template <class T>
+class Table {
+public:
+    Table() = default;
+    explicit Table(std::vector<T> items)
+        : items_(std::make_shared<const std::vector<T>>(std::move(items))),
+          slots_(index(*items_)) {}
+
+    size_t size() const { return items_ ? items_->size() : 0; }
+    bool empty() const { return size() == 0; }
+    const T& operator[](size_t i) const { return (*items_)[i]; }
+    const T* begin() const { return items_ ? items_->data() : nullptr; }
+    const T* end() const { return begin() + size(); }
+
+    static constexpr size_t npos = ~size_t{0};
+
+    size_t index_of(std::string_view key) const {
+        if (empty()) return npos;
+        const size_t slot = probe(*items_, *slots_, key);
+        return (*slots_)[slot] == 0 ? npos : (*slots_)[slot] - 1;
+    }
+    const T* find(std::string_view key) const {
+        const size_t i = index_of(key);
+        return i == npos ? nullptr : begin() + i;
+    }
+
+    // Replaces the entry of the same key in its place, or appends.
+    Table with(T item) const {
+        std::vector<T> items(begin(), end());
+        const size_t i = index_of(table_key(item));
+        if (i == npos) {
+            items.push_back(std::move(item));
+            return Table(std::move(items));
+        }
+        items[i] = std::move(item);
+        Table changed;
+        changed.items_ = std::make_shared<const std::vector<T>>(std::move(items));
+        changed.slots_ = slots_;
+        return changed;
+    }
+    Table without(std::string_view key) const {
+        const size_t i = index_of(key);
+        if (i == npos) return *this;
+        std::vector<T> items(begin(), end());
+        items.erase(items.begin() + static_cast<std::ptrdiff_t>(i));
+        return Table(std::move(items));
+    }
+
+    // The same contents by identity: a fast "not edited".
+    bool same(const Table& other) const {
+        return items_ == other.items_ || (empty() && other.empty());
+    }
+
+private:
+    using Slots = std::vector<uint32_t>;  // open addressing; 0 is free, else index + 1
+
+    static size_t probe(const std::vector<T>& items, const Slots& slots, std::string_view key) {
+        const size_t mask = slots.size() - 1;
+        size_t slot = std::hash<std::string_view>{}(key)&mask;
+        while (slots[slot] != 0 && table_key(items[slots[slot] - 1]) != key)
+            slot = (slot + 1) & mask;
+        return slot;
+    }
+    static std::shared_ptr<const Slots> index(const std::vector<T>& items) {
+        Slots slots(std::bit_ceil(items.size() * 2 + 1), 0);
+        for (size_t i = 0; i < items.size(); ++i) {
+            uint32_t& slot = slots[probe(items, slots, table_key(items[i]))];
+            if (slot == 0) slot = static_cast<uint32_t>(i + 1);
+        }
+        return std::make_shared<const Slots>(std::move(slots));
+    }
+
+    std::shared_ptr<const std::vector<T>> items_;
+    std::shared_ptr<const Slots> slots_;
+};
+
+}  // namespace wrinkle

@@ -1,0 +1,109 @@
+// An immutable JSON value that knows where it stood.
+//
+// A Value is a handle (shared tree, index), cheap to copy. All values of one text share one flat
+// tree in source order, and with it the text itself. A number keeps the spelling of its source; a
+// value that was built instead of read has no location. Objects keep their order; of a duplicate
+// key (reported by parse) the first is kept. A default Value is null.
+//
+// Lines and columns count from 1; a column is a UTF-8 character, a tab is one column.
+#pragma once
+
+#include <cstdint>
+#include <initializer_list>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "base/diagnostics.h"
+
+namespace wrinkle::json {
+
+enum class Kind : uint8_t { null, boolean, number, string, array, object };
+
+// "a number", "an object", ... for messages.
+const char* kind_name(Kind kind);
+
+struct Tree;
+struct Member;
+class Children;
+
+class Value {
+public:
+    Value() = default;
+    Value(std::shared_ptr<const Tree> tree, uint32_t index)
+        : tree_(std::move(tree)), index_(index) {}
+
+    static Value boolean(bool value);
+    static Value number(double value);  // spelled the shortest way; asserts that it is finite
+    static Value string(std::string_view text);
+    static Value array(std::span<const Value> items);
+    static Value array(std::initializer_list<Value> items);
+    static Value object(std::span<const std::pair<std::string, Value>> members);
+
+    Kind kind() const;
+    bool is(Kind wanted) const { return kind() == wanted; }
+
+    // Each asserts its kind.
+    bool as_boolean() const;
+    double as_number() const;
+    std::string_view spelling() const;   // of a number, as in the source
+    std::string_view as_string() const;  // decoded; lives as long as any value of the tree
+
+    size_t size() const;                     // of an array or object, else 0
+    Children children() const;               // of an array or object, else empty: a range of Member
+    Value find(std::string_view key) const;  // of an object, linear; null when absent
+    bool has(std::string_view key) const;
+    Value at(size_t item) const;  // of an array; linear
+
+    // Whether it was read from a text, and where it stands there.
+    bool has_location() const;
+    uint32_t offset() const;        // of its first byte; 0 without a location
+    Location location() const;      // line 0 without a location
+    Location key_location() const;  // of the key of an object's member, else location()
+    std::string pointer() const;    // JSON pointer from the root of its text
+    bool cut_off() const;  // an array or object that a syntax error ended: more may have followed
+
+    // The whole text that it was read from, "" when it was built.
+    std::string_view source() const;
+
+    bool same(const Value& other) const;                 // the same handle: a fast "not edited"
+    friend bool operator==(const Value&, const Value&);  // equal values; numbers by value
+
+private:
+    friend class Children;
+    std::shared_ptr<const Tree> tree_;
+    uint32_t index_ = 0;
+};
+
+struct Member {
+    std::string_view key;  // "" in an array
+    Value value;
+};
+
+// `for (const Member& m : value.children())`
+class Children {
+public:
+    class Iterator {
+    public:
+        Iterator(const Value* parent, uint32_t index) : parent_(parent), index_(index) {}
+        Member operator*() const;
+        Iterator& operator++();
+        bool operator==(const Iterator& other) const { return index_ == other.index_; }
+
+    private:
+        const Value* parent_;
+        uint32_t index_;  // of the child's value
+    };
+
+    explicit Children(Value parent) : parent_(std::move(parent)) {}
+    Iterator begin() const;
+    Iterator end() const;
+
+private:
+    Value parent_;
+};
+
+}  // namespace wrinkle::json
