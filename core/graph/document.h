@@ -15,6 +15,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/back_faces.h"
 #include "base/diagnostics.h"
 #include "graph/table.h"
 #include "json/value.h"
@@ -119,9 +120,6 @@ inline std::string_view table_key(const Position& position) {
 inline std::string_view table_key(const Box& box) {
     return box.id;
 }
-
-enum class BackFaces : uint8_t { mirror, flip, none };
-const char* back_faces_name(BackFaces choice);
 
 struct Document {
     std::string file;  // as given to read_document; "" for a new one

@@ -2,16 +2,10 @@
 // must agree on. All in object space.
 #pragma once
 
+#include "base/back_faces.h"
 #include "ir/module.h"
 
 namespace wrinkle {
-
-// What a back face does to the surface's normal n and to the gradient's sign (one choice per
-// graph).
-//   mirror   n turns towards the viewer, bumps stay outward on both sides
-//   flip     n turns, and a bump seen from behind is a dent (a thin sheet)
-//   none     n stays
-enum class BackFaces : uint8_t { mirror, flip, none };
 
 // The interpolated normal made unit, without the back-face rule. A zero normal is unspecified.
 Id unit_normal(Module& module);
