@@ -1,0 +1,189 @@
+#include "image/load.h"
+
+#include <cmath>
+#include <memory>
+#include <new>
+#include <span>
+
+#include "image/format.h"
+#include "image/half.h"
+#include "image/module.h"
+
+namespace wrinkle {
+namespace fs = std::filesystem;
+
+namespace {
+
+struct CloseReader {
+    const WrinkleImageModule* module;
+    void operator()(WrinkleImageReader* reader) const { module->close(reader); }
+};
+using Reader = std::unique_ptr<WrinkleImageReader, CloseReader>;
+
+std::string quoted(const fs::path& path) {
+    return "image '" + path.string() + "' ";
+}
+
+struct Opened {
+    ImageInfo info;
+    Reader reader{nullptr, CloseReader{nullptr}};
+};
+
+Opened open_reader(const fs::path& path, Diagnostics& diagnostics) {
+    Opened opened;
+    std::string why;
+    const ImageFormat format = sniff_format(path, why);
+    if (format.name.empty()) {
+        diagnostics.error(quoted(path) + why, readable_formats);
+        return opened;
+    }
+    const WrinkleImageModule* module = image_module(why);
+    if (!module) {
+        diagnostics.error(quoted(path) + "cannot be read: " + why, image_module_remedy);
+        return opened;
+    }
+    char text[512] = "";
+    WrinkleImageHeader header = {};
+    WrinkleImageReader* reader =
+        module->open(path.c_str(), format.plugin.c_str(), &header, {text, sizeof text});
+    opened.reader = Reader(reader, CloseReader{module});
+    if (!reader)
+        diagnostics.error(quoted(path) + "cannot be read as " + format.name + ": " + text,
+                          "a complete file with one to four channels; export it again");
+    opened.info = {format.name,     header.width,          header.height,
+                   header.channels, header.has_alpha != 0, static_cast<PixelType>(header.type)};
+    return opened;
+}
+
+void refuse_size(const fs::path& path, const std::string& what, uint64_t found, uint64_t limit,
+                 const char* variable, Diagnostics& diagnostics) {
+    diagnostics.error(quoted(path) + "has " + what + " " + std::to_string(found) +
+                          ", over the limit of " + std::to_string(limit),
+                      "a smaller image, or set " + std::string(variable) + "=" +
+                          std::to_string(found) + " to raise the limit");
+}
+
+bool within_limits(const fs::path& path, const ImageInfo& info, const ImageLimits& limits,
+                   Diagnostics& diagnostics) {
+    if (info.width == 0 || info.height == 0) {
+        diagnostics.error(quoted(path) + "has no pixels", "at least one pixel");
+        return false;
+    }
+    const uint64_t pixels = uint64_t{info.width} * info.height;
+    const uint64_t bytes = pixels * info.channels * sizeof(float);
+    const char* side = "WRINKLE_IMAGE_MAX_SIDE";
+    if (info.width > limits.max_side)
+        refuse_size(path, "width", info.width, limits.max_side, side, diagnostics);
+    else if (info.height > limits.max_side)
+        refuse_size(path, "height", info.height, limits.max_side, side, diagnostics);
+    else if (pixels > limits.max_pixels)
+        refuse_size(path, "a pixel count of", pixels, limits.max_pixels, "WRINKLE_IMAGE_MAX_PIXELS",
+                    diagnostics);
+    else if (bytes > limits.max_bytes)
+        refuse_size(path, "a size in memory of", bytes, limits.max_bytes, "WRINKLE_IMAGE_MAX_BYTES",
+                    diagnostics);
+    else
+        return true;
+    return false;
+}
+
+Opened open_within(const fs::path& path, const ImageLimits& limits, Diagnostics& diagnostics) {
+    Opened opened = open_reader(path, diagnostics);
+    if (opened.reader && !within_limits(path, opened.info, limits, diagnostics))
+        opened.reader.reset();
+    return opened;
+}
+
+template <typename Stored, typename Convert>
+void convert_row(const std::byte* row, std::span<float> out, Convert convert) {
+    const Stored* in = reinterpret_cast<const Stored*>(row);
+    for (float& value : out)
+        value = convert(*in++);
+}
+
+void row_to_float(PixelType type, const std::byte* row, std::span<float> out) {
+    switch (type) {
+        case PixelType::u8:
+            return convert_row<uint8_t>(row, out, [](uint8_t v) { return v / 255.0f; });
+        case PixelType::u16:
+            return convert_row<uint16_t>(row, out, [](uint16_t v) { return v / 65535.0f; });
+        case PixelType::half:
+            return convert_row<uint16_t>(row, out, float_from_half);
+        case PixelType::float32:
+            return convert_row<float>(row, out, [](float v) { return v; });
+    }
+}
+
+// The file's first row is the top one, the image's first row the bottom one.
+Image image_from(const ImageInfo& info, const std::vector<std::byte>& stored) {
+    Image image = make_image(info.width, info.height, info.channels, info.source);
+    image.has_alpha = info.has_alpha;
+    const size_t count = size_t{info.width} * info.channels;
+    const size_t stride = count * bytes_of(info.source);
+    for (uint32_t y = 0; y < info.height; ++y)
+        row_to_float(info.source, stored.data() + (info.height - 1 - y) * stride,
+                     {image.texel(0, y), count});
+    return image;
+}
+
+void warn_of_non_finite(const fs::path& path, const Image& image, Diagnostics& diagnostics) {
+    size_t count = 0, first = 0;
+    for (size_t i = 0; i < image.data.size(); ++i)
+        if (!std::isfinite(image.data[i]) && count++ == 0) first = i / image.channels;
+    if (count == 0) return;
+    const size_t x = first % image.width, y = first / image.width;
+    Diagnostic warning;
+    warning.severity = Severity::warning;
+    warning.message = quoted(path) + "has " + std::to_string(count) +
+                      " values that are NaN or infinite, the first at column " + std::to_string(x) +
+                      ", row " + std::to_string(y) + " from the bottom left";
+    warning.expected = "finite numbers; they are used as they are";
+    diagnostics.add(std::move(warning));
+}
+
+std::optional<Image> decode(const fs::path& path, const Opened& opened, Diagnostics& diagnostics) {
+    const ImageInfo& info = opened.info;
+    std::vector<std::byte> stored(size_t{info.width} * info.height * info.channels *
+                                  bytes_of(info.source));
+    char text[512] = "";
+    const WrinkleImageModule* module = opened.reader.get_deleter().module;
+    if (!module->read(opened.reader.get(), stored.data(), {text, sizeof text})) {
+        diagnostics.error(quoted(path) + "is damaged or truncated: " + text,
+                          "a complete file; export it again");
+        return {};
+    }
+    Image image = image_from(info, stored);
+    if (info.source == PixelType::half || info.source == PixelType::float32)
+        warn_of_non_finite(path, image, diagnostics);
+    return image;
+}
+
+}  // namespace
+
+std::optional<ImageInfo> read_image_info(const fs::path& path, const ImageLimits& limits,
+                                         Diagnostics& diagnostics) {
+    const Opened opened = open_within(path, limits, diagnostics);
+    if (!opened.reader) return {};
+    return opened.info;
+}
+
+std::optional<Image> load_image(const fs::path& path, const ImageLimits& limits,
+                                Diagnostics& diagnostics) {
+    try {
+        const Opened opened = open_within(path, limits, diagnostics);
+        if (!opened.reader) return {};
+        return decode(path, opened, diagnostics);
+    } catch (const std::bad_alloc&) {
+        diagnostics.error(quoted(path) + "does not fit into memory", "a smaller image");
+        return {};
+    }
+}
+
+std::optional<Image> load_image(const fs::path& path, Diagnostics& diagnostics) {
+    const size_t before = diagnostics.error_count();
+    const ImageLimits limits = image_limits_from_environment(diagnostics);
+    if (diagnostics.error_count() > before) return {};
+    return load_image(path, limits, diagnostics);
+}
+
+}  // namespace wrinkle

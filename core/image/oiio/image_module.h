@@ -1,0 +1,63 @@
+/* The border between core/image and the module that holds OpenImageIO.
+ *
+ * The module exports one symbol, wrinkle_image_module, which returns a table of functions. Only
+ * plain data crosses: rows run top to bottom as in files, values keep the file's own type, texts
+ * are written into the caller's buffer, and no exception leaves. Everything may be called from
+ * several threads; one reader belongs to one thread at a time.
+ */
+#ifndef WRINKLE_IMAGE_MODULE_H
+#define WRINKLE_IMAGE_MODULE_H
+
+#include <stdint.h>
+
+#define WRINKLE_IMAGE_MODULE_VERSION 1u
+#define WRINKLE_IMAGE_MODULE_SYMBOL "wrinkle_image_module"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef struct WrinkleImageReader WrinkleImageReader; /* the module's own */
+
+typedef struct WrinkleImageHeader {
+    uint32_t width;
+    uint32_t height;
+    uint32_t channels;  /* 1 to 4: those that read gives */
+    uint32_t has_alpha; /* the last of them is an alpha */
+    uint32_t type;      /* PixelType: 0 u8, 1 u16, 2 half, 3 float */
+} WrinkleImageHeader;
+
+typedef struct WrinkleImageWrite {
+    const char* format;      /* "png", "jpeg", "tiff", "openexr", "hdr" */
+    const char* compression; /* OpenImageIO's name, "" for the format's own default */
+    int32_t quality;         /* jpeg */
+    WrinkleImageHeader header;
+    const void* pixels; /* interleaved, of header.type */
+} WrinkleImageWrite;
+
+/* One sentence of what went wrong, cut at `capacity`, always terminated. */
+typedef struct WrinkleImageText {
+    char* text;
+    uint32_t capacity;
+} WrinkleImageText;
+
+typedef struct WrinkleImageModule {
+    uint32_t size; /* of this struct as the module knows it */
+    uint32_t version;
+    /* Reads the header of a file of the format named; NULL with the reason. */
+    WrinkleImageReader* (*open)(const char* path, const char* format, WrinkleImageHeader* header,
+                                WrinkleImageText why);
+    /* Decodes width * height * channels values of header.type; 0 with the reason. */
+    int32_t (*read)(WrinkleImageReader* reader, void* pixels, WrinkleImageText why);
+    void (*close)(WrinkleImageReader* reader);
+    /* Writes a whole file; 0 with the reason, and then the file is to be removed. */
+    int32_t (*write)(const char* path, const WrinkleImageWrite* what, WrinkleImageText why);
+} WrinkleImageModule;
+
+typedef const WrinkleImageModule* (*WrinkleImageModuleEntry)(void);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
