@@ -1,0 +1,44 @@
+#include "cli/cli.h"
+
+#include <cstdio>
+
+namespace wrinkle::cli {
+namespace {
+
+constexpr const char* version = "wrinkle 0.1.0";
+
+// CLI11 has no long names behind a single dash, as compilers spell these.
+constexpr std::pair<std::string_view, const char*> compiler_flags[] = {
+    {"-MD", "--depfile"}, {"-MF", "--depfile-path"}, {"-MT", "--depfile-target"}};
+
+std::vector<std::string> rewritten(int argc, const char* const* argv) {
+    std::vector<std::string> args;
+    for (int i = argc - 1; i > 0; --i) {  // CLI11 takes them last first
+        std::string arg = argv[i];
+        for (const auto& [flag, name] : compiler_flags)
+            if (arg == flag) arg = name;
+        args.push_back(std::move(arg));
+    }
+    return args;
+}
+
+}  // namespace
+
+int run_cli(int argc, const char* const* argv) {
+    CLI::App app("Layered bump mapping: graphs to GLSL, pictures and numbers.", "wrinkle");
+    app.set_version_flag("--version", version);
+    app.require_subcommand(1);
+    app.get_formatter()->column_width(34);
+    Run run;
+    for (auto declare : {declare_check, declare_compile, declare_eval, declare_render, declare_test,
+                         declare_format, declare_upgrade, declare_nodes, declare_plugins})
+        declare(app, run);
+    try {
+        app.parse(rewritten(argc, argv));
+    } catch (const CLI::ParseError& error) {
+        return app.exit(error) == 0 ? exit_fine : exit_usage;
+    }
+    return run();
+}
+
+}  // namespace wrinkle::cli

@@ -1,0 +1,39 @@
+// The `wrinkle` program: one file per command, each declared in one function.
+//
+// A command's declare function adds its options to the parser and sets `run` to what shall happen
+// when the command was chosen; run() returns the exit code. Errors go to standard error, results to
+// standard output or to files that appear whole or not at all.
+#pragma once
+
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace wrinkle::cli {
+
+enum ExitCode : int {
+    exit_fine = 0,
+    exit_input = 1,        // an input has errors or cannot be read
+    exit_usage = 2,        // wrong usage
+    exit_environment = 3,  // an output cannot be written, no GL
+};
+
+using Run = std::function<int()>;
+
+void declare_check(CLI::App& app, Run& run);
+void declare_compile(CLI::App& app, Run& run);
+void declare_eval(CLI::App& app, Run& run);
+void declare_render(CLI::App& app, Run& run);
+void declare_test(CLI::App& app, Run& run);
+void declare_format(CLI::App& app, Run& run);
+void declare_upgrade(CLI::App& app, Run& run);
+void declare_nodes(CLI::App& app, Run& run);
+void declare_plugins(CLI::App& app, Run& run);
+
+// The whole program but for main(): parses, runs, returns the exit code.
+int run_cli(int argc, const char* const* argv);
+
+}  // namespace wrinkle::cli

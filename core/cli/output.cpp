@@ -1,0 +1,36 @@
+#include "cli/output.h"
+
+#include <cstdio>
+
+#include "base/file.h"
+#include "cli/cli.h"
+
+namespace wrinkle::cli {
+
+bool write_result(const std::string& path, std::string_view text) {
+    if (path == "-") {
+        const bool written = std::fwrite(text.data(), 1, text.size(), stdout) == text.size();
+        if (written && std::fflush(stdout) == 0) return true;
+        complain("standard output cannot be written");
+        return false;
+    }
+    std::string why;
+    if (write_file(path, text, why)) return true;
+    complain(path + ": " + why);
+    return false;
+}
+
+int report(const Diagnostics& diagnostics, const std::string& format) {
+    if (!diagnostics.list().empty() || format == "json") {
+        const std::string text = format == "json" ? to_json(diagnostics) : to_text(diagnostics);
+        std::fwrite(text.data(), 1, text.size(), stderr);
+    }
+    return diagnostics.has_errors() ? exit_input : exit_fine;
+}
+
+void complain(std::string_view sentence) {
+    std::fprintf(stderr, "wrinkle: error: %.*s\n", static_cast<int>(sentence.size()),
+                 sentence.data());
+}
+
+}  // namespace wrinkle::cli

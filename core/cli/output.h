@@ -1,0 +1,21 @@
+// Where results go.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "base/diagnostics.h"
+
+namespace wrinkle::cli {
+
+// "-" is standard output; a file is written whole or not at all. False, with the reason printed,
+// when it cannot be written (exit code 3).
+bool write_result(const std::string& path, std::string_view text);
+
+// Prints the problems to standard error, as text or as JSON, and gives the exit code they mean.
+int report(const Diagnostics& diagnostics, const std::string& format);
+
+// One sentence to standard error.
+void complain(std::string_view sentence);
+
+}  // namespace wrinkle::cli
