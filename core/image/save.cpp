@@ -78,9 +78,9 @@ Problem find_problem(const Image& image, const Writable* format, const SaveOptio
 }
 
 // Not clamp: NaN must land on 0.
-float rounded(float value, float max) {
+double rounded(double value, double max) {
     if (!(value > 0)) return 0;
-    return value < 1 ? std::floor(value * max + 0.5f) : max;
+    return value < 1 ? std::floor(value * max + 0.5) : max;
 }
 
 template <typename Stored, typename Convert>

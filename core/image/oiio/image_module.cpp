@@ -12,6 +12,7 @@
 #include <mutex>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <vector>
 
 struct WrinkleImageReader {
@@ -155,12 +156,13 @@ ImageSpec spec_to_write(const WrinkleImageWrite& what) {
                    static_cast<int>(header.channels), types.at(header.type));
     name_channels(spec, header);
     spec.attribute("oiio:UnassociatedAlpha", 1);
-    spec.attribute("png:filter", 0xF8);  // all row filters: a third of the size for 16 bits
-    spec.attribute("jpeg:subsampling", "4:4:4");
-    if (!std::strcmp(what.format, "jpeg"))
+    const std::string_view format = what.format;
+    if (format == "png") spec.attribute("png:filter", 0xF8);  // all row filters: smaller by far
+    if (format == "jpeg") {
+        spec.attribute("jpeg:subsampling", "4:4:4");
         spec.attribute("compression", "jpeg:" + std::to_string(what.quality));
-    else if (*what.compression)
-        spec.attribute("compression", what.compression);
+    }
+    if (*what.compression) spec.attribute("compression", what.compression);
     return spec;
 }
 

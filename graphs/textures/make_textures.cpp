@@ -1,0 +1,102 @@
+// Writes the textures of the sample graphs, 16-bit PNG files, into the folder it is given:
+//
+//   make_textures FOLDER
+//
+//   *_height.png  one channel, 0 to 1; the samples give it its depth
+//   *_normal.png  tangent space, green = +v, for the depth (in tiles) that the table below states
+//   *_object.png  object space, 2t - 1 = x, y, z
+//   *_mask.png    one channel, 0 to 1
+//
+// Every value comes from integer hashes and correctly rounded arithmetic: the files in the
+// repository are what this program makes anywhere (a test compares them).
+
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <functional>
+#include <string>
+
+#include "base/diagnostics.h"
+#include "image/image.h"
+#include "image/load.h"
+#include "patterns.h"
+#include "sphere.h"
+
+namespace wrinkle::textures {
+namespace {
+
+using Pattern = Dual (*)(Dual u, Dual v);
+
+// The middle of texel (x, y), with the derivatives of u and v themselves.
+Dual at_texel(const Image& image, Pattern pattern, uint32_t x, uint32_t y) {
+    return pattern({(x + 0.5) / image.width, 1, 0}, {(y + 0.5) / image.height, 0, 1});
+}
+
+void put_normal(float* texel, const Vector& direction) {
+    const auto [x, y, z] = direction;
+    const double length = std::sqrt(x * x + y * y + z * z);
+    for (size_t i = 0; i < 3; ++i)
+        texel[i] = static_cast<float>(0.5 + 0.5 * (direction[i] / length));
+}
+
+Image height_map(Pattern pattern, uint32_t size) {
+    Image image = make_image(size, size, 1, PixelType::u16);
+    for (uint32_t y = 0; y < size; ++y)
+        for (uint32_t x = 0; x < size; ++x)
+            *image.texel(x, y) = static_cast<float>(at_texel(image, pattern, x, y).value);
+    return image;
+}
+
+Image normal_map(Pattern pattern, double depth, uint32_t size) {
+    Image image = make_image(size, size, 3, PixelType::u16);
+    for (uint32_t y = 0; y < size; ++y)
+        for (uint32_t x = 0; x < size; ++x) {
+            const Dual height = at_texel(image, pattern, x, y);
+            put_normal(image.texel(x, y), {-depth * height.du, -depth * height.dv, 1});
+        }
+    return image;
+}
+
+Image object_normal_map(uint32_t width) {
+    Image image = make_image(width, width / 2, 3, PixelType::u16);
+    for (uint32_t y = 0; y < image.height; ++y)
+        for (uint32_t x = 0; x < width; ++x) {
+            const Vector point = sphere_point((x + 0.5) / width, (y + 0.5) / image.height);
+            put_normal(image.texel(x, y), ball_normal(point));
+        }
+    return image;
+}
+
+struct Texture {
+    const char* name;
+    std::function<Image()> make;
+};
+
+bool write_all(const std::filesystem::path& folder) {
+    const std::array textures = {
+        Texture{"bricks_height.png", [] { return height_map(bricks, 512); }},
+        Texture{"weave_height.png", [] { return height_map(weave, 256); }},
+        Texture{"weave_normal.png", [] { return normal_map(weave, 0.04, 256); }},
+        Texture{"rivets_normal.png", [] { return normal_map(rivets, 0.1, 256); }},
+        Texture{"pebbles_height.png", [] { return height_map(pebbles, 256); }},
+        Texture{"patches_mask.png", [] { return height_map(patches, 256); }},
+        Texture{"ball_object.png", [] { return object_normal_map(512); }},
+    };
+    Diagnostics diagnostics;
+    for (const Texture& texture : textures)
+        save_image(texture.make(), folder / texture.name, {.type = PixelType::u16}, diagnostics);
+    std::fputs(to_text(diagnostics).c_str(), stderr);
+    return !diagnostics.has_errors();
+}
+
+}  // namespace
+}  // namespace wrinkle::textures
+
+int main(int count, char** arguments) {
+    if (count != 2) {
+        std::fputs("usage: make_textures FOLDER\n", stderr);
+        return 2;
+    }
+    return wrinkle::textures::write_all(arguments[1]) ? 0 : 3;
+}
