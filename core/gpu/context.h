@@ -6,8 +6,10 @@
 // calling thread, for drawing on another thread; that context must come from EGL.
 //
 // A new context is not current. A context is current on at most one thread; every other function of
-// this folder wants one current on its thread, and objects are destroyed where it, or one that
-// shares with it, is current. Failing gives one error of one sentence.
+// this folder wants one current on its thread. A Program, Texture or Lookup may be used and
+// destroyed under any context that shares with its own; a Target or Renderer only under the one it
+// was made in, because GL does not share framebuffers and vertex arrays (a Target's texture() is
+// shared). Failing gives one error of one sentence.
 #pragma once
 
 #include <optional>

@@ -27,12 +27,16 @@ struct Member {
     std::string name;      // in the struct
     std::string type;      // GLSL
     std::string property;  // one of those above
+
+    friend bool operator==(const Member&, const Member&) = default;
 };
 
 struct OutputFunction {
     std::string output;    // "normal", "color", "roughness", …
     std::string function;  // its name in the text
     std::string type;      // what it returns, GLSL
+
+    friend bool operator==(const OutputFunction&, const OutputFunction&) = default;
 };
 
 struct MaterialSampler {
@@ -48,7 +52,7 @@ struct MaterialUniform {
 
 struct Material {
     std::string text;
-    std::string struct_name;
+    std::string struct_name;      // "" when the functions take no argument
     std::vector<Member> members;  // in the order of the struct
     std::vector<OutputFunction> outputs;
     std::vector<MaterialSampler> samplers;

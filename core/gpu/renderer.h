@@ -29,7 +29,6 @@
 
 #include <cstdint>
 #include <glm/mat4x4.hpp>
-#include <map>
 #include <memory>
 #include <optional>
 #include <span>
@@ -83,14 +82,15 @@ public:
 
     void set_mesh(const Mesh& mesh);
 
-    // Compiles the shaded view and brings up the images; on failure the former material stays.
+    // Compiles the shaded view and brings up the images; on failure the former material stays. A
+    // material that differs in samplers and uniforms only compiles nothing.
     bool set_material(const Material& material, Diagnostics& diagnostics);
     // A value of the material in use; false when it has no such uniform.
     bool set_uniform(std::string_view name, std::span<const float> value);
 
     // Keeps pixels under a name that samplers may give as their file; other files are read when a
-    // material first needs them. forget_images() makes the next set_material read them anew.
-    void add_image(const std::string& file, const MipChain& chain);
+    // material first needs them. forget_images() makes the next set_material read those anew.
+    bool add_image(const std::string& file, const MipChain& chain, Diagnostics& diagnostics);
     void forget_images();
 
     // Clears the target, draws and resolves it.

@@ -1,0 +1,70 @@
+#include "gpu/camera.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/ext/matrix_clip_space.hpp>
+#include <glm/ext/matrix_transform.hpp>
+#include <glm/geometric.hpp>
+
+namespace wrinkle::gpu {
+namespace {
+
+struct Framing {
+    std::string_view shape;
+    float yaw;
+    float pitch;
+    float radius;  // of the ball that the picture has to hold
+};
+
+// The plane is looked at straight, so only its half side counts.
+constexpr std::array<Framing, 5> framings{{{"sphere", 0.35F, 0.3F, 1.0F},
+                                           {"plane", 0, 0, 1.0F},
+                                           {"cube", 0.6F, 0.45F, 1.55F},
+                                           {"cylinder", 0.35F, 0.4F, 1.35F},
+                                           {"torus", 0.35F, 0.8F, 0.95F}}};
+constexpr float margin = 1.12F;
+
+Framing framing_of(const Mesh& mesh, std::string_view shape) {
+    for (const Framing& framing : framings)
+        if (framing.shape == shape) return framing;
+    const Bounds bounds = bounds_of(mesh);
+    return {"", 0.5F, 0.35F, glm::length(bounds.high - bounds.low) / 2};
+}
+
+}  // namespace
+
+glm::vec3 eye_of(const OrbitCamera& camera) {
+    const float limit = glm::radians(89.0F);
+    const float pitch = std::clamp(camera.pitch, -limit, limit);
+    const glm::vec3 backwards(std::sin(camera.yaw) * std::cos(pitch), std::sin(pitch),
+                              std::cos(camera.yaw) * std::cos(pitch));
+    return camera.target + camera.distance * backwards;
+}
+
+glm::mat4 view_matrix(const OrbitCamera& camera) {
+    return glm::lookAt(eye_of(camera), camera.target, glm::vec3(0, 1, 0));
+}
+
+glm::mat4 projection_matrix(const OrbitCamera& camera, float aspect, float radius) {
+    const float half = std::tan(camera.field_of_view / 2);
+    const float vertical = 2 * std::atan(aspect < 1 ? half / aspect : half);
+    const float far = (camera.distance + radius) * 1.01F;
+    const float near = std::max(camera.distance - radius, camera.distance * 0.01F) * 0.99F;
+    return glm::perspective(vertical, aspect, near, far);
+}
+
+OrbitCamera default_camera(const Mesh& mesh, std::string_view shape) {
+    const Framing framing = framing_of(mesh, shape);
+    OrbitCamera camera;
+    camera.target = bounds_of(mesh).center();
+    camera.yaw = framing.yaw;
+    camera.pitch = framing.pitch;
+    const float radius = framing.radius > 0 ? framing.radius : 1;
+    const float half = camera.field_of_view / 2;
+    const bool flat = framing.shape == "plane";
+    camera.distance = margin * radius / (flat ? std::tan(half) : std::sin(half));
+    return camera;
+}
+
+}  // namespace wrinkle::gpu

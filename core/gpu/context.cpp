@@ -1,0 +1,233 @@
+#include "gpu/context.h"
+
+#include <epoxy/egl.h>
+#include <epoxy/gl.h>
+
+#include <array>
+#include <map>
+#include <mutex>
+#include <utility>
+#include <vector>
+
+namespace wrinkle::gpu {
+namespace {
+
+// Displays that this file initialised, with the number of contexts on each. EGL has one display per
+// platform and process, and terminating it ends every context there.
+std::mutex display_mutex;
+std::map<EGLDisplay, int>& display_counts() {
+    static std::map<EGLDisplay, int> counts;
+    return counts;
+}
+
+bool open_display(EGLDisplay display) {
+    const std::lock_guard lock(display_mutex);
+    int& count = display_counts()[display];
+    if (count == 0 && !eglInitialize(display, nullptr, nullptr)) {
+        display_counts().erase(display);
+        return false;
+    }
+    ++count;
+    return true;
+}
+
+// Counts one more context on a display that is ours; false when somebody else opened it.
+bool join_display(EGLDisplay display) {
+    const std::lock_guard lock(display_mutex);
+    const auto found = display_counts().find(display);
+    if (found == display_counts().end()) return false;
+    ++found->second;
+    return true;
+}
+
+void close_display(EGLDisplay display) {
+    const std::lock_guard lock(display_mutex);
+    const auto found = display_counts().find(display);
+    if (found == display_counts().end() || --found->second > 0) return;
+    display_counts().erase(found);
+    eglTerminate(display);
+}
+
+EGLDisplay surfaceless_display() {
+    if (!epoxy_has_egl_extension(EGL_NO_DISPLAY, "EGL_MESA_platform_surfaceless"))
+        return EGL_NO_DISPLAY;
+    return eglGetPlatformDisplayEXT(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
+}
+
+void add_device_displays(std::vector<EGLDisplay>& displays) {
+    const bool can_list = epoxy_has_egl_extension(EGL_NO_DISPLAY, "EGL_EXT_device_enumeration") ||
+                          epoxy_has_egl_extension(EGL_NO_DISPLAY, "EGL_EXT_device_base");
+    if (!can_list || !epoxy_has_egl_extension(EGL_NO_DISPLAY, "EGL_EXT_platform_device")) return;
+    std::array<EGLDeviceEXT, 32> devices{};
+    EGLint count = 0;
+    if (!eglQueryDevicesEXT(static_cast<EGLint>(devices.size()), devices.data(), &count)) return;
+    for (size_t i = 0; i < static_cast<size_t>(count); ++i)
+        displays.push_back(eglGetPlatformDisplayEXT(EGL_PLATFORM_DEVICE_EXT, devices[i], nullptr));
+}
+
+std::vector<EGLDisplay> candidate_displays() {
+    std::vector<EGLDisplay> displays;
+    if (!epoxy_has_egl_extension(EGL_NO_DISPLAY, "EGL_EXT_platform_base")) return displays;
+    if (const EGLDisplay display = surfaceless_display(); display != EGL_NO_DISPLAY)
+        displays.push_back(display);
+    add_device_displays(displays);
+    return displays;
+}
+
+EGLConfig choose_config(EGLDisplay display) {
+    const std::array<EGLint, 5> wanted{EGL_SURFACE_TYPE, EGL_PBUFFER_BIT, EGL_RENDERABLE_TYPE,
+                                       EGL_OPENGL_BIT, EGL_NONE};
+    EGLConfig config = EGL_NO_CONFIG_KHR;
+    EGLint count = 0;
+    if (!eglChooseConfig(display, wanted.data(), &config, 1, &count) || count == 0)
+        return EGL_NO_CONFIG_KHR;
+    return config;
+}
+
+EGLContext create_context(EGLDisplay display, EGLConfig config, EGLContext share) {
+    const std::array<EGLint, 7> wanted{EGL_CONTEXT_MAJOR_VERSION,
+                                       3,
+                                       EGL_CONTEXT_MINOR_VERSION,
+                                       3,
+                                       EGL_CONTEXT_OPENGL_PROFILE_MASK,
+                                       EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
+                                       EGL_NONE};
+    return eglCreateContext(display, config, share, wanted.data());
+}
+
+// What was current before, to be current again afterwards.
+class CurrentGuard {
+public:
+    CurrentGuard() = default;
+    CurrentGuard(const CurrentGuard&) = delete;
+    CurrentGuard& operator=(const CurrentGuard&) = delete;
+    ~CurrentGuard() {
+        if (context_ != EGL_NO_CONTEXT) eglMakeCurrent(display_, draw_, read_, context_);
+    }
+
+private:
+    EGLDisplay display_ = eglGetCurrentDisplay();
+    EGLContext context_ = eglGetCurrentContext();
+    EGLSurface draw_ = eglGetCurrentSurface(EGL_DRAW);
+    EGLSurface read_ = eglGetCurrentSurface(EGL_READ);
+};
+
+std::string text_of(GLenum name) {
+    const GLubyte* text = glGetString(name);
+    return text ? reinterpret_cast<const char*>(text) : "";
+}
+
+}  // namespace
+
+std::optional<Context> Context::on_display(void* display, void* share, std::string& why) {
+    if (!eglBindAPI(EGL_OPENGL_API)) {
+        why = "the driver has no desktop OpenGL";
+        return std::nullopt;
+    }
+    const EGLConfig config = choose_config(display);
+    Context context;
+    context.display_ = display;
+    context.context_ = create_context(display, config, share);
+    if (context.context_ == EGL_NO_CONTEXT) {
+        why = "the driver has no OpenGL 3.3 core profile";
+        return std::nullopt;
+    }
+    if (!epoxy_has_egl_extension(display, "EGL_KHR_surfaceless_context")) {
+        const std::array<EGLint, 5> size{EGL_WIDTH, 1, EGL_HEIGHT, 1, EGL_NONE};
+        context.surface_ = eglCreatePbufferSurface(display, config, size.data());
+    }
+    const CurrentGuard guard;
+    if (!context.make_current()) {
+        why = "the driver cannot draw without a window";
+        return std::nullopt;
+    }
+    context.release_current();
+    return context;
+}
+
+std::optional<Context> Context::offscreen(Diagnostics& diagnostics) {
+    std::string why = "no EGL platform without a display was found";
+    if (!epoxy_has_egl()) why = "libEGL is missing";
+    for (EGLDisplay display : epoxy_has_egl() ? candidate_displays() : std::vector<EGLDisplay>{}) {
+        if (display == EGL_NO_DISPLAY || !open_display(display)) {
+            why = "no graphics driver could be started";
+            continue;
+        }
+        if (std::optional<Context> context = on_display(display, EGL_NO_CONTEXT, why)) {
+            context->counted_ = true;
+            return context;
+        }
+        close_display(display);
+    }
+    diagnostics.error("OpenGL is not available: " + why,
+                      "an EGL driver with OpenGL 3.3, such as Debian's libegl-mesa0");
+    return std::nullopt;
+}
+
+std::optional<Context> Context::sharing_current(Diagnostics& diagnostics) {
+    const bool has_egl = epoxy_has_egl() && eglBindAPI(EGL_OPENGL_API);  // asked per API
+    const EGLContext share = has_egl ? eglGetCurrentContext() : EGL_NO_CONTEXT;
+    if (share == EGL_NO_CONTEXT) {
+        diagnostics.error("there is no EGL context on this thread to share with");
+        return std::nullopt;
+    }
+    const EGLDisplay display = eglGetCurrentDisplay();
+    std::string why;
+    std::optional<Context> context = on_display(display, share, why);
+    if (!context) {
+        diagnostics.error("OpenGL cannot draw on another thread: " + why);
+        return std::nullopt;
+    }
+    context->counted_ = join_display(display);
+    return context;
+}
+
+Context::Context(Context&& other) noexcept
+    : display_(std::exchange(other.display_, nullptr)),
+      context_(std::exchange(other.context_, nullptr)),
+      surface_(std::exchange(other.surface_, nullptr)),
+      counted_(std::exchange(other.counted_, false)) {}
+
+Context& Context::operator=(Context&& other) noexcept {
+    if (this == &other) return *this;
+    destroy();
+    display_ = std::exchange(other.display_, nullptr);
+    context_ = std::exchange(other.context_, nullptr);
+    surface_ = std::exchange(other.surface_, nullptr);
+    counted_ = std::exchange(other.counted_, false);
+    return *this;
+}
+
+Context::~Context() {
+    destroy();
+}
+
+void Context::destroy() {
+    if (!display_) return;
+    if (context_ && eglGetCurrentContext() == context_) release_current();
+    if (surface_) eglDestroySurface(display_, surface_);
+    if (context_) eglDestroyContext(display_, context_);
+    if (counted_) close_display(display_);
+    display_ = nullptr;
+}
+
+bool Context::make_current() {
+    eglBindAPI(EGL_OPENGL_API);  // of this thread
+    return eglMakeCurrent(display_, surface_, surface_, context_);
+}
+
+void Context::release_current() {
+    eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+}
+
+std::string Context::renderer_name() {
+    return text_of(GL_RENDERER);
+}
+std::string Context::version_name() {
+    return text_of(GL_VERSION);
+}
+void Context::finish() {
+    glFinish();
+}
+
+}  // namespace wrinkle::gpu

@@ -1,0 +1,34 @@
+// A mesh in GPU memory, at the attribute locations of wrapper.h. Belongs to one context.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "mesh/mesh.h"
+
+namespace wrinkle::gpu {
+
+class MeshBuffers {
+public:
+    explicit MeshBuffers(const Mesh& mesh);
+    MeshBuffers(MeshBuffers&& other) noexcept;
+    MeshBuffers& operator=(MeshBuffers&& other) noexcept;
+    ~MeshBuffers();
+
+    void draw() const;
+    bool has(int location) const { return has_[static_cast<size_t>(location)]; }
+    const Bounds& bounds() const { return bounds_; }
+
+private:
+    template <typename T>
+    void add(uint32_t location, const std::vector<T>& values);
+
+    uint32_t array_ = 0;
+    std::vector<uint32_t> buffers_;
+    std::array<bool, 8> has_{};
+    int indices_ = 0;
+    Bounds bounds_;
+};
+
+}  // namespace wrinkle::gpu

@@ -1,0 +1,179 @@
+#include "gpu/point_runner.h"
+
+#include <epoxy/gl.h>
+
+#include <algorithm>
+#include <span>
+
+#include "gpu/program.h"
+#include "gpu/target.h"
+#include "gpu/texture.h"
+
+namespace wrinkle::gpu {
+namespace {
+
+// Points lie in rows of this length; attribute k of all points stands in the rows from k * rows on.
+constexpr size_t row_length = 1024;
+
+constexpr const char* vertex_text = R"(#version 330 core
+void main() {
+    gl_Position = vec4(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0, 0.0, 1.0);
+}
+)";
+
+size_t rows_of(const PointJob& job) {
+    return (job.points + row_length - 1) / row_length;
+}
+
+bool refuse(Diagnostics& diagnostics, std::string why) {
+    diagnostics.error(std::move(why));
+    return false;
+}
+
+const MipChain* find_image(const PointJob& job, const std::string& file) {
+    for (const PointImage& image : job.images)
+        if (image.file == file) return image.chain;
+    return nullptr;
+}
+
+bool check(const PointJob& job, Diagnostics& diagnostics) {
+    if (job.outputs < 1 || job.outputs > 8)
+        return refuse(diagnostics, "a point job has 1 to 8 outputs");
+    for (const PointAttribute& attribute : job.attributes) {
+        if (attribute.components < 1 || attribute.components > 4)
+            return refuse(diagnostics,
+                          "attribute '" + attribute.name + "' needs 1 to 4 components");
+        if (attribute.values.size() != job.points * static_cast<size_t>(attribute.components))
+            return refuse(diagnostics, "attribute '" + attribute.name + "' has " +
+                                           std::to_string(attribute.values.size()) +
+                                           " values, which does not fit " +
+                                           std::to_string(job.points) + " points");
+    }
+    for (const MaterialSampler& sampler : job.samplers)
+        if (!find_image(job, sampler.file))
+            return refuse(diagnostics, "no image is given for '" + sampler.file + "'");
+    return true;
+}
+
+Texture upload_table(const PointJob& job) {
+    const size_t block = rows_of(job) * row_length;
+    const size_t blocks = std::max<size_t>(job.attributes.size(), 1);
+    std::vector<float> texels(4 * block * blocks);
+    for (size_t k = 0; k < job.attributes.size(); ++k) {
+        const PointAttribute& attribute = job.attributes[k];
+        const auto components = static_cast<size_t>(attribute.components);
+        for (size_t i = 0; i < attribute.values.size(); ++i)
+            texels[4 * (k * block + i / components) + i % components] = attribute.values[i];
+    }
+    const auto height = static_cast<int>(rows_of(job) * blocks);
+    return Texture::of_floats(static_cast<int>(row_length), height, texels);
+}
+
+std::string local_of(const PointJob& job, size_t k) {
+    constexpr std::array types{"float", "vec2", "vec3", "vec4"};
+    constexpr std::array swizzles{".x", ".xy", ".xyz", ""};
+    const PointAttribute& attribute = job.attributes[k];
+    const auto last = static_cast<size_t>(attribute.components - 1);
+    const std::string row = std::to_string(k * rows_of(job));
+    return "    " + std::string(types[last]) + " " + attribute.name +
+           " = texelFetch(WrPoint_table, ivec2(gl_FragCoord.xy) + ivec2(0, " + row + "), 0)" +
+           swizzles[last] + ";\n";
+}
+
+std::string fragment_text(const PointJob& job) {
+    std::string text = "#version 330 core\nuniform sampler2D WrPoint_table;\n";
+    for (int i = 0; i < job.outputs; ++i)
+        text += "out vec4 out" + std::to_string(i) + ";\n";
+    text += "#line 1 1\n" + job.globals + "\n#line 1 0\nvoid main() {\n";
+    for (size_t k = 0; k < job.attributes.size(); ++k)
+        text += local_of(job, k);
+    return text + "#line 1 2\n" + job.body + "\n}\n";
+}
+
+std::optional<Program> compile(const PointJob& job, Diagnostics& diagnostics) {
+    std::vector<std::string> outputs;
+    for (int i = 0; i < job.outputs; ++i)
+        outputs.push_back("out" + std::to_string(i));
+    std::string log;
+    std::optional<Program> program = Program::link(vertex_text, fragment_text(job), outputs, log);
+    if (!program) diagnostics.error("the driver refuses the shader: " + log);
+    return program;
+}
+
+// The images of the samplers, alive and bound as long as this is.
+class BoundImages {
+public:
+    BoundImages(const PointJob& job, const Program& program) {
+        for (size_t i = 0; i < job.samplers.size(); ++i) {
+            const MaterialSampler& sampler = job.samplers[i];
+            textures_.push_back(Texture::upload(*find_image(job, sampler.file)));
+            lookups_.emplace_back(sampler.options.wrap, sampler.options.filter);
+            program.set(sampler.name.c_str(), static_cast<int>(i) + 1);
+        }
+        for (size_t i = 0; i < textures_.size(); ++i) {
+            textures_[i].bind(static_cast<int>(i) + 1);
+            lookups_[i].bind(static_cast<int>(i) + 1);
+        }
+    }
+    BoundImages(const BoundImages&) = delete;
+    BoundImages& operator=(const BoundImages&) = delete;
+    ~BoundImages() {
+        for (size_t i = 0; i < textures_.size(); ++i)
+            glBindSampler(static_cast<GLuint>(i) + 1, 0);
+    }
+
+private:
+    std::vector<Texture> textures_;
+    std::vector<Lookup> lookups_;
+};
+
+void draw_all_pixels() {
+    glDisable(GL_BLEND);
+    glDisable(GL_CULL_FACE);
+    glDisable(GL_DEPTH_TEST);
+    glDisable(GL_SCISSOR_TEST);
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    GLuint array = 0;
+    glGenVertexArrays(1, &array);
+    glBindVertexArray(array);
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+    glDeleteVertexArrays(1, &array);
+}
+
+PointResults read_results(const PointJob& job, const Target& target) {
+    PointResults results;
+    for (int k = 0; k < job.outputs; ++k) {
+        const std::vector<float> pixels = target.read(k);
+        auto& points = results.emplace_back(job.points);
+        for (size_t i = 0; i < job.points; ++i)
+            std::copy_n(pixels.begin() + static_cast<std::ptrdiff_t>(4 * i), 4, points[i].begin());
+    }
+    return results;
+}
+
+}  // namespace
+
+std::optional<PointResults> run_points(const PointJob& job, Diagnostics& diagnostics) {
+    if (!check(job, diagnostics)) return std::nullopt;
+    if (job.points == 0) return PointResults(static_cast<size_t>(job.outputs));
+    TargetOptions options{static_cast<int>(row_length), static_cast<int>(rows_of(job)),
+                          PixelFormat::rgba32f};
+    options.colors = job.outputs;
+    options.depth = false;
+    const std::optional<Target> target = Target::make(options, diagnostics);
+    if (!target) return std::nullopt;
+    const std::optional<Program> program = compile(job, diagnostics);
+    if (!program) return std::nullopt;
+    const Texture table = upload_table(job);
+    program->use();
+    const BoundImages images(job, *program);
+    table.bind(0);
+    program->set("WrPoint_table", 0);
+    for (const MaterialUniform& uniform : job.uniforms)
+        program->set(uniform.name.c_str(), std::span<const float>(uniform.value));
+    target->bind();
+    draw_all_pixels();
+    return read_results(job, *target);
+}
+
+}  // namespace wrinkle::gpu

@@ -1,0 +1,127 @@
+#include "gpu/program.h"
+
+#include <epoxy/gl.h>
+
+#include <glm/gtc/type_ptr.hpp>
+#include <utility>
+
+namespace wrinkle::gpu {
+namespace {
+
+uint32_t compile(GLenum stage, const std::string& text, std::string& log) {
+    const GLuint shader = glCreateShader(stage);
+    const char* source = text.data();
+    const auto length = static_cast<GLint>(text.size());
+    glShaderSource(shader, 1, &source, &length);
+    glCompileShader(shader);
+    GLint fine = 0;
+    glGetShaderiv(shader, GL_COMPILE_STATUS, &fine);
+    if (fine) return shader;
+    GLint size = 0;
+    glGetShaderiv(shader, GL_INFO_LOG_LENGTH, &size);
+    std::string words(static_cast<size_t>(size) + 1, '\0');
+    GLsizei written = 0;
+    glGetShaderInfoLog(shader, size, &written, words.data());
+    words.resize(static_cast<size_t>(written));
+    log += (stage == GL_VERTEX_SHADER ? "vertex shader: " : "fragment shader: ") + words;
+    glDeleteShader(shader);
+    return 0;
+}
+
+bool link_status(uint32_t program, std::string& log) {
+    GLint fine = 0;
+    glGetProgramiv(program, GL_LINK_STATUS, &fine);
+    if (fine) return true;
+    GLint size = 0;
+    glGetProgramiv(program, GL_INFO_LOG_LENGTH, &size);
+    std::string words(static_cast<size_t>(size) + 1, '\0');
+    GLsizei written = 0;
+    glGetProgramInfoLog(program, size, &written, words.data());
+    words.resize(static_cast<size_t>(written));
+    log += "link: " + words;
+    return false;
+}
+
+}  // namespace
+
+std::optional<Program> Program::link(const std::string& vertex, const std::string& fragment,
+                                     std::span<const std::string> outputs, std::string& log) {
+    log.clear();
+    const uint32_t vertex_shader = compile(GL_VERTEX_SHADER, vertex, log);
+    const uint32_t fragment_shader = compile(GL_FRAGMENT_SHADER, fragment, log);
+    std::optional<Program> program;
+    if (vertex_shader && fragment_shader) {
+        program = Program(glCreateProgram());
+        glAttachShader(program->id_, vertex_shader);
+        glAttachShader(program->id_, fragment_shader);
+        for (size_t i = 0; i < outputs.size(); ++i)
+            glBindFragDataLocation(program->id_, static_cast<GLuint>(i), outputs[i].c_str());
+        glLinkProgram(program->id_);
+        if (!link_status(program->id_, log)) program.reset();
+    }
+    glDeleteShader(vertex_shader);
+    glDeleteShader(fragment_shader);
+    return program;
+}
+
+Program::Program(Program&& other) noexcept : id_(std::exchange(other.id_, 0)) {}
+
+Program& Program::operator=(Program&& other) noexcept {
+    std::swap(id_, other.id_);
+    return *this;
+}
+
+Program::~Program() {
+    if (id_) glDeleteProgram(id_);
+}
+
+void Program::use() const {
+    glUseProgram(id_);
+}
+
+// GL ignores location -1, which is what an unused name has.
+void Program::set(const char* name, float value) const {
+    glUniform1f(glGetUniformLocation(id_, name), value);
+}
+
+void Program::set(const char* name, int value) const {
+    glUniform1i(glGetUniformLocation(id_, name), value);
+}
+
+void Program::set(const char* name, glm::vec2 value) const {
+    glUniform2fv(glGetUniformLocation(id_, name), 1, glm::value_ptr(value));
+}
+
+void Program::set(const char* name, glm::vec3 value) const {
+    glUniform3fv(glGetUniformLocation(id_, name), 1, glm::value_ptr(value));
+}
+
+void Program::set(const char* name, glm::vec4 value) const {
+    glUniform4fv(glGetUniformLocation(id_, name), 1, glm::value_ptr(value));
+}
+
+void Program::set(const char* name, const glm::mat3& value) const {
+    glUniformMatrix3fv(glGetUniformLocation(id_, name), 1, GL_FALSE, glm::value_ptr(value));
+}
+
+void Program::set(const char* name, const glm::mat4& value) const {
+    glUniformMatrix4fv(glGetUniformLocation(id_, name), 1, GL_FALSE, glm::value_ptr(value));
+}
+
+void Program::set(const char* name, std::span<const float> value) const {
+    const GLint location = glGetUniformLocation(id_, name);
+    switch (value.size()) {
+        case 1:
+            return glUniform1fv(location, 1, value.data());
+        case 2:
+            return glUniform2fv(location, 1, value.data());
+        case 3:
+            return glUniform3fv(location, 1, value.data());
+        case 4:
+            return glUniform4fv(location, 1, value.data());
+        default:
+            return;
+    }
+}
+
+}  // namespace wrinkle::gpu

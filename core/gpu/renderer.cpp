@@ -1,0 +1,295 @@
+#include "gpu/renderer.h"
+
+#include <epoxy/gl.h>
+
+#include <algorithm>
+#include <array>
+#include <glm/geometric.hpp>
+#include <map>
+#include <utility>
+#include <vector>
+
+#include "gpu/mesh_buffers.h"
+#include "gpu/object_space.h"
+#include "gpu/program.h"
+#include "gpu/texture.h"
+#include "gpu/wrapper.h"
+#include "image/load.h"
+
+namespace wrinkle::gpu {
+namespace {
+
+constexpr std::array<std::string_view, 6> names{"shaded", "normal", "gradient",
+                                                "height", "uv",     "difference"};
+
+using ProgramKey = std::pair<View, std::string>;  // the string is `against`
+using Programs = std::map<ProgramKey, Program>;
+
+std::string in_quotes(std::string_view text) {
+    return "'" + std::string(text) + "'";
+}
+
+bool same_shader(const Material& a, const Material& b) {
+    return a.text == b.text && a.struct_name == b.struct_name && a.members == b.members &&
+           a.outputs == b.outputs;
+}
+
+void set_view_uniforms(const Program& program, const Scene& scene, const ViewOptions& options,
+                       const ObjectSpace& space) {
+    program.set("WrView_to_clip", space.to_clip);
+    program.set("WrView_eye", space.eye);
+    program.set("WrView_vector_to_world", space.vector_to_world);
+    program.set("WrView_normal_to_world", space.normal_to_world);
+    program.set("WrView_to_light", glm::normalize(scene.to_light));
+    program.set("WrView_light", scene.light);
+    program.set("WrView_environment", scene.environment);
+    program.set("WrView_exposure", scene.exposure);
+    program.set("WrView_raw", options.raw ? 1 : 0);
+    program.set("WrView_heat_degrees", options.heat_degrees);
+    program.set("WrView_height_range", options.height_range);
+}
+
+void clear(const Target& target, const Scene& scene, bool raw) {
+    target.bind();
+    const glm::vec4 color = raw ? glm::vec4(0) : scene.background;
+    glDisable(GL_SCISSOR_TEST);
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    glDepthMask(GL_TRUE);
+    glClearColor(color.r, color.g, color.b, color.a);
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+}
+
+void set_raster_state(bool mirrored) {
+    glDisable(GL_BLEND);
+    glDisable(GL_CULL_FACE);
+    glEnable(GL_DEPTH_TEST);
+    glDepthFunc(GL_LESS);
+    glFrontFace(mirrored ? GL_CW : GL_CCW);
+}
+
+std::optional<Program> compile(const Material& material, View view, const OutputFunction* against,
+                               Diagnostics& diagnostics) {
+    const ShaderText text = wrap_material(material, view, against);
+    const std::array<std::string, 1> outputs{"WrView_color"};
+    std::string log;
+    std::optional<Program> program = Program::link(text.vertex, text.fragment, outputs, log);
+    if (!program) diagnostics.error("the driver refuses the material's shader: " + log);
+    return program;
+}
+
+bool check_members(const Material& material, Diagnostics& diagnostics) {
+    for (const Member& member : material.members)
+        if (attribute_location(member.property) < 0 && member.property != "view" &&
+            member.property != "facing") {
+            diagnostics.error("the material reads " + in_quotes(member.property) +
+                              ", which is no property of a drawn surface");
+            return false;
+        }
+    return true;
+}
+
+}  // namespace
+
+std::span<const std::string_view> view_names() {
+    return names;
+}
+
+std::optional<View> view_named(std::string_view name) {
+    const auto* found = std::find(names.begin(), names.end(), name);
+    if (found == names.end()) return std::nullopt;
+    return static_cast<View>(found - names.begin());
+}
+
+struct KeptImage {
+    Texture texture;
+    bool is_file;        // read by us, so it can be read again
+    bool stale = false;  // still drawn with, until the next material
+};
+
+struct Renderer::State {
+    std::optional<MeshBuffers> mesh;
+    std::optional<Material> material;
+    std::vector<Lookup> lookups;  // one per sampler of the material
+    Programs programs;
+    std::map<std::string, KeptImage> images;
+
+    bool bring_up_images(const Material& wanted, Diagnostics& diagnostics);
+    bool upload(const std::string& file, const MipChain& chain, bool is_file,
+                Diagnostics& diagnostics);
+    const Program* program_for(const ViewOptions& options, Diagnostics& diagnostics);
+    bool check_mesh(Diagnostics& diagnostics) const;
+    void bind_material(const Program& program) const;
+};
+
+bool Renderer::State::upload(const std::string& file, const MipChain& chain, bool is_file,
+                             Diagnostics& diagnostics) {
+    if (chain.levels.empty()) {
+        diagnostics.error("image " + in_quotes(file) + " has no texels");
+        return false;
+    }
+    GLint limit = 0;
+    glGetIntegerv(GL_MAX_TEXTURE_SIZE, &limit);
+    const Image& image = chain.levels.front();
+    if (std::max(image.width, image.height) > static_cast<uint32_t>(limit)) {
+        diagnostics.error("image " + in_quotes(file) + " is larger than this driver can draw",
+                          "at most " + std::to_string(limit) + " texels a side");
+        return false;
+    }
+    images.insert_or_assign(file, KeptImage{Texture::upload(chain), is_file});
+    return true;
+}
+
+bool Renderer::State::bring_up_images(const Material& wanted, Diagnostics& diagnostics) {
+    GLint units = 0;
+    glGetIntegerv(GL_MAX_TEXTURE_IMAGE_UNITS, &units);
+    if (wanted.samplers.size() > static_cast<size_t>(units)) {
+        diagnostics.error("the material reads " + std::to_string(wanted.samplers.size()) +
+                              " textures, more than this driver binds at once",
+                          "at most " + std::to_string(units));
+        return false;
+    }
+    bool fine = true;
+    for (const MaterialSampler& sampler : wanted.samplers) {
+        const auto kept = images.find(sampler.file);
+        if (kept != images.end() && !kept->second.stale) continue;
+        std::optional<Image> image = load_image(sampler.file, diagnostics);
+        fine =
+            image && upload(sampler.file, build_mips(std::move(*image)), true, diagnostics) && fine;
+    }
+    return fine;
+}
+
+const Program* Renderer::State::program_for(const ViewOptions& options, Diagnostics& diagnostics) {
+    const std::string against = options.view == View::difference ? options.against : "";
+    const ProgramKey key(options.view, against);
+    if (const auto found = programs.find(key); found != programs.end()) return &found->second;
+    const OutputFunction* other = find_output(*material, against);
+    if (!against.empty() && !other) {
+        diagnostics.error("the graph has no output " + in_quotes(against) + " to compare with");
+        return nullptr;
+    }
+    if (options.view == View::height && !find_output(*material, "height")) {
+        diagnostics.error("the graph has no output 'height' to show", "an output named 'height'");
+        return nullptr;
+    }
+    std::optional<Program> program = compile(*material, options.view, other, diagnostics);
+    if (!program) return nullptr;
+    return &programs.emplace(key, std::move(*program)).first->second;
+}
+
+bool Renderer::State::check_mesh(Diagnostics& diagnostics) const {
+    bool fine = true;
+    for (const Member& member : material->members) {
+        const int location = attribute_location(member.property);
+        if (location < 0 || mesh->has(location)) continue;
+        diagnostics.error("the material reads " + in_quotes(member.property) +
+                          ", which the mesh does not have");
+        fine = false;
+    }
+    return fine;
+}
+
+void Renderer::State::bind_material(const Program& program) const {
+    for (size_t i = 0; i < material->samplers.size(); ++i) {
+        const MaterialSampler& sampler = material->samplers[i];
+        images.at(sampler.file).texture.bind(static_cast<int>(i));
+        lookups[i].bind(static_cast<int>(i));
+        program.set(sampler.name.c_str(), static_cast<int>(i));
+    }
+    for (const MaterialUniform& uniform : material->uniforms)
+        program.set(uniform.name.c_str(), std::span<const float>(uniform.value));
+}
+
+Renderer::Renderer() : state_(std::make_unique<State>()) {}
+Renderer::Renderer(Renderer&& other) noexcept = default;
+Renderer& Renderer::operator=(Renderer&& other) noexcept = default;
+Renderer::~Renderer() = default;
+
+void Renderer::set_mesh(const Mesh& mesh) {
+    state_->mesh.emplace(mesh);
+}
+
+bool Renderer::set_material(const Material& material, Diagnostics& diagnostics) {
+    if (!check_members(material, diagnostics)) return false;
+    if (!state_->bring_up_images(material, diagnostics)) return false;
+    if (!state_->material || !same_shader(*state_->material, material)) {
+        std::optional<Program> shaded = compile(material, View::shaded, nullptr, diagnostics);
+        if (!shaded) return false;
+        state_->programs.clear();
+        state_->programs.emplace(ProgramKey(View::shaded, ""), std::move(*shaded));
+    }
+    state_->material = material;
+    state_->lookups.clear();
+    for (const MaterialSampler& sampler : material.samplers)
+        state_->lookups.emplace_back(sampler.options.wrap, sampler.options.filter);
+    return true;
+}
+
+bool Renderer::set_uniform(std::string_view name, std::span<const float> value) {
+    if (!state_->material) return false;
+    for (MaterialUniform& uniform : state_->material->uniforms)
+        if (uniform.name == name && uniform.value.size() == value.size()) {
+            uniform.value.assign(value.begin(), value.end());
+            return true;
+        }
+    return false;
+}
+
+bool Renderer::add_image(const std::string& file, const MipChain& chain, Diagnostics& diagnostics) {
+    return state_->upload(file, chain, false, diagnostics);
+}
+
+void Renderer::forget_images() {
+    for (auto& [file, image] : state_->images)
+        image.stale = image.is_file;
+}
+
+bool Renderer::draw(const Scene& scene, const ViewOptions& options, const Target& target,
+                    Diagnostics& diagnostics) {
+    if (!state_->mesh || !state_->material) {
+        diagnostics.error("there is nothing to draw: a mesh and a material are needed");
+        return false;
+    }
+    if (!state_->check_mesh(diagnostics)) return false;
+    const float aspect = static_cast<float>(target.width()) / static_cast<float>(target.height());
+    const auto space = object_space(scene.object, scene.camera, state_->mesh->bounds(), aspect);
+    if (!space) {
+        diagnostics.error("the object matrix cannot be inverted", "no scale of zero");
+        return false;
+    }
+    const Program* program = state_->program_for(options, diagnostics);
+    if (!program) return false;
+    clear(target, scene, options.raw);
+    set_raster_state(space->mirrored);
+    program->use();
+    set_view_uniforms(*program, scene, options, *space);
+    state_->bind_material(*program);
+    state_->mesh->draw();
+    for (size_t i = 0; i < state_->lookups.size(); ++i)
+        glBindSampler(static_cast<GLuint>(i), 0);
+    target.resolve();
+    return true;
+}
+
+std::optional<AngleStatistics> Renderer::measure(const Scene& scene, const std::string& against,
+                                                 int width, int height, Diagnostics& diagnostics) {
+    TargetOptions options{width, height, PixelFormat::rgba32f};
+    const std::optional<Target> target = Target::make(options, diagnostics);
+    ViewOptions view;
+    view.view = View::difference;
+    view.against = against;
+    view.raw = true;
+    if (!target || !draw(scene, view, *target, diagnostics)) return std::nullopt;
+    AngleStatistics statistics;
+    const std::vector<float> pixels = target->read();
+    for (size_t i = 0; i < pixels.size(); i += 4) {
+        if (pixels[i + 3] == 0) continue;
+        statistics.mean_degrees += pixels[i];
+        statistics.max_degrees = std::max<double>(statistics.max_degrees, pixels[i]);
+        ++statistics.pixels;
+    }
+    if (statistics.pixels > 0) statistics.mean_degrees /= static_cast<double>(statistics.pixels);
+    return statistics;
+}
+
+}  // namespace wrinkle::gpu

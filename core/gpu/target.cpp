@@ -1,0 +1,195 @@
+#include "gpu/target.h"
+
+#include <epoxy/gl.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace wrinkle::gpu {
+namespace {
+
+GLint limit_of(GLenum name) {
+    GLint value = 0;
+    glGetIntegerv(name, &value);
+    return value;
+}
+
+GLenum internal_format(PixelFormat format) {
+    return format == PixelFormat::rgba8 ? GL_RGBA8 : GL_RGBA32F;
+}
+
+uint32_t make_framebuffer() {
+    GLuint id = 0;
+    glGenFramebuffers(1, &id);
+    glBindFramebuffer(GL_FRAMEBUFFER, id);
+    return id;
+}
+
+GLenum attachment(size_t color) {
+    return GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(color);
+}
+
+uint32_t make_color_texture(const TargetOptions& options) {
+    GLuint id = 0;
+    glGenTextures(1, &id);
+    glActiveTexture(GL_TEXTURE0);
+    glBindTexture(GL_TEXTURE_2D, id);
+    const GLenum type = options.format == PixelFormat::rgba8 ? GL_UNSIGNED_BYTE : GL_FLOAT;
+    glTexImage2D(GL_TEXTURE_2D, 0, static_cast<GLint>(internal_format(options.format)),
+                 options.width, options.height, 0, GL_RGBA, type, nullptr);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+    return id;
+}
+
+uint32_t attach_buffer(GLenum where, GLenum format, const TargetOptions& options) {
+    GLuint id = 0;
+    glGenRenderbuffers(1, &id);
+    glBindRenderbuffer(GL_RENDERBUFFER, id);
+    const GLsizei samples = options.samples > 1 ? options.samples : 0;
+    glRenderbufferStorageMultisample(GL_RENDERBUFFER, samples, format, options.width,
+                                     options.height);
+    glFramebufferRenderbuffer(GL_FRAMEBUFFER, where, GL_RENDERBUFFER, id);
+    return id;
+}
+
+void draw_to_all_colors(size_t count) {
+    std::vector<GLenum> buffers;
+    for (size_t i = 0; i < count; ++i)
+        buffers.push_back(attachment(i));
+    glDrawBuffers(static_cast<GLsizei>(count), buffers.data());
+}
+
+bool is_complete() {
+    return glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
+}
+
+}  // namespace
+
+std::optional<Target> Target::make(const TargetOptions& options, Diagnostics& diagnostics) {
+    const GLint limit = std::min(limit_of(GL_MAX_TEXTURE_SIZE), limit_of(GL_MAX_RENDERBUFFER_SIZE));
+    const auto fits = [&](int side) { return side >= 1 && side <= limit; };
+    const std::string size = std::to_string(options.width) + "x" + std::to_string(options.height);
+    if (!fits(options.width) || !fits(options.height)) {
+        diagnostics.error("a picture of " + size + " pixels cannot be drawn",
+                          "1 to " + std::to_string(limit) + " pixels a side");
+        return std::nullopt;
+    }
+    Target target;
+    target.options_ = options;
+    target.options_.colors = std::clamp(options.colors, 1, limit_of(GL_MAX_COLOR_ATTACHMENTS));
+    target.options_.samples = std::clamp(options.samples, 1, limit_of(GL_MAX_SAMPLES));
+    if (!target.build()) {
+        diagnostics.error("the driver cannot draw into a picture of " + size + " pixels");
+        return std::nullopt;
+    }
+    return target;
+}
+
+bool Target::build() {
+    while (glGetError() != GL_NO_ERROR) {
+    }
+    framebuffer_ = framebuffer_of_textures();
+    bool complete = is_complete();
+    if (options_.samples > 1) {
+        sample_framebuffer_ = framebuffer_of_samples();
+        complete = complete && is_complete();
+    }
+    return complete && glGetError() == GL_NO_ERROR;
+}
+
+uint32_t Target::framebuffer_of_textures() {
+    const uint32_t id = make_framebuffer();
+    for (size_t i = 0; i < static_cast<size_t>(options_.colors); ++i) {
+        textures_.push_back(make_color_texture(options_));
+        glFramebufferTexture2D(GL_FRAMEBUFFER, attachment(i), GL_TEXTURE_2D, textures_.back(), 0);
+    }
+    if (options_.depth && options_.samples == 1)
+        buffers_.push_back(attach_buffer(GL_DEPTH_ATTACHMENT, GL_DEPTH_COMPONENT24, options_));
+    draw_to_all_colors(textures_.size());
+    return id;
+}
+
+uint32_t Target::framebuffer_of_samples() {
+    const uint32_t id = make_framebuffer();
+    for (size_t i = 0; i < textures_.size(); ++i)
+        buffers_.push_back(
+            attach_buffer(attachment(i), internal_format(options_.format), options_));
+    if (options_.depth)
+        buffers_.push_back(attach_buffer(GL_DEPTH_ATTACHMENT, GL_DEPTH_COMPONENT24, options_));
+    draw_to_all_colors(textures_.size());
+    return id;
+}
+
+Target::Target(Target&& other) noexcept
+    : options_(other.options_),
+      textures_(std::exchange(other.textures_, {})),
+      buffers_(std::exchange(other.buffers_, {})),
+      framebuffer_(std::exchange(other.framebuffer_, 0)),
+      sample_framebuffer_(std::exchange(other.sample_framebuffer_, 0)) {}
+
+Target& Target::operator=(Target&& other) noexcept {
+    std::swap(options_, other.options_);
+    std::swap(textures_, other.textures_);
+    std::swap(buffers_, other.buffers_);
+    std::swap(framebuffer_, other.framebuffer_);
+    std::swap(sample_framebuffer_, other.sample_framebuffer_);
+    return *this;
+}
+
+Target::~Target() {
+    destroy();
+}
+
+void Target::destroy() {
+    if (framebuffer_) glDeleteFramebuffers(1, &framebuffer_);
+    if (sample_framebuffer_) glDeleteFramebuffers(1, &sample_framebuffer_);
+    if (!buffers_.empty())
+        glDeleteRenderbuffers(static_cast<GLsizei>(buffers_.size()), buffers_.data());
+    if (!textures_.empty())
+        glDeleteTextures(static_cast<GLsizei>(textures_.size()), textures_.data());
+}
+
+void Target::bind() const {
+    glBindFramebuffer(GL_FRAMEBUFFER, sample_framebuffer_ ? sample_framebuffer_ : framebuffer_);
+    glViewport(0, 0, options_.width, options_.height);
+}
+
+void Target::resolve() const {
+    if (!sample_framebuffer_) return;
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, sample_framebuffer_);
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer_);
+    for (size_t i = 0; i < textures_.size(); ++i) {
+        glReadBuffer(attachment(i));
+        const GLenum color = attachment(i);
+        std::vector<GLenum> only(i + 1, GL_NONE);
+        only[i] = color;
+        glDrawBuffers(static_cast<GLsizei>(only.size()), only.data());
+        glBlitFramebuffer(0, 0, options_.width, options_.height, 0, 0, options_.width,
+                          options_.height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+    }
+    draw_to_all_colors(textures_.size());
+}
+
+std::vector<float> Target::read(int color) const {
+    std::vector<float> pixels(4 * static_cast<size_t>(options_.width) *
+                              static_cast<size_t>(options_.height));
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer_);
+    glReadBuffer(attachment(static_cast<size_t>(color)));
+    glReadPixels(0, 0, options_.width, options_.height, GL_RGBA, GL_FLOAT, pixels.data());
+    return pixels;
+}
+
+Image Target::read_image(int color) const {
+    const bool bytes = options_.format == PixelFormat::rgba8;
+    Image image =
+        make_image(static_cast<uint32_t>(options_.width), static_cast<uint32_t>(options_.height), 4,
+                   bytes ? PixelType::u8 : PixelType::float32);
+    image.data = read(color);
+    return image;
+}
+
+}  // namespace wrinkle::gpu

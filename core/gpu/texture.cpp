@@ -1,0 +1,127 @@
+#include "gpu/texture.h"
+
+#include <epoxy/gl.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+namespace wrinkle::gpu {
+namespace {
+
+uint32_t make_texture() {
+    GLuint id = 0;
+    glGenTextures(1, &id);
+    glActiveTexture(GL_TEXTURE0);
+    glBindTexture(GL_TEXTURE_2D, id);
+    return id;
+}
+
+template <typename T, typename Convert>
+std::vector<T> rgba_of(const Image& image, Convert convert) {
+    const size_t texels = static_cast<size_t>(image.width) * image.height;
+    std::vector<T> result(4 * texels);
+    for (size_t i = 0; i < texels; ++i) {
+        const float* values = image.data.data() + i * image.channels;
+        const auto rgba = expand_texel(values, image.channels, image.has_alpha);
+        std::transform(rgba.begin(), rgba.end(), result.data() + 4 * i, convert);
+    }
+    return result;
+}
+
+uint16_t to_u16(float value) {
+    return static_cast<uint16_t>(std::lround(std::clamp(value, 0.0F, 1.0F) * 65535.0F));
+}
+
+void upload_level(const Image& image, GLint level, bool integers) {
+    const auto width = static_cast<GLsizei>(image.width);
+    const auto height = static_cast<GLsizei>(image.height);
+    if (integers) {
+        const auto texels = rgba_of<uint16_t>(image, to_u16);
+        glTexImage2D(GL_TEXTURE_2D, level, GL_RGBA16, width, height, 0, GL_RGBA, GL_UNSIGNED_SHORT,
+                     texels.data());
+    } else {
+        const auto texels = rgba_of<float>(image, [](float v) { return v; });
+        glTexImage2D(GL_TEXTURE_2D, level, GL_RGBA32F, width, height, 0, GL_RGBA, GL_FLOAT,
+                     texels.data());
+    }
+}
+
+GLint wrap_mode(Wrap wrap) {
+    switch (wrap) {
+        case Wrap::repeat:
+            return GL_REPEAT;
+        case Wrap::clamp:
+            return GL_CLAMP_TO_EDGE;
+        case Wrap::mirror:
+            return GL_MIRRORED_REPEAT;
+    }
+    return GL_REPEAT;
+}
+
+}  // namespace
+
+Texture Texture::upload(const MipChain& chain) {
+    if (chain.levels.empty()) return of_floats(1, 1, std::array<float, 4>{0, 0, 0, 1});
+    Texture texture(make_texture());
+    const PixelType source = chain.levels.front().source;
+    const bool integers = source == PixelType::u8 || source == PixelType::u16;
+    for (uint32_t level = 0; level < chain.count(); ++level)
+        upload_level(chain.levels[level], static_cast<GLint>(level), integers);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, static_cast<GLint>(chain.count()) - 1);
+    return texture;
+}
+
+Texture Texture::of_floats(int width, int height, std::span<const float> rgba) {
+    Texture texture(make_texture());
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, width, height, 0, GL_RGBA, GL_FLOAT, rgba.data());
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    return texture;
+}
+
+Texture::Texture(Texture&& other) noexcept : id_(std::exchange(other.id_, 0)) {}
+
+Texture& Texture::operator=(Texture&& other) noexcept {
+    std::swap(id_, other.id_);
+    return *this;
+}
+
+Texture::~Texture() {
+    if (id_) glDeleteTextures(1, &id_);
+}
+
+void Texture::bind(int unit) const {
+    glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
+    glBindTexture(GL_TEXTURE_2D, id_);
+}
+
+Lookup::Lookup(Wrap wrap, Filter filter) {
+    glGenSamplers(1, &id_);
+    const bool linear = filter == Filter::linear;
+    glSamplerParameteri(id_, GL_TEXTURE_WRAP_S, wrap_mode(wrap));
+    glSamplerParameteri(id_, GL_TEXTURE_WRAP_T, wrap_mode(wrap));
+    glSamplerParameteri(id_, GL_TEXTURE_MAG_FILTER, linear ? GL_LINEAR : GL_NEAREST);
+    glSamplerParameteri(id_, GL_TEXTURE_MIN_FILTER,
+                        linear ? GL_LINEAR_MIPMAP_LINEAR : GL_NEAREST_MIPMAP_NEAREST);
+}
+
+Lookup::Lookup(Lookup&& other) noexcept : id_(std::exchange(other.id_, 0)) {}
+
+Lookup& Lookup::operator=(Lookup&& other) noexcept {
+    std::swap(id_, other.id_);
+    return *this;
+}
+
+Lookup::~Lookup() {
+    if (id_) glDeleteSamplers(1, &id_);
+}
+
+void Lookup::bind(int unit) const {
+    glBindSampler(static_cast<GLuint>(unit), id_);
+}
+
+}  // namespace wrinkle::gpu

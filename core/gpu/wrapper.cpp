@@ -1,0 +1,283 @@
+#include "gpu/wrapper.h"
+
+#include <algorithm>
+#include <array>
+
+namespace wrinkle::gpu {
+namespace {
+
+struct Property {
+    std::string_view name;
+    std::string_view value;  // in the fragment shader's main()
+    int location;            // of the vertex attribute behind it, or -1
+};
+
+constexpr std::array<Property, 11> properties{{
+    {"position", "WrView_position", 0},
+    {"position_relative", "WrView_position_relative", 0},
+    {"normal", "WrView_normal", 1},
+    {"tangent", "WrView_tangent", 2},
+    {"uv0", "WrView_uv0", 3},
+    {"uv1", "WrView_uv1", 4},
+    {"uv2", "WrView_uv2", 5},
+    {"uv3", "WrView_uv3", 6},
+    {"color0", "WrView_color0", 7},
+    {"view", "normalize(-WrView_position_relative)", -1},
+    {"facing", "(gl_FrontFacing ? 1.0 : -1.0)", -1},
+}};
+
+const Property* find_property(std::string_view name) {
+    const auto* found = std::find_if(properties.begin(), properties.end(),
+                                     [&](const Property& p) { return p.name == name; });
+    return found == properties.end() ? nullptr : found;
+}
+
+constexpr std::string_view vertex_text = R"(#version 330 core
+layout(location = 0) in vec3 WrView_in_position;
+layout(location = 1) in vec3 WrView_in_normal;
+layout(location = 2) in vec4 WrView_in_tangent;
+layout(location = 3) in vec2 WrView_in_uv0;
+layout(location = 4) in vec2 WrView_in_uv1;
+layout(location = 5) in vec2 WrView_in_uv2;
+layout(location = 6) in vec2 WrView_in_uv3;
+layout(location = 7) in vec4 WrView_in_color0;
+uniform mat4 WrView_to_clip;
+uniform vec3 WrView_eye;
+out vec3 WrView_position;
+out vec3 WrView_position_relative;
+out vec3 WrView_normal;
+out vec4 WrView_tangent;
+out vec2 WrView_uv0;
+out vec2 WrView_uv1;
+out vec2 WrView_uv2;
+out vec2 WrView_uv3;
+out vec4 WrView_color0;
+
+void main() {
+    WrView_position = WrView_in_position;
+    WrView_position_relative = WrView_in_position - WrView_eye;
+    WrView_normal = WrView_in_normal;
+    WrView_tangent = WrView_in_tangent;
+    WrView_uv0 = WrView_in_uv0;
+    WrView_uv1 = WrView_in_uv1;
+    WrView_uv2 = WrView_in_uv2;
+    WrView_uv3 = WrView_in_uv3;
+    WrView_color0 = WrView_in_color0;
+    gl_Position = WrView_to_clip * vec4(WrView_in_position, 1.0);
+}
+)";
+
+constexpr std::string_view fragment_inputs = R"(#version 330 core
+in vec3 WrView_position;
+in vec3 WrView_position_relative;
+in vec3 WrView_normal;
+in vec4 WrView_tangent;
+in vec2 WrView_uv0;
+in vec2 WrView_uv1;
+in vec2 WrView_uv2;
+in vec2 WrView_uv3;
+in vec4 WrView_color0;
+out vec4 WrView_color;
+uniform bool WrView_raw;
+)";
+
+// Linear radiance of a point lit by one directional light and a sky over a ground. Lengths are in
+// world space. `light` is irradiance over pi, so a white diffuse surface facing it reflects
+// `light`.
+constexpr std::string_view shading_text = R"(
+uniform mat3 WrView_normal_to_world;
+uniform mat3 WrView_vector_to_world;
+uniform vec3 WrView_to_light;
+uniform float WrView_light;
+uniform float WrView_environment;
+uniform float WrView_exposure;
+
+vec3 WrView_sky(float height, float blur) {
+    return mix(vec3(0.11, 0.10, 0.09), vec3(0.42, 0.46, 0.52), smoothstep(-blur, blur, height));
+}
+
+vec3 WrView_shade(vec3 n, vec3 v, vec3 base, float roughness, float metalness, float occlusion) {
+    vec3 f0 = mix(vec3(0.04), base, metalness);
+    vec3 diffuse = base * (1.0 - metalness);
+    float a2 = pow(max(roughness, 0.05), 4.0);
+    vec3 h = normalize(WrView_to_light + v);
+    float nv = max(dot(n, v), 1e-3);
+    float nl = max(dot(n, WrView_to_light), 0.0);
+    float nh = max(dot(n, h), 0.0);
+    float facet = nh * nh * (a2 - 1.0) + 1.0;
+    float distribution = a2 / (facet * facet);
+    float visibility = 0.5 / (nl * sqrt(nv * nv * (1.0 - a2) + a2)
+                              + nv * sqrt(nl * nl * (1.0 - a2) + a2));
+    vec3 fresnel = f0 + (1.0 - f0) * pow(1.0 - max(dot(v, h), 0.0), 5.0);
+    vec3 direct = (diffuse + fresnel * distribution * visibility) * WrView_light * nl;
+    vec3 edge = max(vec3(1.0 - roughness), f0);
+    vec3 reflected = f0 + (edge - f0) * pow(1.0 - nv, 5.0);
+    vec3 around = diffuse * WrView_sky(n.y, 1.2)
+                  + reflected * WrView_sky(reflect(-v, n).y, mix(0.1, 1.2, roughness));
+    return direct + around * occlusion * WrView_environment;
+}
+
+vec3 WrView_display(vec3 radiance) {
+    vec3 c = max(radiance * WrView_exposure, 0.0);
+    vec3 beyond = max(c - 0.8, 0.0);
+    c = min(c, 0.8) + 0.2 * beyond / (beyond + 0.2);
+    return mix(12.92 * c, 1.055 * pow(c, vec3(1.0 / 2.4)) - 0.055, step(0.0031308, c));
+}
+)";
+
+constexpr std::string_view difference_text = R"(
+uniform float WrView_heat_degrees;
+
+float WrView_angle(vec3 a, vec3 b) {
+    return degrees(atan(length(cross(a, b)), dot(a, b)));
+}
+
+vec3 WrView_heat(float angle) {
+    float t = 4.0 * clamp(angle / WrView_heat_degrees, 0.0, 1.0);
+    return clamp(vec3(t - 2.0, t < 2.0 ? t - 1.0 : 4.0 - t, t < 1.0 ? t : 2.0 - t), 0.0, 1.0);
+}
+)";
+
+// `surface` is the surface's unit normal, turned towards the eye; flat materials keep it.
+constexpr std::string_view surface_text = R"(    float WrView_length = length(WrView_normal);
+    vec3 surface = WrView_length > 0.0 ? WrView_normal / WrView_length : vec3(0.0, 0.0, 1.0);
+    surface = gl_FrontFacing ? surface : -surface;
+)";
+
+std::string struct_values(const Material& material) {
+    if (material.struct_name.empty()) return {};
+    std::string text = "    " + material.struct_name + " WrView_s;\n";
+    for (const Member& member : material.members)
+        if (const Property* property = find_property(member.property))
+            text += "    WrView_s." + member.name + " = " + std::string(property->value) + ";\n";
+    return text;
+}
+
+std::string call(const Material& material, const OutputFunction& output) {
+    return output.function + (material.struct_name.empty() ? "()" : "(WrView_s)");
+}
+
+std::string value_of(const Material& material, const std::string& output, const std::string& type,
+                     const std::string& missing) {
+    const OutputFunction* found = find_output(material, output);
+    return found ? type + "(" + call(material, *found) + ")" : missing;
+}
+
+std::string assign(const std::string& type, const std::string& name, const std::string& value) {
+    return "    " + type + " WrView_" + name + " = " + value + ";\n";
+}
+
+std::string normal_value(const Material& material) {
+    return assign("vec3", "bumped", value_of(material, "normal", "vec3", "surface"));
+}
+
+std::string shaded_body(const Material& m) {
+    std::string text = normal_value(m);
+    text += assign("vec3", "base", value_of(m, "color", "vec3", "vec3(0.8)"));
+    text += assign("float", "roughness", value_of(m, "roughness", "float", "0.5"));
+    text += assign("float", "metalness", value_of(m, "metalness", "float", "0.0"));
+    text += assign("float", "occlusion", value_of(m, "occlusion", "float", "1.0"));
+    return text + R"(    vec3 n = normalize(WrView_normal_to_world * WrView_bumped);
+    vec3 v = normalize(WrView_vector_to_world * -WrView_position_relative);
+    vec3 value = WrView_shade(n, v, WrView_base, clamp(WrView_roughness, 0.0, 1.0),
+                              clamp(WrView_metalness, 0.0, 1.0), WrView_occlusion);
+    vec3 shown = WrView_display(value);
+)";
+}
+
+std::string normal_body(const Material& material) {
+    return normal_value(material) + R"(    vec3 value = WrView_bumped;
+    vec3 shown = 0.5 + 0.5 * value;
+)";
+}
+
+// The side of the surface that the normal is on need not be the visible one: a graph may leave back
+// faces alone.
+std::string gradient_body(const Material& material) {
+    return normal_value(material) +
+           R"(    vec3 side = dot(WrView_bumped, surface) < 0.0 ? -surface : surface;
+    vec3 value = side - WrView_bumped / dot(side, WrView_bumped);
+    vec3 shown = 0.5 + 0.5 * value;
+)";
+}
+
+std::string height_body(const Material& material) {
+    return assign("float", "height", value_of(material, "height", "float", "0.0")) +
+           R"(    vec3 value = vec3(WrView_height);
+    vec3 shown = (value - WrView_height_range.x) / (WrView_height_range.y - WrView_height_range.x);
+)";
+}
+
+std::string uv_body() {
+    return R"(    vec3 value = vec3(WrView_uv0, 0.0);
+    vec3 shown = fract(value);
+)";
+}
+
+std::string difference_body(const Material& material, const OutputFunction* against) {
+    const std::string flat = "dot(WrView_bumped, surface) < 0.0 ? -surface : surface";
+    const std::string other = against ? "vec3(" + call(material, *against) + ")" : flat;
+    return normal_value(material) + assign("vec3", "other", other) +
+           R"(    float angle = WrView_angle(WrView_bumped, WrView_other);
+    vec3 value = vec3(angle);
+    vec3 shown = WrView_heat(angle);
+)";
+}
+
+std::string_view helpers_of(View view) {
+    switch (view) {
+        case View::shaded:
+            return shading_text;
+        case View::height:
+            return "uniform vec2 WrView_height_range;\n";
+        case View::difference:
+            return difference_text;
+        default:
+            return "";
+    }
+}
+
+std::string body_of(const Material& material, View view, const OutputFunction* against) {
+    switch (view) {
+        case View::shaded:
+            return shaded_body(material);
+        case View::normal:
+            return normal_body(material);
+        case View::gradient:
+            return gradient_body(material);
+        case View::height:
+            return height_body(material);
+        case View::uv:
+            return uv_body();
+        case View::difference:
+            return difference_body(material, against);
+    }
+    return {};
+}
+
+}  // namespace
+
+int attribute_location(std::string_view property) {
+    const Property* found = find_property(property);
+    return found ? found->location : -1;
+}
+
+ShaderText wrap_material(const Material& material, View view, const OutputFunction* against) {
+    std::string fragment(fragment_inputs);
+    fragment += "#line 1 1\n" + material.text + "\n#line 1 0\n";
+    fragment += helpers_of(view);
+    fragment += "\nvoid main() {\n";
+    fragment += struct_values(material);
+    fragment += surface_text;
+    fragment += body_of(material, view, against);
+    fragment += "    WrView_color = vec4(WrView_raw ? value : clamp(shown, 0.0, 1.0), 1.0);\n}\n";
+    return {std::string(vertex_text), std::move(fragment)};
+}
+
+const OutputFunction* find_output(const Material& material, const std::string& output) {
+    for (const OutputFunction& function : material.outputs)
+        if (function.output == output) return &function;
+    return nullptr;
+}
+
+}  // namespace wrinkle::gpu

@@ -1,0 +1,28 @@
+// The vertex and fragment shader that the renderer writes round a material's text, one pair per
+// view. Everything of its own is called WrView_…; compile logs name lines of the material as
+// 1:LINE.
+//
+// The vertex attributes are bound by location: position 0, normal 1, tangent 2, uv0 … uv3 3 … 6,
+// color0 7. The fragment's one output is WrView_color.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "gpu/material.h"
+#include "gpu/renderer.h"
+
+namespace wrinkle::gpu {
+
+struct ShaderText {
+    std::string vertex;
+    std::string fragment;
+};
+
+// `against` may be null: the un-bumped surface. For the height view the output must exist.
+ShaderText wrap_material(const Material& material, View view, const OutputFunction* against);
+
+// The location of a property's vertex attribute, -1 for one that needs none ("view", "facing").
+int attribute_location(std::string_view property);
+
+}  // namespace wrinkle::gpu
