@@ -38,6 +38,7 @@ public:
 
     static Value boolean(bool value);
     static Value number(double value);  // spelled the shortest way; asserts that it is finite
+    static Value single(float value);   // the shortest spelling of that float
     static Value string(std::string_view text);
     static Value array(std::span<const Value> items);
     static Value array(std::initializer_list<Value> items);
@@ -69,11 +70,13 @@ public:
     // The whole text that it was read from, "" when it was built.
     std::string_view source() const;
 
+    const std::shared_ptr<const Tree>& tree() const { return tree_; }
     bool same(const Value& other) const;                 // the same handle: a fast "not edited"
     friend bool operator==(const Value&, const Value&);  // equal values; numbers by value
 
 private:
-    friend class Children;
+    friend const Tree* tree_of(const Value& value);
+    friend uint32_t index_of(const Value& value);
     std::shared_ptr<const Tree> tree_;
     uint32_t index_ = 0;
 };

@@ -1,0 +1,260 @@
+#include "json/parse.h"
+
+#include <bit>
+#include <cassert>
+#include <cstring>
+#include <functional>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "base/text.h"
+#include "json/syntax_error.h"
+#include "json/tree.h"
+
+namespace wrinkle::json {
+namespace {
+
+// Tells how many bytes the library has taken.
+struct CountingIterator {
+    using difference_type = std::ptrdiff_t;
+    using value_type = char;
+    using pointer = const char*;
+    using reference = const char&;
+    using iterator_category = std::input_iterator_tag;
+
+    const char* at;
+    const char** latest;
+
+    const char& operator*() const { return *at; }
+    CountingIterator& operator++() {
+        *latest = ++at;
+        return *this;
+    }
+    CountingIterator operator++(int) {
+        CountingIterator before = *this;
+        ++*this;
+        return before;
+    }
+    bool operator==(const CountingIterator& other) const { return at == other.at; }
+    bool operator!=(const CountingIterator& other) const { return at != other.at; }
+};
+
+bool is_number_character(char c) {
+    return (c >= '0' && c <= '9') || c == '-' || c == '+' || c == '.' || c == 'e' || c == 'E';
+}
+
+// Receives the library's events and lays the tree down.
+class Handler {
+public:
+    Handler(const std::shared_ptr<Tree>& tree, Diagnostics& diagnostics, ParseLimits limits)
+        : tree_(tree), diagnostics_(diagnostics), limits_(limits) {
+        cursor_ = tree->lines[0];
+        latest_ = tree->source.data() + cursor_;
+    }
+
+    bool null() { return literal(Kind::null, 4, false); }
+    bool boolean(bool value) { return literal(Kind::boolean, value ? 4 : 5, value); }
+    bool number_integer(int64_t) { return number(); }
+    bool number_unsigned(uint64_t) { return number(); }
+    bool number_float(double, const std::string&) { return number(); }
+    bool string(std::string& text) { return add_string(text); }
+    bool key(std::string& text) {
+        pending_key_ = true;
+        return add_string(text);
+    }
+    bool binary(std::vector<uint8_t>&) { return false; }
+    bool start_object(size_t) { return open(Kind::object); }
+    bool start_array(size_t) { return open(Kind::array); }
+    bool end_object() {
+        find_duplicates(open_.back());
+        return close();
+    }
+    bool end_array() { return close(); }
+
+    template <class Exception>
+    bool parse_error(size_t, const std::string&, const Exception& exception) {
+        const SyntaxError error = explain(exception.what(), tree_->source, cursor_, consumed());
+        report(error.offset, Value(tree_, open_.empty() ? 0 : open_.back()).pointer(),
+               error.message, error.expected);
+        return false;
+    }
+
+    const char** latest() { return &latest_; }
+    uint32_t cursor() const { return cursor_; }
+
+    void report(uint32_t offset, std::string pointer, std::string message, std::string expected) {
+        Diagnostic diagnostic;
+        diagnostic.where = tree_->location(offset);
+        diagnostic.pointer = std::move(pointer);
+        diagnostic.message = std::move(message);
+        diagnostic.expected = std::move(expected);
+        diagnostics_.add(std::move(diagnostic));
+    }
+
+    // After an error: what is open ends here.
+    void cut() {
+        if (pending_key_) {
+            tree_->entries.pop_back();
+            --tree_->entries[open_.back()].length;
+        }
+        while (!open_.empty()) {
+            Entry& entry = tree_->entries[open_.back()];
+            entry.cut_off = true;
+            if (entry.kind == Kind::object) find_duplicates(open_.back());
+            close();
+        }
+    }
+
+private:
+    uint32_t consumed() const { return static_cast<uint32_t>(latest_ - tree_->source.data()); }
+    uint32_t start() const { return token_start(tree_->source, cursor_, ~0u); }
+
+    Entry& add(Kind kind, uint32_t offset) {
+        Entry entry;
+        entry.kind = kind;
+        entry.offset = offset;
+        entry.next = static_cast<uint32_t>(tree_->entries.size() + 1);
+        entry.parent = open_.empty() ? 0 : open_.back();
+        const bool is_value_of_key = pending_key_ && after_key_;
+        if (!open_.empty() && !is_value_of_key) ++tree_->entries[open_.back()].length;
+        after_key_ = pending_key_ && !after_key_;
+        if (is_value_of_key) pending_key_ = false;
+        return tree_->entries.emplace_back(entry);
+    }
+
+    bool literal(Kind kind, uint32_t length, bool truth) {
+        const uint32_t offset = start();
+        cursor_ = offset + length;
+        add(kind, offset).truth = truth;
+        return true;
+    }
+
+    bool number() {
+        const std::string& source = tree_->source;
+        const uint32_t offset = start();
+        uint32_t end = offset;
+        while (end < source.size() && is_number_character(source[end]))
+            ++end;
+        cursor_ = end;
+        Entry& entry = add(Kind::number, offset);
+        entry.text = offset;
+        entry.length = end - offset;
+        return true;
+    }
+
+    bool add_string(const std::string& text) {
+        const uint32_t offset = start();
+        cursor_ = consumed();
+        Entry& entry = add(Kind::string, offset);
+        entry.text = offset + 1;
+        entry.length = static_cast<uint32_t>(text.size());
+        if (cursor_ - offset - 2 == text.size()) return true;
+        entry.pooled = true;
+        entry.text = static_cast<uint32_t>(tree_->pool.size());
+        tree_->pool += text;
+        return true;
+    }
+
+    bool open(Kind kind) {
+        const uint32_t offset = start();
+        cursor_ = offset + 1;
+        if (open_.size() >= limits_.depth) {
+            report(offset, Value(tree_, open_.back()).pointer(),
+                   "nested more than " + std::to_string(limits_.depth) + " deep",
+                   "arrays and objects nest at most " + std::to_string(limits_.depth) + " deep");
+            return false;
+        }
+        add(kind, offset);
+        open_.push_back(static_cast<uint32_t>(tree_->entries.size() - 1));
+        return true;
+    }
+
+    bool close() {
+        cursor_ = consumed();
+        tree_->entries[open_.back()].next = static_cast<uint32_t>(tree_->entries.size());
+        open_.pop_back();
+        return true;
+    }
+
+    // Marks each member whose key stood before; a small hash table of keys.
+    void find_duplicates(uint32_t object) {
+        std::vector<Entry>& entries = tree_->entries;
+        if (entries[object].length < 2) return;
+        slots_.assign(std::bit_ceil(size_t{entries[object].length} * 2), 0);
+        const size_t mask = slots_.size() - 1;
+        for (uint32_t k = object + 1; k < entries.size(); k = entries[k + 1].next) {
+            const std::string_view key = tree_->text(entries[k]);
+            size_t slot = std::hash<std::string_view>{}(key)&mask;
+            while (slots_[slot] != 0 && tree_->text(entries[slots_[slot]]) != key)
+                slot = (slot + 1) & mask;
+            if (slots_[slot] == 0)
+                slots_[slot] = k;
+            else
+                duplicate(object, slots_[slot], k);
+        }
+    }
+
+    void duplicate(uint32_t object, uint32_t first, uint32_t again) {
+        std::vector<Entry>& entries = tree_->entries;
+        entries[again].duplicate = entries[again + 1].duplicate = true;
+        --entries[object].length;
+        if (diagnostics_.dropped() > 0) return diagnostics_.add({});  // only counted from there on
+        const Location before = tree_->location(entries[first].offset);
+        report(entries[again].offset, Value(tree_, again + 1).pointer(),
+               "key " + json_quoted(tree_->text(entries[again])) + " stands twice",
+               "first at line " + std::to_string(before.line) + ", column " +
+                   std::to_string(before.column));
+    }
+
+    std::shared_ptr<Tree> tree_;
+    Diagnostics& diagnostics_;
+    ParseLimits limits_;
+    const char* latest_ = nullptr;
+    uint32_t cursor_ = 0;         // end of the last token understood
+    bool pending_key_ = false;    // a key was announced and its value is not there yet
+    bool after_key_ = false;      // and the key's own entry is
+    std::vector<uint32_t> open_;  // containers
+    std::vector<uint32_t> slots_;
+};
+
+bool too_large(const Tree& tree, Diagnostics& diagnostics) {
+    if (tree.source.size() < std::numeric_limits<uint32_t>::max()) return false;
+    Diagnostic diagnostic;
+    diagnostic.where.file = tree.file;
+    diagnostic.message = "the text is larger than 4 GiB";
+    diagnostics.add(std::move(diagnostic));
+    return true;
+}
+
+bool read_all(Tree& tree, Handler& handler) {
+    const char* begin = tree.source.data();
+    const char* end = begin + tree.source.size();
+    const char** latest = handler.latest();
+    if (!nlohmann::json::sax_parse(CountingIterator{begin, latest}, CountingIterator{end, latest},
+                                   &handler))
+        return false;
+    const uint32_t rest = token_start(tree.source, handler.cursor(), 0);
+    if (rest == tree.source.size()) return true;
+    handler.report(rest, "", "unexpected byte 0x00", "expected the end of the file");
+    return false;
+}
+
+}  // namespace
+
+Parsed parse(std::string text, std::string file, Diagnostics& diagnostics, ParseLimits limits) {
+    auto tree = std::make_shared<Tree>();
+    tree->file = std::move(file);
+    tree->source = std::move(text);
+    if (too_large(*tree, diagnostics)) return {};
+    tree->index_source();
+    Handler handler(tree, diagnostics, limits);
+    const bool complete = read_all(*tree, handler);
+    if (!complete) handler.cut();
+    if (tree->entries.empty()) {
+        tree->entries.emplace_back();
+        tree->entries[0].next = 1;
+    }
+    return {Value(tree, 0), complete};
+}
+
+}  // namespace wrinkle::json

@@ -1,0 +1,229 @@
+#include "json/value.h"
+
+#include <algorithm>
+#include <cassert>
+#include <charconv>
+#include <cmath>
+
+#include "base/text.h"
+#include "json/tree.h"
+
+namespace wrinkle::json {
+namespace {
+
+const Entry null_entry;
+
+const Entry& entry_of(const Value& value) {
+    const Tree* tree = tree_of(value);
+    return tree ? tree->entries[index_of(value)] : null_entry;
+}
+
+double number_of(std::string_view spelling) {
+    double number = 0;  // stays when the text is too near to zero for a double
+    std::from_chars(spelling.data(), spelling.data() + spelling.size(), number);
+    return number;
+}
+
+std::string pointer_token(std::string_view key) {
+    std::string token = "/";
+    for (const char c : key) {
+        if (c == '~')
+            token += "~0";
+        else if (c == '/')
+            token += "~1";
+        else
+            token += c;
+    }
+    return token;
+}
+
+uint32_t item_number(const Tree& tree, uint32_t array, uint32_t item) {
+    uint32_t number = 0;
+    for (uint32_t i = array + 1; i != item; i = tree.entries[i].next)
+        ++number;
+    return number;
+}
+
+}  // namespace
+
+const char* kind_name(Kind kind) {
+    switch (kind) {
+        case Kind::null:
+            return "null";
+        case Kind::boolean:
+            return "a boolean";
+        case Kind::number:
+            return "a number";
+        case Kind::string:
+            return "a string";
+        case Kind::array:
+            return "an array";
+        case Kind::object:
+            return "an object";
+    }
+    return "";
+}
+
+const Tree* tree_of(const Value& value) {
+    return value.tree_.get();
+}
+uint32_t index_of(const Value& value) {
+    return value.index_;
+}
+
+Kind Value::kind() const {
+    return entry_of(*this).kind;
+}
+
+bool Value::as_boolean() const {
+    assert(is(Kind::boolean));
+    return entry_of(*this).truth;
+}
+
+double Value::as_number() const {
+    return number_of(spelling());
+}
+
+std::string_view Value::spelling() const {
+    assert(is(Kind::number));
+    return tree_->text(tree_->entries[index_]);
+}
+
+std::string_view Value::as_string() const {
+    assert(is(Kind::string));
+    return tree_->text(tree_->entries[index_]);
+}
+
+size_t Value::size() const {
+    const Entry& entry = entry_of(*this);
+    return is_container(entry.kind) ? entry.length : 0;
+}
+
+Children Value::children() const {
+    return Children(*this);
+}
+
+Value Value::find(std::string_view key) const {
+    if (!is(Kind::object)) return {};
+    for (const Member& member : children())
+        if (member.key == key) return member.value;
+    return {};
+}
+
+bool Value::has(std::string_view key) const {
+    return find(key).tree_ != nullptr;
+}
+
+Value Value::at(size_t item) const {
+    assert(is(Kind::array) && item < size());
+    uint32_t i = index_ + 1;
+    for (; item > 0; --item)
+        i = tree_->entries[i].next;
+    return {tree_, i};
+}
+
+bool Value::has_location() const {
+    return tree_ && tree_->was_read();
+}
+
+uint32_t Value::offset() const {
+    return entry_of(*this).offset;
+}
+
+Location Value::location() const {
+    return has_location() ? tree_->location(offset()) : Location{};
+}
+
+Location Value::key_location() const {
+    if (!has_location() || index_ == 0) return location();
+    const uint32_t parent = tree_->entries[index_].parent;
+    if (tree_->entries[parent].kind != Kind::object) return location();
+    return tree_->location(tree_->entries[index_ - 1].offset);
+}
+
+std::string Value::pointer() const {
+    if (!tree_) return {};
+    std::vector<std::string> tokens;
+    for (uint32_t i = index_; i != 0; i = tree_->entries[i].parent) {
+        const uint32_t parent = tree_->entries[i].parent;
+        if (tree_->entries[parent].kind == Kind::object)
+            tokens.push_back(pointer_token(tree_->text(tree_->entries[i - 1])));
+        else
+            tokens.push_back("/" + std::to_string(item_number(*tree_, parent, i)));
+    }
+    std::string pointer;
+    for (auto token = tokens.rbegin(); token != tokens.rend(); ++token)
+        pointer += *token;
+    return pointer;
+}
+
+bool Value::cut_off() const {
+    return entry_of(*this).cut_off;
+}
+
+std::string_view Value::source() const {
+    return tree_ ? std::string_view(tree_->source) : std::string_view();
+}
+
+bool Value::same(const Value& other) const {
+    return tree_ == other.tree_ && index_ == other.index_;
+}
+
+bool operator==(const Value& a, const Value& b) {
+    if (a.same(b)) return true;
+    if (!a.tree_ || !b.tree_) return a.kind() == b.kind() && a.is(Kind::null);
+    const uint32_t count = entry_of(a).next - a.index_;
+    if (entry_of(b).next - b.index_ != count) return false;
+    for (uint32_t i = 0; i < count; ++i) {
+        const Entry& one = a.tree_->entries[a.index_ + i];
+        const Entry& two = b.tree_->entries[b.index_ + i];
+        if (one.kind != two.kind || one.truth != two.truth) return false;
+        if (is_container(one.kind) && one.length != two.length) return false;
+        const std::string_view text = is_container(one.kind) ? "" : a.tree_->text(one);
+        const std::string_view other = is_container(two.kind) ? "" : b.tree_->text(two);
+        if (text == other) continue;
+        if (one.kind != Kind::number || number_of(text) != number_of(other)) return false;
+    }
+    return true;
+}
+
+namespace {
+
+// Steps over duplicate members from the key or item at `i` on; what it gives is a child's value.
+uint32_t child_at(const Tree& tree, const Value& parent, uint32_t i) {
+    const uint32_t object = parent.is(Kind::object) ? 1 : 0;
+    const uint32_t end = tree.entries[index_of(parent)].next;
+    while (i < end && object && tree.entries[i].duplicate)
+        i = tree.entries[i + 1].next;
+    return i + object;
+}
+
+}  // namespace
+
+Children::Iterator Children::begin() const {
+    const Tree* tree = tree_of(parent_);
+    const bool container = tree && is_container(parent_.kind());
+    return {&parent_, container ? child_at(*tree, parent_, index_of(parent_) + 1) : 0};
+}
+
+Children::Iterator Children::end() const {
+    const Tree* tree = tree_of(parent_);
+    const bool container = tree && is_container(parent_.kind());
+    const uint32_t object = parent_.is(Kind::object) ? 1 : 0;
+    return {&parent_, container ? tree->entries[index_of(parent_)].next + object : 0};
+}
+
+Member Children::Iterator::operator*() const {
+    const std::shared_ptr<const Tree>& tree = parent_->tree();
+    const bool object = parent_->is(Kind::object);
+    return {object ? tree->text(tree->entries[index_ - 1]) : std::string_view(),
+            Value(tree, index_)};
+}
+
+Children::Iterator& Children::Iterator::operator++() {
+    const Tree& tree = *tree_of(*parent_);
+    index_ = child_at(tree, *parent_, tree.entries[index_].next);
+    return *this;
+}
+
+}  // namespace wrinkle::json
