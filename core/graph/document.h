@@ -37,7 +37,8 @@ struct Link {
     bool operator==(const Link&) const = default;
 };
 
-// A key that the format does not know, kept as it was.
+// A key that the format does not know, or a known one with a value of the wrong kind (already
+// reported), kept as it was.
 struct Extra {
     std::string key;
     json::Value value;
@@ -63,7 +64,7 @@ struct Node {
     bool muted = false;
     std::vector<Input> inputs;  // in file order, each port once
     std::vector<Extra> unknown;
-    json::Value source;  // the node's JSON object as it was read
+    json::Value source;  // its JSON as it was read; written back as it was if it is no object
 
     const Input* find(std::string_view port) const;
     // The file of a sub-graph, "weave.json" of "graph:weave.json"; nothing for another type.
@@ -89,7 +90,7 @@ inline std::string_view table_key(const GraphInput& input) {
 
 struct Output {
     std::string name;
-    Input from;  // `port` is the output's name; a literal is an error, reported and kept as broken
+    Input from;  // `port` is the output's name; anything but a link is reported and kept as broken
 };
 inline std::string_view table_key(const Output& output) {
     return output.name;

@@ -12,7 +12,7 @@ namespace wrinkle {
 // depth-first walk from the first node on. A wire that closes a cycle is disregarded. No recursion.
 std::vector<uint32_t> evaluation_order(const Document& document);
 
-// Errors for links to nodes, graph inputs and surface properties that do not exist, and for each
+// Errors for links to nodes, graph inputs that do not exist, and for each
 // wire that closes a cycle, with the nodes on it. Part of read_document; an edited one asks again.
 void check_links(const Document& document, Diagnostics& diagnostics);
 

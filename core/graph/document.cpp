@@ -1,0 +1,114 @@
+#include "graph/document.h"
+
+#include "base/text.h"
+
+namespace wrinkle {
+namespace {
+
+std::string pointer_to(std::initializer_list<std::string_view> keys) {
+    std::string pointer;
+    for (const std::string_view key : keys) {
+        pointer += '/';
+        for (const char c : key)
+            pointer += c == '~' ? std::string("~0") : c == '/' ? "~1" : std::string(1, c);
+    }
+    return pointer;
+}
+
+Diagnostic made(Location where, std::string pointer, std::string message, std::string expected) {
+    Diagnostic diagnostic;
+    diagnostic.where = std::move(where);
+    diagnostic.pointer = std::move(pointer);
+    diagnostic.message = std::move(message);
+    diagnostic.expected = std::move(expected);
+    return diagnostic;
+}
+
+// The file as a whole when the thing is not of the text as read.
+Location place(const Document& document, const json::Value& value, bool key) {
+    if (!value.has_location()) return {document.file, 0, 0};
+    return key ? value.key_location() : value.location();
+}
+
+}  // namespace
+
+const Input* Node::find(std::string_view port) const {
+    for (const Input& input : inputs)
+        if (input.port == port) return &input;
+    return nullptr;
+}
+
+std::optional<std::string_view> Node::subgraph() const {
+    static constexpr std::string_view prefix = "graph:";
+    if (type.compare(0, prefix.size(), prefix) != 0) return {};
+    return std::string_view(type).substr(prefix.size());
+}
+
+const Node* Document::find(std::string_view id) const {
+    const NodePtr* node = nodes.find(id);
+    return node ? node->get() : nullptr;
+}
+
+Diagnostic diagnose(const Document& document, std::string message, std::string expected) {
+    return made({document.file, 0, 0}, "", std::move(message), std::move(expected));
+}
+
+Diagnostic diagnose(const Document& document, const Node& node, std::string message,
+                    std::string expected) {
+    Diagnostic diagnostic = made(place(document, node.source, true), pointer_to({"nodes", node.id}),
+                                 std::move(message), std::move(expected));
+    diagnostic.node = node.id;
+    return diagnostic;
+}
+
+Diagnostic diagnose(const Document& document, const Node& node, std::string_view port,
+                    std::string message, std::string expected) {
+    Diagnostic diagnostic = diagnose(document, node, std::move(message), std::move(expected));
+    const Input* input = node.find(port);
+    if (!input) return diagnostic;
+    diagnostic.pointer = pointer_to({"nodes", node.id, "in", port});
+    if (input->value.has_location()) diagnostic.where = input->value.location();
+    return diagnostic;
+}
+
+Diagnostic diagnose(const Document& document, const GraphInput& input, std::string message,
+                    std::string expected) {
+    return made(place(document, input.source, true), pointer_to({"inputs", input.name}),
+                std::move(message), std::move(expected));
+}
+
+Diagnostic diagnose(const Document& document, const Output& output, std::string message,
+                    std::string expected) {
+    return made(place(document, output.from.value, false), pointer_to({"outputs", output.name}),
+                std::move(message), std::move(expected));
+}
+
+Diagnostic diagnose(const json::Value& value, std::string node, std::string message,
+                    std::string expected) {
+    Diagnostic diagnostic =
+        made(value.location(), value.pointer(), std::move(message), std::move(expected));
+    diagnostic.node = std::move(node);
+    return diagnostic;
+}
+
+std::string id_problem(std::string_view id, bool reserved) {
+    constexpr size_t longest = 128;
+    if (id.empty()) return "is empty";
+    if (!is_utf8(id)) return "is not valid UTF-8";
+    size_t characters = 0;
+    unsigned char before = 0;
+    for (const char c : id) {
+        const auto byte = static_cast<unsigned char>(c);
+        const bool upper_control = before == 0xC2 && byte < 0xA0;  // U+0080 to U+009F
+        if (byte < 0x20 || byte == 0x7F || upper_control) return "contains a control character";
+        if (c == '.') return "contains a '.'";
+        if ((byte & 0xC0) != 0x80) ++characters;
+        before = byte;
+    }
+    if (id[0] == '$') return "begins with '$'";
+    if (characters > longest) return "is longer than 128 characters";
+    if (reserved && (id == Link::surface || id == Link::input)) return "is a reserved word";
+    return {};
+}
+
+}  // namespace wrinkle

@@ -1,0 +1,192 @@
+#include "graph/order.h"
+
+#include <algorithm>
+
+#include "base/text.h"
+
+namespace wrinkle {
+namespace {
+
+struct Closing {
+    uint32_t node;
+    uint32_t input;
+    std::vector<uint32_t> path;  // from the node that is read again, reader to read; its ends
+    size_t length = 0;           // of the whole cycle
+};
+
+struct Walk {
+    std::vector<uint32_t> order;
+    std::vector<Closing> closing;
+};
+
+constexpr size_t shown = 8;                                     // nodes of a cycle in its report
+constexpr size_t most_cycles = Diagnostics::default_limit + 1;  // the rest is not told apart
+
+// Depth first with a stack of its own.
+class Walker {
+public:
+    explicit Walker(const Document& document)
+        : document_(document), state_(document.nodes.size(), State::unseen) {}
+
+    Walk run() {
+        for (uint32_t i = 0; i < document_.nodes.size(); ++i)
+            if (state_[i] == State::unseen) walk_from(i);
+        return std::move(walk_);
+    }
+
+private:
+    enum class State : uint8_t { unseen, open, done };
+    struct Frame {
+        uint32_t node;
+        uint32_t next_input;
+    };
+
+    void walk_from(uint32_t root) {
+        enter(root);
+        while (!stack_.empty()) {
+            Frame& frame = stack_.back();
+            const Node& node = *document_.nodes[frame.node];
+            if (frame.next_input == node.inputs.size())
+                leave();
+            else
+                follow(frame.node, frame.next_input++);
+        }
+    }
+
+    void enter(uint32_t node) {
+        state_[node] = State::open;
+        stack_.push_back({node, 0});
+    }
+
+    void leave() {
+        const uint32_t node = stack_.back().node;
+        stack_.pop_back();
+        state_[node] = State::done;
+        walk_.order.push_back(node);
+    }
+
+    void follow(uint32_t node, uint32_t input) {
+        const Link& link = document_.nodes[node]->inputs[input].link;
+        if (!link.is_node()) return;
+        const size_t read = document_.nodes.index_of(link.node);
+        if (read == Table<NodePtr>::npos) return;
+        const auto target = static_cast<uint32_t>(read);
+        if (state_[target] == State::unseen)
+            enter(target);
+        else if (state_[target] == State::open && walk_.closing.size() < most_cycles)
+            walk_.closing.push_back(cycle(node, input, target));
+    }
+
+    Closing cycle(uint32_t node, uint32_t input, uint32_t target) const {
+        size_t begin = stack_.size() - 1;
+        while (stack_[begin].node != target)
+            --begin;
+        Closing closing{node, input, {}, stack_.size() - begin};
+        for (size_t i = begin; i < stack_.size(); ++i)
+            if (i < begin + shown / 2 || i + shown / 2 >= stack_.size())
+                closing.path.push_back(stack_[i].node);
+        return closing;
+    }
+
+    const Document& document_;
+    std::vector<State> state_;
+    std::vector<Frame> stack_;
+    Walk walk_;
+};
+
+std::string cycle_text(const Document& document, const Closing& closing) {
+    const std::vector<uint32_t>& path = closing.path;
+    std::string text = "the wires form a cycle: ";
+    for (size_t i = 0; i < path.size(); ++i) {
+        if (i == shown / 2 && closing.length > path.size())
+            text += "... (" + std::to_string(closing.length - path.size()) + " more) reads ";
+        text += "'" + document.nodes[path[i]]->id + "' reads ";
+    }
+    return text + "'" + document.nodes[path[0]]->id + "'";
+}
+
+// Suggests names; within a budget, so that a large and very wrong graph is still read at once.
+template <class T>
+class Names {
+public:
+    explicit Names(const Table<T>& table) : table_(table) {}
+
+    std::string remedy(std::string_view word, const char* otherwise) {
+        if (table_.size() > budget_) return otherwise;
+        budget_ -= table_.size();
+        if (names_.empty())
+            for (const T& entry : table_)
+                names_.emplace_back(table_key(entry));
+        const std::string name = nearest(word, names_);
+        return name.empty() ? otherwise : "did you mean '" + name + "'?";
+    }
+
+private:
+    const Table<T>& table_;
+    std::vector<std::string> names_;
+    size_t budget_ = 200'000;
+};
+
+class Checker {
+public:
+    Checker(const Document& document, Diagnostics& diagnostics)
+        : document_(document),
+          diagnostics_(diagnostics),
+          ids_(document.nodes),
+          inputs_(document.inputs) {}
+
+    void run() {
+        for (const NodePtr& node : document_.nodes)
+            for (const Input& input : node->inputs)
+                check(input.link, [&](std::string message, std::string expected) {
+                    return diagnose(document_, *node, input.port, std::move(message),
+                                    std::move(expected));
+                });
+        for (const Output& output : document_.outputs)
+            check(output.from.link, [&](std::string message, std::string expected) {
+                return diagnose(document_, output, std::move(message), std::move(expected));
+            });
+        report_cycles();
+    }
+
+private:
+    template <class Diagnose>
+    void check(const Link& link, Diagnose diagnose_here) {
+        const bool lost_node = link.is_node() && !document_.find(link.node);
+        const bool lost_input = link.is_input() && !document_.inputs.find(link.port);
+        if (!lost_node && !lost_input) return;
+        if (diagnostics_.dropped() > 0) return diagnostics_.add({});  // only counted
+        if (lost_node)
+            diagnostics_.add(diagnose_here("there is no node '" + link.node + "'",
+                                           ids_.remedy(link.node, "expected the id of a node")));
+        else
+            diagnostics_.add(
+                diagnose_here("the graph has no input '" + link.port + "'",
+                              inputs_.remedy(link.port, "declare it under \"inputs\"")));
+    }
+
+    void report_cycles() {
+        for (const Closing& closing : Walker(document_).run().closing) {
+            const Node& node = *document_.nodes[closing.node];
+            diagnostics_.add(diagnose(document_, node, node.inputs[closing.input].port,
+                                      cycle_text(document_, closing), "remove one of these wires"));
+        }
+    }
+
+    const Document& document_;
+    Diagnostics& diagnostics_;
+    Names<NodePtr> ids_;
+    Names<GraphInput> inputs_;
+};
+
+}  // namespace
+
+std::vector<uint32_t> evaluation_order(const Document& document) {
+    return Walker(document).run().order;
+}
+
+void check_links(const Document& document, Diagnostics& diagnostics) {
+    Checker(document, diagnostics).run();
+}
+
+}  // namespace wrinkle

@@ -1,0 +1,182 @@
+#include "graph/read.h"
+
+#include <algorithm>
+#include <span>
+
+#include "base/text.h"
+#include "graph/order.h"
+#include "graph/reader.h"
+#include "json/parse.h"
+
+namespace wrinkle {
+namespace {
+
+using json::Kind;
+using json::Value;
+using reading::Report;
+
+class Reader {
+public:
+    Reader(Report& report, ReadLimits limits) : report_(report), limits_(limits) {}
+
+    void read(const Value& root, Document& document) {
+        if (!report_.expect(root, Kind::object, "the graph", "")) return;
+        for (const json::Member& member : root.children())
+            if (!read_member(member, document))
+                document.unknown.push_back({std::string(member.key), member.value});
+        if (!root.has("wrinkle") && !root.cut_off())
+            report_.at(root, "", "the file does not say that it is a graph",
+                       "expected \"wrinkle\": 1");
+    }
+
+    bool all_nodes() const { return all_nodes_; }
+
+private:
+    // Whether the member is known and well; it is kept with the unknown ones otherwise.
+    bool read_member(const json::Member& member, Document& document) {
+        const Value& value = member.value;
+        if (member.key == "wrinkle") return read_format(value);
+        if (member.key == "name") {
+            if (!report_.expect(value, Kind::string, "\"name\"", "")) return false;
+            document.name = value.as_string();
+            return true;
+        }
+        if (member.key == "back_faces") return read_back_faces(value, document);
+        return read_section(member, document);
+    }
+
+    bool read_section(const json::Member& member, Document& document) {
+        const Value& value = member.value;
+        const bool section = member.key == "inputs" || member.key == "nodes" ||
+                             member.key == "outputs" || member.key == "layout";
+        if (!section || !report_.expect(value, Kind::object, json_quoted(member.key), ""))
+            return false;
+        if (member.key == "inputs") document.inputs = table<GraphInput>(value, read_graph_input);
+        if (member.key == "nodes") document.nodes = read_nodes(value);
+        if (member.key == "outputs") document.outputs = table<Output>(value, reading::read_output);
+        if (member.key == "layout") reading::read_layout(value, document, report_);
+        return true;
+    }
+
+    bool read_format(const Value& value) {
+        if (!report_.expect(value, Kind::number, "\"wrinkle\"", "")) return false;
+        if (value.as_number() == 1) return true;
+        report_.at(value, "", "the format version is " + std::string(value.spelling()),
+                   "this program reads version 1");
+        return false;
+    }
+
+    bool read_back_faces(const Value& value, Document& document) {
+        if (!report_.expect(value, Kind::string, "\"back_faces\"", "")) return false;
+        for (size_t i = 0; i < back_faces_names.size(); ++i)
+            if (value.as_string() == back_faces_names[i]) {
+                document.back_faces = static_cast<BackFaces>(i);
+                return true;
+            }
+        report_.at(value, "", "\"back_faces\" is " + json_quoted(value.as_string()),
+                   "expected \"mirror\", \"flip\" or \"none\"");
+        return false;
+    }
+
+    static constexpr auto read_graph_input = reading::read_graph_input;
+
+    template <class T, class Read>
+    Table<T> table(const Value& value, Read read) {
+        std::vector<T> items;
+        for (const json::Member& member : value.children())
+            items.push_back(read(member.key, member.value, report_));
+        return Table<T>(std::move(items));
+    }
+
+    Table<NodePtr> read_nodes(const Value& value) {
+        std::vector<NodePtr> nodes;
+        nodes.reserve(std::min<size_t>(value.size(), limits_.nodes));
+        for (const json::Member& member : value.children()) {
+            if (nodes.size() == limits_.nodes) {
+                report_.at_key(member.value, "", "the graph has more nodes than are allowed",
+                               "the limit is " + std::to_string(limits_.nodes));
+                all_nodes_ = false;
+                break;
+            }
+            nodes.push_back(std::make_shared<const Node>(
+                reading::read_node(member.key, member.value, report_)));
+        }
+        return Table<NodePtr>(std::move(nodes));
+    }
+
+    Report& report_;
+    ReadLimits limits_;
+    bool all_nodes_ = true;
+};
+
+void add_in_order(const Diagnostics& found, Diagnostics& diagnostics) {
+    std::vector<Diagnostic> list = found.list();
+    std::stable_sort(list.begin(), list.end(), [](const Diagnostic& a, const Diagnostic& b) {
+        return std::pair(a.where.line, a.where.column) < std::pair(b.where.line, b.where.column);
+    });
+    Diagnostics sorted(found.list().size());
+    for (Diagnostic& diagnostic : list)
+        sorted.add(std::move(diagnostic));
+    for (size_t i = 0; i < found.dropped(); ++i)
+        sorted.add({});
+    diagnostics.append(sorted);
+}
+
+constexpr std::string_view top_keys[] = {"wrinkle", "name",    "back_faces", "inputs",
+                                         "nodes",   "outputs", "layout",     "$schema"};
+constexpr std::string_view node_keys[] = {"type", "version", "muted", "in"};
+constexpr std::string_view graph_input_keys[] = {"type", "default", "doc"};
+
+void report_keys(const std::vector<Extra>& extras, std::span<const std::string_view> known,
+                 const std::string& node, Report& report) {
+    const std::vector<std::string> names(known.begin(), known.end());
+    for (const Extra& extra : extras) {
+        if (std::find(known.begin(), known.end(), extra.key) != known.end()) continue;
+        const std::string name = nearest(extra.key, names);
+        report.at_key(extra.value, node, "unknown key " + json_quoted(extra.key),
+                      name.empty() ? "" : "did you mean \"" + name + "\"?");
+    }
+}
+
+void report_link_keys(const Input& input, const std::string& node, Report& report) {
+    if (input.kind != Input::Kind::link) return;
+    for (const json::Member& member : input.value.children())
+        if (member.key != "from")
+            report.at_key(member.value, node,
+                          "unknown key " + json_quoted(member.key) + " beside \"from\"",
+                          "a link has no other key");
+}
+
+}  // namespace
+
+Document read_document(std::string bytes, std::string file, Diagnostics& diagnostics,
+                       ReadLimits limits) {
+    Document document;
+    document.file = file;
+    Report report;
+    const json::Parsed parsed =
+        json::parse(std::move(bytes), std::move(file), report.list(), {limits.depth});
+    document.source = parsed.root;
+    Reader reader(report, limits);
+    if (parsed.complete || parsed.root.is(Kind::object)) reader.read(parsed.root, document);
+    if (parsed.complete && reader.all_nodes()) check_links(document, report.list());
+    add_in_order(report.list(), diagnostics);
+    return document;
+}
+
+void report_unknown(const Document& document, Diagnostics& diagnostics) {
+    Report report;
+    report_keys(document.unknown, top_keys, "", report);
+    for (const NodePtr& node : document.nodes) {
+        report_keys(node->unknown, node_keys, node->id, report);
+        for (const Input& input : node->inputs)
+            report_link_keys(input, node->id, report);
+    }
+    for (const GraphInput& input : document.inputs)
+        report_keys(input.unknown, graph_input_keys, "", report);
+    for (const Output& output : document.outputs)
+        report_link_keys(output.from, "", report);
+    add_in_order(report.list(), diagnostics);
+}
+
+}  // namespace wrinkle

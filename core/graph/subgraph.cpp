@@ -1,0 +1,173 @@
+#include "graph/subgraph.h"
+
+#include <map>
+
+#include "base/file.h"
+#include "base/text.h"
+
+namespace wrinkle {
+namespace fs = std::filesystem;
+
+namespace {
+
+using File = Project::File;
+
+class Loader {
+public:
+    Loader(Project& project, const ProjectOptions& options, Diagnostics& diagnostics)
+        : project_(project), limits_(options.limits), diagnostics_(diagnostics) {}
+
+    // Breadth first: files are appended while the loop runs.
+    void run() {
+        known_[project_.files[0].path] = 0;
+        for (size_t f = 0; f < project_.files.size(); ++f)
+            read_subgraphs(f);
+        break_cycles();
+    }
+
+private:
+    void read_subgraphs(size_t f) {
+        const Document document = project_.files[f].document;
+        std::vector<uint32_t> subgraphs;
+        for (const NodePtr& node : document.nodes) {
+            const auto name = node->subgraph();
+            subgraphs.push_back(name ? find_or_read(f, document, *node, *name) : File::none);
+        }
+        project_.files[f].subgraphs = std::move(subgraphs);
+    }
+
+    uint32_t find_or_read(size_t f, const Document& document, const Node& node,
+                          std::string_view name) {
+        const auto fail = [&](const std::string& what, std::string expected) {
+            diagnostics_.add(diagnose(document, node, "sub-graph " + json_quoted(name) + " " + what,
+                                      std::move(expected)));
+            return File::none;
+        };
+        if (name.empty()) return fail("names no file", "expected \"graph:FILE.json\"");
+        const auto path = resolve_file(project_, f, name);
+        if (!path)
+            return fail("is outside the root " + project_.root.string(),
+                        "keep it below the root, or choose another with --root");
+        if (const auto known = known_.find(*path); known != known_.end()) return known->second;
+        std::string why;
+        auto bytes = read_file(*path, why);
+        if (!bytes) return fail(why, "expected a graph file");
+        return add(*path, display_name(document, name), std::move(*bytes));
+    }
+
+    // As the reader of a report would name it: beside the file that says it.
+    static std::string display_name(const Document& document, std::string_view name) {
+        return (fs::path(document.file).parent_path() / name).lexically_normal().string();
+    }
+
+    uint32_t add(const fs::path& path, std::string name, std::string bytes) {
+        ReadLimits limits = limits_;
+        for (const File& file : project_.files)
+            limits.nodes -=
+                std::min<uint32_t>(limits.nodes, static_cast<uint32_t>(file.document.nodes.size()));
+        File file;
+        file.path = path;
+        file.document = read_document(std::move(bytes), std::move(name), diagnostics_, limits);
+        const auto index = static_cast<uint32_t>(project_.files.size());
+        project_.files.push_back(std::move(file));
+        known_[path] = index;
+        return index;
+    }
+
+    struct Frame {
+        uint32_t file;
+        size_t next_node;
+    };
+
+    // Reports each node that leads back to a file it is in, and takes its sub-graph away.
+    void break_cycles() {
+        enum class State : uint8_t { unseen, open, done };
+        std::vector<State> state(project_.files.size(), State::unseen);
+        std::vector<Frame> stack{{0, 0}};
+        state[0] = State::open;
+        while (!stack.empty()) {
+            Frame& frame = stack.back();
+            File& file = project_.files[frame.file];
+            if (frame.next_node == file.subgraphs.size()) {
+                state[frame.file] = State::done;
+                stack.pop_back();
+                continue;
+            }
+            const size_t node = frame.next_node++;
+            uint32_t& target = file.subgraphs[node];
+            if (target == File::none || state[target] == State::done) continue;
+            if (state[target] == State::open) {
+                report_cycle(file, node, stack, target);
+                target = File::none;
+            } else {
+                state[target] = State::open;
+                stack.push_back({target, 0});
+            }
+        }
+    }
+
+    void report_cycle(const File& file, size_t node, const std::vector<Frame>& stack,
+                      uint32_t target) {
+        std::string text = "the sub-graph contains itself: ";
+        bool on_cycle = false;
+        for (const Frame& frame : stack) {
+            on_cycle = on_cycle || frame.file == target;
+            if (on_cycle) text += project_.files[frame.file].document.file + " uses ";
+        }
+        text += project_.files[target].document.file;
+        diagnostics_.add(diagnose(file.document, *file.document.nodes[node], std::move(text),
+                                  "remove one of these nodes"));
+    }
+
+    Project& project_;
+    ReadLimits limits_;
+    Diagnostics& diagnostics_;
+    std::map<fs::path, uint32_t> known_;
+};
+
+fs::path canonical(const fs::path& path) {
+    std::error_code error;
+    const fs::path real = fs::weakly_canonical(fs::absolute(path, error), error);
+    return error ? path : real;
+}
+
+}  // namespace
+
+const File* Project::subgraph(size_t file, std::string_view node) const {
+    const File& from = files[file];
+    const size_t i = from.document.nodes.index_of(node);
+    if (i == Table<NodePtr>::npos || from.subgraphs[i] == File::none) return nullptr;
+    return &files[from.subgraphs[i]];
+}
+
+Project load_project(const fs::path& file, const ProjectOptions& options,
+                     Diagnostics& diagnostics) {
+    Document top;
+    top.file = file.string();
+    std::string why;
+    if (auto bytes = read_file(file, why))
+        top = read_document(std::move(*bytes), file.string(), diagnostics, options.limits);
+    else
+        diagnostics.add(diagnose(top, why));
+    return load_project(std::move(top), file.parent_path(), options, diagnostics);
+}
+
+Project load_project(Document top, const fs::path& folder, const ProjectOptions& options,
+                     Diagnostics& diagnostics) {
+    const fs::path here = folder.empty() ? fs::path(".") : folder;
+    Project project;
+    project.root = canonical(options.root.empty() ? here : options.root);
+    File file;
+    file.path = canonical(here / fs::path(top.file).filename());
+    file.document = std::move(top);
+    project.files.push_back(std::move(file));
+    Loader(project, options, diagnostics).run();
+    return project;
+}
+
+std::optional<fs::path> resolve_file(const Project& project, size_t file, std::string_view name) {
+    if (name.find('\0') != name.npos) return {};
+    return inside(project.root, project.files[file].path.parent_path() / name);
+}
+
+}  // namespace wrinkle

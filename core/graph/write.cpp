@@ -1,0 +1,184 @@
+#include "graph/write.h"
+
+#include "base/text.h"
+#include "graph/values.h"
+#include "json/write.h"
+
+namespace wrinkle {
+namespace {
+
+using json::Kind;
+using json::one_line;
+using json::Value;
+
+// The members of one object, each on a line of its own.
+class Block {
+public:
+    Block(std::string& out, size_t indent) : out_(out), indent_(indent) { out_ += '{'; }
+
+    // Begins a member; the caller writes its value.
+    std::string& key(std::string_view name) {
+        out_ += empty_ ? "\n" : ",\n";
+        empty_ = false;
+        out_.append(indent_, ' ');
+        out_ += json_quoted(name);
+        out_ += ": ";
+        return out_;
+    }
+    void verbatim(const std::vector<Extra>& extras) {
+        for (const Extra& extra : extras)
+            verbatim(extra);
+    }
+    void verbatim(const Extra& extra) {
+        key(extra.key) += json::pretty(extra.value, indent_, indent_ + extra.key.size() + 4);
+    }
+    void close() {
+        if (!empty_) {
+            out_ += '\n';
+            out_.append(indent_ - 2, ' ');
+        }
+        out_ += '}';
+    }
+
+private:
+    std::string& out_;
+    size_t indent_;
+    bool empty_ = true;
+};
+
+bool has(const std::vector<Extra>& extras, std::string_view key) {
+    for (const Extra& extra : extras)
+        if (extra.key == key) return true;
+    return false;
+}
+
+bool is_kept_whole(const Value& source) {
+    return source.has_location() && !source.is(Kind::object);
+}
+
+// "type", "version" and "muted", as far as they are written.
+std::vector<std::pair<const char*, std::string>> head(const Node& node) {
+    std::vector<std::pair<const char*, std::string>> members;
+    if (!has(node.unknown, "type") && !node.type.empty())
+        members.emplace_back("type", json_quoted(node.type));
+    if (node.version > 1) members.emplace_back("version", std::to_string(node.version));
+    if (node.muted) members.emplace_back("muted", "true");
+    return members;
+}
+
+std::string node_line(const Node& node) {
+    std::string inputs;
+    for (const Input& input : node.inputs)
+        inputs +=
+            (inputs.empty() ? "" : ", ") + json_quoted(input.port) + ": " + one_line(input.value);
+    std::string text;
+    for (const auto& [key, value] : head(node))
+        text += (text.empty() ? "\"" : ", \"") + std::string(key) + "\": " + value;
+    if (!inputs.empty()) text += (text.empty() ? "" : ", ") + ("\"in\": { " + inputs) + " }";
+    return text.empty() ? "{}" : "{ " + text + " }";
+}
+
+void write_node(std::string& out, const Node& node) {
+    constexpr size_t most_on_one_line = 2;
+    if (is_kept_whole(node.source)) {
+        out += one_line(node.source);
+        return;
+    }
+    if (node.inputs.size() <= most_on_one_line && node.unknown.empty()) {
+        out += node_line(node);
+        return;
+    }
+    Block block(out, 6);
+    for (const auto& [key, value] : head(node))
+        block.key(key) += value;
+    if (!node.inputs.empty()) {
+        Block in(block.key("in"), 8);
+        for (const Input& input : node.inputs)
+            in.key(input.port) += one_line(input.value);
+        in.close();
+    }
+    block.verbatim(node.unknown);
+    block.close();
+}
+
+Value graph_input_value(const GraphInput& input) {
+    std::vector<std::pair<std::string, Value>> members;
+    if (!input.type.empty()) members.emplace_back("type", Value::string(input.type));
+    if (!input.default_value.is(Kind::null)) members.emplace_back("default", input.default_value);
+    if (!input.doc.empty()) members.emplace_back("doc", Value::string(input.doc));
+    for (const Extra& extra : input.unknown)
+        members.emplace_back(extra.key, extra.value);
+    return Value::object(members);
+}
+
+void write_boxes(Block& layout, const char* name, const Table<Box>& boxes, const char* text_key) {
+    if (boxes.empty()) return;
+    Block block(layout.key(name), 6);
+    for (const Box& box : boxes)
+        block.key(box.id) +=
+            one_line(is_kept_whole(box.source) ? box.source : box_value(box, text_key));
+    block.close();
+}
+
+void write_layout(Block& top, const Document& document) {
+    if (document.positions.empty() && document.frames.empty() && document.notes.empty() &&
+        document.unknown_layout.empty())
+        return;
+    Block layout(top.key("layout"), 4);
+    for (const Position& position : document.positions)
+        layout.key(position.id) +=
+            one_line(number_array({position.x, position.y}, position.source));
+    write_boxes(layout, "$frames", document.frames, "title");
+    write_boxes(layout, "$notes", document.notes, "text");
+    layout.verbatim(document.unknown_layout);
+    layout.close();
+}
+
+void write_head(Block& top, const Document& document) {
+    for (const Extra& extra : document.unknown)
+        if (extra.key == "$schema") top.verbatim(extra);
+    if (!has(document.unknown, "wrinkle")) top.key("wrinkle") += "1";
+    if (!document.name.empty()) top.key("name") += json_quoted(document.name);
+    if (document.back_faces != BackFaces::mirror)
+        top.key("back_faces") +=
+            json_quoted(back_faces_names[static_cast<size_t>(document.back_faces)]);
+    if (document.inputs.empty()) return;
+    Block block(top.key("inputs"), 4);
+    for (const GraphInput& input : document.inputs)
+        block.key(input.name) +=
+            one_line(is_kept_whole(input.source) ? input.source : graph_input_value(input));
+    block.close();
+}
+
+}  // namespace
+
+std::string write_document(const Document& document) {
+    if (!document.edited && document.source.has_location())
+        return std::string(document.source.source());
+    return canonical_text(document);
+}
+
+std::string canonical_text(const Document& document) {
+    std::string out;
+    Block top(out, 2);
+    write_head(top, document);
+    if (!has(document.unknown, "nodes")) {
+        Block nodes(top.key("nodes"), 4);
+        for (const NodePtr& node : document.nodes)
+            write_node(nodes.key(node->id), *node);
+        nodes.close();
+    }
+    if (!has(document.unknown, "outputs")) {
+        Block outputs(top.key("outputs"), 4);
+        for (const Output& output : document.outputs)
+            outputs.key(output.name) += one_line(output.from.value);
+        outputs.close();
+    }
+    write_layout(top, document);
+    for (const Extra& extra : document.unknown)
+        if (extra.key != "$schema") top.verbatim(extra);
+    top.close();
+    return out + "\n";
+}
+
+}  // namespace wrinkle
