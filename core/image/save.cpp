@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
+#include <cerrno>
 #include <cmath>
+#include <cstdio>
 #include <cstring>
 #include <span>
 #include <string_view>
@@ -149,12 +151,20 @@ bool put_in_place(const fs::path& temporary, const fs::path& path, std::string& 
     return !error;
 }
 
+// Asked of the system first: its reason is better than OpenImageIO's.
+bool can_create(const fs::path& path, std::string& why) {
+    std::FILE* file = std::fopen(path.c_str(), "wb");
+    if (!file) why = std::strerror(errno);
+    return file && std::fclose(file) == 0;
+}
+
 bool write_whole(const WrinkleImageModule& module, const Image& image, const fs::path& path,
                  const Writable& format, const SaveOptions& options, std::string& why) {
     fs::path temporary = path;
     temporary.replace_filename("." + path.stem().string() + ".tmp" + std::to_string(getpid()) +
                                path.extension().string());
-    if (write_pixels(module, image, temporary, format, options, why) &&
+    if (can_create(temporary, why) &&
+        write_pixels(module, image, temporary, format, options, why) &&
         put_in_place(temporary, path, why))
         return true;
     std::error_code ignored;

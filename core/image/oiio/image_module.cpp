@@ -15,6 +15,8 @@
 #include <string_view>
 #include <vector>
 
+#include "image/oiio/quiet.h"
+
 struct WrinkleImageReader {
     std::unique_ptr<OIIO::ImageInput> input;
     OIIO::TypeDesc type;
@@ -40,7 +42,7 @@ std::string sentence(std::string text) {
     while (!text.empty() && (text.back() == '\n' || text.back() == ' '))
         text.pop_back();
     std::replace(text.begin(), text.end(), '\n', ' ');
-    return text.empty() ? "no reason is given" : text;
+    return text.empty() ? "it ends early or holds impossible values" : text;
 }
 
 void tell(WrinkleImageText why, const std::string& text) {
@@ -50,9 +52,10 @@ void tell(WrinkleImageText why, const std::string& text) {
     why.text[count] = 0;
 }
 
-// Runs `work` so that no exception leaves the module.
+// Runs `work` so that neither an exception nor a library's printing leaves the module.
 template <typename Work>
 auto guarded(WrinkleImageText why, Work work) -> decltype(work()) {
+    const wrinkle::Quiet quiet;
     try {
         return work();
     } catch (const std::exception& error) {
@@ -158,6 +161,7 @@ ImageSpec spec_to_write(const WrinkleImageWrite& what) {
     spec.attribute("oiio:UnassociatedAlpha", 1);
     const std::string_view format = what.format;
     if (format == "png") spec.attribute("png:filter", 0xF8);  // all row filters: smaller by far
+    if (format == "openexr") spec.attribute("DateTime", "");  // else it would be now
     if (format == "jpeg") {
         spec.attribute("jpeg:subsampling", "4:4:4");
         spec.attribute("compression", "jpeg:" + std::to_string(what.quality));

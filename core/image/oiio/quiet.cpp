@@ -1,0 +1,59 @@
+#include "image/oiio/quiet.h"
+
+#include <unistd.h>
+
+#include <cstdio>
+#include <mutex>
+
+namespace wrinkle {
+
+namespace {
+
+thread_local int quiet_depth = 0;
+
+ssize_t write_unless_quiet(void*, const char* text, size_t size) {
+    return quiet_depth > 0 ? static_cast<ssize_t>(size) : write(STDERR_FILENO, text, size);
+}
+
+// `stderr` is a variable in glibc; it holds the filter as long as any thread is quiet.
+struct Filter {
+    std::mutex mutex;
+    int users = 0;
+    std::FILE* original = nullptr;
+    std::FILE* stream = nullptr;
+
+    Filter() {
+        cookie_io_functions_t functions = {};
+        functions.write = write_unless_quiet;
+        stream = fopencookie(nullptr, "w", functions);
+        if (stream) std::setvbuf(stream, nullptr, _IONBF, 0);
+    }
+};
+
+// Never destroyed: a thread may still be printing through it at exit.
+Filter& filter() {
+    static Filter* const the = new Filter;
+    return *the;
+}
+
+}  // namespace
+
+Quiet::Quiet() {
+    ++quiet_depth;
+    Filter& shared = filter();
+    const std::lock_guard lock(shared.mutex);
+    if (shared.users++ > 0 || !shared.stream) return;
+    shared.original = stderr;
+    stderr = shared.stream;
+}
+
+Quiet::~Quiet() {
+    Filter& shared = filter();
+    {
+        const std::lock_guard lock(shared.mutex);
+        if (--shared.users == 0 && shared.stream) stderr = shared.original;
+    }
+    --quiet_depth;
+}
+
+}  // namespace wrinkle

@@ -1,0 +1,187 @@
+// Files that are no pictures, or too large ones: one precise error each, never a crash, nothing on
+// standard error.
+#include <cstdlib>
+
+#include "image/load.h"
+#include "support.h"
+
+namespace wrinkle::test {
+namespace {
+
+class BadImage : public ImageTest {
+protected:
+    void SetUp() override {
+        ImageTest::SetUp();
+        testing::internal::CaptureStderr();
+    }
+    void TearDown() override {
+        EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+        ImageTest::TearDown();
+    }
+
+    // One valid file of each format.
+    std::vector<fs::path> good_files() const {
+        std::vector<fs::path> files;
+        Diagnostics diagnostics;
+        const auto save = [&](const char* name, PixelType type, const char* compression = "") {
+            files.push_back(folder / name);
+            EXPECT_TRUE(save_image(sample_image(24, 18, 3), files.back(),
+                                   {.type = type, .compression = compression}, diagnostics));
+        };
+        save("a.png", PixelType::u16);
+        save("a.jpg", PixelType::u8);
+        save("zip.tif", PixelType::float32);
+        save("none.tif", PixelType::u8, "none");
+        save("zip.exr", PixelType::half);
+        save("none.exr", PixelType::float32, "none");
+        save("a.hdr", PixelType::float32);
+        const std::vector<float> values(24 * 18 * 3, 0.5f);
+        files.push_back(put(
+            "a.pfm", "PF\n24 18\n-1.0\n" + std::string(reinterpret_cast<const char*>(values.data()),
+                                                       values.size() * sizeof(float))));
+        files.push_back(put("a.ppm", "P6\n24 18\n255\n" + std::string(24 * 18 * 3, 'x')));
+        return files;
+    }
+};
+
+TEST_F(BadImage, MissingFile) {
+    const Diagnostic error = refusal(folder / "none.png");
+    EXPECT_EQ(error.message, "image '" + (folder / "none.png").string() +
+                                 "' cannot be read: No such file or directory");
+}
+
+TEST_F(BadImage, EmptyFile) {
+    const Diagnostic error = refusal(put("empty.png", ""));
+    EXPECT_NE(error.message.find("is empty (0 bytes)"), std::string::npos);
+}
+
+TEST_F(BadImage, Folder) {
+    EXPECT_NE(refusal(folder).message.find("is a folder, not a file"), std::string::npos);
+}
+
+TEST_F(BadImage, ForeignContentNamesTheFormats) {
+    for (const std::string_view text : {"{\"wrinkle\": 1}", "P", "P9 1 1", "BM", "\x89PNG"}) {
+        const Diagnostic error = refusal(put("graph.png", text));
+        EXPECT_NE(error.message.find("is not an image of a known format"), std::string::npos);
+        EXPECT_EQ(error.expected, "a PNG, JPEG, TIFF, OpenEXR, Radiance HDR, PFM or PNM file");
+    }
+}
+
+TEST_F(BadImage, NoPixels) {
+    refusal(put("zero.png", png_file(0, 4, 8, 0, "")));
+    refusal(put("zero.pfm", "Pf\n0 4\n-1.0\n"));
+    refusal(put("minus.pfm", "Pf\n-4 4\n-1.0\n" + std::string(64, 'x')));
+}
+
+TEST_F(BadImage, EachLimitIsNamedWithItsRemedy) {
+    const fs::path path = put("a.pfm", "Pf\n6 4\n-1.0\n" + std::string(96, '\0'));
+    struct Limited {
+        ImageLimits limits;
+        const char* message;
+        const char* remedy;
+    };
+    const Limited cases[] = {
+        {{.max_side = 5}, "has width 6, over the limit of 5", "WRINKLE_IMAGE_MAX_SIDE=6"},
+        {{.max_pixels = 23},
+         "has a pixel count of 24, over the limit of 23",
+         "WRINKLE_IMAGE_MAX_PIXELS=24"},
+        {{.max_bytes = 95},
+         "has a size in memory of 96, over the limit of 95",
+         "WRINKLE_IMAGE_MAX_BYTES=96"},
+    };
+    for (const Limited& c : cases) {
+        const Diagnostic error = refusal(path, c.limits);
+        EXPECT_NE(error.message.find(c.message), std::string::npos) << error.message;
+        EXPECT_NE(error.expected.find(c.remedy), std::string::npos) << error.expected;
+    }
+    Diagnostics diagnostics;
+    EXPECT_TRUE(load_image(path, {6, 24, 96}, diagnostics)) << to_text(diagnostics);
+}
+
+TEST_F(BadImage, HugeHeadersAreRefusedBeforeDecoding) {
+    EXPECT_NE(refusal(put("tall.png", png_file(3, 1000000, 8, 0, "x"))).message.find("height"),
+              std::string::npos);
+    EXPECT_NE(refusal(put("area.png", png_file(16384, 16384, 8, 0, "x"))).message.find("pixel"),
+              std::string::npos);
+    refusal(put("worst.png", png_file(0x7FFFFFFF, 0x7FFFFFFF, 16, 6, "x")));
+    refusal(put("worst.pfm", "PF\n2147483647 2147483647\n-1.0\n"));
+}
+
+TEST_F(BadImage, TheEnvironmentSetsTheLimits) {
+    const fs::path path = put("a.pfm", "Pf\n6 4\n-1.0\n" + std::string(96, '\0'));
+    setenv("WRINKLE_IMAGE_MAX_SIDE", "5", 1);
+    Diagnostics diagnostics;
+    EXPECT_FALSE(load_image(path, diagnostics));
+    setenv("WRINKLE_IMAGE_MAX_SIDE", "6", 1);
+    EXPECT_TRUE(load_image(path, diagnostics));
+    for (const char* wrong : {"", "0", "-1", "many", "5x", "99999999999"}) {
+        setenv("WRINKLE_IMAGE_MAX_SIDE", wrong, 1);
+        Diagnostics problems;
+        EXPECT_FALSE(load_image(path, problems));
+        ASSERT_EQ(problems.list().size(), 1u) << wrong;
+        EXPECT_EQ(problems.list()[0].message,
+                  "environment variable WRINKLE_IMAGE_MAX_SIDE is '" + std::string(wrong) + "'");
+    }
+    unsetenv("WRINKLE_IMAGE_MAX_SIDE");
+}
+
+// A cut file is an error, or, where only trailing bytes without pixels are missing, the picture.
+TEST_F(BadImage, TruncatedAtEveryPlace) {
+    for (const fs::path& path : good_files()) {
+        const std::string bytes = bytes_of_file(path);
+        const Image whole = loaded(path);
+        size_t refused = 0, tried = 0;
+        for (size_t size = 0; size<bytes.size(); size += bytes.size()> 2000 ? 7 : 1, ++tried) {
+            Diagnostics diagnostics;
+            const auto image = load_image(put("cut", bytes.substr(0, size)), {}, diagnostics);
+            EXPECT_EQ(diagnostics.error_count(), image ? 0u : 1u) << path << " cut to " << size;
+            EXPECT_TRUE(!image || image->data == whole.data) << path << " cut to " << size;
+            refused += image ? 0 : 1;
+        }
+        EXPECT_GT(refused, tried * 9 / 10) << path;
+    }
+}
+
+// Any bytes may change: an error or some picture within the limits, the same each time.
+TEST_F(BadImage, DamagedBytes) {
+    uint32_t state = 12345;
+    const auto random = [&](size_t below) {
+        state = state * 1664525 + 1013904223;
+        return (state >> 8) % below;
+    };
+    const ImageLimits limits{512, 512 * 512, 8 << 20};
+    for (const fs::path& path : good_files()) {
+        const std::string bytes = bytes_of_file(path);
+        for (int round = 0; round < 150; ++round) {
+            std::string damaged = bytes;
+            for (size_t i = 0; i < 1 + random(4); ++i) {
+                const size_t place = random(2) ? random(damaged.size()) : random(200);
+                damaged[place % damaged.size()] = static_cast<char>(random(256));
+            }
+            Diagnostics diagnostics;
+            const auto image = load_image(put("damaged", damaged), limits, diagnostics);
+            EXPECT_EQ(image.has_value(), !diagnostics.has_errors());
+            EXPECT_LE(image ? image->data.size() * 4 : 0, limits.max_bytes);
+        }
+    }
+}
+
+TEST_F(BadImage, ErrorsAreOneLine) {
+    for (const fs::path& path : good_files()) {
+        const std::string bytes = bytes_of_file(path);
+        const Diagnostic error = refusal(put("cut", bytes.substr(0, bytes.size() / 3)));
+        EXPECT_EQ(error.message.find('\n'), std::string::npos);
+        EXPECT_NE(error.expected, "");
+    }
+}
+
+// What other code prints still arrives once an image has been refused.
+TEST_F(BadImage, StandardErrorWorksAfterwards) {
+    refusal(put("zero.png", png_file(0, 4, 8, 0, "")));
+    std::fputs("still here", stderr);
+    EXPECT_EQ(testing::internal::GetCapturedStderr(), "still here");
+    testing::internal::CaptureStderr();
+}
+
+}  // namespace
+}  // namespace wrinkle::test
