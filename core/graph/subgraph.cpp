@@ -1,5 +1,6 @@
 #include "graph/subgraph.h"
 
+#include <algorithm>
 #include <map>
 
 #include "base/file.h"
@@ -125,7 +126,7 @@ private:
     std::map<fs::path, uint32_t> known_;
 };
 
-fs::path canonical(const fs::path& path) {
+fs::path real_path(const fs::path& path) {
     std::error_code error;
     const fs::path real = fs::weakly_canonical(fs::absolute(path, error), error);
     return error ? path : real;
@@ -156,10 +157,10 @@ Project load_project(Document top, const fs::path& folder, const ProjectOptions&
                      Diagnostics& diagnostics) {
     const fs::path here = folder.empty() ? fs::path(".") : folder;
     Project project;
-    project.root = canonical(options.root.empty() ? here : options.root);
     File file;
-    file.path = canonical(here / fs::path(top.file).filename());
+    file.path = real_path(here / fs::path(top.file).filename());
     file.document = std::move(top);
+    project.root = options.root.empty() ? file.path.parent_path() : real_path(options.root);
     project.files.push_back(std::move(file));
     Loader(project, options, diagnostics).run();
     return project;
