@@ -84,10 +84,10 @@ std::string fragment_text(const PointJob& job) {
     std::string text = "#version 330 core\nuniform sampler2D WrPoint_table;\n";
     for (int i = 0; i < job.outputs; ++i)
         text += "out vec4 out" + std::to_string(i) + ";\n";
-    text += "#line 1 1\n" + job.globals + "\n#line 1 0\nvoid main() {\n";
+    text += "#line 1\n" + job.globals + "\n#line 100001\nvoid main() {\n";
     for (size_t k = 0; k < job.attributes.size(); ++k)
         text += local_of(job, k);
-    return text + "#line 1 2\n" + job.body + "\n}\n";
+    return text + "#line 200001\n" + job.body + "\n}\n";
 }
 
 std::optional<Program> compile(const PointJob& job, Diagnostics& diagnostics) {

@@ -47,7 +47,7 @@ struct PointJob {
 using PointResults = std::vector<std::vector<std::array<float, 4>>>;
 
 // Errors: a table of the wrong size, an image that is not given, the driver's log (lines of the
-// globals stand as 1:LINE, of the body as 2:LINE). A context must be current.
+// globals keep their numbers, those of the body begin at 200001). A context must be current.
 std::optional<PointResults> run_points(const PointJob& job, Diagnostics& diagnostics);
 
 }  // namespace wrinkle::gpu

@@ -8,6 +8,29 @@
 namespace wrinkle::gpu {
 namespace {
 
+// Drivers end their logs with newlines and a zero.
+std::string trimmed(std::string log) {
+    while (!log.empty() && (log.back() == '\n' || log.back() == '\0'))
+        log.pop_back();
+    return log;
+}
+
+std::string shader_log(GLuint shader) {
+    GLint size = 0;
+    glGetShaderiv(shader, GL_INFO_LOG_LENGTH, &size);
+    std::string log(static_cast<size_t>(size), '\0');
+    glGetShaderInfoLog(shader, size, nullptr, log.data());
+    return trimmed(std::move(log));
+}
+
+std::string program_log(GLuint program) {
+    GLint size = 0;
+    glGetProgramiv(program, GL_INFO_LOG_LENGTH, &size);
+    std::string log(static_cast<size_t>(size), '\0');
+    glGetProgramInfoLog(program, size, nullptr, log.data());
+    return trimmed(std::move(log));
+}
+
 uint32_t compile(GLenum stage, const std::string& text, std::string& log) {
     const GLuint shader = glCreateShader(stage);
     const char* source = text.data();
@@ -17,13 +40,8 @@ uint32_t compile(GLenum stage, const std::string& text, std::string& log) {
     GLint fine = 0;
     glGetShaderiv(shader, GL_COMPILE_STATUS, &fine);
     if (fine) return shader;
-    GLint size = 0;
-    glGetShaderiv(shader, GL_INFO_LOG_LENGTH, &size);
-    std::string words(static_cast<size_t>(size) + 1, '\0');
-    GLsizei written = 0;
-    glGetShaderInfoLog(shader, size, &written, words.data());
-    words.resize(static_cast<size_t>(written));
-    log += (stage == GL_VERTEX_SHADER ? "vertex shader: " : "fragment shader: ") + words;
+    log +=
+        (stage == GL_VERTEX_SHADER ? "vertex shader: " : "fragment shader: ") + shader_log(shader);
     glDeleteShader(shader);
     return 0;
 }
@@ -31,15 +49,8 @@ uint32_t compile(GLenum stage, const std::string& text, std::string& log) {
 bool link_status(uint32_t program, std::string& log) {
     GLint fine = 0;
     glGetProgramiv(program, GL_LINK_STATUS, &fine);
-    if (fine) return true;
-    GLint size = 0;
-    glGetProgramiv(program, GL_INFO_LOG_LENGTH, &size);
-    std::string words(static_cast<size_t>(size) + 1, '\0');
-    GLsizei written = 0;
-    glGetProgramInfoLog(program, size, &written, words.data());
-    words.resize(static_cast<size_t>(written));
-    log += "link: " + words;
-    return false;
+    if (!fine) log += "link: " + program_log(program);
+    return fine;
 }
 
 }  // namespace

@@ -18,13 +18,13 @@
 //               `against`; heat map: black, blue, green, yellow, red at 0, 1/4, … of heat_degrees.
 // Alpha is 1 on the mesh and 0 beside it in raw values; colors show the background there, opaque.
 //
-// Missing outputs: normal = the surface's (turned towards the eye on back faces), color 0.8,
+// Missing outputs: normal = the surface's (turned towards the eye on back faces), color 0.6,
 // roughness 0.5, metalness 0, occlusion 1. The object matrix M acts outside the material: normals
 // go through cof(M) times the sign of det(M), which also sets what a front face is.
 //
 // Errors name what is at fault: the driver's log for a text it refuses (lines of the material's
-// text stand as 1:LINE), a missing output, an attribute that the material reads and the mesh lacks,
-// an image that cannot be read, a singular M.
+// text keep their numbers, the renderer's own begin at 100001), a missing output, an attribute that
+// the material reads and the mesh lacks, an image that cannot be read, a singular M.
 #pragma once
 
 #include <cstdint>
@@ -53,7 +53,7 @@ struct Scene {
     glm::mat4 object{1};  // object to world
     OrbitCamera camera;
     glm::vec3 to_light{-0.5F, 0.7F, 0.6F};  // world space, any length
-    float light = 2.5F;                     // irradiance of a surface that faces it, over pi
+    float light = 0.85F;                    // irradiance of a surface that faces it, over pi
     float environment = 1;                  // factor on sky and ground
     float exposure = 1;
     glm::vec4 background{0.16F, 0.16F, 0.17F, 1};  // as displayed

@@ -93,7 +93,7 @@ uniform float WrView_environment;
 uniform float WrView_exposure;
 
 vec3 WrView_sky(float height, float blur) {
-    return mix(vec3(0.11, 0.10, 0.09), vec3(0.42, 0.46, 0.52), smoothstep(-blur, blur, height));
+    return mix(vec3(0.07, 0.065, 0.06), vec3(0.30, 0.33, 0.38), smoothstep(-blur, blur, height));
 }
 
 vec3 WrView_shade(vec3 n, vec3 v, vec3 base, float roughness, float metalness, float occlusion) {
@@ -173,7 +173,7 @@ std::string normal_value(const Material& material) {
 
 std::string shaded_body(const Material& m) {
     std::string text = normal_value(m);
-    text += assign("vec3", "base", value_of(m, "color", "vec3", "vec3(0.8)"));
+    text += assign("vec3", "base", value_of(m, "color", "vec3", "vec3(0.6)"));
     text += assign("float", "roughness", value_of(m, "roughness", "float", "0.5"));
     text += assign("float", "metalness", value_of(m, "metalness", "float", "0.0"));
     text += assign("float", "occlusion", value_of(m, "occlusion", "float", "1.0"));
@@ -264,7 +264,7 @@ int attribute_location(std::string_view property) {
 
 ShaderText wrap_material(const Material& material, View view, const OutputFunction* against) {
     std::string fragment(fragment_inputs);
-    fragment += "#line 1 1\n" + material.text + "\n#line 1 0\n";
+    fragment += "#line 1\n" + material.text + "\n#line 100001\n";
     fragment += helpers_of(view);
     fragment += "\nvoid main() {\n";
     fragment += struct_values(material);

@@ -1,0 +1,113 @@
+// What the tests of core/gpu share: a current context, and small materials written by hand.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <glm/geometric.hpp>
+#include <string>
+#include <vector>
+
+#include "gpu/context.h"
+#include "gpu/renderer.h"
+#include "mesh/shapes.h"
+
+namespace wrinkle::gpu {
+
+class WithContext : public testing::Test {
+protected:
+    void SetUp() override {
+        context = Context::offscreen(diagnostics);
+        ASSERT_TRUE(context) << to_text(diagnostics);
+        ASSERT_TRUE(context->make_current());
+    }
+
+    std::string errors() const { return to_text(diagnostics); }
+
+    Diagnostics diagnostics;
+    std::optional<Context> context;
+};
+
+// A material whose normal output is `expression` over the members of `s`.
+inline Material material_with_normal(const std::string& expression,
+                                     const std::vector<Member>& members) {
+    Material material;
+    material.struct_name = "WrinkleSurface_test";
+    material.members = members;
+    material.text = "struct WrinkleSurface_test {\n";
+    for (const Member& member : members)
+        material.text += "    " + member.type + " " + member.name + ";\n";
+    material.text += "};\nvec3 wrinkle_test_normal(WrinkleSurface_test s) {\n    return " +
+                     expression + ";\n}\n";
+    material.outputs = {{"normal", "wrinkle_test_normal", "vec3"}};
+    return material;
+}
+
+// Whether a message has the words; a line of a compile log, written as Mesa does (":12("), may also
+// stand as other drivers write it.
+inline bool mentions(const std::string& message, std::string words) {
+    if (message.find(words) != std::string::npos) return true;
+    if (words.front() != ':' || words.back() != '(') return false;
+    words = "(" + words.substr(1, words.size() - 2) + ")";
+    return message.find(words) != std::string::npos;
+}
+
+struct Pixel {
+    glm::vec3 value;
+    bool covered;
+};
+
+// One view of a shape, read back as it is.
+class WithRenderer : public WithContext {
+protected:
+    static constexpr int size = 64;
+
+    void SetUp() override {
+        WithContext::SetUp();
+        target = Target::make({size, size, PixelFormat::rgba32f}, diagnostics);
+        ASSERT_TRUE(target) << errors();
+        renderer.emplace();
+        show("sphere");
+    }
+
+    void TearDown() override {
+        renderer.reset();
+        target.reset();
+    }
+
+    void show(const std::string& shape) {
+        const Mesh mesh = *make_shape(shape);
+        renderer->set_mesh(mesh);
+        scene.camera = default_camera(mesh, shape);
+    }
+
+    std::vector<Pixel> draw(View view, const std::string& against = "") {
+        ViewOptions options;
+        options.view = view;
+        options.against = against;
+        options.raw = true;
+        EXPECT_TRUE(renderer->draw(scene, options, *target, diagnostics)) << errors();
+        std::vector<Pixel> pixels;
+        const std::vector<float> floats = target->read();
+        for (size_t i = 0; i < floats.size(); i += 4)
+            pixels.push_back({{floats[i], floats[i + 1], floats[i + 2]}, floats[i + 3] > 0});
+        return pixels;
+    }
+
+    std::vector<Pixel> draw(const Material& material, View view) {
+        EXPECT_TRUE(renderer->set_material(material, diagnostics)) << errors();
+        return draw(view);
+    }
+
+    std::optional<Target> target;
+    std::optional<Renderer> renderer;
+    Scene scene;
+};
+
+inline size_t covered(const std::vector<Pixel>& pixels) {
+    size_t count = 0;
+    for (const Pixel& pixel : pixels)
+        count += pixel.covered ? 1 : 0;
+    return count;
+}
+
+}  // namespace wrinkle::gpu

@@ -1,0 +1,145 @@
+// What a material brings with it: uniforms, images, and all that can be wrong with them.
+#include <gtest/gtest.h>
+
+#include <glm/ext/matrix_transform.hpp>
+
+#include "fixture.h"
+
+namespace wrinkle::gpu {
+namespace {
+
+using MaterialTest = WithRenderer;
+
+Material with_uniform() {
+    Material material = material_with_normal("tint_color * gain", {});
+    material.struct_name.clear();
+    material.text =
+        "uniform vec3 tint_color;\nuniform float gain;\n"
+        "vec3 wrinkle_test_normal() { return tint_color * gain; }\n";
+    material.uniforms = {{"tint_color", {1, 2, 3}}, {"gain", {2}}};
+    return material;
+}
+
+glm::vec3 middle(const std::vector<Pixel>& pixels) {
+    return pixels[32 * 64 + 32].value;
+}
+
+TEST_F(MaterialTest, TakesUniformsWithoutCompiling) {
+    EXPECT_FALSE(renderer->set_uniform("gain", std::vector<float>{1})) << "there is no material";
+    EXPECT_EQ(middle(draw(with_uniform(), View::normal)), glm::vec3(2, 4, 6));
+    EXPECT_TRUE(renderer->set_uniform("gain", std::vector<float>{-1}));
+    EXPECT_EQ(middle(draw(View::normal)), glm::vec3(-1, -2, -3));
+    EXPECT_FALSE(renderer->set_uniform("gain", std::vector<float>{1, 2}));
+    EXPECT_FALSE(renderer->set_uniform("pain", std::vector<float>{1}));
+    Material changed = with_uniform();
+    changed.uniforms[1].value = {10};
+    EXPECT_EQ(middle(draw(changed, View::normal)), glm::vec3(10, 20, 30));
+}
+
+Material with_image(const std::string& file) {
+    Material material = material_with_normal("vec3(0.0)", {});
+    material.struct_name.clear();
+    material.text =
+        "uniform sampler2D map;\n"
+        "vec3 wrinkle_test_normal() { return texture(map, vec2(1.25, 0.5)).rgb; }\n";
+    material.samplers = {{"map", file, {Encoding::linear, Wrap::clamp, Filter::linear}}};
+    return material;
+}
+
+MipChain two_texels() {
+    Image image = make_image(2, 1, 3);
+    image.data = {1, 2, 3, 4, 5, 6};
+    return build_mips(image);
+}
+
+TEST_F(MaterialTest, LooksImagesUpAsTheSamplerSays) {
+    ASSERT_TRUE(renderer->add_image("given", two_texels(), diagnostics));
+    Material material = with_image("given");
+    EXPECT_EQ(middle(draw(material, View::normal)), glm::vec3(4, 5, 6));
+    material.samplers[0].options.wrap = Wrap::repeat;
+    EXPECT_EQ(middle(draw(material, View::normal)), glm::vec3(1, 2, 3));
+    renderer->forget_images();
+    EXPECT_EQ(middle(draw(View::normal)), glm::vec3(1, 2, 3)) << "a given image is kept";
+    EXPECT_EQ(middle(draw(material, View::normal)), glm::vec3(1, 2, 3));
+}
+
+TEST_F(MaterialTest, KeepsTheFormerMaterialWhenOneIsRefused) {
+    EXPECT_EQ(middle(draw(with_uniform(), View::normal)), glm::vec3(2, 4, 6));
+    Material broken = with_uniform();
+    broken.text += "float nonsense() { return oops; }\n";
+    EXPECT_FALSE(renderer->set_material(broken, diagnostics));
+    EXPECT_TRUE(mentions(errors(), ":4(")) << errors();
+    EXPECT_FALSE(renderer->set_material(with_image("/nowhere/at_all.png"), diagnostics));
+    EXPECT_NE(errors().find("/nowhere/at_all.png"), std::string::npos) << errors();
+    EXPECT_EQ(middle(draw(View::normal)), glm::vec3(2, 4, 6));
+}
+
+TEST_F(MaterialTest, RefusesImagesWithoutTexels) {
+    EXPECT_FALSE(renderer->add_image("empty", MipChain{}, diagnostics));
+    EXPECT_NE(errors().find("'empty'"), std::string::npos);
+}
+
+TEST_F(MaterialTest, RefusesWhatTheMeshCannotGive) {
+    const Material wants =
+        material_with_normal("vec3(s.a, s.b.x)", {{"a", "vec2", "uv2"}, {"b", "vec4", "tangent"}});
+    Mesh bare = *make_shape("sphere");
+    bare.tangents.clear();
+    renderer->set_mesh(bare);
+    ASSERT_TRUE(renderer->set_material(wants, diagnostics)) << errors();
+    EXPECT_FALSE(renderer->draw(scene, {}, *target, diagnostics));
+    EXPECT_NE(errors().find("'uv2'"), std::string::npos) << errors();
+    EXPECT_NE(errors().find("'tangent'"), std::string::npos) << errors();
+}
+
+TEST_F(MaterialTest, RefusesPropertiesThatNoSurfaceHas) {
+    EXPECT_FALSE(renderer->set_material(material_with_normal("vec3(s.t)", {{"t", "float", "time"}}),
+                                        diagnostics));
+    EXPECT_NE(errors().find("'time'"), std::string::npos) << errors();
+}
+
+TEST_F(MaterialTest, RefusesMoreTexturesThanTheDriverBinds) {
+    Material greedy = with_uniform();
+    for (int i = 0; i < 300; ++i)
+        greedy.samplers.push_back({"s" + std::to_string(i), "given", {}});
+    EXPECT_FALSE(renderer->set_material(greedy, diagnostics));
+    EXPECT_NE(errors().find("300 textures"), std::string::npos) << errors();
+}
+
+TEST_F(MaterialTest, RefusesViewsOfMissingOutputs) {
+    ASSERT_TRUE(renderer->set_material(with_uniform(), diagnostics));
+    ViewOptions options;
+    options.view = View::height;
+    EXPECT_FALSE(renderer->draw(scene, options, *target, diagnostics));
+    EXPECT_NE(errors().find("no output 'height'"), std::string::npos) << errors();
+    EXPECT_FALSE(renderer->measure(scene, "other", 8, 8, diagnostics));
+    EXPECT_NE(errors().find("'other'"), std::string::npos) << errors();
+}
+
+TEST_F(MaterialTest, RefusesToDrawNothingOrWithAFlatMatrix) {
+    EXPECT_FALSE(renderer->draw(scene, {}, *target, diagnostics));
+    ASSERT_TRUE(renderer->set_material(Material{}, diagnostics));
+    scene.object = glm::scale(glm::mat4(1), glm::vec3(1, 1, 0));
+    Diagnostics said;
+    EXPECT_FALSE(renderer->draw(scene, {}, *target, said));
+    EXPECT_NE(to_text(said).find("matrix"), std::string::npos);
+}
+
+TEST_F(MaterialTest, RefusesPicturesWithoutPixelsOrTooLarge) {
+    for (const auto& [width, height] : {std::pair(0, 8), std::pair(8, -1), std::pair(8, 1 << 20)}) {
+        Diagnostics said;
+        EXPECT_FALSE(Target::make({width, height}, said));
+        EXPECT_EQ(said.error_count(), 1U);
+        EXPECT_NE(to_text(said).find(std::to_string(width) + "x"), std::string::npos);
+    }
+}
+
+TEST(Views, HaveNames) {
+    ASSERT_EQ(view_names().size(), 6U);
+    for (std::string_view name : view_names())
+        EXPECT_EQ(view_names()[static_cast<size_t>(*view_named(name))], name);
+    EXPECT_EQ(view_named("difference"), View::difference);
+    EXPECT_FALSE(view_named("wireframe"));
+}
+
+}  // namespace
+}  // namespace wrinkle::gpu

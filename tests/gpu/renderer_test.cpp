@@ -1,0 +1,308 @@
+#include "gpu/renderer.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/ext/matrix_transform.hpp>
+#include <glm/matrix.hpp>
+#include <numbers>
+
+#include "fixture.h"
+
+namespace wrinkle::gpu {
+namespace {
+
+using glm::mat4;
+using glm::vec3;
+using glm::vec4;
+using RendererTest = WithRenderer;
+
+const Member normal_member{"normal", "vec3", "normal"};
+
+double mean_value(const std::vector<Pixel>& pixels, size_t from_row, size_t to_row, size_t side) {
+    double sum = 0;
+    size_t count = 0;
+    for (size_t i = from_row * side; i < to_row * side; ++i) {
+        if (!pixels[i].covered) continue;
+        sum += pixels[i].value.g;
+        ++count;
+    }
+    return sum / static_cast<double>(std::max<size_t>(count, 1));
+}
+
+TEST_F(RendererTest, DrawsEveryShapeLitFromAbove) {
+    for (const Shape& shape : shapes()) {
+        show(std::string(shape.name));
+        const std::vector<Pixel> pixels = draw(Material{}, View::shaded);
+        EXPECT_GT(covered(pixels), pixels.size() / 3) << shape.name;
+        EXPECT_LT(covered(pixels), pixels.size()) << shape.name;
+        EXPECT_FALSE(pixels.front().covered) << shape.name << " leaves the corners empty";
+        for (const Pixel& pixel : pixels)
+            if (pixel.covered) {
+                ASSERT_GT(pixel.value.g, 0.02F) << shape.name;
+                ASSERT_LT(pixel.value.g, 2) << shape.name;
+            }
+        if (shape.name == "sphere") {
+            EXPECT_GT(mean_value(pixels, 32, 64, 64), 1.1 * mean_value(pixels, 0, 32, 64));
+        }
+    }
+}
+
+TEST_F(RendererTest, GivesTheSphereItsNormals) {
+    const Material where = material_with_normal("s.position", {{"position", "vec3", "position"}});
+    const auto positions = draw(where, View::normal);
+    const auto normals = draw(Material{}, View::normal);
+    const auto uvs = draw(View::uv);
+    for (size_t i = 0; i < positions.size(); ++i) {
+        if (!positions[i].covered) continue;
+        ASSERT_NEAR(glm::length(normals[i].value), 1, 1e-5);
+        ASSERT_LT(glm::distance(normals[i].value, glm::normalize(positions[i].value)), 2e-3);
+        const double longitude = 2 * std::numbers::pi * (uvs[i].value.x - 0.5);
+        const vec3 n = normals[i].value;
+        ASSERT_NEAR(std::atan2(n.x, n.z), longitude, 2e-2 / std::max(1e-2F, std::hypot(n.x, n.z)));
+        ASSERT_NEAR(std::asin(n.y), std::numbers::pi * (uvs[i].value.y - 0.5), 3e-3);
+    }
+}
+
+// The picture of a mesh under a matrix is that of the mesh with the matrix worked into it. Normals
+// of the second are those of the transformed ellipsoid's equation, so no cofactor is used.
+TEST_F(RendererTest, LightsATransformedObjectAsItsTransformedMesh) {
+    scene.camera.distance = 12;
+    for (const vec3 scale :
+         {vec3(2, 0.5F, 1), vec3(-1, 1, 1), vec3(1.5F, -0.4F, -1), vec3(-0.5F, -1, -2)}) {
+        const mat4 turn = glm::rotate(mat4(1), 0.7F, glm::normalize(vec3(1, 2, 3)));
+        scene.object = glm::scale(turn, scale);
+        show("sphere");
+        scene.camera.distance = 12;
+        const auto found = draw(Material{}, View::shaded);
+
+        Mesh mesh = *make_shape("sphere");
+        for (size_t v = 0; v < mesh.vertex_count(); ++v) {
+            const vec3 p = mesh.positions[v];
+            mesh.positions[v] = vec3(scene.object * vec4(p, 1));
+            const vec3 gradient = p / scale;  // of (x/a)^2 + (y/b)^2 + (z/c)^2 at scale * p
+            mesh.normals[v] = glm::normalize(vec3(turn * vec4(gradient, 0)));
+        }
+        if (scale.x * scale.y * scale.z < 0)
+            for (size_t i = 0; i < mesh.indices.size(); i += 3)
+                std::swap(mesh.indices[i + 1], mesh.indices[i + 2]);
+        renderer->set_mesh(mesh);
+        scene.object = mat4(1);
+        const auto expected = draw(View::shaded);
+        EXPECT_GT(covered(found), 200U);
+        double worst = 0;
+        size_t edge = 0;
+        for (size_t i = 0; i < found.size(); ++i) {
+            if (found[i].covered != expected[i].covered)
+                ++edge;
+            else
+                worst = std::max<double>(worst, std::abs(found[i].value.g - expected[i].value.g));
+        }
+        EXPECT_LT(worst, 0.02) << scale.x << " " << scale.y << " " << scale.z;
+        EXPECT_LE(edge, 4U);
+    }
+}
+
+TEST_F(RendererTest, SeesFrontFacesOfMirroredObjects) {
+    const Material facing = material_with_normal("vec3(s.facing)", {{"facing", "float", "facing"}});
+    for (const vec3 scale : {vec3(1), vec3(-1, 1, 1), vec3(1, -2, 1), vec3(-1, -1, -1)}) {
+        scene.object = glm::scale(mat4(1), scale);
+        const auto pixels = draw(facing, View::normal);
+        EXPECT_GT(covered(pixels), 500U);
+        for (const Pixel& pixel : pixels)
+            ASSERT_EQ(pixel.value.x, pixel.covered ? 1 : 0) << scale.x << scale.y << scale.z;
+    }
+}
+
+TEST_F(RendererTest, SeesBackFacesFromBehind) {
+    show("plane");
+    scene.camera.yaw = std::numbers::pi_v<float>;
+    const auto facing =
+        draw(material_with_normal("vec3(s.facing)", {{"facing", "float", "facing"}}), View::normal);
+    const auto normals = draw(Material{}, View::normal);
+    EXPECT_GT(covered(facing), 500U);
+    for (size_t i = 0; i < facing.size(); ++i) {
+        if (!facing[i].covered) continue;
+        ASSERT_EQ(facing[i].value.x, -1);
+        ASSERT_EQ(normals[i].value, vec3(0, 0, -1)) << "a missing normal is turned to the eye";
+    }
+    // One that looks away is left alone, and is no bump.
+    draw(material_with_normal("s.normal", {normal_member}), View::normal);
+    for (const Pixel& pixel : draw(View::gradient))
+        ASSERT_LT(glm::length(pixel.value), 1e-6);
+}
+
+TEST_F(RendererTest, GivesTheEyeInObjectSpace) {
+    scene.object = glm::scale(glm::translate(mat4(1), vec3(0.5F, 0, 0)), vec3(2, -1, 0.5F));
+    const vec3 eye = (eye_of(scene.camera) - vec3(0.5F, 0, 0)) / vec3(2, -1, 0.5F);
+    const std::vector<Member> members{
+        {"p", "vec3", "position"}, {"r", "vec3", "position_relative"}, {"v", "vec3", "view"}};
+    const auto eyes = draw(material_with_normal("s.p - s.r", members), View::normal);
+    for (const Pixel& pixel : eyes)
+        ASSERT_LT(glm::distance(pixel.value, pixel.covered ? eye : vec3(0)), 1e-4);
+    const auto off = draw(material_with_normal("s.v + normalize(s.r)", members), View::normal);
+    const auto views = draw(material_with_normal("s.v", members), View::normal);
+    EXPECT_GT(covered(off), 500U);
+    for (size_t i = 0; i < off.size(); ++i) {
+        if (!off[i].covered) continue;
+        ASSERT_LT(glm::length(off[i].value), 1e-5);
+        ASSERT_NEAR(glm::length(views[i].value), 1, 1e-5);
+    }
+}
+
+TEST_F(RendererTest, HandsVertexAttributesOn) {
+    Mesh mesh = *make_shape("plane");
+    mesh.uvs[2].assign(mesh.vertex_count(), glm::vec2(3, 4));
+    mesh.uvs[3].assign(mesh.vertex_count(), glm::vec2(5, 6));
+    mesh.colors.assign(mesh.vertex_count(), vec4(0.1F, 0.2F, 0.3F, 0.4F));
+    mesh.tangents.assign(mesh.vertex_count(), vec4(1, 0, 0, -1));
+    renderer->set_mesh(mesh);
+    const std::vector<Member> members{{"b", "vec2", "uv1"},
+                                      {"c", "vec2", "uv2"},
+                                      {"d", "vec2", "uv3"},
+                                      {"t", "vec4", "tangent"},
+                                      {"k", "vec4", "color0"}};
+    const auto at_middle = [&](const std::string& expression) {
+        return draw(material_with_normal(expression, members), View::normal)[32 * 64 + 32].value;
+    };
+    const auto near = [](vec3 a, vec3 b) { return glm::distance(a, b) < 1e-5; };
+    EXPECT_LT(glm::distance(at_middle("vec3(s.b, 0.0)"), vec3(0.5F, 0.5F, 0)), 0.06F);
+    EXPECT_TRUE(near(at_middle("vec3(s.c, s.d.x)"), vec3(3, 4, 5)));
+    EXPECT_TRUE(near(at_middle("vec3(s.d.y, s.t.xw)"), vec3(6, 1, -1)));
+    EXPECT_TRUE(near(at_middle("s.k.rgb + s.k.a"), vec3(0.5F, 0.6F, 0.7F)));
+}
+
+Material tilted() {
+    Material material = material_with_normal(
+        "normalize(normalize(s.normal) - 0.3 * normalize(cross(s.normal, vec3(0.0, 1.0, 0.0))))",
+        {normal_member});
+    material.text +=
+        "vec3 wrinkle_test_flat(WrinkleSurface_test s) { return normalize(s.normal); }\n"
+        "float wrinkle_test_height(WrinkleSurface_test s) { return 7.0 * s.normal.y; }\n";
+    material.outputs.push_back({"flat", "wrinkle_test_flat", "vec3"});
+    material.outputs.push_back({"height", "wrinkle_test_height", "float"});
+    return material;
+}
+
+TEST_F(RendererTest, FindsTheGradientInTheNormal) {
+    const auto normals = draw(Material{}, View::normal);
+    const auto gradients = draw(tilted(), View::gradient);
+    for (size_t i = 0; i < normals.size(); ++i) {
+        if (!normals[i].covered) continue;
+        const vec3 along = glm::normalize(glm::cross(normals[i].value, vec3(0, 1, 0)));
+        ASSERT_LT(glm::distance(gradients[i].value, 0.3F * along), 1e-4);
+    }
+}
+
+TEST_F(RendererTest, MeasuresTheDifferenceInDegrees) {
+    ASSERT_TRUE(renderer->set_material(tilted(), diagnostics)) << errors();
+    const double expected = std::atan(0.3) * 180 / std::numbers::pi;
+    const auto bump = renderer->measure(scene, "", 64, 64, diagnostics);
+    ASSERT_TRUE(bump) << errors();
+    EXPECT_NEAR(bump->mean_degrees, expected, 1e-3);
+    EXPECT_NEAR(bump->max_degrees, expected, 1e-2);
+    EXPECT_EQ(bump->pixels, covered(draw(View::normal)));
+    const auto other = renderer->measure(scene, "flat", 64, 64, diagnostics);
+    ASSERT_TRUE(other) << errors();
+    EXPECT_NEAR(other->mean_degrees, expected, 1e-3);
+    const auto self = renderer->measure(scene, "normal", 64, 64, diagnostics);
+    ASSERT_TRUE(self) << errors();
+    EXPECT_LT(self->max_degrees, 1e-3);
+}
+
+TEST_F(RendererTest, ShowsHeightAndUvAsTheyAre) {
+    const auto normals = draw(Material{}, View::normal);
+    const auto heights = draw(tilted(), View::height);
+    for (size_t i = 0; i < normals.size(); ++i)
+        ASSERT_NEAR(heights[i].value.x, 7 * normals[i].value.y, 0.02);
+    show("plane");
+    for (const Pixel& pixel : draw(View::uv))
+        if (pixel.covered) {
+            ASSERT_GE(std::min(pixel.value.x, pixel.value.y), 0);
+            ASSERT_LE(std::max(pixel.value.x, pixel.value.y), 1);
+        }
+}
+
+// The words of the header, done by hand.
+float displayed(float radiance) {
+    const float beyond = std::max(radiance - 0.8F, 0.0F);
+    const float c = std::min(radiance, 0.8F) + 0.2F * beyond / (beyond + 0.2F);
+    return c <= 0.0031308F ? 12.92F * c : 1.055F * std::pow(c, 1 / 2.4F) - 0.055F;
+}
+
+TEST_F(RendererTest, MakesColorsAsTheHeaderSays) {
+    scene.light = 3;
+    const auto values = draw(Material{}, View::shaded);
+    const auto shown = Target::make({size, size}, diagnostics);
+    ASSERT_TRUE(shown) << errors();
+    ASSERT_TRUE(renderer->draw(scene, {}, *shown, diagnostics)) << errors();
+    const std::vector<float> pixels = shown->read();
+    bool bright = false;
+    for (size_t i = 0; i < values.size(); ++i) {
+        const vec3 color(pixels[4 * i], pixels[4 * i + 1], pixels[4 * i + 2]);
+        const float expected =
+            values[i].covered ? displayed(values[i].value.g) : scene.background.g;
+        ASSERT_NEAR(color.g, expected, 0.6 / 255);
+        ASSERT_EQ(pixels[4 * i + 3], 1);
+        bright = bright || values[i].value.g > 1.2F;
+    }
+    EXPECT_TRUE(bright) << "the shoulder was not reached";
+}
+
+TEST_F(RendererTest, HeatMapRunsFromBlackToRed) {
+    const auto shown = Target::make({size, size}, diagnostics);
+    ASSERT_TRUE(renderer->set_material(tilted(), diagnostics)) << errors();
+    const float angle = std::atan(0.3F) * 180 / std::numbers::pi_v<float>;
+    const std::vector<std::pair<float, vec3>> cases{
+        {4, {0, 0, 1}}, {2, {0, 1, 0}}, {4 / 3.0F, {1, 1, 0}}, {1, {1, 0, 0}}, {0.1F, {1, 0, 0}}};
+    for (const auto& [factor, expected] : cases) {
+        ViewOptions options;
+        options.view = View::difference;
+        options.heat_degrees = angle * factor;
+        ASSERT_TRUE(renderer->draw(scene, options, *shown, diagnostics)) << errors();
+        const std::vector<float> pixels = shown->read();
+        const float* middle = pixels.data() + 4 * (32 * 64 + 32);
+        EXPECT_LT(glm::distance(vec3(middle[0], middle[1], middle[2]), expected), 0.02F) << factor;
+    }
+}
+
+TEST_F(RendererTest, DrawsTheSameBytesTwice) {
+    std::vector<float> first;
+    for (int run = 0; run < 2; ++run) {
+        const auto own = Context::offscreen(diagnostics);
+        ASSERT_TRUE(own && const_cast<Context&>(*own).make_current());
+        Renderer fresh;
+        fresh.set_mesh(*make_shape("torus"));
+        ASSERT_TRUE(fresh.set_material(tilted(), diagnostics)) << errors();
+        TargetOptions options{size, size};
+        options.samples = 4;
+        const auto picture = Target::make(options, diagnostics);
+        ASSERT_TRUE(fresh.draw(scene, {}, *picture, diagnostics)) << errors();
+        if (run == 0) first = picture->read();
+        EXPECT_EQ(picture->read(), first);
+    }
+    ASSERT_TRUE(context->make_current());
+}
+
+TEST_F(RendererTest, SmoothsEdgesWithSamples) {
+    TargetOptions options{size, size};
+    options.samples = 4;
+    const auto smooth = Target::make(options, diagnostics);
+    ASSERT_TRUE(smooth) << errors();
+    if (smooth->options().samples < 2) GTEST_SKIP() << "this driver has no multisampling";
+    ASSERT_TRUE(renderer->set_material(Material{}, diagnostics));
+    scene.background = vec4(0, 1, 0, 1);
+    scene.light = 0;
+    scene.environment = 0;
+    ASSERT_TRUE(renderer->draw(scene, {}, *smooth, diagnostics)) << errors();
+    const std::vector<float> pixels = smooth->read();
+    size_t partial = 0;
+    for (size_t i = 1; i < pixels.size(); i += 4)
+        partial += pixels[i] > 0.1F && pixels[i] < 0.9F ? 1 : 0;
+    EXPECT_GT(partial, 40U);
+    EXPECT_LT(partial, 600U);
+}
+
+}  // namespace
+}  // namespace wrinkle::gpu
