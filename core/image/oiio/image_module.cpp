@@ -161,7 +161,8 @@ ImageSpec spec_to_write(const WrinkleImageWrite& what) {
     spec.attribute("oiio:UnassociatedAlpha", 1);
     const std::string_view format = what.format;
     if (format == "png") spec.attribute("png:filter", 0xF8);  // all row filters: smaller by far
-    if (format == "openexr") spec.attribute("DateTime", "");  // else it would be now
+    if (format == "openexr" || format == "tiff")
+        spec.attribute("DateTime", "");  // else it would be now
     if (format == "jpeg") {
         spec.attribute("jpeg:subsampling", "4:4:4");
         spec.attribute("compression", "jpeg:" + std::to_string(what.quality));
