@@ -4,49 +4,11 @@
 #include <epoxy/gl.h>
 
 #include <array>
-#include <map>
-#include <mutex>
 #include <utility>
 #include <vector>
 
 namespace wrinkle::gpu {
 namespace {
-
-// Displays that this file initialised, with the number of contexts on each. EGL has one display per
-// platform and process, and terminating it ends every context there.
-std::mutex display_mutex;
-std::map<EGLDisplay, int>& display_counts() {
-    static std::map<EGLDisplay, int> counts;
-    return counts;
-}
-
-bool open_display(EGLDisplay display) {
-    const std::lock_guard lock(display_mutex);
-    int& count = display_counts()[display];
-    if (count == 0 && !eglInitialize(display, nullptr, nullptr)) {
-        display_counts().erase(display);
-        return false;
-    }
-    ++count;
-    return true;
-}
-
-// Counts one more context on a display that is ours; false when somebody else opened it.
-bool join_display(EGLDisplay display) {
-    const std::lock_guard lock(display_mutex);
-    const auto found = display_counts().find(display);
-    if (found == display_counts().end()) return false;
-    ++found->second;
-    return true;
-}
-
-void close_display(EGLDisplay display) {
-    const std::lock_guard lock(display_mutex);
-    const auto found = display_counts().find(display);
-    if (found == display_counts().end() || --found->second > 0) return;
-    display_counts().erase(found);
-    eglTerminate(display);
-}
 
 EGLDisplay surfaceless_display() {
     if (!epoxy_has_egl_extension(EGL_NO_DISPLAY, "EGL_MESA_platform_surfaceless"))
@@ -149,15 +111,12 @@ std::optional<Context> Context::offscreen(Diagnostics& diagnostics) {
     std::string why = "no EGL platform without a display was found";
     if (!epoxy_has_egl()) why = "libEGL is missing";
     for (EGLDisplay display : epoxy_has_egl() ? candidate_displays() : std::vector<EGLDisplay>{}) {
-        if (display == EGL_NO_DISPLAY || !open_display(display)) {
+        if (display == EGL_NO_DISPLAY || !eglInitialize(display, nullptr, nullptr)) {
             why = "no graphics driver could be started";
             continue;
         }
-        if (std::optional<Context> context = on_display(display, EGL_NO_CONTEXT, why)) {
-            context->counted_ = true;
+        if (std::optional<Context> context = on_display(display, EGL_NO_CONTEXT, why))
             return context;
-        }
-        close_display(display);
     }
     diagnostics.error("OpenGL is not available: " + why,
                       "an EGL driver with OpenGL 3.3, such as Debian's libegl-mesa0");
@@ -171,22 +130,16 @@ std::optional<Context> Context::sharing_current(Diagnostics& diagnostics) {
         diagnostics.error("there is no EGL context on this thread to share with");
         return std::nullopt;
     }
-    const EGLDisplay display = eglGetCurrentDisplay();
     std::string why;
-    std::optional<Context> context = on_display(display, share, why);
-    if (!context) {
-        diagnostics.error("OpenGL cannot draw on another thread: " + why);
-        return std::nullopt;
-    }
-    context->counted_ = join_display(display);
+    std::optional<Context> context = on_display(eglGetCurrentDisplay(), share, why);
+    if (!context) diagnostics.error("OpenGL cannot draw on another thread: " + why);
     return context;
 }
 
 Context::Context(Context&& other) noexcept
     : display_(std::exchange(other.display_, nullptr)),
       context_(std::exchange(other.context_, nullptr)),
-      surface_(std::exchange(other.surface_, nullptr)),
-      counted_(std::exchange(other.counted_, false)) {}
+      surface_(std::exchange(other.surface_, nullptr)) {}
 
 Context& Context::operator=(Context&& other) noexcept {
     if (this == &other) return *this;
@@ -194,7 +147,6 @@ Context& Context::operator=(Context&& other) noexcept {
     display_ = std::exchange(other.display_, nullptr);
     context_ = std::exchange(other.context_, nullptr);
     surface_ = std::exchange(other.surface_, nullptr);
-    counted_ = std::exchange(other.counted_, false);
     return *this;
 }
 
@@ -207,7 +159,6 @@ void Context::destroy() {
     if (context_ && eglGetCurrentContext() == context_) release_current();
     if (surface_) eglDestroySurface(display_, surface_);
     if (context_) eglDestroyContext(display_, context_);
-    if (counted_) close_display(display_);
     display_ = nullptr;
 }
 

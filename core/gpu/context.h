@@ -9,7 +9,7 @@
 // this folder wants one current on its thread. A Program, Texture or Lookup may be used and
 // destroyed under any context that shares with its own; a Target or Renderer only under the one it
 // was made in, because GL does not share framebuffers and vertex arrays (a Target's texture() is
-// shared). Failing gives one error of one sentence.
+// shared). The driver stays loaded until the process ends. Failing gives one error of one sentence.
 #pragma once
 
 #include <optional>
@@ -47,7 +47,6 @@ private:
     void* display_ = nullptr;  // EGLDisplay
     void* context_ = nullptr;  // EGLContext
     void* surface_ = nullptr;  // EGLSurface; a 1 x 1 buffer where the driver wants one
-    bool counted_ = false;     // the display is ours to terminate after its last context
 };
 
 }  // namespace wrinkle::gpu

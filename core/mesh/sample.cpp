@@ -35,6 +35,22 @@ std::optional<Weights> weights_at(const Mesh& mesh, size_t triangle, dvec2 uv) {
                    dvec3(-second.y - third.y, second.y, third.y)};
 }
 
+// Away from the uv box of the triangle by more than the slack of find_cover could bridge.
+bool is_far(const Mesh& mesh, size_t triangle, dvec2 uv) {
+    const uint32_t* corners = mesh.indices.data() + 3 * triangle;
+    const auto& uvs = mesh.uvs[0];
+    const auto beside = [&](int axis) {
+        const double a = uvs[corners[0]][axis];
+        const double b = uvs[corners[1]][axis];
+        const double c = uvs[corners[2]][axis];
+        const double low = std::min({a, b, c});
+        const double high = std::max({a, b, c});
+        const double margin = 1e-5 * (high - low);
+        return uv[axis] < low - margin || uv[axis] > high + margin;
+    };
+    return beside(0) || beside(1);
+}
+
 double smallest(dvec3 v) {
     return std::min({v.x, v.y, v.z});
 }
@@ -52,6 +68,7 @@ std::optional<Cover> find_cover(const Mesh& mesh, dvec2 uv) {
     std::optional<Cover> near;
     double best = -slack;
     for (size_t t = 0; t < mesh.triangle_count(); ++t) {
+        if (is_far(mesh, t, uv)) continue;
         const std::optional<Weights> weights = weights_at(mesh, t, uv);
         if (!weights) continue;
         const double inside = smallest(weights->value);
