@@ -285,6 +285,42 @@ TEST_F(RendererTest, DrawsTheSameBytesTwice) {
     ASSERT_TRUE(context->make_current());
 }
 
+// Eye, light and normal in one line: GGX is then 1 / (pi a^4), its visibility 1/4, Fresnel f0.
+TEST_F(RendererTest, ReflectsStraightBackAsTheFormulaSays) {
+    show("plane");
+    scene.to_light = vec3(0, 0, 3);
+    scene.light = 0.5F;
+    scene.environment = 0;
+    struct Case {
+        float roughness, metalness, expected;
+    };
+    for (const Case& c :
+         {Case{1, 0, 0.5F * (0.6F + 0.04F / 4)}, Case{0.5F, 0, 0.5F * (0.6F + 0.04F * 16 / 4)},
+          Case{0.5F, 1, 0.5F * 0.6F * 16 / 4}, Case{0.8F, 1, 0.5F * 0.6F / 1.6384F}}) {
+        Material material;
+        material.text =
+            "uniform vec2 rough_metal;\nfloat roughness() { return rough_metal.x; }\n"
+            "float metalness() { return rough_metal.y; }\n";
+        material.outputs = {{"roughness", "roughness", "float"},
+                            {"metalness", "metalness", "float"}};
+        material.uniforms = {{"rough_metal", {c.roughness, c.metalness}}};
+        const auto pixels = draw(material, View::shaded);
+        EXPECT_NEAR(pixels[32 * 64 + 32].value.g, c.expected, 0.01 * c.expected);
+    }
+}
+
+TEST_F(RendererTest, HasASkyAboveAGroundThatOcclusionDarkens) {
+    scene.light = 0;
+    const auto open = draw(Material{}, View::shaded);
+    EXPECT_GT(mean_value(open, 40, 64, 64), 1.5 * mean_value(open, 0, 24, 64));
+    Material half;
+    half.text = "float occlusion() { return 0.5; }\n";
+    half.outputs = {{"occlusion", "occlusion", "float"}};
+    const auto dark = draw(half, View::shaded);
+    for (size_t i = 0; i < open.size(); ++i)
+        ASSERT_NEAR(dark[i].value.g, open[i].value.g / 2, 1e-5);
+}
+
 TEST_F(RendererTest, SmoothsEdgesWithSamples) {
     TargetOptions options{size, size};
     options.samples = 4;
