@@ -61,8 +61,8 @@ Diagnostic diagnose(const Document& document, const Node& node, std::string mess
     return diagnostic;
 }
 
-Diagnostic diagnose(const Document& document, const Node& node, std::string_view port,
-                    std::string message, std::string expected) {
+Diagnostic diagnose_port(const Document& document, const Node& node, std::string_view port,
+                         std::string message, std::string expected) {
     Diagnostic diagnostic = diagnose(document, node, std::move(message), std::move(expected));
     const Input* input = node.find(port);
     if (!input) return diagnostic;

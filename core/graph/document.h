@@ -144,8 +144,8 @@ struct Document {
 Diagnostic diagnose(const Document&, std::string message, std::string expected = {});
 Diagnostic diagnose(const Document&, const Node&, std::string message, std::string expected = {});
 // At a port's value; at the node when the port is not written. `node.inputs` need not have it.
-Diagnostic diagnose(const Document&, const Node&, std::string_view port, std::string message,
-                    std::string expected = {});
+Diagnostic diagnose_port(const Document&, const Node&, std::string_view port, std::string message,
+                         std::string expected = {});
 Diagnostic diagnose(const Document&, const GraphInput&, std::string message,
                     std::string expected = {});
 Diagnostic diagnose(const Document&, const Output&, std::string message, std::string expected = {});

@@ -139,8 +139,8 @@ public:
         for (const NodePtr& node : document_.nodes)
             for (const Input& input : node->inputs)
                 check(input.link, [&](std::string message, std::string expected) {
-                    return diagnose(document_, *node, input.port, std::move(message),
-                                    std::move(expected));
+                    return diagnose_port(document_, *node, input.port, std::move(message),
+                                         std::move(expected));
                 });
         for (const Output& output : document_.outputs)
             check(output.from.link, [&](std::string message, std::string expected) {
@@ -168,8 +168,9 @@ private:
     void report_cycles() {
         for (const Closing& closing : Walker(document_).run().closing) {
             const Node& node = *document_.nodes[closing.node];
-            diagnostics_.add(diagnose(document_, node, node.inputs[closing.input].port,
-                                      cycle_text(document_, closing), "remove one of these wires"));
+            diagnostics_.add(diagnose_port(document_, node, node.inputs[closing.input].port,
+                                           cycle_text(document_, closing),
+                                           "remove one of these wires"));
         }
     }
 

@@ -92,7 +92,7 @@ private:
         std::vector<NodePtr> nodes;
         nodes.reserve(std::min<size_t>(value.size(), limits_.nodes));
         for (const json::Member& member : value.children()) {
-            if (nodes.size() == limits_.nodes) {
+            if (nodes.size() + limits_.nodes_before >= limits_.nodes) {
                 report_.at_key(member.value, "", "the graph has more nodes than are allowed",
                                "the limit is " + std::to_string(limits_.nodes));
                 all_nodes_ = false;

@@ -15,7 +15,8 @@ namespace wrinkle {
 
 struct ReadLimits {
     uint32_t depth = 64;         // nesting of arrays and objects
-    uint32_t nodes = 1'000'000;  // in one file
+    uint32_t nodes = 1'000'000;  // of a graph with its sub-graphs, each file once
+    uint32_t nodes_before = 0;   // in the files that were read before this one
 };
 
 Document read_document(std::string bytes, std::string file, Diagnostics& diagnostics,

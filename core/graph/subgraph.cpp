@@ -1,6 +1,5 @@
 #include "graph/subgraph.h"
 
-#include <algorithm>
 #include <map>
 
 #include "base/file.h"
@@ -64,8 +63,7 @@ private:
     uint32_t add(const fs::path& path, std::string name, std::string bytes) {
         ReadLimits limits = limits_;
         for (const File& file : project_.files)
-            limits.nodes -=
-                std::min<uint32_t>(limits.nodes, static_cast<uint32_t>(file.document.nodes.size()));
+            limits.nodes_before += static_cast<uint32_t>(file.document.nodes.size());
         File file;
         file.path = path;
         file.document = read_document(std::move(bytes), std::move(name), diagnostics_, limits);

@@ -17,7 +17,7 @@ namespace wrinkle {
 
 struct ProjectOptions {
     std::filesystem::path root;  // "": the top file's folder (`--root`)
-    ReadLimits limits;           // `nodes` counts each file once
+    ReadLimits limits;
 };
 
 struct Project {
