@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <glm/geometric.hpp>
+#include <limits>
 #include <map>
 #include <utility>
 #include <vector>
@@ -117,8 +119,8 @@ struct Renderer::State {
     bool upload(const std::string& file, const MipChain& chain, bool is_file,
                 Diagnostics& diagnostics);
     const Program* program_for(const ViewOptions& options, Diagnostics& diagnostics);
-    bool check_mesh(Diagnostics& diagnostics) const;
-    void bind_material(const Program& program) const;
+    bool can_draw(Diagnostics& diagnostics) const;
+    void draw_mesh(const Program& program) const;
 };
 
 bool Renderer::State::upload(const std::string& file, const MipChain& chain, bool is_file,
@@ -177,7 +179,11 @@ const Program* Renderer::State::program_for(const ViewOptions& options, Diagnost
     return &programs.emplace(key, std::move(*program)).first->second;
 }
 
-bool Renderer::State::check_mesh(Diagnostics& diagnostics) const {
+bool Renderer::State::can_draw(Diagnostics& diagnostics) const {
+    if (!mesh || !material) {
+        diagnostics.error("there is nothing to draw: a mesh and a material are needed");
+        return false;
+    }
     bool fine = true;
     for (const Member& member : material->members) {
         const int location = attribute_location(member.property);
@@ -189,7 +195,7 @@ bool Renderer::State::check_mesh(Diagnostics& diagnostics) const {
     return fine;
 }
 
-void Renderer::State::bind_material(const Program& program) const {
+void Renderer::State::draw_mesh(const Program& program) const {
     for (size_t i = 0; i < material->samplers.size(); ++i) {
         const MaterialSampler& sampler = material->samplers[i];
         images.at(sampler.file).texture.bind(static_cast<int>(i));
@@ -198,6 +204,9 @@ void Renderer::State::bind_material(const Program& program) const {
     }
     for (const MaterialUniform& uniform : material->uniforms)
         program.set(uniform.name.c_str(), std::span<const float>(uniform.value));
+    mesh->draw();
+    for (size_t i = 0; i < lookups.size(); ++i)
+        glBindSampler(static_cast<GLuint>(i), 0);  // other drawing has its own
 }
 
 Renderer::Renderer() : state_(std::make_unique<State>()) {}
@@ -244,13 +253,38 @@ void Renderer::forget_images() {
         image.stale = image.is_file;
 }
 
+namespace {
+
+bool wants_seen_range(const ViewOptions& options) {
+    return options.view == View::height && !options.raw &&
+           options.height_range.x == options.height_range.y;
+}
+
+// The smallest and largest height in the picture, drawn once more as numbers.
+glm::vec2 seen_range(Renderer& renderer, const Scene& scene, const Target& target,
+                     Diagnostics& diagnostics) {
+    ViewOptions options;
+    options.view = View::height;
+    options.raw = true;
+    const auto numbers =
+        Target::make({target.width(), target.height(), PixelFormat::rgba32f}, diagnostics);
+    if (!numbers || !renderer.draw(scene, options, *numbers, diagnostics)) return {0, 1};
+    constexpr float infinity = std::numeric_limits<float>::infinity();
+    glm::vec2 range(infinity, -infinity);
+    const std::vector<float> pixels = numbers->read();
+    for (size_t i = 0; i < pixels.size(); i += 4) {
+        if (pixels[i + 3] == 0 || !std::isfinite(pixels[i])) continue;
+        range = {std::min(range.x, pixels[i]), std::max(range.y, pixels[i])};
+    }
+    if (range.x > range.y) return {0, 1};
+    return range.x < range.y ? range : range + glm::vec2(-0.5F, 0.5F);  // one height is mid gray
+}
+
+}  // namespace
+
 bool Renderer::draw(const Scene& scene, const ViewOptions& options, const Target& target,
                     Diagnostics& diagnostics) {
-    if (!state_->mesh || !state_->material) {
-        diagnostics.error("there is nothing to draw: a mesh and a material are needed");
-        return false;
-    }
-    if (!state_->check_mesh(diagnostics)) return false;
+    if (!state_->can_draw(diagnostics)) return false;
     const float aspect = static_cast<float>(target.width()) / static_cast<float>(target.height());
     const auto space = object_space(scene.object, scene.camera, state_->mesh->bounds(), aspect);
     if (!space) {
@@ -259,14 +293,14 @@ bool Renderer::draw(const Scene& scene, const ViewOptions& options, const Target
     }
     const Program* program = state_->program_for(options, diagnostics);
     if (!program) return false;
+    ViewOptions shown = options;
+    if (wants_seen_range(options))
+        shown.height_range = seen_range(*this, scene, target, diagnostics);
     clear(target, scene, options.raw);
-    set_raster_state(space->mirrored);
     program->use();
-    set_view_uniforms(*program, scene, options, *space);
-    state_->bind_material(*program);
-    state_->mesh->draw();
-    for (size_t i = 0; i < state_->lookups.size(); ++i)
-        glBindSampler(static_cast<GLuint>(i), 0);
+    set_view_uniforms(*program, scene, shown, *space);
+    set_raster_state(space->mirrored);
+    state_->draw_mesh(*program);
     target.resolve();
     return true;
 }

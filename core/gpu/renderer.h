@@ -63,8 +63,8 @@ struct ViewOptions {
     View view = View::shaded;
     std::string against;  // for difference: an output with a normal; "" is the un-bumped surface
     float heat_degrees = 45;
-    glm::vec2 height_range{0, 1};
-    bool raw = false;  // the value itself; wants an rgba32f target with one sample
+    glm::vec2 height_range{0, 0};  // black to white; two equal values: the range that is seen
+    bool raw = false;              // the value itself; wants an rgba32f target with one sample
 };
 
 struct AngleStatistics {

@@ -110,4 +110,17 @@ inline size_t covered(const std::vector<Pixel>& pixels) {
     return count;
 }
 
+// A bump whose gradient has the length 0.3 everywhere, with outputs `flat` and `height` = 7 n.y.
+inline Material tilted() {
+    Material material = material_with_normal(
+        "normalize(normalize(s.normal) - 0.3 * normalize(cross(s.normal, vec3(0.0, 1.0, 0.0))))",
+        {{"normal", "vec3", "normal"}});
+    material.text +=
+        "vec3 wrinkle_test_flat(WrinkleSurface_test s) { return normalize(s.normal); }\n"
+        "float wrinkle_test_height(WrinkleSurface_test s) { return 7.0 * s.normal.y; }\n";
+    material.outputs.push_back({"flat", "wrinkle_test_flat", "vec3"});
+    material.outputs.push_back({"height", "wrinkle_test_height", "float"});
+    return material;
+}
+
 }  // namespace wrinkle::gpu

@@ -1,0 +1,131 @@
+// The views of a material: the value of each, and the color it is shown in.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "fixture.h"
+
+namespace wrinkle::gpu {
+namespace {
+
+using glm::vec3;
+using ViewTest = WithRenderer;
+
+TEST_F(ViewTest, FindsTheGradientInTheNormal) {
+    const auto normals = draw(Material{}, View::normal);
+    const auto gradients = draw(tilted(), View::gradient);
+    for (size_t i = 0; i < normals.size(); ++i) {
+        if (!normals[i].covered) continue;
+        const vec3 along = glm::normalize(glm::cross(normals[i].value, vec3(0, 1, 0)));
+        ASSERT_LT(glm::distance(gradients[i].value, 0.3F * along), 1e-4);
+    }
+}
+
+TEST_F(ViewTest, MeasuresTheDifferenceInDegrees) {
+    ASSERT_TRUE(renderer->set_material(tilted(), diagnostics)) << errors();
+    const double expected = std::atan(0.3) * 180 / std::numbers::pi;
+    const auto bump = renderer->measure(scene, "", 64, 64, diagnostics);
+    ASSERT_TRUE(bump) << errors();
+    EXPECT_NEAR(bump->mean_degrees, expected, 1e-3);
+    EXPECT_NEAR(bump->max_degrees, expected, 1e-2);
+    EXPECT_EQ(bump->pixels, covered(draw(View::normal)));
+    const auto other = renderer->measure(scene, "flat", 64, 64, diagnostics);
+    ASSERT_TRUE(other) << errors();
+    EXPECT_NEAR(other->mean_degrees, expected, 1e-3);
+    const auto self = renderer->measure(scene, "normal", 64, 64, diagnostics);
+    ASSERT_TRUE(self) << errors();
+    EXPECT_LT(self->max_degrees, 1e-3);
+}
+
+TEST_F(ViewTest, ShowsHeightAndUvAsTheyAre) {
+    const auto normals = draw(Material{}, View::normal);
+    const auto heights = draw(tilted(), View::height);
+    for (size_t i = 0; i < normals.size(); ++i)
+        ASSERT_NEAR(heights[i].value.x, 7 * normals[i].value.y, 0.02);
+    show("plane");
+    for (const Pixel& pixel : draw(View::uv))
+        if (pixel.covered) {
+            ASSERT_GE(std::min(pixel.value.x, pixel.value.y), 0);
+            ASSERT_LE(std::max(pixel.value.x, pixel.value.y), 1);
+        }
+}
+
+TEST_F(ViewTest, StretchesHeightsOverTheGraysUnlessToldARange) {
+    ASSERT_TRUE(renderer->set_material(tilted(), diagnostics)) << errors();
+    const auto shown = Target::make({size, size}, diagnostics);
+    const auto grays = [&](glm::vec2 range) {
+        ViewOptions options;
+        options.view = View::height;
+        options.height_range = range;
+        EXPECT_TRUE(renderer->draw(scene, options, *shown, diagnostics)) << errors();
+        return shown->read();
+    };
+    const auto heights = draw(View::height);
+    float low = 1e9F;
+    float high = -1e9F;
+    for (const Pixel& pixel : heights) {
+        low = std::min(low, pixel.covered ? pixel.value.x : low);
+        high = std::max(high, pixel.covered ? pixel.value.x : high);
+    }
+    const std::vector<float> own = grays({0, 0});
+    const std::vector<float> given = grays({-7, 14});
+    for (size_t i = 0; i < heights.size(); ++i) {
+        if (!heights[i].covered) continue;
+        const float h = heights[i].value.x;
+        ASSERT_NEAR(own[4 * i], (h - low) / (high - low), 0.6 / 255);
+        ASSERT_NEAR(given[4 * i + 2], (h + 7) / 21, 0.6 / 255);
+    }
+    Material level = tilted();
+    level.outputs.back().function = "wrinkle_test_level";
+    level.text += "float wrinkle_test_level(WrinkleSurface_test s) { return 3.0; }\n";
+    ASSERT_TRUE(renderer->set_material(level, diagnostics)) << errors();
+    EXPECT_NEAR(grays({0, 0})[4 * (32 * 64 + 32)], 0.5F, 0.6 / 255);
+}
+
+// The words of the header, done by hand.
+float displayed(float radiance) {
+    const float beyond = std::max(radiance - 0.8F, 0.0F);
+    const float c = std::min(radiance, 0.8F) + 0.2F * beyond / (beyond + 0.2F);
+    return c <= 0.0031308F ? 12.92F * c : 1.055F * std::pow(c, 1 / 2.4F) - 0.055F;
+}
+
+TEST_F(ViewTest, MakesColorsAsTheHeaderSays) {
+    scene.light = 3;
+    const auto values = draw(Material{}, View::shaded);
+    const auto shown = Target::make({size, size}, diagnostics);
+    ASSERT_TRUE(shown) << errors();
+    ASSERT_TRUE(renderer->draw(scene, {}, *shown, diagnostics)) << errors();
+    const std::vector<float> pixels = shown->read();
+    bool bright = false;
+    for (size_t i = 0; i < values.size(); ++i) {
+        const vec3 color(pixels[4 * i], pixels[4 * i + 1], pixels[4 * i + 2]);
+        const float expected =
+            values[i].covered ? displayed(values[i].value.g) : scene.background.g;
+        ASSERT_NEAR(color.g, expected, 0.6 / 255);
+        ASSERT_EQ(pixels[4 * i + 3], 1);
+        bright = bright || values[i].value.g > 1.2F;
+    }
+    EXPECT_TRUE(bright) << "the shoulder was not reached";
+}
+
+TEST_F(ViewTest, HeatMapRunsFromBlackToRed) {
+    const auto shown = Target::make({size, size}, diagnostics);
+    ASSERT_TRUE(renderer->set_material(tilted(), diagnostics)) << errors();
+    const float angle = std::atan(0.3F) * 180 / std::numbers::pi_v<float>;
+    const std::vector<std::pair<float, vec3>> cases{
+        {4, {0, 0, 1}}, {2, {0, 1, 0}}, {4 / 3.0F, {1, 1, 0}}, {1, {1, 0, 0}}, {0.1F, {1, 0, 0}}};
+    for (const auto& [factor, expected] : cases) {
+        ViewOptions options;
+        options.view = View::difference;
+        options.heat_degrees = angle * factor;
+        ASSERT_TRUE(renderer->draw(scene, options, *shown, diagnostics)) << errors();
+        const std::vector<float> pixels = shown->read();
+        const float* middle = pixels.data() + 4 * (32 * 64 + 32);
+        EXPECT_LT(glm::distance(vec3(middle[0], middle[1], middle[2]), expected), 0.02F) << factor;
+    }
+}
+
+}  // namespace
+}  // namespace wrinkle::gpu
