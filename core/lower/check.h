@@ -1,0 +1,25 @@
+// Every problem of a project against the node types, in one go: all nodes of all its files, also
+// those that no output needs.
+//
+// Reading (graph/read.h, graph/subgraph.h) has reported shapes, links to nodes that do not exist
+// and cycles; this reports unknown types, ports and keys, literals that do not fit their port,
+// values outside a hard range (a warning: they are clamped), images that are missing or outside the
+// root, required inputs, links to outputs that do not exist, wires that do not convert, versions.
+// No pixel is read.
+#pragma once
+
+#include "graph/subgraph.h"
+#include "lower/types.h"
+
+namespace wrinkle {
+
+struct CheckOptions {
+    bool reached_only = false;  // only what the top graph's outputs need, for a live preview
+};
+
+void check(const Project& project, const Registry& registry, Diagnostics& diagnostics,
+           const CheckOptions& options = {});
+void check(const Project& project, const Registry& registry, const Types& types,
+           Diagnostics& diagnostics, const CheckOptions& options = {});
+
+}  // namespace wrinkle

@@ -1,0 +1,55 @@
+// Graph to module: every node that the outputs need is built once, sub-graphs are inlined, and the
+// result is a module with opaque gradients, to be expanded (ir/expand.h).
+//
+// * An unconnected number is a parameter, also at its default; its value is clamped to the port's
+//   hard range. A wire into a port with a hard range is clamped by an instruction.
+// * A node in a sub-graph is the instance "outer/inner". The top graph's inputs are parameters with
+//   `graph_input` set.
+// * A muted node passes its first input of each output's type through; where there is none the
+// output
+//   is that type's zero (of a normal the surface's).
+// * An input of type gradient that a height or normal is connected to takes the base of the
+//   gradients it is joined with by wires (a node says its base by an input `base` of type normal);
+//   with none it is the surface.
+// * Outputs of standard names are converted to their type. A gradient as output is its vector in
+//   object space, a derivative its slope.
+//
+// Precondition: check() found no error. Constant stack; linear in the nodes that are built.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "graph/subgraph.h"
+#include "ir/module.h"
+#include "lower/types.h"
+
+namespace wrinkle {
+
+struct LowerOptions {
+    uint32_t max_nodes = 1'000'000;    // built, with each use of a sub-graph counted by itself
+    std::vector<std::string> outputs;  // only these; empty: all
+};
+
+// Where an entry of Module::nodes stands.
+struct NodePlace {
+    static constexpr uint32_t none = ~0u;
+    uint32_t file = 0;     // in Project::files
+    uint32_t node = none;  // in its document; none: the graph itself
+};
+
+struct Lowered {
+    Module module;
+    std::vector<NodePlace> places;  // as long as module.nodes
+};
+
+Lowered lower(const Project& project, const Registry& registry, const LowerOptions& options,
+              Diagnostics& diagnostics);
+Lowered lower(const Project& project, const Types& types, const LowerOptions& options,
+              Diagnostics& diagnostics);
+
+// The problems that a module's passes recorded, as diagnostics at their nodes.
+void report_problems(const Module& module, const Project& project,
+                     const std::vector<NodePlace>& places, Diagnostics& diagnostics);
+
+}  // namespace wrinkle
