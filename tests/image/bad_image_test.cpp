@@ -126,7 +126,7 @@ TEST_F(BadImage, TheEnvironmentSetsTheLimits) {
 }
 
 // A cut file is an error, or, where only trailing bytes without pixels are missing, the picture.
-TEST_F(BadImage, TruncatedAtEveryPlace) {
+TEST_F(BadImage, TruncatedAtManyPlaces) {
     for (const fs::path& path : good_files()) {
         const std::string bytes = bytes_of_file(path);
         const Image whole = loaded(path);

@@ -2,6 +2,10 @@
 
 #include <unistd.h>
 
+#ifdef WRINKLE_SANITIZED
+#include <sanitizer/lsan_interface.h>
+#endif
+
 #include <cstdio>
 #include <mutex>
 
@@ -13,6 +17,12 @@ thread_local int quiet_depth = 0;
 
 ssize_t write_unless_quiet(void*, const char* text, size_t size) {
     return quiet_depth > 0 ? static_cast<ssize_t>(size) : write(STDERR_FILENO, text, size);
+}
+
+void exempt_from_leak_check([[maybe_unused]] bool exempt) {
+#ifdef WRINKLE_SANITIZED
+    exempt ? __lsan_disable() : __lsan_enable();
+#endif
 }
 
 // `stderr` is a variable in glibc; it holds the filter as long as any thread is quiet.
@@ -40,6 +50,7 @@ Filter& filter() {
 
 Quiet::Quiet() {
     ++quiet_depth;
+    exempt_from_leak_check(true);
     Filter& shared = filter();
     const std::lock_guard lock(shared.mutex);
     if (shared.users++ > 0 || !shared.stream) return;
@@ -53,6 +64,7 @@ Quiet::~Quiet() {
         const std::lock_guard lock(shared.mutex);
         if (--shared.users == 0 && shared.stream) stderr = shared.original;
     }
+    exempt_from_leak_check(false);
     --quiet_depth;
 }
 
