@@ -1,15 +1,19 @@
 // Forward derivatives: how a value changes along one direction.
 //
 // A direction says how the leaves change: for each leaf its tangent, of the same type; leaves not
-// named are constant. The derivative is ordinary instructions of the same module. It is computed
-// over a worklist with a memo, and zero is a sentinel that costs nothing, so derivatives of sparse
-// expressions stay sparse. Rules at singular points stand above the op table. Opaque values have no
-// derivative here: expand first. The derivative of a call is a call of the derived function; of a
-// loop, a loop whose state is twice as wide, along the path that the loop takes. The derivative of
-// a height texture is the reference's filtered one: forward differences over one texel of the level
-// in use (Mikkelsen's DerivFromHeightMap, three taps), times the change of uv.
+// named are constant. The derivative is ordinary instructions of the same module, computed over a
+// worklist with a memo; zero is a sentinel that costs nothing, so derivatives of sparse expressions
+// stay sparse. Rules at singular points stand above the op table. Opaque values have no derivative
+// here: expand first.
+//
+// The derivative of a call is a call of the derived function; of a loop, a loop whose state is
+// wider, along the path that the loop takes (that a step is the last is not differentiated). The
+// derivative of a texture is the reference's filtered one: forward differences over one texel of
+// the level in use (Mikkelsen's DerivFromHeightMap, three taps), times the change of uv.
 #pragma once
 
+#include <map>
+#include <memory>
 #include <unordered_map>
 #include <vector>
 
@@ -20,15 +24,34 @@ namespace wrinkle {
 class Direction {
 public:
     explicit Direction(Module& module) : module_(&module) {}
-    void seed(Id leaf, Id tangent);
+    void seed(Id leaf, Id tangent) { memo_[leaf] = tangent; }
 
     // The tangent of `value`; poison stands for zero (see tangent_or_zero). Memoised.
     Id tangent(Id value);
     Id tangent_or_zero(Id value);
 
 private:
+    // A function's derivative for some of its arguments changing.
+    struct DerivedFunction {
+        uint32_t region = 0;
+        std::vector<int> member;  // of each result, in the derived function's; -1: zero
+    };
+
+    Id compute(Id id);
+    Id call_member(const Inst& result);
+    Id loop_member(const Inst& result);
+    const DerivedFunction& derived(uint32_t region, const std::vector<bool>& changing);
+    std::vector<Id> widened_loop(Id loop);
+    bool spread(const Region& region, std::vector<bool>& changing);
+    void forget(size_t first);
+    Id texture(Id id);
+
     Module* module_;
     std::unordered_map<Id, Id> memo_;
+    std::vector<Id> log_;  // what was memoised, in order
+    std::map<std::pair<uint32_t, std::vector<bool>>, DerivedFunction> functions_;
+    std::unordered_map<Id, std::vector<Id>> loops_;
+    std::unique_ptr<Direction> screen_x_, screen_y_;  // for the level of textures
 };
 
 // The change to the next pixel, in x and in y: every interpolated input changes by its own

@@ -37,9 +37,9 @@
 #include <array>
 #include <cstdint>
 #include <initializer_list>
+#include <map>
 #include <span>
 #include <string>
-#include <unordered_map>
 #include <vector>
 
 #include "base/texture_options.h"
@@ -169,6 +169,10 @@ public:
     std::vector<Id> apply(const RegionUse& use, std::span<const Id> args);
     // A region that is already closed and levelled, as passes that rebuild make them.
     uint32_t intern_region(Region region);
+    // The tuple that a region gives for these arguments (captured values included), and a member of
+    // it.
+    Id apply_region(uint32_t region, std::span<const Id> args);
+    Id result(Id tuple, uint32_t member);
     int depth() const { return static_cast<int>(open_.size()); }
 
     const Inst& operator[](Id id) const { return inst_[id]; }  // not to be held across add()
@@ -197,23 +201,31 @@ public:
     std::vector<uint32_t> origin;  // by Id
     uint32_t current_node = 0;     // the origin of what is added now
 
+    // A parameter of the region at this level, as passes that rebuild regions need it.
+    Id region_parameter(int level, uint32_t index, Type type);
+    std::array<double, 9> lanes_of(Id constant) const;
+
 private:
-    struct Hash {
-        size_t operator()(const Inst& inst) const;
-    };
     struct OpenRegion {
         RegionKind kind;
         std::string name;
         std::vector<Type> params;
-        Id first;  // ids below were there before
     };
-    Id intern(Inst inst);
+    Id intern(const Inst& inst);
+    void grow_table();
     uint32_t intern_list(std::span<const Id> ids);
+    Type typed(Op op, std::span<const Type> types, uint32_t extra, Type wanted);
+    Id folded_constant(Op op, std::span<const Id> args, uint32_t extra, Type type);
+    bool set_base(Inst& inst);
+    bool fits(const OpenRegion& open, std::span<const Id> results);
 
     std::vector<Inst> inst_;
-    std::unordered_map<Inst, Id, Hash> table_;
+    std::vector<Id> slots_;  // open addressing; poison is free
     std::vector<std::vector<Id>> lists_;
-    std::vector<Region> regions_;
+    std::map<std::vector<Id>, uint32_t> list_table_;
+    std::vector<Region> regions_;  // [0] is none
+    std::multimap<uint64_t, uint32_t> region_table_;
+    std::vector<uint8_t> free_levels_;  // by region: the greatest level that a loop's body captures
     std::vector<OpenRegion> open_;
 };
 

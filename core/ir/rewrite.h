@@ -30,9 +30,12 @@ Module rebuild(const Module& source, Replace replace, void* context);
 // Parameters (but graph inputs) become literals of their value.
 Module bake_parameters(const Module& source);
 
-// The lod of an implicit sample written out: each `sample` becomes sample_lod with
-// lod = 0.5 log2(max(|size*duv/dx|^2, |size*duv/dy|^2, 2^-40)), from the uv's forward derivative.
-// The CPU and shaders with given differentials use this form.
+// lod = 0.5 log2(max(|size*duv/dx|^2, |size*duv/dy|^2, 2^-40)) of a resource, from the uv's change
+// to the next pixels.
+Id sample_lod_of(Module& module, uint32_t resource, Id uv_dx, Id uv_dy);
+
+// Each `sample` becomes sample_lod with the lod above, from the uv's forward derivative. The CPU
+// and shaders with given differentials use this form.
 Module explicit_lod(const Module& source);
 
 }  // namespace wrinkle

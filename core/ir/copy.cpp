@@ -1,0 +1,95 @@
+#include "ir/copy.h"
+
+#include <algorithm>
+#include <unordered_set>
+
+namespace wrinkle {
+namespace {
+
+bool has_base(const Inst& inst) {
+    return inst.type == Type::gradient_ && inst.extra != poison;
+}
+
+}  // namespace
+
+void append_dependencies(const Module& module, Id id, bool into_functions, std::vector<Id>& out) {
+    const Inst& inst = module[id];
+    for (const Id operand : module.operands(id))
+        out.push_back(operand);
+    if (has_base(inst)) out.push_back(inst.extra);
+    if (inst.op == Op::loop_ || (inst.op == Op::call_ && into_functions))
+        for (const Id result : module.region(inst.extra).results)
+            out.push_back(result);
+}
+
+std::vector<Id> Copier::needed(std::span<const Id> roots) const {
+    std::unordered_set<Id> seen;
+    std::vector<Id> open(roots.begin(), roots.end()), list;
+    while (!open.empty()) {
+        const Id id = open.back();
+        open.pop_back();
+        if (id == poison || mapped_.count(id) || !seen.insert(id).second) continue;
+        list.push_back(id);
+        append_dependencies(*source_, id, into_functions_, open);
+    }
+    std::sort(list.begin(), list.end());
+    return list;
+}
+
+void Copier::run(std::span<const Id> roots) {
+    mapped_[poison] = poison;
+    const uint32_t node = target_->current_node;
+    for (const Id id : needed(roots)) {
+        target_->current_node = source_->origin[id];
+        const Id written = write(id);
+        mapped_[id] = written;
+    }
+    target_->current_node = node;
+}
+
+Id Copier::write_leaf(const Inst& inst) {
+    switch (inst.op) {
+        case Op::literal_:
+            return target_->literal(inst.type, inst.value);
+        case Op::input_:
+            return target_->input(input_of(inst.extra), variant_of(inst.extra));
+        case Op::parameter_:
+            return target_->parameter(inst.extra);
+        case Op::region_param_: {
+            const int level = inst.level >= first_level_ ? inst.level + shift_ : inst.level;
+            return target_->region_parameter(level, inst.extra, inst.type);
+        }
+        default:
+            return poison;
+    }
+}
+
+Id Copier::write_apply(const Inst& inst, std::span<const Id> args) {
+    Region region = source_->region(inst.extra);
+    if (inst.op == Op::loop_ && region.level >= first_level_)
+        region.level = static_cast<uint8_t>(region.level + shift_);
+    if (inst.op == Op::loop_ || into_functions_)
+        for (Id& result : region.results)
+            result = mapped_.at(result);
+    return target_->apply_region(target_->intern_region(std::move(region)), args);
+}
+
+Id Copier::write(Id id) {
+    const Inst inst = (*source_)[id];
+    std::vector<Id> args;
+    bool same = target_ == source_ && shift_ == 0;
+    for (const Id operand : source_->operands(id)) {
+        args.push_back(mapped_.at(operand));
+        same = same && args.back() == operand;
+    }
+    if (replace_)
+        if (const Id replaced = replace_(context_, *target_, *source_, id, args)) return replaced;
+    if (info(inst.op).rule == Rule::leaf) return write_leaf(inst);
+    if (inst.op == Op::loop_ || inst.op == Op::call_) return write_apply(inst, args);
+    if (same) return id;
+    const uint32_t extra = has_base(inst) ? mapped_.at(inst.extra) : inst.extra;
+    if (inst.op == Op::result_) return target_->result(args[0], inst.extra);
+    return target_->add(inst.op, args, extra, inst.type);
+}
+
+}  // namespace wrinkle

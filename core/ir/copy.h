@@ -1,0 +1,54 @@
+// Writing expressions again with some of their leaves or levels changed: the loop below every pass.
+#pragma once
+
+#include <span>
+#include <unordered_map>
+#include <vector>
+
+#include "ir/rewrite.h"
+
+namespace wrinkle {
+
+class Copier {
+public:
+    // `into_functions`: the bodies of called functions are rewritten too. They are closed, so
+    // within one module there is no need.
+    Copier(Module& target, const Module& source, bool into_functions)
+        : target_(&target), source_(&source), into_functions_(into_functions) {}
+
+    void map(Id from, Id to) { mapped_[from] = to; }
+    void set_replace(Replace replace, void* context) {
+        replace_ = replace;
+        context_ = context;
+    }
+    // Regions at `first` and deeper move by `shift` levels.
+    void set_shift(int first, int shift) {
+        first_level_ = first;
+        shift_ = shift;
+    }
+
+    void run(std::span<const Id> roots);
+    // Of something the roots needed.
+    Id operator[](Id id) const { return mapped_.at(id); }
+    bool has(Id id) const { return mapped_.count(id) > 0; }
+
+private:
+    std::vector<Id> needed(std::span<const Id> roots) const;
+    Id write(Id id);
+    Id write_apply(const Inst& inst, std::span<const Id> args);
+    Id write_leaf(const Inst& inst);
+
+    Module* target_;
+    const Module* source_;
+    bool into_functions_;
+    int first_level_ = 1;
+    int shift_ = 0;
+    Replace replace_ = nullptr;
+    void* context_ = nullptr;
+    std::unordered_map<Id, Id> mapped_;
+};
+
+// What an instruction reads: its operands, its base, and what the region it applies gives.
+void append_dependencies(const Module& module, Id id, bool into_functions, std::vector<Id>& out);
+
+}  // namespace wrinkle

@@ -1,0 +1,245 @@
+#include "ir/derive.h"
+
+#include <algorithm>
+#include <unordered_set>
+
+#include "ir/derive_rules.h"
+#include "ir/rewrite.h"
+#include "ir/surface.h"
+#include "ir/value.h"
+
+namespace wrinkle {
+namespace {
+
+bool never_changes(const Inst& inst) {
+    return info(inst.op).flags & WR_FLAG_ZERO_DERIVATIVE || inst.type == Type::int_ ||
+           inst.type == Type::uint_ || inst.type == Type::bool_ || info(inst.op).rule == Rule::leaf;
+}
+
+}  // namespace
+
+Id Direction::tangent(Id value) {
+    std::unordered_set<Id> seen;
+    std::vector<Id> open{value}, list;
+    while (!open.empty()) {
+        const Id id = open.back();
+        open.pop_back();
+        if (id == poison || memo_.count(id) || !seen.insert(id).second) continue;
+        list.push_back(id);
+        if (never_changes((*module_)[id])) continue;
+        for (const Id operand : module_->operands(id))
+            open.push_back(operand);
+    }
+    std::sort(list.begin(), list.end());
+    const uint32_t node = module_->current_node;
+    for (const Id id : list) {
+        module_->current_node = module_->origin[id];
+        const Id change = compute(id);
+        memo_[id] = change;
+        log_.push_back(id);
+    }
+    module_->current_node = node;
+    return memo_[value];
+}
+
+Id Direction::tangent_or_zero(Id value) {
+    const Id change = tangent(value);
+    return change ? change : module_->zero(module_->type(value));
+}
+
+Id Direction::compute(Id id) {
+    const Inst inst = (*module_)[id];
+    if (never_changes(inst) || inst.type == Type::tuple_) return poison;
+    if (inst.op == Op::result_)
+        return (*module_)[inst.arg[0]].op == Op::loop_ ? loop_member(inst) : call_member(inst);
+    if (inst.op == Op::sample_ || inst.op == Op::sample_lod_ || inst.op == Op::sample_grad_)
+        return texture(id);
+    std::array<Id, 4> changes{};
+    size_t count = 0;
+    bool any = false;
+    for (const Id operand : module_->operands(id)) {
+        changes[count] = memo_[operand];
+        any = any || changes[count];
+        ++count;
+    }
+    if (!any) return poison;
+    const Id change = tangent_of_op(*module_, id, std::span(changes.data(), count));
+    return module_->is_literal(change, 0) ? poison : change;
+}
+
+// Forward differences over one texel of the level in use, times the change of uv.
+Id Direction::texture(Id id) {
+    Module& m = *module_;
+    const Inst inst = m[id];
+    const Value change{&m, memo_[inst.arg[0]]};
+    if (!change) return poison;
+    Id lod = inst.arg[1];
+    if (inst.op == Op::sample_) {
+        if (!screen_x_) {
+            screen_x_ = std::make_unique<Direction>(screen_direction(m, Variant::dx, false));
+            screen_y_ = std::make_unique<Direction>(screen_direction(m, Variant::dy, false));
+        }
+        lod = sample_lod_of(m, inst.extra, screen_x_->tangent_or_zero(inst.arg[0]),
+                            screen_y_->tangent_or_zero(inst.arg[0]));
+    } else if (inst.op == Op::sample_grad_) {
+        lod = sample_lod_of(m, inst.extra, inst.arg[1], inst.arg[2]);
+    }
+    const Value size{&m, m.add(Op::image_size_, {}, inst.extra)};
+    const Value one{&m, m.number(1)}, none{&m, m.number(0)};
+    const Value coarsest = max(size.x(), size.y());
+    const Value texels = op(Op::clamp_, op(Op::exp2_, {&m, lod}), one, coarsest);
+    const Value step = Value{&m, m.construct(Type::vec2_, {texels.id, texels.id})} / size;
+    const Value uv{&m, inst.arg[0]};
+    const auto tap = [&](Value at) {
+        std::array<Id, 3> args{at.id, inst.arg[1], inst.arg[2]};
+        const auto arity = static_cast<size_t>(info(inst.op).arity);
+        return Value{&m, m.add(inst.op, std::span(args.data(), arity), inst.extra)};
+    };
+    const Value here{&m, id};
+    const Value along_u = (tap(uv + vec2(step.x(), none)) - here) / step.x();
+    const Value along_v = (tap(uv + vec2(none, step.y())) - here) / step.y();
+    return (along_u * change.x() + along_v * change.y()).id;
+}
+
+Id Direction::call_member(const Inst& result) {
+    const Inst call = (*module_)[result.arg[0]];
+    const auto operands = module_->operands(result.arg[0]);
+    std::vector<Id> args(operands.begin(), operands.end());
+    std::vector<bool> changing;
+    std::vector<Id> changes;
+    for (const Id arg : operands) {
+        const Id change = memo_[arg];
+        changing.push_back(change != poison);
+        if (change) changes.push_back(change);
+    }
+    if (changes.empty()) return poison;
+    const DerivedFunction& function = derived(call.extra, changing);
+    const int member = function.member[result.extra];
+    if (member < 0) return poison;
+    args.insert(args.end(), changes.begin(), changes.end());
+    return module_->result(module_->apply_region(function.region, args),
+                           static_cast<uint32_t>(member));
+}
+
+const Direction::DerivedFunction& Direction::derived(uint32_t index,
+                                                     const std::vector<bool>& changing) {
+    const auto [entry, added] = functions_.try_emplace({index, changing});
+    if (!added) return entry->second;
+    Region region = module_->region(index);
+    Direction inside(*module_);
+    const auto own = static_cast<uint32_t>(region.params.size());
+    for (uint32_t k = 0; k < own; ++k) {
+        if (!changing[k]) continue;
+        const Type type = region.params[k];
+        inside.seed(
+            module_->region_parameter(1, k, type),
+            module_->region_parameter(1, static_cast<uint32_t>(region.params.size()), type));
+        region.params.push_back(type);
+    }
+    DerivedFunction function;
+    std::vector<Id> results;
+    for (const Id value : region.results) {
+        const Id change = inside.tangent(value);
+        function.member.push_back(change ? static_cast<int>(results.size()) : -1);
+        if (change) results.push_back(change);
+    }
+    region.results = std::move(results);
+    region.name += "_change";
+    if (!region.results.empty()) function.region = module_->intern_region(std::move(region));
+    return functions_[{index, changing}] = std::move(function);
+}
+
+Id Direction::loop_member(const Inst& result) {
+    const auto found = loops_.find(result.arg[0]);
+    if (found != loops_.end()) return found->second[result.extra];
+    std::vector<Id> members = widened_loop(result.arg[0]);
+    const Id member = members[result.extra];
+    loops_[result.arg[0]] = std::move(members);
+    return member;
+}
+
+void Direction::forget(size_t first) {
+    for (size_t i = first; i < log_.size(); ++i)
+        memo_.erase(log_[i]);
+    log_.resize(first);
+}
+
+// Marks the members of the state that change once those marked do; false when none was added.
+bool Direction::spread(const Region& region, std::vector<bool>& changing) {
+    bool grew = false;
+    for (size_t k = 0; k < changing.size(); ++k) {
+        if (changing[k] || tangent(region.results[k + 1]) == poison) continue;
+        changing[k] = grew = true;
+    }
+    return grew;
+}
+
+// The tangents of a loop's members: a loop over the state and, beside it, the tangents of those
+// members that change.
+std::vector<Id> Direction::widened_loop(Id loop) {
+    const Inst inst = (*module_)[loop];
+    Region region = module_->region(inst.extra);
+    const auto operands = module_->operands(loop);
+    std::vector<Id> args(operands.begin(), operands.end());
+    const size_t own = args.size();
+    std::vector<bool> changing;
+    for (const Id arg : args)
+        changing.push_back(memo_[arg] != poison);
+    const size_t before = log_.size();
+    const auto seed_state = [&] {
+        forget(before);
+        auto next = static_cast<uint32_t>(own);
+        for (uint32_t k = 0; k < own; ++k) {
+            const Type type = region.params[k];
+            const Id param = module_->region_parameter(region.level, k, type);
+            memo_[param] =
+                changing[k] ? module_->region_parameter(region.level, next++, type) : poison;
+            log_.push_back(param);
+        }
+    };
+    do
+        seed_state();
+    while (spread(region, changing));
+    seed_state();
+    std::vector<Id> members(own, poison);
+    const std::vector<Type> types = region.params;
+    for (size_t k = 0; k < own; ++k) {
+        if (!changing[k]) continue;
+        const Id start = memo_[args[k]];
+        args.push_back(start ? start : module_->zero(types[k]));
+        region.params.push_back(types[k]);
+        region.results.push_back(tangent_or_zero(region.results[k + 1]));
+    }
+    forget(before);
+    if (region.params.size() == own) return members;
+    const Id wide = module_->apply_region(module_->intern_region(std::move(region)), args);
+    auto next = static_cast<uint32_t>(own);
+    for (size_t k = 0; k < own; ++k)
+        if (changing[k]) members[k] = module_->result(wide, next++);
+    return members;
+}
+
+Direction screen_direction(Module& module, Variant axis, bool project_position) {
+    constexpr SurfaceInput changing[] = {SurfaceInput::normal_, SurfaceInput::uv0_,
+                                         SurfaceInput::uv1_,    SurfaceInput::uv2_,
+                                         SurfaceInput::uv3_,    SurfaceInput::color0_};
+    Direction direction(module);
+    const uint32_t node = module.current_node;
+    module.current_node = 0;
+    for (const SurfaceInput input : changing)
+        direction.seed(module.input(input), module.input(input, axis));
+    direction.seed(module.input(SurfaceInput::position_),
+                   project_position ? projected_position(module, axis)
+                                    : module.input(SurfaceInput::position_, axis));
+    module.current_node = node;
+    return direction;
+}
+
+Direction uv_direction(Module& module, SurfaceInput uv_set, int axis) {
+    Direction direction(module);
+    const std::array<double, 2> along{axis == 0 ? 1.0 : 0.0, axis == 0 ? 0.0 : 1.0};
+    direction.seed(module.input(uv_set), module.constant(Type::vec2_, along));
+    return direction;
+}
+
+}  // namespace wrinkle

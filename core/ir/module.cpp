@@ -1,0 +1,305 @@
+#include "ir/module.h"
+
+#include <algorithm>
+#include <bit>
+#include <cassert>
+
+#include "ir/fold.h"
+#include "ir/simplify.h"
+#include "ir/typing.h"
+
+namespace wrinkle {
+namespace {
+
+constexpr size_t first_capacity = 1024;
+constexpr int deepest_region = 200;
+
+uint64_t mixed(uint64_t h, uint64_t value) {
+    h = (h ^ value) * 0x9E3779B97F4A7C15u;
+    return h ^ h >> 32;
+}
+
+uint64_t hash_of(const Inst& inst) {
+    uint64_t h = static_cast<uint64_t>(inst.op) | static_cast<uint64_t>(inst.type) << 16 |
+                 static_cast<uint64_t>(inst.level) << 24 | static_cast<uint64_t>(inst.extra) << 32;
+    h = mixed(0x243F6A8885A308D3u, h);
+    h = mixed(h, inst.arg[0] | static_cast<uint64_t>(inst.arg[1]) << 32);
+    h = mixed(h, inst.arg[2] | static_cast<uint64_t>(inst.arg[3]) << 32);
+    return mixed(h, std::bit_cast<uint64_t>(inst.value));
+}
+
+// Literals are told apart by their bits: -0 and 0 are two values.
+bool identical(const Inst& a, const Inst& b) {
+    return a.op == b.op && a.type == b.type && a.level == b.level && a.arg == b.arg &&
+           a.extra == b.extra &&
+           std::bit_cast<uint64_t>(a.value) == std::bit_cast<uint64_t>(b.value);
+}
+
+bool is_variadic_list(Op op) {
+    return op == Op::loop_ || op == Op::call_;
+}
+
+bool carries_base(Op op) {
+    return op == Op::gradient_from_derivative_ || op == Op::gradient_from_height_ ||
+           op == Op::gradient_from_volume_ || op == Op::gradient_from_normal_;
+}
+
+std::string base_in_words(const Module& m, Id base) {
+    if (base == poison) return "the surface";
+    const uint32_t node = m.origin[m[base].arg[0]];
+    return "the normal of node '" + (node < m.nodes.size() ? m.nodes[node].path : "") + "'";
+}
+
+}  // namespace
+
+Module::Module() : slots_(first_capacity, poison) {
+    inst_.push_back({});
+    origin.push_back(0);
+    regions_.push_back({});
+    free_levels_.push_back(0);
+    lists_.push_back({});
+    nodes.push_back({});
+}
+
+Id Module::intern(const Inst& inst) {
+    const size_t mask = slots_.size() - 1;
+    size_t slot = hash_of(inst) & mask;
+    for (; slots_[slot] != poison; slot = (slot + 1) & mask)
+        if (identical(inst_[slots_[slot]], inst)) return slots_[slot];
+    const Id id = size();
+    slots_[slot] = id;
+    inst_.push_back(inst);
+    origin.push_back(current_node);
+    if (inst_.size() * 2 > slots_.size()) grow_table();
+    return id;
+}
+
+void Module::grow_table() {
+    slots_.assign(slots_.size() * 2, poison);
+    const size_t mask = slots_.size() - 1;
+    for (Id id = 1; id < size(); ++id) {
+        size_t slot = hash_of(inst_[id]) & mask;
+        while (slots_[slot] != poison)
+            slot = (slot + 1) & mask;
+        slots_[slot] = id;
+    }
+}
+
+uint32_t Module::intern_list(std::span<const Id> ids) {
+    std::vector<Id> list(ids.begin(), ids.end());
+    const auto [entry, added] = list_table_.try_emplace(list, static_cast<uint32_t>(lists_.size()));
+    if (added) lists_.push_back(std::move(list));
+    return entry->second;
+}
+
+std::span<const Id> Module::operands(Id id) const {
+    const Inst& inst = inst_[id];
+    if (is_variadic_list(inst.op)) return lists_[inst.arg[0]];
+    const int arity = info(inst.op).arity;
+    size_t count = arity >= 0 ? static_cast<size_t>(arity) : inst.arg.size();
+    while (arity < 0 && count > 0 && inst.arg[count - 1] == poison)
+        --count;
+    return std::span(inst.arg.data(), count);
+}
+
+Id Module::add(Op op, std::span<const Id> args, uint32_t extra, Type type) {
+    std::array<Type, 4> types{};
+    assert(args.size() <= types.size() && info(op).rule != Rule::leaf);
+    Inst inst;
+    inst.op = op;
+    inst.extra = extra;
+    for (size_t i = 0; i < args.size(); ++i) {
+        if (args[i] == poison) return poison;
+        inst.arg[i] = args[i];
+        types[i] = this->type(args[i]);
+        inst.level = std::max(inst.level, inst_[args[i]].level);
+    }
+    inst.type = typed(op, std::span(types.data(), args.size()), extra, type);
+    if (inst.type == Type::poison_) return poison;
+    if (const Id folded = folded_constant(op, args, extra, inst.type)) return folded;
+    if (const Id simpler = simplified(*this, op, args, extra, inst.type)) return simpler;
+    if (inst.type == Type::gradient_ && !set_base(inst)) return poison;
+    return intern(inst);
+}
+
+Type Module::typed(Op op, std::span<const Type> types, uint32_t extra, Type wanted) {
+    if (op == Op::swizzle_) {
+        const int count = static_cast<int>(extra & 0xF);
+        const int lanes = info(types[0]).lanes;
+        bool fits = types[0] >= Type::vec2_ && types[0] <= Type::vec4_ && count >= 1 && count <= 4;
+        for (int i = 0; fits && i < count; ++i)
+            fits = static_cast<int>(extra >> (4 + 4 * i) & 0xF) < lanes;
+        if (fits) return vector_of(count);
+        problem("a component is asked of a " + std::string(info(types[0]).name) +
+                " that it does not have");
+        return Type::poison_;
+    }
+    std::string why;
+    const Type result = result_type(op, types, wanted, why);
+    if (result == Type::poison_) problem(why);
+    return result;
+}
+
+Id Module::folded_constant(Op op, std::span<const Id> args, uint32_t extra, Type type) {
+    if (args.empty() || info(type).lanes == 0) return poison;
+    if (op == Op::construct_ || op == Op::swizzle_ || op == Op::select_) return poison;
+    std::array<Constant, 4> constants;
+    for (size_t i = 0; i < args.size(); ++i) {
+        if (!is_constant(args[i])) return poison;
+        constants[i] = {this->type(args[i]), lanes_of(args[i])};
+    }
+    Lanes lanes{};
+    if (!fold(op, type, extra, std::span(constants.data(), args.size()), lanes)) return poison;
+    return constant(type, std::span(lanes.data(), info(type).lanes));
+}
+
+std::array<double, 9> Module::lanes_of(Id id) const {
+    std::array<double, 9> lanes{};
+    if (inst_[id].op == Op::literal_) {
+        lanes[0] = inst_[id].value;
+        return lanes;
+    }
+    size_t lane = 0;
+    for (const Id part : operands(id)) {
+        if (inst_[part].op == Op::literal_) {
+            lanes[lane++] = inst_[part].value;
+            continue;
+        }
+        for (const Id scalar : operands(part))
+            lanes[lane++] = inst_[scalar].value;
+    }
+    return lanes;
+}
+
+// The base of a sum is that of both terms.
+bool Module::set_base(Inst& inst) {
+    if (carries_base(inst.op)) return true;
+    if (inst.op == Op::gradient_zero_) return true;
+    inst.extra = inst_[inst.arg[0]].extra;
+    if (inst.op == Op::gradient_scale_) return true;
+    const Id other = inst_[inst.arg[1]].extra;
+    if (inst.extra == other) return true;
+    problem(std::string(inst.op == Op::gradient_add_ ? "adds" : "mixes") +
+                " gradients of different bases: one on " + base_in_words(*this, inst.extra) +
+                ", one on " + base_in_words(*this, other),
+            "resolve them one after the other");
+    return false;
+}
+
+Id Module::literal(Type scalar, double value) {
+    Inst inst;
+    inst.op = Op::literal_;
+    inst.type = scalar;
+    inst.value = value;
+    return intern(inst);
+}
+
+Id Module::constant(Type type, std::span<const double> lanes) {
+    if (lanes.size() == 1) return literal(type, lanes[0]);
+    std::array<Id, 4> parts{};
+    const size_t count = type == Type::mat3_ ? 3 : lanes.size();
+    for (size_t i = 0; i < count; ++i)
+        parts[i] =
+            type == Type::mat3_ ? constant(Type::vec3_, lanes.subspan(i * 3, 3)) : number(lanes[i]);
+    return add(Op::construct_, std::span(parts.data(), count), 0, type);
+}
+
+Id Module::zero(Type type) {
+    constexpr std::array<double, 9> lanes{};
+    return constant(type, std::span(lanes.data(), info(type).lanes));
+}
+
+Id Module::input(SurfaceInput which, Variant variant) {
+    Inst inst;
+    inst.op = Op::input_;
+    inst.type = info(which).type;
+    inst.extra = input_extra(which, variant);
+    return intern(inst);
+}
+
+Id Module::parameter(uint32_t index) {
+    Inst inst;
+    inst.op = Op::parameter_;
+    inst.type = parameters[index].type;
+    inst.extra = index;
+    return intern(inst);
+}
+
+Id Module::region_parameter(int level, uint32_t index, Type type) {
+    Inst inst;
+    inst.op = Op::region_param_;
+    inst.type = type;
+    inst.level = static_cast<uint8_t>(level);
+    inst.extra = index;
+    return intern(inst);
+}
+
+Id Module::construct(Type type, std::initializer_list<Id> parts) {
+    return add(Op::construct_, parts, 0, type);
+}
+
+Id Module::swizzle(Id vector, std::string_view components) {
+    uint32_t extra = static_cast<uint32_t>(components.size());
+    for (size_t i = 0; i < components.size(); ++i)
+        extra |= static_cast<uint32_t>(std::string_view("xyzw").find(components[i])) << (4 + 4 * i);
+    return add(Op::swizzle_, {vector}, extra);
+}
+
+Id Module::gradient(Op op, Id operand, Id base) {
+    return add(op, {operand}, base);
+}
+
+bool Module::is_literal(Id id, double value) const {
+    const Inst& inst = inst_[id];
+    if (inst.op == Op::literal_) return inst.value == value;
+    if (inst.op != Op::construct_ || inst.type == Type::mat3_) return false;
+    const auto parts = operands(id);
+    return std::all_of(parts.begin(), parts.end(), [&](Id part) {
+        return inst_[part].op == Op::literal_ && inst_[part].value == value;
+    });
+}
+
+bool Module::is_constant(Id id) const {
+    if (inst_[id].op == Op::literal_) return true;
+    if (inst_[id].op != Op::construct_) return false;
+    for (const Id part : operands(id)) {
+        if (inst_[part].op == Op::literal_) continue;
+        if (inst_[id].type != Type::mat3_ || inst_[part].op != Op::construct_) return false;
+        for (const Id scalar : operands(part))
+            if (inst_[scalar].op != Op::literal_) return false;
+    }
+    return true;
+}
+
+uint32_t Module::add_parameter(Parameter parameter) {
+    parameters.push_back(std::move(parameter));
+    return static_cast<uint32_t>(parameters.size() - 1);
+}
+
+uint32_t Module::add_resource(const Resource& resource) {
+    for (uint32_t i = 0; i < resources.size(); ++i) {
+        if (resources[i].file != resource.file || !(resources[i].options == resource.options))
+            continue;
+        for (const Resource::Reader& reader : resource.readers)
+            resources[i].readers.push_back(reader);
+        return i;
+    }
+    resources.push_back(resource);
+    return static_cast<uint32_t>(resources.size() - 1);
+}
+
+void Module::problem(std::string message, std::string expected) {
+    problems.push_back({current_node, std::move(message), std::move(expected)});
+}
+
+std::vector<Id> Module::begin_region(RegionKind kind, std::string name,
+                                     std::span<const Type> params) {
+    assert(depth() < deepest_region);
+    open_.push_back({kind, std::move(name), {params.begin(), params.end()}});
+    std::vector<Id> ids;
+    for (uint32_t k = 0; k < params.size(); ++k)
+        ids.push_back(region_parameter(depth(), k, params[k]));
+    return ids;
+}
+
+}  // namespace wrinkle

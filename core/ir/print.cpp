@@ -1,0 +1,64 @@
+#include "ir/print.h"
+
+#include "base/text.h"
+#include "ir/rewrite.h"
+
+namespace wrinkle {
+namespace {
+
+std::string swizzle_text(uint32_t extra) {
+    std::string text = ".";
+    for (uint32_t i = 0; i < (extra & 0xF); ++i)
+        text += "xyzw"[extra >> (4 + 4 * i) & 3];
+    return text;
+}
+
+std::string extra_text(const Module& m, const Inst& inst) {
+    switch (inst.op) {
+        case Op::literal_:
+            return " " + shortest(inst.value);
+        case Op::input_: {
+            static constexpr const char* suffix[] = {"", "_dx", "_dy"};
+            return " " + std::string(info(input_of(inst.extra)).name) +
+                   suffix[static_cast<size_t>(variant_of(inst.extra))];
+        }
+        case Op::parameter_: {
+            const Parameter& parameter = m.parameters[inst.extra];
+            return " " + m.nodes[parameter.node].path + "." + parameter.port;
+        }
+        case Op::swizzle_:
+            return swizzle_text(inst.extra);
+        case Op::region_param_:
+            return " " + std::to_string(inst.level) + "." + std::to_string(inst.extra);
+        case Op::loop_:
+        case Op::call_:
+            return " @" + std::to_string(inst.extra);
+        default:
+            return inst.extra ? " #" + std::to_string(inst.extra) : "";
+    }
+}
+
+}  // namespace
+
+std::string print(const Module& module) {
+    std::vector<Id> roots;
+    for (const Output& output : module.outputs)
+        roots.push_back(output.value);
+    const std::vector<bool> needed = reachable(module, roots);
+    std::string text;
+    for (Id id = 1; id < module.size(); ++id) {
+        if (!needed[id]) continue;
+        const Inst& inst = module[id];
+        text += "%" + std::to_string(id) + " " + std::string(info(inst.type).name) + " = " +
+                std::string(info(inst.op).name) + extra_text(module, inst);
+        for (const Id operand : module.operands(id))
+            text += " %" + std::to_string(operand);
+        if (const uint32_t node = module.origin[id]) text += "  ; " + module.nodes[node].path;
+        text += "\n";
+    }
+    for (const Output& output : module.outputs)
+        text += "output " + output.name + " = %" + std::to_string(output.value) + "\n";
+    return text;
+}
+
+}  // namespace wrinkle

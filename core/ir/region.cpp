@@ -1,0 +1,166 @@
+// Regions of a Module: closing functions over what they capture, interning, applying.
+#include <algorithm>
+#include <unordered_set>
+
+#include "ir/copy.h"
+#include "ir/module.h"
+
+namespace wrinkle {
+namespace {
+
+// Stand outside every function in generated code and may be read from anywhere.
+bool is_global(const Module& m, Id id) {
+    return m.is_constant(id) || m[id].op == Op::parameter_ || m[id].op == Op::image_size_;
+}
+
+// What the body over parameters at `level` reads from lower levels, in ascending order.
+std::vector<Id> captures(const Module& m, std::span<const Id> results, int level) {
+    std::unordered_set<Id> seen;
+    std::vector<Id> open(results.begin(), results.end()), found;
+    while (!open.empty()) {
+        const Id id = open.back();
+        open.pop_back();
+        if (!seen.insert(id).second || is_global(m, id)) continue;
+        if (m[id].level < level)
+            found.push_back(id);
+        else
+            append_dependencies(m, id, false, open);
+    }
+    std::sort(found.begin(), found.end());
+    return found;
+}
+
+uint64_t hash_of(const Region& region) {
+    uint64_t h = static_cast<uint64_t>(region.kind) * 31 + region.level;
+    h = h * 1000003 + region.max_iterations;
+    for (const Type type : region.params)
+        h = h * 1000003 + static_cast<uint64_t>(type);
+    for (const Id id : region.results)
+        h = h * 1000003 + id;
+    return h;
+}
+
+bool identical(const Region& a, const Region& b) {
+    return a.kind == b.kind && a.level == b.level && a.max_iterations == b.max_iterations &&
+           a.params == b.params && a.results == b.results;
+}
+
+}  // namespace
+
+bool Module::fits(const OpenRegion& open, std::span<const Id> results) {
+    for (const Id result : results)
+        if (result == poison || info(type(result)).lanes == 0) return false;
+    if (open.kind == RegionKind::function) return !results.empty();
+    bool fit = results.size() == open.params.size() + 1 && type(results[0]) == Type::bool_;
+    for (size_t k = 0; fit && k < open.params.size(); ++k)
+        fit = type(results[k + 1]) == open.params[k];
+    if (!fit) problem("a loop must give a bool \"go on\" and a next state of the same types");
+    return fit;
+}
+
+RegionUse Module::end_region(std::span<const Id> results, uint32_t max_iterations) {
+    const OpenRegion open = std::move(open_.back());
+    const int level = depth();
+    open_.pop_back();
+    if (!fits(open, results)) return {};
+    Region region;
+    region.kind = open.kind;
+    region.max_iterations = max_iterations;
+    region.params = open.params;
+    region.results.assign(results.begin(), results.end());
+    region.name = open.name;
+    region.level = static_cast<uint8_t>(level);
+    if (open.kind == RegionKind::loop) return {intern_region(std::move(region)), {}};
+
+    RegionUse use;
+    use.captured = captures(*this, results, level);
+    Copier copier(*this, *this, false);
+    copier.set_shift(level, 1 - level);
+    for (const Id id : use.captured) {
+        const auto index = static_cast<uint32_t>(region.params.size());
+        region.params.push_back(type(id));
+        copier.map(id, region_parameter(1, index, type(id)));
+    }
+    region.level = 1;
+    copier.run(results);
+    for (Id& result : region.results)
+        result = copier[result];
+    use.region = intern_region(std::move(region));
+    return use;
+}
+
+uint32_t Module::intern_region(Region region) {
+    const uint64_t hash = hash_of(region);
+    const auto [begin, end] = region_table_.equal_range(hash);
+    for (auto entry = begin; entry != end; ++entry)
+        if (identical(regions_[entry->second], region)) return entry->second;
+    uint8_t free_level = 0;
+    if (region.kind == RegionKind::loop)
+        for (const Id id : captures(*this, region.results, region.level))
+            free_level = std::max(free_level, inst_[id].level);
+    const auto index = static_cast<uint32_t>(regions_.size());
+    region_table_.emplace(hash, index);
+    regions_.push_back(std::move(region));
+    free_levels_.push_back(free_level);
+    return index;
+}
+
+Id Module::apply_region(uint32_t index, std::span<const Id> args) {
+    if (index == 0) return poison;
+    Inst inst;
+    inst.op = regions_[index].kind == RegionKind::loop ? Op::loop_ : Op::call_;
+    inst.type = Type::tuple_;
+    inst.extra = index;
+    inst.level = free_levels_[index];
+    const std::vector<Type>& params = regions_[index].params;
+    bool fit = args.size() == params.size();
+    for (size_t k = 0; k < args.size(); ++k) {
+        if (args[k] == poison) return poison;
+        inst.level = std::max(inst.level, inst_[args[k]].level);
+        fit = fit && type(args[k]) == params[k];
+    }
+    if (!fit) {
+        problem("'" + regions_[index].name + "' is given arguments of other types than it has");
+        return poison;
+    }
+    inst.arg[0] = intern_list(args);
+    return intern(inst);
+}
+
+// A function's result that is a constant or one of its parameters needs no call.
+Id Module::result(Id tuple, uint32_t k) {
+    if (tuple == poison) return poison;
+    const Inst& applied = inst_[tuple];
+    const Region& region = regions_[applied.extra];
+    const bool loop = applied.op == Op::loop_;
+    const size_t count = loop ? region.params.size() : region.results.size();
+    if (k >= count) return poison;
+    if (!loop) {
+        const Inst& value = inst_[region.results[k]];
+        if (is_global(*this, region.results[k])) return region.results[k];
+        if (value.op == Op::region_param_) return lists_[applied.arg[0]][value.extra];
+    }
+    Inst inst;
+    inst.op = Op::result_;
+    inst.type = loop ? region.params[k] : type(region.results[k]);
+    inst.level = applied.level;
+    inst.arg[0] = tuple;
+    inst.extra = k;
+    return intern(inst);
+}
+
+std::vector<Id> Module::apply(const RegionUse& use, std::span<const Id> args) {
+    if (use.region == 0) return {};
+    std::vector<Id> all(args.begin(), args.end());
+    all.insert(all.end(), use.captured.begin(), use.captured.end());
+    const Id tuple = apply_region(use.region, all);
+    const Region& region = regions_[use.region];
+    const size_t count =
+        region.kind == RegionKind::loop ? region.params.size() : region.results.size();
+    std::vector<Id> results;
+    for (uint32_t k = 0; k < count; ++k)
+        results.push_back(result(tuple, k));
+    return results;
+}
+
+}  // namespace wrinkle

@@ -1,0 +1,102 @@
+#include "ir/rewrite.h"
+
+#include <optional>
+
+#include "ir/copy.h"
+#include "ir/derive.h"
+#include "ir/value.h"
+
+namespace wrinkle {
+namespace {
+
+Id bake(void*, Module& target, const Module& source, Id id, std::span<const Id>) {
+    if (source[id].op != Op::parameter_) return poison;
+    const Parameter& parameter = source.parameters[source[id].extra];
+    if (parameter.graph_input) return poison;
+    return target.constant(parameter.type,
+                           std::span(parameter.value.data(), info(parameter.type).lanes));
+}
+
+// Smaller footprints than a millionth of a texel are the finest level too.
+constexpr double smallest_footprint = 9.094947017729282e-13;  // 2^-40
+
+struct LodWriter {
+    std::optional<Direction> x, y;
+};
+
+Id write_lod(void* context, Module& target, const Module& source, Id id,
+             std::span<const Id> mapped) {
+    if (source[id].op != Op::sample_) return poison;
+    auto& writer = *static_cast<LodWriter*>(context);
+    if (!writer.x) {
+        writer.x = screen_direction(target, Variant::dx, false);
+        writer.y = screen_direction(target, Variant::dy, false);
+    }
+    const Id lod = sample_lod_of(target, source[id].extra, writer.x->tangent_or_zero(mapped[0]),
+                                 writer.y->tangent_or_zero(mapped[0]));
+    return target.add(Op::sample_lod_, {mapped[0], lod}, source[id].extra);
+}
+
+}  // namespace
+
+Id sample_lod_of(Module& module, uint32_t resource, Id uv_dx, Id uv_dy) {
+    const Value size{&module, module.add(Op::image_size_, {}, resource)};
+    const Value x = size * Value{&module, uv_dx};
+    const Value y = size * Value{&module, uv_dy};
+    const Value square = max(max(dot(x, x), dot(y, y)), smallest_footprint);
+    return (op(Op::log2_, square) * 0.5).id;
+}
+
+std::vector<bool> reachable(const Module& module, std::span<const Id> roots) {
+    std::vector<bool> needed(module.size(), false);
+    std::vector<Id> open(roots.begin(), roots.end());
+    while (!open.empty()) {
+        const Id id = open.back();
+        open.pop_back();
+        if (id == poison || needed[id]) continue;
+        needed[id] = true;
+        append_dependencies(module, id, true, open);
+    }
+    return needed;
+}
+
+Id substitute(Module& module, Id root, std::span<const Id> from, std::span<const Id> to) {
+    Copier copier(module, module, false);
+    for (size_t i = 0; i < from.size(); ++i)
+        copier.map(from[i], to[i]);
+    copier.run(std::span(&root, 1));
+    return copier[root];
+}
+
+Module rebuild(const Module& source, Replace replace, void* context) {
+    Module target;
+    target.nodes = source.nodes;
+    target.parameters = source.parameters;
+    target.resources = source.resources;
+    target.problems = source.problems;
+    Copier copier(target, source, true);
+    copier.set_replace(replace, context);
+    std::vector<Id> roots;
+    for (const Output& output : source.outputs)
+        roots.push_back(output.value);
+    copier.run(roots);
+    for (const Named& named : source.named)
+        if (copier.has(named.value) && info(source.type(named.value)).lanes > 0)
+            target.named.push_back({copier[named.value], named.node, named.port});
+    for (Output output : source.outputs) {
+        output.value = copier[output.value];
+        target.outputs.push_back(std::move(output));
+    }
+    return target;
+}
+
+Module bake_parameters(const Module& source) {
+    return rebuild(source, bake, nullptr);
+}
+
+Module explicit_lod(const Module& source) {
+    LodWriter writer;
+    return rebuild(source, write_lod, &writer);
+}
+
+}  // namespace wrinkle

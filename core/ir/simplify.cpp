@@ -1,0 +1,213 @@
+#include "ir/simplify.h"
+
+namespace wrinkle {
+namespace {
+
+using Args = std::span<const Id>;
+
+// `value` as a value of the type: a float beside a vector is repeated.
+Id widened(Module& m, Id value, Type type) {
+    if (m.type(value) == type) return value;
+    std::array<Id, 4> lanes{value, value, value, value};
+    return m.add(Op::construct_, std::span(lanes.data(), info(type).lanes), 0, type);
+}
+
+Id simplify_sum(Module& m, Op op, Args a, Type type) {
+    if (m.is_literal(a[1], 0)) return widened(m, a[0], type);
+    if (op == Op::add_) {
+        if (m.is_literal(a[0], 0)) return widened(m, a[1], type);
+        if (m[a[1]].op == Op::neg_) return m.add(Op::sub_, {a[0], m[a[1]].arg[0]});
+        return poison;
+    }
+    if (a[0] == a[1]) return m.zero(type);
+    if (m.is_literal(a[0], 0) && m.type(a[1]) == type) return m.add(Op::neg_, {a[1]});
+    if (m[a[1]].op == Op::neg_) return m.add(Op::add_, {a[0], m[a[1]].arg[0]});
+    return poison;
+}
+
+Id simplify_product(Module& m, Args a, Type type) {
+    for (const size_t i : {0u, 1u}) {
+        if (m.is_literal(a[i], 0)) return m.zero(type);
+        if (m.is_literal(a[i], 1)) return widened(m, a[1 - i], type);
+        if (m.is_literal(a[i], -1) && m.type(a[1 - i]) == type) return m.add(Op::neg_, {a[1 - i]});
+    }
+    return poison;
+}
+
+Id simplify_arithmetic(Module& m, Op op, Args a, Type type) {
+    switch (op) {
+        case Op::neg_:
+            if (m[a[0]].op == Op::neg_) return m[a[0]].arg[0];
+            if (m[a[0]].op == Op::sub_ && m.type(m[a[0]].arg[0]) == m.type(m[a[0]].arg[1]))
+                return m.add(Op::sub_, {m[a[0]].arg[1], m[a[0]].arg[0]});
+            return poison;
+        case Op::add_:
+        case Op::sub_:
+            return simplify_sum(m, op, a, type);
+        case Op::mul_:
+            return simplify_product(m, a, type);
+        case Op::div_:
+            if (m.is_literal(a[1], 1)) return widened(m, a[0], type);
+            return m.is_literal(a[0], 0) ? m.zero(type) : poison;
+        case Op::min_:
+        case Op::max_:
+            return a[0] == a[1] ? a[0] : poison;
+        case Op::mix_:
+            if (a[0] == a[1] || m.is_literal(a[2], 0)) return widened(m, a[0], type);
+            return m.is_literal(a[2], 1) ? widened(m, a[1], type) : poison;
+        case Op::abs_:
+            return m[a[0]].op == Op::abs_ ? a[0] : poison;
+        case Op::cross_:
+            if (a[0] == a[1]) return m.zero(type);
+            [[fallthrough]];
+        case Op::dot_:
+            return m.is_literal(a[0], 0) || m.is_literal(a[1], 0) ? m.zero(type) : poison;
+        case Op::select_:
+            if (a[1] == a[2]) return a[1];
+            if (m[a[0]].op == Op::literal_) return m[a[0]].value != 0 ? a[1] : a[2];
+            return poison;
+        case Op::not_:
+            return m[a[0]].op == Op::not_ ? m[a[0]].arg[0] : poison;
+        case Op::and_:
+        case Op::or_: {
+            const bool absorbing = op == Op::or_;
+            for (const size_t i : {0u, 1u})
+                if (m[a[i]].op == Op::literal_)
+                    return (m[a[i]].value != 0) == absorbing ? a[i] : a[1 - i];
+            return a[0] == a[1] ? a[0] : poison;
+        }
+        case Op::detach_:
+            return m.is_constant(a[0]) || m[a[0]].op == Op::detach_ || m[a[0]].op == Op::parameter_
+                       ? a[0]
+                       : poison;
+        default:
+            return poison;
+    }
+}
+
+int component(uint32_t swizzle, int lane) {
+    return static_cast<int>(swizzle >> (4 + 4 * lane) & 0xF);
+}
+int component_count(uint32_t swizzle) {
+    return static_cast<int>(swizzle & 0xF);
+}
+
+uint32_t swizzle_of(std::span<const int> components) {
+    auto extra = static_cast<uint32_t>(components.size());
+    for (size_t i = 0; i < components.size(); ++i)
+        extra |= static_cast<uint32_t>(components[i]) << (4 + 4 * i);
+    return extra;
+}
+
+// One lane of a construct, if its parts show it: the part and the component within.
+bool lane_of_construct(const Module& m, Id construct, int lane, Id& part, int& within) {
+    for (const Id operand : m.operands(construct)) {
+        const int lanes = info(m.type(operand)).lanes;
+        if (lane < lanes) {
+            part = operand;
+            within = lane;
+            return true;
+        }
+        lane -= lanes;
+    }
+    return false;
+}
+
+Id simplify_swizzle(Module& m, Id vector, uint32_t extra, Type type) {
+    const int count = component_count(extra);
+    bool whole = m.type(vector) == type;
+    for (int i = 0; i < count; ++i)
+        whole = whole && component(extra, i) == i;
+    if (whole) return vector;
+    const Inst inner = m[vector];
+    if (inner.op == Op::swizzle_) {
+        std::array<int, 4> components{};
+        for (int i = 0; i < count; ++i)
+            components[static_cast<size_t>(i)] = component(inner.extra, component(extra, i));
+        return m.add(Op::swizzle_, {inner.arg[0]},
+                     swizzle_of(std::span(components.data(), static_cast<size_t>(count))));
+    }
+    if (inner.op != Op::construct_) return poison;
+    std::array<Id, 4> lanes{};
+    for (int i = 0; i < count; ++i) {
+        Id part = poison;
+        int within = 0;
+        if (!lane_of_construct(m, vector, component(extra, i), part, within)) return poison;
+        const std::array<int, 1> one{within};
+        lanes[static_cast<size_t>(i)] =
+            m.type(part) == Type::float_ ? part : m.add(Op::swizzle_, {part}, swizzle_of(one));
+    }
+    if (count == 1) return lanes[0];
+    return m.add(Op::construct_, std::span(lanes.data(), static_cast<size_t>(count)), 0, type);
+}
+
+// Constructs stay flat; lanes that are all taken from one vector make a swizzle of it.
+Id simplify_construct(Module& m, Args parts, Type type) {
+    if (type == Type::mat3_) return poison;
+    if (parts.size() == 1) return parts[0];
+    std::vector<Id> flat;
+    for (const Id part : parts) {
+        if (m[part].op == Op::construct_)
+            for (const Id inner : m.operands(part))
+                flat.push_back(inner);
+        else
+            flat.push_back(part);
+    }
+    if (flat.size() > parts.size()) return m.add(Op::construct_, flat, 0, type);
+    Id vector = poison;
+    std::array<int, 4> components{};
+    size_t lane = 0;
+    for (const Id part : parts) {
+        const Inst& inst = m[part];
+        if (inst.op != Op::swizzle_ || (vector && inst.arg[0] != vector)) return poison;
+        vector = inst.arg[0];
+        for (int i = 0; i < component_count(inst.extra); ++i)
+            components[lane++] = component(inst.extra, i);
+    }
+    return m.add(Op::swizzle_, {vector}, swizzle_of(std::span(components.data(), lane)));
+}
+
+Id simplify_gradient(Module& m, Op op, Args a) {
+    const auto flat = [&](Id id) { return m[id].op == Op::gradient_zero_; };
+    switch (op) {
+        case Op::gradient_add_:
+            return flat(a[0]) ? a[1] : flat(a[1]) ? a[0] : poison;
+        case Op::gradient_scale_:
+            if (flat(a[0]) || m.is_literal(a[1], 1)) return a[0];
+            if (m.is_literal(a[1], 0)) return m.add(Op::gradient_zero_, {});
+            if (m[a[0]].op == Op::gradient_scale_) {
+                const Inst inner = m[a[0]];
+                return m.add(Op::gradient_scale_,
+                             {inner.arg[0], m.add(Op::mul_, {inner.arg[1], a[1]})});
+            }
+            return poison;
+        case Op::gradient_mix_:
+            if (a[0] == a[1] || m.is_literal(a[2], 0)) return a[0];
+            if (m.is_literal(a[2], 1)) return a[1];
+            if (flat(a[0])) return m.add(Op::gradient_scale_, {a[1], a[2]});
+            if (flat(a[1]))
+                return m.add(Op::gradient_scale_, {a[0], m.add(Op::sub_, {m.number(1), a[2]})});
+            return poison;
+        default:
+            return poison;
+    }
+}
+
+}  // namespace
+
+Id simplified(Module& m, Op op, Args args, uint32_t extra, Type result) {
+    switch (op) {
+        case Op::swizzle_:
+            return simplify_swizzle(m, args[0], extra, result);
+        case Op::construct_:
+            return simplify_construct(m, args, result);
+        case Op::column_:
+            return m[args[0]].op == Op::construct_ ? m[args[0]].arg[extra] : poison;
+        default:
+            break;
+    }
+    const Id arithmetic = simplify_arithmetic(m, op, args, result);
+    return arithmetic != poison ? arithmetic : simplify_gradient(m, op, args);
+}
+
+}  // namespace wrinkle
