@@ -6,7 +6,7 @@
 // are taken as written and checked in core/lower. What the format does not know is kept verbatim.
 //
 // Positions are those of the text as read: a thing that was edited has none of its own and is
-// reported at the nearest thing around it that has one. JSON pointers follow the present names.
+// reported at its node, else at the file. JSON pointers follow the present names.
 #pragma once
 
 #include <memory>

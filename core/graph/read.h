@@ -15,7 +15,7 @@ namespace wrinkle {
 
 struct ReadLimits {
     uint32_t depth = 64;         // nesting of arrays and objects
-    uint32_t nodes = 1'000'000;  // of a graph with its sub-graphs, each file once
+    uint32_t nodes = 1'000'000;  // of a graph with its sub-graphs
     uint32_t nodes_before = 0;   // in the files that were read before this one
 };
 

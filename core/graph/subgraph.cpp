@@ -22,7 +22,7 @@ public:
         known_[project_.files[0].path] = 0;
         for (size_t f = 0; f < project_.files.size(); ++f)
             read_subgraphs(f);
-        break_cycles();
+        check_uses();
     }
 
 private:
@@ -49,8 +49,10 @@ private:
             return fail("is outside the root " + project_.root.string(),
                         "keep it below the root, or choose another with --root");
         if (const auto known = known_.find(*path); known != known_.end()) return known->second;
-        std::string why;
-        auto bytes = read_file(*path, why);
+        std::string why = "is not a regular file";
+        std::error_code error;
+        const bool special = fs::is_fifo(*path, error) || fs::is_other(*path, error);
+        auto bytes = special ? std::nullopt : read_file(*path, why);
         if (!bytes) return fail(why, "expected a graph file");
         return add(*path, display_name(document, name), std::move(*bytes));
     }
@@ -78,17 +80,20 @@ private:
         size_t next_node;
     };
 
-    // Reports each node that leads back to a file it is in, and takes its sub-graph away.
-    void break_cycles() {
+    // Reports each node that leads back to a file it is in, and takes its sub-graph away. Depth
+    // first.
+    void check_uses() {
         enum class State : uint8_t { unseen, open, done };
         std::vector<State> state(project_.files.size(), State::unseen);
         std::vector<Frame> stack{{0, 0}};
+        node_counts_.assign(project_.files.size(), 0);
         state[0] = State::open;
         while (!stack.empty()) {
             Frame& frame = stack.back();
             File& file = project_.files[frame.file];
             if (frame.next_node == file.subgraphs.size()) {
                 state[frame.file] = State::done;
+                count_nodes(frame.file);
                 stack.pop_back();
                 continue;
             }
@@ -103,6 +108,28 @@ private:
                 stack.push_back({target, 0});
             }
         }
+    }
+
+    // Every use of a file counts, so a few small files cannot stand for a billion nodes: the use
+    // that goes over the limit is reported and taken away. All sub-graphs are counted already.
+    void count_nodes(uint32_t f) {
+        File& file = project_.files[f];
+        size_t count = 0;
+        for (size_t i = 0; i < file.subgraphs.size(); ++i) {
+            uint32_t& subgraph = file.subgraphs[i];
+            const size_t more = 1 + (subgraph == File::none ? 0 : node_counts_[subgraph]);
+            if (count + more > limits_.nodes && subgraph != File::none) {
+                diagnostics_.add(
+                    diagnose(file.document, *file.document.nodes[i],
+                             "with this sub-graph the graph has more nodes than are allowed",
+                             "the limit is " + std::to_string(limits_.nodes)));
+                subgraph = File::none;
+                count += 1;
+            } else {
+                count += more;
+            }
+        }
+        node_counts_[f] = count;
     }
 
     void report_cycle(const File& file, size_t node, const std::vector<Frame>& stack,
@@ -122,6 +149,7 @@ private:
     ReadLimits limits_;
     Diagnostics& diagnostics_;
     std::map<fs::path, uint32_t> known_;
+    std::vector<size_t> node_counts_;  // of each file with all that it uses
 };
 
 fs::path real_path(const fs::path& path) {

@@ -2,6 +2,7 @@
 #include "graph/subgraph.h"
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include "base/file.h"
@@ -121,6 +122,41 @@ TEST_F(Subgraph, ALongChainOfFiles) {
     put("in/f300.json", text_with({"graph:f0.json"}));
     EXPECT_EQ(load("in/f0.json").files.size(), 301u);
     EXPECT_EQ(diagnostics.error_count(), 1u);
+}
+
+TEST_F(Subgraph, EveryUseCounts) {
+    put("in/top.json", text_with({"graph:a.json", "t", "graph:a.json"}));
+    put("in/a.json", text_with({"t", "graph:b.json"}));
+    put("in/b.json", text_with({"t", "t"}));
+    load("in/top.json", {"", {64, 11, 0}});
+    EXPECT_EQ(report(), "");
+    const Project project = load("in/top.json", {"", {64, 10, 0}});
+    EXPECT_EQ(report(),
+              "DIR/in/top.json:4:1: error: node 'n2': with this sub-graph the graph has more nodes "
+              "than are allowed (the limit is 10)\n");
+    EXPECT_EQ(project.subgraph(0, "n2"), nullptr);
+    EXPECT_NE(project.subgraph(0, "n0"), nullptr);
+}
+
+TEST_F(Subgraph, FewFilesCannotStandForABillionNodes) {
+    for (int i = 0; i < 60; ++i) {
+        const std::string next = "graph:f" + std::to_string(i + 1) + ".json";
+        put("in/f" + std::to_string(i) + ".json", text_with({next, next}));
+    }
+    put("in/f60.json", text_with({"t"}));
+    load("in/f0.json");
+    EXPECT_GE(diagnostics.error_count(), 1u);
+}
+
+TEST_F(Subgraph, SpecialFilesAreNotOpened) {
+    ASSERT_EQ(mkfifo((folder / "in/pipe").c_str(), 0600), 0);
+    put("in/top.json", text_with({"graph:pipe", "graph:parts"}));
+    load("in/top.json");
+    EXPECT_EQ(report(),
+              "DIR/in/top.json:2:1: error: node 'n0': sub-graph \"pipe\" is not a regular file "
+              "(expected a graph file)\n"
+              "DIR/in/top.json:3:1: error: node 'n1': sub-graph \"parts\" is a folder, not a file "
+              "(expected a graph file)\n");
 }
 
 TEST_F(Subgraph, ATopDocumentInMemory) {
