@@ -49,6 +49,12 @@ bool check(const PointJob& job, Diagnostics& diagnostics) {
                                            " values, which does not fit " +
                                            std::to_string(job.points) + " points");
     }
+    GLint limit = 0;
+    glGetIntegerv(GL_MAX_TEXTURE_SIZE, &limit);
+    if (rows_of(job) * job.attributes.size() > static_cast<size_t>(limit))
+        return refuse(diagnostics, "a table of " + std::to_string(job.points) + " points and " +
+                                       std::to_string(job.attributes.size()) +
+                                       " attributes is too large for this driver");
     for (const MaterialSampler& sampler : job.samplers)
         if (!find_image(job, sampler.file))
             return refuse(diagnostics, "no image is given for '" + sampler.file + "'");

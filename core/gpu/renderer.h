@@ -4,19 +4,20 @@
 // scene or the camera compiles nothing; each view of a material is compiled when first drawn. Equal
 // input gives equal pixels on one driver.
 //
-// Views, and the value each has (`raw`) before it is made a color:
-//   shaded      linear radiance of one directional GGX light and a sky-and-ground environment. Made
-//   a
-//               color: times exposure; up to 0.8 unchanged, above it 0.8 + 0.2 x / (x + 0.2) of
-//               what goes beyond, per channel; sRGB curve.
-//   normal      the resolved normal, object space, unit.                       0.5 + 0.5 n
-//   gradient    n - n' / (n . n'), from normal n' and surface normal n.        0.5 + 0.5 value
-//   height      the output `height`; refused where the graph has none.         gray over
-//   height_range uv          (u, v, 0) of uv0.                                              its
-//   fraction difference  angle in degrees between the normal and the un-bumped one, or the one of
-//   the output
-//               `against`; heat map: black, blue, green, yellow, red at 0, 1/4, … of heat_degrees.
-// Alpha is 1 on the mesh and 0 beside it in raw values; colors show the background there, opaque.
+// Each view has a value per pixel (`raw`) and a color that it is shown in:
+//
+//   shaded      Linear radiance under one directional GGX light and an environment of sky and
+//               ground. Shown times exposure, through the sRGB curve; a channel that exceeds 0.8
+//               by x becomes 0.8 + 0.2 x / (x + 0.2) before it.
+//   normal      The resolved normal n, object space, unit. Shown as 0.5 + 0.5 n.
+//   gradient    g = n - n' / (n . n'), of normal n' and surface normal n. Shown as 0.5 + 0.5 g.
+//   height      The output `height`; refused where there is none. Gray over height_range.
+//   uv          (u, v, 0) of uv0. Shown as its fraction.
+//   difference  Angle in degrees between the normal and the un-bumped one, or that of the output
+//               `against`. Heat map: black, blue, green, yellow, red at 0, 1/4, 1/2, 3/4, 1 of
+//               heat_degrees.
+//
+// Alpha of raw values is 1 on the mesh and 0 beside it; colors are opaque, with the background.
 //
 // Missing outputs: normal = the surface's (turned towards the eye on back faces), color 0.6,
 // roughness 0.5, metalness 0, occlusion 1. The object matrix M acts outside the material: normals

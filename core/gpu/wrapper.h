@@ -2,8 +2,8 @@
 // view. Everything of its own is called WrView_...; in compile logs the lines of the material keep
 // their numbers and the renderer's own after them begin at 100001.
 //
-// The vertex attributes are bound by location: position 0, normal 1, tangent 2, uv0 ... uv3 3 ...
-// 6, color0 7. The fragment's one output is WrView_color.
+// Vertex attributes by location: position 0, normal 1, tangent 2, uv0 to uv3 3 to 6, color0 7. The
+// fragment's one output is WrView_color.
 #pragma once
 
 #include <string>

@@ -7,13 +7,11 @@
 //
 //   sphere    radius 1. u = longitude, seam at the back (-z), 0.5 at the front; v = latitude.
 //   plane     x and y in [-1, 1], normal +z, one uv square. Open: the one shape with a border.
-//   cube      x, y, z in [-1, 1], hard edges. Squares of side 1/3, in a row of three from the
-//   bottom
-//             left: +x, +y, +z; above them -x, -y, -z. Nothing above v = 2/3. u runs along -z,
-//             +x, +x in the first row and along +z, +x, -x in the second.
+//   cube      x, y, z in [-1, 1], hard edges. Squares of side 1/3, from the bottom left three in
+//             a row: +x, +y, +z; above them -x, -y, -z. Nothing above v = 2/3. u runs along
+//             -z, +x, +x in the first row and along +z, +x, -x in the second.
 //   cylinder  radius 1, y in [-1, 1], axis y. Side: v in [0, 0.5], u as on the sphere. Top and
-//   bottom:
-//             discs of radius 0.24 round (0.25, 0.75) and (0.75, 0.75).
+//             bottom: discs of radius 0.24 round (0.25, 0.75) and (0.75, 0.75).
 //   torus     ring radius 0.7 in the xz plane, tube radius 0.3. u round the ring as on the sphere,
 //             v round the tube, 0.5 at the outer rim.
 #pragma once
