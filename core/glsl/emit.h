@@ -1,0 +1,55 @@
+// GLSL text for people: an expanded module (ir/expand.h: no opaque ops, no ddx or ddy) as one
+// function per output, or as a complete vertex and fragment pair. Equal modules give equal bytes
+// whatever the order their instructions were made in. Linear time, constant stack.
+//
+// function   wrinkle_NAME_OUTPUT(WrinkleSurface_NAME s), for an engine's own shader. The struct,
+//            uniforms and helper functions hold only what is used; there is no struct and no
+//            argument when no output depends on the surface. Object space in, object space out.
+// shader     `#version 330 core`. Attributes position, normal, tangent, uv0 ... color0 (locations
+//            in glsl/reflection.h). Uniforms, where used:
+//              wrinkle_object_to_clip   mat4
+//              wrinkle_object_to_world  mat4, for outputs of type normal, which leave as unit
+//                                       vectors of the world: cof(M) times the sign of det(M)
+//              wrinkle_eye              vec3, the eye in object space
+//            One fragment output out_NAME per graph output, of its own type, at the location
+//            normal 0, color 1, roughness 2, metalness 3, occlusion 4, height 5, displacement 6,
+//            others from 7 in graph order. gl_FrontFacing must be true where the surface is seen
+//            from the side its normal points to: turn glFrontFace for a mirrored matrix.
+//
+// Differentials: screen takes dFdx and dFdy of the struct's members; given expects members uv0_dx,
+// uv0_dy, ... beside them, and a module in which samples have an explicit lod (explicit_lod() in
+// ir/rewrite.h). The shader form with given differentials is refused: there is nobody to give them.
+//
+// A `parameter` that remains in the module is a uniform NODE_PORT, of a graph input input_NAME.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "glsl/reflection.h"
+#include "glsl/target.h"
+#include "ir/module.h"
+
+namespace wrinkle {
+
+enum class Form : uint8_t { function, shader };
+enum class Differentials : uint8_t { screen, given };
+
+struct EmitOptions {
+    Form form = Form::function;
+    Differentials differentials = Differentials::screen;
+    std::string name = "material";  // NAME; made an identifier where it is none
+    const Target* target = &targets().front();
+};
+
+struct Shader {
+    std::string source;    // function form
+    std::string vertex;    // shader form
+    std::string fragment;  // shader form
+    Reflection reflection;
+    std::vector<Problem> problems;  // the texts are empty when there are any
+};
+
+Shader emit(const Module& module, const EmitOptions& options);
+
+}  // namespace wrinkle
