@@ -1,0 +1,292 @@
+#include "registry/descriptor.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+#include "base/text.h"
+
+namespace wrinkle {
+namespace {
+
+constexpr uint32_t most_nodes = 10'000;
+constexpr uint32_t most_ports = 256;  // also of choices and renames
+
+template <class T>
+bool read_struct(const T* source, T& copy) {
+    copy = {};
+    if (source->size < sizeof(T)) return false;  // sizes of ABI 1
+    std::memcpy(&copy, source, sizeof(T));
+    return true;
+}
+
+// Ids of nodes, names of ports and choices: lower_snake_case.
+bool is_name(std::string_view text) {
+    const auto lower = [](char c) { return c >= 'a' && c <= 'z'; };
+    const auto inside = [&](char c) { return lower(c) || (c >= '0' && c <= '9') || c == '_'; };
+    return !text.empty() && text.size() <= 64 && lower(text[0]) &&
+           std::all_of(text.begin(), text.end(), inside);
+}
+
+class Reader {
+public:
+    Reader(std::string_view origin, Diagnostics& diagnostics)
+        : origin_(origin), diagnostics_(diagnostics) {}
+
+    bool fine() const { return fine_; }
+
+    bool plugin(const wr_plugin* source, wr_plugin& copy) {
+        if (!source) return fault("its descriptor is null");
+        if (!read_struct(source, copy)) return too_small("its descriptor", source->size);
+        if (copy.abi != WR_ABI)
+            return fault("it is made for plugin interface " + std::to_string(copy.abi),
+                         "this program has interface " + std::to_string(WR_ABI));
+        std::string ignored;
+        text(copy.id, "the plugin's id", ignored);
+        text(copy.version, "the plugin's version", ignored);
+        if (copy.node_count > most_nodes)
+            return fault("it claims " + std::to_string(copy.node_count) + " nodes",
+                         "at most " + std::to_string(most_nodes));
+        if (copy.node_count > 0 && !copy.nodes) return fault("its list of nodes is null");
+        return true;
+    }
+
+    void node(const wr_node* source, uint32_t index, NodeType& type) {
+        node_ = "number " + std::to_string(index);
+        wr_node copy;
+        if (!source) return void(fault("its descriptor is null"));
+        if (!read_struct(source, copy)) return void(too_small("its descriptor", source->size));
+        if (!text(copy.id, "the id", type.id)) return;
+        node_ = type.id;
+        if (!is_name(type.id))
+            fault("its id is not lower_snake_case", "letters a-z, digits and _, at most 64");
+        if (type.id == "reroute") fault("this id is reserved");
+        text(copy.title, "the title", type.title);
+        text(copy.doc, "the doc", type.doc);
+        text(copy.family, "the family", type.family);
+        type.version = copy.version;
+        type.origin = origin_;
+        type.build = copy.build;
+        if (copy.version == 0) fault("its version is 0", "versions count from 1");
+        if (!copy.build) fault("its build function is null");
+        ports(copy, type);
+        renames(copy, type);
+    }
+
+    void duplicate(const std::string& id) {
+        node_ = id;
+        fault("the plugin has two nodes of this id");
+    }
+
+private:
+    // Always false, for the caller to return.
+    bool fault(std::string message, std::string expected = {}) {
+        fine_ = false;
+        Diagnostic diagnostic;
+        diagnostic.where.file = origin_;
+        diagnostic.node = node_;
+        diagnostic.message = port_.empty() ? std::move(message) : port_ + ": " + message;
+        diagnostic.expected = std::move(expected);
+        diagnostics_.add(std::move(diagnostic));
+        return false;
+    }
+
+    bool too_small(const std::string& what, uint32_t size) {
+        return fault(what + " has the impossible size " + std::to_string(size));
+    }
+
+    bool text(const char* source, const char* what, std::string& copy) {
+        if (!source) return fault(std::string(what) + " is null");
+        copy = source;
+        if (!is_utf8(copy)) return fault(std::string(what) + " is not valid UTF-8");
+        return true;
+    }
+
+    void ports(const wr_node& node, NodeType& type) {
+        if (node.port_count > most_ports)
+            return void(fault("it claims " + std::to_string(node.port_count) + " ports",
+                              "at most " + std::to_string(most_ports)));
+        if (node.port_count > 0 && !node.ports) return void(fault("its list of ports is null"));
+        bool has_output = false;
+        for (uint32_t i = 0; i < node.port_count; ++i) {
+            port_ = "port number " + std::to_string(i);
+            Port copy;
+            if (port(node.ports[i], copy) && is_duplicate(type, copy))
+                fault("there is another port of this name");
+            has_output = has_output || copy.kind == Port::Kind::output;
+            type.ports.push_back(std::move(copy));
+        }
+        port_.clear();
+        if (!has_output) fault("it has no output");
+    }
+
+    static bool is_duplicate(const NodeType& type, const Port& port) {
+        const bool output = port.kind == Port::Kind::output;
+        const uint32_t i = output ? type.find_output(port.name) : type.find_input(port.name);
+        return i != NodeType::none;
+    }
+
+    bool port(const wr_port* source, Port& port) {
+        wr_port copy;
+        if (!source) return fault("its descriptor is null");
+        if (!read_struct(source, copy)) return too_small("its descriptor", source->size);
+        if (!text(copy.name, "the name", port.name)) return false;
+        port_ = "port '" + port.name + "'";
+        if (!is_name(port.name))
+            fault("its name is not lower_snake_case", "letters a-z, digits and _, at most 64");
+        text(copy.doc, "the doc", port.doc);
+        if (copy.unit) text(copy.unit, "the unit", port.unit);
+        if (copy.kind < WR_KIND_INPUT || copy.kind > WR_KIND_FIELD)
+            return fault("its kind " + std::to_string(copy.kind) + " does not exist");
+        port.kind = static_cast<Port::Kind>(copy.kind);
+        if (port.is_option()) return option(copy, port);
+        if (copy.type < 1 || copy.type > port_type_count)
+            return fault("its type " + std::to_string(copy.type) + " does not exist");
+        port.type = static_cast<PortType>(copy.type);
+        if (port.kind == Port::Kind::output) return true;
+        return ranges(copy, port) && value(copy, port);
+    }
+
+    bool ranges(const wr_port& source, Port& port) {
+        const bool known = source.soft_min <= source.soft_max && source.hard_min <= source.hard_max;
+        if (!known) return fault("a range ends before it begins");
+        port.soft_min = source.soft_min;
+        port.soft_max = source.soft_max;
+        port.hard_min = source.hard_min;
+        port.hard_max = source.hard_max;
+        return true;
+    }
+
+    bool value(const wr_port& source, Port& port) {
+        if (source.encoding) {
+            const auto encoding = encoding_named(source.encoding);
+            if (!encoding)
+                return fault("its encoding " + json_quoted(source.encoding) + " does not exist");
+            port.encoding = *encoding;
+        }
+        const bool field = port.kind == Port::Kind::field;
+        if (field && lanes_of(port.type) == 0)
+            return fault("a field of " + std::string(name_of(port.type)) + " cannot be",
+                         "fields are of numbers");
+        if (source.default_kind > WR_DEFAULT_SURFACE)
+            return fault("its kind of default " + std::to_string(source.default_kind) +
+                         " does not exist");
+        port.default_kind = static_cast<Port::Default>(source.default_kind);
+        if (field || port.default_kind == Port::Default::surface) {
+            if (source.default_surface >= surface_properties().size())
+                return fault("its surface property " + std::to_string(source.default_surface) +
+                             " does not exist");
+            port.default_surface = source.default_surface;
+        }
+        return default_value(source, port);
+    }
+
+    bool default_value(const wr_port& source, Port& port) {
+        if (port.default_kind == Port::Default::none) return true;
+        const std::string type(name_of(port.type));
+        if (lanes_of(port.type) == 0) return fault("a default of type " + type + " cannot be");
+        if (port.default_kind == Port::Default::surface) {
+            const SurfaceProperty& property = surface_properties()[port.default_surface];
+            if (lanes_of(property.type) == lanes_of(port.type)) return true;
+            return fault("its default surface." + std::string(property.name) + " is no " + type);
+        }
+        for (int i = 0; i < lanes_of(port.type); ++i) {
+            const double number = source.default_value[i];
+            if (!std::isfinite(number)) return fault("its default is not finite");
+            port.default_value[static_cast<size_t>(i)] = number;
+            if (!in_range(port, number)) return false;
+        }
+        return true;
+    }
+
+    bool in_range(const Port& port, double number) {
+        if (!port.has_hard_range()) return true;
+        if (number >= port.hard_min && number <= port.hard_max) return true;
+        return fault("its default " + shortest(number) + " is outside its range " +
+                     shortest(port.hard_min) + " to " + shortest(port.hard_max));
+    }
+
+    bool option(const wr_port& source, Port& port) {
+        if (!ranges(source, port)) return false;
+        const double number = source.default_value[0];
+        if (!(std::abs(number) <= 1e9) || number != std::floor(number))
+            return fault("its default is no integer");
+        port.default_kind = Port::Default::constant;
+        port.default_value[0] = number;
+        if (port.kind == Port::Kind::count) return in_range(port, number);
+        if (port.kind == Port::Kind::choice && !choices(source, port)) return false;
+        const double last =
+            port.kind == Port::Kind::flag ? 1 : static_cast<double>(port.choices.size()) - 1;
+        if (number < 0 || number > last)
+            return fault("its default " + shortest(number) + " is outside 0 to " + shortest(last));
+        return true;
+    }
+
+    bool choices(const wr_port& source, Port& port) {
+        if (source.choice_count == 0 || !source.choices) return fault("it has no choices");
+        if (source.choice_count > most_ports)
+            return fault("it claims " + std::to_string(source.choice_count) + " choices",
+                         "at most " + std::to_string(most_ports));
+        for (uint32_t i = 0; i < source.choice_count; ++i) {
+            std::string name;
+            if (!text(source.choices[i], "the name of a choice", name)) return false;
+            if (!is_name(name))
+                return fault("its choice " + json_quoted(name) + " is not lower_snake_case");
+            if (std::find(port.choices.begin(), port.choices.end(), name) != port.choices.end())
+                return fault("its choice '" + name + "' stands there twice");
+            port.choices.push_back(std::move(name));
+        }
+        return true;
+    }
+
+    void renames(const wr_node& node, NodeType& type) {
+        if (node.rename_count > most_ports || (node.rename_count > 0 && !node.renames))
+            return void(fault("its list of renamed ports is null or too long"));
+        for (uint32_t i = 0; i < node.rename_count; ++i) {
+            Rename rename;
+            wr_rename copy;
+            if (!node.renames[i] || !read_struct(node.renames[i], copy)) {
+                fault("a renamed port is null or has an impossible size");
+                continue;
+            }
+            if (!text(copy.old_name, "the old name of a port", rename.old_name)) continue;
+            if (!text(copy.new_name, "the new name of a port", rename.new_name)) continue;
+            rename.version = copy.version;
+            if (rename.version < 2 || rename.version > type.version)
+                fault("port '" + rename.old_name + "' was renamed in version " +
+                          std::to_string(rename.version),
+                      "expected 2 to " + std::to_string(type.version));
+            type.renames.push_back(std::move(rename));
+        }
+    }
+
+    std::string origin_;
+    Diagnostics& diagnostics_;
+    std::string node_;
+    std::string port_;
+    bool fine_ = true;
+};
+
+}  // namespace
+
+bool read_plugin(const wr_plugin* plugin, wr_plugin& copy) {
+    return read_struct(plugin, copy);
+}
+
+bool read_descriptors(const wr_plugin* plugin, std::string_view origin,
+                      std::vector<NodeType>& types, Diagnostics& diagnostics) {
+    Reader reader(origin, diagnostics);
+    wr_plugin copy;
+    if (!reader.plugin(plugin, copy)) return false;
+    for (uint32_t i = 0; i < copy.node_count; ++i) {
+        NodeType type;
+        reader.node(copy.nodes[i], i, type);
+        const auto same = [&](const NodeType& other) { return other.id == type.id; };
+        if (!type.id.empty() && std::any_of(types.begin(), types.end(), same))
+            reader.duplicate(type.id);
+        types.push_back(std::move(type));
+    }
+    return reader.fine();
+}
+
+}  // namespace wrinkle

@@ -1,0 +1,51 @@
+#include "registry/port_type.h"
+
+#include <algorithm>
+#include <array>
+
+namespace wrinkle {
+namespace {
+
+#define X(name, number, value) #name,
+constexpr std::array<std::string_view, port_type_count> names = {WR_PORT_TYPES(X)};
+#undef X
+
+constexpr int lanes_poison = 0, lanes_float = 1, lanes_vec2 = 2, lanes_vec3 = 3, lanes_vec4 = 4;
+constexpr int lanes_derivative = 0, lanes_gradient = 0;
+#define X(name, number, value) lanes_##value,
+constexpr std::array<int, port_type_count> lanes = {WR_PORT_TYPES(X)};
+#undef X
+
+#define X(name, number, type, doc) SurfaceProperty{#name, PortType::type##_, doc},
+constexpr auto surface_table = [] {
+    std::array table = {WR_SURFACE_INPUTS(X)};
+    table[WR_SURFACE_normal].type = PortType::normal_;
+    return table;
+}();
+#undef X
+
+}  // namespace
+
+std::string_view name_of(PortType type) {
+    return names[static_cast<size_t>(type) - 1];
+}
+
+std::optional<PortType> port_type_named(std::string_view name) {
+    const auto found = std::find(names.begin(), names.end(), name);
+    if (found == names.end()) return {};
+    return static_cast<PortType>(found - names.begin() + 1);
+}
+
+std::span<const std::string_view> port_type_names() {
+    return names;
+}
+
+int lanes_of(PortType type) {
+    return lanes[static_cast<size_t>(type) - 1];
+}
+
+std::span<const SurfaceProperty> surface_properties() {
+    return surface_table;
+}
+
+}  // namespace wrinkle
