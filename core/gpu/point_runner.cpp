@@ -39,6 +39,12 @@ const MipChain* find_image(const PointJob& job, const std::string& file) {
 bool check(const PointJob& job, Diagnostics& diagnostics) {
     if (job.outputs < 1 || job.outputs > 8)
         return refuse(diagnostics, "a point job has 1 to 8 outputs");
+    GLint limit = 0;
+    glGetIntegerv(GL_MAX_TEXTURE_SIZE, &limit);
+    if (rows_of(job) * job.attributes.size() > static_cast<size_t>(limit))
+        return refuse(diagnostics, "a table of " + std::to_string(job.points) + " points and " +
+                                       std::to_string(job.attributes.size()) +
+                                       " attributes is too large for this driver");
     for (const PointAttribute& attribute : job.attributes) {
         if (attribute.components < 1 || attribute.components > 4)
             return refuse(diagnostics,
@@ -49,12 +55,6 @@ bool check(const PointJob& job, Diagnostics& diagnostics) {
                                            " values, which does not fit " +
                                            std::to_string(job.points) + " points");
     }
-    GLint limit = 0;
-    glGetIntegerv(GL_MAX_TEXTURE_SIZE, &limit);
-    if (rows_of(job) * job.attributes.size() > static_cast<size_t>(limit))
-        return refuse(diagnostics, "a table of " + std::to_string(job.points) + " points and " +
-                                       std::to_string(job.attributes.size()) +
-                                       " attributes is too large for this driver");
     for (const MaterialSampler& sampler : job.samplers)
         if (!find_image(job, sampler.file))
             return refuse(diagnostics, "no image is given for '" + sampler.file + "'");

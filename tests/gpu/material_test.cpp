@@ -1,9 +1,12 @@
 // What a material brings with it: uniforms, images, and all that can be wrong with them.
 #include <gtest/gtest.h>
+#include <unistd.h>
 
+#include <filesystem>
 #include <glm/ext/matrix_transform.hpp>
 
 #include "fixture.h"
+#include "image/load.h"
 
 namespace wrinkle::gpu {
 namespace {
@@ -61,6 +64,25 @@ TEST_F(MaterialTest, LooksImagesUpAsTheSamplerSays) {
     renderer->forget_images();
     EXPECT_EQ(middle(draw(View::normal)), glm::vec3(1, 2, 3)) << "a given image is kept";
     EXPECT_EQ(middle(draw(material, View::normal)), glm::vec3(1, 2, 3));
+}
+
+TEST_F(MaterialTest, ReadsImageFilesOnceUntilToldToForgetThem) {
+    const std::string file = testing::TempDir() + "wrinkle_" + std::to_string(getpid()) + ".exr";
+    const auto save = [&](float value) {
+        Image image = make_image(1, 1, 3);
+        image.data = {value, value, value};
+        SaveOptions options;
+        options.type = PixelType::float32;
+        ASSERT_TRUE(save_image(image, file, options, diagnostics)) << errors();
+    };
+    save(3);
+    EXPECT_EQ(middle(draw(with_image(file), View::normal)), glm::vec3(3));
+    save(4);
+    EXPECT_EQ(middle(draw(with_image(file), View::normal)), glm::vec3(3));
+    renderer->forget_images();
+    EXPECT_EQ(middle(draw(View::normal)), glm::vec3(3)) << "still drawn with";
+    EXPECT_EQ(middle(draw(with_image(file), View::normal)), glm::vec3(4));
+    std::filesystem::remove(file);
 }
 
 TEST_F(MaterialTest, KeepsTheFormerMaterialWhenOneIsRefused) {

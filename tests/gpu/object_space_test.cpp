@@ -17,8 +17,7 @@ using glm::vec3;
 using glm::vec4;
 
 ObjectSpace space_of(const mat4& object) {
-    const Mesh sphere = *make_shape("sphere");
-    return *object_space(object, default_camera(sphere, "sphere"), bounds_of(sphere), 1);
+    return *object_space(object, OrbitCamera{}, Bounds{vec3(-1), vec3(1)}, 1);
 }
 
 // A corner of a solid, by three edges seen from outside: outwards is where the fourth point,
