@@ -126,7 +126,7 @@ struct Named {
     std::string port;
 };
 
-struct Output {
+struct ModuleOutput {
     std::string name;  // "normal"
     uint32_t port_type = WR_PORT_float;
     Id value = poison;
@@ -196,7 +196,7 @@ public:
     std::vector<Parameter> parameters;
     std::vector<Resource> resources;
     std::vector<Named> named;
-    std::vector<Output> outputs;
+    std::vector<ModuleOutput> outputs;
     std::vector<Problem> problems;
     std::vector<uint32_t> origin;  // by Id
     uint32_t current_node = 0;     // the origin of what is added now

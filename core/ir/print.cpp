@@ -42,7 +42,7 @@ std::string extra_text(const Module& m, const Inst& inst) {
 
 std::string print(const Module& module) {
     std::vector<Id> roots;
-    for (const Output& output : module.outputs)
+    for (const ModuleOutput& output : module.outputs)
         roots.push_back(output.value);
     const std::vector<bool> needed = reachable(module, roots);
     std::string text;
@@ -56,7 +56,7 @@ std::string print(const Module& module) {
         if (const uint32_t node = module.origin[id]) text += "  ; " + module.nodes[node].path;
         text += "\n";
     }
-    for (const Output& output : module.outputs)
+    for (const ModuleOutput& output : module.outputs)
         text += "output " + output.name + " = %" + std::to_string(output.value) + "\n";
     return text;
 }

@@ -77,13 +77,13 @@ Module rebuild(const Module& source, Replace replace, void* context) {
     Copier copier(target, source, true);
     copier.set_replace(replace, context);
     std::vector<Id> roots;
-    for (const Output& output : source.outputs)
+    for (const ModuleOutput& output : source.outputs)
         roots.push_back(output.value);
     copier.run(roots);
     for (const Named& named : source.named)
         if (copier.has(named.value) && info(source.type(named.value)).lanes > 0)
             target.named.push_back({copier[named.value], named.node, named.port});
-    for (Output output : source.outputs) {
+    for (ModuleOutput output : source.outputs) {
         output.value = copier[output.value];
         target.outputs.push_back(std::move(output));
     }

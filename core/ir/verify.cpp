@@ -56,7 +56,7 @@ std::string check_level(const Module& m, Id id) {
 
 std::string verify(const Module& module) {
     std::vector<Id> roots;
-    for (const Output& output : module.outputs)
+    for (const ModuleOutput& output : module.outputs)
         roots.push_back(output.value);
     const std::vector<bool> needed = reachable(module, roots);
     for (Id id = 1; id < module.size(); ++id) {
@@ -70,7 +70,7 @@ std::string verify(const Module& module) {
             problem = check_region(module, id);
         if (!problem.empty()) return problem;
     }
-    for (const Output& output : module.outputs)
+    for (const ModuleOutput& output : module.outputs)
         if (output.value != poison && module[output.value].level > 0)
             return "output " + output.name + " stands inside a region";
     return {};

@@ -1,0 +1,53 @@
+// wrinkle check FILE...: every problem at once.
+#include <memory>
+
+#include "cli/output.h"
+#include "cli/session.h"
+#include "lower/material.h"
+
+namespace wrinkle::cli {
+namespace {
+
+struct CheckCommand {
+    CommonOptions common;
+    std::vector<std::string> files;
+
+    int run() const {
+        Diagnostics diagnostics;
+        const Nodes nodes = load_nodes(common, diagnostics);
+        const Overrides overrides = parse_overrides(common, diagnostics);
+        for (const std::string& file : files)
+            check(nodes.registry, overrides, file, diagnostics);
+        return report(diagnostics, common.diagnostics);
+    }
+
+    // Compiling finds what the document alone does not show: bases that do not match, for one.
+    void check(const Registry& registry, const Overrides& overrides, const std::string& file,
+               Diagnostics& diagnostics) const {
+        Diagnostics own;
+        const Project project = open_project(file, common, own);
+        for (const Project::File& each : project.files)
+            report_unknown(each.document, own);
+        for (size_t run = 0; run < overrides.runs; ++run) {
+            const Project changed = with_overrides(project, registry, overrides.list, run, own);
+            if (own.has_errors()) wrinkle::check(project, registry, own);
+            MaterialOptions options;
+            options.vertex_tangents = !common.no_tangents;
+            compile_material(changed, registry, options, own);
+            if (own.has_errors()) break;
+        }
+        diagnostics.append(own);
+    }
+};
+
+}  // namespace
+
+void declare_check(CLI::App& app, Run& run) {
+    auto command = std::make_shared<CheckCommand>();
+    CLI::App& sub = *app.add_subcommand("check", "Reports every problem of graphs at once");
+    sub.add_option("FILE", command->files, "Graphs; - reads standard input")->required();
+    declare_common(sub, command->common);
+    sub.callback([command, &run] { run = [command] { return command->run(); }; });
+}
+
+}  // namespace wrinkle::cli

@@ -1,0 +1,70 @@
+// wrinkle nodes and wrinkle plugins: what there is to work with.
+#include <memory>
+
+#include "base/text.h"
+#include "cli/output.h"
+#include "cli/session.h"
+#include "registry/reference.h"
+
+namespace wrinkle::cli {
+namespace {
+
+struct NodesCommand {
+    CommonOptions common;
+    std::string id;
+    bool json = false, markdown = false, schema = false;
+
+    int run() const {
+        Diagnostics diagnostics;
+        const Nodes nodes = load_nodes(common, diagnostics);
+        const NodeType* type = id.empty() ? nullptr : nodes.registry.find(id);
+        if (!id.empty() && !type) {
+            const std::string near = nearest(id, nodes.registry.ids());
+            diagnostics.error(
+                "there is no node type '" + id + "'",
+                near.empty() ? "wrinkle nodes lists them" : "did you mean '" + near + "'?");
+            return report(diagnostics, common.diagnostics);
+        }
+        if (!write_result("-", text(nodes.registry, type))) return exit_environment;
+        return report(diagnostics, common.diagnostics);
+    }
+
+    std::string text(const Registry& registry, const NodeType* type) const {
+        if (schema) return graph_schema(registry);
+        if (json) return type ? page_json(*type) : list_json(registry);
+        if (markdown) return type ? page_markdown(*type) : list_markdown(registry);
+        return type ? page_text(*type) : list_text(registry);
+    }
+};
+
+}  // namespace
+
+void declare_nodes(CLI::App& app, Run& run) {
+    auto command = std::make_shared<NodesCommand>();
+    CLI::App& sub = *app.add_subcommand("nodes", "Lists the node types, or explains one");
+    sub.add_option("ID", command->id, "A node type");
+    auto* form = sub.add_option_group("form");
+    form->add_flag("--json", command->json, "As JSON");
+    form->add_flag("--markdown", command->markdown, "As a reference page");
+    form->add_flag("--schema", command->schema, "The JSON Schema of graph files");
+    form->require_option(0, 1);
+    declare_common(sub, command->common, false);
+    sub.callback([command, &run] { run = [command] { return command->run(); }; });
+}
+
+void declare_plugins(CLI::App& app, Run& run) {
+    auto options = std::make_shared<CommonOptions>();
+    CLI::App& sub =
+        *app.add_subcommand("plugins", "Says which plugins were found, loaded or refused, and why");
+    declare_plugin_path(sub, *options);
+    sub.callback([options, &run] {
+        run = [options] {
+            Diagnostics diagnostics;
+            const Nodes nodes = load_nodes(*options, diagnostics);
+            if (!write_result("-", to_text(nodes.plugins))) return int{exit_environment};
+            return report(diagnostics, options->diagnostics);
+        };
+    });
+}
+
+}  // namespace wrinkle::cli

@@ -1,0 +1,109 @@
+#include "cli/session.h"
+
+#include <cstdio>
+#include <cstdlib>
+
+#include "base/file.h"
+#include "nodes/all.h"
+
+namespace wrinkle::cli {
+namespace {
+
+std::string standard_input() {
+    std::string text;
+    char buffer[1 << 16];
+    size_t count = 0;
+    while ((count = std::fread(buffer, 1, sizeof buffer, stdin)) > 0)
+        text.append(buffer, count);
+    return text;
+}
+
+}  // namespace
+
+void declare_plugin_path(CLI::App& command, CommonOptions& options) {
+    command
+        .add_option("--plugin-path", options.plugin_paths,
+                    "A plugin, or a folder of plugins; before those of WRINKLE_PLUGIN_PATH")
+        ->type_name("DIR")
+        ->take_all();
+}
+
+void declare_common(CLI::App& command, CommonOptions& options, bool with_set) {
+    if (with_set)
+        command
+            .add_option("--set", options.set,
+                        "NODE.PORT=VALUE or input.NAME=VALUE; A:B:N is a sweep of N values")
+            ->type_name("WHAT=VALUE")
+            ->take_all();
+    command
+        .add_option("--root", options.root,
+                    "Where the files a graph names must lie; default: the graph's folder")
+        ->type_name("DIR");
+    declare_plugin_path(command, options);
+    command.add_flag("--no-tangents", options.no_tangents,
+                     "Meshes have no vertex tangents: frames of uv0 are derived");
+    command.add_option("--diagnostics", options.diagnostics, "How problems are printed")
+        ->check(CLI::IsMember({"text", "json"}))
+        ->capture_default_str();
+}
+
+Nodes load_nodes(const CommonOptions& options, Diagnostics& diagnostics) {
+    Nodes nodes;
+    nodes.registry.add_plugin(built_in_nodes(), Registry::built_in, diagnostics);
+    const auto places = plugin_places(options.plugin_paths, std::getenv("WRINKLE_PLUGIN_PATH"));
+    nodes.plugins = load_plugins(nodes.registry, places, diagnostics);
+    return nodes;
+}
+
+std::optional<std::string> read_text(const std::string& file, Diagnostics& diagnostics) {
+    if (file == "-") return standard_input();
+    std::string why;
+    auto text = read_file(file, why);
+    if (!text) {
+        Diagnostic problem;
+        problem.where.file = file;
+        problem.message = why;
+        diagnostics.add(std::move(problem));
+    }
+    return text;
+}
+
+Project open_project(const std::string& file, const CommonOptions& options,
+                     Diagnostics& diagnostics) {
+    ProjectOptions project;
+    project.root = options.root;
+    if (file != "-") return load_project(file, project, diagnostics);
+    Document top = read_document(standard_input(), "<stdin>", diagnostics, project.limits);
+    return load_project(std::move(top), ".", project, diagnostics);
+}
+
+Overrides parse_overrides(const CommonOptions& options, Diagnostics& diagnostics) {
+    Overrides overrides;
+    for (const std::string& text : options.set) {
+        auto parsed = parse_override(text, diagnostics);
+        if (!parsed) continue;
+        if (parsed->is_sweep()) {
+            const size_t length = parsed->values.size();
+            if (overrides.runs > 1 && overrides.runs != length)
+                diagnostics.error("--set " + text + ": the sweeps have " +
+                                      std::to_string(overrides.runs) + " and " +
+                                      std::to_string(length) + " values",
+                                  "sweeps of one call run side by side; give them one length");
+            overrides.runs = length;
+        }
+        overrides.list.push_back(std::move(*parsed));
+    }
+    return overrides;
+}
+
+std::string path_of_run(const std::string& path, const Overrides& overrides, size_t run) {
+    if (!overrides.is_sweep()) return path;
+    char number[16];
+    std::snprintf(number, sizeof number, ".%03zu", run);
+    const size_t slash = path.rfind('/');
+    const size_t dot = path.rfind('.');
+    const bool has_extension = dot != path.npos && (slash == path.npos || dot > slash + 1);
+    return has_extension ? path.substr(0, dot) + number + path.substr(dot) : path + number;
+}
+
+}  // namespace wrinkle::cli
