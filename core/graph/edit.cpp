@@ -127,6 +127,20 @@ struct RenameLinks {
     }
 };
 
+struct RenamePortLinks {
+    std::string_view id, port, new_port;
+    bool applies(const Link& link) const { return link.node == id && link.port == port; }
+    void to_input(Input& input) const {
+        if (!applies(input.link)) return;
+        input.link.port = new_port;
+        input.value = link_value(input.link, input.value);
+    }
+    void to_inputs(std::vector<Input>& inputs) const {
+        for (Input& input : inputs)
+            to_input(input);
+    }
+};
+
 bool equal(const std::vector<Extra>& a, const std::vector<Extra>& b) {
     return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const Extra& x, const Extra& y) {
         return x.key == y.key && x.value == y.value;
@@ -191,6 +205,25 @@ Document rename_node(const Document& document, std::string_view id, std::string_
     for (Position& position : positions)
         if (position.id == id) position.id = new_id;
     changed.positions = Table<Position>(std::move(positions));
+    mark_edited(changed);
+    return changed;
+}
+
+Document rename_port(const Document& document, std::string_view id, std::string_view port,
+                     std::string_view new_port) {
+    if (!document.find(id) || new_port.empty() || port == new_port) return document;
+    const RenamePortLinks rename{id, port, new_port};
+    Document changed = change_node(document, id, [&](Node& node) {
+        Input* input = input_of(node, port);
+        if (!input || node.find(new_port)) return false;
+        input->port = new_port;
+        return true;
+    });
+    change_links(changed, rename);
+    std::vector<Output> outputs(document.outputs.begin(), document.outputs.end());
+    for (Output& output : outputs)
+        rename.to_input(output.from);
+    changed.outputs = Table<Output>(std::move(outputs));
     mark_edited(changed);
     return changed;
 }

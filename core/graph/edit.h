@@ -17,6 +17,9 @@ Document add_node(const Document&, Node node, double x, double y);
 Document remove_node(const Document&, std::string_view id);
 // All links, outputs and the layout follow.
 Document rename_node(const Document&, std::string_view id, std::string_view new_id);
+// A port of a node, input or output: its value and every link to it follow. For upgrades.
+Document rename_port(const Document&, std::string_view id, std::string_view port,
+                     std::string_view new_port);
 // `base`, or `base2`, `base3`, ... whichever is free.
 std::string free_id(const Document&, std::string_view base);
 
