@@ -57,7 +57,7 @@ struct SaveOptions {
     PixelType type = PixelType::u8;
     std::string compression = {};  // "" is the format's default; exr: none rle zip zips piz; tiff:
                                    // none lzw zip; others have none to choose
-    int quality = 95;  // jpeg, 1 to 100
+    int quality = 95;              // jpeg, 1 to 100
 };
 
 // Writes by the extension: .png (u8, u16), .jpg .jpeg (u8), .tif .tiff (u8, u16, half, float), .exr

@@ -1,7 +1,9 @@
 // Reading files whose bytes are written here by hand, and everything the writer can write.
 #include "image/load.h"
 
+#include <atomic>
 #include <cmath>
+#include <thread>
 
 #include "image/half.h"
 #include "support.h"
@@ -188,6 +190,26 @@ TEST_F(LoadTest, NanAndInfinityAreKeptAndReportedOnce) {
                                                  "column 2, row 1 from the bottom left"),
               std::string::npos)
         << diagnostics.list()[0].message;
+}
+
+TEST_F(LoadTest, SeveralThreadsMayReadAtOnce) {
+    const Image image = sample_image(64, 64, 3);
+    Diagnostics saving;
+    ASSERT_TRUE(save_image(image, folder / "a.exr", {.type = f32}, saving));
+    const fs::path bad = put("bad.png", png_file(0, 4, 8, 0, ""));
+    std::atomic<int> wrong = 0;
+    std::vector<std::thread> threads;
+    for (int thread = 0; thread < 4; ++thread)
+        threads.emplace_back([&] {
+            for (int round = 0; round < 10; ++round) {
+                Diagnostics diagnostics;
+                const auto read = load_image(folder / "a.exr", {}, diagnostics);
+                wrong += !read || read->data != image.data || load_image(bad, {}, diagnostics);
+            }
+        });
+    for (std::thread& thread : threads)
+        thread.join();
+    EXPECT_EQ(wrong, 0);
 }
 
 // Real maps of the wider project; absent in a plain clone.
