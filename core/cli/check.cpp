@@ -3,6 +3,7 @@
 
 #include "cli/output.h"
 #include "cli/session.h"
+#include "lower/check.h"
 #include "lower/material.h"
 
 namespace wrinkle::cli {
@@ -22,15 +23,15 @@ struct CheckCommand {
     }
 
     // Compiling finds what the document alone does not show: bases that do not match, for one.
-    void check(const Registry& registry, const Overrides& overrides, const std::string& file,
-               Diagnostics& diagnostics) const {
+    void check_file(const Registry& registry, const Overrides& overrides, const std::string& file,
+                    Diagnostics& diagnostics) const {
         Diagnostics own;
         const Project project = open_project(file, common, own);
         for (const Project::File& each : project.files)
             report_unknown(each.document, own);
         for (size_t run = 0; run < overrides.runs; ++run) {
             const Project changed = with_overrides(project, registry, overrides.list, run, own);
-            if (own.has_errors()) wrinkle::check(project, registry, own);
+            if (own.has_errors()) check(project, registry, own);
             MaterialOptions options;
             options.vertex_tangents = !common.no_tangents;
             compile_material(changed, registry, options, own);

@@ -1,0 +1,201 @@
+// wrinkle compile FILE...: graphs to GLSL.
+#include "cli/compile.h"
+
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <set>
+
+#include "base/text.h"
+#include "cli/depfile.h"
+#include "cli/output.h"
+#include "lower/check.h"
+
+namespace wrinkle::cli {
+namespace fs = std::filesystem;
+
+std::string material_name(const std::string& file) {
+    return file == "-" ? "stdin" : identifier(fs::path(file).stem().string());
+}
+
+void report_emit(const Shader& shader, const Compiled& compiled, const Project& project,
+                 Diagnostics& diagnostics) {
+    Module problems;
+    problems.nodes = compiled.module.nodes;
+    problems.problems = shader.problems;
+    report_problems(problems, project, compiled.places, diagnostics);
+}
+
+namespace {
+
+struct CompileCommand {
+    CommonOptions common;
+    std::vector<std::string> files;
+    std::string output = "-";
+    std::string target = std::string(targets().front().name);
+    std::string form = "function", params = "baked", differentials = "screen";
+    std::string name, stage = "fragment", reflect;
+    bool list_targets = false;
+    Depfile depfile;
+
+    struct Written {
+        std::string path, text;
+    };
+
+    int run() const {
+        if (list_targets) return write_result("-", target_list()) ? exit_fine : exit_environment;
+        if (const int usage = check_usage()) return usage;
+        Diagnostics diagnostics;
+        const Nodes nodes = load_nodes(common, diagnostics);
+        const Overrides overrides = parse_overrides(common, diagnostics);
+        if (overrides.is_sweep()) {
+            complain("compile takes no sweep; give --set one value");
+            return exit_usage;
+        }
+        std::vector<Written> results;
+        std::vector<fs::path> inputs;
+        for (const std::string& file : files)
+            compile(file, nodes.registry, overrides, results, inputs, diagnostics);
+        const int code = report(diagnostics, common.diagnostics);
+        if (code != exit_fine) return code;
+        if (depfile.wanted) results.push_back({depfile_path(), depfile_text(results, inputs)});
+        for (const Written& result : results)
+            if (!write_result(result.path, result.text)) return exit_environment;
+        return exit_fine;
+    }
+
+    std::string target_list() const {
+        std::string text;
+        for (const Target& each : targets())
+            text += std::string(each.name) + "  " + std::string(each.doc) + "\n";
+        return text;
+    }
+
+    int usage(const std::string& sentence) const {
+        complain(sentence);
+        return exit_usage;
+    }
+
+    int check_usage() const {
+        if (files.empty()) return usage("compile needs a graph; - reads standard input");
+        if (!find_target(target))
+            return usage("there is no target '" + target + "'; --list-targets lists them");
+        if (form == "shader" && differentials == "given")
+            return usage("the shader form takes its differentials from the screen");
+        if (files.size() == 1) return exit_fine;
+        if (output == "-") return usage("several graphs need a folder: -o FOLDER");
+        if (!reflect.empty()) return usage("--reflect goes with one graph");
+        std::set<std::string> stems;
+        for (const std::string& file : files)
+            if (!stems.insert(fs::path(file).stem().string()).second)
+                return usage("two graphs have the stem '" + fs::path(file).stem().string() +
+                             "', and would be written to one file");
+        return exit_fine;
+    }
+
+    void compile(const std::string& file, const Registry& registry, const Overrides& overrides,
+                 std::vector<Written>& results, std::vector<fs::path>& inputs,
+                 Diagnostics& diagnostics) const {
+        Diagnostics own;
+        const Project project = open_project(file, common, own);
+        for (const Project::File& each : project.files)
+            report_unknown(each.document, own);
+        const Project changed = with_overrides(project, registry, overrides.list, 0, own);
+        if (own.has_errors()) check(changed, registry, own);
+        MaterialOptions options;
+        options.uniform_parameters = params == "uniform";
+        options.given_differentials = differentials == "given";
+        options.vertex_tangents = !common.no_tangents;
+        const Compiled compiled = compile_material(changed, registry, options, own);
+        if (compiled.ok) {
+            EmitOptions emit_options;
+            emit_options.form = form == "shader" ? Form::shader : Form::function;
+            emit_options.differentials =
+                differentials == "given" ? Differentials::given : Differentials::screen;
+            emit_options.name = name.empty() ? material_name(file) : name;
+            emit_options.target = find_target(target);
+            const Shader shader = emit(compiled.module, emit_options);
+            report_emit(shader, compiled, changed, own);
+            add_results(file, shader, results);
+            add_inputs(project, compiled.module, inputs);
+        }
+        diagnostics.append(own);
+    }
+
+    // The function form is one file, the shader form two; of standard output one stage.
+    void add_results(const std::string& file, const Shader& shader,
+                     std::vector<Written>& results) const {
+        const bool folder = files.size() > 1;
+        const std::string base =
+            folder ? (fs::path(output) / fs::path(file).stem()).string() : output;
+        if (form == "function") {
+            results.push_back({folder ? base + ".glsl" : base, shader.source});
+        } else if (output == "-") {
+            results.push_back({"-", stage == "vertex" ? shader.vertex : shader.fragment});
+        } else {
+            results.push_back({base + ".vert", shader.vertex});
+            results.push_back({base + ".frag", shader.fragment});
+        }
+        if (!reflect.empty()) results.push_back({reflect, to_json(shader.reflection)});
+    }
+
+    void add_inputs(const Project& project, const Module& module,
+                    std::vector<fs::path>& inputs) const {
+        for (const Project::File& each : project.files)
+            if (!each.path.empty() && fs::is_regular_file(each.path)) inputs.push_back(each.path);
+        for (const Resource& resource : module.resources)
+            inputs.push_back(resource.file);
+    }
+
+    std::string depfile_path() const {
+        return !depfile.path.empty() ? depfile.path : output == "-" ? "-" : output + ".d";
+    }
+
+    std::string depfile_text(const std::vector<Written>& results,
+                             const std::vector<fs::path>& inputs) const {
+        std::vector<std::string> made;
+        if (!depfile.target.empty())
+            made.push_back(depfile.target);
+        else
+            for (const Written& result : results)
+                made.push_back(result.path);
+        return make_rule(made, inputs);
+    }
+};
+
+}  // namespace
+
+void declare_compile(CLI::App& app, Run& run) {
+    auto command = std::make_shared<CompileCommand>();
+    CompileCommand& c = *command;
+    CLI::App& sub = *app.add_subcommand("compile", "Graphs to GLSL");
+    sub.add_option("FILE", c.files, "Graphs; - reads standard input");
+    sub.add_option("-o", c.output,
+                   "The file; of the shader form OUT.vert and OUT.frag; of several "
+                   "graphs a folder")
+        ->type_name("OUT")
+        ->capture_default_str();
+    sub.add_option("--target", c.target, "The language to write")->capture_default_str();
+    sub.add_flag("--list-targets", c.list_targets, "Lists the languages");
+    sub.add_option("--form", c.form, "Functions for your shader, or a complete pair")
+        ->check(CLI::IsMember({"function", "shader"}))
+        ->capture_default_str();
+    sub.add_option("--params", c.params, "Numbers as literals or as uniforms")
+        ->check(CLI::IsMember({"baked", "uniform"}))
+        ->capture_default_str();
+    sub.add_option("--differentials", c.differentials,
+                   "Taken from the screen or passed by the caller")
+        ->check(CLI::IsMember({"screen", "given"}))
+        ->capture_default_str();
+    sub.add_option("--name", c.name, "NAME in the text; default: the file's stem");
+    sub.add_option("--stage", c.stage, "Which stage goes to standard output")
+        ->check(CLI::IsMember({"vertex", "fragment"}))
+        ->capture_default_str();
+    sub.add_option("--reflect", c.reflect, "Writes what a caller must know as JSON")
+        ->type_name("FILE");
+    declare_depfile(sub, c.depfile);
+    declare_common(sub, c.common);
+    sub.callback([command, &run] { run = [command] { return command->run(); }; });
+}
+
+}  // namespace wrinkle::cli

@@ -1,0 +1,17 @@
+// One graph compiled, as the commands that need its text or its numbers ask for it.
+#pragma once
+
+#include "cli/session.h"
+#include "glsl/emit.h"
+#include "lower/material.h"
+
+namespace wrinkle::cli {
+
+// The graph's name in generated text: its file's stem as an identifier.
+std::string material_name(const std::string& file);
+
+// A problem of the emitter, at the node it names.
+void report_emit(const Shader& shader, const Compiled& compiled, const Project& project,
+                 Diagnostics& diagnostics);
+
+}  // namespace wrinkle::cli
