@@ -1,0 +1,89 @@
+#include "gpu/from_glsl.h"
+
+#include "fixture.h"
+
+namespace wrinkle::gpu {
+namespace {
+
+using FromGlslTest = WithRenderer;
+
+Shader written_by_hand() {
+    Shader shader;
+    shader.source =
+        "struct WrinkleSurface_hand {\n    vec3 position_relative;\n    vec2 uv0;\n};\n"
+        "uniform vec2 bump_amount;\nuniform sampler2D bump_image;\n"
+        "vec3 wrinkle_hand_normal(WrinkleSurface_hand s) {\n"
+        "    vec3 n = normalize(cross(dFdx(s.position_relative), dFdy(s.position_relative)));\n"
+        "    return n * bump_amount.y * texture(bump_image, s.uv0).r;\n}\n";
+    Reflection& reflection = shader.reflection;
+    reflection.struct_name = "WrinkleSurface_hand";
+    reflection.members = {
+        {"position_relative", Type::vec3_, SurfaceInput::position_, Variant::value, true},
+        {"uv0", Type::vec2_, SurfaceInput::uv0_, Variant::value, false}};
+    FunctionInfo normal;
+    normal.output = "normal";
+    normal.function = "wrinkle_hand_normal";
+    reflection.functions = {normal};
+    UniformInfo amount;
+    amount.name = "bump_amount";
+    amount.type = Type::vec2_;
+    amount.value = {3, 0.5, 0, 0};
+    reflection.uniforms = {amount};
+    SamplerInfo image;
+    image.name = "bump_image";
+    image.file = "two";
+    image.options.filter = Filter::nearest;
+    reflection.samplers = {image};
+    return shader;
+}
+
+TEST_F(FromGlslTest, DrawsAGeneratedShader) {
+    const Material material = material_from(written_by_hand());
+    ASSERT_EQ(material.uniforms.size(), 1U);
+    EXPECT_EQ(material.uniforms[0].value, (std::vector<float>{3, 0.5F}));
+    EXPECT_EQ(material.samplers[0].options.filter, Filter::nearest);
+    EXPECT_EQ(material.members[0].property, "position_relative");
+    EXPECT_EQ(material.outputs[0].type, "vec3");
+
+    Image image = make_image(1, 1, 1);
+    image.data = {8};
+    ASSERT_TRUE(renderer->add_image("two", build_mips(image), diagnostics)) << errors();
+    show("plane");
+    for (const Pixel& pixel : draw(material, View::normal)) {
+        const glm::vec3 expected = pixel.covered ? glm::vec3(0, 0, 4) : glm::vec3(0);
+        ASSERT_LT(glm::distance(pixel.value, expected), 1e-3);
+    }
+}
+
+TEST_F(FromGlslTest, RunsAGeneratedShaderOnPoints) {
+    Shader shader = written_by_hand();
+    shader.source =
+        "struct WrinkleSurface_hand { vec2 uv0; vec2 uv0_dx; };\nuniform vec2 bump_amount;\n"
+        "float wrinkle_hand_a(WrinkleSurface_hand s) { return s.uv0.x * bump_amount.x; }\n"
+        "vec2 wrinkle_hand_b(WrinkleSurface_hand s) { return s.uv0 + s.uv0_dx; }\n"
+        "vec4 wrinkle_hand_c(WrinkleSurface_hand s) { return vec4(s.uv0, s.uv0_dx); }\n";
+    shader.reflection.members = {{"uv0", Type::vec2_, SurfaceInput::uv0_, Variant::value, false},
+                                 {"uv0_dx", Type::vec2_, SurfaceInput::uv0_, Variant::dx, false}};
+    shader.reflection.samplers.clear();
+    shader.reflection.functions.clear();
+    for (const auto& [output, type] :
+         {std::pair("a", Type::float_), std::pair("b", Type::vec2_), std::pair("c", Type::vec4_)}) {
+        FunctionInfo function;
+        function.output = output;
+        function.function = "wrinkle_hand_" + std::string(output);
+        function.type = type;
+        shader.reflection.functions.push_back(function);
+    }
+    PointJob job = point_job_from(shader);
+    job.points = 2;
+    job.attributes = {{"uv0", 2, {1, 2, 3, 4}}, {"uv0_dx", 2, {10, 20, 30, 40}}};
+    const auto results = run_points(job, diagnostics);
+    ASSERT_TRUE(results) << errors();
+    ASSERT_EQ(results->size(), 3U);
+    EXPECT_EQ((*results)[0][1], (std::array<float, 4>{9, 0, 0, 0}));
+    EXPECT_EQ((*results)[1][0], (std::array<float, 4>{11, 22, 0, 0}));
+    EXPECT_EQ((*results)[2][1], (std::array<float, 4>{3, 4, 30, 40}));
+}
+
+}  // namespace
+}  // namespace wrinkle::gpu
