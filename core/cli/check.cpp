@@ -18,7 +18,7 @@ struct CheckCommand {
         const Nodes nodes = load_nodes(common, diagnostics);
         const Overrides overrides = parse_overrides(common, diagnostics);
         for (const std::string& file : files)
-            check(nodes.registry, overrides, file, diagnostics);
+            check_file(nodes.registry, overrides, file, diagnostics);
         return report(diagnostics, common.diagnostics);
     }
 
