@@ -1,6 +1,6 @@
-// How the numbers of an image file are to be read: design §7's words for a texture, as small enums
-// that every folder shares. They are metadata of a texture; the arithmetic they mean (2t - 1, the
-// sRGB curve, a missing z) is written out where an expression samples the texture.
+// How the numbers of an image file are to be read: a graph file's words for a texture, as small
+// enums that every folder shares. They are metadata of a texture; the arithmetic they mean (2t - 1,
+// the sRGB curve, a missing z) is written out where an expression samples the texture.
 //
 //   linear      the stored value                 srgb         sRGB-coded colour, made linear
 //   normal_gl   2t - 1, green = +v               normal_dx    2t - 1, green = -v

@@ -78,7 +78,7 @@ inline std::string_view table_key(const NodePtr& node) {
 // An input of the whole graph, read by nodes as {"from": "input.NAME"}.
 struct GraphInput {
     std::string name;
-    std::string type;           // a type on wires (design §5), unchecked
+    std::string type;           // a type on wires (docs/graph-format.md), unchecked
     json::Value default_value;  // null when absent
     std::string doc;
     std::vector<Extra> unknown;
