@@ -1,0 +1,297 @@
+#include "lower/check.h"
+
+#include "base/text.h"
+#include "graph/order.h"
+#include "lower/conversion.h"
+#include "lower/literal.h"
+#include "lower/reached.h"
+
+namespace wrinkle {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string join(std::span<const std::string> names) {
+    std::string text;
+    for (const std::string& name : names)
+        text += (text.empty() ? "" : ", ") + name;
+    return text;
+}
+
+std::string in_quotes(std::string_view name) {
+    return "'" + std::string(name) + "'";
+}
+
+std::string did_you_mean(std::string_view word, std::span<const std::string> names,
+                         const std::string& otherwise) {
+    const std::string near = nearest(word, names);
+    return near.empty() ? otherwise : "did you mean '" + near + "'?";
+}
+
+std::vector<std::string> port_names(const NodeType& type, bool outputs) {
+    std::vector<std::string> names;
+    for (const Port& port : type.ports)
+        if ((port.kind == Port::Kind::output) == outputs) names.push_back(port.name);
+    return names;
+}
+
+// The checks of one file.
+class Checker {
+public:
+    Checker(const Project& project, const Registry& registry, const Types& types, size_t file,
+            Diagnostics& diagnostics)
+        : project_(project),
+          registry_(registry),
+          types_(types),
+          file_(file),
+          document_(project.files[file].document),
+          diagnostics_(diagnostics),
+          ids_(registry.ids()) {
+        ids_.emplace_back(reroute_type);
+    }
+
+    void node(size_t index) {
+        const Node& node = *document_.nodes[index];
+        const NodeType* type = types_.of(file_, index);
+        if (!type) return unknown_type(node);
+        version(node, *type);
+        for (const Input& input : node.inputs)
+            this->input(node, *type, input);
+        for (const Port& port : type->ports)
+            required(node, index, port);
+    }
+
+    void graph_input(const GraphInput& input) {
+        const std::string subject = "input " + in_quotes(input.name) + " ";
+        const auto type = port_type_named(input.type);
+        if (!type) {
+            const auto words = port_type_names();
+            const std::vector<std::string> names(words.begin(), words.end());
+            return report(diagnose(document_, input,
+                                   subject + "has the unknown type " + json_quoted(input.type),
+                                   did_you_mean(input.type, names, "expected " + join(names))));
+        }
+        if (input.default_value.is(json::Kind::null)) {
+            if (*type == PortType::image_ && file_ == 0)
+                report(diagnose(document_, input, subject + "is an image and has no default",
+                                "expected \"default\": a path"));
+            return;
+        }
+        Port port;
+        port.type = *type;
+        const auto here = [&](std::string message, std::string expected) {
+            return diagnose(document_, input, std::move(message), std::move(expected));
+        };
+        literal(input.default_value, port, subject, "", here);
+    }
+
+    void output(const Output& output) {
+        if (output.from.kind != Input::Kind::link) return;
+        const Link& link = output.from.link;
+        const auto here = [&](std::string message, std::string expected) {
+            report(diagnose(document_, output, std::move(message), std::move(expected)));
+        };
+        const auto from = source(link, here);
+        if (!from) return;
+        const PortType to = standard_output(output.name).value_or(*from);
+        const std::string subject = "output " + in_quotes(output.name) + " ";
+        if (conversion(*from, to) == Conversion::illegal)
+            here(mismatch(subject, link, *from, to), alternative(*from, to, registry_));
+        else if (to == PortType::image_ && file_ == 0)
+            here(subject + "is an image", "sample it; an output is a value");
+    }
+
+private:
+    // Beyond the limit of the list problems are only counted.
+    bool only_count() {
+        if (diagnostics_.dropped() == 0) return false;
+        diagnostics_.add({});
+        return true;
+    }
+    void report(Diagnostic diagnostic) { diagnostics_.add(std::move(diagnostic)); }
+
+    void unknown_type(const Node& node) {
+        const bool reported_elsewhere =
+            node.type.empty() || node.subgraph() || node.type == reroute_type;
+        if (reported_elsewhere || only_count()) return;
+        const std::string near = nearest(node.type, ids_);
+        report(diagnose(document_, node, "unknown node type " + in_quotes(node.type),
+                        near.empty() ? "a plugin may be missing"
+                                     : "did you mean '" + near + "', or is a plugin missing?"));
+    }
+
+    void version(const Node& node, const NodeType& type) {
+        const auto made_for = static_cast<uint32_t>(node.version);
+        if (made_for == type.version) return;
+        const std::string text = "made for version " + std::to_string(made_for) + " of " +
+                                 in_quotes(node.type) + "; this program has version " +
+                                 std::to_string(type.version);
+        report(diagnose(document_, node, text,
+                        made_for > type.version ? "a newer program or plugin is needed"
+                                                : "'wrinkle upgrade' migrates it"));
+    }
+
+    void input(const Node& node, const NodeType& type, const Input& input) {
+        const uint32_t index = type.find_input(input.port);
+        if (index == NodeType::none) return unknown_port(node, type, input);
+        const Port& port = type.ports[index];
+        const std::string subject = "port " + in_quotes(port.name) + " ";
+        const auto here = [&](std::string message, std::string expected) {
+            return diagnose_port(document_, node, input.port, std::move(message),
+                                 std::move(expected));
+        };
+        if (input.kind == Input::Kind::literal)
+            literal(input.value, port, subject, node.id, here);
+        else if (input.kind == Input::Kind::link)
+            wire(input.link, port, subject, [&](std::string message, std::string expected) {
+                report(here(std::move(message), std::move(expected)));
+            });
+    }
+
+    void unknown_port(const Node& node, const NodeType& type, const Input& input) {
+        if (only_count()) return;
+        std::string expected;
+        for (const Rename& rename : type.renames)
+            if (rename.old_name == input.port)
+                expected = "since version " + std::to_string(rename.version) + " it is '" +
+                           rename.new_name + "'; 'wrinkle upgrade' renames it";
+        const std::vector<std::string> names = port_names(type, false);
+        if (expected.empty())
+            expected = did_you_mean(input.port, names,
+                                    names.empty() ? "it has no inputs" : "it has " + join(names));
+        report(diagnose_port(document_, node, input.port, "unknown port " + in_quotes(input.port),
+                             std::move(expected)));
+    }
+
+    static std::string mismatch(const std::string& subject, const Link& link, PortType from,
+                                PortType to) {
+        return subject + "takes " + std::string(name_of(to)) + ", but " + in_quotes(link.text()) +
+               " is " + std::string(name_of(from));
+    }
+
+    template <class Report>
+    void wire(const Link& link, const Port& port, const std::string& subject, Report here) {
+        if (port.is_option())
+            return here(subject + "is known while compiling and takes no wire",
+                        "write a value in its place");
+        const auto from = source(link, here);
+        if (from && conversion(*from, port.type) == Conversion::illegal)
+            here(mismatch(subject, link, *from, port.type),
+                 alternative(*from, port.type, registry_));
+    }
+
+    // The type that a link carries; nothing, and an error unless reading reported it, when there is
+    // no such thing.
+    template <class Report>
+    std::optional<PortType> source(const Link& link, Report here) {
+        const auto type = types_.link(file_, link);
+        if (type || only_count()) return type;
+        if (link.is_surface()) {
+            std::vector<std::string> names;
+            for (const SurfaceProperty& property : surface_properties())
+                names.emplace_back(property.name);
+            here("the surface has no property " + in_quotes(link.port),
+                 did_you_mean(link.port, names, "it has " + join(names)));
+        } else if (link.is_node()) {
+            const size_t index = document_.nodes.index_of(link.node);
+            if (index == Table<NodePtr>::npos || !types_.of(file_, index)) return {};
+            const NodeType& node = *types_.of(file_, index);
+            if (is_broken_output(index, link.port)) return {};
+            const std::vector<std::string> names = port_names(node, true);
+            here("node " + in_quotes(link.node) + " has no output " + in_quotes(link.port),
+                 did_you_mean(link.port, names,
+                              names.empty() ? "it has no outputs" : "it has " + join(names)));
+        }
+        return {};
+    }
+
+    // An output that its sub-graph has, but not rightly: reported there.
+    bool is_broken_output(size_t node, std::string_view port) const {
+        const Project::File* inner = project_.subgraph(file_, document_.nodes[node]->id);
+        return inner && inner->document.outputs.find(port);
+    }
+
+    template <class Diagnose>
+    void literal(const json::Value& value, const Port& port, const std::string& subject,
+                 const std::string& node, Diagnose here) {
+        const std::vector<LiteralProblem> problems = literal_problems(value, port);
+        for (const LiteralProblem& problem : problems) {
+            Diagnostic diagnostic =
+                problem.where.has_location()
+                    ? diagnose(problem.where, node, subject + problem.message, problem.expected)
+                    : here(subject + problem.message, problem.expected);
+            diagnostic.severity = problem.severity;
+            report(std::move(diagnostic));
+        }
+        if (problems.empty() && port.type == PortType::image_ && port.is_value())
+            image_file(literal_image(value).file, subject, here);
+    }
+
+    template <class Diagnose>
+    void image_file(const std::string& name, const std::string& subject, Diagnose here) {
+        const auto path = resolve_file(project_, file_, name);
+        if (!path)
+            return report(here(subject + "names " + json_quoted(name) + ", outside the root",
+                               "keep it below " + project_.root.string() +
+                                   ", or choose another root with --root"));
+        std::error_code error;
+        if (!fs::exists(*path, error))
+            report(here(subject + "names " + json_quoted(name) + ", which does not exist",
+                        "a path is relative to its graph's folder"));
+        else if (fs::is_directory(*path, error))
+            report(here(subject + "names " + json_quoted(name) + ", which is a folder",
+                        "expected an image file"));
+    }
+
+    void required(const Node& node, size_t index, const Port& port) {
+        if (!port.is_required() || node.find(port.name)) return;
+        if (const Project::File* inner = project_.subgraph(file_, document_.nodes[index]->id)) {
+            const GraphInput* input = inner->document.inputs.find(port.name);
+            if (input && !input->default_value.is(json::Kind::null)) return;
+        }
+        const std::string type(name_of(port.type));
+        report(diagnose(document_, node, "port " + in_quotes(port.name) + " is not set",
+                        port.type == PortType::image_ ? "it needs a path to an image"
+                                                      : "it needs a " + type + " or a wire"));
+    }
+
+    const Project& project_;
+    const Registry& registry_;
+    const Types& types_;
+    const size_t file_;
+    const Document& document_;
+    Diagnostics& diagnostics_;
+    std::vector<std::string> ids_;
+};
+
+}  // namespace
+
+void check(const Project& project, const Registry& registry, const Types& types,
+           Diagnostics& diagnostics, const CheckOptions& options) {
+    const std::vector<std::vector<bool>> reached =
+        options.reached_only ? reached_nodes(project) : std::vector<std::vector<bool>>{};
+    for (size_t f = 0; f < project.files.size(); ++f) {
+        const Document& document = project.files[f].document;
+        if (document.edited) check_links(document, diagnostics);
+        report_unknown(document, diagnostics);
+        Checker checker(project, registry, types, f, diagnostics);
+        for (size_t i = 0; i < document.nodes.size(); ++i)
+            if (!options.reached_only || reached[f][i]) checker.node(i);
+        for (const GraphInput& input : document.inputs)
+            checker.graph_input(input);
+        for (const Output& output : document.outputs)
+            checker.output(output);
+    }
+    if (!project.top().outputs.empty() || diagnostics.has_errors()) return;
+    Diagnostic nothing = diagnose(project.top(), "the graph has no outputs, so nothing is made",
+                                  "connect a node under \"outputs\"");
+    nothing.severity = Severity::warning;
+    diagnostics.add(std::move(nothing));
+}
+
+void check(const Project& project, const Registry& registry, Diagnostics& diagnostics,
+           const CheckOptions& options) {
+    check(project, registry, Types(project, registry), diagnostics, options);
+}
+
+}  // namespace wrinkle

@@ -1,0 +1,90 @@
+#include "lower/conversion.h"
+
+#include <algorithm>
+#include <array>
+
+namespace wrinkle {
+namespace {
+
+struct Row {
+    PortType from, to;
+    Conversion conversion;
+};
+
+using enum PortType;
+constexpr std::array table = {
+    Row{float_, height_, Conversion::rename},
+    Row{height_, float_, Conversion::rename},
+    Row{vec3_, color_, Conversion::rename},
+    Row{color_, vec3_, Conversion::rename},
+    Row{height_, gradient_, Conversion::differentiate},
+    Row{float_, gradient_, Conversion::differentiate},
+    Row{derivative_, gradient_, Conversion::apply_frame},
+    Row{normal_, gradient_, Conversion::take_normal},
+    Row{gradient_, normal_, Conversion::resolve},
+    Row{float_, normal_, Conversion::differentiate_and_resolve},
+    Row{height_, normal_, Conversion::differentiate_and_resolve},
+    Row{derivative_, normal_, Conversion::apply_frame_and_resolve},
+};
+
+constexpr std::array<std::string_view, 9> docs = {
+    "does not convert",
+    "passes unchanged",
+    "the same numbers, another meaning",
+    "differentiates the height along the surface",
+    "applies the derivative's frame",
+    "takes the perturbation out of the normal",
+    "resolves the gradient to a normal",
+    "differentiates the height along the surface and resolves it to a normal",
+    "applies the derivative's frame and resolves it to a normal",
+};
+
+// A node that turns one into the other: one input of type `from`, and `to` its first output.
+bool makes(const NodeType& type, PortType from, PortType to) {
+    const Port* output = nullptr;
+    int inputs = 0;
+    for (const Port& port : type.ports) {
+        if (port.kind == Port::Kind::output && !output) output = &port;
+        if (port.is_value() && port.type == from) ++inputs;
+    }
+    return inputs == 1 && output && output->type == to;
+}
+
+}  // namespace
+
+Conversion conversion(PortType from, PortType to) {
+    if (from == to) return Conversion::same;
+    for (const Row& row : table)
+        if (row.from == from && row.to == to) return row.conversion;
+    return Conversion::illegal;
+}
+
+std::string_view doc(Conversion conversion) {
+    return docs[static_cast<size_t>(conversion)];
+}
+
+std::vector<PortType> accepted_by(PortType to) {
+    std::vector<PortType> types{to};
+    for (uint32_t i = 1; i <= port_type_count; ++i) {
+        const auto from = static_cast<PortType>(i);
+        const Conversion found = conversion(from, to);
+        if (found != Conversion::illegal && found != Conversion::same) types.push_back(from);
+    }
+    return types;
+}
+
+std::string alternative(PortType from, PortType to, const Registry& registry) {
+    std::string text = "it takes ";
+    const std::vector<PortType> types = accepted_by(to);
+    for (size_t i = 0; i < types.size(); ++i) {
+        if (i > 0) text += i + 1 == types.size() ? " or " : ", ";
+        text += name_of(types[i]);
+    }
+    for (const NodeType& type : registry.list())
+        if (makes(type, from, to))
+            return text + "; node '" + type.id + "' makes " + std::string(name_of(to)) + " from " +
+                   std::string(name_of(from));
+    return text;
+}
+
+}  // namespace wrinkle

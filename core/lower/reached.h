@@ -1,0 +1,13 @@
+// Which nodes the outputs of a project need, by file and node. A sub-graph that is used counts with
+// all its outputs.
+#pragma once
+
+#include <vector>
+
+#include "graph/subgraph.h"
+
+namespace wrinkle {
+
+std::vector<std::vector<bool>> reached_nodes(const Project& project);
+
+}  // namespace wrinkle

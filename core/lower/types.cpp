@@ -1,0 +1,176 @@
+#include "lower/types.h"
+
+#include <algorithm>
+#include <array>
+
+#include "graph/order.h"
+#include "lower/literal.h"
+
+namespace wrinkle {
+namespace {
+
+struct Standard {
+    std::string_view name;
+    PortType type;
+};
+constexpr std::array standards = {
+    Standard{"normal", PortType::normal_},       Standard{"height", PortType::height_},
+    Standard{"displacement", PortType::height_}, Standard{"color", PortType::color_},
+    Standard{"roughness", PortType::float_},     Standard{"metalness", PortType::float_},
+    Standard{"occlusion", PortType::float_},
+};
+
+std::deque<NodeType> make_reroutes() {
+    std::deque<NodeType> types;
+    for (uint32_t i = 1; i <= port_type_count; ++i) {
+        NodeType& type = types.emplace_back();
+        type.id = reroute_type;
+        type.title = "Reroute";
+        type.doc = "Passes its input on; for tidy wires.";
+        type.family = "layout";
+        type.origin = Registry::built_in;
+        Port& in = type.ports.emplace_back();
+        in.name = "in";
+        in.doc = "What is passed on";
+        in.type = static_cast<PortType>(i);
+        Port out = in;
+        out.kind = Port::Kind::output;
+        out.name = "out";
+        out.doc = "The same";
+        type.ports.push_back(std::move(out));
+    }
+    return types;
+}
+
+const NodeType* reroute_of(PortType type) {
+    static const std::deque<NodeType> types = make_reroutes();
+    return &types[static_cast<size_t>(type) - 1];
+}
+
+Port input_port(const GraphInput& input) {
+    Port port;
+    port.name = input.name;
+    port.doc = input.doc;
+    port.type = port_type_named(input.type).value_or(PortType::float_);
+    const bool numbers = literal_numbers(input.default_value, port.type, port.default_value);
+    if (lanes_of(port.type) == 0) return port;
+    port.default_kind = Port::Default::constant;
+    if (port.type == PortType::normal_ && !numbers) {
+        port.default_kind = Port::Default::surface;
+        port.default_surface = WR_SURFACE_normal;
+    }
+    return port;
+}
+
+// Each file after those of its sub-graphs.
+std::vector<uint32_t> files_in_order(const Project& project) {
+    struct Frame {
+        uint32_t file;
+        size_t next;
+    };
+    std::vector<bool> seen(project.files.size(), false);
+    std::vector<uint32_t> order;
+    std::vector<Frame> stack{{0, 0}};
+    seen[0] = true;
+    while (!stack.empty()) {
+        Frame& frame = stack.back();
+        const std::vector<uint32_t>& subgraphs = project.files[frame.file].subgraphs;
+        if (frame.next == subgraphs.size()) {
+            order.push_back(frame.file);
+            stack.pop_back();
+            continue;
+        }
+        const uint32_t file = subgraphs[frame.next++];
+        if (file == Project::File::none || seen[file]) continue;
+        seen[file] = true;
+        stack.push_back({file, 0});
+    }
+    return order;
+}
+
+}  // namespace
+
+std::optional<PortType> standard_output(std::string_view name) {
+    for (const Standard& standard : standards)
+        if (standard.name == name) return standard.type;
+    return {};
+}
+
+std::vector<std::string> standard_outputs() {
+    std::vector<std::string> names;
+    for (const Standard& standard : standards)
+        names.emplace_back(standard.name);
+    return names;
+}
+
+Types::Types(const Project& project, const Registry& registry)
+    : project_(&project), nodes_(project.files.size()), graphs_(project.files.size()) {
+    for (size_t f = 0; f < project.files.size(); ++f)
+        nodes_[f].resize(project.files[f].document.nodes.size());
+    for (const uint32_t file : files_in_order(project))
+        type_file(project, registry, file);
+}
+
+void Types::type_file(const Project& project, const Registry& registry, size_t file) {
+    const Project::File& source = project.files[file];
+    const Document& document = source.document;
+    for (const uint32_t i : evaluation_order(document)) {
+        const Node& node = *document.nodes[i];
+        const uint32_t inner = source.subgraphs[i];
+        if (inner != Project::File::none)
+            nodes_[file][i] = &graphs_[inner];
+        else if (node.type == reroute_type)
+            nodes_[file][i] = reroute(file, node);
+        else
+            nodes_[file][i] = registry.find(node.type);
+    }
+    NodeType& type = graphs_[file];
+    type.id = "graph:" + source.path.filename().string();
+    type.title = document.name.empty() ? source.path.stem().string() : document.name;
+    type.family = "sub-graph";
+    type.origin = source.path.string();
+    for (const GraphInput& input : document.inputs)
+        type.ports.push_back(input_port(input));
+    for (const Output& each : document.outputs) {
+        Port port;
+        port.kind = Port::Kind::output;
+        port.name = each.name;
+        const auto found = output(file, each);
+        if (!found) continue;
+        port.type = *found;
+        type.ports.push_back(std::move(port));
+    }
+}
+
+const NodeType* Types::reroute(size_t file, const Node& node) const {
+    const Input* input = node.find("in");
+    if (!input || input->kind != Input::Kind::link) return reroute_of(PortType::float_);
+    const auto type = link(file, input->link);
+    return type ? reroute_of(*type) : nullptr;
+}
+
+std::optional<PortType> Types::link(size_t file, const Link& link) const {
+    const Document& document = project_->files[file].document;
+    if (link.is_surface()) {
+        for (const SurfaceProperty& property : surface_properties())
+            if (property.name == link.port) return property.type;
+        return {};
+    }
+    if (link.is_input()) {
+        const GraphInput* input = document.inputs.find(link.port);
+        return input ? port_type_named(input->type) : std::nullopt;
+    }
+    const size_t node = document.nodes.index_of(link.node);
+    if (node == Table<NodePtr>::npos || !nodes_[file][node]) return {};
+    const NodeType& type = *nodes_[file][node];
+    const uint32_t port = type.find_output(link.port);
+    if (port == NodeType::none) return {};
+    return type.ports[port].type;
+}
+
+std::optional<PortType> Types::output(size_t file, const Output& output) const {
+    if (const auto standard = standard_output(output.name)) return standard;
+    return link(file, output.from.link);
+}
+
+}  // namespace wrinkle
