@@ -1,0 +1,160 @@
+// How a body meets its ports: the arguments it is called with, the checks of its shape, and the C
+// callback made of it. Node authors need nothing from here.
+#pragma once
+
+#include <exception>
+#include <tuple>
+#include <type_traits>
+#include <utility>
+
+#include "wrinkle/port.h"
+
+namespace wrinkle::sdk::detail {
+
+// Ports as types: which one (its index in the descriptor) and what the body gets or gives.
+template <class T, uint32_t port>
+struct InputPort {
+    using Value = T;
+    static Value read() { return Value(Raw{builder->input(builder, port)}); }
+};
+template <uint32_t port>
+struct InputPort<Image, port> {
+    using Value = Image;
+    static Value read() { return Image(builder->image(builder, port)); }
+};
+template <uint32_t port>
+struct ChoicePort {
+    using Value = Choice;
+    static Value read() { return {builder->option(builder, port)}; }
+};
+template <uint32_t port>
+struct CountPort {
+    using Value = int;
+    static Value read() { return builder->option(builder, port); }
+};
+template <uint32_t port>
+struct FlagPort {
+    using Value = bool;
+    static Value read() { return builder->option(builder, port) != 0; }
+};
+template <class T, class Domain, uint32_t port>
+struct FieldPort {
+    using Value = Field<T, Domain>;
+    static Value read() { return Value(port); }
+};
+template <class T, uint32_t port>
+struct OutputPort {
+    using Value = T;
+    static constexpr uint32_t index = port;
+};
+
+template <class... P>
+struct Ports {
+    template <class More>
+    using With = Ports<P..., More>;
+    static constexpr size_t count = sizeof...(P);
+};
+
+struct Anything {
+    template <class T>
+    operator T() const;
+};
+
+// The one parameter of a body that takes a struct.
+template <class F>
+struct Parameter;
+template <class R, class C, class A>
+struct Parameter<R (C::*)(A) const> {
+    using type = std::remove_cvref_t<A>;
+};
+
+template <class S, class... V>
+concept MadeOf = std::is_aggregate_v<S> && requires {
+    S{std::declval<V>()...};
+} && !requires {
+    S{std::declval<V>()..., Anything{}};
+};
+
+template <class F, class... V>
+constexpr bool takes_struct() {
+    if constexpr (requires { typename Parameter<decltype(&F::operator())>::type; })
+        return MadeOf<typename Parameter<decltype(&F::operator())>::type, V...>;
+    else
+        return false;
+}
+
+// The body's arguments are read in port order (a braced list), whatever the compiler.
+template <class F, class... P>
+auto call(Ports<P...>) {
+    if constexpr (std::is_invocable_v<F, typename P::Value...>) {
+        std::tuple<typename P::Value...> arguments{P::read()...};
+        return std::apply(F{}, arguments);
+    } else {
+        return F{}(typename Parameter<decltype(&F::operator())>::type{P::read()...});
+    }
+}
+
+template <class F, class... P>
+constexpr bool callable(Ports<P...>) {
+    return std::is_invocable_v<F, typename P::Value...> || takes_struct<F, typename P::Value...>();
+}
+
+template <class R, class P>
+constexpr bool gives(Ports<P>) {
+    return std::is_convertible_v<R, typename P::Value>;
+}
+template <class R, class... P>
+requires(sizeof...(P) != 1) constexpr bool gives(Ports<P...>) {
+    return std::is_convertible_v<R, std::tuple<typename P::Value...>>;
+}
+
+template <class R, class P>
+void write(const R& result, Ports<P>) {
+    builder->output(builder, P::index, static_cast<typename P::Value>(result).id);
+}
+template <class R, class... P>
+requires(sizeof...(P) != 1) void write(const R& result, Ports<P...>) {
+    const std::tuple<typename P::Value...> values = result;
+    std::apply(
+        [](const typename P::Value&... value) {
+            (builder->output(builder, P::index, value.id), ...);
+        },
+        values);
+}
+
+template <class... P>
+void write_poison(Ports<P...>) {
+    (builder->output(builder, P::index, WR_POISON), ...);
+}
+
+// The build() of a node. No exception leaves it: it becomes a diagnostic, and the outputs poison.
+template <class F, class Inputs, class Outputs>
+void build(const wr_builder* b) noexcept {
+    const UseBuilder use(b);
+    try {
+        write(call<F>(Inputs{}), Outputs{});
+        return;
+    } catch (const std::exception& problem) {
+        fail(problem.what());
+    } catch (...) {
+        fail("the node's body threw something that is no std::exception");
+    }
+    write_poison(Outputs{});
+}
+
+template <class F, class Inputs, class Outputs>
+constexpr void check_body() {
+    static_assert(Outputs::count > 0, "a node needs an output: declare one with .out<T>()");
+    static_assert(std::is_empty_v<F>, "a node has no state: its body must not capture anything");
+    static_assert(
+        callable<F>(Inputs{}),
+        "the body's parameters must match the declared inputs, choices, counts, flags and "
+        "fields in their order; or it takes one struct with these members in this order");
+    if constexpr (callable<F>(Inputs{})) {
+        static_assert(gives<decltype(call<F>(Inputs{}))>(Outputs{}),
+                      "the body must return the declared output, or a std::tuple of the outputs in "
+                      "their order");
+    }
+}
+
+}  // namespace wrinkle::sdk::detail
