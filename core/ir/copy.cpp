@@ -12,6 +12,11 @@ bool has_base(const Inst& inst) {
 
 }  // namespace
 
+bool is_global(const Module& module, Id id) {
+    return module.is_constant(id) || module[id].op == Op::parameter_ ||
+           module[id].op == Op::image_size_;
+}
+
 void append_dependencies(const Module& module, Id id, bool into_functions, std::vector<Id>& out) {
     const Inst& inst = module[id];
     for (const Id operand : module.operands(id))
@@ -56,7 +61,8 @@ Id Copier::write_leaf(const Inst& inst) {
         case Op::parameter_:
             return target_->parameter(inst.extra);
         case Op::region_param_: {
-            const int level = inst.level >= first_level_ ? inst.level + shift_ : inst.level;
+            const int level = shifted(inst.level);
+            if (level > Module::deepest_region) return poison;
             return target_->region_parameter(level, inst.extra, inst.type);
         }
         default:
@@ -66,11 +72,18 @@ Id Copier::write_leaf(const Inst& inst) {
 
 Id Copier::write_apply(const Inst& inst, std::span<const Id> args) {
     Region region = source_->region(inst.extra);
-    if (inst.op == Op::loop_ && region.level >= first_level_)
-        region.level = static_cast<uint8_t>(region.level + shift_);
+    if (inst.op == Op::loop_) {
+        const int level = shifted(region.level);
+        if (level > Module::deepest_region) {
+            target_->problem("loops stand more than " + std::to_string(Module::deepest_region) +
+                             " deep in each other");
+            return poison;
+        }
+        region.level = static_cast<uint8_t>(level);
+    }
     if (inst.op == Op::loop_ || into_functions_)
         for (Id& result : region.results)
-            result = mapped_.at(result);
+            if ((result = mapped_.at(result)) == poison) return poison;
     return target_->apply_region(target_->intern_region(std::move(region)), args);
 }
 
@@ -78,6 +91,7 @@ Id Copier::write(Id id) {
     const Inst inst = (*source_)[id];
     std::vector<Id> args;
     bool same = target_ == source_ && shift_ == 0;
+    if (has_base(inst)) same = same && mapped_.at(inst.extra) == inst.extra;
     for (const Id operand : source_->operands(id)) {
         args.push_back(mapped_.at(operand));
         same = same && args.back() == operand;

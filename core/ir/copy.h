@@ -34,6 +34,7 @@ public:
 
 private:
     std::vector<Id> needed(std::span<const Id> roots) const;
+    int shifted(int level) const { return level >= first_level_ ? level + shift_ : level; }
     Id write(Id id);
     Id write_apply(const Inst& inst, std::span<const Id> args);
     Id write_leaf(const Inst& inst);
@@ -47,6 +48,9 @@ private:
     void* context_ = nullptr;
     std::unordered_map<Id, Id> mapped_;
 };
+
+// Stands outside every function in generated code and may be read from anywhere.
+bool is_global(const Module& module, Id id);
 
 // What an instruction reads: its operands, its base, and what the region it applies gives.
 void append_dependencies(const Module& module, Id id, bool into_functions, std::vector<Id>& out);

@@ -127,6 +127,7 @@ const Direction::DerivedFunction& Direction::derived(uint32_t index,
     if (!added) return entry->second;
     Region region = module_->region(index);
     Direction inside(*module_);
+    inside.functions_ = std::move(functions_);
     const auto own = static_cast<uint32_t>(region.params.size());
     for (uint32_t k = 0; k < own; ++k) {
         if (!changing[k]) continue;
@@ -143,6 +144,7 @@ const Direction::DerivedFunction& Direction::derived(uint32_t index,
         function.member.push_back(change ? static_cast<int>(results.size()) : -1);
         if (change) results.push_back(change);
     }
+    functions_ = std::move(inside.functions_);
     region.results = std::move(results);
     region.name += "_change";
     if (!region.results.empty()) function.region = module_->intern_region(std::move(region));
@@ -159,8 +161,10 @@ Id Direction::loop_member(const Inst& result) {
 }
 
 void Direction::forget(size_t first) {
-    for (size_t i = first; i < log_.size(); ++i)
+    for (size_t i = first; i < log_.size(); ++i) {
         memo_.erase(log_[i]);
+        loops_.erase(log_[i]);
+    }
     log_.resize(first);
 }
 
@@ -200,7 +204,6 @@ std::vector<Id> Direction::widened_loop(Id loop) {
     do
         seed_state();
     while (spread(region, changing));
-    seed_state();
     std::vector<Id> members(own, poison);
     const std::vector<Type> types = region.params;
     for (size_t k = 0; k < own; ++k) {

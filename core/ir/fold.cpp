@@ -301,10 +301,13 @@ bool fold(Op op, Type result, uint32_t extra, Operands operands, Lanes& lanes) {
     }
     if (op == Op::to_float_ || op == Op::to_int_ || op == Op::to_uint_)
         return fold_conversion(op, operands[0], lanes[0]);
-    if (row.rule == Rule::special && op != Op::sign_nonzero_)
-        return fold_vector(op, operands, lanes);
-    for (int lane = 0; lane < info(result).lanes; ++lane)
-        if (!fold_lane(op, result, operands, lane, lanes[static_cast<size_t>(lane)])) return false;
+    if (row.rule == Rule::special && op != Op::sign_nonzero_) {
+        if (!fold_vector(op, operands, lanes)) return false;
+    } else {
+        for (int lane = 0; lane < info(result).lanes; ++lane)
+            if (!fold_lane(op, result, operands, lane, lanes[static_cast<size_t>(lane)]))
+                return false;
+    }
     for (int lane = 0; lane < info(result).lanes; ++lane)
         if (!std::isfinite(lanes[static_cast<size_t>(lane)])) return false;
     return true;

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <bit>
-#include <cassert>
+#include <cmath>
 
 #include "ir/fold.h"
 #include "ir/simplify.h"
@@ -12,7 +12,6 @@ namespace wrinkle {
 namespace {
 
 constexpr size_t first_capacity = 1024;
-constexpr int deepest_region = 200;
 
 uint64_t mixed(uint64_t h, uint64_t value) {
     h = (h ^ value) * 0x9E3779B97F4A7C15u;
@@ -37,6 +36,31 @@ bool identical(const Inst& a, const Inst& b) {
 
 bool is_variadic_list(Op op) {
     return op == Op::loop_ || op == Op::call_;
+}
+
+bool reads_image(Op op) {
+    return op == Op::sample_ || op == Op::sample_lod_ || op == Op::sample_grad_ ||
+           op == Op::image_size_;
+}
+
+// Poison where a component is asked for that the vector does not have.
+Type swizzled_type(Type vector, uint32_t extra) {
+    const int count = static_cast<int>(extra & 0xF);
+    if (vector < Type::vec2_ || vector > Type::vec4_ || count < 1 || count > 4)
+        return Type::poison_;
+    for (int i = 0; i < count; ++i)
+        if (static_cast<int>(extra >> (4 + 4 * i) & 0xF) >= info(vector).lanes)
+            return Type::poison_;
+    return vector_of(count);
+}
+
+// What a literal of the type holds for this value: integers are 32 bits, a bool is 0 or 1.
+double representable(Type scalar, double value) {
+    if (scalar == Type::bool_) return value != 0;
+    if (scalar != Type::int_ && scalar != Type::uint_) return value;
+    const double low = scalar == Type::int_ ? -2147483648.0 : 0;
+    const double high = scalar == Type::int_ ? 2147483647.0 : 4294967295.0;
+    return std::isnan(value) ? 0 : std::trunc(std::clamp(value, low, high)) + 0.0;
 }
 
 bool carries_base(Op op) {
@@ -103,13 +127,12 @@ std::span<const Id> Module::operands(Id id) const {
 }
 
 Id Module::add(Op op, std::span<const Id> args, uint32_t extra, Type type) {
+    if (!may_be_written(op, args)) return poison;
     std::array<Type, 4> types{};
-    assert(args.size() <= types.size() && info(op).rule != Rule::leaf);
     Inst inst;
     inst.op = op;
     inst.extra = extra;
     for (size_t i = 0; i < args.size(); ++i) {
-        if (args[i] == poison) return poison;
         inst.arg[i] = args[i];
         types[i] = this->type(args[i]);
         inst.level = std::max(inst.level, inst_[args[i]].level);
@@ -122,20 +145,38 @@ Id Module::add(Op op, std::span<const Id> args, uint32_t extra, Type type) {
     return intern(inst);
 }
 
-Type Module::typed(Op op, std::span<const Type> types, uint32_t extra, Type wanted) {
-    if (op == Op::swizzle_) {
-        const int count = static_cast<int>(extra & 0xF);
-        const int lanes = info(types[0]).lanes;
-        bool fits = types[0] >= Type::vec2_ && types[0] <= Type::vec4_ && count >= 1 && count <= 4;
-        for (int i = 0; fits && i < count; ++i)
-            fits = static_cast<int>(extra >> (4 + 4 * i) & 0xF) < lanes;
-        if (fits) return vector_of(count);
-        problem("a component is asked of a " + std::string(info(types[0]).name) +
-                " that it does not have");
-        return Type::poison_;
+// Numbers of ops and of operands come from plugins as well. False for poison among the operands.
+bool Module::may_be_written(Op op, std::span<const Id> args) {
+    const OpInfo& row = info(op);
+    if (row.rule == Rule::leaf || op == Op::loop_ || op == Op::call_ || op == Op::result_) {
+        problem(row.name.empty() ? "there is no op " + std::to_string(static_cast<int>(op))
+                                 : "'" + std::string(row.name) + "' is not written as an op");
+        return false;
     }
+    if (args.size() > Inst{}.arg.size()) {
+        problem(std::string(row.name) + " takes at most 4 operands");
+        return false;
+    }
+    for (const Id arg : args)
+        if (arg >= size()) {
+            problem(std::string(row.name) + " is given a value that does not exist");
+            return false;
+        }
+    return std::find(args.begin(), args.end(), poison) == args.end();
+}
+
+Type Module::typed(Op op, std::span<const Type> types, uint32_t extra, Type wanted) {
     std::string why;
-    const Type result = result_type(op, types, wanted, why);
+    if (op == Op::swizzle_ && types.size() == 1) wanted = swizzled_type(types[0], extra);
+    Type result = result_type(op, types, wanted, why);
+    if (op == Op::column_ && extra > 2) {
+        why = "a mat3 has no column " + std::to_string(extra);
+        result = Type::poison_;
+    }
+    if (reads_image(op) && extra >= resources.size()) {
+        why = std::string(info(op).name) + " is given an image that does not exist";
+        result = Type::poison_;
+    }
     if (result == Type::poison_) problem(why);
     return result;
 }
@@ -173,7 +214,12 @@ std::array<double, 9> Module::lanes_of(Id id) const {
 
 // The base of a sum is that of both terms.
 bool Module::set_base(Inst& inst) {
-    if (carries_base(inst.op)) return true;
+    if (carries_base(inst.op)) {
+        if (inst.extra == poison || (inst.extra < size() && type(inst.extra) == Type::base_))
+            return true;
+        problem(std::string(info(inst.op).name) + " is given a base that is none");
+        return false;
+    }
     if (inst.op == Op::gradient_zero_) return true;
     inst.extra = inst_[inst.arg[0]].extra;
     if (inst.op == Op::gradient_scale_) return true;
@@ -190,7 +236,7 @@ Id Module::literal(Type scalar, double value) {
     Inst inst;
     inst.op = Op::literal_;
     inst.type = scalar;
-    inst.value = value;
+    inst.value = representable(scalar, value);
     return intern(inst);
 }
 
@@ -294,8 +340,8 @@ void Module::problem(std::string message, std::string expected) {
 
 std::vector<Id> Module::begin_region(RegionKind kind, std::string name,
                                      std::span<const Type> params) {
-    assert(depth() < deepest_region);
     open_.push_back({kind, std::move(name), {params.begin(), params.end()}});
+    if (depth() > deepest_region) return std::vector<Id>(params.size(), poison);
     std::vector<Id> ids;
     for (uint32_t k = 0; k < params.size(); ++k)
         ids.push_back(region_parameter(depth(), k, params[k]));

@@ -173,6 +173,8 @@ public:
     // it.
     Id apply_region(uint32_t region, std::span<const Id> args);
     Id result(Id tuple, uint32_t member);
+    // Derivatives of nested loops cost more with every level, and so do their runs.
+    static constexpr int deepest_region = 16;
     int depth() const { return static_cast<int>(open_.size()); }
 
     const Inst& operator[](Id id) const { return inst_[id]; }  // not to be held across add()
@@ -216,6 +218,7 @@ private:
     uint32_t intern_list(std::span<const Id> ids);
     Type typed(Op op, std::span<const Type> types, uint32_t extra, Type wanted);
     Id folded_constant(Op op, std::span<const Id> args, uint32_t extra, Type type);
+    bool may_be_written(Op op, std::span<const Id> args);
     bool set_base(Inst& inst);
     bool fits(const OpenRegion& open, std::span<const Id> results);
 

@@ -1,5 +1,7 @@
 #include "ir/print.h"
 
+#include <unordered_set>
+
 #include "base/text.h"
 #include "ir/rewrite.h"
 
@@ -38,6 +40,21 @@ std::string extra_text(const Module& m, const Inst& inst) {
     }
 }
 
+std::string region_text(const Module& m, uint32_t index) {
+    const Region& region = m.region(index);
+    const bool loop = region.kind == RegionKind::loop;
+    std::string text = "@" + std::to_string(index) + (loop ? " loop" : " function");
+    if (loop) text += " of at most " + std::to_string(region.max_iterations);
+    if (!region.name.empty()) text += " " + region.name;
+    text += " (";
+    for (size_t k = 0; k < region.params.size(); ++k)
+        text += (k ? ", " : "") + std::string(info(region.params[k]).name);
+    text += ") ->";
+    for (const Id result : region.results)
+        text += " %" + std::to_string(result);
+    return text + "\n";
+}
+
 }  // namespace
 
 std::string print(const Module& module) {
@@ -46,9 +63,12 @@ std::string print(const Module& module) {
         roots.push_back(output.value);
     const std::vector<bool> needed = reachable(module, roots);
     std::string text;
+    std::unordered_set<uint32_t> shown;  // regions
     for (Id id = 1; id < module.size(); ++id) {
         if (!needed[id]) continue;
         const Inst& inst = module[id];
+        if ((inst.op == Op::loop_ || inst.op == Op::call_) && shown.insert(inst.extra).second)
+            text += region_text(module, inst.extra);
         text += "%" + std::to_string(id) + " " + std::string(info(inst.type).name) + " = " +
                 std::string(info(inst.op).name) + extra_text(module, inst);
         for (const Id operand : module.operands(id))

@@ -1,5 +1,6 @@
 // Regions of a Module: closing functions over what they capture, interning, applying.
 #include <algorithm>
+#include <cassert>
 #include <unordered_set>
 
 #include "ir/copy.h"
@@ -7,11 +8,6 @@
 
 namespace wrinkle {
 namespace {
-
-// Stand outside every function in generated code and may be read from anywhere.
-bool is_global(const Module& m, Id id) {
-    return m.is_constant(id) || m[id].op == Op::parameter_ || m[id].op == Op::image_size_;
-}
 
 // What the body over parameters at `level` reads from lower levels, in ascending order.
 std::vector<Id> captures(const Module& m, std::span<const Id> results, int level) {
@@ -59,9 +55,15 @@ bool Module::fits(const OpenRegion& open, std::span<const Id> results) {
 }
 
 RegionUse Module::end_region(std::span<const Id> results, uint32_t max_iterations) {
-    const OpenRegion open = std::move(open_.back());
+    assert(!open_.empty());
     const int level = depth();
+    const OpenRegion open = std::move(open_.back());
     open_.pop_back();
+    if (level > deepest_region) {
+        problem("loops and functions stand more than " + std::to_string(deepest_region) +
+                " deep in each other");
+        return {};
+    }
     if (!fits(open, results)) return {};
     Region region;
     region.kind = open.kind;

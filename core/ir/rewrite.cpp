@@ -1,6 +1,9 @@
 #include "ir/rewrite.h"
 
+#include <algorithm>
+#include <cassert>
 #include <optional>
+#include <unordered_map>
 
 #include "ir/copy.h"
 #include "ir/derive.h"
@@ -37,6 +40,31 @@ Id write_lod(void* context, Module& target, const Module& source, Id id,
     return target.add(Op::sample_lod_, {mapped[0], lod}, source[id].extra);
 }
 
+// Loops of the root move inwards, below the levels that the new values stand at; what reads none of
+// `from` need not move and stays one value.
+void keep_what_does_not_read(const Module& m, Id root, std::span<const Id> from, Copier& copier) {
+    std::unordered_map<Id, bool> reads{{poison, false}};
+    for (const Id id : from)
+        reads[id] = true;
+    std::vector<Id> open{root}, list, below;
+    while (!open.empty()) {
+        const Id id = open.back();
+        open.pop_back();
+        if (!reads.try_emplace(id, false).second) continue;
+        list.push_back(id);
+        append_dependencies(m, id, false, open);
+    }
+    std::sort(list.begin(), list.end());
+    for (const Id id : list) {
+        below.clear();
+        append_dependencies(m, id, false, below);
+        const bool changes =
+            std::any_of(below.begin(), below.end(), [&](Id other) { return reads.at(other); });
+        reads[id] = changes;
+        if (!changes && m[id].level == 0) copier.map(id, id);
+    }
+}
+
 }  // namespace
 
 Id sample_lod_of(Module& module, uint32_t resource, Id uv_dx, Id uv_dy) {
@@ -62,8 +90,14 @@ std::vector<bool> reachable(const Module& module, std::span<const Id> roots) {
 
 Id substitute(Module& module, Id root, std::span<const Id> from, std::span<const Id> to) {
     Copier copier(module, module, false);
-    for (size_t i = 0; i < from.size(); ++i)
+    int deepest = 0;
+    for (size_t i = 0; i < from.size(); ++i) {
         copier.map(from[i], to[i]);
+        deepest = std::max<int>(deepest, module[to[i]].level);
+    }
+    assert(deepest == 0 || module[root].level == 0);
+    copier.set_shift(1, deepest);
+    keep_what_does_not_read(module, root, from, copier);
     copier.run(std::span(&root, 1));
     return copier[root];
 }

@@ -16,7 +16,8 @@ namespace wrinkle {
 std::vector<bool> reachable(const Module& module, std::span<const Id> roots);
 
 // In the same module: `root` with each `from[i]` replaced by `to[i]`. Types must agree. Only what
-// depends on them is written anew.
+// depends on them is written anew. Where a `to` stands inside a region, the root must not: its own
+// loops move inwards.
 Id substitute(Module& module, Id root, std::span<const Id> from, std::span<const Id> to);
 
 // Rebuilds a module from its outputs with one callback: `replace(target, source, id, mapped)`

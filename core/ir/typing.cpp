@@ -10,6 +10,9 @@ using Types = std::span<const Type>;
 bool is_integer(Type t) {
     return t == Type::int_ || t == Type::uint_;
 }
+bool is_shift(Op op) {
+    return op == Op::shift_left_ || op == Op::shift_right_;
+}
 bool is_vector(Type t) {
     return t >= Type::vec2_ && t <= Type::vec4_;
 }
@@ -74,10 +77,6 @@ Type exactly(Op op, Types operands, std::initializer_list<Type> wanted, Type res
     return refuse(why, op, operands, list.c_str());
 }
 
-Type convert(Op op, Type from, Type to, bool fits, std::string& why) {
-    return fits ? to : refuse(why, op, std::span(&from, 1), "another scalar type");
-}
-
 Type gradient_type(Op op, Types operands, std::string& why) {
     using T = Type;
     switch (op) {
@@ -123,6 +122,9 @@ Type special(Op op, Types operands, Type wanted, std::string& why) {
     switch (op) {
         case Op::construct_:
             return construct(operands, wanted, why);
+        case Op::swizzle_:
+            return wanted != T::poison_ ? wanted
+                                        : refuse(why, op, operands, "components that a vector has");
         case Op::column_:
             return exactly(op, operands, {T::mat3_}, T::vec3_, why);
         case Op::sign_nonzero_:
@@ -147,11 +149,15 @@ Type special(Op op, Types operands, Type wanted, std::string& why) {
                 return operands[1];
             return refuse(why, op, operands, "a bool and two values of one type");
         case Op::to_float_:
-            return convert(op, first, T::float_, is_scalar(first), why);
+            return is_scalar(first) && first != T::float_
+                       ? T::float_
+                       : refuse(why, op, operands, "an int, a uint or a bool");
         case Op::to_int_:
-            return convert(op, first, T::int_, is_scalar(first), why);
+            return first == T::float_ || first == T::uint_
+                       ? T::int_
+                       : refuse(why, op, operands, "a float or a uint");
         case Op::to_uint_:
-            return convert(op, first, T::uint_, is_integer(first), why);
+            return exactly(op, operands, {T::int_}, T::uint_, why);
         case Op::detach_:
             return info(first).lanes > 0 ? first : refuse(why, op, operands, "a number");
         case Op::ddx_:
@@ -203,7 +209,7 @@ Type result_type(Op op, std::span<const Type> operands, Type wanted, std::string
             return Type::bool_;
         case Rule::bits:
             if (is_integer(operands[0]) &&
-                (operands[0] == operands[1] || op == Op::shift_left_ || op == Op::shift_right_))
+                (operands[0] == operands[1] || (is_shift(op) && is_integer(operands[1]))))
                 return operands[0];
             return refuse(why, op, operands, "integers of one type");
         case Rule::special:

@@ -1,5 +1,8 @@
 #include "ir/verify.h"
 
+#include <algorithm>
+#include <unordered_set>
+
 #include "ir/copy.h"
 #include "ir/rewrite.h"
 #include "ir/typing.h"
@@ -32,10 +35,9 @@ std::string check_region(const Module& m, Id id) {
         if (m.type(args[k]) != region.params[k]) return at(id, "an argument has another type");
     if (inst.op == Op::loop_ && region.results.size() != region.params.size() + 1)
         return at(id, "a loop's state and next state differ");
-    for (const Id result : region.results) {
-        if (result >= id) return at(id, "a region's result comes after its use");
-        if (inst.op == Op::call_ && m[result].level > 1) return at(id, "a function is not closed");
-    }
+    for (const Id result : region.results)
+        if (result >= id || result == poison)
+            return at(id, "a region's result does not precede its use");
     return {};
 }
 
@@ -52,6 +54,28 @@ std::string check_level(const Module& m, Id id) {
     return {};
 }
 
+// Inside a region: its own parameters and, in a function, nothing of outside but what is global.
+std::string check_body(const Module& m, uint32_t index) {
+    const Region& region = m.region(index);
+    std::unordered_set<Id> seen;
+    std::vector<Id> open(region.results.begin(), region.results.end());
+    while (!open.empty()) {
+        const Id id = open.back();
+        open.pop_back();
+        if (!seen.insert(id).second) continue;
+        const Inst& inst = m[id];
+        const bool outside = inst.level < region.level;
+        if (outside && region.kind == RegionKind::function && !is_global(m, id))
+            return at(id, "a function reads a value of outside");
+        if (outside) continue;
+        append_dependencies(m, id, false, open);
+        if (inst.op != Op::region_param_ || inst.level != region.level) continue;
+        if (inst.extra >= region.params.size() || region.params[inst.extra] != inst.type)
+            return at(id, "a parameter that its region does not have");
+    }
+    return {};
+}
+
 }  // namespace
 
 std::string verify(const Module& module) {
@@ -59,6 +83,7 @@ std::string verify(const Module& module) {
     for (const ModuleOutput& output : module.outputs)
         roots.push_back(output.value);
     const std::vector<bool> needed = reachable(module, roots);
+    std::unordered_set<uint32_t> checked;  // regions
     for (Id id = 1; id < module.size(); ++id) {
         if (!needed[id]) continue;
         for (const Id operand : module.operands(id))
@@ -66,8 +91,11 @@ std::string verify(const Module& module) {
         const Op op = module[id].op;
         std::string problem = check_types(module, id);
         if (problem.empty()) problem = check_level(module, id);
-        if (problem.empty() && (op == Op::loop_ || op == Op::call_))
+        if (problem.empty() && (op == Op::loop_ || op == Op::call_)) {
             problem = check_region(module, id);
+            if (problem.empty() && checked.insert(module[id].extra).second)
+                problem = check_body(module, module[id].extra);
+        }
         if (!problem.empty()) return problem;
     }
     for (const ModuleOutput& output : module.outputs)
