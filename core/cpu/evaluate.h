@@ -1,0 +1,104 @@
+// Numbers from a module, without a GPU: a tape over scalar registers, run on tiles of 256 points.
+//
+// compile_program() takes a module after expand() and explicit_lod() (no opaque op, no implicit
+// sample) and flattens it: vectors become lanes, calls are inlined, loops stay. Registers are used
+// again as soon as nobody reads them, so scratch is bounded by what lives at once. A parameter has
+// the value that the graph gives it. Linear time, no recursion over instructions.
+//
+// evaluate() is pure and may be called from several threads, each on its own range of points; the
+// results do not depend on how points are split. float gives what shaders compute, double what they
+// should. Semantics at the corners are those above the op table (wrinkle/plugin.h).
+#pragma once
+
+#include <array>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "cpu/texture.h"
+#include "ir/module.h"
+
+namespace wrinkle {
+
+// Surface points as arrays: [point * lanes + lane] by input and variant; empty where not given.
+// Units and spaces as in the table of surface inputs; dx and dy are the change to the next pixel.
+struct PointSet {
+    size_t count = 0;
+    std::array<std::array<std::vector<double>, 3>, surface_input_count> values;
+
+    std::vector<double>& at(SurfaceInput input, Variant variant = Variant::value) {
+        return values[static_cast<size_t>(input)][static_cast<size_t>(variant)];
+    }
+    const std::vector<double>& at(SurfaceInput input, Variant variant = Variant::value) const {
+        return values[static_cast<size_t>(input)][static_cast<size_t>(variant)];
+    }
+};
+
+// One scalar operation on a tile. Registers of floats and of integers (bools: 0 or 1) are two files.
+struct Step {
+    enum class Kind : uint8_t { op, sample, size, loop_begin, loop_test, move, loop_end };
+    Kind kind = Kind::op;
+    Op op = Op::poison_;
+    Type type = Type::float_;  // of the operands, where an op has several meanings
+    uint32_t out = 0;          // first of four for a sample
+    std::array<uint32_t, 3> in{};
+    uint32_t extra = 0;  // resource; of loop_begin and loop_end the other's step; iterations in in[0]
+};
+
+struct Program {
+    struct Input {
+        SurfaceInput input;
+        Variant variant;
+        uint32_t lane;
+        uint32_t reg;
+    };
+    struct Constant {
+        double value;
+        bool integer;
+        uint32_t reg;
+    };
+    struct Output {
+        std::string name;
+        Type type;
+        uint32_t port_type;
+        std::vector<uint32_t> regs;  // one a lane
+    };
+    std::vector<Step> steps;
+    std::vector<Input> inputs;
+    std::vector<Constant> constants;
+    std::vector<Output> outputs;
+    uint32_t float_registers = 0;
+    uint32_t integer_registers = 0;
+};
+
+// Inlined calls may not make more steps than this; such a program is refused.
+inline constexpr size_t max_program_steps = 20'000'000;
+
+// An empty program, with the reason in `why`, when the limit is met.
+Program compile_program(const Module& module, std::string& why);
+
+// The values a program reads, each once, in the order of the enumerators.
+struct InputNeed {
+    SurfaceInput input;
+    Variant variant;
+};
+std::vector<InputNeed> needed_inputs(const Program& program);
+
+// values[output][point * lanes + lane]
+struct Results {
+    std::vector<std::vector<double>> values;
+};
+Results make_results(const Program& program, size_t points);
+
+// Points first ... first + count - 1 into `results`. Every needed input is given; textures stand by
+// resource index.
+template <class T>
+void evaluate(const Program& program, const PointSet& points, std::span<const Texture> textures,
+              size_t first, size_t count, Results& results);
+
+extern template void evaluate<float>(const Program&, const PointSet&, std::span<const Texture>,
+                                     size_t, size_t, Results&);
+extern template void evaluate<double>(const Program&, const PointSet&, std::span<const Texture>,
+                                      size_t, size_t, Results&);
+
+}  // namespace wrinkle
