@@ -1,0 +1,92 @@
+#include "cli/picture.h"
+
+#include <charconv>
+
+#include "gpu/from_glsl.h"
+#include "mesh/shapes.h"
+
+namespace wrinkle::cli {
+namespace {
+
+constexpr int max_side = 16384;
+
+bool parse_side(std::string_view text, int& side) {
+    const char* end = text.data() + text.size();
+    const auto [stop, problem] = std::from_chars(text.data(), end, side);
+    return problem == std::errc{} && stop == end && side >= 1 && side <= max_side;
+}
+
+Mesh mesh_of(const PictureOptions& options) {
+    Mesh mesh = *make_shape(options.mesh);
+    if (!options.tangents) mesh.tangents.clear();
+    return mesh;
+}
+
+}  // namespace
+
+bool parse_size(const std::string& text, int& width, int& height) {
+    const size_t cross = text.find('x');
+    return cross != text.npos && parse_side(std::string_view(text).substr(0, cross), width) &&
+           parse_side(std::string_view(text).substr(cross + 1), height);
+}
+
+std::vector<std::string> view_names() {
+    return {gpu::view_names().begin(), gpu::view_names().end()};
+}
+
+std::vector<std::string> shape_names() {
+    std::vector<std::string> names;
+    for (const Shape& shape : shapes())
+        names.emplace_back(shape.name);
+    return names;
+}
+
+std::optional<Painter> Painter::make(const PictureOptions& options, Diagnostics& diagnostics) {
+    auto context = gpu::Context::offscreen(diagnostics);
+    if (!context) return {};
+    if (!context->make_current()) {
+        diagnostics.error("the OpenGL context cannot be made current");
+        return {};
+    }
+    gpu::TargetOptions wanted;
+    wanted.width = options.width;
+    wanted.height = options.height;
+    wanted.samples = options.view == gpu::View::shaded ? 4 : 1;  // values are not to be averaged
+    auto target = gpu::Target::make(wanted, diagnostics);
+    if (!target) return {};
+    return Painter(std::move(*context), std::move(*target), options);
+}
+
+Painter::Painter(gpu::Context context, gpu::Target target, const PictureOptions& options)
+    : context_(std::move(context)), target_(std::move(target)), options_(options) {
+    const Mesh mesh = mesh_of(options);
+    renderer_.set_mesh(mesh);
+    scene_.camera = gpu::default_camera(mesh, options.mesh);
+}
+
+bool Painter::set_material(const gpu::Material& material, const Textures& textures,
+                           Diagnostics& diagnostics) {
+    for (const gpu::MaterialSampler& sampler : material.samplers) {
+        const MipChain* chain = textures.find(sampler.file);
+        if (!chain || !renderer_.add_image(sampler.file, *chain, diagnostics)) return false;
+    }
+    return renderer_.set_material(material, diagnostics);
+}
+
+std::optional<Picture> Painter::draw(const Shader& shader, const Textures& textures,
+                                     Diagnostics& diagnostics) {
+    if (!set_material(gpu::material_from(shader), textures, diagnostics)) return {};
+    gpu::ViewOptions view;
+    view.view = options_.view;
+    view.against = options_.against;
+    if (!renderer_.draw(scene_, view, target_, diagnostics)) return {};
+    Picture picture{target_.read_image(), {}};
+    if (options_.view != gpu::View::difference) return picture;
+    const auto angles =
+        renderer_.measure(scene_, options_.against, options_.width, options_.height, diagnostics);
+    if (!angles) return {};
+    picture.angles = *angles;
+    return picture;
+}
+
+}  // namespace wrinkle::cli

@@ -1,0 +1,57 @@
+// Materials drawn on a mesh, as `wrinkle render` shows them and `wrinkle test` compares them.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cli/material_run.h"
+#include "gpu/context.h"
+#include "gpu/renderer.h"
+#include "gpu/target.h"
+#include "image/image.h"
+
+namespace wrinkle::cli {
+
+struct PictureOptions {
+    std::string mesh = "sphere";  // a name of mesh/shapes.h
+    int width = 512;
+    int height = 512;
+    gpu::View view = gpu::View::shaded;
+    std::string against;  // of the difference view
+    bool tangents = true;
+};
+
+// "640x480"; nothing for a text that is no size of 1 to 16384.
+bool parse_size(const std::string& text, int& width, int& height);
+std::vector<std::string> view_names();
+std::vector<std::string> shape_names();
+
+struct Picture {
+    Image image;
+    gpu::AngleStatistics angles;  // of the difference view
+};
+
+// A context, a renderer in it, and what is drawn into.
+class Painter {
+public:
+    // Nothing where there is no GL or the size is beyond the driver: the environment's fault.
+    static std::optional<Painter> make(const PictureOptions& options, Diagnostics& diagnostics);
+
+    // The shader is that of emit_function(). What fails here is the graph's fault.
+    std::optional<Picture> draw(const Shader& shader, const Textures& textures,
+                                Diagnostics& diagnostics);
+
+private:
+    Painter(gpu::Context context, gpu::Target target, const PictureOptions& options);
+    bool set_material(const gpu::Material& material, const Textures& textures,
+                      Diagnostics& diagnostics);
+
+    gpu::Context context_;  // goes last
+    gpu::Target target_;
+    gpu::Renderer renderer_;
+    PictureOptions options_;
+    gpu::Scene scene_;
+};
+
+}  // namespace wrinkle::cli

@@ -1,0 +1,231 @@
+#include "cli/points.h"
+
+#include <charconv>
+#include <cmath>
+
+#include "base/text.h"
+#include "cli/session.h"
+#include "graph/document.h"
+#include "json/parse.h"
+#include "mesh/sample.h"
+#include "mesh/shapes.h"
+
+namespace wrinkle::cli {
+namespace {
+
+constexpr std::array<const char*, 3> variant_names = {"", "dx", "dy"};
+
+std::optional<SurfaceInput> input_named(std::string_view name) {
+    for (int i = 0; i < surface_input_count; ++i)
+        if (info(static_cast<SurfaceInput>(i)).name == name) return static_cast<SurfaceInput>(i);
+    return {};
+}
+
+std::vector<std::string> input_names() {
+    std::vector<std::string> names;
+    for (int i = 0; i < surface_input_count; ++i)
+        names.emplace_back(info(static_cast<SurfaceInput>(i)).name);
+    return names;
+}
+
+// Reads one point; problems are reported at the values they concern.
+class PointReader {
+public:
+    PointReader(Point& point, Diagnostics& diagnostics)
+        : point_(point), diagnostics_(diagnostics) {}
+
+    void read(const json::Value& value) {
+        if (!value.is(json::Kind::object))
+            return error(value, "is " + std::string(json::kind_name(value.kind())),
+                         "a point is an object such as {\"uv0\": [0.5, 0.5]}");
+        for (const json::Member& member : value.children()) {
+            if (member.key == "dx")
+                read_group(member.value, Variant::dx);
+            else if (member.key == "dy")
+                read_group(member.value, Variant::dy);
+            else
+                read_slot(member, Variant::value);
+        }
+    }
+
+private:
+    void read_group(const json::Value& value, Variant variant) {
+        const std::string name = variant_names[static_cast<size_t>(variant)];
+        if (!value.is(json::Kind::object))
+            return error(value, name + " is " + json::kind_name(value.kind()),
+                         name + " is an object such as {\"uv0\": [0.001, 0]}");
+        for (const json::Member& member : value.children())
+            read_slot(member, variant);
+    }
+
+    void read_slot(const json::Member& member, Variant variant) {
+        const auto input = input_named(member.key);
+        if (!input) {
+            std::vector<std::string> names = input_names();
+            if (variant == Variant::value) names.insert(names.end(), {"dx", "dy"});
+            const std::string near = nearest(member.key, names);
+            return error(member.value, "there is no '" + std::string(member.key) + "'",
+                         near.empty() ? "position, normal, tangent, uv0 ... uv3, color0, view, "
+                                        "facing, dx, dy"
+                                      : "did you mean '" + near + "'?");
+        }
+        const PointKey key{*input, variant};
+        if (*input == SurfaceInput::facing_ && variant != Variant::value)
+            return error(member.value, key.name() + " has no meaning", "facing does not change");
+        point_[key].given = read_lanes(key, member.value, point_[key].lanes);
+    }
+
+    bool read_lanes(PointKey key, const json::Value& value, std::array<double, 4>& lanes) {
+        const size_t count = info(info(key.input).type).lanes;
+        const bool fits = count == 1 ? value.is(json::Kind::number)
+                                     : value.is(json::Kind::array) && value.size() == count;
+        bool fine = fits;
+        size_t lane = 0;
+        if (fits && count == 1) lanes[0] = value.as_number();
+        if (fits && count > 1)
+            for (const json::Member& member : value.children()) {
+                fine = fine && member.value.is(json::Kind::number);
+                if (fine) lanes[lane++] = member.value.as_number();
+            }
+        if (!fine)
+            error(value, key.name() + " does not fit",
+                  count == 1 ? "a number" : "an array of " + std::to_string(count) + " numbers");
+        return fine;
+    }
+
+    void error(const json::Value& value, const std::string& message, const std::string& expected) {
+        diagnostics_.add(diagnose(value, "", point_.name + ": " + message, expected));
+    }
+
+    Point& point_;
+    Diagnostics& diagnostics_;
+};
+
+Point read_point(const json::Value& value, size_t number, Diagnostics& diagnostics) {
+    Point point;
+    point.name = "point " + std::to_string(number);
+    point.source = value;
+    point[{SurfaceInput::facing_}] = {true, {1}};
+    PointReader(point, diagnostics).read(value);
+    return point;
+}
+
+std::optional<glm::dvec2> parse_uv(const std::string& text) {
+    const auto parts = split(text, ',');
+    glm::dvec2 uv(0);
+    if (parts.size() != 2) return {};
+    for (int i = 0; i < 2; ++i) {
+        const std::string_view part = parts[static_cast<size_t>(i)];
+        const auto [end, problem] = std::from_chars(part.data(), part.data() + part.size(), uv[i]);
+        if (problem != std::errc{} || end != part.data() + part.size() || !std::isfinite(uv[i]))
+            return {};
+    }
+    return uv;
+}
+
+template <typename Vector>
+Point::Slot slot_of(const Vector& vector) {
+    Point::Slot slot{true, {}};
+    for (int i = 0; i < Vector::length(); ++i)
+        slot.lanes[static_cast<size_t>(i)] = vector[i];
+    return slot;
+}
+
+void set_attributes(Point& point, Variant variant, const SurfaceAttributes& value,
+                    const AttributePresence& has) {
+    point[{SurfaceInput::position_, variant}] = slot_of(value.position);
+    if (has.normal) point[{SurfaceInput::normal_, variant}] = slot_of(value.normal);
+    if (has.tangent) point[{SurfaceInput::tangent_, variant}] = slot_of(value.tangent);
+    if (has.color) point[{SurfaceInput::color0_, variant}] = slot_of(value.color);
+    for (size_t set = 0; set < max_uv_sets; ++set) {
+        const auto input = static_cast<SurfaceInput>(static_cast<size_t>(SurfaceInput::uv0_) + set);
+        if (has.uv[set]) point[{input, variant}] = slot_of(value.uv[set]);
+    }
+}
+
+}  // namespace
+
+std::string PointKey::name() const {
+    const std::string prefix = variant_names[static_cast<size_t>(variant)];
+    return (prefix.empty() ? "" : prefix + ".") + std::string(info(input).name);
+}
+
+std::vector<Point> read_points(const json::Value& value, Diagnostics& diagnostics) {
+    std::vector<Point> points;
+    if (!value.is(json::Kind::array)) {
+        points.push_back(read_point(value, 0, diagnostics));
+        return points;
+    }
+    for (const json::Member& member : value.children())
+        points.push_back(read_point(member.value, points.size(), diagnostics));
+    return points;
+}
+
+std::vector<Point> points_of_option(const std::string& at, Diagnostics& diagnostics) {
+    std::optional<std::string> text = at;
+    std::string name = "--at";
+    if (at == "-" || at.starts_with('@')) {
+        name = at == "-" ? "<stdin>" : at.substr(1);
+        text = read_text(at == "-" ? at : name, diagnostics);
+    }
+    if (!text) return {};
+    Diagnostics own;
+    const json::Parsed parsed = json::parse(*text, name, own);
+    diagnostics.append(own);
+    if (own.has_errors()) return {};
+    return read_points(parsed.root, diagnostics);
+}
+
+std::vector<Point> points_on_mesh(const MeshPlace& place, bool tangents, Diagnostics& diagnostics) {
+    std::optional<Mesh> mesh = make_shape(place.mesh);
+    const auto uv = parse_uv(place.uv);
+    if (!mesh || !uv) return {};
+    if (!tangents) mesh->tangents.clear();
+    const auto sampled = sample_mesh(*mesh, *uv, place.size, diagnostics);
+    if (!sampled) return {};
+    Point point;
+    point.name = place.mesh + " at " + place.uv;
+    point[{SurfaceInput::facing_}] = {true, {1}};
+    set_attributes(point, Variant::value, sampled->value, sampled->has);
+    set_attributes(point, Variant::dx, sampled->dx, sampled->has);
+    set_attributes(point, Variant::dy, sampled->dy, sampled->has);
+    return {point};
+}
+
+std::vector<PointKey> needed_by(const Module& module) {
+    std::vector<bool> live(module.size());
+    for (const ModuleOutput& output : module.outputs)
+        live[output.value] = true;
+    std::vector<bool> needed(size_t{surface_input_count} * 3);
+    for (Id id = module.size(); id-- > 1;) {
+        if (!live[id]) continue;
+        const Inst& inst = module[id];
+        for (const Id operand : module.operands(id))
+            live[operand] = true;
+        if (inst.op == Op::loop_ || inst.op == Op::call_)
+            for (const Id result : module.region(inst.extra).results)
+                live[result] = true;
+        if (inst.op == Op::input_)
+            needed[PointKey{input_of(inst.extra), variant_of(inst.extra)}.index()] = true;
+    }
+    std::vector<PointKey> keys;
+    for (size_t i = 0; i < needed.size(); ++i)
+        if (needed[i])
+            keys.push_back({static_cast<SurfaceInput>(i / 3), static_cast<Variant>(i % 3)});
+    return keys;
+}
+
+bool all_given(const std::vector<Point>& points, const std::vector<PointKey>& needed,
+               Diagnostics& diagnostics) {
+    bool fine = true;
+    for (const Point& point : points)
+        for (const PointKey key : needed) {
+            if (point[key].given) continue;
+            diagnostics.add(diagnose(point.source, "", point.name + " lacks '" + key.name() + "'",
+                                     "the graph needs it"));
+            fine = false;
+        }
+    return fine;
+}
+
+}  // namespace wrinkle::cli

@@ -1,0 +1,64 @@
+// Surface points given as numbers: read from JSON, or taken from a mesh.
+//
+//   {"position": [x, y, z], "normal": [...], "uv0": [u, v], ..., "facing": 1,
+//    "dx": {"position": [...], "uv0": [...], ...}, "dy": {...}}
+//
+// dx and dy hold the change of a value to the next pixel. Nothing but `facing` (+1) has a default;
+// what a material needs and a point lacks is an error that names it. Numbers are finite.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/diagnostics.h"
+#include "ir/module.h"
+#include "json/value.h"
+
+namespace wrinkle::cli {
+
+// One number group of a point: an input of the surface, or its change along x or y.
+struct PointKey {
+    SurfaceInput input = SurfaceInput::position_;
+    Variant variant = Variant::value;
+
+    size_t index() const { return static_cast<size_t>(input) * 3 + static_cast<size_t>(variant); }
+    std::string name() const;  // "uv0", "dx.uv0"
+};
+
+struct Point {
+    struct Slot {
+        bool given = false;
+        std::array<double, 4> lanes{};
+    };
+    std::array<Slot, size_t{surface_input_count} * 3> slots;
+    std::string name;    // "point 3", for messages
+    json::Value source;  // where it was read; null when it comes from a mesh
+
+    Slot& operator[](PointKey key) { return slots[key.index()]; }
+    const Slot& operator[](PointKey key) const { return slots[key.index()]; }
+};
+
+// A point, or an array of them. `node` is what problems are reported at, may be "".
+std::vector<Point> read_points(const json::Value& value, Diagnostics& diagnostics);
+
+// The value of --at: JSON itself, "@FILE", or "-" for standard input.
+std::vector<Point> points_of_option(const std::string& at, Diagnostics& diagnostics);
+
+// "U,V" on a built-in shape, dx and dy one texel of a size * size layout.
+struct MeshPlace {
+    std::string mesh;
+    std::string uv;
+    uint32_t size = 1024;
+};
+std::vector<Point> points_on_mesh(const MeshPlace& place, bool tangents, Diagnostics& diagnostics);
+
+// The surface inputs that a module's outputs depend on, in the order of the table.
+std::vector<PointKey> needed_by(const Module& module);
+
+// Reports what is needed and absent; true when nothing is.
+bool all_given(const std::vector<Point>& points, const std::vector<PointKey>& needed,
+               Diagnostics& diagnostics);
+
+}  // namespace wrinkle::cli

@@ -1,0 +1,133 @@
+// wrinkle render FILE -o OUT: a picture of a graph.
+#include <unistd.h>
+
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+
+#include "base/file.h"
+#include "base/text.h"
+#include "cli/output.h"
+#include "cli/picture.h"
+#include "image/load.h"
+
+namespace wrinkle::cli {
+namespace fs = std::filesystem;
+namespace {
+
+struct RenderCommand {
+    CommonOptions common;
+    std::string file, output;
+    std::string mesh = "sphere", size = "512x512", view = "shaded", against;
+
+    int run() const {
+        PictureOptions options;
+        if (!read_options(options)) return exit_usage;
+        Diagnostics diagnostics;
+        const Nodes nodes = load_nodes(common, diagnostics);
+        const Overrides overrides = parse_overrides(common, diagnostics);
+        if (overrides.is_sweep() && output == "-") {
+            complain("a sweep makes several pictures; standard output takes one");
+            return exit_usage;
+        }
+        std::vector<Shader> shaders;
+        Textures textures;
+        const auto runs = compile_runs(file, common, nodes.registry, overrides, false, diagnostics);
+        for (const MaterialRun& run : runs) {
+            if (!run.compiled.ok) continue;
+            textures.load(run.compiled, run.project, diagnostics);
+            shaders.push_back(emit_function(run, material_name(file), diagnostics));
+        }
+        const int code = report(diagnostics, common.diagnostics);
+        return code == exit_fine ? draw(shaders, textures, options, overrides) : code;
+    }
+
+    bool read_options(PictureOptions& options) const {
+        options.mesh = mesh;
+        options.against = against;
+        options.tangents = !common.no_tangents;
+        options.view = *gpu::view_named(view);
+        const std::string type = fs::path(output).extension().string();
+        std::string sentence;
+        if (!parse_size(size, options.width, options.height))
+            sentence = "--size " + size + " is no size; 512x512 is one, at most 16384 a side";
+        else if (!against.empty() && options.view != gpu::View::difference)
+            sentence = "--against goes with --view difference";
+        else if (output != "-" && type != ".png" && type != ".jpg" && type != ".jpeg" &&
+                 type != ".tif" && type != ".tiff")
+            sentence = output + ": a picture is written as .png, .jpg or .tif";
+        if (!sentence.empty()) complain(sentence);
+        return sentence.empty();
+    }
+
+    int draw(const std::vector<Shader>& shaders, const Textures& textures,
+             const PictureOptions& options, const Overrides& overrides) const {
+        Diagnostics environment, diagnostics;
+        auto painter = Painter::make(options, environment);
+        if (!painter) {
+            report(environment, common.diagnostics);
+            return exit_environment;
+        }
+        for (size_t i = 0; i < shaders.size(); ++i) {
+            const auto picture = painter->draw(shaders[i], textures, diagnostics);
+            if (!picture) return report(diagnostics, common.diagnostics);
+            const std::string path = path_of_run(output, overrides, i);
+            if (!save(picture->image, path)) return exit_environment;
+            if (options.view == gpu::View::difference) print(picture->angles, path);
+        }
+        return exit_fine;
+    }
+
+    bool save(const Image& image, const std::string& path) const {
+        Diagnostics environment;
+        const bool saved = path == "-" ? save_to_stdout(image, environment)
+                                       : save_image(image, path, {}, environment);
+        if (!saved) report(environment, common.diagnostics);
+        return saved;
+    }
+
+    // The image library writes files, so the bytes go through one.
+    static bool save_to_stdout(const Image& image, Diagnostics& environment) {
+        const fs::path path =
+            fs::temp_directory_path() / ("wrinkle-" + std::to_string(getpid()) + ".png");
+        if (!save_image(image, path, {}, environment)) return false;
+        std::string why;
+        const auto bytes = read_file(path, why);
+        std::error_code ignored;
+        fs::remove(path, ignored);
+        return bytes && write_result("-", *bytes);
+    }
+
+    void print(const gpu::AngleStatistics& angles, const std::string& path) const {
+        std::fprintf(path == "-" ? stderr : stdout, "%s: mean %.4f degrees, max %.4f degrees\n",
+                     path.c_str(), angles.mean_degrees, angles.max_degrees);
+    }
+};
+
+}  // namespace
+
+void declare_render(CLI::App& app, Run& run) {
+    auto command = std::make_shared<RenderCommand>();
+    RenderCommand& c = *command;
+    CLI::App& sub = *app.add_subcommand("render", "A picture of a graph");
+    sub.add_option("FILE", c.file, "A graph; - reads standard input")->required();
+    sub.add_option("-o", c.output, "The picture: .png, .jpg or .tif; - is standard output")
+        ->type_name("OUT")
+        ->required();
+    sub.add_option("--mesh", c.mesh, "What it is drawn on")
+        ->type_name("NAME")
+        ->check(CLI::IsMember(shape_names()))
+        ->capture_default_str();
+    sub.add_option("--size", c.size, "Of the picture")->type_name("WxH")->capture_default_str();
+    sub.add_option("--view", c.view, "What it shows")
+        ->check(CLI::IsMember(view_names()))
+        ->capture_default_str();
+    sub.add_option("--against", c.against,
+                   "The output that the difference is taken against; "
+                   "default: the normal without bumps")
+        ->type_name("OUTPUT");
+    declare_common(sub, c.common);
+    sub.callback([command, &run] { run = [command] { return command->run(); }; });
+}
+
+}  // namespace wrinkle::cli

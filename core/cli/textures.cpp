@@ -1,0 +1,42 @@
+#include "cli/textures.h"
+
+#include "graph/document.h"
+#include "image/load.h"
+
+namespace wrinkle::cli {
+namespace {
+
+// The image's problem said at the port that names the file.
+Diagnostic at_reader(const Diagnostic& problem, const Resource& resource, const Compiled& compiled,
+                     const Project& project) {
+    if (resource.readers.empty()) return problem;
+    const Resource::Reader& reader = resource.readers.front();
+    const NodePlace place = compiled.places[reader.node];
+    if (place.node == NodePlace::none) return problem;
+    const Document& document = project.files[place.file].document;
+    Diagnostic result = diagnose_port(document, *document.nodes[place.node], reader.port,
+                                      problem.message, problem.expected);
+    result.severity = problem.severity;
+    result.node = compiled.module.nodes[reader.node].path;
+    return result;
+}
+
+}  // namespace
+
+void Textures::load(const Compiled& compiled, const Project& project, Diagnostics& diagnostics) {
+    for (const Resource& resource : compiled.module.resources) {
+        if (chains_.contains(resource.file)) continue;
+        Diagnostics own;
+        auto image = load_image(resource.file, own);
+        for (const Diagnostic& problem : own.list())
+            diagnostics.add(at_reader(problem, resource, compiled, project));
+        chains_[resource.file] = image ? build_mips(std::move(*image)) : MipChain{};
+    }
+}
+
+const MipChain* Textures::find(const std::string& file) const {
+    const auto found = chains_.find(file);
+    return found == chains_.end() || found->second.levels.empty() ? nullptr : &found->second;
+}
+
+}  // namespace wrinkle::cli
