@@ -1,0 +1,137 @@
+// Bases of converted inputs, and the order of building that follows from them.
+#include <numeric>
+
+#include "lower/conversion.h"
+#include "lower/flat.h"
+
+namespace wrinkle {
+namespace {
+
+constexpr uint32_t none = FlatNode::none;
+
+class Groups {
+public:
+    explicit Groups(size_t count) : parent_(count) {
+        std::iota(parent_.begin(), parent_.end(), 0u);
+    }
+    uint32_t find(uint32_t i) {
+        while (parent_[i] != i)
+            i = parent_[i] = parent_[parent_[i]];
+        return i;
+    }
+    void unite(uint32_t a, uint32_t b) { parent_[find(a)] = find(b); }
+
+private:
+    std::vector<uint32_t> parent_;
+};
+
+bool makes_gradient(const FlatGraph& graph, const FlatNode& node, uint32_t p) {
+    const Port& port = graph.port(node, p);
+    const Wire& wire = graph.wire(node, p);
+    const bool carries = wire.kind != Wire::Kind::none && wire.kind != Wire::Kind::literal;
+    return port.type == PortType::gradient_ && carries && wire.type != PortType::gradient_;
+}
+
+// Whether the node says a base of its own: its input `base` is something else than the surface.
+bool says_base(const FlatGraph& graph, const FlatNode& node) {
+    if (node.is_pass() || node.muted) return false;
+    const uint32_t p = node.type->find_input("base");
+    if (p == NodeType::none || node.type->ports[p].type != PortType::normal_) return false;
+    return graph.wire(node, p).kind == Wire::Kind::node;
+}
+
+class Sorter {
+public:
+    Sorter(FlatGraph& graph, const Project& project, Diagnostics& diagnostics)
+        : graph_(graph),
+          project_(project),
+          diagnostics_(diagnostics),
+          state_(graph.nodes.size(), State::unseen) {}
+
+    void run() {
+        for (const uint32_t output : graph_.outputs) {
+            enter(output);
+            while (!stack_.empty())
+                step();
+        }
+    }
+
+private:
+    enum class State : uint8_t { unseen, open, done };
+    struct Frame {
+        uint32_t node;
+        uint32_t next;  // wire; the last one stands for the base
+    };
+
+    void enter(uint32_t node) {
+        if (state_[node] != State::unseen) return;
+        state_[node] = State::open;
+        stack_.push_back({node, 0});
+    }
+
+    void step() {
+        Frame& frame = stack_.back();
+        const uint32_t index = frame.node;
+        const FlatNode& node = graph_.nodes[index];
+        const uint32_t wires = graph_.port_count(node);
+        if (frame.next > wires) {
+            state_[index] = State::done;
+            graph_.order.push_back(index);
+            stack_.pop_back();
+        } else if (frame.next++ == wires) {
+            if (node.base_node != none) enter_base(index);
+        } else {
+            const Wire& wire = graph_.wire(node, frame.next - 1);
+            if (wire.kind == Wire::Kind::node) enter(wire.from);
+        }
+    }
+
+    void enter_base(uint32_t index) {
+        FlatNode& node = graph_.nodes[index];
+        const FlatNode& sayer = graph_.nodes[node.base_node];
+        const uint32_t source = graph_.wire(sayer, sayer.type->find_input("base")).from;
+        if (state_[source] != State::open) return enter(source);
+        const std::string base = graph_.instances[graph_.nodes[source].instance].path;
+        const std::string other = graph_.instances[sayer.instance].path;
+        diagnostics_.add(
+            diagnose(project_, graph_.places[node.instance], graph_.instances[node.instance].path,
+                     "its gradient would stand on the normal of node '" + base +
+                         "', which is made from it; node '" + other + "' says that base",
+                     "use a node of its own for each of the two bases"));
+        node.base_node = none;
+    }
+
+    FlatGraph& graph_;
+    const Project& project_;
+    Diagnostics& diagnostics_;
+    std::vector<State> state_;
+    std::vector<Frame> stack_;
+};
+
+}  // namespace
+
+void infer_bases(FlatGraph& graph) {
+    const auto count = static_cast<uint32_t>(graph.nodes.size());
+    Groups groups(count);
+    for (uint32_t i = 0; i < count; ++i)
+        for (uint32_t p = 0; p < graph.port_count(graph.nodes[i]); ++p) {
+            const Wire& wire = graph.wire(graph.nodes[i], p);
+            const bool joins = wire.kind == Wire::Kind::node && wire.type == PortType::gradient_ &&
+                               graph.port(graph.nodes[i], p).type == PortType::gradient_;
+            if (joins) groups.unite(i, wire.from);
+        }
+    std::vector<uint32_t> sayer(count, none);
+    for (uint32_t i = 0; i < count; ++i)
+        if (says_base(graph, graph.nodes[i]) && sayer[groups.find(i)] == none)
+            sayer[groups.find(i)] = i;
+    for (uint32_t i = 0; i < count; ++i)
+        for (uint32_t p = 0; p < graph.port_count(graph.nodes[i]); ++p)
+            if (makes_gradient(graph, graph.nodes[i], p))
+                graph.nodes[i].base_node = sayer[groups.find(i)];
+}
+
+void order_nodes(FlatGraph& graph, const Project& project, Diagnostics& diagnostics) {
+    Sorter(graph, project, diagnostics).run();
+}
+
+}  // namespace wrinkle

@@ -1,0 +1,353 @@
+// The builder that a node's build() works with: wr_builder over a module. What comes from a plugin
+// is not trusted: every number is checked before the module sees it.
+#include <cmath>
+#include <optional>
+
+#include "base/text.h"
+#include "lower/decode.h"
+#include "lower/field.h"
+#include "lower/lowering.h"
+
+namespace wrinkle {
+namespace {
+
+constexpr uint32_t most_arguments = 4;
+constexpr uint32_t most_region_values = 64;
+constexpr uint32_t most_iterations = 65536;
+constexpr int deepest_region = 32;
+
+bool is_number(uint32_t type) {
+    return type >= WR_TYPE_float && type <= WR_TYPE_bool;
+}
+
+class Builder {
+public:
+    Builder(Lowering& lowering, uint32_t node)
+        : lowering_(lowering),
+          module_(lowering.module()),
+          node_(node),
+          type_(*lowering.graph().nodes[node].type),
+          given_(type_.ports.size(), false) {
+        face_.size = sizeof face_;
+        face_.host = this;
+        face_.input = [](const wr_builder* b, uint32_t port) { return self(b).input(port); };
+        face_.image = [](const wr_builder* b, uint32_t port) { return self(b).image(port); };
+        face_.option = [](const wr_builder* b, uint32_t port) { return self(b).option(port); };
+        face_.field = [](const wr_builder* b, uint32_t port, wr_value at) {
+            return self(b).field(port, at);
+        };
+        face_.literal = [](const wr_builder* b, uint32_t type, const double* lanes) {
+            return self(b).literal(type, lanes);
+        };
+        face_.surface = [](const wr_builder* b, uint32_t i) { return self(b).surface(i); };
+        face_.emit = [](const wr_builder* b, uint32_t op, uint32_t type, const wr_value* args,
+                        uint32_t count,
+                        uint32_t extra) { return self(b).emit(op, type, args, count, extra); };
+        face_.sample = [](const wr_builder* b, uint32_t op, wr_image image, const wr_value* args,
+                          uint32_t count) { return self(b).sample(op, image, args, count); };
+        face_.begin_region = [](const wr_builder* b, uint32_t kind, const char* name,
+                                const uint32_t* types, uint32_t count, wr_value* params) {
+            self(b).begin_region(kind, name, types, count, params);
+        };
+        face_.end_region = [](const wr_builder* b, const wr_value* results, uint32_t count,
+                              uint32_t max) { return self(b).end_region(results, count, max); };
+        face_.apply = [](const wr_builder* b, wr_region region, const wr_value* args,
+                         uint32_t count, wr_value* results, uint32_t result_count) {
+            self(b).apply(region, args, count, results, result_count);
+        };
+        face_.output = [](const wr_builder* b, uint32_t port, wr_value value) {
+            self(b).output(port, value);
+        };
+        face_.error = [](const wr_builder* b, const char* text) { self(b).error(text); };
+        face_.get_extension = [](const wr_builder*, const char*) -> const void* { return nullptr; };
+    }
+
+    void run() {
+        module_.current_node = lowering_.graph().nodes[node_].instance;
+        type_.build(&face_);
+        if (module_.depth() > 0) refuse("leaves a loop or a function open");
+        const std::array<Id, 1> nothing{poison};
+        while (module_.depth() > 0)
+            module_.end_region(nothing);
+        for (uint32_t p = 0; p < type_.ports.size(); ++p)
+            if (type_.ports[p].kind == Port::Kind::output && !given_[p])
+                refuse("gives no value to its output '" + type_.ports[p].name + "'");
+        module_.current_node = 0;
+    }
+
+private:
+    static Builder& self(const wr_builder* b) { return *static_cast<Builder*>(b->host); }
+
+    // A call that makes no sense; said once for each text.
+    Id refuse(const std::string& message,
+              std::string expected = "the node's author can mend this") {
+        const std::vector<Problem>& problems = module_.problems;
+        for (size_t i = problems.size(); i > 0 && problems[i - 1].node == module_.current_node; --i)
+            if (problems[i - 1].message == message) return poison;
+        module_.problem(message, std::move(expected));
+        return poison;
+    }
+
+    const Port* port(uint32_t index, const char* call) {
+        if (index < type_.ports.size()) return &type_.ports[index];
+        refuse(std::string(call) + " asks for port " + std::to_string(index) +
+               ", which does not exist");
+        return nullptr;
+    }
+
+    // False when a value is poison, or none of this place.
+    bool usable(std::span<const wr_value> values) {
+        bool fine = true;
+        for (const wr_value value : values) {
+            if (value >= module_.size()) {
+                refuse("uses a value that does not exist");
+                fine = false;
+            } else if (value == poison) {
+                fine = false;
+            } else if (module_[value].level > module_.depth()) {
+                refuse("uses a value of a loop or a function outside of it");
+                fine = false;
+            }
+        }
+        return fine;
+    }
+
+    Id input(uint32_t index) {
+        const Port* p = port(index, "input()");
+        if (!p) return poison;
+        if (!p->is_value() || p->type == PortType::image_)
+            return refuse("reads port '" + p->name + "' as a value, which it is not");
+        return lowering_.input(node_, index);
+    }
+
+    wr_image image(uint32_t index) {
+        const Port* p = port(index, "image()");
+        if (!p) return poison;
+        if (p->kind != Port::Kind::input || p->type != PortType::image_)
+            return refuse("reads port '" + p->name + "' as an image, which it is not");
+        const Id handle = lowering_.image(node_, index);
+        if (handle == poison)
+            refuse("port '" + p->name + "' has no image", "it needs a path to an image");
+        return handle;
+    }
+
+    int32_t option(uint32_t index) {
+        const Port* p = port(index, "option()");
+        if (p && p->is_option()) return lowering_.option(node_, index);
+        if (p) refuse("reads port '" + p->name + "' as an option, which it is not");
+        return 0;
+    }
+
+    Id field(uint32_t index, wr_value at) {
+        const Port* p = port(index, "field()");
+        if (!p || !usable(std::array{at})) return poison;
+        if (p->kind != Port::Kind::field)
+            return refuse("reads port '" + p->name + "' as a field, which it is not");
+        const auto domain = static_cast<SurfaceInput>(p->default_surface);
+        if (module_.type(at) != info(domain).type)
+            return refuse("reads the field '" + p->name + "' at a " +
+                          std::string(info(module_.type(at)).name) + " in place of a " +
+                          std::string(info(info(domain).type).name));
+        return read_field(module_, lowering_.input(node_, index), domain, at);
+    }
+
+    Id literal(uint32_t type, const double* lanes) {
+        if (!is_number(type) || !lanes) return refuse("asks for a literal that is no number");
+        const auto wanted = static_cast<Type>(type);
+        const size_t count = info(wanted).lanes;
+        for (size_t i = 0; i < count; ++i)
+            if (!std::isfinite(lanes[i])) return refuse("asks for a literal that is not finite");
+        if (wanted == Type::int_ || wanted == Type::uint_) {
+            const double least = wanted == Type::int_ ? -2147483648.0 : 0;
+            const double most = wanted == Type::int_ ? 2147483647.0 : 4294967295.0;
+            if (lanes[0] < least || lanes[0] > most || lanes[0] != std::floor(lanes[0]))
+                return refuse("asks for the integer " + shortest(lanes[0]));
+        }
+        if (wanted == Type::bool_) return module_.literal(wanted, lanes[0] != 0 ? 1 : 0);
+        return module_.constant(wanted, std::span(lanes, count));
+    }
+
+    Id surface(uint32_t index) {
+        if (index >= static_cast<uint32_t>(surface_input_count))
+            return refuse("asks for surface property " + std::to_string(index) +
+                          ", which does not exist");
+        return lowering_.surface(index);
+    }
+
+    static bool host_only(Op op) {
+        return info(op).rule == Rule::leaf || op == Op::loop_ || op == Op::call_ ||
+               op == Op::result_ || is_sampling(op);
+    }
+    static bool is_sampling(Op op) {
+        return op == Op::sample_ || op == Op::sample_lod_ || op == Op::sample_grad_ ||
+               op == Op::image_size_;
+    }
+    static bool is_gradient_source(Op op) {
+        return op >= Op::gradient_from_derivative_ && op <= Op::gradient_from_normal_;
+    }
+
+    Id emit(uint32_t number, uint32_t type, const wr_value* args, uint32_t count, uint32_t extra) {
+        const auto o = static_cast<Op>(number);
+        if (number > 0xFFFF || info(o).name.empty())
+            return refuse("uses op " + std::to_string(number) + ", which does not exist",
+                          "a newer program may be needed");
+        const std::string name(info(o).name);
+        if (host_only(o)) return refuse("emits the op '" + name + "', which only the host makes");
+        const int arity = info(o).arity;
+        const bool fits = arity < 0 ? count >= 1 && count <= most_arguments
+                                    : count == static_cast<uint32_t>(arity);
+        if (!fits || (count > 0 && !args))
+            return refuse("gives the op '" + name + "' " + std::to_string(count) + " operands");
+        const std::span<const wr_value> operands(args, count);
+        if (!usable(operands)) return poison;
+        if (info(o).flags & WR_FLAG_IMPLICIT && module_[operands[0]].level > 0)
+            return refuse("takes the derivative '" + name + "' inside a loop or a function");
+        const std::optional<uint32_t> checked = checked_extra(o, extra);
+        if (!checked) return refuse("gives the op '" + name + "' an impossible detail");
+        return module_.add(o, operands, *checked, static_cast<Type>(type));
+    }
+
+    // What `extra` becomes in the module.
+    std::optional<uint32_t> checked_extra(Op o, uint32_t extra) {
+        if (o == Op::resolve_) return module_.current_node;
+        if (o == Op::swizzle_) return extra;
+        if (o == Op::column_) return extra < 3 ? std::optional(extra) : std::nullopt;
+        if (o == Op::frame_) {
+            const bool known = (extra & 0xFF) <= WR_FRAME_guess && extra >> 8 <= WR_SCALE_unit;
+            return known ? std::optional(extra) : std::nullopt;
+        }
+        if (!is_gradient_source(o) || extra == 0) return 0;
+        if (extra >= module_.size() || module_.type(extra) != Type::base_) return {};
+        const bool surface = module_[extra].arg[0] == lowering_.surface(WR_SURFACE_normal);
+        return surface ? 0 : extra;
+    }
+
+    Id sample(uint32_t number, wr_image image, const wr_value* args, uint32_t count) {
+        const auto o = static_cast<Op>(number);
+        if (number > 0xFFFF || !is_sampling(o))
+            return refuse("samples with op " + std::to_string(number) + ", which is none for it");
+        if (image == 0) return poison;
+        const Lowering::Image* used = lowering_.ready_image(image);
+        if (!used) return refuse("samples an image that does not exist");
+        if (count != static_cast<uint32_t>(info(o).arity) || (count > 0 && !args))
+            return refuse("gives the op '" + std::string(info(o).name) + "' " +
+                          std::to_string(count) + " operands");
+        const std::span<const wr_value> operands(args, count);
+        if (!usable(operands)) return poison;
+        const uint32_t resource = used->resource;
+        if (o == Op::image_size_) return module_.add(o, {}, resource);
+        const Encoding encoding = *used->literal.encoding;
+        const bool inside = o == Op::sample_ && module_[operands[0]].level > 0;
+        const Id texel = inside ? sample_inside(module_, resource, operands[0])
+                                : module_.add(o, operands, resource);
+        return decode(module_, encoding, texel);
+    }
+
+    void begin_region(uint32_t kind, const char* name, const uint32_t* types, uint32_t count,
+                      wr_value* params) {
+        std::vector<Type> parameters;
+        bool fine = (kind == WR_REGION_FUNCTION || kind == WR_REGION_LOOP) && types && params &&
+                    count >= 1 && count <= most_region_values && module_.depth() < deepest_region;
+        for (uint32_t i = 0; fine && i < count; ++i) {
+            fine = is_number(types[i]);
+            parameters.push_back(static_cast<Type>(types[i]));
+        }
+        if (!fine) {
+            refuse("begins a loop or a function in an impossible way");
+            for (uint32_t i = 0; params && i < count; ++i)
+                params[i] = poison;
+            parameters.clear();  // a region all the same, so that its end has a partner
+        }
+        const RegionKind region = kind == WR_REGION_LOOP ? RegionKind::loop : RegionKind::function;
+        if (!fine && module_.depth() >= deepest_region) {
+            ++skipped_;
+            return;
+        }
+        const std::vector<Id> ids =
+            module_.begin_region(region, name && is_utf8(name) ? name : "", parameters);
+        for (size_t i = 0; i < ids.size(); ++i)
+            params[i] = ids[i];
+    }
+
+    wr_region end_region(const wr_value* results, uint32_t count, uint32_t max_iterations) {
+        if (skipped_ > 0) return --skipped_, 0;
+        if (module_.depth() == 0) return refuse("ends a loop or a function that it did not begin");
+        const bool fine = results && count >= 1 && count <= most_region_values + 1 &&
+                          max_iterations <= most_iterations;
+        if (!fine) refuse("ends a loop or a function in an impossible way");
+        const std::array<Id, 1> nothing{poison};
+        const bool good = fine && usable({results, count});
+        RegionUse use = module_.end_region(
+            good ? std::span<const Id>(results, count) : std::span<const Id>(nothing),
+            max_iterations);
+        if (use.region == 0) return 0;
+        regions_.push_back(std::move(use));
+        return static_cast<wr_region>(regions_.size());
+    }
+
+    void apply(wr_region region, const wr_value* args, uint32_t count, wr_value* results,
+               uint32_t result_count) {
+        for (uint32_t i = 0; results && i < result_count; ++i)
+            results[i] = poison;
+        if (region == 0) return;
+        if (region > regions_.size() || (count > 0 && !args) || !results) {
+            refuse("applies a loop or a function that does not exist");
+            return;
+        }
+        if (!usable({args, count})) return;
+        const std::vector<Id> ids = module_.apply(regions_[region - 1], {args, count});
+        for (size_t i = 0; i < ids.size() && i < result_count; ++i)
+            results[i] = ids[i];
+    }
+
+    void output(uint32_t index, wr_value value) {
+        const Port* p = port(index, "output()");
+        if (!p) return;
+        if (p->kind != Port::Kind::output) {
+            refuse("gives a value to port '" + p->name + "', which is no output");
+            return;
+        }
+        if (given_[index]) refuse("gives its output '" + p->name + "' twice");
+        given_[index] = true;
+        lowering_.set_output(node_, index, checked_output(*p, value));
+    }
+
+    Id checked_output(const Port& p, wr_value value) {
+        if (p.type == PortType::image_) {
+            if (value == poison || lowering_.ready_image(value)) return value;
+            return refuse("gives an image that does not exist to its output '" + p.name + "'");
+        }
+        if (value == poison || !usable(std::array{value})) return poison;
+        const Type wanted = value_type(p.type);
+        if (module_.type(value) != wanted)
+            return refuse("gives " + std::string(info(module_.type(value)).name) +
+                          " to its output '" + p.name + "', which is " +
+                          std::string(info(wanted).name));
+        if (module_[value].level > 0)
+            return refuse("uses a value of a loop or a function outside of it");
+        module_.named.push_back({value, module_.current_node, p.name});
+        return value;
+    }
+
+    void error(const char* text) {
+        const std::string message = text && is_utf8(text) ? text : "reports an error";
+        refuse(message, "");
+    }
+
+    Lowering& lowering_;
+    Module& module_;
+    const uint32_t node_;
+    const NodeType& type_;
+    wr_builder face_{};
+    std::vector<bool> given_;  // by port
+    std::vector<RegionUse> regions_;
+    int skipped_ = 0;  // regions that were nested too deep
+};
+
+}  // namespace
+
+void build_node(Lowering& lowering, uint32_t node) {
+    Builder(lowering, node).run();
+}
+
+}  // namespace wrinkle

@@ -1,0 +1,319 @@
+#include "lower/flat.h"
+
+#include "base/text.h"
+
+namespace wrinkle {
+namespace {
+
+constexpr uint32_t none = FlatNode::none;
+
+// One use of a file: the top graph, or a sub-graph node.
+struct Use {
+    uint32_t file = 0;
+    uint32_t parent = none;  // the use around it
+    uint32_t node = none;    // the sub-graph node in the parent's document
+    uint32_t instance = 0;   // Module::nodes
+    std::string prefix;      // "outer/"
+    // Flat nodes and uses by node, input and output of the document; none: not met yet.
+    std::vector<uint32_t> nodes, uses, inputs, outputs;
+};
+
+class Flattener {
+public:
+    Flattener(const Project& project, const Types& types, uint32_t max_nodes)
+        : project_(project), types_(types), max_nodes_(max_nodes) {
+        graph_.instances.push_back({"", project.top().name, ""});
+        graph_.places.push_back({});
+        uses_.push_back(make_use(0));
+    }
+
+    uint32_t output(uint32_t index) { return output_pass(0, index); }
+
+    // Follows the wires of what was met, which may meet more. False: too many nodes.
+    bool run() {
+        for (uint32_t i = 0; i < graph_.nodes.size(); ++i) {
+            if (graph_.nodes.size() > max_nodes_) return false;
+            fill(i);
+        }
+        return true;
+    }
+
+    FlatGraph take() { return std::move(graph_); }
+
+private:
+    const Document& document(uint32_t use) const {
+        return project_.files[uses_[use].file].document;
+    }
+
+    Use make_use(uint32_t file) const {
+        const Document& document = project_.files[file].document;
+        Use use;
+        use.file = file;
+        use.nodes.assign(document.nodes.size(), none);
+        use.uses.assign(document.nodes.size(), none);
+        use.inputs.assign(document.inputs.size(), none);
+        use.outputs.assign(document.outputs.size(), none);
+        return use;
+    }
+
+    uint32_t add_instance(uint32_t use, uint32_t node, std::string title) {
+        graph_.instances.push_back(
+            {uses_[use].prefix + document(use).nodes[node]->id, std::move(title), ""});
+        graph_.places.push_back({uses_[use].file, node});
+        return static_cast<uint32_t>(graph_.instances.size() - 1);
+    }
+
+    uint32_t inner_use(uint32_t use, uint32_t node) {
+        if (uses_[use].uses[node] != none) return uses_[use].uses[node];
+        const uint32_t file = project_.files[uses_[use].file].subgraphs[node];
+        Use inner = make_use(file);
+        inner.parent = use;
+        inner.node = node;
+        inner.instance = add_instance(use, node, types_.subgraph(file).title);
+        inner.prefix = graph_.instances.back().path + "/";
+        const auto index = static_cast<uint32_t>(uses_.size());
+        uses_[use].uses[node] = index;
+        uses_.push_back(std::move(inner));
+        return index;
+    }
+
+    uint32_t add_node(FlatNode node, uint32_t wires, uint32_t use) {
+        node.first_wire = static_cast<uint32_t>(graph_.wires.size());
+        node.file = uses_[use].file;
+        graph_.wires.resize(graph_.wires.size() + wires);
+        graph_.nodes.push_back(std::move(node));
+        use_of_.push_back(use);
+        return static_cast<uint32_t>(graph_.nodes.size() - 1);
+    }
+
+    uint32_t flat_node(uint32_t use, uint32_t node) {
+        if (uses_[use].nodes[node] != none) return uses_[use].nodes[node];
+        const Node& source = *document(use).nodes[node];
+        FlatNode flat;
+        flat.type = types_.of(uses_[use].file, node);
+        flat.node = node;
+        flat.muted = source.muted;
+        flat.instance = add_instance(use, node, flat.type->title);
+        const bool reroute = source.type == reroute_type;
+        if (reroute) {
+            flat.pass = &flat.type->ports[0];
+            flat.type = nullptr;
+        }
+        const size_t wires = reroute ? 1 : flat.type->ports.size();
+        return uses_[use].nodes[node] =
+                   add_node(std::move(flat), static_cast<uint32_t>(wires), use);
+    }
+
+    // Seen from outside, a sub-graph's input is a port of its node.
+    uint32_t input_pass(uint32_t use, uint32_t input) {
+        if (uses_[use].inputs[input] != none) return uses_[use].inputs[input];
+        FlatNode flat;
+        const NodeType& type = types_.subgraph(uses_[use].file);
+        flat.pass = &type.ports[type.find_input(document(use).inputs[input].name)];
+        flat.node = uses_[use].node;
+        flat.instance = uses_[use].instance;
+        const uint32_t index = add_node(std::move(flat), 1, uses_[use].parent);
+        pending_input_.resize(index + 1, {none, none});
+        pending_input_[index] = {use, input};
+        return uses_[use].inputs[input] = index;
+    }
+
+    Wire node_wire(uint32_t flat, PortType type, uint32_t output) {
+        Wire wire;
+        wire.kind = Wire::Kind::node;
+        wire.type = type;
+        wire.from = flat;
+        wire.output = output;
+        return wire;
+    }
+
+    Wire surface_wire(const Link& link) const {
+        Wire wire;
+        wire.kind = Wire::Kind::surface;
+        const auto properties = surface_properties();
+        while (properties[wire.from].name != link.port)
+            ++wire.from;
+        wire.type = properties[wire.from].type;
+        return wire;
+    }
+
+    Wire input_wire(uint32_t use, const Link& link) {
+        const auto index = static_cast<uint32_t>(document(use).inputs.index_of(link.port));
+        const auto type = *types_.link(uses_[use].file, link);
+        if (uses_[use].parent != none) return node_wire(input_pass(use, index), type, 0);
+        Wire wire;
+        wire.kind = Wire::Kind::graph_input;
+        wire.type = type;
+        wire.from = index;
+        return wire;
+    }
+
+    // What a link of a use's document leads to. An output of a sub-graph that needs no conversion
+    // leads straight on to its source.
+    Wire follow(uint32_t use, const Link& first) {
+        Link link = first;
+        for (;;) {
+            if (link.is_surface()) return surface_wire(link);
+            if (link.is_input()) return input_wire(use, link);
+            const auto node = static_cast<uint32_t>(document(use).nodes.index_of(link.node));
+            const NodeType& type = *types_.of(uses_[use].file, node);
+            const PortType carried = type.ports[type.find_output(link.port)].type;
+            const bool muted = document(use).nodes[node]->muted;
+            if (muted || project_.files[uses_[use].file].subgraphs[node] == Project::File::none)
+                return node_wire(flat_node(use, node), carried, type.find_output(link.port));
+            use = inner_use(use, node);
+            const auto output = static_cast<uint32_t>(document(use).outputs.index_of(link.port));
+            const Output& source = document(use).outputs[output];
+            if (types_.link(uses_[use].file, source.from.link) != carried)
+                return node_wire(output_pass(use, output), carried, 0);
+            link = source.from.link;
+        }
+    }
+
+    // Its wire is followed by run(): following it here would nest calls as deep as sub-graphs nest.
+    uint32_t output_pass(uint32_t use, uint32_t output) {
+        if (uses_[use].outputs[output] != none) return uses_[use].outputs[output];
+        FlatNode flat;
+        const Output& source = document(use).outputs[output];
+        Port& port = graph_.output_ports.emplace_back();
+        port.name = source.name;
+        port.type = types_.output(uses_[use].file, source).value_or(PortType::float_);
+        flat.pass = &port;
+        flat.instance = uses_[use].instance;
+        const uint32_t index = add_node(std::move(flat), 1, use);
+        pending_output_.resize(index + 1, {none, none});
+        pending_output_[index] = {use, output};
+        return uses_[use].outputs[output] = index;
+    }
+
+    struct Pending {
+        uint32_t use, index;
+    };
+    static Pending at(const std::vector<Pending>& list, uint32_t index) {
+        return index < list.size() ? list[index] : Pending{none, none};
+    }
+
+    void fill(uint32_t index) {
+        const uint32_t first = graph_.nodes[index].first_wire;
+        if (const Pending output = at(pending_output_, index); output.use != none) {
+            const Output& source = document(output.use).outputs[output.index];
+            graph_.wires[first] = follow(output.use, source.from.link);
+            return;
+        }
+        const FlatNode flat = graph_.nodes[index];
+        if (flat.node == none) return;
+        if (const Pending input = at(pending_input_, index); input.use != none) {
+            Wire wire = port_wire(use_of_[index], flat.node, flat.pass->name);
+            if (wire.kind == Wire::Kind::none) wire = default_wire(input);
+            graph_.wires[first] = wire;
+        } else if (flat.is_pass()) {
+            graph_.wires[first] = port_wire(use_of_[index], flat.node, flat.pass->name);
+        } else {
+            fill_ports(index, flat);
+        }
+    }
+
+    void fill_ports(uint32_t index, const FlatNode& flat) {
+        const std::vector<Port>& ports = flat.type->ports;
+        std::vector<bool> wanted(ports.size(), !flat.muted);
+        for (uint32_t p = 0; flat.muted && p < ports.size(); ++p)
+            if (ports[p].kind == Port::Kind::output)
+                if (const uint32_t in = passed_input(*flat.type, p); in != NodeType::none)
+                    wanted[in] = true;
+        for (uint32_t p = 0; p < ports.size(); ++p)
+            if (wanted[p] && ports[p].kind != Port::Kind::output)
+                graph_.wires[flat.first_wire + p] =
+                    port_wire(use_of_[index], flat.node, ports[p].name);
+    }
+
+    Wire port_wire(uint32_t use, uint32_t node, std::string_view port) {
+        const Input* input = document(use).nodes[node]->find(port);
+        if (!input) return {};
+        if (input->kind == Input::Kind::link) return follow(use, input->link);
+        return literal_wire(uses_[use].file, input->value);
+    }
+
+    Wire default_wire(const Pending& input) const {
+        const json::Value& value = document(input.use).inputs[input.index].default_value;
+        if (value.is(json::Kind::null)) return {};
+        return literal_wire(uses_[input.use].file, value);
+    }
+
+    static Wire literal_wire(uint32_t file, const json::Value& value) {
+        Wire wire;
+        wire.kind = Wire::Kind::literal;
+        wire.file = file;
+        wire.value = &value;
+        return wire;
+    }
+
+    const Project& project_;
+    const Types& types_;
+    const uint32_t max_nodes_;
+    FlatGraph graph_;
+    std::vector<Use> uses_;
+    std::vector<uint32_t> use_of_;         // by flat node: the use whose document has its wires
+    std::vector<Pending> pending_input_;   // by flat node
+    std::vector<Pending> pending_output_;  // by flat node
+};
+
+void choose_outputs(const Document& document, const LowerOptions& options,
+                    std::vector<uint32_t>& chosen, Diagnostics& diagnostics) {
+    std::vector<std::string> names;
+    for (const Output& output : document.outputs)
+        names.push_back(output.name);
+    if (options.outputs.empty())
+        for (uint32_t i = 0; i < names.size(); ++i)
+            chosen.push_back(i);
+    for (const std::string& name : options.outputs) {
+        const size_t index = document.outputs.index_of(name);
+        if (index != Table<Output>::npos) {
+            chosen.push_back(static_cast<uint32_t>(index));
+            continue;
+        }
+        const std::string near = nearest(name, names);
+        diagnostics.add(diagnose(document, "the graph has no output '" + name + "'",
+                                 near.empty() ? "" : "did you mean '" + near + "'?"));
+    }
+}
+
+}  // namespace
+
+uint32_t passed_input(const NodeType& type, uint32_t output) {
+    for (uint32_t i = 0; i < type.ports.size(); ++i)
+        if (type.ports[i].is_value() && type.ports[i].type == type.ports[output].type) return i;
+    return NodeType::none;
+}
+
+FlatGraph flatten(const Project& project, const Types& types, const LowerOptions& options,
+                  Diagnostics& diagnostics) {
+    std::vector<uint32_t> chosen;
+    choose_outputs(project.top(), options, chosen, diagnostics);
+    Flattener flattener(project, types, options.max_nodes);
+    std::vector<uint32_t> outputs;
+    for (const uint32_t index : chosen)
+        outputs.push_back(flattener.output(index));
+    const bool fine = flattener.run();
+    FlatGraph graph = flattener.take();
+    graph.outputs = std::move(outputs);
+    graph.output_index = std::move(chosen);
+    if (!fine)
+        diagnostics.add(
+            diagnose(project.top(),
+                     "the graph needs more than " + std::to_string(options.max_nodes) + " nodes",
+                     "each use of a sub-graph counts by itself"));
+    return graph;
+}
+
+Diagnostic diagnose(const Project& project, const NodePlace& place, const std::string& path,
+                    std::string message, std::string expected) {
+    const Document& document = project.files[place.file].document;
+    if (place.node == NodePlace::none)
+        return diagnose(document, std::move(message), std::move(expected));
+    Diagnostic diagnostic =
+        diagnose(document, *document.nodes[place.node], std::move(message), std::move(expected));
+    diagnostic.node = path;
+    return diagnostic;
+}
+
+}  // namespace wrinkle

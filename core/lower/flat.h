@@ -1,0 +1,87 @@
+// The nodes that a project's outputs need, with sub-graphs opened up: one list of nodes and wires
+// in which every wire converts at most once. For core/lower alone.
+//
+// Besides the nodes of the registry there are passes: a sub-graph's input or output, a reroute.
+// They have one input and one output of one type, and exist so that each wire keeps its own
+// conversion.
+#pragma once
+
+#include <deque>
+#include <string>
+#include <vector>
+
+#include "ir/module.h"
+#include "lower/lower.h"
+
+namespace wrinkle {
+
+struct Wire {
+    enum class Kind : uint8_t {
+        none,         // the port's default
+        node,         // an output of a flat node
+        surface,      // WR_SURFACE_*
+        graph_input,  // of the top graph
+        literal,
+    };
+    Kind kind = Kind::none;
+    PortType type = PortType::float_;  // of what comes; of none and literal unused
+    uint32_t from = 0;                 // flat node, surface property or graph input
+    uint32_t output = 0;               // port index in the node's type; of a pass unused
+    uint32_t file = 0;                 // that says the literal
+    const json::Value* value = nullptr;
+};
+
+struct FlatNode {
+    static constexpr uint32_t none = ~0u;
+    const NodeType* type = nullptr;  // of a pass: null
+    const Port* pass = nullptr;      // of a pass: its port, named as the user knows it
+    bool muted = false;
+    uint32_t instance = 0;      // Module::nodes
+    uint32_t file = 0;          // in Project::files
+    uint32_t node = none;       // in its document
+    uint32_t first_wire = 0;    // in FlatGraph::wires; as many as the type has ports, of a pass one
+    uint32_t base_node = none;  // the node whose input `base` holds for this node's conversions
+
+    bool is_pass() const { return type == nullptr; }
+};
+
+struct FlatGraph {
+    std::vector<FlatNode> nodes;
+    std::vector<Wire> wires;
+    std::vector<uint32_t> outputs;  // the pass of each output of the top graph that is asked for
+    std::vector<uint32_t> output_index;  // in the top document's outputs
+    std::vector<uint32_t> order;         // every node after what it reads
+    std::deque<Port> output_ports;       // of passes
+    std::vector<NodeInstance> instances;
+    std::vector<NodePlace> places;
+
+    const Port& port(const FlatNode& node, uint32_t index) const {
+        return node.is_pass() ? *node.pass : node.type->ports[index];
+    }
+    uint32_t port_count(const FlatNode& node) const {
+        return node.is_pass() ? 1 : static_cast<uint32_t>(node.type->ports.size());
+    }
+    const Wire& wire(const FlatNode& node, uint32_t port) const {
+        return wires[node.first_wire + port];
+    }
+};
+
+// Of a muted node: the input that its output passes on, or NodeType::none.
+uint32_t passed_input(const NodeType& type, uint32_t output);
+
+// The nodes and wires; `order` is left empty. Errors: an unknown name in options.outputs, too many
+// nodes.
+FlatGraph flatten(const Project& project, const Types& types, const LowerOptions& options,
+                  Diagnostics& diagnostics);
+
+// Which base each conversion to a gradient takes (base_node), over the gradient wires.
+void infer_bases(FlatGraph& graph);
+
+// Fills `order`. A conversion whose base depends on the conversion itself is an error.
+void order_nodes(FlatGraph& graph, const Project& project, Diagnostics& diagnostics);
+
+// A diagnostic at a node instance: its place in its file, its path in the whole.
+Diagnostic diagnose(const Project& project, const NodePlace& place, const std::string& path,
+                    std::string message, std::string expected);
+
+}  // namespace wrinkle

@@ -1,0 +1,35 @@
+#include "lower/material.h"
+
+#include <cassert>
+
+#include "ir/expand.h"
+#include "ir/rewrite.h"
+#include "ir/verify.h"
+#include "lower/check.h"
+
+namespace wrinkle {
+
+Compiled compile_material(const Project& project, const Registry& registry,
+                          const MaterialOptions& options, Diagnostics& diagnostics) {
+    Compiled compiled;
+    if (diagnostics.has_errors()) return compiled;
+    const Types types(project, registry);
+    check(project, registry, types, diagnostics, {options.reached_only});
+    if (diagnostics.has_errors()) return compiled;
+    Lowered lowered = lower(project, types, options.lower, diagnostics);
+    if (diagnostics.has_errors()) return compiled;
+    assert(verify(lowered.module).empty());
+    Module module =
+        options.uniform_parameters ? std::move(lowered.module) : bake_parameters(lowered.module);
+    module = expand(module, {options.vertex_tangents, project.top().back_faces});
+    report_problems(module, project, lowered.places, diagnostics);
+    if (diagnostics.has_errors()) return compiled;
+    if (options.given_differentials) module = explicit_lod(module);
+    assert(verify(module).empty());
+    compiled.module = std::move(module);
+    compiled.places = std::move(lowered.places);
+    compiled.ok = true;
+    return compiled;
+}
+
+}  // namespace wrinkle

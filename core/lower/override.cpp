@@ -1,0 +1,180 @@
+#include "lower/override.h"
+
+#include <array>
+#include <charconv>
+
+#include "base/text.h"
+#include "graph/edit.h"
+#include "json/parse.h"
+#include "lower/literal.h"
+#include "lower/types.h"
+
+namespace wrinkle {
+namespace {
+
+using json::Kind;
+using json::Value;
+
+constexpr uint32_t longest_sweep = 10'000;
+
+bool to_number(std::string_view text, double& number) {
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+    return error == std::errc() && end == text.data() + text.size() && !text.empty();
+}
+
+// "A:B:N"; empty when the text is no sweep, one null when it is a wrong one.
+std::vector<Value> sweep(std::string_view text) {
+    const std::vector<std::string_view> parts = split(text, ':');
+    double first = 0, last = 0, count = 0;
+    if (parts.size() != 3 || !to_number(parts[0], first) || !to_number(parts[1], last)) return {};
+    if (!to_number(parts[2], count) || count < 2 || count > longest_sweep ||
+        count != static_cast<uint32_t>(count))
+        return {Value{}};
+    std::vector<Value> values;
+    const auto steps = static_cast<uint32_t>(count) - 1;
+    for (uint32_t i = 0; i <= steps; ++i)
+        values.push_back(Value::number(
+            i == steps ? last : first + (last - first) * static_cast<double>(i) / steps));
+    return values;
+}
+
+// JSON, or a bare word as a string.
+Value parse_value(std::string_view text) {
+    Diagnostics ignored;
+    const json::Parsed parsed = json::parse(std::string(text), "--set", ignored);
+    return parsed.complete && !ignored.has_errors() ? parsed.root : Value::string(text);
+}
+
+// The same value without the place where it was read: it stands in no file.
+Value detached(const Value& value) {
+    switch (value.kind()) {
+        case Kind::boolean:
+            return Value::boolean(value.as_boolean());
+        case Kind::number:
+            return Value::number(value.as_number());
+        case Kind::string:
+            return Value::string(value.as_string());
+        default:
+            return value;
+    }
+}
+
+class Applier {
+public:
+    Applier(Project project, const Registry& registry, Diagnostics& diagnostics)
+        : project_(std::move(project)), registry_(registry), diagnostics_(diagnostics) {}
+
+    void apply(const Override& change, size_t run) {
+        const Value& value = change.values[change.is_sweep() ? run : 0];
+        if (change.target.is_input())
+            graph_input(change, value);
+        else
+            port(change, value);
+    }
+
+    Project take() { return std::move(project_); }
+
+private:
+    Document& document() { return project_.files[0].document; }
+
+    void refuse(const Override& change, const std::string& message, std::string expected) {
+        diagnostics_.error("--set " + change.text + ": " + message, std::move(expected));
+    }
+
+    static std::string did_you_mean(std::string_view word, std::span<const std::string> names,
+                                    std::string otherwise) {
+        const std::string near = nearest(word, names);
+        return near.empty() ? std::move(otherwise) : "did you mean '" + near + "'?";
+    }
+
+    bool fits(const Override& change, const Value& value, const Port& port) {
+        bool fine = true;
+        for (const LiteralProblem& problem : literal_problems(value, port)) {
+            if (problem.severity == Severity::warning) continue;
+            refuse(change, "the value " + problem.message, problem.expected);
+            fine = false;
+        }
+        return fine;
+    }
+
+    void graph_input(const Override& change, const Value& value) {
+        const GraphInput* input = document().inputs.find(change.target.port);
+        if (!input) {
+            std::vector<std::string> names;
+            for (const GraphInput& each : document().inputs)
+                names.push_back(each.name);
+            return refuse(change, "the graph has no input '" + change.target.port + "'",
+                          did_you_mean(change.target.port, names, ""));
+        }
+        Port port;
+        port.type = port_type_named(input->type).value_or(PortType::float_);
+        if (!fits(change, value, port)) return;
+        GraphInput changed = *input;
+        changed.default_value = value;
+        document() = set_graph_input(document(), std::move(changed));
+    }
+
+    void port(const Override& change, const Value& value) {
+        const Link& target = change.target;
+        const size_t index = document().nodes.index_of(target.node);
+        if (index == Table<NodePtr>::npos) {
+            std::vector<std::string> names;
+            for (const NodePtr& node : document().nodes)
+                names.push_back(node->id);
+            return refuse(change, "there is no node '" + target.node + "'",
+                          did_you_mean(target.node, names, ""));
+        }
+        const NodeType* type = Types(project_, registry_).of(0, index);
+        if (!type) return;  // check() names the unknown type
+        const uint32_t found = type->find_input(target.port);
+        if (found == NodeType::none) {
+            std::vector<std::string> names;
+            for (const Port& each : type->ports)
+                if (each.kind != Port::Kind::output) names.push_back(each.name);
+            return refuse(change, "node '" + target.node + "' has no port '" + target.port + "'",
+                          did_you_mean(target.port, names, ""));
+        }
+        if (fits(change, value, type->ports[found]))
+            document() = set_value(document(), target.node, target.port, value);
+    }
+
+    Project project_;
+    const Registry& registry_;
+    Diagnostics& diagnostics_;
+};
+
+}  // namespace
+
+std::optional<Override> parse_override(std::string_view text, Diagnostics& diagnostics) {
+    const auto refuse = [&](std::string message, std::string expected) {
+        diagnostics.error("--set " + std::string(text) + ": " + message, std::move(expected));
+        return std::nullopt;
+    };
+    const size_t equals = text.find('=');
+    const size_t dot = text.substr(0, equals).rfind('.');
+    if (equals == text.npos || dot == text.npos || dot == 0 || dot + 1 == equals)
+        return refuse("this sets nothing", "expected NODE.PORT=VALUE or input.NAME=VALUE");
+    Override result;
+    result.text = text;
+    result.target.node = text.substr(0, dot);
+    result.target.port = text.substr(dot + 1, equals - dot - 1);
+    const std::string_view value = text.substr(equals + 1);
+    if (value.empty()) return refuse("the value is empty", "expected JSON or a word");
+    if (!is_utf8(value)) return refuse("the value is not valid UTF-8", "");
+    result.values = sweep(value);
+    if (result.values.empty()) result.values.push_back(detached(parse_value(value)));
+    if (result.values.size() == 1 && result.values[0].is(Kind::null))
+        return refuse("the value is neither JSON nor a sweep",
+                      "a sweep is A:B:N, N from 2 to " + std::to_string(longest_sweep));
+    return result;
+}
+
+Project with_overrides(const Project& project, const Registry& registry,
+                       std::span<const Override> overrides, size_t run, Diagnostics& diagnostics) {
+    Applier applier(project, registry, diagnostics);
+    for (const Override& change : overrides)
+        applier.apply(change, run);
+    return applier.take();
+}
+
+}  // namespace wrinkle

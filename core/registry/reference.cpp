@@ -1,0 +1,119 @@
+#include "registry/reference.h"
+
+#include <algorithm>
+
+#include "base/text.h"
+#include "registry/port_text.h"
+
+namespace wrinkle {
+namespace {
+
+// The families in the order in which they come up.
+std::vector<std::string> families(const Registry& registry) {
+    std::vector<std::string> names;
+    for (const NodeType& type : registry.list())
+        if (std::find(names.begin(), names.end(), type.family) == names.end())
+            names.push_back(type.family);
+    return names;
+}
+
+template <class Write>
+std::string by_family(const Registry& registry, Write write) {
+    std::string text;
+    for (const std::string& family : families(registry)) {
+        text += write(family, nullptr);
+        for (const NodeType& type : registry.list())
+            if (type.family == family) text += write(family, &type);
+    }
+    return text;
+}
+
+std::string padded(std::string text, size_t width) {
+    if (text.size() < width) text.append(width - text.size(), ' ');
+    return text;
+}
+
+std::string rows_text(const NodeType& type, bool outputs) {
+    std::string text;
+    for (const Port& port : type.ports) {
+        if ((port.kind == Port::Kind::output) != outputs) continue;
+        text += "    " + padded(port.name, 16) + " " + padded(kind_text(port), 12) + " " + port.doc;
+        const std::string details = details_text(port);
+        text += details.empty() ? "\n" : " (" + details + ")\n";
+    }
+    return text;
+}
+
+// Bars and line ends would end a cell of a table.
+std::string cell(const std::string& text) {
+    std::string safe;
+    for (const char c : text)
+        safe += c == '|' ? std::string("\\|") : c == '\n' ? " " : std::string(1, c);
+    return safe;
+}
+
+std::string rows_markdown(const NodeType& type, bool outputs) {
+    std::string text;
+    for (const Port& port : type.ports)
+        if ((port.kind == Port::Kind::output) == outputs)
+            text += "| `" + port.name + "` | " + cell(kind_text(port)) + " | " + cell(port.doc) +
+                    " | " + cell(details_text(port)) + " |\n";
+    return text;
+}
+
+}  // namespace
+
+std::string list_text(const Registry& registry) {
+    return by_family(registry, [](const std::string& family, const NodeType* type) {
+        if (!type) return family + "\n";
+        return "    " + padded(type->id, 24) + " " + type->doc + "\n";
+    });
+}
+
+std::string page_text(const NodeType& type) {
+    std::string text = type.id + ": " + type.title + " (" + type.family + ", version " +
+                       std::to_string(type.version) + ", " + type.origin + ")\n" + type.doc + "\n";
+    const std::string inputs = rows_text(type, false);
+    if (!inputs.empty()) text += "\n  in\n" + inputs;
+    return text + "\n  out\n" + rows_text(type, true);
+}
+
+std::string page_json(const NodeType& type) {
+    std::string text =
+        "{\"id\": " + json_quoted(type.id) + ", \"title\": " + json_quoted(type.title) +
+        ", \"doc\": " + json_quoted(type.doc) + ", \"family\": " + json_quoted(type.family) +
+        ", \"version\": " + std::to_string(type.version) +
+        ", \"origin\": " + json_quoted(type.origin) + ", \"ports\": [";
+    const char* separator = "\n  ";
+    for (const Port& port : type.ports) {
+        text += separator + port_json(port);
+        separator = ",\n  ";
+    }
+    return text + "]}\n";
+}
+
+std::string list_json(const Registry& registry) {
+    std::string text = "{\"version\": 1, \"nodes\": [";
+    const char* separator = "\n";
+    for (const NodeType& type : registry.list()) {
+        std::string page = page_json(type);
+        page.pop_back();
+        text += separator + page;
+        separator = ",\n";
+    }
+    return text + "\n]}\n";
+}
+
+std::string page_markdown(const NodeType& type) {
+    std::string text = "### " + type.title + " (`" + type.id + "`)\n\n" + type.doc + "\n\n";
+    text += "| port | type | | |\n|---|---|---|---|\n" + rows_markdown(type, false);
+    return text + "| **out** | | | |\n" + rows_markdown(type, true) + "\n";
+}
+
+std::string list_markdown(const Registry& registry) {
+    return "# Nodes\n\n" + by_family(registry, [](const std::string& family, const NodeType* type) {
+               return type ? page_markdown(*type) : "## " + family + "\n\n";
+           });
+}
+
+}  // namespace wrinkle

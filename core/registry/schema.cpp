@@ -1,0 +1,135 @@
+// The JSON Schema of graph files, generated from the node types.
+#include <cmath>
+
+#include "base/text.h"
+#include "registry/port_text.h"
+#include "registry/reference.h"
+
+namespace wrinkle {
+namespace {
+
+std::string word_list(std::span<const std::string_view> words) {
+    std::string text = "[";
+    for (size_t i = 0; i < words.size(); ++i)
+        text += (i ? ", " : "") + json_quoted(words[i]);
+    return text + "]";
+}
+
+std::string literal_schema(const Port& port) {
+    if (port.kind == Port::Kind::flag) return "{\"type\": \"boolean\"}";
+    if (port.kind == Port::Kind::choice)
+        return "{\"enum\": " +
+               word_list(std::vector<std::string_view>(port.choices.begin(), port.choices.end())) +
+               "}";
+    if (port.kind == Port::Kind::count) {
+        std::string text = "{\"type\": \"integer\"";
+        if (port.has_hard_range())
+            text += ", \"minimum\": " + shortest(port.hard_min) +
+                    ", \"maximum\": " + shortest(port.hard_max);
+        return text + "}";
+    }
+    if (port.type == PortType::image_) return "{\"$ref\": \"#/$defs/image\"}";
+    const int lanes = lanes_of(port.type);
+    if (lanes == 0) return "false";
+    if (lanes == 1) return "{\"type\": \"number\"}";
+    return "{\"$ref\": \"#/$defs/numbers" + std::to_string(lanes) + "\"}";
+}
+
+std::string port_schema(const Port& port) {
+    std::string doc = port.doc;
+    if (const std::string details = details_text(port); !details.empty())
+        doc += " (" + details + ")";
+    std::string text = "{\"description\": " + json_quoted(doc);
+    const std::string value = default_json(port);
+    if (!value.empty()) text += ", \"default\": " + value;
+    if (port.is_option()) return text + ", \"allOf\": [" + literal_schema(port) + "]}";
+    const std::string literal = literal_schema(port);
+    text += ", \"anyOf\": [{\"$ref\": \"#/$defs/wire\"}";
+    return text + (literal == "false" ? "" : ", " + literal) + "]}";
+}
+
+// Applies to nodes of this type and leaves others alone.
+std::string node_schema(const NodeType& type) {
+    std::string text =
+        "      {\"if\": {\"properties\": {\"type\": {\"const\": " + json_quoted(type.id) +
+        "}}, \"required\": [\"type\"]},\n       \"then\": {\"description\": " +
+        json_quoted(type.title + ": " + type.doc) + ", \"properties\": {\"in\": {\"properties\": {";
+    const char* separator = "\n         ";
+    for (const Port& port : type.ports) {
+        if (port.kind == Port::Kind::output) continue;
+        text += separator + json_quoted(port.name) + ": " + port_schema(port);
+        separator = ",\n         ";
+    }
+    return text + "}}}}}";
+}
+
+std::string type_names(const Registry& registry) {
+    std::string text = "{\"anyOf\": [{\"enum\": [";
+    for (const NodeType& type : registry.list())
+        text += json_quoted(type.id) + ", ";
+    return text + "\"reroute\"]}, {\"type\": \"string\"}]}";
+}
+
+std::string numbers(int lanes) {
+    const std::string count = std::to_string(lanes);
+    return "    \"numbers" + count +
+           "\": {\"type\": \"array\", \"items\": {\"type\": \"number\"}, " +
+           "\"minItems\": " + count + ", \"maxItems\": " + count + "},\n";
+}
+
+std::string definitions(const Registry& registry) {
+    std::string text = "  \"$defs\": {\n";
+    for (const int lanes : {2, 3, 4})
+        text += numbers(lanes);
+    text +=
+        "    \"wire\": {\"type\": \"object\", \"required\": [\"from\"], \"properties\": "
+        "{\"from\": {\"type\": \"string\", \"pattern\": \"^[^.]+\\\\.[^.]+$\"}}},\n";
+    text +=
+        "    \"image\": {\"anyOf\": [{\"type\": \"string\", \"minLength\": 1}, {\"type\": "
+        "\"object\", \"required\": [\"file\"], \"properties\": {\"file\": {\"type\": "
+        "\"string\"}, \"encoding\": {\"enum\": " +
+        word_list(encoding_names()) + "}, \"wrap\": {\"enum\": " + word_list(wrap_names()) +
+        "}, \"filter\": {\"enum\": " + word_list(filter_names()) + "}}}]},\n";
+    text +=
+        "    \"node\": {\"type\": \"object\", \"required\": [\"type\"],\n"
+        "     \"properties\": {\"type\": " +
+        type_names(registry) +
+        ", \"version\": {\"type\": \"integer\", \"minimum\": 1}, \"muted\": {\"type\": "
+        "\"boolean\"}, \"in\": {\"type\": \"object\"}},\n     \"allOf\": [\n";
+    const char* separator = "";
+    for (const NodeType& type : registry.list()) {
+        text += separator + node_schema(type);
+        separator = ",\n";
+    }
+    if (registry.list().empty()) text += "true";
+    return text + "\n     ]}\n  }\n";
+}
+
+}  // namespace
+
+std::string graph_schema(const Registry& registry) {
+    std::string text =
+        "{\n  \"$schema\": \"https://json-schema.org/draft/2020-12/schema\",\n"
+        "  \"title\": \"Wrinkle graph\",\n  \"type\": \"object\",\n"
+        "  \"required\": [\"wrinkle\"],\n  \"properties\": {\n"
+        "    \"wrinkle\": {\"const\": 1},\n"
+        "    \"name\": {\"type\": \"string\"},\n"
+        "    \"back_faces\": {\"enum\": [\"mirror\", \"flip\", \"none\"]},\n"
+        "    \"inputs\": {\"type\": \"object\", \"additionalProperties\": "
+        "{\"type\": \"object\", \"required\": [\"type\"], \"properties\": "
+        "{\"type\": {\"enum\": " +
+        word_list(port_type_names()) +
+        "}, \"doc\": {\"type\": \"string\"}}}},\n"
+        "    \"nodes\": {\"type\": \"object\", \"additionalProperties\": "
+        "{\"$ref\": \"#/$defs/node\"}},\n"
+        "    \"outputs\": {\"type\": \"object\", \"properties\": {";
+    for (const char* name : {"normal", "height", "displacement", "color", "roughness", "metalness"})
+        text += json_quoted(name) + ": {\"$ref\": \"#/$defs/wire\"}, ";
+    text +=
+        "\"occlusion\": {\"$ref\": \"#/$defs/wire\"}}, \"additionalProperties\": {\"$ref\": "
+        "\"#/$defs/wire\"}},\n"
+        "    \"layout\": {\"type\": \"object\"}\n  },\n";
+    return text + definitions(registry) + "}\n";
+}
+
+}  // namespace wrinkle
