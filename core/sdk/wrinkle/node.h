@@ -29,7 +29,7 @@ namespace wrinkle::sdk {
 
 inline constexpr uint32_t max_ports = 16;
 inline constexpr uint32_t max_renames = 4;
-inline constexpr uint32_t max_choices = 16;  // the names of all choices of a node together
+inline constexpr uint32_t max_choices = 32;  // the names of all choices of a node together
 
 struct Description {
     wr_node node{};
@@ -103,15 +103,15 @@ public:
             port<T>(WR_KIND_OUTPUT, name, doc), Default(), options...);
     }
 
-    // The first name is the default.
     template <size_t N>
-    constexpr auto choice(const char* name, const char* const (&names)[N], const char* doc) const {
+    constexpr auto choice(const char* name, const char* const (&names)[N], const char* doc,
+                          int value = 0) const {
         wr_port port = make_port(WR_KIND_CHOICE, 0, name, doc);
         port.choice_count = N;
         auto copy = *this;
         for (const char* each : names)
             copy.d_.choices[copy.d_.choice_count++] = each;
-        return copy.template with<WithInput<detail::ChoicePort<next>>>(port, Default(0));
+        return copy.template with<WithInput<detail::ChoicePort<next>>>(port, Default(value));
     }
 
     constexpr auto count(const char* name, int value, int low, int high, const char* doc) const {
@@ -127,9 +127,10 @@ public:
     template <class T, class Domain, PortOption... Options>
     constexpr auto field(const char* name, surface::Property<Domain> domain, const char* doc,
                          Options... options) const {
-        using Port = detail::FieldPort<Value<T>, Domain, next>;
-        return with<WithInput<Port>>(port<T>(WR_KIND_FIELD, name, doc), Default(domain),
-                                     options...);
+        wr_port p = port<T>(WR_KIND_FIELD, name, doc);
+        p.default_surface = domain.input;
+        return with<WithInput<detail::FieldPort<Value<T>, Domain, next>>>(p, Default(0),
+                                                                          options...);
     }
 
     constexpr auto family(const char* name) const {

@@ -87,13 +87,12 @@ constexpr wr_port make_port(uint32_t kind, uint32_t type, const char* name, cons
     port.name = name;
     port.doc = doc;
     port.unit = "";
-    port.encoding = "";
     return port;
 }
 
 constexpr void set_default(wr_port& port, const Default& value) {
     port.default_kind = value.kind;
-    port.default_surface = value.surface;
+    if (value.kind == WR_DEFAULT_SURFACE) port.default_surface = value.surface;
     for (int i = 0; i < 4; ++i)
         port.default_value[i] = value.value[i];
 }
