@@ -89,13 +89,16 @@ struct Types<std::tuple<T...>> {
     static constexpr uint32_t numbers[count + 1] = {T::type..., 0};
 };
 
+// Result and parameters of a lambda or of a plain function.
 template <class F>
-struct Signature;
-template <class R, class C, class... A>
-struct Signature<R (C::*)(A...) const> {
+struct Signature : Signature<decltype(&F::operator())> {};
+template <class R, class... A>
+struct Signature<R (*)(A...)> {
     using Result = std::remove_cvref_t<R>;
     using Arguments = std::tuple<std::remove_cvref_t<A>...>;
 };
+template <class R, class C, class... A>
+struct Signature<R (C::*)(A...) const> : Signature<R (*)(A...)> {};
 
 }  // namespace detail
 
@@ -122,7 +125,7 @@ private:
 // `name` is lower_snake_case and stands in the generated text.
 template <class Body>
 auto function(const char* name, Body body) {
-    using Signature = detail::Signature<decltype(&Body::operator())>;
+    using Signature = detail::Signature<Body>;
     using Arguments = typename Signature::Arguments;
     using Types = detail::Types<Arguments>;
     wr_value params[Types::count + 1] = {};

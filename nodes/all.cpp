@@ -1,0 +1,54 @@
+#include "nodes/all.h"
+
+#include <iterator>
+
+#include "wrinkle/node.h"
+
+// Every built-in node, in the order of menus and of the reference. The variable of node `x` is
+// x_node, because the formulas of other nodes call the function x.
+// clang-format off
+#define WRINKLE_BUILT_IN_NODES(X) \
+    /* uv.cpp */ \
+    X(uv_transform) \
+    /* image.cpp */ \
+    X(image) X(height_map) X(derivative_map) X(tangent_normal_map) X(object_normal_map) \
+    /* gradient.cpp */ \
+    X(gradient_add) X(gradient_scale) X(gradient_mix) X(gradient_from_height) X(gradient_from_volume) \
+    X(gradient_from_normal) X(resolve) \
+    /* height.cpp */ \
+    X(height_add) X(height_scale) X(height_mix) \
+    /* noise.cpp */ \
+    X(gradient_noise) \
+    /* math.cpp */ \
+    X(add) X(subtract) X(multiply) X(divide) X(negate) X(absolute) X(minimum) X(maximum) X(clamp) X(mix) \
+    X(step) X(smoothstep) X(remap) X(floor) X(fraction) X(modulo) X(power) X(square_root) X(sine) \
+    X(cosine) X(tangent) X(arctangent2) \
+    /* vector.cpp */ \
+    X(combine_vec2) X(combine_vec3) X(combine_vec4) X(separate_vec2) X(separate_vec3) X(separate_vec4) \
+    X(vec2_add) X(vec2_scale) X(vec3_add) X(vec3_subtract) X(vec3_multiply) X(vec3_scale) X(vec3_mix) \
+    X(dot) X(cross) X(length) X(normalize)
+// clang-format on
+
+namespace wrinkle {
+
+namespace nodes {
+#define X(id) extern sdk::Node id##_node;
+WRINKLE_BUILT_IN_NODES(X)
+#undef X
+}  // namespace nodes
+
+const wr_plugin* built_in_nodes() {
+#define X(id) nodes::id##_node.descriptor(),
+    static const wr_node* const list[] = {WRINKLE_BUILT_IN_NODES(X)};
+#undef X
+    static const wr_plugin plugin{sizeof(wr_plugin),
+                                  WR_ABI,
+                                  "wrinkle",
+                                  "1.0",
+                                  list,
+                                  static_cast<uint32_t>(std::size(list)),
+                                  [](const char*) -> const void* { return nullptr; }};
+    return &plugin;
+}
+
+}  // namespace wrinkle
