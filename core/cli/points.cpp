@@ -176,6 +176,10 @@ std::vector<Point> points_of_option(const std::string& at, Diagnostics& diagnost
     return read_points(parsed.root, diagnostics);
 }
 
+bool is_uv(const std::string& text) {
+    return parse_uv(text).has_value();
+}
+
 std::vector<Point> points_on_mesh(const MeshPlace& place, bool tangents, Diagnostics& diagnostics) {
     std::optional<Mesh> mesh = make_shape(place.mesh);
     const auto uv = parse_uv(place.uv);
@@ -192,40 +196,31 @@ std::vector<Point> points_on_mesh(const MeshPlace& place, bool tangents, Diagnos
     return {point};
 }
 
-std::vector<PointKey> needed_by(const Module& module) {
-    std::vector<bool> live(module.size());
-    for (const ModuleOutput& output : module.outputs)
-        live[output.value] = true;
-    std::vector<bool> needed(size_t{surface_input_count} * 3);
-    for (Id id = module.size(); id-- > 1;) {
-        if (!live[id]) continue;
-        const Inst& inst = module[id];
-        for (const Id operand : module.operands(id))
-            live[operand] = true;
-        if (inst.op == Op::loop_ || inst.op == Op::call_)
-            for (const Id result : module.region(inst.extra).results)
-                live[result] = true;
-        if (inst.op == Op::input_)
-            needed[PointKey{input_of(inst.extra), variant_of(inst.extra)}.index()] = true;
-    }
-    std::vector<PointKey> keys;
-    for (size_t i = 0; i < needed.size(); ++i)
-        if (needed[i])
-            keys.push_back({static_cast<SurfaceInput>(i / 3), static_cast<Variant>(i % 3)});
-    return keys;
-}
-
-bool all_given(const std::vector<Point>& points, const std::vector<PointKey>& needed,
-               Diagnostics& diagnostics) {
+bool all_given(const std::vector<Point>& points, const Program& program, Diagnostics& diagnostics) {
     bool fine = true;
     for (const Point& point : points)
-        for (const PointKey key : needed) {
+        for (const InputNeed& need : needed_inputs(program)) {
+            const PointKey key{need.input, need.variant};
             if (point[key].given) continue;
             diagnostics.add(diagnose(point.source, "", point.name + " lacks '" + key.name() + "'",
                                      "the graph needs it"));
             fine = false;
         }
     return fine;
+}
+
+PointSet point_set(const std::vector<Point>& points, const Program& program) {
+    PointSet set;
+    set.count = points.size();
+    for (const InputNeed& need : needed_inputs(program)) {
+        const size_t count = info(info(need.input).type).lanes;
+        std::vector<double>& values = set.at(need.input, need.variant);
+        for (const Point& point : points) {
+            const auto& lanes = point[{need.input, need.variant}].lanes;
+            values.insert(values.end(), lanes.begin(), lanes.begin() + static_cast<long>(count));
+        }
+    }
+    return set;
 }
 
 }  // namespace wrinkle::cli

@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "base/diagnostics.h"
-#include "ir/module.h"
+#include "cpu/evaluate.h"
 #include "json/value.h"
 
 namespace wrinkle::cli {
@@ -52,13 +52,13 @@ struct MeshPlace {
     std::string uv;
     uint32_t size = 1024;
 };
+bool is_uv(const std::string& text);
 std::vector<Point> points_on_mesh(const MeshPlace& place, bool tangents, Diagnostics& diagnostics);
 
-// The surface inputs that a module's outputs depend on, in the order of the table.
-std::vector<PointKey> needed_by(const Module& module);
-
 // Reports what is needed and absent; true when nothing is.
-bool all_given(const std::vector<Point>& points, const std::vector<PointKey>& needed,
-               Diagnostics& diagnostics);
+bool all_given(const std::vector<Point>& points, const Program& program, Diagnostics& diagnostics);
+
+// The same as arrays of what the program reads; all is given.
+PointSet point_set(const std::vector<Point>& points, const Program& program);
 
 }  // namespace wrinkle::cli

@@ -1,0 +1,34 @@
+// A graph's outputs at points, in numbers.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cli/material_run.h"
+#include "cli/points.h"
+
+namespace wrinkle::cli {
+
+enum class Precision : uint8_t { single, full };
+
+struct OutputColumn {
+    std::string name;
+    uint32_t port_type = 0;  // WR_PORT_*
+    size_t lanes = 1;
+    std::vector<double> values;  // [point * lanes + lane]; of single precision exact floats
+};
+
+// Every output at every point; nothing with a problem reported. The run was compiled with given
+// differentials, and its images are in `textures`.
+std::optional<std::vector<OutputColumn>> evaluate_at(const MaterialRun& run,
+                                                     const Textures& textures,
+                                                     const std::vector<Point>& points,
+                                                     Precision precision, Diagnostics& diagnostics);
+
+// {"normal": [0, 0, 1], "height": 0.5}: one point. Numbers read back as the same value of their
+// precision; one that is not finite is null.
+std::string values_json(const std::vector<OutputColumn>& columns, size_t point,
+                        Precision precision);
+
+}  // namespace wrinkle::cli
