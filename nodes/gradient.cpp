@@ -4,6 +4,10 @@
 namespace wrinkle::nodes {
 using namespace sdk;
 
+#define BASE_DOC                                                                              \
+    "The normal to put the bump on: the surface's, or that of a resolve, to bump its result " \
+    "further"
+
 Node gradient_add_node =
     node("gradient_add", "Add bumps", "Lays one bump over another; order does not matter.")
         .family("gradient")
@@ -37,8 +41,9 @@ Node gradient_from_height_node =
          "The exact slope of a height along the surface, whatever the height is made of.")
         .family("gradient")
         .in<Height>("height", 0, "In length units of object space, positive outward")
+        .in<Normal>("base", surface::normal, BASE_DOC)
         .out<Gradient>("gradient", "The bump of that height")
-        .body([](Float height) { return gradient_from_height(height); });
+        .body([](Float height, vec3 base) { return gradient_from_height(height, Base(base)); });
 
 Node gradient_from_volume_node =
     node("gradient_from_volume", "Bump from volume gradient",
@@ -46,8 +51,9 @@ Node gradient_from_volume_node =
         .family("gradient")
         .in<vec3>("volume", 0,
                   "The height's change per length unit along x, y and z of object space")
+        .in<Normal>("base", surface::normal, BASE_DOC)
         .out<Gradient>("gradient", "The part of it along the surface")
-        .body([](vec3 volume) { return gradient_from_volume(volume); });
+        .body([](vec3 volume, vec3 base) { return gradient_from_volume(volume, Base(base)); });
 
 Node gradient_from_normal_node =
     node("gradient_from_normal", "Bump from normal",
@@ -55,8 +61,9 @@ Node gradient_from_normal_node =
          "mirrored outward.")
         .family("gradient")
         .in<Normal>("normal", surface::normal, "Perturbed normal in object space, any length")
+        .in<Normal>("base", surface::normal, BASE_DOC)
         .out<Gradient>("gradient", "The bump that leads to it")
-        .body([](vec3 normal) { return gradient_from_normal(normal); });
+        .body([](vec3 normal, vec3 base) { return gradient_from_normal(normal, Base(base)); });
 
 Node resolve_node =
     node("resolve", "Resolve", "The normal that a bump gives. Do this once, at the end.")

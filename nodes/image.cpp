@@ -14,6 +14,9 @@ using namespace sdk;
 #define SCALE_DOC                                                                             \
     "surface: slopes are lengths of object space per uv unit; unit: slopes do not depend on " \
     "the size of the surface or on tiling"
+#define BASE_DOC                                                                              \
+    "The normal to put the bump on: the surface's, or that of a resolve, to bump its result " \
+    "further"
 #define DIRECTION_DOC "Tangent of the frame `guess`, in object space, any length"
 
 Node image_node =
@@ -49,7 +52,7 @@ struct HeightMap {
     Float amplitude, midlevel;
     Scale scale;
     FrameMethod frame;
-    vec3 direction;
+    vec3 direction, base;
 };
 
 Node height_map_node =
@@ -68,15 +71,17 @@ Node height_map_node =
         .choice("scale", SCALES, SCALE_DOC)
         .choice("frame", FRAME_METHODS, FRAME_DOC)
         .in<vec3>("direction", {0, 1, 0}, DIRECTION_DOC)
+        .in<Normal>("base", surface::normal, BASE_DOC)
         .out<Height>("height", "In length units of object space, positive outward", unit("m"))
         .out<Gradient>("gradient", "Its bump, by the chosen scale")
         .body([](HeightMap in) {
             const Float height = (in.image.sample(in.uv).x() - in.midlevel) * in.amplitude;
-            if (in.scale == Scale::surface && in.frame == FrameMethod::automatic)
-                return std::tuple{height, gradient_from_height(height)};
+            const bool exact = in.frame == FrameMethod::automatic || in.frame == FrameMethod::exact;
+            if (in.scale == Scale::surface && exact)
+                return std::tuple{height, gradient_from_height(height, Base(in.base))};
             const Frame basis = frame(in.uv, in.frame, in.scale, in.direction);
             const vec2 slope = filtered_slope(in.image, in.uv) * in.amplitude;
-            return std::tuple{height, Gradient(Derivative(slope, basis))};
+            return std::tuple{height, Gradient(Derivative(slope, basis), Base(in.base))};
         });
 
 enum class Per { uv, texel };
@@ -87,7 +92,7 @@ struct DerivativeMap {
     Per per;
     Scale scale;
     FrameMethod frame;
-    vec3 direction;
+    vec3 direction, base;
 };
 
 Node derivative_map_node =
@@ -104,13 +109,14 @@ Node derivative_map_node =
         .choice("scale", SCALES, SCALE_DOC)
         .choice("frame", FRAME_METHODS, FRAME_DOC)
         .in<vec3>("direction", {0, 1, 0}, DIRECTION_DOC)
+        .in<Normal>("base", surface::normal, BASE_DOC)
         .out<Gradient>("gradient", "The bump")
         .out<Derivative>("derivative", "The slopes with their frame")
         .body([](DerivativeMap in) {
             const vec2 slope = in.image.sample(in.uv).xy() * in.strength;
             const Derivative d(in.per == Per::texel ? slope * in.image.size() : slope,
                                frame(in.uv, in.frame, in.scale, in.direction));
-            return std::tuple{Gradient(d), d};
+            return std::tuple{Gradient(d, Base(in.base)), d};
         });
 
 struct TangentNormalMap {
@@ -119,7 +125,7 @@ struct TangentNormalMap {
     Float strength;
     Scale scale;
     FrameMethod frame;
-    vec3 direction;
+    vec3 direction, base;
 };
 
 Node tangent_normal_map_node =
@@ -135,15 +141,23 @@ Node tangent_normal_map_node =
         .choice("scale", SCALES, SCALE_DOC, static_cast<int>(Scale::unit))
         .choice("frame", FRAME_METHODS, FRAME_DOC)
         .in<vec3>("direction", {0, 1, 0}, DIRECTION_DOC)
+        .in<Normal>("base", surface::normal, BASE_DOC)
         .out<Gradient>("gradient", "The bump")
         .out<Derivative>("derivative", "The slopes with their frame")
         .body([](TangentNormalMap in) {
             const Derivative d = normal_derivative(in.image.sample(in.uv).xyz(), in.strength,
                                                    frame(in.uv, in.frame, in.scale, in.direction));
-            return std::tuple{Gradient(d), d};
+            return std::tuple{Gradient(d, Base(in.base)), d};
         });
 
 enum class Facing { toward, opposite };
+struct ObjectNormalMap {
+    Image image;
+    vec2 uv;
+    Float strength;
+    Facing facing;
+    vec3 base;
+};
 
 Node object_normal_map_node =
     node("object_normal_map", "Object normal map",
@@ -157,11 +171,12 @@ Node object_normal_map_node =
         .choice("facing", {"toward", "opposite"},
                 "A normal that points inward is mirrored at the surface (toward) or reversed "
                 "(opposite)")
+        .in<Normal>("base", surface::normal, BASE_DOC)
         .out<Gradient>("gradient", "The bump")
-        .body([](Image image, vec2 uv, Float strength, Facing facing) {
-            vec3 v = image.sample(uv).xyz();
-            if (facing == Facing::opposite) v *= sign_nonzero(dot<vec3>(surface::normal, v));
-            return gradient_from_normal(v) * strength;
+        .body([](ObjectNormalMap in) {
+            vec3 v = in.image.sample(in.uv).xyz();
+            if (in.facing == Facing::opposite) v *= sign_nonzero(dot(in.base, v));
+            return gradient_from_normal(v, Base(in.base)) * in.strength;
         });
 
 }  // namespace wrinkle::nodes

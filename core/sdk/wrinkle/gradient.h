@@ -43,12 +43,24 @@ public:
     vec2 slope() const { return vec2(emit(WR_OP_slope, {id})); }  // dh/d(u,v)
 };
 
+class Base {
+public:
+    static constexpr uint32_t type = WR_TYPE_base;
+    wr_value id = 0;  // the surface
+    Base() = default;
+    explicit Base(Raw raw) : id(raw.id) {}
+    // The value of an input of type Normal, by custom named `base`, with surface::normal as
+    // default.
+    explicit Base(vec3 normal) : Base(emit(WR_OP_base, {normal.id})) {}
+};
+
 class Gradient {
 public:
     static constexpr uint32_t type = WR_TYPE_gradient;
     wr_value id;
     explicit Gradient(Raw raw) : id(raw.id) {}
-    Gradient(Derivative d) : Gradient(emit(WR_OP_gradient_from_derivative, {d.id})) {}
+    Gradient(Derivative d, Base base = {})
+        : Gradient(emit(WR_OP_gradient_from_derivative, {d.id}, base.id)) {}
     static Gradient flat() { return Gradient(emit(WR_OP_gradient_zero, {})); }
     vec3 vector() const { return vec3(emit(WR_OP_gradient_vector, {id})); }  // object space
 };
@@ -58,16 +70,16 @@ inline Derivative normal_derivative(vec3 normal, Float strength, Frame frame) {
     return Derivative(emit(WR_OP_normal_derivative, {normal.id, strength.id, frame.id}));
 }
 // Of a height in object-space length units, positive outward, by its derivative.
-inline Gradient gradient_from_height(Float height) {
-    return Gradient(emit(WR_OP_gradient_from_height, {height.id}));
+inline Gradient gradient_from_height(Float height, Base base = {}) {
+    return Gradient(emit(WR_OP_gradient_from_height, {height.id}, base.id));
 }
 // Of the gradient over space of a height.
-inline Gradient gradient_from_volume(vec3 gradient) {
-    return Gradient(emit(WR_OP_gradient_from_volume, {gradient.id}));
+inline Gradient gradient_from_volume(vec3 gradient, Base base = {}) {
+    return Gradient(emit(WR_OP_gradient_from_volume, {gradient.id}, base.id));
 }
 // Of a perturbed normal in object space, any length; one that points inward is mirrored outward.
-inline Gradient gradient_from_normal(vec3 normal) {
-    return Gradient(emit(WR_OP_gradient_from_normal, {normal.id}));
+inline Gradient gradient_from_normal(vec3 normal, Base base = {}) {
+    return Gradient(emit(WR_OP_gradient_from_normal, {normal.id}, base.id));
 }
 // The unit normal in object space.
 inline vec3 resolve(Gradient gradient) {

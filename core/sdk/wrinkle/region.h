@@ -29,7 +29,8 @@ public:
         if (builder) builder->begin_region(builder, kind, name, types, count, params);
     }
     ~Recording() {
-        if (builder && !done_) builder->end_region(builder, nullptr, 0, 0);
+        const wr_value poison = WR_POISON;
+        if (builder && !done_) builder->end_region(builder, &poison, 1, 0);
     }
     Recording(const Recording&) = delete;
     Recording& operator=(const Recording&) = delete;
