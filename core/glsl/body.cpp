@@ -1,0 +1,263 @@
+#include "glsl/body.h"
+
+#include <algorithm>
+
+#include "base/text.h"
+
+namespace wrinkle {
+namespace {
+
+// Parameters of a region are known by their place alone: a, b, c, ...
+std::string letter(size_t index) {
+    return std::string(1, static_cast<char>('a' + index % 26));
+}
+
+std::vector<Id> plain_all(const Plan& plan, std::span<const Id> ids) {
+    std::vector<Id> result;
+    for (const Id id : ids)
+        result.push_back(plan.plain(id));
+    return result;
+}
+
+}  // namespace
+
+Text Body::output_function(Id value, const std::string& name, const std::string& argument) {
+    const Id root = plan_.plain(value);
+    const std::span roots(&root, 1);
+    const Scope scope = collect(plan_, values_, roots, 0);
+    decide(plan_, values_, scope, roots);
+    find_members(scope);
+    text_.line(0, type_name(m_.type(root)) + " " + name + "(" + argument + ") {");
+    statements(schedule(plan_, values_, scope, scope.order), 1);
+    const uint32_t group = plan_.role(root) == Role::value ? group_of(plan_, root) : group_;
+    if (!(plan_.role(root) == Role::value && values_.state[root].statement)) comment(1, group);
+    text_.line(1, "return " + read(context_, root).text + ";", node_of(group));
+    text_.line(0, "}");
+    return std::move(text_);
+}
+
+std::vector<std::string> Body::name_parameters(const Region& region) {
+    std::vector<std::string> names;
+    for (size_t k = 0; k < region.params.size(); ++k)
+        names.push_back(locals_.unique(letter(k)));
+    if (context_.parameters.size() <= region.level) context_.parameters.resize(region.level + 1u);
+    context_.parameters[region.level] = names;
+    return names;
+}
+
+std::string Body::signature(const Region& region, const std::string& name,
+                            const std::vector<std::string>& parameters,
+                            const std::vector<std::string>& outs) const {
+    std::string text = type_name(m_.type(region.results[0])) + " " + name + "(";
+    std::string_view separator;
+    for (size_t k = 0; k < parameters.size(); ++k) {
+        text.append(separator).append(type_name(region.params[k])).append(" " + parameters[k]);
+        separator = ", ";
+    }
+    for (size_t k = 0; k < outs.size(); ++k) {
+        text.append(separator).append("out " + type_name(m_.type(region.results[k + 1])));
+        text += " " + outs[k];
+        separator = ", ";
+    }
+    return text + ") {";
+}
+
+Text Body::region_function(uint32_t index, const std::string& name) {
+    const Region& region = m_.region(index);
+    const std::vector<std::string> parameters = name_parameters(region);
+    std::vector<std::string> outs;
+    for (size_t k = 1; k < region.results.size(); ++k)
+        outs.push_back(locals_.unique("result_" + std::to_string(k + 1)));
+    const std::vector<Id> roots = plain_all(plan_, region.results);
+    const Scope scope = collect(plan_, values_, roots, 0);
+    decide(plan_, values_, scope, roots);
+    find_members(scope);
+    text_.line(0, signature(region, name, parameters, outs));
+    statements(schedule(plan_, values_, scope, scope.order), 1);
+    for (size_t k = 1; k < roots.size(); ++k)
+        text_.line(1, outs[k - 1] + " = " + read(context_, roots[k]).text + ";", node_of(group_));
+    text_.line(1, "return " + read(context_, roots[0]).text + ";", node_of(group_));
+    text_.line(0, "}");
+    return std::move(text_);
+}
+
+// One line above the first statement of a node: "weave: Tangent normal map".
+void Body::comment(int indent, uint32_t group) {
+    if (group == group_) return;
+    group_ = group;
+    if (group == surface_group) {
+        text_.line(indent, surface_commented_ ? "// the surface point (continued)"
+                                              : "// the surface point");
+        surface_commented_ = true;
+        return;
+    }
+    const NodeInstance& node = m_.nodes[group];
+    if (group == 0 || node.path.empty()) return;
+    commented_.resize(m_.nodes.size());
+    std::string line = "// " + comment_text(node.path);
+    if (!node.title.empty()) line += ": " + comment_text(node.title);
+    if (commented_[group])
+        line += " (continued)";
+    else if (!node.note.empty())
+        line += ". " + comment_text(node.note);
+    commented_[group] = true;
+    text_.line(indent, line, group);
+}
+
+void Body::find_members(const Scope& scope) {
+    for (const Id id : scope.order) {
+        if (m_[id].op != Op::result_ || plan_.role(id) != Role::view) continue;
+        auto& members = members_[m_[id].arg[0]];
+        if (members.size() <= m_[id].extra) members.resize(m_[id].extra + 1u, poison);
+        members[m_[id].extra] = id;
+    }
+}
+
+void Body::statements(std::span<const Id> ids, int indent) {
+    for (const Id id : ids) {
+        comment(indent, group_of(plan_, id));
+        statement(id, indent);
+    }
+}
+
+void Body::statement(Id id, int indent) {
+    if (m_[id].op == Op::loop_)
+        loop(id, indent);
+    else if (m_[id].op == Op::call_)
+        call(id, indent);
+    else
+        assign(id, indent);
+}
+
+void Body::assign(Id id, int indent) {
+    const std::string text = define(context_, id).text;
+    ValueState& state = values_.state[id];
+    state.name = locals_.unique(state.name);
+    text_.line(indent, type_name(m_.type(id)) + " " + state.name + " = " + text + ";",
+               node_of(group_));
+}
+
+std::vector<std::string> Body::name_members(Id tuple, size_t count) {
+    std::vector<Id> members = members_[tuple];
+    members.resize(count, poison);
+    const std::string& path = m_.nodes[m_.origin[tuple]].path;
+    std::vector<std::string> names;
+    for (const Id member : members) {
+        names.push_back(member == poison ? locals_.unique(path + "_state") : unique(member));
+        if (member != poison) values_.state[member].name = names.back();
+    }
+    return names;
+}
+
+// Several results: the first is returned, the others are handed out.
+void Body::call(Id id, int indent) {
+    const Region& region = m_.region(m_[id].extra);
+    std::vector<Id> arguments;
+    plan_.operands(id, arguments);
+    std::string text;
+    for (const Id argument : arguments)
+        text += (text.empty() ? "" : ", ") + read(context_, argument).text;
+    const std::vector<std::string> names = name_members(id, region.results.size());
+    for (size_t k = 1; k < names.size(); ++k) {
+        text_.line(indent, type_name(m_.type(region.results[k])) + " " + names[k] + ";",
+                   node_of(group_));
+        text += (text.empty() ? "" : ", ") + names[k];
+    }
+    text_.line(indent,
+               type_name(m_.type(region.results[0])) + " " + names[0] + " = " +
+                   context_.symbols.functions[m_[id].extra] + "(" + text + ");",
+               node_of(group_));
+}
+
+void Body::loop(Id id, int indent) {
+    const Region& region = m_.region(m_[id].extra);
+    const auto initial = m_.operands(id);
+    std::vector<std::string> texts;
+    for (const Id value : initial)
+        texts.push_back(read(context_, plan_.plain(value)).text);
+    const std::vector<std::string> state = name_members(id, initial.size());
+    const uint32_t node = node_of(group_);
+    for (size_t k = 0; k < state.size(); ++k)
+        text_.line(indent, type_name(region.params[k]) + " " + state[k] + " = " + texts[k] + ";",
+                   node);
+    const std::string i = locals_.unique("i");
+    const uint32_t most = std::min(region.max_iterations, 0x7FFFFFFFu);
+    text_.line(indent,
+               "for (int " + i + " = 0; " + i + " < " + std::to_string(most) + "; ++" + i + ") {",
+               node);
+    loop_body(id, state, indent + 1);
+    text_.line(indent, "}", node);
+}
+
+// The condition is of the state at hand; what it does not need comes after the break.
+void Body::loop_body(Id id, const std::vector<std::string>& state, int indent) {
+    const Region& region = m_.region(m_[id].extra);
+    if (context_.parameters.size() <= region.level) context_.parameters.resize(region.level + 1u);
+    context_.parameters[region.level] = state;
+    const std::vector<Id> roots = plain_all(plan_, region.results);
+    const Scope scope = collect(plan_, values_, roots, region.level);
+    decide(plan_, values_, scope, roots);
+    find_members(scope);
+    const std::span<const Id> order(scope.order);
+    const uint32_t node = node_of(group_of(plan_, id));
+    statements(schedule(plan_, values_, scope, order.first(scope.first_part)), indent);
+    go_on(roots[0], indent, node);
+    statements(schedule(plan_, values_, scope, order.subspan(scope.first_part)), indent);
+    next_state(id, std::span(roots).subspan(1), state, indent);
+}
+
+void Body::go_on(Id condition, int indent, uint32_t node) {
+    if (m_.is_literal(condition, 1)) return;
+    const bool folded = plan_.role(condition) == Role::value && !values_.state[condition].statement;
+    if (folded && m_[condition].op == Op::not_) {
+        const Id inner = plan_.plain(m_[condition].arg[0]);
+        text_.line(indent, "if (" + read(context_, inner).text + ") break;", node);
+        return;
+    }
+    const Piece piece = read(context_, condition);
+    const bool simple = piece.precedence >= 17;
+    text_.line(indent, "if (!" + (simple ? piece.text : "(" + piece.text + ")") + ") break;", node);
+}
+
+// Members of the state that a value's text reads.
+std::vector<uint32_t> Body::state_read(Id value, uint8_t level) {
+    std::vector<uint32_t> result;
+    std::vector<Id> open{value}, operands;
+    while (!open.empty()) {
+        const Id id = open.back();
+        open.pop_back();
+        if (m_[id].op == Op::region_param_ && m_[id].level == level) result.push_back(m_[id].extra);
+        if (plan_.role(id) == Role::value && values_.state[id].statement) continue;
+        if (m_[id].op == Op::result_ && plan_.role(id) == Role::view) continue;
+        plan_.operands(id, operands);
+        open.insert(open.end(), operands.begin(), operands.end());
+    }
+    return result;
+}
+
+// All members change at once: a value that reads a member assigned before it waits in a temporary.
+void Body::next_state(Id loop, std::span<const Id> next, const std::vector<std::string>& state,
+                      int indent) {
+    const uint8_t level = m_.region(m_[loop].extra).level;
+    const uint32_t node = node_of(group_of(plan_, loop));
+    std::vector<bool> assigned(state.size());
+    std::vector<std::string> assignments;
+    for (uint32_t k = 0; k < state.size(); ++k) {
+        if (m_[next[k]].op == Op::region_param_ && m_[next[k]].level == level &&
+            m_[next[k]].extra == k)
+            continue;
+        const auto reads = state_read(next[k], level);
+        std::string text = read(context_, next[k]).text;
+        if (std::any_of(reads.begin(), reads.end(), [&](uint32_t j) { return assigned[j]; })) {
+            const std::string name = locals_.unique(state[k] + "_next");
+            text_.line(indent, type_name(m_.type(next[k])) + " " + name + " = " + text + ";", node);
+            text = name;
+        }
+        assigned[k] = true;
+        assignments.push_back(state[k] + " = " + text + ";");
+    }
+    for (const std::string& assignment : assignments)
+        text_.line(indent, assignment, node);
+}
+
+}  // namespace wrinkle

@@ -1,0 +1,62 @@
+// The statements of one function: temporaries node by node, loops, the results.
+#pragma once
+
+#include <string>
+
+#include "glsl/expression.h"
+#include "glsl/names.h"
+#include "glsl/text.h"
+
+namespace wrinkle {
+
+class Body {
+public:
+    Body(const Plan& plan, Values& values, const Symbols& symbols, const NameSet& globals,
+         const Target& target)
+        : plan_(plan),
+          m_(plan.module()),
+          values_(values),
+          locals_(&globals),
+          context_{plan, values, symbols, target, {}} {}
+
+    // Whole functions. An output's takes `argument` ("WrinkleSurface_x s" or nothing); a region's
+    // returns its first result and hands out the others.
+    Text output_function(Id value, const std::string& name, const std::string& argument);
+    Text region_function(uint32_t region, const std::string& name);
+
+private:
+    std::string unique(Id id) { return locals_.unique(wanted_name(plan_, id)); }
+    std::string type_name(Type type) const { return std::string(info(type).name); }
+    std::vector<std::string> name_parameters(const Region& region);
+    std::string signature(const Region& region, const std::string& name,
+                          const std::vector<std::string>& parameters,
+                          const std::vector<std::string>& outs) const;
+
+    void comment(int indent, uint32_t group);
+    uint32_t node_of(uint32_t group) const { return group == surface_group ? no_node : group; }
+    void find_members(const Scope& scope);
+    void statements(std::span<const Id> ids, int indent);
+    void statement(Id id, int indent);
+    void assign(Id id, int indent);
+    void call(Id id, int indent);
+    void loop(Id id, int indent);
+    std::vector<std::string> name_members(Id tuple, size_t count);
+    void loop_body(Id id, const std::vector<std::string>& state, int indent);
+    void go_on(Id condition, int indent, uint32_t node);
+    void next_state(Id loop, std::span<const Id> next, const std::vector<std::string>& state,
+                    int indent);
+    std::vector<uint32_t> state_read(Id value, uint8_t level);
+
+    const Plan& plan_;
+    const Module& m_;
+    Values& values_;
+    NameSet locals_;
+    ExpressionContext context_;
+    Text text_;
+    uint32_t group_ = no_node;     // whose comment stands above
+    std::vector<bool> commented_;  // by node
+    bool surface_commented_ = false;
+    std::unordered_map<Id, std::vector<Id>> members_;  // of a tuple: its result()s by index
+};
+
+}  // namespace wrinkle

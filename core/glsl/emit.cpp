@@ -1,0 +1,49 @@
+#include "glsl/emit.h"
+
+#include "glsl/interface.h"
+
+namespace wrinkle {
+namespace {
+
+void write_function_form(const Plan& plan, const EmitOptions& options, Interface& face,
+                         Shader& shader) {
+    Text text;
+    std::string title = title_of(plan.module(), face.reflection.name);
+    if (plan.implicit) title += " Call it in uniform control flow: it takes screen derivatives.";
+    text.line(0, title);
+    text.append(struct_text(face.reflection));
+    text.append(uniforms_text(face.reflection));
+    text.append(functions_text(plan, face, *options.target));
+    shader.source = std::move(text.text);
+    face.reflection.lines = std::move(text.nodes);
+}
+
+bool refused(const Module& module, const EmitOptions& options, Shader& shader) {
+    if (options.form == Form::shader && options.differentials == Differentials::given)
+        shader.problems.push_back({0, "the shader form takes its differentials from the screen",
+                                   "differentials 'screen', or the form 'function'"});
+    for (const ModuleOutput& output : module.outputs)
+        if (output.value == poison)
+            shader.problems.push_back({0, "the output '" + output.name + "' has no value",
+                                       "what is wrong in the graph is reported before"});
+    if (module.outputs.empty())
+        shader.problems.push_back({0, "the graph has no outputs", "an entry in \"outputs\""});
+    return !shader.problems.empty();
+}
+
+}  // namespace
+
+Shader emit(const Module& module, const EmitOptions& options) {
+    Shader shader;
+    if (refused(module, options, shader)) return shader;
+    const Plan plan(module, options.differentials == Differentials::given);
+    Interface face = make_interface(plan, options);
+    if (options.form == Form::function)
+        write_function_form(plan, options, face, shader);
+    else
+        write_shader_form(plan, options, face, shader);
+    shader.reflection = std::move(face.reflection);
+    return shader;
+}
+
+}  // namespace wrinkle

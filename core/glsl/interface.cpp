@@ -1,0 +1,195 @@
+#include "glsl/interface.h"
+
+#include <algorithm>
+
+#include "base/text.h"
+
+namespace wrinkle {
+namespace {
+
+std::string node_path(const Module& m, uint32_t node) {
+    return node < m.nodes.size() ? m.nodes[node].path : "";
+}
+
+void add_uniforms(const Plan& plan, Interface& face) {
+    const Module& m = plan.module();
+    face.symbols.parameters.resize(m.parameters.size());
+    for (uint32_t i = 0; i < m.parameters.size(); ++i) {
+        if (!plan.parameters_used[i]) continue;
+        const Parameter& parameter = m.parameters[i];
+        UniformInfo uniform;
+        uniform.node = parameter.graph_input ? "" : node_path(m, parameter.node);
+        uniform.name = face.globals.unique((parameter.graph_input ? "input" : uniform.node) + "_" +
+                                           parameter.port);
+        uniform.type = parameter.type;
+        uniform.value = parameter.value;
+        uniform.port = parameter.port;
+        uniform.graph_input = parameter.graph_input;
+        uniform.parameter = i;
+        face.symbols.parameters[i] = uniform.name;
+        face.reflection.uniforms.push_back(std::move(uniform));
+    }
+}
+
+// The reader at the node of the first sample gives the name.
+std::string sampler_name(const Module& m, const Plan::UsedResource& used) {
+    const auto& readers = m.resources[used.resource].readers;
+    if (readers.empty()) return node_path(m, used.node) + "_image";
+    auto reader = std::find_if(readers.begin(), readers.end(),
+                               [&](const auto& r) { return r.node == used.node; });
+    if (reader == readers.end()) reader = readers.begin();
+    return node_path(m, reader->node) + "_" + reader->port;
+}
+
+void add_samplers(const Plan& plan, Interface& face) {
+    const Module& m = plan.module();
+    face.symbols.resources.resize(m.resources.size());
+    for (const Plan::UsedResource& used : plan.resources) {
+        const Resource& resource = m.resources[used.resource];
+        SamplerInfo sampler;
+        sampler.name = face.globals.unique(sampler_name(m, used));
+        sampler.file = resource.file;
+        sampler.written = resource.name;
+        sampler.options = resource.options;
+        sampler.resource = used.resource;
+        for (const Resource::Reader& reader : resource.readers)
+            sampler.readers.push_back({node_path(m, reader.node), reader.port});
+        face.symbols.resources[used.resource] = sampler.name;
+        face.reflection.samplers.push_back(std::move(sampler));
+    }
+}
+
+MemberInfo member(SurfaceInput input, Variant variant) {
+    return {member_name(input, variant), info(input).type, input, variant, false};
+}
+
+void add_members(const Plan& plan, bool given, Reflection& reflection) {
+    for (int i = 0; i < surface_input_count; ++i) {
+        const auto input = static_cast<SurfaceInput>(i);
+        const auto used = [&](Variant variant) {
+            return plan.inputs_used[Plan::input_slot(input, variant)];
+        };
+        const bool changes = used(Variant::dx) || used(Variant::dy);
+        const bool relative = !given && changes && input == SurfaceInput::position_;
+        if (used(Variant::value) || (!given && changes && !relative))
+            reflection.members.push_back(member(input, Variant::value));
+        if (relative)
+            reflection.members.push_back(
+                {"position_relative", Type::vec3_, input, Variant::value, true});
+        for (const Variant variant : {Variant::dx, Variant::dy})
+            if (given && used(variant)) reflection.members.push_back(member(input, variant));
+    }
+    if (!reflection.members.empty()) reflection.struct_name = "WrinkleSurface_" + reflection.name;
+}
+
+void add_functions(const Plan& plan, Interface& face) {
+    const Module& m = plan.module();
+    const std::string prefix = "wrinkle_" + face.reflection.name + "_";
+    for (const ModuleOutput& output : m.outputs)
+        face.reflection.functions.push_back({output.name, face.globals.unique(prefix + output.name),
+                                             m.type(output.value), output.port_type, -1, ""});
+    face.symbols.functions.resize(m.region_count());
+    for (const uint32_t region : plan.functions)
+        face.symbols.functions[region] = face.globals.unique(prefix + m.region(region).name);
+}
+
+std::string member_doc(const MemberInfo& member) {
+    if (member.relative) return "position seen from the eye, object axes, length units";
+    if (member.variant != Variant::value)
+        return std::string("change of ") + std::string(info(member.input).name) +
+               " to the next pixel in " + (member.variant == Variant::dx ? "x" : "y");
+    if (member.input == SurfaceInput::normal_)
+        return "interpolated normal, object space, need not be unit";
+    if (member.input == SurfaceInput::tangent_)
+        return "interpolated tangent of uv0, object space; w: sign of the bitangent";
+    std::string doc(info(member.input).doc);
+    if (!doc.empty() && doc[0] >= 'A' && doc[0] <= 'Z') doc[0] += 'a' - 'A';
+    return doc;
+}
+
+// Declarations with their comments in one column.
+Text with_comments(int indent, const std::vector<std::pair<std::string, std::string>>& lines) {
+    constexpr size_t farthest = 48;
+    size_t column = 0;
+    for (const auto& [code, doc] : lines)
+        if (code.size() <= farthest) column = std::max(column, code.size());
+    Text text;
+    for (const auto& [code, doc] : lines) {
+        const size_t gap = code.size() < column ? column - code.size() + 2 : 2;
+        text.line(indent, code + std::string(gap, ' ') + "// " + comment_text(doc));
+    }
+    return text;
+}
+
+}  // namespace
+
+Interface make_interface(const Plan& plan, const EmitOptions& options) {
+    Interface face;
+    const Module& m = plan.module();
+    NameSet plain;
+    face.reflection.name = plain.unique(options.name);
+    face.globals.unique("WrinkleSurface_" + face.reflection.name);
+    add_functions(plan, face);
+    add_samplers(plan, face);
+    add_uniforms(plan, face);
+    add_members(plan, options.differentials == Differentials::given, face.reflection);
+    face.reflection.uniform_control_flow = plan.implicit;
+    for (const NodeInstance& node : m.nodes)
+        face.reflection.node_paths.push_back(node.path);
+    return face;
+}
+
+Text struct_text(const Reflection& reflection) {
+    Text text;
+    if (reflection.struct_name.empty()) return text;
+    text.line(0, "struct " + reflection.struct_name + " {");
+    std::vector<std::pair<std::string, std::string>> lines;
+    for (const MemberInfo& member : reflection.members)
+        lines.emplace_back(std::string(info(member.type).name) + " " + member.name + ";",
+                           member_doc(member));
+    text.append(with_comments(1, lines));
+    text.line(0, "};");
+    return text;
+}
+
+Text uniforms_text(const Reflection& reflection) {
+    std::vector<std::pair<std::string, std::string>> lines;
+    for (const SamplerInfo& sampler : reflection.samplers)
+        lines.emplace_back("uniform sampler2D " + sampler.name + ";",
+                           sampler.written + " (" + std::string(name_of(sampler.options.encoding)) +
+                               ", " + std::string(name_of(sampler.options.wrap)) + ")");
+    Text text = with_comments(0, lines);
+    for (const UniformInfo& uniform : reflection.uniforms)
+        text.line(0, "uniform " + std::string(info(uniform.type).name) + " " + uniform.name + ";");
+    return text;
+}
+
+std::string argument_text(const Reflection& reflection) {
+    return reflection.struct_name.empty() ? "" : reflection.struct_name + " s";
+}
+
+Text functions_text(const Plan& plan, const Interface& face, const Target& target) {
+    const Module& m = plan.module();
+    Values values(plan);
+    Text text;
+    for (const uint32_t region : plan.functions) {
+        text.line(0, "");
+        text.append(Body(plan, values, face.symbols, face.globals, target)
+                        .region_function(region, face.symbols.functions[region]));
+    }
+    const std::string argument = argument_text(face.reflection);
+    for (size_t i = 0; i < m.outputs.size(); ++i) {
+        text.line(0, "");
+        text.append(Body(plan, values, face.symbols, face.globals, target)
+                        .output_function(m.outputs[i].value, face.reflection.functions[i].function,
+                                         argument));
+    }
+    return text;
+}
+
+std::string title_of(const Module& module, const std::string& name) {
+    const std::string& title = module.nodes[0].title;
+    return "// " + comment_text(title.empty() ? name : title) + ", generated by Wrinkle.";
+}
+
+}  // namespace wrinkle

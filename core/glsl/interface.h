@@ -1,0 +1,34 @@
+// What stands outside the functions: the names of everything global, the struct, the uniforms, and
+// the reflection that says so.
+#pragma once
+
+#include "glsl/body.h"
+#include "glsl/emit.h"
+
+namespace wrinkle {
+
+struct Interface {
+    NameSet globals;
+    Symbols symbols;
+    Reflection reflection;
+};
+
+Interface make_interface(const Plan& plan, const EmitOptions& options);
+
+Text struct_text(const Reflection& reflection);
+Text uniforms_text(const Reflection& reflection);
+
+// "WrinkleSurface_NAME s", or "" where there is no struct.
+std::string argument_text(const Reflection& reflection);
+
+// Helper functions, then one per output.
+Text functions_text(const Plan& plan, const Interface& interface, const Target& target);
+
+// The first line: the graph's name, or NAME.
+std::string title_of(const Module& module, const std::string& name);
+
+// The complete vertex and fragment pair; adds attributes, varyings and frame uniforms.
+void write_shader_form(const Plan& plan, const EmitOptions& options, Interface& interface,
+                       Shader& shader);
+
+}  // namespace wrinkle

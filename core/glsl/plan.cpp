@@ -1,0 +1,169 @@
+#include "glsl/plan.h"
+
+#include <algorithm>
+#include <unordered_set>
+
+namespace wrinkle {
+
+Plan::Plan(const Module& module, bool given)
+    : inputs_used(surface_input_count * 3),
+      parameters_used(module.parameters.size()),
+      first_name(module.size()),
+      module_(&module),
+      given_(given),
+      captures_(module.region_count()),
+      seen_function_(module.region_count()),
+      seen_resource_(module.resources.size()) {
+    find_aliases();
+    for (uint32_t i = 0; i < module.named.size(); ++i) {
+        const Id id = alias_[module.named[i].value];
+        if (!first_name[id]) first_name[id] = i + 1;
+    }
+    for (uint32_t region = 1; region < module.region_count(); ++region)
+        if (module.region(region).kind == RegionKind::loop) find_captures(region);
+    walk();
+}
+
+void Plan::find_aliases() {
+    const Module& m = *module_;
+    alias_.resize(m.size());
+    role_.resize(m.size(), Role::leaf);
+    for (Id id = 1; id < m.size(); ++id) {
+        alias_[id] = m[id].op == Op::detach_ ? alias_[m[id].arg[0]] : id;
+        role_[id] = role_of(id);
+    }
+}
+
+Role Plan::role_of(Id id) const {
+    const Module& m = *module_;
+    const Inst& inst = m[id];
+    switch (inst.op) {
+        case Op::poison_:
+        case Op::literal_:
+        case Op::parameter_:
+        case Op::region_param_:
+            return Role::leaf;
+        case Op::input_:
+            return given_ || variant_of(inst.extra) == Variant::value ? Role::leaf : Role::value;
+        case Op::construct_:
+            return inst.type != Type::mat3_ && m.is_constant(id) ? Role::leaf : Role::value;
+        case Op::swizzle_:
+            return role_[alias_[inst.arg[0]]] == Role::leaf &&
+                           m[alias_[inst.arg[0]]].op != Op::construct_
+                       ? Role::leaf
+                       : Role::view;
+        case Op::column_:
+            return Role::view;
+        case Op::result_:
+            return single_call(id) ? Role::value : Role::view;
+        default:
+            return Role::value;
+    }
+}
+
+bool Plan::single_call(Id id) const {
+    const Module& m = *module_;
+    if (m[id].op != Op::result_ || m[m[id].arg[0]].op != Op::call_) return false;
+    return m.region(m[m[id].arg[0]].extra).results.size() == 1;
+}
+
+bool Plan::is_splat(Id construct) const {
+    const auto parts = module_->operands(construct);
+    return module_->type(construct) != Type::mat3_ && info(module_->type(parts[0])).lanes == 1 &&
+           std::all_of(parts.begin(), parts.end(), [&](Id part) { return part == parts[0]; });
+}
+
+void Plan::operands(Id id, std::vector<Id>& result) const {
+    const Module& m = *module_;
+    result.clear();
+    if (m[id].op == Op::construct_ && is_splat(id)) {
+        result.push_back(alias_[m[id].arg[0]]);
+        return;
+    }
+    for (const Id operand : m.operands(single_call(id) ? m[id].arg[0] : id))
+        result.push_back(alias_[operand]);
+    if (m[id].op != Op::loop_) return;
+    const auto& captured = captures_[m[id].extra];
+    result.insert(result.end(), captured.begin(), captured.end());
+}
+
+// What the body reads from outside that must be a temporary there, in the order it is met.
+void Plan::find_captures(uint32_t region) {
+    const Module& m = *module_;
+    const uint8_t level = m.region(region).level;
+    std::unordered_set<Id> seen;
+    std::vector<Id> open(m.region(region).results.rbegin(), m.region(region).results.rend());
+    std::vector<Id> parts;
+    while (!open.empty()) {
+        const Id id = alias_[open.back()];
+        open.pop_back();
+        if (role_[id] == Role::leaf || !seen.insert(id).second) continue;
+        if (m[id].level < level && (role_[id] == Role::value || m[id].op == Op::result_)) {
+            captures_[region].push_back(id);
+            continue;
+        }
+        operands(id, parts);
+        open.insert(open.end(), parts.rbegin(), parts.rend());
+    }
+}
+
+void Plan::dependencies(Id id, std::vector<Id>& result) const {
+    const Module& m = *module_;
+    const auto operands = m.operands(id);
+    result.assign(operands.begin(), operands.end());
+    if (m[id].op != Op::loop_ && m[id].op != Op::call_) return;
+    const auto& results = m.region(m[id].extra).results;
+    result.insert(result.end(), results.begin(), results.end());
+}
+
+void Plan::walk() {
+    const Module& m = *module_;
+    std::vector<uint8_t> state(m.size(), 0);  // 1: open, 2: done
+    std::vector<Id> stack, below;
+    for (const ModuleOutput& output : m.outputs) {
+        stack.push_back(output.value);
+        while (!stack.empty()) {
+            const Id id = stack.back();
+            if (state[id] != 0) {
+                stack.pop_back();
+                if (state[id] == 1) use(id);
+                state[id] = 2;
+                continue;
+            }
+            state[id] = 1;
+            dependencies(id, below);
+            for (size_t i = below.size(); i-- > 0;)
+                if (state[below[i]] == 0) stack.push_back(below[i]);
+        }
+    }
+}
+
+void Plan::use(Id id) {
+    const Inst& inst = (*module_)[id];
+    switch (inst.op) {
+        case Op::input_:
+            inputs_used[input_slot(input_of(inst.extra), variant_of(inst.extra))] = true;
+            implicit = implicit || (!given_ && variant_of(inst.extra) != Variant::value);
+            break;
+        case Op::parameter_:
+            parameters_used[inst.extra] = true;
+            break;
+        case Op::sample_:
+            implicit = true;
+            [[fallthrough]];
+        case Op::sample_lod_:
+        case Op::sample_grad_:
+        case Op::image_size_:
+            if (!seen_resource_[inst.extra]) resources.push_back({inst.extra, module_->origin[id]});
+            seen_resource_[inst.extra] = true;
+            break;
+        case Op::call_:
+            if (!seen_function_[inst.extra]) functions.push_back(inst.extra);
+            seen_function_[inst.extra] = true;
+            break;
+        default:
+            break;
+    }
+}
+
+}  // namespace wrinkle

@@ -1,0 +1,225 @@
+#include "glsl/scope.h"
+
+#include <algorithm>
+
+#include "glsl/expression.h"
+#include "glsl/names.h"
+
+namespace wrinkle {
+namespace {
+
+constexpr uint32_t widest_expression = 68;
+constexpr uint8_t deepest_expression = 4;
+constexpr uint32_t parentheses = 2;
+constexpr uint32_t loop_state_width = 12;
+
+// Folding decisions for one scope, operands first.
+class Folder {
+public:
+    Folder(const Plan& plan, Values& values, const Scope& scope)
+        : plan_(plan), values_(values), scope_(scope) {}
+
+    void count_uses(std::span<const Id> roots);
+    void visit(Id id, bool is_root);
+
+private:
+    ValueState& state(Id id) { return values_.state[id]; }
+    bool inside(Id id) { return state(id).epoch == scope_.epoch && plan_.role(id) != Role::leaf; }
+    Id base(Id id);
+    bool foldable(Id id);
+    uint32_t width_of(Id id);
+    uint8_t depth_of(Id id);
+    void make_statement(Id id);
+    void hoist_implicit(Id id);
+    void narrow(Id id);
+    void flatten(Id id);
+    bool must_name(Id id, bool is_root);
+
+    const Plan& plan_;
+    Values& values_;
+    const Scope& scope_;
+    std::vector<Id> operands_;
+};
+
+// What a view looks at.
+Id Folder::base(Id id) {
+    std::vector<Id> below;
+    while (plan_.role(id) == Role::view && plan_.module()[id].op != Op::result_) {
+        plan_.operands(id, below);
+        id = below[0];
+    }
+    return id;
+}
+
+bool Folder::foldable(Id id) {
+    const Id target = base(id);
+    return plan_.role(target) == Role::value && inside(target) && !state(target).statement;
+}
+
+uint32_t Folder::width_of(Id id) {
+    const Id target = base(id);
+    const uint32_t suffix = target == id ? 0 : 4;
+    if (plan_.role(target) == Role::leaf) return leaf_width(plan_, target) + suffix;
+    if (plan_.role(target) == Role::view) return loop_state_width + suffix;
+    const ValueState& s = state(target);
+    return (s.statement ? static_cast<uint32_t>(s.name.size()) : s.width) + suffix;
+}
+
+uint8_t Folder::depth_of(Id id) {
+    return foldable(id) ? state(base(id)).depth : 0;
+}
+
+void Folder::count_uses(std::span<const Id> roots) {
+    for (const Id root : roots)
+        if (inside(root)) ++state(root).uses;
+    for (size_t i = scope_.order.size(); i-- > 0;) {
+        const Id id = scope_.order[i];
+        const bool view = plan_.role(id) == Role::view;
+        plan_.operands(id, operands_);
+        const bool loop = plan_.module()[id].op == Op::loop_;
+        const size_t own = loop ? plan_.module().operands(id).size() : operands_.size();
+        for (size_t k = 0; k < operands_.size(); ++k) {
+            if (!inside(operands_[k])) continue;
+            state(operands_[k]).uses += view ? std::max(1u, state(id).uses) : 1;
+            if (k >= own) state(operands_[k]).captured = true;
+        }
+    }
+}
+
+void Folder::make_statement(Id id) {
+    ValueState& s = state(id);
+    if (s.statement) return;
+    s.statement = true;
+    s.name = wanted_name(plan_, id);
+}
+
+// GLSL evaluates one branch of ?: only, and && and || may skip their right side; there an implicit
+// derivative would be undefined.
+void Folder::hoist_implicit(Id id) {
+    const Op op = plan_.module()[id].op;
+    if (op != Op::select_ && op != Op::and_ && op != Op::or_) return;
+    for (size_t k = 1; k < operands_.size(); ++k)
+        if (foldable(operands_[k]) && state(base(operands_[k])).implicit)
+            make_statement(base(operands_[k]));
+}
+
+void Folder::narrow(Id id) {
+    for (;;) {
+        uint32_t width = own_width(plan_, id), widest = 0;
+        Id victim = poison;
+        for (const Id operand : operands_) {
+            const uint32_t w = width_of(operand);
+            width += w + (foldable(operand) && state(base(operand)).depth > 0 ? parentheses : 0);
+            if (foldable(operand) && w > widest) {
+                widest = w;
+                victim = base(operand);
+            }
+        }
+        state(id).width = width;
+        if (width <= widest_expression || victim == poison) return;
+        make_statement(victim);
+    }
+}
+
+// A chain of one precedence counts as one level, as it reads.
+void Folder::flatten(Id id) {
+    const Module& m = plan_.module();
+    const auto depth_with = [&](size_t k) -> uint8_t {
+        const Id operand = operands_[k];
+        const uint8_t depth = depth_of(operand);
+        if (!foldable(operand)) return 1;
+        const bool chain = k == 0 && operand == base(operand) &&
+                           info(m[id].op).precedence == info(m[operand].op).precedence &&
+                           info(m[id].op).precedence > 0;
+        return static_cast<uint8_t>(chain ? depth : depth + 1);
+    };
+    uint8_t deepest = 1;
+    for (size_t k = 0; k < operands_.size(); ++k) {
+        if (depth_with(k) > deepest_expression) make_statement(base(operands_[k]));
+        deepest = std::max(deepest, depth_with(k));
+    }
+    state(id).depth = deepest;
+}
+
+bool Folder::must_name(Id id, bool is_root) {
+    if (plan_.role(id) != Role::value) return false;
+    const ValueState& s = state(id);
+    if (plan_.module().type(id) == Type::tuple_ || s.uses > 1 || s.captured) return true;
+    const uint32_t name = plan_.first_name[id];
+    return name && plan_.module().named[name - 1].node != 0 && !is_root;
+}
+
+void Folder::visit(Id id, bool is_root) {
+    plan_.operands(id, operands_);
+    hoist_implicit(id);
+    const Op op = plan_.module()[id].op;
+    if (plan_.role(id) == Role::value && op != Op::loop_) {
+        flatten(id);
+        narrow(id);
+    }
+    bool implicit = op == Op::sample_ || op == Op::input_;
+    for (const Id operand : operands_)
+        implicit = implicit || (foldable(operand) && state(base(operand)).implicit);
+    state(id).implicit = implicit;
+    if (must_name(id, is_root)) make_statement(id);
+}
+
+}  // namespace
+
+Scope collect(const Plan& plan, Values& values, std::span<const Id> roots, int level) {
+    Scope scope;
+    scope.epoch = ++values.epoch;
+    std::vector<std::pair<Id, bool>> stack;
+    std::vector<Id> operands;
+    const auto push = [&](Id id) {
+        if (plan.role(id) == Role::leaf || plan.module()[id].level < level) return;
+        if (values.state[id].epoch != scope.epoch) stack.push_back({id, false});
+    };
+    for (size_t r = 0; r < roots.size(); ++r) {
+        push(roots[r]);
+        while (!stack.empty()) {
+            const auto [id, finished] = stack.back();
+            stack.pop_back();
+            if (finished) {
+                scope.order.push_back(id);
+                continue;
+            }
+            if (values.state[id].epoch == scope.epoch) continue;
+            values.state[id] = ValueState{.epoch = scope.epoch, .name = {}};
+            stack.push_back({id, true});
+            plan.operands(id, operands);
+            for (size_t k = operands.size(); k-- > 0;)
+                push(operands[k]);
+        }
+        if (r == 0) scope.first_part = scope.order.size();
+    }
+    return scope;
+}
+
+void decide(const Plan& plan, Values& values, const Scope& scope, std::span<const Id> roots) {
+    Folder folder(plan, values, scope);
+    folder.count_uses(roots);
+    for (const Id id : scope.order)
+        folder.visit(id, std::find(roots.begin(), roots.end(), id) != roots.end());
+}
+
+uint32_t group_of(const Plan& plan, Id id) {
+    const Module& m = plan.module();
+    const uint32_t name = plan.first_name[id];
+    if (name) return m.named[name - 1].node ? m.named[name - 1].node : surface_group;
+    return surface_name(m, id).empty() ? m.origin[id] : surface_group;
+}
+
+std::string wanted_name(const Plan& plan, Id id) {
+    const Module& m = plan.module();
+    if (const uint32_t name = plan.first_name[id]) {
+        const Named& named = m.named[name - 1];
+        return named.node ? m.nodes[named.node].path + "_" + named.port : named.port;
+    }
+    std::string name = surface_name(m, id);
+    if (!name.empty()) return name;
+    const std::string& path = m.nodes[m.origin[id]].path;
+    return (path.empty() ? "" : path + "_") + std::string(word_for(m, id));
+}
+
+}  // namespace wrinkle

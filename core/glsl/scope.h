@@ -1,0 +1,61 @@
+// One function or loop body before it is text: the values it computes, which of them become
+// temporaries, and their order.
+//
+// A value becomes a temporary when it stands at a node's output, is read more than once or inside a
+// loop, or when folding it into its one reader would make that line too wide or too deep; a value
+// with implicit derivatives also when its reader may skip it. Temporaries of one node stand
+// together as far as dependencies allow, else in the order of a walk from the results.
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "glsl/plan.h"
+
+namespace wrinkle {
+
+// What is known of a value in the scope at hand.
+struct ValueState {
+    uint32_t epoch = 0;  // of the scope that it belongs to
+    uint32_t uses = 0;
+    uint32_t width = 0;  // of its text, about
+    uint32_t place = 0;  // among the scope's statements
+    uint8_t depth = 0;
+    bool statement = false;  // a temporary; also loops and calls with several results
+    bool captured = false;   // by a loop
+    bool implicit = false;   // its folded text takes implicit derivatives
+    std::string name;        // of a temporary: wanted, then final
+};
+
+// The values of a module; a scope overwrites the states of what it computes, and of nothing else.
+struct Values {
+    explicit Values(const Plan& plan) : state(plan.module().size()) {}
+    std::vector<ValueState> state;  // by Id
+    uint32_t epoch = 0;
+};
+
+struct Scope {
+    uint32_t epoch = 0;
+    std::vector<Id> order;  // post-order from the roots, leaves left out
+    size_t first_part = 0;  // how many of these the first root needs
+};
+
+// `level` 0: a function's body, else a loop's: values of lower levels stand outside.
+Scope collect(const Plan& plan, Values& values, std::span<const Id> roots, int level);
+
+// Decides what is a temporary, and the name it wants.
+void decide(const Plan& plan, Values& values, const Scope& scope, std::span<const Id> roots);
+
+// The statements among `part` of the scope's order, as they are to be written.
+std::vector<Id> schedule(const Plan& plan, Values& values, const Scope& scope,
+                         std::span<const Id> part);
+
+// Whose comment a statement stands under: a node, or the surface point shared by all.
+inline constexpr uint32_t surface_group = ~1U;
+uint32_t group_of(const Plan& plan, Id id);
+
+// The name that a value would like: of its node and port, or of the surface point.
+std::string wanted_name(const Plan& plan, Id id);
+
+}  // namespace wrinkle

@@ -1,0 +1,160 @@
+// The complete vertex and fragment pair round the functions.
+#include <algorithm>
+#include <array>
+
+#include "glsl/interface.h"
+
+namespace wrinkle {
+namespace {
+
+// Of a fragment output; others follow in graph order.
+constexpr std::array<std::string_view, 7> standard_outputs = {
+    "normal", "color", "roughness", "metalness", "occlusion", "height", "displacement"};
+
+// Of the vertex attributes, by SurfaceInput; -1: made in the shader.
+constexpr std::array<int, surface_input_count> locations = {0, 1, 2, 3, 4, 5, 6, 7, -1, -1};
+
+struct Stage {
+    const Plan& plan;
+    const EmitOptions& options;
+    Interface& face;
+    bool relative = false;  // the position seen from the eye is needed
+    bool world = false;     // an output of type normal is there
+};
+
+std::string at(int location) {
+    return "layout(location = " + std::to_string(location) + ") ";
+}
+
+void assign_locations(Interface& face) {
+    int next = static_cast<int>(standard_outputs.size());
+    for (FunctionInfo& function : face.reflection.functions) {
+        const auto* found =
+            std::find(standard_outputs.begin(), standard_outputs.end(), function.output);
+        const bool standard = found != standard_outputs.end();
+        function.location = standard ? static_cast<int>(found - standard_outputs.begin()) : next++;
+        function.variable = face.globals.unique("out_" + function.output);
+    }
+}
+
+void find_varyings(Stage& stage) {
+    Reflection& r = stage.face.reflection;
+    r.attributes.push_back({"position", Type::vec3_, 0, SurfaceInput::position_});
+    for (const MemberInfo& member : r.members) {
+        const int location = locations[static_cast<size_t>(member.input)];
+        stage.relative = stage.relative || member.relative || member.input == SurfaceInput::view_;
+        if (location > 0)
+            r.attributes.push_back(
+                {std::string(info(member.input).name), member.type, location, member.input});
+        if (location >= 0 && !member.relative) r.varyings.push_back("wrinkle_" + member.name);
+    }
+    if (stage.relative) r.varyings.push_back("wrinkle_position_relative");
+    stage.world = std::any_of(r.functions.begin(), r.functions.end(), [](const auto& function) {
+        return function.port_type == WR_PORT_normal;
+    });
+    r.frame_uniforms.push_back({"wrinkle_object_to_clip", "mat4", "object space to clip space"});
+    if (stage.relative)
+        r.frame_uniforms.push_back({"wrinkle_eye", "vec3", "the eye in object space"});
+    if (stage.world)
+        r.frame_uniforms.push_back({"wrinkle_object_to_world", "mat4", "the object's matrix"});
+}
+
+std::string varying_type(const Reflection& r, const std::string& varying) {
+    for (const AttributeInfo& attribute : r.attributes)
+        if (varying == "wrinkle_" + attribute.name) return std::string(info(attribute.type).name);
+    return "vec3";
+}
+
+std::string vertex_text(const Stage& stage) {
+    const Reflection& r = stage.face.reflection;
+    Text text;
+    text.line(0, stage.options.target->version);
+    text.line(0, title_of(stage.plan.module(), r.name));
+    for (const AttributeInfo& attribute : r.attributes)
+        text.line(0, at(attribute.location) + "in " + std::string(info(attribute.type).name) + " " +
+                         attribute.name + ";");
+    text.line(0, "uniform mat4 wrinkle_object_to_clip;");
+    if (stage.relative) text.line(0, "uniform vec3 wrinkle_eye;  // in object space");
+    for (const std::string& varying : r.varyings)
+        text.line(0, "out " + varying_type(r, varying) + " " + varying + ";");
+    text.line(0, "");
+    text.line(0, "void main() {");
+    for (const std::string& varying : r.varyings)
+        text.line(1, varying + " = " +
+                         (varying == "wrinkle_position_relative" ? "position - wrinkle_eye"
+                                                                 : varying.substr(8)) +
+                         ";");
+    text.line(1, "gl_Position = wrinkle_object_to_clip * vec4(position, 1.0);");
+    text.line(0, "}");
+    return std::move(text.text);
+}
+
+Text normal_to_world_text() {
+    Text text;
+    text.line(0, "");
+    text.line(0, "// A normal of the object in the world: cof(M) n, times the sign of det(M).");
+    text.line(0, "vec3 wrinkle_normal_to_world(vec3 n) {");
+    text.line(1, "mat3 m = mat3(wrinkle_object_to_world);");
+    text.line(1, "mat3 cofactor = mat3(cross(m[1], m[2]), cross(m[2], m[0]), cross(m[0], m[1]));");
+    text.line(1, "return normalize(cofactor * n) * (dot(m[0], cofactor[0]) < 0.0 ? -1.0 : 1.0);");
+    text.line(0, "}");
+    return text;
+}
+
+std::string member_value(const MemberInfo& member) {
+    if (member.input == SurfaceInput::view_) return "normalize(-wrinkle_position_relative)";
+    if (member.input == SurfaceInput::facing_) return "gl_FrontFacing ? 1.0 : -1.0";
+    return "wrinkle_" + member.name;
+}
+
+Text main_text(const Stage& stage) {
+    const Reflection& r = stage.face.reflection;
+    Text text;
+    text.line(0, "");
+    text.line(0, "void main() {");
+    if (!r.struct_name.empty()) text.line(1, r.struct_name + " s;");
+    for (const MemberInfo& member : r.members)
+        text.line(1, "s." + member.name + " = " + member_value(member) + ";");
+    for (const FunctionInfo& function : r.functions) {
+        const std::string call = function.function + (r.struct_name.empty() ? "()" : "(s)");
+        const bool normal = function.port_type == WR_PORT_normal;
+        text.line(1, function.variable + " = " +
+                         (normal ? "wrinkle_normal_to_world(" + call + ")" : call) + ";");
+    }
+    text.line(0, "}");
+    return text;
+}
+
+Text fragment_text(const Stage& stage) {
+    const Reflection& r = stage.face.reflection;
+    Text text;
+    text.line(0, stage.options.target->version);
+    text.line(0, title_of(stage.plan.module(), r.name));
+    for (const std::string& varying : r.varyings)
+        text.line(0, "in " + varying_type(r, varying) + " " + varying + ";");
+    for (const FunctionInfo& function : r.functions)
+        text.line(0, at(function.location) + "out " + std::string(info(function.type).name) + " " +
+                         function.variable + ";");
+    if (stage.world) text.line(0, "uniform mat4 wrinkle_object_to_world;");
+    text.append(struct_text(r));
+    text.append(uniforms_text(r));
+    text.append(functions_text(stage.plan, stage.face, *stage.options.target));
+    if (stage.world) text.append(normal_to_world_text());
+    text.append(main_text(stage));
+    return text;
+}
+
+}  // namespace
+
+void write_shader_form(const Plan& plan, const EmitOptions& options, Interface& face,
+                       Shader& shader) {
+    Stage stage{plan, options, face};
+    assign_locations(face);
+    find_varyings(stage);
+    shader.vertex = vertex_text(stage);
+    Text fragment = fragment_text(stage);
+    shader.fragment = std::move(fragment.text);
+    face.reflection.lines = std::move(fragment.nodes);
+}
+
+}  // namespace wrinkle
