@@ -1,0 +1,58 @@
+// A reference interpreter of expanded modules, in double: the oracle for folding, for derivatives
+// and for other back ends. It follows the semantics written above the op table and shares no code
+// with what it judges. Slow, short, without textures of its own.
+#pragma once
+
+#include <array>
+#include <functional>
+#include <map>
+#include <span>
+#include <unordered_map>
+#include <vector>
+
+#include "ir/module.h"
+
+namespace wrinkle::test {
+
+using Lanes = std::array<double, 9>;
+
+struct Surroundings {
+    std::map<uint32_t, Lanes> inputs;  // by input_extra(); what is absent is 0
+    // rgba of a resource at (u, v) and a lod; `sample` asks with lod 0.
+    std::function<Lanes(uint32_t, double, double, double)> texture;
+    std::function<Lanes(uint32_t)> image_size;
+};
+
+class Interpreter {
+public:
+    Interpreter(const Module& module, const Surroundings& around)
+        : module_(&module), around_(&around) {}
+
+    Lanes value(Id root);
+
+private:
+    struct Scope {
+        std::unordered_map<Id, Lanes> values;
+        std::unordered_map<Id, std::vector<Lanes>> tuples;
+    };
+    std::vector<Id> body(std::span<const Id> roots, int level) const;
+    std::vector<Id> reads(Id id) const;
+    void run(std::span<const Id> list, Scope& scope);
+    Lanes compute(Id id, Scope& scope);
+    Lanes sample(const Inst& inst, const Scope& scope) const;
+    std::vector<Lanes> call(Id id, Scope& scope);
+    std::vector<Lanes> loop(Id id, Scope& scope);
+
+    const Module* module_;
+    const Surroundings* around_;
+};
+
+inline Lanes interpret(const Module& module, Id root, const Surroundings& around = {}) {
+    return Interpreter(module, around).value(root);
+}
+
+// One op on numbers, lane by lane or as a whole; types as the module gives them.
+Lanes apply_op(Op op, Type result, uint32_t extra, std::span<const Type> types,
+               std::span<const Lanes> values);
+
+}  // namespace wrinkle::test
