@@ -1,0 +1,51 @@
+// wrinkle test PATH...: runs regression cases (cli/test_case.h).
+#include <cstdio>
+#include <memory>
+
+#include "base/file.h"
+#include "cli/output.h"
+#include "cli/test_run.h"
+
+namespace wrinkle::cli {
+namespace {
+
+struct TestCommand {
+    CommonOptions common;
+    TestOptions options;
+    std::vector<std::string> paths;
+
+    int run() const {
+        Diagnostics diagnostics;
+        const Nodes nodes = load_nodes(common, diagnostics);
+        const auto tests = find_tests(paths, diagnostics);
+        if (diagnostics.has_errors()) return report(diagnostics, common.diagnostics);
+        TestRun run(nodes.registry, common, options);
+        for (const auto& file : tests)
+            run.test(file, diagnostics);
+        const int code = report(diagnostics, common.diagnostics);
+        const TestTally& tally = run.tally();
+        if (!tally.environment.empty()) complain(tally.environment);
+        std::printf("%zu passed, %zu failed\n", tally.passed, tally.failed);
+        if (!tally.environment.empty()) return exit_environment;
+        return tally.failed > 0 ? int{exit_input} : code;
+    }
+};
+
+}  // namespace
+
+void declare_test(CLI::App& app, Run& run) {
+    auto command = std::make_shared<TestCommand>();
+    TestCommand& c = *command;
+    CLI::App& sub = *app.add_subcommand("test", "Runs the regression cases of graphs");
+    sub.add_option("PATH", c.paths, "NAME.test.json, or folders that are searched for such files")
+        ->required();
+    sub.add_flag("--update", c.options.update,
+                 "Writes golden files and the 'expect' values that differ");
+    sub.add_option("--report", c.options.report,
+                   "Gets the texts and pictures that differ from golden files")
+        ->type_name("DIR");
+    declare_common(sub, c.common, false);
+    sub.callback([command, &run] { run = [command] { return command->run(); }; });
+}
+
+}  // namespace wrinkle::cli

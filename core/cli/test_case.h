@@ -1,0 +1,63 @@
+// Regression cases of a graph NAME.json, from NAME.test.json beside it:
+//
+//   {
+//     "set": ["bump.amount=2"],                 values as --set takes them; no sweeps
+//     "points": [{"normal": [0, 0, 1], ...}],   as eval --at takes them; each is a case
+//     "expect": [{"normal": [0, 0, 1]}],        for each point some or all outputs
+//     "tolerance_deg": 0.05,                    of normals, an angle
+//     "tolerance": 1e-4,                        of every other number, absolute
+//     "glsl": true,                             the text is that of golden/NAME.glsl; a case
+//     "render": {"mesh": "sphere", "size": "512x512", "view": "shaded", "against": "",
+//                "tolerance": 1}                the picture is golden/NAME.png; a case. Tolerance:
+//   }                                           root mean square of all channels, 8-bit steps
+//
+// Every key may be left out; what stands above are the defaults, but for points, expect and set.
+// Unknown keys are errors.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cli/picture.h"
+#include "cli/points.h"
+#include "json/value.h"
+
+namespace wrinkle::cli {
+
+struct RenderCase {
+    PictureOptions picture;
+    double tolerance = 1;
+};
+
+struct TestCase {
+    std::filesystem::path file;   // NAME.test.json
+    std::filesystem::path graph;  // NAME.json
+    std::string name;             // NAME
+    std::vector<std::string> set;
+    std::vector<Point> points;
+    json::Value expect;  // null: not given
+    double tolerance_deg = 0.05;
+    double tolerance = 1e-4;
+    bool glsl = false;
+    std::optional<RenderCase> render;
+    std::string text;  // of the file
+
+    std::filesystem::path golden(const std::string& extension) const;
+};
+
+inline constexpr std::string_view test_suffix = ".test.json";
+
+// Nothing with a problem reported. With `updating`, `expect` may have another length than points.
+std::optional<TestCase> read_test_case(const std::filesystem::path& file, bool updating,
+                                       Diagnostics& diagnostics);
+
+// The file's text with these entries as its "expect"; nothing else changes.
+std::string with_expect(const TestCase& test, const std::vector<std::string>& entries);
+
+// Files as given and those below folders, in the order of their names.
+std::vector<std::filesystem::path> find_tests(const std::vector<std::string>& paths,
+                                              Diagnostics& diagnostics);
+
+}  // namespace wrinkle::cli

@@ -1,0 +1,132 @@
+#include "cli/test_compare.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "base/text.h"
+#include "json/write.h"
+
+namespace wrinkle::cli {
+namespace {
+
+using Lanes = std::vector<double>;
+
+// Nothing where the value is no number or array of `count` numbers.
+std::optional<Lanes> lanes_of(const json::Value& value, size_t count) {
+    Lanes lanes;
+    if (value.is(json::Kind::number)) lanes.push_back(value.as_number());
+    if (value.is(json::Kind::array))
+        for (const json::Member& member : value.children()) {
+            if (!member.value.is(json::Kind::number)) return {};
+            lanes.push_back(member.value.as_number());
+        }
+    if (lanes.size() != count) return {};
+    return lanes;
+}
+
+// By atan2: exact where acos of a dot product is not. NaN when either vector has no direction.
+double degrees_between(const Lanes& a, const Lanes& b) {
+    const double x = a[1] * b[2] - a[2] * b[1];
+    const double y = a[2] * b[0] - a[0] * b[2];
+    const double z = a[0] * b[1] - a[1] * b[0];
+    const double sine = std::sqrt(x * x + y * y + z * z);
+    const double cosine = a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+    if (sine == 0 && cosine == 0) return std::nan("");
+    return std::atan2(sine, cosine) * 180 / M_PI;
+}
+
+double largest_distance(const Lanes& a, const Lanes& b) {
+    double largest = 0;
+    for (size_t i = 0; i < a.size(); ++i) {
+        const double distance = std::abs(a[i] - b[i]);
+        if (!(distance <= largest)) largest = distance;
+    }
+    return largest;
+}
+
+std::string short_number(double value) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.4g", value);
+    return text;
+}
+
+std::string lanes_text(const Lanes& lanes) {
+    std::string text;
+    for (const double lane : lanes)
+        text += (text.empty() ? "" : ", ") + shortest(static_cast<float>(lane));
+    return lanes.size() == 1 ? text : "[" + text + "]";
+}
+
+// "" when they agree.
+std::string disagreement(const TestCase& test, uint32_t port_type, const Lanes& expected,
+                         const Lanes& got) {
+    const bool is_normal = port_type == WR_PORT_normal;
+    const double tolerance = is_normal ? test.tolerance_deg : test.tolerance;
+    const double distance =
+        is_normal ? degrees_between(expected, got) : largest_distance(expected, got);
+    if (distance <= tolerance) return "";
+    const std::string unit = is_normal ? " degrees" : "";
+    return "expected " + lanes_text(expected) + ", got " + lanes_text(got) + ": " +
+           short_number(distance) + unit + " apart, " + short_number(tolerance) + unit + " allowed";
+}
+
+std::string source_of(const Document& document, const std::string& output) {
+    const Output* found = document.outputs.find(output);
+    return found ? " (" + found->from.link.text() + ")" : "";
+}
+
+std::string line_at(const std::vector<std::string_view>& lines, size_t i) {
+    return i < lines.size() ? "'" + std::string(lines[i]) + "'" : "the end";
+}
+
+}  // namespace
+
+std::vector<std::string> differences(const TestCase& test, const Document& document,
+                                     const json::Value& expected,
+                                     const std::vector<OutputColumn>& columns, size_t point) {
+    std::vector<std::string> result;
+    for (const json::Member& member : expected.children()) {
+        const std::string name(member.key);
+        const std::string what = "output '" + name + "'" + source_of(document, name) + ": ";
+        const auto column = std::find_if(columns.begin(), columns.end(),
+                                         [&](const OutputColumn& c) { return c.name == name; });
+        if (column == columns.end()) {
+            result.push_back(what + "the graph has no such output");
+            continue;
+        }
+        const auto wanted = lanes_of(member.value, column->lanes);
+        if (!wanted) {
+            result.push_back(what + "expected " + json::one_line(member.value) + ", which is not " +
+                             std::to_string(column->lanes) + " numbers");
+            continue;
+        }
+        const auto first = column->values.begin() + static_cast<long>(point * column->lanes);
+        const Lanes got(first, first + static_cast<long>(column->lanes));
+        const std::string difference = disagreement(test, column->port_type, *wanted, got);
+        if (!difference.empty()) result.push_back(what + difference);
+    }
+    return result;
+}
+
+std::string text_difference(const std::string& expected, const std::string& got) {
+    if (expected == got) return "";
+    const auto wanted = split(expected, '\n');
+    const auto found = split(got, '\n');
+    size_t i = 0;
+    while (i < wanted.size() && i < found.size() && wanted[i] == found[i])
+        ++i;
+    return "line " + std::to_string(i + 1) + ": expected " + line_at(wanted, i) + ", got " +
+           line_at(found, i);
+}
+
+double picture_difference(const Image& expected, const Image& got) {
+    if (expected.width != got.width || expected.height != got.height) return -1;
+    const Image a = to_rgba(expected), b = to_rgba(got);
+    double sum = 0;
+    for (size_t i = 0; i < a.data.size(); ++i)
+        sum += std::pow((a.data[i] - b.data[i]) * 255.0, 2);
+    return std::sqrt(sum / static_cast<double>(a.data.size()));
+}
+
+}  // namespace wrinkle::cli

@@ -1,0 +1,194 @@
+#include "cli/test_run.h"
+
+#include <cmath>
+#include <cstdio>
+
+#include "base/file.h"
+#include "base/text.h"
+#include "image/load.h"
+#include "json/write.h"
+
+namespace wrinkle::cli {
+namespace fs = std::filesystem;
+namespace {
+
+constexpr Precision precision = Precision::single;  // what shaders compute
+
+json::Value entry_of(const TestCase& test, size_t point) {
+    return point < test.expect.size() ? test.expect.at(point) : json::Value();
+}
+
+// The outputs that the entry names, all of them when it names none.
+std::vector<OutputColumn> named_by(const json::Value& entry,
+                                   const std::vector<OutputColumn>& columns) {
+    std::vector<OutputColumn> result;
+    for (const OutputColumn& column : columns)
+        if (entry.size() == 0 || entry.has(column.name)) result.push_back(column);
+    return result;
+}
+
+bool is_finite(const std::vector<OutputColumn>& columns, size_t point) {
+    for (const OutputColumn& column : columns)
+        for (size_t lane = 0; lane < column.lanes; ++lane)
+            if (!std::isfinite(column.values[point * column.lanes + lane])) return false;
+    return true;
+}
+
+std::string joined(const std::vector<std::string>& sentences) {
+    std::string text;
+    for (const std::string& sentence : sentences)
+        text += (text.empty() ? "" : "; ") + sentence;
+    return text;
+}
+
+}  // namespace
+
+void TestRun::test(const fs::path& file, Diagnostics& diagnostics) {
+    const size_t errors = diagnostics.error_count();
+    if (const auto test = read_test_case(file, options_.update, diagnostics))
+        run(*test, diagnostics);
+    if (diagnostics.error_count() == errors) return;
+    ++tally_.failed;
+    std::printf("FAIL %s: cannot be run\n", file.c_str());
+}
+
+void TestRun::run(const TestCase& test, Diagnostics& diagnostics) {
+    CommonOptions common = common_;
+    common.set = test.set;
+    const std::string graph = test.graph.string();
+    Diagnostics own;
+    const Overrides overrides = parse_overrides(common, own);
+    if (overrides.is_sweep()) own.error(test.file.string() + ": 'set' holds a sweep", "one value");
+    std::vector<MaterialRun> given, screen;
+    Textures textures;
+    Shader shader;
+    if (!own.has_errors() && !test.points.empty())
+        given = compile_runs(graph, common, registry_, overrides, true, own);
+    if (!own.has_errors() && (test.glsl || test.render))
+        screen = compile_runs(graph, common, registry_, overrides, false, own);
+    if (!own.has_errors() && !screen.empty())
+        shader = emit_function(screen[0], material_name(graph), own);
+    if (!own.has_errors() && !given.empty())
+        textures.load(given[0].compiled, given[0].project, own);
+    if (!own.has_errors() && test.render) textures.load(screen[0].compiled, screen[0].project, own);
+    if (!own.has_errors() && !given.empty()) values(test, given[0], textures, own);
+    if (!own.has_errors() && test.glsl) text(test, shader);
+    if (!own.has_errors() && test.render) picture(test, shader, textures, own);
+    diagnostics.append(own);
+}
+
+void TestRun::values(const TestCase& test, const MaterialRun& run, const Textures& textures,
+                     Diagnostics& diagnostics) {
+    const auto columns = evaluate_at(run, textures, test.points, precision, diagnostics);
+    if (!columns) return;
+    std::vector<bool> differs(test.points.size());
+    for (size_t point = 0; point < test.points.size(); ++point) {
+        const json::Value expected = entry_of(test, point);
+        const auto sentences = differences(test, run.project.top(), expected, *columns, point);
+        differs[point] = !sentences.empty() || expected.size() == 0;
+        if (options_.update && is_finite(*columns, point))
+            pass();
+        else if (options_.update)
+            fail(test, "point " + std::to_string(point) + ": " +
+                           values_json(*columns, point, precision) + " is not finite");
+        else if (sentences.empty())
+            pass();
+        else
+            fail(test, "point " + std::to_string(point) + ", " + joined(sentences));
+    }
+    if (options_.update) update_values(test, *columns, differs);
+}
+
+// Entries that agree keep their spelling.
+void TestRun::update_values(const TestCase& test, const std::vector<OutputColumn>& columns,
+                            const std::vector<bool>& differs) {
+    std::vector<std::string> entries;
+    bool changed = test.expect.size() != test.points.size();
+    for (size_t point = 0; point < test.points.size(); ++point) {
+        const json::Value entry = entry_of(test, point);
+        if (!is_finite(columns, point)) return;
+        changed = changed || differs[point];
+        entries.push_back(differs[point] ? values_json(named_by(entry, columns), point, precision)
+                                         : json::one_line(entry));
+    }
+    if (changed) write(test.file, with_expect(test, entries));
+}
+
+void TestRun::text(const TestCase& test, const Shader& shader) {
+    const fs::path golden = test.golden(".glsl");
+    if (options_.update) {
+        if (write(golden, shader.source)) pass();
+        return;
+    }
+    std::string why;
+    const auto expected = read_file(golden, why);
+    const std::string difference =
+        expected ? text_difference(*expected, shader.source) : why + "; --update writes it";
+    if (difference.empty()) return pass();
+    fail(test, golden.string() + ": " + difference);
+    if (!options_.report.empty()) write(report_path(test, ".glsl"), shader.source);
+}
+
+void TestRun::picture(const TestCase& test, const Shader& shader, const Textures& textures,
+                      Diagnostics& diagnostics) {
+    Diagnostics environment;
+    PictureOptions options = test.render->picture;
+    options.tangents = !common_.no_tangents;
+    auto painter = Painter::make(options, environment);
+    if (!painter) {
+        tally_.environment = environment.list().front().message;
+        return;
+    }
+    const auto picture = painter->draw(shader, textures, diagnostics);
+    if (!picture) return;
+    const fs::path golden = test.golden(".png");
+    if (options_.update) {
+        if (save(picture->image, golden)) pass();
+        return;
+    }
+    Diagnostics missing;
+    const auto expected = load_image(golden, missing);
+    const double distance = expected ? picture_difference(*expected, picture->image) : -1;
+    if (distance >= 0 && distance <= test.render->tolerance) return pass();
+    fail(test,
+         golden.string() + ": " +
+             (!expected      ? missing.list().front().message + "; --update writes it"
+              : distance < 0 ? "is of another size"
+                             : "the picture differs by " + std::to_string(distance) + " of 255, " +
+                                   shortest(test.render->tolerance) + " allowed"));
+    if (!options_.report.empty()) save(picture->image, report_path(test, ".png"));
+}
+
+bool TestRun::write(const fs::path& path, std::string_view bytes) {
+    std::error_code ignored;
+    fs::create_directories(path.parent_path(), ignored);
+    std::string why;
+    if (write_file(path, bytes, why)) return true;
+    tally_.environment = path.string() + ": " + why;
+    return false;
+}
+
+bool TestRun::save(const Image& image, const fs::path& path) {
+    std::error_code ignored;
+    fs::create_directories(path.parent_path(), ignored);
+    Diagnostics problems;
+    if (save_image(image, path, {}, problems)) return true;
+    tally_.environment = problems.list().front().message;
+    return false;
+}
+
+// The test's path as one name, so that equal names of two folders stay apart.
+fs::path TestRun::report_path(const TestCase& test, const std::string& extension) const {
+    std::string name;
+    for (const fs::path& part : test.file.parent_path().lexically_normal())
+        if (part != "." && part != ".." && part != "/" && !part.empty())
+            name += part.string() + "-";
+    return fs::path(options_.report) / (name + test.name + extension);
+}
+
+void TestRun::fail(const TestCase& test, const std::string& sentence) {
+    ++tally_.failed;
+    std::printf("FAIL %s: %s\n", test.file.c_str(), sentence.c_str());
+}
+
+}  // namespace wrinkle::cli

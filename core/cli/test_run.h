@@ -1,0 +1,52 @@
+// Regression cases, run one file after the other.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "cli/test_compare.h"
+
+namespace wrinkle::cli {
+
+struct TestOptions {
+    bool update = false;
+    std::string report;  // folder, "": none
+};
+
+struct TestTally {
+    size_t passed = 0;
+    size_t failed = 0;
+    std::string environment;  // why some could not be run or written, one sentence; exit code 3
+};
+
+class TestRun {
+public:
+    TestRun(const Registry& registry, const CommonOptions& common, const TestOptions& options)
+        : registry_(registry), common_(common), options_(options) {}
+
+    // Prints what failed. A file that cannot be run is one failed case, with its problems reported.
+    void test(const std::filesystem::path& file, Diagnostics& diagnostics);
+    const TestTally& tally() const { return tally_; }
+
+private:
+    void run(const TestCase& test, Diagnostics& diagnostics);
+    void values(const TestCase& test, const MaterialRun& run, const Textures& textures,
+                Diagnostics& diagnostics);
+    void update_values(const TestCase& test, const std::vector<OutputColumn>& columns,
+                       const std::vector<bool>& differs);
+    void text(const TestCase& test, const Shader& shader);
+    void picture(const TestCase& test, const Shader& shader, const Textures& textures,
+                 Diagnostics& diagnostics);
+    bool write(const std::filesystem::path& path, std::string_view bytes);
+    bool save(const Image& image, const std::filesystem::path& path);
+    std::filesystem::path report_path(const TestCase& test, const std::string& extension) const;
+    void pass() { ++tally_.passed; }
+    void fail(const TestCase& test, const std::string& sentence);
+
+    const Registry& registry_;
+    const CommonOptions& common_;
+    const TestOptions& options_;
+    TestTally tally_;
+};
+
+}  // namespace wrinkle::cli
