@@ -1,9 +1,12 @@
-// Transcendental functions of our own: the same bits on every machine, compiler and instruction set.
+// Transcendental functions of our own: the same bits on every machine, compiler and instruction
+// set.
 //
-// Everything is computed in double from additions, multiplications, divisions and square roots, which IEEE 754 defines to
-// the last bit; nothing of libm, no fused multiply-add, no table. The float versions round the double result once, so they are correct
-// to 0.5000001 ulp. Double results have a relative error below 1e-14 (sin, cos, tan: an absolute one below 1e-14, for |x| <= 1e6; pow: 1e-12).
-// Arguments outside a function's domain give NaN or an infinity as noted, and never trap.
+// Everything is computed in double from additions, multiplications, divisions and square roots,
+// which IEEE 754 defines to the last bit; nothing of libm, no fused multiply-add, no table. The
+// float versions round the double result once, so they are correct to 0.5000001 ulp. Double results
+// have a relative error below 1e-14 (sin, cos, tan: an absolute one below 1e-14, for |x| <= 1e6;
+// pow: 1e-12). Arguments outside a function's domain give NaN or an infinity as noted, and never
+// trap.
 #pragma once
 
 #include <bit>
@@ -27,14 +30,22 @@ inline double power_of_two(int64_t k) {
 // e^x on |x| <= ln2 / 2 by its Taylor series; the next term is below 2^-55.
 inline double small_exp(double x) {
     double sum = 1.0 / 87178291200.0;
-    constexpr double inverse_factorials[] = {1.0 / 6227020800.0, 1.0 / 479001600.0,
-                                             1.0 / 39916800.0,   1.0 / 3628800.0,
-                                             1.0 / 362880.0,     1.0 / 40320.0,
-                                             1.0 / 5040.0,       1.0 / 720.0,
-                                             1.0 / 120.0,        1.0 / 24.0,
-                                             1.0 / 6.0,          0.5,
-                                             1.0,                1.0};
-    for (const double c : inverse_factorials) sum = sum * x + c;
+    constexpr double inverse_factorials[] = {1.0 / 6227020800.0,
+                                             1.0 / 479001600.0,
+                                             1.0 / 39916800.0,
+                                             1.0 / 3628800.0,
+                                             1.0 / 362880.0,
+                                             1.0 / 40320.0,
+                                             1.0 / 5040.0,
+                                             1.0 / 720.0,
+                                             1.0 / 120.0,
+                                             1.0 / 24.0,
+                                             1.0 / 6.0,
+                                             0.5,
+                                             1.0,
+                                             1.0};
+    for (const double c : inverse_factorials)
+        sum = sum * x + c;
     return sum;
 }
 
@@ -42,7 +53,8 @@ inline double small_exp(double x) {
 inline double small_log(double m) {
     const double s = (m - 1) / (m + 1), q = s * s;
     double sum = 1.0 / 23;
-    for (int k = 21; k >= 1; k -= 2) sum = sum * q + 1.0 / k;
+    for (int k = 21; k >= 1; k -= 2)
+        sum = sum * q + 1.0 / k;
     return 2 * s * sum;
 }
 
@@ -55,8 +67,7 @@ inline Split split(double x) {
     const double scaled = subnormal ? x * 18014398509481984.0 : x;  // 2^54
     uint64_t bits = std::bit_cast<uint64_t>(scaled);
     auto exponent = static_cast<int64_t>(bits >> 52) - 1023 - (subnormal ? 54 : 0);
-    double mantissa =
-        std::bit_cast<double>((bits & 0xFFFFFFFFFFFFFu) | 0x3FF0000000000000u);
+    double mantissa = std::bit_cast<double>((bits & 0xFFFFFFFFFFFFFu) | 0x3FF0000000000000u);
     const bool high = mantissa > 1.4142135623730951;
     mantissa = high ? mantissa * 0.5 : mantissa;
     exponent += high ? 1 : 0;
@@ -80,19 +91,26 @@ inline Reduced reduce(double x) {
 inline double small_sin(double x) {
     const double q = x * x;
     double sum = 1.0 / 355687428096000.0;  // 17!
-    constexpr double terms[] = {-1.0 / 1307674368000.0, 1.0 / 6227020800.0, -1.0 / 39916800.0,
-                                1.0 / 362880.0,         -1.0 / 5040.0,      1.0 / 120.0,
-                                -1.0 / 6.0};
-    for (const double c : terms) sum = sum * q + c;
+    constexpr double terms[] = {
+        -1.0 / 1307674368000.0, 1.0 / 6227020800.0, -1.0 / 39916800.0, 1.0 / 362880.0,
+        -1.0 / 5040.0,          1.0 / 120.0,        -1.0 / 6.0};
+    for (const double c : terms)
+        sum = sum * q + c;
     return x + x * q * sum;
 }
 inline double small_cos(double x) {
     const double q = x * x;
     double sum = 1.0 / 20922789888000.0;  // 16!
-    constexpr double terms[] = {-1.0 / 87178291200.0, 1.0 / 479001600.0, -1.0 / 3628800.0,
-                                1.0 / 40320.0,        -1.0 / 720.0,      1.0 / 24.0,
-                                -0.5,                 1.0};
-    for (const double c : terms) sum = sum * q + c;
+    constexpr double terms[] = {-1.0 / 87178291200.0,
+                                1.0 / 479001600.0,
+                                -1.0 / 3628800.0,
+                                1.0 / 40320.0,
+                                -1.0 / 720.0,
+                                1.0 / 24.0,
+                                -0.5,
+                                1.0};
+    for (const double c : terms)
+        sum = sum * q + c;
     return sum;
 }
 
@@ -104,7 +122,8 @@ inline double small_atan(double x) {
     const double q = t * t;
     double sum = 1.0 / 29;
     double sign = -1;
-    for (int k = 27; k >= 1; k -= 2, sign = -sign) sum = sum * q + sign / k;
+    for (int k = 27; k >= 1; k -= 2, sign = -sign)
+        sum = sum * q + sign / k;
     return t * sum + (far ? pi / 6 : 0);
 }
 
@@ -119,7 +138,9 @@ inline double exp2(double x) {
     const int64_t half = k / 2;
     return small_exp((bounded - whole) * ln2) * power_of_two(half) * power_of_two(k - half);
 }
-inline double exp(double x) { return exp2(x * detail::log2e); }
+inline double exp(double x) {
+    return exp2(x * detail::log2e);
+}
 
 // -infinity at 0, NaN below.
 inline double log(double x) {
@@ -128,7 +149,9 @@ inline double log(double x) {
     const bool inside = x > 0 && x < infinity;
     const Split parts = split(inside ? x : 1);
     const double value = parts.exponent * ln2 + small_log(parts.mantissa);
-    const double outside = x == 0 ? -infinity : x > 0 ? x : std::numeric_limits<double>::quiet_NaN();
+    const double outside = x == 0  ? -infinity
+                           : x > 0 ? x
+                                   : std::numeric_limits<double>::quiet_NaN();
     return inside ? value : outside;
 }
 inline double log2(double x) {
@@ -137,11 +160,15 @@ inline double log2(double x) {
     const bool inside = x > 0 && x < infinity;
     const Split parts = split(inside ? x : 1);
     const double value = parts.exponent + small_log(parts.mantissa) * log2e;
-    const double outside = x == 0 ? -infinity : x > 0 ? x : std::numeric_limits<double>::quiet_NaN();
+    const double outside = x == 0  ? -infinity
+                           : x > 0 ? x
+                                   : std::numeric_limits<double>::quiet_NaN();
     return inside ? value : outside;
 }
 // 0 at x = 0; NaN below.
-inline double pow(double x, double y) { return exp2(y * log2(x)); }
+inline double pow(double x, double y) {
+    return exp2(y * log2(x));
+}
 
 // NaN beyond |x| = 1e9.
 inline double sin(double x) {
@@ -154,7 +181,9 @@ inline double cos(double x) {
     const double value = v.quadrant & 1 ? detail::small_sin(v.r) : detail::small_cos(v.r);
     return (v.quadrant + 1) & 2 ? -value : value;
 }
-inline double tan(double x) { return sin(x) / cos(x); }
+inline double tan(double x) {
+    return sin(x) / cos(x);
+}
 
 // In [-pi, pi]; 0 at (0, 0).
 inline double atan2(double y, double x) {
@@ -167,13 +196,21 @@ inline double atan2(double y, double x) {
     angle = x < 0 ? pi - angle : angle;
     return y < 0 ? -angle : angle;
 }
-inline double atan(double x) { return atan2(x, 1); }
+inline double atan(double x) {
+    return atan2(x, 1);
+}
 // NaN outside [-1, 1].
-inline double asin(double x) { return atan2(x, std::sqrt((1 - x) * (1 + x))); }
-inline double acos(double x) { return atan2(std::sqrt((1 - x) * (1 + x)), x); }
+inline double asin(double x) {
+    return atan2(x, std::sqrt((1 - x) * (1 + x)));
+}
+inline double acos(double x) {
+    return atan2(std::sqrt((1 - x) * (1 + x)), x);
+}
 
-#define WRINKLE_ROUNDED(name) \
-    inline float name(float x) { return static_cast<float>(name(static_cast<double>(x))); }
+#define WRINKLE_ROUNDED(name)                                    \
+    inline float name(float x) {                                 \
+        return static_cast<float>(name(static_cast<double>(x))); \
+    }
 WRINKLE_ROUNDED(exp2)
 WRINKLE_ROUNDED(exp)
 WRINKLE_ROUNDED(log)

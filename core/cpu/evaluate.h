@@ -34,15 +34,29 @@ struct PointSet {
     }
 };
 
-// One scalar operation on a tile. Registers of floats and of integers (bools: 0 or 1) are two files.
+// One scalar operation on a tile. Registers of floats and of integers (bools: 0 or 1) are two
+// files.
 struct Step {
-    enum class Kind : uint8_t { op, sample, size, loop_begin, loop_test, move, loop_end };
+    enum class Kind : uint8_t {
+        op,
+        sample,       // in: u, v, lod; four outputs
+        size,         // two outputs
+        move,         // out[0] = in[0]
+        masked_move,  // the same, where the innermost loop still goes on
+        loop_begin,   // extra: the greatest number of iterations
+        loop_test,    // in[0]: go on
+        loop_end,     // extra: the step of its loop_begin
+    };
     Kind kind = Kind::op;
     Op op = Op::poison_;
-    Type type = Type::float_;  // of the operands, where an op has several meanings
-    uint32_t out = 0;          // first of four for a sample
+    Type type = Type::float_;  // of the operands' lanes
+    uint8_t count = 0;         // operands
+    std::array<uint32_t, 4> out{};
     std::array<uint32_t, 3> in{};
-    uint32_t extra = 0;  // resource; of loop_begin and loop_end the other's step; iterations in in[0]
+    uint32_t extra = 0;  // resource, or see above
+
+    bool has_output() const { return kind <= Kind::masked_move; }
+    uint32_t outputs() const { return kind == Kind::sample ? 4 : kind == Kind::size ? 2 : 1; }
 };
 
 struct Program {

@@ -2,8 +2,8 @@
 //
 // Texel (x, y) of a level has its centre at ((x + 1/2) / width, (y + 1/2) / height), v upward. The
 // lod is clamped to the levels there are; between two levels results mix linearly. With the filter
-// `nearest` the nearest texel of the nearest level is taken. NaN and infinite coordinates read as 0.
-// Missing channels follow expand_texel() of image/image.h.
+// `nearest` the nearest texel of the nearest level is taken. NaN and infinite coordinates read as
+// 0. Missing channels follow expand_texel() of image/image.h.
 #pragma once
 
 #include <array>

@@ -1,0 +1,73 @@
+// From instructions to steps over registers that are written once; allocate_registers() then lets
+// short-lived ones share. Parts of compile_program().
+#pragma once
+
+#include <map>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "cpu/evaluate.h"
+
+namespace wrinkle {
+
+class Flattener {
+public:
+    explicit Flattener(const Module& module) : module_(&module), context_(1) {}
+
+    Program run(std::string& why);
+
+private:
+    using Lanes = std::vector<uint32_t>;
+    // What has been computed in the scope of one level: values, and members of loops and calls.
+    struct Scope {
+        std::unordered_map<Id, Lanes> values;
+        std::unordered_map<Id, std::vector<Lanes>> tuples;
+        std::vector<Lanes> params;  // of the region whose level this is
+    };
+
+    void compute(std::vector<Id> roots, int level);
+    std::vector<Id> needed(std::vector<Id> roots, int level) const;
+    std::vector<Id> dependencies(Id id) const;
+    const Lanes& lanes(Id id) const;
+    void instruction(Id id);
+    Lanes made(const Inst& inst, const std::vector<Lanes>& args);
+    Lanes leaf(const Inst& inst);
+    Lanes rearranged(const Inst& inst, const std::vector<Lanes>& args) const;
+    Lanes lanewise(const Inst& inst, Type operands, const std::vector<Lanes>& args);
+    Lanes vector_op(const Inst& inst, const std::vector<Lanes>& args);
+    Lanes transformed(const std::vector<Lanes>& args);
+    Lanes sampled(const Inst& inst, const std::vector<Lanes>& args);
+    uint32_t lod_of(uint32_t resource, const Lanes& dx, const Lanes& dy);
+    std::vector<Lanes> called(const Inst& inst, const std::vector<Lanes>& args);
+    std::vector<Lanes> looped(const Inst& inst, const std::vector<Lanes>& args);
+    void advance_state(const Region& region, const std::vector<Lanes>& state);
+
+    uint32_t fresh(Type type);
+    uint32_t add(Op op, Type operands, Type result, const Lanes& in);
+    uint32_t add_float(Op op, const Lanes& in) { return add(op, Type::float_, Type::float_, in); }
+    void move(Type type, uint32_t from, uint32_t to, bool masked);
+    uint32_t constant(double value, Type type);
+    uint32_t dot(const Lanes& a, const Lanes& b);
+    void push(Step step);
+
+    const Module* module_;
+    Program program_;
+    std::map<std::pair<uint64_t, bool>, uint32_t> constants_;
+    std::map<std::pair<uint32_t, uint32_t>, uint32_t> inputs_;
+    std::vector<Scope> context_;  // by level
+    std::vector<bool> integer_;   // by register
+    bool too_long_ = false;
+
+    friend Program compile_program(const Module& module, std::string& why);
+};
+
+// Whether values of this type stand in integer registers.
+inline bool is_integer_type(Type type) {
+    return type == Type::int_ || type == Type::uint_ || type == Type::bool_;
+}
+
+// Gives registers that are not read any more to later steps. `integer` tells the file of each.
+void allocate_registers(Program& program, const std::vector<bool>& integer);
+
+}  // namespace wrinkle

@@ -1,0 +1,111 @@
+#include <algorithm>
+
+#include "cpu/flatten.h"
+
+namespace wrinkle {
+namespace {
+
+constexpr uint32_t never = ~0u;
+constexpr uint32_t at_the_end = never - 1;
+
+// Until which step each register is read. What stands before a loop and is read in it lives until
+// the loop's end.
+std::vector<uint32_t> last_reads(const Program& program, size_t registers) {
+    std::vector<uint32_t> born(registers, 0), last(registers, 0), loop_end(program.steps.size());
+    for (uint32_t s = 0; s < program.steps.size(); ++s)
+        if (program.steps[s].kind == Step::Kind::loop_end) loop_end[program.steps[s].extra] = s;
+    std::vector<uint32_t> open;  // loop_begin steps around this one
+    std::vector<bool> written(registers, false);
+    const auto touch = [&](uint32_t reg, uint32_t step) {
+        uint32_t until = step;
+        for (const uint32_t begin : open)
+            if (born[reg] < begin) {
+                until = std::max(until, loop_end[begin]);
+                break;
+            }
+        last[reg] = std::max(last[reg], until);
+    };
+    for (uint32_t s = 0; s < program.steps.size(); ++s) {
+        const Step& step = program.steps[s];
+        for (uint32_t i = 0; i < step.count; ++i)
+            touch(step.in[i], s);
+        for (uint32_t i = 0; step.has_output() && i < step.outputs(); ++i) {
+            const uint32_t reg = step.out[i];
+            if (!written[reg]) born[reg] = s;
+            written[reg] = true;
+            touch(reg, s);
+        }
+        if (step.kind == Step::Kind::loop_begin) open.push_back(s);
+        if (step.kind == Step::Kind::loop_end) open.pop_back();
+    }
+    for (const Program::Input& input : program.inputs)
+        last[input.reg] = at_the_end;
+    for (const Program::Constant& constant : program.constants)
+        last[constant.reg] = at_the_end;
+    for (const Program::Output& output : program.outputs)
+        for (const uint32_t reg : output.regs)
+            last[reg] = at_the_end;
+    return last;
+}
+
+// One file of registers: which are free.
+struct File {
+    std::vector<uint32_t> free;
+    uint32_t size = 0;
+
+    uint32_t take() {
+        if (free.empty()) return size++;
+        const uint32_t reg = free.back();
+        free.pop_back();
+        return reg;
+    }
+};
+
+struct Allocator {
+    const std::vector<bool>& integer;
+    std::vector<uint32_t> place;
+    File files[2];
+
+    File& file(uint32_t reg) { return files[integer[reg] ? 1 : 0]; }
+    void define(uint32_t reg) {
+        if (place[reg] == never) place[reg] = file(reg).take();
+    }
+    void release(uint32_t reg) { file(reg).free.push_back(place[reg]); }
+};
+
+}  // namespace
+
+void allocate_registers(Program& program, const std::vector<bool>& integer) {
+    const std::vector<uint32_t> last = last_reads(program, integer.size());
+    std::vector<std::vector<uint32_t>> dying(program.steps.size());
+    for (uint32_t reg = 0; reg < integer.size(); ++reg)
+        if (last[reg] < program.steps.size()) dying[last[reg]].push_back(reg);
+    Allocator allocator{integer, std::vector<uint32_t>(integer.size(), never), {}};
+    for (const Program::Input& input : program.inputs)
+        allocator.define(input.reg);
+    for (const Program::Constant& constant : program.constants)
+        allocator.define(constant.reg);
+    for (uint32_t s = 0; s < program.steps.size(); ++s) {
+        Step& step = program.steps[s];
+        const uint32_t outputs = step.has_output() ? step.outputs() : 0;
+        for (uint32_t i = 0; i < outputs; ++i)
+            allocator.define(step.out[i]);
+        for (const uint32_t reg : dying[s])
+            if (allocator.place[reg] != never) allocator.release(reg);
+        for (uint32_t i = 0; i < step.count; ++i)
+            step.in[i] = allocator.place[step.in[i]];
+        for (uint32_t i = 0; i < outputs; ++i)
+            step.out[i] = allocator.place[step.out[i]];
+    }
+    for (Program::Input& input : program.inputs)
+        input.reg = allocator.place[input.reg];
+    for (Program::Constant& constant : program.constants)
+        constant.reg = allocator.place[constant.reg];
+    for (Program::Output& output : program.outputs)
+        for (uint32_t& reg : output.regs)
+            reg = allocator.place[reg];
+    program.float_registers = allocator.files[0].size;
+    program.integer_registers = allocator.files[1].size;
+}
+
+}  // namespace wrinkle
