@@ -32,14 +32,6 @@ bool makes_gradient(const FlatGraph& graph, const FlatNode& node, uint32_t p) {
     return port.type == PortType::gradient_ && carries && wire.type != PortType::gradient_;
 }
 
-// Whether the node says a base of its own: its input `base` is something else than the surface.
-bool says_base(const FlatGraph& graph, const FlatNode& node) {
-    if (node.is_pass() || node.muted) return false;
-    const uint32_t p = node.type->find_input("base");
-    if (p == NodeType::none || node.type->ports[p].type != PortType::normal_) return false;
-    return graph.wire(node, p).kind == Wire::Kind::node;
-}
-
 class Sorter {
 public:
     Sorter(FlatGraph& graph, const Project& project, Diagnostics& diagnostics)
@@ -109,6 +101,13 @@ private:
 };
 
 }  // namespace
+
+bool says_base(const FlatGraph& graph, const FlatNode& node) {
+    if (node.is_pass() || node.muted) return false;
+    const uint32_t p = node.type->find_input("base");
+    if (p == NodeType::none || node.type->ports[p].type != PortType::normal_) return false;
+    return graph.wire(node, p).kind == Wire::Kind::node;
+}
 
 void infer_bases(FlatGraph& graph) {
     const auto count = static_cast<uint32_t>(graph.nodes.size());

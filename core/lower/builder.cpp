@@ -216,7 +216,8 @@ private:
             const bool known = (extra & 0xFF) <= WR_FRAME_guess && extra >> 8 <= WR_SCALE_unit;
             return known ? std::optional(extra) : std::nullopt;
         }
-        if (!is_gradient_source(o) || extra == 0) return 0;
+        if (!is_gradient_source(o)) return 0;
+        if (extra == 0) return lowering_.own_base(node_);
         if (extra >= module_.size() || module_.type(extra) != Type::base_) return {};
         const bool surface = module_[extra].arg[0] == lowering_.surface(WR_SURFACE_normal);
         return surface ? 0 : extra;
@@ -272,9 +273,10 @@ private:
     wr_region end_region(const wr_value* results, uint32_t count, uint32_t max_iterations) {
         if (skipped_ > 0) return --skipped_, 0;
         if (module_.depth() == 0) return refuse("ends a loop or a function that it did not begin");
+        const bool given_up = !results && count == 0;
         const bool fine = results && count >= 1 && count <= most_region_values + 1 &&
                           max_iterations <= most_iterations;
-        if (!fine) refuse("ends a loop or a function in an impossible way");
+        if (!fine && !given_up) refuse("ends a loop or a function in an impossible way");
         const std::array<Id, 1> nothing{poison};
         const bool good = fine && usable({results, count});
         RegionUse use = module_.end_region(

@@ -74,6 +74,10 @@ uint32_t passed_input(const NodeType& type, uint32_t output);
 FlatGraph flatten(const Project& project, const Types& types, const LowerOptions& options,
                   Diagnostics& diagnostics);
 
+// Whether the node says a base of its own: a wire that is not the surface's at its input `base`, a
+// normal. Its gradients stand on it.
+bool says_base(const FlatGraph& graph, const FlatNode& node);
+
 // Which base each conversion to a gradient takes (base_node), over the gradient wires.
 void infer_bases(FlatGraph& graph);
 

@@ -8,9 +8,9 @@
 // * A muted node passes its first input of each output's type through; where there is none the
 // output
 //   is that type's zero (of a normal the surface's).
-// * An input of type gradient that a height or normal is connected to takes the base of the
-//   gradients it is joined with by wires (a node says its base by an input `base` of type normal);
-//   with none it is the surface.
+// * The gradients that a node makes stand on the surface, or on the normal at its input `base` (of
+//   type normal). An input of type gradient that a height, derivative or normal is connected to
+//   takes the base of the gradients it is joined with by wires; with none it is the surface.
 // * Outputs of standard names are converted to their type. A gradient as output is its vector in
 //   object space, a derivative its slope.
 //

@@ -144,8 +144,13 @@ Id Lowering::zero(PortType type) {
 
 Id Lowering::base_of(uint32_t node) {
     const uint32_t sayer = graph_.nodes[node].base_node;
-    if (sayer == FlatNode::none) return poison;
-    const Id normal = input(sayer, graph_.nodes[sayer].type->find_input("base"));
+    return sayer == FlatNode::none ? poison : own_base(sayer);
+}
+
+Id Lowering::own_base(uint32_t node) {
+    const FlatNode& flat = graph_.nodes[node];
+    if (!says_base(graph_, flat)) return poison;
+    const Id normal = input(node, flat.type->find_input("base"));
     if (normal == surface(WR_SURFACE_normal)) return poison;
     return module_.add(Op::base_, {normal});
 }

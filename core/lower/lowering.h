@@ -32,6 +32,10 @@ public:
     Id zero(PortType type);  // of a normal the surface's; of an image none
     Id convert(Id value, Conversion conversion, uint32_t node);
 
+    // The base of gradients that the node makes itself: what its input `base` says, else the
+    // surface.
+    Id own_base(uint32_t node);
+
     // A handle with the encoding settled and a resource behind it; 0 when there is no image.
     struct Image {
         ImageLiteral literal;
