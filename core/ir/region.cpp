@@ -9,20 +9,23 @@
 namespace wrinkle {
 namespace {
 
-// What the body over parameters at `level` reads from lower levels, in ascending order.
+// What the body over parameters at `level` reads from lower levels, as met from left to
+// right: the order must not depend on which was written first.
 std::vector<Id> captures(const Module& m, std::span<const Id> results, int level) {
     std::unordered_set<Id> seen;
-    std::vector<Id> open(results.begin(), results.end()), found;
+    std::vector<Id> open(results.rbegin(), results.rend()), found;
     while (!open.empty()) {
         const Id id = open.back();
         open.pop_back();
         if (!seen.insert(id).second || is_global(m, id)) continue;
-        if (m[id].level < level)
+        if (m[id].level < level) {
             found.push_back(id);
-        else
-            append_dependencies(m, id, false, open);
+            continue;
+        }
+        const auto first = static_cast<std::ptrdiff_t>(open.size());
+        append_dependencies(m, id, false, open);
+        std::reverse(open.begin() + first, open.end());
     }
-    std::sort(found.begin(), found.end());
     return found;
 }
 
