@@ -1,0 +1,66 @@
+// Smooth surfaces given by formula, what a rasteriser would hand over at a point of them, and the
+// normal of such a surface once it is really displaced: the oracle of the property tests. Nothing
+// here knows of surface gradients; every derivative is a central difference in double.
+#pragma once
+
+#include <functional>
+#include <glm/geometric.hpp>
+#include <glm/mat2x2.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <random>
+#include <vector>
+
+#include "ir/interpret.h"
+
+namespace wrinkle::test {
+
+using glm::dmat2;
+using glm::dvec2;
+using glm::dvec3;
+
+// Over parameters (s, t); normals are unit and outward. uv0 and uv1 are roughly lengths.
+struct Surface {
+    const char* name = "";
+    double radius = 1;  // the smallest radius of curvature
+    std::function<dvec3(dvec2)> position;
+    std::function<dvec3(dvec2)> normal;
+    std::function<dvec2(dvec2)> uv0;
+    std::function<dvec2(dvec2)> uv1;
+};
+
+Surface sphere();
+Surface torus();
+Surface tilted_plane();
+// Both developable, and uv0 is the unrolled length: dh/d(uv0) is a slope on the surface.
+Surface plane_with(dmat2 uv0_of_length);
+Surface cylinder_with(dmat2 uv0_of_length);
+
+// df along `direction`, to the fourth order.
+template <class F>
+auto along(const F& f, dvec2 at, dvec2 direction, double step) {
+    const auto pair = [&](double k) { return f(at + direction * k) - f(at - direction * k); };
+    return (pair(step) * 8.0 - pair(2 * step)) / (12 * step);
+}
+
+// Position, normal, tangent (of uv0), uv0, uv1 and facing = 1.
+Surroundings values_at(const Surface& surface, dvec2 st);
+// And the changes to the next pixel; the columns of `pixel` are those of (s, t) in x and in y.
+Surroundings point_at(const Surface& surface, dvec2 st, const dmat2& pixel);
+
+// The outward unit normal of position + height * normal.
+dvec3 displaced_normal(const Surface& surface, const std::function<double(dvec2)>& height,
+                       dvec2 st);
+
+struct Sample {
+    dvec2 st;
+    dmat2 pixel;  // well conditioned; every second one mirrors
+};
+std::vector<Sample> samples(int count, unsigned seed);
+
+double angle_deg(dvec3 a, dvec3 b);
+dvec3 to_vec3(const Lanes& lanes);
+void set(Surroundings& around, SurfaceInput input, std::initializer_list<double> lanes,
+         Variant variant = Variant::value);
+
+}  // namespace wrinkle::test
