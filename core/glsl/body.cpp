@@ -29,7 +29,8 @@ Text Body::output_function(Id value, const std::string& name, const std::string&
     find_members(scope);
     text_.line(0, type_name(m_.type(root)) + " " + name + "(" + argument + ") {");
     statements(schedule(plan_, values_, scope, scope.order), 1);
-    const uint32_t group = plan_.role(root) == Role::value ? group_of(plan_, root) : group_;
+    const uint32_t group =
+        plan_.role(root) == Role::value ? group_of(plan_, values_, root) : group_;
     if (!(plan_.role(root) == Role::value && values_.state[root].statement)) comment(1, group);
     text_.line(1, "return " + read(context_, root).text + ";", node_of(group));
     text_.line(0, "}");
@@ -115,7 +116,7 @@ void Body::find_members(const Scope& scope) {
 
 void Body::statements(std::span<const Id> ids, int indent) {
     for (const Id id : ids) {
-        comment(indent, group_of(plan_, id));
+        comment(indent, group_of(plan_, values_, id));
         statement(id, indent);
     }
 }
@@ -199,7 +200,7 @@ void Body::loop_body(Id id, const std::vector<std::string>& state, int indent) {
     decide(plan_, values_, scope, roots);
     find_members(scope);
     const std::span<const Id> order(scope.order);
-    const uint32_t node = node_of(group_of(plan_, id));
+    const uint32_t node = node_of(group_of(plan_, values_, id));
     statements(schedule(plan_, values_, scope, order.first(scope.first_part)), indent);
     go_on(roots[0], indent, node);
     statements(schedule(plan_, values_, scope, order.subspan(scope.first_part)), indent);
@@ -239,7 +240,7 @@ std::vector<uint32_t> Body::state_read(Id value, uint8_t level) {
 void Body::next_state(Id loop, std::span<const Id> next, const std::vector<std::string>& state,
                       int indent) {
     const uint8_t level = m_.region(m_[loop].extra).level;
-    const uint32_t node = node_of(group_of(plan_, loop));
+    const uint32_t node = node_of(group_of(plan_, values_, loop));
     std::vector<bool> assigned(state.size());
     std::vector<std::string> assignments;
     for (uint32_t k = 0; k < state.size(); ++k) {

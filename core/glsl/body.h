@@ -25,7 +25,7 @@ public:
     Text region_function(uint32_t region, const std::string& name);
 
 private:
-    std::string unique(Id id) { return locals_.unique(wanted_name(plan_, id)); }
+    std::string unique(Id id) { return locals_.unique(wanted_name(plan_, values_, id)); }
     std::string type_name(Type type) const { return std::string(info(type).name); }
     std::vector<std::string> name_parameters(const Region& region);
     std::string signature(const Region& region, const std::string& name,

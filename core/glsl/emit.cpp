@@ -9,7 +9,7 @@ void write_function_form(const Plan& plan, const EmitOptions& options, Interface
                          Shader& shader) {
     Text text;
     std::string title = title_of(plan.module(), face.reflection.name);
-    if (plan.implicit) title += " Call it in uniform control flow: it takes screen derivatives.";
+    if (plan.implicit) title += " Call in uniform control flow.";
     text.line(0, title);
     text.append(struct_text(face.reflection));
     text.append(uniforms_text(face.reflection));

@@ -59,6 +59,7 @@ public:
 private:
     std::string at_least(Id id, int precedence) const;
     std::vector<std::string> texts(Id id) const;
+    std::string operand(Id id, const std::vector<Id>& operands, size_t k, int precedence) const;
     Piece leaf(Id id) const;
     Piece input(Id id) const;
     Piece view(Id id) const;
@@ -159,14 +160,25 @@ Piece Writer::builtin(Id id) const {
     return {call(info(inst.op).glsl, arguments), call_precedence};
 }
 
+// A constant of equal lanes is a plain number beside a vector.
+std::string Writer::operand(Id id, const std::vector<Id>& operands, size_t k,
+                            int precedence) const {
+    const Id own = operands[k], other = operands[1 - k];
+    const bool broadcast = info(m_[id].op).rule == Rule::broadcast || m_[id].op == Op::div_;
+    const bool splat = plan_.role(own) == Role::leaf && m_[own].op == Op::construct_ &&
+                       plan_.is_splat(own) && m_.type(other) == m_.type(own) &&
+                       !m_.is_constant(other);
+    return at_least(broadcast && splat ? m_[own].arg[0] : own, precedence);
+}
+
 Piece Writer::operation(Id id) const {
     std::vector<Id> operands;
     plan_.operands(id, operands);
     const int precedence = info(m_[id].op).precedence;
     const std::string spelling(info(m_[id].op).glsl);
     if (operands.size() == 1) return {spelling + at_least(operands[0], prefix + 1), prefix};
-    return {at_least(operands[0], precedence) + " " + spelling + " " +
-                at_least(operands[1], precedence + 1),
+    return {operand(id, operands, 0, precedence) + " " + spelling + " " +
+                operand(id, operands, 1, precedence + 1),
             precedence};
 }
 

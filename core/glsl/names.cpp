@@ -355,7 +355,22 @@ std::string comment_text(std::string_view text) {
     return result;
 }
 
+// max(|z| ..., floor) of a tangent-space normal, as expansion writes it.
+bool is_depth(const Module& m, Id id) {
+    const Inst& inst = m[id];
+    return inst.op == Op::max_ && m.is_literal(inst.arg[1], 1e-6) && m[inst.arg[0]].op == Op::max_;
+}
+
+// -xy of a tangent-space normal, times factors.
+bool is_slope(const Module& m, Id id) {
+    for (int factors = 0; m[id].op == Op::mul_ && factors < 4; ++factors)
+        id = m[id].arg[0];
+    return m.type(id) == Type::vec2_ && m[id].op == Op::neg_ && m[m[id].arg[0]].op == Op::swizzle_;
+}
+
 std::string_view word_for(const Module& module, Id id) {
+    if (is_depth(module, id)) return "depth";
+    if (is_slope(module, id)) return "slope";
     switch (module[id].op) {
         case Op::sample_:
         case Op::sample_lod_:

@@ -9,6 +9,7 @@ Plan::Plan(const Module& module, bool given)
     : inputs_used(surface_input_count * 3),
       parameters_used(module.parameters.size()),
       first_name(module.size()),
+      is_gradient(module.size()),
       module_(&module),
       given_(given),
       captures_(module.region_count()),
@@ -22,6 +23,7 @@ Plan::Plan(const Module& module, bool given)
     for (uint32_t region = 1; region < module.region_count(); ++region)
         if (module.region(region).kind == RegionKind::loop) find_captures(region);
     walk();
+    find_gradients();
 }
 
 void Plan::find_aliases() {
@@ -104,6 +106,20 @@ void Plan::find_captures(uint32_t region) {
         }
         operands(id, parts);
         open.insert(open.end(), parts.rbegin(), parts.rend());
+    }
+}
+
+// normalize(n - gradient): readers comes before what they read in this walk.
+void Plan::find_gradients() {
+    const Module& m = *module_;
+    for (Id id = m.size(); id-- > 1;) {
+        const Inst& inst = m[id];
+        if (inst.op == Op::normalize_ && inst.type == Type::vec3_ &&
+            m[alias_[inst.arg[0]]].op == Op::sub_)
+            is_gradient[alias_[m[alias_[inst.arg[0]]].arg[1]]] = true;
+        if (!is_gradient[id] || inst.op != Op::add_) continue;
+        is_gradient[alias_[inst.arg[0]]] = true;
+        is_gradient[alias_[inst.arg[1]]] = true;
     }
 }
 

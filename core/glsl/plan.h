@@ -44,7 +44,9 @@ public:
     std::vector<UsedResource> resources;
     std::vector<uint32_t> functions;   // regions, callees first
     std::vector<uint32_t> first_name;  // by Id: 1 + index in Module::named, 0 for none
-    bool implicit = false;             // samples with an implicit lod, or changes of inputs
+    std::vector<bool>
+        is_gradient;        // by Id: what a resolve subtracts from the normal, and its terms
+    bool implicit = false;  // samples with an implicit lod, or changes of inputs
 
     static size_t input_slot(SurfaceInput input, Variant variant) {
         return static_cast<size_t>(input) * 3 + static_cast<size_t>(variant);
@@ -57,6 +59,7 @@ private:
     void walk();
     void dependencies(Id id, std::vector<Id>& result) const;
     void use(Id id);
+    void find_gradients();
 
     const Module* module_;
     bool given_;

@@ -51,7 +51,7 @@ private:
 void Scheduler::find_groups() {
     std::unordered_map<uint32_t, uint32_t> known;
     for (uint32_t i = 0; i < statements_.size(); ++i) {
-        const auto [entry, added] = known.try_emplace(group_of(plan_, statements_[i]),
+        const auto [entry, added] = known.try_emplace(group_of(plan_, values_, statements_[i]),
                                                       static_cast<uint32_t>(groups_.size()));
         if (added) groups_.push_back({.first = i, .ready = {}});
         group_.push_back(entry->second);

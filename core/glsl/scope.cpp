@@ -8,12 +8,19 @@
 namespace wrinkle {
 namespace {
 
-constexpr uint32_t widest_expression = 68;
-constexpr uint8_t deepest_expression = 4;
+constexpr uint32_t widest_line = 96;
+constexpr uint32_t widest_expression = 76;  // of what has no name yet
+constexpr uint8_t deepest_expression = 6;
 constexpr uint32_t parentheses = 2;
 constexpr uint32_t loop_state_width = 12;
 
 // Folding decisions for one scope, operands first.
+bool needs_parentheses(const Plan& plan, Id reader, Id operand) {
+    const int outer = info(plan.module()[reader].op).precedence;
+    const int inner = info(plan.module()[operand].op).precedence;
+    return outer > 0 && inner > 0 && inner <= outer;
+}
+
 class Folder {
 public:
     Folder(const Plan& plan, Values& values, const Scope& scope)
@@ -31,6 +38,7 @@ private:
     uint8_t depth_of(Id id);
     void make_statement(Id id);
     void hoist_implicit(Id id);
+    uint32_t room_for(Id id);
     void narrow(Id id);
     void flatten(Id id);
     bool must_name(Id id, bool is_root);
@@ -70,18 +78,23 @@ uint8_t Folder::depth_of(Id id) {
 }
 
 void Folder::count_uses(std::span<const Id> roots) {
-    for (const Id root : roots)
-        if (inside(root)) ++state(root).uses;
+    for (const Id root : roots) {
+        if (!inside(root)) continue;
+        ++state(root).uses;
+        state(root).shared = false;
+    }
     for (size_t i = scope_.order.size(); i-- > 0;) {
         const Id id = scope_.order[i];
         const bool view = plan_.role(id) == Role::view;
         plan_.operands(id, operands_);
+        const bool shared = group_of(plan_, values_, id) == surface_group;
         const bool loop = plan_.module()[id].op == Op::loop_;
         const size_t own = loop ? plan_.module().operands(id).size() : operands_.size();
         for (size_t k = 0; k < operands_.size(); ++k) {
             if (!inside(operands_[k])) continue;
             state(operands_[k]).uses += view ? std::max(1u, state(id).uses) : 1;
             if (k >= own) state(operands_[k]).captured = true;
+            state(operands_[k]).shared = state(operands_[k]).shared && shared;
         }
     }
 }
@@ -90,7 +103,7 @@ void Folder::make_statement(Id id) {
     ValueState& s = state(id);
     if (s.statement) return;
     s.statement = true;
-    s.name = wanted_name(plan_, id);
+    s.name = wanted_name(plan_, values_, id);
 }
 
 // GLSL evaluates one branch of ?: only, and && and || may skip their right side; there an implicit
@@ -103,20 +116,29 @@ void Folder::hoist_implicit(Id id) {
             make_statement(base(operands_[k]));
 }
 
+// What is known to become a temporary has its declaration on the line too.
+uint32_t Folder::room_for(Id id) {
+    if (!must_name(id, false)) return widest_expression;
+    const uint32_t declaration = 12 + static_cast<uint32_t>(wanted_name(plan_, values_, id).size());
+    return widest_line - std::min(declaration, widest_line / 2);
+}
+
 void Folder::narrow(Id id) {
+    const uint32_t room = room_for(id);
     for (;;) {
         uint32_t width = own_width(plan_, id), widest = 0;
         Id victim = poison;
         for (const Id operand : operands_) {
             const uint32_t w = width_of(operand);
-            width += w + (foldable(operand) && state(base(operand)).depth > 0 ? parentheses : 0);
-            if (foldable(operand) && w > widest) {
-                widest = w;
-                victim = base(operand);
-            }
+            width += w;
+            if (!foldable(operand)) continue;
+            width += needs_parentheses(plan_, id, operand) ? parentheses : 0;
+            if (w <= widest) continue;
+            widest = w;
+            victim = base(operand);
         }
         state(id).width = width;
-        if (width <= widest_expression || victim == poison) return;
+        if (width <= room || victim == poison) return;
         make_statement(victim);
     }
 }
@@ -203,14 +225,15 @@ void decide(const Plan& plan, Values& values, const Scope& scope, std::span<cons
         folder.visit(id, std::find(roots.begin(), roots.end(), id) != roots.end());
 }
 
-uint32_t group_of(const Plan& plan, Id id) {
+uint32_t group_of(const Plan& plan, const Values& values, Id id) {
     const Module& m = plan.module();
     const uint32_t name = plan.first_name[id];
     if (name) return m.named[name - 1].node ? m.named[name - 1].node : surface_group;
-    return surface_name(m, id).empty() ? m.origin[id] : surface_group;
+    const bool shared = values.state[id].shared || !surface_name(m, id).empty();
+    return shared ? surface_group : m.origin[id];
 }
 
-std::string wanted_name(const Plan& plan, Id id) {
+std::string wanted_name(const Plan& plan, const Values& values, Id id) {
     const Module& m = plan.module();
     if (const uint32_t name = plan.first_name[id]) {
         const Named& named = m.named[name - 1];
@@ -218,8 +241,10 @@ std::string wanted_name(const Plan& plan, Id id) {
     }
     std::string name = surface_name(m, id);
     if (!name.empty()) return name;
+    const std::string_view word = plan.is_gradient[id] ? "gradient" : word_for(m, id);
+    if (values.state[id].shared) return "surface_" + std::string(word);
     const std::string& path = m.nodes[m.origin[id]].path;
-    return (path.empty() ? "" : path + "_") + std::string(word_for(m, id));
+    return (path.empty() ? "" : path + "_") + std::string(word);
 }
 
 }  // namespace wrinkle

@@ -25,6 +25,7 @@ struct ValueState {
     bool statement = false;  // a temporary; also loops and calls with several results
     bool captured = false;   // by a loop
     bool implicit = false;   // its folded text takes implicit derivatives
+    bool shared = true;      // read by temporaries of the surface point only
     std::string name;        // of a temporary: wanted, then final
 };
 
@@ -53,9 +54,9 @@ std::vector<Id> schedule(const Plan& plan, Values& values, const Scope& scope,
 
 // Whose comment a statement stands under: a node, or the surface point shared by all.
 inline constexpr uint32_t surface_group = ~1U;
-uint32_t group_of(const Plan& plan, Id id);
+uint32_t group_of(const Plan& plan, const Values& values, Id id);
 
 // The name that a value would like: of its node and port, or of the surface point.
-std::string wanted_name(const Plan& plan, Id id);
+std::string wanted_name(const Plan& plan, const Values& values, Id id);
 
 }  // namespace wrinkle

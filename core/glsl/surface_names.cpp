@@ -75,13 +75,49 @@ std::string screen_name(const Module& m, Id id) {
     return {};
 }
 
+// u_x v_y - v_x u_y of a uv set's changes, and its sign.
+std::string uv_set_name(const Module& m, Id id) {
+    const Inst& inst = m[id];
+    if (inst.op == Op::sign_nonzero_) {
+        const std::string det = uv_set_name(m, inst.arg[0]);
+        return det.ends_with("_det") ? det.substr(0, 4) + "sign" : "";
+    }
+    if (inst.op != Op::sub_ || m[inst.arg[0]].op != Op::mul_ || m[inst.arg[1]].op != Op::mul_)
+        return {};
+    const auto set = [&](Id lane) -> std::string_view {
+        const Id input = m[lane].op == Op::swizzle_ ? m[lane].arg[0] : poison;
+        const bool change =
+            m[input].op == Op::input_ && variant_of(m[input].extra) != Variant::value;
+        return change ? info(input_of(m[input].extra)).name : "";
+    };
+    const Inst& left = m[inst.arg[0]];
+    const Inst& right = m[inst.arg[1]];
+    const std::string_view name = set(left.arg[0]);
+    const bool same = name == set(left.arg[1]) && name == set(right.arg[0]) &&
+                      name == set(right.arg[1]) && name.starts_with("uv");
+    return same ? std::string(name) + "_det" : "";
+}
+
+// 1 / |N| of the interpolated normal.
+std::string length_name(const Module& m, Id id) {
+    const Inst& square = m[m[id].arg[0]];
+    const bool normal = square.op == Op::dot_ && square.arg[0] == square.arg[1] &&
+                        is_input(m, square.arg[0], SurfaceInput::normal_, Variant::value);
+    return normal ? "inverse_normal_length" : "";
+}
+
 }  // namespace
 
 std::string surface_name(const Module& module, Id id) {
     const Op op = module[id].op;
     if (op == Op::input_) return change_name(module, id);
     if (op == Op::normalize_) return is_normal(module, id) ? "normal" : "";
-    if (op == Op::sub_) return projected_name(module, id);
+    if (op == Op::inversesqrt_) return length_name(module, id);
+    if (op == Op::sign_nonzero_) return uv_set_name(module, id);
+    if (op == Op::sub_) {
+        const std::string projected = projected_name(module, id);
+        return projected.empty() ? uv_set_name(module, id) : projected;
+    }
     if (op == Op::mul_) {
         const std::string tangent = derived_tangent(module, id);
         return tangent.empty() ? bitangent(module, id) : tangent;
