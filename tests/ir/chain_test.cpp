@@ -1,0 +1,144 @@
+// Long chains: every pass is a loop over few instructions, on a stack of 256 KB.
+#include <gtest/gtest.h>
+#include <pthread.h>
+
+#include "ir/derive.h"
+#include "ir/expand.h"
+#include "ir/print.h"
+#include "ir/rewrite.h"
+#include "ir/support.h"
+#include "ir/value.h"
+#include "ir/verify.h"
+
+namespace wrinkle::test {
+namespace {
+
+constexpr int length = 100'000;
+
+void on_small_stack(void (*body)()) {
+    pthread_attr_t attributes;
+    pthread_attr_init(&attributes);
+    pthread_attr_setstacksize(&attributes, 256 * 1024);
+    pthread_t thread;
+    const auto run = [](void* argument) -> void* {
+        reinterpret_cast<void (*)()>(argument)();
+        return nullptr;
+    };
+    ASSERT_EQ(pthread_create(&thread, &attributes, run, reinterpret_cast<void*>(body)), 0);
+    pthread_join(thread, nullptr);
+    pthread_attr_destroy(&attributes);
+}
+
+// height = ((uv.x * a + uv.y) * a + uv.y) * a ...
+Module chain(int count) {
+    Module m;
+    m.nodes.push_back({"bump", "Bump", ""});
+    const Value a{&m, m.parameter(m.add_parameter({1, "amount", Type::float_, {0.5}, false}))};
+    const Value uv{&m, m.input(SurfaceInput::uv0_)};
+    Value x = uv.x();
+    for (int i = 0; i < count; ++i)
+        x = x * a + uv.y();
+    m.outputs = {{"height", WR_PORT_height, x.id}};
+    return m;
+}
+
+void pass_through_every_pass() {
+    Module m = chain(length);
+    const Id written = m.size();
+    EXPECT_LT(written, 2u * length + 10);
+    EXPECT_EQ(verify(m), "");
+    Direction direction = uv_direction(m, SurfaceInput::uv0_, 1);
+    EXPECT_NE(direction.tangent(m.outputs[0].value), poison);
+    EXPECT_LT(m.size() - written, 2u * length + 10);
+    const Id from = m.input(SurfaceInput::uv0_), to = m.input(SurfaceInput::uv1_);
+    const Id before = m.size();
+    EXPECT_NE(substitute(m, m.outputs[0].value, std::span(&from, 1), std::span(&to, 1)),
+              m.outputs[0].value);
+    EXPECT_LT(m.size() - before, 2u * length + 10);
+    const Module baked = bake_parameters(m);
+    EXPECT_LT(baked.size(), 2u * length + 10);
+    EXPECT_EQ(verify(explicit_lod(baked)), "");
+    EXPECT_GT(print(baked).size(), size_t{length});
+    const Lanes half =
+        interpret(m, m.outputs[0].value,
+                  {{{input_extra(SurfaceInput::uv0_, Variant::value), {1, 3}}}, {}, {}});
+    EXPECT_NEAR(half[0], 6, 1e-12);  // x = x / 2 + 3
+}
+
+TEST(Chain, EveryPass) {
+    on_small_stack(pass_through_every_pass);
+}
+
+// A chain inside a function and inside a loop, which the chain's derivative passes through.
+void chain_in_regions() {
+    Module m;
+    const Id x = m.begin_region(RegionKind::function, "f", std::array{Type::float_})[0];
+    Value sum{&m, x};
+    for (int i = 0; i < length; ++i)
+        sum = op(Op::sin_, sum) + number(sum, i);
+    const RegionUse f = m.end_region(std::array{sum.id});
+    const std::array types{Type::float_};
+    const Id s = m.begin_region(RegionKind::loop, "", types)[0];
+    Value state{&m, s};
+    for (int i = 0; i < length; ++i)
+        state = op(Op::cos_, state) + number(state, i);
+    const std::array results{op(Op::lt_, {&m, s}, number(state, 1)).id, state.id};
+    const Id u = m.swizzle(m.input(SurfaceInput::uv0_), "x");
+    const Id start = m.apply(f, std::array{u})[0];
+    const Id last = m.apply(m.end_region(results, 3), std::array{start})[0];
+    m.outputs = {{"height", WR_PORT_height, last}};
+    const Id written = m.size();
+    Direction direction = uv_direction(m, SurfaceInput::uv0_, 0);
+    const Id change = direction.tangent(last);
+    EXPECT_NE(change, poison);
+    EXPECT_LT(m.size() - written, 8u * length);
+    m.outputs.push_back({"change", WR_PORT_float, change});
+    EXPECT_EQ(verify(m), "");
+    EXPECT_EQ(verify(bake_parameters(m)), "");
+}
+
+TEST(Chain, InRegions) {
+    on_small_stack(chain_in_regions);
+}
+
+void layers() {
+    Module m;
+    Id sum = m.add(Op::gradient_zero_, {});
+    const Value uv{&m, m.input(SurfaceInput::uv0_)};
+    for (int i = 0; i < length; ++i) {
+        const Value height = op(Op::sin_, uv.x() * static_cast<double>(i + 1));
+        sum = m.add(Op::gradient_add_,
+                    {sum, m.gradient(Op::gradient_from_height_, height.id, poison)});
+    }
+    m.outputs = {{"normal", WR_PORT_normal, m.add(Op::resolve_, {sum}, 1)}};
+    const Module expanded = expand(m, {});
+    EXPECT_TRUE(expanded.problems.empty());
+    EXPECT_EQ(verify(expanded), "");
+    EXPECT_LT(expanded.size(), 20u * length);
+}
+
+TEST(Chain, AHundredThousandLayersExpand) {
+    on_small_stack(layers);
+}
+
+void calls() {
+    Module m;
+    const Id x = m.begin_region(RegionKind::function, "f", std::array{Type::float_})[0];
+    const RegionUse f = m.end_region(std::array{m.add(Op::sin_, {x})});
+    Id y = m.swizzle(m.input(SurfaceInput::uv0_), "x");
+    for (int i = 0; i < length; ++i)
+        y = m.apply(f, std::array{y})[0];
+    m.outputs = {{"height", WR_PORT_height, y}};
+    const Id written = m.size();
+    Direction direction = uv_direction(m, SurfaceInput::uv0_, 0);
+    EXPECT_NE(direction.tangent(y), poison);
+    EXPECT_LT(m.size() - written, 3u * length);
+    EXPECT_EQ(verify(bake_parameters(m)), "");
+}
+
+TEST(Chain, OfCalls) {
+    on_small_stack(calls);
+}
+
+}  // namespace
+}  // namespace wrinkle::test
