@@ -95,22 +95,22 @@ Node smoothstep_node =
         .body([](Float low, Float high, Float x) { return smoothstep(low, high, x); });
 
 struct Remap {
-    Float x, old_low, old_high, new_low, new_high;
+    Float x, from_low, from_high, to_low, to_high;
 };
 
 Node remap_node = node("remap", "Remap",
-                       "Brings one range to another, straight and beyond its ends; new_low where "
+                       "Brings one range to another, straight and beyond its ends; to_low where "
                        "the old range is empty.")
                       .family("math")
                       .in<Float>("x", 0, "The number")
-                      .in<Float>("old_low", 0, "Start of the old range")
-                      .in<Float>("old_high", 1, "End of the old range")
-                      .in<Float>("new_low", 0, "What the start becomes")
-                      .in<Float>("new_high", 1, "What the end becomes")
+                      .in<Float>("from_low", 0, "Start of the old range")
+                      .in<Float>("from_high", 1, "End of the old range")
+                      .in<Float>("to_low", 0, "What the start becomes")
+                      .in<Float>("to_high", 1, "What the end becomes")
                       .out<Float>("result", "In the new range")
                       .body([](Remap in) {
-                          return mix(in.new_low, in.new_high,
-                                     divide(in.x - in.old_low, in.old_high - in.old_low));
+                          return mix(in.to_low, in.to_high,
+                                     divide(in.x - in.from_low, in.from_high - in.from_low));
                       });
 
 Node floor_node =
