@@ -191,7 +191,7 @@ inline double atan2(double y, double x) {
     const double ay = std::fabs(y), ax = std::fabs(x);
     const bool steep = ay > ax;
     const double big = steep ? ay : ax, small = steep ? ax : ay;
-    double angle = small_atan(big > 0 ? (big == small ? 1 : small / big) : 0);
+    double angle = small_atan(big == 0 ? 0 : big == small ? 1 : small / big);
     angle = steep ? pi / 2 - angle : angle;
     angle = x < 0 ? pi - angle : angle;
     return y < 0 ? -angle : angle;
