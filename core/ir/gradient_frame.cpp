@@ -15,6 +15,8 @@ constexpr uint32_t all_uv_sets = bit(SurfaceInput::uv0_) | bit(SurfaceInput::uv1
 
 // Below it a length counts as zero; well under (pixel size)^4 of any sensible scene.
 constexpr double tiny_square = 1e-36;
+// Of the angle between a guessed tangent and the normal; far above the rounding of floats.
+constexpr double smallest_sine_square = 1e-10;
 
 Value safe_unit(Value v) {
     return v * inversesqrt(max(dot(v, v), tiny_square));
@@ -97,7 +99,11 @@ TangentBasis derived_basis(Module& target, Id uv, ScreenDerivatives& screen) {
 TangentBasis guessed_basis(Module& target, Id direction) {
     const Value n{&target, unit_normal(target)};
     const Value d{&target, direction};
-    const Value t = safe_unit(d - n * dot(n, d));
+    const Value part = d - n * dot(n, d);
+    // What rounding leaves of a direction along n is no direction.
+    const Value square = dot(part, part);
+    const Value seen = greater(square - dot(d, d) * smallest_sine_square, 0);
+    const Value t = part * select(seen, inversesqrt(max(square, tiny_square)), number(n, 0));
     return {t, cross(n, t)};
 }
 

@@ -1,0 +1,95 @@
+// Bumps on a bumped base: a gradient lies in the tangent plane of its own base, is not to be added
+// to one of another, and a small bump on a resolved surface is that of the surface displaced twice.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "property/material.h"
+
+namespace wrinkle::test {
+namespace {
+
+struct Layered {
+    Material m;
+    Value first;  // resolved
+    Value base;
+
+    Layered() {
+        m.module.nodes = {{"", "", ""},
+                          {"dents", "Resolve", ""},
+                          {"scratches", "Scratches", ""},
+                          {"sum", "Add", ""}};
+        m.module.current_node = 1;
+        first = m.resolve(m.from_height(m.sin(m.position().x() * 6) * 0.05));
+        base = op(Op::base_, first);
+    }
+    Value on_base(Op source, Value operand) {
+        return {&m.module, m.module.gradient(source, operand.id, base.id)};
+    }
+};
+
+TEST(Base, OfTwoGradientsMustAgree) {
+    Layered layered;
+    Material& m = layered.m;
+    m.module.current_node = 2;
+    const Value other = op(Op::base_, m.resolve(m.from_volume(m.position())));
+    const Value slope = layered.on_base(Op::gradient_from_height_, m.uv0().x() * 0.1);
+    const Value on_other{&m.module,
+                         m.module.gradient(Op::gradient_from_height_, m.uv0().y().id, other.id)};
+    m.module.current_node = 3;
+    for (const Value& wrong : {m.add(slope, on_other), m.mix_gradients(on_other, slope, 0.5)})
+        EXPECT_FALSE(wrong);
+    ASSERT_EQ(m.module.problems.size(), 2U);
+    for (const Problem& problem : m.module.problems) {
+        EXPECT_EQ(problem.node, 3U);
+        EXPECT_NE(problem.message.find("dents"), std::string::npos) << problem.message;
+        EXPECT_NE(problem.message.find("scratches"), std::string::npos) << problem.message;
+    }
+    EXPECT_FALSE(m.add(slope, m.from_height(m.uv0().y())));
+    EXPECT_NE(m.module.problems.back().message.find("surface"), std::string::npos);
+}
+
+TEST(Base, MayBeAddedToAFlatGradient) {
+    Layered layered;
+    Material& m = layered.m;
+    const Value bump = layered.on_base(Op::gradient_from_volume_, m.position());
+    EXPECT_TRUE(m.add(bump, layered.on_base(Op::gradient_from_height_, m.number(1))));
+    EXPECT_TRUE(m.module.problems.empty());
+}
+
+TEST(Base, IsKeptWhereNothingIsAdded) {
+    Layered layered;
+    Material& m = layered.m;
+    m.output("first", layered.first);
+    m.output("flat", m.resolve(layered.on_base(Op::gradient_from_height_, m.number(1))));
+    m.output("itself", m.resolve(layered.on_base(Op::gradient_from_normal_, layered.first)));
+    m.output("bump", m.resolve(layered.on_base(Op::gradient_from_volume_, m.position())));
+    m.output("vector", m.vector_of(layered.on_base(Op::gradient_from_volume_, m.position())));
+    const Expanded material(m);
+    for (const Sample& sample : samples(20, 18)) {
+        const Surroundings around = point_at(sphere(), sample.st, sample.pixel);
+        const dvec3 n1 = material.vector(0, around);
+        EXPECT_LE(glm::distance(n1, material.vector(1, around)), 1e-12);
+        EXPECT_LE(glm::distance(n1, material.vector(2, around)), 1e-7);
+        EXPECT_NEAR(glm::length(material.vector(3, around)), 1, 1e-12);
+    }
+}
+
+// A normal given in object space wins over whatever stands below, at full strength.
+TEST(Base, APerturbedNormalIsReachedFromAnyBase) {
+    Layered layered;
+    Material& m = layered.m;
+    const Value wanted = m.input(SurfaceInput::normal_) + m.vector(dvec3(0.1, 0.3, -0.2));
+    m.output("from the surface", m.resolve(m.from_normal(wanted)));
+    m.output("from the base", m.resolve(layered.on_base(Op::gradient_from_normal_, wanted)));
+    const Expanded material(m);
+    for (const Sample& sample : samples(20, 19)) {
+        const Surroundings around = point_at(sphere(), sample.st, sample.pixel);
+        const dvec3 truth = glm::normalize(sphere().normal(sample.st) + dvec3(0.1, 0.3, -0.2));
+        EXPECT_LE(angle_deg(material.vector(0, around), truth), 1e-6);
+        EXPECT_LE(angle_deg(material.vector(1, around), truth), 1e-6);
+    }
+}
+
+}  // namespace
+}  // namespace wrinkle::test
