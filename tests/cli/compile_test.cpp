@@ -1,0 +1,138 @@
+// wrinkle compile: where the text goes, and what build systems rely on.
+#include <chrono>
+
+#include "cli/support.h"
+
+namespace wrinkle::test {
+namespace {
+
+using CompileTest = CliTest;
+using Names = std::vector<std::string>;
+
+TEST_F(CompileTest, FileAndStandardOutputHoldTheSameText) {
+    put("bump.json", tilt_graph());
+    const Ran printed = run({"compile", "bump.json"});
+    ASSERT_EQ(printed.code, 0) << printed.err;
+    EXPECT_TRUE(says(printed.out, "wrinkle_bump_normal"));
+    EXPECT_EQ(printed.out.find("#version"), printed.out.npos);
+    const Ran filed = run({"compile", "bump.json", "-o", "out.glsl"});
+    EXPECT_EQ(filed.code, 0);
+    EXPECT_EQ(filed.out + filed.err, "");
+    EXPECT_EQ(get("out.glsl"), printed.out);
+}
+
+TEST_F(CompileTest, ReadsStandardInputWhenAsked) {
+    put("bump.json", tilt_graph());
+    const Ran ran = run({"compile", "-", "--name", "bump"}, tilt_graph());
+    ASSERT_EQ(ran.code, 0) << ran.err;
+    EXPECT_EQ(ran.out, run({"compile", "bump.json"}).out);
+}
+
+TEST_F(CompileTest, EqualBytesLeaveTheFileUntouched) {
+    put("g.json", tilt_graph("0.5"));
+    ASSERT_EQ(run({"compile", "g.json", "-o", "g.glsl"}).code, 0);
+    const auto old = fs::file_time_type::clock::now() - std::chrono::hours(5);
+    fs::last_write_time(folder / "g.glsl", old);
+    const auto before = fs::last_write_time(folder / "g.glsl");
+    ASSERT_EQ(run({"compile", "g.json", "-o", "g.glsl"}).code, 0);
+    EXPECT_EQ(fs::last_write_time(folder / "g.glsl"), before);
+    put("g.json", tilt_graph("0.625"));
+    ASSERT_EQ(run({"compile", "g.json", "-o", "g.glsl"}).code, 0);
+    EXPECT_NE(fs::last_write_time(folder / "g.glsl"), before);
+}
+
+TEST_F(CompileTest, ShaderFormIsAPair) {
+    put("g.json", tilt_graph());
+    ASSERT_EQ(run({"compile", "g.json", "--form", "shader", "-o", "g"}).code, 0);
+    EXPECT_EQ(files(), (Names{"g.frag", "g.json", "g.vert"}));
+    EXPECT_TRUE(get("g.vert").starts_with("#version 330"));
+    EXPECT_EQ(run({"compile", "g.json", "--form", "shader"}).out, get("g.frag"));
+    EXPECT_EQ(run({"compile", "g.json", "--form", "shader", "--stage", "vertex"}).out,
+              get("g.vert"));
+}
+
+TEST_F(CompileTest, SeveralGraphsGoIntoAFolder) {
+    put("a.json", tilt_graph("0.5"));
+    put("sub/b.json", tilt_graph("0.25"));
+    fs::create_directories(folder / "out");
+    const Ran ran = run({"compile", "a.json", "sub/b.json", "-o", "out"});
+    ASSERT_EQ(ran.code, 0) << ran.err;
+    EXPECT_TRUE(says(get("out/a.glsl"), "wrinkle_a_normal"));
+    EXPECT_TRUE(says(get("out/b.glsl"), "wrinkle_b_normal"));
+}
+
+TEST_F(CompileTest, EqualStemsAreRefused) {
+    put("a.json", tilt_graph());
+    put("sub/a.json", tilt_graph());
+    fs::create_directories(folder / "out");
+    const Ran ran = run({"compile", "a.json", "sub/a.json", "-o", "out"});
+    EXPECT_EQ(ran.code, 2);
+    EXPECT_TRUE(says(ran.err, "'a'"));
+    EXPECT_TRUE(fs::is_empty(folder / "out"));
+}
+
+TEST_F(CompileTest, OneBadGraphOfSeveralWritesNothing) {
+    put("a.json", tilt_graph());
+    put("b.json", "{\"wrinkle\": 1, \"nodes\": 5}");
+    fs::create_directories(folder / "out");
+    const Ran ran = run({"compile", "a.json", "b.json", "-o", "out"});
+    EXPECT_EQ(ran.code, 1);
+    EXPECT_TRUE(says(ran.err, "b.json:1:"));
+    EXPECT_TRUE(fs::is_empty(folder / "out"));
+}
+
+TEST_F(CompileTest, DepfileNamesWhatTheTextDependsOn) {
+    put("inner.json", R"({"wrinkle": 1, "nodes": {
+        "m": {"type": "multiply", "in": {"a": 2, "b": 3}}},
+        "outputs": {"result": {"from": "m.result"}}})");
+    put("my top.json", R"({"wrinkle": 1, "nodes": {"sub": {"type": "graph:inner.json"}},
+        "outputs": {"roughness": {"from": "sub.result"}}})");
+    const Ran ran =
+        run({"compile", "my top.json", "-o", "g.glsl", "-MD", "-MF", "g.d", "-MT", "some target"});
+    ASSERT_EQ(ran.code, 0) << ran.err;
+    const std::string rule = get("g.d");
+    EXPECT_TRUE(rule.starts_with("some\\ target:")) << rule;
+    EXPECT_TRUE(says(rule, "my\\ top.json"));
+    EXPECT_TRUE(says(rule, "inner.json"));
+}
+
+TEST_F(CompileTest, SetChangesAValue) {
+    put("g.json", tilt_graph("0.5"));
+    put("h.json", tilt_graph("0.25"));
+    const Ran ran = run({"compile", "g.json", "--name", "x", "--set", "tilt.volume=[0.25, 0, 0]"});
+    ASSERT_EQ(ran.code, 0) << ran.err;
+    EXPECT_EQ(ran.out, run({"compile", "h.json", "--name", "x"}).out);
+    EXPECT_EQ(get("g.json"), tilt_graph("0.5"));
+}
+
+TEST_F(CompileTest, RefusesWrongUsage) {
+    put("g.json", tilt_graph());
+    const std::vector<Names> cases = {
+        {"compile"},
+        {"compile", "g.json", "--target", "pascal"},
+        {"compile", "g.json", "--form", "poem"},
+        {"compile", "g.json", "--form", "shader", "--differentials", "given"},
+        {"compile", "g.json", "g.json"},
+        {"compile", "g.json", "--set", "tilt.volume=0:1:3", "-o", "g.glsl"},
+        {"compile", "g.json", "--nonsense"},
+    };
+    for (const auto& args : cases) {
+        const Ran ran = run(args, "x");
+        EXPECT_EQ(ran.code, 2) << testing::PrintToString(args) << ran.err;
+        EXPECT_EQ(ran.out, "");
+        EXPECT_NE(ran.err, "");
+        EXPECT_EQ(ran.read, 0);
+        EXPECT_EQ(files(), Names{"g.json"});
+    }
+}
+
+TEST_F(CompileTest, SaysThatAnOutputCannotBeWritten) {
+    put("g.json", tilt_graph());
+    const Ran ran = run({"compile", "g.json", "-o", "g.json/out.glsl"});
+    EXPECT_EQ(ran.code, 3);
+    EXPECT_TRUE(says(ran.err, "g.json/out.glsl"));
+    EXPECT_EQ(files(), Names{"g.json"});
+}
+
+}  // namespace
+}  // namespace wrinkle::test

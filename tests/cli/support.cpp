@@ -1,0 +1,145 @@
+#include "cli/support.h"
+
+#include <fcntl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <fstream>
+
+namespace wrinkle::test {
+namespace {
+
+const std::string binary = WRINKLE_BINARY_DIR "/bin/wrinkle";
+
+std::string read_all(const fs::path& path) {
+    std::ifstream file(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), {}};
+}
+
+int open_file(const fs::path& path) {
+    return open(path.c_str(), O_RDWR | O_CREAT | O_TRUNC, 0600);
+}
+
+std::vector<char*> pointers(const std::vector<std::string>& strings) {
+    std::vector<char*> result;
+    for (const std::string& string : strings)
+        result.push_back(const_cast<char*>(string.c_str()));
+    result.push_back(nullptr);
+    return result;
+}
+
+}  // namespace
+
+void CliTest::SetUp() {
+    const auto* info = testing::UnitTest::GetInstance()->current_test_info();
+    folder = fs::temp_directory_path() /
+             ("wrinkle_cli_" + std::to_string(getpid()) + "_" + info->name());
+    fs::create_directories(folder / "work");
+    folder /= "work";
+}
+
+void CliTest::TearDown() {
+    fs::remove_all(folder.parent_path());
+}
+
+// Standard input is a file whose offset is shared with the process, so what was read shows.
+Ran CliTest::run(const std::vector<std::string>& args, const std::string& input,
+                 const std::vector<std::string>& environment) const {
+    const fs::path beside = folder.parent_path();
+    const int in = open_file(beside / "in"), out = open_file(beside / "out"),
+              err = open_file(beside / "err");
+    EXPECT_EQ(write(in, input.data(), input.size()), static_cast<ssize_t>(input.size()));
+    lseek(in, 0, SEEK_SET);
+    std::vector<std::string> words{binary};
+    words.insert(words.end(), args.begin(), args.end());
+    const auto argv = pointers(words);
+    const auto additions = pointers(environment);
+    const pid_t child = fork();
+    if (child == 0) {
+        dup2(in, 0);
+        dup2(out, 1);
+        dup2(err, 2);
+        for (char* entry : additions)
+            if (entry) putenv(entry);
+        if (chdir(folder.c_str()) == 0) execv(binary.c_str(), argv.data());
+        _exit(127);
+    }
+    int status = 0;
+    waitpid(child, &status, 0);
+    Ran ran;
+    ran.code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+    ran.read = lseek(in, 0, SEEK_CUR);
+    for (const int file : {in, out, err})
+        close(file);
+    ran.out = read_all(beside / "out");
+    ran.err = read_all(beside / "err");
+    return ran;
+}
+
+fs::path CliTest::put(const std::string& name, std::string_view bytes) const {
+    const fs::path path = folder / name;
+    fs::create_directories(path.parent_path());
+    std::ofstream(path, std::ios::binary)
+        .write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+    return path;
+}
+
+std::string CliTest::get(const std::string& name) const {
+    return read_all(folder / name);
+}
+
+std::vector<std::string> CliTest::files() const {
+    std::vector<std::string> names;
+    for (const auto& entry : fs::recursive_directory_iterator(folder))
+        names.push_back(fs::relative(entry.path(), folder).string());
+    std::sort(names.begin(), names.end());
+    return names;
+}
+
+const std::vector<std::string>& without_gl() {
+    static const std::vector<std::string> environment = {
+        "__EGL_VENDOR_LIBRARY_FILENAMES=/nonexistent/vendor.json",
+        "__EGL_VENDOR_LIBRARY_DIRS=/nonexistent"};
+    return environment;
+}
+
+std::string tilt_graph(const std::string& slope) {
+    return R"({
+  "wrinkle": 1,
+  "nodes": {
+    "tilt": { "type": "gradient_from_volume", "in": { "volume": [)" +
+           slope + R"(, 0, 0] } },
+    "end": { "type": "resolve", "in": { "gradient": { "from": "tilt.gradient" } } }
+  },
+  "outputs": { "normal": { "from": "end.normal" } }
+}
+)";
+}
+
+std::string ramp_graph(const std::string& amount) {
+    return R"({
+  "wrinkle": 1,
+  "nodes": {
+    "split": { "type": "separate_vec2", "in": { "vector": { "from": "surface.uv0" } } },
+    "scaled": { "type": "multiply", "in": { "a": { "from": "split.x" }, "b": )" +
+           amount + R"( } }
+  },
+  "outputs": { "value": { "from": "scaled.result" } }
+}
+)";
+}
+
+testing::AssertionResult says(const std::string& text, const std::string& words) {
+    if (text.find(words) != text.npos) return testing::AssertionSuccess();
+    return testing::AssertionFailure() << "'" << words << "' is not in: " << text;
+}
+
+json::Value parsed(const std::string& text) {
+    Diagnostics diagnostics;
+    const json::Parsed result = json::parse(text, "output", diagnostics);
+    EXPECT_FALSE(diagnostics.has_errors()) << to_text(diagnostics) << text;
+    return result.root;
+}
+
+}  // namespace wrinkle::test

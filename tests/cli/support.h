@@ -1,0 +1,56 @@
+// What the tests of the program share: a folder of their own to work in, and the built binary run
+// as a process with everything it says.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "json/parse.h"
+
+namespace wrinkle::test {
+
+namespace fs = std::filesystem;
+
+struct Ran {
+    int code = -1;  // exit code; 128 + the signal of a crash
+    std::string out;
+    std::string err;
+    long read = 0;  // bytes taken from standard input
+};
+
+class CliTest : public testing::Test {
+protected:
+    void SetUp() override;
+    void TearDown() override;
+
+    // In `folder`. `environment` entries are "NAME=value".
+    Ran run(const std::vector<std::string>& args, const std::string& input = "",
+            const std::vector<std::string>& environment = {}) const;
+
+    fs::path put(const std::string& name, std::string_view bytes) const;
+    std::string get(const std::string& name) const;
+    bool exists(const std::string& name) const { return fs::exists(folder / name); }
+    // Everything below the folder, sorted: to see that nothing was written.
+    std::vector<std::string> files() const;
+
+    fs::path folder;
+};
+
+// An EGL without drivers.
+const std::vector<std::string>& without_gl();
+
+// A surface tilted by a constant gradient along x: on the plane z = 0 the normal is (-s, 0, 1)
+// normalised, whatever the uv. `slope` is JSON.
+std::string tilt_graph(const std::string& slope = "0.75");
+// "value" = uv0.x * amount; a node `scaled`.
+std::string ramp_graph(const std::string& amount = "2");
+
+// Whether a text has these words somewhere.
+testing::AssertionResult says(const std::string& text, const std::string& words);
+json::Value parsed(const std::string& text);
+
+}  // namespace wrinkle::test
