@@ -1,0 +1,28 @@
+// The canvas: draws cards and wires at screen scale, finds what is under the pointer, and turns
+// gestures into edits. One InvisibleButton takes all input; there are no widgets on nodes.
+//
+//   drag on empty ground     box select          middle drag, Alt + drag   pan
+//   wheel                    zoom at the pointer
+//   drag a header or body    move the selection  drag a field   change a number (Ctrl fine, Shift coarse)
+//   drag pin to pin          connect; from a connected input: take the wire off; to empty ground:
+//                            the palette, filtered by what fits
+//   double-click a field     type a value        double-click a header   rename
+#pragma once
+
+#include "editor/state.h"
+
+namespace wrinkle::editor {
+
+void draw_canvas(State& state);  // the panel: into the current ImGui window, all of its space
+
+// Its parts.
+Hit pick(const State& state, ImVec2 mouse);
+void draw_graph(const State& state, ImDrawList& list);
+void update_gesture(State& state, bool active);
+void name_targets(State& state);
+
+// Connects the loose end of a wire; says why when it cannot.
+void connect_wire(State& state, const Gesture& wire, const Card& card, const Pin& pin);
+bool wire_fits(const State& state, const Gesture& wire, const Card& card, const Pin& pin);
+
+}  // namespace wrinkle::editor

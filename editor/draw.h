@@ -1,0 +1,41 @@
+// Shapes and text on an ImDrawList, in screen pixels.
+#pragma once
+
+#include <imgui.h>
+
+#include <string>
+#include <string_view>
+
+#include "registry/port_type.h"
+
+namespace wrinkle::editor {
+
+inline ImVec2 operator+(ImVec2 a, ImVec2 b) {
+    return {a.x + b.x, a.y + b.y};
+}
+inline ImVec2 operator-(ImVec2 a, ImVec2 b) {
+    return {a.x - b.x, a.y - b.y};
+}
+inline ImVec2 operator*(ImVec2 a, float s) {
+    return {a.x * s, a.y * s};
+}
+
+// The pin of a type: its own outline, `unit` being half its size. A hollow one is filled with
+// `ground`.
+void draw_pin(ImDrawList& list, PortType type, ImVec2 center, float unit, ImU32 color, bool filled,
+              ImU32 ground);
+
+// One line of text at its upper left corner; right-aligned draws to the left of `at`.
+void draw_text(ImDrawList& list, ImFont* font, float size, ImVec2 at, ImU32 color,
+               std::string_view text, bool right_aligned = false);
+float text_width(ImFont* font, float size, std::string_view text);
+// The longest beginning that fits, with "..." when something was cut.
+std::string fitting(ImFont* font, float size, std::string_view text, float width);
+
+void draw_dashed(ImDrawList& list, ImVec2 from, ImVec2 c0, ImVec2 c1, ImVec2 to, ImU32 color,
+                 float thickness, float dash, float gap);
+
+// A triangle with an exclamation mark.
+void draw_warning(ImDrawList& list, ImVec2 center, float size, ImU32 color);
+
+}  // namespace wrinkle::editor

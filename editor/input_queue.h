@@ -1,0 +1,56 @@
+// Input events in the order they happened, handed to Dear ImGui so that none is lost.
+//
+// Dear ImGui 1.86 sees only the state of keys and buttons at the start of a frame: a key that goes
+// down and up between two frames was never pressed. The queue gives a frame only as many events as
+// leave every change visible; the rest waits for the next frame. Window, scripts and tests all
+// speak through it. Keys are GLFW key codes, letters by the character they produce.
+#pragma once
+
+#include <deque>
+#include <string>
+#include <string_view>
+
+struct ImGuiIO;
+
+namespace wrinkle::editor {
+
+struct InputEvent {
+    enum class Kind : uint8_t { key, character, button, motion, wheel, leave };
+    Kind kind = Kind::motion;
+    int code = 0;       // key, character (UTF-32) or button
+    bool down = false;  // key, button
+    float x = 0, y = 0;  // motion: position; wheel: amount
+};
+
+class InputQueue {
+public:
+    void push(const InputEvent& event) { events_.push_back(event); }
+    void key(int code, bool down) { push({InputEvent::Kind::key, code, down, 0, 0}); }
+    void character(unsigned code) {
+        push({InputEvent::Kind::character, static_cast<int>(code), false, 0, 0});
+    }
+    void button(int button, bool down) { push({InputEvent::Kind::button, button, down, 0, 0}); }
+    void motion(float x, float y) { push({InputEvent::Kind::motion, 0, false, x, y}); }
+    void wheel(float x, float y) { push({InputEvent::Kind::wheel, 0, false, x, y}); }
+
+    // "Ctrl+Shift+Z", "Delete", "F2": modifiers down, the key down and up, modifiers up. False for
+    // a chord that names no key.
+    bool chord(std::string_view text);
+    void type(std::string_view utf8);
+
+    bool empty() const { return events_.empty(); }
+
+    // Writes one frame's worth into `io`; before ImGui::NewFrame().
+    void apply(ImGuiIO& io);
+
+private:
+    std::deque<InputEvent> events_;
+};
+
+// The GLFW code of "A", "7", "F2", "Delete", "Space", "Escape", ...; 0 for none.
+int key_named(std::string_view name);
+
+// Tells ImGui which of our codes are its navigation and editing keys.
+void map_keys(ImGuiIO& io);
+
+}  // namespace wrinkle::editor

@@ -1,0 +1,59 @@
+// What follows from a snapshot, and never the other way round: the types of its nodes, its
+// problems, its GLSL. Pure functions of the document and of the files that it names.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "glsl/emit.h"
+#include "graph/subgraph.h"
+#include "lower/material.h"
+#include "lower/types.h"
+
+namespace wrinkle::editor {
+
+// The document's types. Holds while no more than literals and layout change.
+struct Model {
+    std::unique_ptr<Project> project;
+    std::unique_ptr<Types> types;
+    Diagnostics project_problems;  // of reading its sub-graphs
+
+    const NodeType* type_of(std::string_view node) const;  // nullptr: unknown
+    // The type of an output of a node, of a property of the surface or of an input of the graph.
+    std::optional<PortType> type_of(const Link& from) const;
+    // The type that an output of the graph wants; nothing when it takes any.
+    static std::optional<PortType> wanted_by_output(std::string_view name);
+};
+
+Model make_model(const Document& document, const std::filesystem::path& folder,
+                 const Registry& registry);
+
+// The same project with another top document, for compiling.
+Project project_with(const Model& model, const Document& document);
+
+// One compilation. The text with uniforms is what the preview runs, the baked one what `wrinkle
+// compile` writes.
+struct Build {
+    Diagnostics problems;        // of the whole document
+    Diagnostics live;            // why `uniform` is empty
+    std::optional<Shader> uniform;
+    std::optional<Shader> baked;
+    // By index in the shader's Reflection::node_paths the node of the top graph, "" for none.
+    std::vector<std::string> uniform_nodes, baked_nodes;
+    double milliseconds = 0;
+};
+
+Build build(const Model& model, const Document& document, const Registry& registry,
+            const std::string& name);
+
+// Whether a wire may go there, and if not, why: "" when it may.
+std::string wire_problem(const Model& model, const Document& document, const Registry& registry,
+                         const Link& from, std::string_view node, std::string_view port);
+// The same for an output of the graph.
+std::string output_problem(const Model& model, const Link& from, std::string_view output,
+                           const Registry& registry);
+
+}  // namespace wrinkle::editor
