@@ -1,0 +1,41 @@
+// Nodes evaluated on a plane, so that oracles are plain calculus: position (x, y, 0), normal
+// (0, 0, 1), uv0 = (x, y), uv1 = 2 (x, y), tangent (1, 0, 0, +1); a pixel is 1/1024.
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "base/diagnostics.h"
+#include "image/image.h"
+#include "lower/material.h"
+
+namespace wrinkle::test {
+
+// The built-in nodes and the example plugin.
+const Registry& registry();
+
+inline constexpr double pixel = 1.0 / 1024;
+
+struct Scene {
+    std::string nodes;                      // the members of "nodes"
+    std::string output;                     // "node.port"
+    Image texture = {};                     // stands for every image; empty: one grey texel of 0.5
+    std::array<double, 3> normal{0, 0, 1};  // not of the plane: for maps that look at it
+};
+
+// The output's lanes at each (x, y); a failure of the test and nothing when it does not compile.
+std::vector<std::vector<double>> values(const Scene& scene,
+                                        const std::vector<std::array<double, 2>>& points);
+std::vector<double> value(const Scene& scene, double x = 0.3, double y = 0.6);
+
+// What compiling says; "" when it is content.
+std::string problems(const std::string& nodes, const std::string& output);
+
+// One node "n" with these members of "in"; {"image": ...} is added where the type asks for one.
+std::string one(const std::string& type, const std::string& in = "");
+
+// A float texture from a formula of texel centres (u, v) to r, g, b.
+Image painted(uint32_t size, std::array<double, 3> (*formula)(double u, double v));
+
+}  // namespace wrinkle::test

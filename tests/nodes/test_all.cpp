@@ -1,0 +1,132 @@
+// What holds for every node in the list, of today and of tomorrow.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "nodes/all.h"
+#include "nodes/plane.h"
+#include "registry/plugin_loader.h"
+
+namespace wrinkle::test {
+namespace {
+
+std::string output_of(const std::string& command) {
+    std::string text;
+    FILE* pipe = popen(command.c_str(), "r");
+    if (!pipe) return "cannot run " + command;
+    char part[1024];
+    while (const size_t size = fread(part, 1, sizeof part, pipe))
+        text.append(part, size);
+    pclose(pipe);
+    return text;
+}
+
+bool is_one_line(const std::string& text) {
+    return !text.empty() && text.find('\n') == std::string::npos;
+}
+
+// The frames that a scale allows, as documented in the design.
+bool goes_together(const std::string& scale, const std::string& frame) {
+    return frame == "auto" || (frame == "exact") == (scale == "surface");
+}
+
+// Each node's outputs with one combination of its choices after the other.
+struct Combination {
+    std::string in;
+    bool legal = true;
+};
+std::vector<Combination> combinations(const NodeType& type) {
+    std::vector<Combination> all{{"", true}};
+    std::string scale;
+    for (const Port& port : type.ports) {
+        if (port.kind != Port::Kind::choice) continue;
+        std::vector<Combination> more;
+        for (const Combination& given : all)
+            for (const std::string& choice : port.choices) {
+                const std::string member = "\"" + port.name + "\": \"" + choice + "\"";
+                const size_t at = given.in.find("\"scale\": \"surface\"");
+                const std::string with = at == std::string::npos ? "unit" : "surface";
+                const bool legal = port.name != "frame" || goes_together(with, choice);
+                more.push_back(
+                    {given.in + (given.in.empty() ? "" : ", ") + member, given.legal && legal});
+            }
+        all = std::move(more);
+    }
+    return all;
+}
+
+TEST(EveryNode, IsDocumented) {
+    for (const NodeType& type : registry().list()) {
+        EXPECT_TRUE(is_one_line(type.title)) << type.id;
+        EXPECT_TRUE(is_one_line(type.doc)) << type.id;
+        EXPECT_NE(type.family, "other") << type.id;
+        for (const Port& port : type.ports) {
+            EXPECT_TRUE(is_one_line(port.doc)) << type.id << "." << port.name;
+            const bool length = port.type == PortType::height_ && port.is_value();
+            EXPECT_TRUE(!length || port.doc.find("length unit") != std::string::npos)
+                << type.id << "." << port.name << " does not say its unit";
+        }
+    }
+}
+
+TEST(EveryNode, CompilesWithItsDefaultsAndEveryChoice) {
+    for (const NodeType& type : registry().list())
+        for (const Combination& given : combinations(type))
+            for (const Port& port : type.ports) {
+                if (port.kind != Port::Kind::output) continue;
+                const std::string found = problems(one(type.id, given.in), "n." + port.name);
+                const std::string node = type.id + " " + given.in;
+                EXPECT_TRUE(!given.legal || found.empty()) << node << ": " << found;
+                const bool refused = !given.legal && port.type == PortType::gradient_;
+                EXPECT_TRUE(!refused || found.find("frame") != std::string::npos) << node;
+            }
+}
+
+TEST(EveryNode, IsFiniteAtItsDefaults) {
+    for (const NodeType& type : registry().list())
+        for (const Port& port : type.ports) {
+            if (port.kind != Port::Kind::output) continue;
+            Scene scene{one(type.id), "n." + port.name};
+            for (const auto& lanes : values(scene, {{0, 0}, {0.3, 0.6}, {-700, 1e4}}))
+                for (const double lane : lanes)
+                    EXPECT_TRUE(std::isfinite(lane)) << type.id << "." << port.name;
+        }
+}
+
+TEST(Plugins, TheNodesAreTheSameThroughTheBorder) {
+    Registry loaded;
+    Diagnostics diagnostics;
+    const std::vector<std::string> places{WRINKLE_NODES_MODULE};
+    const auto reports = load_plugins(loaded, places, diagnostics);
+    EXPECT_EQ(to_text(diagnostics), "");
+    ASSERT_EQ(reports.size(), 1u);
+    const wr_plugin* built_in = built_in_nodes();
+    ASSERT_EQ(loaded.list().size(), built_in->node_count);
+    for (uint32_t i = 0; i < built_in->node_count; ++i) {
+        const NodeType& type = loaded.list()[i];
+        EXPECT_EQ(type.id, built_in->nodes[i]->id);
+        EXPECT_EQ(type.ports.size(), built_in->nodes[i]->port_count);
+        EXPECT_NE(type.build, built_in->nodes[i]->build);  // another copy of the code
+    }
+}
+
+TEST(Plugins, ExportOneSymbol) {
+    for (const char* path : {WRINKLE_NODES_MODULE, WRINKLE_RIPPLES}) {
+        const std::string symbols =
+            output_of("nm -D --defined-only --format=posix '" + std::string(path) + "'");
+        EXPECT_EQ(symbols.rfind("wrinkle_plugin T ", 0), 0u) << symbols;
+        EXPECT_EQ(std::count(symbols.begin(), symbols.end(), '\n'), 1) << symbols;
+    }
+}
+
+TEST(Plugins, RipplesAreRings) {
+    const std::string ripples = one("ripples", R"("frequency": 2, "amplitude": 0.1)");
+    EXPECT_NEAR(value({ripples, "n.height"}, 0, 0)[0], 0.1, 1e-9);
+    EXPECT_NEAR(value({ripples, "n.height"}, 0.6, 0.8)[0], 0.1, 1e-9);    // two rings out
+    EXPECT_NEAR(value({ripples, "n.height"}, 0.15, 0.2)[0], -0.1, 1e-9);  // in a trough
+}
+
+}  // namespace
+}  // namespace wrinkle::test
