@@ -1,11 +1,14 @@
 #include "glsl/body.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "base/text.h"
 
 namespace wrinkle {
 namespace {
+
+constexpr size_t widest_line = 100;
 
 // Parameters of a region are known by their place alone: a, b, c, ...
 std::string letter(size_t index) {
@@ -26,13 +29,18 @@ Text Body::output_function(Id value, const std::string& name, const std::string&
     const std::span roots(&root, 1);
     const Scope scope = collect(plan_, values_, roots, 0);
     decide(plan_, values_, scope, roots);
-    find_members(scope);
     text_.line(0, type_name(m_.type(root)) + " " + name + "(" + argument + ") {");
-    statements(schedule(plan_, values_, scope, scope.order), 1);
-    const uint32_t group =
-        plan_.role(root) == Role::value ? group_of(plan_, values_, root) : group_;
-    if (!(plan_.role(root) == Role::value && values_.state[root].statement)) comment(1, group);
-    text_.line(1, "return " + read(context_, root).text + ";", node_of(group));
+    const std::vector<Id> ids = schedule(plan_, values_, scope, scope.order);
+    const bool folded = plan_.role(root) == Role::value && !values_.state[root].statement;
+    const uint32_t group = folded        ? group_of(plan_, values_, root)
+                           : ids.empty() ? no_node
+                                         : group_of(plan_, values_, ids.back());
+    statements(ids, 1, group);
+    const std::string line = "return " + read(context_, root).text + ";";
+    if (folded)
+        commented_line(1, line, group, true);
+    else
+        text_.line(1, line, group == no_node ? no_node : node_of(group));
     text_.line(0, "}");
     return std::move(text_);
 }
@@ -72,7 +80,6 @@ Text Body::region_function(uint32_t index, const std::string& name) {
     const std::vector<Id> roots = plain_all(plan_, region.results);
     const Scope scope = collect(plan_, values_, roots, 0);
     decide(plan_, values_, scope, roots);
-    find_members(scope);
     text_.line(0, signature(region, name, parameters, outs));
     statements(schedule(plan_, values_, scope, scope.order), 1);
     for (size_t k = 1; k < roots.size(); ++k)
@@ -82,19 +89,15 @@ Text Body::region_function(uint32_t index, const std::string& name) {
     return std::move(text_);
 }
 
-// One line above the first statement of a node: "weave: Tangent normal map".
-void Body::comment(int indent, uint32_t group) {
-    if (group == group_) return;
-    group_ = group;
+// "// weave: Tangent normal map"; "" where a group has none.
+std::string Body::comment_of(uint32_t group) {
+    commented_.resize(m_.nodes.size());
     if (group == surface_group) {
-        text_.line(indent, surface_commented_ ? "// the surface point (continued)"
-                                              : "// the surface point");
-        surface_commented_ = true;
-        return;
+        const bool again = std::exchange(surface_commented_, true);
+        return again ? "// the surface point (continued)" : "// the surface point";
     }
     const NodeInstance& node = m_.nodes[group];
-    if (group == 0 || node.path.empty()) return;
-    commented_.resize(m_.nodes.size());
+    if (group == 0 || node.path.empty()) return {};
     std::string line = "// " + comment_text(node.path);
     if (!node.title.empty()) line += ": " + comment_text(node.title);
     if (commented_[group])
@@ -102,50 +105,70 @@ void Body::comment(int indent, uint32_t group) {
     else if (!node.note.empty())
         line += ". " + comment_text(node.note);
     commented_[group] = true;
-    text_.line(indent, line, group);
+    return line;
 }
 
-void Body::find_members(const Scope& scope) {
-    for (const Id id : scope.order) {
-        if (m_[id].op != Op::result_ || plan_.role(id) != Role::view) continue;
-        auto& members = members_[m_[id].arg[0]];
-        if (members.size() <= m_[id].extra) members.resize(m_[id].extra + 1u, poison);
-        members[m_[id].extra] = id;
+void Body::comment(int indent, uint32_t group) {
+    if (std::exchange(group_, group) == group) return;
+    const std::string line = comment_of(group);
+    if (!line.empty()) text_.line(indent, line, node_of(group));
+}
+
+// A group of one short line has its comment beside it; one of the surface point needs none.
+void Body::commented_line(int indent, const std::string& line, uint32_t group, bool single) {
+    if (group == group_ || !single) {
+        comment(indent, group);
+        text_.line(indent, line, node_of(group));
+        return;
+    }
+    group_ = group;
+    const bool plain = group == surface_group && !surface_commented_;
+    const std::string beside = plain ? "" : comment_of(group);
+    const size_t width = 4 * static_cast<size_t>(indent) + line.size() + 2 + beside.size();
+    if (beside.empty() || width > widest_line) {
+        if (!beside.empty()) text_.line(indent, beside, node_of(group));
+        text_.line(indent, line, node_of(group));
+    } else {
+        text_.line(indent, line + "  " + beside, node_of(group));
     }
 }
 
-void Body::statements(std::span<const Id> ids, int indent) {
-    for (const Id id : ids) {
-        comment(indent, group_of(plan_, values_, id));
-        statement(id, indent);
+void Body::statements(std::span<const Id> ids, int indent, uint32_t next) {
+    std::vector<uint32_t> groups;
+    for (const Id id : ids)
+        groups.push_back(group_of(plan_, values_, id));
+    groups.push_back(next);
+    for (size_t i = 0; i < ids.size(); ++i) {
+        const bool single = groups[i + 1] != groups[i] && groups[i + 1] != no_node;
+        const Op op = m_[ids[i]].op;
+        if (op != Op::loop_ && op != Op::call_) {
+            assign(ids[i], indent, single);
+            continue;
+        }
+        comment(indent, groups[i]);
+        if (op == Op::loop_)
+            loop(ids[i], indent);
+        else
+            call(ids[i], indent);
     }
 }
 
-void Body::statement(Id id, int indent) {
-    if (m_[id].op == Op::loop_)
-        loop(id, indent);
-    else if (m_[id].op == Op::call_)
-        call(id, indent);
-    else
-        assign(id, indent);
-}
-
-void Body::assign(Id id, int indent) {
+void Body::assign(Id id, int indent, bool single) {
     const std::string text = define(context_, id).text;
     ValueState& state = values_.state[id];
     state.name = locals_.unique(state.name);
-    text_.line(indent, type_name(m_.type(id)) + " " + state.name + " = " + text + ";",
-               node_of(group_));
+    commented_line(indent, type_name(m_.type(id)) + " " + state.name + " = " + text + ";",
+                   group_of(plan_, values_, id), single);
 }
 
-std::vector<std::string> Body::name_members(Id tuple, size_t count) {
-    std::vector<Id> members = members_[tuple];
-    members.resize(count, poison);
+std::vector<std::string> Body::name_members(Id tuple) {
     const std::string& path = m_.nodes[m_.origin[tuple]].path;
     std::vector<std::string> names;
-    for (const Id member : members) {
-        names.push_back(member == poison ? locals_.unique(path + "_state") : unique(member));
-        if (member != poison) values_.state[member].name = names.back();
+    for (const Id member : plan_.members(tuple)) {
+        const std::string nobody = path.empty() ? "state" : path + "_state";
+        names.push_back(
+            locals_.unique(member == poison ? nobody : wanted_name(plan_, values_, member)));
+        values_.state[member].name = names.back();
     }
     return names;
 }
@@ -158,7 +181,7 @@ void Body::call(Id id, int indent) {
     std::string text;
     for (const Id argument : arguments)
         text += (text.empty() ? "" : ", ") + read(context_, argument).text;
-    const std::vector<std::string> names = name_members(id, region.results.size());
+    const std::vector<std::string> names = name_members(id);
     for (size_t k = 1; k < names.size(); ++k) {
         text_.line(indent, type_name(m_.type(region.results[k])) + " " + names[k] + ";",
                    node_of(group_));
@@ -176,7 +199,7 @@ void Body::loop(Id id, int indent) {
     std::vector<std::string> texts;
     for (const Id value : initial)
         texts.push_back(read(context_, plan_.plain(value)).text);
-    const std::vector<std::string> state = name_members(id, initial.size());
+    const std::vector<std::string> state = name_members(id);
     const uint32_t node = node_of(group_);
     for (size_t k = 0; k < state.size(); ++k)
         text_.line(indent, type_name(region.params[k]) + " " + state[k] + " = " + texts[k] + ";",
@@ -198,7 +221,6 @@ void Body::loop_body(Id id, const std::vector<std::string>& state, int indent) {
     const std::vector<Id> roots = plain_all(plan_, region.results);
     const Scope scope = collect(plan_, values_, roots, region.level);
     decide(plan_, values_, scope, roots);
-    find_members(scope);
     const std::span<const Id> order(scope.order);
     const uint32_t node = node_of(group_of(plan_, values_, id));
     statements(schedule(plan_, values_, scope, order.first(scope.first_part)), indent);

@@ -25,22 +25,22 @@ public:
     Text region_function(uint32_t region, const std::string& name);
 
 private:
-    std::string unique(Id id) { return locals_.unique(wanted_name(plan_, values_, id)); }
     std::string type_name(Type type) const { return std::string(info(type).name); }
     std::vector<std::string> name_parameters(const Region& region);
     std::string signature(const Region& region, const std::string& name,
                           const std::vector<std::string>& parameters,
                           const std::vector<std::string>& outs) const;
 
+    std::string comment_of(uint32_t group);
     void comment(int indent, uint32_t group);
+    void commented_line(int indent, const std::string& line, uint32_t group, bool single);
     uint32_t node_of(uint32_t group) const { return group == surface_group ? no_node : group; }
-    void find_members(const Scope& scope);
-    void statements(std::span<const Id> ids, int indent);
-    void statement(Id id, int indent);
-    void assign(Id id, int indent);
+    // `next`: the group of what follows; no_node: unknown.
+    void statements(std::span<const Id> ids, int indent, uint32_t next = no_node);
+    void assign(Id id, int indent, bool single);
     void call(Id id, int indent);
     void loop(Id id, int indent);
-    std::vector<std::string> name_members(Id tuple, size_t count);
+    std::vector<std::string> name_members(Id tuple);
     void loop_body(Id id, const std::vector<std::string>& state, int indent);
     void go_on(Id condition, int indent, uint32_t node);
     void next_state(Id loop, std::span<const Id> next, const std::vector<std::string>& state,
@@ -56,7 +56,6 @@ private:
     uint32_t group_ = no_node;     // whose comment stands above
     std::vector<bool> commented_;  // by node
     bool surface_commented_ = false;
-    std::unordered_map<Id, std::vector<Id>> members_;  // of a tuple: its result()s by index
 };
 
 }  // namespace wrinkle

@@ -7,6 +7,10 @@
 namespace wrinkle {
 namespace {
 
+std::string at_node(const std::string& path, const std::string& port) {
+    return path.empty() ? port : path + "_" + port;
+}
+
 std::string node_path(const Module& m, uint32_t node) {
     return node < m.nodes.size() ? m.nodes[node].path : "";
 }
@@ -19,8 +23,8 @@ void add_uniforms(const Plan& plan, Interface& face) {
         const Parameter& parameter = m.parameters[i];
         UniformInfo uniform;
         uniform.node = parameter.graph_input ? "" : node_path(m, parameter.node);
-        uniform.name = face.globals.unique((parameter.graph_input ? "input" : uniform.node) + "_" +
-                                           parameter.port);
+        uniform.name = face.globals.unique(
+            at_node(parameter.graph_input ? "input" : uniform.node, parameter.port));
         uniform.type = parameter.type;
         uniform.value = parameter.value;
         uniform.port = parameter.port;
@@ -34,11 +38,11 @@ void add_uniforms(const Plan& plan, Interface& face) {
 // The reader at the node of the first sample gives the name.
 std::string sampler_name(const Module& m, const Plan::UsedResource& used) {
     const auto& readers = m.resources[used.resource].readers;
-    if (readers.empty()) return node_path(m, used.node) + "_image";
+    if (readers.empty()) return at_node(node_path(m, used.node), "image");
     auto reader = std::find_if(readers.begin(), readers.end(),
                                [&](const auto& r) { return r.node == used.node; });
     if (reader == readers.end()) reader = readers.begin();
-    return node_path(m, reader->node) + "_" + reader->port;
+    return at_node(node_path(m, reader->node), reader->port);
 }
 
 void add_samplers(const Plan& plan, Interface& face) {

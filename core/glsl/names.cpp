@@ -325,6 +325,33 @@ std::string legal(std::string_view wanted) {
     return name;
 }
 
+// max(|z| ..., floor) of a tangent-space normal, as expansion writes it.
+bool is_depth(const Module& m, Id id) {
+    const Inst& inst = m[id];
+    return inst.op == Op::max_ && m.is_literal(inst.arg[1], 1e-6) && m[inst.arg[0]].op == Op::max_;
+}
+
+// -xy of a tangent-space normal, times factors.
+bool is_slope(const Module& m, Id id) {
+    for (int factors = 0; m[id].op == Op::mul_ && factors < 4; ++factors)
+        id = m[id].arg[0];
+    return m.type(id) == Type::vec2_ && m[id].op == Op::neg_ && m[m[id].arg[0]].op == Op::swizzle_;
+}
+
+// A sample, or what constants and swizzles make of it.
+bool is_texel(const Module& m, Id id) {
+    for (int steps = 0; steps < 6; ++steps) {
+        const Inst& inst = m[id];
+        if (inst.op == Op::sample_ || inst.op == Op::sample_lod_ || inst.op == Op::sample_grad_)
+            return true;
+        const bool scaled = (inst.op == Op::add_ || inst.op == Op::sub_ || inst.op == Op::mul_) &&
+                            m.is_constant(inst.arg[1]);
+        if (!scaled && inst.op != Op::swizzle_) return false;
+        id = inst.arg[0];
+    }
+    return false;
+}
+
 }  // namespace
 
 bool is_reserved(std::string_view word) {
@@ -355,27 +382,11 @@ std::string comment_text(std::string_view text) {
     return result;
 }
 
-// max(|z| ..., floor) of a tangent-space normal, as expansion writes it.
-bool is_depth(const Module& m, Id id) {
-    const Inst& inst = m[id];
-    return inst.op == Op::max_ && m.is_literal(inst.arg[1], 1e-6) && m[inst.arg[0]].op == Op::max_;
-}
-
-// -xy of a tangent-space normal, times factors.
-bool is_slope(const Module& m, Id id) {
-    for (int factors = 0; m[id].op == Op::mul_ && factors < 4; ++factors)
-        id = m[id].arg[0];
-    return m.type(id) == Type::vec2_ && m[id].op == Op::neg_ && m[m[id].arg[0]].op == Op::swizzle_;
-}
-
 std::string_view word_for(const Module& module, Id id) {
     if (is_depth(module, id)) return "depth";
     if (is_slope(module, id)) return "slope";
+    if (is_texel(module, id)) return "texel";
     switch (module[id].op) {
-        case Op::sample_:
-        case Op::sample_lod_:
-        case Op::sample_grad_:
-            return "texel";
         case Op::image_size_:
             return "size";
         case Op::add_:

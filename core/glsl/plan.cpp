@@ -16,6 +16,7 @@ Plan::Plan(const Module& module, bool given)
       seen_function_(module.region_count()),
       seen_resource_(module.resources.size()) {
     find_aliases();
+    find_members();
     for (uint32_t i = 0; i < module.named.size(); ++i) {
         const Id id = alias_[module.named[i].value];
         if (!first_name[id]) first_name[id] = i + 1;
@@ -33,6 +34,19 @@ void Plan::find_aliases() {
     for (Id id = 1; id < m.size(); ++id) {
         alias_[id] = m[id].op == Op::detach_ ? alias_[m[id].arg[0]] : id;
         role_[id] = role_of(id);
+    }
+}
+
+void Plan::find_members() {
+    const Module& m = *module_;
+    for (Id id = 1; id < m.size(); ++id) {
+        const Inst& inst = m[id];
+        if (inst.op == Op::loop_)
+            members_[id].resize(m.region(inst.extra).params.size(), poison);
+        else if (inst.op == Op::call_)
+            members_[id].resize(m.region(inst.extra).results.size(), poison);
+        else if (inst.op == Op::result_)
+            members_[inst.arg[0]][inst.extra] = id;
     }
 }
 

@@ -11,6 +11,7 @@
 // with one result.
 #pragma once
 
+#include <unordered_map>
 #include <vector>
 
 #include "ir/module.h"
@@ -32,6 +33,8 @@ public:
     void operands(Id id, std::vector<Id>& result) const;
     bool single_call(Id result) const;  // the member of a call that has one
     bool is_splat(Id construct) const;  // one scalar in every lane
+    // The members of a loop's or call's tuple, by index; poison where nothing reads one.
+    const std::vector<Id>& members(Id tuple) const { return members_.at(tuple); }
     const std::vector<Id>& captures(uint32_t region) const { return captures_[region]; }
 
     // What the outputs use, in the order of a walk from the outputs, operands first.
@@ -55,6 +58,7 @@ public:
 private:
     Role role_of(Id id) const;
     void find_aliases();
+    void find_members();
     void find_captures(uint32_t region);
     void walk();
     void dependencies(Id id, std::vector<Id>& result) const;
@@ -66,6 +70,7 @@ private:
     std::vector<Id> alias_;
     std::vector<Role> role_;
     std::vector<std::vector<Id>> captures_;
+    std::unordered_map<Id, std::vector<Id>> members_;
     std::vector<bool> seen_function_, seen_resource_;
 };
 

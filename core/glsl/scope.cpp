@@ -8,8 +8,9 @@
 namespace wrinkle {
 namespace {
 
-constexpr uint32_t widest_line = 96;
-constexpr uint32_t widest_expression = 76;  // of what has no name yet
+constexpr uint32_t widest_line = 98;
+constexpr uint32_t widest_result = 84;
+constexpr uint32_t widest_expression = 72;  // of what has no name yet
 constexpr uint8_t deepest_expression = 6;
 constexpr uint32_t parentheses = 2;
 constexpr uint32_t loop_state_width = 12;
@@ -38,8 +39,8 @@ private:
     uint8_t depth_of(Id id);
     void make_statement(Id id);
     void hoist_implicit(Id id);
-    uint32_t room_for(Id id);
-    void narrow(Id id);
+    uint32_t room_for(Id id, bool is_root);
+    void narrow(Id id, bool is_root);
     void flatten(Id id);
     bool must_name(Id id, bool is_root);
 
@@ -117,14 +118,15 @@ void Folder::hoist_implicit(Id id) {
 }
 
 // What is known to become a temporary has its declaration on the line too.
-uint32_t Folder::room_for(Id id) {
+uint32_t Folder::room_for(Id id, bool is_root) {
+    if (is_root && state(id).uses == 1) return widest_result;
     if (!must_name(id, false)) return widest_expression;
     const uint32_t declaration = 12 + static_cast<uint32_t>(wanted_name(plan_, values_, id).size());
     return widest_line - std::min(declaration, widest_line / 2);
 }
 
-void Folder::narrow(Id id) {
-    const uint32_t room = room_for(id);
+void Folder::narrow(Id id, bool is_root) {
+    const uint32_t room = room_for(id, is_root);
     for (;;) {
         uint32_t width = own_width(plan_, id), widest = 0;
         Id victim = poison;
@@ -177,7 +179,7 @@ void Folder::visit(Id id, bool is_root) {
     const Op op = plan_.module()[id].op;
     if (plan_.role(id) == Role::value && op != Op::loop_) {
         flatten(id);
-        narrow(id);
+        narrow(id, is_root);
     }
     bool implicit = op == Op::sample_ || op == Op::input_;
     for (const Id operand : operands_)
@@ -207,7 +209,7 @@ Scope collect(const Plan& plan, Values& values, std::span<const Id> roots, int l
                 continue;
             }
             if (values.state[id].epoch == scope.epoch) continue;
-            values.state[id] = ValueState{.epoch = scope.epoch, .name = {}};
+            values.state[id] = ValueState{.epoch = scope.epoch, .shared = true, .name = {}};
             stack.push_back({id, true});
             plan.operands(id, operands);
             for (size_t k = operands.size(); k-- > 0;)

@@ -25,7 +25,7 @@ struct ValueState {
     bool statement = false;  // a temporary; also loops and calls with several results
     bool captured = false;   // by a loop
     bool implicit = false;   // its folded text takes implicit derivatives
-    bool shared = true;      // read by temporaries of the surface point only
+    bool shared = false;     // read by temporaries of the surface point only
     std::string name;        // of a temporary: wanted, then final
 };
 

@@ -1,0 +1,83 @@
+#include "glsl/names.h"
+
+#include <gtest/gtest.h>
+
+#include "graphs.h"
+#include "validate.h"
+
+namespace wrinkle::test {
+namespace {
+
+TEST(Names, are_legal_and_unique) {
+    NameSet names;
+    EXPECT_EQ(names.unique("weave.normal"), "weave_normal");
+    EXPECT_EQ(names.unique("weave normal"), "weave_normal_2");
+    EXPECT_EQ(names.unique("weave_normal_2"), "weave_normal_2_2");
+    EXPECT_EQ(names.unique("texture"), "texture_2");
+    EXPECT_EQ(names.unique("gl_Position").find("gl_"), 1u);
+    EXPECT_EQ(names.unique("2nd"), "n2nd");
+    const std::string umlauts = names.unique("Ä__Ö__");
+    EXPECT_EQ(umlauts.find("__"), std::string::npos);
+    EXPECT_FALSE(names.unique("").empty());
+    EXPECT_LT(names.unique(std::string(5000, 'a')).size(), 200u);
+}
+
+TEST(Names, of_inner_scopes_differ_from_outer_ones) {
+    NameSet globals;
+    globals.unique("weave_image");
+    NameSet locals(&globals);
+    EXPECT_EQ(locals.unique("weave_image"), "weave_image_2");
+    EXPECT_EQ(locals.unique("other"), "other");
+}
+
+TEST(Names, comments_cannot_be_left) {
+    EXPECT_EQ(comment_text("a\nfloat x;\r\\"), "a float x; /");
+    EXPECT_LE(comment_text(std::string(1000, 'x')).size(), 200u);
+}
+
+// Every reserved word, and other bad names, as names of nodes, ports and outputs.
+TEST(Names, hostile_graphs_still_compile) {
+    Module m;
+    m.nodes[0].title = "Title\n#error broken \\";
+    const std::vector<std::string> bad = {"texture", "sample", "input",  "gl_x", "a__b",  "a..b",
+                                          "s",       "main",   "normal", "ä",    "1",     "_",
+                                          "mix",     "float",  "vec3",   "i",    "result"};
+    Id sum = m.number(0);
+    for (const std::string& word : bad) {
+        node(m, word, "T\\");
+        m.nodes.back().note = "ends\nhere \\";
+        Id value =
+            m.add(Op::mul_, {m.swizzle(image(m, word, word, m.input(SurfaceInput::uv0_)), "x"),
+                             parameter(m, word, 2)});
+        name(m, word, value);
+        sum = m.add(Op::add_, {sum, m.add(Op::sin_, {value})});
+        output(m, word, value);
+    }
+    output(m, "sum", sum);
+    for (const std::string& word : bad)
+        for (const Form form : {Form::function, Form::shader}) {
+            EmitOptions options;
+            options.name = word;
+            options.form = form;
+            EXPECT_EQ(compile_errors(emit(m, options)), "");
+        }
+}
+
+TEST(Names, equal_after_cleaning_follow_graph_order) {
+    Module m;
+    Id sum = m.number(0);
+    for (const std::string path : {"a b", "a-b"}) {
+        node(m, path, "Value");
+        const Id value = m.add(Op::sin_, {parameter(m, "amount", 1)});
+        name(m, "out", value);
+        sum = m.add(Op::add_, {sum, m.add(Op::mul_, {value, value})});
+    }
+    output(m, "o", sum);
+    const Shader shader = emit(m, {});
+    EXPECT_EQ(compile_errors(shader), "");
+    EXPECT_NE(shader.source.find("float a_b_out = sin(a_b_amount);"), std::string::npos);
+    EXPECT_NE(shader.source.find("float a_b_out_2 = sin(a_b_amount_2);"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace wrinkle::test
