@@ -1,1 +1,75 @@
-int main() { return 0; }
+// wrinkle-editor FILE: the visual editor. Exit codes as those of `wrinkle`: 0 fine, 1 the script
+// failed or a file cannot be read, 2 wrong usage, 3 no window, no GL.
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+#include <cstdio>
+#include <cstdlib>
+
+#include "base/file.h"
+#include "editor/window.h"
+#include "nodes/all.h"
+#include "registry/plugin_loader.h"
+
+namespace wrinkle::editor {
+namespace {
+
+struct Arguments {
+    std::string file = "untitled.json";
+    std::string script, shot;
+    std::vector<std::string> plugin_paths;
+    std::vector<int> size = {1600, 900};
+};
+
+int complain(const std::string& sentence, int code) {
+    std::fprintf(stderr, "wrinkle-editor: %s\n", sentence.c_str());
+    return code;
+}
+
+int run(const Arguments& arguments) {
+    std::optional<Script> script;
+    std::string why;
+    if (!arguments.script.empty()) {
+        const auto text = read_file(arguments.script, why);
+        if (!text) return complain(arguments.script + " " + why, 1);
+        script.emplace(*text);
+    }
+    Registry registry;
+    Diagnostics problems;
+    registry.add_plugin(built_in_nodes(), Registry::built_in, problems);
+    load_plugins(registry, plugin_places(arguments.plugin_paths, std::getenv("WRINKLE_PLUGIN_PATH")),
+                 problems);
+    if (!problems.list().empty()) std::fputs(to_text(problems).c_str(), stderr);
+    WindowOptions options{arguments.size[0], arguments.size[1],
+                          script.has_value() || !arguments.shot.empty()};
+    const auto window = Window::open(options, why);
+    if (!window) return complain(why, 3);
+    State state;
+    Preview preview;
+    state.registry = &registry;
+    state.preview = &preview;
+    state.fonts.load();
+    open_file(state, arguments.file);
+    if (!window->run(state, script ? &*script : nullptr, arguments.shot, why))
+        return complain(why, 1);
+    return 0;
+}
+
+}  // namespace
+}  // namespace wrinkle::editor
+
+int main(int argc, char** argv) {
+    wrinkle::editor::Arguments arguments;
+    CLI::App app("Edits a graph in a window", "wrinkle-editor");
+    app.add_option("FILE", arguments.file, "The graph; a new one when it does not exist");
+    app.add_option("--script", arguments.script, "Plays a script (editor/script.h) and ends");
+    app.add_option("--shot", arguments.shot, "Writes a picture of the window and ends");
+    app.add_option("--size", arguments.size, "Width and height of the window")->expected(2);
+    app.add_option("--plugin-path", arguments.plugin_paths, "A plugin, or a folder of plugins");
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+        return app.exit(error) == 0 ? 0 : 2;
+    }
+    return wrinkle::editor::run(arguments);
+}

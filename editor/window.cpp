@@ -1,0 +1,203 @@
+#include "editor/window.h"
+
+#include <epoxy/gl.h>
+// epoxy must come before GLFW
+#include <GLFW/glfw3.h>
+#include <imgui.h>
+#include <imgui_impl_opengl3.h>
+
+#include <algorithm>
+#include <cctype>
+
+#include "editor/commands.h"
+#include "editor/theme.h"
+#include "editor/ui.h"
+#include "image/load.h"
+
+namespace wrinkle::editor {
+
+struct Window::Handle {
+    GLFWwindow* window = nullptr;
+    InputQueue queue;
+    bool scripted = false;
+    double last = 0;
+    std::string title;
+    int awake = 3;  // frames still to draw
+};
+
+namespace {
+
+InputQueue& queue_of(GLFWwindow* window) {
+    return *static_cast<InputQueue*>(glfwGetWindowUserPointer(window));
+}
+
+// Letters and digits by what the key produces, so that Ctrl+Z is where the keyboard says Z.
+int produced(int key, int scancode) {
+    const char* name = glfwGetKeyName(key, scancode);
+    if (name && name[0] && !name[1] && std::isalnum(static_cast<unsigned char>(name[0])))
+        return std::toupper(static_cast<unsigned char>(name[0]));
+    return key;
+}
+
+void listen(GLFWwindow* window) {
+    glfwSetKeyCallback(window, [](GLFWwindow* w, int key, int scancode, int action, int) {
+        if (action != GLFW_REPEAT) return queue_of(w).key(produced(key, scancode), action);
+    });
+    glfwSetCharCallback(window, [](GLFWwindow* w, unsigned code) { queue_of(w).character(code); });
+    glfwSetMouseButtonCallback(window, [](GLFWwindow* w, int button, int action, int) {
+        queue_of(w).button(button, action == GLFW_PRESS);
+    });
+    glfwSetCursorPosCallback(window, [](GLFWwindow* w, double x, double y) {
+        queue_of(w).motion(static_cast<float>(x), static_cast<float>(y));
+    });
+    glfwSetScrollCallback(window, [](GLFWwindow* w, double x, double y) {
+        queue_of(w).wheel(static_cast<float>(x), static_cast<float>(y));
+    });
+    glfwSetCursorEnterCallback(window, [](GLFWwindow* w, int entered) {
+        const bool held = glfwGetMouseButton(w, 0) || glfwGetMouseButton(w, 2);
+        if (!entered && !held) queue_of(w).push({InputEvent::Kind::leave, 0, false, 0, 0});
+    });
+}
+
+void use_clipboard(GLFWwindow* window) {
+    ImGuiIO& io = ImGui::GetIO();
+    io.ClipboardUserData = window;
+    io.SetClipboardTextFn = [](void* w, const char* text) {
+        glfwSetClipboardString(static_cast<GLFWwindow*>(w), text);
+    };
+    io.GetClipboardTextFn = [](void* w) {
+        return glfwGetClipboardString(static_cast<GLFWwindow*>(w));
+    };
+}
+
+std::string glfw_error() {
+    const char* text = nullptr;
+    glfwGetError(&text);
+    return text ? text : "unknown reason";
+}
+
+GLFWwindow* make_window(const WindowOptions& options) {
+    glfwWindowHint(GLFW_CONTEXT_CREATION_API, GLFW_EGL_CONTEXT_API);
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
+    glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
+    return glfwCreateWindow(options.width, options.height, "Wrinkle", nullptr, nullptr);
+}
+
+}  // namespace
+
+std::unique_ptr<Window> Window::open(const WindowOptions& options, std::string& why) {
+    if (!glfwInit()) {
+        why = "no window can be opened: " + glfw_error();
+        return nullptr;
+    }
+    GLFWwindow* window = make_window(options);
+    if (!window) {
+        why = "no OpenGL 3.3 window can be opened: " + glfw_error();
+        glfwTerminate();
+        return nullptr;
+    }
+    std::unique_ptr<Window> result(new Window);
+    result->handle_ = std::make_unique<Handle>();
+    result->handle_->window = window;
+    result->handle_->scripted = options.hidden_input;
+    glfwMakeContextCurrent(window);
+    glfwSwapInterval(options.hidden_input ? 0 : 1);
+    glfwSetWindowUserPointer(window, &result->handle_->queue);
+    ImGui::CreateContext();
+    ImGuiIO& io = ImGui::GetIO();
+    io.IniFilename = nullptr;
+    io.MouseDoubleClickTime = 0.4F;
+    map_keys(io);
+    use_clipboard(window);
+    theme::apply_style();
+    ImGui_ImplOpenGL3_Init("#version 330 core");
+    if (!options.hidden_input) listen(window);
+    return result;
+}
+
+Window::~Window() {
+    ImGui_ImplOpenGL3_Shutdown();
+    ImGui::DestroyContext();
+    glfwDestroyWindow(handle_->window);
+    glfwTerminate();
+}
+
+void Window::draw_frame(State& state) {
+    ImGuiIO& io = ImGui::GetIO();
+    int width = 0, height = 0, pixels_x = 0, pixels_y = 0;
+    glfwGetWindowSize(handle_->window, &width, &height);
+    glfwGetFramebufferSize(handle_->window, &pixels_x, &pixels_y);
+    if (width < 1 || height < 1) return;
+    io.DisplaySize = {static_cast<float>(width), static_cast<float>(height)};
+    io.DisplayFramebufferScale = {static_cast<float>(pixels_x) / io.DisplaySize.x,
+                                  static_cast<float>(pixels_y) / io.DisplaySize.y};
+    const double now = glfwGetTime();
+    io.DeltaTime =
+        handle_->scripted ? 1.0F / 60 : std::clamp(static_cast<float>(now - handle_->last), 0.001F, 0.2F);
+    handle_->last = now;
+    handle_->queue.apply(io);
+    ImGui_ImplOpenGL3_NewFrame();
+    ImGui::NewFrame();
+    draw_ui(state);
+    ImGui::Render();
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+    glViewport(0, 0, pixels_x, pixels_y);
+    glClearColor(0.08F, 0.09F, 0.1F, 1);
+    glClear(GL_COLOR_BUFFER_BIT);
+    ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+    if (state.title() != handle_->title) {
+        handle_->title = state.title();
+        glfwSetWindowTitle(handle_->window, handle_->title.c_str());
+    }
+}
+
+bool Window::save_picture(const std::string& file) const {
+    int width = 0, height = 0;
+    glfwGetFramebufferSize(handle_->window, &width, &height);
+    Image image = make_image(static_cast<uint32_t>(width), static_cast<uint32_t>(height), 3,
+                             PixelType::u8);
+    glPixelStorei(GL_PACK_ALIGNMENT, 1);
+    glReadBuffer(GL_BACK);
+    glReadPixels(0, 0, width, height, GL_RGB, GL_FLOAT, image.data.data());
+    Diagnostics problems;
+    return save_image(image, file, {}, problems);
+}
+
+bool Window::run(State& state, Script* script, const std::string& shot, std::string& why) {
+    Handle& h = *handle_;
+    const auto take = [&](const std::string& file) { return save_picture(file); };
+    int frames = 0;
+    while (!state.quit) {
+        if (h.awake > 0 || !h.queue.empty() || script || !shot.empty())
+            glfwPollEvents();
+        else
+            glfwWaitEventsTimeout(0.5);
+        if (!h.queue.empty()) h.awake = 3;
+        if (glfwWindowShouldClose(h.window)) {
+            glfwSetWindowShouldClose(h.window, GLFW_FALSE);
+            run_command(state, "quit");
+            h.awake = 3;
+        }
+        if (h.awake <= 0 && !ImGui::GetIO().WantTextInput && !script && shot.empty()) continue;
+        --h.awake;
+        draw_frame(state);
+        ++frames;
+        const auto progress = script ? script->step(state, h.queue, take) : Script::Progress::done;
+        if (progress == Script::Progress::failed) {
+            why = script->why();
+            return false;
+        }
+        const bool finished = (script || !shot.empty()) && frames > 3 &&
+                              progress == Script::Progress::done;
+        if (finished && !shot.empty() && !save_picture(shot)) {
+            why = shot + " cannot be written";
+            return false;
+        }
+        if (finished) return true;
+        glfwSwapBuffers(h.window);
+    }
+    return true;
+}
+
+}  // namespace wrinkle::editor
