@@ -1,0 +1,54 @@
+#include "lower/fixture.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <fstream>
+
+const wr_plugin* test_plugin();  // test_nodes.cpp
+
+namespace wrinkle::test {
+namespace {
+
+Registry make_registry() {
+    Registry registry;
+    Diagnostics diagnostics;
+    EXPECT_TRUE(registry.add_plugin(test_plugin(), Registry::built_in, diagnostics))
+        << to_text(diagnostics);
+    return registry;
+}
+
+}  // namespace
+
+const Registry& registry() {
+    static const Registry registry = make_registry();
+    return registry;
+}
+
+Files::Files(const std::map<std::string, std::string>& files) {
+    static int count = 0;
+    folder = std::filesystem::path(testing::TempDir()) /
+             ("wrinkle_" + std::to_string(getpid()) + "_" + std::to_string(count++));
+    for (const auto& [name, text] : files) {
+        std::filesystem::create_directories((folder / name).parent_path());
+        std::ofstream(folder / name, std::ios::binary) << text;
+    }
+}
+
+Files::~Files() {
+    std::error_code error;
+    std::filesystem::remove_all(folder, error);
+}
+
+std::string graph(const std::string& nodes, const std::string& outputs, const std::string& more) {
+    return "{\"wrinkle\": 1, " + more + "\"nodes\": {" + nodes + "}, \"outputs\": {" + outputs +
+           "}}";
+}
+
+Project project(const std::string& text, Diagnostics& diagnostics) {
+    Document top = read_document(text, "g.json", diagnostics);
+    return load_project(std::move(top), std::filesystem::path(WRINKLE_SOURCE_DIR) / "tests/lower",
+                        {}, diagnostics);
+}
+
+}  // namespace wrinkle::test

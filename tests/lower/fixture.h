@@ -1,0 +1,42 @@
+// A few nodes for tests of lowering, and graphs as JSON text in place of files.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+
+#include "graph/subgraph.h"
+#include "lower/material.h"
+#include "registry/registry.h"
+
+namespace wrinkle::test {
+
+// number(value 0.5 in [0, 1]) -> value        pass_height(height) -> height
+// bump(height) -> gradient                     scale(gradient, amount 1) -> gradient
+// sum(a, b) -> gradient                        resolve(gradient) -> normal
+// layer(gradient, base normal) -> gradient     picture(image srgb, uv uv0) -> color, alpha
+// normal_map(image normal_gl, uv) -> derivative
+// vector(scale vec2, offset vec3, tint color) -> scale, offset, tint
+// options(mode a|b|c, count 1..8, flag) -> value
+// field_at(shape field of float) -> value      march(shape field of float) -> value
+// many(value, height, gradient) -> value, height, normal, gradient
+// old_name(size, was length until version 2; version 2) -> value
+// forgets, wrong_type, open_region, poisons, outside, lies: bodies that err
+const Registry& registry();
+
+// Files by name ("main.json" is the top), written into a folder of the test's own.
+struct Files {
+    explicit Files(const std::map<std::string, std::string>& files);
+    ~Files();
+    Files(const Files&) = delete;
+    Files& operator=(const Files&) = delete;
+    std::filesystem::path folder;
+};
+
+// {"wrinkle": 1, "nodes": {NODES}, "outputs": {OUTPUTS}}
+std::string graph(const std::string& nodes, const std::string& outputs,
+                  const std::string& more = "");
+// A project of one text, in the source tree's folder of tests.
+Project project(const std::string& text, Diagnostics& diagnostics);
+
+}  // namespace wrinkle::test
