@@ -1,0 +1,23 @@
+// Surface points for the comparison of back ends, with every input and differential given. All
+// numbers are floats, so that float, double and GPU begin with the same ones.
+#pragma once
+
+#include "cpu/evaluate.h"
+
+namespace wrinkle::test {
+
+// As a renderer meets them: curved, with uvs of any orientation, tangents roughly in the surface,
+// interpolated normals of lengths about 1, both sides.
+PointSet random_points(size_t count, unsigned seed);
+
+// No uv change, no position change, nothing at all, a zero tangent, w = 0, an eye in the surface;
+// everything but the normal zero; large and tiny numbers.
+PointSet degenerate_points();
+
+// Every number but signs moved by 4 units in the last place of a float, up or down.
+PointSet nudged(const PointSet& points, unsigned seed);
+
+// Every changing input moved by `step` pixels in x.
+PointSet moved_in_x(const PointSet& points, double step);
+
+}  // namespace wrinkle::test
