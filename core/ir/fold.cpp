@@ -3,6 +3,8 @@
 #include <cmath>
 #include <cstdint>
 
+#include "base/transcendental.h"
+
 namespace wrinkle {
 namespace {
 
@@ -133,40 +135,40 @@ bool fold_transcendental(Op op, double a, double b, double& r) {
             r = 1 / std::sqrt(a);
             return a > 0;
         case Op::pow_:
-            r = std::pow(a, b);
+            r = math::pow(a, b);
             return a > 0 || (a == 0 && b > 0);
         case Op::exp_:
-            r = std::exp(a);
+            r = math::exp(a);
             return true;
         case Op::log_:
-            r = std::log(a);
+            r = math::log(a);
             return a > 0;
         case Op::exp2_:
-            r = std::exp2(a);
+            r = math::exp2(a);
             return true;
         case Op::log2_:
-            r = std::log2(a);
+            r = math::log2(a);
             return a > 0;
         case Op::sin_:
-            r = std::sin(a);
+            r = math::sin(a);
             return true;
         case Op::cos_:
-            r = std::cos(a);
+            r = math::cos(a);
             return true;
         case Op::tan_:
-            r = std::tan(a);
+            r = math::tan(a);
             return true;
         case Op::asin_:
-            r = std::asin(a);
+            r = math::asin(a);
             return a >= -1 && a <= 1;
         case Op::acos_:
-            r = std::acos(a);
+            r = math::acos(a);
             return a >= -1 && a <= 1;
         case Op::atan_:
-            r = std::atan(a);
+            r = math::atan(a);
             return true;
         case Op::atan2_:
-            r = std::atan2(a, b);
+            r = math::atan2(a, b);
             return a != 0 || b != 0;
         default:
             return false;

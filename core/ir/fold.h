@@ -1,4 +1,5 @@
-// Constants, computed in double by the semantics written above the op table.
+// Constants, computed in double by the semantics written above the op table, to the same bits on
+// every machine.
 #pragma once
 
 #include <array>

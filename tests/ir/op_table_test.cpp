@@ -36,7 +36,7 @@ void expect_folds(const Application& a, Numbers& numbers) {
     const Lanes got = m.lanes_of(id);
     const Lanes wanted = apply_op(a.op, m.type(id), a.extra, a.operands, values);
     for (size_t i = 0; i < info(m.type(id)).lanes; ++i)
-        EXPECT_NEAR(got[i], wanted[i], 1e-13 * (1 + std::abs(wanted[i]))) << text(a) << i;
+        EXPECT_NEAR(got[i], wanted[i], 1e-12 * (1 + std::abs(wanted[i]))) << text(a) << i;
 }
 
 TEST(OpTable, ConstantsFold) {
