@@ -142,12 +142,6 @@ bool has_field(const Card& card, const Pin& pin) {
     });
 }
 
-bool covered_by_lanes(const Card& card, const Pin& pin) {
-    return !pin.output && std::any_of(card.fields.begin(), card.fields.end(), [&](const Field& f) {
-        return f.port == pin.port && f.lanes > 1;
-    });
-}
-
 void draw_pins(const Painter& p, const Card& card, ImU32 ground) {
     const bool wiring = p.state.gesture.kind == Gesture::Kind::wire;
     for (size_t i = 0; i < card.pins.size(); ++i) {
@@ -159,7 +153,7 @@ void draw_pins(const Painter& p, const Card& card, ImU32 ground) {
         if (!fits) color = theme::with_alpha(color, 0.3F);
         if (p.details) p.list.AddCircleFilled(at, unit + 3 * p.zoom, theme::with_alpha(ground, 0.9F));
         draw_pin(p.list, pin.type, at, unit, color, pin.connected, ground);
-        if (!p.details || has_field(card, pin) || covered_by_lanes(card, pin)) continue;
+        if (!p.details || has_field(card, pin)) continue;
         const ImVec2 label = at + ImVec2(pin.output ? -13 : 13, -8) * p.zoom;
         p.text(label, 16, theme::text, p.cut(16, pin.port, card.size.x - 30), false, pin.output);
     }

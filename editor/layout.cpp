@@ -35,14 +35,15 @@ Used find_used(const Document& document) {
     return used;
 }
 
-void add_field(Card& card, uint32_t index, const Port& port, float y) {
+// Several numbers stand side by side behind their name; a single one has its name inside.
+void add_field(Card& card, const Fonts& fonts, uint32_t index, const Port& port, float y) {
     const int lanes = lanes_of_field(port);
-    const float room = card.size.x - 2 * field_inset;
-    for (int lane = 0; lane < std::max(lanes, 1); ++lane) {
-        const float width = room / static_cast<float>(std::max(lanes, 1));
-        card.fields.push_back({port.name, index, lane, lanes,
-                               field_inset + width * static_cast<float>(lane), y, width});
-    }
+    const float named = lanes > 1 ? text_width(fonts.regular(16), 16, port.name) + 6 : 0;
+    const float first = field_inset + named;
+    const float width = (card.size.x - field_inset - first) / static_cast<float>(std::max(lanes, 1));
+    for (int lane = 0; lane < std::max(lanes, 1); ++lane)
+        card.fields.push_back(
+            {port.name, index, lane, lanes, first + width * static_cast<float>(lane), y, width});
 }
 
 bool shows_field(const Port& port, bool connected) {
@@ -61,7 +62,7 @@ float width_of(const Fonts& fonts, const Card& card) {
         const bool wide = port.is_option() || (port.is_value() && lanes_of_field(port) > 0) ||
                           port.type == PortType::image_;
         if (port.kind != Port::Kind::output && wide)
-            row += 60 + 40 * static_cast<float>(std::max(lanes_of_field(port) - 1, 0));
+            row += 48 + 44 * static_cast<float>(std::max(lanes_of_field(port) - 1, 0));
         wanted = std::max(wanted, row);
     }
     return std::clamp(std::ceil(wanted / 8) * 8, 104.0F, 240.0F);
@@ -84,7 +85,7 @@ void fill_unknown(Card& card, const Node& node, const Used& used) {
     card.size.y = y + 8;
 }
 
-void fill_ports(Card& card, const Node& node, const Used& used) {
+void fill_ports(Card& card, const Fonts& fonts, const Node& node, const Used& used) {
     float y = header_height;
     for (const Port& port : card.type->ports) {
         if (port.kind != Port::Kind::output) continue;
@@ -100,7 +101,7 @@ void fill_ports(Card& card, const Node& node, const Used& used) {
         if (port.is_value())
             card.pins.push_back({port.name, port.type, true, false, connected,
                                  y + row_height / 2});
-        if (shows_field(port, connected)) add_field(card, i, port, y + 1.5F);
+        if (shows_field(port, connected)) add_field(card, fonts, i, port, y + 1.5F);
         y += row_height;
     }
     card.size.y = y + 8;
@@ -116,7 +117,7 @@ Card node_card(const State& state, const Node& node, const NodeType* type, ImVec
     card.at = at;
     card.size.x = width_of(state.fonts, card);
     if (type)
-        fill_ports(card, node, used);
+        fill_ports(card, state.fonts, node, used);
     else
         fill_unknown(card, node, used);
     return card;

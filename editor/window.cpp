@@ -4,7 +4,7 @@
 // epoxy must come before GLFW
 #include <GLFW/glfw3.h>
 #include <imgui.h>
-#include <imgui_impl_opengl3.h>
+#include <backends/imgui_impl_opengl3.h>
 
 #include <algorithm>
 #include <cctype>
