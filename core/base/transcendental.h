@@ -2,11 +2,17 @@
 // set.
 //
 // Everything is computed in double from additions, multiplications, divisions and square roots,
-// which IEEE 754 defines to the last bit; nothing of libm, no fused multiply-add, no table. The
-// float versions round the double result once, so they are correct to 0.5000001 ulp. Double results
-// have a relative error below 1e-14 (sin, cos, tan: an absolute one below 1e-14, for |x| <= 1e6;
-// pow: 1e-12). Arguments outside a function's domain give NaN or an infinity as noted, and never
-// trap.
+// which IEEE 754 defines to the last bit, and from moves of bits; nothing of libm, no fused
+// multiply-add, no table, no branch, so loops over arrays vectorise. The float versions round the
+// double result once: within one unit in the last place of the true value, and nearly always the
+// nearest float.
+//
+// Doubles have a relative error below 1e-15 (sin and cos: an absolute one, for |x| <= 1e6; beyond,
+// it grows with |x|; pow: 1e-15 * (4 + |y log2 x|)). sin, cos and tan of more than 1e9 are NaN, and
+// outside a function's domain stands NaN or an infinity as noted; nothing traps.
+//
+// Functions are always inlined, so a file compiled for another instruction set shares none of their
+// code with the rest of the program.
 #pragma once
 
 #include <bit>
@@ -16,199 +22,192 @@
 
 namespace wrinkle::math {
 
+#define WRINKLE_INLINE [[gnu::always_inline]] inline
+
 namespace detail {
 
+inline constexpr double infinity = std::numeric_limits<double>::infinity();
+inline constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 inline constexpr double ln2 = 0.693147180559945309417;
 inline constexpr double log2e = 1.44269504088896340736;
 inline constexpr double pi = 3.14159265358979323846;
 
-// 2^k for a whole k within [-1022, 1023].
-inline double power_of_two(int64_t k) {
-    return std::bit_cast<double>(static_cast<uint64_t>(k + 1023) << 52);
+// Added to a number below 2^51, this rounds it to the nearest whole one, which the low bits hold.
+inline constexpr double to_whole = 6755399441055744.0;  // 1.5 * 2^52
+
+WRINKLE_INLINE uint64_t bits_of(double x) {
+    return __builtin_bit_cast(uint64_t, x);
+}
+WRINKLE_INLINE double from_bits(uint64_t bits) {
+    return __builtin_bit_cast(double, bits);
 }
 
-// e^x on |x| <= ln2 / 2 by its Taylor series; the next term is below 2^-55.
-inline double small_exp(double x) {
-    double sum = 1.0 / 87178291200.0;
-    constexpr double inverse_factorials[] = {1.0 / 6227020800.0,
-                                             1.0 / 479001600.0,
-                                             1.0 / 39916800.0,
-                                             1.0 / 3628800.0,
-                                             1.0 / 362880.0,
-                                             1.0 / 40320.0,
-                                             1.0 / 5040.0,
-                                             1.0 / 720.0,
-                                             1.0 / 120.0,
-                                             1.0 / 24.0,
-                                             1.0 / 6.0,
-                                             0.5,
-                                             1.0,
-                                             1.0};
-    for (const double c : inverse_factorials)
-        sum = sum * x + c;
+// Horner's rule, the highest power's coefficient first.
+template <class... Rest>
+WRINKLE_INLINE double polynomial(double x, double highest, Rest... rest) {
+    double sum = highest;
+    ((sum = sum * x + rest), ...);
     return sum;
 }
 
-// log(m) of m in [sqrt(1/2), sqrt(2)]: 2 artanh((m - 1) / (m + 1)).
-inline double small_log(double m) {
-    const double s = (m - 1) / (m + 1), q = s * s;
-    double sum = 1.0 / 23;
-    for (int k = 21; k >= 1; k -= 2)
-        sum = sum * q + 1.0 / k;
-    return 2 * s * sum;
+// 2^k for a whole k within [-1022, 1023], given k + to_whole.
+WRINKLE_INLINE double power_of_two(double shifted) {
+    return from_bits((bits_of(shifted) + 1023) << 52);
 }
 
-struct Split {
-    double mantissa;  // in [sqrt(1/2), sqrt(2))
+// e^r * 2^k for |r| <= ln2 / 2 and |k| <= 2000 with k = shifted - to_whole; e^r by its Taylor
+// series, whose next term is below 2^-57. The power in two steps reaches subnormal results.
+WRINKLE_INLINE double scaled_exp(double r, double shifted) {
+    const double value = polynomial(r, 1.0 / 6227020800, 1.0 / 479001600, 1.0 / 39916800,
+                                    1.0 / 3628800, 1.0 / 362880, 1.0 / 40320, 1.0 / 5040, 1.0 / 720,
+                                    1.0 / 120, 1.0 / 24, 1.0 / 6, 0.5, 1.0, 1.0);
+    const double k = shifted - to_whole, half = k * 0.5 + to_whole;
+    return value * power_of_two(half) * power_of_two(k - (half - to_whole) + to_whole);
+}
+
+WRINKLE_INLINE double within(double x, double limit) {
+    const double low = x < -limit ? -limit : x;
+    return low > limit ? limit : low;
+}
+
+// x = 2^exponent * m with m in [sqrt(1/2), sqrt(2)), for x > 0; log(m) = 2 artanh((m-1) / (m+1)).
+struct Logarithm {
     double exponent;
+    double of_mantissa;
 };
-inline Split split(double x) {
+WRINKLE_INLINE Logarithm logarithm(double x) {
+    constexpr uint64_t sqrt_half = 0x3FE6A09E667F3BCD, one = 0x3FF0000000000000;
+    constexpr uint64_t fraction = 0x000FFFFFFFFFFFFF, two_to_52 = 0x4330000000000000;
     const bool subnormal = x < 2.2250738585072014e-308;
-    const double scaled = subnormal ? x * 18014398509481984.0 : x;  // 2^54
-    uint64_t bits = std::bit_cast<uint64_t>(scaled);
-    auto exponent = static_cast<int64_t>(bits >> 52) - 1023 - (subnormal ? 54 : 0);
-    double mantissa = std::bit_cast<double>((bits & 0xFFFFFFFFFFFFFu) | 0x3FF0000000000000u);
-    const bool high = mantissa > 1.4142135623730951;
-    mantissa = high ? mantissa * 0.5 : mantissa;
-    exponent += high ? 1 : 0;
-    return {mantissa, static_cast<double>(exponent)};
+    const uint64_t bits = bits_of(subnormal ? x * 18014398509481984.0 : x) + (one - sqrt_half);
+    const double biased = from_bits(bits >> 52 | two_to_52) - 4503599627370496.0;
+    const double m = from_bits((bits & fraction) + sqrt_half);
+    const double s = (m - 1) / (m + 1);
+    const double series = polynomial(s * s, 1.0 / 23, 1.0 / 21, 1.0 / 19, 1.0 / 17, 1.0 / 15,
+                                     1.0 / 13, 1.0 / 11, 1.0 / 9, 1.0 / 7, 1.0 / 5, 1.0 / 3, 1.0);
+    return {biased - (subnormal ? 1077.0 : 1023.0), 2 * s * series};
+}
+// `value` for numbers; -infinity at 0, NaN below, infinity at infinity.
+WRINKLE_INLINE double logarithm_at(double x, double value) {
+    const double below = x == 0 ? -infinity : nan;
+    return x > 0 ? (x < infinity ? value : x) : below;
 }
 
-// x = k pi/2 + r, |r| <= pi/4; pi/2 in three parts of 33 bits (Cody and Waite).
-struct Reduced {
-    double r;
-    int64_t quadrant;
+// sin and cos by their Taylor series on [-pi/4, pi/4], where the next terms are below 2^-60.
+struct SineCosine {
+    double sine, cosine;
+    uint64_t quadrant;
 };
-inline Reduced reduce(double x) {
-    constexpr double part1 = 1.57079632673412561417e+00, part2 = 6.07710050630396597660e-11,
-                     part3 = 2.02226624871116645580e-21, rest = 8.47842766036889956997e-32;
-    const bool usable = std::fabs(x) <= 1e9;  // false for NaN too
-    const double safe = usable ? x : 0;
-    const double k = std::floor(safe * (2 / pi) + 0.5);
-    const double r = ((safe - k * part1) - k * part2) - k * part3 - k * rest;
-    return {usable ? r : std::numeric_limits<double>::quiet_NaN(), static_cast<int64_t>(k) & 3};
+WRINKLE_INLINE SineCosine sine_cosine(double x) {
+    // pi/2 in three parts of 33, 33 and 53 bits: a multiple up to 2^20 of the first two is exact.
+    constexpr double part1 = 0x1.921fb544p+0, part2 = 0x1.0b4611a6p-34,
+                     part3 = 0x1.3198a2e037073p-69;
+    const double usable = std::fabs(x) <= 1e9 ? x : nan;
+    const double shifted = usable * (2 / pi) + to_whole, k = shifted - to_whole;
+    const double first = usable - k * part1, second = k * part2, high = first - second;
+    const double r = high + ((first - high) - second - k * part3), q = r * r;
+    const double sine = polynomial(q, 1.0 / 355687428096000, -1.0 / 1307674368000, 1.0 / 6227020800,
+                                   -1.0 / 39916800, 1.0 / 362880, -1.0 / 5040, 1.0 / 120, -1.0 / 6);
+    const double cosine = polynomial(q, 1.0 / 20922789888000, -1.0 / 87178291200, 1.0 / 479001600,
+                                     -1.0 / 3628800, 1.0 / 40320, -1.0 / 720, 1.0 / 24, -0.5);
+    return {r + r * q * sine, 1 + q * cosine, bits_of(shifted)};
 }
-inline double small_sin(double x) {
-    const double q = x * x;
-    double sum = 1.0 / 355687428096000.0;  // 17!
-    constexpr double terms[] = {
-        -1.0 / 1307674368000.0, 1.0 / 6227020800.0, -1.0 / 39916800.0, 1.0 / 362880.0,
-        -1.0 / 5040.0,          1.0 / 120.0,        -1.0 / 6.0};
-    for (const double c : terms)
-        sum = sum * q + c;
-    return x + x * q * sum;
-}
-inline double small_cos(double x) {
-    const double q = x * x;
-    double sum = 1.0 / 20922789888000.0;  // 16!
-    constexpr double terms[] = {-1.0 / 87178291200.0,
-                                1.0 / 479001600.0,
-                                -1.0 / 3628800.0,
-                                1.0 / 40320.0,
-                                -1.0 / 720.0,
-                                1.0 / 24.0,
-                                -0.5,
-                                1.0};
-    for (const double c : terms)
-        sum = sum * q + c;
-    return sum;
+WRINKLE_INLINE double sine_of(const SineCosine& v, uint64_t quadrant) {
+    const uint64_t odd = 0 - (quadrant & 1), sign = (quadrant & 2) << 62;
+    return from_bits(((bits_of(v.cosine) & odd) | (bits_of(v.sine) & ~odd)) ^ sign);
 }
 
-// atan of x in [0, 1]: brought to |t| <= tan(pi/12), then its series.
-inline double small_atan(double x) {
+// The angle of (big, small), 0 <= small <= big, brought to |t| <= tan(pi/12), then by its series.
+WRINKLE_INLINE double angle_below_diagonal(double small, double big) {
     constexpr double sqrt3 = 1.73205080756887729353, tan_twelfth = 0.26794919243112270647;
+    const double x = big == 0 ? 0 : big == small ? 1 : small / big;
     const bool far = x > tan_twelfth;
     const double t = far ? (x * sqrt3 - 1) / (sqrt3 + x) : x;
-    const double q = t * t;
-    double sum = 1.0 / 29;
-    double sign = -1;
-    for (int k = 27; k >= 1; k -= 2, sign = -sign)
-        sum = sum * q + sign / k;
-    return t * sum + (far ? pi / 6 : 0);
+    const double series =
+        polynomial(t * t, 1.0 / 29, -1.0 / 27, 1.0 / 25, -1.0 / 23, 1.0 / 21, -1.0 / 19, 1.0 / 17,
+                   -1.0 / 15, 1.0 / 13, -1.0 / 11, 1.0 / 9, -1.0 / 7, 1.0 / 5, -1.0 / 3);
+    const double angle = t + t * (t * t) * series;
+    return far ? angle + pi / 6 : angle;
 }
 
 }  // namespace detail
 
-inline double exp2(double x) {
-    using namespace detail;
-    const double low = x < -1080 ? -1080 : x;
-    const double bounded = low > 1030 ? 1030 : low;
-    const double whole = std::floor((bounded == bounded ? bounded : 0) + 0.5);
-    const auto k = static_cast<int64_t>(whole);
-    const int64_t half = k / 2;
-    return small_exp((bounded - whole) * ln2) * power_of_two(half) * power_of_two(k - half);
+// As in <cmath>, to the bit, but vectorised where the machine has no instruction for it.
+WRINKLE_INLINE double floor(double x) {
+    constexpr double all_whole = 4503599627370496.0;  // 2^52
+    const double size = std::fabs(x);
+    const double near = std::copysign((size + all_whole) - all_whole, x);
+    return size < all_whole ? (near > x ? near - 1 : near) : x;
 }
-inline double exp(double x) {
-    return exp2(x * detail::log2e);
+WRINKLE_INLINE float floor(float x) {
+    constexpr float all_whole = 8388608.0F;  // 2^23
+    const float size = std::fabs(x);
+    const float near = std::copysign((size + all_whole) - all_whole, x);
+    return size < all_whole ? (near > x ? near - 1 : near) : x;
 }
 
-// -infinity at 0, NaN below.
-inline double log(double x) {
+WRINKLE_INLINE double exp2(double x) {
     using namespace detail;
-    constexpr double infinity = std::numeric_limits<double>::infinity();
-    const bool inside = x > 0 && x < infinity;
-    const Split parts = split(inside ? x : 1);
-    const double value = parts.exponent * ln2 + small_log(parts.mantissa);
-    const double outside = x == 0  ? -infinity
-                           : x > 0 ? x
-                                   : std::numeric_limits<double>::quiet_NaN();
-    return inside ? value : outside;
+    const double bounded = within(x, 1100), shifted = bounded + to_whole;
+    return scaled_exp((bounded - (shifted - to_whole)) * ln2, shifted);
 }
-inline double log2(double x) {
+WRINKLE_INLINE double exp(double x) {
     using namespace detail;
-    constexpr double infinity = std::numeric_limits<double>::infinity();
-    const bool inside = x > 0 && x < infinity;
-    const Split parts = split(inside ? x : 1);
-    const double value = parts.exponent + small_log(parts.mantissa) * log2e;
-    const double outside = x == 0  ? -infinity
-                           : x > 0 ? x
-                                   : std::numeric_limits<double>::quiet_NaN();
-    return inside ? value : outside;
+    constexpr double high = 0x1.62e42fefa2p-1, low = 0x1.9ef35793c7673p-41;  // ln2
+    const double bounded = within(x, 760), shifted = bounded * log2e + to_whole;
+    const double k = shifted - to_whole;
+    return scaled_exp((bounded - k * high) - k * low, shifted);
 }
-// 0 at x = 0; NaN below.
-inline double pow(double x, double y) {
+
+WRINKLE_INLINE double log(double x) {
+    const detail::Logarithm v = detail::logarithm(x);
+    return detail::logarithm_at(x, v.exponent * detail::ln2 + v.of_mantissa);
+}
+WRINKLE_INLINE double log2(double x) {
+    const detail::Logarithm v = detail::logarithm(x);
+    return detail::logarithm_at(x, v.exponent + v.of_mantissa * detail::log2e);
+}
+// 0 at x = 0 for y > 0; NaN for x < 0.
+WRINKLE_INLINE double pow(double x, double y) {
     return exp2(y * log2(x));
 }
 
-// NaN beyond |x| = 1e9.
-inline double sin(double x) {
-    const detail::Reduced v = detail::reduce(x);
-    const double value = v.quadrant & 1 ? detail::small_cos(v.r) : detail::small_sin(v.r);
-    return v.quadrant & 2 ? -value : value;
+WRINKLE_INLINE double sin(double x) {
+    const detail::SineCosine v = detail::sine_cosine(x);
+    return detail::sine_of(v, v.quadrant);
 }
-inline double cos(double x) {
-    const detail::Reduced v = detail::reduce(x);
-    const double value = v.quadrant & 1 ? detail::small_sin(v.r) : detail::small_cos(v.r);
-    return (v.quadrant + 1) & 2 ? -value : value;
+WRINKLE_INLINE double cos(double x) {
+    const detail::SineCosine v = detail::sine_cosine(x);
+    return detail::sine_of(v, v.quadrant + 1);
 }
-inline double tan(double x) {
-    return sin(x) / cos(x);
+WRINKLE_INLINE double tan(double x) {
+    const detail::SineCosine v = detail::sine_cosine(x);
+    return detail::sine_of(v, v.quadrant) / detail::sine_of(v, v.quadrant + 1);
 }
 
 // In [-pi, pi]; 0 at (0, 0).
-inline double atan2(double y, double x) {
-    using namespace detail;
+WRINKLE_INLINE double atan2(double y, double x) {
+    using detail::pi;
     const double ay = std::fabs(y), ax = std::fabs(x);
     const bool steep = ay > ax;
-    const double big = steep ? ay : ax, small = steep ? ax : ay;
-    double angle = small_atan(big == 0 ? 0 : big == small ? 1 : small / big);
-    angle = steep ? pi / 2 - angle : angle;
-    angle = x < 0 ? pi - angle : angle;
+    const double part = detail::angle_below_diagonal(steep ? ax : ay, steep ? ay : ax);
+    const double upper = steep ? pi / 2 - part : part;
+    const double angle = x < 0 ? pi - upper : upper;
     return y < 0 ? -angle : angle;
 }
-inline double atan(double x) {
+WRINKLE_INLINE double atan(double x) {
     return atan2(x, 1);
 }
 // NaN outside [-1, 1].
-inline double asin(double x) {
+WRINKLE_INLINE double asin(double x) {
     return atan2(x, std::sqrt((1 - x) * (1 + x)));
 }
-inline double acos(double x) {
+WRINKLE_INLINE double acos(double x) {
     return atan2(std::sqrt((1 - x) * (1 + x)), x);
 }
 
 #define WRINKLE_ROUNDED(name)                                    \
-    inline float name(float x) {                                 \
+    WRINKLE_INLINE float name(float x) {                         \
         return static_cast<float>(name(static_cast<double>(x))); \
     }
 WRINKLE_ROUNDED(exp2)
@@ -222,11 +221,13 @@ WRINKLE_ROUNDED(atan)
 WRINKLE_ROUNDED(asin)
 WRINKLE_ROUNDED(acos)
 #undef WRINKLE_ROUNDED
-inline float pow(float x, float y) {
+WRINKLE_INLINE float pow(float x, float y) {
     return static_cast<float>(pow(static_cast<double>(x), static_cast<double>(y)));
 }
-inline float atan2(float y, float x) {
+WRINKLE_INLINE float atan2(float y, float x) {
     return static_cast<float>(atan2(static_cast<double>(y), static_cast<double>(x)));
 }
+
+#undef WRINKLE_INLINE
 
 }  // namespace wrinkle::math
