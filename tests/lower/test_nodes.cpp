@@ -107,6 +107,14 @@ Node old_name = node("old_name", "Old name", "Had another port name once.")
                     .out<Float>("value", "The same")
                     .body([](Float size) { return size; });
 
+Node wrong_frame = node("wrong_frame", "Wrong frame", "A frame and a scale that do not fit.")
+                       .out<Gradient>("gradient", "A bump")
+                       .body([] {
+                           const vec2 uv = surface::uv0;
+                           return Gradient(Derivative(
+                               uv, frame(uv, FrameMethod::exact, Scale::unit, vec3(0, 0, 1))));
+                       });
+
 // Nodes that err, in plain C.
 wr_port c_port(uint32_t kind, uint32_t type, const char* name) {
     wr_port p{};
@@ -196,9 +204,10 @@ const wr_node c_nodes[] = {
 }  // namespace
 
 const wr_plugin* test_plugin() {
-    static Node* const nodes[] = {&number_node,  &pass_height, &bump,    &scale,      &sum,
-                                  &resolve_node, &layer,       &picture, &normal_map, &vector_node,
-                                  &options,      &field_at,    &march,   &many,       &old_name};
+    static Node* const nodes[] = {&number_node, &pass_height,  &bump,     &scale,
+                                  &sum,         &resolve_node, &layer,    &picture,
+                                  &normal_map,  &vector_node,  &options,  &field_at,
+                                  &march,       &many,         &old_name, &wrong_frame};
     static std::vector<const wr_node*> list;
     for (Node* each : nodes)
         list.push_back(each->descriptor());
