@@ -50,6 +50,14 @@ std::string Recorder::list(const wr_value* values, uint32_t count) const {
 Recorder::Recorder() {
     face.size = sizeof face;
     face.host = this;
+    give_ports();
+    give_ops();
+    give_regions();
+    face.error = [](const wr_builder* b, const char* text) { self(b).errors.push_back(text); };
+    face.get_extension = [](const wr_builder*, const char*) -> const void* { return nullptr; };
+}
+
+void Recorder::give_ports() {
     face.input = [](const wr_builder* b, uint32_t port) {
         return self(b).value("input:" + std::to_string(port));
     };
@@ -58,6 +66,12 @@ Recorder::Recorder() {
     face.field = [](const wr_builder* b, uint32_t port, wr_value at) {
         return self(b).value("field:" + std::to_string(port) + "(" + self(b).list(&at, 1) + ")");
     };
+    face.output = [](const wr_builder* b, uint32_t port, wr_value value) {
+        self(b).outputs[port] = self(b).values_.at(value);
+    };
+}
+
+void Recorder::give_ops() {
     face.literal = [](const wr_builder* b, uint32_t, const double* lanes) {
         return self(b).value(number(*lanes));
     };
@@ -72,6 +86,9 @@ Recorder::Recorder() {
         return self(b).value(op_name(op) + ":" + std::to_string(image) + "(" +
                              self(b).list(args, count) + ")");
     };
+}
+
+void Recorder::give_regions() {
     face.begin_region = [](const wr_builder* b, uint32_t kind, const char* name, const uint32_t*,
                            uint32_t count, wr_value* params) {
         ++self(b).open_regions;
@@ -97,11 +114,6 @@ Recorder::Recorder() {
         for (uint32_t i = 0; i < result_count; ++i)
             results[i] = r.value(text + "." + std::to_string(i));
     };
-    face.output = [](const wr_builder* b, uint32_t port, wr_value value) {
-        self(b).outputs[port] = self(b).values_.at(value);
-    };
-    face.error = [](const wr_builder* b, const char* text) { self(b).errors.push_back(text); };
-    face.get_extension = [](const wr_builder*, const char*) -> const void* { return nullptr; };
 }
 
 }  // namespace wrinkle::testing

@@ -28,6 +28,9 @@ private:
         uint32_t kind;
     };
     static Recorder& self(const wr_builder* b) { return *static_cast<Recorder*>(b->host); }
+    void give_ports();
+    void give_ops();
+    void give_regions();
     wr_value value(std::string text);
     std::string list(const wr_value* values, uint32_t count) const;
 
