@@ -1,0 +1,54 @@
+#include <unordered_set>
+
+#include "base/text.h"
+#include "glsl/names.h"
+
+namespace wrinkle {
+namespace {
+
+// GLSL 3.30 and 4.60 (sections 3.6 and 8), GLSL ES 3.00; and `s`, the argument of our functions.
+constexpr std::string_view words =
+    "abs acos acosh active all any asin asinh asm atan atanh atomic_uint attribute bool break "
+    "buffer bvec2 bvec3 bvec4 case cast ceil centroid clamp class coherent common const "
+    "continue cos cosh cross dFdx dFdxCoarse dFdxFine dFdy dFdyCoarse dFdyFine default "
+    "degrees determinant discard distance dmat2 dmat2x2 dmat2x3 dmat2x4 dmat3 dmat3x2 dmat3x3 "
+    "dmat3x4 dmat4 dmat4x2 dmat4x3 dmat4x4 do dot double dvec2 dvec3 dvec4 else enum equal "
+    "exp exp2 extern external faceforward false filter fixed flat float floatBitsToInt "
+    "floatBitsToUint floor fma for fract fvec2 fvec3 fvec4 fwidth goto greaterThan "
+    "greaterThanEqual half highp hvec2 hvec3 hvec4 if iimage1D iimage1DArray iimage2D "
+    "iimage2DArray iimage2DMS iimage2DMSArray iimage2DRect iimage3D iimageBuffer iimageCube "
+    "iimageCubeArray image1D image1DArray image2D image2DArray image2DMS image2DMSArray "
+    "image2DRect image3D imageBuffer imageCube imageCubeArray in inline inout input int "
+    "intBitsToFloat interface invariant inverse inversesqrt isampler1D isampler1DArray "
+    "isampler2D isampler2DArray isampler2DMS isampler2DMSArray isampler2DRect isampler3D "
+    "isamplerBuffer isamplerCube isamplerCubeArray isinf isnan isubpass isubpassInput "
+    "itexture2D ivec2 ivec3 ivec4 layout length lessThan lessThanEqual log log2 long lowp "
+    "main mat2 mat2x2 mat2x3 mat2x4 mat3 mat3x2 mat3x3 mat3x4 mat4 mat4x2 mat4x3 mat4x4 "
+    "matrixCompMult max mediump min mix mod modf namespace noinline noise1 noise2 noise3 "
+    "noise4 noperspective normalize not notEqual out outerProduct output partition patch pow "
+    "precise precision public radians readonly reflect refract resource restrict return round "
+    "roundEven s sample sampler sampler1D sampler1DArray sampler1DArrayShadow sampler1DShadow "
+    "sampler2D sampler2DArray sampler2DArrayShadow sampler2DMS sampler2DMSArray sampler2DRect "
+    "sampler2DRectShadow sampler2DShadow sampler3D sampler3DRect samplerBuffer samplerCube "
+    "samplerCubeArray samplerCubeArrayShadow samplerCubeShadow samplerShadow shared short "
+    "sign sin sinh sizeof smooth smoothstep sqrt static step struct subpassInput "
+    "subpassInputMS subroutine superp switch tan tanh template texelFetch texture texture1D "
+    "texture2D texture2DArray texture3D textureCube textureGather textureGrad textureLod "
+    "textureProj textureSize this transpose true trunc typedef uimage1D uimage1DArray "
+    "uimage2D uimage2DArray uimage2DMS uimage2DMSArray uimage2DRect uimage3D uimageBuffer "
+    "uimageCube uimageCubeArray uint uintBitsToFloat uniform union unsigned usampler1D "
+    "usampler1DArray usampler2D usampler2DArray usampler2DMS usampler2DMSArray usampler2DRect "
+    "usampler3D usamplerBuffer usamplerCube usamplerCubeArray using uvec2 uvec3 uvec4 varying "
+    "vec2 vec3 vec4 void volatile while writeonly ";
+
+}  // namespace
+
+bool is_reserved(std::string_view word) {
+    static const auto table = [] {
+        const auto list = split(words, ' ');
+        return std::unordered_set<std::string_view>(list.begin(), list.end());
+    }();
+    return table.count(word) > 0;
+}
+
+}  // namespace wrinkle
