@@ -39,15 +39,18 @@ constexpr std::array<std::string_view, 9> docs = {
     "applies the derivative's frame and resolves it to a normal",
 };
 
-// A node that turns one into the other: one input of type `from`, and `to` its first output.
+// A node that turns one into the other: its first input of type `from` and its first output of type
+// `to`; where it has more inputs, those are about the place on the surface.
 bool makes(const NodeType& type, PortType from, PortType to) {
     const Port* output = nullptr;
-    int inputs = 0;
+    const Port* input = nullptr;
     for (const Port& port : type.ports) {
         if (port.kind == Port::Kind::output && !output) output = &port;
-        if (port.is_value() && port.type == from) ++inputs;
+        if (!port.is_value()) continue;
+        if (input && port.default_kind != Port::Default::surface) return false;
+        if (!input) input = &port;
     }
-    return inputs == 1 && output && output->type == to;
+    return input && input->type == from && output && output->type == to;
 }
 
 }  // namespace
