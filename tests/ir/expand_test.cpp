@@ -1,0 +1,200 @@
+// What the expansion pass leaves behind, and what it refuses. That its numbers are right is shown
+// in tests/property, by displacing surfaces.
+#include "ir/expand.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "ir/interpret.h"
+#include "ir/rewrite.h"
+#include "ir/value.h"
+#include "ir/verify.h"
+
+namespace wrinkle::test {
+namespace {
+
+class Expand : public testing::Test {
+protected:
+    Value input(SurfaceInput which) { return {&m, m.input(which)}; }
+    Value number(double v) { return {&m, m.number(v)}; }
+    Value tilt(double x) {
+        return {&m, m.construct(Type::vec3_,
+                                {input(SurfaceInput::uv1_).x().id, m.number(x), m.number(0.8)})};
+    }
+    Id frame(Value uv, uint32_t method, uint32_t scale) {
+        return m.add(Op::frame_, {uv.id}, WR_FRAME(method, scale));
+    }
+    Value gradient(Op source, Id operand, Id base = 0) {
+        return {&m, m.gradient(source, operand, base)};
+    }
+    Value normal_map(double x, Id frame_id) {
+        const Id d = m.add(Op::normal_derivative_, {tilt(x).id, m.number(1), frame_id});
+        return gradient(Op::gradient_from_derivative_, d);
+    }
+    Value add(Value a, Value b) { return op(Op::gradient_add_, a, b); }
+    Module result_of(Value v, const ExpandOptions& options = {}) {
+        m.outputs = {{"out", WR_PORT_normal, v.id}};
+        Module result = expand(m, options);
+        EXPECT_EQ(verify(result), "");
+        return result;
+    }
+    Value resolve(Value g) { return {&m, m.add(Op::resolve_, {g.id}, ++resolves)}; }
+
+    Module m;
+    uint32_t resolves = 0;
+};
+
+size_t count(const Module& module, Op op) {
+    const Id root = module.outputs[0].value;
+    const std::vector<bool> needed = reachable(module, std::span(&root, 1));
+    size_t found = 0;
+    for (Id id = 1; id < module.size(); ++id)
+        found += needed[id] && module[id].op == op ? 1 : 0;
+    return found;
+}
+
+size_t opaque_ops(const Module& module) {
+    const Id root = module.outputs[0].value;
+    const std::vector<bool> needed = reachable(module, std::span(&root, 1));
+    size_t found = 0;
+    for (Id id = 1; id < module.size(); ++id)
+        found += needed[id] && (is_opaque(module[id].op) || module[id].op == Op::detach_) ? 1 : 0;
+    return found;
+}
+
+TEST_F(Expand, LeavesNothingOpaque) {
+    const Value uv = input(SurfaceInput::uv0_);
+    Value sum = gradient(Op::gradient_from_height_, (uv.x() * uv.y()).id);
+    sum = add(sum, gradient(Op::gradient_from_volume_, m.input(SurfaceInput::position_)));
+    sum = add(sum, gradient(Op::gradient_from_normal_, tilt(0.3).id));
+    sum = add(sum, normal_map(0.1, frame(uv, WR_FRAME_auto, WR_SCALE_unit)));
+    sum = add(sum, normal_map(0.2, frame(uv, WR_FRAME_auto, WR_SCALE_surface)));
+    sum = op(Op::gradient_mix_, sum, Value{&m, m.add(Op::gradient_zero_, {})}, number(0.4));
+    const Value change = op(Op::ddx_, detach(uv.x() * uv.x())) + op(Op::ddy_, uv.y());
+    const Module result = result_of(resolve(sum) * change);
+    EXPECT_EQ(opaque_ops(result), 0U);
+    EXPECT_TRUE(result.problems.empty());
+}
+
+TEST_F(Expand, AddsLayersOfOneFrameBeforeItIsApplied) {
+    const Id plain = frame(input(SurfaceInput::uv0_), WR_FRAME_vertex, WR_SCALE_unit);
+    const Id tiled = frame(input(SurfaceInput::uv0_) * 8, WR_FRAME_vertex, WR_SCALE_unit);
+    const size_t one = count(result_of(resolve(normal_map(0.1, plain))), Op::cross_);
+    const Module two = result_of(resolve(add(normal_map(0.1, plain), normal_map(0.2, tiled))));
+    EXPECT_EQ(one, 1U);
+    EXPECT_EQ(count(two, Op::cross_), 1U);
+    EXPECT_EQ(count(two, Op::normalize_), 1U);
+}
+
+TEST_F(Expand, DividesNothingWhileTwoDepthsMeet) {
+    const Id uv0 = frame(input(SurfaceInput::uv0_), WR_FRAME_vertex, WR_SCALE_unit);
+    Value sum = normal_map(0.1, uv0);
+    EXPECT_EQ(count(result_of(resolve(sum)), Op::div_), 0U);
+    sum = add(sum, normal_map(0.2, uv0));
+    EXPECT_EQ(count(result_of(resolve(sum)), Op::div_), 0U);
+    sum = add(sum, normal_map(0.3, uv0));
+    EXPECT_GT(count(result_of(resolve(sum)), Op::div_), 0U);
+}
+
+TEST_F(Expand, HoldsMoreFramesThanItHasSlots) {
+    Value sum = gradient(Op::gradient_from_height_, m.number(0));
+    for (int i = 0; i < 20; ++i) {
+        const Value direction{
+            &m, m.construct(Type::vec3_, {m.number(1), m.number(i), m.number(0.5 * i)})};
+        const Id guessed = m.add(Op::frame_, {m.input(SurfaceInput::uv0_), direction.id},
+                                 WR_FRAME(WR_FRAME_guess, WR_SCALE_unit));
+        const Id d = m.add(Op::derivative_, {vec2(number(0.01 * i), number(0.02)).id, guessed});
+        sum = add(sum, gradient(Op::gradient_from_derivative_, d));
+    }
+    const Module result = result_of(resolve(sum));
+    Surroundings around;
+    around.inputs[input_extra(SurfaceInput::normal_, Variant::value)] = {0, 0, 1};
+    around.inputs[input_extra(SurfaceInput::facing_, Variant::value)] = {1};
+    const Lanes n = interpret(result, result.outputs[0].value, around);
+    // Each guess by hand: T along the direction's part in the plane z = 0, B = n x T.
+    double x = 0, y = 0;
+    for (int i = 0; i < 20; ++i) {
+        const double length = std::hypot(1.0, i), tx = 1 / length, ty = i / length;
+        x += tx * 0.01 * i - ty * 0.02;
+        y += ty * 0.01 * i + tx * 0.02;
+    }
+    EXPECT_NEAR(n[0] / n[2], -x, 1e-12);
+    EXPECT_NEAR(n[1] / n[2], -y, 1e-12);
+}
+
+TEST_F(Expand, DerivesAFrameWithoutTangents) {
+    const Value map =
+        resolve(normal_map(0.1, frame(input(SurfaceInput::uv0_), WR_FRAME_auto, WR_SCALE_unit)));
+    const auto reads_tangent = [](const Module& module) {
+        const Id root = module.outputs[0].value;
+        const std::vector<bool> needed = reachable(module, std::span(&root, 1));
+        for (Id id = 1; id < module.size(); ++id)
+            if (needed[id] && module[id].op == Op::input_ &&
+                input_of(module[id].extra) == SurfaceInput::tangent_)
+                return true;
+        return false;
+    };
+    EXPECT_TRUE(reads_tangent(result_of(map)));
+    EXPECT_FALSE(reads_tangent(result_of(map, {false, BackFaces::mirror})));
+}
+
+struct Misfit {
+    uint32_t method, scale;
+    SurfaceInput uv;
+    const char* words;
+};
+
+TEST_F(Expand, RefusesFramesThatDoNotFit) {
+    const Misfit misfits[] = {
+        {WR_FRAME_exact, WR_SCALE_unit, SurfaceInput::uv0_, "'exact'"},
+        {WR_FRAME_vertex, WR_SCALE_surface, SurfaceInput::uv0_, "'surface'"},
+        {WR_FRAME_derived, WR_SCALE_surface, SurfaceInput::uv1_, "'surface'"},
+        {WR_FRAME_vertex, WR_SCALE_unit, SurfaceInput::uv1_, "'vertex'"},
+    };
+    m.nodes.push_back({"cloth", "Tangent normal map", ""});
+    m.current_node = 1;
+    for (const Misfit& misfit : misfits) {
+        m.outputs = {
+            {"out", WR_PORT_normal,
+             resolve(normal_map(0.1, frame(input(misfit.uv), misfit.method, misfit.scale))).id}};
+        const Module result = expand(m, {});
+        ASSERT_EQ(result.problems.size(), 1U) << misfit.words;
+        EXPECT_NE(result.problems[0].message.find(misfit.words), std::string::npos)
+            << result.problems[0].message;
+        EXPECT_FALSE(result.problems[0].expected.empty());
+        EXPECT_EQ(result.problems[0].node, 1U);
+    }
+}
+
+TEST_F(Expand, RefusesABaseThatIsNoNormal) {
+    const Id base = m.add(Op::base_, {tilt(0.5).id});
+    m.outputs = {
+        {"out", WR_PORT_normal,
+         resolve(gradient(Op::gradient_from_height_, m.input(SurfaceInput::facing_), base)).id}};
+    EXPECT_EQ(expand(m, {}).problems.size(), 1U);
+}
+
+TEST_F(Expand, TakesTheSurfaceAsABaseInWords) {
+    const Id base = m.add(Op::base_, {m.add(Op::normalize_, {m.input(SurfaceInput::normal_)})});
+    m.outputs = {
+        {"out", WR_PORT_normal,
+         resolve(gradient(Op::gradient_from_volume_, m.input(SurfaceInput::position_), base)).id}};
+    EXPECT_TRUE(expand(m, {}).problems.empty());
+}
+
+// A chain as long as a machine writes it: linear, on a small stack.
+TEST_F(Expand, TakesLongChains) {
+    Value sum = gradient(Op::gradient_from_volume_, m.input(SurfaceInput::position_));
+    for (int i = 1; i <= 20000; ++i) {
+        const Value h = input(SurfaceInput::uv0_).x() * (1e-6 * i);
+        sum = add(sum, gradient(Op::gradient_from_height_, h.id));
+    }
+    const Module result = result_of(resolve(sum));
+    EXPECT_EQ(opaque_ops(result), 0U);
+    EXPECT_LT(result.size(), 200000U);
+}
+
+}  // namespace
+}  // namespace wrinkle::test
