@@ -1,10 +1,8 @@
 // wrinkle check FILE...: every problem at once.
 #include <memory>
 
+#include "cli/compile.h"
 #include "cli/output.h"
-#include "cli/session.h"
-#include "lower/check.h"
-#include "lower/material.h"
 
 namespace wrinkle::cli {
 namespace {
@@ -27,17 +25,14 @@ struct CheckCommand {
                     Diagnostics& diagnostics) const {
         Diagnostics own;
         const Project project = open_project(file, common, own);
-        for (const Project::File& each : project.files)
-            report_unknown(each.document, own);
         for (size_t run = 0; run < overrides.runs; ++run) {
             const Project changed = with_overrides(project, registry, overrides.list, run, own);
-            if (own.has_errors()) check(project, registry, own);
             MaterialOptions options;
             options.vertex_tangents = !common.no_tangents;
-            compile_material(changed, registry, options, own);
+            compile_or_check(changed, registry, options, own);
             if (own.has_errors()) break;
         }
-        diagnostics.append(own);
+        append_once(own, diagnostics);
     }
 };
 

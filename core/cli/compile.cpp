@@ -18,6 +18,13 @@ std::string material_name(const std::string& file) {
     return file == "-" ? "stdin" : identifier(fs::path(file).stem().string());
 }
 
+Compiled compile_or_check(const Project& project, const Registry& registry,
+                          const MaterialOptions& options, Diagnostics& diagnostics) {
+    if (!diagnostics.has_errors()) return compile_material(project, registry, options, diagnostics);
+    check(project, registry, diagnostics);
+    return {};
+}
+
 void report_emit(const Shader& shader, const Compiled& compiled, const Project& project,
                  Diagnostics& diagnostics) {
     Module problems;
@@ -98,15 +105,12 @@ struct CompileCommand {
                  Diagnostics& diagnostics) const {
         Diagnostics own;
         const Project project = open_project(file, common, own);
-        for (const Project::File& each : project.files)
-            report_unknown(each.document, own);
         const Project changed = with_overrides(project, registry, overrides.list, 0, own);
-        if (own.has_errors()) check(changed, registry, own);
         MaterialOptions options;
         options.uniform_parameters = params == "uniform";
         options.given_differentials = differentials == "given";
         options.vertex_tangents = !common.no_tangents;
-        const Compiled compiled = compile_material(changed, registry, options, own);
+        const Compiled compiled = compile_or_check(changed, registry, options, own);
         if (compiled.ok) {
             EmitOptions emit_options;
             emit_options.form = form == "shader" ? Form::shader : Form::function;

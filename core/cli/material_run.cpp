@@ -1,7 +1,6 @@
 #include "cli/material_run.h"
 
-#include "graph/document.h"
-#include "lower/check.h"
+#include "cli/output.h"
 
 namespace wrinkle::cli {
 
@@ -10,19 +9,16 @@ std::vector<MaterialRun> compile_runs(const std::string& file, const CommonOptio
                                       bool given_differentials, Diagnostics& diagnostics) {
     Diagnostics own;
     const Project project = open_project(file, common, own);
-    for (const Project::File& each : project.files)
-        report_unknown(each.document, own);
     MaterialOptions options;
     options.given_differentials = given_differentials;
     options.vertex_tangents = !common.no_tangents;
     std::vector<MaterialRun> runs;
-    for (size_t run = 0; run < overrides.runs && !own.has_errors(); ++run) {
-        Project changed = with_overrides(project, registry, overrides.list, run, own);
-        Compiled compiled = compile_material(changed, registry, options, own);
+    do {
+        Project changed = with_overrides(project, registry, overrides.list, runs.size(), own);
+        Compiled compiled = compile_or_check(changed, registry, options, own);
         runs.push_back({std::move(changed), std::move(compiled)});
-    }
-    if (own.has_errors() && runs.empty()) check(project, registry, own);
-    diagnostics.append(own);
+    } while (runs.size() < overrides.runs && !own.has_errors());
+    append_once(own, diagnostics);
     return runs;
 }
 

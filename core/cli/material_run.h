@@ -14,7 +14,7 @@ struct MaterialRun {
     Compiled compiled;  // baked; `ok` is false when a problem was reported
 };
 
-// Reads and checks the file once and compiles it for every run.
+// Reads the file once and compiles it for every run; up to the first run with an error.
 std::vector<MaterialRun> compile_runs(const std::string& file, const CommonOptions& common,
                                       const Registry& registry, const Overrides& overrides,
                                       bool given_differentials, Diagnostics& diagnostics);

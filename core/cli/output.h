@@ -15,6 +15,9 @@ bool write_result(const std::string& path, std::string_view text);
 // Prints the problems to standard error, as text or as JSON, and gives the exit code they mean.
 int report(const Diagnostics& diagnostics, const std::string& format);
 
+// Adds the problems, each once: several compilations of one graph have most in common.
+void append_once(const Diagnostics& from, Diagnostics& to);
+
 // One sentence to standard error.
 void complain(std::string_view sentence);
 

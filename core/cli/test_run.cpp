@@ -5,6 +5,7 @@
 
 #include "base/file.h"
 #include "base/text.h"
+#include "cli/output.h"
 #include "image/load.h"
 #include "json/write.h"
 
@@ -74,7 +75,7 @@ void TestRun::run(const TestCase& test, Diagnostics& diagnostics) {
     if (!own.has_errors() && !given.empty()) values(test, given[0], textures, own);
     if (!own.has_errors() && test.glsl) text(test, shader);
     if (!own.has_errors() && test.render) picture(test, shader, textures, own);
-    diagnostics.append(own);
+    append_once(own, diagnostics);
 }
 
 void TestRun::values(const TestCase& test, const MaterialRun& run, const Textures& textures,

@@ -1,6 +1,8 @@
 // Graphs that are wrong in every way that an issue or a user thought of: each is reported at its
 // place with exit code 1, and nothing is written.
 #include <algorithm>
+#include <set>
+#include <sstream>
 
 #include "cli/support.h"
 
@@ -49,6 +51,15 @@ std::string image_graph(const std::string& file) {
     return graph_of(nodes, "end.normal");
 }
 
+// The first line that stands twice, "" when none does.
+std::string repeated_line(const std::string& text) {
+    std::set<std::string> seen;
+    std::istringstream lines(text);
+    for (std::string line; std::getline(lines, line);)
+        if (!seen.insert(line).second) return line;
+    return "";
+}
+
 class BadInputTest : public CliTest {
 protected:
     void expect_refused(const BadGraph& bad) {
@@ -66,6 +77,7 @@ protected:
             EXPECT_EQ(ran.out, "") << args[0] << ": " << bad.name;
             for (const std::string& words : bad.words)
                 EXPECT_TRUE(says(ran.err, words)) << args[0] << ": " << bad.name;
+            EXPECT_EQ(repeated_line(ran.err), "") << args[0] << ": " << bad.name;
             EXPECT_EQ(files(), before) << args[0] << ": " << bad.name;
         }
     }
@@ -78,25 +90,25 @@ TEST_F(BadInputTest, IsReportedAtItsPlaceAndNothingIsWritten) {
         {"no JSON", "hello", {"bad.json:1:1"}},
         {"an array", "[]", {"bad.json:1:1"}},
         {"deep", "{\"wrinkle\": 1, \"nodes\": " + deep, {"bad.json:1:", "deep"}},
-        {"NaN", graph_of(R"("x": {"type": "add", "in": {"a": NaN}})"), {"bad.json:3:31"}},
+        {"NaN", graph_of(R"("x": {"type": "add", "in": {"a": NaN}})"), {"bad.json:3:34"}},
         {"too large a number",
          graph_of(R"("x": {"type": "add", "in": {"a": 1e999}})"),
-         {"bad.json:3:31"}},
+         {"bad.json:3:34"}},
         {"a node twice",
          graph_of("\"x\": {\"type\": \"add\"},\n\"x\": {\"type\": \"add\"}"),
-         {"bad.json:4:1", "'x'"}},
+         {"bad.json:4:1", "\"x\""}},
         {"a port twice",
          graph_of(R"("x": {"type": "add", "in": {"a": 1, "a": 2}})"),
-         {"bad.json:3:37", "'a'"}},
+         {"bad.json:3:37", "\"a\""}},
         {"an unknown type",
          graph_of(R"("x": {"type": "ad"})"),
-         {"bad.json:3:", "node 'x'", "'ad'", "did you mean 'add'?"}},
+         {"bad.json:3:", "node 'x'", "'ad'", "did you mean 'add'"}},
         {"an unknown port",
          graph_of(R"("x": {"type": "add", "in": {"c": 1}})"),
          {"bad.json:3:", "node 'x'", "'c'"}},
         {"an unknown key",
          graph_of(R"("x": {"type": "add", "colour": 3})"),
-         {"bad.json:3:", "'colour'"}},
+         {"bad.json:3:", "\"colour\""}},
         {"a wrong value",
          graph_of(R"("x": {"type": "add", "in": {"a": "one"}})"),
          {"bad.json:3:34", "node 'x'", "'a'"}},
@@ -187,6 +199,17 @@ TEST_F(BadInputTest, EveryProblemIsReportedAtOnce) {
     EXPECT_TRUE(says(ran.err, "bad.json:3:"));
     EXPECT_TRUE(says(ran.err, "bad.json:4:"));
     EXPECT_TRUE(says(ran.err, "bad.json:5:"));
+}
+
+TEST_F(BadInputTest, ManyProblemsAreCounted) {
+    std::string nodes;
+    for (int i = 0; i < 1500; ++i)
+        nodes += (i > 0 ? ",\n" : "") + ("\"n" + std::to_string(i)) + "\": {\"type\": \"nothing\"}";
+    put("bad.json", "{\"wrinkle\": 1, \"nodes\": {" + nodes + "}}");
+    const Ran ran = run({"check", "bad.json"});
+    EXPECT_EQ(ran.code, 1);
+    EXPECT_EQ(std::count(ran.err.begin(), ran.err.end(), '\n'), 1001);
+    EXPECT_TRUE(ran.err.ends_with("and 500 more problems\n"));
 }
 
 TEST_F(BadInputTest, BadValuesOfSetAreNamed) {

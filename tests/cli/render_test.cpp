@@ -86,11 +86,12 @@ TEST_F(RenderTest, WritesToStandardOutput) {
 
 TEST_F(RenderTest, RefusesAViewThatTheGraphDoesNotHave) {
     put("g.json", tilt_graph());
-    const Ran height = run({"render", "g.json", "-o", "g.png", "--view", "height"});
+    const Ran height =
+        run({"render", "g.json", "-o", "g.png", "--size", "8x8", "--view", "height"});
     EXPECT_EQ(height.code, 1);
     EXPECT_TRUE(says(height.err, "no output 'height'"));
-    const Ran against =
-        run({"render", "g.json", "-o", "g.png", "--view", "difference", "--against", "other"});
+    const Ran against = run({"render", "g.json", "-o", "g.png", "--size", "8x8", "--view",
+                             "difference", "--against", "other"});
     EXPECT_EQ(against.code, 1);
     EXPECT_TRUE(says(against.err, "'other'"));
     EXPECT_FALSE(exists("g.png"));

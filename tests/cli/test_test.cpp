@@ -152,7 +152,7 @@ TEST_F(TestTest, RefusesBadFiles) {
         {R"({"glsl": true, "tolerance": -1})", "negative"},
         {R"({"render": {"mesh": "teapot"}})", "'teapot'"},
         {R"({"render": {"size": "9"}})", "512x512"},
-        {R"({"render": {"veiw": "uv"}})", "did you mean 'view'?"},
+        {R"({"render": {"viewed": "uv"}})", "did you mean 'view'?"},
         {R"({"glsl": true, "set": ["tilt.volume=0:1:2"]})", "sweep"},
         {R"({"glsl": true, "set": ["nobody.volume=0"]})", "nobody"},
         {"{}", "there is no case"},
