@@ -19,13 +19,14 @@ struct RunningLoop {
 template <class T>
 class Tile {
 public:
-    Tile(const Program& program, const PointSet& points, std::span<const Texture> textures)
-        : program_(program), points_(points), textures_(textures) {
-        registers_.floats.resize(program.float_registers * tile_lanes);
-        registers_.integers.resize(program.integer_registers * tile_lanes);
-        for (const Program::Constant& constant : program.constants)
-            load(constant);
-    }
+    Tile(const Program& program, const PointSet& points, std::span<const Texture> textures,
+         RunOp<T> run_op)
+        : program_(program),
+          points_(points),
+          textures_(textures),
+          run_op_(run_op),
+          floats_(program.float_registers * tile_lanes),
+          integers_(program.integer_registers * tile_lanes) {}
 
     void run(size_t first, size_t count, Results& results) {
         count_ = count;
@@ -38,39 +39,40 @@ public:
     }
 
 private:
-    void load(const Program::Constant& constant) {
-        if (constant.integer) {
-            const auto bits = static_cast<uint32_t>(static_cast<int64_t>(constant.value));
-            std::fill_n(registers_.i(constant.reg), tile_lanes, bits);
-        } else {
-            std::fill_n(registers_.f(constant.reg), tile_lanes, static_cast<T>(constant.value));
-        }
-    }
+    T* floats(uint32_t reg) { return floats_.data() + reg * tile_lanes; }
+    uint32_t* integers(uint32_t reg) { return integers_.data() + reg * tile_lanes; }
 
     void load(const Program::Input& input, size_t first) {
         const std::vector<double>& values = points_.at(input.input, input.variant);
         const size_t lanes = info(info(input.input).type).lanes;
-        T* out = registers_.f(input.reg);
+        T* out = floats(input.reg);
         for (size_t k = 0; k < count_; ++k)
             out[k] = static_cast<T>(values[(first + k) * lanes + input.lane]);
     }
 
+    double lane(const Program::Output& output, uint32_t reg, size_t k) {
+        if (!is_integer_type(output.type)) return static_cast<double>(floats(reg)[k]);
+        const uint32_t bits = integers(reg)[k];
+        return output.type == Type::int_ ? static_cast<double>(static_cast<int32_t>(bits))
+                                         : static_cast<double>(bits);
+    }
+
     void store(const Program::Output& output, size_t first, std::vector<double>& values) {
         const size_t lanes = output.regs.size();
-        const bool integer =
-            output.type == Type::int_ || output.type == Type::uint_ || output.type == Type::bool_;
-        for (size_t lane = 0; lane < lanes; ++lane)
+        for (size_t i = 0; i < lanes; ++i)
             for (size_t k = 0; k < count_; ++k)
-                values[(first + k) * lanes + lane] =
-                    integer ? static_cast<double>(registers_.i(output.regs[lane])[k])
-                            : static_cast<double>(registers_.f(output.regs[lane])[k]);
+                values[(first + k) * lanes + i] = lane(output, output.regs[i], k);
     }
 
     uint32_t execute(uint32_t index) {
         const Step& step = program_.steps[index];
         switch (step.kind) {
             case Step::Kind::op:
-                run_op(step);
+                if (!run_op_(step, {floats_.data(), integers_.data()}, count_))
+                    assert(!"an op without a CPU case");
+                break;
+            case Step::Kind::constant:
+                constant(step);
                 break;
             case Step::Kind::sample:
                 sample(step);
@@ -96,50 +98,29 @@ private:
         return index + 1;
     }
 
-    void run_op(const Step& step) {
-        const bool integer_result = step.type != Type::float_ && step.op != Op::to_float_ &&
-                                    step.op != Op::select_ && info(step.op).rule != Rule::compare;
-        bool done = false;
-        if (step.op == Op::select_ && step.type != Type::float_) {
-            select_integer(step);
-            done = true;
-        } else if (info(step.op).rule == Rule::compare) {
-            done = run_comparison(step, registers_, count_);
-        } else if (integer_result) {
-            done = run_integer(step, registers_.i(step.out[0]), registers_.i(step.in[0]),
-                               registers_.i(step.in[1]), count_);
-        } else {
-            done = run_conversion(step, registers_, count_) ||
-                   run_arithmetic(step, registers_, count_) ||
-                   run_transcendental(step, registers_, count_);
-        }
-        assert(done && "an op without a CPU case");
-        static_cast<void>(done);
-    }
-
-    void select_integer(const Step& step) {
-        uint32_t* out = registers_.i(step.out[0]);
-        const uint32_t *condition = registers_.i(step.in[0]), *a = registers_.i(step.in[1]),
-                       *b = registers_.i(step.in[2]);
-        for (size_t k = 0; k < count_; ++k)
-            out[k] = condition[k] ? a[k] : b[k];
+    void constant(const Step& step) {
+        const double value = program_.constants[step.extra];
+        if (step.type == Type::float_)
+            std::fill_n(floats(step.out[0]), count_, static_cast<T>(value));
+        else
+            std::fill_n(integers(step.out[0]), count_,
+                        static_cast<uint32_t>(static_cast<int64_t>(value)));
     }
 
     void sample(const Step& step) {
         const Texture& texture = textures_[step.extra];
-        const T *u = registers_.f(step.in[0]), *v = registers_.f(step.in[1]),
-                *lod = registers_.f(step.in[2]);
+        const T *u = floats(step.in[0]), *v = floats(step.in[1]), *lod = floats(step.in[2]);
         for (size_t k = 0; k < count_; ++k) {
             const std::array<T, 4> texel = texture.sample_lod(u[k], v[k], lod[k]);
             for (size_t i = 0; i < 4; ++i)
-                registers_.f(step.out[i])[k] = texel[i];
+                floats(step.out[i])[k] = texel[i];
         }
     }
 
     void size(const Step& step) {
         const Texture& texture = textures_[step.extra];
-        std::fill_n(registers_.f(step.out[0]), count_, static_cast<T>(texture.width()));
-        std::fill_n(registers_.f(step.out[1]), count_, static_cast<T>(texture.height()));
+        std::fill_n(floats(step.out[0]), count_, static_cast<T>(texture.width()));
+        std::fill_n(floats(step.out[1]), count_, static_cast<T>(texture.height()));
     }
 
     template <class Lane>
@@ -149,9 +130,9 @@ private:
     }
     void move(const Step& step, const uint8_t* mask) {
         if (step.type == Type::float_)
-            move_lanes(registers_.f(step.out[0]), registers_.f(step.in[0]), mask);
+            move_lanes(floats(step.out[0]), floats(step.in[0]), mask);
         else
-            move_lanes(registers_.i(step.out[0]), registers_.i(step.in[0]), mask);
+            move_lanes(integers(step.out[0]), integers(step.in[0]), mask);
     }
 
     void begin(const Step& step) {
@@ -166,7 +147,7 @@ private:
 
     void test(const Step& step) {
         RunningLoop& loop = loops_.back();
-        const uint32_t* goes_on = registers_.i(step.in[0]);
+        const uint32_t* goes_on = integers(step.in[0]);
         const bool may_run = loop.iterations < loop.limit;
         for (size_t k = 0; k < count_; ++k)
             loop.active[k] = static_cast<uint8_t>(loop.active[k] && may_run && goes_on[k]);
@@ -185,10 +166,22 @@ private:
     const Program& program_;
     const PointSet& points_;
     std::span<const Texture> textures_;
-    Registers<T> registers_;
+    RunOp<T> run_op_;
+    std::vector<T> floats_;
+    std::vector<uint32_t> integers_;
     std::vector<RunningLoop> loops_;
     size_t count_ = 0;
 };
+
+template <class T>
+RunOp<T> run_op_of(InstructionSet set) {
+#if defined(WRINKLE_HAS_AVX2)
+    if (set == InstructionSet::avx2) return avx2::run_op;
+#endif
+    assert(set == InstructionSet::baseline);
+    static_cast<void>(set);
+    return baseline::run_op;
+}
 
 }  // namespace
 
@@ -211,15 +204,15 @@ Results make_results(const Program& program, size_t points) {
 
 template <class T>
 void evaluate(const Program& program, const PointSet& points, std::span<const Texture> textures,
-              size_t first, size_t count, Results& results) {
-    Tile<T> tile(program, points, textures);
+              size_t first, size_t count, Results& results, InstructionSet set) {
+    Tile<T> tile(program, points, textures, run_op_of<T>(set));
     for (size_t done = 0; done < count; done += tile_lanes)
         tile.run(first + done, std::min(tile_lanes, count - done), results);
 }
 
 template void evaluate<float>(const Program&, const PointSet&, std::span<const Texture>, size_t,
-                              size_t, Results&);
+                              size_t, Results&, InstructionSet);
 template void evaluate<double>(const Program&, const PointSet&, std::span<const Texture>, size_t,
-                               size_t, Results&);
+                               size_t, Results&, InstructionSet);
 
 }  // namespace wrinkle

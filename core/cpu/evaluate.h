@@ -34,11 +34,17 @@ struct PointSet {
     }
 };
 
+// Whether values of this type stand in integer registers.
+constexpr bool is_integer_type(Type type) {
+    return type == Type::int_ || type == Type::uint_ || type == Type::bool_;
+}
+
 // One scalar operation on a tile. Registers of floats and of integers (bools: 0 or 1) are two
 // files.
 struct Step {
     enum class Kind : uint8_t {
         op,
+        constant,     // Program::constants[extra]
         sample,       // in: u, v, lod; four outputs
         size,         // two outputs
         move,         // out[0] = in[0]
@@ -66,11 +72,6 @@ struct Program {
         uint32_t lane;
         uint32_t reg;
     };
-    struct Constant {
-        double value;
-        bool integer;
-        uint32_t reg;
-    };
     struct Output {
         std::string name;
         Type type;
@@ -79,17 +80,20 @@ struct Program {
     };
     std::vector<Step> steps;
     std::vector<Input> inputs;
-    std::vector<Constant> constants;
+    std::vector<double> constants;
     std::vector<Output> outputs;
     uint32_t float_registers = 0;
     uint32_t integer_registers = 0;
 };
 
-// Inlined calls may not make more steps than this; such a program is refused.
-inline constexpr size_t max_program_steps = 20'000'000;
+// Calls are written out. A program that would have more steps than this (a second's work to make),
+// or functions that call each other deeper than this, are refused.
+inline constexpr size_t max_program_steps = 4'000'000;
+inline constexpr size_t max_call_depth = 200;
 
-// An empty program, with the reason in `why`, when the limit is met.
-Program compile_program(const Module& module, std::string& why);
+// An empty program, with the reason in `why`, when a limit is met.
+Program compile_program(const Module& module, std::string& why,
+                        size_t max_steps = max_program_steps);
 
 // The values a program reads, each once, in the order of the enumerators.
 struct InputNeed {
@@ -104,15 +108,23 @@ struct Results {
 };
 Results make_results(const Program& program, size_t points);
 
+// Which machine code runs the steps. Results are the same to the last bit.
+enum class InstructionSet : uint8_t { baseline, avx2 };
+bool is_available(InstructionSet set);
+// The best there is, or the available one that the environment variable WRINKLE_ISA names:
+// "baseline", "avx2".
+InstructionSet default_instruction_set();
+
 // Points first ... first + count - 1 into `results`. Every needed input is given; textures stand by
 // resource index.
 template <class T>
 void evaluate(const Program& program, const PointSet& points, std::span<const Texture> textures,
-              size_t first, size_t count, Results& results);
+              size_t first, size_t count, Results& results,
+              InstructionSet set = default_instruction_set());
 
 extern template void evaluate<float>(const Program&, const PointSet&, std::span<const Texture>,
-                                     size_t, size_t, Results&);
+                                     size_t, size_t, Results&, InstructionSet);
 extern template void evaluate<double>(const Program&, const PointSet&, std::span<const Texture>,
-                                      size_t, size_t, Results&);
+                                      size_t, size_t, Results&, InstructionSet);
 
 }  // namespace wrinkle

@@ -20,13 +20,22 @@ uint32_t lane_of(const Lanes& lanes, size_t k) {
     return lanes.size() == 1 ? lanes[0] : lanes[k];
 }
 
+bool is_number(Op op) {
+    return op == Op::literal_ || op == Op::parameter_;
+}
+
 }  // namespace
 
-void Flattener::push(Step step) {
-    if (program_.steps.size() >= max_program_steps)
-        too_long_ = true;
-    else
+void Flattener::refuse(std::string why) {
+    if (why_.empty()) why_ = std::move(why);
+}
+
+void Flattener::push(const Step& step) {
+    if (program_.steps.size() < max_steps_)
         program_.steps.push_back(step);
+    else
+        refuse("the graph makes more than " + std::to_string(max_steps_) +
+               " steps once its functions are written out");
 }
 
 uint32_t Flattener::fresh(Type type) {
@@ -55,14 +64,19 @@ void Flattener::move(Type type, uint32_t from, uint32_t to, bool masked) {
     push(step);
 }
 
+// Written where it is first needed, so that few numbers live at once.
 uint32_t Flattener::constant(double value, Type type) {
     const bool integer = is_integer_type(type);
     const auto [entry, added] = constants_.try_emplace({std::bit_cast<uint64_t>(value), integer});
-    if (added) {
-        entry->second = fresh(type);
-        program_.constants.push_back({value, integer, entry->second});
-    }
-    return entry->second;
+    if (!added) return entry->second;
+    Step step;
+    step.kind = Step::Kind::constant;
+    step.type = integer ? type : Type::float_;
+    step.extra = static_cast<uint32_t>(program_.constants.size());
+    step.out[0] = entry->second = fresh(type);
+    program_.constants.push_back(value);
+    push(step);
+    return step.out[0];
 }
 
 uint32_t Flattener::dot(const Lanes& a, const Lanes& b) {
@@ -109,13 +123,14 @@ std::vector<Id> Flattener::needed(std::vector<Id> open, int level) const {
 
 void Flattener::compute(std::vector<Id> roots, int level) {
     for (const Id id : needed(std::move(roots), level)) {
-        if (too_long_) return;
-        instruction(id);
+        if (refused()) return;
+        if (!is_number((*module_)[id].op)) instruction(id);
     }
 }
 
-const Flattener::Lanes& Flattener::lanes(Id id) const {
-    return context_[(*module_)[id].level].values.at(id);
+Flattener::Lanes Flattener::lanes(Id id) {
+    const Inst& inst = (*module_)[id];
+    return is_number(inst.op) ? leaf(inst) : context_[inst.level].values.at(id);
 }
 
 void Flattener::instruction(Id id) {
@@ -128,7 +143,7 @@ void Flattener::instruction(Id id) {
     }
     std::vector<Lanes> args;
     for (const Id operand : module_->operands(id))
-        args.push_back((*module_)[operand].type == Type::tuple_ ? Lanes{} : lanes(operand));
+        args.push_back(module_->type(operand) == Type::tuple_ ? Lanes{} : lanes(operand));
     if (inst.op == Op::call_ || inst.op == Op::loop_) {
         auto members = inst.op == Op::call_ ? called(inst, args) : looped(inst, args);
         context_[inst.level].tuples[id] = std::move(members);
@@ -303,12 +318,18 @@ Flattener::Lanes Flattener::sampled(const Inst& inst, const std::vector<Lanes>& 
 
 std::vector<Flattener::Lanes> Flattener::called(const Inst& inst, const std::vector<Lanes>& args) {
     const Region& region = module_->region(inst.extra);
+    if (depth_ >= max_call_depth) {
+        refuse("functions call each other more than " + std::to_string(max_call_depth) + " deep");
+        return {};
+    }
     std::vector<Scope> inside(2);
     inside[1].params = args;
     std::swap(inside, context_);
+    ++depth_;
     compute(region.results, 0);
+    --depth_;
     std::vector<Lanes> results;
-    if (!too_long_)
+    if (!refused())
         for (const Id id : region.results)
             results.push_back(lanes(id));
     std::swap(inside, context_);
@@ -336,7 +357,7 @@ std::vector<Flattener::Lanes> Flattener::looped(const Inst& inst, const std::vec
     context_[region.level] = {};
     context_[region.level].params = state;
     compute(region.results, region.level);
-    if (!too_long_) advance_state(region, state);
+    if (!refused()) advance_state(region, state);
     step.kind = Step::Kind::loop_end;
     step.extra = begin;
     push(step);
@@ -377,20 +398,18 @@ Program Flattener::run(std::string& why) {
     for (const ModuleOutput& output : module_->outputs)
         roots.push_back(output.value);
     compute(roots, 0);
-    if (too_long_) {
-        why = "the graph makes more than " + std::to_string(max_program_steps) +
-              " steps once its functions are written out";
-        return {};
-    }
     for (const ModuleOutput& output : module_->outputs)
-        program_.outputs.push_back(
-            {output.name, module_->type(output.value), output.port_type, lanes(output.value)});
+        if (!refused())
+            program_.outputs.push_back(
+                {output.name, module_->type(output.value), output.port_type, lanes(output.value)});
+    why = why_;
+    if (refused()) return {};
     allocate_registers(program_, integer_);
     return std::move(program_);
 }
 
-Program compile_program(const Module& module, std::string& why) {
-    return Flattener(module).run(why);
+Program compile_program(const Module& module, std::string& why, size_t max_steps) {
+    return Flattener(module, max_steps).run(why);
 }
 
 }  // namespace wrinkle

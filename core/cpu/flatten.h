@@ -13,7 +13,8 @@ namespace wrinkle {
 
 class Flattener {
 public:
-    explicit Flattener(const Module& module) : module_(&module), context_(1) {}
+    Flattener(const Module& module, size_t max_steps)
+        : module_(&module), max_steps_(max_steps), context_(1) {}
 
     Program run(std::string& why);
 
@@ -29,7 +30,7 @@ private:
     void compute(std::vector<Id> roots, int level);
     std::vector<Id> needed(std::vector<Id> roots, int level) const;
     std::vector<Id> dependencies(Id id) const;
-    const Lanes& lanes(Id id) const;
+    Lanes lanes(Id id);
     void instruction(Id id);
     Lanes made(const Inst& inst, const std::vector<Lanes>& args);
     Lanes leaf(const Inst& inst);
@@ -49,23 +50,20 @@ private:
     void move(Type type, uint32_t from, uint32_t to, bool masked);
     uint32_t constant(double value, Type type);
     uint32_t dot(const Lanes& a, const Lanes& b);
-    void push(Step step);
+    void push(const Step& step);
+    void refuse(std::string why);
+    bool refused() const { return !why_.empty(); }
 
     const Module* module_;
+    size_t max_steps_;
+    size_t depth_ = 0;  // of calls
     Program program_;
     std::map<std::pair<uint64_t, bool>, uint32_t> constants_;
     std::map<std::pair<uint32_t, uint32_t>, uint32_t> inputs_;
     std::vector<Scope> context_;  // by level
     std::vector<bool> integer_;   // by register
-    bool too_long_ = false;
-
-    friend Program compile_program(const Module& module, std::string& why);
+    std::string why_;             // the program is refused
 };
-
-// Whether values of this type stand in integer registers.
-inline bool is_integer_type(Type type) {
-    return type == Type::int_ || type == Type::uint_ || type == Type::bool_;
-}
 
 // Gives registers that are not read any more to later steps. `integer` tells the file of each.
 void allocate_registers(Program& program, const std::vector<bool>& integer);

@@ -1,34 +1,35 @@
-// One step on a tile of lanes. Part of evaluate().
+// One op on the lanes of a tile, compiled once for each instruction set. Part of evaluate().
+//
+// kernel_bodies.h holds the code; a file for each set includes it with WRINKLE_ISA as the set's
+// name. Nothing in it may be an inline function with external linkage: the linker would keep one of
+// the copies for all.
 #pragma once
 
-#include <cmath>
-#include <cstdint>
-
-#include "base/transcendental.h"
 #include "cpu/evaluate.h"
 
 namespace wrinkle {
 
 inline constexpr size_t tile_lanes = 256;
 
+// Where the registers of a tile stand: register r has its lanes from r * tile_lanes on.
 template <class T>
 struct Registers {
-    std::vector<T> floats;
-    std::vector<uint32_t> integers;
-
-    T* f(uint32_t reg) { return floats.data() + reg * tile_lanes; }
-    uint32_t* i(uint32_t reg) { return integers.data() + reg * tile_lanes; }
+    T* floats;
+    uint32_t* integers;
 };
 
-// Arithmetic of floats; false where the op is of another kind.
+// Runs a step of kind `op` on the first n lanes. False where the op has no case.
 template <class T>
-bool run_arithmetic(const Step& step, Registers<T>& r, size_t n);
-template <class T>
-bool run_transcendental(const Step& step, Registers<T>& r, size_t n);
-template <class T>
-bool run_comparison(const Step& step, Registers<T>& r, size_t n);
-bool run_integer(const Step& step, uint32_t* out, const uint32_t* a, const uint32_t* b, size_t n);
-template <class T>
-bool run_conversion(const Step& step, Registers<T>& r, size_t n);
+using RunOp = bool (*)(const Step& step, const Registers<T>& registers, size_t n);
+
+namespace baseline {
+bool run_op(const Step& step, const Registers<float>& registers, size_t n);
+bool run_op(const Step& step, const Registers<double>& registers, size_t n);
+}  // namespace baseline
+
+namespace avx2 {
+bool run_op(const Step& step, const Registers<float>& registers, size_t n);
+bool run_op(const Step& step, const Registers<double>& registers, size_t n);
+}  // namespace avx2
 
 }  // namespace wrinkle

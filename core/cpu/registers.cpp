@@ -40,8 +40,6 @@ std::vector<uint32_t> last_reads(const Program& program, size_t registers) {
     }
     for (const Program::Input& input : program.inputs)
         last[input.reg] = at_the_end;
-    for (const Program::Constant& constant : program.constants)
-        last[constant.reg] = at_the_end;
     for (const Program::Output& output : program.outputs)
         for (const uint32_t reg : output.regs)
             last[reg] = at_the_end;
@@ -83,8 +81,6 @@ void allocate_registers(Program& program, const std::vector<bool>& integer) {
     Allocator allocator{integer, std::vector<uint32_t>(integer.size(), never), {}};
     for (const Program::Input& input : program.inputs)
         allocator.define(input.reg);
-    for (const Program::Constant& constant : program.constants)
-        allocator.define(constant.reg);
     for (uint32_t s = 0; s < program.steps.size(); ++s) {
         Step& step = program.steps[s];
         const uint32_t outputs = step.has_output() ? step.outputs() : 0;
@@ -99,8 +95,6 @@ void allocate_registers(Program& program, const std::vector<bool>& integer) {
     }
     for (Program::Input& input : program.inputs)
         input.reg = allocator.place[input.reg];
-    for (Program::Constant& constant : program.constants)
-        constant.reg = allocator.place[constant.reg];
     for (Program::Output& output : program.outputs)
         for (uint32_t& reg : output.regs)
             reg = allocator.place[reg];

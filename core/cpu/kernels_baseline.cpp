@@ -1,0 +1,3 @@
+// The kernels for what every machine has.
+#define WRINKLE_ISA baseline
+#include "cpu/kernel_bodies.h"

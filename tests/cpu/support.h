@@ -1,0 +1,55 @@
+// A module under construction together with the surface points it will be evaluated at.
+//
+// Operands of every type are made of scalar surface inputs, so each point has its own values; the
+// reference interpreter of tests/ir reads the same points.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "cpu/evaluate.h"
+#include "ir/interpret.h"
+#include "ir/module.h"
+
+namespace wrinkle::test {
+
+class Scene {
+public:
+    explicit Scene(size_t points);
+
+    // A value that is values[point] there. Integers and bools are converted from a float input.
+    Id operand(Type type, std::span<const Lanes> values);
+    Id scalar(std::span<const double> values);
+    // As above with numbers that `make(point)` gives.
+    template <class Make>
+    Id numbers(Make make) {
+        std::vector<double> values(points.count);
+        for (size_t k = 0; k < values.size(); ++k)
+            values[k] = make(k);
+        return scalar(values);
+    }
+
+    void output(Id value);
+    Surroundings at(size_t point) const;
+
+    Module m;
+    PointSet points;
+
+private:
+    uint32_t used_ = 0;
+};
+
+// All points in one call. `textures` by resource.
+template <class T>
+Results evaluate_all(const Scene& scene, std::span<const Texture> textures = {}) {
+    std::string why;
+    const Program program = compile_program(scene.m, why);
+    Results results = make_results(program, scene.points.count);
+    evaluate<T>(program, scene.points, textures, 0, scene.points.count, results);
+    return results;
+}
+
+// Every output at every point against the interpreter.
+void expect_as_interpreted(const Scene& scene, double tolerance);
+
+}  // namespace wrinkle::test
