@@ -114,15 +114,15 @@ void Body::comment(int indent, uint32_t group) {
     if (!line.empty()) text_.line(indent, line, node_of(group));
 }
 
-// A group of one short line has its comment beside it; one of the surface point needs none.
+// A group has its comment beside its first line where that fits; one line of the surface point needs
+// none.
 void Body::commented_line(int indent, const std::string& line, uint32_t group, bool single) {
-    if (group == group_ || !single) {
-        comment(indent, group);
+    if (group == group_) {
         text_.line(indent, line, node_of(group));
         return;
     }
     group_ = group;
-    const bool plain = group == surface_group && !surface_commented_;
+    const bool plain = single && group == surface_group && !surface_commented_;
     const std::string beside = plain ? "" : comment_of(group);
     const size_t width = 4 * static_cast<size_t>(indent) + line.size() + 2 + beside.size();
     if (beside.empty() || width > widest_line) {

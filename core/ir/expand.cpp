@@ -168,9 +168,8 @@ Id Expander::opaque(const Module& source, Id id, std::span<const Id> mapped) {
             return d.depth ? (d.slope / d.depth).id : d.slope.id;
         }
         case Op::gradient_vector_: {
-            Value gamma = algebra->vector(gradients[inst.arg[0]]);
             const Value on_base = base_normal(source, inst.arg[0]);
-            if (gamma && on_base) gamma = gamma - on_base * dot(on_base, gamma);
+            const Value gamma = algebra->vector(gradients[inst.arg[0]], on_base);
             return gamma ? gamma.id : target->zero(Type::vec3_);
         }
         case Op::resolve_:

@@ -110,24 +110,28 @@ Value GradientAlgebra::screen_gradient(Value slope) {
     return (r_x * slope.x() + r_y * slope.y()) * inverse;
 }
 
-Value GradientAlgebra::vector(const Slopes& slopes, bool raw) {
+// A gradient on a resolved base is projected on it as a whole, its volume part straight from space.
+Value GradientAlgebra::vector(const Slopes& slopes, Value on_base, bool raw) {
     Value gamma = slopes.rest;
     for (const Slopes::Slot& slot : slopes.slots) {
         const TangentBasis basis = tangent_basis(*target_, slot.basis, *screen_, raw);
         gamma = sum(gamma, basis.t * slot.slope.x() + basis.b * slot.slope.y());
     }
     if (slopes.screen) gamma = sum(gamma, screen_gradient(slopes.screen));
-    if (slopes.volume) {
-        const Value n{target_, unit_normal(*target_)};
-        gamma = sum(gamma, slopes.volume - n * dot(n, slopes.volume));
+    const auto projected = [](Value v, Value n) { return v - n * dot(n, v); };
+    if (on_base) {
+        gamma = sum(gamma, slopes.volume);
+        return gamma ? projected(gamma, on_base) : gamma;
     }
+    if (slopes.volume)
+        gamma = sum(gamma, projected(slopes.volume, {target_, unit_normal(*target_)}));
     return gamma;
 }
 
-Value GradientAlgebra::vector(const GradientSum& sum) {
+Value GradientAlgebra::vector(const GradientSum& sum, Value on_base) {
     GradientSum divided = sum;
     divide(divided);
-    return vector(divided.flat, false);
+    return vector(divided.flat, on_base, false);
 }
 
 // All terms over one depth, the product of the pending ones (empty where there are none).
@@ -153,11 +157,9 @@ Value GradientAlgebra::resolve(const GradientSum& sum, Value facing, Value sign,
                      std::all_of(slopes.slots.begin(), slopes.slots.end(), [](const auto& slot) {
                          return slot.basis.basis == Basis::vertex;
                      });
-    Value gamma = vector(slopes, raw && !slopes.empty());
-    if (on_base) {
-        if (!gamma) return on_base;
-        gamma = gamma - on_base * dot(on_base, gamma);
-    } else if (!gamma) {
+    const Value gamma = vector(slopes, on_base, raw && !slopes.empty());
+    if (!gamma) {
+        if (on_base) return on_base;
         const Value n{target_, unit_normal(*target_)};
         return facing ? n * facing : n;
     }

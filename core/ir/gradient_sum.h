@@ -50,19 +50,18 @@ public:
     GradientSum add(const GradientSum& a, const GradientSum& b);
     GradientSum scale(const GradientSum& a, Value amount);
 
-    // Gamma itself, every term divided; empty for a flat one.
-    Value vector(const GradientSum& sum);
+    // Gamma itself, every term divided and tangent to its base; empty for a flat one. `on_base` is
+    // the resolved normal of that base, empty for the surface.
+    Value vector(const GradientSum& sum, Value on_base);
 
-    // normalize(n - sign * Gamma); on_base is the resolved normal that Gamma is projected on, or
-    // empty: the surface, whose normal is `facing` times the interpolated one (`facing` may be
-    // empty: 1).
+    // normalize(n - sign * Gamma); the surface's normal is `facing` times the interpolated one
+    // (`facing` may be empty: 1).
     Value resolve(const GradientSum& sum, Value facing, Value sign, Value on_base);
 
 private:
-    struct Homogeneous;
     Slopes add(const Slopes& a, const Slopes& b);
     Slopes scale(const Slopes& a, Value amount);
-    Value vector(const Slopes& slopes, bool raw);
+    Value vector(const Slopes& slopes, Value on_base, bool raw);
     void divide(GradientSum& sum);
     Slopes over_common_depth(const GradientSum& sum, Value& depth);
     Value screen_gradient(Value slope);
