@@ -40,7 +40,7 @@ Text Body::output_function(Id value, const std::string& name, const std::string&
     if (folded)
         commented_line(1, line, group, true);
     else
-        text_.line(1, line, group == no_node ? no_node : node_of(group));
+        code(1, line, group == no_node ? no_node : node_of(group));
     text_.line(0, "}");
     return std::move(text_);
 }
@@ -73,6 +73,7 @@ std::string Body::signature(const Region& region, const std::string& name,
 
 Text Body::region_function(uint32_t index, const std::string& name) {
     const Region& region = m_.region(index);
+    values_.anonymous = true;
     const std::vector<std::string> parameters = name_parameters(region);
     std::vector<std::string> outs;
     for (size_t k = 1; k < region.results.size(); ++k)
@@ -80,11 +81,12 @@ Text Body::region_function(uint32_t index, const std::string& name) {
     const std::vector<Id> roots = plain_all(plan_, region.results);
     const Scope scope = collect(plan_, values_, roots, 0);
     decide(plan_, values_, scope, roots);
-    text_.line(0, signature(region, name, parameters, outs));
+    code(0, signature(region, name, parameters, outs), no_node);
     statements(schedule(plan_, values_, scope, scope.order), 1);
     for (size_t k = 1; k < roots.size(); ++k)
-        text_.line(1, outs[k - 1] + " = " + read(context_, roots[k]).text + ";", node_of(group_));
-    text_.line(1, "return " + read(context_, roots[0]).text + ";", node_of(group_));
+        code(1, outs[k - 1] + " = " + read(context_, roots[k]).text + ";", node_of(group_));
+    code(1, "return " + read(context_, roots[0]).text + ";", node_of(group_));
+    values_.anonymous = false;
     text_.line(0, "}");
     return std::move(text_);
 }
@@ -114,11 +116,11 @@ void Body::comment(int indent, uint32_t group) {
     if (!line.empty()) text_.line(indent, line, node_of(group));
 }
 
-// A group has its comment beside its first line where that fits; one line of the surface point needs
-// none.
+// A group has its comment beside its first line where that fits; one line of the surface point
+// needs none.
 void Body::commented_line(int indent, const std::string& line, uint32_t group, bool single) {
     if (group == group_) {
-        text_.line(indent, line, node_of(group));
+        code(indent, line, node_of(group));
         return;
     }
     group_ = group;
@@ -127,9 +129,24 @@ void Body::commented_line(int indent, const std::string& line, uint32_t group, b
     const size_t width = 4 * static_cast<size_t>(indent) + line.size() + 2 + beside.size();
     if (beside.empty() || width > widest_line) {
         if (!beside.empty()) text_.line(indent, beside, node_of(group));
-        text_.line(indent, line, node_of(group));
+        code(indent, line, node_of(group));
     } else {
         text_.line(indent, line + "  " + beside, node_of(group));
+    }
+}
+
+// A line that is too long goes on after a comma, or after a space.
+void Body::code(int indent, std::string line, uint32_t node) {
+    constexpr int deeper = 2;
+    for (int level = indent;; level = indent + deeper) {
+        const size_t room = widest_line - std::min<size_t>(4 * static_cast<size_t>(level), 60);
+        if (line.size() <= room) return text_.line(level, line, node);
+        const size_t comma = line.rfind(", ", room - 1);
+        const bool late = comma != std::string::npos && comma > room / 3;
+        const size_t end = late ? comma + 1 : line.rfind(' ', room - 1);
+        if (end == std::string::npos) return text_.line(level, line, node);
+        text_.line(level, line.substr(0, end), node);
+        line.erase(0, end + 1);
     }
 }
 
@@ -183,14 +200,13 @@ void Body::call(Id id, int indent) {
         text += (text.empty() ? "" : ", ") + read(context_, argument).text;
     const std::vector<std::string> names = name_members(id);
     for (size_t k = 1; k < names.size(); ++k) {
-        text_.line(indent, type_name(m_.type(region.results[k])) + " " + names[k] + ";",
-                   node_of(group_));
+        code(indent, type_name(m_.type(region.results[k])) + " " + names[k] + ";", node_of(group_));
         text += (text.empty() ? "" : ", ") + names[k];
     }
-    text_.line(indent,
-               type_name(m_.type(region.results[0])) + " " + names[0] + " = " +
-                   context_.symbols.functions[m_[id].extra] + "(" + text + ");",
-               node_of(group_));
+    code(indent,
+         type_name(m_.type(region.results[0])) + " " + names[0] + " = " +
+             context_.symbols.functions[m_[id].extra] + "(" + text + ");",
+         node_of(group_));
 }
 
 void Body::loop(Id id, int indent) {
@@ -202,15 +218,13 @@ void Body::loop(Id id, int indent) {
     const std::vector<std::string> state = name_members(id);
     const uint32_t node = node_of(group_);
     for (size_t k = 0; k < state.size(); ++k)
-        text_.line(indent, type_name(region.params[k]) + " " + state[k] + " = " + texts[k] + ";",
-                   node);
+        code(indent, type_name(region.params[k]) + " " + state[k] + " = " + texts[k] + ";", node);
     const std::string i = locals_.unique("i");
     const uint32_t most = std::min(region.max_iterations, 0x7FFFFFFFu);
-    text_.line(indent,
-               "for (int " + i + " = 0; " + i + " < " + std::to_string(most) + "; ++" + i + ") {",
-               node);
+    code(indent, "for (int " + i + " = 0; " + i + " < " + std::to_string(most) + "; ++" + i + ") {",
+         node);
     loop_body(id, state, indent + 1);
-    text_.line(indent, "}", node);
+    code(indent, "}", node);
 }
 
 // The condition is of the state at hand; what it does not need comes after the break.
@@ -234,12 +248,12 @@ void Body::go_on(Id condition, int indent, uint32_t node) {
     const bool folded = plan_.role(condition) == Role::value && !values_.state[condition].statement;
     if (folded && m_[condition].op == Op::not_) {
         const Id inner = plan_.plain(m_[condition].arg[0]);
-        text_.line(indent, "if (" + read(context_, inner).text + ") break;", node);
+        code(indent, "if (" + read(context_, inner).text + ") break;", node);
         return;
     }
     const Piece piece = read(context_, condition);
     const bool simple = piece.precedence >= 17;
-    text_.line(indent, "if (!" + (simple ? piece.text : "(" + piece.text + ")") + ") break;", node);
+    code(indent, "if (!" + (simple ? piece.text : "(" + piece.text + ")") + ") break;", node);
 }
 
 // Members of the state that a value's text reads.
@@ -273,14 +287,14 @@ void Body::next_state(Id loop, std::span<const Id> next, const std::vector<std::
         std::string text = read(context_, next[k]).text;
         if (std::any_of(reads.begin(), reads.end(), [&](uint32_t j) { return assigned[j]; })) {
             const std::string name = locals_.unique(state[k] + "_next");
-            text_.line(indent, type_name(m_.type(next[k])) + " " + name + " = " + text + ";", node);
+            code(indent, type_name(m_.type(next[k])) + " " + name + " = " + text + ";", node);
             text = name;
         }
         assigned[k] = true;
         assignments.push_back(state[k] + " = " + text + ";");
     }
     for (const std::string& assignment : assignments)
-        text_.line(indent, assignment, node);
+        code(indent, assignment, node);
 }
 
 }  // namespace wrinkle

@@ -34,7 +34,10 @@ private:
     std::string comment_of(uint32_t group);
     void comment(int indent, uint32_t group);
     void commented_line(int indent, const std::string& line, uint32_t group, bool single);
-    uint32_t node_of(uint32_t group) const { return group == surface_group ? no_node : group; }
+    uint32_t node_of(uint32_t group) const {
+        return group == surface_group || group == 0 ? no_node : group;
+    }
+    void code(int indent, std::string line, uint32_t node);
     // `next`: the group of what follows; no_node: unknown.
     void statements(std::span<const Id> ids, int indent, uint32_t next = no_node);
     void assign(Id id, int indent, bool single);

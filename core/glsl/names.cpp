@@ -1,6 +1,7 @@
 #include "glsl/names.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "base/text.h"
 
@@ -48,6 +49,65 @@ bool is_texel(const Module& m, Id id) {
     return false;
 }
 
+constexpr std::pair<Op, std::string_view> words[] = {{Op::image_size_, "size"},
+                                                     {Op::add_, "sum"},
+                                                     {Op::sub_, "difference"},
+                                                     {Op::mul_, "product"},
+                                                     {Op::matrix_product_, "product"},
+                                                     {Op::div_, "quotient"},
+                                                     {Op::neg_, "negated"},
+                                                     {Op::normalize_, "unit"},
+                                                     {Op::select_, "choice"},
+                                                     {Op::construct_, "vector"},
+                                                     {Op::transform_, "transformed"},
+                                                     {Op::lt_, "test"},
+                                                     {Op::le_, "test"},
+                                                     {Op::gt_, "test"},
+                                                     {Op::ge_, "test"},
+                                                     {Op::eq_, "test"},
+                                                     {Op::ne_, "test"},
+                                                     {Op::and_, "test"},
+                                                     {Op::or_, "test"},
+                                                     {Op::not_, "test"},
+                                                     {Op::bit_and_, "bits"},
+                                                     {Op::bit_or_, "bits"},
+                                                     {Op::bit_xor_, "bits"},
+                                                     {Op::shift_left_, "bits"},
+                                                     {Op::shift_right_, "bits"},
+                                                     {Op::sign_nonzero_, "sign"},
+                                                     {Op::to_float_, "number"},
+                                                     {Op::to_int_, "whole"},
+                                                     {Op::to_uint_, "whole"},
+                                                     {Op::mod_, "remainder"},
+                                                     {Op::abs_, "magnitude"},
+                                                     {Op::floor_, "floored"},
+                                                     {Op::ceil_, "raised"},
+                                                     {Op::fract_, "fraction"},
+                                                     {Op::min_, "least"},
+                                                     {Op::max_, "greatest"},
+                                                     {Op::clamp_, "clamped"},
+                                                     {Op::mix_, "mixed"},
+                                                     {Op::step_, "edge"},
+                                                     {Op::smoothstep_, "ramp"},
+                                                     {Op::sqrt_, "root"},
+                                                     {Op::inversesqrt_, "inverse_root"},
+                                                     {Op::pow_, "power"},
+                                                     {Op::exp_, "exponential"},
+                                                     {Op::exp2_, "exponential"},
+                                                     {Op::log_, "logarithm"},
+                                                     {Op::log2_, "logarithm"},
+                                                     {Op::sin_, "sine"},
+                                                     {Op::cos_, "cosine"},
+                                                     {Op::asin_, "angle"},
+                                                     {Op::acos_, "angle"},
+                                                     {Op::atan_, "angle"},
+                                                     {Op::atan2_, "angle"},
+                                                     {Op::dot_, "dot_product"},
+                                                     {Op::cross_, "cross_product"},
+                                                     {Op::length_, "extent"},
+                                                     {Op::reflect_, "reflected"},
+                                                     {Op::transpose_, "transposed"}};
+
 }  // namespace
 
 bool NameSet::taken(const std::string& name) const {
@@ -78,57 +138,14 @@ std::string_view word_for(const Module& module, Id id) {
     if (is_depth(module, id)) return "depth";
     if (is_slope(module, id)) return "slope";
     if (is_texel(module, id)) return "texel";
-    switch (module[id].op) {
-        case Op::image_size_:
-            return "size";
-        case Op::add_:
-            return "sum";
-        case Op::sub_:
-            return "difference";
-        case Op::mul_:
-        case Op::matrix_product_:
-            return "product";
-        case Op::div_:
-            return "quotient";
-        case Op::neg_:
-            return "negated";
-        case Op::normalize_:
-            return "unit";
-        case Op::select_:
-            return "choice";
-        case Op::construct_:
-            return "vector";
-        case Op::transform_:
-            return "transformed";
-        case Op::lt_:
-        case Op::le_:
-        case Op::gt_:
-        case Op::ge_:
-        case Op::eq_:
-        case Op::ne_:
-        case Op::and_:
-        case Op::or_:
-        case Op::not_:
-            return "test";
-        case Op::bit_and_:
-        case Op::bit_or_:
-        case Op::bit_xor_:
-        case Op::shift_left_:
-        case Op::shift_right_:
-            return "bits";
-        case Op::sign_nonzero_:
-            return "sign";
-        case Op::to_float_:
-        case Op::to_int_:
-        case Op::to_uint_:
-            return info(module.type(id)).name;
-        case Op::result_:
-            return module.region(module[module[id].arg[0]].extra).kind == RegionKind::loop
-                       ? "state"
-                       : std::string_view(module.region(module[module[id].arg[0]].extra).name);
-        default:
-            return info(module[id].op).name;
+    const Op op = module[id].op;
+    if (op == Op::result_) {
+        const Region& region = module.region(module[module[id].arg[0]].extra);
+        return region.kind == RegionKind::loop ? "state" : std::string_view(region.name);
     }
+    for (const auto& [known, word] : words)
+        if (known == op) return word;
+    return info(op).name;
 }
 
 }  // namespace wrinkle

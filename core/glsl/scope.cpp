@@ -229,6 +229,7 @@ void decide(const Plan& plan, Values& values, const Scope& scope, std::span<cons
 
 uint32_t group_of(const Plan& plan, const Values& values, Id id) {
     const Module& m = plan.module();
+    if (values.anonymous) return 0;
     const uint32_t name = plan.first_name[id];
     if (name) return m.named[name - 1].node ? m.named[name - 1].node : surface_group;
     const bool shared = values.state[id].shared || !surface_name(m, id).empty();
@@ -237,6 +238,7 @@ uint32_t group_of(const Plan& plan, const Values& values, Id id) {
 
 std::string wanted_name(const Plan& plan, const Values& values, Id id) {
     const Module& m = plan.module();
+    if (values.anonymous) return std::string(word_for(m, id));
     if (const uint32_t name = plan.first_name[id]) {
         const Named& named = m.named[name - 1];
         return named.node ? m.nodes[named.node].path + "_" + named.port : named.port;

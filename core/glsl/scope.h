@@ -34,6 +34,7 @@ struct Values {
     explicit Values(const Plan& plan) : state(plan.module().size()) {}
     std::vector<ValueState> state;  // by Id
     uint32_t epoch = 0;
+    bool anonymous = false;  // a helper function, shared by nodes: no node's names or comments
 };
 
 struct Scope {

@@ -1,6 +1,5 @@
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <sstream>
 
 #include "golden.h"
@@ -52,9 +51,7 @@ TEST(Emit, one_uv_set_takes_at_most_25_lines) {
     const Shader shader = emit(bake_parameters(module), options());
     EXPECT_EQ(compile_errors(shader), "");
     EXPECT_TRUE(equals_golden(shader.source, "base_and_detail.uv0.glsl"));
-    const auto lines = lines_of(shader.source);
-    EXPECT_LE(std::count_if(lines.begin(), lines.end(), [](const auto& l) { return !l.empty(); }),
-              25);
+    EXPECT_LE(lines_of(shader.source).size(), 25u);
 }
 
 TEST(Emit, given_differentials_are_members) {

@@ -1,6 +1,8 @@
 // Functions and loops.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "golden.h"
 #include "graphs.h"
 #include "ir/verify.h"
@@ -137,6 +139,30 @@ TEST(Regions, what_a_loop_captures_stands_before_it) {
     const std::string text = source(m);
     EXPECT_LT(text.find("tan("), text.find("for ("));
     EXPECT_LT(text.find("dFdx("), text.find("for ("));
+}
+
+TEST(Regions, long_calls_go_on_on_the_next_line) {
+    Module m;
+    node(m, "a node with a long name", "Node");
+    const std::vector<Type> types(12, Type::float_);
+    const auto params = m.begin_region(RegionKind::function, "a_function_of_many", types);
+    Id sum = params[0];
+    for (size_t k = 1; k < params.size(); ++k)
+        sum = m.add(Op::add_, {m.add(Op::mul_, {sum, sum}), params[k]});
+    const RegionUse use = m.end_region(std::array{sum});
+    std::vector<Id> args;
+    for (size_t k = 0; k < types.size(); ++k)
+        args.push_back(m.add(Op::sin_, {parameter(m, "amount", static_cast<double>(k))}));
+    output(m, "o", m.apply(use, args)[0]);
+    const Shader shader = emit(m, {});
+    EXPECT_EQ(compile_errors(shader), "");
+    EXPECT_EQ(static_cast<size_t>(std::count(shader.source.begin(), shader.source.end(), '\n')),
+              shader.reflection.lines.size());
+    for (size_t from = 0; from < shader.source.size();) {
+        const size_t to = shader.source.find('\n', from);
+        EXPECT_LE(to - from, 100u);
+        from = to + 1;
+    }
 }
 
 }  // namespace

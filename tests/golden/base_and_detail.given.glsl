@@ -16,41 +16,38 @@ uniform sampler2D base_image;   // base.png (normal_gl, repeat)
 uniform sampler2D weave_image;  // weave.png (normal_gl, repeat)
 
 vec3 wrinkle_strap_normal(WrinkleSurface_strap s) {
-    // the surface point
-    vec3 normal = normalize(s.normal);
+    vec3 normal = normalize(s.normal);  // the surface point
     float inverse_normal_length = inversesqrt(dot(s.normal, s.normal));
     vec3 bitangent = cross(s.normal, s.tangent.xyz) * (s.tangent.w > 0.0 ? 1.0 : -1.0);
     vec3 surface_dpdx = s.position_dx - normal * dot(normal, s.position_dx);
     vec3 surface_dpdy = s.position_dy - normal * dot(normal, s.position_dy);
     float uv1_sign = s.uv1_dx.x * s.uv1_dy.y - s.uv1_dy.x * s.uv1_dx.y < 0.0 ? -1.0 : 1.0;
     vec3 surface_product = (surface_dpdx * s.uv1_dy.y - surface_dpdy * s.uv1_dx.y) * uv1_sign;
-    float surface_inversesqrt = inversesqrt(max(dot(surface_product, surface_product), 1e-36));
-    vec3 uv1_tangent = surface_product * surface_inversesqrt;
+    float surface_inverse_root = inversesqrt(max(dot(surface_product, surface_product), 1e-36));
+    vec3 uv1_tangent = surface_product * surface_inverse_root;
     float surface_sign = dot(surface_dpdy, cross(normal, surface_dpdx)) < 0.0 ? -1.0 : 1.0;
     vec3 uv1_bitangent = cross(normal, uv1_tangent) * (uv1_sign * surface_sign);
-    // base: Tangent normal map
-    vec2 base_size = vec2(textureSize(base_image, 0));
+    vec2 base_size = vec2(textureSize(base_image, 0));  // base: Tangent normal map
     vec2 base_product = base_size * s.uv0_dx;
     vec2 base_product_2 = base_size * s.uv0_dy;
-    float base_max = max(dot(base_product, base_product), dot(base_product_2, base_product_2));
-    float base_product_3 = log2(max(base_max, 9.094947e-13)) * 0.5;
+    float base_greatest = max(dot(base_product, base_product), dot(base_product_2, base_product_2));
+    float base_product_3 = log2(max(base_greatest, 9.094947e-13)) * 0.5;
     vec4 base_texel = textureLod(base_image, s.uv0, base_product_3);
     vec3 base_texel_2 = base_texel.xyz * 2.0 - 1.0;
     float base_product_4 = max(abs(base_texel_2.x), abs(base_texel_2.y)) * 0.0078125;
     float base_depth = max(max(abs(base_texel_2.z), base_product_4), 1e-06);
     vec2 tile_uv = s.uv1 * 8.0;  // tile: Tile
-    // weave: Tangent normal map
-    vec2 weave_size = vec2(textureSize(weave_image, 0));
+    vec2 weave_size = vec2(textureSize(weave_image, 0));  // weave: Tangent normal map
     vec2 weave_product = weave_size * (s.uv1_dx * 8.0);
-    float weave_dot = dot(weave_product, weave_product);
+    float weave_dot_product = dot(weave_product, weave_product);
     vec2 weave_product_2 = weave_size * (s.uv1_dy * 8.0);
-    float weave_max = max(max(weave_dot, dot(weave_product_2, weave_product_2)), 9.094947e-13);
-    vec4 weave_texel = textureLod(weave_image, tile_uv, log2(weave_max) * 0.5);
+    float weave_greatest = max(weave_dot_product, dot(weave_product_2, weave_product_2));
+    float weave_product_3 = log2(max(weave_greatest, 9.094947e-13)) * 0.5;
+    vec4 weave_texel = textureLod(weave_image, tile_uv, weave_product_3);
     vec3 weave_texel_2 = weave_texel.xyz * 2.0 - 1.0;
-    float weave_product_3 = max(abs(weave_texel_2.x), abs(weave_texel_2.y)) * 0.0078125;
-    float weave_depth = max(max(abs(weave_texel_2.z), weave_product_3), 1e-06);
-    // normal: Resolve
-    vec3 normal_product = normal * (base_depth * weave_depth * s.facing);
+    float weave_product_4 = max(abs(weave_texel_2.x), abs(weave_texel_2.y)) * 0.0078125;
+    float weave_depth = max(max(abs(weave_texel_2.z), weave_product_4), 1e-06);
+    vec3 normal_product = normal * (base_depth * weave_depth * s.facing);  // normal: Resolve
     vec2 normal_slope = -base_texel_2.xy * weave_depth;
     vec3 normal_gradient = s.tangent.xyz * inverse_normal_length * normal_slope.x;
     vec3 normal_gradient_2 = normal_gradient + bitangent * inverse_normal_length * normal_slope.y;

@@ -12,8 +12,7 @@ uniform sampler2D weave_image;  // weave.png (normal_gl, repeat)
 uniform float softer_amount;
 
 vec3 wrinkle_strap_normal(WrinkleSurface_strap s) {
-    // the surface point
-    vec3 normal = normalize(s.normal);
+    vec3 normal = normalize(s.normal);  // the surface point
     float inverse_normal_length = inversesqrt(dot(s.normal, s.normal));
     vec3 bitangent = cross(s.normal, s.tangent.xyz) * (s.tangent.w > 0.0 ? 1.0 : -1.0);
     vec3 dpdx = dFdx(s.position_relative);
@@ -24,21 +23,18 @@ vec3 wrinkle_strap_normal(WrinkleSurface_strap s) {
     vec2 duv1_dx = dFdx(s.uv1);
     float uv1_sign = duv1_dx.x * duv1_dy.y - duv1_dy.x * duv1_dx.y < 0.0 ? -1.0 : 1.0;
     vec3 surface_product = (surface_dpdx * duv1_dy.y - surface_dpdy * duv1_dx.y) * uv1_sign;
-    float surface_inversesqrt = inversesqrt(max(dot(surface_product, surface_product), 1e-36));
-    vec3 uv1_tangent = surface_product * surface_inversesqrt;
+    float surface_inverse_root = inversesqrt(max(dot(surface_product, surface_product), 1e-36));
+    vec3 uv1_tangent = surface_product * surface_inverse_root;
     float surface_sign = dot(surface_dpdy, cross(normal, surface_dpdx)) < 0.0 ? -1.0 : 1.0;
     vec3 uv1_bitangent = cross(normal, uv1_tangent) * (uv1_sign * surface_sign);
-    // base: Tangent normal map
-    vec3 base_texel = texture(base_image, s.uv0).xyz * 2.0 - 1.0;
+    vec3 base_texel = texture(base_image, s.uv0).xyz * 2.0 - 1.0;  // base: Tangent normal map
     float base_product = max(abs(base_texel.x), abs(base_texel.y)) * 0.0078125;
     float base_depth = max(max(abs(base_texel.z), base_product), 1e-06);
     vec2 tile_uv = s.uv1 * 8.0;  // tile: Tile
-    // weave: Tangent normal map
-    vec3 weave_texel = texture(weave_image, tile_uv).xyz * 2.0 - 1.0;
+    vec3 weave_texel = texture(weave_image, tile_uv).xyz * 2.0 - 1.0;  // weave: Tangent normal map
     float weave_product = max(abs(weave_texel.x), abs(weave_texel.y)) * 0.0078125;
     float weave_depth = max(max(abs(weave_texel.z), weave_product), 1e-06);
-    // normal: Resolve
-    vec3 normal_product = normal * (base_depth * weave_depth * s.facing);
+    vec3 normal_product = normal * (base_depth * weave_depth * s.facing);  // normal: Resolve
     vec2 normal_slope = -base_texel.xy * weave_depth;
     vec3 normal_gradient = s.tangent.xyz * inverse_normal_length * normal_slope.x;
     vec3 normal_gradient_2 = normal_gradient + bitangent * inverse_normal_length * normal_slope.y;

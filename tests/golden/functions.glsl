@@ -9,10 +9,9 @@ float wrinkle_material_inner(float a) {
 }
 
 float wrinkle_material_outer(float a, out float result_2) {
-    // noise: Noise
-    float noise_sum = wrinkle_material_inner(a) + a;
-    result_2 = noise_sum;
-    return noise_sum * noise_scale;
+    float sum = wrinkle_material_inner(a) + a;
+    result_2 = sum;
+    return sum * noise_scale;
 }
 
 float wrinkle_material_value(WrinkleSurface_material s) {

@@ -6,8 +6,7 @@ struct WrinkleSurface_material {
 uniform sampler2D march_height;  // h.png (linear, repeat)
 
 float wrinkle_material_depth(WrinkleSurface_material s) {
-    // march: March
-    float march_product = cos(s.position.x) * 0.1;
+    float march_product = cos(s.position.x) * 0.1;  // march: March
     float march_depth = 0.0;
     vec2 march_uv = s.uv0;
     for (int i = 0; i < 32; ++i) {
@@ -20,8 +19,7 @@ float wrinkle_material_depth(WrinkleSurface_material s) {
 }
 
 vec2 wrinkle_material_uv(WrinkleSurface_material s) {
-    // march: March
-    float march_product = cos(s.position.x) * 0.1;
+    float march_product = cos(s.position.x) * 0.1;  // march: March
     float march_depth = 0.0;
     vec2 march_uv = s.uv0;
     for (int i = 0; i < 32; ++i) {

@@ -4,24 +4,22 @@ struct WrinkleSurface_material {
 };
 
 float wrinkle_material_spiral(float a) {
-    // sum: Sum
-    float sum_state = 1.0;
+    float state = 1.0;
     for (int i = 0; i < 5; ++i) {
-        if (sum_state > a) break;
-        float sum_sin = sin(sum_state);
-        float sum_product = sum_sin * a;
-        float sum_state_2 = sum_state;
+        if (state > a) break;
+        float sine = sin(state);
+        float product = sine * a;
+        float state_2 = state;
         for (int i_2 = 0; i_2 < 4; ++i_2) {
-            if (!(sum_state_2 < sum_sin)) break;
-            sum_state_2 = sum_state_2 + sum_product;
+            if (!(state_2 < sine)) break;
+            state_2 = state_2 + product;
         }
-        sum_state = sum_state_2;
+        state = state_2;
     }
-    return sum_state;
+    return state;
 }
 
 float wrinkle_material_o(WrinkleSurface_material s) {
-    // sum: Sum
-    float sum_spiral = wrinkle_material_spiral(s.position.x);
+    float sum_spiral = wrinkle_material_spiral(s.position.x);  // sum: Sum
     return sum_spiral + wrinkle_material_spiral(sum_spiral);
 }
