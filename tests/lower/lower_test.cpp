@@ -305,69 +305,6 @@ TEST(Lower, AnImageMayComeThroughASubgraphsInput) {
     EXPECT_EQ(m.resources[1].name, "top.png") << "relative to the file that says it";
 }
 
-TEST(Bases, AConversionTakesTheBaseItMeets) {
-    const Module m =
-        lowered(graph(R"("h": {"type": "pass_height", "in": {"height": {"from": "surface.facing"}}},
-                                      "first": {"type": "resolve", "in": {"gradient": {"from": "h.height"}}},
-                                      "on": {"type": "layer", "in": {"base": {"from": "first.normal"},
-                                                                     "height": {"from": "surface.facing"}}},
-                                      "weak": {"type": "scale", "in": {"gradient": {"from": "h.height"}}},
-                                      "sum": {"type": "sum", "in": {"a": {"from": "weak.gradient"},
-                                                                    "b": {"from": "on.gradient"}}})",
-                      R"("normal": {"from": "sum.gradient"}, "first": {"from": "first.normal"})"))
-            .module;
-    const Inst& resolve = value(m, 0);
-    ASSERT_EQ(resolve.op, Op::resolve_);
-    const Id base = m[resolve.arg[0]].extra;
-    ASSERT_NE(base, poison);
-    EXPECT_EQ(m[base].op, Op::base_);
-    EXPECT_EQ(m[base].arg[0], m.outputs[1].value);
-}
-
-TEST(Bases, UnconstrainedItIsTheSurface) {
-    const Module m =
-        lowered(graph(R"("on": {"type": "layer", "in": {"height": {"from": "surface.facing"}}})",
-                      R"("normal": {"from": "on.gradient"})"))
-            .module;
-    EXPECT_EQ(m[value(m).arg[0]].extra, poison);
-}
-
-std::string problems(const std::string& text) {
-    Diagnostics diagnostics;
-    const Project project = test::project(text, diagnostics);
-    check(project, test::registry(), diagnostics);
-    EXPECT_EQ(to_text(diagnostics), "");
-    lower(project, test::registry(), {}, diagnostics);
-    return to_text(diagnostics);
-}
-
-TEST(Bases, TwoInOneSumAreAnErrorWithBothNames) {
-    EXPECT_EQ(problems(graph(R"("b": {"type": "bump", "in": {"height": {"from": "surface.facing"}}},
-                                "first": {"type": "resolve", "in": {"gradient": {"from": "b.gradient"}}},
-                                "on": {"type": "layer", "in": {"base": {"from": "first.normal"},
-                                                               "height": {"from": "surface.facing"}}},
-                                "sum": {"type": "sum", "in": {"a": {"from": "b.gradient"},
-                                                              "b": {"from": "on.gradient"}}})",
-                             R"("normal": {"from": "sum.gradient"})")),
-              "g.json:5:33: error: node 'sum': adds gradients of different bases: one on the "
-              "surface, one on the normal of node 'first' (resolve them one after the other)\n");
-}
-
-TEST(Bases, AGradientCannotStandOnANormalMadeFromIt) {
-    const std::string text =
-        problems(graph(R"("weak": {"type": "scale", "in": {"gradient": {"from": "surface.facing"}}},
-"first": {"type": "resolve", "in": {"gradient": {"from": "weak.gradient"}}},
-"on": {"type": "layer", "in": {"base": {"from": "first.normal"}, "height": {"from": "surface.facing"}}},
-"sum": {"type": "sum", "in": {"a": {"from": "on.gradient"}, "b": {"from": "weak.gradient"}}})",
-                       R"("normal": {"from": "sum.gradient"})"));
-    EXPECT_NE(
-        text.find("g.json:1:26: error: node 'weak': its gradient would stand on the normal of "
-                  "node 'first', which is made from it; node 'on' says that base (use a node "
-                  "of its own for each of the two bases)\n"),
-        text.npos)
-        << text;
-}
-
 void* lower_a_long_chain(void*) {
     for (const char* type : {"scale", "reroute", "muted"}) {
         const bool reroute = std::string(type) == "reroute";

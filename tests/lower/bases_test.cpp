@@ -1,0 +1,89 @@
+// On which normal a gradient stands, and what happens when two do not fit.
+#include <gtest/gtest.h>
+
+#include "lower/check.h"
+#include "lower/fixture.h"
+#include "lower/lower.h"
+
+namespace wrinkle {
+namespace {
+
+using test::graph;
+
+Module lowered(const std::string& text, std::string& problems) {
+    Diagnostics diagnostics;
+    const Project project = test::project(text, diagnostics);
+    check(project, test::registry(), diagnostics);
+    EXPECT_EQ(to_text(diagnostics), "");
+    Lowered result = lower(project, test::registry(), {}, diagnostics);
+    problems = to_text(diagnostics);
+    return std::move(result.module);
+}
+
+std::string problems(const std::string& text) {
+    std::string found;
+    lowered(text, found);
+    return found;
+}
+
+Module lowered(const std::string& text) {
+    std::string found;
+    Module module = lowered(text, found);
+    EXPECT_EQ(found, "");
+    return module;
+}
+
+TEST(Bases, AConversionTakesTheBaseItMeets) {
+    const Module m =
+        lowered(graph(R"("h": {"type": "pass_height", "in": {"height": {"from": "surface.facing"}}},
+                                      "first": {"type": "resolve", "in": {"gradient": {"from": "h.height"}}},
+                                      "on": {"type": "layer", "in": {"base": {"from": "first.normal"},
+                                                                     "height": {"from": "surface.facing"}}},
+                                      "weak": {"type": "scale", "in": {"gradient": {"from": "h.height"}}},
+                                      "sum": {"type": "sum", "in": {"a": {"from": "weak.gradient"},
+                                                                    "b": {"from": "on.gradient"}}})",
+                      R"("normal": {"from": "sum.gradient"}, "first": {"from": "first.normal"})"));
+    const Inst& resolve = m[m.outputs[0].value];
+    ASSERT_EQ(resolve.op, Op::resolve_);
+    const Id base = m[resolve.arg[0]].extra;
+    ASSERT_NE(base, poison);
+    EXPECT_EQ(m[base].op, Op::base_);
+    EXPECT_EQ(m[base].arg[0], m.outputs[1].value);
+}
+
+TEST(Bases, UnconstrainedItIsTheSurface) {
+    const Module m =
+        lowered(graph(R"("on": {"type": "layer", "in": {"height": {"from": "surface.facing"}}})",
+                      R"("normal": {"from": "on.gradient"})"));
+    EXPECT_EQ(m[m[m.outputs[0].value].arg[0]].extra, poison);
+}
+
+TEST(Bases, TwoInOneSumAreAnErrorWithBothNames) {
+    EXPECT_EQ(problems(graph(R"("b": {"type": "bump", "in": {"height": {"from": "surface.facing"}}},
+                                "first": {"type": "resolve", "in": {"gradient": {"from": "b.gradient"}}},
+                                "on": {"type": "layer", "in": {"base": {"from": "first.normal"},
+                                                               "height": {"from": "surface.facing"}}},
+                                "sum": {"type": "sum", "in": {"a": {"from": "b.gradient"},
+                                                              "b": {"from": "on.gradient"}}})",
+                             R"("normal": {"from": "sum.gradient"})")),
+              "g.json:5:33: error: node 'sum': adds gradients of different bases: one on the "
+              "surface, one on the normal of node 'first' (resolve them one after the other)\n");
+}
+
+TEST(Bases, AGradientCannotStandOnANormalMadeFromIt) {
+    const std::string text =
+        problems(graph(R"("weak": {"type": "scale", "in": {"gradient": {"from": "surface.facing"}}},
+"first": {"type": "resolve", "in": {"gradient": {"from": "weak.gradient"}}},
+"on": {"type": "layer", "in": {"base": {"from": "first.normal"}, "height": {"from": "surface.facing"}}},
+"sum": {"type": "sum", "in": {"a": {"from": "on.gradient"}, "b": {"from": "weak.gradient"}}})",
+                       R"("normal": {"from": "sum.gradient"})"));
+    EXPECT_NE(
+        text.find("g.json:1:26: error: node 'weak': its gradient would stand on the normal of "
+                  "node 'first', which is made from it; node 'on' says that base (use a node "
+                  "of its own for each of the two bases)\n"),
+        text.npos)
+        << text;
+}
+
+}  // namespace
+}  // namespace wrinkle
