@@ -219,6 +219,7 @@ void drop_wire(State& state) {
 
 void drop_cards(State& state) {
     const ImVec2 by = state.gesture.offset;
+    refresh(state);  // the cards stand where the last motion has put them
     Document moved = state.document();
     for (const Card& card : state.layout.cards) {
         if (!state.view.selected.contains(card.id)) continue;

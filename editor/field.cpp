@@ -68,6 +68,7 @@ std::string shown_number(double value, const Port& port) {
     const int decimals = is_count(port) ? 0 : size != 0 && size < 0.01 ? 4 : size >= 1000 ? 0 : 2;
     std::snprintf(text, sizeof text, "%.*f", decimals, value);
     std::string shown = text;
+    if (lanes_of_field(port) > 1) return shown;  // there is no room for units
     if (port.unit == "x") return shown + " \u00D7";
     if (port.unit == "deg") return shown + "\u00B0";
     return port.unit.empty() ? shown : shown + " " + port.unit;

@@ -55,7 +55,8 @@ float width_of(const Fonts& fonts, const Card& card) {
     const auto width = [&](std::string_view text, float size, bool bold) {
         return text_width(bold ? fonts.bold(size) : fonts.regular(size), size, text);
     };
-    float wanted = 29 + width(card.id, 16, true) + 16 + width(card.label, 14, false) + 10;
+    const float label = std::min(width(card.label, 14, false), 80.0F);
+    float wanted = 29 + width(card.id, 16, true) + 16 + label + 10;
     if (!card.type) return std::clamp(wanted, 104.0F, 240.0F);
     for (const Port& port : card.type->ports) {
         float row = 40 + width(port.name, 16, false);

@@ -107,7 +107,8 @@ std::unique_ptr<Window> Window::open(const WindowOptions& options, std::string& 
     ImGui::CreateContext();
     ImGuiIO& io = ImGui::GetIO();
     io.IniFilename = nullptr;
-    io.MouseDoubleClickTime = 0.4F;
+    // A script's clicks follow each other in few frames of fixed length.
+    io.MouseDoubleClickTime = options.hidden_input ? 0.06F : 0.4F;
     map_keys(io);
     use_clipboard(window);
     theme::apply_style();

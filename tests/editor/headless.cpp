@@ -1,0 +1,129 @@
+#include "headless.h"
+
+#include <imgui.h>
+#include <unistd.h>
+
+#include <fstream>
+#include <sstream>
+
+#include "editor/theme.h"
+#include "editor/ui.h"
+#include "nodes/all.h"
+
+namespace wrinkle::editor {
+namespace fs = std::filesystem;
+
+const char* const small_graph = R"({
+  "wrinkle": 1,
+  "name": "Small",
+  "nodes": {
+    "noise": { "type": "gradient_noise", "in": { "scale": 3.0 } },
+    "softer": { "type": "gradient_scale", "in": { "gradient": { "from": "noise.height" }, "amount": 0.6 } },
+    "normal": { "type": "resolve", "in": { "gradient": { "from": "softer.gradient" } } },
+    "number": { "type": "add" }
+  },
+  "outputs": {
+    "normal": { "from": "normal.normal" }
+  },
+  "layout": {
+    "noise": [0, 0],
+    "softer": [272, 0],
+    "normal": [512, 0],
+    "number": [272, 176]
+  }
+}
+)";
+
+namespace {
+
+Registry make_registry() {
+    Registry registry;
+    Diagnostics problems;
+    EXPECT_TRUE(registry.add_plugin(built_in_nodes(), Registry::built_in, problems));
+    return registry;
+}
+
+// One context for all tests: baking fonts is the slow part.
+const Fonts& context() {
+    static const Fonts fonts = [] {
+        ImGui::CreateContext();
+        ImGuiIO& io = ImGui::GetIO();
+        io.IniFilename = nullptr;
+        io.MouseDoubleClickTime = 0.06F;  // of three frames
+        map_keys(io);
+        theme::apply_style();
+        Fonts loaded;
+        loaded.load();
+        return loaded;
+    }();
+    return fonts;
+}
+
+}  // namespace
+
+const Registry& built_in_registry() {
+    static const Registry registry = make_registry();
+    return registry;
+}
+
+TemporaryFolder::TemporaryFolder() {
+    std::string name = (fs::temp_directory_path() / "wrinkle-editor-XXXXXX").string();
+    path_ = mkdtemp(name.data());
+}
+
+TemporaryFolder::~TemporaryFolder() {
+    fs::remove_all(path_);
+}
+
+fs::path TemporaryFolder::write(const std::string& name, const std::string& text) const {
+    std::ofstream(path_ / name, std::ios::binary) << text;
+    return path_ / name;
+}
+
+std::string text_of(const fs::path& file) {
+    std::ostringstream text;
+    text << std::ifstream(file, std::ios::binary).rdbuf();
+    return text.str();
+}
+
+Headless::Headless() {
+    state.fonts = context();
+    state.registry = &built_in_registry();
+    ImGuiIO& io = ImGui::GetIO();
+    io.DisplaySize = {1600, 900};
+    io.DeltaTime = 1.0F / 60;
+    io.MousePos = {-1, -1};
+    for (int i = 0; i < 30; ++i) {  // so that no click of a former test makes this one a double
+        ImGui::NewFrame();
+        ImGui::EndFrame();
+    }
+}
+
+void Headless::open(const std::string& graph) {
+    file = folder.write("graph.json", graph);
+    open_file(state, file);
+    frame();
+    frame();
+}
+
+void Headless::frame() {
+    queue.apply(ImGui::GetIO());
+    ImGui::NewFrame();
+    draw_ui(state);
+    ImGui::Render();
+}
+
+void Headless::play(const std::string& text) {
+    Script script(text);
+    for (int i = 0; i < 100'000; ++i) {
+        frame();
+        switch (script.step(state, queue, {})) {
+            case Script::Progress::done: return;
+            case Script::Progress::failed: FAIL() << script.why();
+            case Script::Progress::running: break;
+        }
+    }
+    FAIL() << "the script does not end";
+}
+
+}  // namespace wrinkle::editor

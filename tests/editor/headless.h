@@ -1,0 +1,48 @@
+// The editor without a window and without GL: the real draw_ui(), fed through the real queue.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <string>
+
+#include "editor/input_queue.h"
+#include "editor/script.h"
+#include "editor/state.h"
+
+namespace wrinkle::editor {
+
+const Registry& built_in_registry();
+
+// A graph without files: noise -> scaled -> normal, and a lone number.
+extern const char* const small_graph;
+
+// A folder of its own that is removed at the end.
+class TemporaryFolder {
+public:
+    TemporaryFolder();
+    ~TemporaryFolder();
+    std::filesystem::path write(const std::string& name, const std::string& text) const;
+    const std::filesystem::path& path() const { return path_; }
+
+private:
+    std::filesystem::path path_;
+};
+
+std::string text_of(const std::filesystem::path& file);
+
+class Headless : public ::testing::Test {
+protected:
+    Headless();
+    void open(const std::string& graph);
+    void frame();
+    // Plays a script to its end; a step that goes wrong fails the test.
+    void play(const std::string& script);
+
+    TemporaryFolder folder;
+    std::filesystem::path file;
+    State state;
+    InputQueue queue;
+};
+
+}  // namespace wrinkle::editor

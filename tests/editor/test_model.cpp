@@ -1,0 +1,215 @@
+// The model without ImGui: history, change, values, saving.
+#include <imgui.h>
+
+#include <random>
+
+#include "editor/change.h"
+#include "editor/edits.h"
+#include "editor/field.h"
+#include "editor/input_queue.h"
+#include "graph/edit.h"
+#include "graph/read.h"
+#include "graph/write.h"
+#include "headless.h"
+
+namespace wrinkle::editor {
+namespace {
+
+Document read(const std::string& text) {
+    Diagnostics problems;
+    Document document = read_document(text, "graph.json", problems);
+    EXPECT_FALSE(problems.has_errors()) << to_text(problems);
+    return document;
+}
+
+// One of the edits that the editor makes, with random ends.
+Document random_edit(const Document& document, std::mt19937& random) {
+    const auto pick = [&](size_t count) { return random() % count; };
+    const auto node = [&] { return document.nodes[pick(document.nodes.size())]->id; };
+    const auto& types = built_in_registry().list();
+    switch (document.nodes.size() < 3 ? 0 : pick(8)) {
+        case 0: {
+            Node fresh;
+            fresh.type = types[pick(types.size())].id;
+            fresh.id = free_id(document, fresh.type);
+            return add_node(document, std::move(fresh), static_cast<double>(pick(500)), 8);
+        }
+        case 1: return remove_node(document, node());
+        case 2: return connect(document, {node(), "result"}, node(), "a");
+        case 3: return disconnect(document, node(), "a");
+        case 4: return set_value(document, node(), "b", json::Value::number(0.25 + static_cast<double>(pick(9))));
+        case 5: return move_node(document, node(), static_cast<double>(pick(500)), 16);
+        case 6: return set_muted(document, node(), pick(2) == 0);
+        default: return rename_node(document, node(), "n" + std::to_string(pick(1000)));
+    }
+}
+
+TEST(History, RandomEditsUndoToTheStartAndRedoToTheEnd) {
+    std::mt19937 random(7);
+    History history(read(small_graph));
+    std::vector<std::string> texts = {write_document(history.now())};
+    for (int i = 0; i < 1000; ++i)
+        if (history.commit("edit", random_edit(history.now(), random)))
+            texts.push_back(write_document(history.now()));
+    ASSERT_GT(texts.size(), 500U);
+    for (size_t i = texts.size(); i-- > 0;) {
+        EXPECT_EQ(write_document(history.now()), texts[i]);
+        EXPECT_EQ(history.undo(), i > 0);
+    }
+    EXPECT_EQ(write_document(history.now()), small_graph);
+    for (size_t i = 0; i < texts.size(); ++i) {
+        EXPECT_EQ(write_document(history.now()), texts[i]);
+        EXPECT_EQ(history.redo(), i + 1 < texts.size());
+    }
+}
+
+TEST(History, ACommitDropsWhatWasUndone) {
+    History history(read(small_graph));
+    history.commit("a", move_node(history.now(), "noise", 1, 1));
+    history.undo();
+    history.commit("b", move_node(history.now(), "noise", 2, 2));
+    EXPECT_FALSE(history.can_redo());
+    EXPECT_EQ(history.undo_name(), "b");
+}
+
+TEST(History, EqualKeysAreOneStepAndCanBeTakenBack) {
+    const Document start = read(small_graph);
+    History history(start);
+    for (int i = 1; i < 50; ++i)
+        history.commit("move", move_node(history.now(), "noise", i, 0), "drag");
+    EXPECT_DOUBLE_EQ(history.now().positions.find("noise")->x, 49);
+    history.undo();
+    EXPECT_FALSE(history.can_undo());
+    EXPECT_TRUE(same_document(history.now(), start));
+    history.redo();
+    history.cancel("another");
+    EXPECT_TRUE(history.can_undo());
+    history.cancel("drag");
+    EXPECT_TRUE(same_document(history.now(), start));
+    EXPECT_FALSE(history.can_redo());
+}
+
+TEST(History, NothingChangedIsNoStep) {
+    History history(read(small_graph));
+    EXPECT_FALSE(history.commit("same", set_value(history.now(), "nobody", "x", {})));
+    EXPECT_FALSE(history.can_undo());
+}
+
+TEST(History, EveryStateHasItsOwnSerial) {
+    History history(read(small_graph));
+    const uint64_t first = history.serial();
+    history.commit("a", move_node(history.now(), "noise", 1, 1));
+    const uint64_t second = history.serial();
+    history.undo();
+    EXPECT_EQ(history.serial(), first);
+    history.commit("b", move_node(history.now(), "noise", 2, 2));
+    EXPECT_NE(history.serial(), second);
+    EXPECT_NE(history.serial(), first);
+}
+
+TEST(Change, TellsLayoutValuesAndStructureApart) {
+    const Document a = read(small_graph);
+    EXPECT_EQ(change(a, a).kind, Change::Kind::none);
+    EXPECT_EQ(change(a, move_node(a, "noise", 5, 5)).kind, Change::Kind::cosmetic);
+    const Change value = change(a, set_value(a, "softer", "amount", json::Value::number(0.5)));
+    EXPECT_EQ(value.kind, Change::Kind::values);
+    ASSERT_EQ(value.values.size(), 1U);
+    EXPECT_EQ(value.values[0].node, "softer");
+    EXPECT_EQ(value.values[0].port, "amount");
+    EXPECT_EQ(change(a, reset_value(a, "softer", "amount")).kind, Change::Kind::values);
+    EXPECT_EQ(change(a, disconnect(a, "softer", "gradient")).kind, Change::Kind::structure);
+    EXPECT_EQ(change(a, set_muted(a, "softer", true)).kind, Change::Kind::structure);
+    EXPECT_EQ(change(a, remove_node(a, "number")).kind, Change::Kind::structure);
+    EXPECT_EQ(change(a, remove_output(a, "normal")).kind, Change::Kind::structure);
+}
+
+const Port& port_of(const char* type, const char* port) {
+    const NodeType& found = *built_in_registry().find(type);
+    return found.ports[found.find_input(port)];
+}
+
+TEST(Field, WritesNoDefaultAndReadsItBack) {
+    Document document = read(small_graph);
+    const Port& amount = port_of("gradient_scale", "amount");
+    EXPECT_DOUBLE_EQ(numbers_at(*document.find("softer"), amount)[0], 0.6);
+    document = with_number(document, "softer", amount, 0, amount.default_value[0]);
+    EXPECT_EQ(document.find("softer")->find("amount"), nullptr);
+    EXPECT_DOUBLE_EQ(numbers_at(*document.find("softer"), amount)[0], amount.default_value[0]);
+}
+
+TEST(Field, KeepsToTheHardRangeAndToWholeCounts) {
+    const Document document = read(small_graph);
+    const Port& octaves = port_of("gradient_noise", "octaves");
+    ASSERT_TRUE(octaves.has_hard_range());
+    const Document many = with_number(document, "noise", octaves, 0, 1e9);
+    EXPECT_DOUBLE_EQ(numbers_at(*many.find("noise"), octaves)[0], octaves.hard_max);
+    const Document some = with_number(document, "noise", octaves, 0, 2.4);
+    EXPECT_EQ(some.find("noise")->find("octaves")->value.spelling(), "2");
+    EXPECT_TRUE(same_document(with_number(document, "noise", octaves, 0, NAN), document));
+}
+
+TEST(Field, ADragEndsOnDecimalsThatPeopleWrite) {
+    const Port& amount = port_of("gradient_scale", "amount");
+    for (double pixels = -300; pixels <= 300; pixels += 7) {
+        const double value = dragged(0.6, pixels, 120, amount, false, false);
+        const Document document = with_number(read(small_graph), "softer", amount, 0, value);
+        const Input* input = document.find("softer")->find("amount");
+        EXPECT_LE(input ? input->value.spelling().size() : 0, 6U) << pixels;
+    }
+    EXPECT_LT(std::fabs(dragged(0, 10, 120, amount, true, false)),
+              std::fabs(dragged(0, 10, 120, amount, false, false)));
+}
+
+TEST(Model, WiresGoWhereTheTypesSay) {
+    const Document document = read(small_graph);
+    const Registry& registry = built_in_registry();
+    const Model model = make_model(document, ".", registry);
+    const auto why = [&](const Link& from, const char* node, const char* port) {
+        return wire_problem(model, document, registry, from, node, port);
+    };
+    EXPECT_EQ(why({"noise", "height"}, "normal", "gradient"), "");
+    EXPECT_EQ(why({"noise", "value"}, "number", "a"), "");
+    EXPECT_NE(why({"normal", "normal"}, "number", "a"), "");
+    EXPECT_NE(why({"softer", "gradient"}, "softer", "gradient"), "") << "a node and itself";
+    EXPECT_NE(why({"normal", "normal"}, "softer", "gradient"), "") << "a loop";
+    EXPECT_NE(why({"noise", "value"}, "noise", "octaves"), "") << "a count takes no wire";
+    EXPECT_NE(why({"nobody", "x"}, "number", "a"), "");
+    EXPECT_EQ(output_problem(model, {"softer", "gradient"}, "normal", registry), "");
+    EXPECT_NE(output_problem(model, {"normal", "normal"}, "roughness", registry), "");
+}
+
+TEST(InputQueue, EveryTapIsSeenInOrder) {
+    ImGuiIO io;
+    InputQueue queue;
+    for (int i = 0; i < 100; ++i)
+        ASSERT_TRUE(queue.chord("F5"));
+    int taps = 0;
+    bool down = false;
+    for (int frame = 0; frame < 1000 && !queue.empty(); ++frame) {
+        queue.apply(io);
+        const bool now = io.KeysDown[key_named("F5")];
+        taps += now && !down;
+        down = now;
+    }
+    EXPECT_EQ(taps, 100);
+    EXPECT_FALSE(queue.chord("Ctrl+Nonsense"));
+    EXPECT_TRUE(queue.empty());
+}
+
+TEST(InputQueue, APressIsNeverAtAnotherPlaceThanItsMotion) {
+    ImGuiIO io;
+    InputQueue queue;
+    queue.motion(10, 10);
+    queue.button(0, true);
+    queue.motion(50, 50);
+    queue.button(0, false);
+    queue.apply(io);
+    EXPECT_TRUE(io.MouseDown[0]);
+    EXPECT_FLOAT_EQ(io.MousePos.x, 10);
+    queue.apply(io);
+    EXPECT_FLOAT_EQ(io.MousePos.x, 50);
+    EXPECT_FALSE(io.MouseDown[0]);
+}
+
+}  // namespace
+}  // namespace wrinkle::editor

@@ -1,0 +1,344 @@
+// The real window contents without a window, by the names of what is on the screen.
+#include <random>
+
+#include "editor/commands.h"
+#include "editor/layout.h"
+#include "editor/palette.h"
+#include "graph/write.h"
+#include "headless.h"
+
+namespace wrinkle::editor {
+namespace {
+
+TEST_F(Headless, ShowsWhatTheGraphHolds) {
+    open(small_graph);
+    play(R"(
+        assert nodes 4
+        assert wires 3
+        assert errors 0
+        assert clean
+        assert target node:noise
+        assert target out:noise.height
+        assert target pin:softer.gradient
+        assert target field:softer.amount
+        assert target pin:output.normal
+        assert target line:1
+        assert code wrinkle_graph_normal)");
+    EXPECT_EQ(write_document(state.document()), small_graph);
+}
+
+TEST_F(Headless, ThePaletteAddsANodeAndUndoTakesItAway) {
+    open(small_graph);
+    play(R"(
+        key Space
+        type smooths
+        assert target palette:smoothstep
+        key Enter
+        assert node smoothstep
+        assert nodes 5
+        key Ctrl+Z
+        assert no-node smoothstep
+        key Ctrl+Shift+Z
+        assert node smoothstep
+        click canvas+0,250
+        key Space
+        key Escape
+        assert nodes 5)");
+}
+
+TEST_F(Headless, EveryNodeTypeIsFoundByItsNameAlone) {
+    open(small_graph);
+    for (const NodeType& type : built_in_registry().list()) {
+        const auto found = search_nodes(state, type.title);
+        ASSERT_FALSE(found.empty()) << type.id;
+        EXPECT_EQ(found.front()->title, type.title);
+    }
+    EXPECT_TRUE(search_nodes(state, "no such node").empty());
+}
+
+TEST_F(Headless, APinIsConnectedByADrag) {
+    open(small_graph);
+    play(R"(
+        drag out:noise.value pin:number.a
+        assert wire noise.value number.a
+        assert wires 4
+        drag pin:number.b out:noise.value
+        assert wire noise.value number.b
+        drag out:number.result pin:output.roughness
+        assert wire number.result roughness
+        assert errors 0
+        key Ctrl+Z
+        assert no-wire number.result roughness)");
+}
+
+TEST_F(Headless, AWireThatFitsNobodyIsRefusedWithAReason) {
+    open(small_graph);
+    play(R"(
+        drag out:normal.normal pin:number.a
+        assert no-wire normal.normal number.a
+        assert status is not a float
+        drag out:normal.normal pin:softer.gradient
+        assert status loop
+        assert wires 3
+        assert clean)");
+}
+
+TEST_F(Headless, AWireIsTakenOffAndPutElsewhereInOneStep) {
+    open(small_graph);
+    play(R"(
+        drag pin:normal.gradient canvas+0,300
+        assert no-wire softer.gradient normal.gradient
+        key Ctrl+Z
+        assert wire softer.gradient normal.gradient
+        assert clean
+        drag pin:softer.gradient pin:normal.gradient
+        assert wire noise.height normal.gradient
+        assert no-wire noise.height softer.gradient
+        key Ctrl+Z
+        assert wire noise.height softer.gradient
+        assert clean
+        click pin:softer.gradient
+        assert clean
+        drag pin:softer.gradient pin:softer.gradient+3,8
+        assert clean)");
+}
+
+TEST_F(Headless, AWireIntoTheOpenAsksForANodeThatFits) {
+    open(small_graph);
+    play(R"(
+        drag out:softer.gradient canvas+0,300
+        assert target palette:gradient_add
+        type lays one
+        key Escape
+        assert nodes 4
+        drag out:softer.gradient canvas+0,300
+        type gradient_add
+        key Enter
+        assert wire softer.gradient gradient_add.a)");
+    EXPECT_FALSE(state.targets.find("palette:floor"));
+}
+
+TEST_F(Headless, AValueIsDraggedInOneStepAndCompilesNothingOnTheWay) {
+    open(small_graph);
+    const uint64_t builds = state.counters.builds;
+    play("assert value softer.amount 0.6");
+    const auto field = *state.targets.find("field:softer.amount");
+    queue.motion(field.middle_x(), field.middle_y());
+    queue.button(0, true);
+    for (int i = 1; i <= 20; ++i) {
+        queue.motion(field.middle_x() + static_cast<float>(i), field.middle_y());
+        frame();
+    }
+    EXPECT_EQ(state.counters.builds, builds);
+    EXPECT_GE(state.counters.uniforms, 10U);
+    EXPECT_TRUE(state.dirty());
+    queue.button(0, false);
+    frame();
+    frame();
+    EXPECT_EQ(state.counters.builds, builds + 1);
+    play("key Ctrl+Z\nassert value softer.amount 0.6\nassert clean");
+    EXPECT_FALSE(state.history.can_undo());
+}
+
+TEST_F(Headless, EscapeGivesAValueBack) {
+    open(small_graph);
+    const auto field = *state.targets.find("field:softer.amount");
+    queue.motion(field.middle_x(), field.middle_y());
+    queue.button(0, true);
+    queue.motion(field.middle_x() + 40, field.middle_y());
+    while (!queue.empty())
+        frame();
+    EXPECT_TRUE(state.dirty());
+    play("key Escape\nassert clean");
+    queue.button(0, false);
+    play("assert value softer.amount 0.6\nassert clean");
+}
+
+TEST_F(Headless, AValueIsTyped) {
+    open(small_graph);
+    play(R"(
+        double field:softer.amount
+        type 0.125
+        key Enter
+        assert value softer.amount 0.125
+        double field:softer.amount
+        type nonsense
+        key Enter
+        assert value softer.amount 0.125
+        assert status is not a number)");
+}
+
+TEST_F(Headless, NodesAreMovedTogetherRenamedMutedAndDeleted) {
+    open(small_graph);
+    play(R"(
+        key Ctrl+A
+        drag node:softer node:softer+80,40)");
+    const double dx = state.document().positions.find("noise")->x;
+    EXPECT_NE(dx, 0);
+    EXPECT_DOUBLE_EQ(state.document().positions.find("softer")->x, 272 + dx);
+    EXPECT_DOUBLE_EQ(state.document().positions.find("number")->x, 272 + dx);
+    play(R"(
+        key Ctrl+Z
+        assert clean
+        click canvas+0,300
+        double node:number
+        type total
+        key Enter
+        assert node total
+        assert no-node number
+        click node:softer
+        key M
+        key Delete
+        assert no-node softer
+        assert wires 1
+        key Ctrl+Z
+        assert wires 3)");
+    EXPECT_TRUE(state.document().find("softer")->muted);
+}
+
+TEST_F(Headless, MovingCompilesNothing) {
+    open(small_graph);
+    const uint64_t builds = state.counters.builds;
+    play("drag node:number node:number+40,40\nassert dirty");
+    EXPECT_EQ(state.counters.builds, builds);
+}
+
+TEST_F(Headless, ABoxSelectsWhatItTouches) {
+    open(small_graph);
+    play("drag canvas+-480,-330 canvas+480,330");
+    EXPECT_TRUE(state.view.selected.contains("noise"));
+    EXPECT_TRUE(state.view.selected.contains("number"));
+    play("click canvas+0,320");
+    EXPECT_TRUE(state.view.selected.empty());
+}
+
+TEST_F(Headless, TheWheelZoomsAtThePointer) {
+    open(small_graph);
+    const auto before = *state.targets.find("node:softer");
+    const float zoom = state.view.zoom;
+    play("wheel node:softer -3");
+    const auto after = *state.targets.find("node:softer");
+    EXPECT_LT(state.view.zoom, zoom);
+    EXPECT_NEAR(after.middle_x(), before.middle_x(), 1);
+    EXPECT_NEAR(after.middle_y(), before.middle_y(), 1);
+    play("assert clean");
+}
+
+TEST_F(Headless, PinsAreCaughtWhenZoomedFarOut) {
+    open(small_graph);
+    for (int i = 0; i < 8; ++i)
+        play("wheel node:softer -1");
+    EXPECT_LT(state.view.zoom, 0.5F);
+    play("drag out:noise.value pin:number.a+-5,3\nassert wire noise.value number.a");
+}
+
+TEST_F(Headless, SavesWhatIsShownAndOnlyTheEditedLine) {
+    open(small_graph);
+    play("key Ctrl+S");
+    EXPECT_EQ(text_of(file), small_graph) << "an untouched graph keeps its bytes";
+    play(R"(
+        double field:softer.amount
+        type 0.25
+        key Enter
+        assert dirty
+        click menu:File
+        click menu:save
+        assert clean)");
+    std::string expected = small_graph;
+    expected.replace(expected.find("\"amount\": 0.6"), 13, "\"amount\": 0.25");
+    EXPECT_NE(text_of(file).find("\"amount\": 0.25"), std::string::npos);
+    EXPECT_EQ(text_of(file), expected);
+    play("key Ctrl+Z\nassert dirty\nkey Ctrl+S");
+    EXPECT_EQ(text_of(file), small_graph);
+}
+
+TEST_F(Headless, AFileThatWasNotReadWholeIsNotOverwritten) {
+    const std::string broken = std::string(small_graph).substr(0, 300);
+    open(broken);
+    play("key Ctrl+S\nassert status Not saved");
+    EXPECT_EQ(text_of(file), broken);
+}
+
+TEST_F(Headless, AMissingPluginIsShownKeptAndReported) {
+    std::string graph = small_graph;
+    graph.replace(graph.find("\"type\": \"add\""), 13, "\"type\": \"acme\"");
+    open(graph);
+    play(R"(
+        assert node number
+        assert target node:number
+        assert target problem:1
+        click problem:1
+        drag node:softer node:softer+40,40
+        key Ctrl+S)");
+    EXPECT_NE(text_of(file).find("\"type\": \"acme\""), std::string::npos);
+}
+
+TEST_F(Headless, ALineOfTheCodeLeadsToItsNode) {
+    open(small_graph);
+    size_t line = 0;
+    const Reflection& reflection = state.built.uniform->reflection;
+    for (size_t i = 0; i < reflection.lines.size() && line == 0; ++i)
+        if (reflection.lines[i] != no_node && reflection.node_paths[reflection.lines[i]] == "normal")
+            line = i + 1;
+    ASSERT_GT(line, 0U);
+    state.view.preview = 0.15F;
+    frame();
+    frame();
+    if (!state.targets.find("line:" + std::to_string(line))) GTEST_SKIP() << "below the fold";
+    play("click line:" + std::to_string(line));
+    EXPECT_EQ(state.view.selected, std::set<std::string>{"normal"});
+}
+
+TEST_F(Headless, QuittingAsksOnlyWhenSomethingIsUnsaved) {
+    open(small_graph);
+    play("click node:number\nkey Delete\nkey Ctrl+Q\nassert target quit:save\nclick quit:cancel");
+    EXPECT_FALSE(state.quit);
+    play("key Ctrl+Z\nassert clean\nkey Ctrl+Q");
+    EXPECT_TRUE(state.quit);
+}
+
+TEST_F(Headless, CommandsAreFoundByName) {
+    open(small_graph);
+    play("key Ctrl+P\ntype select all\nkey Enter");
+    EXPECT_EQ(state.view.selected.size(), 4U);
+}
+
+TEST(Commands, HaveNamesAndKeysOfTheirOwn) {
+    std::set<std::string_view> ids, keys;
+    for (const Command& command : commands()) {
+        EXPECT_TRUE(ids.insert(command.id).second) << command.id;
+        EXPECT_TRUE(command.keys.empty() || keys.insert(command.keys).second) << command.keys;
+        EXPECT_FALSE(command.title.empty());
+    }
+}
+
+TEST_F(Headless, AnyInputIsSurvived) {
+    open(small_graph);
+    std::mt19937 random(11);
+    const auto number = [&](int below) { return static_cast<int>(random() % static_cast<unsigned>(below)); };
+    for (int i = 0; i < 6000; ++i) {
+        switch (number(6)) {
+            case 0:
+            case 1: queue.motion(static_cast<float>(number(1600)), static_cast<float>(number(900))); break;
+            case 2: queue.button(number(3), number(2) == 0); break;
+            case 3: queue.wheel(0, static_cast<float>(number(3) - 1)); break;
+            case 4: queue.key(number(8) ? 'A' + number(26) : key_named("Delete"), number(2) == 0); break;
+            default: queue.character(static_cast<unsigned>(' ' + number(90))); break;
+        }
+        frame();
+        state.quit = false;
+    }
+    while (!queue.empty())
+        frame();
+    for (int i = 0; i < 512; ++i)
+        ImGui::GetIO().KeysDown[i] = false;
+    for (bool& down : ImGui::GetIO().MouseDown)
+        down = false;
+    frame();
+    Diagnostics problems;
+    const std::string text = write_document(state.document());
+    EXPECT_EQ(text.substr(0, 1), "{");
+}
+
+}  // namespace
+}  // namespace wrinkle::editor
