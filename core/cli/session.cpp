@@ -25,6 +25,7 @@ void declare_plugin_path(CLI::App& command, CommonOptions& options) {
         .add_option("--plugin-path", options.plugin_paths,
                     "A plugin, or a folder of plugins; before those of WRINKLE_PLUGIN_PATH")
         ->type_name("DIR")
+        ->allow_extra_args(false)  // one a time: what follows may be a file
         ->take_all();
 }
 
@@ -34,6 +35,7 @@ void declare_common(CLI::App& command, CommonOptions& options, bool with_set) {
             .add_option("--set", options.set,
                         "NODE.PORT=VALUE or input.NAME=VALUE; A:B:N is a sweep of N values")
             ->type_name("WHAT=VALUE")
+            ->allow_extra_args(false)  // one a time: what follows may be a file
             ->take_all();
     command
         .add_option("--root", options.root,

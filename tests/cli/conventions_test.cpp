@@ -77,6 +77,14 @@ TEST_F(ConventionsTest, DiagnosticsAsJson) {
     EXPECT_EQ(parsed(fine.err).find("diagnostics").size(), 0u);
 }
 
+TEST_F(ConventionsTest, OptionsMayStandBeforeTheFile) {
+    put("g.json", ramp_graph());
+    const Ran ran = run({"eval", "--at", R"({"uv0": [1, 0]})", "--set", "scaled.b=3", "--set",
+                         "scaled.a=5", "--plugin-path", ".", "g.json"});
+    EXPECT_EQ(ran.code, 0) << ran.err;
+    EXPECT_TRUE(says(ran.out, "{\"value\": 15}"));
+}
+
 TEST_F(ConventionsTest, RootIsAFence) {
     put("inner/value.json", R"({"wrinkle": 1, "nodes": {"m": {"type": "add"}},
         "outputs": {"value": {"from": "m.result"}}})");

@@ -110,6 +110,11 @@ TEST_F(EvalTest, SweepsAValue) {
     }
 }
 
+TEST_F(EvalTest, WhatJsonCannotSayIsNull) {
+    put("g.json", ramp_graph("3e38"));
+    EXPECT_TRUE(says(run({"eval", "g.json", "--at", R"({"uv0": [9, 0]})"}).out, "\"value\": null"));
+}
+
 TEST_F(EvalTest, ReportsABadPoint) {
     put("g.json", ramp_graph());
     const std::vector<std::pair<std::string, std::string>> cases = {
