@@ -11,15 +11,6 @@ namespace {
 
 using Lanes = std::vector<uint32_t>;
 
-size_t lane_count(Type type) {
-    return info(type).lanes;
-}
-
-// A float stands for every lane beside a vector.
-uint32_t lane_of(const Lanes& lanes, size_t k) {
-    return lanes.size() == 1 ? lanes[0] : lanes[k];
-}
-
 bool is_number(Op op) {
     return op == Op::literal_ || op == Op::parameter_;
 }
@@ -77,13 +68,6 @@ uint32_t Flattener::constant(double value, Type type) {
     program_.constants.push_back(value);
     push(step);
     return step.out[0];
-}
-
-uint32_t Flattener::dot(const Lanes& a, const Lanes& b) {
-    uint32_t sum = add_float(Op::mul_, {a[0], b[0]});
-    for (size_t k = 1; k < a.size(); ++k)
-        sum = add_float(Op::add_, {sum, add_float(Op::mul_, {a[k], b[k]})});
-    return sum;
 }
 
 // What must be there before an instruction: its operands and, of a loop, what its body captures.
@@ -151,169 +135,6 @@ void Flattener::instruction(Id id) {
     }
     Lanes value = made(inst, args);
     context_[inst.level].values[id] = std::move(value);
-}
-
-Flattener::Lanes Flattener::made(const Inst& inst, const std::vector<Lanes>& args) {
-    switch (inst.op) {
-        case Op::literal_:
-        case Op::input_:
-        case Op::parameter_:
-        case Op::region_param_:
-            return leaf(inst);
-        case Op::construct_:
-        case Op::swizzle_:
-        case Op::column_:
-        case Op::transpose_:
-            return rearranged(inst, args);
-        case Op::detach_:
-            return args[0];
-        case Op::sample_lod_:
-        case Op::sample_grad_:
-        case Op::image_size_:
-            return sampled(inst, args);
-        case Op::dot_:
-        case Op::cross_:
-        case Op::length_:
-        case Op::normalize_:
-        case Op::reflect_:
-            return vector_op(inst, args);
-        case Op::transform_:
-        case Op::matrix_product_:
-            return transformed(args);
-        default:
-            break;
-    }
-    return lanewise(inst, inst.op == Op::select_ ? inst.type : module_->type(inst.arg[0]), args);
-}
-
-Flattener::Lanes Flattener::leaf(const Inst& inst) {
-    Lanes result;
-    if (inst.op == Op::region_param_) return context_[inst.level].params[inst.extra];
-    if (inst.op == Op::literal_) return {constant(inst.value, inst.type)};
-    for (uint32_t k = 0; k < lane_count(inst.type); ++k) {
-        if (inst.op == Op::parameter_) {
-            result.push_back(constant(module_->parameters[inst.extra].value[k], inst.type));
-            continue;
-        }
-        const auto [entry, added] = inputs_.try_emplace({inst.extra, k});
-        if (added) {
-            entry->second = fresh(Type::float_);
-            program_.inputs.push_back(
-                {input_of(inst.extra), variant_of(inst.extra), k, entry->second});
-        }
-        result.push_back(entry->second);
-    }
-    return result;
-}
-
-Flattener::Lanes Flattener::rearranged(const Inst& inst, const std::vector<Lanes>& args) const {
-    Lanes result;
-    if (inst.op == Op::construct_)
-        for (const Lanes& part : args)
-            result.insert(result.end(), part.begin(), part.end());
-    else if (inst.op == Op::swizzle_)
-        for (uint32_t k = 0; k < (inst.extra & 0xF); ++k)
-            result.push_back(args[0][inst.extra >> (4 + 4 * k) & 0xF]);
-    else if (inst.op == Op::column_)
-        result.assign(args[0].begin() + inst.extra * 3, args[0].begin() + inst.extra * 3 + 3);
-    else
-        for (size_t k = 0; k < 9; ++k)
-            result.push_back(args[0][k % 3 * 3 + k / 3]);
-    return result;
-}
-
-Flattener::Lanes Flattener::lanewise(const Inst& inst, Type operands,
-                                     const std::vector<Lanes>& args) {
-    const Type operand =
-        is_float_type(operands) || operands == Type::mat3_ ? Type::float_ : operands;
-    const Type result = is_integer_type(inst.type) ? inst.type : Type::float_;
-    Lanes lanes;
-    for (size_t k = 0; k < lane_count(inst.type); ++k) {
-        Lanes in;
-        for (const Lanes& arg : args)
-            in.push_back(lane_of(arg, k));
-        lanes.push_back(add(inst.op, operand, result, in));
-    }
-    return lanes;
-}
-
-Flattener::Lanes Flattener::vector_op(const Inst& inst, const std::vector<Lanes>& args) {
-    const Lanes& a = args[0];
-    Lanes result;
-    switch (inst.op) {
-        case Op::dot_:
-            return {dot(a, args[1])};
-        case Op::length_:
-            return {add_float(Op::sqrt_, {dot(a, a)})};
-        case Op::normalize_: {
-            const uint32_t length = add_float(Op::sqrt_, {dot(a, a)});
-            for (const uint32_t lane : a)
-                result.push_back(add_float(Op::div_, {lane, length}));
-            return result;
-        }
-        case Op::reflect_: {
-            const uint32_t twice =
-                add_float(Op::mul_, {constant(2, Type::float_), dot(args[1], a)});
-            for (size_t k = 0; k < a.size(); ++k)
-                result.push_back(
-                    add_float(Op::sub_, {a[k], add_float(Op::mul_, {twice, args[1][k]})}));
-            return result;
-        }
-        default:
-            break;
-    }
-    const Lanes& b = args[1];
-    for (size_t k = 0; k < 3; ++k) {
-        const size_t i = (k + 1) % 3, j = (k + 2) % 3;
-        result.push_back(add_float(
-            Op::sub_, {add_float(Op::mul_, {a[i], b[j]}), add_float(Op::mul_, {a[j], b[i]})}));
-    }
-    return result;
-}
-
-// A mat3 times each vec3 column of the other operand.
-Flattener::Lanes Flattener::transformed(const std::vector<Lanes>& args) {
-    const Lanes& m = args[0];
-    Lanes result;
-    for (size_t column = 0; column < args[1].size(); column += 3)
-        for (size_t row = 0; row < 3; ++row)
-            result.push_back(dot({m[row], m[3 + row], m[6 + row]},
-                                 {args[1][column], args[1][column + 1], args[1][column + 2]}));
-    return result;
-}
-
-// As sample_lod_of() in ir/rewrite.h.
-uint32_t Flattener::lod_of(uint32_t resource, const Lanes& dx, const Lanes& dy) {
-    Inst size;
-    size.op = Op::image_size_;
-    size.extra = resource;
-    const Lanes texels = sampled(size, {});
-    const auto square = [&](const Lanes& change) {
-        const Lanes scaled{add_float(Op::mul_, {texels[0], change[0]}),
-                           add_float(Op::mul_, {texels[1], change[1]})};
-        return dot(scaled, scaled);
-    };
-    constexpr double smallest = 9.094947017729282e-13;
-    const uint32_t widest = add_float(Op::max_, {add_float(Op::max_, {square(dx), square(dy)}),
-                                                 constant(smallest, Type::float_)});
-    return add_float(Op::mul_, {add_float(Op::log2_, {widest}), constant(0.5, Type::float_)});
-}
-
-Flattener::Lanes Flattener::sampled(const Inst& inst, const std::vector<Lanes>& args) {
-    Step step;
-    step.kind = inst.op == Op::image_size_ ? Step::Kind::size : Step::Kind::sample;
-    step.extra = inst.extra;
-    if (inst.op != Op::image_size_) {
-        const uint32_t lod =
-            inst.op == Op::sample_lod_ ? args[1][0] : lod_of(inst.extra, args[1], args[2]);
-        step.in = {args[0][0], args[0][1], lod};
-        step.count = 3;
-    }
-    Lanes result;
-    for (size_t k = 0; k < step.outputs(); ++k)
-        result.push_back(step.out[k] = fresh(Type::float_));
-    push(step);
-    return result;
 }
 
 std::vector<Flattener::Lanes> Flattener::called(const Inst& inst, const std::vector<Lanes>& args) {
