@@ -81,8 +81,7 @@ void draw_menu_bar(State& state) {
     ImGui::PopStyleVar();
     ImGui::EndChild();
     ImGui::PopStyleVar();
-    const std::string file =
-        state.path.filename().string() + (state.dirty() ? ", edited" : "");
+    const std::string file = state.path.filename().string() + (state.dirty() ? ", edited" : "");
     const std::string& name = state.document().name;
     const Fonts& fonts = state.fonts;
     ImDrawList& list = *ImGui::GetWindowDrawList();

@@ -93,8 +93,8 @@ void open_popup(State& state, const Card& card, const Field* field, Popup::Kind 
     if (field) {
         popup.port_index = field->index;
         popup.lane = field->lane;
-        popup.text = typed_value(*state.document().find(card.id), port_of(card, *field),
-                                 field->lane);
+        popup.text =
+            typed_value(*state.document().find(card.id), port_of(card, *field), field->lane);
     }
     state.popup = std::move(popup);
 }
@@ -143,7 +143,8 @@ void press(State& state, const Hit& hit) {
         case Hit::Kind::card:
             select(state, state.layout.cards[hit.card].id);
             return begin(state, Kind::move);
-        case Hit::Kind::more: return toggle_more(state, state.layout.cards[hit.card]);
+        case Hit::Kind::more:
+            return toggle_more(state, state.layout.cards[hit.card]);
         case Hit::Kind::wire: {
             const Wire& wire = state.layout.wires[hit.part];
             state.view.selected.clear();
@@ -196,12 +197,21 @@ void drag(State& state) {
                      g.merge);
     g.moved = true;
     switch (g.kind) {
-        case Kind::pan: state.view.pan = state.view.pan + io.MouseDelta; break;
-        case Kind::box: drag_box(state); break;
-        case Kind::move: drag_move(state, delta); break;
-        case Kind::value: drag_value(state, delta); break;
+        case Kind::pan:
+            state.view.pan = state.view.pan + io.MouseDelta;
+            break;
+        case Kind::box:
+            drag_box(state);
+            break;
+        case Kind::move:
+            drag_move(state, delta);
+            break;
+        case Kind::value:
+            drag_value(state, delta);
+            break;
         case Kind::wire:
-        case Kind::none: break;
+        case Kind::none:
+            break;
     }
 }
 
@@ -233,7 +243,9 @@ void drop_cards(State& state) {
 void release(State& state) {
     const Gesture g = state.gesture;
     switch (g.kind) {
-        case Kind::wire: drop_wire(state); break;
+        case Kind::wire:
+            drop_wire(state);
+            break;
         case Kind::move:
             if (g.moved) drop_cards(state);
             break;
@@ -245,7 +257,8 @@ void release(State& state) {
                         click_field(state, *card, field);
             }
             break;
-        default: break;
+        default:
+            break;
     }
     state.gesture = {};
     state.layout_stale = true;

@@ -3,8 +3,9 @@
 //
 //   drag on empty ground     box select          middle drag, Alt + drag   pan
 //   wheel                    zoom at the pointer
-//   drag a header or body    move the selection  drag a field   change a number (Ctrl fine, Shift coarse)
-//   drag pin to pin          connect; from a connected input: take the wire off; to empty ground:
+//   drag a header or body    move the selection  drag a field   change a number (Ctrl fine, Shift
+//   coarse) drag pin to pin          connect; from a connected input: take the wire off; to empty
+//   ground:
 //                            the palette, filtered by what fits
 //   double-click a field     type a value        double-click a header   rename
 #pragma once

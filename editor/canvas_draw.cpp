@@ -25,7 +25,8 @@ struct Painter {
     }
     void text(ImVec2 at, float size, ImU32 color, std::string_view what, bool bold = false,
               bool right = false) const {
-        if (size * zoom >= 6) draw_text(list, font(size, bold), size * zoom, at, color, what, right);
+        if (size * zoom >= 6)
+            draw_text(list, font(size, bold), size * zoom, at, color, what, right);
     }
     std::string cut(float size, std::string_view what, float width, bool bold = false) const {
         return fitting(font(size, bold), size * zoom, what, width * zoom);
@@ -72,7 +73,8 @@ void draw_conversion(const Painter& p, const Wire& wire, ImVec2 at) {
         p.list.AddLine(at - ImVec2(4, 4), at + ImVec2(4, 4), edge, 2);
         p.list.AddLine(at - ImVec2(4, -4), at + ImVec2(4, -4), edge, 2);
     } else {
-        p.list.AddLine(at - ImVec2(4 * p.zoom, 0), at + ImVec2(4 * p.zoom, 0), theme::text_dim, 1.5F);
+        p.list.AddLine(at - ImVec2(4 * p.zoom, 0), at + ImVec2(4 * p.zoom, 0), theme::text_dim,
+                       1.5F);
         p.list.AddTriangleFilled(at + ImVec2(5 * p.zoom, 0), at + ImVec2(1, -3) * p.zoom,
                                  at + ImVec2(1, 3) * p.zoom, theme::text_dim);
     }
@@ -88,7 +90,9 @@ void draw_wire(const Painter& p, const Wire& wire, bool hovered) {
     const Curve k = curve_between(p, start, end);
     const bool chosen = p.view.selected_wire && p.view.selected_wire->node == wire.node &&
                         p.view.selected_wire->port == wire.port;
-    const float thickness = (hovered ? 4 : belongs_to_selection(p.view, wire) ? 3 : 2.5F) *
+    const float thickness = (hovered                              ? 4
+                             : belongs_to_selection(p.view, wire) ? 3
+                                                                  : 2.5F) *
                             std::clamp(p.zoom, 0.5F, 1.5F);
     const bool illegal =
         wire.known && conversion(wire.from_type, wire.to_type) == Conversion::illegal;
@@ -97,8 +101,7 @@ void draw_wire(const Painter& p, const Wire& wire, bool hovered) {
     if (illegal) {
         draw_dashed(p.list, k.a, k.b, k.c, k.d, theme::error, thickness, 6, 4);
     } else {
-        if (p.zoom >= 0.6F)
-            p.list.AddBezierCubic(k.a, k.b, k.c, k.d, theme::canvas, thickness + 3);
+        if (p.zoom >= 0.6F) p.list.AddBezierCubic(k.a, k.b, k.c, k.d, theme::canvas, thickness + 3);
         p.list.AddBezierCubic(k.a, k.b, k.c, k.d, color, thickness, p.zoom < 0.35F ? 8 : 0);
     }
     if (wire.known) draw_conversion(p, wire, middle(k));
@@ -119,8 +122,7 @@ void draw_field(const Painter& p, const Card& card, const Node& node, const Fiel
         p.list.AddRectFilled({low.x + 2 * z, high.y - 2 * z}, {x, high.y}, theme::accent);
     }
     p.list.AddRect(low, high, hovered ? theme::accent : theme::control, 4 * z);
-    const std::string shown =
-        field.lanes > 1 ? shown_number(value, port) : shown_value(node, port);
+    const std::string shown = field.lanes > 1 ? shown_number(value, port) : shown_value(node, port);
     const float pad = 7 * z, y = low.y + 2.5F * z;
     const bool named = field.lanes <= 1;
     const float room = field.width - 14;
@@ -151,7 +153,8 @@ void draw_pins(const Painter& p, const Card& card, ImU32 ground) {
         const float unit = (wiring && fits ? 8 : 6) * std::max(p.zoom, 0.4F);
         ImU32 color = pin.known ? theme::of(pin.type) : theme::text_off;
         if (!fits) color = theme::with_alpha(color, 0.3F);
-        if (p.details) p.list.AddCircleFilled(at, unit + 3 * p.zoom, theme::with_alpha(ground, 0.9F));
+        if (p.details)
+            p.list.AddCircleFilled(at, unit + 3 * p.zoom, theme::with_alpha(ground, 0.9F));
         draw_pin(p.list, pin.type, at, unit, color, pin.connected, ground);
         if (!p.details || has_field(card, pin)) continue;
         const ImVec2 label = at + ImVec2(pin.output ? -13 : 13, -8) * p.zoom;
@@ -216,8 +219,8 @@ void draw_card(const Painter& p, size_t index) {
     const float radius = 6 * p.zoom;
     const bool selected = p.view.selected.contains(card.id);
     const Hit& hit = p.state.hovered;
-    const bool hovered = hit.card == index && hit.kind != Hit::Kind::nothing &&
-                         hit.kind != Hit::Kind::wire;
+    const bool hovered =
+        hit.card == index && hit.kind != Hit::Kind::nothing && hit.kind != Hit::Kind::wire;
     p.list.AddRectFilled(low + ImVec2(2, 3), high + ImVec2(2, 3), IM_COL32(0, 0, 0, 71), radius);
     p.list.AddRectFilled(low, high, theme::node, radius);
     draw_header(p, card, low, high);
@@ -254,8 +257,8 @@ void draw_ghost(const Painter& p) {
             if (pin.port != port || pin.output != wire.from_output) continue;
             const ImVec2 fixed = to_screen(p.view, pin_at(card, pin));
             const ImVec2 loose = ImGui::GetIO().MousePos;
-            const Curve k = wire.from_output ? curve_between(p, fixed, loose)
-                                             : curve_between(p, loose, fixed);
+            const Curve k =
+                wire.from_output ? curve_between(p, fixed, loose) : curve_between(p, loose, fixed);
             draw_dashed(p.list, k.a, k.b, k.c, k.d, theme::of(wire.type), 2.5F, 7, 5);
             p.list.AddCircleFilled(loose, 4, theme::of(wire.type));
         }
@@ -273,10 +276,11 @@ void draw_box(const Painter& p) {
 
 void draw_frames(const Painter& p) {
     const auto draw = [&](const Box& box, bool note) {
-        const ImVec2 low = to_screen(p.view, {static_cast<float>(box.rect.x),
-                                              static_cast<float>(box.rect.y)});
-        const ImVec2 high = low + ImVec2(static_cast<float>(box.rect.width),
-                                         static_cast<float>(box.rect.height)) * p.zoom;
+        const ImVec2 low =
+            to_screen(p.view, {static_cast<float>(box.rect.x), static_cast<float>(box.rect.y)});
+        const ImVec2 high =
+            low + ImVec2(static_cast<float>(box.rect.width), static_cast<float>(box.rect.height)) *
+                      p.zoom;
         p.list.AddRectFilled(low, high,
                              note ? theme::bar : theme::with_alpha(theme::accent, 0.045F), 8);
         if (!note) p.list.AddRect(low, high, theme::border, 8);

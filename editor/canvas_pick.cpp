@@ -70,14 +70,13 @@ bool near_wire(const State& state, const Wire& wire, ImVec2 mouse) {
     ImVec2 last = a;
     for (int i = 1; i <= 32; ++i) {
         const float t = static_cast<float>(i) / 32, s = 1 - t;
-        const ImVec2 next = a * (s * s * s) + b * (3 * s * s * t) + c * (3 * s * t * t) +
-                            d * (t * t * t);
+        const ImVec2 next =
+            a * (s * s * s) + b * (3 * s * s * t) + c * (3 * s * t * t) + d * (t * t * t);
         const ImVec2 along = next - last;
         const float length = squared(along);
         const ImVec2 to = mouse - last;
-        const float k = length > 0 ? std::clamp((to.x * along.x + to.y * along.y) / length, 0.0F,
-                                                1.0F)
-                                   : 0;
+        const float k =
+            length > 0 ? std::clamp((to.x * along.x + to.y * along.y) / length, 0.0F, 1.0F) : 0;
         if (squared(to - along * k) < wire_radius * wire_radius) return true;
         last = next;
     }
@@ -112,9 +111,10 @@ void name_targets(State& state) {
             add("more:" + card.id, at + ImVec2(0, card.more_y) * zoom, at + card.size * zoom);
         for (const Pin& pin : card.pins) {
             const ImVec2 center = to_screen(state.view, pin_at(card, pin));
-            add((pin.output ? "out:" : "pin:") + card.id + "." + pin.port,
-                center - ImVec2(6, 6), center + ImVec2(6, 6));
+            add((pin.output ? "out:" : "pin:") + card.id + "." + pin.port, center - ImVec2(6, 6),
+                center + ImVec2(6, 6));
         }
+        if (zoom < 0.6F) continue;
         for (const Field& field : card.fields) {
             const std::string lane = field.lanes > 1 ? "." + std::to_string(field.lane) : "";
             const ImVec2 low = at + ImVec2(field.x, field.y) * zoom;

@@ -50,8 +50,9 @@ void draw_line(ImDrawList& list, ImFont* font, ImVec2 at, std::string_view line)
         if (line.substr(i).starts_with("//")) return put(i, line.size(), theme::code_comment);
         size_t end = i + 1;
         if (is_word(line[i])) {
-            while (end < line.size() && (is_word(line[end]) || (line[end] == '.' &&
-                   std::isdigit(static_cast<unsigned char>(line[i])))))
+            while (end < line.size() &&
+                   (is_word(line[end]) ||
+                    (line[end] == '.' && std::isdigit(static_cast<unsigned char>(line[i])))))
                 ++end;
             put(i, end, color_of(line, i, end));
         } else {
@@ -87,8 +88,7 @@ struct Text {
 
 Text text_of(const State& state) {
     const Build& built = state.built;
-    if (state.view.code_baked)
-        return {built.baked ? &*built.baked : nullptr, &built.baked_nodes};
+    if (state.view.code_baked) return {built.baked ? &*built.baked : nullptr, &built.baked_nodes};
     return {built.uniform ? &*built.uniform : nullptr, &built.uniform_nodes};
 }
 
@@ -137,8 +137,8 @@ void draw_row(State& state, const Text& text, size_t index, std::string_view lin
 
 void draw_code(State& state) {
     const Text text = text_of(state);
-    const auto lines = text.shader ? lines_of(text.shader->source)
-                                   : std::vector<std::string_view>();
+    const auto lines =
+        text.shader ? lines_of(text.shader->source) : std::vector<std::string_view>();
     draw_head(state, lines.size());
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, 0));
     ImGui::PushStyleColor(ImGuiCol_ChildBg, theme::code);

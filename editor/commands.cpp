@@ -43,10 +43,12 @@ void add_node(State& state) {
     const ImVec2 mouse = ImGui::GetIO().MousePos;
     const View& view = state.view;
     const ImVec2 end(view.corner.x + view.extent.x, view.corner.y + view.extent.y);
-    const bool over = mouse.x >= view.corner.x && mouse.y >= view.corner.y && mouse.x < end.x &&
-                      mouse.y < end.y;
-    open_palette(state, over ? mouse : to_screen(view, to_canvas(view, {(view.corner.x + end.x) / 2,
-                                                                        (view.corner.y + end.y) / 2})),
+    const bool over =
+        mouse.x >= view.corner.x && mouse.y >= view.corner.y && mouse.x < end.x && mouse.y < end.y;
+    open_palette(state,
+                 over ? mouse
+                      : to_screen(view, to_canvas(view, {(view.corner.x + end.x) / 2,
+                                                         (view.corner.y + end.y) / 2})),
                  {});
 }
 

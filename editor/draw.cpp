@@ -28,8 +28,8 @@ const ImVec2 square[] = {{-0.8F, -0.8F}, {0.8F, -0.8F}, {0.8F, 0.8F}, {-0.8F, 0.
 const ImVec2 slant[] = {{-1.05F, 0.8F}, {-0.2F, -0.8F}, {1.05F, -0.8F}, {0.2F, 0.8F}};
 const ImVec2 arrow[] = {{-0.3F, 0}, {-0.95F, -1}, {1.05F, 0}, {-0.95F, 1}};
 const ImVec2 diamond[] = {{0, -1.1F}, {1, 0}, {0, 1.1F}, {-1, 0}};
-const ImVec2 dome[] = {{-1.05F, 0.65F}, {-0.9F, 0},      {-0.45F, -0.5F}, {0, -0.65F},
-                           {0.45F, -0.5F},  {0.9F, 0},       {1.05F, 0.65F}};
+const ImVec2 dome[] = {{-1.05F, 0.65F}, {-0.9F, 0}, {-0.45F, -0.5F}, {0, -0.65F},
+                       {0.45F, -0.5F},  {0.9F, 0},  {1.05F, 0.65F}};
 
 void draw_hourglass(ImDrawList& list, ImVec2 c, float u, ImU32 color, bool filled, ImU32 ground) {
     const ImVec2 upper[] = {c + ImVec2(-0.9F, -1) * u, c + ImVec2(0.9F, -1) * u,
@@ -66,13 +66,27 @@ void draw_pin(ImDrawList& list, PortType type, ImVec2 c, float unit, ImU32 color
             if (!filled) list.AddRect(c - half, c + half, color, half.x, 0, 1.8F);
             break;
         }
-        case PortType::vec3_: outline(triangle); break;
-        case PortType::vec4_: outline(square); break;
-        case PortType::color_: draw_hourglass(list, c, unit, color, filled, ground); break;
-        case PortType::height_: outline(dome); break;
-        case PortType::derivative_: outline(slant); break;
-        case PortType::gradient_: outline(arrow, false); break;
-        case PortType::normal_: outline(diamond); break;
+        case PortType::vec3_:
+            outline(triangle);
+            break;
+        case PortType::vec4_:
+            outline(square);
+            break;
+        case PortType::color_:
+            draw_hourglass(list, c, unit, color, filled, ground);
+            break;
+        case PortType::height_:
+            outline(dome);
+            break;
+        case PortType::derivative_:
+            outline(slant);
+            break;
+        case PortType::gradient_:
+            outline(arrow, false);
+            break;
+        case PortType::normal_:
+            outline(diamond);
+            break;
         case PortType::image_:
             outline(square);
             list.AddCircleFilled(c, unit * 0.33F, filled ? ground : color);

@@ -20,8 +20,8 @@ const Port* port_for(const NodeType& type, const Gesture& wire) {
         const bool faces = wire.from_output ? port.is_value() : port.kind == Port::Kind::output;
         if (!faces) continue;
         if (port.type == wire.type) return &port;
-        const bool fits = wire.from_output ? converts(wire.type, port.type)
-                                           : converts(port.type, wire.type);
+        const bool fits =
+            wire.from_output ? converts(wire.type, port.type) : converts(port.type, wire.type);
         if (fits && !found) found = &port;
     }
     return found;
@@ -64,9 +64,8 @@ void add_node_of_type(State& state, const NodeType& type, ImVec2 at, const Gestu
     const ImVec2 place = free_place(state.layout, at);
     Document document = add_node(state.document(), std::move(node), place.x, place.y);
     if (const Port* port = wire.kind == Gesture::Kind::wire ? port_for(type, wire) : nullptr)
-        document = wire.from_output
-                       ? connect(document, wire.from, id, port->name)
-                       : with_wire(document, {id, port->name}, wire.node, wire.port);
+        document = wire.from_output ? connect(document, wire.from, id, port->name)
+                                    : with_wire(document, {id, port->name}, wire.node, wire.port);
     state.commit("Add " + type.title, std::move(document));
     state.view.selected = {id};
 }
@@ -118,9 +117,9 @@ std::string why_not(const State& state, const Gesture& wire, const Card& card, c
     if (pin.output == wire.from_output)
         return pin.output ? "a wire ends at an input" : "a wire begins at an output";
     const Link from = wire.from_output ? wire.from : Link{card.id, pin.port};
-    const std::string to = !wire.from_output                     ? wire.node
+    const std::string to = !wire.from_output                  ? wire.node
                            : card.kind == Card::Kind::outputs ? ""
-                                                                 : card.id;
+                                                              : card.id;
     const std::string port = wire.from_output ? pin.port : wire.port;
     if (to.empty()) return output_problem(state.model, from, port, *state.registry);
     return wire_problem(state.model, state.document(), *state.registry, from, to, port);

@@ -97,12 +97,11 @@ Document with_number(const Document& document, std::string_view node, const Port
     const Node* target = document.find(node);
     if (!target || !std::isfinite(value)) return document;
     std::array<double, 4> numbers = numbers_at(*target, port);
-    numbers[static_cast<size_t>(lane)] =
-        clamped(is_count(port) ? std::round(value) : value, port);
+    numbers[static_cast<size_t>(lane)] = clamped(is_count(port) ? std::round(value) : value, port);
     const auto lanes = static_cast<size_t>(lanes_of_field(port));
-    const bool is_default = port.default_kind == Port::Default::constant &&
-                            std::equal(numbers.begin(), numbers.begin() + lanes,
-                                       port.default_value.begin());
+    const bool is_default =
+        port.default_kind == Port::Default::constant &&
+        std::equal(numbers.begin(), numbers.begin() + lanes, port.default_value.begin());
     if (lanes == 1)
         return write_or_reset(document, node, port, is_default, json::Value::number(numbers[0]));
     std::vector<json::Value> items;
@@ -132,16 +131,16 @@ Document with_file(const Document& document, std::string_view node, const Port& 
         return set_value(document, node, port.name, json::Value::string(file));
     std::vector<std::pair<std::string, json::Value>> members;
     for (const json::Member& member : old->value.children())
-        members.emplace_back(member.key, member.key == "file" ? json::Value::string(file)
-                                                              : member.value);
+        members.emplace_back(member.key,
+                             member.key == "file" ? json::Value::string(file) : member.value);
     return set_value(document, node, port.name, json::Value::object(members));
 }
 
 double dragged(double start, double pixels, double width, const Port& port, bool fine,
                bool coarse) {
     if (is_count(port)) return start + std::trunc(pixels / 12);
-    double range = port.has_soft_range() ? port.soft_max - port.soft_min
-                                         : std::max(std::fabs(start), 0.1) * 4;
+    double range =
+        port.has_soft_range() ? port.soft_max - port.soft_min : std::max(std::fabs(start), 0.1) * 4;
     if (fine) range /= 20;
     if (coarse) range *= 10;
     return rounded(start + pixels / std::max(width, 1.0) * range, range);

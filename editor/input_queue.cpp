@@ -12,11 +12,21 @@ namespace wrinkle::editor {
 namespace {
 
 constexpr std::pair<std::string_view, int> named_keys[] = {
-    {"Ctrl", GLFW_KEY_LEFT_CONTROL}, {"Shift", GLFW_KEY_LEFT_SHIFT}, {"Alt", GLFW_KEY_LEFT_ALT},
-    {"Space", GLFW_KEY_SPACE},       {"Enter", GLFW_KEY_ENTER},      {"Escape", GLFW_KEY_ESCAPE},
-    {"Tab", GLFW_KEY_TAB},           {"Delete", GLFW_KEY_DELETE},    {"Backspace", GLFW_KEY_BACKSPACE},
-    {"Up", GLFW_KEY_UP},             {"Down", GLFW_KEY_DOWN},        {"Left", GLFW_KEY_LEFT},
-    {"Right", GLFW_KEY_RIGHT},       {"Home", GLFW_KEY_HOME},        {"End", GLFW_KEY_END},
+    {"Ctrl", GLFW_KEY_LEFT_CONTROL},
+    {"Shift", GLFW_KEY_LEFT_SHIFT},
+    {"Alt", GLFW_KEY_LEFT_ALT},
+    {"Space", GLFW_KEY_SPACE},
+    {"Enter", GLFW_KEY_ENTER},
+    {"Escape", GLFW_KEY_ESCAPE},
+    {"Tab", GLFW_KEY_TAB},
+    {"Delete", GLFW_KEY_DELETE},
+    {"Backspace", GLFW_KEY_BACKSPACE},
+    {"Up", GLFW_KEY_UP},
+    {"Down", GLFW_KEY_DOWN},
+    {"Left", GLFW_KEY_LEFT},
+    {"Right", GLFW_KEY_RIGHT},
+    {"Home", GLFW_KEY_HOME},
+    {"End", GLFW_KEY_END},
 };
 
 unsigned next_code_point(std::string_view text, size_t& at) {
@@ -46,13 +56,16 @@ struct Frame {
     bool takes(const InputEvent& event) const {
         switch (event.kind) {
             case InputEvent::Kind::motion:
-            case InputEvent::Kind::leave: return !buttons && !wheeled && !keyed && !typed;
+            case InputEvent::Kind::leave:
+                return !buttons && !wheeled && !keyed && !typed;
             case InputEvent::Kind::button:
                 return !(buttons & 1U << event.code) && !wheeled && !keyed && !typed;
-            case InputEvent::Kind::wheel: return !moved && !buttons && !wheeled;
+            case InputEvent::Kind::wheel:
+                return !moved && !buttons && !wheeled;
             case InputEvent::Kind::key:
                 return !had_key(event.code) && !typed && !buttons && !moved;
-            case InputEvent::Kind::character: return !keyed && !buttons && !moved && !wheeled;
+            case InputEvent::Kind::character:
+                return !keyed && !buttons && !moved && !wheeled;
         }
         return false;
     }
@@ -60,10 +73,18 @@ struct Frame {
     void note(const InputEvent& event) {
         switch (event.kind) {
             case InputEvent::Kind::motion:
-            case InputEvent::Kind::leave: moved = true; break;
-            case InputEvent::Kind::button: buttons |= 1U << event.code; break;
-            case InputEvent::Kind::wheel: wheeled = true; break;
-            case InputEvent::Kind::character: typed = true; break;
+            case InputEvent::Kind::leave:
+                moved = true;
+                break;
+            case InputEvent::Kind::button:
+                buttons |= 1U << event.code;
+                break;
+            case InputEvent::Kind::wheel:
+                wheeled = true;
+                break;
+            case InputEvent::Kind::character:
+                typed = true;
+                break;
             case InputEvent::Kind::key:
                 keyed = true;
                 keys[key_count++] = event.code;
@@ -74,14 +95,22 @@ struct Frame {
 
 void write(const InputEvent& event, ImGuiIO& io) {
     switch (event.kind) {
-        case InputEvent::Kind::motion: io.MousePos = ImVec2(event.x, event.y); break;
-        case InputEvent::Kind::leave: io.MousePos = ImVec2(-FLT_MAX, -FLT_MAX); break;
-        case InputEvent::Kind::button: io.MouseDown[event.code] = event.down; break;
+        case InputEvent::Kind::motion:
+            io.MousePos = ImVec2(event.x, event.y);
+            break;
+        case InputEvent::Kind::leave:
+            io.MousePos = ImVec2(-FLT_MAX, -FLT_MAX);
+            break;
+        case InputEvent::Kind::button:
+            io.MouseDown[event.code] = event.down;
+            break;
         case InputEvent::Kind::wheel:
             io.MouseWheelH += event.x;
             io.MouseWheel += event.y;
             break;
-        case InputEvent::Kind::key: io.KeysDown[event.code] = event.down; break;
+        case InputEvent::Kind::key:
+            io.KeysDown[event.code] = event.down;
+            break;
         case InputEvent::Kind::character:
             io.AddInputCharacter(static_cast<unsigned>(event.code));
             break;
@@ -90,9 +119,12 @@ void write(const InputEvent& event, ImGuiIO& io) {
 
 bool is_valid(const InputEvent& event) {
     switch (event.kind) {
-        case InputEvent::Kind::key: return event.code >= 0 && event.code < 512;
-        case InputEvent::Kind::button: return event.code >= 0 && event.code < 5;
-        default: return true;
+        case InputEvent::Kind::key:
+            return event.code >= 0 && event.code < 512;
+        case InputEvent::Kind::button:
+            return event.code >= 0 && event.code < 5;
+        default:
+            return true;
     }
 }
 

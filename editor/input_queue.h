@@ -17,8 +17,8 @@ namespace wrinkle::editor {
 struct InputEvent {
     enum class Kind : uint8_t { key, character, button, motion, wheel, leave };
     Kind kind = Kind::motion;
-    int code = 0;       // key, character (UTF-32) or button
-    bool down = false;  // key, button
+    int code = 0;        // key, character (UTF-32) or button
+    bool down = false;   // key, button
     float x = 0, y = 0;  // motion: position; wheel: amount
 };
 

@@ -40,7 +40,8 @@ void add_field(Card& card, const Fonts& fonts, uint32_t index, const Port& port,
     const int lanes = lanes_of_field(port);
     const float named = lanes > 1 ? text_width(fonts.regular(16), 16, port.name) + 6 : 0;
     const float first = field_inset + named;
-    const float width = (card.size.x - field_inset - first) / static_cast<float>(std::max(lanes, 1));
+    const float width =
+        (card.size.x - field_inset - first) / static_cast<float>(std::max(lanes, 1));
     for (int lane = 0; lane < std::max(lanes, 1); ++lane)
         card.fields.push_back(
             {port.name, index, lane, lanes, first + width * static_cast<float>(lane), y, width});
@@ -79,8 +80,8 @@ void fill_unknown(Card& card, const Node& node, const Used& used) {
     }
     for (const Input& input : node.inputs) {
         const bool linked = input.kind == Input::Kind::link;
-        card.pins.push_back({input.port, PortType::float_, false, false, linked,
-                             y + row_height / 2});
+        card.pins.push_back(
+            {input.port, PortType::float_, false, false, linked, y + row_height / 2});
         y += row_height;
     }
     card.size.y = y + 8;
@@ -100,8 +101,7 @@ void fill_ports(Card& card, const Fonts& fonts, const Node& node, const Used& us
         const Input* input = node.find(port.name);
         const bool connected = input && input->kind == Input::Kind::link;
         if (port.is_value())
-            card.pins.push_back({port.name, port.type, true, false, connected,
-                                 y + row_height / 2});
+            card.pins.push_back({port.name, port.type, true, false, connected, y + row_height / 2});
         if (shows_field(port, connected)) add_field(card, fonts, i, port, y + 1.5F);
         y += row_height;
     }
@@ -224,9 +224,8 @@ public:
     explicit WireMaker(Layout& layout) : layout_(layout) {
         for (size_t i = 0; i < layout.cards.size(); ++i)
             if (layout.cards[i].kind == Card::Kind::node) by_id_.push_back(i);
-        std::sort(by_id_.begin(), by_id_.end(), [&](size_t a, size_t b) {
-            return layout.cards[a].id < layout.cards[b].id;
-        });
+        std::sort(by_id_.begin(), by_id_.end(),
+                  [&](size_t a, size_t b) { return layout.cards[a].id < layout.cards[b].id; });
     }
 
     void add(const Link& from, const Card* reader, const std::string& port) {
@@ -268,7 +267,8 @@ void add_wires(const Document& document, Layout& layout) {
                 wires.add(input.link, wires.node(node->id), input.port);
     const Card* outputs = layout.find("output", Card::Kind::outputs);
     for (const Output& output : document.outputs)
-        if (output.from.kind == Input::Kind::link) wires.add(output.from.link, outputs, output.name);
+        if (output.from.kind == Input::Kind::link)
+            wires.add(output.from.link, outputs, output.name);
 }
 
 void find_bounds(Layout& layout) {
@@ -277,16 +277,18 @@ void find_bounds(Layout& layout) {
     bool first = true;
     for (const Card& card : layout.cards) {
         const ImVec2 end = card.at + card.size;
-        layout.low = first ? card.at : ImVec2(std::min(layout.low.x, card.at.x),
-                                              std::min(layout.low.y, card.at.y));
-        layout.high = first ? end : ImVec2(std::max(layout.high.x, end.x),
-                                           std::max(layout.high.y, end.y));
+        layout.low =
+            first ? card.at
+                  : ImVec2(std::min(layout.low.x, card.at.x), std::min(layout.low.y, card.at.y));
+        layout.high =
+            first ? end : ImVec2(std::max(layout.high.x, end.x), std::max(layout.high.y, end.y));
         first = false;
     }
 }
 
 ImVec2 drag_of(const State& state, const std::string& id) {
-    const bool moves = state.gesture.kind == Gesture::Kind::move && state.view.selected.contains(id);
+    const bool moves =
+        state.gesture.kind == Gesture::Kind::move && state.view.selected.contains(id);
     return moves ? state.gesture.offset : ImVec2(0, 0);
 }
 

@@ -37,7 +37,8 @@ int run(const Arguments& arguments) {
     Registry registry;
     Diagnostics problems;
     registry.add_plugin(built_in_nodes(), Registry::built_in, problems);
-    load_plugins(registry, plugin_places(arguments.plugin_paths, std::getenv("WRINKLE_PLUGIN_PATH")),
+    load_plugins(registry,
+                 plugin_places(arguments.plugin_paths, std::getenv("WRINKLE_PLUGIN_PATH")),
                  problems);
     if (!problems.list().empty()) std::fputs(to_text(problems).c_str(), stderr);
     WindowOptions options{arguments.size[0], arguments.size[1],

@@ -37,8 +37,8 @@ Project project_with(const Model& model, const Document& document);
 // One compilation. The text with uniforms is what the preview runs, the baked one what `wrinkle
 // compile` writes.
 struct Build {
-    Diagnostics problems;        // of the whole document
-    Diagnostics live;            // why `uniform` is empty
+    Diagnostics problems;  // of the whole document
+    Diagnostics live;      // why `uniform` is empty
     std::optional<Shader> uniform;
     std::optional<Shader> baked;
     // By index in the shader's Reflection::node_paths the node of the top graph, "" for none.

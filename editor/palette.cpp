@@ -177,8 +177,8 @@ void draw_palette(State& state) {
     int taken = draw_rows(state, rows);
     if (rows.empty()) ImGui::TextDisabled("Nothing matches. Backspace to widen.");
     if (enter && !rows.empty()) taken = state.palette.chosen;
-    const bool away = !ImGui::IsWindowFocused(ImGuiFocusedFlags_ChildWindows) &&
-                      !state.palette.opening;
+    const bool away =
+        !ImGui::IsWindowFocused(ImGuiFocusedFlags_ChildWindows) && !state.palette.opening;
     ImGui::End();
     ImGui::PopStyleColor(2);
     ImGui::PopStyleVar(2);

@@ -27,9 +27,8 @@ void accept_number(State& state) {
         state.status = "'" + state.popup.text + "' is not a number";
         return;
     }
-    state.commit(
-        state.popup.node + ": " + port->name,
-        with_number(state.document(), state.popup.node, *port, state.popup.lane, value));
+    state.commit(state.popup.node + ": " + port->name,
+                 with_number(state.document(), state.popup.node, *port, state.popup.lane, value));
 }
 
 void accept_name(State& state) {
@@ -75,9 +74,9 @@ bool draw_choices(State& state) {
     const Port* port = port_of(state);
     size_t taken = 0;
     if (!port || !draw_list(state, port->choices, taken)) return !port;
-    state.commit(state.popup.node + ": " + port->name,
-                 with_choice(state.document(), state.popup.node, *port,
-                             static_cast<uint32_t>(taken)));
+    state.commit(
+        state.popup.node + ": " + port->name,
+        with_choice(state.document(), state.popup.node, *port, static_cast<uint32_t>(taken)));
     return true;
 }
 
@@ -95,10 +94,14 @@ bool draw_files(State& state) {
 bool draw_content(State& state) {
     switch (state.popup.kind) {
         case Popup::Kind::text:
-        case Popup::Kind::rename: return draw_text_entry(state);
-        case Popup::Kind::choice: return draw_choices(state);
-        case Popup::Kind::file: return draw_files(state);
-        case Popup::Kind::none: break;
+        case Popup::Kind::rename:
+            return draw_text_entry(state);
+        case Popup::Kind::choice:
+            return draw_choices(state);
+        case Popup::Kind::file:
+            return draw_files(state);
+        case Popup::Kind::none:
+            break;
     }
     return true;
 }

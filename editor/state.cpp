@@ -110,8 +110,8 @@ bool send_values(State& state) {
         if (!node || !type) return false;
         const auto numbers = numbers_at(*node, type->ports[type->find_input(place.port)]);
         float values[4];
-        const auto lanes = static_cast<size_t>(
-            lanes_of(type->ports[type->find_input(place.port)].type));
+        const auto lanes =
+            static_cast<size_t>(lanes_of(type->ports[type->find_input(place.port)].type));
         for (size_t i = 0; i < lanes; ++i)
             values[i] = static_cast<float>(numbers[i]);
         ++state.counters.uniforms;
@@ -137,14 +137,18 @@ void refresh(State& state) {
     } else if (!same_document(state.built_of, now)) {
         switch (change(state.built_of, now).kind) {
             case Change::Kind::none:
-            case Change::Kind::cosmetic: state.built_of = state.sent = now; break;
+            case Change::Kind::cosmetic:
+                state.built_of = state.sent = now;
+                break;
             case Change::Kind::values: {
                 const bool sent = send_values(state);
                 // While the hand is on a value only the uniform moves; the texts follow after it.
                 if (!sent || state.gesture.kind != Gesture::Kind::value) rebuild(state);
                 break;
             }
-            case Change::Kind::structure: remake(state); break;
+            case Change::Kind::structure:
+                remake(state);
+                break;
         }
     }
     if (state.layout_stale || !same_document(state.layout_of, now)) {

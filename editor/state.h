@@ -84,7 +84,8 @@ struct Gesture {
     bool from_output = false;
     bool taken = false;  // it was lifted off node.port
     Link from;
-    std::string node, port;  // the input it was drawn from; node "" and port: an output of the graph
+    std::string node,
+        port;  // the input it was drawn from; node "" and port: an output of the graph
     PortType type = PortType::float_;
 
     std::string merge;  // of the steps that this gesture makes
@@ -161,7 +162,7 @@ struct State {
     Model model;
     Build built;
     Document built_of;
-    Document sent;  // whose values the preview shows
+    Document sent;       // whose values the preview shows
     bool fresh = false;  // model and build exist
     Layout layout;
     Document layout_of;

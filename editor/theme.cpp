@@ -4,16 +4,26 @@ namespace wrinkle::editor::theme {
 
 ImU32 of(PortType type) {
     switch (type) {
-        case PortType::float_: return rgb(0xF2F5F3);
-        case PortType::vec2_: return rgb(0x4A8E86);
-        case PortType::vec3_: return rgb(0x1BA3FE);
-        case PortType::vec4_: return rgb(0x767AAC);
-        case PortType::color_: return rgb(0xF8A7AD);
-        case PortType::height_: return rgb(0xF6CC18);
-        case PortType::derivative_: return rgb(0xD58105);
-        case PortType::gradient_: return rgb(0xCDFEAE);
-        case PortType::normal_: return rgb(0xDDC9FF);
-        case PortType::image_: return rgb(0xDF435D);
+        case PortType::float_:
+            return rgb(0xF2F5F3);
+        case PortType::vec2_:
+            return rgb(0x4A8E86);
+        case PortType::vec3_:
+            return rgb(0x1BA3FE);
+        case PortType::vec4_:
+            return rgb(0x767AAC);
+        case PortType::color_:
+            return rgb(0xF8A7AD);
+        case PortType::height_:
+            return rgb(0xF6CC18);
+        case PortType::derivative_:
+            return rgb(0xD58105);
+        case PortType::gradient_:
+            return rgb(0xCDFEAE);
+        case PortType::normal_:
+            return rgb(0xDDC9FF);
+        case PortType::image_:
+            return rgb(0xDF435D);
     }
     return text;
 }

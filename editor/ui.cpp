@@ -26,9 +26,8 @@ public:
         ImGui::PushStyleColor(ImGuiCol_WindowBg, color);
         ImGui::Begin(name, nullptr,
                      ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
-                         ImGuiWindowFlags_NoSavedSettings |
-                         ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoScrollWithMouse |
-                         ImGuiWindowFlags_NoNavInputs);
+                         ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus |
+                         ImGuiWindowFlags_NoScrollWithMouse | ImGuiWindowFlags_NoNavInputs);
     }
     Region(const Region&) = delete;
     Region& operator=(const Region&) = delete;

@@ -3,8 +3,8 @@
 #include <epoxy/gl.h>
 // epoxy must come before GLFW
 #include <GLFW/glfw3.h>
-#include <imgui.h>
 #include <backends/imgui_impl_opengl3.h>
+#include <imgui.h>
 
 #include <algorithm>
 #include <cctype>
@@ -134,8 +134,9 @@ void Window::draw_frame(State& state) {
     io.DisplayFramebufferScale = {static_cast<float>(pixels_x) / io.DisplaySize.x,
                                   static_cast<float>(pixels_y) / io.DisplaySize.y};
     const double now = glfwGetTime();
-    io.DeltaTime =
-        handle_->scripted ? 1.0F / 60 : std::clamp(static_cast<float>(now - handle_->last), 0.001F, 0.2F);
+    io.DeltaTime = handle_->scripted
+                       ? 1.0F / 60
+                       : std::clamp(static_cast<float>(now - handle_->last), 0.001F, 0.2F);
     handle_->last = now;
     handle_->queue.apply(io);
     ImGui_ImplOpenGL3_NewFrame();
@@ -156,8 +157,8 @@ void Window::draw_frame(State& state) {
 bool Window::save_picture(const std::string& file) const {
     int width = 0, height = 0;
     glfwGetFramebufferSize(handle_->window, &width, &height);
-    Image image = make_image(static_cast<uint32_t>(width), static_cast<uint32_t>(height), 3,
-                             PixelType::u8);
+    Image image =
+        make_image(static_cast<uint32_t>(width), static_cast<uint32_t>(height), 3, PixelType::u8);
     glPixelStorei(GL_PACK_ALIGNMENT, 1);
     glReadBuffer(GL_BACK);
     glReadPixels(0, 0, width, height, GL_RGB, GL_FLOAT, image.data.data());
@@ -189,8 +190,8 @@ bool Window::run(State& state, Script* script, const std::string& shot, std::str
             why = script->why();
             return false;
         }
-        const bool finished = (script || !shot.empty()) && frames > 3 &&
-                              progress == Script::Progress::done;
+        const bool finished =
+            (script || !shot.empty()) && frames > 3 && progress == Script::Progress::done;
         if (finished && !shot.empty() && !save_picture(shot)) {
             why = shot + " cannot be written";
             return false;

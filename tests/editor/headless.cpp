@@ -118,9 +118,12 @@ void Headless::play(const std::string& text) {
     for (int i = 0; i < 100'000; ++i) {
         frame();
         switch (script.step(state, queue, {})) {
-            case Script::Progress::done: return;
-            case Script::Progress::failed: FAIL() << script.why();
-            case Script::Progress::running: break;
+            case Script::Progress::done:
+                return;
+            case Script::Progress::failed:
+                FAIL() << script.why();
+            case Script::Progress::running:
+                break;
         }
     }
     FAIL() << "the script does not end";

@@ -34,13 +34,21 @@ Document random_edit(const Document& document, std::mt19937& random) {
             fresh.id = free_id(document, fresh.type);
             return add_node(document, std::move(fresh), static_cast<double>(pick(500)), 8);
         }
-        case 1: return remove_node(document, node());
-        case 2: return connect(document, {node(), "result"}, node(), "a");
-        case 3: return disconnect(document, node(), "a");
-        case 4: return set_value(document, node(), "b", json::Value::number(0.25 + static_cast<double>(pick(9))));
-        case 5: return move_node(document, node(), static_cast<double>(pick(500)), 16);
-        case 6: return set_muted(document, node(), pick(2) == 0);
-        default: return rename_node(document, node(), "n" + std::to_string(pick(1000)));
+        case 1:
+            return remove_node(document, node());
+        case 2:
+            return connect(document, {node(), "result"}, node(), "a");
+        case 3:
+            return disconnect(document, node(), "a");
+        case 4:
+            return set_value(document, node(), "b",
+                             json::Value::number(0.25 + static_cast<double>(pick(9))));
+        case 5:
+            return move_node(document, node(), static_cast<double>(pick(500)), 16);
+        case 6:
+            return set_muted(document, node(), pick(2) == 0);
+        default:
+            return rename_node(document, node(), "n" + std::to_string(pick(1000)));
     }
 }
 

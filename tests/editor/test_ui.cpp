@@ -278,13 +278,14 @@ TEST_F(Headless, ALineOfTheCodeLeadsToItsNode) {
     size_t line = 0;
     const Reflection& reflection = state.built.uniform->reflection;
     for (size_t i = 0; i < reflection.lines.size() && line == 0; ++i)
-        if (reflection.lines[i] != no_node && reflection.node_paths[reflection.lines[i]] == "normal")
+        if (reflection.lines[i] != no_node &&
+            reflection.node_paths[reflection.lines[i]] == "normal")
             line = i + 1;
     ASSERT_GT(line, 0U);
+    ImGui::GetIO().DisplaySize.y = 5000;  // all lines are on the screen
     state.view.preview = 0.15F;
     frame();
     frame();
-    if (!state.targets.find("line:" + std::to_string(line))) GTEST_SKIP() << "below the fold";
     play("click line:" + std::to_string(line));
     EXPECT_EQ(state.view.selected, std::set<std::string>{"normal"});
 }
@@ -315,15 +316,27 @@ TEST(Commands, HaveNamesAndKeysOfTheirOwn) {
 TEST_F(Headless, AnyInputIsSurvived) {
     open(small_graph);
     std::mt19937 random(11);
-    const auto number = [&](int below) { return static_cast<int>(random() % static_cast<unsigned>(below)); };
+    const auto number = [&](int below) {
+        return static_cast<int>(random() % static_cast<unsigned>(below));
+    };
     for (int i = 0; i < 6000; ++i) {
         switch (number(6)) {
             case 0:
-            case 1: queue.motion(static_cast<float>(number(1600)), static_cast<float>(number(900))); break;
-            case 2: queue.button(number(3), number(2) == 0); break;
-            case 3: queue.wheel(0, static_cast<float>(number(3) - 1)); break;
-            case 4: queue.key(number(8) ? 'A' + number(26) : key_named("Delete"), number(2) == 0); break;
-            default: queue.character(static_cast<unsigned>(' ' + number(90))); break;
+            case 1:
+                queue.motion(static_cast<float>(number(1600)), static_cast<float>(number(900)));
+                break;
+            case 2:
+                queue.button(number(3), number(2) == 0);
+                break;
+            case 3:
+                queue.wheel(0, static_cast<float>(number(3) - 1));
+                break;
+            case 4:
+                queue.key(number(8) ? 'A' + number(26) : key_named("Delete"), number(2) == 0);
+                break;
+            default:
+                queue.character(static_cast<unsigned>(' ' + number(90)));
+                break;
         }
         frame();
         state.quit = false;
