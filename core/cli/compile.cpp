@@ -66,6 +66,8 @@ struct CompileCommand {
         const int code = report(diagnostics, common.diagnostics);
         if (code != exit_fine) return code;
         if (depfile.wanted) results.push_back({depfile_path(), depfile_text(results, inputs)});
+        std::error_code ignored;  // writing says why
+        if (files.size() > 1) fs::create_directories(output, ignored);
         for (const Written& result : results)
             if (!write_result(result.path, result.text)) return exit_environment;
         return exit_fine;
