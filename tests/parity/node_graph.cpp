@@ -7,6 +7,7 @@
 
 #include "base/text.h"
 #include "nodes/all.h"
+#include "registry/plugin_loader.h"
 
 namespace wrinkle::test {
 namespace {
@@ -164,12 +165,17 @@ std::string graph_around(const NodeType& type, Inputs inputs, std::mt19937& rand
     return GraphWriter(type, inputs, random).text();
 }
 
-const Registry& built_in_registry() {
+const Registry& all_nodes() {
     static const Registry registry = [] {
         Registry made;
         Diagnostics diagnostics;
         EXPECT_TRUE(made.add_plugin(built_in_nodes(), Registry::built_in, diagnostics))
             << to_text(diagnostics);
+        const std::vector<std::string> folder{PLUGIN_FOLDER};
+        if (std::filesystem::is_directory(folder.front())) {
+            load_plugins(made, folder, diagnostics);
+            EXPECT_TRUE(diagnostics.list().empty()) << to_text(diagnostics);
+        }
         return made;
     }();
     return registry;
@@ -199,8 +205,7 @@ Subject compile_around(const NodeType& type, Inputs inputs, unsigned seed) {
         MaterialOptions options;
         options.uniform_parameters = true;
         options.given_differentials = true;
-        subject.compiled =
-            compile_material(subject.project, built_in_registry(), options, diagnostics);
+        subject.compiled = compile_material(subject.project, all_nodes(), options, diagnostics);
         if (subject.compiled.ok) return subject;
         last = std::move(diagnostics);
     }

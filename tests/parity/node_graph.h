@@ -23,8 +23,8 @@ enum class Inputs : uint8_t {
 // The text of the graph. Images are named "a.exr" and "b.exr".
 std::string graph_around(const NodeType& type, Inputs inputs, std::mt19937& random);
 
-// The built-in nodes.
-const Registry& built_in_registry();
+// The built-in nodes and those of the example plugins.
+const Registry& all_nodes();
 
 // A folder with files of the names that graphs use; their contents are never read.
 std::string image_folder();
