@@ -20,8 +20,10 @@ void Diagnostics::error(std::string message, std::string expected) {
 }
 
 void Diagnostics::append(const Diagnostics& other) {
+    const size_t errors = error_count_ + other.error_count_;
     for (const Diagnostic& diagnostic : other.list_)
         add(diagnostic);
+    error_count_ = errors;  // the dropped ones too
     dropped_ += other.dropped_;
 }
 

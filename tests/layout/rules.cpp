@@ -32,7 +32,7 @@ const std::map<std::string, Names, std::less<>> allowed = {
     {"plugins", {"sdk"}},
     {"editor",
      {"base", "json", "ir", "graph", "registry", "lower", "glsl", "cpu", "image", "mesh", "gpu",
-      "bake", "contract", "list of nodes", "glm", "gl", "imgui"}},
+      "bake", "contract", "list of nodes", "glm", "gl", "imgui", "cli11"}},
 };
 
 // Libraries by how their headers are spelled.
@@ -46,6 +46,7 @@ const std::map<std::string, std::string, std::less<>> library_of_folder = {
     {"GLES3", "gl"},
     {"GLFW", "imgui"},
     {"imgui", "imgui"},
+    {"backends", "imgui"},
     {"CLI", "cli11"},
     {"tbb", "tbb"},
     {"oneapi", "tbb"},

@@ -1,0 +1,68 @@
+// Lists of problems: their text, their JSON, and what is kept when there are too many.
+#include "base/diagnostics.h"
+
+#include <gtest/gtest.h>
+
+namespace wrinkle {
+namespace {
+
+Diagnostic unknown_port() {
+    return {Severity::error, {"graph.json", 12, 7},  "/nodes/weave/in/amout",
+            "weave",         "unknown port 'amout'", "did you mean 'amount'?"};
+}
+
+Diagnostic warning() {
+    Diagnostic d;
+    d.severity = Severity::warning;
+    d.message = "hm";
+    return d;
+}
+
+TEST(Diagnostics, ReadLikeACompilersMessages) {
+    EXPECT_EQ(to_text(unknown_port()),
+              "graph.json:12:7: error: node 'weave': unknown port 'amout' (did you mean "
+              "'amount'?)");
+    EXPECT_EQ(to_text(warning()), "warning: hm");
+    Diagnostic file = warning();
+    file.where.file = "a.json";
+    EXPECT_EQ(to_text(file), "a.json: warning: hm");
+}
+
+TEST(Diagnostics, AsJson) {
+    Diagnostics list;
+    EXPECT_EQ(to_json(list), "{\"version\": 1, \"diagnostics\": [], \"dropped\": 0}\n");
+    list.add(unknown_port());
+    EXPECT_EQ(to_json(list),
+              "{\"version\": 1, \"diagnostics\": [\n"
+              "  {\"severity\": \"error\", \"file\": \"graph.json\", \"line\": 12, \"column\": 7, "
+              "\"pointer\": \"/nodes/weave/in/amout\", \"node\": \"weave\", "
+              "\"message\": \"unknown port 'amout'\", \"expected\": \"did you mean 'amount'?\"}"
+              "], \"dropped\": 0}\n");
+}
+
+TEST(Diagnostics, KeepTheFirstAndCountTheRest) {
+    Diagnostics list(2);
+    list.add(warning());
+    EXPECT_FALSE(list.has_errors());
+    for (int i = 0; i < 3; ++i)
+        list.error("e" + std::to_string(i));
+    EXPECT_TRUE(list.has_errors());
+    EXPECT_EQ(list.error_count(), 3u);
+    EXPECT_EQ(list.list().size(), 2u);
+    EXPECT_EQ(list.dropped(), 2u);
+    EXPECT_EQ(to_text(list), "warning: hm\nerror: e0\nand 2 more problems\n");
+}
+
+TEST(Diagnostics, AppendedOnesCountEvenWhereTheyWereDropped) {
+    Diagnostics full(1);
+    full.add(warning());
+    full.error("lost");
+    Diagnostics list;
+    list.append(full);
+    EXPECT_TRUE(list.has_errors());
+    EXPECT_EQ(list.error_count(), 1u);
+    EXPECT_EQ(list.dropped(), 1u);
+}
+
+}  // namespace
+}  // namespace wrinkle
