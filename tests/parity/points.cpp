@@ -113,7 +113,7 @@ void scale(PointSet& set, size_t point, Variant variant, double factor) {
 
 }  // namespace
 
-PointSet random_points(size_t count, unsigned seed) {
+PointSet random_points(size_t count, unsigned seed, UvRange uvs) {
     Draw draw(seed);
     PointSet set;
     set.count = count;
@@ -126,7 +126,7 @@ PointSet random_points(size_t count, unsigned seed) {
         append(set, SurfaceInput::position_, Variant::value, four(-2, 2));
         for (int uv = 0; uv < 4; ++uv)
             append(set, static_cast<SurfaceInput>(static_cast<int>(SurfaceInput::uv0_) + uv),
-                   Variant::value, four(-1.5, 2.5));
+                   Variant::value, four(uvs.low, uvs.high));
         append(set, SurfaceInput::color0_, Variant::value, four(0, 1));
         append(set, SurfaceInput::view_, Variant::value, draw.direction());
         append(set, SurfaceInput::facing_, Variant::value, {draw.number(-1, 1) < 0 ? -1.0 : 1.0});

@@ -8,7 +8,11 @@ namespace wrinkle::test {
 
 // As a renderer meets them: curved, with uvs of any orientation, tangents roughly in the surface,
 // interpolated normals of lengths about 1, both sides.
-PointSet random_points(size_t count, unsigned seed);
+struct UvRange {
+    double low = -1.5;
+    double high = 2.5;
+};
+PointSet random_points(size_t count, unsigned seed, UvRange uvs = {});
 
 // No uv change, no position change, nothing at all, a zero tangent, w = 0, an eye in the surface;
 // everything but the normal zero; large and tiny numbers.
