@@ -172,5 +172,25 @@ TEST(EveryNode, HasTheDerivativeThatDifferencesSay) {
     EXPECT_LE(static_cast<double>(all.left_out), 0.02 * static_cast<double>(all.compared));
 }
 
+// In single precision, from as close up as anyone looks: eq. 3 divides by (pixel size)^2.
+TEST(HeightGradient, IsTheSameAtEveryPixelSize) {
+    const Subject subject =
+        compile_around(*all_nodes().find("gradient_from_height"), Inputs::wires, 41);
+    ASSERT_TRUE(subject.compiled.ok);
+    const PointSet points = random_points(100, 29);
+    Values expected;
+    for (const double size : {1.0, 1e-3, 1e-6}) {
+        PointSet scaled = points;
+        for (auto& input : scaled.values)
+            for (const Variant variant : {Variant::dx, Variant::dy})
+                for (double& each : input[static_cast<size_t>(variant)])
+                    each = static_cast<double>(static_cast<float>(each * size));
+        const Values values = on_cpu<float>(subject.compiled.module, scaled, test_image);
+        if (expected.empty()) expected = values;
+        for (size_t k = 0; k < values[0].size(); ++k)
+            EXPECT_NEAR(values[0][k], expected[0][k], 2e-5) << "pixel size " << size;
+    }
+}
+
 }  // namespace
 }  // namespace wrinkle::test
