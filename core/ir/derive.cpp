@@ -16,6 +16,10 @@ bool never_changes(const Inst& inst) {
            inst.type == Type::uint_ || inst.type == Type::bool_ || info(inst.op).rule == Rule::leaf;
 }
 
+bool is_sample(const Inst& inst) {
+    return inst.op == Op::sample_ || inst.op == Op::sample_lod_ || inst.op == Op::sample_grad_;
+}
+
 }  // namespace
 
 Id Direction::tangent(Id value) {
@@ -52,8 +56,10 @@ Id Direction::compute(Id id) {
     if (never_changes(inst) || inst.type == Type::tuple_) return poison;
     if (inst.op == Op::result_)
         return (*module_)[inst.arg[0]].op == Op::loop_ ? loop_member(inst) : call_member(inst);
-    if (inst.op == Op::sample_ || inst.op == Op::sample_lod_ || inst.op == Op::sample_grad_)
-        return texture(id);
+    if (is_sample(inst)) return texture(id, id);
+    // Differences of the components that are read, not of all four.
+    if (inst.op == Op::swizzle_ && is_sample((*module_)[inst.arg[0]]))
+        return texture(inst.arg[0], id);
     std::array<Id, 4> changes{};
     size_t count = 0;
     bool any = false;
@@ -67,10 +73,12 @@ Id Direction::compute(Id id) {
     return module_->is_literal(change, 0) ? poison : change;
 }
 
-// Forward differences over one texel of the level in use, times the change of uv.
-Id Direction::texture(Id id) {
+// Forward differences over one texel of the level in use, times the change of uv. `read` is the
+// sample itself or a swizzle of it.
+Id Direction::texture(Id sample, Id read) {
     Module& m = *module_;
-    const Inst inst = m[id];
+    const Inst inst = m[sample];
+    const Inst reader = m[read];
     const Value change{&m, memo_[inst.arg[0]]};
     if (!change) return poison;
     Id lod = inst.arg[1];
@@ -93,9 +101,10 @@ Id Direction::texture(Id id) {
     const auto tap = [&](Value at) {
         std::array<Id, 3> args{at.id, inst.arg[1], inst.arg[2]};
         const auto arity = static_cast<size_t>(info(inst.op).arity);
-        return Value{&m, m.add(inst.op, std::span(args.data(), arity), inst.extra)};
+        const Id texel = m.add(inst.op, std::span(args.data(), arity), inst.extra);
+        return Value{&m, read == sample ? texel : m.add(Op::swizzle_, {texel}, reader.extra)};
     };
-    const Value here{&m, id};
+    const Value here{&m, read};
     const Value along_u = (tap(uv + vec2(step.x(), none)) - here) / step.x();
     const Value along_v = (tap(uv + vec2(none, step.y())) - here) / step.y();
     return (along_u * change.x() + along_v * change.y()).id;
@@ -178,6 +187,17 @@ bool Direction::spread(const Region& region, std::vector<bool>& changing) {
     return grew;
 }
 
+// The members that change have their tangents behind the state, in order; the others are constant.
+void Direction::seed_state(const Region& region, const std::vector<bool>& changing) {
+    auto next = static_cast<uint32_t>(changing.size());
+    for (uint32_t k = 0; k < changing.size(); ++k) {
+        const Type type = region.params[k];
+        const Id param = module_->region_parameter(region.level, k, type);
+        memo_[param] = changing[k] ? module_->region_parameter(region.level, next++, type) : poison;
+        log_.push_back(param);
+    }
+}
+
 // The tangents of a loop's members: a loop over the state and, beside it, the tangents of those
 // members that change.
 std::vector<Id> Direction::widened_loop(Id loop) {
@@ -190,20 +210,10 @@ std::vector<Id> Direction::widened_loop(Id loop) {
     for (const Id arg : args)
         changing.push_back(memo_[arg] != poison);
     const size_t before = log_.size();
-    const auto seed_state = [&] {
+    do {
         forget(before);
-        auto next = static_cast<uint32_t>(own);
-        for (uint32_t k = 0; k < own; ++k) {
-            const Type type = region.params[k];
-            const Id param = module_->region_parameter(region.level, k, type);
-            memo_[param] =
-                changing[k] ? module_->region_parameter(region.level, next++, type) : poison;
-            log_.push_back(param);
-        }
-    };
-    do
-        seed_state();
-    while (spread(region, changing));
+        seed_state(region, changing);
+    } while (spread(region, changing));
     std::vector<Id> members(own, poison);
     const std::vector<Type> types = region.params;
     for (size_t k = 0; k < own; ++k) {

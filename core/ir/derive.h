@@ -42,9 +42,10 @@ private:
     Id loop_member(const Inst& result);
     const DerivedFunction& derived(uint32_t region, const std::vector<bool>& changing);
     std::vector<Id> widened_loop(Id loop);
+    void seed_state(const Region& region, const std::vector<bool>& changing);
     bool spread(const Region& region, std::vector<bool>& changing);
     void forget(size_t first);
-    Id texture(Id id);
+    Id texture(Id sample, Id read);
 
     Module* module_;
     std::unordered_map<Id, Id> memo_;

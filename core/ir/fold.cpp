@@ -59,6 +59,37 @@ bool fold_integer(Op op, Type type, double x, double y, double& r) {
     }
 }
 
+bool fold_range(Op op, double a, double b, double c, double& r) {
+    switch (op) {
+        case Op::min_:
+            r = b < a ? b : a;
+            return true;
+        case Op::max_:
+            r = a < b ? b : a;
+            return true;
+        case Op::clamp_: {
+            const double low = a < b ? b : a;
+            r = c < low ? c : low;
+            return true;
+        }
+        case Op::mix_:
+            r = a + (b - a) * c;
+            return true;
+        case Op::step_:
+            r = b < a ? 0 : 1;
+            return true;
+        case Op::smoothstep_: {
+            if (!(a < b)) return false;
+            double t = (c - a) / (b - a);
+            t = t < 0 ? 0 : t > 1 ? 1 : t;
+            r = t * t * (3 - 2 * t);
+            return true;
+        }
+        default:
+            return false;
+    }
+}
+
 bool fold_arithmetic(Op op, double a, double b, double c, double& r) {
     switch (op) {
         case Op::neg_:
@@ -97,32 +128,8 @@ bool fold_arithmetic(Op op, double a, double b, double c, double& r) {
         case Op::fract_:
             r = a - std::floor(a);
             return true;
-        case Op::min_:
-            r = b < a ? b : a;
-            return true;
-        case Op::max_:
-            r = a < b ? b : a;
-            return true;
-        case Op::clamp_: {
-            const double low = a < b ? b : a;
-            r = c < low ? c : low;
-            return true;
-        }
-        case Op::mix_:
-            r = a + (b - a) * c;
-            return true;
-        case Op::step_:
-            r = b < a ? 0 : 1;
-            return true;
-        case Op::smoothstep_: {
-            if (!(a < b)) return false;
-            double t = (c - a) / (b - a);
-            t = t < 0 ? 0 : t > 1 ? 1 : t;
-            r = t * t * (3 - 2 * t);
-            return true;
-        }
         default:
-            return false;
+            return fold_range(op, a, b, c, r);
     }
 }
 

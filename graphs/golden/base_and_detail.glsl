@@ -9,8 +9,7 @@ uniform sampler2D base_image;    // textures/rivets_normal.png (normal_gl, repea
 uniform sampler2D detail_image;  // textures/weave_normal.png (normal_gl, repeat)
 
 vec3 wrinkle_base_and_detail_normal(WrinkleSurface_base_and_detail s) {
-    // base: Tangent normal map
-    vec3 base_texel = texture(base_image, s.uv0).xyz * 2.0 - 1.0;
+    vec3 base_texel = texture(base_image, s.uv0).xyz * 2.0 - 1.0;  // base: Tangent normal map
     float base_product = max(abs(base_texel.x), abs(base_texel.y)) * 0.0078125;
     float base_depth = max(max(abs(base_texel.z), base_product), 1e-06);
     vec2 tile_uv = s.uv0 * 8.0;  // tile: UV transform

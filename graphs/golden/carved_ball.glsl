@@ -9,108 +9,101 @@ struct WrinkleSurface_carved_ball {
 uniform sampler2D carving_image;  // textures/ball_object.png (normal_gl, repeat)
 
 float wrinkle_carved_ball_noise_corner_change(int a, int b, int c, vec3 d, vec3 e) {
-    // grain: Gradient noise
-    uint grain_sum = uint(c) * 747796405u + 2891336453u;
-    uint grain_product = (grain_sum >> (grain_sum >> 28u) + 4u ^ grain_sum) * 277803737u;
-    uint grain_product_2 = (uint(b) + (grain_product >> 22u ^ grain_product)) * 747796405u;
-    uint grain_sum_2 = grain_product_2 + 2891336453u;
-    uint grain_product_3 = (grain_sum_2 >> (grain_sum_2 >> 28u) + 4u ^ grain_sum_2) * 277803737u;
-    uint grain_product_4 = (uint(a) + (grain_product_3 >> 22u ^ grain_product_3)) * 747796405u;
-    uint grain_sum_3 = grain_product_4 + 2891336453u;
-    uint grain_product_5 = (grain_sum_3 >> (grain_sum_3 >> 28u) + 4u ^ grain_sum_3) * 277803737u;
-    uint grain_bits = grain_product_5 >> 22u ^ grain_product_5;
-    uint grain_bits_2 = (grain_bits >> 8u) * 3u >> 24u;
-    float grain_choice = grain_bits_2 == 0u ? e.y : e.x;
-    float grain_choice_2 = (grain_bits & 1u) == 0u ? grain_choice : -grain_choice;
-    float grain_choice_3 = grain_bits_2 == 2u ? e.y : e.z;
-    return grain_choice_2 + ((grain_bits & 2u) == 0u ? grain_choice_3 : -grain_choice_3);
+    uint sum = uint(c) * 747796405u + 2891336453u;
+    uint product = (sum >> (sum >> 28u) + 4u ^ sum) * 277803737u;
+    uint sum_2 = (uint(b) + (product >> 22u ^ product)) * 747796405u + 2891336453u;
+    uint product_2 = (sum_2 >> (sum_2 >> 28u) + 4u ^ sum_2) * 277803737u;
+    uint sum_3 = (uint(a) + (product_2 >> 22u ^ product_2)) * 747796405u + 2891336453u;
+    uint product_3 = (sum_3 >> (sum_3 >> 28u) + 4u ^ sum_3) * 277803737u;
+    uint bits = product_3 >> 22u ^ product_3;
+    uint bits_2 = (bits >> 8u) * 3u >> 24u;
+    float choice = bits_2 == 0u ? e.y : e.x;
+    float choice_2 = bits_2 == 2u ? e.y : e.z;
+    return ((bits & 1u) == 0u ? choice : -choice) + ((bits & 2u) == 0u ? choice_2 : -choice_2);
 }
 
 float wrinkle_carved_ball_noise_corner(int a, int b, int c, vec3 d) {
-    // grain: Gradient noise
-    uint grain_sum = uint(c) * 747796405u + 2891336453u;
-    uint grain_product = (grain_sum >> (grain_sum >> 28u) + 4u ^ grain_sum) * 277803737u;
-    uint grain_product_2 = (uint(b) + (grain_product >> 22u ^ grain_product)) * 747796405u;
-    uint grain_sum_2 = grain_product_2 + 2891336453u;
-    uint grain_product_3 = (grain_sum_2 >> (grain_sum_2 >> 28u) + 4u ^ grain_sum_2) * 277803737u;
-    uint grain_product_4 = (uint(a) + (grain_product_3 >> 22u ^ grain_product_3)) * 747796405u;
-    uint grain_sum_3 = grain_product_4 + 2891336453u;
-    uint grain_product_5 = (grain_sum_3 >> (grain_sum_3 >> 28u) + 4u ^ grain_sum_3) * 277803737u;
-    uint grain_bits = grain_product_5 >> 22u ^ grain_product_5;
-    uint grain_bits_2 = (grain_bits >> 8u) * 3u >> 24u;
-    float grain_choice = grain_bits_2 == 0u ? d.y : d.x;
-    float grain_choice_2 = (grain_bits & 1u) == 0u ? grain_choice : -grain_choice;
-    float grain_choice_3 = grain_bits_2 == 2u ? d.y : d.z;
-    return grain_choice_2 + ((grain_bits & 2u) == 0u ? grain_choice_3 : -grain_choice_3);
+    uint sum = uint(c) * 747796405u + 2891336453u;
+    uint product = (sum >> (sum >> 28u) + 4u ^ sum) * 277803737u;
+    uint sum_2 = (uint(b) + (product >> 22u ^ product)) * 747796405u + 2891336453u;
+    uint product_2 = (sum_2 >> (sum_2 >> 28u) + 4u ^ sum_2) * 277803737u;
+    uint sum_3 = (uint(a) + (product_2 >> 22u ^ product_2)) * 747796405u + 2891336453u;
+    uint product_3 = (sum_3 >> (sum_3 >> 28u) + 4u ^ sum_3) * 277803737u;
+    uint bits = product_3 >> 22u ^ product_3;
+    uint bits_2 = (bits >> 8u) * 3u >> 24u;
+    float choice = bits_2 == 0u ? d.y : d.x;
+    float choice_2 = bits_2 == 2u ? d.y : d.z;
+    return ((bits & 1u) == 0u ? choice : -choice) + ((bits & 2u) == 0u ? choice_2 : -choice_2);
 }
 
 float wrinkle_carved_ball_gradient_noise_change(vec3 a, vec3 b) {
-    // grain: Gradient noise
-    vec3 grain_floor = floor(a);
-    int grain_int = int(grain_floor.x);
-    int grain_int_2 = int(grain_floor.y);
-    int grain_int_3 = int(grain_floor.z);
-    vec3 grain_difference = a - grain_floor;
-    float grain_noise_corner_change = wrinkle_carved_ball_noise_corner_change(grain_int, grain_int_2, grain_int_3, grain_difference, b);
-    int grain_sum = grain_int + 1;
-    vec3 grain_difference_2 = grain_difference - vec3(1.0, 0.0, 0.0);
-    float grain_noise_corner_change_2 = wrinkle_carved_ball_noise_corner_change(grain_sum, grain_int_2, grain_int_3, grain_difference_2, b);
-    vec3 grain_product = grain_difference * grain_difference;
-    vec3 grain_product_2 = grain_product * grain_difference;
-    vec3 grain_difference_3 = grain_difference * 6.0 - 15.0;
-    vec3 grain_sum_2 = grain_difference * grain_difference_3 + 10.0;
-    vec3 grain_product_3 = grain_product_2 * grain_sum_2;
-    float grain_mix = mix(grain_noise_corner_change, grain_noise_corner_change_2, grain_product_3.x);
-    vec3 grain_product_4 = b * grain_difference;
-    vec3 grain_sum_3 = (grain_product_4 + grain_product_4) * grain_difference + b * grain_product;
-    vec3 grain_product_5 = (b * grain_difference_3 + b * 6.0 * grain_difference) * grain_product_2;
-    vec3 grain_sum_4 = grain_sum_3 * grain_sum_2 + grain_product_5;
-    float grain_noise_corner = wrinkle_carved_ball_noise_corner(grain_sum, grain_int_2, grain_int_3, grain_difference_2);
-    float grain_noise_corner_2 = wrinkle_carved_ball_noise_corner(grain_int, grain_int_2, grain_int_3, grain_difference);
-    float grain_sum_5 = grain_mix + grain_sum_4.x * (grain_noise_corner - grain_noise_corner_2);
-    int grain_sum_6 = grain_int_2 + 1;
-    vec3 grain_difference_4 = grain_difference - vec3(0.0, 1.0, 0.0);
-    float grain_noise_corner_change_3 = wrinkle_carved_ball_noise_corner_change(grain_int, grain_sum_6, grain_int_3, grain_difference_4, b);
-    vec3 grain_difference_5 = grain_difference - vec3(1.0, 1.0, 0.0);
-    float grain_noise_corner_change_4 = wrinkle_carved_ball_noise_corner_change(grain_sum, grain_sum_6, grain_int_3, grain_difference_5, b);
-    float grain_mix_2 = mix(grain_noise_corner_change_3, grain_noise_corner_change_4, grain_product_3.x);
-    float grain_noise_corner_3 = wrinkle_carved_ball_noise_corner(grain_sum, grain_sum_6, grain_int_3, grain_difference_5);
-    float grain_noise_corner_4 = wrinkle_carved_ball_noise_corner(grain_int, grain_sum_6, grain_int_3, grain_difference_4);
-    float grain_sum_7 = grain_mix_2 + grain_sum_4.x * (grain_noise_corner_3 - grain_noise_corner_4);
-    float grain_mix_3 = mix(grain_sum_5, grain_sum_7, grain_product_3.y);
-    float grain_mix_4 = mix(grain_noise_corner_4, grain_noise_corner_3, grain_product_3.x);
-    float grain_mix_5 = mix(grain_noise_corner_2, grain_noise_corner, grain_product_3.x);
-    float grain_sum_8 = grain_mix_3 + grain_sum_4.y * (grain_mix_4 - grain_mix_5);
-    int grain_sum_9 = grain_int_3 + 1;
-    vec3 grain_difference_6 = grain_difference - vec3(0.0, 0.0, 1.0);
-    float grain_noise_corner_change_5 = wrinkle_carved_ball_noise_corner_change(grain_int, grain_int_2, grain_sum_9, grain_difference_6, b);
-    vec3 grain_difference_7 = grain_difference - vec3(1.0, 0.0, 1.0);
-    float grain_noise_corner_change_6 = wrinkle_carved_ball_noise_corner_change(grain_sum, grain_int_2, grain_sum_9, grain_difference_7, b);
-    float grain_mix_6 = mix(grain_noise_corner_change_5, grain_noise_corner_change_6, grain_product_3.x);
-    float grain_noise_corner_5 = wrinkle_carved_ball_noise_corner(grain_sum, grain_int_2, grain_sum_9, grain_difference_7);
-    float grain_noise_corner_6 = wrinkle_carved_ball_noise_corner(grain_int, grain_int_2, grain_sum_9, grain_difference_6);
-    float grain_sum_10 = grain_mix_6 + grain_sum_4.x * (grain_noise_corner_5 - grain_noise_corner_6);
-    vec3 grain_difference_8 = grain_difference - vec3(0.0, 1.0, 1.0);
-    float grain_noise_corner_change_7 = wrinkle_carved_ball_noise_corner_change(grain_int, grain_sum_6, grain_sum_9, grain_difference_8, b);
-    vec3 grain_difference_9 = grain_difference - 1.0;
-    float grain_noise_corner_change_8 = wrinkle_carved_ball_noise_corner_change(grain_sum, grain_sum_6, grain_sum_9, grain_difference_9, b);
-    float grain_mix_7 = mix(grain_noise_corner_change_7, grain_noise_corner_change_8, grain_product_3.x);
-    float grain_noise_corner_7 = wrinkle_carved_ball_noise_corner(grain_sum, grain_sum_6, grain_sum_9, grain_difference_9);
-    float grain_noise_corner_8 = wrinkle_carved_ball_noise_corner(grain_int, grain_sum_6, grain_sum_9, grain_difference_8);
-    float grain_sum_11 = grain_mix_7 + grain_sum_4.x * (grain_noise_corner_7 - grain_noise_corner_8);
-    float grain_mix_8 = mix(grain_sum_10, grain_sum_11, grain_product_3.y);
-    float grain_mix_9 = mix(grain_noise_corner_8, grain_noise_corner_7, grain_product_3.x);
-    float grain_mix_10 = mix(grain_noise_corner_6, grain_noise_corner_5, grain_product_3.x);
-    float grain_sum_12 = grain_mix_8 + grain_sum_4.y * (grain_mix_9 - grain_mix_10);
-    float grain_mix_11 = mix(grain_sum_8, grain_sum_12, grain_product_3.z);
-    float grain_mix_12 = mix(grain_mix_10, grain_mix_9, grain_product_3.y);
-    float grain_difference_10 = grain_mix_12 - mix(grain_mix_5, grain_mix_4, grain_product_3.y);
-    return grain_mix_11 + grain_sum_4.z * grain_difference_10;
+    vec3 floored = floor(a);
+    int whole = int(floored.x);
+    int whole_2 = int(floored.y);
+    int whole_3 = int(floored.z);
+    vec3 difference = a - floored;
+    float noise_corner_change = wrinkle_carved_ball_noise_corner_change(whole, whole_2, whole_3,
+            difference, b);
+    int sum = whole + 1;
+    vec3 difference_2 = difference - vec3(1.0, 0.0, 0.0);
+    float noise_corner_change_2 = wrinkle_carved_ball_noise_corner_change(sum, whole_2, whole_3,
+            difference_2, b);
+    vec3 product = difference * difference;
+    vec3 product_2 = product * difference;
+    vec3 difference_3 = difference * 6.0 - 15.0;
+    vec3 sum_2 = difference * difference_3 + 10.0;
+    vec3 product_3 = product_2 * sum_2;
+    float mixed = mix(noise_corner_change, noise_corner_change_2, product_3.x);
+    vec3 product_4 = b * difference;
+    vec3 product_5 = ((product_4 + product_4) * difference + b * product) * sum_2;
+    vec3 sum_3 = product_5 + (b * difference_3 + b * 6.0 * difference) * product_2;
+    float noise_corner = wrinkle_carved_ball_noise_corner(sum, whole_2, whole_3, difference_2);
+    float noise_corner_2 = wrinkle_carved_ball_noise_corner(whole, whole_2, whole_3, difference);
+    float sum_4 = mixed + sum_3.x * (noise_corner - noise_corner_2);
+    int sum_5 = whole_2 + 1;
+    vec3 difference_4 = difference - vec3(0.0, 1.0, 0.0);
+    float noise_corner_change_3 = wrinkle_carved_ball_noise_corner_change(whole, sum_5, whole_3,
+            difference_4, b);
+    vec3 difference_5 = difference - vec3(1.0, 1.0, 0.0);
+    float noise_corner_change_4 = wrinkle_carved_ball_noise_corner_change(sum, sum_5, whole_3,
+            difference_5, b);
+    float mixed_2 = mix(noise_corner_change_3, noise_corner_change_4, product_3.x);
+    float noise_corner_3 = wrinkle_carved_ball_noise_corner(sum, sum_5, whole_3, difference_5);
+    float noise_corner_4 = wrinkle_carved_ball_noise_corner(whole, sum_5, whole_3, difference_4);
+    float mixed_3 = mix(sum_4, mixed_2 + sum_3.x * (noise_corner_3 - noise_corner_4), product_3.y);
+    float mixed_4 = mix(noise_corner_4, noise_corner_3, product_3.x);
+    float mixed_5 = mix(noise_corner_2, noise_corner, product_3.x);
+    float sum_6 = mixed_3 + sum_3.y * (mixed_4 - mixed_5);
+    int sum_7 = whole_3 + 1;
+    vec3 difference_6 = difference - vec3(0.0, 0.0, 1.0);
+    float noise_corner_change_5 = wrinkle_carved_ball_noise_corner_change(whole, whole_2, sum_7,
+            difference_6, b);
+    vec3 difference_7 = difference - vec3(1.0, 0.0, 1.0);
+    float noise_corner_change_6 = wrinkle_carved_ball_noise_corner_change(sum, whole_2, sum_7,
+            difference_7, b);
+    float mixed_6 = mix(noise_corner_change_5, noise_corner_change_6, product_3.x);
+    float noise_corner_5 = wrinkle_carved_ball_noise_corner(sum, whole_2, sum_7, difference_7);
+    float noise_corner_6 = wrinkle_carved_ball_noise_corner(whole, whole_2, sum_7, difference_6);
+    float sum_8 = mixed_6 + sum_3.x * (noise_corner_5 - noise_corner_6);
+    vec3 difference_8 = difference - vec3(0.0, 1.0, 1.0);
+    float noise_corner_change_7 = wrinkle_carved_ball_noise_corner_change(whole, sum_5, sum_7,
+            difference_8, b);
+    vec3 difference_9 = difference - 1.0;
+    float noise_corner_change_8 = wrinkle_carved_ball_noise_corner_change(sum, sum_5, sum_7,
+            difference_9, b);
+    float mixed_7 = mix(noise_corner_change_7, noise_corner_change_8, product_3.x);
+    float noise_corner_7 = wrinkle_carved_ball_noise_corner(sum, sum_5, sum_7, difference_9);
+    float noise_corner_8 = wrinkle_carved_ball_noise_corner(whole, sum_5, sum_7, difference_8);
+    float mixed_8 = mix(sum_8, mixed_7 + sum_3.x * (noise_corner_7 - noise_corner_8), product_3.y);
+    float mixed_9 = mix(noise_corner_8, noise_corner_7, product_3.x);
+    float mixed_10 = mix(noise_corner_6, noise_corner_5, product_3.x);
+    float mixed_11 = mix(sum_6, mixed_8 + sum_3.y * (mixed_9 - mixed_10), product_3.z);
+    float difference_10 = mix(mixed_10, mixed_9, product_3.y) - mix(mixed_5, mixed_4, product_3.y);
+    return mixed_11 + sum_3.z * difference_10;
 }
 
 vec3 wrinkle_carved_ball_normal(WrinkleSurface_carved_ball s) {
-    // the surface point
-    vec3 normal = normalize(s.normal);
+    vec3 normal = normalize(s.normal);  // the surface point
     vec3 dpdy = dFdy(s.position_relative);
     vec3 surface_dpdy = dpdy - normal * dot(normal, dpdy);
     vec3 r_x = cross(surface_dpdy, normal);
@@ -120,29 +113,33 @@ vec3 wrinkle_carved_ball_normal(WrinkleSurface_carved_ball s) {
     float inverse_det = (det < 0.0 ? -1.0 : 1.0) / max(abs(det), 1e-36);
     // carving: Object normal map
     vec3 carving_texel = texture(carving_image, s.uv0).xyz * 2.0 - 1.0;
-    float carving_dot = dot(normal, carving_texel);
-    vec3 carving_difference = normal * carving_dot - carving_texel;
-    vec3 carving_gradient = carving_difference / max(abs(carving_dot), 1.1920929e-07);
-    // grain: Gradient noise
-    vec3 grain_product = s.position * 24.0;
+    float carving_dot_product = dot(normal, carving_texel);
+    vec3 carving_difference = normal * carving_dot_product - carving_texel;
+    vec3 carving_gradient = carving_difference / max(abs(carving_dot_product), 1.1920929e-07);
+    vec3 grain_product = s.position * 24.0;  // grain: Gradient noise
     vec3 grain_product_2 = surface_dpdx * 24.0;
-    float grain_gradient_noise_change = wrinkle_carved_ball_gradient_noise_change(grain_product, grain_product_2);
+    float grain_gradient_noise_change = wrinkle_carved_ball_gradient_noise_change(grain_product,
+            grain_product_2);
     vec3 grain_sum = grain_product * 2.0 + vec3(19.19, 7.43, 31.71);
     vec3 grain_product_3 = grain_product_2 * 2.0;
-    float grain_product_4 = wrinkle_carved_ball_gradient_noise_change(grain_sum, grain_product_3) * 0.5;
+    float grain_product_4 = wrinkle_carved_ball_gradient_noise_change(grain_sum,
+            grain_product_3) * 0.5;
     float grain_sum_2 = grain_gradient_noise_change + grain_product_4;
     vec3 grain_sum_3 = grain_sum * 2.0 + vec3(19.19, 7.43, 31.71);
-    float grain_gradient_noise_change_2 = wrinkle_carved_ball_gradient_noise_change(grain_sum_3, grain_product_3 * 2.0);
+    float grain_gradient_noise_change_2 = wrinkle_carved_ball_gradient_noise_change(grain_sum_3,
+            grain_product_3 * 2.0);
     float grain_product_5 = (grain_sum_2 + grain_gradient_noise_change_2 * 0.25) / 1.75 * 0.004;
     vec3 grain_product_6 = surface_dpdy * 24.0;
-    float grain_gradient_noise_change_3 = wrinkle_carved_ball_gradient_noise_change(grain_product, grain_product_6);
+    float grain_gradient_noise_change_3 = wrinkle_carved_ball_gradient_noise_change(grain_product,
+            grain_product_6);
     vec3 grain_product_7 = grain_product_6 * 2.0;
-    float grain_product_8 = wrinkle_carved_ball_gradient_noise_change(grain_sum, grain_product_7) * 0.5;
+    float grain_product_8 = wrinkle_carved_ball_gradient_noise_change(grain_sum,
+            grain_product_7) * 0.5;
     float grain_sum_4 = grain_gradient_noise_change_3 + grain_product_8;
-    float grain_gradient_noise_change_4 = wrinkle_carved_ball_gradient_noise_change(grain_sum_3, grain_product_7 * 2.0);
+    float grain_gradient_noise_change_4 = wrinkle_carved_ball_gradient_noise_change(grain_sum_3,
+            grain_product_7 * 2.0);
     float grain_product_9 = (grain_sum_4 + grain_gradient_noise_change_4 * 0.25) / 1.75 * 0.004;
-    // normal: Resolve
-    vec3 normal_product = r_x * grain_product_5;
+    vec3 normal_product = r_x * grain_product_5;  // normal: Resolve
     vec3 normal_product_2 = cross(normal, surface_dpdx) * grain_product_9;
     vec3 normal_gradient = carving_gradient + (normal_product + normal_product_2) * inverse_det;
     vec3 normal_difference = normal * s.facing - normal_gradient;

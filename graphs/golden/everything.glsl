@@ -12,108 +12,101 @@ uniform sampler2D carving_image;  // textures/ball_object.png (normal_gl, repeat
 uniform sampler2D bricks_image;   // textures/bricks_height.png (linear, repeat)
 
 float wrinkle_everything_noise_corner_change(int a, int b, int c, vec3 d, vec3 e) {
-    // grain: Gradient noise
-    uint grain_sum = uint(c) * 747796405u + 2891336453u;
-    uint grain_product = (grain_sum >> (grain_sum >> 28u) + 4u ^ grain_sum) * 277803737u;
-    uint grain_product_2 = (uint(b) + (grain_product >> 22u ^ grain_product)) * 747796405u;
-    uint grain_sum_2 = grain_product_2 + 2891336453u;
-    uint grain_product_3 = (grain_sum_2 >> (grain_sum_2 >> 28u) + 4u ^ grain_sum_2) * 277803737u;
-    uint grain_product_4 = (uint(a) + (grain_product_3 >> 22u ^ grain_product_3)) * 747796405u;
-    uint grain_sum_3 = grain_product_4 + 2891336453u;
-    uint grain_product_5 = (grain_sum_3 >> (grain_sum_3 >> 28u) + 4u ^ grain_sum_3) * 277803737u;
-    uint grain_bits = grain_product_5 >> 22u ^ grain_product_5;
-    uint grain_bits_2 = (grain_bits >> 8u) * 3u >> 24u;
-    float grain_choice = grain_bits_2 == 0u ? e.y : e.x;
-    float grain_choice_2 = (grain_bits & 1u) == 0u ? grain_choice : -grain_choice;
-    float grain_choice_3 = grain_bits_2 == 2u ? e.y : e.z;
-    return grain_choice_2 + ((grain_bits & 2u) == 0u ? grain_choice_3 : -grain_choice_3);
+    uint sum = uint(c) * 747796405u + 2891336453u;
+    uint product = (sum >> (sum >> 28u) + 4u ^ sum) * 277803737u;
+    uint sum_2 = (uint(b) + (product >> 22u ^ product)) * 747796405u + 2891336453u;
+    uint product_2 = (sum_2 >> (sum_2 >> 28u) + 4u ^ sum_2) * 277803737u;
+    uint sum_3 = (uint(a) + (product_2 >> 22u ^ product_2)) * 747796405u + 2891336453u;
+    uint product_3 = (sum_3 >> (sum_3 >> 28u) + 4u ^ sum_3) * 277803737u;
+    uint bits = product_3 >> 22u ^ product_3;
+    uint bits_2 = (bits >> 8u) * 3u >> 24u;
+    float choice = bits_2 == 0u ? e.y : e.x;
+    float choice_2 = bits_2 == 2u ? e.y : e.z;
+    return ((bits & 1u) == 0u ? choice : -choice) + ((bits & 2u) == 0u ? choice_2 : -choice_2);
 }
 
 float wrinkle_everything_noise_corner(int a, int b, int c, vec3 d) {
-    // grain: Gradient noise
-    uint grain_sum = uint(c) * 747796405u + 2891336453u;
-    uint grain_product = (grain_sum >> (grain_sum >> 28u) + 4u ^ grain_sum) * 277803737u;
-    uint grain_product_2 = (uint(b) + (grain_product >> 22u ^ grain_product)) * 747796405u;
-    uint grain_sum_2 = grain_product_2 + 2891336453u;
-    uint grain_product_3 = (grain_sum_2 >> (grain_sum_2 >> 28u) + 4u ^ grain_sum_2) * 277803737u;
-    uint grain_product_4 = (uint(a) + (grain_product_3 >> 22u ^ grain_product_3)) * 747796405u;
-    uint grain_sum_3 = grain_product_4 + 2891336453u;
-    uint grain_product_5 = (grain_sum_3 >> (grain_sum_3 >> 28u) + 4u ^ grain_sum_3) * 277803737u;
-    uint grain_bits = grain_product_5 >> 22u ^ grain_product_5;
-    uint grain_bits_2 = (grain_bits >> 8u) * 3u >> 24u;
-    float grain_choice = grain_bits_2 == 0u ? d.y : d.x;
-    float grain_choice_2 = (grain_bits & 1u) == 0u ? grain_choice : -grain_choice;
-    float grain_choice_3 = grain_bits_2 == 2u ? d.y : d.z;
-    return grain_choice_2 + ((grain_bits & 2u) == 0u ? grain_choice_3 : -grain_choice_3);
+    uint sum = uint(c) * 747796405u + 2891336453u;
+    uint product = (sum >> (sum >> 28u) + 4u ^ sum) * 277803737u;
+    uint sum_2 = (uint(b) + (product >> 22u ^ product)) * 747796405u + 2891336453u;
+    uint product_2 = (sum_2 >> (sum_2 >> 28u) + 4u ^ sum_2) * 277803737u;
+    uint sum_3 = (uint(a) + (product_2 >> 22u ^ product_2)) * 747796405u + 2891336453u;
+    uint product_3 = (sum_3 >> (sum_3 >> 28u) + 4u ^ sum_3) * 277803737u;
+    uint bits = product_3 >> 22u ^ product_3;
+    uint bits_2 = (bits >> 8u) * 3u >> 24u;
+    float choice = bits_2 == 0u ? d.y : d.x;
+    float choice_2 = bits_2 == 2u ? d.y : d.z;
+    return ((bits & 1u) == 0u ? choice : -choice) + ((bits & 2u) == 0u ? choice_2 : -choice_2);
 }
 
 float wrinkle_everything_gradient_noise_change(vec3 a, vec3 b) {
-    // grain: Gradient noise
-    vec3 grain_floor = floor(a);
-    int grain_int = int(grain_floor.x);
-    int grain_int_2 = int(grain_floor.y);
-    int grain_int_3 = int(grain_floor.z);
-    vec3 grain_difference = a - grain_floor;
-    float grain_noise_corner_change = wrinkle_everything_noise_corner_change(grain_int, grain_int_2, grain_int_3, grain_difference, b);
-    int grain_sum = grain_int + 1;
-    vec3 grain_difference_2 = grain_difference - vec3(1.0, 0.0, 0.0);
-    float grain_noise_corner_change_2 = wrinkle_everything_noise_corner_change(grain_sum, grain_int_2, grain_int_3, grain_difference_2, b);
-    vec3 grain_product = grain_difference * grain_difference;
-    vec3 grain_product_2 = grain_product * grain_difference;
-    vec3 grain_difference_3 = grain_difference * 6.0 - 15.0;
-    vec3 grain_sum_2 = grain_difference * grain_difference_3 + 10.0;
-    vec3 grain_product_3 = grain_product_2 * grain_sum_2;
-    float grain_mix = mix(grain_noise_corner_change, grain_noise_corner_change_2, grain_product_3.x);
-    vec3 grain_product_4 = b * grain_difference;
-    vec3 grain_sum_3 = (grain_product_4 + grain_product_4) * grain_difference + b * grain_product;
-    vec3 grain_product_5 = (b * grain_difference_3 + b * 6.0 * grain_difference) * grain_product_2;
-    vec3 grain_sum_4 = grain_sum_3 * grain_sum_2 + grain_product_5;
-    float grain_noise_corner = wrinkle_everything_noise_corner(grain_sum, grain_int_2, grain_int_3, grain_difference_2);
-    float grain_noise_corner_2 = wrinkle_everything_noise_corner(grain_int, grain_int_2, grain_int_3, grain_difference);
-    float grain_sum_5 = grain_mix + grain_sum_4.x * (grain_noise_corner - grain_noise_corner_2);
-    int grain_sum_6 = grain_int_2 + 1;
-    vec3 grain_difference_4 = grain_difference - vec3(0.0, 1.0, 0.0);
-    float grain_noise_corner_change_3 = wrinkle_everything_noise_corner_change(grain_int, grain_sum_6, grain_int_3, grain_difference_4, b);
-    vec3 grain_difference_5 = grain_difference - vec3(1.0, 1.0, 0.0);
-    float grain_noise_corner_change_4 = wrinkle_everything_noise_corner_change(grain_sum, grain_sum_6, grain_int_3, grain_difference_5, b);
-    float grain_mix_2 = mix(grain_noise_corner_change_3, grain_noise_corner_change_4, grain_product_3.x);
-    float grain_noise_corner_3 = wrinkle_everything_noise_corner(grain_sum, grain_sum_6, grain_int_3, grain_difference_5);
-    float grain_noise_corner_4 = wrinkle_everything_noise_corner(grain_int, grain_sum_6, grain_int_3, grain_difference_4);
-    float grain_sum_7 = grain_mix_2 + grain_sum_4.x * (grain_noise_corner_3 - grain_noise_corner_4);
-    float grain_mix_3 = mix(grain_sum_5, grain_sum_7, grain_product_3.y);
-    float grain_mix_4 = mix(grain_noise_corner_4, grain_noise_corner_3, grain_product_3.x);
-    float grain_mix_5 = mix(grain_noise_corner_2, grain_noise_corner, grain_product_3.x);
-    float grain_sum_8 = grain_mix_3 + grain_sum_4.y * (grain_mix_4 - grain_mix_5);
-    int grain_sum_9 = grain_int_3 + 1;
-    vec3 grain_difference_6 = grain_difference - vec3(0.0, 0.0, 1.0);
-    float grain_noise_corner_change_5 = wrinkle_everything_noise_corner_change(grain_int, grain_int_2, grain_sum_9, grain_difference_6, b);
-    vec3 grain_difference_7 = grain_difference - vec3(1.0, 0.0, 1.0);
-    float grain_noise_corner_change_6 = wrinkle_everything_noise_corner_change(grain_sum, grain_int_2, grain_sum_9, grain_difference_7, b);
-    float grain_mix_6 = mix(grain_noise_corner_change_5, grain_noise_corner_change_6, grain_product_3.x);
-    float grain_noise_corner_5 = wrinkle_everything_noise_corner(grain_sum, grain_int_2, grain_sum_9, grain_difference_7);
-    float grain_noise_corner_6 = wrinkle_everything_noise_corner(grain_int, grain_int_2, grain_sum_9, grain_difference_6);
-    float grain_sum_10 = grain_mix_6 + grain_sum_4.x * (grain_noise_corner_5 - grain_noise_corner_6);
-    vec3 grain_difference_8 = grain_difference - vec3(0.0, 1.0, 1.0);
-    float grain_noise_corner_change_7 = wrinkle_everything_noise_corner_change(grain_int, grain_sum_6, grain_sum_9, grain_difference_8, b);
-    vec3 grain_difference_9 = grain_difference - 1.0;
-    float grain_noise_corner_change_8 = wrinkle_everything_noise_corner_change(grain_sum, grain_sum_6, grain_sum_9, grain_difference_9, b);
-    float grain_mix_7 = mix(grain_noise_corner_change_7, grain_noise_corner_change_8, grain_product_3.x);
-    float grain_noise_corner_7 = wrinkle_everything_noise_corner(grain_sum, grain_sum_6, grain_sum_9, grain_difference_9);
-    float grain_noise_corner_8 = wrinkle_everything_noise_corner(grain_int, grain_sum_6, grain_sum_9, grain_difference_8);
-    float grain_sum_11 = grain_mix_7 + grain_sum_4.x * (grain_noise_corner_7 - grain_noise_corner_8);
-    float grain_mix_8 = mix(grain_sum_10, grain_sum_11, grain_product_3.y);
-    float grain_mix_9 = mix(grain_noise_corner_8, grain_noise_corner_7, grain_product_3.x);
-    float grain_mix_10 = mix(grain_noise_corner_6, grain_noise_corner_5, grain_product_3.x);
-    float grain_sum_12 = grain_mix_8 + grain_sum_4.y * (grain_mix_9 - grain_mix_10);
-    float grain_mix_11 = mix(grain_sum_8, grain_sum_12, grain_product_3.z);
-    float grain_mix_12 = mix(grain_mix_10, grain_mix_9, grain_product_3.y);
-    float grain_difference_10 = grain_mix_12 - mix(grain_mix_5, grain_mix_4, grain_product_3.y);
-    return grain_mix_11 + grain_sum_4.z * grain_difference_10;
+    vec3 floored = floor(a);
+    int whole = int(floored.x);
+    int whole_2 = int(floored.y);
+    int whole_3 = int(floored.z);
+    vec3 difference = a - floored;
+    float noise_corner_change = wrinkle_everything_noise_corner_change(whole, whole_2, whole_3,
+            difference, b);
+    int sum = whole + 1;
+    vec3 difference_2 = difference - vec3(1.0, 0.0, 0.0);
+    float noise_corner_change_2 = wrinkle_everything_noise_corner_change(sum, whole_2, whole_3,
+            difference_2, b);
+    vec3 product = difference * difference;
+    vec3 product_2 = product * difference;
+    vec3 difference_3 = difference * 6.0 - 15.0;
+    vec3 sum_2 = difference * difference_3 + 10.0;
+    vec3 product_3 = product_2 * sum_2;
+    float mixed = mix(noise_corner_change, noise_corner_change_2, product_3.x);
+    vec3 product_4 = b * difference;
+    vec3 product_5 = ((product_4 + product_4) * difference + b * product) * sum_2;
+    vec3 sum_3 = product_5 + (b * difference_3 + b * 6.0 * difference) * product_2;
+    float noise_corner = wrinkle_everything_noise_corner(sum, whole_2, whole_3, difference_2);
+    float noise_corner_2 = wrinkle_everything_noise_corner(whole, whole_2, whole_3, difference);
+    float sum_4 = mixed + sum_3.x * (noise_corner - noise_corner_2);
+    int sum_5 = whole_2 + 1;
+    vec3 difference_4 = difference - vec3(0.0, 1.0, 0.0);
+    float noise_corner_change_3 = wrinkle_everything_noise_corner_change(whole, sum_5, whole_3,
+            difference_4, b);
+    vec3 difference_5 = difference - vec3(1.0, 1.0, 0.0);
+    float noise_corner_change_4 = wrinkle_everything_noise_corner_change(sum, sum_5, whole_3,
+            difference_5, b);
+    float mixed_2 = mix(noise_corner_change_3, noise_corner_change_4, product_3.x);
+    float noise_corner_3 = wrinkle_everything_noise_corner(sum, sum_5, whole_3, difference_5);
+    float noise_corner_4 = wrinkle_everything_noise_corner(whole, sum_5, whole_3, difference_4);
+    float mixed_3 = mix(sum_4, mixed_2 + sum_3.x * (noise_corner_3 - noise_corner_4), product_3.y);
+    float mixed_4 = mix(noise_corner_4, noise_corner_3, product_3.x);
+    float mixed_5 = mix(noise_corner_2, noise_corner, product_3.x);
+    float sum_6 = mixed_3 + sum_3.y * (mixed_4 - mixed_5);
+    int sum_7 = whole_3 + 1;
+    vec3 difference_6 = difference - vec3(0.0, 0.0, 1.0);
+    float noise_corner_change_5 = wrinkle_everything_noise_corner_change(whole, whole_2, sum_7,
+            difference_6, b);
+    vec3 difference_7 = difference - vec3(1.0, 0.0, 1.0);
+    float noise_corner_change_6 = wrinkle_everything_noise_corner_change(sum, whole_2, sum_7,
+            difference_7, b);
+    float mixed_6 = mix(noise_corner_change_5, noise_corner_change_6, product_3.x);
+    float noise_corner_5 = wrinkle_everything_noise_corner(sum, whole_2, sum_7, difference_7);
+    float noise_corner_6 = wrinkle_everything_noise_corner(whole, whole_2, sum_7, difference_6);
+    float sum_8 = mixed_6 + sum_3.x * (noise_corner_5 - noise_corner_6);
+    vec3 difference_8 = difference - vec3(0.0, 1.0, 1.0);
+    float noise_corner_change_7 = wrinkle_everything_noise_corner_change(whole, sum_5, sum_7,
+            difference_8, b);
+    vec3 difference_9 = difference - 1.0;
+    float noise_corner_change_8 = wrinkle_everything_noise_corner_change(sum, sum_5, sum_7,
+            difference_9, b);
+    float mixed_7 = mix(noise_corner_change_7, noise_corner_change_8, product_3.x);
+    float noise_corner_7 = wrinkle_everything_noise_corner(sum, sum_5, sum_7, difference_9);
+    float noise_corner_8 = wrinkle_everything_noise_corner(whole, sum_5, sum_7, difference_8);
+    float mixed_8 = mix(sum_8, mixed_7 + sum_3.x * (noise_corner_7 - noise_corner_8), product_3.y);
+    float mixed_9 = mix(noise_corner_8, noise_corner_7, product_3.x);
+    float mixed_10 = mix(noise_corner_6, noise_corner_5, product_3.x);
+    float mixed_11 = mix(sum_6, mixed_8 + sum_3.y * (mixed_9 - mixed_10), product_3.z);
+    float difference_10 = mix(mixed_10, mixed_9, product_3.y) - mix(mixed_5, mixed_4, product_3.y);
+    return mixed_11 + sum_3.z * difference_10;
 }
 
 vec3 wrinkle_everything_normal(WrinkleSurface_everything s) {
-    // the surface point
-    vec3 normal = normalize(s.normal);
+    vec3 normal = normalize(s.normal);  // the surface point
     vec3 dpdx = dFdx(s.position_relative);
     vec3 surface_dpdx = dpdx - normal * dot(normal, dpdx);
     vec2 duv1_dy = dFdy(s.uv1);
@@ -122,14 +115,13 @@ vec3 wrinkle_everything_normal(WrinkleSurface_everything s) {
     vec2 duv1_dx = dFdx(s.uv1);
     float uv1_sign = duv1_dx.x * duv1_dy.y - duv1_dy.x * duv1_dx.y < 0.0 ? -1.0 : 1.0;
     vec3 surface_product = (surface_dpdx * duv1_dy.y - surface_dpdy * duv1_dx.y) * uv1_sign;
-    float surface_inversesqrt = inversesqrt(max(dot(surface_product, surface_product), 1e-36));
-    vec3 uv1_tangent = surface_product * surface_inversesqrt;
+    float surface_inverse_root = inversesqrt(max(dot(surface_product, surface_product), 1e-36));
+    vec3 uv1_tangent = surface_product * surface_inverse_root;
     vec3 r_y = cross(normal, surface_dpdx);
     float surface_product_2 = uv1_sign * (dot(surface_dpdy, r_y) < 0.0 ? -1.0 : 1.0);
     vec3 r_x = cross(surface_dpdy, normal);
     float det = dot(surface_dpdx, r_x);
-    // cloth_uv: UV transform
-    vec2 cloth_uv_product = s.uv1 * 10.0;
+    vec2 cloth_uv_product = s.uv1 * 10.0;  // cloth_uv: UV transform
     float cloth_uv_difference = 0.9396926 * cloth_uv_product.x - 0.34202015 * cloth_uv_product.y;
     float cloth_uv_sum = 0.34202015 * cloth_uv_product.x + 0.9396926 * cloth_uv_product.y;
     vec2 cloth_uv_uv = vec2(cloth_uv_difference, cloth_uv_sum);
@@ -142,23 +134,21 @@ vec3 wrinkle_everything_normal(WrinkleSurface_everything s) {
     float cloth_sum_2 = cloth_slope.x * -0.34202015 + cloth_slope.y * 0.9396926;
     // carving: Object normal map
     vec3 carving_texel = texture(carving_image, s.uv0).xyz * 2.0 - 1.0;
-    float carving_dot = dot(normal, carving_texel);
-    vec3 carving_difference = normal * carving_dot - carving_texel;
-    vec3 carving_quotient = carving_difference / max(abs(carving_dot), 1.1920929e-07);
+    float carving_dot_product = dot(normal, carving_texel);
+    vec3 carving_difference = normal * carving_dot_product - carving_texel;
+    vec3 carving_quotient = carving_difference / max(abs(carving_dot_product), 1.1920929e-07);
     vec2 softer_product = vec2(cloth_sum, cloth_sum_2) * 0.3;  // softer: Scale bump
-    // tile: UV transform
-    vec2 tile_uv = s.uv0 * vec2(8.0, 4.0);
+    vec2 tile_uv = s.uv0 * vec2(8.0, 4.0);  // tile: UV transform
     vec2 tile_product = dFdx(s.uv0) * vec2(8.0, 4.0);
     vec2 tile_product_2 = dFdy(s.uv0) * vec2(8.0, 4.0);
-    // bricks: Height map
-    vec2 bricks_size = vec2(textureSize(bricks_image, 0));
+    vec2 bricks_size = vec2(textureSize(bricks_image, 0));  // bricks: Height map
     vec2 bricks_product = bricks_size * tile_product;
-    float bricks_dot = dot(bricks_product, bricks_product);
+    float bricks_dot_product = dot(bricks_product, bricks_product);
     vec2 bricks_product_2 = bricks_size * tile_product_2;
-    float bricks_max = max(max(bricks_dot, dot(bricks_product_2, bricks_product_2)), 9.094947e-13);
-    float bricks_exp2 = exp2(log2(bricks_max) * 0.5);
-    vec2 bricks_vector = vec2(clamp(bricks_exp2, 1.0, max(bricks_size.x, bricks_size.y)));
-    vec2 bricks_quotient = bricks_vector / bricks_size;
+    float bricks_greatest = max(bricks_dot_product, dot(bricks_product_2, bricks_product_2));
+    float bricks_exponential = exp2(log2(max(bricks_greatest, 9.094947e-13)) * 0.5);
+    float bricks_clamped = clamp(bricks_exponential, 1.0, max(bricks_size.x, bricks_size.y));
+    vec2 bricks_quotient = vec2(bricks_clamped) / bricks_size;
     vec4 bricks_texel = texture(bricks_image, tile_uv + vec2(bricks_quotient.x, 0.0));
     vec4 bricks_texel_2 = texture(bricks_image, tile_uv);
     vec4 bricks_quotient_2 = (bricks_texel - bricks_texel_2) / bricks_quotient.x;
@@ -166,19 +156,23 @@ vec3 wrinkle_everything_normal(WrinkleSurface_everything s) {
     vec4 bricks_quotient_3 = (bricks_texel_3 - bricks_texel_2) / bricks_quotient.y;
     vec4 bricks_sum = bricks_quotient_2 * tile_product.x + bricks_quotient_3 * tile_product.y;
     vec4 bricks_sum_2 = bricks_quotient_2 * tile_product_2.x + bricks_quotient_3 * tile_product_2.y;
-    // grain: Gradient noise
-    vec3 grain_product = s.position * 30.0;
+    vec3 grain_product = s.position * 30.0;  // grain: Gradient noise
     vec3 grain_product_2 = surface_dpdx * 30.0;
-    float grain_gradient_noise_change = wrinkle_everything_gradient_noise_change(grain_product, grain_product_2);
+    float grain_gradient_noise_change = wrinkle_everything_gradient_noise_change(grain_product,
+            grain_product_2);
     vec3 grain_sum = grain_product * 2.0 + vec3(19.19, 7.43, 31.71);
-    float grain_gradient_noise_change_2 = wrinkle_everything_gradient_noise_change(grain_sum, grain_product_2 * 2.0);
-    float grain_quotient = (grain_gradient_noise_change + grain_gradient_noise_change_2 * 0.5) / 1.5;
+    float grain_gradient_noise_change_2 = wrinkle_everything_gradient_noise_change(grain_sum,
+            grain_product_2 * 2.0);
+    float grain_quotient = (grain_gradient_noise_change + grain_gradient_noise_change_2 * 0.5) /
+            1.5;
     vec3 grain_product_3 = surface_dpdy * 30.0;
-    float grain_gradient_noise_change_3 = wrinkle_everything_gradient_noise_change(grain_product, grain_product_3);
-    float grain_gradient_noise_change_4 = wrinkle_everything_gradient_noise_change(grain_sum, grain_product_3 * 2.0);
-    float grain_quotient_2 = (grain_gradient_noise_change_3 + grain_gradient_noise_change_4 * 0.5) / 1.5;
-    // all: Add bumps
-    vec2 all_vector = vec2(grain_quotient * 0.002, grain_quotient_2 * 0.002);
+    float grain_gradient_noise_change_3 = wrinkle_everything_gradient_noise_change(grain_product,
+            grain_product_3);
+    float grain_gradient_noise_change_4 = wrinkle_everything_gradient_noise_change(grain_sum,
+            grain_product_3 * 2.0);
+    float grain_quotient_2 = (grain_gradient_noise_change_3 + grain_gradient_noise_change_4 * 0.5)
+            / 1.5;
+    vec2 all_vector = vec2(grain_quotient * 0.002, grain_quotient_2 * 0.002);  // all: Add bumps
     vec2 all_sum = vec2(bricks_sum.x * 0.015, bricks_sum_2.x * 0.015) + all_vector;
     // normal: Resolve
     vec3 normal_gradient = cross(normal, uv1_tangent) * surface_product_2 * softer_product.y;

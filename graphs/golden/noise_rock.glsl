@@ -7,231 +7,233 @@ struct WrinkleSurface_noise_rock {
 };
 
 float wrinkle_noise_rock_noise_corner_change(int a, int b, int c, vec3 d, vec3 e) {
-    // lumps: Gradient noise
-    uint lumps_sum = uint(c) * 747796405u + 2891336453u;
-    uint lumps_product = (lumps_sum >> (lumps_sum >> 28u) + 4u ^ lumps_sum) * 277803737u;
-    uint lumps_product_2 = (uint(b) + (lumps_product >> 22u ^ lumps_product)) * 747796405u;
-    uint lumps_sum_2 = lumps_product_2 + 2891336453u;
-    uint lumps_product_3 = (lumps_sum_2 >> (lumps_sum_2 >> 28u) + 4u ^ lumps_sum_2) * 277803737u;
-    uint lumps_product_4 = (uint(a) + (lumps_product_3 >> 22u ^ lumps_product_3)) * 747796405u;
-    uint lumps_sum_3 = lumps_product_4 + 2891336453u;
-    uint lumps_product_5 = (lumps_sum_3 >> (lumps_sum_3 >> 28u) + 4u ^ lumps_sum_3) * 277803737u;
-    uint lumps_bits = lumps_product_5 >> 22u ^ lumps_product_5;
-    uint lumps_bits_2 = (lumps_bits >> 8u) * 3u >> 24u;
-    float lumps_choice = lumps_bits_2 == 0u ? e.y : e.x;
-    float lumps_choice_2 = (lumps_bits & 1u) == 0u ? lumps_choice : -lumps_choice;
-    float lumps_choice_3 = lumps_bits_2 == 2u ? e.y : e.z;
-    return lumps_choice_2 + ((lumps_bits & 2u) == 0u ? lumps_choice_3 : -lumps_choice_3);
+    uint sum = uint(c) * 747796405u + 2891336453u;
+    uint product = (sum >> (sum >> 28u) + 4u ^ sum) * 277803737u;
+    uint sum_2 = (uint(b) + (product >> 22u ^ product)) * 747796405u + 2891336453u;
+    uint product_2 = (sum_2 >> (sum_2 >> 28u) + 4u ^ sum_2) * 277803737u;
+    uint sum_3 = (uint(a) + (product_2 >> 22u ^ product_2)) * 747796405u + 2891336453u;
+    uint product_3 = (sum_3 >> (sum_3 >> 28u) + 4u ^ sum_3) * 277803737u;
+    uint bits = product_3 >> 22u ^ product_3;
+    uint bits_2 = (bits >> 8u) * 3u >> 24u;
+    float choice = bits_2 == 0u ? e.y : e.x;
+    float choice_2 = bits_2 == 2u ? e.y : e.z;
+    return ((bits & 1u) == 0u ? choice : -choice) + ((bits & 2u) == 0u ? choice_2 : -choice_2);
 }
 
 float wrinkle_noise_rock_noise_corner(int a, int b, int c, vec3 d) {
-    // lumps: Gradient noise
-    uint lumps_sum = uint(c) * 747796405u + 2891336453u;
-    uint lumps_product = (lumps_sum >> (lumps_sum >> 28u) + 4u ^ lumps_sum) * 277803737u;
-    uint lumps_product_2 = (uint(b) + (lumps_product >> 22u ^ lumps_product)) * 747796405u;
-    uint lumps_sum_2 = lumps_product_2 + 2891336453u;
-    uint lumps_product_3 = (lumps_sum_2 >> (lumps_sum_2 >> 28u) + 4u ^ lumps_sum_2) * 277803737u;
-    uint lumps_product_4 = (uint(a) + (lumps_product_3 >> 22u ^ lumps_product_3)) * 747796405u;
-    uint lumps_sum_3 = lumps_product_4 + 2891336453u;
-    uint lumps_product_5 = (lumps_sum_3 >> (lumps_sum_3 >> 28u) + 4u ^ lumps_sum_3) * 277803737u;
-    uint lumps_bits = lumps_product_5 >> 22u ^ lumps_product_5;
-    uint lumps_bits_2 = (lumps_bits >> 8u) * 3u >> 24u;
-    float lumps_choice = lumps_bits_2 == 0u ? d.y : d.x;
-    float lumps_choice_2 = (lumps_bits & 1u) == 0u ? lumps_choice : -lumps_choice;
-    float lumps_choice_3 = lumps_bits_2 == 2u ? d.y : d.z;
-    return lumps_choice_2 + ((lumps_bits & 2u) == 0u ? lumps_choice_3 : -lumps_choice_3);
+    uint sum = uint(c) * 747796405u + 2891336453u;
+    uint product = (sum >> (sum >> 28u) + 4u ^ sum) * 277803737u;
+    uint sum_2 = (uint(b) + (product >> 22u ^ product)) * 747796405u + 2891336453u;
+    uint product_2 = (sum_2 >> (sum_2 >> 28u) + 4u ^ sum_2) * 277803737u;
+    uint sum_3 = (uint(a) + (product_2 >> 22u ^ product_2)) * 747796405u + 2891336453u;
+    uint product_3 = (sum_3 >> (sum_3 >> 28u) + 4u ^ sum_3) * 277803737u;
+    uint bits = product_3 >> 22u ^ product_3;
+    uint bits_2 = (bits >> 8u) * 3u >> 24u;
+    float choice = bits_2 == 0u ? d.y : d.x;
+    float choice_2 = bits_2 == 2u ? d.y : d.z;
+    return ((bits & 1u) == 0u ? choice : -choice) + ((bits & 2u) == 0u ? choice_2 : -choice_2);
 }
 
 float wrinkle_noise_rock_gradient_noise_change(vec3 a, vec3 b) {
-    // lumps: Gradient noise
-    vec3 lumps_floor = floor(a);
-    int lumps_int = int(lumps_floor.x);
-    int lumps_int_2 = int(lumps_floor.y);
-    int lumps_int_3 = int(lumps_floor.z);
-    vec3 lumps_difference = a - lumps_floor;
-    float lumps_noise_corner_change = wrinkle_noise_rock_noise_corner_change(lumps_int, lumps_int_2, lumps_int_3, lumps_difference, b);
-    int lumps_sum = lumps_int + 1;
-    vec3 lumps_difference_2 = lumps_difference - vec3(1.0, 0.0, 0.0);
-    float lumps_noise_corner_change_2 = wrinkle_noise_rock_noise_corner_change(lumps_sum, lumps_int_2, lumps_int_3, lumps_difference_2, b);
-    vec3 lumps_product = lumps_difference * lumps_difference;
-    vec3 lumps_product_2 = lumps_product * lumps_difference;
-    vec3 lumps_difference_3 = lumps_difference * 6.0 - 15.0;
-    vec3 lumps_sum_2 = lumps_difference * lumps_difference_3 + 10.0;
-    vec3 lumps_product_3 = lumps_product_2 * lumps_sum_2;
-    float lumps_mix = mix(lumps_noise_corner_change, lumps_noise_corner_change_2, lumps_product_3.x);
-    vec3 lumps_product_4 = b * lumps_difference;
-    vec3 lumps_sum_3 = (lumps_product_4 + lumps_product_4) * lumps_difference + b * lumps_product;
-    vec3 lumps_product_5 = (b * lumps_difference_3 + b * 6.0 * lumps_difference) * lumps_product_2;
-    vec3 lumps_sum_4 = lumps_sum_3 * lumps_sum_2 + lumps_product_5;
-    float lumps_noise_corner = wrinkle_noise_rock_noise_corner(lumps_sum, lumps_int_2, lumps_int_3, lumps_difference_2);
-    float lumps_noise_corner_2 = wrinkle_noise_rock_noise_corner(lumps_int, lumps_int_2, lumps_int_3, lumps_difference);
-    float lumps_sum_5 = lumps_mix + lumps_sum_4.x * (lumps_noise_corner - lumps_noise_corner_2);
-    int lumps_sum_6 = lumps_int_2 + 1;
-    vec3 lumps_difference_4 = lumps_difference - vec3(0.0, 1.0, 0.0);
-    float lumps_noise_corner_change_3 = wrinkle_noise_rock_noise_corner_change(lumps_int, lumps_sum_6, lumps_int_3, lumps_difference_4, b);
-    vec3 lumps_difference_5 = lumps_difference - vec3(1.0, 1.0, 0.0);
-    float lumps_noise_corner_change_4 = wrinkle_noise_rock_noise_corner_change(lumps_sum, lumps_sum_6, lumps_int_3, lumps_difference_5, b);
-    float lumps_mix_2 = mix(lumps_noise_corner_change_3, lumps_noise_corner_change_4, lumps_product_3.x);
-    float lumps_noise_corner_3 = wrinkle_noise_rock_noise_corner(lumps_sum, lumps_sum_6, lumps_int_3, lumps_difference_5);
-    float lumps_noise_corner_4 = wrinkle_noise_rock_noise_corner(lumps_int, lumps_sum_6, lumps_int_3, lumps_difference_4);
-    float lumps_sum_7 = lumps_mix_2 + lumps_sum_4.x * (lumps_noise_corner_3 - lumps_noise_corner_4);
-    float lumps_mix_3 = mix(lumps_sum_5, lumps_sum_7, lumps_product_3.y);
-    float lumps_mix_4 = mix(lumps_noise_corner_4, lumps_noise_corner_3, lumps_product_3.x);
-    float lumps_mix_5 = mix(lumps_noise_corner_2, lumps_noise_corner, lumps_product_3.x);
-    float lumps_sum_8 = lumps_mix_3 + lumps_sum_4.y * (lumps_mix_4 - lumps_mix_5);
-    int lumps_sum_9 = lumps_int_3 + 1;
-    vec3 lumps_difference_6 = lumps_difference - vec3(0.0, 0.0, 1.0);
-    float lumps_noise_corner_change_5 = wrinkle_noise_rock_noise_corner_change(lumps_int, lumps_int_2, lumps_sum_9, lumps_difference_6, b);
-    vec3 lumps_difference_7 = lumps_difference - vec3(1.0, 0.0, 1.0);
-    float lumps_noise_corner_change_6 = wrinkle_noise_rock_noise_corner_change(lumps_sum, lumps_int_2, lumps_sum_9, lumps_difference_7, b);
-    float lumps_mix_6 = mix(lumps_noise_corner_change_5, lumps_noise_corner_change_6, lumps_product_3.x);
-    float lumps_noise_corner_5 = wrinkle_noise_rock_noise_corner(lumps_sum, lumps_int_2, lumps_sum_9, lumps_difference_7);
-    float lumps_noise_corner_6 = wrinkle_noise_rock_noise_corner(lumps_int, lumps_int_2, lumps_sum_9, lumps_difference_6);
-    float lumps_sum_10 = lumps_mix_6 + lumps_sum_4.x * (lumps_noise_corner_5 - lumps_noise_corner_6);
-    vec3 lumps_difference_8 = lumps_difference - vec3(0.0, 1.0, 1.0);
-    float lumps_noise_corner_change_7 = wrinkle_noise_rock_noise_corner_change(lumps_int, lumps_sum_6, lumps_sum_9, lumps_difference_8, b);
-    vec3 lumps_difference_9 = lumps_difference - 1.0;
-    float lumps_noise_corner_change_8 = wrinkle_noise_rock_noise_corner_change(lumps_sum, lumps_sum_6, lumps_sum_9, lumps_difference_9, b);
-    float lumps_mix_7 = mix(lumps_noise_corner_change_7, lumps_noise_corner_change_8, lumps_product_3.x);
-    float lumps_noise_corner_7 = wrinkle_noise_rock_noise_corner(lumps_sum, lumps_sum_6, lumps_sum_9, lumps_difference_9);
-    float lumps_noise_corner_8 = wrinkle_noise_rock_noise_corner(lumps_int, lumps_sum_6, lumps_sum_9, lumps_difference_8);
-    float lumps_sum_11 = lumps_mix_7 + lumps_sum_4.x * (lumps_noise_corner_7 - lumps_noise_corner_8);
-    float lumps_mix_8 = mix(lumps_sum_10, lumps_sum_11, lumps_product_3.y);
-    float lumps_mix_9 = mix(lumps_noise_corner_8, lumps_noise_corner_7, lumps_product_3.x);
-    float lumps_mix_10 = mix(lumps_noise_corner_6, lumps_noise_corner_5, lumps_product_3.x);
-    float lumps_sum_12 = lumps_mix_8 + lumps_sum_4.y * (lumps_mix_9 - lumps_mix_10);
-    float lumps_mix_11 = mix(lumps_sum_8, lumps_sum_12, lumps_product_3.z);
-    float lumps_mix_12 = mix(lumps_mix_10, lumps_mix_9, lumps_product_3.y);
-    float lumps_difference_10 = lumps_mix_12 - mix(lumps_mix_5, lumps_mix_4, lumps_product_3.y);
-    return lumps_mix_11 + lumps_sum_4.z * lumps_difference_10;
+    vec3 floored = floor(a);
+    int whole = int(floored.x);
+    int whole_2 = int(floored.y);
+    int whole_3 = int(floored.z);
+    vec3 difference = a - floored;
+    float noise_corner_change = wrinkle_noise_rock_noise_corner_change(whole, whole_2, whole_3,
+            difference, b);
+    int sum = whole + 1;
+    vec3 difference_2 = difference - vec3(1.0, 0.0, 0.0);
+    float noise_corner_change_2 = wrinkle_noise_rock_noise_corner_change(sum, whole_2, whole_3,
+            difference_2, b);
+    vec3 product = difference * difference;
+    vec3 product_2 = product * difference;
+    vec3 difference_3 = difference * 6.0 - 15.0;
+    vec3 sum_2 = difference * difference_3 + 10.0;
+    vec3 product_3 = product_2 * sum_2;
+    float mixed = mix(noise_corner_change, noise_corner_change_2, product_3.x);
+    vec3 product_4 = b * difference;
+    vec3 product_5 = ((product_4 + product_4) * difference + b * product) * sum_2;
+    vec3 sum_3 = product_5 + (b * difference_3 + b * 6.0 * difference) * product_2;
+    float noise_corner = wrinkle_noise_rock_noise_corner(sum, whole_2, whole_3, difference_2);
+    float noise_corner_2 = wrinkle_noise_rock_noise_corner(whole, whole_2, whole_3, difference);
+    float sum_4 = mixed + sum_3.x * (noise_corner - noise_corner_2);
+    int sum_5 = whole_2 + 1;
+    vec3 difference_4 = difference - vec3(0.0, 1.0, 0.0);
+    float noise_corner_change_3 = wrinkle_noise_rock_noise_corner_change(whole, sum_5, whole_3,
+            difference_4, b);
+    vec3 difference_5 = difference - vec3(1.0, 1.0, 0.0);
+    float noise_corner_change_4 = wrinkle_noise_rock_noise_corner_change(sum, sum_5, whole_3,
+            difference_5, b);
+    float mixed_2 = mix(noise_corner_change_3, noise_corner_change_4, product_3.x);
+    float noise_corner_3 = wrinkle_noise_rock_noise_corner(sum, sum_5, whole_3, difference_5);
+    float noise_corner_4 = wrinkle_noise_rock_noise_corner(whole, sum_5, whole_3, difference_4);
+    float mixed_3 = mix(sum_4, mixed_2 + sum_3.x * (noise_corner_3 - noise_corner_4), product_3.y);
+    float mixed_4 = mix(noise_corner_4, noise_corner_3, product_3.x);
+    float mixed_5 = mix(noise_corner_2, noise_corner, product_3.x);
+    float sum_6 = mixed_3 + sum_3.y * (mixed_4 - mixed_5);
+    int sum_7 = whole_3 + 1;
+    vec3 difference_6 = difference - vec3(0.0, 0.0, 1.0);
+    float noise_corner_change_5 = wrinkle_noise_rock_noise_corner_change(whole, whole_2, sum_7,
+            difference_6, b);
+    vec3 difference_7 = difference - vec3(1.0, 0.0, 1.0);
+    float noise_corner_change_6 = wrinkle_noise_rock_noise_corner_change(sum, whole_2, sum_7,
+            difference_7, b);
+    float mixed_6 = mix(noise_corner_change_5, noise_corner_change_6, product_3.x);
+    float noise_corner_5 = wrinkle_noise_rock_noise_corner(sum, whole_2, sum_7, difference_7);
+    float noise_corner_6 = wrinkle_noise_rock_noise_corner(whole, whole_2, sum_7, difference_6);
+    float sum_8 = mixed_6 + sum_3.x * (noise_corner_5 - noise_corner_6);
+    vec3 difference_8 = difference - vec3(0.0, 1.0, 1.0);
+    float noise_corner_change_7 = wrinkle_noise_rock_noise_corner_change(whole, sum_5, sum_7,
+            difference_8, b);
+    vec3 difference_9 = difference - 1.0;
+    float noise_corner_change_8 = wrinkle_noise_rock_noise_corner_change(sum, sum_5, sum_7,
+            difference_9, b);
+    float mixed_7 = mix(noise_corner_change_7, noise_corner_change_8, product_3.x);
+    float noise_corner_7 = wrinkle_noise_rock_noise_corner(sum, sum_5, sum_7, difference_9);
+    float noise_corner_8 = wrinkle_noise_rock_noise_corner(whole, sum_5, sum_7, difference_8);
+    float mixed_8 = mix(sum_8, mixed_7 + sum_3.x * (noise_corner_7 - noise_corner_8), product_3.y);
+    float mixed_9 = mix(noise_corner_8, noise_corner_7, product_3.x);
+    float mixed_10 = mix(noise_corner_6, noise_corner_5, product_3.x);
+    float mixed_11 = mix(sum_6, mixed_8 + sum_3.y * (mixed_9 - mixed_10), product_3.z);
+    float difference_10 = mix(mixed_10, mixed_9, product_3.y) - mix(mixed_5, mixed_4, product_3.y);
+    return mixed_11 + sum_3.z * difference_10;
 }
 
 float wrinkle_noise_rock_gradient_noise(vec3 a) {
-    // lumps: Gradient noise
-    vec3 lumps_floor = floor(a);
-    int lumps_int = int(lumps_floor.x);
-    int lumps_int_2 = int(lumps_floor.y);
-    int lumps_int_3 = int(lumps_floor.z);
-    vec3 lumps_difference = a - lumps_floor;
-    float lumps_noise_corner = wrinkle_noise_rock_noise_corner(lumps_int, lumps_int_2, lumps_int_3, lumps_difference);
-    int lumps_sum = lumps_int + 1;
-    vec3 lumps_difference_2 = lumps_difference - vec3(1.0, 0.0, 0.0);
-    float lumps_noise_corner_2 = wrinkle_noise_rock_noise_corner(lumps_sum, lumps_int_2, lumps_int_3, lumps_difference_2);
-    vec3 lumps_product = lumps_difference * lumps_difference * lumps_difference;
-    vec3 lumps_product_2 = lumps_difference * (lumps_difference * 6.0 - 15.0);
-    vec3 lumps_product_3 = lumps_product * (lumps_product_2 + 10.0);
-    float lumps_mix = mix(lumps_noise_corner, lumps_noise_corner_2, lumps_product_3.x);
-    int lumps_sum_2 = lumps_int_2 + 1;
-    vec3 lumps_difference_3 = lumps_difference - vec3(0.0, 1.0, 0.0);
-    float lumps_noise_corner_3 = wrinkle_noise_rock_noise_corner(lumps_int, lumps_sum_2, lumps_int_3, lumps_difference_3);
-    vec3 lumps_difference_4 = lumps_difference - vec3(1.0, 1.0, 0.0);
-    float lumps_noise_corner_4 = wrinkle_noise_rock_noise_corner(lumps_sum, lumps_sum_2, lumps_int_3, lumps_difference_4);
-    float lumps_mix_2 = mix(lumps_noise_corner_3, lumps_noise_corner_4, lumps_product_3.x);
-    float lumps_mix_3 = mix(lumps_mix, lumps_mix_2, lumps_product_3.y);
-    int lumps_sum_3 = lumps_int_3 + 1;
-    vec3 lumps_difference_5 = lumps_difference - vec3(0.0, 0.0, 1.0);
-    float lumps_noise_corner_5 = wrinkle_noise_rock_noise_corner(lumps_int, lumps_int_2, lumps_sum_3, lumps_difference_5);
-    vec3 lumps_difference_6 = lumps_difference - vec3(1.0, 0.0, 1.0);
-    float lumps_noise_corner_6 = wrinkle_noise_rock_noise_corner(lumps_sum, lumps_int_2, lumps_sum_3, lumps_difference_6);
-    float lumps_mix_4 = mix(lumps_noise_corner_5, lumps_noise_corner_6, lumps_product_3.x);
-    vec3 lumps_difference_7 = lumps_difference - vec3(0.0, 1.0, 1.0);
-    float lumps_noise_corner_7 = wrinkle_noise_rock_noise_corner(lumps_int, lumps_sum_2, lumps_sum_3, lumps_difference_7);
-    vec3 lumps_difference_8 = lumps_difference - 1.0;
-    float lumps_noise_corner_8 = wrinkle_noise_rock_noise_corner(lumps_sum, lumps_sum_2, lumps_sum_3, lumps_difference_8);
-    float lumps_mix_5 = mix(lumps_noise_corner_7, lumps_noise_corner_8, lumps_product_3.x);
-    return mix(lumps_mix_3, mix(lumps_mix_4, lumps_mix_5, lumps_product_3.y), lumps_product_3.z);
+    vec3 floored = floor(a);
+    int whole = int(floored.x);
+    int whole_2 = int(floored.y);
+    int whole_3 = int(floored.z);
+    vec3 difference = a - floored;
+    float noise_corner = wrinkle_noise_rock_noise_corner(whole, whole_2, whole_3, difference);
+    int sum = whole + 1;
+    vec3 difference_2 = difference - vec3(1.0, 0.0, 0.0);
+    float noise_corner_2 = wrinkle_noise_rock_noise_corner(sum, whole_2, whole_3, difference_2);
+    vec3 sum_2 = difference * (difference * 6.0 - 15.0) + 10.0;
+    vec3 product = difference * difference * difference * sum_2;
+    float mixed = mix(noise_corner, noise_corner_2, product.x);
+    int sum_3 = whole_2 + 1;
+    vec3 difference_3 = difference - vec3(0.0, 1.0, 0.0);
+    float noise_corner_3 = wrinkle_noise_rock_noise_corner(whole, sum_3, whole_3, difference_3);
+    vec3 difference_4 = difference - vec3(1.0, 1.0, 0.0);
+    float noise_corner_4 = wrinkle_noise_rock_noise_corner(sum, sum_3, whole_3, difference_4);
+    float mixed_2 = mix(mixed, mix(noise_corner_3, noise_corner_4, product.x), product.y);
+    int sum_4 = whole_3 + 1;
+    vec3 difference_5 = difference - vec3(0.0, 0.0, 1.0);
+    float noise_corner_5 = wrinkle_noise_rock_noise_corner(whole, whole_2, sum_4, difference_5);
+    vec3 difference_6 = difference - vec3(1.0, 0.0, 1.0);
+    float noise_corner_6 = wrinkle_noise_rock_noise_corner(sum, whole_2, sum_4, difference_6);
+    float mixed_3 = mix(noise_corner_5, noise_corner_6, product.x);
+    vec3 difference_7 = difference - vec3(0.0, 1.0, 1.0);
+    float noise_corner_7 = wrinkle_noise_rock_noise_corner(whole, sum_3, sum_4, difference_7);
+    float noise_corner_8 = wrinkle_noise_rock_noise_corner(sum, sum_3, sum_4, difference - 1.0);
+    float mixed_4 = mix(mixed_3, mix(noise_corner_7, noise_corner_8, product.x), product.y);
+    return mix(mixed_2, mixed_4, product.z);
 }
 
 vec3 wrinkle_noise_rock_normal(WrinkleSurface_noise_rock s) {
-    // the surface point
-    vec3 normal = normalize(s.normal);
+    vec3 normal = normalize(s.normal);  // the surface point
     vec3 dpdy = dFdy(s.position_relative);
     vec3 surface_dpdy = dpdy - normal * dot(normal, dpdy);
     vec3 r_x = cross(surface_dpdy, normal);
     vec3 dpdx = dFdx(s.position_relative);
     vec3 surface_dpdx = dpdx - normal * dot(normal, dpdx);
     float det = dot(surface_dpdx, r_x);
-    // lumps: Gradient noise
-    vec3 lumps_product = s.position * 3.0;
+    vec3 lumps_product = s.position * 3.0;  // lumps: Gradient noise
     vec3 lumps_product_2 = surface_dpdx * 3.0;
-    float lumps_gradient_noise_change = wrinkle_noise_rock_gradient_noise_change(lumps_product, lumps_product_2);
+    float lumps_gradient_noise_change = wrinkle_noise_rock_gradient_noise_change(lumps_product,
+            lumps_product_2);
     vec3 lumps_sum = lumps_product * 2.0 + vec3(19.19, 7.43, 31.71);
     vec3 lumps_product_3 = lumps_product_2 * 2.0;
-    float lumps_product_4 = wrinkle_noise_rock_gradient_noise_change(lumps_sum, lumps_product_3) * 0.5;
+    float lumps_product_4 = wrinkle_noise_rock_gradient_noise_change(lumps_sum,
+            lumps_product_3) * 0.5;
     vec3 lumps_sum_2 = lumps_sum * 2.0 + vec3(19.19, 7.43, 31.71);
     vec3 lumps_product_5 = lumps_product_3 * 2.0;
-    float lumps_product_6 = wrinkle_noise_rock_gradient_noise_change(lumps_sum_2, lumps_product_5) * 0.25;
+    float lumps_product_6 = wrinkle_noise_rock_gradient_noise_change(lumps_sum_2,
+            lumps_product_5) * 0.25;
     float lumps_sum_3 = lumps_gradient_noise_change + lumps_product_4 + lumps_product_6;
     vec3 lumps_sum_4 = lumps_sum_2 * 2.0 + vec3(19.19, 7.43, 31.71);
     vec3 lumps_product_7 = lumps_product_5 * 2.0;
-    float lumps_product_8 = wrinkle_noise_rock_gradient_noise_change(lumps_sum_4, lumps_product_7) * 0.125;
+    float lumps_product_8 = wrinkle_noise_rock_gradient_noise_change(lumps_sum_4,
+            lumps_product_7) * 0.125;
     vec3 lumps_sum_5 = lumps_sum_4 * 2.0 + vec3(19.19, 7.43, 31.71);
     vec3 lumps_product_9 = lumps_product_7 * 2.0;
-    float lumps_product_10 = wrinkle_noise_rock_gradient_noise_change(lumps_sum_5, lumps_product_9) * 0.0625;
+    float lumps_product_10 = wrinkle_noise_rock_gradient_noise_change(lumps_sum_5,
+            lumps_product_9) * 0.0625;
     float lumps_sum_6 = lumps_sum_3 + lumps_product_8 + lumps_product_10;
     vec3 lumps_sum_7 = lumps_sum_5 * 2.0 + vec3(19.19, 7.43, 31.71);
-    float lumps_gradient_noise_change_2 = wrinkle_noise_rock_gradient_noise_change(lumps_sum_7, lumps_product_9 * 2.0);
-    float lumps_product_11 = (lumps_sum_6 + lumps_gradient_noise_change_2 * 0.03125) / 1.96875 * 0.06;
+    float lumps_gradient_noise_change_2 = wrinkle_noise_rock_gradient_noise_change(lumps_sum_7,
+            lumps_product_9 * 2.0);
+    float lumps_product_11 = (lumps_sum_6 + lumps_gradient_noise_change_2 * 0.03125) / 1.96875 *
+            0.06;
     vec3 lumps_product_12 = surface_dpdy * 3.0;
-    float lumps_gradient_noise_change_3 = wrinkle_noise_rock_gradient_noise_change(lumps_product, lumps_product_12);
+    float lumps_gradient_noise_change_3 = wrinkle_noise_rock_gradient_noise_change(lumps_product,
+            lumps_product_12);
     vec3 lumps_product_13 = lumps_product_12 * 2.0;
-    float lumps_product_14 = wrinkle_noise_rock_gradient_noise_change(lumps_sum, lumps_product_13) * 0.5;
+    float lumps_product_14 = wrinkle_noise_rock_gradient_noise_change(lumps_sum,
+            lumps_product_13) * 0.5;
     vec3 lumps_product_15 = lumps_product_13 * 2.0;
-    float lumps_product_16 = wrinkle_noise_rock_gradient_noise_change(lumps_sum_2, lumps_product_15) * 0.25;
+    float lumps_product_16 = wrinkle_noise_rock_gradient_noise_change(lumps_sum_2,
+            lumps_product_15) * 0.25;
     float lumps_sum_8 = lumps_gradient_noise_change_3 + lumps_product_14 + lumps_product_16;
     vec3 lumps_product_17 = lumps_product_15 * 2.0;
-    float lumps_product_18 = wrinkle_noise_rock_gradient_noise_change(lumps_sum_4, lumps_product_17) * 0.125;
+    float lumps_product_18 = wrinkle_noise_rock_gradient_noise_change(lumps_sum_4,
+            lumps_product_17) * 0.125;
     vec3 lumps_product_19 = lumps_product_17 * 2.0;
-    float lumps_product_20 = wrinkle_noise_rock_gradient_noise_change(lumps_sum_5, lumps_product_19) * 0.0625;
+    float lumps_product_20 = wrinkle_noise_rock_gradient_noise_change(lumps_sum_5,
+            lumps_product_19) * 0.0625;
     float lumps_sum_9 = lumps_sum_8 + lumps_product_18 + lumps_product_20;
-    float lumps_gradient_noise_change_4 = wrinkle_noise_rock_gradient_noise_change(lumps_sum_7, lumps_product_19 * 2.0);
-    float lumps_product_21 = (lumps_sum_9 + lumps_gradient_noise_change_4 * 0.03125) / 1.96875 * 0.06;
-    // cracks: Gradient noise
-    vec3 cracks_product = s.position * 7.0;
+    float lumps_gradient_noise_change_4 = wrinkle_noise_rock_gradient_noise_change(lumps_sum_7,
+            lumps_product_19 * 2.0);
+    float lumps_product_21 = (lumps_sum_9 + lumps_gradient_noise_change_4 * 0.03125) / 1.96875 *
+            0.06;
+    vec3 cracks_product = s.position * 7.0;  // cracks: Gradient noise
     vec3 cracks_sum = cracks_product * 2.0 + vec3(19.19, 7.43, 31.71);
     float cracks_product_2 = wrinkle_noise_rock_gradient_noise(cracks_sum) * 0.5;
-    float cracks_value = (wrinkle_noise_rock_gradient_noise(cracks_product) + cracks_product_2) / 1.5;
+    float cracks_value = (wrinkle_noise_rock_gradient_noise(cracks_product) + cracks_product_2) /
+            1.5;
     vec3 cracks_product_3 = surface_dpdx * 7.0;
-    float cracks_gradient_noise_change = wrinkle_noise_rock_gradient_noise_change(cracks_product, cracks_product_3);
-    float cracks_gradient_noise_change_2 = wrinkle_noise_rock_gradient_noise_change(cracks_sum, cracks_product_3 * 2.0);
+    float cracks_gradient_noise_change = wrinkle_noise_rock_gradient_noise_change(cracks_product,
+            cracks_product_3);
+    float cracks_gradient_noise_change_2 = wrinkle_noise_rock_gradient_noise_change(cracks_sum,
+            cracks_product_3 * 2.0);
     float cracks_sum_2 = cracks_gradient_noise_change + cracks_gradient_noise_change_2 * 0.5;
     vec3 cracks_product_4 = surface_dpdy * 7.0;
-    float cracks_gradient_noise_change_3 = wrinkle_noise_rock_gradient_noise_change(cracks_product, cracks_product_4);
-    float cracks_gradient_noise_change_4 = wrinkle_noise_rock_gradient_noise_change(cracks_sum, cracks_product_4 * 2.0);
+    float cracks_gradient_noise_change_3 = wrinkle_noise_rock_gradient_noise_change(cracks_product,
+            cracks_product_4);
+    float cracks_gradient_noise_change_4 = wrinkle_noise_rock_gradient_noise_change(cracks_sum,
+            cracks_product_4 * 2.0);
     float cracks_sum_3 = cracks_gradient_noise_change_3 + cracks_gradient_noise_change_4 * 0.5;
-    // depth: Absolute
-    float depth_result = abs(cracks_value);
+    float depth_result = abs(cracks_value);  // depth: Absolute
     float depth_sign = sign(cracks_value);
-    // groove: Smooth step
-    float groove_quotient = depth_result / 0.12;
+    float groove_quotient = depth_result / 0.12;  // groove: Smooth step
     bool groove_test = 1.0 < max(groove_quotient, 0.0);
     bool groove_test_2 = groove_quotient < 0.0;
     float groove_choice = groove_test_2 ? 0.0 : cracks_sum_2 / 1.5 * depth_sign / 0.12;
     float groove_choice_2 = groove_test ? 0.0 : groove_choice;
-    float groove_clamp = clamp(groove_quotient, 0.0, 1.0);
-    float groove_product = groove_choice_2 * groove_clamp;
-    float groove_difference = 3.0 - 2.0 * groove_clamp;
+    float groove_clamped = clamp(groove_quotient, 0.0, 1.0);
+    float groove_product = groove_choice_2 * groove_clamped;
+    float groove_difference = 3.0 - 2.0 * groove_clamped;
     float groove_product_2 = (groove_product + groove_product) * groove_difference;
-    float groove_product_3 = groove_clamp * groove_clamp;
+    float groove_product_3 = groove_clamped * groove_clamped;
     float groove_choice_3 = groove_test_2 ? 0.0 : cracks_sum_3 / 1.5 * depth_sign / 0.12;
     float groove_choice_4 = groove_test ? 0.0 : groove_choice_3;
-    float groove_product_4 = groove_choice_4 * groove_clamp;
+    float groove_product_4 = groove_choice_4 * groove_clamped;
     float groove_product_5 = (groove_product_4 + groove_product_4) * groove_difference;
     // carve: Multiply
     float carve_product = (groove_product_2 + -(groove_choice_2 * 2.0) * groove_product_3) * 0.015;
-    float carve_product_2 = (groove_product_5 + -(groove_choice_4 * 2.0) * groove_product_3) * 0.015;
-    // rock: Add heights
-    float rock_sum = lumps_product_11 + carve_product;
+    float carve_product_2 = (groove_product_5 + -(groove_choice_4 * 2.0) * groove_product_3) *
+            0.015;
+    float rock_sum = lumps_product_11 + carve_product;  // rock: Add heights
     float rock_sum_2 = lumps_product_21 + carve_product_2;
-    // normal: Resolve
-    vec3 normal_sum = r_x * rock_sum + cross(normal, surface_dpdx) * rock_sum_2;
+    vec3 normal_sum = r_x * rock_sum + cross(normal, surface_dpdx) * rock_sum_2;  // normal: Resolve
     vec3 normal_gradient = normal_sum * ((det < 0.0 ? -1.0 : 1.0) / max(abs(det), 1e-36));
     return normalize(normal * s.facing - normal_gradient);
 }
 
 float wrinkle_noise_rock_height(WrinkleSurface_noise_rock s) {
-    // lumps: Gradient noise
-    vec3 lumps_product = s.position * 3.0;
+    vec3 lumps_product = s.position * 3.0;  // lumps: Gradient noise
     vec3 lumps_sum = lumps_product * 2.0 + vec3(19.19, 7.43, 31.71);
     float lumps_product_2 = wrinkle_noise_rock_gradient_noise(lumps_sum) * 0.5;
     float lumps_sum_2 = wrinkle_noise_rock_gradient_noise(lumps_product) + lumps_product_2;
@@ -242,24 +244,23 @@ float wrinkle_noise_rock_height(WrinkleSurface_noise_rock s) {
     vec3 lumps_sum_7 = lumps_sum_5 * 2.0 + vec3(19.19, 7.43, 31.71);
     float lumps_sum_8 = lumps_sum_6 + wrinkle_noise_rock_gradient_noise(lumps_sum_7) * 0.0625;
     vec3 lumps_sum_9 = lumps_sum_7 * 2.0 + vec3(19.19, 7.43, 31.71);
-    float lumps_value = (lumps_sum_8 + wrinkle_noise_rock_gradient_noise(lumps_sum_9) * 0.03125) / 1.96875;
+    float lumps_value = (lumps_sum_8 + wrinkle_noise_rock_gradient_noise(lumps_sum_9) * 0.03125) /
+            1.96875;
     float lumps_height = lumps_value * 0.06;
-    // cracks: Gradient noise
-    vec3 cracks_product = s.position * 7.0;
+    vec3 cracks_product = s.position * 7.0;  // cracks: Gradient noise
     vec3 cracks_sum = cracks_product * 2.0 + vec3(19.19, 7.43, 31.71);
     float cracks_product_2 = wrinkle_noise_rock_gradient_noise(cracks_sum) * 0.5;
-    float cracks_value = (wrinkle_noise_rock_gradient_noise(cracks_product) + cracks_product_2) / 1.5;
+    float cracks_value = (wrinkle_noise_rock_gradient_noise(cracks_product) + cracks_product_2) /
+            1.5;
     float depth_result = abs(cracks_value);  // depth: Absolute
-    // groove: Smooth step
-    float groove_clamp = clamp(depth_result / 0.12, 0.0, 1.0);
-    float groove_result = groove_clamp * groove_clamp * (3.0 - 2.0 * groove_clamp);
+    float groove_clamped = clamp(depth_result / 0.12, 0.0, 1.0);  // groove: Smooth step
+    float groove_result = groove_clamped * groove_clamped * (3.0 - 2.0 * groove_clamped);
     float carve_result = groove_result * 0.015;  // carve: Multiply
     return lumps_height + carve_result;  // rock: Add heights
 }
 
 float wrinkle_noise_rock_roughness(WrinkleSurface_noise_rock s) {
-    // lumps: Gradient noise
-    vec3 lumps_product = s.position * 3.0;
+    vec3 lumps_product = s.position * 3.0;  // lumps: Gradient noise
     vec3 lumps_sum = lumps_product * 2.0 + vec3(19.19, 7.43, 31.71);
     float lumps_product_2 = wrinkle_noise_rock_gradient_noise(lumps_sum) * 0.5;
     float lumps_sum_2 = wrinkle_noise_rock_gradient_noise(lumps_product) + lumps_product_2;
@@ -270,7 +271,8 @@ float wrinkle_noise_rock_roughness(WrinkleSurface_noise_rock s) {
     vec3 lumps_sum_7 = lumps_sum_5 * 2.0 + vec3(19.19, 7.43, 31.71);
     float lumps_sum_8 = lumps_sum_6 + wrinkle_noise_rock_gradient_noise(lumps_sum_7) * 0.0625;
     vec3 lumps_sum_9 = lumps_sum_7 * 2.0 + vec3(19.19, 7.43, 31.71);
-    float lumps_value = (lumps_sum_8 + wrinkle_noise_rock_gradient_noise(lumps_sum_9) * 0.03125) / 1.96875;
+    float lumps_value = (lumps_sum_8 + wrinkle_noise_rock_gradient_noise(lumps_sum_9) * 0.03125) /
+            1.96875;
     float lumps_height = lumps_value * 0.06;
     return mix(0.25, 0.6, (lumps_height - -0.06) / 0.12);  // shade: Remap
 }

@@ -8,27 +8,24 @@ struct WrinkleSurface_plain_height {
 uniform sampler2D bricks_image;  // textures/bricks_height.png (linear, repeat)
 
 vec3 wrinkle_plain_height_normal(WrinkleSurface_plain_height s) {
-    // the surface point
-    vec3 normal = normalize(s.normal);
+    vec3 normal = normalize(s.normal);  // the surface point
     vec3 dpdy = dFdy(s.position_relative);
     vec3 r_x = cross(dpdy - normal * dot(normal, dpdy), normal);
     vec3 dpdx = dFdx(s.position_relative);
     vec3 surface_dpdx = dpdx - normal * dot(normal, dpdx);
     float det = dot(surface_dpdx, r_x);
     float inverse_det = (det < 0.0 ? -1.0 : 1.0) / max(abs(det), 1e-36);
-    // tile: UV transform
-    vec2 tile_uv = s.uv0 * vec2(4.0, 2.0);
+    vec2 tile_uv = s.uv0 * vec2(4.0, 2.0);  // tile: UV transform
     vec2 tile_product = dFdx(s.uv0) * vec2(4.0, 2.0);
     vec2 tile_product_2 = dFdy(s.uv0) * vec2(4.0, 2.0);
-    // bricks: Height map
-    vec2 bricks_size = vec2(textureSize(bricks_image, 0));
+    vec2 bricks_size = vec2(textureSize(bricks_image, 0));  // bricks: Height map
     vec2 bricks_product = bricks_size * tile_product;
-    float bricks_dot = dot(bricks_product, bricks_product);
+    float bricks_dot_product = dot(bricks_product, bricks_product);
     vec2 bricks_product_2 = bricks_size * tile_product_2;
-    float bricks_max = max(max(bricks_dot, dot(bricks_product_2, bricks_product_2)), 9.094947e-13);
-    float bricks_exp2 = exp2(log2(bricks_max) * 0.5);
-    vec2 bricks_vector = vec2(clamp(bricks_exp2, 1.0, max(bricks_size.x, bricks_size.y)));
-    vec2 bricks_quotient = bricks_vector / bricks_size;
+    float bricks_greatest = max(bricks_dot_product, dot(bricks_product_2, bricks_product_2));
+    float bricks_exponential = exp2(log2(max(bricks_greatest, 9.094947e-13)) * 0.5);
+    float bricks_clamped = clamp(bricks_exponential, 1.0, max(bricks_size.x, bricks_size.y));
+    vec2 bricks_quotient = vec2(bricks_clamped) / bricks_size;
     vec4 bricks_texel = texture(bricks_image, tile_uv + vec2(bricks_quotient.x, 0.0));
     vec4 bricks_texel_2 = texture(bricks_image, tile_uv);
     vec4 bricks_quotient_2 = (bricks_texel - bricks_texel_2) / bricks_quotient.x;
@@ -36,8 +33,7 @@ vec3 wrinkle_plain_height_normal(WrinkleSurface_plain_height s) {
     vec4 bricks_quotient_3 = (bricks_texel_3 - bricks_texel_2) / bricks_quotient.y;
     vec4 bricks_sum = bricks_quotient_2 * tile_product.x + bricks_quotient_3 * tile_product.y;
     vec4 bricks_sum_2 = bricks_quotient_2 * tile_product_2.x + bricks_quotient_3 * tile_product_2.y;
-    // normal: Resolve
-    vec3 normal_product = cross(normal, surface_dpdx) * (bricks_sum_2.x * 0.04);
+    vec3 normal_product = cross(normal, surface_dpdx) * (bricks_sum_2.x * 0.04);  // normal: Resolve
     vec3 normal_gradient = (r_x * (bricks_sum.x * 0.04) + normal_product) * inverse_det;
     return normalize(normal * s.facing - normal_gradient);
 }

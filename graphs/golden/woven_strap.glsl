@@ -12,8 +12,7 @@ uniform sampler2D cloth_image;   // textures/weave_normal.png (normal_gl, repeat
 uniform float input_weave;
 
 vec3 wrinkle_woven_strap_normal(WrinkleSurface_woven_strap s) {
-    // the surface point
-    vec3 normal = normalize(s.normal);
+    vec3 normal = normalize(s.normal);  // the surface point
     float inverse_normal_length = inversesqrt(dot(s.normal, s.normal));
     vec3 bitangent = cross(s.normal, s.tangent.xyz) * (s.tangent.w > 0.0 ? 1.0 : -1.0);
     vec3 dpdx = dFdx(s.position_relative);
@@ -24,21 +23,18 @@ vec3 wrinkle_woven_strap_normal(WrinkleSurface_woven_strap s) {
     vec2 duv1_dx = dFdx(s.uv1);
     float uv1_sign = duv1_dx.x * duv1_dy.y - duv1_dy.x * duv1_dx.y < 0.0 ? -1.0 : 1.0;
     vec3 surface_product = (surface_dpdx * duv1_dy.y - surface_dpdy * duv1_dx.y) * uv1_sign;
-    float surface_inversesqrt = inversesqrt(max(dot(surface_product, surface_product), 1e-36));
-    vec3 uv1_tangent = surface_product * surface_inversesqrt;
+    float surface_inverse_root = inversesqrt(max(dot(surface_product, surface_product), 1e-36));
+    vec3 uv1_tangent = surface_product * surface_inverse_root;
     float surface_sign = dot(surface_dpdy, cross(normal, surface_dpdx)) < 0.0 ? -1.0 : 1.0;
     vec3 uv1_bitangent = cross(normal, uv1_tangent) * (uv1_sign * surface_sign);
-    // plates: Tangent normal map
-    vec3 plates_texel = texture(plates_image, s.uv0).xyz * 2.0 - 1.0;
+    vec3 plates_texel = texture(plates_image, s.uv0).xyz * 2.0 - 1.0;  // plates: Tangent normal map
     float plates_product = max(abs(plates_texel.x), abs(plates_texel.y)) * 0.0078125;
     float plates_depth = max(max(abs(plates_texel.z), plates_product), 1e-06);
     vec2 tile_uv = s.uv1 * 6.0;  // tile: UV transform
-    // cloth: Tangent normal map
-    vec3 cloth_texel = texture(cloth_image, tile_uv).xyz * 2.0 - 1.0;
+    vec3 cloth_texel = texture(cloth_image, tile_uv).xyz * 2.0 - 1.0;  // cloth: Tangent normal map
     float cloth_product = max(abs(cloth_texel.x), abs(cloth_texel.y)) * 0.0078125;
     float cloth_depth = max(max(abs(cloth_texel.z), cloth_product), 1e-06);
-    // normal: Resolve
-    vec3 normal_product = normal * (plates_depth * cloth_depth * s.facing);
+    vec3 normal_product = normal * (plates_depth * cloth_depth * s.facing);  // normal: Resolve
     vec2 normal_slope = -plates_texel.xy * cloth_depth;
     vec3 normal_gradient = s.tangent.xyz * inverse_normal_length * normal_slope.x;
     vec3 normal_gradient_2 = normal_gradient + bitangent * inverse_normal_length * normal_slope.y;

@@ -196,6 +196,9 @@ TEST(Descriptor, RefusesWrongPorts) {
                   s.height.default_surface = WR_SURFACE_uv0;
               }),
               "port 'height': its default surface.uv0 is no height\n");
+}
+
+TEST(Descriptor, RefusesWrongFieldsImagesAndOptions) {
     EXPECT_EQ(port_refusal([](Sample& s) { s.field.default_surface = 10; }),
               "port 'shape': its surface property 10 does not exist\n");
     EXPECT_EQ(port_refusal([](Sample& s) { s.field.type = WR_PORT_gradient; }),
