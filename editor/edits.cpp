@@ -13,7 +13,7 @@ bool converts(PortType from, PortType to) {
     return conversion(from, to) != Conversion::illegal;
 }
 
-// Equal types first, else the first that converts; Port::none-like npos when none fits.
+// Equal types first, else the first that converts; null when none fits.
 const Port* port_for(const NodeType& type, const Gesture& wire) {
     const Port* found = nullptr;
     for (const Port& port : type.ports) {
@@ -53,6 +53,12 @@ Document without_wire(const Document& document, const std::string& node, const s
 
 bool type_fits(const NodeType& type, const Gesture& wire) {
     return wire.kind != Gesture::Kind::wire || port_for(type, wire);
+}
+
+bool type_matches(const NodeType& type, const Gesture& wire) {
+    if (wire.kind != Gesture::Kind::wire) return true;
+    const Port* port = port_for(type, wire);
+    return port && port->type == wire.type;
 }
 
 void add_node_of_type(State& state, const NodeType& type, ImVec2 at, const Gesture& wire) {

@@ -20,6 +20,7 @@ Document without_wire(const Document& document, const std::string& node, const s
 void add_node_of_type(State& state, const NodeType& type, ImVec2 at, const Gesture& wire);
 // Whether a node of that type has a port for it.
 bool type_fits(const NodeType& type, const Gesture& wire);
+bool type_matches(const NodeType& type, const Gesture& wire);  // without a conversion
 
 void delete_selected(State& state);
 // A copy of each selected node, with the wires into it.

@@ -146,7 +146,9 @@ std::vector<const NodeType*> search_nodes(const State& state, std::string_view q
     std::vector<std::pair<int, const NodeType*>> found;
     for (const NodeType& type : state.registry->list()) {
         const int order = best_rank(type.title, type.id, wanted);
-        if (order >= 0 && type_fits(type, state.palette.wire)) found.emplace_back(order, &type);
+        if (order < 0 || !type_fits(type, state.palette.wire)) continue;
+        const int converts = type_matches(type, state.palette.wire) ? 0 : 1;
+        found.emplace_back(order * 2 + converts, &type);
     }
     std::stable_sort(found.begin(), found.end(),
                      [](const auto& a, const auto& b) { return a.first < b.first; });
@@ -159,7 +161,7 @@ std::vector<const NodeType*> search_nodes(const State& state, std::string_view q
 void draw_palette(State& state) {
     if (!state.palette.open) return;
     const ImVec2 room = ImGui::GetIO().DisplaySize;
-    const float tall = 60 + row_tall * rows_shown;
+    const float tall = 64 + (row_tall + 4) * rows_shown;
     ImGui::SetNextWindowPos({std::clamp(state.palette.at.x, 0.0F, std::max(room.x - width, 0.0F)),
                              std::clamp(state.palette.at.y, 0.0F, std::max(room.y - tall, 0.0F))});
     ImGui::SetNextWindowSize({width, 0});

@@ -132,6 +132,7 @@ void draw_popup(State& state) {
     const float width = std::max(state.popup.width, list ? 160.0F : 0.0F);
     ImGui::SetNextWindowSizeConstraints({width, 0}, {std::max(width, 360.0F), 320});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, list ? ImVec2(6, 6) : ImVec2(0, 0));
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, ImVec2(1, 1));
     ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1);
     ImGui::PushStyleColor(ImGuiCol_Border, theme::accent);
     if (state.popup.opening) ImGui::SetNextWindowFocus();
@@ -146,7 +147,7 @@ void draw_popup(State& state) {
     state.popup.opening = false;
     ImGui::End();
     ImGui::PopStyleColor();
-    ImGui::PopStyleVar(2);
+    ImGui::PopStyleVar(3);
     if (done || away || ImGui::IsKeyPressed(ImGui::GetIO().KeyMap[ImGuiKey_Escape]))
         state.popup = {};
 }

@@ -108,7 +108,6 @@ TEST_F(Headless, AWireIntoTheOpenAsksForANodeThatFits) {
     play(R"(
         drag out:softer.gradient canvas+0,300
         assert target palette:gradient_add
-        type lays one
         key Escape
         assert nodes 4
         drag out:softer.gradient canvas+0,300
