@@ -93,7 +93,8 @@ void draw_menu_bar(State& state) {
 }
 
 void draw_toolbar(State& state) {
-    for (const char* id : {"undo", "redo", "add-node", "mute", "delete", "fit", "commands", "save"})
+    for (const char* id :
+         {"undo", "redo", "add-node", "tidy", "mute", "delete", "fit", "commands", "save"})
         command_button(state, id);
     ImGui::NewLine();
 }

@@ -126,10 +126,10 @@ void draw_field(const Painter& p, const Card& card, const Node& node, const Fiel
     const float pad = 7 * z, y = low.y + 2.5F * z;
     const bool named = field.lanes <= 1;
     const float room = field.width - 14;
-    const float value_width = text_width(p.font(16), 16 * z, shown) / z;
+    const bool listed = port.kind == Port::Kind::choice || port.type == PortType::image_;
+    const float value_width = text_width(p.font(16), 16 * z, shown) / z + (listed ? 12.0F : 0.0F);
     if (named && room - value_width > 20)
         p.text({low.x + pad, y}, 16, theme::text_dim, p.cut(16, port.name, room - value_width - 6));
-    const bool listed = port.kind == Port::Kind::choice || port.type == PortType::image_;
     p.text({high.x - pad - (listed ? 12 * z : 0), y}, 16, theme::text,
            p.cut(16, shown, room - (listed ? 12 : 0)), false, true);
     if (!listed) return;

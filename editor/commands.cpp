@@ -64,6 +64,13 @@ void reload(State& state) {
     state.status = "Read the images and sub-graphs again";
 }
 
+void tidy(State& state) {
+    state.view.surface_at.reset();
+    state.view.outputs_at.reset();
+    state.commit("Tidy", tidied(state));
+    state.view.fitted = false;
+}
+
 template <int Step>
 void zoom(State& state) {
     const View& view = state.view;
@@ -88,6 +95,7 @@ constexpr Command table[] = {
     {"select-all", "Select all", "Ctrl+A", "Edit", always, select_all},
     {"add-node", "Add node", "Space", "Node", always, add_node},
     {"mute", "Mute", "M", "Node", has_selection, mute_selected},
+    {"tidy", "Tidy", "Ctrl+L", "Node", always, tidy},
     {"commands", "Search commands", "Ctrl+P", "View", always, show_commands},
     {"fit", "Show all", "Home", "View", always, [](State& s) { fit(s.view, s.layout, false); }},
     {"fit-selection", "Show selection", "F", "View", has_selection,

@@ -43,6 +43,12 @@ void draw_hourglass(ImDrawList& list, ImVec2 c, float u, ImU32 color, bool fille
     list.AddPolyline(around, 6, color, ImDrawFlags_Closed, 1.8F);
 }
 
+// Glyphs are crisp at the size they were baked at: it is taken when it is near enough.
+float baked_size(ImFont* font, float size) {
+    const float ratio = font->FontSize / size;
+    return ratio > 0.88F && ratio < 1.12F ? font->FontSize : size;
+}
+
 ImVec2 cubic(ImVec2 a, ImVec2 b, ImVec2 c, ImVec2 d, float t) {
     const float s = 1 - t;
     return a * (s * s * s) + b * (3 * s * s * t) + c * (3 * s * t * t) + d * (t * t * t);
@@ -99,19 +105,21 @@ void draw_text(ImDrawList& list, ImFont* font, float size, ImVec2 at, ImU32 colo
     if (right_aligned) at.x -= text_width(font, size, text);
     at.x = std::floor(at.x);
     at.y = std::floor(at.y);
-    list.AddText(font, size, at, color, text.data(), text.data() + text.size());
+    list.AddText(font, baked_size(font, size), at, color, text.data(), text.data() + text.size());
 }
 
 float text_width(ImFont* font, float size, std::string_view text) {
-    return font->CalcTextSizeA(size, FLT_MAX, 0, text.data(), text.data() + text.size()).x;
+    return font
+        ->CalcTextSizeA(baked_size(font, size), FLT_MAX, 0, text.data(), text.data() + text.size())
+        .x;
 }
 
 std::string fitting(ImFont* font, float size, std::string_view text, float width) {
     if (text_width(font, size, text) <= width) return std::string(text);
     const float room = width - text_width(font, size, "...");
     const char* rest = nullptr;
-    font->CalcTextSizeA(size, std::max(room, 1.0F), 0, text.data(), text.data() + text.size(),
-                        &rest);
+    font->CalcTextSizeA(baked_size(font, size), std::max(room, 1.0F), 0, text.data(),
+                        text.data() + text.size(), &rest);
     return std::string(text.data(), rest) + "...";
 }
 

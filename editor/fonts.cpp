@@ -21,7 +21,7 @@ constexpr Face code_faces[] = {
     {"/usr/share/fonts/truetype/jetbrains-mono/JetBrainsMono-Regular.ttf", 1},
     {"/usr/share/fonts/truetype/dejavu/DejaVuSansMono.ttf", 0.94F}};
 
-constexpr float sizes[] = {8, 10, 12, 14, 16, 20, 24, 28, 36, 48};
+constexpr float sizes[] = {8, 9, 10, 11, 12, 13, 14, 15, 16, 18, 20, 24, 28, 36, 48};
 
 // Latin, Greek, general punctuation, arrows, operators.
 constexpr ImWchar ranges[] = {0x20,   0xFF,   0x370,  0x3FF,  0x2010, 0x2026,

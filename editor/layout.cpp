@@ -5,6 +5,7 @@
 
 #include "editor/draw.h"
 #include "editor/field.h"
+#include "graph/edit.h"
 #include "graph/order.h"
 
 namespace wrinkle::editor {
@@ -124,12 +125,11 @@ Card node_card(const State& state, const Node& node, const NodeType* type, ImVec
     return card;
 }
 
-// Depth in wires from the first nodes, as a column; nodes of one column below each other.
-Places automatic_places(const Document& document) {
-    const auto order = evaluation_order(document);
-    std::vector<int> depth(document.nodes.size(), 0);
+// Depth in wires from the first nodes.
+std::vector<size_t> depths(const Document& document) {
+    std::vector<size_t> depth(document.nodes.size(), 0);
     std::vector<bool> done(document.nodes.size(), false);
-    for (const uint32_t index : order) {
+    for (const uint32_t index : evaluation_order(document)) {
         for (const Input& input : document.nodes[index]->inputs) {
             if (input.kind != Input::Kind::link || !input.link.is_node()) continue;
             const size_t from = document.nodes.index_of(input.link.node);
@@ -138,13 +138,19 @@ Places automatic_places(const Document& document) {
         }
         done[index] = true;
     }
+    return depth;
+}
+
+// The depth as a column; nodes of one column below each other.
+Places automatic_places(const Document& document) {
     std::vector<float> next;
     Places places;
+    const auto depth = depths(document);
     for (size_t i = 0; i < depth.size(); ++i) {
-        const auto column = static_cast<size_t>(depth[i]);
-        if (next.size() <= column) next.resize(column + 1, 0);
-        places.push_back({static_cast<float>(column) * 256, next[column]});
-        next[column] += 72 + row_height * static_cast<float>(document.nodes[i]->inputs.size() + 2);
+        if (next.size() <= depth[i]) next.resize(depth[i] + 1, 0);
+        places.push_back({static_cast<float>(depth[i]) * 256, next[depth[i]]});
+        next[depth[i]] +=
+            72 + row_height * static_cast<float>(document.nodes[i]->inputs.size() + 2);
     }
     return places;
 }
@@ -329,6 +335,27 @@ Layout lay_out(const State& state) {
     find_bounds(layout);
     add_wires(document, layout);
     return layout;
+}
+
+Document tidied(const State& state) {
+    Document document = state.document();
+    const auto depth = depths(document);
+    std::vector<float> next(document.nodes.size(), 0), width(document.nodes.size(), 0);
+    for (const Card& card : state.layout.cards)
+        if (card.kind == Card::Kind::node) {
+            float& column = width[depth[document.nodes.index_of(card.id)]];
+            column = std::max(column, card.size.x);
+        }
+    std::vector<float> left(document.nodes.size() + 1, 0);
+    for (size_t i = 0; i < width.size(); ++i)
+        left[i + 1] = left[i] + std::ceil(width[i] / 8) * 8 + 64;
+    for (size_t i = 0; i < depth.size(); ++i) {
+        const std::string id = state.document().nodes[i]->id;
+        document = move_node(document, id, left[depth[i]], next[depth[i]]);
+        if (const Card* card = state.layout.find(id))
+            next[depth[i]] += std::ceil(card->size.y / 8) * 8 + 32;
+    }
+    return document;
 }
 
 ImVec2 pin_at(const Card& card, const Pin& pin) {

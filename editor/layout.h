@@ -14,6 +14,9 @@ Layout lay_out(const State& state);
 // Where a pin is, in canvas units.
 ImVec2 pin_at(const Card& card, const Pin& pin);
 
+// Every node in the column of its depth, below the one before it, with room between them.
+Document tidied(const State& state);
+
 // A place where a new card of about that size covers nobody, near `at`; on the grid.
 ImVec2 free_place(const Layout& layout, ImVec2 at);
 

@@ -202,6 +202,23 @@ TEST_F(Headless, MovingCompilesNothing) {
     EXPECT_EQ(state.counters.builds, builds);
 }
 
+TEST_F(Headless, TidyingPutsNoNodeOverAnother) {
+    open(small_graph);
+    play(R"(
+        drag node:number node:noise
+        key Ctrl+L
+        assert dirty)");
+    const auto& cards = state.layout.cards;
+    for (size_t i = 0; i < cards.size(); ++i)
+        for (size_t k = i + 1; k < cards.size(); ++k) {
+            const Card &a = cards[i], &b = cards[k];
+            const bool apart = a.at.x + a.size.x <= b.at.x || b.at.x + b.size.x <= a.at.x ||
+                               a.at.y + a.size.y <= b.at.y || b.at.y + b.size.y <= a.at.y;
+            EXPECT_TRUE(apart) << a.id << " and " << b.id;
+        }
+    play("key Ctrl+Z\nkey Ctrl+Z\nassert clean");
+}
+
 TEST_F(Headless, ABoxSelectsWhatItTouches) {
     open(small_graph);
     play("drag canvas+-480,-330 canvas+480,330");
