@@ -306,7 +306,7 @@ void draw_hint(const Painter& p) {
 
 void draw_graph(const State& state, ImDrawList& list) {
     const float zoom = state.view.zoom;
-    const Painter p{state, list, state.view, zoom, zoom >= 0.6F, zoom >= 0.35F};
+    const Painter p{state, list, state.view, zoom, zoom >= detail_zoom, zoom >= 0.35F};
     list.AddRectFilled(state.view.corner, state.view.corner + state.view.extent, theme::canvas);
     draw_grid(p);
     draw_frames(p);

@@ -50,7 +50,7 @@ Hit part_of_card(const State& state, size_t index, ImVec2 mouse) {
     if (state.gesture.kind == Gesture::Kind::wire) return row_of_wire(state, index, at);
     if (at.y < header_height) return {Hit::Kind::header, index, 0};
     if (card.more_y >= 0 && at.y >= card.more_y) return {Hit::Kind::more, index, 0};
-    if (state.view.zoom >= 0.6F)
+    if (state.view.zoom >= detail_zoom)
         for (size_t k = 0; k < card.fields.size(); ++k) {
             const Field& field = card.fields[k];
             if (within(at, {field.x, field.y}, {field.x + field.width, field.y + field_height}))
@@ -114,7 +114,7 @@ void name_targets(State& state) {
             add((pin.output ? "out:" : "pin:") + card.id + "." + pin.port, center - ImVec2(6, 6),
                 center + ImVec2(6, 6));
         }
-        if (zoom < 0.6F) continue;
+        if (zoom < detail_zoom) continue;
         for (const Field& field : card.fields) {
             const std::string lane = field.lanes > 1 ? "." + std::to_string(field.lane) : "";
             const ImVec2 low = at + ImVec2(field.x, field.y) * zoom;

@@ -7,6 +7,7 @@
 
 namespace wrinkle::editor {
 
+inline constexpr float detail_zoom = 0.5F;  // below it a card shows no rows
 inline constexpr float header_height = 28, row_height = 24, field_height = 21, field_inset = 12;
 
 Layout lay_out(const State& state);
