@@ -151,11 +151,12 @@ vec3 wrinkle_everything_normal(WrinkleSurface_everything s) {
     vec2 bricks_quotient = vec2(bricks_clamped) / bricks_size;
     vec4 bricks_texel = texture(bricks_image, tile_uv + vec2(bricks_quotient.x, 0.0));
     vec4 bricks_texel_2 = texture(bricks_image, tile_uv);
-    vec4 bricks_quotient_2 = (bricks_texel - bricks_texel_2) / bricks_quotient.x;
+    float bricks_quotient_2 = (bricks_texel.x - bricks_texel_2.x) / bricks_quotient.x;
     vec4 bricks_texel_3 = texture(bricks_image, tile_uv + vec2(0.0, bricks_quotient.y));
-    vec4 bricks_quotient_3 = (bricks_texel_3 - bricks_texel_2) / bricks_quotient.y;
-    vec4 bricks_sum = bricks_quotient_2 * tile_product.x + bricks_quotient_3 * tile_product.y;
-    vec4 bricks_sum_2 = bricks_quotient_2 * tile_product_2.x + bricks_quotient_3 * tile_product_2.y;
+    float bricks_quotient_3 = (bricks_texel_3.x - bricks_texel_2.x) / bricks_quotient.y;
+    float bricks_sum = bricks_quotient_2 * tile_product.x + bricks_quotient_3 * tile_product.y;
+    float bricks_sum_2 = bricks_quotient_2 * tile_product_2.x + bricks_quotient_3 *
+            tile_product_2.y;
     vec3 grain_product = s.position * 30.0;  // grain: Gradient noise
     vec3 grain_product_2 = surface_dpdx * 30.0;
     float grain_gradient_noise_change = wrinkle_everything_gradient_noise_change(grain_product,
@@ -173,7 +174,7 @@ vec3 wrinkle_everything_normal(WrinkleSurface_everything s) {
     float grain_quotient_2 = (grain_gradient_noise_change_3 + grain_gradient_noise_change_4 * 0.5)
             / 1.5;
     vec2 all_vector = vec2(grain_quotient * 0.002, grain_quotient_2 * 0.002);  // all: Add bumps
-    vec2 all_sum = vec2(bricks_sum.x * 0.015, bricks_sum_2.x * 0.015) + all_vector;
+    vec2 all_sum = vec2(bricks_sum * 0.015, bricks_sum_2 * 0.015) + all_vector;
     // normal: Resolve
     vec3 normal_gradient = cross(normal, uv1_tangent) * surface_product_2 * softer_product.y;
     vec3 normal_gradient_2 = uv1_tangent * softer_product.x + normal_gradient;

@@ -28,13 +28,14 @@ vec3 wrinkle_plain_height_normal(WrinkleSurface_plain_height s) {
     vec2 bricks_quotient = vec2(bricks_clamped) / bricks_size;
     vec4 bricks_texel = texture(bricks_image, tile_uv + vec2(bricks_quotient.x, 0.0));
     vec4 bricks_texel_2 = texture(bricks_image, tile_uv);
-    vec4 bricks_quotient_2 = (bricks_texel - bricks_texel_2) / bricks_quotient.x;
+    float bricks_quotient_2 = (bricks_texel.x - bricks_texel_2.x) / bricks_quotient.x;
     vec4 bricks_texel_3 = texture(bricks_image, tile_uv + vec2(0.0, bricks_quotient.y));
-    vec4 bricks_quotient_3 = (bricks_texel_3 - bricks_texel_2) / bricks_quotient.y;
-    vec4 bricks_sum = bricks_quotient_2 * tile_product.x + bricks_quotient_3 * tile_product.y;
-    vec4 bricks_sum_2 = bricks_quotient_2 * tile_product_2.x + bricks_quotient_3 * tile_product_2.y;
-    vec3 normal_product = cross(normal, surface_dpdx) * (bricks_sum_2.x * 0.04);  // normal: Resolve
-    vec3 normal_gradient = (r_x * (bricks_sum.x * 0.04) + normal_product) * inverse_det;
+    float bricks_quotient_3 = (bricks_texel_3.x - bricks_texel_2.x) / bricks_quotient.y;
+    float bricks_sum = bricks_quotient_2 * tile_product.x + bricks_quotient_3 * tile_product.y;
+    float bricks_sum_2 = bricks_quotient_2 * tile_product_2.x + bricks_quotient_3 *
+            tile_product_2.y;
+    vec3 normal_product = cross(normal, surface_dpdx) * (bricks_sum_2 * 0.04);  // normal: Resolve
+    vec3 normal_gradient = (r_x * (bricks_sum * 0.04) + normal_product) * inverse_det;
     return normalize(normal * s.facing - normal_gradient);
 }
 
