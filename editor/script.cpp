@@ -121,6 +121,18 @@ bool Script::point_at(const std::string& name, const State& state, InputQueue& q
     return true;
 }
 
+bool Script::drag(const std::vector<std::string>& w, const State& state, InputQueue& queue) {
+    if (w.size() < 3) return fail("drag needs a beginning and an end");
+    const auto from = spot_of(w[1], state.targets), to = spot_of(w[2], state.targets);
+    if (!from || !to) return fail("nothing on the screen is called '" + (from ? w[2] : w[1]) + "'");
+    queue.motion(from->x, from->y);
+    queue.button(0, true);
+    queue.motion((from->x + to->x) / 2, (from->y + to->y) / 2);
+    queue.motion(to->x, to->y);
+    queue.button(0, false);
+    return true;
+}
+
 bool Script::run(const Line& line, const State& state, InputQueue& queue, const Shot& shot) {
     const auto& w = line.words;
     const std::string& what = w[0];
@@ -135,18 +147,7 @@ bool Script::run(const Line& line, const State& state, InputQueue& queue, const 
         if (what == "double") click(queue);
         return true;
     }
-    if (what == "drag") {
-        if (w.size() < 3) return fail("drag needs a beginning and an end");
-        const auto from = spot_of(w[1], state.targets), to = spot_of(w[2], state.targets);
-        if (!from || !to)
-            return fail("nothing on the screen is called '" + (from ? w[2] : w[1]) + "'");
-        queue.motion(from->x, from->y);
-        queue.button(0, true);
-        queue.motion((from->x + to->x) / 2, (from->y + to->y) / 2);
-        queue.motion(to->x, to->y);
-        queue.button(0, false);
-        return true;
-    }
+    if (what == "drag") return drag(w, state, queue);
     if (what == "wheel") {
         if (!point_at(w[1], state, queue)) return false;
         queue.wheel(0, w.size() > 2 ? std::strtof(w[2].c_str(), nullptr) : 1);

@@ -40,6 +40,7 @@ private:
         std::vector<std::string> words;
     };
     bool run(const Line& line, const State& state, InputQueue& queue, const Shot& shot);
+    bool drag(const std::vector<std::string>& words, const State& state, InputQueue& queue);
     bool fail(std::string why);
     bool point_at(const std::string& name, const State& state, InputQueue& queue);
 

@@ -48,6 +48,44 @@ void draw_splitter(const char* id, ImVec2 at, ImVec2 size, bool vertical, float&
     fraction = std::clamp(fraction + (vertical ? -delta.x : delta.y) / whole, 0.15F, 0.7F);
 }
 
+void draw_bars(State& state, ImVec2 size) {
+    {
+        const Region region("##menu", {0, 0}, {size.x, menu_height}, theme::bar);
+        draw_menu_bar(state);
+    }
+    {
+        const Region region("##tools", {0, menu_height}, {size.x, tool_height}, theme::bar, {8, 6});
+        draw_toolbar(state);
+    }
+    const Region region("##status", {0, size.y - status_height}, {size.x, status_height},
+                        theme::bar, {12, 4});
+    draw_status_bar(state);
+}
+
+void draw_left(State& state, float top, float width, float height) {
+    const float problems = std::min(problems_height(state), height * 0.25F);
+    {
+        const Region region("##canvas", {0, top}, {width, height - problems}, theme::canvas);
+        draw_canvas(state);
+    }
+    const Region region("##problems", {0, top + height - problems}, {width, problems}, theme::panel,
+                        {12, 5});
+    draw_problems(state);
+}
+
+void draw_side(State& state, ImVec2 at, ImVec2 size) {
+    const float preview = std::round(size.y * state.view.preview);
+    {
+        const Region region("##preview", at, {size.x, preview}, theme::panel);
+        draw_preview(state);
+    }
+    draw_splitter("##split-preview", {at.x, at.y + preview}, {size.x, 3}, false, state.view.preview,
+                  size.y);
+    const Region region("##code", {at.x, at.y + preview + 3}, {size.x, size.y - preview - 3},
+                        theme::code);
+    draw_code(state);
+}
+
 }  // namespace
 
 void draw_ui(State& state) {
@@ -60,42 +98,10 @@ void draw_ui(State& state) {
     const float side =
         std::clamp(std::round(size.x * state.view.side / 8) * 8, 320.0F, size.x * 0.7F);
     const float left = size.x - side - 3;
-    const float preview = std::round(work * state.view.preview);
-    const float problems = std::min(problems_height(state), work * 0.25F);
-    {
-        const Region region("##menu", {0, 0}, {size.x, menu_height}, theme::bar);
-        draw_menu_bar(state);
-    }
-    {
-        const Region region("##tools", {0, menu_height}, {size.x, tool_height}, theme::bar, {8, 6});
-        draw_toolbar(state);
-    }
-    {
-        const Region region("##canvas", {0, top}, {left, work - problems}, theme::canvas);
-        draw_canvas(state);
-    }
-    {
-        const Region region("##problems", {0, top + work - problems}, {left, problems},
-                            theme::panel, {12, 5});
-        draw_problems(state);
-    }
+    draw_bars(state, size);
+    draw_left(state, top, left, work);
     draw_splitter("##split-side", {left, top}, {3, work}, true, state.view.side, size.x);
-    {
-        const Region region("##preview", {left + 3, top}, {side, preview}, theme::panel);
-        draw_preview(state);
-    }
-    draw_splitter("##split-preview", {left + 3, top + preview}, {side, 3}, false,
-                  state.view.preview, work);
-    {
-        const Region region("##code", {left + 3, top + preview + 3}, {side, work - preview - 3},
-                            theme::code);
-        draw_code(state);
-    }
-    {
-        const Region region("##status", {0, size.y - status_height}, {size.x, status_height},
-                            theme::bar, {12, 4});
-        draw_status_bar(state);
-    }
+    draw_side(state, {left + 3, top}, {side, work});
     draw_palette(state);
     draw_popup(state);
     draw_quit_question(state);
