@@ -44,6 +44,7 @@ struct Frame {
     std::deque<InputEvent>::size_type count = 0;
     unsigned buttons = 0;
     bool moved = false, wheeled = false, typed = false, keyed = false;
+    bool struck = false;  // a key: the modifiers must stay as they are
     int keys[16] = {};
     size_t key_count = 0;
 
@@ -63,7 +64,7 @@ struct Frame {
             case InputEvent::Kind::wheel:
                 return !moved && !buttons && !wheeled;
             case InputEvent::Kind::key:
-                return !had_key(event.code) && !typed && !buttons && !moved;
+                return !struck && !had_key(event.code) && !typed && !buttons && !moved;
             case InputEvent::Kind::character:
                 return !keyed && !buttons && !moved && !wheeled;
         }
@@ -87,6 +88,8 @@ struct Frame {
                 break;
             case InputEvent::Kind::key:
                 keyed = true;
+                struck |= event.down &&
+                          (event.code < GLFW_KEY_LEFT_SHIFT || event.code > GLFW_KEY_RIGHT_SUPER);
                 keys[key_count++] = event.code;
                 break;
         }

@@ -204,6 +204,18 @@ TEST(InputQueue, EveryTapIsSeenInOrder) {
     EXPECT_TRUE(queue.empty());
 }
 
+TEST(InputQueue, AModifierThatIsLetGoFirstStillCounts) {
+    ImGuiIO io;
+    InputQueue queue;
+    queue.key(key_named("Ctrl"), true);
+    queue.key(key_named("S"), true);
+    queue.key(key_named("Ctrl"), false);
+    queue.key(key_named("S"), false);
+    queue.apply(io);
+    EXPECT_TRUE(io.KeyCtrl);
+    EXPECT_TRUE(io.KeysDown[key_named("S")]);
+}
+
 TEST(InputQueue, APressIsNeverAtAnotherPlaceThanItsMotion) {
     ImGuiIO io;
     InputQueue queue;
