@@ -81,7 +81,6 @@ Build build(const Model& model, const Document& document, const Registry& regist
     check_links(document, result.problems);
     const bool linked = !result.problems.has_errors();
     result.problems.append(model.project_problems);
-    report_unknown(document, result.problems);
     check(project, registry, result.problems);
     if (linked) {
         result.uniform = emit_text(project, registry, true, name, result.live);
