@@ -114,7 +114,7 @@ Errors errors_of(const Surface& surface, const BumpCase& bump_case, double shrin
     m.output("height", bump.height);
     const Expanded material(m);
     Errors errors;
-    for (const Sample& sample : samples(300, 5)) {
+    for (const Sample& sample : samples(1200, 5)) {
         const auto height = [&](dvec2 st) { return material.number(1, values_at(surface, st)); };
         const dvec3 truth = displaced_normal(surface, height, sample.st);
         const double slope = std::tan(angle_deg(truth, surface.normal(sample.st)) / 57.29577951);
@@ -138,7 +138,7 @@ TEST_P(Displacement, AgreesWithTheBumpOnCurvedSurfaces) {
         SCOPED_TRACE(surface.name);
         const Errors full = errors_of(surface, GetParam(), 1);
         EXPECT_LE(full.worst, 0.1);
-        EXPECT_GE(full.points, 200);
+        EXPECT_GE(full.points, 800);
         EXPECT_GE(full.steepest, 0.1) << "too flat to tell anything";
         const Errors half = errors_of(surface, GetParam(), 0.5);
         const Errors quarter = errors_of(surface, GetParam(), 0.25);
@@ -151,7 +151,7 @@ TEST_P(Displacement, AgreesWithTheBumpOnCurvedSurfaces) {
 TEST_P(Displacement, IsExactOnAPlane) {
     const Errors errors = errors_of(tilted_plane(), GetParam(), 1);
     EXPECT_LE(errors.worst, 1e-6);
-    EXPECT_GE(errors.points, 200);
+    EXPECT_GE(errors.points, 800);
 }
 
 INSTANTIATE_TEST_SUITE_P(Heights, Displacement, testing::ValuesIn(cases),

@@ -145,7 +145,7 @@ std::vector<Sample> samples(int count, unsigned seed) {
     };
     std::vector<Sample> result;
     for (int i = 0; i < count; ++i) {
-        const dvec2 st(number(-3, 3), number(-1.1, 1.1));
+        const dvec2 st{number(-3, 3), number(-1.1, 1.1)};  // braces: in this order everywhere
         const double turn = number(0, 6.28), skew = number(-0.5, 0.5), size = number(1e-4, 1e-2);
         const dvec2 x(std::cos(turn), std::sin(turn));
         const dvec2 y(-x.y, x.x);
