@@ -48,9 +48,14 @@ private:
     std::string number_;
 };
 
+// Leaks are not looked for here: GLFW unloads the GL driver, and what that leaks has no name left
+// to be exempt by. The same frames run without a window in test_ui.cpp, with leaks looked for.
 int run(const std::string& environment, const std::string& arguments) {
-    const std::string command = "env -u WAYLAND_DISPLAY " + environment + " timeout 120 " +
-                                WRINKLE_EDITOR + " " + arguments;
+    const char* set = std::getenv("ASAN_OPTIONS");
+    const std::string sanitizer =
+        " ASAN_OPTIONS=" + std::string(set ? set : "") + ":detect_leaks=0 ";
+    const std::string command = "env -u WAYLAND_DISPLAY " + environment + sanitizer +
+                                "timeout 120 " + WRINKLE_EDITOR + " " + arguments;
     const int status = std::system(command.c_str());
     return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
 }
