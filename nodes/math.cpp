@@ -96,22 +96,19 @@ Node smoothstep_node =
 
 struct Remap {
     Float x, from_low, from_high, to_low, to_high;
+    Float fraction() const { return divide(x - from_low, from_high - from_low); }
 };
 
-Node remap_node = node("remap", "Remap",
-                       "Brings one range to another, straight and beyond its ends; to_low where "
-                       "the old range is empty.")
-                      .family("math")
-                      .in<Float>("x", 0, "The number")
-                      .in<Float>("from_low", 0, "Start of the old range")
-                      .in<Float>("from_high", 1, "End of the old range")
-                      .in<Float>("to_low", 0, "What the start becomes")
-                      .in<Float>("to_high", 1, "What the end becomes")
-                      .out<Float>("result", "In the new range")
-                      .body([](Remap in) {
-                          return mix(in.to_low, in.to_high,
-                                     divide(in.x - in.from_low, in.from_high - in.from_low));
-                      });
+Node remap_node =
+    node("remap", "Remap", "Brings one range to another; to_low where the old range is empty.")
+        .family("math")
+        .in<Float>("x", 0, "The number; beyond the old range it goes on straight")
+        .in<Float>("from_low", 0, "Start of the old range")
+        .in<Float>("from_high", 1, "End of the old range")
+        .in<Float>("to_low", 0, "What the start becomes")
+        .in<Float>("to_high", 1, "What the end becomes")
+        .out<Float>("result", "In the new range")
+        .body([](Remap in) { return mix(in.to_low, in.to_high, in.fraction()); });
 
 Node floor_node =
     node("floor", "Floor", "The greatest whole number that is not greater; it has no bump.")
