@@ -11,12 +11,11 @@ static vec2 rotated(vec2 v, Float angle) {
 
 Node uv_transform_node =
     node("uv_transform", "UV transform",
-         "Tiles, rotates and moves a uv: it is scaled, then rotated about the origin, then offset.")
+         "Scales a uv, then turns it about the origin, then moves it.")
         .family("uv")
         .in<vec2>("uv", surface::uv0, "The uv to change")
         .in<vec2>("scale", 1, "How often a texture repeats per uv unit", slider(0, 16), unit("x"))
-        .in<Float>("rotation", 0,
-                   "In degrees; the uv turns anticlockwise, so textures turn clockwise",
+        .in<Float>("rotation", 0, "In degrees; the uv turns anticlockwise, textures clockwise",
                    slider(-180, 180), unit("deg"))
         .in<vec2>("offset", 0, "Added at the end, in uv units", slider(-1, 1))
         .out<vec2>("uv", "The changed uv")
