@@ -10,8 +10,7 @@ static vec2 rotated(vec2 v, Float angle) {
 }
 
 Node uv_transform_node =
-    node("uv_transform", "UV transform",
-         "Scales a uv, then turns it about the origin, then moves it.")
+    node("uv_transform", "UV transform", "A uv scaled, then turned about the origin, then moved.")
         .family("uv")
         .in<vec2>("uv", surface::uv0, "The uv to change")
         .in<vec2>("scale", 1, "How often a texture repeats per uv unit", slider(0, 16), unit("x"))
