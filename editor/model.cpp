@@ -78,8 +78,10 @@ Build build(const Model& model, const Document& document, const Registry& regist
     const auto start = std::chrono::steady_clock::now();
     Build result;
     const Project project = project_with(model, document);
-    check_links(document, result.problems);
-    const bool linked = !result.problems.has_errors();
+    Diagnostics links;
+    check_links(document, links);
+    const bool linked = !links.has_errors();
+    if (!document.edited) result.problems.append(links);  // of an edited one check() says them
     result.problems.append(model.project_problems);
     check(project, registry, result.problems);
     if (linked) {
