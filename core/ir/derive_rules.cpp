@@ -9,14 +9,14 @@ namespace wrinkle {
 namespace {
 
 // The operands of one instruction and their tangents; an empty tangent is zero.
-struct Rule1 {
+struct Operands {
     Module* m;
     Value r;        // the instruction's own value
     Value a, b, c;  // operands
     Value ta, tb, tc;
 };
 
-Value constant(const Rule1& x, double value) {
+Value constant(const Operands& x, double value) {
     return {x.m, x.m->number(value)};
 }
 
@@ -42,7 +42,7 @@ Value transformed(Op o, Value a, Value b) {
     return a && b ? op(o, a, b) : Value{};
 }
 
-Value or_zero(const Rule1& x, Value tangent, Value like) {
+Value or_zero(const Operands& x, Value tangent, Value like) {
     return tangent ? tangent : Value{x.m, x.m->zero(x.m->type(like.id))};
 }
 
@@ -55,7 +55,7 @@ Value lane(Value v, int k) {
 
 // choose(k) gives the lane k of the result.
 template <class Choose>
-Value by_lanes(const Rule1& x, Choose choose) {
+Value by_lanes(const Operands& x, Choose choose) {
     const Type type = x.m->type(x.r.id);
     std::array<Id, 4> lanes{};
     const int count = info(type).lanes;
@@ -67,20 +67,20 @@ Value by_lanes(const Rule1& x, Choose choose) {
 }
 
 // `value` where `test` > 0, else 0, lane by lane.
-Value where_positive(const Rule1& x, Value test, Value value) {
+Value where_positive(const Operands& x, Value test, Value value) {
     return by_lanes(x, [&](int k) {
         return select(greater(lane(test, k), 0), lane(value, k), constant(x, 0));
     });
 }
 
 // The tangent of `first` where `low` < `high` does not hold, of `second` where it does.
-Value smaller_wins(const Rule1& x, Value low, Value high, Value second, Value first) {
+Value smaller_wins(const Operands& x, Value low, Value high, Value second, Value first) {
     return by_lanes(x, [&](int k) {
         return select(op(Op::lt_, lane(low, k), lane(high, k)), lane(second, k), lane(first, k));
     });
 }
 
-Value derive_clamp(const Rule1& x) {
+Value derive_clamp(const Operands& x) {
     const Value ta = or_zero(x, x.ta, x.a), tb = or_zero(x, x.tb, x.b), tc = or_zero(x, x.tc, x.c);
     const Value inner = max(x.a, x.b);
     return by_lanes(x, [&](int k) {
@@ -90,7 +90,7 @@ Value derive_clamp(const Rule1& x) {
 }
 
 // t = clamp((x - e0) / (e1 - e0), 0, 1): 6 t (1 - t) t'.
-Value derive_smoothstep(const Rule1& x) {
+Value derive_smoothstep(const Operands& x) {
     const Value width = x.b - x.a;
     const Value t = op(Op::clamp_, (x.c - x.a) / width, constant(x, 0), constant(x, 1));
     const Value dwidth = difference(x.tb, x.ta);
@@ -98,7 +98,7 @@ Value derive_smoothstep(const Rule1& x) {
     return change * (t * (constant(x, 1) - t) * 6) / width;
 }
 
-Value derive_arithmetic(const Rule1& x, Op o) {
+Value derive_arithmetic(const Operands& x, Op o) {
     switch (o) {
         case Op::neg_:
             return -x.ta;
@@ -135,7 +135,7 @@ Value derive_arithmetic(const Rule1& x, Op o) {
     }
 }
 
-Value derive_transcendental(const Rule1& x, Op o) {
+Value derive_transcendental(const Operands& x, Op o) {
     const Value one = constant(x, 1);
     switch (o) {
         case Op::sqrt_:
@@ -177,7 +177,7 @@ Value derive_transcendental(const Rule1& x, Op o) {
     }
 }
 
-Value derive_vector(const Rule1& x, Op o) {
+Value derive_vector(const Operands& x, Op o) {
     switch (o) {
         case Op::dot_:
             return sum(transformed(o, x.ta, x.b), transformed(o, x.a, x.tb));
@@ -207,7 +207,7 @@ Value derive_vector(const Rule1& x, Op o) {
     }
 }
 
-Value derive_structure(const Rule1& x, const Inst& inst, std::span<const Id> operands,
+Value derive_structure(const Operands& x, const Inst& inst, std::span<const Id> operands,
                        std::span<const Id> tangents) {
     if (inst.op == Op::swizzle_ || inst.op == Op::column_)
         return {x.m, x.m->add(inst.op, {x.ta.id}, inst.extra)};
@@ -228,14 +228,14 @@ Id tangent_of_op(Module& m, Id id, std::span<const Id> tangents) {
         operands[i] = m.operands(id)[i];
         changes[i] = tangents[i];
     }
-    const Rule1 x{&m,
-                  {&m, id},
-                  {&m, operands[0]},
-                  {&m, operands[1]},
-                  {&m, operands[2]},
-                  {&m, changes[0]},
-                  {&m, changes[1]},
-                  {&m, changes[2]}};
+    const Operands x{&m,
+                     {&m, id},
+                     {&m, operands[0]},
+                     {&m, operands[1]},
+                     {&m, operands[2]},
+                     {&m, changes[0]},
+                     {&m, changes[1]},
+                     {&m, changes[2]}};
     Value result = derive_structure(x, inst, std::span(operands.data(), count), tangents);
     if (!result) result = derive_arithmetic(x, inst.op);
     if (!result) result = derive_transcendental(x, inst.op);
