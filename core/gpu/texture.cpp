@@ -35,18 +35,34 @@ uint16_t to_u16(float value) {
     return static_cast<uint16_t>(std::lround(std::clamp(value, 0.0F, 1.0F) * 65535.0F));
 }
 
-void upload_level(const Image& image, GLint level, bool integers) {
-    const auto width = static_cast<GLsizei>(image.width);
-    const auto height = static_cast<GLsizei>(image.height);
-    if (integers) {
-        const auto texels = rgba_of<uint16_t>(image, to_u16);
-        glTexImage2D(GL_TEXTURE_2D, level, GL_RGBA16, width, height, 0, GL_RGBA, GL_UNSIGNED_SHORT,
-                     texels.data());
-    } else {
-        const auto texels = rgba_of<float>(image, [](float v) { return v; });
-        glTexImage2D(GL_TEXTURE_2D, level, GL_RGBA32F, width, height, 0, GL_RGBA, GL_FLOAT,
-                     texels.data());
+enum class Storage { one_float, rgba_u16, rgba_float };
+
+Storage storage_of(const Image& image) {
+    if (image.channels == 1) return Storage::one_float;
+    return image.source == PixelType::u8 ? Storage::rgba_u16 : Storage::rgba_float;
+}
+
+void upload_level(const Image& image, GLint level, Storage storage) {
+    const auto put = [&](GLint inside, GLenum format, GLenum type, const void* texels) {
+        glTexImage2D(GL_TEXTURE_2D, level, inside, static_cast<GLsizei>(image.width),
+                     static_cast<GLsizei>(image.height), 0, format, type, texels);
+    };
+    switch (storage) {
+        case Storage::one_float:
+            return put(GL_R32F, GL_RED, GL_FLOAT, image.data.data());
+        case Storage::rgba_u16:
+            return put(GL_RGBA16, GL_RGBA, GL_UNSIGNED_SHORT,
+                       rgba_of<uint16_t>(image, to_u16).data());
+        case Storage::rgba_float:
+            return put(GL_RGBA32F, GL_RGBA, GL_FLOAT,
+                       rgba_of<float>(image, [](float v) { return v; }).data());
     }
+}
+
+// Grey reads as expand_texel has it.
+void spread_grey() {
+    constexpr std::array<GLint, 4> swizzle{GL_RED, GL_RED, GL_RED, GL_ONE};
+    glTexParameteriv(GL_TEXTURE_2D, GL_TEXTURE_SWIZZLE_RGBA, swizzle.data());
 }
 
 GLint wrap_mode(Wrap wrap) {
@@ -66,10 +82,10 @@ GLint wrap_mode(Wrap wrap) {
 Texture Texture::upload(const MipChain& chain) {
     if (chain.levels.empty()) return of_floats(1, 1, std::array<float, 4>{0, 0, 0, 1});
     Texture texture(make_texture());
-    const PixelType source = chain.levels.front().source;
-    const bool integers = source == PixelType::u8 || source == PixelType::u16;
+    const Storage storage = storage_of(chain.levels.front());
     for (uint32_t level = 0; level < chain.count(); ++level)
-        upload_level(chain.levels[level], static_cast<GLint>(level), integers);
+        upload_level(chain.levels[level], static_cast<GLint>(level), storage);
+    if (storage == Storage::one_float) spread_grey();
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, static_cast<GLint>(chain.count()) - 1);
     return texture;
 }

@@ -1,9 +1,10 @@
 // Textures in GPU memory, and how they are looked up.
 //
-// A picture goes up level by level as its MipChain has it, always with four channels: 8 and 16-bit
-// sources as 16-bit integers (8-bit textures are filtered coarsely by some drivers), half and float
-// sources as 32-bit floats, so that filtered values equal the CPU's. Wrap and filter are a Lookup,
-// apart from the texels: one picture may be read in several ways.
+// A picture goes up level by level as its MipChain has it, in 32-bit floats, so that filtered
+// values equal the CPU's: drivers filter integers in steps of their own width, and a height's slope
+// magnifies a step by the picture's size. Only 8-bit pictures of several channels (colours, mostly)
+// go up as 16-bit integers, half the memory. Wrap and filter are a Lookup, apart from the texels:
+// one picture may be read in several ways.
 #pragma once
 
 #include <cstdint>
