@@ -10,7 +10,7 @@
 #define WRINKLE_BUILT_IN_NODES(X) \
     /* uv.cpp */ \
     X(uv_transform) \
-    /* image.cpp */ \
+    /* image.cpp, height_map.cpp */ \
     X(image) X(height_map) X(derivative_map) X(tangent_normal_map) X(object_normal_map) \
     /* gradient.cpp */ \
     X(gradient_add) X(gradient_scale) X(gradient_mix) X(gradient_from_height) X(gradient_from_volume) \

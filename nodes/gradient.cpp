@@ -1,12 +1,9 @@
 // Nodes on surface gradients. They compose in any order and are resolved once, at the end.
+#include "nodes/ports.h"
 #include "wrinkle/node.h"
 
 namespace wrinkle::nodes {
 using namespace sdk;
-
-#define BASE_DOC                                                                              \
-    "The normal to put the bump on: the surface's, or that of a resolve, to bump its result " \
-    "further"
 
 Node gradient_add_node =
     node("gradient_add", "Add bumps", "Lays one bump over another; order does not matter.")

@@ -2,7 +2,7 @@
 struct WrinkleSurface_everything {
     vec3 position;           // position in object space, in length units
     vec3 position_relative;  // position seen from the eye, object axes, length units
-    vec3 normal;             // interpolated normal, object space, need not be unit
+    vec3 normal;             // interpolated normal, object space, of any length but zero
     vec2 uv0;                // first uv set, origin at the bottom left
     vec2 uv1;                // second uv set
     float facing;            // +1 on front faces, -1 on back faces
@@ -10,6 +10,20 @@ struct WrinkleSurface_everything {
 uniform sampler2D cloth_image;    // textures/weave_normal.png (normal_gl, repeat)
 uniform sampler2D carving_image;  // textures/ball_object.png (normal_gl, repeat)
 uniform sampler2D bricks_image;   // textures/bricks_height.png (linear, repeat)
+
+vec2 wrinkle_everything_smooth_slope(vec2 a, vec2 b) {
+    vec4 texel = textureLod(bricks_image, a + b, 0.0);
+    float difference = texel.x - textureLod(bricks_image, a - b, 0.0).x;
+    vec4 texel_2 = textureLod(bricks_image, a + vec2(1.0, -1.0) * b, 0.0);
+    float difference_2 = texel_2.x - textureLod(bricks_image, a + vec2(-1.0, 1.0) * b, 0.0).x;
+    vec4 texel_3 = textureLod(bricks_image, a + vec2(1.0, 0.0) * b, 0.0);
+    vec4 texel_4 = textureLod(bricks_image, a + vec2(-1.0, 0.0) * b, 0.0);
+    float sum = difference + difference_2 + 2.0 * (texel_3.x - texel_4.x);
+    vec4 texel_5 = textureLod(bricks_image, a + vec2(0.0, 1.0) * b, 0.0);
+    vec4 texel_6 = textureLod(bricks_image, a + vec2(0.0, -1.0) * b, 0.0);
+    float sum_2 = difference - difference_2 + 2.0 * (texel_5.x - texel_6.x);
+    return vec2(sum, sum_2) / (8.0 * b);
+}
 
 float wrinkle_everything_noise_corner_change(int a, int b, int c, vec3 d, vec3 e) {
     uint sum = uint(c) * 747796405u + 2891336453u;
@@ -142,21 +156,21 @@ vec3 wrinkle_everything_normal(WrinkleSurface_everything s) {
     vec2 tile_product = dFdx(s.uv0) * vec2(8.0, 4.0);
     vec2 tile_product_2 = dFdy(s.uv0) * vec2(8.0, 4.0);
     vec2 bricks_size = vec2(textureSize(bricks_image, 0));  // bricks: Height map
-    vec2 bricks_product = bricks_size * tile_product;
-    float bricks_dot_product = dot(bricks_product, bricks_product);
-    vec2 bricks_product_2 = bricks_size * tile_product_2;
-    float bricks_greatest = max(bricks_dot_product, dot(bricks_product_2, bricks_product_2));
-    float bricks_exponential = exp2(log2(max(bricks_greatest, 9.094947e-13)) * 0.5);
-    float bricks_clamped = clamp(bricks_exponential, 1.0, max(bricks_size.x, bricks_size.y));
-    vec2 bricks_quotient = vec2(bricks_clamped) / bricks_size;
+    float bricks_extent = length(tile_product * bricks_size);
+    float bricks_greatest = max(bricks_extent, length(tile_product_2 * bricks_size));
+    vec2 bricks_quotient = max(bricks_greatest, 1.0) / bricks_size;
     vec4 bricks_texel = texture(bricks_image, tile_uv + vec2(bricks_quotient.x, 0.0));
     vec4 bricks_texel_2 = texture(bricks_image, tile_uv);
-    float bricks_quotient_2 = (bricks_texel.x - bricks_texel_2.x) / bricks_quotient.x;
+    float bricks_difference = bricks_texel.x - bricks_texel_2.x;
     vec4 bricks_texel_3 = texture(bricks_image, tile_uv + vec2(0.0, bricks_quotient.y));
-    float bricks_quotient_3 = (bricks_texel_3.x - bricks_texel_2.x) / bricks_quotient.y;
-    float bricks_sum = bricks_quotient_2 * tile_product.x + bricks_quotient_3 * tile_product.y;
-    float bricks_sum_2 = bricks_quotient_2 * tile_product_2.x + bricks_quotient_3 *
-            tile_product_2.y;
+    vec2 bricks_vector = vec2(bricks_difference, bricks_texel_3.x - bricks_texel_2.x);
+    vec2 bricks_quotient_2 = bricks_vector / bricks_quotient;
+    vec2 bricks_smooth_slope = wrinkle_everything_smooth_slope(tile_uv, 1.0 / bricks_size);
+    float bricks_quotient_3 = (0.5 - log2(max(bricks_greatest, 1.1754944e-38))) / 0.45;
+    float bricks_clamped = clamp(bricks_quotient_3, 0.0, 1.0);
+    vec2 bricks_mixed = mix(bricks_quotient_2, bricks_smooth_slope, bricks_clamped);
+    float bricks_product = dot(bricks_mixed, tile_product) * 0.015;
+    vec2 bricks_vector_2 = vec2(bricks_product, dot(bricks_mixed, tile_product_2) * 0.015);
     vec3 grain_product = s.position * 30.0;  // grain: Gradient noise
     vec3 grain_product_2 = surface_dpdx * 30.0;
     float grain_gradient_noise_change = wrinkle_everything_gradient_noise_change(grain_product,
@@ -174,11 +188,10 @@ vec3 wrinkle_everything_normal(WrinkleSurface_everything s) {
     float grain_quotient_2 = (grain_gradient_noise_change_3 + grain_gradient_noise_change_4 * 0.5)
             / 1.5;
     vec2 all_vector = vec2(grain_quotient * 0.002, grain_quotient_2 * 0.002);  // all: Add bumps
-    vec2 all_sum = vec2(bricks_sum * 0.015, bricks_sum_2 * 0.015) + all_vector;
     // normal: Resolve
     vec3 normal_gradient = cross(normal, uv1_tangent) * surface_product_2 * softer_product.y;
     vec3 normal_gradient_2 = uv1_tangent * softer_product.x + normal_gradient;
-    vec2 normal_product = all_sum * cloth_depth;
+    vec2 normal_product = (bricks_vector_2 + all_vector) * cloth_depth;
     vec3 normal_sum = r_x * normal_product.x + r_y * normal_product.y;
     vec3 normal_gradient_3 = normal_sum * ((det < 0.0 ? -1.0 : 1.0) / max(abs(det), 1e-36));
     vec3 normal_gradient_4 = carving_quotient * cloth_depth + normal_gradient_2 + normal_gradient_3;

@@ -197,6 +197,11 @@ template <VectorType V>
 V normalize(V v) {
     return select(dot(v, v) > 0, V(emit(WR_OP_normalize, {v.id})), V(Float(0)));
 }
+// `value` with a derivative of the author's own: d(value)/d(at) = slope, whatever value is made of.
+template <VectorType V>
+Float with_slope(Float value, V at, std::type_identity_t<V> slope) {
+    return detach(value) + dot(detach(slope), at - detach(at));
+}
 inline vec3 cross(vec3 a, vec3 b) {
     return vec3(emit(WR_OP_cross, {a.id, b.id}));
 }
