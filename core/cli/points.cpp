@@ -1,5 +1,6 @@
 #include "cli/points.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 
@@ -73,6 +74,13 @@ private:
         if (*input == SurfaceInput::facing_ && variant != Variant::value)
             return error(member.value, key.name() + " has no meaning", "facing does not change");
         point_[key].given = read_lanes(key, member.value, point_[key].lanes);
+        if (*input == SurfaceInput::normal_ && variant == Variant::value && point_[key].given &&
+            is_zero(point_[key]))
+            error(member.value, "normal is zero", "a direction of any length but zero");
+    }
+
+    static bool is_zero(const Point::Slot& slot) {
+        return std::all_of(slot.lanes.begin(), slot.lanes.end(), [](double x) { return x == 0; });
     }
 
     bool read_lanes(PointKey key, const json::Value& value, std::array<double, 4>& lanes) {

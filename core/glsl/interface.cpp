@@ -103,7 +103,7 @@ std::string member_doc(const MemberInfo& member) {
         return std::string("change of ") + std::string(info(member.input).name) +
                " to the next pixel in " + (member.variant == Variant::dx ? "x" : "y");
     if (member.input == SurfaceInput::normal_)
-        return "interpolated normal, object space, need not be unit";
+        return "interpolated normal, object space, of any length but zero";
     if (member.input == SurfaceInput::tangent_)
         return "interpolated tangent of uv0, object space; w: sign of the bitangent";
     std::string doc(info(member.input).doc);

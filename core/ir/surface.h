@@ -7,7 +7,8 @@
 
 namespace wrinkle {
 
-// The interpolated normal made unit, without the back-face rule. A zero normal is unspecified.
+// The interpolated normal made unit, without the back-face rule. A zero normal has no answer:
+// `eval` refuses it, meshes have none, and the struct of a generated function says so.
 Id unit_normal(Module& module);
 
 // The normal that a graph sees: unit, turned by `facing` unless the rule is none.

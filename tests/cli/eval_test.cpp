@@ -126,6 +126,7 @@ TEST_F(EvalTest, ReportsABadPoint) {
         {R"({"uv0": [1e300, 0]})", "single precision"},
         {R"({"uv0": [1, 0], "uv0": [1, 0]})", "uv0"},
         {R"({"uv0": [1, 0], "dx": 3})", "dx is a number"},
+        {R"({"normal": [0, 0, 0]})", "normal is zero"},
         {R"({"uv0": [1, 0], "dx": {"facing": 1}})", "facing"},
         {R"(7)", "a point is an object"},
         {R"({"uv0": [1, 0])", "--at:1:"},
