@@ -2,11 +2,11 @@
 
 #include <sstream>
 
+#include "glslang/validate.h"
 #include "golden.h"
 #include "graphs.h"
 #include "ir/expand.h"
 #include "ir/rewrite.h"
-#include "validate.h"
 
 namespace wrinkle::test {
 namespace {

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "glslang/validate.h"
 #include "graphs.h"
-#include "validate.h"
 
 namespace wrinkle::test {
 namespace {

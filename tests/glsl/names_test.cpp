@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "glslang/validate.h"
 #include "graphs.h"
-#include "validate.h"
 
 namespace wrinkle::test {
 namespace {

@@ -3,10 +3,10 @@
 
 #include <algorithm>
 
+#include "glslang/validate.h"
 #include "golden.h"
 #include "graphs.h"
 #include "ir/verify.h"
-#include "validate.h"
 
 namespace wrinkle::test {
 namespace {

@@ -1,9 +1,9 @@
 // Order of statements, and graphs of great size.
 #include <gtest/gtest.h>
 
+#include "glslang/validate.h"
 #include "graphs.h"
 #include "ir/expand.h"
-#include "validate.h"
 
 namespace wrinkle::test {
 namespace {

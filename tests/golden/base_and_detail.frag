@@ -9,7 +9,7 @@ layout(location = 0) out vec3 out_normal;
 uniform mat4 wrinkle_object_to_world;
 struct WrinkleSurface_strap {
     vec3 position_relative;  // position seen from the eye, object axes, length units
-    vec3 normal;             // interpolated normal, object space, need not be unit
+    vec3 normal;             // interpolated normal, object space, of any length but zero
     vec4 tangent;            // interpolated tangent of uv0, object space; w: sign of the bitangent
     vec2 uv0;                // first uv set, origin at the bottom left
     vec2 uv1;                // second uv set

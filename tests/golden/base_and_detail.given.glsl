@@ -2,7 +2,7 @@
 struct WrinkleSurface_strap {
     vec3 position_dx;  // change of position to the next pixel in x
     vec3 position_dy;  // change of position to the next pixel in y
-    vec3 normal;       // interpolated normal, object space, need not be unit
+    vec3 normal;       // interpolated normal, object space, of any length but zero
     vec4 tangent;      // interpolated tangent of uv0, object space; w: sign of the bitangent
     vec2 uv0;          // first uv set, origin at the bottom left
     vec2 uv0_dx;       // change of uv0 to the next pixel in x

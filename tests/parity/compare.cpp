@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "glslang/validate.h"
 #include "gpu/from_glsl.h"
 #include "parity/points.h"
 
@@ -92,6 +93,7 @@ Values on_gpu(const Module& module, const PointSet& points, const ImageOf& image
 }
 
 Values on_gpu(const Shader& shader, const PointSet& points, const ImageOf& images) {
+    EXPECT_EQ(compile_errors(shader), "");
     gpu::PointJob job = gpu::point_job_from(shader);
     job.points = points.count;
     for (const MemberInfo& member : shader.reflection.members)

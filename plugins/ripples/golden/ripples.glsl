@@ -2,7 +2,7 @@
 struct WrinkleSurface_ripples {
     vec3 position;           // position in object space, in length units
     vec3 position_relative;  // position seen from the eye, object axes, length units
-    vec3 normal;             // interpolated normal, object space, need not be unit
+    vec3 normal;             // interpolated normal, object space, of any length but zero
     float facing;            // +1 on front faces, -1 on back faces
 };
 

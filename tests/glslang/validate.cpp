@@ -1,4 +1,4 @@
-#include "validate.h"
+#include "glslang/validate.h"
 
 #include <glslang/Include/ResourceLimits.h>
 #include <glslang/Public/ShaderLang.h>

@@ -1,0 +1,56 @@
+// Every node and every sample graph gives text that glslang takes: on every target, in both forms,
+// with both kinds of parameters and of differentials.
+#include <gtest/gtest.h>
+
+#include "glsl/emit.h"
+#include "glslang/validate.h"
+#include "parity/node_graph.h"
+#include "parity/samples.h"
+
+namespace wrinkle::test {
+namespace {
+
+void expect_valid(const Module& module, Form form, bool given) {
+    for (const Target& target : targets()) {
+        EmitOptions options;
+        options.target = &target;
+        options.form = form;
+        options.differentials = given ? Differentials::given : Differentials::screen;
+        options.name = "subject";
+        EXPECT_EQ(compile_errors(emit(module, options)), "") << target.name;
+    }
+}
+
+void expect_valid(const Project& project) {
+    for (const bool uniform : {false, true})
+        for (const bool given : {false, true}) {
+            MaterialOptions options;
+            options.uniform_parameters = uniform;
+            options.given_differentials = given;
+            Diagnostics diagnostics;
+            const Compiled compiled = compile_material(project, all_nodes(), options, diagnostics);
+            ASSERT_TRUE(compiled.ok) << to_text(diagnostics);
+            expect_valid(compiled.module, Form::function, given);
+            if (!given) expect_valid(compiled.module, Form::shader, given);
+        }
+}
+
+TEST(GeneratedText, OfEveryNodeIsValid) {
+    for (const NodeType& type : all_nodes().list())
+        for (const Inputs inputs : {Inputs::defaults, Inputs::wires}) {
+            const Subject subject = compile_around(type, inputs, 3);
+            SCOPED_TRACE(subject.text);
+            expect_valid(subject.project);
+        }
+}
+
+TEST(GeneratedText, OfEverySampleIsValid) {
+    for (const std::filesystem::path& path : sample_graphs()) {
+        SCOPED_TRACE(path.string());
+        Diagnostics diagnostics;
+        expect_valid(load_project(path, {}, diagnostics));
+    }
+}
+
+}  // namespace
+}  // namespace wrinkle::test
