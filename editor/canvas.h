@@ -1,13 +1,15 @@
 // The canvas: draws cards and wires at screen scale, finds what is under the pointer, and turns
 // gestures into edits. One InvisibleButton takes all input; there are no widgets on nodes.
 //
-//   drag on empty ground     box select          middle drag, Alt + drag   pan
+//   drag on empty ground     box select
+//   middle drag, Alt + drag  pan
 //   wheel                    zoom at the pointer
-//   drag a header or body    move the selection  drag a field   change a number (Ctrl fine, Shift
-//   coarse) drag pin to pin          connect; from a connected input: take the wire off; to empty
-//   ground:
+//   drag a header or body    move the selection
+//   drag a field             change a number (Ctrl fine, Shift coarse)
+//   drag pin to pin          connect; from a connected input: take the wire off; to empty ground:
 //                            the palette, filtered by what fits
-//   double-click a field     type a value        double-click a header   rename
+//   double-click a field     type a value
+//   double-click a header    rename
 #pragma once
 
 #include "editor/state.h"

@@ -1,17 +1,19 @@
 // Frames: what turns a slope dh/d(u,v) into a surface gradient. Part of the expansion pass.
 //
 // A frame is resolved to one of a few bases of the tangent plane, its FrameKey; every uv that is a
-// function of one uv set shares that set's basis, so layers on it add as 2-vectors. J =
-// d(uv)/d(set) brings a slope in the uv to the set: dh/d(set) = J^T dh/d(uv), divided by sqrt|det
-// J| so that tiling does not steepen a `unit` slope; det J = 0 is flat.
+// function of one uv set shares that set's basis, so layers on it add as 2-vectors.
+// J = d(uv)/d(set) brings a slope in the uv to the set: dh/d(set) = J^T dh/d(uv), divided by
+// sqrt|det J| so that tiling does not steepen a `unit` slope; det J = 0 is flat.
 //
-//   vertex    T, B of MikkTSpace: B = sign(w) N x T from the un-normalised interpolated N and T; T,
-//   B and N share the factor 1/|N| derived   Mikkelsen 2020, GenBasisTB: T = normalize(sgn(det)
-//   (v_y Px - v_x Py)), B = sgn(det) flip n x T, on the
-//             projected screen differentials; orthonormal, sign-corrected, invariant under n -> -n
-//   guess     T = the direction's part in the tangent plane, B = n x T; flat where the direction is
-//   parallel to n exact     no basis of its own: a slope goes to screen differentials by the chain
-//   rule, s . d(uv)/dx (eq. 3)
+//   vertex    T, B of MikkTSpace: B = sign(w) N x T from the un-normalised interpolated N and T;
+//             T, B and N share the factor 1/|N|
+//   derived   Mikkelsen 2020, GenBasisTB: T = normalize(sgn(det) (v_y Px - v_x Py)),
+//             B = sgn(det) flip n x T, on the projected screen differentials; orthonormal,
+//             sign-corrected, invariant under n -> -n
+//   guess     T = the direction's part in the tangent plane, B = n x T; flat where the direction
+//             is parallel to n
+//   exact     no basis of its own: a slope goes to screen differentials by the chain rule,
+//             s . d(uv)/dx (eq. 3)
 #pragma once
 
 #include <optional>

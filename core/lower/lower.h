@@ -6,8 +6,7 @@
 // * A node in a sub-graph is the instance "outer/inner". The top graph's inputs are parameters with
 //   `graph_input` set.
 // * A muted node passes its first input of each output's type through; where there is none the
-// output
-//   is that type's zero (of a normal the surface's).
+//   output is that type's zero (of a normal the surface's).
 // * The gradients that a node makes stand on the surface, or on the normal at its input `base` (of
 //   type normal). An input of type gradient that a height, derivative or normal is connected to
 //   takes the base of the gradients it is joined with by wires; with none it is the surface.

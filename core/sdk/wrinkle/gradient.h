@@ -2,8 +2,9 @@
 // meant.
 //
 // Gradient    the change of a height along the surface. Sums and multiples are gradients, in any
-// order. Derivative  dh/d(u,v) with its frame; it becomes a Gradient when used as one. Frame what
-// turns a slope in a uv set into a gradient: method and scale must fit (the scale
+//             order.
+// Derivative  dh/d(u,v) with its frame; it becomes a Gradient when used as one.
+// Frame       what turns a slope in a uv set into a gradient: method and scale must fit (the scale
 //             `surface` goes with automatic and exact, `unit` with automatic, vertex, derived and
 //             guess).
 #pragma once

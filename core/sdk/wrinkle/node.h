@@ -1,24 +1,26 @@
 // Declaring a node: its ports, then its formula. Include this one header.
 //
-//   static Node gradient_scale = node("gradient_scale", "Scale", "Makes a bump stronger or
-//   weaker.")
-//       .in<Gradient>("gradient", "The bump to scale")
-//       .in<Float>("amount", 1, "1 leaves it unchanged, negative inverts it", slider(-2, 2))
-//       .out<Gradient>("gradient", "The scaled bump")
-//       .body([](Gradient g, Float amount) { return g * amount; });
+//   static Node gradient_scale =
+//       node("gradient_scale", "Scale", "Makes a bump stronger or weaker.")
+//           .in<Gradient>("gradient", "The bump to scale")
+//           .in<Float>("amount", 1, "1 leaves it unchanged, negative inverts it", slider(-2, 2))
+//           .out<Gradient>("gradient", "The scaled bump")
+//           .body([](Gradient g, Float amount) { return g * amount; });
 //
-//   WRINKLE_PLUGIN("my_plugin", "1.0", gradient_scale)     // once, in a plugin
+//   WRINKLE_PLUGIN("my_plugin", "1.0", gradient_scale)  // once, in a plugin
 //
 // in      a value: of a wire, a literal, or its default; without one it is required (gradients:
-// flat) choice  one of several names, known while building: an int, or an enum class in the order
-// of the names count   an integer, known while building, within its limits      flag   a bool,
-// known while building field   an expression to be read at other places: height(uv + d); `domain`
-// is the property it is a
-//         function of
+//         flat)
+// choice  one of several names, known while building: an int, or an enum class in the order of the
+//         names
+// count   an integer, known while building, within its limits
+// flag    a bool, known while building
+// field   an expression to be read at other places: height(uv + d); `domain` is the property it is
+//         a function of
 // body    captureless: a node has no state. Its parameters are the ports but outputs, in their
-// order, or
-//         one struct with these members. It returns the output, or a std::tuple of them.
+//         order, or one struct with these members. It returns the output, or a std::tuple of them.
 //         fail("...") or an exception reports a problem on the node.
+//
 // A node is one static object of at most 16 ports; declaring it runs no code at start-up.
 #pragma once
 

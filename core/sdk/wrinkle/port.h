@@ -1,12 +1,15 @@
 // How the ports of a node are described: types on wires, defaults, ranges, units.
 //
 // Types of ports: Float vec2 vec3 vec4 Gradient Derivative Image, and with a meaning of their own
-//   Height  a Float: a length of object space, positive outward      Color  a vec3, linear
+//   Height  a Float: a length of object space, positive outward
+//   Color   a vec3, linear
 //   Normal  a vec3: unit, object space unless the port says otherwise
+//
 // Options that may follow the doc line, in any order:
-//   slider(a, b)   the soft range, of the widget only       limits(a, b)   the hard range: values
-//   are clamped unit("deg")    shown beside the value                   encoding("srgb")   of an
-//   image given as a bare path
+//   slider(a, b)      the soft range, of the widget only
+//   limits(a, b)      the hard range: values are clamped
+//   unit("deg")       shown beside the value
+//   encoding("srgb")  of an image given as a bare path
 #pragma once
 
 #include "wrinkle/gradient.h"

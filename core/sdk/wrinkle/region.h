@@ -1,12 +1,12 @@
 // Loops and functions of the language. What a body uses from outside is captured.
 //
-//   auto noise = function("noise", [](vec3 p) { return ...; });     // one function in the
-//   generated text Float sum = noise(p) + noise(2 * p);                            // called twice
+//   auto noise = function("noise", [](vec3 p) { return ...; });  // one function in the text
+//   Float sum = noise(p) + noise(2 * p);                         // called twice
 //
 //   auto [t, h] = loop(64, std::tuple{t0, h0}, [&](Float t, Float h) {
-//       return std::tuple{h > t, t + step, height(t)};              // while "go on", the next
-//       state
+//       return std::tuple{h > t, t + step, height(t)};  // while "go on", the next state
 //   });
+//
 // A loop runs while "go on" holds for the state at hand and at most `max` times; its value is the
 // last state. A function gives one value or a tuple of values.
 #pragma once
