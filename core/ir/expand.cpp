@@ -20,9 +20,29 @@ struct Derivative {
     Frame frame;
 };
 
+// Which values may jump from pixel to pixel where their forward derivative does not, so that
+// hardware differences of them are no footprint: what goes in steps, is found by a loop, or is read
+// from a texture and then detached.
+std::vector<bool> jumping(const Module& module) {
+    std::vector<bool> jumps(module.size(), false), reads(module.size(), false);
+    for (Id id = 1; id < module.size(); ++id) {
+        const Op op = module[id].op;
+        if (op == Op::resolve_) continue;
+        reads[id] = op == Op::sample_ || op == Op::sample_lod_ || op == Op::sample_grad_;
+        jumps[id] = op == Op::floor_ || op == Op::ceil_ || op == Op::fract_ || op == Op::mod_ ||
+                    op == Op::loop_;
+        for (const Id operand : module.operands(id)) {
+            reads[id] = reads[id] || reads[operand];
+            jumps[id] = jumps[id] || jumps[operand] || (op == Op::detach_ && reads[operand]);
+        }
+    }
+    return jumps;
+}
+
 struct Expander {
     const ExpandOptions& options;
     const std::vector<uint32_t> dependencies;  // of the source
+    const std::vector<bool> jumps;
     Module* target = nullptr;
     std::optional<ScreenDerivatives> screen;
     std::optional<GradientAlgebra> algebra;
@@ -188,6 +208,11 @@ Id expand_one(void* context, Module& target, const Module& source, Id id,
         expander.screen.emplace(target);
         expander.algebra.emplace(target, *expander.screen);
     }
+    if (source[id].op == Op::sample_ && expander.jumps[source[id].arg[0]]) {
+        const Id dx = expander.screen->on_screen(Variant::dx, mapped[0]).id;
+        const Id dy = expander.screen->on_screen(Variant::dy, mapped[0]).id;
+        return target.add(Op::sample_grad_, {mapped[0], dx, dy}, source[id].extra);
+    }
     if (!is_opaque(source[id].op)) return poison;
     if (source[id].level > 0) {
         target.problem("a bump cannot be made inside a loop or a function",
@@ -204,7 +229,8 @@ Id strip_detach(void*, Module&, const Module& source, Id id, std::span<const Id>
 }  // namespace
 
 Module expand(const Module& source, const ExpandOptions& options) {
-    Expander expander{options, input_dependencies(source), nullptr, {}, {}, {}, {}, {}, {}};
+    Expander expander{
+        options, input_dependencies(source), jumping(source), nullptr, {}, {}, {}, {}, {}, {}};
     const Module expanded = rebuild(source, expand_one, &expander);
     return rebuild(expanded, strip_detach, nullptr);
 }

@@ -18,8 +18,10 @@ struct ExpandOptions {
     BackFaces back_faces = BackFaces::mirror;
 };
 
-// A module without opaque ops, ddx and ddy. What cannot be expanded (a frame method that does not
-// fit its scale, say) is a problem in the result.
+// A module without opaque ops, ddx and ddy. A sample whose uv jumps between pixels (floor, fract, a
+// march, a shift read from a texture) becomes a sample_grad with the uv's forward derivative, so
+// that no seam of levels shows where it jumps. What cannot be expanded (a frame method that does
+// not fit its scale, say) is a problem in the result.
 Module expand(const Module& source, const ExpandOptions& options);
 
 }  // namespace wrinkle

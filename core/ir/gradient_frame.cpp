@@ -132,6 +132,7 @@ std::vector<uint32_t> input_dependencies(const Module& module) {
     for (Id id = 1; id < module.size(); ++id) {
         const Inst& inst = module[id];
         if (inst.op == Op::input_) inputs[id] = bit(input_of(inst.extra));
+        if (inst.op == Op::detach_) continue;
         for (const Id operand : module.operands(id))
             inputs[id] |= inputs[operand];
         if (inst.op == Op::loop_ || inst.op == Op::call_)

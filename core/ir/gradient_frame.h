@@ -61,8 +61,8 @@ struct TangentBasis {
     Value t, b;  // vec3; zero where degenerate
 };
 
-// Which surface inputs each instruction depends on, a bit per SurfaceInput; bits of region bodies
-// count.
+// Which surface inputs each instruction changes with, a bit per SurfaceInput; bits of region bodies
+// count, those of a detached value do not.
 std::vector<uint32_t> input_dependencies(const Module& module);
 
 // `dependencies` are those of the uv. Nothing, with a problem recorded, where method and scale do

@@ -29,6 +29,10 @@ struct LodWriter {
 
 Id write_lod(void* context, Module& target, const Module& source, Id id,
              std::span<const Id> mapped) {
+    if (source[id].op == Op::sample_grad_) {
+        const Id level = sample_lod_of(target, source[id].extra, mapped[1], mapped[2]);
+        return target.add(Op::sample_lod_, {mapped[0], level}, source[id].extra);
+    }
     if (source[id].op != Op::sample_) return poison;
     auto& writer = *static_cast<LodWriter*>(context);
     if (!writer.x) {

@@ -6,13 +6,16 @@
 namespace wrinkle {
 namespace {
 
-// The implicit samples that `value` needs, in id order.
-std::vector<Id> samples_of(const Module& module, Id value) {
+// What `value` needs of the pixels beside it, in id order: implicit samples, ddx and ddy.
+std::vector<Id> implicit_parts(const Module& module, Id value) {
     const std::vector<bool> needed = reachable(module, std::span(&value, 1));
-    std::vector<Id> samples;
-    for (Id id = 1; id < needed.size(); ++id)
-        if (needed[id] && module[id].op == Op::sample_) samples.push_back(id);
-    return samples;
+    std::vector<Id> parts;
+    for (Id id = 1; id < needed.size(); ++id) {
+        const Op op = module[id].op;
+        if (needed[id] && (op == Op::sample_ || op == Op::ddx_ || op == Op::ddy_))
+            parts.push_back(id);
+    }
+    return parts;
 }
 
 }  // namespace
@@ -21,8 +24,13 @@ Id read_field(Module& module, Id value, SurfaceInput domain, Id at) {
     if (value == poison || at == poison) return poison;
     std::vector<Id> from{module.input(domain)}, to{at};
     const bool inside = module[at].level > 0;
-    const std::vector<Id> samples = inside ? samples_of(module, value) : std::vector<Id>{};
-    for (const Id sample : samples) {
+    const std::vector<Id> parts = inside ? implicit_parts(module, value) : std::vector<Id>{};
+    for (const Id sample : parts) {
+        if (module[sample].op != Op::sample_) {
+            from.push_back(sample);
+            to.push_back(sample);
+            continue;
+        }
         const Id uv = module[sample].arg[0];
         const Id moved = substitute(module, uv, from, to);
         if (moved == uv) continue;

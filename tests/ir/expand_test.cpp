@@ -196,5 +196,36 @@ TEST_F(Expand, TakesLongChains) {
     EXPECT_LT(result.size(), 200000U);
 }
 
+// What hardware would take for the footprint of a uv that jumps.
+TEST_F(Expand, GivesSamplesOfAJumpingUvTheirDerivative) {
+    const uint32_t image = m.add_resource({"a.png", "a.png", {}, {}});
+    const Value uv = input(SurfaceInput::uv0_);
+    const Value texel{&m, m.add(Op::sample_, {uv.id}, image)};
+    const Value shift = detach(texel.xy());
+    const std::pair<Value, size_t> cases[] = {
+        {uv * number(3), 0},
+        {uv + detach(input(SurfaceInput::uv1_)), 0},  // smooth, as it stands
+        {uv + texel.xy(), 0},
+        {uv + shift, 1},
+        {op(Op::fract_, uv), 1},
+        {uv - op(Op::floor_, uv), 1}};
+    for (const auto& [at, jumping] : cases) {
+        const Value again{&m, m.add(Op::sample_, {at.id}, image)};
+        const Module result = result_of(again.xyz());
+        EXPECT_EQ(count(result, Op::sample_grad_), jumping);
+        for (Id id = 1; id < result.size(); ++id) {
+            if (result[id].op != Op::sample_grad_) continue;
+            EXPECT_EQ(result[result[id].arg[1]].extra,
+                      input_extra(SurfaceInput::uv0_, Variant::dx));
+        }
+    }
+}
+
+TEST_F(Expand, ADetachedShiftLeavesAUvInItsSet) {
+    const Value uv = input(SurfaceInput::uv0_) + detach(input(SurfaceInput::uv1_));
+    const Value g = normal_map(0.5, frame(uv, WR_FRAME_vertex, WR_SCALE_unit));
+    EXPECT_TRUE(result_of(resolve(g)).problems.empty());
+}
+
 }  // namespace
 }  // namespace wrinkle::test

@@ -134,6 +134,23 @@ TEST_F(RewriteTest, SamplesGetTheirLod) {
     EXPECT_NEAR(asked, 4, 1e-12);  // 4 tiles times 4 texels
 }
 
+TEST_F(RewriteTest, SamplesWithTheirOwnChangesGetTheirLodToo) {
+    const uint32_t image = m.add_resource({"a.png", "a.png", {}, {}});
+    const Id dx = m.constant(Type::vec2_, std::array{1 / 32.0, 0.0});
+    const Id color = m.add(Op::sample_grad_, {uv, dx, m.zero(Type::vec2_)}, image);
+    m.outputs = {{"color", WR_PORT_color, m.swizzle(color, "xyz")}};
+    const Module explicit_form = explicit_lod(m);
+    double asked = 0;
+    around.image_size = [](uint32_t) { return Lanes{64, 32}; };
+    around.texture = [&](uint32_t, double, double, double lod) {
+        asked = lod;
+        return Lanes{};
+    };
+    interpret(explicit_form, explicit_form.outputs[0].value, around);
+    EXPECT_EQ(print(explicit_form).find("sample_grad"), std::string::npos);
+    EXPECT_NEAR(asked, 1, 1e-12);
+}
+
 TEST_F(RewriteTest, ReachableGoesThroughRegions) {
     const Value x = power(n(1), op(Op::cos_, u), 2);
     const Value other = op(Op::sin_, v);

@@ -269,6 +269,20 @@ TEST(Lower, SamplesInALoopKeepTheFootprintOutside) {
     EXPECT_EQ(found, 1);
 }
 
+TEST(Lower, ChangesBetweenPixelsInALoopAreThoseOutside) {
+    const Module m = lowered({{"main.json", graph(R"("w": {"type": "width"},
+                                        "f": {"type": "march", "in": {"shape": {"from": "w.value"}}})",
+                                                  R"("a": {"from": "f.value"})")}})
+                         .module;
+    int found = 0;
+    for (Id id = 1; id < m.size(); ++id) {
+        if (m[id].op != Op::ddx_) continue;
+        ++found;
+        EXPECT_EQ(m[id].level, 0);
+    }
+    EXPECT_EQ(found, 1);
+}
+
 TEST(Lower, ImagesMergeUnlessTheirOptionsDiffer) {
     const Module m =
         lowered(

@@ -87,6 +87,10 @@ Node march = node("march", "March", "Walks along a field.")
                      });
                      return t;
                  });
+Node width = node("width", "Width", "How wide a pixel is.")
+                 .in<vec2>("uv", surface::uv0, "Where")
+                 .out<Float>("value", "Its width")
+                 .body([](vec2 uv) { return uv.x() * ddx(uv).x(); });
 Node many =
     node("many", "Many", "Changes everything that it passes.")
         .in<Float>("value", 1, "A number")
@@ -204,10 +208,10 @@ const wr_node c_nodes[] = {
 }  // namespace
 
 const wr_plugin* test_plugin() {
-    static Node* const nodes[] = {&number_node, &pass_height,  &bump,     &scale,
-                                  &sum,         &resolve_node, &layer,    &picture,
-                                  &normal_map,  &vector_node,  &options,  &field_at,
-                                  &march,       &many,         &old_name, &wrong_frame};
+    static Node* const nodes[] = {&number_node,  &pass_height, &bump,    &scale,      &sum,
+                                  &resolve_node, &layer,       &picture, &normal_map, &vector_node,
+                                  &options,      &field_at,    &march,   &width,      &many,
+                                  &old_name,     &wrong_frame};
     static std::vector<const wr_node*> list;
     for (Node* each : nodes)
         list.push_back(each->descriptor());
