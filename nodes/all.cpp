@@ -19,6 +19,8 @@
     X(height_add) X(height_scale) X(height_mix) \
     /* noise.cpp */ \
     X(gradient_noise) \
+    /* parallax.cpp */ \
+    X(parallax_occlusion) X(parallax_offset) \
     /* math.cpp */ \
     X(add) X(subtract) X(multiply) X(divide) X(negate) X(absolute) X(minimum) X(maximum) X(clamp) X(mix) \
     X(step) X(smoothstep) X(remap) X(floor) X(fraction) X(modulo) X(power) X(square_root) X(sine) \

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <tuple>
 
 #include "cpu/evaluate.h"
 #include "nodes/all.h"
@@ -37,14 +38,15 @@ struct Property {
     std::array<std::array<double, 4>, 3> by_variant;  // value, dx, dy
 };
 
-std::vector<Property> properties(double x, double y, std::array<double, 3> n) {
+std::vector<Property> properties(double x, double y, const Scene& scene) {
     const double p = pixel;
+    const auto& [n, v] = std::tie(scene.normal, scene.view);
     std::vector<Property> all{
         {SurfaceInput::position_, {{{x, y, 0}, {p, 0, 0}, {0, p, 0}}}},
         {SurfaceInput::normal_, {{{n[0], n[1], n[2]}}}},
         {SurfaceInput::tangent_, {{{1, 0, 0, 1}}}},
         {SurfaceInput::color0_, {{{0.2, 0.4, 0.6, 0.8}}}},
-        {SurfaceInput::view_, {{{0, 0, 1}}}},
+        {SurfaceInput::view_, {{{v[0], v[1], v[2]}}}},
         {SurfaceInput::facing_, {{{1}}}},
     };
     double scale = 1;
@@ -60,7 +62,7 @@ PointSet point_set(const Scene& scene, const std::vector<std::array<double, 2>>&
     PointSet set;
     set.count = points.size();
     for (const auto& [x, y] : points)
-        for (const Property& property : properties(x, y, scene.normal))
+        for (const Property& property : properties(x, y, scene))
             for (size_t variant = 0; variant < 3; ++variant) {
                 auto& target = set.at(property.input, static_cast<Variant>(variant));
                 const size_t lanes = info(info(property.input).type).lanes;

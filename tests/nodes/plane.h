@@ -22,6 +22,7 @@ struct Scene {
     std::string output;                     // "node.port"
     Image texture = {};                     // stands for every image; empty: one grey texel of 0.5
     std::array<double, 3> normal{0, 0, 1};  // not of the plane: for maps that look at it
+    std::array<double, 3> view{0, 0, 1};
 };
 
 // The output's lanes at each (x, y); a failure of the test and nothing when it does not compile.

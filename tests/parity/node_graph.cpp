@@ -108,6 +108,17 @@ private:
         return add(port, "dot", "\"a\": " + link("surface", "position") + ", \"b\": " + b,
                    "result");
     }
+    // A field is read at other uvs: it must differ there.
+    std::string varying_field(const Port& port) {
+        const std::string split =
+            add(port, "separate_vec2", "\"vector\": " + link("surface", "uv0"), "x");
+        const std::string point = add(
+            port, "combine_vec3",
+            "\"x\": " + split + ", \"y\": " + split.substr(0, split.size() - 3) + "y\"}", "vector");
+        return add(port, "gradient_noise",
+                   "\"point\": " + point + ", \"scale\": 2, \"octaves\": 1, \"amplitude\": 0.05",
+                   "height");
+    }
     std::string bump(const Port& port) {
         if (random_() % 2)
             return add(port, "tangent_normal_map", "\"image\": \"a.exr\"", "gradient");
@@ -118,6 +129,8 @@ private:
     }
 
     std::string wire(const Port& port) {
+        if (port.kind == Port::Kind::field && port.type == PortType::height_)
+            return varying_field(port);
         switch (port.type) {
             case PortType::float_:
             case PortType::height_:
