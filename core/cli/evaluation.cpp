@@ -3,7 +3,6 @@
 #include <cmath>
 
 #include "base/text.h"
-#include "cpu/texture.h"
 
 namespace wrinkle::cli {
 namespace {
@@ -27,6 +26,13 @@ bool within_float(const std::vector<Point>& points, const Program& program,
     return fine;
 }
 
+std::string number_json(double value, Precision precision) {
+    if (!std::isfinite(value)) return "null";
+    return precision == Precision::single ? shortest(static_cast<float>(value)) : shortest(value);
+}
+
+}  // namespace
+
 std::vector<Texture> textures_of(const Module& module, const Textures& textures) {
     std::vector<Texture> result;
     for (const Resource& resource : module.resources) {
@@ -35,13 +41,6 @@ std::vector<Texture> textures_of(const Module& module, const Textures& textures)
     }
     return result;
 }
-
-std::string number_json(double value, Precision precision) {
-    if (!std::isfinite(value)) return "null";
-    return precision == Precision::single ? shortest(static_cast<float>(value)) : shortest(value);
-}
-
-}  // namespace
 
 std::optional<std::vector<OutputColumn>> evaluate_at(const MaterialRun& run,
                                                      const Textures& textures,

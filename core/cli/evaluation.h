@@ -7,8 +7,12 @@
 
 #include "cli/material_run.h"
 #include "cli/points.h"
+#include "cpu/texture.h"
 
 namespace wrinkle::cli {
+
+// By resource index; a default texture for an image that is not there.
+std::vector<Texture> textures_of(const Module& module, const Textures& textures);
 
 enum class Precision : uint8_t { single, full };
 

@@ -1,9 +1,13 @@
 #include "cli/picture.h"
 
 #include <charconv>
+#include <glm/geometric.hpp>
 
+#include "bake/displace.h"
+#include "cli/evaluation.h"
 #include "gpu/from_glsl.h"
 #include "mesh/shapes.h"
+#include "mesh/subdivide.h"
 
 namespace wrinkle::cli {
 namespace {
@@ -39,6 +43,27 @@ std::vector<std::string> shape_names() {
     for (const Shape& shape : shapes())
         names.emplace_back(shape.name);
     return names;
+}
+
+std::optional<Mesh> displaced_mesh(const PictureOptions& options, const MaterialRun& run,
+                                   const Textures& textures, Diagnostics& diagnostics) {
+    constexpr float triangles_across = 300;
+    Module module = run.compiled.module;
+    std::erase_if(module.outputs, [](const ModuleOutput& o) { return o.name != "displacement"; });
+    if (module.outputs.empty()) {
+        diagnostics.error("the graph has no output 'displacement'",
+                          "a height in length units of object space");
+        return {};
+    }
+    Mesh mesh = mesh_of(options);
+    const Bounds bounds = bounds_of(mesh);
+    mesh = subdivided(std::move(mesh), glm::distance(bounds.low, bounds.high) / triangles_across);
+    std::string why;
+    const Program program = compile_program(module, why);
+    if (why.empty()) why = displace(mesh, program, 0, textures_of(module, textures));
+    if (why.empty()) return mesh;
+    diagnostics.error(why);
+    return {};
 }
 
 std::optional<Painter> Painter::make(const PictureOptions& options, Diagnostics& diagnostics) {

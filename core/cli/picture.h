@@ -10,6 +10,7 @@
 #include "gpu/renderer.h"
 #include "gpu/target.h"
 #include "image/image.h"
+#include "mesh/mesh.h"
 
 namespace wrinkle::cli {
 
@@ -20,12 +21,18 @@ struct PictureOptions {
     gpu::View view = gpu::View::shaded;
     std::string against;  // of the difference view
     bool tangents = true;
+    bool displace = false;  // moves the mesh by the output `displacement`
 };
 
 // "640x480"; nothing for a text that is no size of 1 to 16384.
 bool parse_size(const std::string& text, int& width, int& height);
 std::vector<std::string> view_names();
 std::vector<std::string> shape_names();
+
+// The mesh of the options, in triangles fine enough to show a displacement and moved by that of the
+// run, which was compiled with given differentials and has its images in `textures`.
+std::optional<Mesh> displaced_mesh(const PictureOptions& options, const MaterialRun& run,
+                                   const Textures& textures, Diagnostics& diagnostics);
 
 struct Picture {
     Image image;
@@ -37,6 +44,9 @@ class Painter {
 public:
     // Nothing where there is no GL or the size is beyond the driver: the environment's fault.
     static std::optional<Painter> make(const PictureOptions& options, Diagnostics& diagnostics);
+
+    // In place of the mesh of the options; the camera stays.
+    void show(const Mesh& mesh) { renderer_.set_mesh(mesh); }
 
     // The shader is that of emit_function(). What fails here is the graph's fault.
     std::optional<Picture> draw(const Shader& shader, const Textures& textures,

@@ -19,6 +19,7 @@ struct RenderCommand {
     CommonOptions common;
     std::string file, output;
     std::string mesh = "sphere", size = "512x512", view = "shaded", against;
+    bool displace = false;
 
     int run() const {
         PictureOptions options;
@@ -31,6 +32,7 @@ struct RenderCommand {
             return exit_usage;
         }
         std::vector<Shader> shaders;
+        std::vector<Mesh> meshes;
         Textures textures;
         const auto runs = compile_runs(file, common, nodes.registry, overrides, false, diagnostics);
         for (const MaterialRun& run : runs) {
@@ -38,8 +40,23 @@ struct RenderCommand {
             textures.load(run.compiled, run.project, diagnostics);
             shaders.push_back(emit_function(run, material_name(file), diagnostics));
         }
+        if (displace && !diagnostics.has_errors())
+            meshes = displaced(nodes, overrides, textures, options, diagnostics);
         const int code = report(diagnostics, common.diagnostics);
-        return code == exit_fine ? draw(shaders, textures, options, overrides) : code;
+        return code == exit_fine ? draw(shaders, meshes, textures, options, overrides) : code;
+    }
+
+    std::vector<Mesh> displaced(const Nodes& nodes, const Overrides& overrides, Textures& textures,
+                                const PictureOptions& options, Diagnostics& diagnostics) const {
+        std::vector<Mesh> meshes;
+        for (const MaterialRun& run :
+             compile_runs(file, common, nodes.registry, overrides, true, diagnostics)) {
+            if (diagnostics.has_errors()) break;
+            textures.load(run.compiled, run.project, diagnostics);
+            auto mesh = displaced_mesh(options, run, textures, diagnostics);
+            if (mesh) meshes.push_back(std::move(*mesh));
+        }
+        return meshes;
     }
 
     bool read_options(PictureOptions& options) const {
@@ -60,8 +77,9 @@ struct RenderCommand {
         return sentence.empty();
     }
 
-    int draw(const std::vector<Shader>& shaders, const Textures& textures,
-             const PictureOptions& options, const Overrides& overrides) const {
+    int draw(const std::vector<Shader>& shaders, const std::vector<Mesh>& meshes,
+             const Textures& textures, const PictureOptions& options,
+             const Overrides& overrides) const {
         Diagnostics environment, diagnostics;
         auto painter = Painter::make(options, environment);
         if (!painter) {
@@ -69,6 +87,7 @@ struct RenderCommand {
             return exit_environment;
         }
         for (size_t i = 0; i < shaders.size(); ++i) {
+            if (displace) painter->show(meshes[i]);
             const auto picture = painter->draw(shaders[i], textures, diagnostics);
             if (!picture) return report(diagnostics, common.diagnostics);
             const std::string path = path_of_run(output, overrides, i);
@@ -122,6 +141,8 @@ void declare_render(CLI::App& app, Run& run) {
     sub.add_option("--view", c.view, "What it shows")
         ->check(CLI::IsMember(view_names()))
         ->capture_default_str();
+    sub.add_flag("--displace", c.displace,
+                 "Moves the mesh, in fine triangles, by the output 'displacement'");
     sub.add_option("--against", c.against,
                    "The output that the difference is taken against; "
                    "default: the normal without bumps")

@@ -94,8 +94,10 @@ private:
                 read_size(member.value, render.picture);
             else if (member.key == "against" && wants(member.value, Kind::string, "against"))
                 render.picture.against = member.value.as_string();
-            else if (member.key != "against")
-                unknown(member, {"mesh", "size", "view", "against", "tolerance"});
+            else if (member.key == "displace" && wants(member.value, Kind::boolean, "displace"))
+                render.picture.displace = member.value.as_boolean();
+            else if (member.key != "against" && member.key != "displace")
+                unknown(member, {"mesh", "size", "view", "against", "displace", "tolerance"});
         }
     }
 

@@ -8,6 +8,7 @@
 //     "tolerance": 1e-4,                        of every other number, absolute
 //     "glsl": true,                             the text is that of golden/NAME.glsl; a case
 //     "render": {"mesh": "sphere", "size": "512x512", "view": "shaded", "against": "",
+//                "displace": false,             as render --displace
 //                "tolerance": 1}                the picture is golden/NAME.png; a case. Tolerance:
 //   }                                           root mean square of all channels, 8-bit steps
 //

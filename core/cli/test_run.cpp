@@ -63,7 +63,8 @@ void TestRun::run(const TestCase& test, Diagnostics& diagnostics) {
     std::vector<MaterialRun> given, screen;
     Textures textures;
     Shader shader;
-    if (!own.has_errors() && !test.points.empty())
+    const bool displaced = test.render && test.render->picture.displace;
+    if (!own.has_errors() && (!test.points.empty() || displaced))
         given = compile_runs(graph, common, registry_, overrides, true, own);
     if (!own.has_errors() && (test.glsl || test.render))
         screen = compile_runs(graph, common, registry_, overrides, false, own);
@@ -72,9 +73,12 @@ void TestRun::run(const TestCase& test, Diagnostics& diagnostics) {
     if (!own.has_errors() && !given.empty())
         textures.load(given[0].compiled, given[0].project, own);
     if (!own.has_errors() && test.render) textures.load(screen[0].compiled, screen[0].project, own);
-    if (!own.has_errors() && !given.empty()) values(test, given[0], textures, own);
+    if (!own.has_errors() && !test.points.empty()) values(test, given[0], textures, own);
     if (!own.has_errors() && test.glsl) text(test, shader);
-    if (!own.has_errors() && test.render) picture(test, shader, textures, own);
+    std::optional<Mesh> mesh;
+    if (!own.has_errors() && displaced)
+        mesh = displaced_mesh(test.render->picture, given[0], textures, own);
+    if (!own.has_errors() && test.render) picture(test, shader, mesh, textures, own);
     append_once(own, diagnostics);
 }
 
@@ -130,8 +134,8 @@ void TestRun::text(const TestCase& test, const Shader& shader) {
     if (!options_.report.empty()) write(report_path(test, ".glsl"), shader.source);
 }
 
-void TestRun::picture(const TestCase& test, const Shader& shader, const Textures& textures,
-                      Diagnostics& diagnostics) {
+void TestRun::picture(const TestCase& test, const Shader& shader, const std::optional<Mesh>& mesh,
+                      const Textures& textures, Diagnostics& diagnostics) {
     Diagnostics environment;
     PictureOptions options = test.render->picture;
     options.tangents = !common_.no_tangents;
@@ -140,6 +144,7 @@ void TestRun::picture(const TestCase& test, const Shader& shader, const Textures
         tally_.environment = environment.list().front().message;
         return;
     }
+    if (mesh) painter->show(*mesh);
     const auto picture = painter->draw(shader, textures, diagnostics);
     if (!picture) return;
     const fs::path golden = test.golden(".png");

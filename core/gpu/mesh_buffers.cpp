@@ -38,6 +38,7 @@ MeshBuffers::MeshBuffers(const Mesh& mesh)
     for (uint32_t set = 0; set < max_uv_sets; ++set)
         add(3 + set, mesh.uvs[set]);
     add(7, mesh.colors);
+    add(8, mesh.drawn());
     buffers_.push_back(make_buffer(GL_ELEMENT_ARRAY_BUFFER, mesh.indices));
     glBindVertexArray(0);
 }

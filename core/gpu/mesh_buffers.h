@@ -26,7 +26,7 @@ private:
 
     uint32_t array_ = 0;
     std::vector<uint32_t> buffers_;
-    std::array<bool, 8> has_{};
+    std::array<bool, 9> has_{};
     int indices_ = 0;
     Bounds bounds_;
 };

@@ -22,7 +22,7 @@ constexpr std::array<Property, 11> properties{{
     {"uv2", "WrView_uv2", 5},
     {"uv3", "WrView_uv3", 6},
     {"color0", "WrView_color0", 7},
-    {"view", "normalize(-WrView_position_relative)", -1},
+    {"view", "normalize(WrView_to_eye)", -1},
     {"facing", "(gl_FrontFacing ? 1.0 : -1.0)", -1},
 }};
 
@@ -41,6 +41,7 @@ layout(location = 4) in vec2 WrView_in_uv1;
 layout(location = 5) in vec2 WrView_in_uv2;
 layout(location = 6) in vec2 WrView_in_uv3;
 layout(location = 7) in vec4 WrView_in_color0;
+layout(location = 8) in vec3 WrView_in_drawn;
 uniform mat4 WrView_to_clip;
 uniform vec3 WrView_eye;
 out vec3 WrView_position;
@@ -52,6 +53,7 @@ out vec2 WrView_uv1;
 out vec2 WrView_uv2;
 out vec2 WrView_uv3;
 out vec4 WrView_color0;
+out vec3 WrView_to_eye;
 
 void main() {
     WrView_position = WrView_in_position;
@@ -63,7 +65,8 @@ void main() {
     WrView_uv2 = WrView_in_uv2;
     WrView_uv3 = WrView_in_uv3;
     WrView_color0 = WrView_in_color0;
-    gl_Position = WrView_to_clip * vec4(WrView_in_position, 1.0);
+    WrView_to_eye = WrView_eye - WrView_in_drawn;
+    gl_Position = WrView_to_clip * vec4(WrView_in_drawn, 1.0);
 }
 )";
 
@@ -77,6 +80,7 @@ in vec2 WrView_uv1;
 in vec2 WrView_uv2;
 in vec2 WrView_uv3;
 in vec4 WrView_color0;
+in vec3 WrView_to_eye;
 out vec4 WrView_color;
 uniform bool WrView_raw;
 )";
@@ -178,7 +182,7 @@ std::string shaded_body(const Material& m) {
     text += assign("float", "metalness", value_of(m, "metalness", "float", "0.0"));
     text += assign("float", "occlusion", value_of(m, "occlusion", "float", "1.0"));
     return text + R"(    vec3 n = normalize(WrView_normal_to_world * WrView_bumped);
-    vec3 v = normalize(WrView_vector_to_world * -WrView_position_relative);
+    vec3 v = normalize(WrView_vector_to_world * WrView_to_eye);
     vec3 value = WrView_shade(n, v, WrView_base, clamp(WrView_roughness, 0.0, 1.0),
                               clamp(WrView_metalness, 0.0, 1.0), WrView_occlusion);
     vec3 shown = WrView_display(value);

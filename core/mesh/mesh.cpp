@@ -6,11 +6,12 @@ namespace wrinkle {
 
 Bounds bounds_of(const Mesh& mesh) {
     if (mesh.indices.empty()) return {};
-    const glm::vec3 first = mesh.positions[mesh.indices.front()];
+    const std::vector<glm::vec3>& positions = mesh.drawn();
+    const glm::vec3 first = positions[mesh.indices.front()];
     Bounds bounds{first, first};
     for (uint32_t index : mesh.indices) {
-        bounds.low = glm::min(bounds.low, mesh.positions[index]);
-        bounds.high = glm::max(bounds.high, mesh.positions[index]);
+        bounds.low = glm::min(bounds.low, positions[index]);
+        bounds.high = glm::max(bounds.high, positions[index]);
     }
     return bounds;
 }
@@ -33,6 +34,7 @@ uint32_t copy_vertex(Mesh& mesh, uint32_t index) {
     for (auto& uv : mesh.uvs)
         append_copy(uv, index);
     append_copy(mesh.colors, index);
+    append_copy(mesh.displaced, index);
     return static_cast<uint32_t>(mesh.vertex_count() - 1);
 }
 

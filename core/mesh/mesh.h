@@ -8,6 +8,9 @@
 // w = +1 or -1 so that w * cross(normal, tangent) runs along increasing v. Interpolate normal and
 // tangent as they are and build the bitangent from the interpolated vectors, neither normalised:
 // that is MikkTSpace's convention.
+//
+// `displaced` is where a displaced surface is drawn. Everything else, `positions` too, stays that
+// of the surface before: a material is made there.
 #pragma once
 
 #include <array>
@@ -28,10 +31,14 @@ struct Mesh {
     std::vector<glm::vec4> tangents;
     std::array<std::vector<glm::vec2>, max_uv_sets> uvs;
     std::vector<glm::vec4> colors;
+    std::vector<glm::vec3> displaced;
     std::vector<uint32_t> indices;  // three per triangle
 
     size_t vertex_count() const { return positions.size(); }
     size_t triangle_count() const { return indices.size() / 3; }
+    const std::vector<glm::vec3>& drawn() const {
+        return displaced.empty() ? positions : displaced;
+    }
     bool has_uv(size_t set) const { return set < max_uv_sets && !uvs[set].empty(); }
 };
 
@@ -42,7 +49,7 @@ struct Bounds {
     glm::vec3 center() const { return (low + high) * 0.5F; }
 };
 
-Bounds bounds_of(const Mesh& mesh);  // of the vertices that triangles use; zero for none
+Bounds bounds_of(const Mesh& mesh);  // of what is drawn of triangles; zero for none
 
 // Appends a copy of vertex `index` with all attributes the mesh has; returns its number.
 uint32_t copy_vertex(Mesh& mesh, uint32_t index);

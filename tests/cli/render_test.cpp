@@ -84,6 +84,32 @@ TEST_F(RenderTest, WritesToStandardOutput) {
     EXPECT_EQ(png_size(ran.out), std::pair(20u, 10u));
 }
 
+TEST_F(RenderTest, MovesTheMeshByTheDisplacement) {
+    const auto picture = [&](const std::string& height, bool displace) {
+        put("g.json", R"({"wrinkle": 1, "nodes": {
+            "h": {"type": "height_add", "in": {"a": )" +
+                          height + R"(}}},
+            "outputs": {"displacement": {"from": "h.height"}}})");
+        std::vector<std::string> args = {"render", "g.json", "-o",    "g.png",  "--size",
+                                         "32x32",  "--mesh", "plane", "--view", "normal"};
+        if (displace) args.emplace_back("--displace");
+        const Ran ran = run(args);
+        EXPECT_EQ(ran.code, 0) << ran.err;
+        return get("g.png");
+    };
+    EXPECT_EQ(picture("0", true), picture("0", false));
+    EXPECT_EQ(picture("0.5", false), picture("0", false));
+    EXPECT_NE(picture("0.5", true), picture("0", true));
+}
+
+TEST_F(RenderTest, RefusesADisplacementThatTheGraphDoesNotHave) {
+    put("g.json", tilt_graph());
+    const Ran ran = run({"render", "g.json", "-o", "g.png", "--size", "8x8", "--displace"});
+    EXPECT_EQ(ran.code, 1);
+    EXPECT_TRUE(says(ran.err, "no output 'displacement'"));
+    EXPECT_FALSE(exists("g.png"));
+}
+
 TEST_F(RenderTest, RefusesAViewThatTheGraphDoesNotHave) {
     put("g.json", tilt_graph());
     const Ran height =

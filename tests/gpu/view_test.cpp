@@ -13,6 +13,22 @@ namespace {
 using glm::vec3;
 using ViewTest = WithRenderer;
 
+TEST_F(ViewTest, ADisplacedMeshKeepsTheSurfaceOfItsMaterial) {
+    Mesh mesh = *make_shape("sphere");
+    for (const glm::vec3& position : mesh.positions)
+        mesh.displaced.push_back(position * 0.5F);
+    const Material where = material_with_normal("s.position", {{"position", "vec3", "position"}});
+    const size_t whole = covered(draw(where, View::normal));
+    renderer->set_mesh(mesh);
+    const std::vector<Pixel> small = draw(View::normal);
+    EXPECT_NEAR(static_cast<double>(covered(small)), 0.25 * static_cast<double>(whole),
+                0.03 * static_cast<double>(whole));
+    for (const Pixel& pixel : small) {
+        if (!pixel.covered) continue;
+        EXPECT_NEAR(glm::length(pixel.value), 1, 1e-2);
+    }
+}
+
 TEST_F(ViewTest, FindsTheGradientInTheNormal) {
     const auto normals = draw(Material{}, View::normal);
     const auto gradients = draw(tilted(), View::gradient);
