@@ -88,9 +88,8 @@ Node march = node("march", "March", "Walks along a field.")
                      return t;
                  });
 Node width = node("width", "Width", "How wide a pixel is.")
-                 .in<vec2>("uv", surface::uv0, "Where")
-                 .out<Float>("value", "Its width")
-                 .body([](vec2 uv) { return uv.x() * ddx(uv).x(); });
+                 .out<Float>("value", "Its width, by place")
+                 .body([] { return vec2(surface::uv0).x() * ddx<vec2>(surface::uv0).x(); });
 Node many =
     node("many", "Many", "Changes everything that it passes.")
         .in<Float>("value", 1, "A number")
