@@ -18,8 +18,12 @@ struct ExpandOptions {
     BackFaces back_faces = BackFaces::mirror;
 };
 
-// A module without opaque ops, ddx and ddy. What cannot be expanded (a frame method that does not
-// fit its scale, say) is a problem in the result.
+// Decides the method of every frame and the uv set it belongs to, and reports a method that does
+// not fit its scale. Done before parameters are baked: frames and errors never depend on a value.
+Module settle_frames(const Module& source, const ExpandOptions& options);
+
+// A module without opaque ops, ddx and ddy; frames are settled first where they are not. What
+// cannot be expanded (a bump inside a loop, say) is a problem in the result.
 Module expand(const Module& source, const ExpandOptions& options);
 
 }  // namespace wrinkle

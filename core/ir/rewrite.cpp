@@ -116,7 +116,7 @@ Module rebuild(const Module& source, Replace replace, void* context) {
     copier.run(roots);
     for (const Named& named : source.named)
         if (copier.has(named.value) && info(source.type(named.value)).lanes > 0)
-            target.named.push_back({copier[named.value], named.node, named.port});
+            target.named.push_back({copier[named.value], named.node, named.name, named.output});
     for (ModuleOutput output : source.outputs) {
         output.value = copier[output.value];
         target.outputs.push_back(std::move(output));

@@ -151,7 +151,7 @@ vec3 wrinkle_everything_normal(WrinkleSurface_everything s) {
     float carving_dot_product = dot(normal, carving_texel);
     vec3 carving_difference = normal * carving_dot_product - carving_texel;
     vec3 carving_quotient = carving_difference / max(abs(carving_dot_product), 1.1920929e-07);
-    vec2 softer_product = vec2(cloth_sum, cloth_sum_2) * 0.3;  // softer: Scale bump
+    vec2 softer_slope = vec2(cloth_sum, cloth_sum_2) * 0.3;  // softer: Scale bump
     vec2 tile_uv = s.uv0 * vec2(8.0, 4.0);  // tile: UV transform
     vec2 tile_product = dFdx(s.uv0) * vec2(8.0, 4.0);
     vec2 tile_product_2 = dFdy(s.uv0) * vec2(8.0, 4.0);
@@ -189,11 +189,11 @@ vec3 wrinkle_everything_normal(WrinkleSurface_everything s) {
             / 1.5;
     vec2 all_vector = vec2(grain_quotient * 0.002, grain_quotient_2 * 0.002);  // all: Add bumps
     // normal: Resolve
-    vec3 normal_gradient = cross(normal, uv1_tangent) * surface_product_2 * softer_product.y;
-    vec3 normal_gradient_2 = uv1_tangent * softer_product.x + normal_gradient;
+    vec3 normal_gradient = cross(normal, uv1_tangent) * surface_product_2 * softer_slope.y;
+    vec3 normal_gradient_2 = uv1_tangent * softer_slope.x + normal_gradient;
+    vec3 normal_gradient_3 = carving_quotient * cloth_depth + normal_gradient_2;
     vec2 normal_product = (bricks_vector_2 + all_vector) * cloth_depth;
     vec3 normal_sum = r_x * normal_product.x + r_y * normal_product.y;
-    vec3 normal_gradient_3 = normal_sum * ((det < 0.0 ? -1.0 : 1.0) / max(abs(det), 1e-36));
-    vec3 normal_gradient_4 = carving_quotient * cloth_depth + normal_gradient_2 + normal_gradient_3;
+    vec3 normal_gradient_4 = normal_gradient_3 + normal_sum * (sign(det) / max(abs(det), 1e-36));
     return normalize(normal * (cloth_depth * s.facing) - normal_gradient_4);
 }

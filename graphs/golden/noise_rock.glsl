@@ -228,8 +228,7 @@ vec3 wrinkle_noise_rock_normal(WrinkleSurface_noise_rock s) {
     float rock_sum = lumps_product_11 + carve_product;  // rock: Add heights
     float rock_sum_2 = lumps_product_21 + carve_product_2;
     vec3 normal_sum = r_x * rock_sum + cross(normal, surface_dpdx) * rock_sum_2;  // normal: Resolve
-    vec3 normal_gradient = normal_sum * ((det < 0.0 ? -1.0 : 1.0) / max(abs(det), 1e-36));
-    return normalize(normal * s.facing - normal_gradient);
+    return normalize(normal * s.facing - normal_sum * (sign(det) / max(abs(det), 1e-36)));
 }
 
 float wrinkle_noise_rock_height(WrinkleSurface_noise_rock s) {

@@ -100,7 +100,7 @@ TEST_F(RewriteTest, BakingEqualsWritingLiterals) {
     m.current_node = 1;
     const Value x = power(u * amount, v * tint.x() + tint.y(), 2) * input;
     m.outputs = {{"height", WR_PORT_height, x.id}};
-    m.named = {{x.id, 1, "height"}, {(u * v).id, 1, "unused"}};
+    m.named = {{x.id, 1, "height", true}, {(u * v).id, 1, "unused", true}};
     const Module baked = bake_parameters(m);
     EXPECT_EQ(verify(baked), "");
     ASSERT_EQ(baked.outputs.size(), 1u);

@@ -111,6 +111,7 @@ public:
         wr_port port = make_port(WR_KIND_CHOICE, 0, name, doc);
         port.choice_count = N;
         auto copy = *this;
+        if (d_.choice_count + N > max_choices) throw "a node has at most 32 names of choices";
         for (const char* each : names)
             copy.d_.choices[copy.d_.choice_count++] = each;
         return copy.template with<WithInput<detail::ChoicePort<next>>>(port, Default(value));
@@ -147,6 +148,7 @@ public:
     }
     // Since `version`, the port `old_name` is called `new_name`.
     constexpr auto renamed(uint32_t version, const char* old_name, const char* new_name) const {
+        if (d_.node.rename_count == max_renames) throw "a node has at most 4 renamed ports";
         auto copy = *this;
         copy.d_.renames[copy.d_.node.rename_count++] = {sizeof(wr_rename), version, old_name,
                                                         new_name};
