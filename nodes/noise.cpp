@@ -80,11 +80,12 @@ std::vector<Octave> octaves_of(const Fractal& fractal, const Layer& layer) {
     Float reach = footprint(p), weight = 1;
     std::vector<Octave> octaves{{layer(p, reach), weight}};
     for (int octave = 1; octave < fractal.octaves; ++octave) {
-        p = p * fractal.lacunarity +
-            vec3(19.19, 7.43, 31.71);  // or every octave were 0 at the origin
+        p *= fractal.lacunarity;
+        // Or every octave were 0 at the origin. Not scaled with p, which would cost it digits.
+        const vec3 aside = vec3(19.19, 7.43, 31.71) * octave;
         reach *= detach(fractal.lacunarity);
         weight *= fractal.gain;
-        octaves.push_back({layer(p, reach), weight});
+        octaves.push_back({layer(p + aside, reach), weight});
     }
     return octaves;
 }

@@ -21,8 +21,8 @@ Noise noise_function(Basis basis);
 // What a fractal adds up: a function of the text of a place and of the pixel's footprint there.
 using Layer = sdk::Function<sdk::Float, std::tuple<sdk::vec3, sdk::Float>>;
 
-// Octaves of a layer: each `lacunarity` times finer than the one before, moved aside, and `gain`
-// times as strong.
+// Octaves of a layer: each `lacunarity` times finer than the one before and `gain` times as strong.
+// Octave k is read at point * lacunarity^k + k * (19.19, 7.43, 31.71).
 struct Fractal {
     sdk::vec3 point;  // in cells of the first octave
     int octaves;
@@ -43,7 +43,7 @@ template <class Declaration>
 constexpr auto with_octaves(const Declaration& declaration) {
     return declaration.count("octaves", 4, 1, 8, "How many layers are added")
         .template in<sdk::Float>("lacunarity", 2, "How much finer each octave is",
-                                 sdk::slider(1, 3), sdk::limits(0, 16), sdk::unit("x"))
+                                 sdk::slider(1.5, 3), sdk::limits(1, 3), sdk::unit("x"))
         .template in<sdk::Float>("gain", 0.5,
                                  "How strong each octave is, relative to the one before",
                                  sdk::slider(0, 1), sdk::limits(0, 1));

@@ -43,7 +43,7 @@ Node waves_node =
                .in<Float>("spread", 120, "How far straight waves turn away from it in all",
                           slider(0, 360), unit("deg"))
                .in<Float>("lacunarity", 1.3, "How much shorter each wave is", slider(1, 2),
-                          limits(0, 4), unit("x"))
+                          limits(1, 2), unit("x"))
                .in<Float>("gain", 0.8, "How strong each wave is, relative to the one before",
                           slider(0, 1), limits(0, 1))
                .in<Float>("phase", 0, "How far the waves have gone, in periods", slider(0, 1)),

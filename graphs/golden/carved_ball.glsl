@@ -125,31 +125,32 @@ vec3 wrinkle_carved_ball_normal(WrinkleSurface_carved_ball s) {
     vec3 grain_product_2 = surface_dpdx * 24.0;
     float grain_noise_octave_change = wrinkle_carved_ball_noise_octave_change(grain_product,
             grain_greatest, grain_product_2);
-    vec3 grain_sum = grain_product * 2.0 + vec3(19.19, 7.43, 31.71);
-    float grain_product_3 = grain_greatest * 2.0;
-    vec3 grain_product_4 = grain_product_2 * 2.0;
+    vec3 grain_product_3 = grain_product * 2.0;
+    vec3 grain_sum = grain_product_3 + vec3(19.19, 7.43, 31.71);
+    float grain_product_4 = grain_greatest * 2.0;
+    vec3 grain_product_5 = grain_product_2 * 2.0;
     float grain_noise_octave_change_2 = wrinkle_carved_ball_noise_octave_change(grain_sum,
-            grain_product_3, grain_product_4);
+            grain_product_4, grain_product_5);
     float grain_sum_2 = grain_noise_octave_change + grain_noise_octave_change_2 * 0.5;
-    vec3 grain_sum_3 = grain_sum * 2.0 + vec3(19.19, 7.43, 31.71);
-    float grain_product_5 = grain_product_3 * 2.0;
-    vec3 grain_product_6 = grain_product_4 * 2.0;
+    vec3 grain_sum_3 = grain_product_3 * 2.0 + vec3(38.38, 14.86, 63.42);
+    float grain_product_6 = grain_product_4 * 2.0;
+    vec3 grain_product_7 = grain_product_5 * 2.0;
     float grain_noise_octave_change_3 = wrinkle_carved_ball_noise_octave_change(grain_sum_3,
-            grain_product_5, grain_product_6);
-    vec3 grain_product_7 = surface_dpdy * 24.0;
+            grain_product_6, grain_product_7);
+    vec3 grain_product_8 = surface_dpdy * 24.0;
     float grain_noise_octave_change_4 = wrinkle_carved_ball_noise_octave_change(grain_product,
-            grain_greatest, grain_product_7);
-    vec3 grain_product_8 = grain_product_7 * 2.0;
-    float grain_noise_octave_change_5 = wrinkle_carved_ball_noise_octave_change(grain_sum,
-            grain_product_3, grain_product_8);
-    float grain_sum_4 = grain_noise_octave_change_4 + grain_noise_octave_change_5 * 0.5;
+            grain_greatest, grain_product_8);
     vec3 grain_product_9 = grain_product_8 * 2.0;
+    float grain_noise_octave_change_5 = wrinkle_carved_ball_noise_octave_change(grain_sum,
+            grain_product_4, grain_product_9);
+    float grain_sum_4 = grain_noise_octave_change_4 + grain_noise_octave_change_5 * 0.5;
+    vec3 grain_product_10 = grain_product_9 * 2.0;
     float grain_noise_octave_change_6 = wrinkle_carved_ball_noise_octave_change(grain_sum_3,
-            grain_product_5, grain_product_9);
-    float grain_product_10 = (grain_sum_4 + grain_noise_octave_change_6 * 0.25) / 1.75 * 0.004;
+            grain_product_6, grain_product_10);
+    float grain_product_11 = (grain_sum_4 + grain_noise_octave_change_6 * 0.25) / 1.75 * 0.004;
     // normal: Resolve
     vec3 normal_product = r_x * ((grain_sum_2 + grain_noise_octave_change_3 * 0.25) / 1.75 * 0.004);
-    vec3 normal_product_2 = cross(normal, surface_dpdx) * grain_product_10;
+    vec3 normal_product_2 = cross(normal, surface_dpdx) * grain_product_11;
     vec3 normal_gradient = carving_gradient + (normal_product + normal_product_2) * inverse_det;
     vec3 normal_difference = normal * s.facing - normal_gradient;
     return normalize(normal_difference);

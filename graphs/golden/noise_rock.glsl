@@ -153,59 +153,63 @@ vec3 wrinkle_noise_rock_normal(WrinkleSurface_noise_rock s) {
     vec3 lumps_product_2 = surface_dpdx * 3.0;
     float lumps_noise_octave_change = wrinkle_noise_rock_noise_octave_change(lumps_product,
             lumps_greatest, lumps_product_2);
-    vec3 lumps_sum = lumps_product * 2.0 + vec3(19.19, 7.43, 31.71);
-    float lumps_product_3 = lumps_greatest * 2.0;
-    vec3 lumps_product_4 = lumps_product_2 * 2.0;
+    vec3 lumps_product_3 = lumps_product * 2.0;
+    vec3 lumps_sum = lumps_product_3 + vec3(19.19, 7.43, 31.71);
+    float lumps_product_4 = lumps_greatest * 2.0;
+    vec3 lumps_product_5 = lumps_product_2 * 2.0;
     float lumps_noise_octave_change_2 = wrinkle_noise_rock_noise_octave_change(lumps_sum,
-            lumps_product_3, lumps_product_4);
+            lumps_product_4, lumps_product_5);
     float lumps_sum_2 = lumps_noise_octave_change + lumps_noise_octave_change_2 * 0.5;
-    vec3 lumps_sum_3 = lumps_sum * 2.0 + vec3(19.19, 7.43, 31.71);
-    float lumps_product_5 = lumps_product_3 * 2.0;
-    vec3 lumps_product_6 = lumps_product_4 * 2.0;
+    vec3 lumps_product_6 = lumps_product_3 * 2.0;
+    vec3 lumps_sum_3 = lumps_product_6 + vec3(38.38, 14.86, 63.42);
+    float lumps_product_7 = lumps_product_4 * 2.0;
+    vec3 lumps_product_8 = lumps_product_5 * 2.0;
     float lumps_noise_octave_change_3 = wrinkle_noise_rock_noise_octave_change(lumps_sum_3,
-            lumps_product_5, lumps_product_6);
-    float lumps_sum_4 = lumps_sum_2 + lumps_noise_octave_change_3 * 0.25;
-    vec3 lumps_sum_5 = lumps_sum_3 * 2.0 + vec3(19.19, 7.43, 31.71);
-    float lumps_product_7 = lumps_product_5 * 2.0;
-    vec3 lumps_product_8 = lumps_product_6 * 2.0;
-    float lumps_noise_octave_change_4 = wrinkle_noise_rock_noise_octave_change(lumps_sum_5,
             lumps_product_7, lumps_product_8);
+    float lumps_sum_4 = lumps_sum_2 + lumps_noise_octave_change_3 * 0.25;
+    vec3 lumps_product_9 = lumps_product_6 * 2.0;
+    vec3 lumps_sum_5 = lumps_product_9 + vec3(57.57, 22.29, 95.13);
+    float lumps_product_10 = lumps_product_7 * 2.0;
+    vec3 lumps_product_11 = lumps_product_8 * 2.0;
+    float lumps_noise_octave_change_4 = wrinkle_noise_rock_noise_octave_change(lumps_sum_5,
+            lumps_product_10, lumps_product_11);
     float lumps_sum_6 = lumps_sum_4 + lumps_noise_octave_change_4 * 0.125;
-    vec3 lumps_sum_7 = lumps_sum_5 * 2.0 + vec3(19.19, 7.43, 31.71);
-    float lumps_product_9 = lumps_product_7 * 2.0;
-    vec3 lumps_product_10 = lumps_product_8 * 2.0;
+    vec3 lumps_product_12 = lumps_product_9 * 2.0;
+    vec3 lumps_sum_7 = lumps_product_12 + vec3(76.76, 29.72, 126.84);
+    float lumps_product_13 = lumps_product_10 * 2.0;
+    vec3 lumps_product_14 = lumps_product_11 * 2.0;
     float lumps_noise_octave_change_5 = wrinkle_noise_rock_noise_octave_change(lumps_sum_7,
-            lumps_product_9, lumps_product_10);
+            lumps_product_13, lumps_product_14);
     float lumps_sum_8 = lumps_sum_6 + lumps_noise_octave_change_5 * 0.0625;
-    vec3 lumps_sum_9 = lumps_sum_7 * 2.0 + vec3(19.19, 7.43, 31.71);
-    float lumps_product_11 = lumps_product_9 * 2.0;
-    vec3 lumps_product_12 = lumps_product_10 * 2.0;
+    vec3 lumps_sum_9 = lumps_product_12 * 2.0 + vec3(95.95, 37.15, 158.55);
+    float lumps_product_15 = lumps_product_13 * 2.0;
+    vec3 lumps_product_16 = lumps_product_14 * 2.0;
     float lumps_noise_octave_change_6 = wrinkle_noise_rock_noise_octave_change(lumps_sum_9,
-            lumps_product_11, lumps_product_12);
-    float lumps_product_13 = (lumps_sum_8 + lumps_noise_octave_change_6 * 0.03125) / 1.96875 * 0.06;
-    vec3 lumps_product_14 = surface_dpdy * 3.0;
+            lumps_product_15, lumps_product_16);
+    float lumps_product_17 = (lumps_sum_8 + lumps_noise_octave_change_6 * 0.03125) / 1.96875 * 0.06;
+    vec3 lumps_product_18 = surface_dpdy * 3.0;
     float lumps_noise_octave_change_7 = wrinkle_noise_rock_noise_octave_change(lumps_product,
-            lumps_greatest, lumps_product_14);
-    vec3 lumps_product_15 = lumps_product_14 * 2.0;
-    float lumps_noise_octave_change_8 = wrinkle_noise_rock_noise_octave_change(lumps_sum,
-            lumps_product_3, lumps_product_15);
-    float lumps_sum_10 = lumps_noise_octave_change_7 + lumps_noise_octave_change_8 * 0.5;
-    vec3 lumps_product_16 = lumps_product_15 * 2.0;
-    float lumps_noise_octave_change_9 = wrinkle_noise_rock_noise_octave_change(lumps_sum_3,
-            lumps_product_5, lumps_product_16);
-    float lumps_sum_11 = lumps_sum_10 + lumps_noise_octave_change_9 * 0.25;
-    vec3 lumps_product_17 = lumps_product_16 * 2.0;
-    float lumps_noise_octave_change_10 = wrinkle_noise_rock_noise_octave_change(lumps_sum_5,
-            lumps_product_7, lumps_product_17);
-    float lumps_sum_12 = lumps_sum_11 + lumps_noise_octave_change_10 * 0.125;
-    vec3 lumps_product_18 = lumps_product_17 * 2.0;
-    float lumps_noise_octave_change_11 = wrinkle_noise_rock_noise_octave_change(lumps_sum_7,
-            lumps_product_9, lumps_product_18);
-    float lumps_sum_13 = lumps_sum_12 + lumps_noise_octave_change_11 * 0.0625;
+            lumps_greatest, lumps_product_18);
     vec3 lumps_product_19 = lumps_product_18 * 2.0;
+    float lumps_noise_octave_change_8 = wrinkle_noise_rock_noise_octave_change(lumps_sum,
+            lumps_product_4, lumps_product_19);
+    float lumps_sum_10 = lumps_noise_octave_change_7 + lumps_noise_octave_change_8 * 0.5;
+    vec3 lumps_product_20 = lumps_product_19 * 2.0;
+    float lumps_noise_octave_change_9 = wrinkle_noise_rock_noise_octave_change(lumps_sum_3,
+            lumps_product_7, lumps_product_20);
+    float lumps_sum_11 = lumps_sum_10 + lumps_noise_octave_change_9 * 0.25;
+    vec3 lumps_product_21 = lumps_product_20 * 2.0;
+    float lumps_noise_octave_change_10 = wrinkle_noise_rock_noise_octave_change(lumps_sum_5,
+            lumps_product_10, lumps_product_21);
+    float lumps_sum_12 = lumps_sum_11 + lumps_noise_octave_change_10 * 0.125;
+    vec3 lumps_product_22 = lumps_product_21 * 2.0;
+    float lumps_noise_octave_change_11 = wrinkle_noise_rock_noise_octave_change(lumps_sum_7,
+            lumps_product_13, lumps_product_22);
+    float lumps_sum_13 = lumps_sum_12 + lumps_noise_octave_change_11 * 0.0625;
+    vec3 lumps_product_23 = lumps_product_22 * 2.0;
     float lumps_noise_octave_change_12 = wrinkle_noise_rock_noise_octave_change(lumps_sum_9,
-            lumps_product_11, lumps_product_19);
-    float lumps_product_20 = (lumps_sum_13 + lumps_noise_octave_change_12 * 0.03125) / 1.96875 *
+            lumps_product_15, lumps_product_23);
+    float lumps_product_24 = (lumps_sum_13 + lumps_noise_octave_change_12 * 0.03125) / 1.96875 *
             0.06;
     vec3 cracks_product = s.position * 7.0;  // cracks: Gradient noise
     float cracks_greatest = max(length(dpdx * 7.0), length(dpdy * 7.0));
@@ -249,8 +253,8 @@ vec3 wrinkle_noise_rock_normal(WrinkleSurface_noise_rock s) {
     float carve_product = (groove_product_2 + -(groove_choice_2 * 2.0) * groove_product_3) * 0.015;
     float carve_product_2 = (groove_product_5 + -(groove_choice_4 * 2.0) * groove_product_3) *
             0.015;
-    float rock_sum = lumps_product_13 + carve_product;  // rock: Add heights
-    float rock_sum_2 = lumps_product_20 + carve_product_2;
+    float rock_sum = lumps_product_17 + carve_product;  // rock: Add heights
+    float rock_sum_2 = lumps_product_24 + carve_product_2;
     vec3 normal_sum = r_x * rock_sum + cross(normal, surface_dpdx) * rock_sum_2;  // normal: Resolve
     vec3 normal_gradient = normal_sum * ((det < 0.0 ? -1.0 : 1.0) / max(abs(det), 1e-36));
     return normalize(normal * s.facing - normal_gradient);
@@ -262,23 +266,28 @@ float wrinkle_noise_rock_height(WrinkleSurface_noise_rock s) {
     vec3 lumps_product = s.position * 3.0;  // lumps: Gradient noise
     float lumps_greatest = max(length(dpdx * 3.0), length(dpdy * 3.0));
     float lumps_noise_octave = wrinkle_noise_rock_noise_octave(lumps_product, lumps_greatest);
-    vec3 lumps_sum = lumps_product * 2.0 + vec3(19.19, 7.43, 31.71);
-    float lumps_product_2 = lumps_greatest * 2.0;
-    float lumps_product_3 = wrinkle_noise_rock_noise_octave(lumps_sum, lumps_product_2) * 0.5;
-    vec3 lumps_sum_2 = lumps_sum * 2.0 + vec3(19.19, 7.43, 31.71);
-    float lumps_product_4 = lumps_product_2 * 2.0;
-    float lumps_product_5 = wrinkle_noise_rock_noise_octave(lumps_sum_2, lumps_product_4) * 0.25;
-    vec3 lumps_sum_3 = lumps_sum_2 * 2.0 + vec3(19.19, 7.43, 31.71);
-    float lumps_product_6 = lumps_product_4 * 2.0;
-    float lumps_product_7 = wrinkle_noise_rock_noise_octave(lumps_sum_3, lumps_product_6) * 0.125;
-    float lumps_sum_4 = lumps_noise_octave + lumps_product_3 + lumps_product_5 + lumps_product_7;
-    vec3 lumps_sum_5 = lumps_sum_3 * 2.0 + vec3(19.19, 7.43, 31.71);
-    float lumps_product_8 = lumps_product_6 * 2.0;
-    float lumps_product_9 = wrinkle_noise_rock_noise_octave(lumps_sum_5, lumps_product_8) * 0.0625;
-    vec3 lumps_sum_6 = lumps_sum_5 * 2.0 + vec3(19.19, 7.43, 31.71);
-    float lumps_product_10 = wrinkle_noise_rock_noise_octave(lumps_sum_6,
-            lumps_product_8 * 2.0) * 0.03125;
-    float lumps_value = (lumps_sum_4 + lumps_product_9 + lumps_product_10) / 1.96875;
+    vec3 lumps_product_2 = lumps_product * 2.0;
+    vec3 lumps_sum = lumps_product_2 + vec3(19.19, 7.43, 31.71);
+    float lumps_product_3 = lumps_greatest * 2.0;
+    float lumps_product_4 = wrinkle_noise_rock_noise_octave(lumps_sum, lumps_product_3) * 0.5;
+    vec3 lumps_product_5 = lumps_product_2 * 2.0;
+    vec3 lumps_sum_2 = lumps_product_5 + vec3(38.38, 14.86, 63.42);
+    float lumps_product_6 = lumps_product_3 * 2.0;
+    float lumps_product_7 = wrinkle_noise_rock_noise_octave(lumps_sum_2, lumps_product_6) * 0.25;
+    vec3 lumps_product_8 = lumps_product_5 * 2.0;
+    vec3 lumps_sum_3 = lumps_product_8 + vec3(57.57, 22.29, 95.13);
+    float lumps_product_9 = lumps_product_6 * 2.0;
+    float lumps_product_10 = wrinkle_noise_rock_noise_octave(lumps_sum_3, lumps_product_9) * 0.125;
+    float lumps_sum_4 = lumps_noise_octave + lumps_product_4 + lumps_product_7 + lumps_product_10;
+    vec3 lumps_product_11 = lumps_product_8 * 2.0;
+    vec3 lumps_sum_5 = lumps_product_11 + vec3(76.76, 29.72, 126.84);
+    float lumps_product_12 = lumps_product_9 * 2.0;
+    float lumps_product_13 = wrinkle_noise_rock_noise_octave(lumps_sum_5,
+            lumps_product_12) * 0.0625;
+    vec3 lumps_sum_6 = lumps_product_11 * 2.0 + vec3(95.95, 37.15, 158.55);
+    float lumps_product_14 = wrinkle_noise_rock_noise_octave(lumps_sum_6,
+            lumps_product_12 * 2.0) * 0.03125;
+    float lumps_value = (lumps_sum_4 + lumps_product_13 + lumps_product_14) / 1.96875;
     float lumps_height = lumps_value * 0.06;
     vec3 cracks_product = s.position * 7.0;  // cracks: Gradient noise
     float cracks_greatest = max(length(dpdx * 7.0), length(dpdy * 7.0));
@@ -299,23 +308,28 @@ float wrinkle_noise_rock_roughness(WrinkleSurface_noise_rock s) {
     float lumps_extent = length(dFdx(s.position_relative) * 3.0);
     float lumps_greatest = max(lumps_extent, length(dFdy(s.position_relative) * 3.0));
     float lumps_noise_octave = wrinkle_noise_rock_noise_octave(lumps_product, lumps_greatest);
-    vec3 lumps_sum = lumps_product * 2.0 + vec3(19.19, 7.43, 31.71);
-    float lumps_product_2 = lumps_greatest * 2.0;
-    float lumps_product_3 = wrinkle_noise_rock_noise_octave(lumps_sum, lumps_product_2) * 0.5;
-    vec3 lumps_sum_2 = lumps_sum * 2.0 + vec3(19.19, 7.43, 31.71);
-    float lumps_product_4 = lumps_product_2 * 2.0;
-    float lumps_product_5 = wrinkle_noise_rock_noise_octave(lumps_sum_2, lumps_product_4) * 0.25;
-    vec3 lumps_sum_3 = lumps_sum_2 * 2.0 + vec3(19.19, 7.43, 31.71);
-    float lumps_product_6 = lumps_product_4 * 2.0;
-    float lumps_product_7 = wrinkle_noise_rock_noise_octave(lumps_sum_3, lumps_product_6) * 0.125;
-    float lumps_sum_4 = lumps_noise_octave + lumps_product_3 + lumps_product_5 + lumps_product_7;
-    vec3 lumps_sum_5 = lumps_sum_3 * 2.0 + vec3(19.19, 7.43, 31.71);
-    float lumps_product_8 = lumps_product_6 * 2.0;
-    float lumps_product_9 = wrinkle_noise_rock_noise_octave(lumps_sum_5, lumps_product_8) * 0.0625;
-    vec3 lumps_sum_6 = lumps_sum_5 * 2.0 + vec3(19.19, 7.43, 31.71);
-    float lumps_product_10 = wrinkle_noise_rock_noise_octave(lumps_sum_6,
-            lumps_product_8 * 2.0) * 0.03125;
-    float lumps_value = (lumps_sum_4 + lumps_product_9 + lumps_product_10) / 1.96875;
+    vec3 lumps_product_2 = lumps_product * 2.0;
+    vec3 lumps_sum = lumps_product_2 + vec3(19.19, 7.43, 31.71);
+    float lumps_product_3 = lumps_greatest * 2.0;
+    float lumps_product_4 = wrinkle_noise_rock_noise_octave(lumps_sum, lumps_product_3) * 0.5;
+    vec3 lumps_product_5 = lumps_product_2 * 2.0;
+    vec3 lumps_sum_2 = lumps_product_5 + vec3(38.38, 14.86, 63.42);
+    float lumps_product_6 = lumps_product_3 * 2.0;
+    float lumps_product_7 = wrinkle_noise_rock_noise_octave(lumps_sum_2, lumps_product_6) * 0.25;
+    vec3 lumps_product_8 = lumps_product_5 * 2.0;
+    vec3 lumps_sum_3 = lumps_product_8 + vec3(57.57, 22.29, 95.13);
+    float lumps_product_9 = lumps_product_6 * 2.0;
+    float lumps_product_10 = wrinkle_noise_rock_noise_octave(lumps_sum_3, lumps_product_9) * 0.125;
+    float lumps_sum_4 = lumps_noise_octave + lumps_product_4 + lumps_product_7 + lumps_product_10;
+    vec3 lumps_product_11 = lumps_product_8 * 2.0;
+    vec3 lumps_sum_5 = lumps_product_11 + vec3(76.76, 29.72, 126.84);
+    float lumps_product_12 = lumps_product_9 * 2.0;
+    float lumps_product_13 = wrinkle_noise_rock_noise_octave(lumps_sum_5,
+            lumps_product_12) * 0.0625;
+    vec3 lumps_sum_6 = lumps_product_11 * 2.0 + vec3(95.95, 37.15, 158.55);
+    float lumps_product_14 = wrinkle_noise_rock_noise_octave(lumps_sum_6,
+            lumps_product_12 * 2.0) * 0.03125;
+    float lumps_value = (lumps_sum_4 + lumps_product_13 + lumps_product_14) / 1.96875;
     float lumps_height = lumps_value * 0.06;
     return mix(0.25, 0.6, (lumps_height - -0.06) / 0.12);  // shade: Remap
 }

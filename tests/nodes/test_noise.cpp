@@ -115,13 +115,15 @@ TEST(WorleyNoise, IsTheDistanceToItsPoints) {
 // octaves of a fractal are documented to be.
 std::vector<double> octave(int k, const std::string& basis, const std::vector<Point>& places) {
     std::string nodes, point = "surface.position";
-    for (int i = 0; i < k; ++i) {
-        const std::string id = std::to_string(i);
-        nodes += "\"s" + id + R"(": {"type": "vec3_scale", "in": {"vector": {"from": ")" + point +
-                 R"("}, "factor": 2.5}}, )" + "\"p" + id +
-                 R"(": {"type": "vec3_add", "in": {"a": {"from": "s)" + id +
-                 R"(.vector"}, "b": [19.19, 7.43, 31.71]}}, )";
-        point = "p" + id + ".vector";
+    if (k > 0) {
+        const double scale = std::pow(2.5, k);
+        nodes = R"("s": {"type": "vec3_scale", "in": {"vector": {"from": "surface.position"}, )"
+                R"("factor": )" +
+                std::to_string(scale) +
+                R"(}}, "p": {"type": "vec3_add", "in": {"a": {"from": "s.vector"}, "b": [)" +
+                std::to_string(19.19 * k) + ", " + std::to_string(7.43 * k) + ", " +
+                std::to_string(31.71 * k) + "]}}, ";
+        point = "p.vector";
     }
     const std::string single = basis == "gradient" ? R"(, "octaves": 1)" : "";
     nodes += one(basis + "_noise", R"("point": {"from": ")" + point + R"("}, "scale": 1)" + single);

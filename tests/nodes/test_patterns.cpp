@@ -193,10 +193,10 @@ TEST(Scratches, AreAsManyAsAsked) {
         return sum / 20000;
     };
     EXPECT_EQ(share(R"("density": 0)"), 0);
-    // Length times width times the share of cells, less what overlaps.
-    EXPECT_NEAR(share(R"("density": 1, "layers": 1, "width": 0.05, "length": 1)"), 0.0375, 0.005);
-    EXPECT_NEAR(share(R"("density": 0.5, "layers": 1, "width": 0.05, "length": 1)"), 0.019, 0.004);
-    EXPECT_NEAR(share(R"("density": 0.5, "layers": 3, "width": 0.03, "length": 1)"), 0.032, 0.006);
+    // Half of length times width times the share of cells, less what overlaps.
+    EXPECT_NEAR(share(R"("density": 1, "layers": 1, "width": 0.05, "length": 1)"), 0.025, 0.003);
+    EXPECT_NEAR(share(R"("density": 0.5, "layers": 1, "width": 0.05, "length": 1)"), 0.0125, 0.002);
+    EXPECT_NEAR(share(R"("density": 0.5, "layers": 3, "width": 0.03, "length": 1)"), 0.0225, 0.003);
 }
 
 // Were a stroke cut off where a cell ends, its depth would jump there.
