@@ -88,8 +88,8 @@ struct Scratches {
     Float amplitude;
 };
 
-// How deep a layer's strokes are at p. As with points, the search finds the cell whose stroke is the
-// deepest, and that stroke alone has a slope.
+// How deep a layer's strokes are at p. As with points, the search finds the cell whose stroke is
+// the deepest, and that stroke alone has a slope.
 static Float strokes(const Scratches& in, vec2 p, Int layer) {
     const Float direction = radians(in.direction), spread = radians(in.spread);
     // `from` is the way from the cell's lower left corner.

@@ -85,6 +85,25 @@ TEST(Brick, IsAsFarFromTheOutlinesOfBricks) {
     EXPECT_GT(in_grooves, 300U);
 }
 
+// In a long wall of one brick to a row, grooves narrower and wider than a pixel.
+TEST(Brick, HasTheMeanOfAGrooveOverAPixel) {
+    std::vector<Point> places;
+    for (int i = 0; i < 60; ++i)
+        places.push_back({47.3, 3 + i / 60.0});
+    for (const auto& [mortar, box] : {std::pair{0.04, 0.15}, std::pair{0.2, 0.1}}) {
+        const std::string in = R"("aspect": 100, "offset": 0, "bevel": 0.01, "mortar": )";
+        const auto got = value_of("brick", in + std::to_string(mortar), places, box);
+        for (size_t i = 0; i < places.size(); ++i) {
+            double mean = 0;
+            for (int k = 0; k < 1000; ++k) {
+                const double y = places[i][1] + ((k + 0.5) / 1000 - 0.5) * box;
+                mean += profile(std::fabs(y - std::round(y)), mortar, 0.01) / 1000;
+            }
+            EXPECT_NEAR(got[i], mean, 0.03) << "at " << places[i][1];
+        }
+    }
+}
+
 // A tile holds what is nearer to its centre than to the six around it.
 TEST(Hexagons, AreTheCellsOfTheirCentres) {
     const auto places = random_cells(3000, 12, 6);
