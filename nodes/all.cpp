@@ -27,6 +27,8 @@
     X(waves) \
     /* pattern.cpp */ \
     X(checker) X(brick) X(hexagons) X(pyramids) X(domes) \
+    /* weave.cpp */ \
+    X(weave) \
     /* math.cpp */ \
     X(add) X(subtract) X(multiply) X(divide) X(negate) X(absolute) X(minimum) X(maximum) X(clamp) X(mix) \
     X(step) X(smoothstep) X(remap) X(floor) X(fraction) X(modulo) X(power) X(square_root) X(sine) \

@@ -171,6 +171,36 @@ TEST(Domes, AreCapsOfASphere) {
     }
 }
 
+// Across the middle of a cell: the thread on top is a parabola, beside it the other one dives at
+// 0.35; the next cell is the same with u and v exchanged; where four threads meet there is a hole.
+TEST(Weave, GoesOverAndUnder) {
+    const std::string in = R"("width": 0.8)";
+    std::vector<Point> across, along, next;
+    for (int i = 0; i < 100; ++i) {
+        const double d = (i + 0.5) / 100 - 0.5;
+        across.push_back({4.5 + d, -1.5});
+        along.push_back({4.5, -1.5 + d});
+        next.push_back({5.5, -1.5 + d});
+    }
+    const auto over = value_of("weave", in, across), beside = value_of("weave", in, next);
+    const auto [low, high] = [&] {
+        const auto all = value_of("weave", in, along);
+        const auto ends = std::minmax_element(all.begin(), all.end());
+        return std::pair{*ends.first, *ends.second};
+    }();
+    EXPECT_NEAR(high, 1, 1e-3);
+    EXPECT_NEAR(low, 0.675, 0.02);  // halfway down, above the border of two cells
+    for (size_t i = 0; i < across.size(); ++i) {
+        const double d = across[i][0] - 4.5;
+        // Where it dives the other thread rises again as it leaves the middle.
+        const double under = 0.675 - 0.325 * std::cos(3.14159265358979 * d);
+        EXPECT_NEAR(over[i], std::max(1 - d * d / 0.16, under), 1e-5);
+        EXPECT_NEAR(beside[i], over[i], 1e-5);
+    }
+    for (const double hole : value_of("weave", in, {{3, 2}, {-1, 0}, {4.02, 7.97}}))
+        EXPECT_EQ(hole, 0);
+}
+
 // A wave of frequency f has |slope|^2 + (2 pi f)^2 value^2 = (2 pi f)^2 everywhere.
 TEST(Waves, OfOneKeepTheirEnergy) {
     const auto places = random_cells(500, 8, 12);
