@@ -77,32 +77,45 @@ TEST(ValueNoise, IsTheHashAtLatticePoints) {
 }
 
 // Distances to all points of the cells within three of the place, sorted.
-std::vector<double> distances(double x, double y, double jitter) {
+std::vector<double> distances(double x, double y, double z, double jitter) {
     std::vector<double> all;
-    const int cx = static_cast<int>(std::floor(x)), cy = static_cast<int>(std::floor(y));
+    const int cx = static_cast<int>(std::floor(x)), cy = static_cast<int>(std::floor(y)),
+              cz = static_cast<int>(std::floor(z));
     for (int i = cx - 3; i <= cx + 3; ++i)
         for (int j = cy - 3; j <= cy + 3; ++j)
-            for (int k = -3; k <= 3; ++k) {
+            for (int k = cz - 3; k <= cz + 3; ++k) {
                 const uint32_t first = pcg(i, j, k), second = pcg(first), third = pcg(second);
                 const double dx = i + 0.5 + jitter * (unit_number(first) - 0.5) - x,
                              dy = j + 0.5 + jitter * (unit_number(second) - 0.5) - y,
-                             dz = k + 0.5 + jitter * (unit_number(third) - 0.5);
+                             dz = k + 0.5 + jitter * (unit_number(third) - 0.5) - z;
                 all.push_back(std::sqrt(dx * dx + dy * dy + dz * dz));
             }
     std::sort(all.begin(), all.end());
     return all;
 }
 
+// At a height above the plane, one cell to a length unit.
+std::vector<double> worley(double z, const std::string& in, const std::vector<Point>& places) {
+    const std::string nodes =
+        R"("up": {"type": "vec3_add", "in": {"a": {"from": "surface.position"}, "b": [0, 0, )" +
+        std::to_string(z) + "]}}, " +
+        one("worley_noise", R"("point": {"from": "up.vector"}, "scale": 1, )" + in);
+    std::vector<double> numbers;
+    for (const auto& lanes : values({nodes, "n.value"}, places))
+        numbers.push_back(lanes[0]);
+    return numbers;
+}
+
 TEST(WorleyNoise, IsTheDistanceToItsPoints) {
     const auto places = random_cells(3000, 60, 3);
-    for (const double jitter : {0.0, 0.6, 1.0}) {
+    const std::pair<double, double> cases[] = {{0, 0.6}, {0.37, 0}, {-4.8, 1}, {0.95, 1}};
+    for (const auto& [z, jitter] : cases) {
         const std::string in = "\"jitter\": " + std::to_string(jitter) + ", \"distance\": ";
-        const auto f1 = value_of("worley_noise", in + "\"f1\"", places),
-                   f2 = value_of("worley_noise", in + "\"f2\"", places),
-                   difference = value_of("worley_noise", in + "\"f2_minus_f1\"", places);
+        const auto f1 = worley(z, in + "\"f1\"", places), f2 = worley(z, in + "\"f2\"", places),
+                   difference = worley(z, in + "\"f2_minus_f1\"", places);
         int other = 0;
         for (size_t i = 0; i < places.size(); ++i) {
-            const auto truth = distances(places[i][0], places[i][1], jitter);
+            const auto truth = distances(places[i][0], places[i][1], z, jitter);
             EXPECT_NEAR(f1[i], truth[0], 1e-5);
             other += std::fabs(f2[i] - truth[1]) > 1e-5 ? 1 : 0;
             EXPECT_NEAR(difference[i], f2[i] - f1[i], 1e-9);
