@@ -22,7 +22,7 @@ Node weave_node =
                      .family("pattern"),
                  "scale", 8, "Threads per uv unit")
                .in<Float>("width", 0.9, "Of a thread, in the distance of two threads",
-                          slider(0.3, 1), limits(0.05, 1)),
+                          slider(0.4, 1), limits(0.3, 1)),
            0.02, "1 where a thread is on top, 0 between threads")
         .body([](vec2 uv, Float scale, Float width, Float amplitude) {
             const auto thread = thread_function();
