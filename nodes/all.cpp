@@ -18,7 +18,17 @@
     /* height.cpp */ \
     X(height_add) X(height_scale) X(height_mix) \
     /* noise.cpp */ \
-    X(gradient_noise) \
+    X(gradient_noise) X(simplex_noise) X(value_noise) \
+    /* fractal.cpp */ \
+    X(fbm) X(turbulence) X(ridged) X(dents) \
+    /* cellular.cpp */ \
+    X(worley_noise) X(scratches) \
+    /* waves.cpp */ \
+    X(waves) \
+    /* pattern.cpp */ \
+    X(checker) X(brick) X(hexagons) X(pyramids) X(domes) \
+    /* weave.cpp */ \
+    X(weave) \
     /* math.cpp */ \
     X(add) X(subtract) X(multiply) X(divide) X(negate) X(absolute) X(minimum) X(maximum) X(clamp) X(mix) \
     X(step) X(smoothstep) X(remap) X(floor) X(fraction) X(modulo) X(power) X(square_root) X(sine) \
