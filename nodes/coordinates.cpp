@@ -6,8 +6,6 @@
 namespace wrinkle::nodes {
 using namespace sdk;
 
-static constexpr double turn = 6.283185307179586;
-
 enum class Axis { x, y, z };
 enum class Side { both, positive, negative };
 
@@ -91,16 +89,6 @@ Node box_uv_node =
 struct RoundUv {
     vec3 point, origin, axis, front;
 };
-// Right, up and front of somebody who looks at it: x, y, z.
-static vec3 place_of(const RoundUv& in) {
-    const Axes axes = axes_of(in.axis, in.front);  // z along the axis, y to the front
-    const vec3 place = into(axes, in.point - in.origin);
-    return {-place.x(), place.z(), place.y()};
-}
-static Float turns(vec3 place) {
-    return atan(place.x(), place.z()) / turn + 0.5;
-}
-
 Node cylinder_uv_node =
     node("cylinder_uv", "Cylinder UV",
          "Wraps a texture round an axis: u once around, v along it in length units.")
@@ -113,8 +101,8 @@ Node cylinder_uv_node =
                    "u from 0 to 1 around, to the right as seen from outside; v in length units")
         .out<Float>("radius", "Distance from the axis, in length units")
         .body([](RoundUv in) {
-            const vec3 place = place_of(in);
-            return std::tuple{vec2(turns(place), place.y()), length(place.xz())};
+            const vec3 place = round_place(in.point - in.origin, in.axis, in.front);
+            return std::tuple{vec2(turns_of(place), place.y()), length(place.xz())};
         });
 
 Node sphere_uv_node =
@@ -128,9 +116,8 @@ Node sphere_uv_node =
                    "u from 0 to 1 around, to the right as seen from outside; v from pole to pole")
         .out<Float>("radius", "Distance from the centre, in length units")
         .body([](RoundUv in) {
-            const vec3 place = place_of(in);
-            const Float latitude = atan(place.y(), length(place.xz()));
-            return std::tuple{vec2(turns(place), latitude / (turn / 2) + 0.5), length(place)};
+            const vec3 place = round_place(in.point - in.origin, in.axis, in.front);
+            return std::tuple{longitude_latitude(place), length(place)};
         });
 
 }  // namespace wrinkle::nodes

@@ -47,4 +47,18 @@ vec3 into(const Axes& axes, vec3 v) {
     return {dot(v, axes.x), dot(v, axes.y), dot(v, axes.z)};
 }
 
+vec3 round_place(vec3 way, vec3 axis, vec3 front) {
+    const Axes axes = axes_of(axis, front);  // z along the axis, y to the front
+    const vec3 place = into(axes, way);
+    return {-place.x(), place.z(), place.y()};
+}
+
+Float turns_of(vec3 place) {
+    return atan(place.x(), place.z()) / 6.283185307179586 + 0.5;
+}
+
+vec2 longitude_latitude(vec3 place) {
+    return {turns_of(place), atan(place.y(), length(place.xz())) / 3.141592653589793 + 0.5};
+}
+
 }  // namespace wrinkle::nodes

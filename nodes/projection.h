@@ -48,4 +48,12 @@ struct Axes {
 Axes axes_of(sdk::vec3 z, sdk::vec3 up);
 sdk::vec3 into(const Axes& axes, sdk::vec3 v);
 
+// `way`, from a place on an axis, as somebody sees it who looks at the axis from the front: x to
+// the right, y along the axis, z to the front. Any lengths.
+sdk::vec3 round_place(sdk::vec3 way, sdk::vec3 axis, sdk::vec3 front);
+// Of such a place: 0 to 1 round the axis, to the right from behind, 0.5 in front.
+sdk::Float turns_of(sdk::vec3 place);
+// And 0 to 1 from pole to pole as v.
+sdk::vec2 longitude_latitude(sdk::vec3 place);
+
 }  // namespace wrinkle::nodes
