@@ -32,7 +32,7 @@ Node planar_uv_node =
         .in<Normal>("normal", surface::normal, "Tells which side is met, and how squarely")
         .choice("axis", AXES, "The axis to look along", static_cast<int>(Axis::y))
         .choice("side", {"both", "positive", "negative"}, "The sides that the weight lets through")
-        .in<vec2>("scale", 1, "Repeats per length unit", slider(0, 16), unit("x"))
+        .in<vec2>("scale", 1, "Repeats per length unit", slider(0, 8), unit("x"))
         .in<Float>("limit", 0.2, "Cosine of the slant at which the weight is 0", slider(0, 1))
         .in<Float>("falloff", 0.3, "From there to weight 1, in cosine; 0 is a hard edge",
                    slider(0, 1), limits(0, 2))
@@ -64,7 +64,7 @@ Node plane_uv_node =
         .in<vec3>("normal", {0, 0, 1}, "Out of the plane's front; any length", slider(-1, 1))
         .in<vec3>("up", {0, 1, 0}, "Where v grows, flattened onto the plane; any length",
                   slider(-1, 1))
-        .in<vec2>("scale", 1, "Repeats per length unit", slider(0, 16), unit("x"))
+        .in<vec2>("scale", 1, "Repeats per length unit", slider(0, 8), unit("x"))
         .out<vec2>("uv", "The projected place")
         .out<Float>("distance", "Before the plane, in length units; negative behind it")
         .body([](PlaneUv in) {
@@ -78,7 +78,7 @@ Node box_uv_node =
         .family("uv")
         .in<vec3>("point", surface::position, POINT_DOC)
         .in<vec3>("direction", surface::normal, "Chooses the side by its largest component")
-        .in<vec2>("scale", 1, "Repeats per length unit", slider(0, 16), unit("x"))
+        .in<vec2>("scale", 1, "Repeats per length unit", slider(0, 8), unit("x"))
         .out<vec2>("uv", "The projected place")
         .out<Float>("face", "The side: 0 to 5 for +x, -x, +y, -y, +z, -z")
         .body([](vec3 point, vec3 direction, vec2 scale) {

@@ -55,7 +55,7 @@ Node triplanar_color_node =
         .in<Image>("image", "The picture; sRGB unless it says otherwise", encoding("srgb"))
         .in<vec3>("point", surface::position, POINT_DOC)
         .in<Normal>("normal", surface::normal, "Chooses among the axes")
-        .in<Float>("tiling", 1, TILING_DOC, slider(0, 16), unit("x"))
+        .in<Float>("tiling", 1, TILING_DOC, slider(0, 8), unit("x"))
         .in<Float>("sharpness", 3, SHARPNESS_DOC, slider(1, 8), limits(1, 64))
         .out<Color>("color", "Linear colour")
         .out<Float>("alpha", "Opacity, 0 to 1")
@@ -83,7 +83,7 @@ Node triplanar_height_map_node =
                    "Heights from 0 to 1 in the red channel; linear unless it says otherwise",
                    encoding("linear"))
         .in<vec3>("point", surface::position, POINT_DOC)
-        .in<Float>("tiling", 1, TILING_DOC, slider(0, 16), unit("x"))
+        .in<Float>("tiling", 1, TILING_DOC, slider(0, 8), unit("x"))
         .in<Float>("amplitude", 0.02, "Height of white over black, in length units of object space",
                    slider(0, 0.2), unit("m"))
         .in<Float>("midlevel", 0.5, "The value in the picture that is height 0", slider(0, 1))
@@ -130,7 +130,7 @@ Node triplanar_derivative_map_node =
         .family("triplanar")
         .in<Image>("image", "Slopes; 0.5 is flat unless it says otherwise", encoding("derivative"))
         .in<vec3>("point", surface::position, POINT_DOC)
-        .in<Float>("tiling", 1, TILING_DOC, slider(0, 16), unit("x"))
+        .in<Float>("tiling", 1, TILING_DOC, slider(0, 8), unit("x"))
         .in<Float>("strength", 1,
                    "Factor of the slopes; for the scale `surface` a length of object space",
                    slider(-2, 2), unit("x"))
@@ -151,7 +151,7 @@ Node triplanar_normal_map_node =
         .in<Image>("image", "Tangent-space normals; green is up unless it says otherwise",
                    encoding("normal_gl"))
         .in<vec3>("point", surface::position, POINT_DOC)
-        .in<Float>("tiling", 1, TILING_DOC, slider(0, 16), unit("x"))
+        .in<Float>("tiling", 1, TILING_DOC, slider(0, 8), unit("x"))
         .in<Float>("strength", 1,
                    "Factor of the slopes: 1 leaves it unchanged, negative inverts it",
                    slider(-2, 2), unit("x"))
@@ -181,7 +181,7 @@ Node triplanar_height_node =
         .field<Height>("height", surface::uv0,
                        "A height made of surface.uv0, in length units of object space")
         .in<vec3>("point", surface::position, POINT_DOC)
-        .in<Float>("tiling", 1, "uv units per length unit", slider(0, 16), unit("x"))
+        .in<Float>("tiling", 1, "uv units per length unit", slider(0, 8), unit("x"))
         .in<Float>("sharpness", 3, SHARPNESS_DOC, slider(1, 8), limits(1, 64))
         .in<Normal>("base", surface::normal, TRIPLANAR_BASE_DOC)
         .out<Height>("height", "In length units of object space, positive outward", unit("m"))
@@ -208,7 +208,7 @@ Node triplanar_derivative_node =
         .family("triplanar")
         .field<Derivative>("derivative", surface::uv0, "Slopes made of surface.uv0; without: flat")
         .in<vec3>("point", surface::position, POINT_DOC)
-        .in<Float>("tiling", 1, "uv units per length unit", slider(0, 16), unit("x"))
+        .in<Float>("tiling", 1, "uv units per length unit", slider(0, 8), unit("x"))
         .choice("scale", SCALES, SCALE_DOC)
         .in<Float>("sharpness", 3, SHARPNESS_DOC, slider(1, 8), limits(1, 64))
         .in<Normal>("base", surface::normal, TRIPLANAR_BASE_DOC)
