@@ -26,9 +26,11 @@ static vec4 read_cube(Image image, Arrangement arrangement, vec3 direction) {
     const vec2 size = image.size() / faces;
     const vec2 x = ddx(place), y = ddy(place);
     const Float footprint = max(max(length(x * size), length(y * size)), 0.5);
+    // In the coarsest level a face is one texel.
+    const Float least = min(min(size.x(), size.y()) / footprint, 1);
     const vec2 border = min(footprint / size, vec2(0.5));
     const vec2 inside = min(max(place, border), vec2(1) - border);
-    return image.sample_grad((inside + column_row) / faces, x / faces, y / faces);
+    return image.sample_grad((inside + column_row) / faces, x * least / faces, y * least / faces);
 }
 
 struct CubeNormalMap {
@@ -43,7 +45,8 @@ Node cube_normal_map_node =
     node("cube_normal_map", "Cube normal map",
          "A bump from a cube map of object-space normals, looked up by a direction.")
         .family("image")
-        .in<Image>("image", "Object-space normals, any length, in six faces", encoding("normal_gl"))
+        .in<Image>("image", "Object-space normals, any length, in six faces of a power of two",
+                   encoding("normal_gl"))
         .in<vec3>("direction", surface::position, "Where to look, from the centre; any length")
         .choice("arrangement", {"strip", "grid"},
                 "The faces of the picture: +x -x +y -y +z -z in a row, or +x -x +y above -y +z -z")
