@@ -18,9 +18,14 @@ struct Tap {
     vec2 uv, right, up;  // uv of a step along u, and along v
     // dh/d(u,v) of the surface from the slope of the picture where it is read.
     vec2 turned_back(vec2 slope) const { return {dot(slope, right), dot(slope, up)}; }
-    vec4 read(Image image, vec2 at) const {
+    // Of the copy's uv, which jumps where another hexagon takes the place of this one.
+    Changes changes(vec2 at) const {
         const auto turned = [this](vec2 v) { return right * v.x() + up * v.y(); };
-        return image.sample_grad(uv, turned(ddx(at)), turned(ddy(at)));
+        return {turned(ddx(at)), turned(ddy(at))};
+    }
+    vec4 read(Image image, vec2 at) const {
+        const auto [x, y] = changes(at);
+        return image.sample_grad(uv, x, y);
     }
 };
 
@@ -155,7 +160,8 @@ Node hex_tile_height_map_node =
             const vec3 weights = blend_weights(at, vec3(1), in.exponent, in.contrast);
             const auto slope = [&](int i) {
                 const Tap& tap = at.taps[i];
-                return tap.turned_back(height_slope(in.image, tap.uv, in.quality));
+                return tap.turned_back(
+                    height_slope(in.image, tap.uv, in.quality, tap.changes(in.uv)));
             };
             const auto read = [&](int i) { return at.taps[i].read(in.image, in.uv).x(); };
             const vec2 slopes = blend(weights, slope(0), slope(1), slope(2)) * in.amplitude;
