@@ -8,10 +8,19 @@
 // x_node, because the formulas of other nodes call the function x.
 // clang-format off
 #define WRINKLE_BUILT_IN_NODES(X) \
-    /* uv.cpp */ \
-    X(uv_transform) \
+    /* uv.cpp, coordinates.cpp */ \
+    X(uv_transform) X(planar_uv) X(plane_uv) X(box_uv) X(cylinder_uv) X(sphere_uv) \
     /* image.cpp, height_map.cpp */ \
     X(image) X(height_map) X(derivative_map) X(tangent_normal_map) X(object_normal_map) \
+    /* cube_map.cpp */ \
+    X(cube_normal_map) \
+    /* triplanar.cpp */ \
+    X(triplanar_weights) X(triplanar_color) X(triplanar_height_map) X(triplanar_derivative_map) \
+    X(triplanar_normal_map) X(triplanar_height) X(triplanar_derivative) \
+    /* hex.cpp */ \
+    X(hex_tile_color) X(hex_tile_height_map) X(hex_tile_normal_map) \
+    /* decal.cpp */ \
+    X(decal_box) X(decal_cone) X(decal_sphere) X(decal_capsule) X(decal_add) X(decal_mask) \
     /* gradient.cpp */ \
     X(gradient_add) X(gradient_scale) X(gradient_mix) X(gradient_from_height) X(gradient_from_volume) \
     X(gradient_from_normal) X(resolve) \

@@ -134,6 +134,24 @@ TEST_F(RewriteTest, SamplesGetTheirLod) {
     EXPECT_NEAR(asked, 4, 1e-12);  // 4 tiles times 4 texels
 }
 
+TEST_F(RewriteTest, GivenChangesOfASampleBecomeItsLod) {
+    const uint32_t image = m.add_resource({"a.png", "a.png", {}, {}});
+    const Id x = m.construct(Type::vec2_, {m.number(0.25), m.number(0)});
+    const Id y = m.construct(Type::vec2_, {m.number(0), m.number(0.03125)});
+    const Id color = m.add(Op::sample_grad_, {uv, x, y}, image);
+    m.outputs = {{"color", WR_PORT_color, m.swizzle(color, "xyz")}};
+    const Module explicit_form = explicit_lod(m);
+    EXPECT_EQ(print(explicit_form).find("sample_grad"), std::string::npos);
+    double asked = 0;
+    around.image_size = [](uint32_t) { return Lanes{64, 32}; };
+    around.texture = [&](uint32_t, double, double, double lod) {
+        asked = lod;
+        return Lanes{};
+    };
+    interpret(explicit_form, explicit_form.outputs[0].value, around);
+    EXPECT_NEAR(asked, 4, 1e-12);  // 16 texels along u, 1 along v
+}
+
 TEST_F(RewriteTest, ReachableGoesThroughRegions) {
     const Value x = power(n(1), op(Op::cos_, u), 2);
     const Value other = op(Op::sin_, v);

@@ -88,6 +88,10 @@ const Registry& registry() {
 
 std::vector<std::vector<double>> values(const Scene& scene,
                                         const std::vector<std::array<double, 2>>& points) {
+    return values_at(scene, point_set(scene, points));
+}
+
+std::vector<std::vector<double>> values_at(const Scene& scene, const PointSet& points) {
     Diagnostics diagnostics;
     const Compiled material = compiled(scene.nodes, scene.output, diagnostics);
     EXPECT_EQ(to_text(diagnostics), "") << scene.nodes;
@@ -98,11 +102,11 @@ std::vector<std::vector<double>> values(const Scene& scene,
     std::vector<Texture> textures;
     for (const Resource& resource : material.module.resources)
         textures.push_back(texture_of(scene, resource.options));
-    Results results = make_results(program, points.size());
-    evaluate<double>(program, point_set(scene, points), textures, 0, points.size(), results);
+    Results results = make_results(program, points.count);
+    evaluate<double>(program, points, textures, 0, points.count, results);
     const size_t lanes = program.outputs.at(0).regs.size();
     std::vector<std::vector<double>> by_point;
-    for (size_t i = 0; i < points.size(); ++i) {
+    for (size_t i = 0; i < points.count; ++i) {
         const auto first = results.values[0].begin() + static_cast<ptrdiff_t>(i * lanes);
         by_point.emplace_back(first, first + static_cast<ptrdiff_t>(lanes));
     }

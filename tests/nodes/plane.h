@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/diagnostics.h"
+#include "cpu/evaluate.h"
 #include "image/image.h"
 #include "lower/material.h"
 
@@ -27,6 +28,8 @@ struct Scene {
 // The output's lanes at each (x, y); a failure of the test and nothing when it does not compile.
 std::vector<std::vector<double>> values(const Scene& scene,
                                         const std::vector<std::array<double, 2>>& points);
+// And at any other points, with every input that the nodes read.
+std::vector<std::vector<double>> values_at(const Scene& scene, const PointSet& points);
 std::vector<double> value(const Scene& scene, double x = 0.3, double y = 0.6);
 
 // What compiling says; "" when it is content.

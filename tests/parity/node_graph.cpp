@@ -108,6 +108,12 @@ private:
         return add(port, "dot", "\"a\": " + link("surface", "position") + ", \"b\": " + b,
                    "result");
     }
+    // Two of them are not parallel: axes and places beside each other mean something.
+    std::string skewed_position(const Port& port) {
+        const std::string b = list({number(-1, 1), number(-1, 1), number(-1, 1)});
+        return add(port, "vec3_multiply", "\"a\": " + link("surface", "position") + ", \"b\": " + b,
+                   "vector");
+    }
     std::string bump(const Port& port) {
         if (random_() % 2)
             return add(port, "tangent_normal_map", "\"image\": \"a.exr\"", "gradient");
@@ -137,10 +143,7 @@ private:
             case PortType::normal_:
                 return random_() % 2 ? link("surface", "normal") : resolved(port);
             default:
-                return add(port, "vec3_scale",
-                           "\"vector\": " + link("surface", "position") +
-                               ", \"factor\": " + list({number(-1, 1)}),
-                           "vector");
+                return skewed_position(port);
         }
     }
 

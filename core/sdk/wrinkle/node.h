@@ -132,8 +132,8 @@ public:
                          Options... options) const {
         wr_port p = port<T>(WR_KIND_FIELD, name, doc);
         p.default_surface = domain.input;
-        return with<WithInput<detail::FieldPort<Value<T>, Domain, next>>>(p, Default(0),
-                                                                          options...);
+        const Default flat = p.type == WR_PORT_derivative ? Default() : Default(0);
+        return with<WithInput<detail::FieldPort<Value<T>, Domain, next>>>(p, flat, options...);
     }
 
     constexpr auto family(const char* name) const {
