@@ -117,6 +117,8 @@ TEST(Compositor, LaysLayersOnEachOther) {
     expect_gradient(composed(R"(, "layers": 1)"), {0.75, 2.5, 0});
     expect_gradient(composed(R"(, "mode1": "subtract", "amount2": 0.5, "mask2": 0.5)"),
                     {2.25, 0.5, 0});
+    expect_gradient(composed(R"(, "mode1": "subtract", "mask1": 0.5, "layers": 1)"),
+                    {1.125, -0.5, 0});
     expect_gradient(composed(R"(, "mode2": "over")"), {4, 8, 0}, 0);
     expect_gradient(composed(R"(, "mode2": "over", "amount2": 2, "mask2": 0.25)"),
                     {0.75 * 0.75 + 2, 2.5 * 0.75 + 4, 0});
@@ -151,6 +153,15 @@ TEST(Masks, OfHeightsAddTheirSlopeAndThoseOfGradientsDoNot) {
 TEST(Masks, OfADetailLeaveTheBaseAlone) {
     const std::string half = R"(, "mask1": 0.5, "layers": 1)";
     expect_gradient(composed(half), {1 - 0.125, 0.5 + 1, 0});
+}
+
+// A height goes over a normal map as it is; blends of normals would need a normal made of it.
+TEST(Operators, AHeightGoesOverANormalMap) {
+    const std::string both =
+        R"("x": {"type": "separate_vec3", "in": {"vector": {"from": "surface.position"}}},
+           "map": {"type": "gradient_from_tangent_normal", "in": {"normal": [-0.6, 0, 0.8]}}, )" +
+        one("gradient_add", R"("a": {"from": "map.gradient"}, "b": {"from": "x.y"})");
+    expect_gradient(both, {0.75, 1, 0});
 }
 
 double height(const std::string& type, const std::string& in, double x = 0.3) {
