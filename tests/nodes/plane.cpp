@@ -4,7 +4,6 @@
 
 #include <filesystem>
 
-#include "cpu/evaluate.h"
 #include "nodes/all.h"
 #include "registry/plugin_loader.h"
 
@@ -56,20 +55,6 @@ std::vector<Property> properties(double x, double y, std::array<double, 3> n) {
     return all;
 }
 
-PointSet point_set(const Scene& scene, const std::vector<std::array<double, 2>>& points) {
-    PointSet set;
-    set.count = points.size();
-    for (const auto& [x, y] : points)
-        for (const Property& property : properties(x, y, scene.normal))
-            for (size_t variant = 0; variant < 3; ++variant) {
-                auto& target = set.at(property.input, static_cast<Variant>(variant));
-                const size_t lanes = info(info(property.input).type).lanes;
-                for (size_t lane = 0; lane < lanes; ++lane)
-                    target.push_back(property.by_variant[variant][lane]);
-            }
-    return set;
-}
-
 Texture texture_of(const Scene& scene, const TextureOptions& options) {
     Image image = scene.texture;
     if (image.empty()) {
@@ -86,12 +71,26 @@ const Registry& registry() {
     return registry;
 }
 
-std::vector<std::vector<double>> values(const Scene& scene,
-                                        const std::vector<std::array<double, 2>>& points) {
-    return values_at(scene, point_set(scene, points));
+PointSet plane_points(const Scene& scene, const std::vector<std::array<double, 2>>& points) {
+    PointSet set;
+    set.count = points.size();
+    for (const auto& [x, y] : points)
+        for (const Property& property : properties(x, y, scene.normal))
+            for (size_t variant = 0; variant < 3; ++variant) {
+                auto& target = set.at(property.input, static_cast<Variant>(variant));
+                const size_t lanes = info(info(property.input).type).lanes;
+                for (size_t lane = 0; lane < lanes; ++lane)
+                    target.push_back(property.by_variant[variant][lane]);
+            }
+    return set;
 }
 
-std::vector<std::vector<double>> values_at(const Scene& scene, const PointSet& points) {
+std::vector<std::vector<double>> values(const Scene& scene,
+                                        const std::vector<std::array<double, 2>>& points) {
+    return values(scene, plane_points(scene, points));
+}
+
+std::vector<std::vector<double>> values(const Scene& scene, const PointSet& points) {
     Diagnostics diagnostics;
     const Compiled material = compiled(scene.nodes, scene.output, diagnostics);
     EXPECT_EQ(to_text(diagnostics), "") << scene.nodes;

@@ -28,9 +28,11 @@ struct Scene {
 // The output's lanes at each (x, y); a failure of the test and nothing when it does not compile.
 std::vector<std::vector<double>> values(const Scene& scene,
                                         const std::vector<std::array<double, 2>>& points);
-// And at any other points, with every input that the nodes read.
-std::vector<std::vector<double>> values_at(const Scene& scene, const PointSet& points);
 std::vector<double> value(const Scene& scene, double x = 0.3, double y = 0.6);
+
+// The same at points of any kind, and the points of the plane for a test that changes some.
+std::vector<std::vector<double>> values(const Scene& scene, const PointSet& points);
+PointSet plane_points(const Scene& scene, const std::vector<std::array<double, 2>>& points);
 
 // What compiling says; "" when it is content.
 std::string problems(const std::string& nodes, const std::string& output);

@@ -95,7 +95,7 @@ std::vector<std::vector<double>> values_on(const Scene& scene, const std::vector
         set.at(SurfaceInput::facing_).push_back(1);
         append(set, SurfaceInput::view_, Variant::value, place.normal);
     }
-    return values_at(scene, set);
+    return values(scene, set);
 }
 
 std::vector<double> value_on(const Scene& scene, Place place, double size) {

@@ -226,6 +226,9 @@ inline mat3 transpose(mat3 m) {
 inline Float radians(Float degrees) {
     return degrees * 0.017453292519943295;
 }
+inline Float degrees(Float radians) {
+    return radians * 57.29577951308232;
+}
 
 // A well mixed integer of one to three integers (the PCG permutation, M. O'Neill 2014), the same on
 // every machine; and a number in [0, 1) of its upper 24 bits.
