@@ -94,7 +94,9 @@ private:
             const char* end = digits.data() + digits.size();
             double value = 0;
             const auto [stop, problem] = std::from_chars(digits.data(), end, value);
-            const bool tiny = problem == std::errc::result_out_of_range && std::abs(value) < 1;
+            const bool tiny =
+                problem == std::errc::result_out_of_range &&
+                (digits.find("e-") != digits.npos || digits.find("E-") != digits.npos);
             if ((problem != std::errc{} && !tiny) || stop != end ||
                 !std::isfinite(static_cast<float>(value))) {
                 error(word, "'" + shown(word) + "' is no finite number", statement);

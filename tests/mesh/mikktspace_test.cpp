@@ -1,5 +1,6 @@
-// Tangents against those of other implementations: recorded ones of the npm package mikktspace 1.1.1
-// (oracle/record_mikktspace.js says how), and those that a published glTF test file carries.
+// Tangents against those of other implementations: recorded ones of the npm package
+// mikktspace 1.1.1 (oracle/record_mikktspace.js says how), and those that a published glTF test
+// file carries.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -31,8 +32,7 @@ std::array<float, N> numbers(const json::Value& row) {
 
 std::vector<Recorded> recorded() {
     std::string why;
-    const auto text =
-        read_file(WRINKLE_SOURCE_DIR "/tests/mesh/oracle/mikktspace.json", why);
+    const auto text = read_file(WRINKLE_SOURCE_DIR "/tests/mesh/oracle/mikktspace.json", why);
     Diagnostics diagnostics;
     const json::Parsed parsed = json::parse(text.value_or(""), "mikktspace.json", diagnostics);
     std::vector<Recorded> result;
@@ -82,6 +82,27 @@ TEST(MikkTSpace, AgreesWithRecordedTangents) {
         }
         EXPECT_GT(compared, each.corners.size() / 2) << each.name;
     }
+}
+
+// Quads of every direction and mirroring, TANGENT given. The file is not ours to ship.
+TEST(MikkTSpace, AgreesWithTheTangentMirrorTest) {
+    const std::filesystem::path path = "/work/shared/data/NormalTangentMirrorTest.glb";
+    if (!std::filesystem::exists(path)) GTEST_SKIP() << path << " is absent";
+    Diagnostics diagnostics;
+    auto mesh = load_mesh(path, {}, diagnostics);
+    ASSERT_TRUE(mesh) << to_text(diagnostics);
+    const Mesh given = *mesh;
+    ASSERT_TRUE(make_tangents(*mesh));
+    size_t mirrored = 0, near = 0;
+    for (size_t i = 0; i < given.indices.size(); ++i) {
+        const glm::vec4 expected = given.tangents[given.indices[i]];
+        const glm::vec4 tangent = mesh->tangents[mesh->indices[i]];
+        ASSERT_EQ(tangent.w, expected.w) << "corner " << i;
+        mirrored += expected.w < 0 ? 1 : 0;
+        near += glm::length(glm::vec3(tangent - expected)) < 0.01 ? 1 : 0;
+    }
+    EXPECT_GT(mirrored, 100U);
+    EXPECT_GT(near, given.indices.size() * 99 / 100);
 }
 
 }  // namespace
