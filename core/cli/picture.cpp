@@ -3,7 +3,6 @@
 #include <charconv>
 
 #include "gpu/from_glsl.h"
-#include "mesh/shapes.h"
 
 namespace wrinkle::cli {
 namespace {
@@ -14,12 +13,6 @@ bool parse_side(std::string_view text, int& side) {
     const char* end = text.data() + text.size();
     const auto [stop, problem] = std::from_chars(text.data(), end, side);
     return problem == std::errc{} && stop == end && side >= 1 && side <= max_side;
-}
-
-Mesh mesh_of(const PictureOptions& options) {
-    Mesh mesh = *make_shape(options.mesh);
-    if (!options.tangents) mesh.tangents.clear();
-    return mesh;
 }
 
 }  // namespace
@@ -34,14 +27,8 @@ std::vector<std::string> view_names() {
     return {gpu::view_names().begin(), gpu::view_names().end()};
 }
 
-std::vector<std::string> shape_names() {
-    std::vector<std::string> names;
-    for (const Shape& shape : shapes())
-        names.emplace_back(shape.name);
-    return names;
-}
-
-std::optional<Painter> Painter::make(const PictureOptions& options, Diagnostics& diagnostics) {
+std::optional<Painter> Painter::make(const PictureOptions& options, const Mesh& mesh,
+                                     Diagnostics& diagnostics) {
     auto context = gpu::Context::offscreen(diagnostics);
     if (!context) return {};
     if (!context->make_current()) {
@@ -54,12 +41,12 @@ std::optional<Painter> Painter::make(const PictureOptions& options, Diagnostics&
     wanted.samples = options.view == gpu::View::shaded ? 4 : 1;  // values are not to be averaged
     auto target = gpu::Target::make(wanted, diagnostics);
     if (!target) return {};
-    return Painter(std::move(*context), std::move(*target), options);
+    return Painter(std::move(*context), std::move(*target), options, mesh);
 }
 
-Painter::Painter(gpu::Context context, gpu::Target target, const PictureOptions& options)
+Painter::Painter(gpu::Context context, gpu::Target target, const PictureOptions& options,
+                 const Mesh& mesh)
     : context_(std::move(context)), target_(std::move(target)), options_(options) {
-    const Mesh mesh = mesh_of(options);
     renderer_.set_mesh(mesh);
     scene_.camera = gpu::default_camera(mesh, options.mesh);
 }

@@ -7,6 +7,7 @@
 
 #include "base/file.h"
 #include "base/text.h"
+#include "cli/meshes.h"
 #include "cli/output.h"
 #include "cli/picture.h"
 #include "image/load.h"
@@ -24,6 +25,7 @@ struct RenderCommand {
         PictureOptions options;
         if (!read_options(options)) return exit_usage;
         Diagnostics diagnostics;
+        const auto drawn_on = open_mesh(mesh, common, diagnostics);
         const Nodes nodes = load_nodes(common, diagnostics);
         const Overrides overrides = parse_overrides(common, diagnostics);
         if (overrides.is_sweep() && output == "-") {
@@ -39,13 +41,12 @@ struct RenderCommand {
             shaders.push_back(emit_function(run, material_name(file), diagnostics));
         }
         const int code = report(diagnostics, common.diagnostics);
-        return code == exit_fine ? draw(shaders, textures, options, overrides) : code;
+        return code == exit_fine ? draw(shaders, textures, *drawn_on, options, overrides) : code;
     }
 
     bool read_options(PictureOptions& options) const {
         options.mesh = mesh;
         options.against = against;
-        options.tangents = !common.no_tangents;
         options.view = *gpu::view_named(view);
         const std::string type = fs::path(output).extension().string();
         std::string sentence;
@@ -60,10 +61,10 @@ struct RenderCommand {
         return sentence.empty();
     }
 
-    int draw(const std::vector<Shader>& shaders, const Textures& textures,
+    int draw(const std::vector<Shader>& shaders, const Textures& textures, const Mesh& drawn_on,
              const PictureOptions& options, const Overrides& overrides) const {
         Diagnostics environment, diagnostics;
-        auto painter = Painter::make(options, environment);
+        auto painter = Painter::make(options, drawn_on, environment);
         if (!painter) {
             report(environment, common.diagnostics);
             return exit_environment;
@@ -114,9 +115,9 @@ void declare_render(CLI::App& app, Run& run) {
     sub.add_option("-o", c.output, "The picture: .png, .jpg or .tif; - is standard output")
         ->type_name("OUT")
         ->required();
-    sub.add_option("--mesh", c.mesh, "What it is drawn on")
-        ->type_name("NAME")
-        ->check(CLI::IsMember(shape_names()))
+    sub.add_option("--mesh", c.mesh, "What it is drawn on: " + mesh_help())
+        ->type_name("NAME|PATH")
+        ->check(check_mesh)
         ->capture_default_str();
     sub.add_option("--size", c.size, "Of the picture")->type_name("WxH")->capture_default_str();
     sub.add_option("--view", c.view, "What it shows")

@@ -188,8 +188,9 @@ bool Renderer::State::can_draw(Diagnostics& diagnostics) const {
     for (const Member& member : material->members) {
         const int location = attribute_location(member.property);
         if (location < 0 || mesh->has(location)) continue;
-        diagnostics.error("the material reads " + in_quotes(member.property) +
-                          ", which the mesh does not have");
+        diagnostics.error(
+            "the material reads " + in_quotes(member.property) + ", which the mesh does not have",
+            "a mesh that has it, or a graph that reads another one");
         fine = false;
     }
     return fine;
