@@ -1,8 +1,11 @@
 #include "cli/picture.h"
 
 #include <charconv>
+#include <cmath>
 
+#include "base/text.h"
 #include "gpu/from_glsl.h"
+#include "image/load.h"
 
 namespace wrinkle::cli {
 namespace {
@@ -27,6 +30,35 @@ std::vector<std::string> view_names() {
     return {gpu::view_names().begin(), gpu::view_names().end()};
 }
 
+std::vector<std::string> lighting_names() {
+    return {gpu::lighting_names().begin(), gpu::lighting_names().end()};
+}
+
+bool parse_phong(const std::string& text, gpu::Phong& phong) {
+    const auto parts = split(text, ',');
+    float* values[] = {&phong.ambient, &phong.diffuse, &phong.specular, &phong.shininess};
+    if (parts.size() != std::size(values)) return false;
+    for (size_t i = 0; i < parts.size(); ++i) {
+        const char* end = parts[i].data() + parts[i].size();
+        const auto [stop, problem] = std::from_chars(parts[i].data(), end, *values[i]);
+        if (problem != std::errc{} || stop != end || !std::isfinite(*values[i]) || *values[i] < 0)
+            return false;
+    }
+    return true;
+}
+
+std::optional<Image> load_environment(const std::string& file, Diagnostics& diagnostics) {
+    auto image = load_image(file, diagnostics);
+    if (!image || image->source == PixelType::half || image->source == PixelType::float32)
+        return image;
+    Diagnostic problem;
+    problem.where.file = file;
+    problem.message = "holds " + std::string(name_of(image->source)) + " values, no radiance";
+    problem.expected = "an equirectangular .hdr or .exr";
+    diagnostics.add(std::move(problem));
+    return {};
+}
+
 std::optional<Painter> Painter::make(const PictureOptions& options, const Mesh& mesh,
                                      Diagnostics& diagnostics) {
     auto context = gpu::Context::offscreen(diagnostics);
@@ -48,6 +80,9 @@ Painter::Painter(gpu::Context context, gpu::Target target, const PictureOptions&
                  const Mesh& mesh)
     : context_(std::move(context)), target_(std::move(target)), options_(options) {
     renderer_.set_mesh(mesh);
+    renderer_.set_lighting(options.lighting);
+    if (!options.environment.empty()) renderer_.set_environment(options.environment);
+    scene_.phong = options.phong;
     scene_.camera = gpu::default_camera(mesh, options.mesh);
 }
 

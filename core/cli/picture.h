@@ -20,11 +20,21 @@ struct PictureOptions {
     int height = 512;
     gpu::View view = gpu::View::shaded;
     std::string against;  // of the difference view
+    gpu::Lighting lighting = gpu::Lighting::ggx;
+    gpu::Phong phong;
+    Image environment;  // empty: sky and ground
 };
 
 // "640x480"; nothing for a text that is no size of 1 to 16384.
 bool parse_size(const std::string& text, int& width, int& height);
 std::vector<std::string> view_names();
+std::vector<std::string> lighting_names();
+
+// "0.1,0.7,0.4,32": Ka, Kd, Ks and shininess, finite and not negative.
+bool parse_phong(const std::string& text, gpu::Phong& phong);
+
+// A picture of the surroundings; nothing with an error for one that holds no radiance.
+std::optional<Image> load_environment(const std::string& file, Diagnostics& diagnostics);
 
 struct Picture {
     Image image;
