@@ -18,7 +18,6 @@ using glm::dvec2;
 using glm::dvec3;
 
 constexpr double pi = std::numbers::pi;
-constexpr int samples = 64;
 
 // Radiance alone, as the header says.
 MipChain radiance_of(const Image& picture) {
@@ -61,9 +60,9 @@ dvec3 lookup(const MipChain& chain, dvec3 direction, double solid_angle) {
 }
 
 // Hammersley's points: even, and the same for every texel.
-dvec2 point(int i) {
+dvec2 point(int i, int samples) {
     double inverse = 0;
-    for (int bit = 0; bit < 6; ++bit)
+    for (int bit = 0; bit < 8; ++bit)
         if (i >> bit & 1) inverse += 0.5 / (1 << bit);
     return {(i + 0.5) / samples, inverse + 0.5 / samples};
 }
@@ -75,11 +74,11 @@ struct Lobe {
 };
 
 // Half vectors of GGX, mirrored at them; weighted by the cosine.
-std::vector<Lobe> ggx_lobe(double roughness) {
+std::vector<Lobe> ggx_lobe(double roughness, int samples) {
     const double a2 = std::pow(roughness, 4);
     std::vector<Lobe> lobe;
     for (int i = 0; i < samples; ++i) {
-        const dvec2 xi = point(i);
+        const dvec2 xi = point(i, samples);
         const double cosine = std::sqrt((1 - xi.x) / (1 + (a2 - 1) * xi.x));
         const double sine = std::sqrt(std::max(0.0, 1 - cosine * cosine));
         const dvec3 half(sine * std::cos(2 * pi * xi.y), sine * std::sin(2 * pi * xi.y), cosine);
@@ -92,10 +91,10 @@ std::vector<Lobe> ggx_lobe(double roughness) {
     return lobe;
 }
 
-std::vector<Lobe> cosine_lobe() {
+std::vector<Lobe> cosine_lobe(int samples) {
     std::vector<Lobe> lobe;
     for (int i = 0; i < samples; ++i) {
-        const dvec2 xi = point(i);
+        const dvec2 xi = point(i, samples);
         const double sine = std::sqrt(xi.x), cosine = std::sqrt(1 - xi.x);
         lobe.push_back({{sine * std::cos(2 * pi * xi.y), sine * std::sin(2 * pi * xi.y), cosine},
                         1,
@@ -138,9 +137,10 @@ EnvironmentCube prefilter(const Image& picture) {
     for (int level = 0; level < environment_levels; ++level) {
         const int side = environment_side >> level;
         const bool mirror = level == 0, diffuse = level == environment_levels - 1;
-        const auto lobe = diffuse  ? cosine_lobe()
-                          : mirror ? std::vector<Lobe>{{{0, 0, 1}, 1, 4 * pi / (6.0 * side * side)}}
-                                   : ggx_lobe(level / (environment_levels - 2.0));
+        const auto lobe = diffuse ? cosine_lobe(256)
+                          : mirror
+                              ? std::vector<Lobe>{{{0, 0, 1}, 1, 4 * pi / (6.0 * side * side)}}
+                              : ggx_lobe(level / (environment_levels - 2.0), level == 1 ? 64 : 256);
         for (int face = 0; face < 6; ++face) {
             auto& texels = cube.faces[static_cast<size_t>(level)][static_cast<size_t>(face)];
             for (int i = 0; i < side * side; ++i) {

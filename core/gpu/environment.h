@@ -4,12 +4,12 @@
 // and u grows towards +x, so that from inside it is not mirrored. Its first three channels are
 // linear radiance; negative and non-finite values count as 0, larger ones than 65504 as that.
 //
-// It becomes a cube of seven mip levels. Level k of 0 to 5 is what a GGX lobe of roughness k / 5
+// It becomes a cube of six mip levels. Level k of 0 to 4 is what a GGX lobe of roughness k / 4
 // gathers when normal, view and reflection coincide (Karis, "Real Shading in Unreal Engine 4",
-// 2013); level 6 is the mean weighted by the cosine, the irradiance over pi. 64 samples a texel,
-// each from the picture's mip level whose texels are as large as the sample's share of the sphere
-// (Krivanek and Colbert 2008). The error of this is the usual one: reflections do not stretch at
-// grazing angles.
+// 2013); level 5 is the mean weighted by the cosine, the irradiance over pi. 64 or 256 samples a
+// texel, each from the picture's mip level whose texels are as large as the sample's share of the
+// sphere (Krivanek and Colbert 2008). The error of this is the usual one: reflections do not
+// stretch at grazing angles.
 #pragma once
 
 #include <array>
@@ -22,7 +22,7 @@
 
 namespace wrinkle::gpu {
 
-constexpr int environment_levels = 7;
+constexpr int environment_levels = 6;
 constexpr int environment_side = 128;  // of level 0, halved per level
 
 // faces[level][face]: side * side texels of r, g, b, in the order and orientation of GL's cube

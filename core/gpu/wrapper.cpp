@@ -118,11 +118,11 @@ constexpr std::string_view surroundings_text = R"(
 uniform samplerCube WrView_surroundings;
 
 vec3 WrView_irradiance(vec3 n) {
-    return textureLod(WrView_surroundings, n, 6.0).rgb;
+    return textureLod(WrView_surroundings, n, 5.0).rgb;
 }
 
 vec3 WrView_mirrored(vec3 direction, float roughness) {
-    return textureLod(WrView_surroundings, direction, 5.0 * roughness).rgb;
+    return textureLod(WrView_surroundings, direction, 4.0 * roughness).rgb;
 }
 )";
 
