@@ -6,10 +6,10 @@
 //
 // Each view has a value per pixel (`raw`) and a color that it is shown in:
 //
-//   shaded      Linear radiance under one directional light: GGX with an environment, of sky and
-//               ground or a picture (gpu/environment.h), or Phong without one. Shown times
-//               exposure, through the sRGB curve; a channel that exceeds 0.8 by x becomes 0.8 + 0.2
-//               x / (x + 0.2) before it.
+//   shaded      Linear radiance under one directional light: GGX with an environment (sky and
+//               ground, or a picture: gpu/environment.h), or Phong without one. Shown times
+//               exposure, through the sRGB curve; a channel that exceeds 0.8 by x becomes
+//               0.8 + 0.2 x / (x + 0.2) before it.
 //   normal      The resolved normal n, object space, unit. Shown as 0.5 + 0.5 n.
 //   gradient    g = n - n' / (n . n'), of normal n' and surface normal n. Shown as 0.5 + 0.5 g.
 //   height      The output `height`; refused where there is none. Gray over height_range.
@@ -57,8 +57,9 @@ enum class Lighting : uint8_t { ggx, phong };
 
 std::span<const std::string_view> lighting_names();  // in the order of the enumerators
 
-// The light of classic texts: radiance is color * (ambient + diffuse * n.l) + specular * (r.v)^
-// shininess, r the direction to the light mirrored at n; without the last term where n.l is 0. Of a
+// The light of classic texts (Phong 1975), per pixel:
+//     color * (ambient + diffuse * n.l) + specular * (r.v)^shininess
+// r is the direction to the light mirrored at n; the last term is absent where n.l is 0. Of a
 // material it reads normal and color alone.
 struct Phong {
     float ambient = 0.1F;   // Ka

@@ -41,19 +41,22 @@ glm::dmat4 matrix_of(const tinygltf::Node& node) {
     return m;
 }
 
-// Lists, strips and fans as lists. False for points and lines.
-bool list_triangles(int mode, const std::vector<uint32_t>& in, std::vector<uint32_t>& out) {
+bool has_triangles(int mode) {  // not points and lines; absent is a list
+    return mode < 0 || mode == TINYGLTF_MODE_TRIANGLES || mode == TINYGLTF_MODE_TRIANGLE_STRIP ||
+           mode == TINYGLTF_MODE_TRIANGLE_FAN;
+}
+
+// Lists, strips and fans as lists.
+void list_triangles(int mode, const std::vector<uint32_t>& in, std::vector<uint32_t>& out) {
     if (mode == TINYGLTF_MODE_TRIANGLES || mode < 0) {
         out.assign(in.begin(), in.begin() + static_cast<std::ptrdiff_t>(in.size() / 3 * 3));
-        return true;
+        return;
     }
     const bool strip = mode == TINYGLTF_MODE_TRIANGLE_STRIP;
-    if (!strip && mode != TINYGLTF_MODE_TRIANGLE_FAN) return false;
     for (size_t i = 0; i + 2 < in.size(); ++i) {
         const size_t turned = strip ? i % 2 : 0;
         out.insert(out.end(), {in[strip ? i : 0], in[i + 1 + turned], in[i + 2 - turned]});
     }
-    return true;
 }
 
 class GltfReader {
@@ -127,7 +130,8 @@ private:
             where_ = "mesh " + std::to_string(index) + ", primitive " + std::to_string(i) + ": ";
             Mesh part;
             if (!read_primitive(primitives[i], part)) continue;
-            if (mesh_.indices.size() + part.indices.size() > limits_.max_corners)
+            if (mesh_.indices.size() + part.indices.size() > limits_.max_corners ||
+                mesh_.vertex_count() + part.vertex_count() > limits_.max_corners)
                 return error("more than " + std::to_string(limits_.max_corners / 3) + " triangles",
                              "split the file or simplify the mesh");
             complete(part);
@@ -138,6 +142,7 @@ private:
     }
 
     bool read_primitive(const tinygltf::Primitive& primitive, Mesh& part) {
+        if (!has_triangles(primitive.mode)) return false;
         const bool fine = read_vector(primitive, "POSITION", part.positions, 3) &&
                           read_vector(primitive, "NORMAL", part.normals, 3) &&
                           read_vector(primitive, "TANGENT", part.tangents, 4) &&
@@ -147,7 +152,7 @@ private:
         if (part.positions.empty()) return error("has no positions"), false;
         std::vector<uint32_t> order;
         if (!read_order(primitive, part.vertex_count(), order)) return false;
-        if (!list_triangles(primitive.mode, order, part.indices)) return false;
+        list_triangles(primitive.mode, order, part.indices);
         return !part.indices.empty();
     }
 
@@ -160,6 +165,12 @@ private:
         std::string why;
         const auto floats = read_floats(model_, found->second, limits_.max_corners, why);
         if (!floats) return error(name + ": " + why), false;
+        // Many nodes may show one mesh; each reads it anew.
+        elements_read_ += floats->count;
+        if (elements_read_ > 16 * limits_.max_corners)
+            return error("more than " + std::to_string(limits_.max_corners) + " vertices",
+                         "split the file or simplify the mesh"),
+                   false;
         const int width = floats->components;
         const auto position = primitive.attributes.find("POSITION");
         if (width < least || width > Vector::length())
@@ -254,6 +265,7 @@ private:
     Diagnostics& diagnostics_;
     std::string where_;
     bool failed_ = false;
+    uint64_t elements_read_ = 0;
     Mesh mesh_;
 };
 
