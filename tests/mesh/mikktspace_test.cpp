@@ -55,10 +55,9 @@ std::vector<Recorded> recorded() {
     return result;
 }
 
-// The reference has no direction for this corner: it gives (1, 0, 0), which is in no plane of a
-// normal here, or just happens to be.
-bool is_placeholder(glm::vec4 tangent) {
-    return glm::vec3(tangent) == glm::vec3(1, 0, 0);
+// Where the reference has no direction it gives (1, 0, 0), whatever the normal; ours differs there.
+bool is_placeholder(const std::string& mesh, glm::vec4 tangent) {
+    return mesh == "degenerate" && glm::vec3(tangent) == glm::vec3(1, 0, 0);
 }
 
 TEST(MikkTSpace, AgreesWithRecordedTangents) {
@@ -73,7 +72,7 @@ TEST(MikkTSpace, AgreesWithRecordedTangents) {
             const glm::vec4 tangent = mesh.tangents[mesh.indices[i]];
             const glm::vec4 expected = each.corners[i];
             EXPECT_NEAR(glm::length(glm::vec3(tangent)), 1, 1e-6);
-            if (is_placeholder(expected)) continue;
+            if (is_placeholder(each.name, expected)) continue;
             ++compared;
             EXPECT_LT(glm::length(tangent - expected), 2e-5)
                 << each.name << " corner " << i << ": " << tangent.x << " " << tangent.y << " "
