@@ -83,6 +83,7 @@ Painter::Painter(gpu::Context context, gpu::Target target, const PictureOptions&
     renderer_.set_lighting(options.lighting);
     if (!options.environment.empty()) renderer_.set_environment(options.environment);
     scene_.phong = options.phong;
+    options_.environment = {};  // the renderer has it
     scene_.camera = gpu::default_camera(mesh, options.mesh);
 }
 

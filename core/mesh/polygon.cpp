@@ -10,7 +10,7 @@ namespace {
 using glm::dvec2;
 using glm::dvec3;
 
-constexpr size_t max_ears = 1024;
+constexpr size_t max_ears = 256;  // the time to find them grows with the third power
 
 // Twice the area vector: the sum of the cross products along the border (Newell).
 dvec3 border_normal(std::span<const glm::vec3> positions) {
