@@ -1,9 +1,11 @@
 #include "cli/picture.h"
 
 #include <charconv>
+#include <cmath>
 
+#include "base/text.h"
 #include "gpu/from_glsl.h"
-#include "mesh/shapes.h"
+#include "image/load.h"
 
 namespace wrinkle::cli {
 namespace {
@@ -14,12 +16,6 @@ bool parse_side(std::string_view text, int& side) {
     const char* end = text.data() + text.size();
     const auto [stop, problem] = std::from_chars(text.data(), end, side);
     return problem == std::errc{} && stop == end && side >= 1 && side <= max_side;
-}
-
-Mesh mesh_of(const PictureOptions& options) {
-    Mesh mesh = *make_shape(options.mesh);
-    if (!options.tangents) mesh.tangents.clear();
-    return mesh;
 }
 
 }  // namespace
@@ -34,14 +30,37 @@ std::vector<std::string> view_names() {
     return {gpu::view_names().begin(), gpu::view_names().end()};
 }
 
-std::vector<std::string> shape_names() {
-    std::vector<std::string> names;
-    for (const Shape& shape : shapes())
-        names.emplace_back(shape.name);
-    return names;
+std::vector<std::string> lighting_names() {
+    return {gpu::lighting_names().begin(), gpu::lighting_names().end()};
 }
 
-std::optional<Painter> Painter::make(const PictureOptions& options, Diagnostics& diagnostics) {
+bool parse_phong(const std::string& text, gpu::Phong& phong) {
+    const auto parts = split(text, ',');
+    float* values[] = {&phong.ambient, &phong.diffuse, &phong.specular, &phong.shininess};
+    if (parts.size() != std::size(values)) return false;
+    for (size_t i = 0; i < parts.size(); ++i) {
+        const char* end = parts[i].data() + parts[i].size();
+        const auto [stop, problem] = std::from_chars(parts[i].data(), end, *values[i]);
+        if (problem != std::errc{} || stop != end || !std::isfinite(*values[i]) || *values[i] < 0)
+            return false;
+    }
+    return true;
+}
+
+std::optional<Image> load_environment(const std::string& file, Diagnostics& diagnostics) {
+    auto image = load_image(file, diagnostics);
+    if (!image || image->source == PixelType::half || image->source == PixelType::float32)
+        return image;
+    Diagnostic problem;
+    problem.where.file = file;
+    problem.message = "holds " + std::string(name_of(image->source)) + " values, no radiance";
+    problem.expected = "an equirectangular .hdr or .exr";
+    diagnostics.add(std::move(problem));
+    return {};
+}
+
+std::optional<Painter> Painter::make(const PictureOptions& options, const Mesh& mesh,
+                                     Diagnostics& diagnostics) {
     auto context = gpu::Context::offscreen(diagnostics);
     if (!context) return {};
     if (!context->make_current()) {
@@ -54,13 +73,17 @@ std::optional<Painter> Painter::make(const PictureOptions& options, Diagnostics&
     wanted.samples = options.view == gpu::View::shaded ? 4 : 1;  // values are not to be averaged
     auto target = gpu::Target::make(wanted, diagnostics);
     if (!target) return {};
-    return Painter(std::move(*context), std::move(*target), options);
+    return Painter(std::move(*context), std::move(*target), options, mesh);
 }
 
-Painter::Painter(gpu::Context context, gpu::Target target, const PictureOptions& options)
+Painter::Painter(gpu::Context context, gpu::Target target, const PictureOptions& options,
+                 const Mesh& mesh)
     : context_(std::move(context)), target_(std::move(target)), options_(options) {
-    const Mesh mesh = mesh_of(options);
     renderer_.set_mesh(mesh);
+    renderer_.set_lighting(options.lighting);
+    if (!options.environment.empty()) renderer_.set_environment(options.environment);
+    scene_.phong = options.phong;
+    options_.environment = {};  // the renderer has it
     scene_.camera = gpu::default_camera(mesh, options.mesh);
 }
 

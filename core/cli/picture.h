@@ -10,22 +10,31 @@
 #include "gpu/renderer.h"
 #include "gpu/target.h"
 #include "image/image.h"
+#include "mesh/mesh.h"
 
 namespace wrinkle::cli {
 
 struct PictureOptions {
-    std::string mesh = "sphere";  // a name of mesh/shapes.h
+    std::string mesh = "sphere";  // as cli/meshes.h takes it; it frames the picture
     int width = 512;
     int height = 512;
     gpu::View view = gpu::View::shaded;
     std::string against;  // of the difference view
-    bool tangents = true;
+    gpu::Lighting lighting = gpu::Lighting::ggx;
+    gpu::Phong phong;
+    Image environment;  // empty: sky and ground
 };
 
 // "640x480"; nothing for a text that is no size of 1 to 16384.
 bool parse_size(const std::string& text, int& width, int& height);
 std::vector<std::string> view_names();
-std::vector<std::string> shape_names();
+std::vector<std::string> lighting_names();
+
+// "0.1,0.7,0.4,32": Ka, Kd, Ks and shininess, finite and not negative.
+bool parse_phong(const std::string& text, gpu::Phong& phong);
+
+// A picture of the surroundings; nothing with an error for one that holds no radiance.
+std::optional<Image> load_environment(const std::string& file, Diagnostics& diagnostics);
 
 struct Picture {
     Image image;
@@ -36,14 +45,16 @@ struct Picture {
 class Painter {
 public:
     // Nothing where there is no GL or the size is beyond the driver: the environment's fault.
-    static std::optional<Painter> make(const PictureOptions& options, Diagnostics& diagnostics);
+    static std::optional<Painter> make(const PictureOptions& options, const Mesh& mesh,
+                                       Diagnostics& diagnostics);
 
     // The shader is that of emit_function(). What fails here is the graph's fault.
     std::optional<Picture> draw(const Shader& shader, const Textures& textures,
                                 Diagnostics& diagnostics);
 
 private:
-    Painter(gpu::Context context, gpu::Target target, const PictureOptions& options);
+    Painter(gpu::Context context, gpu::Target target, const PictureOptions& options,
+            const Mesh& mesh);
     bool set_material(const gpu::Material& material, const Textures& textures,
                       Diagnostics& diagnostics);
 

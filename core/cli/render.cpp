@@ -7,6 +7,7 @@
 
 #include "base/file.h"
 #include "base/text.h"
+#include "cli/meshes.h"
 #include "cli/output.h"
 #include "cli/picture.h"
 #include "image/load.h"
@@ -19,11 +20,16 @@ struct RenderCommand {
     CommonOptions common;
     std::string file, output;
     std::string mesh = "sphere", size = "512x512", view = "shaded", against;
+    std::string lighting = "ggx", phong, environment;
 
     int run() const {
         PictureOptions options;
         if (!read_options(options)) return exit_usage;
         Diagnostics diagnostics;
+        const auto drawn_on = open_mesh(mesh, common, diagnostics);
+        if (!environment.empty())
+            if (auto picture = load_environment(environment, diagnostics))
+                options.environment = std::move(*picture);
         const Nodes nodes = load_nodes(common, diagnostics);
         const Overrides overrides = parse_overrides(common, diagnostics);
         if (overrides.is_sweep() && output == "-") {
@@ -39,20 +45,28 @@ struct RenderCommand {
             shaders.push_back(emit_function(run, material_name(file), diagnostics));
         }
         const int code = report(diagnostics, common.diagnostics);
-        return code == exit_fine ? draw(shaders, textures, options, overrides) : code;
+        return code == exit_fine ? draw(shaders, textures, *drawn_on, options, overrides) : code;
     }
 
     bool read_options(PictureOptions& options) const {
         options.mesh = mesh;
         options.against = against;
-        options.tangents = !common.no_tangents;
         options.view = *gpu::view_named(view);
+        options.lighting = lighting == "phong" ? gpu::Lighting::phong : gpu::Lighting::ggx;
         const std::string type = fs::path(output).extension().string();
         std::string sentence;
         if (!parse_size(size, options.width, options.height))
             sentence = "--size " + size + " is no size; 512x512 is one, at most 16384 a side";
         else if (!against.empty() && options.view != gpu::View::difference)
             sentence = "--against goes with --view difference";
+        else if (options.view != gpu::View::shaded && !(environment.empty() && phong.empty()))
+            sentence = "--environment and --phong go with --view shaded";
+        else if (!phong.empty() && options.lighting != gpu::Lighting::phong)
+            sentence = "--phong goes with --lighting phong";
+        else if (!phong.empty() && !parse_phong(phong, options.phong))
+            sentence = "--phong " + phong + " is no KA,KD,KS,SHININESS such as 0.1,0.7,0.4,32";
+        else if (!environment.empty() && options.lighting != gpu::Lighting::ggx)
+            sentence = "--environment goes with --lighting ggx; Phong's light reflects nothing";
         else if (output != "-" && type != ".png" && type != ".jpg" && type != ".jpeg" &&
                  type != ".tif" && type != ".tiff")
             sentence = output + ": a picture is written as .png, .jpg or .tif";
@@ -60,10 +74,10 @@ struct RenderCommand {
         return sentence.empty();
     }
 
-    int draw(const std::vector<Shader>& shaders, const Textures& textures,
+    int draw(const std::vector<Shader>& shaders, const Textures& textures, const Mesh& drawn_on,
              const PictureOptions& options, const Overrides& overrides) const {
         Diagnostics environment, diagnostics;
-        auto painter = Painter::make(options, environment);
+        auto painter = Painter::make(options, drawn_on, environment);
         if (!painter) {
             report(environment, common.diagnostics);
             return exit_environment;
@@ -114,9 +128,9 @@ void declare_render(CLI::App& app, Run& run) {
     sub.add_option("-o", c.output, "The picture: .png, .jpg or .tif; - is standard output")
         ->type_name("OUT")
         ->required();
-    sub.add_option("--mesh", c.mesh, "What it is drawn on")
-        ->type_name("NAME")
-        ->check(CLI::IsMember(shape_names()))
+    sub.add_option("--mesh", c.mesh, "What it is drawn on: " + mesh_help())
+        ->type_name("NAME|PATH")
+        ->check(check_mesh)
         ->capture_default_str();
     sub.add_option("--size", c.size, "Of the picture")->type_name("WxH")->capture_default_str();
     sub.add_option("--view", c.view, "What it shows")
@@ -126,6 +140,15 @@ void declare_render(CLI::App& app, Run& run) {
                    "The output that the difference is taken against; "
                    "default: the normal without bumps")
         ->type_name("OUTPUT");
+    sub.add_option("--lighting", c.lighting, "Of the shaded view")
+        ->check(CLI::IsMember(lighting_names()))
+        ->capture_default_str();
+    sub.add_option("--phong", c.phong, "Of that lighting; default: 0.1,0.7,0.4,32")
+        ->type_name("KA,KD,KS,SHININESS");
+    sub.add_option("--environment", c.environment,
+                   "What GGX reflects: an equirectangular .hdr or .exr, its middle behind the "
+                   "object; default: a sky over a ground")
+        ->type_name("FILE");
     declare_common(sub, c.common);
     sub.callback([command, &run] { run = [command] { return command->run(); }; });
 }

@@ -5,6 +5,7 @@
 
 #include "base/file.h"
 #include "base/text.h"
+#include "cli/meshes.h"
 #include "cli/output.h"
 #include "image/load.h"
 #include "json/write.h"
@@ -133,9 +134,10 @@ void TestRun::text(const TestCase& test, const Shader& shader) {
 void TestRun::picture(const TestCase& test, const Shader& shader, const Textures& textures,
                       Diagnostics& diagnostics) {
     Diagnostics environment;
-    PictureOptions options = test.render->picture;
-    options.tangents = !common_.no_tangents;
-    auto painter = Painter::make(options, environment);
+    const PictureOptions& options = test.render->picture;
+    const auto mesh = open_mesh(options.mesh, common_, diagnostics);
+    if (!mesh) return;
+    auto painter = Painter::make(options, *mesh, environment);
     if (!painter) {
         tally_.environment = environment.list().front().message;
         return;
