@@ -8,17 +8,40 @@
 // x_node, because the formulas of other nodes call the function x.
 // clang-format off
 #define WRINKLE_BUILT_IN_NODES(X) \
-    /* uv.cpp */ \
-    X(uv_transform) \
+    /* uv.cpp, coordinates.cpp */ \
+    X(uv_transform) X(planar_uv) X(plane_uv) X(box_uv) X(cylinder_uv) X(sphere_uv) \
     /* image.cpp, height_map.cpp */ \
     X(image) X(height_map) X(derivative_map) X(tangent_normal_map) X(object_normal_map) \
+    /* cube_map.cpp */ \
+    X(cube_normal_map) \
+    /* triplanar.cpp */ \
+    X(triplanar_weights) X(triplanar_color) X(triplanar_height_map) X(triplanar_derivative_map) \
+    X(triplanar_normal_map) X(triplanar_height) X(triplanar_derivative) \
+    /* hex.cpp */ \
+    X(hex_tile_color) X(hex_tile_height_map) X(hex_tile_normal_map) \
+    /* decal.cpp */ \
+    X(decal_box) X(decal_cone) X(decal_sphere) X(decal_capsule) X(decal_add) X(decal_mask) \
     /* gradient.cpp */ \
-    X(gradient_add) X(gradient_scale) X(gradient_mix) X(gradient_from_height) X(gradient_from_volume) \
-    X(gradient_from_normal) X(resolve) \
+    X(gradient_add) X(gradient_subtract) X(gradient_scale) X(gradient_invert) X(gradient_mix) \
+    X(gradient_over) X(gradient_clamp_slope) X(gradient_tilt) X(normal_angle) X(gradient_from_height) \
+    X(gradient_from_volume) X(gradient_from_normal) X(gradient_from_tangent_normal) X(resolve) \
+    /* compositor.cpp */ \
+    X(gradient_compositor) \
     /* height.cpp */ \
-    X(height_add) X(height_scale) X(height_mix) \
+    X(height_add) X(height_subtract) X(height_scale) X(height_invert) X(height_mix) X(height_max) \
+    X(height_min) X(height_remap) \
     /* noise.cpp */ \
-    X(gradient_noise) \
+    X(gradient_noise) X(simplex_noise) X(value_noise) \
+    /* fractal.cpp */ \
+    X(fbm) X(turbulence) X(ridged) X(dents) \
+    /* cellular.cpp */ \
+    X(worley_noise) X(scratches) \
+    /* waves.cpp */ \
+    X(waves) \
+    /* pattern.cpp */ \
+    X(checker) X(brick) X(hexagons) X(pyramids) X(domes) \
+    /* weave.cpp */ \
+    X(weave) \
     /* parallax.cpp */ \
     X(parallax_occlusion) X(parallax_offset) \
     /* math.cpp */ \
@@ -28,7 +51,14 @@
     /* vector.cpp */ \
     X(combine_vec2) X(combine_vec3) X(combine_vec4) X(separate_vec2) X(separate_vec3) X(separate_vec4) \
     X(vec2_add) X(vec2_scale) X(vec3_add) X(vec3_subtract) X(vec3_multiply) X(vec3_scale) X(vec3_mix) \
-    X(dot) X(cross) X(length) X(normalize)
+    X(dot) X(cross) X(length) X(normalize) \
+    /* comparison.cpp */ \
+    X(compare_linear) X(compare_overlay) X(compare_whiteout) X(compare_udn) \
+    X(compare_partial_derivative) X(compare_rnm) X(compare_unity) X(compare_nested_frame) \
+    X(compare_bump_over_normal) X(compare_normal_strength) \
+    /* comparison_surface.cpp */ \
+    X(compare_perlin) X(compare_weighted_normals) X(compare_blender_strength) \
+    X(compare_engine_basis) X(compare_screen_height)
 // clang-format on
 
 namespace wrinkle {

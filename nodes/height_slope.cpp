@@ -7,17 +7,27 @@ using namespace sdk;
 
 namespace {
 
-// Texels of level 0 that a pixel covers, along its longer side.
-Float footprint(Image image, vec2 uv) {
-    const vec2 size = image.size();
-    return detach(max(length(ddx(uv) * size), length(ddy(uv) * size)));
-}
+// How the picture is read: by the changes of uv between pixels, or by given ones where uv jumps.
+struct Reader {
+    Image image;
+    Changes changes;
+    bool given;
 
-vec2 three_taps(Image image, vec2 uv, Float texels) {
-    const vec2 texel = max(texels, 1) / image.size();
-    const Float here = image.sample(uv).x();
-    const Float right = image.sample(uv + vec2(texel.x(), 0)).x();
-    const Float above = image.sample(uv + vec2(0, texel.y())).x();
+    Float at(vec2 uv) const {
+        return (given ? image.sample_grad(uv, changes.x, changes.y) : image.sample(uv)).x();
+    }
+    // Texels of level 0 that a pixel covers, along its longer side.
+    Float footprint() const {
+        const vec2 size = image.size();
+        return detach(max(length(changes.x * size), length(changes.y * size)));
+    }
+};
+
+vec2 three_taps(const Reader& read, vec2 uv, Float texels) {
+    const vec2 texel = max(texels, 1) / read.image.size();
+    const Float here = read.at(uv);
+    const Float right = read.at(uv + vec2(texel.x(), 0));
+    const Float above = read.at(uv + vec2(0, texel.y()));
     return vec2(right - here, above - here) / texel;
 }
 
@@ -36,25 +46,33 @@ vec2 smooth_slope(Image image, vec2 uv) {
     return slope(uv, 1 / image.size());
 }
 
-vec2 pixel_difference(Image image, vec2 uv) {
-    const vec2 x = ddx(uv), y = ddy(uv);
-    const Float here = image.sample(uv).x();
-    const Float change_x = image.sample(uv + detach(x)).x() - here;
-    const Float change_y = image.sample(uv + detach(y)).x() - here;
+vec2 pixel_difference(const Reader& read, vec2 uv) {
+    const auto [x, y] = read.changes;
+    const Float here = read.at(uv);
+    const Float change_x = read.at(uv + detach(x)) - here;
+    const Float change_y = read.at(uv + detach(y)) - here;
     const Float det = x.x() * y.y() - x.y() * y.x();
     return vec2(divide(change_x * y.y() - change_y * x.y(), det),
                 divide(change_y * x.x() - change_x * y.x(), det));
 }
 
+vec2 slope_of(const Reader& read, vec2 uv, HeightQuality quality) {
+    if (quality == HeightQuality::pixel) return pixel_difference(read, uv);
+    const Float texels = read.footprint();
+    const vec2 coarse = three_taps(read, uv, texels);
+    if (quality == HeightQuality::three_taps) return coarse;
+    const Float magnified = saturate((0.5 - log2(texels)) / (0.5 - 0.05));
+    return mix(coarse, smooth_slope(read.image, uv), magnified);
+}
+
 }  // namespace
 
 vec2 height_slope(Image image, vec2 uv, HeightQuality quality) {
-    if (quality == HeightQuality::pixel) return pixel_difference(image, uv);
-    const Float texels = footprint(image, uv);
-    const vec2 coarse = three_taps(image, uv, texels);
-    if (quality == HeightQuality::three_taps) return coarse;
-    const Float magnified = saturate((0.5 - log2(texels)) / (0.5 - 0.05));
-    return mix(coarse, smooth_slope(image, uv), magnified);
+    return slope_of({image, {ddx(uv), ddy(uv)}, false}, uv, quality);
+}
+
+vec2 height_slope(Image image, vec2 uv, HeightQuality quality, Changes changes) {
+    return slope_of({image, changes, true}, uv, quality);
 }
 
 Float read_height(Image image, vec2 uv, HeightQuality quality) {

@@ -24,6 +24,12 @@ enum class HeightQuality { smooth, three_taps, pixel };
 // dh/d(u,v) of the red channel, per uv unit.
 sdk::vec2 height_slope(sdk::Image image, sdk::vec2 uv, HeightQuality quality);
 
+// The same where uv jumps from pixel to pixel: by given changes of uv to the next ones.
+struct Changes {
+    sdk::vec2 x, y;
+};
+sdk::vec2 height_slope(sdk::Image image, sdk::vec2 uv, HeightQuality quality, Changes changes);
+
 // The red channel, its derivative the slope of that quality.
 sdk::Float read_height(sdk::Image image, sdk::vec2 uv, HeightQuality quality);
 

@@ -110,9 +110,11 @@ Node object_normal_map_node =
         .in<Normal>("base", surface::normal, BASE_DOC)
         .out<Gradient>("gradient", "The bump")
         .body([](ObjectNormalMap in) {
-            vec3 v = in.image.sample(in.uv).xyz();
-            if (in.facing == Facing::opposite) v *= sign_nonzero(dot(in.base, v));
-            return gradient_from_normal(v, Base(in.base)) * in.strength;
+            const vec3 v = in.image.sample(in.uv).xyz();
+            const Gradient g = in.facing == Facing::toward
+                                   ? gradient_from_normal(v, Base(in.base))
+                                   : gradient_from_outward_normal(v, Base(in.base));
+            return g * in.strength;
         });
 
 }  // namespace wrinkle::nodes

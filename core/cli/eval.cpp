@@ -3,8 +3,8 @@
 
 #include "base/text.h"
 #include "cli/evaluation.h"
+#include "cli/meshes.h"
 #include "cli/output.h"
-#include "cli/picture.h"
 #include "json/write.h"
 
 namespace wrinkle::cli {
@@ -20,9 +20,8 @@ struct EvalCommand {
         Diagnostics diagnostics;
         const Nodes nodes = load_nodes(common, diagnostics);
         const Overrides overrides = parse_overrides(common, diagnostics);
-        const std::vector<Point> points =
-            at.empty() ? points_on_mesh(place, !common.no_tangents, diagnostics)
-                       : points_of_option(at, diagnostics);
+        const std::vector<Point> points = at.empty() ? points_on_mesh(place, common, diagnostics)
+                                                     : points_of_option(at, diagnostics);
         const auto runs = compile_runs(file, common, nodes.registry, overrides, true, diagnostics);
         Textures textures;
         if (!diagnostics.has_errors())
@@ -39,7 +38,7 @@ struct EvalCommand {
     bool check_usage() const {
         std::string sentence;
         if (at.empty() == place.mesh.empty())
-            sentence = "eval needs points: --at JSON, or --mesh NAME with --uv U,V";
+            sentence = "eval needs points: --at JSON, or --mesh NAME|PATH with --uv U,V";
         else if (at.empty() && !is_uv(place.uv))
             sentence = "--mesh needs a place: --uv U,V such as 0.5,0.25";
         else if (!at.empty() && !place.uv.empty())
@@ -97,9 +96,9 @@ void declare_eval(CLI::App& app, Run& run) {
                    "A point such as {\"normal\": [0, 0, 1], \"uv0\": [0.5, 0.5], \"dx\": {...}}, "
                    "an array of them, @FILE, or - for standard input")
         ->type_name("JSON");
-    sub.add_option("--mesh", c.place.mesh, "A point of this shape instead")
-        ->type_name("NAME")
-        ->check(CLI::IsMember(shape_names()));
+    sub.add_option("--mesh", c.place.mesh, "A point of this instead: " + mesh_help())
+        ->type_name("NAME|PATH")
+        ->check(check_mesh);
     sub.add_option("--uv", c.place.uv, "Where on it, in uv0")->type_name("U,V");
     sub.add_option("--size", c.place.size, "dx and dy are one texel of N x N of uv0")
         ->type_name("N")

@@ -1,12 +1,14 @@
 #include "cli/picture.h"
 
 #include <charconv>
+#include <cmath>
 #include <glm/geometric.hpp>
 
 #include "bake/displace.h"
+#include "base/text.h"
 #include "cli/evaluation.h"
 #include "gpu/from_glsl.h"
-#include "mesh/shapes.h"
+#include "image/load.h"
 #include "mesh/subdivide.h"
 
 namespace wrinkle::cli {
@@ -18,12 +20,6 @@ bool parse_side(std::string_view text, int& side) {
     const char* end = text.data() + text.size();
     const auto [stop, problem] = std::from_chars(text.data(), end, side);
     return problem == std::errc{} && stop == end && side >= 1 && side <= max_side;
-}
-
-Mesh mesh_of(const PictureOptions& options) {
-    Mesh mesh = *make_shape(options.mesh);
-    if (!options.tangents) mesh.tangents.clear();
-    return mesh;
 }
 
 }  // namespace
@@ -38,14 +34,11 @@ std::vector<std::string> view_names() {
     return {gpu::view_names().begin(), gpu::view_names().end()};
 }
 
-std::vector<std::string> shape_names() {
-    std::vector<std::string> names;
-    for (const Shape& shape : shapes())
-        names.emplace_back(shape.name);
-    return names;
+std::vector<std::string> lighting_names() {
+    return {gpu::lighting_names().begin(), gpu::lighting_names().end()};
 }
 
-std::optional<Mesh> displaced_mesh(const PictureOptions& options, const MaterialRun& run,
+std::optional<Mesh> displaced_mesh(const Mesh& still, const MaterialRun& run,
                                    const Textures& textures, Diagnostics& diagnostics) {
     constexpr float triangles_across = 300;
     Module module = run.compiled.module;
@@ -55,9 +48,8 @@ std::optional<Mesh> displaced_mesh(const PictureOptions& options, const Material
                           "a height in length units of object space");
         return {};
     }
-    Mesh mesh = mesh_of(options);
-    const Bounds bounds = bounds_of(mesh);
-    mesh = subdivided(std::move(mesh), glm::distance(bounds.low, bounds.high) / triangles_across);
+    const Bounds bounds = bounds_of(still);
+    Mesh mesh = subdivided(still, glm::distance(bounds.low, bounds.high) / triangles_across);
     std::string why;
     const Program program = compile_program(module, why);
     if (why.empty()) why = displace(mesh, program, 0, textures_of(module, textures));
@@ -66,7 +58,33 @@ std::optional<Mesh> displaced_mesh(const PictureOptions& options, const Material
     return {};
 }
 
-std::optional<Painter> Painter::make(const PictureOptions& options, Diagnostics& diagnostics) {
+bool parse_phong(const std::string& text, gpu::Phong& phong) {
+    const auto parts = split(text, ',');
+    float* values[] = {&phong.ambient, &phong.diffuse, &phong.specular, &phong.shininess};
+    if (parts.size() != std::size(values)) return false;
+    for (size_t i = 0; i < parts.size(); ++i) {
+        const char* end = parts[i].data() + parts[i].size();
+        const auto [stop, problem] = std::from_chars(parts[i].data(), end, *values[i]);
+        if (problem != std::errc{} || stop != end || !std::isfinite(*values[i]) || *values[i] < 0)
+            return false;
+    }
+    return true;
+}
+
+std::optional<Image> load_environment(const std::string& file, Diagnostics& diagnostics) {
+    auto image = load_image(file, diagnostics);
+    if (!image || image->source == PixelType::half || image->source == PixelType::float32)
+        return image;
+    Diagnostic problem;
+    problem.where.file = file;
+    problem.message = "holds " + std::string(name_of(image->source)) + " values, no radiance";
+    problem.expected = "an equirectangular .hdr or .exr";
+    diagnostics.add(std::move(problem));
+    return {};
+}
+
+std::optional<Painter> Painter::make(const PictureOptions& options, const Mesh& mesh,
+                                     Diagnostics& diagnostics) {
     auto context = gpu::Context::offscreen(diagnostics);
     if (!context) return {};
     if (!context->make_current()) {
@@ -79,13 +97,17 @@ std::optional<Painter> Painter::make(const PictureOptions& options, Diagnostics&
     wanted.samples = options.view == gpu::View::shaded ? 4 : 1;  // values are not to be averaged
     auto target = gpu::Target::make(wanted, diagnostics);
     if (!target) return {};
-    return Painter(std::move(*context), std::move(*target), options);
+    return Painter(std::move(*context), std::move(*target), options, mesh);
 }
 
-Painter::Painter(gpu::Context context, gpu::Target target, const PictureOptions& options)
+Painter::Painter(gpu::Context context, gpu::Target target, const PictureOptions& options,
+                 const Mesh& mesh)
     : context_(std::move(context)), target_(std::move(target)), options_(options) {
-    const Mesh mesh = mesh_of(options);
     renderer_.set_mesh(mesh);
+    renderer_.set_lighting(options.lighting);
+    if (!options.environment.empty()) renderer_.set_environment(options.environment);
+    scene_.phong = options.phong;
+    options_.environment = {};  // the renderer has it
     scene_.camera = gpu::default_camera(mesh, options.mesh);
 }
 

@@ -5,11 +5,10 @@
 #include <cmath>
 
 #include "base/text.h"
-#include "cli/session.h"
+#include "cli/meshes.h"
 #include "graph/document.h"
 #include "json/parse.h"
 #include "mesh/sample.h"
-#include "mesh/shapes.h"
 
 namespace wrinkle::cli {
 namespace {
@@ -188,11 +187,11 @@ bool is_uv(const std::string& text) {
     return parse_uv(text).has_value();
 }
 
-std::vector<Point> points_on_mesh(const MeshPlace& place, bool tangents, Diagnostics& diagnostics) {
-    std::optional<Mesh> mesh = make_shape(place.mesh);
+std::vector<Point> points_on_mesh(const MeshPlace& place, const CommonOptions& options,
+                                  Diagnostics& diagnostics) {
+    const std::optional<Mesh> mesh = open_mesh(place.mesh, options, diagnostics);
     const auto uv = parse_uv(place.uv);
     if (!mesh || !uv) return {};
-    if (!tangents) mesh->tangents.clear();
     const auto sampled = sample_mesh(*mesh, *uv, place.size, diagnostics);
     if (!sampled) return {};
     Point point;

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "base/diagnostics.h"
+#include "cli/session.h"
 #include "cpu/evaluate.h"
 #include "json/value.h"
 
@@ -46,14 +47,15 @@ std::vector<Point> read_points(const json::Value& value, Diagnostics& diagnostic
 // The value of --at: JSON itself, "@FILE", or "-" for standard input.
 std::vector<Point> points_of_option(const std::string& at, Diagnostics& diagnostics);
 
-// "U,V" on a built-in shape, dx and dy one texel of a size * size layout.
+// "U,V" on a mesh as cli/meshes.h takes it, dx and dy one texel of a size * size layout.
 struct MeshPlace {
     std::string mesh;
     std::string uv;
     uint32_t size = 1024;
 };
 bool is_uv(const std::string& text);
-std::vector<Point> points_on_mesh(const MeshPlace& place, bool tangents, Diagnostics& diagnostics);
+std::vector<Point> points_on_mesh(const MeshPlace& place, const CommonOptions& options,
+                                  Diagnostics& diagnostics);
 
 // Reports what is needed and absent; true when nothing is.
 bool all_given(const std::vector<Point>& points, const Program& program, Diagnostics& diagnostics);

@@ -7,6 +7,7 @@
 
 #include "base/file.h"
 #include "base/text.h"
+#include "cli/meshes.h"
 #include "cli/output.h"
 #include "cli/picture.h"
 #include "image/load.h"
@@ -20,11 +21,16 @@ struct RenderCommand {
     std::string file, output;
     std::string mesh = "sphere", size = "512x512", view = "shaded", against;
     bool displace = false;
+    std::string lighting = "ggx", phong, environment;
 
     int run() const {
         PictureOptions options;
         if (!read_options(options)) return exit_usage;
         Diagnostics diagnostics;
+        const auto drawn_on = open_mesh(mesh, common, diagnostics);
+        if (!environment.empty())
+            if (auto picture = load_environment(environment, diagnostics))
+                options.environment = std::move(*picture);
         const Nodes nodes = load_nodes(common, diagnostics);
         const Overrides overrides = parse_overrides(common, diagnostics);
         if (overrides.is_sweep() && output == "-") {
@@ -41,19 +47,22 @@ struct RenderCommand {
             shaders.push_back(emit_function(run, material_name(file), diagnostics));
         }
         if (displace && !diagnostics.has_errors())
-            meshes = displaced(nodes, overrides, textures, options, diagnostics);
+            meshes = displaced(*drawn_on, nodes, overrides, textures, diagnostics);
+        else if (drawn_on)
+            meshes.push_back(*drawn_on);
         const int code = report(diagnostics, common.diagnostics);
         return code == exit_fine ? draw(shaders, meshes, textures, options, overrides) : code;
     }
 
-    std::vector<Mesh> displaced(const Nodes& nodes, const Overrides& overrides, Textures& textures,
-                                const PictureOptions& options, Diagnostics& diagnostics) const {
+    // Of each run.
+    std::vector<Mesh> displaced(const Mesh& still, const Nodes& nodes, const Overrides& overrides,
+                                Textures& textures, Diagnostics& diagnostics) const {
         std::vector<Mesh> meshes;
         for (const MaterialRun& run :
              compile_runs(file, common, nodes.registry, overrides, true, diagnostics)) {
             if (diagnostics.has_errors()) break;
             textures.load(run.compiled, run.project, diagnostics);
-            auto mesh = displaced_mesh(options, run, textures, diagnostics);
+            auto mesh = displaced_mesh(still, run, textures, diagnostics);
             if (mesh) meshes.push_back(std::move(*mesh));
         }
         return meshes;
@@ -62,14 +71,22 @@ struct RenderCommand {
     bool read_options(PictureOptions& options) const {
         options.mesh = mesh;
         options.against = against;
-        options.tangents = !common.no_tangents;
         options.view = *gpu::view_named(view);
+        options.lighting = lighting == "phong" ? gpu::Lighting::phong : gpu::Lighting::ggx;
         const std::string type = fs::path(output).extension().string();
         std::string sentence;
         if (!parse_size(size, options.width, options.height))
             sentence = "--size " + size + " is no size; 512x512 is one, at most 16384 a side";
         else if (!against.empty() && options.view != gpu::View::difference)
             sentence = "--against goes with --view difference";
+        else if (options.view != gpu::View::shaded && !(environment.empty() && phong.empty()))
+            sentence = "--environment and --phong go with --view shaded";
+        else if (!phong.empty() && options.lighting != gpu::Lighting::phong)
+            sentence = "--phong goes with --lighting phong";
+        else if (!phong.empty() && !parse_phong(phong, options.phong))
+            sentence = "--phong " + phong + " is no KA,KD,KS,SHININESS such as 0.1,0.7,0.4,32";
+        else if (!environment.empty() && options.lighting != gpu::Lighting::ggx)
+            sentence = "--environment goes with --lighting ggx; Phong's light reflects nothing";
         else if (output != "-" && type != ".png" && type != ".jpg" && type != ".jpeg" &&
                  type != ".tif" && type != ".tiff")
             sentence = output + ": a picture is written as .png, .jpg or .tif";
@@ -77,11 +94,12 @@ struct RenderCommand {
         return sentence.empty();
     }
 
+    // `meshes`: one, or with --displace one for each shader.
     int draw(const std::vector<Shader>& shaders, const std::vector<Mesh>& meshes,
              const Textures& textures, const PictureOptions& options,
              const Overrides& overrides) const {
         Diagnostics environment, diagnostics;
-        auto painter = Painter::make(options, environment);
+        auto painter = Painter::make(options, meshes.front(), environment);
         if (!painter) {
             report(environment, common.diagnostics);
             return exit_environment;
@@ -133,9 +151,9 @@ void declare_render(CLI::App& app, Run& run) {
     sub.add_option("-o", c.output, "The picture: .png, .jpg or .tif; - is standard output")
         ->type_name("OUT")
         ->required();
-    sub.add_option("--mesh", c.mesh, "What it is drawn on")
-        ->type_name("NAME")
-        ->check(CLI::IsMember(shape_names()))
+    sub.add_option("--mesh", c.mesh, "What it is drawn on: " + mesh_help())
+        ->type_name("NAME|PATH")
+        ->check(check_mesh)
         ->capture_default_str();
     sub.add_option("--size", c.size, "Of the picture")->type_name("WxH")->capture_default_str();
     sub.add_option("--view", c.view, "What it shows")
@@ -147,6 +165,15 @@ void declare_render(CLI::App& app, Run& run) {
                    "The output that the difference is taken against; "
                    "default: the normal without bumps")
         ->type_name("OUTPUT");
+    sub.add_option("--lighting", c.lighting, "Of the shaded view")
+        ->check(CLI::IsMember(lighting_names()))
+        ->capture_default_str();
+    sub.add_option("--phong", c.phong, "Of that lighting; default: 0.1,0.7,0.4,32")
+        ->type_name("KA,KD,KS,SHININESS");
+    sub.add_option("--environment", c.environment,
+                   "What GGX reflects: an equirectangular .hdr or .exr, its middle behind the "
+                   "object; default: a sky over a ground")
+        ->type_name("FILE");
     declare_common(sub, c.common);
     sub.callback([command, &run] { run = [command] { return command->run(); }; });
 }

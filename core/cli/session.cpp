@@ -39,7 +39,7 @@ void declare_common(CLI::App& command, CommonOptions& options, bool with_set) {
             ->take_all();
     command
         .add_option("--root", options.root,
-                    "Where the files a graph names must lie; default: the graph's folder")
+                    "Where the files a graph or mesh names must lie; default: its own folder")
         ->type_name("DIR");
     declare_plugin_path(command, options);
     command.add_flag("--no-tangents", options.no_tangents,

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/text.h"
+#include "cli/meshes.h"
 #include "cli/session.h"
 #include "graph/document.h"
 #include "json/parse.h"

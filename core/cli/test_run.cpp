@@ -5,6 +5,7 @@
 
 #include "base/file.h"
 #include "base/text.h"
+#include "cli/meshes.h"
 #include "cli/output.h"
 #include "image/load.h"
 #include "json/write.h"
@@ -76,9 +77,9 @@ void TestRun::run(const TestCase& test, Diagnostics& diagnostics) {
     if (!own.has_errors() && !test.points.empty()) values(test, given[0], textures, own);
     if (!own.has_errors() && test.glsl) text(test, shader);
     std::optional<Mesh> mesh;
-    if (!own.has_errors() && displaced)
-        mesh = displaced_mesh(test.render->picture, given[0], textures, own);
-    if (!own.has_errors() && test.render) picture(test, shader, mesh, textures, own);
+    if (!own.has_errors() && test.render) mesh = open_mesh(test.render->picture.mesh, common, own);
+    if (mesh && displaced) mesh = displaced_mesh(*mesh, given[0], textures, own);
+    if (mesh) picture(test, shader, *mesh, textures, own);
     append_once(own, diagnostics);
 }
 
@@ -134,17 +135,15 @@ void TestRun::text(const TestCase& test, const Shader& shader) {
     if (!options_.report.empty()) write(report_path(test, ".glsl"), shader.source);
 }
 
-void TestRun::picture(const TestCase& test, const Shader& shader, const std::optional<Mesh>& mesh,
+void TestRun::picture(const TestCase& test, const Shader& shader, const Mesh& mesh,
                       const Textures& textures, Diagnostics& diagnostics) {
     Diagnostics environment;
-    PictureOptions options = test.render->picture;
-    options.tangents = !common_.no_tangents;
-    auto painter = Painter::make(options, environment);
+    const PictureOptions& options = test.render->picture;
+    auto painter = Painter::make(options, mesh, environment);
     if (!painter) {
         tally_.environment = environment.list().front().message;
         return;
     }
-    if (mesh) painter->show(*mesh);
     const auto picture = painter->draw(shader, textures, diagnostics);
     if (!picture) return;
     const fs::path golden = test.golden(".png");

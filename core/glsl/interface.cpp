@@ -125,6 +125,15 @@ Text with_comments(int indent, const std::vector<std::pair<std::string, std::str
     return text;
 }
 
+// The shader form's own names. Taken in both forms, so that a uniform is called the same in both.
+void take_fixed_names(NameSet& globals) {
+    for (const char* name : {"object_to_clip", "object_to_world", "normal_to_world", "eye",
+                             "position_relative"})
+        globals.unique(std::string("wrinkle_") + name);
+    for (int i = 0; i < surface_input_count; ++i)
+        globals.unique("wrinkle_" + std::string(info(static_cast<SurfaceInput>(i)).name));
+}
+
 }  // namespace
 
 Interface make_interface(const Plan& plan, const EmitOptions& options) {
@@ -133,6 +142,7 @@ Interface make_interface(const Plan& plan, const EmitOptions& options) {
     NameSet plain;
     face.reflection.name = plain.unique(options.name);
     face.globals.unique("WrinkleSurface_" + face.reflection.name);
+    take_fixed_names(face.globals);
     add_functions(plan, face);
     add_samplers(plan, face);
     add_uniforms(plan, face);

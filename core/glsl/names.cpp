@@ -22,19 +22,6 @@ std::string legal(std::string_view wanted) {
     return name;
 }
 
-// max(|z| ..., floor) of a tangent-space normal, as expansion writes it.
-bool is_depth(const Module& m, Id id) {
-    const Inst& inst = m[id];
-    return inst.op == Op::max_ && m.is_literal(inst.arg[1], 1e-6) && m[inst.arg[0]].op == Op::max_;
-}
-
-// -xy of a tangent-space normal, times factors.
-bool is_slope(const Module& m, Id id) {
-    for (int factors = 0; m[id].op == Op::mul_ && factors < 4; ++factors)
-        id = m[id].arg[0];
-    return m.type(id) == Type::vec2_ && m[id].op == Op::neg_ && m[m[id].arg[0]].op == Op::swizzle_;
-}
-
 // A sample, or what constants and swizzles make of it.
 bool is_texel(const Module& m, Id id) {
     for (int steps = 0; steps < 6; ++steps) {
@@ -124,6 +111,15 @@ std::string NameSet::unique(std::string_view wanted) {
     return name;
 }
 
+std::string change_name(uint32_t input_extra) {
+    const Variant variant = variant_of(input_extra);
+    const std::string input(info(input_of(input_extra)).name);
+    if (variant == Variant::value) return input;
+    const std::string axis = variant == Variant::dx ? "dx" : "dy";
+    return input_of(input_extra) == SurfaceInput::position_ ? "dp" + axis
+                                                            : "d" + input + "_" + axis;
+}
+
 std::string comment_text(std::string_view text) {
     std::string result;
     for (const char c : text.substr(0, longest_comment))
@@ -135,8 +131,6 @@ std::string comment_text(std::string_view text) {
 }
 
 std::string_view word_for(const Module& module, Id id) {
-    if (is_depth(module, id)) return "depth";
-    if (is_slope(module, id)) return "slope";
     if (is_texel(module, id)) return "texel";
     const Op op = module[id].op;
     if (op == Op::result_) {

@@ -29,9 +29,8 @@ private:
     std::unordered_map<std::string, uint32_t> next_;
 };
 
-// The fixed name of a value that belongs to the surface point and not to one node: "normal",
-// "dpdx", "duv0_dx", "uv0_tangent", ...; "" where it has none.
-std::string surface_name(const Module& module, Id id);
+// The name of a surface input's change: "dpdx", "duv0_dy"; of the input itself its own.
+std::string change_name(uint32_t input_extra);
 
 // What a value is, in one word, for temporaries that are no node's output: "texel", "sum", ...
 std::string_view word_for(const Module& module, Id id);

@@ -17,10 +17,11 @@ Plan::Plan(const Module& module, bool given)
       seen_resource_(module.resources.size()) {
     find_aliases();
     find_members();
-    for (uint32_t i = 0; i < module.named.size(); ++i) {
-        const Id id = alias_[module.named[i].value];
-        if (!first_name[id]) first_name[id] = i + 1;
-    }
+    for (const bool output : {true, false})
+        for (uint32_t i = 0; i < module.named.size(); ++i) {
+            const Id id = alias_[module.named[i].value];
+            if (module.named[i].output == output && !first_name[id]) first_name[id] = i + 1;
+        }
     for (uint32_t region = 1; region < module.region_count(); ++region)
         if (module.region(region).kind == RegionKind::loop) find_captures(region);
     walk();

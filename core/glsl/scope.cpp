@@ -170,7 +170,7 @@ bool Folder::must_name(Id id, bool is_root) {
     const ValueState& s = state(id);
     if (plan_.module().type(id) == Type::tuple_ || s.uses > 1 || s.captured) return true;
     const uint32_t name = plan_.first_name[id];
-    return name && plan_.module().named[name - 1].node != 0 && !is_root;
+    return name && plan_.module().named[name - 1].output && !is_root;
 }
 
 void Folder::visit(Id id, bool is_root) {
@@ -232,19 +232,18 @@ uint32_t group_of(const Plan& plan, const Values& values, Id id) {
     if (values.anonymous) return 0;
     const uint32_t name = plan.first_name[id];
     if (name) return m.named[name - 1].node ? m.named[name - 1].node : surface_group;
-    const bool shared = values.state[id].shared || !surface_name(m, id).empty();
-    return shared ? surface_group : m.origin[id];
+    return values.state[id].shared || m[id].op == Op::input_ ? surface_group : m.origin[id];
 }
 
 std::string wanted_name(const Plan& plan, const Values& values, Id id) {
     const Module& m = plan.module();
-    if (values.anonymous) return std::string(word_for(m, id));
-    if (const uint32_t name = plan.first_name[id]) {
+    const uint32_t name = plan.first_name[id];
+    if (values.anonymous) return name ? m.named[name - 1].name : std::string(word_for(m, id));
+    if (name) {
         const Named& named = m.named[name - 1];
-        return named.node ? m.nodes[named.node].path + "_" + named.port : named.port;
+        return named.node ? m.nodes[named.node].path + "_" + named.name : named.name;
     }
-    std::string name = surface_name(m, id);
-    if (!name.empty()) return name;
+    if (m[id].op == Op::input_) return change_name(m[id].extra);
     const std::string_view word = plan.is_gradient[id] ? "gradient" : word_for(m, id);
     if (values.state[id].shared) return "surface_" + std::string(word);
     const std::string& path = m.nodes[m.origin[id]].path;

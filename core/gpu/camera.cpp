@@ -18,18 +18,22 @@ struct Framing {
 };
 
 // The plane is looked at straight, so only its half side counts.
-constexpr std::array<Framing, 5> framings{{{"sphere", 0.35F, 0.3F, 1.0F},
+constexpr std::array<Framing, 6> framings{{{"sphere", 0.35F, 0.3F, 1.0F},
                                            {"plane", 0, 0, 1.0F},
                                            {"cube", 0.6F, 0.45F, 1.55F},
                                            {"cylinder", 0.35F, 0.4F, 1.35F},
-                                           {"torus", 0.35F, 0.8F, 0.95F}}};
+                                           {"torus", 0.35F, 0.8F, 0.95F},
+                                           {"teapot", 0.35F, 0.4F, 1.35F}}};
 constexpr float margin = 1.12F;
 
 Framing framing_of(const Mesh& mesh, std::string_view shape) {
     for (const Framing& framing : framings)
         if (framing.shape == shape) return framing;
-    const Bounds bounds = bounds_of(mesh);
-    return {"", 0.5F, 0.35F, glm::length(bounds.high - bounds.low) / 2};
+    const glm::vec3 center = bounds_of(mesh).center();
+    float radius = 0;
+    for (const uint32_t index : mesh.indices)
+        radius = std::max(radius, glm::distance(mesh.positions[index], center));
+    return {"", 0.5F, 0.35F, radius};
 }
 
 }  // namespace

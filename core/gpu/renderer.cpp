@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "gpu/environment.h"
 #include "gpu/mesh_buffers.h"
 #include "gpu/object_space.h"
 #include "gpu/program.h"
@@ -21,6 +22,7 @@
 namespace wrinkle::gpu {
 namespace {
 
+constexpr std::array<std::string_view, 2> lightings{"ggx", "phong"};
 constexpr std::array<std::string_view, 6> names{"shaded", "normal", "gradient",
                                                 "height", "uv",     "difference"};
 
@@ -46,6 +48,9 @@ void set_view_uniforms(const Program& program, const Scene& scene, const ViewOpt
     program.set("WrView_light", scene.light);
     program.set("WrView_environment", scene.environment);
     program.set("WrView_exposure", scene.exposure);
+    const Phong& phong = scene.phong;
+    program.set("WrView_phong",
+                glm::vec4(phong.ambient, phong.diffuse, phong.specular, phong.shininess));
     program.set("WrView_raw", options.raw ? 1 : 0);
     program.set("WrView_heat_degrees", options.heat_degrees);
     program.set("WrView_height_range", options.height_range);
@@ -70,8 +75,8 @@ void set_raster_state(bool mirrored) {
 }
 
 std::optional<Program> compile(const Material& material, View view, const OutputFunction* against,
-                               Diagnostics& diagnostics) {
-    const ShaderText text = wrap_material(material, view, against);
+                               const Shading& shading, Diagnostics& diagnostics) {
+    const ShaderText text = wrap_material(material, view, against, shading);
     const std::array<std::string, 1> outputs{"WrView_color"};
     std::string log;
     std::optional<Program> program = Program::link(text.vertex, text.fragment, outputs, log);
@@ -91,6 +96,10 @@ bool check_members(const Material& material, Diagnostics& diagnostics) {
 }
 
 }  // namespace
+
+std::span<const std::string_view> lighting_names() {
+    return lightings;
+}
 
 std::span<const std::string_view> view_names() {
     return names;
@@ -114,8 +123,10 @@ struct Renderer::State {
     std::vector<Lookup> lookups;  // one per sampler of the material
     Programs programs;
     std::map<std::string, KeptImage> images;
+    std::optional<EnvironmentTexture> environment;
+    Shading wanted, shading;  // of the next material, and of the one in use
 
-    bool bring_up_images(const Material& wanted, Diagnostics& diagnostics);
+    bool bring_up_images(const Material& material, Diagnostics& diagnostics);
     bool upload(const std::string& file, const MipChain& chain, bool is_file,
                 Diagnostics& diagnostics);
     const Program* program_for(const ViewOptions& options, Diagnostics& diagnostics);
@@ -141,17 +152,18 @@ bool Renderer::State::upload(const std::string& file, const MipChain& chain, boo
     return true;
 }
 
-bool Renderer::State::bring_up_images(const Material& wanted, Diagnostics& diagnostics) {
+bool Renderer::State::bring_up_images(const Material& material, Diagnostics& diagnostics) {
     GLint units = 0;
     glGetIntegerv(GL_MAX_TEXTURE_IMAGE_UNITS, &units);
-    if (wanted.samplers.size() > static_cast<size_t>(units)) {
-        diagnostics.error("the material reads " + std::to_string(wanted.samplers.size()) +
+    if (wanted.environment) --units;
+    if (material.samplers.size() > static_cast<size_t>(units)) {
+        diagnostics.error("the material reads " + std::to_string(material.samplers.size()) +
                               " textures, more than this driver binds at once",
                           "at most " + std::to_string(units));
         return false;
     }
     bool fine = true;
-    for (const MaterialSampler& sampler : wanted.samplers) {
+    for (const MaterialSampler& sampler : material.samplers) {
         const auto kept = images.find(sampler.file);
         if (kept != images.end() && !kept->second.stale) continue;
         std::optional<Image> image = load_image(sampler.file, diagnostics);
@@ -174,7 +186,7 @@ const Program* Renderer::State::program_for(const ViewOptions& options, Diagnost
         diagnostics.error("the graph has no output 'height' to show", "an output named 'height'");
         return nullptr;
     }
-    std::optional<Program> program = compile(*material, options.view, other, diagnostics);
+    std::optional<Program> program = compile(*material, options.view, other, shading, diagnostics);
     if (!program) return nullptr;
     return &programs.emplace(key, std::move(*program)).first->second;
 }
@@ -188,8 +200,9 @@ bool Renderer::State::can_draw(Diagnostics& diagnostics) const {
     for (const Member& member : material->members) {
         const int location = attribute_location(member.property);
         if (location < 0 || mesh->has(location)) continue;
-        diagnostics.error("the material reads " + in_quotes(member.property) +
-                          ", which the mesh does not have");
+        diagnostics.error(
+            "the material reads " + in_quotes(member.property) + ", which the mesh does not have",
+            "a mesh that has it, or a graph that reads another one");
         fine = false;
     }
     return fine;
@@ -204,6 +217,11 @@ void Renderer::State::draw_mesh(const Program& program) const {
     }
     for (const MaterialUniform& uniform : material->uniforms)
         program.set(uniform.name.c_str(), std::span<const float>(uniform.value));
+    if (shading.environment) {
+        const auto unit = static_cast<int>(lookups.size());
+        environment->bind(unit);
+        program.set("WrView_surroundings", unit);
+    }
     mesh->draw();
     for (size_t i = 0; i < lookups.size(); ++i)
         glBindSampler(static_cast<GLuint>(i), 0);  // other drawing has its own
@@ -218,12 +236,24 @@ void Renderer::set_mesh(const Mesh& mesh) {
     state_->mesh.emplace(mesh);
 }
 
+void Renderer::set_lighting(Lighting lighting) {
+    state_->wanted.lighting = lighting;
+}
+
+void Renderer::set_environment(const Image& picture) {
+    state_->environment.emplace(prefilter(picture));
+    state_->wanted.environment = true;
+}
+
 bool Renderer::set_material(const Material& material, Diagnostics& diagnostics) {
     if (!check_members(material, diagnostics)) return false;
     if (!state_->bring_up_images(material, diagnostics)) return false;
-    if (!state_->material || !same_shader(*state_->material, material)) {
-        std::optional<Program> shaded = compile(material, View::shaded, nullptr, diagnostics);
+    const bool same_shading = state_->wanted == state_->shading;
+    if (!state_->material || !same_shading || !same_shader(*state_->material, material)) {
+        std::optional<Program> shaded =
+            compile(material, View::shaded, nullptr, state_->wanted, diagnostics);
         if (!shaded) return false;
+        state_->shading = state_->wanted;
         state_->programs.clear();
         state_->programs.emplace(ProgramKey(View::shaded, ""), std::move(*shaded));
     }

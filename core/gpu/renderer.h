@@ -6,9 +6,10 @@
 //
 // Each view has a value per pixel (`raw`) and a color that it is shown in:
 //
-//   shaded      Linear radiance under one directional GGX light and an environment of sky and
-//               ground. Shown times exposure, through the sRGB curve; a channel that exceeds 0.8
-//               by x becomes 0.8 + 0.2 x / (x + 0.2) before it.
+//   shaded      Linear radiance under one directional light: GGX with an environment (sky and
+//               ground, or a picture: gpu/environment.h), or Phong without one. Shown times
+//               exposure, through the sRGB curve; a channel that exceeds 0.8 by x becomes
+//               0.8 + 0.2 x / (x + 0.2) before it.
 //   normal      The resolved normal n, object space, unit. Shown as 0.5 + 0.5 n.
 //   gradient    g = n - n' / (n . n'), of normal n' and surface normal n. Shown as 0.5 + 0.5 g.
 //   height      The output `height`; refused where there is none. Gray over height_range.
@@ -40,6 +41,7 @@
 #include "gpu/camera.h"
 #include "gpu/material.h"
 #include "gpu/target.h"
+#include "image/image.h"
 #include "image/mips.h"
 #include "mesh/mesh.h"
 
@@ -50,6 +52,22 @@ enum class View : uint8_t { shaded, normal, gradient, height, uv, difference };
 std::span<const std::string_view> view_names();  // in the order of the enumerators
 std::optional<View> view_named(std::string_view name);
 
+// What lights the shaded view.
+enum class Lighting : uint8_t { ggx, phong };
+
+std::span<const std::string_view> lighting_names();  // in the order of the enumerators
+
+// The light of classic texts (Phong 1975), per pixel:
+//     color * (ambient + diffuse * n.l) + specular * (r.v)^shininess
+// r is the direction to the light mirrored at n; the last term is absent where n.l is 0. Of a
+// material it reads normal and color alone.
+struct Phong {
+    float ambient = 0.1F;   // Ka
+    float diffuse = 0.7F;   // Kd
+    float specular = 0.4F;  // Ks
+    float shininess = 32;
+};
+
 struct Scene {
     glm::mat4 object{1};  // object to world
     OrbitCamera camera;
@@ -57,6 +75,7 @@ struct Scene {
     float light = 0.85F;                    // irradiance of a surface that faces it, over pi
     float environment = 1;                  // factor on sky and ground
     float exposure = 1;
+    Phong phong;
     glm::vec4 background{0.16F, 0.16F, 0.17F, 1};  // as displayed
 };
 
@@ -82,6 +101,10 @@ public:
     ~Renderer();
 
     void set_mesh(const Mesh& mesh);
+
+    // How the shaded view is lit; takes effect with the next set_material. Compiles nothing.
+    void set_lighting(Lighting lighting);
+    void set_environment(const Image& picture);
 
     // Compiles the shaded view and brings up the images; on failure the former material stays. A
     // material that differs in samplers and uniforms only compiles nothing.

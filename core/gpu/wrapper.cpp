@@ -96,10 +96,41 @@ uniform float WrView_light;
 uniform float WrView_environment;
 uniform float WrView_exposure;
 
+vec3 WrView_display(vec3 radiance) {
+    vec3 c = max(radiance * WrView_exposure, 0.0);
+    vec3 beyond = max(c - 0.8, 0.0);
+    c = min(c, 0.8) + 0.2 * beyond / (beyond + 0.2);
+    return mix(12.92 * c, 1.055 * pow(c, vec3(1.0 / 2.4)) - 0.055, step(0.0031308, c));
+}
+)";
+
+constexpr std::string_view sky_text = R"(
 vec3 WrView_sky(float height, float blur) {
     return mix(vec3(0.07, 0.065, 0.06), vec3(0.30, 0.33, 0.38), smoothstep(-blur, blur, height));
 }
 
+vec3 WrView_irradiance(vec3 n) {
+    return WrView_sky(n.y, 1.2);
+}
+
+vec3 WrView_mirrored(vec3 direction, float roughness) {
+    return WrView_sky(direction.y, mix(0.1, 1.2, roughness));
+}
+)";
+
+constexpr std::string_view surroundings_text = R"(
+uniform samplerCube WrView_surroundings;
+
+vec3 WrView_irradiance(vec3 n) {
+    return textureLod(WrView_surroundings, n, 5.0).rgb;
+}
+
+vec3 WrView_mirrored(vec3 direction, float roughness) {
+    return textureLod(WrView_surroundings, direction, 4.0 * roughness).rgb;
+}
+)";
+
+constexpr std::string_view ggx_text = R"(
 vec3 WrView_shade(vec3 n, vec3 v, vec3 base, float roughness, float metalness, float occlusion) {
     vec3 f0 = mix(vec3(0.04), base, metalness);
     vec3 diffuse = base * (1.0 - metalness);
@@ -116,16 +147,20 @@ vec3 WrView_shade(vec3 n, vec3 v, vec3 base, float roughness, float metalness, f
     vec3 direct = (diffuse + fresnel * distribution * visibility) * WrView_light * nl;
     vec3 edge = max(vec3(1.0 - roughness), f0);
     vec3 reflected = f0 + (edge - f0) * pow(1.0 - nv, 5.0);
-    vec3 around = diffuse * WrView_sky(n.y, 1.2)
-                  + reflected * WrView_sky(reflect(-v, n).y, mix(0.1, 1.2, roughness));
+    vec3 around = diffuse * WrView_irradiance(n)
+                  + reflected * WrView_mirrored(reflect(-v, n), roughness);
     return direct + around * occlusion * WrView_environment;
 }
+)";
 
-vec3 WrView_display(vec3 radiance) {
-    vec3 c = max(radiance * WrView_exposure, 0.0);
-    vec3 beyond = max(c - 0.8, 0.0);
-    c = min(c, 0.8) + 0.2 * beyond / (beyond + 0.2);
-    return mix(12.92 * c, 1.055 * pow(c, vec3(1.0 / 2.4)) - 0.055, step(0.0031308, c));
+constexpr std::string_view phong_text = R"(
+uniform vec4 WrView_phong;  // Ka, Kd, Ks, shininess
+
+vec3 WrView_shade(vec3 n, vec3 v, vec3 base, float roughness, float metalness, float occlusion) {
+    float nl = max(dot(n, WrView_to_light), 0.0);
+    float rv = max(dot(reflect(-WrView_to_light, n), v), 0.0);
+    float highlight = nl > 0.0 && rv > 0.0 ? pow(rv, WrView_phong.w) : 0.0;
+    return base * (WrView_phong.x + WrView_phong.y * nl) + WrView_phong.z * highlight;
 }
 )";
 
@@ -228,14 +263,20 @@ std::string difference_body(const Material& material, const OutputFunction* agai
 )";
 }
 
-std::string_view helpers_of(View view) {
+std::string shading_of(const Shading& shading) {
+    std::string text(shading_text);
+    if (shading.lighting == Lighting::phong) return text.append(phong_text);
+    return text.append(shading.environment ? surroundings_text : sky_text).append(ggx_text);
+}
+
+std::string helpers_of(View view, const Shading& shading) {
     switch (view) {
         case View::shaded:
-            return shading_text;
+            return shading_of(shading);
         case View::height:
             return "uniform vec2 WrView_height_range;\n";
         case View::difference:
-            return difference_text;
+            return std::string(difference_text);
         default:
             return "";
     }
@@ -266,10 +307,11 @@ int attribute_location(std::string_view property) {
     return found ? found->location : -1;
 }
 
-ShaderText wrap_material(const Material& material, View view, const OutputFunction* against) {
+ShaderText wrap_material(const Material& material, View view, const OutputFunction* against,
+                         const Shading& shading) {
     std::string fragment(fragment_inputs);
     fragment += "#line 1\n" + material.text + "\n#line 100001\n";
-    fragment += helpers_of(view);
+    fragment += helpers_of(view, shading);
     fragment += "\nvoid main() {\n";
     fragment += struct_values(material);
     fragment += surface_text;

@@ -19,8 +19,16 @@ struct ShaderText {
     std::string fragment;
 };
 
+struct Shading {
+    Lighting lighting = Lighting::ggx;
+    bool environment = false;  // a cube WrView_surroundings, else sky and ground
+
+    friend bool operator==(const Shading&, const Shading&) = default;
+};
+
 // `against` may be null: the un-bumped surface. For the height view the output must exist.
-ShaderText wrap_material(const Material& material, View view, const OutputFunction* against);
+ShaderText wrap_material(const Material& material, View view, const OutputFunction* against,
+                         const Shading& shading = {});
 
 // The location of a property's vertex attribute, -1 for one that needs none ("view", "facing").
 int attribute_location(std::string_view property);

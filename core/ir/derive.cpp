@@ -30,9 +30,14 @@ Id Direction::tangent(Id value) {
         open.pop_back();
         if (id == poison || memo_.count(id) || !seen.insert(id).second) continue;
         list.push_back(id);
-        if (never_changes((*module_)[id])) continue;
+        const Inst& inst = (*module_)[id];
+        if (never_changes(inst)) continue;
         for (const Id operand : module_->operands(id))
             open.push_back(operand);
+        // What a loop captures is differentiated once, outside, whatever stands inside.
+        if (inst.op == Op::loop_)
+            for (const Id captured : region_body(*module_, module_->region(inst.extra)).captured)
+                open.push_back(captured);
     }
     std::sort(list.begin(), list.end());
     const uint32_t node = module_->current_node;

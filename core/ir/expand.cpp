@@ -41,7 +41,6 @@ std::vector<bool> jumping(const Module& module) {
 
 struct Expander {
     const ExpandOptions& options;
-    const std::vector<uint32_t> dependencies;  // of the source
     const std::vector<bool> jumps;
     Module* target = nullptr;
     std::optional<ScreenDerivatives> screen;
@@ -85,7 +84,7 @@ GradientSum Expander::from_normal(Value n, Value v) const {
 Derivative Expander::normal_derivative(Value m, Value strength, const Frame& frame) const {
     const Value widest = max(abs(m.x()), abs(m.y()));
     const Value depth = max(max(abs(m.z()), widest * (1 / steepest_slope)), smallest_depth);
-    return {-m.xy() * strength, depth, frame};
+    return {named("slope", -m.xy() * strength), named("depth", depth), frame};
 }
 
 GradientSum Expander::source_gradient(const Module& source, Id id, std::span<const Id> mapped) {
@@ -108,9 +107,13 @@ GradientSum Expander::source_gradient(const Module& source, Id id, std::span<con
             result.flat.volume = value(mapped[0]);
             return result;
         }
-        case Op::gradient_from_normal_: {
+        case Op::gradient_from_normal_:
+        case Op::gradient_from_outward_normal_: {
             const Value on_base = base_normal(source, id);
-            return from_normal(on_base ? on_base : value(unit_normal(*target)), value(mapped[0]));
+            const Value n = on_base ? on_base : value(unit_normal(*target));
+            const Value v = value(mapped[0]);
+            const bool reverse = inst.op == Op::gradient_from_outward_normal_;
+            return from_normal(n, reverse ? v * sign_nonzero(dot(n, v)) : v);
         }
         default:
             return {};  // gradient_zero
@@ -167,18 +170,14 @@ Id Expander::opaque(const Module& source, Id id, std::span<const Id> mapped) {
             break;
         case Op::frame_: {
             const Id direction = mapped.size() > 1 ? mapped[1] : poison;
-            const auto frame = resolve_frame(*target, *screen, mapped[0], direction, inst.extra,
-                                             dependencies[inst.arg[0]], options);
-            if (frame) frames.emplace(id, *frame);
+            frames.emplace(id, make_frame(*target, *screen, mapped[0], direction, inst.extra));
             break;
         }
         case Op::derivative_:
-            if (frames.count(inst.arg[1]))
-                derivatives[id] = {value(mapped[0]), {}, frames.at(inst.arg[1])};
+            derivatives[id] = {value(mapped[0]), {}, frames.at(inst.arg[1])};
             break;
         case Op::normal_derivative_:
-            if (frames.count(inst.arg[2]))
-                derivatives[id] =
+            derivatives[id] =
                     normal_derivative(value(mapped[0]), value(mapped[1]), frames.at(inst.arg[2]));
             break;
         case Op::slope_: {
@@ -226,11 +225,37 @@ Id strip_detach(void*, Module&, const Module& source, Id id, std::span<const Id>
     return source[id].op == Op::detach_ ? mapped[0] : poison;
 }
 
+struct Settler {
+    const ExpandOptions& options;
+    const std::vector<uint32_t> dependencies;  // of the source
+};
+
+Id settle_one(void* context, Module& target, const Module& source, Id id,
+              std::span<const Id> mapped) {
+    const Inst& inst = source[id];
+    if (inst.op != Op::frame_) return poison;
+    const auto& settler = *static_cast<const Settler*>(context);
+    return target.add(Op::frame_, mapped,
+                      settled_frame(target, inst.extra, settler.dependencies[inst.arg[0]],
+                                    settler.options));
+}
+
+bool all_settled(const Module& module) {
+    for (Id id = 1; id < module.size(); ++id)
+        if (module[id].op == Op::frame_ && !is_settled(module[id].extra)) return false;
+    return true;
+}
+
 }  // namespace
 
+Module settle_frames(const Module& source, const ExpandOptions& options) {
+    Settler settler{options, input_dependencies(source)};
+    return rebuild(source, settle_one, &settler);
+}
+
 Module expand(const Module& source, const ExpandOptions& options) {
-    Expander expander{
-        options, input_dependencies(source), jumping(source), nullptr, {}, {}, {}, {}, {}, {}};
+    if (!all_settled(source)) return expand(settle_frames(source, options), options);
+    Expander expander{options, jumping(source), nullptr, {}, {}, {}, {}, {}, {}};
     const Module expanded = rebuild(source, expand_one, &expander);
     return rebuild(expanded, strip_detach, nullptr);
 }

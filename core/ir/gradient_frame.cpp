@@ -45,7 +45,7 @@ struct Choice {
 };
 
 Choice chosen(uint32_t extra, uint32_t dependencies, const ExpandOptions& options) {
-    Choice choice{extra & 0xFF, extra >> 8};
+    Choice choice{extra & 0xFF, extra >> 8 & 0xFF};
     if (choice.method != WR_FRAME_auto) return choice;
     if (choice.scale == WR_SCALE_surface)
         choice.method = WR_FRAME_exact;
@@ -72,28 +72,33 @@ bool fits(Module& target, const Choice& choice, uint32_t dependencies) {
     return true;
 }
 
+// Bits 16 on: 0 not settled, 1 no single uv set, else 2 + the surface input.
+constexpr uint32_t set_shift = 16;
+
 TangentBasis vertex_basis(Module& target, bool raw) {
     const Value n{&target, target.input(SurfaceInput::normal_)};
     const Value tangent{&target, target.input(SurfaceInput::tangent_)};
     const Value sign = select(greater(tangent.w(), 0), number(n, 1), number(n, -1));
     const Value t = tangent.xyz();
-    const Value b = cross(n, t) * sign;
+    const Value b = surface_named("bitangent", cross(n, t) * sign);
     if (raw) return {t, b};
-    const Value scale = inversesqrt(dot(n, n));
+    const Value scale = surface_named("inverse_normal_length", inversesqrt(dot(n, n)));
     return {t * scale, b * scale};
 }
 
-// GenBasisTB of the reference, sign(0) = +1.
-TangentBasis derived_basis(Module& target, Id uv, ScreenDerivatives& screen) {
+// GenBasisTB of the reference, sign(0) = +1. `call` names its parts.
+template <class Call>
+TangentBasis derived_basis(Module& target, Id uv, ScreenDerivatives& screen, Call call) {
     const Value uv_x = screen.along_surface(Variant::dx, uv);
     const Value uv_y = screen.along_surface(Variant::dy, uv);
     const Value p_x = screen.position(Variant::dx);
     const Value p_y = screen.position(Variant::dy);
     const Value n{&target, unit_normal(target)};
-    const Value det_sign = sign_nonzero(uv_x.x() * uv_y.y() - uv_y.x() * uv_x.y());
+    const Value det = call("det", uv_x.x() * uv_y.y() - uv_y.x() * uv_x.y());
+    const Value det_sign = call("sign", sign_nonzero(det));
     const Value flip = sign_nonzero(dot(p_y, cross(n, p_x)));
-    const Value t = safe_unit((p_x * uv_y.y() - p_y * uv_x.y()) * det_sign);
-    return {t, cross(n, t) * (det_sign * flip)};
+    const Value t = call("tangent", safe_unit((p_x * uv_y.y() - p_y * uv_x.y()) * det_sign));
+    return {t, call("bitangent", cross(n, t) * (det_sign * flip))};
 }
 
 TangentBasis guessed_basis(Module& target, Id direction) {
@@ -142,25 +147,37 @@ std::vector<uint32_t> input_dependencies(const Module& module) {
     return inputs;
 }
 
-std::optional<Frame> resolve_frame(Module& target, ScreenDerivatives& screen, Id uv, Id direction,
-                                   uint32_t extra, uint32_t dependencies,
-                                   const ExpandOptions& options) {
-    const Choice choice = chosen(extra, dependencies, options);
-    if (!fits(target, choice, dependencies)) return {};
+uint32_t settled_frame(Module& target, uint32_t extra, uint32_t dependencies,
+                       const ExpandOptions& options) {
+    Choice choice = chosen(extra, dependencies, options);
+    if (!fits(target, choice, dependencies))
+        choice.method = choice.scale == WR_SCALE_surface ? WR_FRAME_exact : WR_FRAME_derived;
+    const auto set = single_uv_set(dependencies);
+    return WR_FRAME(choice.method, choice.scale) |
+           (set ? 2 + static_cast<uint32_t>(*set) : 1) << set_shift;
+}
+
+bool is_settled(uint32_t extra) {
+    return extra >> set_shift != 0;
+}
+
+Frame make_frame(Module& target, ScreenDerivatives& screen, Id uv, Id direction,
+                 uint32_t settled) {
+    const uint32_t method = settled & 0xFF;
     Frame frame;
-    if (choice.method == WR_FRAME_exact) {
+    if (method == WR_FRAME_exact) {
         frame.row_u = screen.along_surface(Variant::dx, uv);
         frame.row_v = screen.along_surface(Variant::dy, uv);
         return frame;
     }
-    const auto set = single_uv_set(dependencies);
-    if (set) bring_to_set(target, uv, *set, frame);
-    if (choice.method == WR_FRAME_guess)
+    const uint32_t set = settled >> set_shift;
+    if (set > 1) bring_to_set(target, uv, static_cast<SurfaceInput>(set - 2), frame);
+    if (method == WR_FRAME_guess)
         frame.key = {Basis::guess, direction};
-    else if (choice.method == WR_FRAME_vertex)
+    else if (method == WR_FRAME_vertex)
         frame.key = {Basis::vertex, poison};
-    else if (set)
-        frame.key = {Basis::derived_set, static_cast<Id>(*set)};
+    else if (set > 1)
+        frame.key = {Basis::derived_set, static_cast<Id>(set - 2)};
     else
         frame.key = {Basis::derived_uv, uv};
     return frame;
@@ -171,11 +188,16 @@ TangentBasis tangent_basis(Module& target, const FrameKey& key, ScreenDerivative
     switch (key.basis) {
         case Basis::vertex:
             return vertex_basis(target, raw);
-        case Basis::derived_set:
-            return derived_basis(target, target.input(static_cast<SurfaceInput>(key.source)),
-                                 screen);
+        case Basis::derived_set: {
+            const auto set = static_cast<SurfaceInput>(key.source);
+            const std::string prefix = std::string(info(set).name) + "_";
+            return derived_basis(target, target.input(set), screen, [&](const char* name, Value v) {
+                return surface_named(prefix + name, v);
+            });
+        }
         case Basis::derived_uv:
-            return derived_basis(target, key.source, screen);
+            return derived_basis(target, key.source, screen,
+                                 [](const char* name, Value v) { return named(name, v); });
         case Basis::guess:
             return guessed_basis(target, key.source);
         case Basis::exact:

@@ -65,11 +65,14 @@ struct TangentBasis {
 // count, those of a detached value do not.
 std::vector<uint32_t> input_dependencies(const Module& module);
 
-// `dependencies` are those of the uv. Nothing, with a problem recorded, where method and scale do
-// not fit.
-std::optional<Frame> resolve_frame(Module& target, ScreenDerivatives& screen, Id uv, Id direction,
-                                   uint32_t extra, uint32_t dependencies,
-                                   const ExpandOptions& options);
+// `extra` of a frame op once settled: WR_FRAME with the method decided, and the uv set that its uv
+// is a function of. `dependencies` are those of the uv. Where method and scale do not fit, a
+// problem is recorded and one that fits is taken.
+uint32_t settled_frame(Module& target, uint32_t extra, uint32_t dependencies,
+                       const ExpandOptions& options);
+bool is_settled(uint32_t extra);
+
+Frame make_frame(Module& target, ScreenDerivatives& screen, Id uv, Id direction, uint32_t settled);
 
 // The basis' vectors; `raw` leaves out the factor 1/|N| of a vertex basis.
 TangentBasis tangent_basis(Module& target, const FrameKey& key, ScreenDerivatives& screen,

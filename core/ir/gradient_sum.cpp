@@ -46,7 +46,7 @@ Slopes GradientAlgebra::add(const Slopes& a, const Slopes& b) {
         const auto same = [&](const Slopes::Slot& other) { return other.basis == slot.basis; };
         const auto found = std::find_if(result.slots.begin(), result.slots.end(), same);
         if (found != result.slots.end()) {
-            found->slope = found->slope + slot.slope;
+            found->slope = named("slope", found->slope + slot.slope);
         } else if (result.slots.size() < max_slots) {
             result.slots.push_back(slot);
         } else {
@@ -60,7 +60,7 @@ Slopes GradientAlgebra::add(const Slopes& a, const Slopes& b) {
 Slopes GradientAlgebra::scale(const Slopes& a, Value amount) {
     Slopes result = a;
     for (Slopes::Slot& slot : result.slots)
-        slot.slope = slot.slope * amount;
+        slot.slope = named("slope", slot.slope * amount);
     result.screen = product(a.screen, amount);
     result.volume = product(a.volume, amount);
     result.rest = product(a.rest, amount);
@@ -103,10 +103,12 @@ Value GradientAlgebra::screen_gradient(Value slope) {
     const Value n{target_, unit_normal(*target_)};
     const Value p_x = screen_->position(Variant::dx);
     const Value p_y = screen_->position(Variant::dy);
-    const Value r_x = cross(p_y, n);
-    const Value r_y = cross(n, p_x);
-    const Value det = dot(p_x, r_x);
-    const Value inverse = sign_nonzero(det) / max(abs(det), smallest_area);
+    const Value r_x = surface_named("r_x", cross(p_y, n));
+    const Value r_y = surface_named("r_y", cross(n, p_x));
+    const Value det = surface_named("det", dot(p_x, r_x));
+    // A pixel without an area is flat.
+    const Value inverse =
+        surface_named("inverse_det", op(Op::sign_, det) / max(abs(det), smallest_area));
     return (r_x * slope.x() + r_y * slope.y()) * inverse;
 }
 

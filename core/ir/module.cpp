@@ -65,7 +65,8 @@ double representable(Type scalar, double value) {
 
 bool carries_base(Op op) {
     return op == Op::gradient_from_derivative_ || op == Op::gradient_from_height_ ||
-           op == Op::gradient_from_volume_ || op == Op::gradient_from_normal_;
+           op == Op::gradient_from_volume_ || op == Op::gradient_from_normal_ ||
+           op == Op::gradient_from_outward_normal_;
 }
 
 std::string base_in_words(const Module& m, Id base) {
@@ -81,6 +82,7 @@ Module::Module() : slots_(first_capacity, poison) {
     origin.push_back(0);
     regions_.push_back({});
     free_levels_.push_back(0);
+    call_depths_.push_back(0);
     lists_.push_back({});
     nodes.push_back({});
 }
@@ -332,6 +334,10 @@ uint32_t Module::add_resource(const Resource& resource) {
     }
     resources.push_back(resource);
     return static_cast<uint32_t>(resources.size() - 1);
+}
+
+void Module::name(Id value, uint32_t node, std::string_view name) {
+    if (called_.insert(value).second) named.push_back({value, node, std::string(name), false});
 }
 
 void Module::problem(std::string message, std::string expected) {

@@ -15,10 +15,9 @@
 // loop's region has its parameters at the level where it stands.
 //   function: results are its outputs.
 //   loop:     parameters are the state; results[0] is a bool "go on", results[1..] the next state.
-//   It runs while
-//             "go on" holds for the state at hand, at most `max_iterations` times; its value is the
-//             last state. (The results are computed first; where "go on" is false the next state is
-//             dropped.)
+//             It runs while "go on" holds for the state at hand, at most `max_iterations` times;
+//             its value is the last state. (The results are computed first; where "go on" is false
+//             the next state is dropped.)
 // `loop` and `call` have type tuple; result(k) takes a member.
 //
 // Literals are scalars in double; a vector constant is a construct of literals. A node's
@@ -30,8 +29,8 @@
 // picture. A resolve's `extra` is an identity of the node instance that made it, so two resolves
 // never become one base by folding.
 //
-// Side tables: origin[id] is the node instance that first wrote the instruction; `named` lists the
-// values at node outputs; problems lists what add() refused, by origin.
+// Side tables: origin[id] is the node instance that first wrote the instruction; `named` says
+// what values are called; problems lists what add() refused, by origin.
 #pragma once
 
 #include <array>
@@ -40,6 +39,8 @@
 #include <map>
 #include <span>
 #include <string>
+#include <string_view>
+#include <unordered_set>
 #include <vector>
 
 #include "base/texture_options.h"
@@ -84,6 +85,14 @@ struct Region {
     std::string name;  // of a function; no part of its identity
 };
 
+// What a region's body is made of, but for what every region may read (literals, parameters of the
+// user, resources).
+struct RegionBody {
+    std::vector<Id> captured;  // of lower levels, as met from left to right
+    std::vector<uint32_t> called;
+    bool parameters_fit = true;  // its own are there, with these types
+};
+
 // A recorded region and, of a function, the values it captured: they became further parameters, and
 // apply() passes them after the arguments. (Equal functions share a region and may capture
 // different values.)
@@ -120,10 +129,12 @@ struct NodeInstance {
     std::string note;   // one line for the generated text, may be empty
 };
 
+// What a value is called in generated text.
 struct Named {
     Id value;
-    uint32_t node;
-    std::string port;
+    uint32_t node;     // who calls it so; 0: the surface point, for all nodes
+    std::string name;  // "gradient"
+    bool output;       // of that node: stands in a line of its own, and beats other names
 };
 
 struct ModuleOutput {
@@ -175,6 +186,7 @@ public:
     Id result(Id tuple, uint32_t member);
     // Derivatives of nested loops cost more with every level, and so do their runs.
     static constexpr int deepest_region = 16;
+    static constexpr int deepest_call = 48;  // passes over called functions recurse
     int depth() const { return static_cast<int>(open_.size()); }
 
     const Inst& operator[](Id id) const { return inst_[id]; }  // not to be held across add()
@@ -192,6 +204,8 @@ public:
     uint32_t add_resource(const Resource& resource);  // merges with an equal one
 
     void problem(std::string message, std::string expected = {});
+    // Calls a value so, wherever it becomes a line of its own; what already has a name keeps it.
+    void name(Id value, uint32_t node, std::string_view name);
 
     // Side tables; passes carry them along.
     std::vector<NodeInstance> nodes;
@@ -221,6 +235,8 @@ private:
     bool may_be_written(Op op, std::span<const Id> args);
     bool set_base(Inst& inst);
     bool fits(const OpenRegion& open, std::span<const Id> results);
+    bool fits(const RegionBody& body);
+    int calls_below(const RegionBody& body) const;
 
     std::vector<Inst> inst_;
     std::vector<Id> slots_;  // open addressing; poison is free
@@ -229,7 +245,11 @@ private:
     std::vector<Region> regions_;  // [0] is none
     std::multimap<uint64_t, uint32_t> region_table_;
     std::vector<uint8_t> free_levels_;  // by region: the greatest level that a loop's body captures
+    std::vector<int> call_depths_;      // by region: how many calls stand inside each other
     std::vector<OpenRegion> open_;
+    std::unordered_set<Id> called_;  // by name()
 };
+
+RegionBody region_body(const Module& module, const Region& region);
 
 }  // namespace wrinkle

@@ -9,26 +9,6 @@
 namespace wrinkle {
 namespace {
 
-// What the body over parameters at `level` reads from lower levels, as met from left to
-// right: the order must not depend on which was written first.
-std::vector<Id> captures(const Module& m, std::span<const Id> results, int level) {
-    std::unordered_set<Id> seen;
-    std::vector<Id> open(results.rbegin(), results.rend()), found;
-    while (!open.empty()) {
-        const Id id = open.back();
-        open.pop_back();
-        if (!seen.insert(id).second || is_global(m, id)) continue;
-        if (m[id].level < level) {
-            found.push_back(id);
-            continue;
-        }
-        const auto first = static_cast<std::ptrdiff_t>(open.size());
-        append_dependencies(m, id, false, open);
-        std::reverse(open.begin() + first, open.end());
-    }
-    return found;
-}
-
 uint64_t hash_of(const Region& region) {
     uint64_t h = static_cast<uint64_t>(region.kind) * 31 + region.level;
     h = h * 1000003 + region.max_iterations;
@@ -46,15 +26,54 @@ bool identical(const Region& a, const Region& b) {
 
 }  // namespace
 
+RegionBody region_body(const Module& m, const Region& region) {
+    std::unordered_set<Id> seen;
+    std::vector<Id> open(region.results.rbegin(), region.results.rend());
+    RegionBody body;
+    while (!open.empty()) {
+        const Id id = open.back();
+        open.pop_back();
+        if (!seen.insert(id).second || is_global(m, id)) continue;
+        const Inst& inst = m[id];
+        if (inst.level < region.level) {
+            body.captured.push_back(id);
+            continue;
+        }
+        if (inst.op == Op::region_param_ && inst.level == region.level)
+            body.parameters_fit = body.parameters_fit && inst.extra < region.params.size() &&
+                                  region.params[inst.extra] == inst.type;
+        if (inst.op == Op::call_) body.called.push_back(inst.extra);
+        const auto first = static_cast<std::ptrdiff_t>(open.size());
+        append_dependencies(m, id, false, open);
+        std::reverse(open.begin() + first, open.end());
+    }
+    return body;
+}
+
 bool Module::fits(const OpenRegion& open, std::span<const Id> results) {
-    for (const Id result : results)
-        if (result == poison || info(type(result)).lanes == 0) return false;
+    for (const Id result : results) {
+        if (result == poison) return false;
+        if (info(type(result)).lanes > 0) continue;
+        problem("a loop or a function gives numbers, not a " + std::string(info(type(result)).name),
+                "make heights or slopes there, and the gradient outside");
+        return false;
+    }
     if (open.kind == RegionKind::function) return !results.empty();
     bool fit = results.size() == open.params.size() + 1 && type(results[0]) == Type::bool_;
     for (size_t k = 0; fit && k < open.params.size(); ++k)
         fit = type(results[k + 1]) == open.params[k];
     if (!fit) problem("a loop must give a bool \"go on\" and a next state of the same types");
     return fit;
+}
+
+bool Module::fits(const RegionBody& body) {
+    if (!body.parameters_fit)
+        problem("a loop or a function reads a parameter of another one");
+    else if (calls_below(body) >= deepest_call)
+        problem("functions call each other more than " + std::to_string(deepest_call) + " deep");
+    else
+        return true;
+    return false;
 }
 
 RegionUse Module::end_region(std::span<const Id> results, uint32_t max_iterations) {
@@ -75,10 +94,12 @@ RegionUse Module::end_region(std::span<const Id> results, uint32_t max_iteration
     region.results.assign(results.begin(), results.end());
     region.name = open.name;
     region.level = static_cast<uint8_t>(level);
+    RegionBody body = region_body(*this, region);
+    if (!fits(body)) return {};
     if (open.kind == RegionKind::loop) return {intern_region(std::move(region)), {}};
 
     RegionUse use;
-    use.captured = captures(*this, results, level);
+    use.captured = std::move(body.captured);
     Copier copier(*this, *this, false);
     copier.set_shift(level, 1 - level);
     for (const Id id : use.captured) {
@@ -94,19 +115,29 @@ RegionUse Module::end_region(std::span<const Id> results, uint32_t max_iteration
     return use;
 }
 
+// How many calls stand inside each other in the body.
+int Module::calls_below(const RegionBody& body) const {
+    int deepest = 0;
+    for (const uint32_t region : body.called)
+        deepest = std::max(deepest, call_depths_[region] + 1);
+    return deepest;
+}
+
 uint32_t Module::intern_region(Region region) {
     const uint64_t hash = hash_of(region);
     const auto [begin, end] = region_table_.equal_range(hash);
     for (auto entry = begin; entry != end; ++entry)
         if (identical(regions_[entry->second], region)) return entry->second;
+    const RegionBody body = region_body(*this, region);
     uint8_t free_level = 0;
     if (region.kind == RegionKind::loop)
-        for (const Id id : captures(*this, region.results, region.level))
+        for (const Id id : body.captured)
             free_level = std::max(free_level, inst_[id].level);
     const auto index = static_cast<uint32_t>(regions_.size());
     region_table_.emplace(hash, index);
     regions_.push_back(std::move(region));
     free_levels_.push_back(free_level);
+    call_depths_.push_back(calls_below(body));
     return index;
 }
 

@@ -29,19 +29,19 @@ struct LodWriter {
 
 Id write_lod(void* context, Module& target, const Module& source, Id id,
              std::span<const Id> mapped) {
-    if (source[id].op == Op::sample_grad_) {
-        const Id level = sample_lod_of(target, source[id].extra, mapped[1], mapped[2]);
-        return target.add(Op::sample_lod_, {mapped[0], level}, source[id].extra);
-    }
+    const auto with = [&](Id lod) {
+        return target.add(Op::sample_lod_, {mapped[0], lod}, source[id].extra);
+    };
+    if (source[id].op == Op::sample_grad_)
+        return with(sample_lod_of(target, source[id].extra, mapped[1], mapped[2]));
     if (source[id].op != Op::sample_) return poison;
     auto& writer = *static_cast<LodWriter*>(context);
     if (!writer.x) {
         writer.x = screen_direction(target, Variant::dx, false);
         writer.y = screen_direction(target, Variant::dy, false);
     }
-    const Id lod = sample_lod_of(target, source[id].extra, writer.x->tangent_or_zero(mapped[0]),
-                                 writer.y->tangent_or_zero(mapped[0]));
-    return target.add(Op::sample_lod_, {mapped[0], lod}, source[id].extra);
+    return with(sample_lod_of(target, source[id].extra, writer.x->tangent_or_zero(mapped[0]),
+                              writer.y->tangent_or_zero(mapped[0])));
 }
 
 // Loops of the root move inwards, below the levels that the new values stand at; what reads none of
@@ -120,7 +120,7 @@ Module rebuild(const Module& source, Replace replace, void* context) {
     copier.run(roots);
     for (const Named& named : source.named)
         if (copier.has(named.value) && info(source.type(named.value)).lanes > 0)
-            target.named.push_back({copier[named.value], named.node, named.port});
+            target.named.push_back({copier[named.value], named.node, named.name, named.output});
     for (ModuleOutput output : source.outputs) {
         output.value = copier[output.value];
         target.outputs.push_back(std::move(output));

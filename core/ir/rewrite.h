@@ -35,8 +35,8 @@ Module bake_parameters(const Module& source);
 // to the next pixels.
 Id sample_lod_of(Module& module, uint32_t resource, Id uv_dx, Id uv_dy);
 
-// Each `sample` becomes sample_lod with the lod above, from the uv's forward derivative, and each
-// sample_grad from its own changes. The CPU and shaders with given differentials use this form.
+// Each `sample` and `sample_grad` becomes sample_lod with the lod above, from the uv's forward
+// derivative or from the given one. The CPU and shaders with given differentials use this form.
 Module explicit_lod(const Module& source);
 
 }  // namespace wrinkle

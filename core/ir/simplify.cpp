@@ -169,12 +169,19 @@ Id simplify_construct(Module& m, Args parts, Type type) {
 
 Id simplify_gradient(Module& m, Op op, Args a) {
     const auto flat = [&](Id id) { return m[id].op == Op::gradient_zero_; };
+    // Flat on any base, or on that of the other: a flat gradient keeps its base, as one scaled by a
+    // parameter does.
+    const auto nothing_beside = [&](Id id, Id other) {
+        return flat(id) && (m[id].extra == poison || m[id].extra == m[other].extra);
+    };
     switch (op) {
         case Op::gradient_add_:
-            return flat(a[0]) ? a[1] : flat(a[1]) ? a[0] : poison;
+            return nothing_beside(a[0], a[1])   ? a[1]
+                   : nothing_beside(a[1], a[0]) ? a[0]
+                                                : poison;
         case Op::gradient_scale_:
             if (flat(a[0]) || m.is_literal(a[1], 1)) return a[0];
-            if (m.is_literal(a[1], 0)) return m.add(Op::gradient_zero_, {});
+            if (m.is_literal(a[1], 0)) return m.add(Op::gradient_zero_, {}, m[a[0]].extra);
             if (m[a[0]].op == Op::gradient_scale_) {
                 const Inst inner = m[a[0]];
                 return m.add(Op::gradient_scale_,
@@ -182,12 +189,12 @@ Id simplify_gradient(Module& m, Op op, Args a) {
             }
             return poison;
         case Op::gradient_mix_:
-            if (a[0] == a[1] || m.is_literal(a[2], 0)) return a[0];
-            if (m.is_literal(a[2], 1)) return a[1];
-            if (flat(a[0])) return m.add(Op::gradient_scale_, {a[1], a[2]});
-            if (flat(a[1]))
+            if (a[0] == a[1]) return a[0];
+            if (nothing_beside(a[0], a[1])) return m.add(Op::gradient_scale_, {a[1], a[2]});
+            if (nothing_beside(a[1], a[0]))
                 return m.add(Op::gradient_scale_, {a[0], m.add(Op::sub_, {m.number(1), a[2]})});
-            return poison;
+            if (m[a[0]].extra != m[a[1]].extra) return poison;
+            return m.is_literal(a[2], 0) ? a[0] : m.is_literal(a[2], 1) ? a[1] : poison;
         default:
             return poison;
     }

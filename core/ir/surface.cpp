@@ -5,7 +5,9 @@
 namespace wrinkle {
 
 Id unit_normal(Module& module) {
-    return module.add(Op::normalize_, {module.input(SurfaceInput::normal_)});
+    const Id normal = module.add(Op::normalize_, {module.input(SurfaceInput::normal_)});
+    module.name(normal, 0, "normal");
+    return normal;
 }
 
 Id surface_normal(Module& module, BackFaces back_faces) {
@@ -18,7 +20,8 @@ Id surface_normal(Module& module, BackFaces back_faces) {
 Id projected_position(Module& module, Variant axis) {
     const Value normal{&module, unit_normal(module)};
     const Value change{&module, module.input(SurfaceInput::position_, axis)};
-    return (change - normal * dot(normal, change)).id;
+    const char* name = axis == Variant::dx ? "surface_dpdx" : "surface_dpdy";
+    return surface_named(name, change - normal * dot(normal, change)).id;
 }
 
 }  // namespace wrinkle

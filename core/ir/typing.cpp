@@ -82,7 +82,7 @@ Type gradient_type(Op op, Types operands, std::string& why) {
     switch (op) {
         case Op::base_:
             return exactly(op, operands, {T::vec3_}, T::base_, why);
-        case Op::frame_:
+        case Op::frame_:  // the host checks that the method `guess` has its direction
             return operands.size() == 2
                        ? exactly(op, operands, {T::vec2_, T::vec3_}, T::frame_, why)
                        : exactly(op, operands, {T::vec2_}, T::frame_, why);
@@ -100,6 +100,7 @@ Type gradient_type(Op op, Types operands, std::string& why) {
             return exactly(op, operands, {T::float_}, T::gradient_, why);
         case Op::gradient_from_volume_:
         case Op::gradient_from_normal_:
+        case Op::gradient_from_outward_normal_:
             return exactly(op, operands, {T::vec3_}, T::gradient_, why);
         case Op::gradient_add_:
             return exactly(op, operands, {T::gradient_, T::gradient_}, T::gradient_, why);

@@ -20,6 +20,17 @@ struct Value {
     explicit operator bool() const { return id != poison; }
 };
 
+// What the value is called in generated text: one of the surface point, shared by all nodes, or one
+// of the node at hand.
+inline Value surface_named(std::string_view name, Value a) {
+    a.module->name(a.id, 0, name);
+    return a;
+}
+inline Value named(std::string_view name, Value a) {
+    a.module->name(a.id, a.module->current_node, name);
+    return a;
+}
+
 inline Value op(Op o, Value a) {
     return {a.module, a.module->add(o, {a.id})};
 }

@@ -57,23 +57,10 @@ std::string check_level(const Module& m, Id id) {
 // Inside a region: its own parameters and, in a function, nothing of outside but what is global.
 std::string check_body(const Module& m, uint32_t index) {
     const Region& region = m.region(index);
-    std::unordered_set<Id> seen;
-    std::vector<Id> open(region.results.begin(), region.results.end());
-    while (!open.empty()) {
-        const Id id = open.back();
-        open.pop_back();
-        if (!seen.insert(id).second) continue;
-        const Inst& inst = m[id];
-        const bool outside = inst.level < region.level;
-        if (outside && region.kind == RegionKind::function && !is_global(m, id))
-            return at(id, "a function reads a value of outside");
-        if (outside) continue;
-        append_dependencies(m, id, false, open);
-        if (inst.op != Op::region_param_ || inst.level != region.level) continue;
-        if (inst.extra >= region.params.size() || region.params[inst.extra] != inst.type)
-            return at(id, "a parameter that its region does not have");
-    }
-    return {};
+    const RegionBody body = region_body(m, region);
+    if (region.kind == RegionKind::function && !body.captured.empty())
+        return at(body.captured[0], "a function reads a value of outside");
+    return body.parameters_fit ? "" : "a region reads a parameter that it does not have";
 }
 
 }  // namespace

@@ -14,7 +14,6 @@ namespace {
 constexpr uint32_t most_arguments = 4;
 constexpr uint32_t most_region_values = 64;
 constexpr uint32_t most_iterations = 65536;
-constexpr int deepest_region = 32;
 
 bool is_number(uint32_t type) {
     return type >= WR_TYPE_float && type <= WR_TYPE_bool;
@@ -59,6 +58,9 @@ public:
             self(b).output(port, value);
         };
         face_.error = [](const wr_builder* b, const char* text) { self(b).error(text); };
+        face_.name = [](const wr_builder* b, wr_value value, const char* name) {
+            self(b).name(value, name);
+        };
         face_.get_extension = [](const wr_builder*, const char*) -> const void* { return nullptr; };
     }
 
@@ -183,7 +185,8 @@ private:
                op == Op::image_size_;
     }
     static bool is_gradient_source(Op op) {
-        return op >= Op::gradient_from_derivative_ && op <= Op::gradient_from_normal_;
+        return (op >= Op::gradient_from_derivative_ && op <= Op::gradient_from_normal_) ||
+               op == Op::gradient_from_outward_normal_;
     }
 
     Id emit(uint32_t number, uint32_t type, const wr_value* args, uint32_t count, uint32_t extra) {
@@ -203,6 +206,8 @@ private:
         if (info(o).flags & WR_FLAG_IMPLICIT && module_[operands[0]].level > 0)
             return refuse("takes the derivative '" + name + "' inside a loop or a function");
         const std::optional<uint32_t> checked = checked_extra(o, extra);
+        if (o == Op::frame_ && ((extra & 0xFF) == WR_FRAME_guess) != (count == 2))
+            return refuse("gives a frame a direction where there is none, or none to 'guess'");
         if (!checked) return refuse("gives the op '" + name + "' an impossible detail");
         return module_.add(o, operands, *checked, static_cast<Type>(type));
     }
@@ -248,7 +253,8 @@ private:
                       wr_value* params) {
         std::vector<Type> parameters;
         bool fine = (kind == WR_REGION_FUNCTION || kind == WR_REGION_LOOP) && types && params &&
-                    count >= 1 && count <= most_region_values && module_.depth() < deepest_region;
+                    count >= 1 && count <= most_region_values &&
+                    module_.depth() < Module::deepest_region;
         for (uint32_t i = 0; fine && i < count; ++i) {
             fine = is_number(types[i]);
             parameters.push_back(static_cast<Type>(types[i]));
@@ -260,7 +266,7 @@ private:
             parameters.clear();  // a region all the same, so that its end has a partner
         }
         const RegionKind region = kind == WR_REGION_LOOP ? RegionKind::loop : RegionKind::function;
-        if (!fine && module_.depth() >= deepest_region) {
+        if (!fine && module_.depth() >= Module::deepest_region) {
             ++skipped_;
             return;
         }
@@ -327,8 +333,13 @@ private:
                           std::string(info(wanted).name));
         if (module_[value].level > 0)
             return refuse("uses a value of a loop or a function outside of it");
-        module_.named.push_back({value, module_.current_node, p.name});
+        module_.named.push_back({value, module_.current_node, p.name, true});
         return value;
+    }
+
+    void name(wr_value value, const char* name) {
+        if (value != poison && value < module_.size() && name && is_utf8(name))
+            module_.name(value, module_.current_node, name);
     }
 
     void error(const char* text) {

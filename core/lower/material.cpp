@@ -19,9 +19,10 @@ Compiled compile_material(const Project& project, const Registry& registry,
     Lowered lowered = lower(project, types, options.lower, diagnostics);
     if (diagnostics.has_errors()) return compiled;
     assert(verify(lowered.module).empty());
-    Module module =
-        options.uniform_parameters ? std::move(lowered.module) : bake_parameters(lowered.module);
-    module = expand(module, {options.vertex_tangents, project.top().back_faces});
+    const ExpandOptions frames{options.vertex_tangents, project.top().back_faces};
+    Module module = settle_frames(lowered.module, frames);
+    if (!options.uniform_parameters) module = bake_parameters(module);
+    module = expand(module, frames);
     report_problems(module, project, lowered.places, diagnostics);
     if (diagnostics.has_errors()) return compiled;
     if (options.given_differentials) module = explicit_lod(module);

@@ -5,38 +5,16 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 
+#include "mesh/shape_parts.h"
+
 namespace wrinkle {
 namespace {
 
 using glm::vec2;
 using glm::vec3;
-using glm::vec4;
 
 constexpr int around = 128;  // segments of a full circle; even, so that the front has a vertex
 constexpr double pi = std::numbers::pi;
-
-struct Vertex {
-    vec3 position;
-    vec3 normal;
-    vec3 tangent;
-    vec2 uv;
-};
-
-uint32_t add_vertex(Mesh& mesh, const Vertex& vertex) {
-    mesh.positions.push_back(vertex.position);
-    mesh.normals.push_back(vertex.normal);
-    mesh.tangents.push_back(vec4(vertex.tangent, 1));
-    mesh.uvs[0].push_back(vertex.uv);
-    const vec2 p = vertex.uv - 0.5F;
-    const vec2 turned(std::sqrt(3.0F) / 2 * p.x - p.y / 2, p.x / 2 + std::sqrt(3.0F) / 2 * p.y);
-    mesh.uvs[1].push_back(0.5F + 2.0F * turned);
-    mesh.colors.push_back(vec4(1));
-    return static_cast<uint32_t>(mesh.vertex_count() - 1);
-}
-
-void add_triangle(Mesh& mesh, uint32_t a, uint32_t b, uint32_t c) {
-    mesh.indices.insert(mesh.indices.end(), {a, b, c});
-}
 
 // Sine and cosine of step / steps of a turn, exactly periodic: seams close to the last bit.
 struct Turn {
@@ -54,23 +32,7 @@ Turn longitude(double step) {
     return {-t.sin, -t.cos};
 }
 
-// A grid of columns * rows quads; `vertex(i, j)` for 0 <= i <= columns, 0 <= j <= rows.
-template <typename F>
-void add_grid(Mesh& mesh, int columns, int rows, F vertex) {
-    const auto first = static_cast<uint32_t>(mesh.vertex_count());
-    const auto width = static_cast<uint32_t>(columns) + 1;
-    for (int j = 0; j <= rows; ++j)
-        for (int i = 0; i <= columns; ++i)
-            add_vertex(mesh, vertex(i, j));
-    for (uint32_t j = 0; j < static_cast<uint32_t>(rows); ++j)
-        for (uint32_t i = 0; i + 1 < width; ++i) {
-            const uint32_t a = first + j * width + i;
-            add_triangle(mesh, a, a + 1, a + width + 1);
-            add_triangle(mesh, a, a + width + 1, a + width);
-        }
-}
-
-Vertex sphere_vertex(double column, int row, int rows) {
+ShapeVertex sphere_vertex(double column, int row, int rows) {
     const Turn l = longitude(column);
     const Turn latitude = turn(row, 2 * rows);  // from the south pole
     const double radius = row == 0 || row == rows ? 0 : latitude.sin;
@@ -105,7 +67,7 @@ void add_square(Mesh& mesh, vec3 center, vec3 normal, vec3 tangent, vec2 uv, flo
     add_grid(mesh, 1, 1, [&](int i, int j) {
         const vec2 st(i, j);
         const vec3 offset = (2 * st.x - 1) * tangent + (2 * st.y - 1) * bitangent;
-        return Vertex{center + offset, normal, tangent, uv + uv_side * st};
+        return ShapeVertex{center + offset, normal, tangent, uv + uv_side * st};
     });
 }
 
@@ -135,8 +97,8 @@ void add_disc(Mesh& mesh, float y, vec2 uv_center) {
     constexpr float uv_radius = 0.24F;
     const vec3 normal(0, y, 0);
     const auto vertex = [&](float x, float z) {
-        return Vertex{vec3(x, y, z), normal, vec3(1, 0, 0),
-                      uv_center + uv_radius * vec2(x, -y * z)};
+        return ShapeVertex{vec3(x, y, z), normal, vec3(1, 0, 0),
+                           uv_center + uv_radius * vec2(x, -y * z)};
     };
     const uint32_t center = add_vertex(mesh, vertex(0, 0));
     for (int i = 0; i < around; ++i) {
@@ -158,8 +120,8 @@ Mesh make_cylinder() {
     add_grid(mesh, around, 1, [](int i, int j) {
         const Turn l = longitude(i);
         const vec3 normal(l.sin, 0, l.cos);
-        return Vertex{vec3(normal.x, 2 * j - 1, normal.z), normal, vec3(l.cos, 0, -l.sin),
-                      vec2(static_cast<float>(i) / around, 0.5F * static_cast<float>(j))};
+        return ShapeVertex{vec3(normal.x, 2 * j - 1, normal.z), normal, vec3(l.cos, 0, -l.sin),
+                           vec2(static_cast<float>(i) / around, 0.5F * static_cast<float>(j))};
     });
     add_disc(mesh, 1, vec2(0.25F, 0.75F));
     add_disc(mesh, -1, vec2(0.75F, 0.75F));
@@ -176,18 +138,19 @@ Mesh make_torus() {
         const Turn t = turn(j, rows);
         const vec3 outwards(l.sin, 0, l.cos);
         const vec3 normal(-t.cos * l.sin, -t.sin, -t.cos * l.cos);
-        return Vertex{ring * outwards + tube * normal, normal, vec3(l.cos, 0, -l.sin),
-                      vec2(static_cast<float>(i) / around, static_cast<float>(j) / rows)};
+        return ShapeVertex{ring * outwards + tube * normal, normal, vec3(l.cos, 0, -l.sin),
+                           vec2(static_cast<float>(i) / around, static_cast<float>(j) / rows)};
     });
     return mesh;
 }
 
-constexpr std::array<Shape, 5> table{{
+constexpr std::array<Shape, 6> table{{
     {"sphere", "A ball of radius 1.", make_sphere},
     {"plane", "A square of side 2 that faces +z.", make_plane},
     {"cube", "A box of side 2 with hard edges.", make_cube},
     {"cylinder", "An upright cylinder of radius 1 and height 2.", make_cylinder},
     {"torus", "A lying ring of radius 0.7 with a tube of radius 0.3.", make_torus},
+    {"teapot", "Newell's teapot, 1.42 high.", make_teapot},
 }};
 
 }  // namespace

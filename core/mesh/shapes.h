@@ -14,6 +14,11 @@
 //             bottom: discs of radius 0.24 round (0.25, 0.75) and (0.75, 0.75).
 //   torus     ring radius 0.7 in the xz plane, tube radius 0.3. u round the ring as on the sphere,
 //             v round the tube, 0.5 at the outer rim.
+//   teapot    Newell's patches at 0.45 of their published size: 1.42 high, spout towards +x, handle
+//             towards -x, seam at -z. u = longitude; v from below upwards: bottom [0, 0.14], body
+//             to 0.48, rim to 0.54, lid [0.56, 0.82]. Above 0.84 the handle (u < 0.5) and the
+//             spout, u along, v round them. Open as the original is: the lid lies loose, handle and
+//             spout end within the body.
 #pragma once
 
 #include <optional>

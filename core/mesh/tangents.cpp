@@ -4,6 +4,11 @@
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <map>
+#include <span>
+#include <tuple>
+
+#include "mesh/weld.h"
 
 namespace wrinkle {
 namespace {
@@ -11,116 +16,239 @@ namespace {
 using glm::dvec2;
 using glm::dvec3;
 
-using Corners = std::array<uint32_t, 3>;
-
-Corners corners_of(const Mesh& mesh, size_t triangle) {
-    return {mesh.indices[3 * triangle], mesh.indices[3 * triangle + 1],
-            mesh.indices[3 * triangle + 2]};
-}
-
-dvec3 unit_or_zero(dvec3 v) {
-    const double largest = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
-    if (!(largest > 0) || !std::isfinite(largest)) return dvec3(0);
-    const dvec3 scaled = v / largest;  // so that no length under- or overflows
-    return scaled / glm::length(scaled);
-}
+constexpr uint32_t none = UINT32_MAX;
+constexpr double smallest_area = 1.17549435e-38;  // of float's normal numbers, as in the reference
 
 dvec3 in_plane(dvec3 v, dvec3 normal) {
     return unit_or_zero(v - glm::dot(normal, v) * normal);
 }
 
-struct FaceTangent {
-    dvec3 direction{0};  // of increasing u; zero when the triangle has no area
-    double sign = 0;     // of the uv orientation
+struct Triangle {
+    std::array<uint32_t, 3> places;                    // welded corners
+    std::array<uint32_t, 3> across{none, none, none};  // over the edge from corner k to k + 1
+    std::array<uint32_t, 3> groups{none, none, none};
+    dvec3 along_u{0};       // unit, or zero
+    float sign = -1;        // of the uv area
+    bool joins = true;      // no area in uv: either sign will do
+    bool is_point = false;  // two corners in one point
 };
 
-FaceTangent face_tangent(const Mesh& mesh, const Corners& c) {
-    const auto& uv = mesh.uvs[0];
-    const dvec3 p1 = dvec3(mesh.positions[c[1]]) - dvec3(mesh.positions[c[0]]);
-    const dvec3 p2 = dvec3(mesh.positions[c[2]]) - dvec3(mesh.positions[c[0]]);
-    const dvec2 d1 = dvec2(uv[c[1]]) - dvec2(uv[c[0]]);
-    const dvec2 d2 = dvec2(uv[c[2]]) - dvec2(uv[c[0]]);
-    const double determinant = d1.x * d2.y - d2.x * d1.y;
-    const bool flat = unit_or_zero(glm::cross(unit_or_zero(p1), unit_or_zero(p2))) == dvec3(0);
-    if (flat || !std::isfinite(determinant) || determinant == 0) return {};
-    const double sign = determinant > 0 ? 1 : -1;
-    return {unit_or_zero(sign * (p1 * d2.y - p2 * d1.y)), sign};
-}
-
-double corner_angle(const Mesh& mesh, const Corners& c, size_t k, dvec3 normal) {
-    const dvec3 at = mesh.positions[c[k]];
-    const dvec3 a = in_plane(dvec3(mesh.positions[c[(k + 1) % 3]]) - at, normal);
-    const dvec3 b = in_plane(dvec3(mesh.positions[c[(k + 2) % 3]]) - at, normal);
-    return std::acos(std::clamp(glm::dot(a, b), -1.0, 1.0));
-}
-
-dvec3 any_perpendicular(dvec3 normal) {
-    const dvec3 axis = std::abs(normal.x) < 0.9 ? dvec3(1, 0, 0) : dvec3(0, 1, 0);
-    const dvec3 result = in_plane(axis, normal);
-    return result == dvec3(0) ? dvec3(1, 0, 0) : result;
-}
-
-// What the triangles of one orientation contribute to a vertex.
-struct Sum {
-    dvec3 direction{0};
-    bool used = false;
+// The corners at one place that share a tangent.
+struct Group {
+    uint32_t place;
+    float sign;
+    std::vector<uint32_t> triangles;
 };
 
-void accumulate(const Mesh& mesh, const Corners& c, const FaceTangent& face,
-                std::vector<Sum>& sums) {
-    for (size_t k = 0; k < 3; ++k) {
-        const dvec3 normal = unit_or_zero(mesh.normals[c[k]]);
-        Sum& sum = sums[c[k]];
-        sum.direction += corner_angle(mesh, c, k, normal) * in_plane(face.direction, normal);
-        sum.used = true;
+size_t corner_at(const Triangle& triangle, uint32_t place) {
+    const auto* found = std::find(triangle.places.begin(), triangle.places.end(), place);
+    return static_cast<size_t>(found - triangle.places.begin());
+}
+
+class TangentMaker {
+public:
+    explicit TangentMaker(Mesh& mesh) : mesh_(mesh), welded_(weld_frames(mesh)) {}
+
+    void run() {
+        read_triangles();
+        link_neighbours();
+        make_groups();
+        std::vector<glm::vec4> corners(mesh_.indices.size(), glm::vec4(0));
+        for (const Group& group : groups_)
+            average(group, corners);
+        lend_to_points(corners);
+        assign(corners);
     }
-}
 
-glm::vec4 tangent_of(const Sum& sum, glm::vec3 vertex_normal, float sign) {
-    const dvec3 normal = unit_or_zero(vertex_normal);
-    dvec3 direction = in_plane(sum.direction, normal);
-    if (direction == dvec3(0)) direction = any_perpendicular(normal);
-    return {glm::vec3(direction), sign};
-}
-
-// Vertices that triangles of both orientations use: a copy for the negative ones.
-std::vector<uint32_t> split_vertices(Mesh& mesh, const std::vector<Sum>& positive,
-                                     const std::vector<Sum>& negative) {
-    std::vector<uint32_t> mirrored(positive.size());
-    for (uint32_t v = 0; v < positive.size(); ++v)
-        mirrored[v] = positive[v].used && negative[v].used ? copy_vertex(mesh, v) : v;
-    return mirrored;
-}
-
-void assign(Mesh& mesh, const std::vector<Sum>& positive, const std::vector<Sum>& negative,
-            const std::vector<uint32_t>& mirrored) {
-    mesh.tangents.resize(mesh.vertex_count());
-    for (size_t v = 0; v < positive.size(); ++v) {
-        const glm::vec3 normal = mesh.normals[v];
-        if (positive[v].used || !negative[v].used)
-            mesh.tangents[v] = tangent_of(positive[v], normal, 1);
-        if (negative[v].used) mesh.tangents[mirrored[v]] = tangent_of(negative[v], normal, -1);
+private:
+    void read_triangles() {
+        triangles_.resize(mesh_.triangle_count());
+        for (size_t t = 0; t < triangles_.size(); ++t) {
+            Triangle& triangle = triangles_[t];
+            for (size_t k = 0; k < 3; ++k)
+                triangle.places[k] = welded_[mesh_.indices[3 * t + k]];
+            const dvec3 p[3] = {position(triangle, 0), position(triangle, 1),
+                                position(triangle, 2)};
+            triangle.is_point = p[0] == p[1] || p[1] == p[2] || p[2] == p[0];
+            orient(triangle, p[1] - p[0], p[2] - p[0]);
+        }
     }
-}
+
+    dvec3 position(const Triangle& triangle, size_t corner) const {
+        return mesh_.positions[triangle.places[corner]];
+    }
+
+    void orient(Triangle& triangle, dvec3 p1, dvec3 p2) const {
+        const auto uv = [&](size_t k) { return dvec2(mesh_.uvs[0][triangle.places[k]]); };
+        const dvec2 d1 = uv(1) - uv(0);
+        const dvec2 d2 = uv(2) - uv(0);
+        const double area = d1.x * d2.y - d2.x * d1.y;
+        if (area > 0) triangle.sign = 1;
+        if (!(std::abs(area) > smallest_area) || !std::isfinite(area)) return;
+        const double sign = triangle.sign;
+        triangle.along_u = unit_or_zero(sign * (d2.y * p1 - d1.y * p2));
+        const dvec3 along_v = unit_or_zero(sign * (d1.x * p2 - d2.x * p1));
+        triangle.joins = triangle.along_u == dvec3(0) || along_v == dvec3(0);
+    }
+
+    // An edge belongs to two triangles at most; of more the first that fit are taken.
+    void link_neighbours() {
+        using Edge = std::tuple<uint32_t, uint32_t, uint32_t, uint32_t>;  // low, high, triangle, k
+        std::vector<Edge> edges;
+        for (uint32_t t = 0; t < triangles_.size(); ++t)
+            for (uint32_t k = 0; k < 3 && !triangles_[t].is_point; ++k)
+                edges.emplace_back(std::min(start(t, k), start(t, k + 1)),
+                                   std::max(start(t, k), start(t, k + 1)), t, k);
+        std::sort(edges.begin(), edges.end());
+        for (size_t first = 0; first < edges.size();) {
+            size_t last = first;
+            while (last < edges.size() && std::get<0>(edges[last]) == std::get<0>(edges[first]) &&
+                   std::get<1>(edges[last]) == std::get<1>(edges[first]))
+                ++last;
+            pair_up(std::span(edges).subspan(first, last - first));
+            first = last;
+        }
+    }
+
+    uint32_t start(uint32_t triangle, uint32_t k) const {
+        return triangles_[triangle].places[k % 3];
+    }
+
+    // The i-th of those that run upwards goes with the i-th of those that run downwards.
+    template <typename Edges>
+    void pair_up(Edges edges) {
+        const auto is_up = [&](const auto& e) {
+            return start(std::get<2>(e), std::get<3>(e)) == std::get<0>(e);
+        };
+        auto up = edges.begin(), down = edges.begin();
+        while (true) {
+            up = std::find_if(up, edges.end(), is_up);
+            down = std::find_if_not(down, edges.end(), is_up);
+            if (up == edges.end() || down == edges.end()) return;
+            triangles_[std::get<2>(*up)].across[std::get<3>(*up)] = std::get<2>(*down);
+            triangles_[std::get<2>(*down)].across[std::get<3>(*down)] = std::get<2>(*up);
+            ++up, ++down;
+        }
+    }
+
+    void make_groups() {
+        for (uint32_t t = 0; t < triangles_.size(); ++t)
+            for (size_t k = 0; k < 3; ++k) {
+                const Triangle& triangle = triangles_[t];
+                if (triangle.is_point || triangle.joins || triangle.groups[k] != none) continue;
+                groups_.push_back({triangle.places[k], triangle.sign, {}});
+                grow(t);
+            }
+    }
+
+    // Over the two edges that leave the place, as far as the sign stays.
+    void grow(uint32_t seed) {
+        const auto number = static_cast<uint32_t>(groups_.size() - 1);
+        Group& group = groups_.back();
+        std::vector<uint32_t> open{seed};
+        while (!open.empty()) {
+            const uint32_t t = open.back();
+            open.pop_back();
+            if (t == none) continue;
+            Triangle& triangle = triangles_[t];
+            const size_t k = corner_at(triangle, group.place);
+            if (k == 3 || triangle.groups[k] != none) continue;
+            const bool is_free = triangle.groups == std::array{none, none, none};
+            if (triangle.joins && is_free) triangle.sign = group.sign;
+            if (triangle.sign != group.sign) continue;
+            triangle.groups[k] = number;
+            group.triangles.push_back(t);
+            open.insert(open.end(), {triangle.across[k], triangle.across[(k + 2) % 3]});
+        }
+    }
+
+    void average(const Group& group, std::vector<glm::vec4>& corners) const {
+        const dvec3 normal = unit_or_zero(mesh_.normals[group.place]);
+        dvec3 sum(0);
+        for (const uint32_t t : group.triangles) {
+            const Triangle& triangle = triangles_[t];
+            if (triangle.joins) continue;
+            const size_t k = corner_at(triangle, group.place);
+            const dvec3 at = position(triangle, k);
+            const dvec3 a = in_plane(position(triangle, (k + 2) % 3) - at, normal);
+            const dvec3 b = in_plane(position(triangle, (k + 1) % 3) - at, normal);
+            const double angle = std::acos(std::clamp(glm::dot(a, b), -1.0, 1.0));
+            sum += angle * in_plane(triangle.along_u, normal);
+        }
+        // Weights that cancel leave nothing but rounding.
+        const dvec3 mean = glm::length(sum) > 1e-12 ? in_plane(sum, normal) : dvec3(0);
+        for (const uint32_t t : group.triangles) {
+            dvec3 direction = mean;
+            if (direction == dvec3(0)) direction = in_plane(triangles_[t].along_u, normal);
+            const glm::vec3 tangent =
+                direction == dvec3(0) ? any_perpendicular(normal) : glm::vec3(direction);
+            corners[3 * t + corner_at(triangles_[t], group.place)] = {tangent, group.sign};
+        }
+    }
+
+    // A triangle that is no area takes the tangent of the first one that has its place.
+    void lend_to_points(std::vector<glm::vec4>& corners) const {
+        std::vector<uint32_t> lender(mesh_.vertex_count(), none);
+        for (uint32_t i = 0; i < corners.size(); ++i) {
+            uint32_t& first = lender[triangles_[i / 3].places[i % 3]];
+            if (first == none && corners[i] != glm::vec4(0)) first = i;
+        }
+        for (uint32_t i = 0; i < corners.size(); ++i) {
+            const uint32_t place = triangles_[i / 3].places[i % 3];
+            if (corners[i] != glm::vec4(0)) continue;
+            if (triangles_[i / 3].is_point && lender[place] != none)
+                corners[i] = corners[lender[place]];
+            else
+                corners[i] = glm::vec4(any_perpendicular(mesh_.normals[place]), 1);
+        }
+    }
+
+    // A vertex keeps its first corner's tangent; each other one makes a copy.
+    void assign(const std::vector<glm::vec4>& corners) {
+        const size_t count = mesh_.vertex_count();
+        std::vector<glm::vec4> tangents(count, glm::vec4(0));
+        std::map<std::tuple<uint32_t, float, float, float, float>, uint32_t> copies;
+        std::vector<uint32_t> sources;
+        for (size_t i = 0; i < corners.size(); ++i) {
+            const uint32_t vertex = mesh_.indices[i];
+            const glm::vec4 t = corners[i];
+            if (tangents[vertex] == glm::vec4(0)) tangents[vertex] = t;
+            if (tangents[vertex] == t) continue;
+            const auto next = static_cast<uint32_t>(count + sources.size());
+            const auto [at, is_new] = copies.try_emplace({vertex, t.x, t.y, t.z, t.w}, next);
+            if (is_new) {
+                sources.push_back(vertex);
+                tangents.push_back(t);
+            }
+            mesh_.indices[i] = at->second;
+        }
+        for (size_t v = 0; v < count; ++v)
+            if (tangents[v] == glm::vec4(0))
+                tangents[v] = glm::vec4(any_perpendicular(mesh_.normals[v]), 1);
+        mesh_.tangents.clear();
+        for (const uint32_t source : sources)
+            copy_vertex(mesh_, source);
+        mesh_.tangents = std::move(tangents);
+    }
+
+    Mesh& mesh_;
+    std::vector<uint32_t> welded_;
+    std::vector<Triangle> triangles_;
+    std::vector<Group> groups_;
+};
 
 }  // namespace
 
+glm::vec3 any_perpendicular(dvec3 normal) {
+    const dvec3 unit = unit_or_zero(normal);
+    const dvec3 axis = std::abs(unit.x) < 0.9 ? dvec3(1, 0, 0) : dvec3(0, 1, 0);
+    const dvec3 result = in_plane(axis, unit);
+    return result == dvec3(0) ? glm::vec3(1, 0, 0) : glm::vec3(result);
+}
+
 bool make_tangents(Mesh& mesh) {
     if (!mesh.has_uv(0) || mesh.normals.empty()) return false;
-    mesh.tangents.clear();
-    std::vector<Sum> positive(mesh.vertex_count());
-    std::vector<Sum> negative(mesh.vertex_count());
-    std::vector<bool> is_mirrored(mesh.triangle_count());
-    for (size_t t = 0; t < mesh.triangle_count(); ++t) {
-        const Corners c = corners_of(mesh, t);
-        const FaceTangent face = face_tangent(mesh, c);
-        is_mirrored[t] = face.sign < 0;
-        if (face.sign != 0) accumulate(mesh, c, face, is_mirrored[t] ? negative : positive);
-    }
-    const std::vector<uint32_t> mirrored = split_vertices(mesh, positive, negative);
-    for (size_t i = 0; i < mesh.indices.size(); ++i)
-        if (is_mirrored[i / 3]) mesh.indices[i] = mirrored[mesh.indices[i]];
-    assign(mesh, positive, negative, mirrored);
+    TangentMaker(mesh).run();
     return true;
 }
 

@@ -165,9 +165,9 @@ private:
             port.encoding = *encoding;
         }
         const bool field = port.kind == Port::Kind::field;
-        if (field && lanes_of(port.type) == 0)
+        if (field && lanes_of(port.type) == 0 && port.type != PortType::derivative_)
             return fault("a field of " + std::string(name_of(port.type)) + " cannot be",
-                         "fields are of numbers");
+                         "fields are of numbers or slopes");
         if (source.default_kind > WR_DEFAULT_SURFACE)
             return fault("its kind of default " + std::to_string(source.default_kind) +
                          " does not exist");

@@ -18,8 +18,8 @@ vec3 wrinkle_base_and_detail_normal(WrinkleSurface_base_and_detail s) {
     float detail_product = max(abs(detail_texel.x), abs(detail_texel.y)) * 0.0078125;
     float detail_depth = max(max(abs(detail_texel.z), detail_product), 1e-06);
     vec3 bitangent = cross(s.normal, s.tangent.xyz) * (s.tangent.w > 0.0 ? 1.0 : -1.0);
-    // normal: Resolve
-    vec2 normal_sum = -base_texel.xy * detail_depth + -detail_texel.xy * 0.5 * base_depth;
-    vec3 normal_gradient = s.tangent.xyz * normal_sum.x + bitangent * normal_sum.y;
+    vec2 normal_slope = -detail_texel.xy * 0.5 * base_depth;  // normal: Resolve
+    vec2 normal_slope_2 = -base_texel.xy * detail_depth + normal_slope;
+    vec3 normal_gradient = s.tangent.xyz * normal_slope_2.x + bitangent * normal_slope_2.y;
     return normalize(s.normal * (base_depth * detail_depth * s.facing) - normal_gradient);
 }

@@ -110,7 +110,6 @@ vec3 wrinkle_carved_ball_normal(WrinkleSurface_carved_ball s) {
     vec3 dpdx = dFdx(s.position_relative);
     vec3 surface_dpdx = dpdx - normal * dot(normal, dpdx);
     float det = dot(surface_dpdx, r_x);
-    float inverse_det = (det < 0.0 ? -1.0 : 1.0) / max(abs(det), 1e-36);
     // carving: Object normal map
     vec3 carving_texel = texture(carving_image, s.uv0).xyz * 2.0 - 1.0;
     float carving_dot_product = dot(normal, carving_texel);
@@ -141,7 +140,7 @@ vec3 wrinkle_carved_ball_normal(WrinkleSurface_carved_ball s) {
     float grain_product_9 = (grain_sum_4 + grain_gradient_noise_change_4 * 0.25) / 1.75 * 0.004;
     vec3 normal_product = r_x * grain_product_5;  // normal: Resolve
     vec3 normal_product_2 = cross(normal, surface_dpdx) * grain_product_9;
-    vec3 normal_gradient = carving_gradient + (normal_product + normal_product_2) * inverse_det;
-    vec3 normal_difference = normal * s.facing - normal_gradient;
+    vec3 normal_gradient = (normal_product + normal_product_2) * (sign(det) / max(abs(det), 1e-36));
+    vec3 normal_difference = normal * s.facing - (carving_gradient + normal_gradient);
     return normalize(normal_difference);
 }

@@ -119,6 +119,10 @@ float wrinkle_everything_gradient_noise_change(vec3 a, vec3 b) {
     return mixed_11 + sum_3.z * difference_10;
 }
 
+float wrinkle_everything_noise_octave_change(vec3 a, float b, vec3 c) {
+    return wrinkle_everything_gradient_noise_change(a, c) * (1.0 - smoothstep(0.25, 0.75, b));
+}
+
 vec3 wrinkle_everything_normal(WrinkleSurface_everything s) {
     vec3 normal = normalize(s.normal);  // the surface point
     vec3 dpdx = dFdx(s.position_relative);
@@ -151,7 +155,7 @@ vec3 wrinkle_everything_normal(WrinkleSurface_everything s) {
     float carving_dot_product = dot(normal, carving_texel);
     vec3 carving_difference = normal * carving_dot_product - carving_texel;
     vec3 carving_quotient = carving_difference / max(abs(carving_dot_product), 1.1920929e-07);
-    vec2 softer_product = vec2(cloth_sum, cloth_sum_2) * 0.3;  // softer: Scale bump
+    vec2 softer_slope = vec2(cloth_sum, cloth_sum_2) * 0.3;  // softer: Scale bump
     vec2 tile_uv = s.uv0 * vec2(8.0, 4.0);  // tile: UV transform
     vec2 tile_product = dFdx(s.uv0) * vec2(8.0, 4.0);
     vec2 tile_product_2 = dFdy(s.uv0) * vec2(8.0, 4.0);
@@ -172,28 +176,31 @@ vec3 wrinkle_everything_normal(WrinkleSurface_everything s) {
     float bricks_product = dot(bricks_mixed, tile_product) * 0.015;
     vec2 bricks_vector_2 = vec2(bricks_product, dot(bricks_mixed, tile_product_2) * 0.015);
     vec3 grain_product = s.position * 30.0;  // grain: Gradient noise
+    float grain_greatest = max(length(dpdx * 30.0), length(dpdy * 30.0));
     vec3 grain_product_2 = surface_dpdx * 30.0;
-    float grain_gradient_noise_change = wrinkle_everything_gradient_noise_change(grain_product,
-            grain_product_2);
+    float grain_noise_octave_change = wrinkle_everything_noise_octave_change(grain_product,
+            grain_greatest, grain_product_2);
     vec3 grain_sum = grain_product * 2.0 + vec3(19.19, 7.43, 31.71);
-    float grain_gradient_noise_change_2 = wrinkle_everything_gradient_noise_change(grain_sum,
-            grain_product_2 * 2.0);
-    float grain_quotient = (grain_gradient_noise_change + grain_gradient_noise_change_2 * 0.5) /
+    float grain_product_3 = grain_greatest * 2.0;
+    vec3 grain_product_4 = grain_product_2 * 2.0;
+    float grain_noise_octave_change_2 = wrinkle_everything_noise_octave_change(grain_sum,
+            grain_product_3, grain_product_4);
+    float grain_quotient = (grain_noise_octave_change + grain_noise_octave_change_2 * 0.5) / 1.5;
+    vec3 grain_product_5 = surface_dpdy * 30.0;
+    float grain_noise_octave_change_3 = wrinkle_everything_noise_octave_change(grain_product,
+            grain_greatest, grain_product_5);
+    vec3 grain_product_6 = grain_product_5 * 2.0;
+    float grain_noise_octave_change_4 = wrinkle_everything_noise_octave_change(grain_sum,
+            grain_product_3, grain_product_6);
+    float grain_quotient_2 = (grain_noise_octave_change_3 + grain_noise_octave_change_4 * 0.5) /
             1.5;
-    vec3 grain_product_3 = surface_dpdy * 30.0;
-    float grain_gradient_noise_change_3 = wrinkle_everything_gradient_noise_change(grain_product,
-            grain_product_3);
-    float grain_gradient_noise_change_4 = wrinkle_everything_gradient_noise_change(grain_sum,
-            grain_product_3 * 2.0);
-    float grain_quotient_2 = (grain_gradient_noise_change_3 + grain_gradient_noise_change_4 * 0.5)
-            / 1.5;
     vec2 all_vector = vec2(grain_quotient * 0.002, grain_quotient_2 * 0.002);  // all: Add bumps
     // normal: Resolve
-    vec3 normal_gradient = cross(normal, uv1_tangent) * surface_product_2 * softer_product.y;
-    vec3 normal_gradient_2 = uv1_tangent * softer_product.x + normal_gradient;
+    vec3 normal_gradient = cross(normal, uv1_tangent) * surface_product_2 * softer_slope.y;
+    vec3 normal_gradient_2 = uv1_tangent * softer_slope.x + normal_gradient;
+    vec3 normal_gradient_3 = carving_quotient * cloth_depth + normal_gradient_2;
     vec2 normal_product = (bricks_vector_2 + all_vector) * cloth_depth;
     vec3 normal_sum = r_x * normal_product.x + r_y * normal_product.y;
-    vec3 normal_gradient_3 = normal_sum * ((det < 0.0 ? -1.0 : 1.0) / max(abs(det), 1e-36));
-    vec3 normal_gradient_4 = carving_quotient * cloth_depth + normal_gradient_2 + normal_gradient_3;
+    vec3 normal_gradient_4 = normal_gradient_3 + normal_sum * (sign(det) / max(abs(det), 1e-36));
     return normalize(normal * (cloth_depth * s.facing) - normal_gradient_4);
 }

@@ -100,6 +100,10 @@ float wrinkle_noise_rock_gradient_noise_change(vec3 a, vec3 b) {
     return mixed_11 + sum_3.z * difference_10;
 }
 
+float wrinkle_noise_rock_noise_octave_change(vec3 a, float b, vec3 c) {
+    return wrinkle_noise_rock_gradient_noise_change(a, c) * (1.0 - smoothstep(0.25, 0.75, b));
+}
+
 float wrinkle_noise_rock_gradient_noise(vec3 a) {
     vec3 floored = floor(a);
     int whole = int(floored.x);
@@ -132,6 +136,10 @@ float wrinkle_noise_rock_gradient_noise(vec3 a) {
     return mix(mixed_2, mixed_4, product.z);
 }
 
+float wrinkle_noise_rock_noise_octave(vec3 a, float b) {
+    return wrinkle_noise_rock_gradient_noise(a) * (1.0 - smoothstep(0.25, 0.75, b));
+}
+
 vec3 wrinkle_noise_rock_normal(WrinkleSurface_noise_rock s) {
     vec3 normal = normalize(s.normal);  // the surface point
     vec3 dpdy = dFdy(s.position_relative);
@@ -141,83 +149,103 @@ vec3 wrinkle_noise_rock_normal(WrinkleSurface_noise_rock s) {
     vec3 surface_dpdx = dpdx - normal * dot(normal, dpdx);
     float det = dot(surface_dpdx, r_x);
     vec3 lumps_product = s.position * 3.0;  // lumps: Gradient noise
+    float lumps_greatest = max(length(dpdx * 3.0), length(dpdy * 3.0));
     vec3 lumps_product_2 = surface_dpdx * 3.0;
-    float lumps_gradient_noise_change = wrinkle_noise_rock_gradient_noise_change(lumps_product,
-            lumps_product_2);
-    vec3 lumps_sum = lumps_product * 2.0 + vec3(19.19, 7.43, 31.71);
-    vec3 lumps_product_3 = lumps_product_2 * 2.0;
-    float lumps_product_4 = wrinkle_noise_rock_gradient_noise_change(lumps_sum,
-            lumps_product_3) * 0.5;
-    vec3 lumps_sum_2 = lumps_sum * 2.0 + vec3(19.19, 7.43, 31.71);
-    vec3 lumps_product_5 = lumps_product_3 * 2.0;
-    float lumps_product_6 = wrinkle_noise_rock_gradient_noise_change(lumps_sum_2,
-            lumps_product_5) * 0.25;
-    float lumps_sum_3 = lumps_gradient_noise_change + lumps_product_4 + lumps_product_6;
-    vec3 lumps_sum_4 = lumps_sum_2 * 2.0 + vec3(19.19, 7.43, 31.71);
-    vec3 lumps_product_7 = lumps_product_5 * 2.0;
-    float lumps_product_8 = wrinkle_noise_rock_gradient_noise_change(lumps_sum_4,
-            lumps_product_7) * 0.125;
-    vec3 lumps_sum_5 = lumps_sum_4 * 2.0 + vec3(19.19, 7.43, 31.71);
-    vec3 lumps_product_9 = lumps_product_7 * 2.0;
-    float lumps_product_10 = wrinkle_noise_rock_gradient_noise_change(lumps_sum_5,
-            lumps_product_9) * 0.0625;
-    float lumps_sum_6 = lumps_sum_3 + lumps_product_8 + lumps_product_10;
-    vec3 lumps_sum_7 = lumps_sum_5 * 2.0 + vec3(19.19, 7.43, 31.71);
-    float lumps_gradient_noise_change_2 = wrinkle_noise_rock_gradient_noise_change(lumps_sum_7,
-            lumps_product_9 * 2.0);
-    float lumps_product_11 = (lumps_sum_6 + lumps_gradient_noise_change_2 * 0.03125) / 1.96875 *
-            0.06;
-    vec3 lumps_product_12 = surface_dpdy * 3.0;
-    float lumps_gradient_noise_change_3 = wrinkle_noise_rock_gradient_noise_change(lumps_product,
-            lumps_product_12);
-    vec3 lumps_product_13 = lumps_product_12 * 2.0;
-    float lumps_product_14 = wrinkle_noise_rock_gradient_noise_change(lumps_sum,
-            lumps_product_13) * 0.5;
-    vec3 lumps_product_15 = lumps_product_13 * 2.0;
-    float lumps_product_16 = wrinkle_noise_rock_gradient_noise_change(lumps_sum_2,
-            lumps_product_15) * 0.25;
-    float lumps_sum_8 = lumps_gradient_noise_change_3 + lumps_product_14 + lumps_product_16;
-    vec3 lumps_product_17 = lumps_product_15 * 2.0;
-    float lumps_product_18 = wrinkle_noise_rock_gradient_noise_change(lumps_sum_4,
-            lumps_product_17) * 0.125;
-    vec3 lumps_product_19 = lumps_product_17 * 2.0;
-    float lumps_product_20 = wrinkle_noise_rock_gradient_noise_change(lumps_sum_5,
-            lumps_product_19) * 0.0625;
-    float lumps_sum_9 = lumps_sum_8 + lumps_product_18 + lumps_product_20;
-    float lumps_gradient_noise_change_4 = wrinkle_noise_rock_gradient_noise_change(lumps_sum_7,
-            lumps_product_19 * 2.0);
-    float lumps_product_21 = (lumps_sum_9 + lumps_gradient_noise_change_4 * 0.03125) / 1.96875 *
+    float lumps_noise_octave_change = wrinkle_noise_rock_noise_octave_change(lumps_product,
+            lumps_greatest, lumps_product_2);
+    vec3 lumps_product_3 = lumps_product * 2.0;
+    vec3 lumps_sum = lumps_product_3 + vec3(19.19, 7.43, 31.71);
+    float lumps_product_4 = lumps_greatest * 2.0;
+    vec3 lumps_product_5 = lumps_product_2 * 2.0;
+    float lumps_noise_octave_change_2 = wrinkle_noise_rock_noise_octave_change(lumps_sum,
+            lumps_product_4, lumps_product_5);
+    float lumps_sum_2 = lumps_noise_octave_change + lumps_noise_octave_change_2 * 0.5;
+    vec3 lumps_product_6 = lumps_product_3 * 2.0;
+    vec3 lumps_sum_3 = lumps_product_6 + vec3(38.38, 14.86, 63.42);
+    float lumps_product_7 = lumps_product_4 * 2.0;
+    vec3 lumps_product_8 = lumps_product_5 * 2.0;
+    float lumps_noise_octave_change_3 = wrinkle_noise_rock_noise_octave_change(lumps_sum_3,
+            lumps_product_7, lumps_product_8);
+    float lumps_sum_4 = lumps_sum_2 + lumps_noise_octave_change_3 * 0.25;
+    vec3 lumps_product_9 = lumps_product_6 * 2.0;
+    vec3 lumps_sum_5 = lumps_product_9 + vec3(57.57, 22.29, 95.13);
+    float lumps_product_10 = lumps_product_7 * 2.0;
+    vec3 lumps_product_11 = lumps_product_8 * 2.0;
+    float lumps_noise_octave_change_4 = wrinkle_noise_rock_noise_octave_change(lumps_sum_5,
+            lumps_product_10, lumps_product_11);
+    float lumps_sum_6 = lumps_sum_4 + lumps_noise_octave_change_4 * 0.125;
+    vec3 lumps_product_12 = lumps_product_9 * 2.0;
+    vec3 lumps_sum_7 = lumps_product_12 + vec3(76.76, 29.72, 126.84);
+    float lumps_product_13 = lumps_product_10 * 2.0;
+    vec3 lumps_product_14 = lumps_product_11 * 2.0;
+    float lumps_noise_octave_change_5 = wrinkle_noise_rock_noise_octave_change(lumps_sum_7,
+            lumps_product_13, lumps_product_14);
+    float lumps_sum_8 = lumps_sum_6 + lumps_noise_octave_change_5 * 0.0625;
+    vec3 lumps_sum_9 = lumps_product_12 * 2.0 + vec3(95.95, 37.15, 158.55);
+    float lumps_product_15 = lumps_product_13 * 2.0;
+    vec3 lumps_product_16 = lumps_product_14 * 2.0;
+    float lumps_noise_octave_change_6 = wrinkle_noise_rock_noise_octave_change(lumps_sum_9,
+            lumps_product_15, lumps_product_16);
+    float lumps_product_17 = (lumps_sum_8 + lumps_noise_octave_change_6 * 0.03125) / 1.96875 * 0.06;
+    vec3 lumps_product_18 = surface_dpdy * 3.0;
+    float lumps_noise_octave_change_7 = wrinkle_noise_rock_noise_octave_change(lumps_product,
+            lumps_greatest, lumps_product_18);
+    vec3 lumps_product_19 = lumps_product_18 * 2.0;
+    float lumps_noise_octave_change_8 = wrinkle_noise_rock_noise_octave_change(lumps_sum,
+            lumps_product_4, lumps_product_19);
+    float lumps_sum_10 = lumps_noise_octave_change_7 + lumps_noise_octave_change_8 * 0.5;
+    vec3 lumps_product_20 = lumps_product_19 * 2.0;
+    float lumps_noise_octave_change_9 = wrinkle_noise_rock_noise_octave_change(lumps_sum_3,
+            lumps_product_7, lumps_product_20);
+    float lumps_sum_11 = lumps_sum_10 + lumps_noise_octave_change_9 * 0.25;
+    vec3 lumps_product_21 = lumps_product_20 * 2.0;
+    float lumps_noise_octave_change_10 = wrinkle_noise_rock_noise_octave_change(lumps_sum_5,
+            lumps_product_10, lumps_product_21);
+    float lumps_sum_12 = lumps_sum_11 + lumps_noise_octave_change_10 * 0.125;
+    vec3 lumps_product_22 = lumps_product_21 * 2.0;
+    float lumps_noise_octave_change_11 = wrinkle_noise_rock_noise_octave_change(lumps_sum_7,
+            lumps_product_13, lumps_product_22);
+    float lumps_sum_13 = lumps_sum_12 + lumps_noise_octave_change_11 * 0.0625;
+    vec3 lumps_product_23 = lumps_product_22 * 2.0;
+    float lumps_noise_octave_change_12 = wrinkle_noise_rock_noise_octave_change(lumps_sum_9,
+            lumps_product_15, lumps_product_23);
+    float lumps_product_24 = (lumps_sum_13 + lumps_noise_octave_change_12 * 0.03125) / 1.96875 *
             0.06;
     vec3 cracks_product = s.position * 7.0;  // cracks: Gradient noise
+    float cracks_greatest = max(length(dpdx * 7.0), length(dpdy * 7.0));
+    float cracks_noise_octave = wrinkle_noise_rock_noise_octave(cracks_product, cracks_greatest);
     vec3 cracks_sum = cracks_product * 2.0 + vec3(19.19, 7.43, 31.71);
-    float cracks_product_2 = wrinkle_noise_rock_gradient_noise(cracks_sum) * 0.5;
-    float cracks_value = (wrinkle_noise_rock_gradient_noise(cracks_product) + cracks_product_2) /
+    float cracks_product_2 = cracks_greatest * 2.0;
+    float cracks_product_3 = wrinkle_noise_rock_noise_octave(cracks_sum, cracks_product_2) * 0.5;
+    float cracks_value = (cracks_noise_octave + cracks_product_3) / 1.5;
+    vec3 cracks_product_4 = surface_dpdx * 7.0;
+    float cracks_noise_octave_change = wrinkle_noise_rock_noise_octave_change(cracks_product,
+            cracks_greatest, cracks_product_4);
+    vec3 cracks_product_5 = cracks_product_4 * 2.0;
+    float cracks_noise_octave_change_2 = wrinkle_noise_rock_noise_octave_change(cracks_sum,
+            cracks_product_2, cracks_product_5);
+    float cracks_quotient = (cracks_noise_octave_change + cracks_noise_octave_change_2 * 0.5) / 1.5;
+    vec3 cracks_product_6 = surface_dpdy * 7.0;
+    float cracks_noise_octave_change_3 = wrinkle_noise_rock_noise_octave_change(cracks_product,
+            cracks_greatest, cracks_product_6);
+    vec3 cracks_product_7 = cracks_product_6 * 2.0;
+    float cracks_noise_octave_change_4 = wrinkle_noise_rock_noise_octave_change(cracks_sum,
+            cracks_product_2, cracks_product_7);
+    float cracks_quotient_2 = (cracks_noise_octave_change_3 + cracks_noise_octave_change_4 * 0.5) /
             1.5;
-    vec3 cracks_product_3 = surface_dpdx * 7.0;
-    float cracks_gradient_noise_change = wrinkle_noise_rock_gradient_noise_change(cracks_product,
-            cracks_product_3);
-    float cracks_gradient_noise_change_2 = wrinkle_noise_rock_gradient_noise_change(cracks_sum,
-            cracks_product_3 * 2.0);
-    float cracks_sum_2 = cracks_gradient_noise_change + cracks_gradient_noise_change_2 * 0.5;
-    vec3 cracks_product_4 = surface_dpdy * 7.0;
-    float cracks_gradient_noise_change_3 = wrinkle_noise_rock_gradient_noise_change(cracks_product,
-            cracks_product_4);
-    float cracks_gradient_noise_change_4 = wrinkle_noise_rock_gradient_noise_change(cracks_sum,
-            cracks_product_4 * 2.0);
-    float cracks_sum_3 = cracks_gradient_noise_change_3 + cracks_gradient_noise_change_4 * 0.5;
     float depth_result = abs(cracks_value);  // depth: Absolute
     float depth_sign = sign(cracks_value);
     float groove_quotient = depth_result / 0.12;  // groove: Smooth step
     bool groove_test = 1.0 < max(groove_quotient, 0.0);
     bool groove_test_2 = groove_quotient < 0.0;
-    float groove_choice = groove_test_2 ? 0.0 : cracks_sum_2 / 1.5 * depth_sign / 0.12;
+    float groove_choice = groove_test_2 ? 0.0 : cracks_quotient * depth_sign / 0.12;
     float groove_choice_2 = groove_test ? 0.0 : groove_choice;
     float groove_clamped = clamp(groove_quotient, 0.0, 1.0);
     float groove_product = groove_choice_2 * groove_clamped;
     float groove_difference = 3.0 - 2.0 * groove_clamped;
     float groove_product_2 = (groove_product + groove_product) * groove_difference;
     float groove_product_3 = groove_clamped * groove_clamped;
-    float groove_choice_3 = groove_test_2 ? 0.0 : cracks_sum_3 / 1.5 * depth_sign / 0.12;
+    float groove_choice_3 = groove_test_2 ? 0.0 : cracks_quotient_2 * depth_sign / 0.12;
     float groove_choice_4 = groove_test ? 0.0 : groove_choice_3;
     float groove_product_4 = groove_choice_4 * groove_clamped;
     float groove_product_5 = (groove_product_4 + groove_product_4) * groove_difference;
@@ -225,33 +253,48 @@ vec3 wrinkle_noise_rock_normal(WrinkleSurface_noise_rock s) {
     float carve_product = (groove_product_2 + -(groove_choice_2 * 2.0) * groove_product_3) * 0.015;
     float carve_product_2 = (groove_product_5 + -(groove_choice_4 * 2.0) * groove_product_3) *
             0.015;
-    float rock_sum = lumps_product_11 + carve_product;  // rock: Add heights
-    float rock_sum_2 = lumps_product_21 + carve_product_2;
+    float rock_sum = lumps_product_17 + carve_product;  // rock: Add heights
+    float rock_sum_2 = lumps_product_24 + carve_product_2;
     vec3 normal_sum = r_x * rock_sum + cross(normal, surface_dpdx) * rock_sum_2;  // normal: Resolve
-    vec3 normal_gradient = normal_sum * ((det < 0.0 ? -1.0 : 1.0) / max(abs(det), 1e-36));
-    return normalize(normal * s.facing - normal_gradient);
+    return normalize(normal * s.facing - normal_sum * (sign(det) / max(abs(det), 1e-36)));
 }
 
 float wrinkle_noise_rock_height(WrinkleSurface_noise_rock s) {
+    vec3 dpdx = dFdx(s.position_relative);  // the surface point
+    vec3 dpdy = dFdy(s.position_relative);
     vec3 lumps_product = s.position * 3.0;  // lumps: Gradient noise
-    vec3 lumps_sum = lumps_product * 2.0 + vec3(19.19, 7.43, 31.71);
-    float lumps_product_2 = wrinkle_noise_rock_gradient_noise(lumps_sum) * 0.5;
-    float lumps_sum_2 = wrinkle_noise_rock_gradient_noise(lumps_product) + lumps_product_2;
-    vec3 lumps_sum_3 = lumps_sum * 2.0 + vec3(19.19, 7.43, 31.71);
-    float lumps_sum_4 = lumps_sum_2 + wrinkle_noise_rock_gradient_noise(lumps_sum_3) * 0.25;
-    vec3 lumps_sum_5 = lumps_sum_3 * 2.0 + vec3(19.19, 7.43, 31.71);
-    float lumps_sum_6 = lumps_sum_4 + wrinkle_noise_rock_gradient_noise(lumps_sum_5) * 0.125;
-    vec3 lumps_sum_7 = lumps_sum_5 * 2.0 + vec3(19.19, 7.43, 31.71);
-    float lumps_sum_8 = lumps_sum_6 + wrinkle_noise_rock_gradient_noise(lumps_sum_7) * 0.0625;
-    vec3 lumps_sum_9 = lumps_sum_7 * 2.0 + vec3(19.19, 7.43, 31.71);
-    float lumps_value = (lumps_sum_8 + wrinkle_noise_rock_gradient_noise(lumps_sum_9) * 0.03125) /
-            1.96875;
+    float lumps_greatest = max(length(dpdx * 3.0), length(dpdy * 3.0));
+    float lumps_noise_octave = wrinkle_noise_rock_noise_octave(lumps_product, lumps_greatest);
+    vec3 lumps_product_2 = lumps_product * 2.0;
+    vec3 lumps_sum = lumps_product_2 + vec3(19.19, 7.43, 31.71);
+    float lumps_product_3 = lumps_greatest * 2.0;
+    float lumps_product_4 = wrinkle_noise_rock_noise_octave(lumps_sum, lumps_product_3) * 0.5;
+    vec3 lumps_product_5 = lumps_product_2 * 2.0;
+    vec3 lumps_sum_2 = lumps_product_5 + vec3(38.38, 14.86, 63.42);
+    float lumps_product_6 = lumps_product_3 * 2.0;
+    float lumps_product_7 = wrinkle_noise_rock_noise_octave(lumps_sum_2, lumps_product_6) * 0.25;
+    vec3 lumps_product_8 = lumps_product_5 * 2.0;
+    vec3 lumps_sum_3 = lumps_product_8 + vec3(57.57, 22.29, 95.13);
+    float lumps_product_9 = lumps_product_6 * 2.0;
+    float lumps_product_10 = wrinkle_noise_rock_noise_octave(lumps_sum_3, lumps_product_9) * 0.125;
+    float lumps_sum_4 = lumps_noise_octave + lumps_product_4 + lumps_product_7 + lumps_product_10;
+    vec3 lumps_product_11 = lumps_product_8 * 2.0;
+    vec3 lumps_sum_5 = lumps_product_11 + vec3(76.76, 29.72, 126.84);
+    float lumps_product_12 = lumps_product_9 * 2.0;
+    float lumps_product_13 = wrinkle_noise_rock_noise_octave(lumps_sum_5,
+            lumps_product_12) * 0.0625;
+    vec3 lumps_sum_6 = lumps_product_11 * 2.0 + vec3(95.95, 37.15, 158.55);
+    float lumps_product_14 = wrinkle_noise_rock_noise_octave(lumps_sum_6,
+            lumps_product_12 * 2.0) * 0.03125;
+    float lumps_value = (lumps_sum_4 + lumps_product_13 + lumps_product_14) / 1.96875;
     float lumps_height = lumps_value * 0.06;
     vec3 cracks_product = s.position * 7.0;  // cracks: Gradient noise
+    float cracks_greatest = max(length(dpdx * 7.0), length(dpdy * 7.0));
+    float cracks_noise_octave = wrinkle_noise_rock_noise_octave(cracks_product, cracks_greatest);
     vec3 cracks_sum = cracks_product * 2.0 + vec3(19.19, 7.43, 31.71);
-    float cracks_product_2 = wrinkle_noise_rock_gradient_noise(cracks_sum) * 0.5;
-    float cracks_value = (wrinkle_noise_rock_gradient_noise(cracks_product) + cracks_product_2) /
-            1.5;
+    float cracks_product_2 = wrinkle_noise_rock_noise_octave(cracks_sum,
+            cracks_greatest * 2.0) * 0.5;
+    float cracks_value = (cracks_noise_octave + cracks_product_2) / 1.5;
     float depth_result = abs(cracks_value);  // depth: Absolute
     float groove_clamped = clamp(depth_result / 0.12, 0.0, 1.0);  // groove: Smooth step
     float groove_result = groove_clamped * groove_clamped * (3.0 - 2.0 * groove_clamped);
@@ -261,18 +304,31 @@ float wrinkle_noise_rock_height(WrinkleSurface_noise_rock s) {
 
 float wrinkle_noise_rock_roughness(WrinkleSurface_noise_rock s) {
     vec3 lumps_product = s.position * 3.0;  // lumps: Gradient noise
-    vec3 lumps_sum = lumps_product * 2.0 + vec3(19.19, 7.43, 31.71);
-    float lumps_product_2 = wrinkle_noise_rock_gradient_noise(lumps_sum) * 0.5;
-    float lumps_sum_2 = wrinkle_noise_rock_gradient_noise(lumps_product) + lumps_product_2;
-    vec3 lumps_sum_3 = lumps_sum * 2.0 + vec3(19.19, 7.43, 31.71);
-    float lumps_sum_4 = lumps_sum_2 + wrinkle_noise_rock_gradient_noise(lumps_sum_3) * 0.25;
-    vec3 lumps_sum_5 = lumps_sum_3 * 2.0 + vec3(19.19, 7.43, 31.71);
-    float lumps_sum_6 = lumps_sum_4 + wrinkle_noise_rock_gradient_noise(lumps_sum_5) * 0.125;
-    vec3 lumps_sum_7 = lumps_sum_5 * 2.0 + vec3(19.19, 7.43, 31.71);
-    float lumps_sum_8 = lumps_sum_6 + wrinkle_noise_rock_gradient_noise(lumps_sum_7) * 0.0625;
-    vec3 lumps_sum_9 = lumps_sum_7 * 2.0 + vec3(19.19, 7.43, 31.71);
-    float lumps_value = (lumps_sum_8 + wrinkle_noise_rock_gradient_noise(lumps_sum_9) * 0.03125) /
-            1.96875;
+    float lumps_extent = length(dFdx(s.position_relative) * 3.0);
+    float lumps_greatest = max(lumps_extent, length(dFdy(s.position_relative) * 3.0));
+    float lumps_noise_octave = wrinkle_noise_rock_noise_octave(lumps_product, lumps_greatest);
+    vec3 lumps_product_2 = lumps_product * 2.0;
+    vec3 lumps_sum = lumps_product_2 + vec3(19.19, 7.43, 31.71);
+    float lumps_product_3 = lumps_greatest * 2.0;
+    float lumps_product_4 = wrinkle_noise_rock_noise_octave(lumps_sum, lumps_product_3) * 0.5;
+    vec3 lumps_product_5 = lumps_product_2 * 2.0;
+    vec3 lumps_sum_2 = lumps_product_5 + vec3(38.38, 14.86, 63.42);
+    float lumps_product_6 = lumps_product_3 * 2.0;
+    float lumps_product_7 = wrinkle_noise_rock_noise_octave(lumps_sum_2, lumps_product_6) * 0.25;
+    vec3 lumps_product_8 = lumps_product_5 * 2.0;
+    vec3 lumps_sum_3 = lumps_product_8 + vec3(57.57, 22.29, 95.13);
+    float lumps_product_9 = lumps_product_6 * 2.0;
+    float lumps_product_10 = wrinkle_noise_rock_noise_octave(lumps_sum_3, lumps_product_9) * 0.125;
+    float lumps_sum_4 = lumps_noise_octave + lumps_product_4 + lumps_product_7 + lumps_product_10;
+    vec3 lumps_product_11 = lumps_product_8 * 2.0;
+    vec3 lumps_sum_5 = lumps_product_11 + vec3(76.76, 29.72, 126.84);
+    float lumps_product_12 = lumps_product_9 * 2.0;
+    float lumps_product_13 = wrinkle_noise_rock_noise_octave(lumps_sum_5,
+            lumps_product_12) * 0.0625;
+    vec3 lumps_sum_6 = lumps_product_11 * 2.0 + vec3(95.95, 37.15, 158.55);
+    float lumps_product_14 = wrinkle_noise_rock_noise_octave(lumps_sum_6,
+            lumps_product_12 * 2.0) * 0.03125;
+    float lumps_value = (lumps_sum_4 + lumps_product_13 + lumps_product_14) / 1.96875;
     float lumps_height = lumps_value * 0.06;
     return mix(0.25, 0.6, (lumps_height - -0.06) / 0.12);  // shade: Remap
 }

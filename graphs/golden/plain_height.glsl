@@ -48,8 +48,7 @@ vec3 wrinkle_plain_height_normal(WrinkleSurface_plain_height s) {
     // normal: Resolve
     vec3 normal_product = cross(normal, surface_dpdx) * (dot(bricks_mixed, tile_product_2) * 0.04);
     vec3 normal_sum = r_x * (dot(bricks_mixed, tile_product) * 0.04) + normal_product;
-    vec3 normal_gradient = normal_sum * ((det < 0.0 ? -1.0 : 1.0) / max(abs(det), 1e-36));
-    vec3 normal_difference = normal * s.facing - normal_gradient;
+    vec3 normal_difference = normal * s.facing - normal_sum * (sign(det) / max(abs(det), 1e-36));
     return normalize(normal_difference);
 }
 

@@ -5,6 +5,7 @@
 //   *_height.png  one channel, 0 to 1; the samples give it its depth
 //   *_normal.png  tangent space, green = +v, for the depth (in tiles) that the table below states
 //   *_object.png  object space, 2t - 1 = x, y, z
+//   *_cube.png    the same in six faces, +x -x +y -y +z -z
 //   *_mask.png    one channel, 0 to 1
 //
 // Every value comes from integer hashes and correctly rounded arithmetic: the files in the
@@ -68,6 +69,27 @@ Image object_normal_map(uint32_t width) {
     return image;
 }
 
+// The same ball, in the faces of a cube map: +x -x +y -y +z -z from left to right, each as seen from
+// outside. The six faces: where the middle is, and where right and up are.
+Image cube_normal_map(uint32_t size) {
+    constexpr Vector faces[6][3] = {
+        {{1, 0, 0}, {0, 0, -1}, {0, 1, 0}}, {{-1, 0, 0}, {0, 0, 1}, {0, 1, 0}},
+        {{0, 1, 0}, {1, 0, 0}, {0, 0, -1}}, {{0, -1, 0}, {1, 0, 0}, {0, 0, 1}},
+        {{0, 0, 1}, {1, 0, 0}, {0, 1, 0}},  {{0, 0, -1}, {-1, 0, 0}, {0, 1, 0}}};
+    Image image = make_image(6 * size, size, 3, PixelType::u16);
+    for (uint32_t y = 0; y < size; ++y)
+        for (uint32_t x = 0; x < image.width; ++x) {
+            const auto& [middle, right, up] = faces[x / size];
+            const double u = 2 * (x % size + 0.5) / size - 1, v = 2 * (y + 0.5) / size - 1;
+            const double length = std::sqrt(1 + u * u + v * v);
+            Vector point;
+            for (size_t i = 0; i < 3; ++i)
+                point[i] = (middle[i] + u * right[i] + v * up[i]) / length;
+            put_normal(image.texel(x, y), ball_normal(point));
+        }
+    return image;
+}
+
 struct Texture {
     const char* name;
     std::function<Image()> make;
@@ -82,6 +104,7 @@ bool write_all(const std::filesystem::path& folder) {
         Texture{"pebbles_height.png", [] { return height_map(pebbles, 256); }},
         Texture{"patches_mask.png", [] { return height_map(patches, 256); }},
         Texture{"ball_object.png", [] { return object_normal_map(512); }},
+        Texture{"ball_cube.png", [] { return cube_normal_map(128); }},
     };
     Diagnostics diagnostics;
     for (const Texture& texture : textures)

@@ -132,7 +132,7 @@ TEST_F(RenderTest, RefusesWrongUsage) {
         {"render", "g.json", "-o", "g.png", "--size", "0x5"},
         {"render", "g.json", "-o", "g.png", "--size", "5"},
         {"render", "g.json", "-o", "g.png", "--size", "99999x5"},
-        {"render", "g.json", "-o", "g.png", "--mesh", "teapot"},
+        {"render", "g.json", "-o", "g.png", "--mesh", "kettle"},
         {"render", "g.json", "-o", "g.png", "--view", "sideways"},
         {"render", "g.json", "-o", "g.png", "--against", "normal"},
         {"render", "g.json", "-o", "-", "--set", "tilt.volume=0:1:3"},

@@ -150,7 +150,7 @@ TEST_F(TestTest, RefusesBadFiles) {
         {R"({"points": [{}], "expect": [{"normal": [0, 0, 1]}]})", "lacks 'normal'"},
         {R"({"glsl": 1})", "a.test.json:1:10"},
         {R"({"glsl": true, "tolerance": -1})", "negative"},
-        {R"({"render": {"mesh": "teapot"}})", "'teapot'"},
+        {R"({"render": {"mesh": "kettle"}})", "'kettle'"},
         {R"({"render": {"size": "9"}})", "512x512"},
         {R"({"render": {"viewed": "uv"}})", "did you mean 'view'?"},
         {R"({"glsl": true, "set": ["tilt.volume=0:1:2"]})", "sweep"},

@@ -28,7 +28,7 @@ Id parameter(Module& module, const std::string& port, double value) {
 }
 
 void name(Module& module, const std::string& port, Id value) {
-    module.named.push_back({value, module.current_node, port});
+    module.named.push_back({value, module.current_node, port, true});
 }
 
 void output(Module& module, const std::string& name, Id value, uint32_t port_type) {

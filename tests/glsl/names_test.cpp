@@ -63,6 +63,22 @@ TEST(Names, hostile_graphs_still_compile) {
         }
 }
 
+// Uniforms of a node called "wrinkle" beside the shader form's own names.
+TEST(Names, of_the_shader_form_are_taken) {
+    Module m;
+    node(m, "wrinkle", "");
+    Id sum = m.swizzle(m.input(SurfaceInput::normal_), "x");
+    for (const char* port : {"normal", "uv0", "eye", "object_to_clip", "object_to_world",
+                             "normal_to_world", "position_relative", "position"})
+        sum = m.add(Op::add_, {sum, parameter(m, port, 2)});
+    output(m, "height", sum);
+    for (const Form form : {Form::function, Form::shader}) {
+        EmitOptions options;
+        options.form = form;
+        EXPECT_EQ(compile_errors(emit(m, options)), "");
+    }
+}
+
 TEST(Names, equal_after_cleaning_follow_graph_order) {
     Module m;
     Id sum = m.number(0);

@@ -18,7 +18,7 @@ vec3 wrinkle_strap_normal(WrinkleSurface_strap s) {
     float weave_depth = max(max(abs(weave_texel.z), weave_product), 1e-06);
     vec3 bitangent = cross(s.normal, s.tangent.xyz) * (s.tangent.w > 0.0 ? 1.0 : -1.0);
     // normal: Resolve
-    vec2 normal_sum = -base_texel.xy * weave_depth + -weave_texel.xy * 0.6 * base_depth;
-    vec3 normal_gradient = s.tangent.xyz * normal_sum.x + bitangent * normal_sum.y;
+    vec2 normal_slope = -base_texel.xy * weave_depth + -weave_texel.xy * 0.6 * base_depth;
+    vec3 normal_gradient = s.tangent.xyz * normal_slope.x + bitangent * normal_slope.y;
     return normalize(s.normal * (base_depth * weave_depth * s.facing) - normal_gradient);
 }

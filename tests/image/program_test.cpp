@@ -90,6 +90,17 @@ TEST_F(ProgramTest, RemadeTexturesAreTheCommittedOnes) {
     EXPECT_GE(count, 6u);
 }
 
+// A graph reads what lies below its own folder, so the comparisons have textures of their own.
+TEST(Textures, OfTheComparisonsAreThoseOfTheSamples) {
+    size_t count = 0;
+    for (const auto& entry : fs::directory_iterator(committed / "../compare/textures")) {
+        const Image copy = loaded(entry.path());
+        EXPECT_TRUE(copy.data == loaded(committed / entry.path().filename()).data) << entry.path();
+        ++count;
+    }
+    EXPECT_EQ(count, 3u);
+}
+
 TEST(Textures, TheWovenNormalsAreThoseOfTheWovenHeights) {
     const Image height = loaded(committed / "weave_height.png");
     const Image normal = loaded(committed / "weave_normal.png");

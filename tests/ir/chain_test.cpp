@@ -98,6 +98,53 @@ void chain_in_regions() {
     EXPECT_EQ(verify(bake_parameters(m)), "");
 }
 
+// Loops that read each other's results, side by side: each is differentiated once.
+void loops_after_loops() {
+    Module m;
+    const std::array types{Type::float_};
+    Id last = m.swizzle(m.input(SurfaceInput::uv0_), "x");
+    for (int i = 0; i < 200; ++i) {
+        const Value s{&m, m.begin_region(RegionKind::loop, "", types)[0]};
+        const Value captured{&m, last};
+        const std::array results{op(Op::lt_, s, captured).id, (s * captured + number(s, i)).id};
+        last = m.apply(m.end_region(results, 3), std::array{last})[0];
+    }
+    const Id written = m.size();
+    const Id change = uv_direction(m, SurfaceInput::uv0_, 0).tangent(last);
+    EXPECT_NE(change, poison);
+    EXPECT_LT(m.size() - written, 200u * 40);
+    m.outputs = {{"change", WR_PORT_float, change}};
+    EXPECT_EQ(verify(m), "");
+}
+
+TEST(Chain, OfLoopsThatReadEachOther) {
+    on_small_stack(loops_after_loops);
+}
+
+// Functions that call functions, as deep as is allowed and deeper.
+void functions_in_functions(int count) {
+    Module m;
+    RegionUse below;
+    const std::array types{Type::float_};
+    for (int i = 0; i < count; ++i) {
+        const Value x{&m, m.begin_region(RegionKind::function, "f", types)[0]};
+        const Value inner = i == 0 ? x : Value{&m, m.apply(below, std::array{x.id})[0]};
+        below = m.end_region(std::array{op(Op::sin_, inner * (i + 1.0)).id});
+    }
+    EXPECT_EQ(m.problems.empty(), count <= Module::deepest_call + 1);
+    if (!m.problems.empty()) return;
+    const Id u = m.swizzle(m.input(SurfaceInput::uv0_), "x");
+    const Id value = m.apply(below, std::array{u})[0];
+    const Id change = uv_direction(m, SurfaceInput::uv0_, 0).tangent(value);
+    m.outputs = {{"change", WR_PORT_float, change}};
+    EXPECT_EQ(verify(m), "");
+}
+
+TEST(Chain, OfFunctionsThatCallEachOther) {
+    on_small_stack([] { functions_in_functions(Module::deepest_call); });
+    on_small_stack([] { functions_in_functions(Module::deepest_call + 2); });
+}
+
 TEST(Chain, InRegions) {
     on_small_stack(chain_in_regions);
 }

@@ -222,6 +222,18 @@ TEST_F(GradientTest, FlatLayersDisappear) {
     EXPECT_EQ(add(Op::gradient_mix_, {flat, b, f}), add(Op::gradient_scale_, {b, f}));
 }
 
+TEST_F(GradientTest, FlatLayersKeepTheirBase) {
+    const Id base = m.add(Op::base_, {m.add(Op::resolve_, {a}, 1)});
+    const Id on_base = m.gradient(Op::gradient_from_height_, f, base);
+    const Id nothing = add(Op::gradient_scale_, {on_base, n(0)});
+    EXPECT_NE(nothing, flat);
+    EXPECT_EQ(m[nothing].extra, base);
+    EXPECT_EQ(add(Op::gradient_add_, {flat, nothing}), nothing);
+    EXPECT_EQ(add(Op::gradient_add_, {nothing, on_base}), on_base);
+    EXPECT_EQ(m[add(Op::gradient_mix_, {flat, on_base, n(0)})].extra, base);
+    EXPECT_EQ(add(Op::gradient_add_, {nothing, a}), poison) << "bases differ";
+}
+
 TEST_F(GradientTest, AmountsMultiply) {
     const Id twice = add(Op::gradient_scale_, {add(Op::gradient_scale_, {a, f}), g});
     EXPECT_EQ(twice, add(Op::gradient_scale_, {a, add(Op::mul_, {f, g})}));

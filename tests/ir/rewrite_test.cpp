@@ -100,7 +100,7 @@ TEST_F(RewriteTest, BakingEqualsWritingLiterals) {
     m.current_node = 1;
     const Value x = power(u * amount, v * tint.x() + tint.y(), 2) * input;
     m.outputs = {{"height", WR_PORT_height, x.id}};
-    m.named = {{x.id, 1, "height"}, {(u * v).id, 1, "unused"}};
+    m.named = {{x.id, 1, "height", true}, {(u * v).id, 1, "unused", true}};
     const Module baked = bake_parameters(m);
     EXPECT_EQ(verify(baked), "");
     ASSERT_EQ(baked.outputs.size(), 1u);
@@ -134,12 +134,14 @@ TEST_F(RewriteTest, SamplesGetTheirLod) {
     EXPECT_NEAR(asked, 4, 1e-12);  // 4 tiles times 4 texels
 }
 
-TEST_F(RewriteTest, SamplesWithTheirOwnChangesGetTheirLodToo) {
+TEST_F(RewriteTest, GivenChangesOfASampleBecomeItsLod) {
     const uint32_t image = m.add_resource({"a.png", "a.png", {}, {}});
-    const Id dx = m.constant(Type::vec2_, std::array{1 / 32.0, 0.0});
-    const Id color = m.add(Op::sample_grad_, {uv, dx, m.zero(Type::vec2_)}, image);
+    const Id x = m.construct(Type::vec2_, {m.number(0.25), m.number(0)});
+    const Id y = m.construct(Type::vec2_, {m.number(0), m.number(0.03125)});
+    const Id color = m.add(Op::sample_grad_, {uv, x, y}, image);
     m.outputs = {{"color", WR_PORT_color, m.swizzle(color, "xyz")}};
     const Module explicit_form = explicit_lod(m);
+    EXPECT_EQ(print(explicit_form).find("sample_grad"), std::string::npos);
     double asked = 0;
     around.image_size = [](uint32_t) { return Lanes{64, 32}; };
     around.texture = [&](uint32_t, double, double, double lod) {
@@ -147,8 +149,7 @@ TEST_F(RewriteTest, SamplesWithTheirOwnChangesGetTheirLodToo) {
         return Lanes{};
     };
     interpret(explicit_form, explicit_form.outputs[0].value, around);
-    EXPECT_EQ(print(explicit_form).find("sample_grad"), std::string::npos);
-    EXPECT_NEAR(asked, 1, 1e-12);
+    EXPECT_NEAR(asked, 4, 1e-12);  // 16 texels along u, 1 along v
 }
 
 TEST_F(RewriteTest, ReachableGoesThroughRegions) {

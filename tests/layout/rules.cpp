@@ -22,7 +22,7 @@ const std::map<std::string, Names, std::less<>> allowed = {
     {"core/glsl", {"base", "ir", "contract", "glslang", "spirv"}},
     {"core/cpu", {"base", "ir", "image", "contract"}},
     {"core/image", {"base", "oiio"}},
-    {"core/mesh", {"base", "glm"}},
+    {"core/mesh", {"base", "glm", "mesh files"}},
     {"core/gpu", {"base", "glsl", "ir", "image", "mesh", "glm", "gl"}},
     {"core/bake", {"base", "ir", "cpu", "image", "mesh", "glm", "tbb"}},
     {"core/cli",

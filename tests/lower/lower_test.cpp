@@ -68,7 +68,7 @@ TEST(Lower, UnconnectedNumbersAreParameters) {
     EXPECT_EQ(value(m).op, Op::parameter_);
     EXPECT_EQ(m.outputs[2].port_type, uint32_t{WR_PORT_color});
     ASSERT_EQ(m.named.size(), 3u);
-    EXPECT_EQ(m.named[1].port, "offset");
+    EXPECT_EQ(m.named[1].name, "offset");
 }
 
 TEST(Lower, OnlyWhatOutputsNeedIsBuilt) {

@@ -5,7 +5,6 @@
 #include <filesystem>
 #include <tuple>
 
-#include "cpu/evaluate.h"
 #include "nodes/all.h"
 #include "registry/plugin_loader.h"
 
@@ -58,20 +57,6 @@ std::vector<Property> properties(double x, double y, const Scene& scene) {
     return all;
 }
 
-PointSet point_set(const Scene& scene, const std::vector<std::array<double, 2>>& points) {
-    PointSet set;
-    set.count = points.size();
-    for (const auto& [x, y] : points)
-        for (const Property& property : properties(x, y, scene))
-            for (size_t variant = 0; variant < 3; ++variant) {
-                auto& target = set.at(property.input, static_cast<Variant>(variant));
-                const size_t lanes = info(info(property.input).type).lanes;
-                for (size_t lane = 0; lane < lanes; ++lane)
-                    target.push_back(property.by_variant[variant][lane]);
-            }
-    return set;
-}
-
 Texture texture_of(const Scene& scene, const TextureOptions& options) {
     Image image = scene.texture;
     if (image.empty()) {
@@ -88,8 +73,26 @@ const Registry& registry() {
     return registry;
 }
 
+PointSet plane_points(const Scene& scene, const std::vector<std::array<double, 2>>& points) {
+    PointSet set;
+    set.count = points.size();
+    for (const auto& [x, y] : points)
+        for (const Property& property : properties(x, y, scene))
+            for (size_t variant = 0; variant < 3; ++variant) {
+                auto& target = set.at(property.input, static_cast<Variant>(variant));
+                const size_t lanes = info(info(property.input).type).lanes;
+                for (size_t lane = 0; lane < lanes; ++lane)
+                    target.push_back(property.by_variant[variant][lane]);
+            }
+    return set;
+}
+
 std::vector<std::vector<double>> values(const Scene& scene,
                                         const std::vector<std::array<double, 2>>& points) {
+    return values(scene, plane_points(scene, points));
+}
+
+std::vector<std::vector<double>> values(const Scene& scene, const PointSet& points) {
     Diagnostics diagnostics;
     const Compiled material = compiled(scene.nodes, scene.output, diagnostics);
     EXPECT_EQ(to_text(diagnostics), "") << scene.nodes;
@@ -100,11 +103,11 @@ std::vector<std::vector<double>> values(const Scene& scene,
     std::vector<Texture> textures;
     for (const Resource& resource : material.module.resources)
         textures.push_back(texture_of(scene, resource.options));
-    Results results = make_results(program, points.size());
-    evaluate<double>(program, point_set(scene, points), textures, 0, points.size(), results);
+    Results results = make_results(program, points.count);
+    evaluate<double>(program, points, textures, 0, points.count, results);
     const size_t lanes = program.outputs.at(0).regs.size();
     std::vector<std::vector<double>> by_point;
-    for (size_t i = 0; i < points.size(); ++i) {
+    for (size_t i = 0; i < points.count; ++i) {
         const auto first = results.values[0].begin() + static_cast<ptrdiff_t>(i * lanes);
         by_point.emplace_back(first, first + static_cast<ptrdiff_t>(lanes));
     }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/diagnostics.h"
+#include "cpu/evaluate.h"
 #include "image/image.h"
 #include "lower/material.h"
 
@@ -29,6 +30,10 @@ struct Scene {
 std::vector<std::vector<double>> values(const Scene& scene,
                                         const std::vector<std::array<double, 2>>& points);
 std::vector<double> value(const Scene& scene, double x = 0.3, double y = 0.6);
+
+// The same at points of any kind, and the points of the plane for a test that changes some.
+std::vector<std::vector<double>> values(const Scene& scene, const PointSet& points);
+PointSet plane_points(const Scene& scene, const std::vector<std::array<double, 2>>& points);
 
 // What compiling says; "" when it is content.
 std::string problems(const std::string& nodes, const std::string& output);

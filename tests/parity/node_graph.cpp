@@ -119,6 +119,13 @@ private:
                    "\"point\": " + point + ", \"scale\": 2, \"octaves\": 1, \"amplitude\": 0.05",
                    "height");
     }
+
+    // Two of them are not parallel: axes and places beside each other mean something.
+    std::string skewed_position(const Port& port) {
+        const std::string b = list({number(-1, 1), number(-1, 1), number(-1, 1)});
+        return add(port, "vec3_multiply", "\"a\": " + link("surface", "position") + ", \"b\": " + b,
+                   "vector");
+    }
     std::string bump(const Port& port) {
         if (random_() % 2)
             return add(port, "tangent_normal_map", "\"image\": \"a.exr\"", "gradient");
@@ -150,10 +157,7 @@ private:
             case PortType::normal_:
                 return random_() % 2 ? link("surface", "normal") : resolved(port);
             default:
-                return add(port, "vec3_scale",
-                           "\"vector\": " + link("surface", "position") +
-                               ", \"factor\": " + list({number(-1, 1)}),
-                           "vector");
+                return skewed_position(port);
         }
     }
 

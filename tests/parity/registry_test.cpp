@@ -172,6 +172,30 @@ TEST(EveryNode, HasTheDerivativeThatDifferencesSay) {
     EXPECT_LE(static_cast<double>(all.left_out), 0.02 * static_cast<double>(all.compared));
 }
 
+// Written into the text or in a uniform, a number means the same; frames and errors do not depend
+// on it.
+TEST(EveryNode, MeansTheSameBakedAndUniform) {
+    const PointSet points = random_points(60, 37);
+    for (const NodeType& type : all_nodes().list())
+        for (const Inputs inputs : {Inputs::defaults, Inputs::zeros, Inputs::mixed}) {
+            const Subject subject = compile_around(type, inputs, 43);
+            SCOPED_TRACE(subject.text);
+            MaterialOptions options;
+            options.given_differentials = true;
+            Diagnostics diagnostics;
+            const Compiled baked =
+                compile_material(subject.project, all_nodes(), options, diagnostics);
+            ASSERT_TRUE(baked.ok) << to_text(diagnostics);
+            const Values a = on_cpu<double>(baked.module, points, test_image);
+            const Values b = on_cpu<double>(subject.compiled.module, points, test_image);
+            ASSERT_EQ(a.size(), b.size());
+            for (size_t output = 0; output < a.size(); ++output)
+                for (size_t k = 0; k < a[output].size(); ++k)
+                    EXPECT_NEAR(a[output][k], b[output][k], 1e-9 * (1 + std::fabs(b[output][k])))
+                        << baked.module.outputs[output].name << ", number " << k;
+        }
+}
+
 // In single precision, from as close up as anyone looks: eq. 3 divides by (pixel size)^2.
 TEST(HeightGradient, IsTheSameAtEveryPixelSize) {
     const Subject subject =

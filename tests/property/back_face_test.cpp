@@ -84,6 +84,28 @@ TEST_P(BackFace, TurnsAllKindsOfGradientsAlike) {
     }
 }
 
+// A map's normal is outward or not by the surface, whatever side is seen.
+TEST_P(BackFace, AnOutwardNormalIsReversedOnlyWhereItPointsInward) {
+    Material m;
+    const Value map = m.vector(dvec3(0.3, -0.2, 0.8));
+    m.output("toward", m.resolve(m.from_normal(map)));
+    m.output("opposite", m.resolve(m.from_outward_normal(map)));
+    m.output("opposite of it", m.resolve(m.from_outward_normal(-map)));
+    const Expanded material(m, {true, GetParam().rule});
+    int outward = 0;
+    for (const Sample& sample : samples(40, 19)) {
+        Surroundings around = point_at(sphere(), sample.st, sample.pixel);
+        for (const double facing : {1.0, -1.0}) {
+            set(around, SurfaceInput::facing_, {facing});
+            EXPECT_LE(glm::distance(material.vector(1, around), material.vector(2, around)), 1e-12);
+            if (glm::dot(sphere().normal(sample.st), dvec3(0.3, -0.2, 0.8)) <= 0.05) continue;
+            ++outward;
+            EXPECT_LE(glm::distance(material.vector(0, around), material.vector(1, around)), 1e-12);
+        }
+    }
+    EXPECT_GE(outward, 10);
+}
+
 INSTANTIATE_TEST_SUITE_P(Rules, BackFace, testing::ValuesIn(back_face_cases),
                          [](const auto& instance) { return instance.param.name; });
 

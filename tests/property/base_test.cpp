@@ -57,6 +57,27 @@ TEST(Base, MayBeAddedToAFlatGradient) {
     EXPECT_TRUE(m.module.problems.empty());
 }
 
+// An amount of 0 that is written into the text is no other than one in a uniform.
+TEST(Base, IsKeptByAnAmountOfZero) {
+    Layered layered;
+    Material& m = layered.m;
+    const Value bump = layered.on_base(Op::gradient_from_volume_, m.position());
+    m.output("base", layered.first);
+    m.output("scaled", m.resolve(m.scale(bump, 0)));
+    m.output("mixed", m.resolve(m.mix_gradients(m.scale(bump, 0), bump, 0)));
+    m.output("added", m.resolve(m.add(m.scale(bump, 0), m.scale(bump, 0))));
+    const Value other = m.add(m.scale(bump, 0), m.from_volume(m.position()));
+    EXPECT_FALSE(other) << "one is on the surface";
+    m.module.problems.clear();
+    const Expanded material(m);
+    for (const Sample& sample : samples(20, 18)) {
+        const Surroundings around = point_at(torus(), sample.st, sample.pixel);
+        for (size_t i = 1; i < 4; ++i)
+            EXPECT_LE(glm::distance(material.vector(i, around), material.vector(0, around)), 1e-12)
+                << i;
+    }
+}
+
 TEST(Base, IsKeptWhereNothingIsAdded) {
     Layered layered;
     Material& m = layered.m;

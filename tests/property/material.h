@@ -43,6 +43,9 @@ struct Material {
     Value from_normal(Value n) {
         return {&module, module.gradient(Op::gradient_from_normal_, n.id, 0)};
     }
+    Value from_outward_normal(Value n) {
+        return {&module, module.gradient(Op::gradient_from_outward_normal_, n.id, 0)};
+    }
     Value flat() { return {&module, module.add(Op::gradient_zero_, {})}; }
     Value frame(Value uv, uint32_t method, uint32_t scale) {
         return {&module, module.add(Op::frame_, {uv.id}, WR_FRAME(method, scale))};

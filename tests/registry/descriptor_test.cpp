@@ -202,7 +202,7 @@ TEST(Descriptor, RefusesWrongFieldsImagesAndOptions) {
     EXPECT_EQ(port_refusal([](Sample& s) { s.field.default_surface = 10; }),
               "port 'shape': its surface property 10 does not exist\n");
     EXPECT_EQ(port_refusal([](Sample& s) { s.field.type = WR_PORT_gradient; }),
-              "port 'shape': a field of gradient cannot be (fields are of numbers)\n");
+              "port 'shape': a field of gradient cannot be (fields are of numbers or slopes)\n");
     EXPECT_EQ(port_refusal([](Sample& s) { s.image.default_kind = WR_DEFAULT_CONSTANT; }),
               "port 'image': a default of type image cannot be\n");
     EXPECT_EQ(port_refusal([](Sample& s) { s.image.encoding = "rgb"; }),

@@ -82,6 +82,10 @@ inline Gradient gradient_from_volume(vec3 gradient, Base base = {}) {
 inline Gradient gradient_from_normal(vec3 normal, Base base = {}) {
     return Gradient(emit(WR_OP_gradient_from_normal, {normal.id}, base.id));
 }
+// One that points inward is reversed instead.
+inline Gradient gradient_from_outward_normal(vec3 normal, Base base = {}) {
+    return Gradient(emit(WR_OP_gradient_from_outward_normal, {normal.id}, base.id));
+}
 // The unit normal in object space.
 inline vec3 resolve(Gradient gradient) {
     return vec3(emit(WR_OP_resolve, {gradient.id}));

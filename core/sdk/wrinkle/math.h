@@ -1,5 +1,6 @@
-// Functions of values, named as in GLSL and guarded at the corners: for every finite input they are
-// finite and no NaN.
+// Functions of values, named as in GLSL and guarded at the corners: but for overflow (exp, pow,
+// tan, a quotient by next to nothing) finite for every finite input. sin, cos and tan are for
+// angles up to 1e6 or so; far beyond, targets differ.
 //
 //   sqrt of a negative is 0; inversesqrt, log, log2 of x <= 0 are 0, log and log2 of the least
 //   normal float; pow(x, y) of x < 0 is that of 0, pow(0, y) of y < 0 is 0, of 0 it is 1; asin and
@@ -81,8 +82,10 @@ V mix(V a, V b, std::type_identity_t<V> t) {
 inline Float step(Float edge, Float x) {
     return Float(emit(WR_OP_step, {edge.id, x.id}));
 }
+inline Float smoothstep(Float low, Float high, Float x);
 inline Float smoothstep(double low, double high, Float x) {
     if (low == high) return step(low, x);
+    if (low > high) return smoothstep(Float(low), Float(high), x);
     return Float(emit(WR_OP_smoothstep, {Float(low).id, Float(high).id, x.id}));
 }
 
@@ -197,6 +200,13 @@ template <VectorType V>
 V normalize(V v) {
     return select(dot(v, v) > 0, V(emit(WR_OP_normalize, {v.id})), V(Float(0)));
 }
+// What a value is called in generated text, where it becomes a line of its own: "slope".
+template <class T>
+T named(const char* name, T value) {
+    if (builder) builder->name(builder, value.id, name);
+    return value;
+}
+
 // `value` with a derivative of the author's own: d(value)/d(at) = slope, whatever value is made of.
 template <VectorType V>
 Float with_slope(Float value, V at, std::type_identity_t<V> slope) {
@@ -215,6 +225,9 @@ inline mat3 transpose(mat3 m) {
 }
 inline Float radians(Float degrees) {
     return degrees * 0.017453292519943295;
+}
+inline Float degrees(Float radians) {
+    return radians * 57.29577951308232;
 }
 
 // A well mixed integer of one to three integers (the PCG permutation, M. O'Neill 2014), the same on

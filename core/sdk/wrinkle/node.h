@@ -21,7 +21,7 @@
 //         order, or one struct with these members. It returns the output, or a std::tuple of them.
 //         fail("...") or an exception reports a problem on the node.
 //
-// A node is one static object of at most 16 ports; declaring it runs no code at start-up.
+// A node is one static object of at most 32 ports; declaring it runs no code at start-up.
 #pragma once
 
 #include "wrinkle/body.h"
@@ -29,7 +29,7 @@
 
 namespace wrinkle::sdk {
 
-inline constexpr uint32_t max_ports = 16;
+inline constexpr uint32_t max_ports = 32;
 inline constexpr uint32_t max_renames = 4;
 inline constexpr uint32_t max_choices = 32;  // the names of all choices of a node together
 
@@ -111,6 +111,7 @@ public:
         wr_port port = make_port(WR_KIND_CHOICE, 0, name, doc);
         port.choice_count = N;
         auto copy = *this;
+        if (d_.choice_count + N > max_choices) throw "a node has at most 32 names of choices";
         for (const char* each : names)
             copy.d_.choices[copy.d_.choice_count++] = each;
         return copy.template with<WithInput<detail::ChoicePort<next>>>(port, Default(value));
@@ -131,8 +132,8 @@ public:
                          Options... options) const {
         wr_port p = port<T>(WR_KIND_FIELD, name, doc);
         p.default_surface = domain.input;
-        return with<WithInput<detail::FieldPort<Value<T>, Domain, next>>>(p, Default(0),
-                                                                          options...);
+        const Default flat = p.type == WR_PORT_derivative ? Default() : Default(0);
+        return with<WithInput<detail::FieldPort<Value<T>, Domain, next>>>(p, flat, options...);
     }
 
     constexpr auto family(const char* name) const {
@@ -147,6 +148,7 @@ public:
     }
     // Since `version`, the port `old_name` is called `new_name`.
     constexpr auto renamed(uint32_t version, const char* old_name, const char* new_name) const {
+        if (d_.node.rename_count == max_renames) throw "a node has at most 4 renamed ports";
         auto copy = *this;
         copy.d_.renames[copy.d_.node.rename_count++] = {sizeof(wr_rename), version, old_name,
                                                         new_name};
@@ -167,7 +169,7 @@ private:
 
     template <class Result, class... Options>
     constexpr Result with(wr_port port, const Default& value, Options... options) const {
-        static_assert(next < max_ports, "a node has at most 16 ports");
+        static_assert(next < max_ports, "a node has at most 32 ports");
         set_default(port, value);
         (options.apply(port), ...);
         Description description = d_;

@@ -1,41 +1,53 @@
 /* wrinkle/plugin.h: the contract between Wrinkle and a node author, in C.
  *
- * A plugin is a shared object that exports one symbol, wrinkle_plugin(), and describes nodes. A node is a pure function
- * over expression values: its build() receives a builder and records instructions of the language below. That happens
- * while a graph is lowered and never during preview or evaluation, so a plugin's speed never matters at run time and the
- * host keeps nothing of it afterwards.
+ * A plugin is a shared object that exports one symbol, wrinkle_plugin(), and describes nodes. A
+ * node is a pure function over expression values: its build() receives a builder and records
+ * instructions of the language below. That happens while a graph is lowered and never during
+ * preview or evaluation, so a plugin's speed never matters at run time and the host keeps nothing
+ * of it afterwards.
  *
- * Ownership  Nothing is handed over. Descriptors and their strings are static data of the plugin and stay valid while it is
- *            loaded; the host copies what it keeps. Arguments of a call are valid during that call only.
- * Threads    The host calls wrinkle_plugin() and build() from any one thread at a time per builder. build() keeps no state.
- * Errors     A call that makes no sense records a diagnostic on the node and returns WR_POISON. Poison passes through every
- *            operation silently, so a body needs no checks. Exceptions must not leave build(); the C++ face sees to that.
- * Versions   Every struct begins with its size and only grows at its end; a reader looks at a member only where `size` covers
- *            it. Numbers of types, ops, inputs and kinds are append-only. Anything optional goes through get_extension.
- * Only fixed-width integers, double, pointers and function pointers cross; strings are UTF-8 and end with 0.
+ * Ownership  Nothing is handed over. Descriptors and their strings are static data of the plugin
+ *            and stay valid while it is loaded; the host copies what it keeps. Arguments of a
+ *            call are valid during that call only.
+ * Threads    The host calls wrinkle_plugin() and build() from any one thread at a time per
+ *            builder. build() keeps no state.
+ * Errors     A call that makes no sense records a diagnostic on the node and returns WR_POISON.
+ *            Poison passes through every operation silently, so a body needs no checks.
+ *            Exceptions must not leave build(); the C++ face sees to that.
+ * Versions   Every struct begins with its size and only grows at its end; a reader looks at a
+ *            member only where `size` covers it. Numbers of types, ops, inputs and kinds are
+ *            append-only. Anything optional goes through get_extension.
+ * Only fixed-width integers, double, pointers and function pointers cross; strings are UTF-8 and
+ * end with 0.
  *
  * Values of the language
  *   float vec2 vec3 vec4 mat3 int uint bool      as in GLSL; mat3 is column-major
- *   gradient    a surface gradient: the change of a height along the surface as a tangent vector, with the base it refers to
+ *   gradient    a surface gradient: the change of a height along the surface as a tangent vector,
+ *               with the base it refers to
  *   frame       what turns a slope in a uv set into a gradient
  *   derivative  dh/d(u,v), a 2-vector, together with its frame
  *   base        the normal that gradients refer to: the surface's, or the output of one resolve
  *
  * Semantics at the corners, to which every back end is held
- *   - Operands are evaluated eagerly; `select` takes one of two values already computed and never mixes them.
- *   - float is IEEE single in shaders and on the CPU; folding of constants happens in double. x*0 folds to 0 (a NaN or an infinity
- *     in x is discarded), x+0 to x, x*1 to x.
+ *   - Operands are evaluated eagerly; `select` takes one of two values already computed and never
+ *     mixes them.
+ *   - float is IEEE single in shaders and on the CPU; folding of constants happens in double. x*0
+ *     folds to 0 (a NaN or an infinity in x is discarded), x+0 to x, x*1 to x, x-x to 0, 0/x to 0, mix(a,a,t) to a, dot with 0 to 0.
  *   - min(a,b) is b < a ? b : a; max(a,b) is a < b ? b : a; clamp(x,lo,hi) is min(max(x,lo),hi).
- *   - mod is floor-mod: x - y*floor(x/y). sign(0) is 0; sign_nonzero is +1 for x >= 0 and -1 below.
+ *   - mod is floor-mod: x - y*floor(x/y). sign(0) is 0; sign_nonzero is +1 for x >= 0 and -1
+ *     below.
  *   - step(edge,x) is x < edge ? 0 : 1. smoothstep(a,b,x) with a >= b is unspecified.
- *   - Undefined at: division by 0; sqrt, log, log2 of x < 0; inversesqrt of x <= 0; pow of x < 0 or of (0, y <= 0); asin, acos outside
- *     [-1,1]; normalize of a zero vector; atan2(0,0). An op may give anything there. The C++ face's functions of the same names
- *     guard these (sqrt of a negative is 0, normalize of zero is zero, and so on); a plugin in C guards for itself.
- *   - int and uint are 32 bits and wrap; a shift amount is 0..31. to_int and to_uint truncate towards zero; a value that does not fit
- *     is unspecified. Comparisons with NaN are false but for `ne`.
- * Derivatives (forward, along a direction of the surface): the derivative of every op is derived by the host. floor, ceil, step, sign,
- *   comparisons, integers and `detach` have derivative 0; select takes the chosen branch's; at the singular points of sqrt, length, normalize,
- *   pow, asin, acos and abs the derivative is 0. */
+ *   - Undefined at: division by 0; sqrt, log, log2 of x < 0; inversesqrt of x <= 0; pow of x < 0
+ *     or of (0, y <= 0); asin, acos outside [-1,1]; normalize of a zero vector; atan2(0,0). An op
+ *     may give anything there. The C++ face's functions of the same names guard these (sqrt of a
+ *     negative is 0, normalize of zero is zero, and so on); a plugin in C guards for itself.
+ *   - int and uint are 32 bits and wrap; a shift amount is 0..31. to_int and to_uint truncate
+ *     towards zero; a value that does not fit is unspecified. Comparisons with NaN are false but
+ *     for `ne`.
+ * Derivatives (forward, along a direction of the surface): the derivative of every op is derived
+ *   by the host. floor, ceil, step, sign, comparisons, integers and `detach` have derivative 0;
+ *   select takes the chosen branch's; at the singular points of sqrt, length, normalize, pow,
+ *   asin, acos and abs the derivative is 0. */
 #ifndef WRINKLE_PLUGIN_H
 #define WRINKLE_PLUGIN_H
 
@@ -204,7 +216,8 @@ extern "C" {
     X(gradient_scale,           136, 2, special, "",    0,  2) /* gradient, float */ \
     X(gradient_mix,             137, 3, special, "",    0,  2) /* gradient, gradient, float: (1-t) a + t b */ \
     X(gradient_vector,          138, 1, special, "",    0,  2) /* gradient -> vec3, object space, tangent to its base */ \
-    X(resolve,                  139, 1, special, "",    0,  2) /* gradient -> vec3 unit normal, object space */
+    X(resolve,                  139, 1, special, "",    0,  2) /* gradient -> vec3 unit normal, object space */ \
+    X(gradient_from_outward_normal, 140, 1, special, "", 0, 2) /* as from_normal; one that points inward is reversed */
 
 /* Methods of a frame, and the scale that goes with them (reference: Mikkelsen 2020 and 2010). X(name, number) */
 #define WR_FRAME_METHODS(X) \
@@ -304,6 +317,8 @@ typedef struct wr_builder {
     void (*output)(const struct wr_builder* b, uint32_t port, wr_value value);
     void (*error)(const struct wr_builder* b, const char* message);
     const void* (*get_extension)(const struct wr_builder* b, const char* id);
+    /* What a value is called in generated text, where it becomes a line of its own. */
+    void (*name)(const struct wr_builder* b, wr_value value, const char* name);
 } wr_builder;
 
 /* Kinds of ports */

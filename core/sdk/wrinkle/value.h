@@ -263,19 +263,17 @@ inline Bool operator!(Bool a) {
 #undef WRINKLE_ASSIGN
 #undef WRINKLE_BINARY
 
+// clang-format off
 template <class T>
-concept FloatType = requires {
-    T::lanes;
-};
+concept FloatType = requires { T::lanes; };
 template <class T>
-concept VectorType = FloatType<T> && T::lanes >
-1;
+concept VectorType = FloatType<T> && (T::lanes > 1);
+template <class T>
+concept ValueType = requires { T::type; };
+// clang-format on
 
 // One of two values; both are computed.
-template <class T>
-requires requires {
-    T::type;
-}
+template <ValueType T>
 T select(Bool condition, T yes, std::type_identity_t<T> no) {
     return T(emit(WR_OP_select, {condition.id, yes.id, no.id}));
 }

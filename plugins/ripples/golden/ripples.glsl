@@ -24,8 +24,7 @@ vec3 wrinkle_ripples_normal(WrinkleSurface_ripples s) {
     float rings_product_2 = -(rings_choice_2 * 31.415926 * rings_sine) * 0.01;
     // normal: Resolve
     vec3 normal_sum = r_x * rings_product + cross(normal, surface_dpdx) * rings_product_2;
-    vec3 normal_gradient = normal_sum * ((det < 0.0 ? -1.0 : 1.0) / max(abs(det), 1e-36));
-    return normalize(normal * s.facing - normal_gradient);
+    return normalize(normal * s.facing - normal_sum * (sign(det) / max(abs(det), 1e-36)));
 }
 
 float wrinkle_ripples_height(WrinkleSurface_ripples s) {

@@ -1,0 +1,41 @@
+#include "cli/meshes.h"
+
+#include <algorithm>
+
+#include "mesh/load.h"
+#include "mesh/shapes.h"
+
+namespace wrinkle::cli {
+
+std::vector<std::string> shape_names() {
+    std::vector<std::string> names;
+    for (const Shape& shape : shapes())
+        names.emplace_back(shape.name);
+    return names;
+}
+
+std::string mesh_help() {
+    std::string text;
+    for (const std::string& name : shape_names())
+        text += name + ", ";
+    return text + "or an OBJ or glTF file";
+}
+
+std::string check_mesh(const std::string& name_or_path) {
+    const auto names = shape_names();
+    const bool is_path = name_or_path.find_first_of("./") != name_or_path.npos;
+    if (is_path || std::find(names.begin(), names.end(), name_or_path) != names.end()) return "";
+    return "'" + name_or_path + "' is none of " + mesh_help();
+}
+
+std::optional<Mesh> open_mesh(const std::string& name_or_path, const CommonOptions& options,
+                              Diagnostics& diagnostics) {
+    std::optional<Mesh> mesh = make_shape(name_or_path);
+    MeshFileOptions file;
+    file.root = options.root;
+    if (!mesh) mesh = load_mesh(name_or_path, file, diagnostics);
+    if (mesh && options.no_tangents) mesh->tangents.clear();
+    return mesh;
+}
+
+}  // namespace wrinkle::cli

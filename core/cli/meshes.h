@@ -1,0 +1,27 @@
+// Meshes as commands take them: the name of a shape, or the path of a file.
+//
+// A text without '.' and '/' is a name. External files of a glTF may lie below the mesh's own
+// folder and below --root.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cli/session.h"
+#include "mesh/mesh.h"
+
+namespace wrinkle::cli {
+
+std::vector<std::string> shape_names();
+
+std::string mesh_help();  // "sphere, plane, ..., or an OBJ or glTF file"
+
+// For CLI11: refuses a name that no shape has; "" for what is fine.
+std::string check_mesh(const std::string& name_or_path);
+
+// The mesh, without tangents for --no-tangents; nothing with errors that name the file.
+std::optional<Mesh> open_mesh(const std::string& name_or_path, const CommonOptions& options,
+                              Diagnostics& diagnostics);
+
+}  // namespace wrinkle::cli

@@ -1,0 +1,189 @@
+#include "gpu/environment.h"
+
+#include <epoxy/gl.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <numbers>
+#include <utility>
+
+#include "image/mips.h"
+
+namespace wrinkle::gpu {
+namespace {
+
+using glm::dvec2;
+using glm::dvec3;
+
+constexpr double pi = std::numbers::pi;
+
+// Radiance alone, as the header says.
+MipChain radiance_of(const Image& picture) {
+    Image clean = make_image(picture.width, picture.height, 3);
+    for (size_t i = 0; i < size_t{picture.width} * picture.height; ++i) {
+        const auto texel =
+            expand_texel(&picture.data[i * picture.channels], picture.channels, picture.has_alpha);
+        for (size_t k = 0; k < 3; ++k)
+            clean.data[3 * i + k] =
+                std::isfinite(texel[k]) ? std::clamp(texel[k], 0.0F, 65504.0F) : 0;
+    }
+    return build_mips(std::move(clean));
+}
+
+dvec3 texel(const Image& image, int64_t x, int64_t y) {
+    const auto width = static_cast<int64_t>(image.width),
+               height = static_cast<int64_t>(image.height);
+    const float* values = image.texel(static_cast<uint32_t>((x % width + width) % width),
+                                      static_cast<uint32_t>(std::clamp<int64_t>(y, 0, height - 1)));
+    return {values[0], values[1], values[2]};
+}
+
+dvec3 bilinear(const Image& image, dvec2 uv) {
+    const dvec2 at = uv * dvec2(image.width, image.height) - 0.5;
+    const dvec2 low = glm::floor(at);
+    const auto x = static_cast<int64_t>(low.x), y = static_cast<int64_t>(low.y);
+    const dvec2 f = at - low;
+    return glm::mix(glm::mix(texel(image, x, y), texel(image, x + 1, y), f.x),
+                    glm::mix(texel(image, x, y + 1), texel(image, x + 1, y + 1), f.x), f.y);
+}
+
+// `solid_angle` is the sample's share of the sphere.
+dvec3 lookup(const MipChain& chain, dvec3 direction, double solid_angle) {
+    const double height = chain.levels[0].height;
+    const double level = std::log2(std::sqrt(solid_angle) * height / pi);
+    const int last = static_cast<int>(chain.count()) - 1;
+    const auto nearest =
+        static_cast<size_t>(std::clamp(static_cast<int>(std::lround(level)), 0, last));
+    return bilinear(chain.levels[nearest], equirect_uv(direction));
+}
+
+// Hammersley's points: even, and the same for every texel.
+dvec2 point(int i, int samples) {
+    double inverse = 0;
+    for (int bit = 0; bit < 8; ++bit)
+        if (i >> bit & 1) inverse += 0.5 / (1 << bit);
+    return {(i + 0.5) / samples, inverse + 0.5 / samples};
+}
+
+struct Lobe {
+    dvec3 direction;  // round +z
+    double weight;
+    double solid_angle;
+};
+
+// Half vectors of GGX, mirrored at them; weighted by the cosine.
+std::vector<Lobe> ggx_lobe(double roughness, int samples) {
+    const double a2 = std::pow(roughness, 4);
+    std::vector<Lobe> lobe;
+    for (int i = 0; i < samples; ++i) {
+        const dvec2 xi = point(i, samples);
+        const double cosine = std::sqrt((1 - xi.x) / (1 + (a2 - 1) * xi.x));
+        const double sine = std::sqrt(std::max(0.0, 1 - cosine * cosine));
+        const dvec3 half(sine * std::cos(2 * pi * xi.y), sine * std::sin(2 * pi * xi.y), cosine);
+        const dvec3 light = 2 * cosine * half - dvec3(0, 0, 1);
+        if (light.z <= 0) continue;
+        const double facet = cosine * cosine * (a2 - 1) + 1;
+        const double density = a2 / (pi * facet * facet) / 4;
+        lobe.push_back({light, light.z, 1 / (samples * density)});
+    }
+    return lobe;
+}
+
+std::vector<Lobe> cosine_lobe(int samples) {
+    std::vector<Lobe> lobe;
+    for (int i = 0; i < samples; ++i) {
+        const dvec2 xi = point(i, samples);
+        const double sine = std::sqrt(xi.x), cosine = std::sqrt(1 - xi.x);
+        lobe.push_back({{sine * std::cos(2 * pi * xi.y), sine * std::sin(2 * pi * xi.y), cosine},
+                        1,
+                        pi / (samples * cosine)});
+    }
+    return lobe;
+}
+
+dvec3 gather(const MipChain& chain, dvec3 normal, const std::vector<Lobe>& lobe) {
+    const dvec3 axis = std::abs(normal.z) < 0.9 ? dvec3(0, 0, 1) : dvec3(1, 0, 0);
+    const dvec3 t = glm::normalize(glm::cross(axis, normal));
+    const dvec3 b = glm::cross(normal, t);
+    dvec3 sum(0);
+    double weights = 0;
+    for (const Lobe& each : lobe) {
+        const dvec3 d = each.direction.x * t + each.direction.y * b + each.direction.z * normal;
+        sum += each.weight * lookup(chain, d, each.solid_angle);
+        weights += each.weight;
+    }
+    return sum / weights;
+}
+
+}  // namespace
+
+dvec3 cube_direction(int face, dvec2 st) {
+    const double s = 2 * st.x - 1, t = 2 * st.y - 1;
+    const std::array<dvec3, 6> directions{dvec3(1, -t, -s), dvec3(-1, -t, s), dvec3(s, 1, t),
+                                          dvec3(s, -1, -t), dvec3(s, -t, 1),  dvec3(-s, -t, -1)};
+    return glm::normalize(directions.at(static_cast<size_t>(face)));
+}
+
+dvec2 equirect_uv(dvec3 d) {
+    return {0.5 + std::atan2(d.x, -d.z) / (2 * pi),
+            0.5 + std::asin(std::clamp(d.y, -1.0, 1.0)) / pi};
+}
+
+EnvironmentCube prefilter(const Image& picture) {
+    EnvironmentCube cube;
+    const MipChain chain = radiance_of(picture);
+    for (int level = 0; level < environment_levels; ++level) {
+        const int side = environment_side >> level;
+        const bool mirror = level == 0, diffuse = level == environment_levels - 1;
+        const auto lobe = diffuse ? cosine_lobe(256)
+                          : mirror
+                              ? std::vector<Lobe>{{{0, 0, 1}, 1, 4 * pi / (6.0 * side * side)}}
+                              : ggx_lobe(level / (environment_levels - 2.0), level == 1 ? 64 : 256);
+        for (int face = 0; face < 6; ++face) {
+            auto& texels = cube.faces[static_cast<size_t>(level)][static_cast<size_t>(face)];
+            for (int i = 0; i < side * side; ++i) {
+                const dvec2 st = (dvec2(i % side, i / side) + 0.5) / static_cast<double>(side);
+                texels.emplace_back(gather(chain, cube_direction(face, st), lobe));
+            }
+        }
+    }
+    return cube;
+}
+
+EnvironmentTexture::EnvironmentTexture(const EnvironmentCube& cube) {
+    glGenTextures(1, &id_);
+    glActiveTexture(GL_TEXTURE0);
+    glBindTexture(GL_TEXTURE_CUBE_MAP, id_);
+    for (size_t level = 0; level < cube.faces.size(); ++level)
+        for (size_t face = 0; face < 6; ++face) {
+            const GLsizei side = environment_side >> level;
+            glTexImage2D(GL_TEXTURE_CUBE_MAP_POSITIVE_X + static_cast<GLenum>(face),
+                         static_cast<GLint>(level), GL_RGB32F, side, side, 0, GL_RGB, GL_FLOAT,
+                         cube.faces[level][face].data());
+        }
+    glTexParameteri(GL_TEXTURE_CUBE_MAP, GL_TEXTURE_MAX_LEVEL, environment_levels - 1);
+    glTexParameteri(GL_TEXTURE_CUBE_MAP, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
+    glTexParameteri(GL_TEXTURE_CUBE_MAP, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+    glEnable(GL_TEXTURE_CUBE_MAP_SEAMLESS);
+}
+
+EnvironmentTexture::EnvironmentTexture(EnvironmentTexture&& other) noexcept
+    : id_(std::exchange(other.id_, 0)) {}
+
+EnvironmentTexture& EnvironmentTexture::operator=(EnvironmentTexture&& other) noexcept {
+    std::swap(id_, other.id_);
+    return *this;
+}
+
+EnvironmentTexture::~EnvironmentTexture() {
+    if (id_) glDeleteTextures(1, &id_);
+}
+
+void EnvironmentTexture::bind(int unit) const {
+    glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
+    glBindTexture(GL_TEXTURE_CUBE_MAP, id_);
+}
+
+}  // namespace wrinkle::gpu

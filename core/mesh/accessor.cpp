@@ -1,0 +1,229 @@
+#include "mesh/accessor.h"
+
+#include <tiny_gltf.h>
+
+#include <algorithm>
+#include <cstring>
+
+namespace wrinkle {
+namespace {
+
+using tinygltf::Accessor;
+using tinygltf::Model;
+
+// Elements of `size` bytes, `stride` apart.
+struct Bytes {
+    const unsigned char* first = nullptr;  // null: all zero
+    size_t stride = 0;
+};
+
+// Of an accessor that stands for zeros: a short file must not ask for gigabytes.
+constexpr size_t max_without_bytes = size_t{1} << 20;
+
+std::string name_of(const char* what, int index) {
+    return std::string(what) + " " + std::to_string(index);
+}
+
+template <typename T>
+const T* find(const std::vector<T>& list, int index) {
+    if (index < 0 || static_cast<size_t>(index) >= list.size()) return nullptr;
+    return &list[static_cast<size_t>(index)];
+}
+
+// The elements lie within the view and the view within its buffer, or `why` is set.
+Bytes locate(const Model& model, int view_index, uint64_t offset, uint64_t count, uint64_t size,
+             std::string& why) {
+    const auto* view = find(model.bufferViews, view_index);
+    if (!view) return why = "there is no " + name_of("buffer view", view_index), Bytes{};
+    const auto* buffer = find(model.buffers, view->buffer);
+    if (!buffer) return why = "there is no " + name_of("buffer", view->buffer), Bytes{};
+    const uint64_t held = buffer->data.size();
+    if (view->byteOffset > held || view->byteLength > held - view->byteOffset)
+        return why = name_of("buffer view", view_index) + " leaves its buffer", Bytes{};
+    const uint64_t stride = view->byteStride > 0 ? view->byteStride : size;
+    const uint64_t length = view->byteLength;
+    const bool fits = count == 0 || (offset <= length && size <= length - offset &&
+                                     (count - 1) <= (length - offset - size) / stride);
+    if (!fits || stride < size)
+        return why = "it leaves " + name_of("buffer view", view_index), Bytes{};
+    return {buffer->data.data() + view->byteOffset + offset, static_cast<size_t>(stride)};
+}
+
+template <typename T>
+T value_at(const unsigned char* bytes) {
+    T value;
+    std::memcpy(&value, bytes, sizeof value);
+    return value;
+}
+
+float component_at(const unsigned char* at, int type, bool normalized) {
+    switch (type) {
+        case TINYGLTF_COMPONENT_TYPE_BYTE: {
+            const float v = value_at<int8_t>(at);
+            return normalized ? std::max(v / 127.0F, -1.0F) : v;
+        }
+        case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE: {
+            const float v = value_at<uint8_t>(at);
+            return normalized ? v / 255.0F : v;
+        }
+        case TINYGLTF_COMPONENT_TYPE_SHORT: {
+            const float v = value_at<int16_t>(at);
+            return normalized ? std::max(v / 32767.0F, -1.0F) : v;
+        }
+        case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT: {
+            const float v = value_at<uint16_t>(at);
+            return normalized ? v / 65535.0F : v;
+        }
+        case TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT:
+            return static_cast<float>(value_at<uint32_t>(at));
+        default:
+            return value_at<float>(at);
+    }
+}
+
+uint32_t index_at(const unsigned char* at, int type) {
+    switch (type) {
+        case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
+            return value_at<uint8_t>(at);
+        case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
+            return value_at<uint16_t>(at);
+        default:
+            return value_at<uint32_t>(at);
+    }
+}
+
+// 0 for a type that has no place in a mesh.
+uint64_t size_of_component(int type) {
+    switch (type) {
+        case TINYGLTF_COMPONENT_TYPE_BYTE:
+        case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
+            return 1;
+        case TINYGLTF_COMPONENT_TYPE_SHORT:
+        case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
+            return 2;
+        case TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT:
+        case TINYGLTF_COMPONENT_TYPE_FLOAT:
+            return 4;
+        default:
+            return 0;
+    }
+}
+
+bool is_index_type(int type) {
+    return type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE ||
+           type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT ||
+           type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT;
+}
+
+int components_of(int type) {
+    switch (type) {
+        case TINYGLTF_TYPE_SCALAR:
+            return 1;
+        case TINYGLTF_TYPE_VEC2:
+            return 2;
+        case TINYGLTF_TYPE_VEC3:
+            return 3;
+        case TINYGLTF_TYPE_VEC4:
+            return 4;
+        default:
+            return 0;
+    }
+}
+
+const Accessor* find_accessor(const Model& model, int index, uint64_t max_count, std::string& why) {
+    const Accessor* accessor = find(model.accessors, index);
+    if (!accessor)
+        why = "there is no " + name_of("accessor", index);
+    else if (components_of(accessor->type) == 0 || size_of_component(accessor->componentType) == 0)
+        why = name_of("accessor", index) + " has a type that no vertex attribute has";
+    else if (accessor->bufferView < 0 && accessor->count > max_without_bytes)
+        why = name_of("accessor", index) + " has many elements and no buffer view";
+    else if (accessor->count > max_count)
+        why = name_of("accessor", index) + " has " + std::to_string(accessor->count) +
+              " elements, more than " + std::to_string(max_count);
+    return why.empty() ? accessor : nullptr;
+}
+
+bool apply_sparse(const Model& model, const Accessor& accessor, AccessorFloats& result,
+                  std::string& why) {
+    const auto& sparse = accessor.sparse;
+    if (sparse.count < 0 || static_cast<size_t>(sparse.count) > accessor.count ||
+        sparse.indices.byteOffset < 0 || sparse.values.byteOffset < 0 ||
+        !is_index_type(sparse.indices.componentType)) {
+        why = "its sparse part is no valid one";
+        return false;
+    }
+    const auto count = static_cast<uint64_t>(sparse.count);
+    const auto width = static_cast<size_t>(result.components);
+    const uint64_t part = size_of_component(accessor.componentType);
+    const Bytes indices =
+        locate(model, sparse.indices.bufferView, static_cast<uint64_t>(sparse.indices.byteOffset),
+               count, size_of_component(sparse.indices.componentType), why);
+    const Bytes values =
+        locate(model, sparse.values.bufferView, static_cast<uint64_t>(sparse.values.byteOffset),
+               count, part * width, why);
+    for (size_t i = 0; why.empty() && i < count; ++i) {
+        const size_t at =
+            index_at(indices.first + i * indices.stride, sparse.indices.componentType);
+        if (at >= result.count) {
+            why = "its sparse part names element " + std::to_string(at);
+            break;
+        }
+        for (size_t k = 0; k < width; ++k)
+            result.values[at * width + k] =
+                component_at(values.first + i * values.stride + k * part, accessor.componentType,
+                             accessor.normalized);
+    }
+    return why.empty();
+}
+
+}  // namespace
+
+std::optional<AccessorFloats> read_floats(const Model& model, int index, uint64_t max_count,
+                                          std::string& why) {
+    const Accessor* accessor = find_accessor(model, index, max_count, why);
+    if (!accessor) return {};
+    AccessorFloats result;
+    result.components = components_of(accessor->type);
+    result.count = accessor->count;
+    const auto width = static_cast<size_t>(result.components);
+    const uint64_t part = size_of_component(accessor->componentType);
+    Bytes bytes;
+    if (accessor->bufferView >= 0)
+        bytes = locate(model, accessor->bufferView, accessor->byteOffset, accessor->count,
+                       part * width, why);
+    if (why.empty()) result.values.resize(result.count * width);
+    for (size_t i = 0; why.empty() && bytes.first && i < result.count; ++i)
+        for (size_t k = 0; k < width; ++k)
+            result.values[i * width + k] =
+                component_at(bytes.first + i * bytes.stride + k * part, accessor->componentType,
+                             accessor->normalized);
+    if (why.empty() && accessor->sparse.isSparse) apply_sparse(model, *accessor, result, why);
+    if (why.empty()) return result;
+    why = name_of("accessor", index) + ": " + why;
+    return {};
+}
+
+std::optional<std::vector<uint32_t>> read_indices(const Model& model, int index, uint64_t max_count,
+                                                  std::string& why) {
+    const Accessor* accessor = find_accessor(model, index, max_count, why);
+    if (!accessor) return {};
+    const int type = accessor->componentType;
+    if (accessor->type != TINYGLTF_TYPE_SCALAR || !is_index_type(type) ||
+        accessor->sparse.isSparse) {
+        why = name_of("accessor", index) + " holds no indices";
+        return {};
+    }
+    const Bytes bytes = locate(model, accessor->bufferView, accessor->byteOffset, accessor->count,
+                               size_of_component(type), why);
+    if (!why.empty()) {
+        why = name_of("accessor", index) + ": " + why;
+        return {};
+    }
+    std::vector<uint32_t> result(accessor->count);
+    for (size_t i = 0; i < result.size(); ++i)
+        result[i] = index_at(bytes.first + i * bytes.stride, type);
+    return result;
+}
+
+}  // namespace wrinkle

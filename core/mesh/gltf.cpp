@@ -1,0 +1,281 @@
+#include "mesh/gltf.h"
+
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/gtc/quaternion.hpp>
+#include <glm/mat3x3.hpp>
+#include <glm/mat4x4.hpp>
+#include <glm/matrix.hpp>
+
+#include "mesh/accessor.h"
+#include "mesh/combine.h"
+#include "mesh/gltf_file.h"
+#include "mesh/gltf_uv.h"
+#include "mesh/normals.h"
+#include "mesh/tangents.h"
+
+namespace wrinkle {
+namespace {
+
+// Extensions that change how something looks but not where vertices are.
+bool is_harmless(const std::string& extension) {
+    for (const char* prefix : {"KHR_materials_", "KHR_texture_", "EXT_texture_", "KHR_lights_",
+                               "KHR_mesh_quantization", "KHR_xmp"})
+        if (extension.starts_with(prefix)) return true;
+    return false;
+}
+
+glm::dmat4 matrix_of(const tinygltf::Node& node) {
+    glm::dmat4 m(1);
+    if (node.matrix.size() == 16) {
+        for (int i = 0; i < 16; ++i)
+            m[i / 4][i % 4] = node.matrix[static_cast<size_t>(i)];
+        return m;
+    }
+    const auto& [r, s, t] = std::tie(node.rotation, node.scale, node.translation);
+    if (r.size() == 4) m = glm::mat4_cast(glm::normalize(glm::dquat(r[3], r[0], r[1], r[2])));
+    if (s.size() == 3)
+        for (int i = 0; i < 3; ++i)
+            m[i] *= s[static_cast<size_t>(i)];
+    if (t.size() == 3) m[3] = glm::dvec4(t[0], t[1], t[2], 1);
+    return m;
+}
+
+bool has_triangles(int mode) {  // not points and lines; absent is a list
+    return mode < 0 || mode == TINYGLTF_MODE_TRIANGLES || mode == TINYGLTF_MODE_TRIANGLE_STRIP ||
+           mode == TINYGLTF_MODE_TRIANGLE_FAN;
+}
+
+// Lists, strips and fans as lists.
+void list_triangles(int mode, const std::vector<uint32_t>& in, std::vector<uint32_t>& out) {
+    if (mode == TINYGLTF_MODE_TRIANGLES || mode < 0) {
+        out.assign(in.begin(), in.begin() + static_cast<std::ptrdiff_t>(in.size() / 3 * 3));
+        return;
+    }
+    const bool strip = mode == TINYGLTF_MODE_TRIANGLE_STRIP;
+    for (size_t i = 0; i + 2 < in.size(); ++i) {
+        const size_t turned = strip ? i % 2 : 0;
+        out.insert(out.end(), {in[strip ? i : 0], in[i + 1 + turned], in[i + 2 - turned]});
+    }
+}
+
+class GltfReader {
+public:
+    GltfReader(const tinygltf::Model& model, const std::string& file, const MeshLimits& limits,
+               Diagnostics& diagnostics)
+        : model_(model), file_(file), limits_(limits), diagnostics_(diagnostics) {}
+
+    std::optional<Mesh> read() {
+        for (const std::string& extension : model_.extensionsRequired)
+            if (!is_harmless(extension))
+                error(
+                    "needs the extension '" + extension + "'",
+                    "export it without; KHR_texture_transform and KHR_mesh_quantization are known");
+        if (!failed_) read_scene();
+        if (failed_) return {};
+        return std::move(mesh_);
+    }
+
+private:
+    struct Place {
+        int node;
+        glm::dmat4 parent;
+    };
+
+    void read_scene() {
+        std::vector<Place> open;
+        for (const int root : roots())
+            open.push_back({root, glm::dmat4(1)});
+        if (model_.nodes.empty())
+            for (size_t i = 0; i < model_.meshes.size(); ++i)
+                add_mesh(static_cast<int>(i), glm::dmat4(1));
+        std::vector<bool> seen(model_.nodes.size());
+        while (!open.empty() && !failed_) {
+            const Place place = open.back();
+            open.pop_back();
+            const auto index = static_cast<size_t>(place.node);
+            if (place.node < 0 || index >= model_.nodes.size())
+                return error("there is no node " + std::to_string(place.node));
+            if (seen[index])
+                return error("node " + std::to_string(index) + " has two parents or is its own");
+            seen[index] = true;
+            const tinygltf::Node& node = model_.nodes[index];
+            const glm::dmat4 m = place.parent * matrix_of(node);
+            if (node.mesh >= 0) add_mesh(node.mesh, node.skin >= 0 ? glm::dmat4(1) : m);
+            for (const int child : node.children)
+                open.push_back({child, m});
+        }
+    }
+
+    // Of the default scene, the first one, or the nodes that are nobody's child.
+    std::vector<int> roots() const {
+        const auto wanted = static_cast<size_t>(std::max(model_.defaultScene, 0));
+        if (wanted < model_.scenes.size()) return model_.scenes[wanted].nodes;
+        std::vector<bool> is_child(model_.nodes.size());
+        for (const tinygltf::Node& node : model_.nodes)
+            for (const int child : node.children)
+                if (child >= 0 && static_cast<size_t>(child) < is_child.size())
+                    is_child[static_cast<size_t>(child)] = true;
+        std::vector<int> result;
+        for (size_t i = 0; i < is_child.size(); ++i)
+            if (!is_child[i]) result.push_back(static_cast<int>(i));
+        return result;
+    }
+
+    void add_mesh(int index, const glm::dmat4& to_scene) {
+        if (static_cast<size_t>(index) >= model_.meshes.size())
+            return error("there is no mesh " + std::to_string(index));
+        const auto& primitives = model_.meshes[static_cast<size_t>(index)].primitives;
+        for (size_t i = 0; i < primitives.size() && !failed_; ++i) {
+            where_ = "mesh " + std::to_string(index) + ", primitive " + std::to_string(i) + ": ";
+            Mesh part;
+            if (!read_primitive(primitives[i], part)) continue;
+            if (mesh_.indices.size() + part.indices.size() > limits_.max_corners ||
+                mesh_.vertex_count() + part.vertex_count() > limits_.max_corners)
+                return error("more than " + std::to_string(limits_.max_corners / 3) + " triangles",
+                             "split the file or simplify the mesh");
+            complete(part);
+            transform(part, to_scene);
+            append(mesh_, part);
+        }
+        where_.clear();
+    }
+
+    bool read_primitive(const tinygltf::Primitive& primitive, Mesh& part) {
+        if (!has_triangles(primitive.mode)) return false;
+        const bool fine = read_vector(primitive, "POSITION", part.positions, 3) &&
+                          read_vector(primitive, "NORMAL", part.normals, 3) &&
+                          read_vector(primitive, "TANGENT", part.tangents, 4) &&
+                          read_vector(primitive, "COLOR_0", part.colors, 3) &&
+                          read_uvs(primitive, part);
+        if (!fine) return false;
+        if (part.positions.empty()) return error("has no positions"), false;
+        std::vector<uint32_t> order;
+        if (!read_order(primitive, part.vertex_count(), order)) return false;
+        list_triangles(primitive.mode, order, part.indices);
+        return !part.indices.empty();
+    }
+
+    // Absent attributes stay empty; colours may have three components.
+    template <typename Vector>
+    bool read_vector(const tinygltf::Primitive& primitive, const std::string& name,
+                     std::vector<Vector>& out, int least) {
+        const auto found = primitive.attributes.find(name);
+        if (found == primitive.attributes.end()) return true;
+        std::string why;
+        const auto floats = read_floats(model_, found->second, limits_.max_corners, why);
+        if (!floats) return error(name + ": " + why), false;
+        // Many nodes may show one mesh; each reads it anew.
+        elements_read_ += floats->count;
+        if (elements_read_ > 16 * limits_.max_corners)
+            return error("more than " + std::to_string(limits_.max_corners) + " vertices",
+                         "split the file or simplify the mesh"),
+                   false;
+        const int width = floats->components;
+        const auto position = primitive.attributes.find("POSITION");
+        if (width < least || width > Vector::length())
+            return error(name + " has " + std::to_string(width) + " components"), false;
+        if (position != primitive.attributes.end() && name != "POSITION" &&
+            floats->count != model_.accessors[static_cast<size_t>(position->second)].count)
+            return error(name + " and POSITION differ in length"), false;
+        out.assign(floats->count, Vector(1));
+        for (size_t i = 0; i < floats->count; ++i)
+            for (int k = 0; k < width; ++k)
+                out[i][k] = floats->values[i * static_cast<size_t>(width) + static_cast<size_t>(k)];
+        return true;
+    }
+
+    bool read_uvs(const tinygltf::Primitive& primitive, Mesh& part) {
+        const UvTransforms transforms = uv_transforms(model_, primitive.material);
+        for (size_t set = 0; set < max_uv_sets; ++set) {
+            auto& uvs = part.uvs[set];
+            if (!read_vector(primitive, "TEXCOORD_" + std::to_string(set), uvs, 2)) return false;
+            const UvTransform move = transforms.sets[set].value_or(UvTransform());
+            for (glm::vec2& uv : uvs) {
+                if (move != UvTransform()) uv = move.apply(uv);
+                uv.y = 1 - uv.y;
+            }
+            if (set == 0 && !uvs.empty() && !move.keeps_tangents()) part.tangents.clear();
+        }
+        if (transforms.differ)
+            warn("its textures move one uv set in different ways; the first one's way is taken");
+        return true;
+    }
+
+    bool read_order(const tinygltf::Primitive& primitive, size_t vertices,
+                    std::vector<uint32_t>& order) {
+        if (primitive.indices < 0) {
+            for (uint32_t v = 0; v < vertices; ++v)
+                order.push_back(v);
+            return true;
+        }
+        std::string why;
+        auto indices = read_indices(model_, primitive.indices, limits_.max_corners, why);
+        if (!indices) return error("indices: " + why), false;
+        for (const uint32_t index : *indices)
+            if (index >= vertices)
+                return error("index " + std::to_string(index) + " of " + std::to_string(vertices) +
+                             " vertices"),
+                       false;
+        order = std::move(*indices);
+        return true;
+    }
+
+    // glTF: tangents without normals are ignored.
+    void complete(Mesh& part) {
+        if (part.normals.empty()) part.tangents.clear();
+        const size_t bad = complete_normals(part);
+        if (bad > 0)
+            warn(std::to_string(bad) + " normals are zero or no numbers; smooth ones replace them");
+        if (!part.tangents.empty() && !are_tangents(part)) {
+            warn("its tangents are no unit vectors; MikkTSpace's replace them");
+            part.tangents.clear();
+        }
+        ensure_tangents(part);
+    }
+
+    static bool are_tangents(const Mesh& part) {
+        for (const glm::vec4& tangent : part.tangents) {
+            const double length = glm::length(glm::dvec3(tangent));
+            if (!(length > 0.5 && length < 2 && std::abs(tangent.w) == 1)) return false;
+        }
+        return true;
+    }
+
+    void error(const std::string& message,
+               const std::string& expected = "a valid glTF 2.0 file; export it again") {
+        add(Severity::error, message, expected);
+        failed_ = true;
+    }
+
+    void warn(const std::string& message) { add(Severity::warning, message, ""); }
+
+    void add(Severity severity, const std::string& message, const std::string& expected) {
+        Diagnostic problem;
+        problem.severity = severity;
+        problem.where.file = file_;
+        problem.message = where_ + message;
+        problem.expected = expected;
+        diagnostics_.add(std::move(problem));
+    }
+
+    const tinygltf::Model& model_;
+    const std::string& file_;
+    const MeshLimits& limits_;
+    Diagnostics& diagnostics_;
+    std::string where_;
+    bool failed_ = false;
+    uint64_t elements_read_ = 0;
+    Mesh mesh_;
+};
+
+}  // namespace
+
+std::optional<Mesh> read_gltf(std::string_view bytes, const std::filesystem::path& path,
+                              const MeshFileOptions& options, Diagnostics& diagnostics) {
+    tinygltf::Model model;
+    if (!read_gltf_file(bytes, path, options, model, diagnostics)) return {};
+    return GltfReader(model, path.string(), options.limits, diagnostics).read();
+}
+
+}  // namespace wrinkle

@@ -1,0 +1,184 @@
+#include "mesh/gltf_file.h"
+
+#include <cstring>
+
+#include "base/file.h"
+
+namespace wrinkle {
+namespace fs = std::filesystem;
+namespace {
+
+// The library turns `extras` into values by recursion.
+constexpr int max_depth = 64;
+constexpr size_t glb_header = 12;
+constexpr size_t chunk_header = 8;
+
+bool is_nested_too_deep(std::string_view json) {
+    int depth = 0;
+    bool in_string = false;
+    for (size_t i = 0; i < json.size(); ++i) {
+        const char c = json[i];
+        if (in_string && c == '\\')
+            ++i;
+        else if (c == '"')
+            in_string = !in_string;
+        else if (!in_string && (c == '{' || c == '['))
+            if (++depth > max_depth) return true;
+        if (!in_string && (c == '}' || c == ']')) --depth;
+    }
+    return false;
+}
+
+uint32_t number_at(std::string_view bytes, size_t at) {
+    uint32_t value = 0;
+    for (size_t i = 0; i < 4; ++i)
+        value |= uint32_t{static_cast<unsigned char>(bytes[at + i])} << (8 * i);
+    return value;
+}
+
+// The JSON text of either form; "" with the reason when a .glb's lengths do not fit its bytes.
+std::string_view json_of(std::string_view bytes, std::string& why) {
+    if (!bytes.starts_with("glTF")) return bytes;
+    if (bytes.size() < glb_header + chunk_header) {
+        why = "is truncated within its header";
+        return {};
+    }
+    if (number_at(bytes, 4) != 2) {
+        why = "is glTF of version " + std::to_string(number_at(bytes, 4));
+        return {};
+    }
+    const uint64_t length = number_at(bytes, 8);
+    const uint64_t json = number_at(bytes, glb_header);
+    if (length > bytes.size()) {
+        why = "is truncated: " + std::to_string(bytes.size()) + " of " + std::to_string(length) +
+              " bytes";
+        return {};
+    }
+    if (json > length - std::min<uint64_t>(length, glb_header + chunk_header)) {
+        why = "says that its JSON is longer than the file";
+        return {};
+    }
+    return bytes.substr(glb_header + chunk_header, json);
+}
+
+// What tinygltf may read: files below the mesh's folder or the root, up to the limit in all.
+struct FileGate {
+    const fs::path folder;
+    const fs::path root;
+    uint64_t bytes_left;
+    std::string refused;  // the first problem, a sentence
+
+    bool is_picture(const fs::path& path) const {
+        const std::string type = path.extension().string();
+        for (const char* picture : {".png", ".jpg", ".jpeg", ".ktx2", ".webp", ".dds", ".basis"})
+            if (type == picture) return true;
+        return false;
+    }
+
+    bool allows(const std::string& name) {
+        const fs::path path(name);
+        if (is_picture(path)) return false;
+        if (inside(folder, path) || (!root.empty() && inside(root, path))) return true;
+        if (refused.empty())
+            refused = "names the external file '" + path.filename().string() +
+                      "', which is outside its folder and the root";
+        return false;
+    }
+
+    bool read(const std::string& name, std::vector<unsigned char>& out) {
+        std::error_code error;
+        const uint64_t size = fs::file_size(name, error);
+        std::string why;
+        if (error)
+            why = "cannot be read: " + error.message();
+        else if (size > bytes_left)
+            why = "is larger than the limit for a mesh";
+        else if (const auto bytes = read_file(name, why)) {
+            out.assign(bytes->begin(), bytes->end());
+            bytes_left -= std::min<uint64_t>(bytes_left, bytes->size());
+            return true;
+        }
+        if (refused.empty()) refused = "needs '" + name + "', which " + why;
+        return false;
+    }
+};
+
+bool file_exists(const std::string& name, void* gate) {
+    std::error_code ignored;
+    return static_cast<FileGate*>(gate)->allows(name) && fs::is_regular_file(name, ignored);
+}
+
+std::string same_path(const std::string& name, void*) {
+    return name;
+}
+
+bool read_whole(std::vector<unsigned char>* out, std::string*, const std::string& name,
+                void* gate) {
+    return static_cast<FileGate*>(gate)->read(name, *out);
+}
+
+bool write_nothing(std::string*, const std::string&, const std::vector<unsigned char>&, void*) {
+    return false;
+}
+
+bool skip_image(tinygltf::Image*, const int, std::string*, std::string*, int, int,
+                const unsigned char*, int, void*) {
+    return true;
+}
+
+// The library's sentences on one line.
+std::string one_line(std::string text) {
+    while (!text.empty() && (text.back() == '\n' || text.back() == ' '))
+        text.pop_back();
+    for (char& c : text)
+        if (static_cast<unsigned char>(c) < ' ') c = ' ';
+    return text.size() > 300 ? text.substr(0, 300) + "..." : text;
+}
+
+bool parse(std::string_view bytes, FileGate& gate, tinygltf::Model& model, std::string& why) {
+    tinygltf::TinyGLTF library;
+    library.SetImageLoader(skip_image, nullptr);
+    library.SetFsCallbacks({file_exists, same_path, read_whole, write_nothing, &gate});
+    std::string error, ignored;
+    const auto size = static_cast<unsigned int>(bytes.size());
+    const std::string base = gate.folder.string();
+    bool fine = false;
+    try {
+        fine =
+            bytes.starts_with("glTF")
+                ? library.LoadBinaryFromMemory(&model, &error, &ignored,
+                                               reinterpret_cast<const unsigned char*>(bytes.data()),
+                                               size, base)
+                : library.LoadASCIIFromString(&model, &error, &ignored, bytes.data(), size, base);
+    } catch (const std::exception& problem) {
+        error = problem.what();
+    }
+    if (fine) return true;
+    why = !gate.refused.empty() ? gate.refused : "is no valid glTF: " + one_line(error);
+    return false;
+}
+
+}  // namespace
+
+bool read_gltf_file(std::string_view bytes, const fs::path& path, const MeshFileOptions& options,
+                    tinygltf::Model& model, Diagnostics& diagnostics) {
+    std::string why;
+    const std::string_view json = json_of(bytes, why);
+    if (why.empty() && is_nested_too_deep(json))
+        why = "nests objects and arrays deeper than " + std::to_string(max_depth) + " levels";
+    const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
+    FileGate gate{folder, options.root, options.limits.max_bytes, ""};
+    if (why.empty() && parse(bytes, gate, model, why)) return true;
+    Diagnostic problem;
+    problem.where.file = path.string();
+    problem.message = why;
+    problem.expected =
+        gate.refused.empty()
+            ? "a whole glTF 2.0 file; export it again"
+            : "external files stand below the mesh's folder, or --root names a folder "
+              "that holds them";
+    diagnostics.add(std::move(problem));
+    return false;
+}
+
+}  // namespace wrinkle

@@ -1,0 +1,106 @@
+#include "mesh/load.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "base/file.h"
+#include "mesh/gltf.h"
+#include "mesh/normals.h"
+#include "mesh/obj.h"
+#include "mesh/tangents.h"
+
+namespace wrinkle {
+namespace fs = std::filesystem;
+namespace {
+
+constexpr float farthest = 1e15F;  // beyond it squares of squares leave the range of float
+
+void error(const fs::path& path, std::string message, std::string expected,
+           Diagnostics& diagnostics) {
+    Diagnostic problem;
+    problem.where.file = path.string();
+    problem.message = std::move(message);
+    problem.expected = std::move(expected);
+    diagnostics.add(std::move(problem));
+}
+
+template <typename T>
+bool all_finite(const std::vector<T>& values) {
+    for (const T& value : values)
+        for (int k = 0; k < T::length(); ++k)
+            if (!std::isfinite(value[k])) return false;
+    return true;
+}
+
+// "" when the mesh can be drawn.
+std::string problem_of(const Mesh& mesh) {
+    if (!all_finite(mesh.positions)) return "a position is no finite number";
+    for (size_t set = 0; set < max_uv_sets; ++set)
+        if (!all_finite(mesh.uvs[set]))
+            return "a uv of set " + std::to_string(set) + " is no finite number";
+    if (!all_finite(mesh.colors)) return "a colour is no finite number";
+    for (const glm::vec3 p : mesh.positions)
+        if (std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}) > farthest)
+            return "a coordinate is beyond 1e15";
+    for (size_t i = 0; i < mesh.indices.size(); i += 3) {
+        const glm::dvec3 a = mesh.positions[mesh.indices[i]];
+        const glm::dvec3 b = mesh.positions[mesh.indices[i + 1]];
+        const glm::dvec3 c = mesh.positions[mesh.indices[i + 2]];
+        if (glm::length(glm::cross(b - a, c - a)) > 0) return "";
+    }
+    return mesh.indices.empty() ? "has no triangles" : "has no triangle with an area";
+}
+
+bool is_json(std::string_view bytes) {
+    if (bytes.starts_with("\xEF\xBB\xBF")) bytes.remove_prefix(3);
+    const size_t first = bytes.find_first_not_of(" \t\r\n");
+    return first != bytes.npos && bytes[first] == '{';
+}
+
+}  // namespace
+
+std::optional<Mesh> load_mesh_bytes(std::string_view bytes, const fs::path& path,
+                                    const MeshFileOptions& options, Diagnostics& diagnostics) {
+    const bool gltf = bytes.starts_with("glTF") || is_json(bytes);
+    if (!gltf && bytes.find('\0') != bytes.npos) {
+        error(path, "is no mesh file", "an OBJ, .gltf or .glb", diagnostics);
+        return {};
+    }
+    auto mesh = gltf ? read_gltf(bytes, path, options, diagnostics)
+                     : read_obj(bytes, path.string(), options.limits, diagnostics);
+    if (!mesh) return {};
+    const std::string problem = problem_of(*mesh);
+    if (!problem.empty()) {
+        error(path, problem, "a mesh with finite values and at least one face", diagnostics);
+        return {};
+    }
+    complete_normals(*mesh);
+    ensure_tangents(*mesh);
+    return mesh;
+}
+
+std::optional<Mesh> load_mesh(const fs::path& path, const MeshFileOptions& options,
+                              Diagnostics& diagnostics) {
+    std::error_code ignored;
+    if (fs::exists(path, ignored) && !fs::is_directory(path, ignored) &&
+        !fs::is_regular_file(path, ignored)) {
+        error(path, "is no regular file", "an OBJ, .gltf or .glb file", diagnostics);
+        return {};
+    }
+    if (fs::is_regular_file(path, ignored) &&
+        fs::file_size(path, ignored) > options.limits.max_bytes) {
+        error(path, "is larger than " + std::to_string(options.limits.max_bytes) + " bytes",
+              "split the file or simplify the mesh", diagnostics);
+        return {};
+    }
+    std::string why;
+    const auto bytes = read_file(path, why);
+    if (!bytes) {
+        error(path, why, "an OBJ, .gltf or .glb file", diagnostics);
+        return {};
+    }
+    return load_mesh_bytes(*bytes, path, options, diagnostics);
+}
+
+}  // namespace wrinkle

@@ -1,0 +1,109 @@
+#include "mesh/polygon.h"
+
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
+
+namespace wrinkle {
+namespace {
+
+using glm::dvec2;
+using glm::dvec3;
+
+constexpr size_t max_ears = 256;  // the time to find them grows with the third power
+
+// Twice the area vector: the sum of the cross products along the border (Newell).
+dvec3 border_normal(std::span<const glm::vec3> positions) {
+    const dvec3 origin = positions[0];
+    dvec3 sum(0);
+    for (size_t i = 0; i < positions.size(); ++i)
+        sum += glm::cross(dvec3(positions[i]) - origin,
+                          dvec3(positions[(i + 1) % positions.size()]) - origin);
+    return sum;
+}
+
+// Along the axis that the normal is nearest to, so that the polygon keeps its sense of rotation.
+std::vector<dvec2> flattened(std::span<const glm::vec3> positions) {
+    const dvec3 normal = border_normal(positions);
+    const dvec3 size = glm::abs(normal);
+    const int axis = size.x > size.y ? (size.x > size.z ? 0 : 2) : (size.y > size.z ? 1 : 2);
+    std::vector<dvec2> result;
+    for (const dvec3 p : positions) {
+        const dvec2 q(p[(axis + 1) % 3], p[(axis + 2) % 3]);
+        result.push_back(normal[axis] < 0 ? dvec2(q.y, q.x) : q);
+    }
+    return result;
+}
+
+double turn(dvec2 a, dvec2 b, dvec2 c) {
+    return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+}
+
+// One turn at most, all corners to the left.
+bool is_convex(const std::vector<dvec2>& p) {
+    const size_t n = p.size();
+    for (size_t i = 0; i < n; ++i)
+        if (turn(p[i], p[(i + 1) % n], p[(i + 2) % n]) < 0) return false;
+    for (size_t i = 1; i + 1 < n; ++i)
+        if (turn(p[0], p[i], p[i + 1]) < 0) return false;
+    return true;
+}
+
+class EarClipper {
+public:
+    explicit EarClipper(const std::vector<dvec2>& points) : points_(points) {
+        for (size_t i = 0; i < points.size(); ++i)
+            left_.push_back(i);
+    }
+
+    template <typename Emit>
+    void run(Emit emit) {
+        while (left_.size() > 3) {
+            const size_t ear = find_ear();
+            emit(before(ear), left_[ear], after(ear));
+            left_.erase(left_.begin() + static_cast<std::ptrdiff_t>(ear));
+        }
+        emit(left_[0], left_[1], left_[2]);
+    }
+
+private:
+    size_t before(size_t i) const { return left_[(i + left_.size() - 1) % left_.size()]; }
+    size_t after(size_t i) const { return left_[(i + 1) % left_.size()]; }
+
+    bool is_ear(size_t i) const {
+        const dvec2 a = points_[before(i)], b = points_[left_[i]], c = points_[after(i)];
+        if (!(turn(a, b, c) > 0)) return false;
+        for (const size_t other : left_) {
+            const dvec2 p = points_[other];
+            if (p == a || p == b || p == c) continue;
+            if (turn(a, b, p) >= 0 && turn(b, c, p) >= 0 && turn(c, a, p) >= 0) return false;
+        }
+        return true;
+    }
+
+    size_t find_ear() const {
+        for (size_t i = 1; i <= left_.size(); ++i)
+            if (is_ear(i % left_.size())) return i % left_.size();
+        return 1;  // it crosses itself
+    }
+
+    const std::vector<dvec2>& points_;
+    std::vector<size_t> left_;
+};
+
+}  // namespace
+
+void append_triangles(std::span<const glm::vec3> positions, std::span<const uint32_t> corners,
+                      std::vector<uint32_t>& indices) {
+    const auto emit = [&](size_t a, size_t b, size_t c) {
+        indices.insert(indices.end(), {corners[a], corners[b], corners[c]});
+    };
+    if (corners.size() > 3 && corners.size() <= max_ears) {
+        const std::vector<dvec2> flat = flattened(positions);
+        if (!is_convex(flat)) return EarClipper(flat).run(emit);
+    }
+    for (size_t i = 1; i + 1 < corners.size(); ++i)
+        emit(0, i, i + 1);
+}
+
+}  // namespace wrinkle

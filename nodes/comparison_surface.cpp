@@ -1,0 +1,94 @@
+// What others do to a normal on a surface. Each node says what is wrong with it.
+#include "wrinkle/node.h"
+
+namespace wrinkle::nodes {
+using namespace sdk;
+
+Node compare_perlin_node =
+    node("compare_perlin", "Wrong: unprojected gradient",
+         "Subtracts the gradient of a volume from the normal whole. Wrong: the part along the "
+         "normal tilts it too, up to facing inward; gradient_from_volume takes that part out.")
+        .family("comparison")
+        .in<vec3>("volume", 0,
+                  "The height's change per length unit along x, y and z of object space")
+        .in<Normal>("normal", surface::normal, "The normal to bump, object space")
+        .out<Normal>("bumped", "Unit normal in object space")
+        .body([](vec3 volume, vec3 normal) { return normalize(normal - volume); });
+
+struct WeightedNormals {
+    vec3 a, b;
+    Float weight_a, weight_b;
+};
+
+Node compare_weighted_normals_node =
+    node("compare_weighted_normals", "Wrong: average of normals",
+         "The weighted average of bumped normals. Wrong: a flat layer pulls the others back to "
+         "the surface; in a sum of gradients it adds nothing.")
+        .family("comparison")
+        .in<Normal>("a", surface::normal, "One bumped normal, object space")
+        .in<Normal>("b", surface::normal, "The other bumped normal, object space")
+        .in<Float>("weight_a", 1, "Of the first", slider(0, 1))
+        .in<Float>("weight_b", 1, "Of the second", slider(0, 1))
+        .out<Normal>("normal", "Unit normal in object space")
+        .body(
+            [](WeightedNormals in) { return normalize(in.a * in.weight_a + in.b * in.weight_b); });
+
+Node compare_blender_strength_node =
+    node("compare_blender_strength", "Wrong: strength by mixing normals",
+         "Goes from the smooth normal to the bumped one, as the strength of Blender's bump node "
+         "does. Wrong: slopes do not scale by the amount, and above 1 it runs away.")
+        .family("comparison")
+        .in<Normal>("smooth", surface::normal, "The normal without the bump, object space")
+        .in<Normal>("bumped", surface::normal, "The normal with it, object space")
+        .in<Float>("amount", 1, "0 is smooth, 1 is bumped", slider(0, 1))
+        .out<Normal>("normal", "Unit normal in object space")
+        .body([](vec3 smooth, vec3 bumped, Float amount) {
+            return normalize(mix(smooth, bumped, amount));
+        });
+
+// Tangent and bitangent solved from dP = T du + B dv over the pixel, less the determinant.
+Node compare_engine_basis_node =
+    node("compare_engine_basis", "Wrong: unprojected derived basis",
+         "A tangent-space normal in a basis derived from position and uv alone. Wrong: the basis "
+         "is not brought to the normal's tangent plane, so facets show, and without the sign of "
+         "the determinant mirrored uvs turn hills into dents.")
+        .family("comparison")
+        .in<vec3>("normal", {0, 0, 1}, "In tangent space, any length")
+        .in<vec2>("uv", surface::uv0, "The uv whose directions its x and y are")
+        .out<Normal>("bumped", "Unit normal in object space")
+        .body([](vec3 m, vec2 uv) {
+            const vec3 px = ddx(vec3(surface::position)), py = ddy(vec3(surface::position));
+            const vec2 ux = ddx(uv), uy = ddy(uv);
+            const vec3 tangent = normalize(px * uy.y() - py * ux.y());
+            const vec3 bitangent = normalize(py * ux.x() - px * uy.x());
+            const vec3 normal = surface::normal;
+            return normalize(tangent * m.x() + bitangent * m.y() + normal * m.z());
+        });
+
+enum class PixelAxes { lengths, unit };
+
+// Listing 2 and eq. 3 of M. Mikkelsen, "Bump Mapping Unparametrized Surfaces on the GPU" (2010).
+Node compare_screen_height_node =
+    node("compare_screen_height", "Wrong: bump from screen differences",
+         "Reads a height here and at the next pixels and takes the differences. Wrong: close up a "
+         "texture shows its facets, and the height is computed three times; gradient_from_height "
+         "has the slope itself.")
+        .family("comparison")
+        .field<Height>("height", surface::uv0, "A height over uv0, in length units of object space")
+        .choice("pixel", {"lengths", "unit"},
+                "Whether the pixel's axes keep their length, or are made unit as in three.js: "
+                "then the bump fades as the viewer comes closer")
+        .out<Normal>("normal", "Unit normal in object space")
+        .body([](Field<Float> height, PixelAxes axes) {
+            const vec2 uv = surface::uv0;
+            const vec3 n = surface::normal;
+            vec3 px = ddx(vec3(surface::position)), py = ddy(vec3(surface::position));
+            if (axes == PixelAxes::unit) px = normalize(px), py = normalize(py);
+            const Float here = height(uv);
+            const Float dx = height(uv + ddx(uv)) - here, dy = height(uv + ddy(uv)) - here;
+            const vec3 r1 = cross(py, n), r2 = cross(n, px);
+            const Float det = dot(px, r1);
+            return normalize(n * abs(det) - (r1 * dx + r2 * dy) * sign_nonzero(det));
+        });
+
+}  // namespace wrinkle::nodes

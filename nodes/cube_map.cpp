@@ -1,0 +1,73 @@
+// Cube maps: pictures looked up by a direction.
+//
+// The six faces stand in one picture: as a `strip`, +x -x +y -y +z -z from left to right, or as a
+// `grid` of three by two, +x -x +y above -y +z -z. Each face is what somebody sees who looks at
+// that side of a cube from outside, y up; from above (+y), -z is up, and from below (-y), +z is.
+// That is the order and orientation of OpenGL's cube maps.
+#include "nodes/ports.h"
+#include "nodes/projection.h"
+#include "wrinkle/node.h"
+
+namespace wrinkle::nodes {
+using namespace sdk;
+
+enum class Arrangement { strip, grid };
+
+// No face reads a texel of its neighbour: the place stays half a texel of the level in use within
+// it, at most one that is twice as coarse as the footprint.
+static vec4 read_cube(Image image, Arrangement arrangement, vec3 direction) {
+    const CubeFace face = cube_face(direction, direction);
+    const bool strip = arrangement == Arrangement::strip;
+    const vec2 faces = strip ? vec2(6, 1) : vec2(3, 2);
+    const vec2 place = divide(face.place, face.depth) * 0.5 + vec2(0.5);
+    const vec2 column_row = strip ? vec2(face.index, 0)
+                                  : vec2(select(face.index < 2.5, face.index, face.index - 3),
+                                         select(face.index < 2.5, 1.0, 0.0));
+    const vec2 size = image.size() / faces;
+    const vec2 x = ddx(place), y = ddy(place);
+    const Float footprint = max(max(length(x * size), length(y * size)), 0.5);
+    // In the coarsest level a face is one texel.
+    const Float least = min(min(size.x(), size.y()) / footprint, 1);
+    const vec2 border = min(footprint / size, vec2(0.5));
+    const vec2 inside = min(max(place, border), vec2(1) - border);
+    return image.sample_grad((inside + column_row) / faces, x * least / faces, y * least / faces);
+}
+
+struct CubeNormalMap {
+    Image image;
+    vec3 direction;
+    Arrangement arrangement;
+    Float strength;
+    vec3 base;
+};
+
+Node cube_normal_map_node =
+    node("cube_normal_map", "Cube normal map",
+         "A bump from a cube map of object-space normals, looked up by a direction.")
+        .family("image")
+        .in<Image>("image", "Object-space normals, any length, in six faces of a power of two",
+                   encoding("normal_gl"))
+        .in<vec3>("direction", surface::position, "Where to look, from the centre; any length")
+        .choice("arrangement", {"strip", "grid"},
+                "The faces of the picture: +x -x +y -y +z -z in a row, or +x -x +y above -y +z -z")
+        .in<Float>("strength", 1,
+                   "Factor of the slopes: 1 leaves it unchanged, negative inverts it",
+                   slider(-2, 2), unit("x"))
+        .in<Normal>("base", surface::normal, BASE_DOC)
+        .out<Gradient>("gradient", "The bump that leads to these normals")
+        .out<vec3>(
+            "volume",
+            "The gradient in object space that turns the direction itself into these "
+            "normals: what a sphere round the origin lends to other surfaces; limited to 128")
+        .body([](CubeNormalMap in) {
+            const vec3 normal = read_cube(in.image, in.arrangement, in.direction).xyz();
+            const vec3 out = normalize(in.direction);
+            const Float outward = dot(out, normal);
+            // Slopes up to 128, as those of tangent-space maps.
+            const Float steepest = max(length(normal) / 128, 1e-6);
+            const vec3 volume =
+                (out * outward - normal) / max(abs(outward), steepest) * in.strength;
+            return std::tuple{gradient_from_normal(normal, Base(in.base)) * in.strength, volume};
+        });
+
+}  // namespace wrinkle::nodes

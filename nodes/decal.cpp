@@ -1,0 +1,180 @@
+// Decals: pictures thrown onto whatever surface lies in a box, a cone, a ball or a capsule, and the
+// two ways in which their bumps join what is there. A projector looks along its direction; its
+// picture reads the right way round from where it stands.
+#include "nodes/projection.h"
+#include "wrinkle/node.h"
+
+namespace wrinkle::nodes {
+using namespace sdk;
+
+#define NORMAL_DOC "Of the surface that receives it; what is turned away receives nothing"
+#define EDGE_DOC "The part of its reach over which it fades out; 0 is a hard edge"
+#define ANGLE_FADE_DOC "Exponent of the cosine to the surface: 0 reaches every side"
+#define ATTENUATION_DOC "0 to 1: how much of the decal arrives"
+
+// 1 inside, 0 from the border on; `reached` is 1 at the border.
+static Float inside(Float reached, Float edge) {
+    return 1 - smoothstep(1 - edge, Float(1), reached);
+}
+// `towards`: from the surface to the projector, unit.
+static Float angle_fade(vec3 normal, vec3 towards, Float exponent) {
+    return detach(pow(saturate(dot(normalize(normal), towards)), exponent));
+}
+
+struct DecalBox {
+    vec3 point, normal, origin, direction, up, size;
+    Float edge, angle_fade;
+};
+
+Node decal_box_node =
+    node("decal_box", "Box decal", "Projects a picture through a box.")
+        .family("decal")
+        .in<vec3>("point", surface::position, POINT_DOC)
+        .in<Normal>("normal", surface::normal, NORMAL_DOC)
+        .in<vec3>("origin", {0, 0, 1}, "The centre of the box", slider(-2, 2))
+        .in<vec3>("direction", {0, 0, -1}, "Where it projects to; any length", slider(-1, 1))
+        .in<vec3>("up", {0, 1, 0}, "Where v grows; any length", slider(-1, 1))
+        .in<vec3>("size", 1, "Width, height and depth in length units", slider(0.01, 4),
+                  limits(1e-6, 1e6))
+        .in<Float>("edge", 0.1, EDGE_DOC, slider(0, 1), limits(0, 1))
+        .in<Float>("angle_fade", 0.2, ANGLE_FADE_DOC, slider(0, 4), limits(0, 64))
+        .out<vec2>("uv", "0 to 1 across the box")
+        .out<Float>("attenuation", ATTENUATION_DOC)
+        .body([](DecalBox in) {
+            const Axes axes = axes_of(-in.direction, in.up);
+            const vec3 place = into(axes, in.point - in.origin) / in.size;
+            const vec3 reached = abs(place) * 2;
+            const Float within = inside(reached.x(), in.edge) * inside(reached.y(), in.edge) *
+                                 inside(reached.z(), in.edge);
+            return std::tuple{place.xy() + vec2(0.5),
+                              within * angle_fade(in.normal, axes.z, in.angle_fade)};
+        });
+
+struct DecalCone {
+    vec3 point, normal, origin, direction, up;
+    Float angle, range, edge, angle_fade;
+};
+
+Node decal_cone_node =
+    node("decal_cone", "Cone decal", "Projects a picture from a point, like a slide projector.")
+        .family("decal")
+        .in<vec3>("point", surface::position, POINT_DOC)
+        .in<Normal>("normal", surface::normal, NORMAL_DOC)
+        .in<vec3>("origin", {0, 0, 2}, "Where the projector stands", slider(-4, 4))
+        .in<vec3>("direction", {0, 0, -1}, "Where it projects to; any length", slider(-1, 1))
+        .in<vec3>("up", {0, 1, 0}, "Where v grows; any length", slider(-1, 1))
+        .in<Float>("angle", 40, "From side to side of the cone", slider(1, 160), limits(0.1, 179),
+                   unit("deg"))
+        .in<Float>("range", 2, "How far it reaches, in length units", slider(0.01, 8),
+                   limits(1e-6, 1e6))
+        .in<Float>("edge", 0.1, EDGE_DOC, slider(0, 1), limits(0, 1))
+        .in<Float>("angle_fade", 0.2, ANGLE_FADE_DOC, slider(0, 4), limits(0, 64))
+        .out<vec2>("uv", "0 to 1 across the cone")
+        .out<Float>("attenuation", ATTENUATION_DOC)
+        .body([](DecalCone in) {
+            const Axes axes = axes_of(-in.direction, in.up);
+            const vec3 way = in.point - in.origin;
+            const vec3 place = into(axes, way);
+            const Float ahead = -place.z();
+            const Float wide = max(ahead, 1e-6) * tan(radians(in.angle) * 0.5);
+            const vec2 across = place.xy() / wide;  // the unit disc
+            const Float within = inside(length(across), in.edge) *
+                                 inside(ahead / in.range, in.edge) * step(1e-6, ahead);
+            return std::tuple{across * 0.5 + vec2(0.5),
+                              within * angle_fade(in.normal, -normalize(way), in.angle_fade)};
+        });
+
+struct DecalSphere {
+    vec3 point, normal, origin, axis, front;
+    Float radius, edge, angle_fade;
+};
+
+Node decal_sphere_node =
+    node("decal_sphere", "Sphere decal",
+         "Projects a picture from a point to all sides: a cube map by direction, or by longitude "
+         "and latitude.")
+        .family("decal")
+        .in<vec3>("point", surface::position, POINT_DOC)
+        .in<Normal>("normal", surface::normal,
+                    "Of the surface that receives it, where the angle counts")
+        .in<vec3>("origin", {0, 0, 1}, "The centre", slider(-2, 2))
+        .in<vec3>("axis", {0, 1, 0}, "To the pole where v is 1; any length", slider(-1, 1))
+        .in<vec3>("front", {0, 0, 1}, "Where u is 0.5; any length", slider(-1, 1))
+        .in<Float>("radius", 0.5, "How far it reaches, in length units", slider(0.01, 4),
+                   limits(1e-6, 1e6))
+        .in<Float>("edge", 0.3, EDGE_DOC, slider(0, 1), limits(0, 1))
+        .in<Float>("angle_fade", 0,
+                   "Exponent of the cosine between the surface and the way out of the ball: 0 "
+                   "reaches every side",
+                   slider(0, 4), limits(0, 64))
+        .out<vec2>("uv", "Longitude and latitude, 0 to 1, as seen from outside")
+        .out<vec3>("direction", "Out of the centre, unit, in object space")
+        .out<Float>("attenuation", ATTENUATION_DOC)
+        .body([](DecalSphere in) {
+            const vec3 way = in.point - in.origin, out = normalize(way);
+            const vec2 uv = longitude_latitude(round_place(way, in.axis, in.front));
+            return std::tuple{uv, out,
+                              inside(length(way) / in.radius, in.edge) *
+                                  angle_fade(in.normal, out, in.angle_fade)};
+        });
+
+struct DecalCapsule {
+    vec3 point, normal, start, end, front;
+    Float radius, edge, angle_fade;
+};
+
+Node decal_capsule_node =
+    node("decal_capsule", "Capsule decal",
+         "Projects a picture from a line to all sides: a ball that was drawn out.")
+        .family("decal")
+        .in<vec3>("point", surface::position, POINT_DOC)
+        .in<Normal>("normal", surface::normal,
+                    "Of the surface that receives it, where the angle counts")
+        .in<vec3>("start", {-0.4, 0, 1}, "One end of the line, v = 0", slider(-2, 2))
+        .in<vec3>("end", {0.4, 0, 1}, "The other end, v = 1", slider(-2, 2))
+        .in<vec3>("front", {0, 0, 1}, "Where u is 0.5; any length", slider(-1, 1))
+        .in<Float>("radius", 0.4, "How far it reaches, in length units", slider(0.01, 4),
+                   limits(1e-6, 1e6))
+        .in<Float>("edge", 0.3, EDGE_DOC, slider(0, 1), limits(0, 1))
+        .in<Float>("angle_fade", 0,
+                   "Exponent of the cosine between the surface and the way out of the line: 0 "
+                   "reaches every side",
+                   slider(0, 4), limits(0, 64))
+        .out<vec2>("uv", "u once around, v from end to end; beyond the ends v stays")
+        .out<vec3>("direction", "Out of the line, unit, in object space")
+        .out<Float>("attenuation", ATTENUATION_DOC)
+        .body([](DecalCapsule in) {
+            const vec3 line = in.end - in.start, way = in.point - in.start;
+            const Float along = saturate(divide(dot(way, line), dot(line, line)));
+            const vec3 off = way - line * along, out = normalize(off);
+            const vec2 uv(turns_of(round_place(off, line, in.front)), along);
+            return std::tuple{uv, out,
+                              inside(length(off) / in.radius, in.edge) *
+                                  angle_fade(in.normal, out, in.angle_fade)};
+        });
+
+Node decal_add_node =
+    node("decal_add", "Add decal", "Lays a decal's bump over what is there.")
+        .family("decal")
+        .in<Gradient>("gradient", "The bump that is there")
+        .in<Gradient>("decal", "The decal's bump")
+        .in<Float>("attenuation", 1, ATTENUATION_DOC, slider(0, 1))
+        .in<Float>("strength", 1, "Factor of the decal's slopes", slider(-2, 2), unit("x"))
+        .out<Gradient>("gradient", "Both together")
+        .body([](Gradient there, Gradient decal, Float attenuation, Float strength) {
+            return there + decal * (attenuation * strength);
+        });
+
+Node decal_mask_node =
+    node("decal_mask", "Masked decal", "Puts a decal's bump in place of what is there.")
+        .family("decal")
+        .in<Gradient>("gradient", "The bump that is there")
+        .in<Gradient>("decal", "The decal's bump")
+        .in<Float>("attenuation", 1, ATTENUATION_DOC, slider(0, 1))
+        .in<Float>("strength", 1, "Factor of the decal's slopes", slider(-2, 2), unit("x"))
+        .out<Gradient>("gradient", "The decal where it arrives, else what is there")
+        .body([](Gradient there, Gradient decal, Float attenuation, Float strength) {
+            return mix(there, decal * strength, attenuation);
+        });
+
+}  // namespace wrinkle::nodes

@@ -1,0 +1,112 @@
+// Relief made of octaves of noise, each finer and weaker than the one before.
+#include "nodes/footprint.h"
+#include "nodes/noise.h"
+#include "nodes/relief.h"
+
+namespace wrinkle::nodes {
+using namespace sdk;
+
+struct FractalNoise {
+    vec3 point;
+    Float scale;
+    int octaves;
+    Float lacunarity, gain;
+    Basis basis;
+    Float amplitude;
+
+    Fractal fractal() const { return {point * scale, octaves, lacunarity, gain}; }
+};
+
+template <class Declaration>
+static constexpr auto fractal(const Declaration& declaration) {
+    return with_octaves(in_space(declaration, 3))
+        .choice("basis", basis_names, "The noise that is added up");
+}
+
+// Means over space of |noise| and of (1 - |noise|)^2, measured: what an octave fades to.
+struct Means {
+    double absolute, ridge;
+};
+static Means means_of(Basis basis) {
+    if (basis == Basis::simplex) return {0.311, 0.530};
+    if (basis == Basis::value) return {0.330, 0.500};
+    return {0.220, 0.633};
+}
+
+// The sum of |noise| over octaves, 0 to about 1.
+static Float billows(const Fractal& fractal, Basis basis) {
+    const Noise noise = noise_function(basis);
+    const Layer layer = function("billow", [&](vec3 p, Float footprint) {
+        return mix(means_of(basis).absolute, abs(noise(p)), fade(footprint));
+    });
+    return weighted_mean(octaves_of(fractal, layer));
+}
+
+// F. K. Musgrave's ridged multifractal: an octave is as strong as the ridge below it is high.
+static Float ridges(const Fractal& fractal, Basis basis) {
+    const Noise noise = noise_function(basis);
+    const Layer layer = function("ridge", [&](vec3 p, Float footprint) {
+        const Float fold = 1 - abs(noise(p));
+        return mix(means_of(basis).ridge, fold * fold, fade(footprint));
+    });
+    auto octaves = octaves_of(fractal, layer);
+    for (size_t i = 1; i < octaves.size(); ++i)
+        octaves[i].height *= saturate(octaves[i - 1].height * 2);
+    return weighted_mean(octaves);
+}
+
+Node fbm_node =
+    relief(fractal(node("fbm", "Fractal noise",
+                        "Natural roughness in space: fractional Brownian motion, a sum of octaves "
+                        "of noise.")
+                       .family("noise")),
+           0.04, "The sum, about -1 to 1, mostly within -0.5 to 0.5")
+        .body([](FractalNoise in) { return relief_of(fbm(in.fractal(), in.basis), in.amplitude); });
+
+Node turbulence_node =
+    relief(fractal(node("turbulence", "Turbulence",
+                        "Billows that meet in sharp creases: a sum of octaves of the absolute "
+                        "value of noise.")
+                       .family("noise")),
+           0.06, "The sum, 0 to about 1, mostly below 0.5")
+        .body([](FractalNoise in) {
+            return relief_of(billows(in.fractal(), in.basis), in.amplitude);
+        });
+
+Node ridged_node =
+    relief(fractal(node("ridged", "Ridged noise",
+                        "Mountain ridges: octaves of folded noise, finer ones on the ridges only.")
+                       .family("noise")),
+           0.06, "The sum, 0 to 1, 1 on the ridges")
+        .body([](FractalNoise in) {
+            return relief_of(ridges(in.fractal(), in.basis), in.amplitude);
+        });
+
+struct Dents {
+    vec3 point;
+    Float scale;
+    int octaves;
+    Float lacunarity, gain, threshold, power, amplitude;
+};
+
+Node dents_node =
+    relief(
+        with_octaves(
+            in_space(
+                node(
+                    "dents", "Dents",
+                    "Hammered metal: a power of what turbulence has above a threshold, pressed in.")
+                    .family("noise"),
+                3))
+            .in<Float>("threshold", 0.2, "Turbulence up to this is left alone", slider(0, 0.6),
+                       limits(0, 0.99))
+            .in<Float>("power", 1.5, "Higher makes dents steeper and their rims softer",
+                       slider(1, 4), limits(1, 16)),
+        0.1, "How deep, 0 to -1")
+        .body([](Dents in) {
+            const Fractal fractal{in.point * in.scale, in.octaves, in.lacunarity, in.gain};
+            const Float over = billows(fractal, Basis::gradient) - in.threshold;
+            return relief_of(-pow(saturate(over / (1 - in.threshold)), in.power), in.amplitude);
+        });
+
+}  // namespace wrinkle::nodes

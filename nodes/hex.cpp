@@ -1,0 +1,219 @@
+// Textures without visible repeats: each hexagon of a grid reads the picture turned and moved at
+// random, and three of them are blended at every point (M. Mikkelsen, "Practical Real-Time
+// Hex-Tiling", 2022). Slopes are turned with the picture, then blended; weights are constant.
+#include "nodes/height_slope.h"
+#include "nodes/ports.h"
+#include "wrinkle/node.h"
+
+namespace wrinkle::nodes {
+using namespace sdk;
+
+#define ROTATION_DOC "How much each hexagon is turned: 0 not at all, 1 by any angle"
+#define HEXAGONS_DOC "Hexagons per repeat of the picture, along one side"
+#define EXPONENT_DOC "How fast the nearest hexagon wins"
+#define CONTRAST_DOC "0.5 leaves the blend as it is, more makes its borders harder"
+
+// One of the three hexagons at a point: where it reads, and how its copy is turned.
+struct Tap {
+    vec2 uv, right, up;  // uv of a step along u, and along v
+    // dh/d(u,v) of the surface from the slope of the picture where it is read.
+    vec2 turned_back(vec2 slope) const { return {dot(slope, right), dot(slope, up)}; }
+    // Of the copy's uv, which jumps where another hexagon takes the place of this one.
+    Changes changes(vec2 at) const {
+        const auto turned = [this](vec2 v) { return right * v.x() + up * v.y(); };
+        return {turned(ddx(at)), turned(ddy(at))};
+    }
+    vec4 read(Image image, vec2 at) const {
+        const auto [x, y] = changes(at);
+        return image.sample_grad(uv, x, y);
+    }
+};
+
+struct Hexagons {
+    vec3 weights;  // of sum 1: barycentric in the triangle of three centres
+    Tap taps[3];
+};
+
+// The grid of triangles between the centres of hexagons, sheared into squares.
+static auto grid_function() {
+    return function("hex_grid", [](vec2 at) {
+        const vec2 sheared(at.x() - at.y() * 0.57735026918962576, at.y() * 1.1547005383792515);
+        const vec2 cell = floor(sheared), f = sheared - cell;
+        const Float rest = 1 - f.x() - f.y();
+        const Bool far = rest <= 0;
+        const vec3 weights =
+            select(far, vec3(-rest, 1 - f.y(), 1 - f.x()), vec3(rest, f.y(), f.x()));
+        const Float corner = Float(far);
+        return std::tuple{weights, cell + vec2(corner), cell + vec2(corner, 1 - corner),
+                          cell + vec2(1 - corner, corner)};
+    });
+}
+
+// Of the hexagon of a corner: how far its copy is moved, in repeats, and cosine and sine of how far
+// it is turned.
+static auto copy_function() {
+    return function("hex_copy", [](vec2 corner, Float rotation) {
+        const Uint bits = hash(Int(corner.x()), Int(corner.y()));
+        const Uint more = hash(bits), most = hash(more);
+        const Float angle = (2 * unit_float(bits) - 1) * 3.14159265358979 * rotation;
+        return std::tuple{vec2(unit_float(more), unit_float(most)), vec2(cos(angle), sin(angle))};
+    });
+}
+
+static Hexagons hexagons_at(vec2 uv, Float hexagons, Float rotation) {
+    const Float size = hexagons * 3.4641016151377544;
+    const auto copy = copy_function();
+    const auto tap = [&](vec2 corner) {
+        const auto [moved, turned] = copy(corner, rotation);
+        const vec2 centre =
+            divide(vec2(corner.x() + 0.5 * corner.y(), corner.y() * 0.8660254037844386), size);
+        const vec2 right = turned, up(-turned.y(), turned.x());
+        const vec2 way = uv - centre;
+        return Tap{right * way.x() + up * way.y() + centre + moved, right, up};
+    };
+    const auto [weights, first, second, third] = grid_function()(uv * size);
+    return {weights, {tap(first), tap(second), tap(third)}};
+}
+
+// Perlin's gain, and a sum of 1.
+static vec3 contrasted(vec3 weights, Float contrast) {
+    const vec3 even = weights / dot(weights, vec3(1));
+    const Float k = log(1 - contrast) / -0.6931471805599453;
+    const vec3 gained = by_components(even, [&](Float x) {
+        return select(x < 0.5, 0.5 * pow(2 * x, k), 1 - 0.5 * pow(2 - 2 * x, k));
+    });
+    return detach(gained / dot(gained, vec3(1)));
+}
+
+// `strength`: how much each reading has to show, 0 to 1; flat ones yield.
+static vec3 blend_weights(const Hexagons& at, vec3 strength, Float exponent, Float contrast) {
+    const vec3 shown = vec3(0.4) + 0.6 * strength;
+    return contrasted(shown * pow(max(at.weights, vec3(1e-4)), exponent), contrast);
+}
+
+template <class T>
+static T blend(vec3 weights, T a, T b, T c) {
+    return a * weights.x() + b * weights.y() + c * weights.z();
+}
+
+struct HexTileColor {
+    Image image;
+    vec2 uv;
+    Float hexagons, rotation, exponent, contrast;
+};
+
+Node hex_tile_color_node =
+    node("hex_tile_color", "Hex-tiled colour", "The colour of a picture, without visible repeats.")
+        .family("hex")
+        .in<Image>("image", "The picture; sRGB unless it says otherwise", encoding("srgb"))
+        .in<vec2>("uv", surface::uv0, "Where to read it")
+        .in<Float>("hexagons", 1, HEXAGONS_DOC, slider(0.25, 4), limits(0.01, 100), unit("x"))
+        .in<Float>("rotation", 1, ROTATION_DOC, slider(0, 1), limits(0, 1))
+        .in<Float>("exponent", 7, EXPONENT_DOC, slider(1, 8), limits(1, 8))
+        .in<Float>("contrast", 0.5, CONTRAST_DOC, slider(0.3, 0.8), limits(0.1, 0.9))
+        .out<Color>("color", "Linear colour")
+        .body([](HexTileColor in) {
+            const Hexagons at = hexagons_at(in.uv, in.hexagons, in.rotation);
+            const vec3 a = at.taps[0].read(in.image, in.uv).rgb();
+            const vec3 b = at.taps[1].read(in.image, in.uv).rgb();
+            const vec3 c = at.taps[2].read(in.image, in.uv).rgb();
+            const vec3 luminance(0.2126, 0.7152, 0.0722);
+            const vec3 bright(dot(a, luminance), dot(b, luminance), dot(c, luminance));
+            return blend(blend_weights(at, saturate(bright), in.exponent, in.contrast), a, b, c);
+        });
+
+struct HexTileHeightMap {
+    Image image;
+    vec2 uv;
+    Float amplitude, midlevel, hexagons, rotation, exponent, contrast;
+    HeightQuality quality;
+    Scale scale;
+    vec3 base;
+};
+
+Node hex_tile_height_map_node =
+    node("hex_tile_height_map", "Hex-tiled height map",
+         "A relief from a picture of its heights, without visible repeats.")
+        .family("hex")
+        .in<Image>("image",
+                   "Heights from 0 to 1 in the red channel; linear unless it says otherwise",
+                   encoding("linear"))
+        .in<vec2>("uv", surface::uv0, "Where to read it")
+        .in<Float>(
+            "amplitude", 0.02,
+            "Height of white over black, in length units of object space (in uv units for the "
+            "scale `unit`)",
+            slider(0, 0.2), unit("m"))
+        .in<Float>("midlevel", 0.5, "The value in the picture that is height 0", slider(0, 1))
+        .in<Float>("hexagons", 1, HEXAGONS_DOC, slider(0.25, 4), limits(0.01, 100), unit("x"))
+        .in<Float>("rotation", 1, ROTATION_DOC, slider(0, 1), limits(0, 1))
+        .in<Float>("exponent", 7, EXPONENT_DOC, slider(1, 8), limits(1, 8))
+        .in<Float>("contrast", 0.5, CONTRAST_DOC, slider(0.3, 0.8), limits(0.1, 0.9))
+        .choice("quality", HEIGHT_QUALITIES, HEIGHT_QUALITY_DOC)
+        .choice("scale", SCALES, SCALE_DOC)
+        .in<Normal>("base", surface::normal, BASE_DOC)
+        .out<Height>("height", "In length units of object space, positive outward", unit("m"))
+        .out<Gradient>("gradient", "Its bump, by the chosen scale")
+        .out<Derivative>("derivative", "Its slopes with their frame")
+        .body([](HexTileHeightMap in) {
+            const Hexagons at = hexagons_at(in.uv, in.hexagons, in.rotation);
+            const vec3 weights = blend_weights(at, vec3(1), in.exponent, in.contrast);
+            const auto slope = [&](int i) {
+                const Tap& tap = at.taps[i];
+                return tap.turned_back(
+                    height_slope(in.image, tap.uv, in.quality, tap.changes(in.uv)));
+            };
+            const auto read = [&](int i) { return at.taps[i].read(in.image, in.uv).x(); };
+            const vec2 slopes = blend(weights, slope(0), slope(1), slope(2)) * in.amplitude;
+            const Float value = blend(weights, read(0), read(1), read(2));
+            const Float height = with_slope((value - in.midlevel) * in.amplitude, in.uv, slopes);
+            const Derivative d(slopes, frame(in.uv, in.scale));
+            return std::tuple{height, Gradient(d, Base(in.base)), d};
+        });
+
+struct HexTileNormalMap {
+    Image image;
+    vec2 uv;
+    Float strength, hexagons, rotation, exponent, contrast;
+    Scale scale;
+    FrameMethod frame;
+    vec3 direction, base;
+};
+
+Node hex_tile_normal_map_node =
+    node("hex_tile_normal_map", "Hex-tiled normal map",
+         "A bump from a tangent-space normal map, without visible repeats. The map's mean must be "
+         "flat, as that of any relief that tiles is.")
+        .family("hex")
+        .in<Image>("image", "Tangent-space normals; green is up unless it says otherwise",
+                   encoding("normal_gl"))
+        .in<vec2>("uv", surface::uv0, "Where to read it")
+        .in<Float>("strength", 1,
+                   "Factor of the slopes: 1 leaves it unchanged, negative inverts it",
+                   slider(-2, 2), unit("x"))
+        .in<Float>("hexagons", 1, HEXAGONS_DOC, slider(0.25, 4), limits(0.01, 100), unit("x"))
+        .in<Float>("rotation", 1, ROTATION_DOC, slider(0, 1), limits(0, 1))
+        .in<Float>("exponent", 7, EXPONENT_DOC, slider(1, 8), limits(1, 8))
+        .in<Float>("contrast", 0.5, CONTRAST_DOC, slider(0.3, 0.8), limits(0.1, 0.9))
+        .choice("scale", SCALES, SCALE_DOC, static_cast<int>(Scale::unit))
+        .choice("frame", FRAME_METHODS, FRAME_DOC)
+        .in<vec3>("direction", {0, 1, 0}, DIRECTION_DOC)
+        .in<Normal>("base", surface::normal, BASE_DOC)
+        .out<Gradient>("gradient", "The bump")
+        .out<Derivative>("derivative", "The slopes with their frame")
+        .body([](HexTileNormalMap in) {
+            const Hexagons at = hexagons_at(in.uv, in.hexagons, in.rotation);
+            const Frame basis = frame(in.uv, in.frame, in.scale, in.direction);
+            const auto slope = [&](int i) {
+                const vec3 m = at.taps[i].read(in.image, in.uv).xyz();
+                return at.taps[i].turned_back(normal_derivative(m, in.strength, basis).slope());
+            };
+            const vec2 a = slope(0), b = slope(1), c = slope(2);
+            const vec3 square(dot(a, a), dot(b, b), dot(c, c));
+            const vec3 tilt = sqrt(square / (vec3(1) + square));  // the sine
+            const vec3 weights = blend_weights(at, tilt, in.exponent, in.contrast);
+            const Derivative d(blend(weights, a, b, c), basis);
+            return std::tuple{Gradient(d, Base(in.base)), d};
+        });
+
+}  // namespace wrinkle::nodes

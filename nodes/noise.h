@@ -1,0 +1,52 @@
+// Noises on unit cells of space: functions of the generated text, which nodes call at any scale.
+#pragma once
+
+#include <vector>
+
+#include "wrinkle/node.h"
+
+namespace wrinkle::nodes {
+
+using Noise = sdk::Function<sdk::Float, std::tuple<sdk::vec3>>;
+
+// All have mean 0 and stay within [-1, 1] but for a few percent.
+//   gradient  K. Perlin 2002 on hashed lattice points: C2, 0 at lattice points
+//   simplex   K. Perlin 2001 in the form of S. Gustavson 2005, with a kernel that ends at the
+//             border of its simplices: C3
+//   value     hashed numbers at lattice points, joined by the same quintic: C2
+enum class Basis { gradient, simplex, value };
+inline constexpr const char* basis_names[] = {"gradient", "simplex", "value"};
+Noise noise_function(Basis basis);
+
+// What a fractal adds up: a function of the text of a place and of the pixel's footprint there.
+using Layer = sdk::Function<sdk::Float, std::tuple<sdk::vec3, sdk::Float>>;
+
+// Octaves of a layer: each `lacunarity` times finer than the one before and `gain` times as strong.
+// Octave k is read at point * lacunarity^k + k * (19.19, 7.43, 31.71).
+struct Fractal {
+    sdk::vec3 point;  // in cells of the first octave
+    int octaves;
+    sdk::Float lacunarity, gain;
+};
+struct Octave {
+    sdk::Float height, weight;
+};
+std::vector<Octave> octaves_of(const Fractal& fractal, const Layer& layer);
+// Divided by the sum of weights, so that it keeps the range of one layer.
+sdk::Float weighted_mean(const std::vector<Octave>& octaves);
+
+// The plain sum of noise, which fades to 0: fractional Brownian motion.
+sdk::Float fbm(const Fractal& fractal, Basis basis);
+
+// The inputs of a fractal after point and scale.
+template <class Declaration>
+constexpr auto with_octaves(const Declaration& declaration) {
+    return declaration.count("octaves", 4, 1, 8, "How many layers are added")
+        .template in<sdk::Float>("lacunarity", 2, "How much finer each octave is",
+                                 sdk::slider(1.5, 3), sdk::limits(1, 3), sdk::unit("x"))
+        .template in<sdk::Float>("gain", 0.5,
+                                 "How strong each octave is, relative to the one before",
+                                 sdk::slider(0, 1), sdk::limits(0, 1));
+}
+
+}  // namespace wrinkle::nodes

@@ -1,0 +1,64 @@
+#include "nodes/projection.h"
+
+namespace wrinkle::nodes {
+using namespace sdk;
+
+Planes planes_at(vec3 point, vec3 side) {
+    return {{-side.x() * point.z(), point.y()},
+            {point.x(), -side.y() * point.z()},
+            {side.z() * point.x(), point.y()}};
+}
+
+vec3 side_of(vec3 direction) {
+    return {sign_nonzero(direction.x()), sign_nonzero(direction.y()), sign_nonzero(direction.z())};
+}
+
+vec3 volume_of(const Planes& slopes, vec3 weights, vec3 side) {
+    const vec2 x = slopes.x * weights.x(), y = slopes.y * weights.y(), z = slopes.z * weights.z();
+    return {y.x() + z.x() * side.z(), x.y() + z.y(), -(x.x() * side.x() + y.y() * side.y())};
+}
+
+vec3 triplanar_weights(vec3 normal, Float sharpness, Float threshold) {
+    const vec3 above = max(abs(normalize(normal)) - vec3(threshold), vec3(0));
+    const Float most = max(max(above.x(), above.y()), above.z());
+    const vec3 weights = pow(divide(above, most), sharpness);
+    return detach(divide(weights, dot(weights, vec3(1))));
+}
+
+CubeFace cube_face(vec3 direction, vec3 point) {
+    const vec3 size = abs(direction), side = side_of(direction);
+    const Planes planes = planes_at(point, side);
+    const Bool x = size.x() >= size.y() && size.x() >= size.z(), y = size.y() >= size.z();
+    const vec3 behind = (vec3(1) - side) * 0.5;
+    return {select(x, planes.x, select(y, planes.y, planes.z)),
+            select(x, size.x(), select(y, size.y(), size.z())),
+            select(x, behind.x(), select(y, 2 + behind.y(), 4 + behind.z()))};
+}
+
+Axes axes_of(vec3 z, vec3 up) {
+    const vec3 towards = normalize(z);
+    const vec3 wanted = cross(normalize(up), towards);
+    const vec3 other = select(abs(towards.x()) < 0.9, vec3(1, 0, 0), vec3(0, 1, 0));
+    const vec3 x = normalize(select(dot(wanted, wanted) > 1e-8, wanted, cross(other, towards)));
+    return {x, cross(towards, x), towards};
+}
+
+vec3 into(const Axes& axes, vec3 v) {
+    return {dot(v, axes.x), dot(v, axes.y), dot(v, axes.z)};
+}
+
+vec3 round_place(vec3 way, vec3 axis, vec3 front) {
+    const Axes axes = axes_of(axis, front);  // z along the axis, y to the front
+    const vec3 place = into(axes, way);
+    return {-place.x(), place.z(), place.y()};
+}
+
+Float turns_of(vec3 place) {
+    return atan(place.x(), place.z()) / 6.283185307179586 + 0.5;
+}
+
+vec2 longitude_latitude(vec3 place) {
+    return {turns_of(place), atan(place.y(), length(place.xz())) / 3.141592653589793 + 0.5};
+}
+
+}  // namespace wrinkle::nodes

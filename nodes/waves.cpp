@@ -1,0 +1,65 @@
+// Sums of sines on a uv set.
+#include "nodes/footprint.h"
+#include "nodes/relief.h"
+
+namespace wrinkle::nodes {
+using namespace sdk;
+
+constexpr double turn = 6.283185307179586;  // of a fraction: far out sines are not exact
+
+struct Waves {
+    vec2 uv;
+    Float scale;
+    Choice shape;
+    int count;
+    Float direction, spread, lacunarity, gain, phase, amplitude;
+};
+
+// A wave's own numbers in [0, 1), the same in every graph.
+static Float number(int wave, int which) {
+    return unit_float(hash(Int(wave), Int(which)));
+}
+
+static Float plane_wave(const Waves& in, vec2 p, int wave) {
+    const Float angle = radians(in.direction + in.spread * (number(wave, 0) - 0.5));
+    return sin(fract(dot(p, vec2(cos(angle), sin(angle))) + number(wave, 1) - in.phase) * turn);
+}
+// A cosine is smooth in the middle of its rings.
+static Float ring_wave(const Waves& in, vec2 p, Float frequency, int wave) {
+    const vec2 centre(number(wave, 0), number(wave, 1));
+    return cos(fract(length(p - centre * frequency) - in.phase) * turn);
+}
+
+Node waves_node =
+    relief(on_uv(node("waves", "Waves",
+                      "Ripples or water on a uv set: a sum of sines, straight ones or rings.")
+                     .family("pattern"),
+                 "scale", 4, "Periods of the first wave per uv unit")
+               .choice("shape", {"straight", "rings"},
+                       "Straight fronts, or rings around random places of the unit square")
+               .count("count", 4, 1, 8, "How many waves are added")
+               .in<Float>("direction", 0, "Where straight waves go, anticlockwise from u",
+                          slider(-180, 180), unit("deg"))
+               .in<Float>("spread", 120, "How far straight waves turn away from it in all",
+                          slider(0, 360), unit("deg"))
+               .in<Float>("lacunarity", 1.3, "How much shorter each wave is", slider(1, 2),
+                          limits(1, 2), unit("x"))
+               .in<Float>("gain", 0.8, "How strong each wave is, relative to the one before",
+                          slider(0, 1), limits(0, 1))
+               .in<Float>("phase", 0, "How far the waves have gone, in periods", slider(0, 1)),
+           0.01, "The sum, -1 to 1")
+        .body([](Waves in) {
+            Float sum = 0, total = 0, frequency = in.scale, weight = 1;
+            for (int wave = 0; wave < in.count; ++wave) {
+                const vec2 p = in.uv * frequency;
+                const Float height =
+                    in.shape == 0 ? plane_wave(in, p, wave) : ring_wave(in, p, frequency, wave);
+                sum += height * (weight * fade(footprint(p)));
+                total += weight;
+                frequency *= in.lacunarity;
+                weight *= in.gain;
+            }
+            return relief_of(sum / total, in.amplitude);
+        });
+
+}  // namespace wrinkle::nodes

@@ -1,0 +1,130 @@
+// How procedural heights are filtered: close up nothing is missing, far away they are flat, and in
+// between the slope is about that of the mean over a pixel.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "nodes/relief.h"
+
+namespace wrinkle::test {
+namespace {
+
+double rms(const std::vector<Point>& slopes) {
+    double sum = 0;
+    for (const Point& slope : slopes)
+        sum += slope[0] * slope[0] + slope[1] * slope[1];
+    return std::sqrt(sum / static_cast<double>(slopes.size()));
+}
+
+TEST(Footprint, ThereAreProceduralNodesToTest) {
+    EXPECT_GE(procedural_nodes().size(), 16U);
+}
+
+TEST(Footprint, ChangesNothingCloseUp) {
+    const auto places = random_cells(300, 20, 21);
+    for (const std::string& type : procedural_nodes()) {
+        const Reading near = read(type, "", places, 1e-3), nearer = read(type, "", places, 1e-5);
+        for (size_t i = 0; i < places.size(); ++i)
+            EXPECT_NEAR(near.value[i], nearer.value[i], 1e-5) << type;
+        EXPECT_GT(rms(near.slope), 0.05) << type << " is flat";
+    }
+}
+
+TEST(Footprint, FlattensWhatIsFarAway) {
+    const auto places = random_cells(300, 5000, 22);
+    for (const std::string& type : procedural_nodes()) {
+        const double near = rms(read(type, "", places, 1e-3).slope);
+        const Reading far = read(type, "", places, 9.7);
+        // Box filters leave a little where a box holds no whole number of squares.
+        EXPECT_LE(rms(far.slope), type == "checker" ? 0.01 * near : 0) << type;
+    }
+}
+
+// The value goes to the mean that the pattern has close up, so that a mask made of it keeps its
+// strength. The means in the nodes are measured over space or leave overlaps out; this plane's are
+// up to a fortieth away.
+TEST(Footprint, FadesToTheMean) {
+    const auto places = random_cells(20000, 400, 23);
+    for (const std::string& type : procedural_nodes()) {
+        double near = 0, far = 0;
+        for (const double v : value_of(type, "", places, 1e-3))
+            near += v / 20000;
+        for (const double v : value_of(type, "", {places.begin(), places.begin() + 50}, 20))
+            far += v / 50;
+        EXPECT_NEAR(near, far, 0.025) << type;
+    }
+}
+
+double apart(std::vector<Point> a, const std::vector<Point>& b) {
+    for (size_t i = 0; i < a.size(); ++i)
+        a[i] = {a[i][0] - b[i][0], a[i][1] - b[i][1]};
+    return rms(a);
+}
+
+// The mean slope over a box of one pixel, of the pattern as it is close up.
+std::vector<Point> mean_slopes(const std::string& type, const std::string& in,
+                               const std::vector<Point>& places, double box) {
+    constexpr int n = 12;
+    std::vector<Point> all;
+    for (const Point& p : places)
+        for (int y = 0; y < n; ++y)
+            for (int x = 0; x < n; ++x)
+                all.push_back(
+                    {p[0] + ((x + 0.5) / n - 0.5) * box, p[1] + ((y + 0.5) / n - 0.5) * box});
+    const Reading fine = read(type, in, all);
+    std::vector<Point> means(places.size(), Point{0, 0});
+    for (size_t i = 0; i < all.size(); ++i)
+        for (size_t k = 0; k < 2; ++k)
+            means[i / (n * n)][k] += fine.slope[i][k] / (n * n);
+    return means;
+}
+
+// A fade is not the mean over a pixel, it stands for it: a fade takes a whole cell by one factor,
+// where the mean takes the fine parts of it sooner and leaves the coarsest longest. So its
+// difference from the mean is less than half the slope close up where a cell is two pixels or more.
+// Where it is one pixel, all that the mean has left is lost: most of it to value noise, which is
+// the coarsest in its cells. Plain sampling is off by about all of the slope there.
+TEST(Footprint, StandsForTheMeanOverAPixel) {
+    const auto places = random_cells(150, 40, 24);
+    const std::pair<const char*, const char*> cases[] = {{"gradient_noise", R"("octaves": 1)"},
+                                                         {"simplex_noise", ""},
+                                                         {"value_noise", ""},
+                                                         {"worley_noise", ""},
+                                                         {"fbm", ""},
+                                                         {"turbulence", ""},
+                                                         {"ridged", ""},
+                                                         {"waves", ""},
+                                                         {"pyramids", ""},
+                                                         {"hexagons", R"("bevel": 0.3)"},
+                                                         {"brick", R"("bevel": 0.3)"},
+                                                         {"domes", R"("roundness": 0.5)"},
+                                                         {"weave", ""}};
+    for (const auto& [type, in] : cases) {
+        const auto unfiltered = read(type, in, places).slope;
+        const double close = rms(unfiltered);
+        for (const auto& [box, allowed] :
+             {std::pair{0.1, 0.45}, std::pair{0.5, 0.45}, std::pair{1.0, 0.65}}) {
+            const auto means = mean_slopes(type, in, places, box);
+            const double with = apart(read(type, in, places, box).slope, means),
+                         without = apart(unfiltered, means);
+            EXPECT_LE(with, allowed * close) << type << " over " << box;
+            EXPECT_LE(with, without + 0.2 * close) << type << " over " << box;
+        }
+    }
+}
+
+TEST(Procedural, IsFiniteInCornersAndFarOut) {
+    std::vector<Point> places{{0, 0},     {1, 1},    {-1, 0.5},          {0.5, 0.5}, {-0.5, -0.5},
+                              {1e5, 1e5}, {-1e5, 0}, {1e5 + 0.25, -1e5}, {1e7, 3e7}, {-0.0, 1e-30}};
+    for (const std::string& type : procedural_nodes()) {
+        const Reading got = read(type, "", places);
+        for (size_t i = 0; i < places.size(); ++i) {
+            EXPECT_TRUE(std::isfinite(got.value[i])) << type << " at " << i;
+            EXPECT_LE(std::fabs(got.value[i]), 2) << type << " at " << i;
+            EXPECT_TRUE(std::isfinite(got.slope[i][0] + got.slope[i][1])) << type << " at " << i;
+        }
+    }
+}
+
+}  // namespace
+}  // namespace wrinkle::test

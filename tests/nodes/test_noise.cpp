@@ -1,0 +1,198 @@
+// Noises: their range, their smoothness, their random points and what their octaves add up to.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "nodes/relief.h"
+
+namespace wrinkle::test {
+namespace {
+
+struct Range {
+    const char* type;
+    const char* in;
+    double low, high;  // never left
+    double mean, rms;  // of random places, known from a separate sampling of the definition
+};
+
+void PrintTo(const Range& range, std::ostream* out) {
+    *out << range.type << " {" << range.in << "}";
+}
+
+class NoiseRange : public ::testing::TestWithParam<Range> {};
+
+// The points lie on the plane z = 0 of the lattice, where noises on it vary a little more.
+TEST_P(NoiseRange, IsKeptAndFilled) {
+    const Range& range = GetParam();
+    const auto noise = value_of(range.type, range.in, random_cells(20000, 400));
+    double sum = 0, squares = 0;
+    for (const double v : noise) {
+        EXPECT_GE(v, range.low);
+        EXPECT_LE(v, range.high);
+        sum += v, squares += v * v;
+    }
+    EXPECT_NEAR(sum / 20000, range.mean, 0.02);
+    EXPECT_NEAR(std::sqrt(squares / 20000), range.rms, 0.02 + 0.05 * range.rms);
+}
+
+// clang-format off
+const Range ranges[] = {
+    {"simplex_noise", "", -1.02, 1.02, 0, 0.388},
+    {"value_noise", "", -1, 1, 0, 0.453},
+    {"worley_noise", "", 0, 1.3, 0.530, 0.560},
+    {"worley_noise", R"("distance": "f2")", 0, 1.4, 0.716, 0.732},
+    {"worley_noise", R"("distance": "f2_minus_f1")", 0, 1.1, 0.186, 0.240},
+    {"fbm", R"("octaves": 1, "basis": "value")", -1, 1, 0, 0.453},
+    {"turbulence", R"("octaves": 1, "basis": "simplex")", 0, 1.02, 0.311, 0.388},
+    {"ridged", R"("octaves": 1, "basis": "simplex")", 0, 1.02, 0.529, 0.601},
+    {"dents", "", -1, 0, -0.012, 0.04},
+};
+// clang-format on
+INSTANTIATE_TEST_SUITE_P(Noises, NoiseRange, ::testing::ValuesIn(ranges));
+
+// Neither value nor slope jumps anywhere along a line through many cells: a step of a thousandth
+// of a cell moves the slope by no more than a thousandth of the greatest curvature.
+TEST(SmoothNoise, HasAContinuousSlope) {
+    for (const char* type : {"simplex_noise", "value_noise", "gradient_noise"}) {
+        const std::string in =
+            std::string(type) == "gradient_noise" ? R"("octaves": 1)" : std::string();
+        std::vector<Point> line;
+        for (int i = 0; i < 20000; ++i)
+            line.push_back({-7 + i * 8e-4, 3 + i * 6e-4});
+        const Reading noise = read(type, in, line);
+        for (size_t i = 1; i < line.size(); ++i) {
+            ASSERT_LE(std::fabs(noise.value[i] - noise.value[i - 1]), 0.006) << type << " at " << i;
+            for (size_t k = 0; k < 2; ++k)
+                ASSERT_LE(std::fabs(noise.slope[i][k] - noise.slope[i - 1][k]), 0.05)
+                    << type << " at " << i;
+        }
+    }
+}
+
+TEST(ValueNoise, IsTheHashAtLatticePoints) {
+    const auto noise = value_of("value_noise", "", {{0, 0}, {3, -8}, {-200, 41}});
+    const int cells[][2] = {{0, 0}, {3, -8}, {-200, 41}};
+    for (size_t i = 0; i < 3; ++i)
+        EXPECT_NEAR(noise[i], 2 * unit_number(pcg(cells[i][0], cells[i][1], 0)) - 1, 1e-6);
+}
+
+// Distances to all points of the cells within three of the place, sorted.
+std::vector<double> distances(double x, double y, double z, double jitter) {
+    std::vector<double> all;
+    const int cx = static_cast<int>(std::floor(x)), cy = static_cast<int>(std::floor(y)),
+              cz = static_cast<int>(std::floor(z));
+    for (int i = cx - 3; i <= cx + 3; ++i)
+        for (int j = cy - 3; j <= cy + 3; ++j)
+            for (int k = cz - 3; k <= cz + 3; ++k) {
+                const uint32_t first = pcg(i, j, k), second = pcg(first), third = pcg(second);
+                const double dx = i + 0.5 + jitter * (unit_number(first) - 0.5) - x,
+                             dy = j + 0.5 + jitter * (unit_number(second) - 0.5) - y,
+                             dz = k + 0.5 + jitter * (unit_number(third) - 0.5) - z;
+                all.push_back(std::sqrt(dx * dx + dy * dy + dz * dz));
+            }
+    std::sort(all.begin(), all.end());
+    return all;
+}
+
+// At a height above the plane, one cell to a length unit.
+std::vector<double> worley(double z, const std::string& in, const std::vector<Point>& places) {
+    const std::string nodes =
+        R"("up": {"type": "vec3_add", "in": {"a": {"from": "surface.position"}, "b": [0, 0, )" +
+        std::to_string(z) + "]}}, " +
+        one("worley_noise", R"("point": {"from": "up.vector"}, "scale": 1, )" + in);
+    std::vector<double> numbers;
+    for (const auto& lanes : values({nodes, "n.value"}, places))
+        numbers.push_back(lanes[0]);
+    return numbers;
+}
+
+TEST(WorleyNoise, IsTheDistanceToItsPoints) {
+    const auto places = random_cells(3000, 60, 3);
+    const std::pair<double, double> cases[] = {{0, 0.6}, {0.37, 0}, {-4.8, 1}, {0.95, 1}};
+    for (const auto& [z, jitter] : cases) {
+        const std::string in = "\"jitter\": " + std::to_string(jitter) + ", \"distance\": ";
+        const auto f1 = worley(z, in + "\"f1\"", places), f2 = worley(z, in + "\"f2\"", places),
+                   difference = worley(z, in + "\"f2_minus_f1\"", places);
+        int other = 0;
+        for (size_t i = 0; i < places.size(); ++i) {
+            const auto truth = distances(places[i][0], places[i][1], z, jitter);
+            EXPECT_NEAR(f1[i], truth[0], 1e-5);
+            other += std::fabs(f2[i] - truth[1]) > 1e-5 ? 1 : 0;
+            EXPECT_NEAR(difference[i], f2[i] - f1[i], 1e-9);
+        }
+        EXPECT_LE(other, 3) << "second distances, jitter " << jitter;
+    }
+}
+
+// The noise of one octave alone: gradient noise where the graph moves and scales the point as the
+// octaves of a fractal are documented to be.
+std::vector<double> octave(int k, const std::string& basis, const std::vector<Point>& places) {
+    std::string nodes, point = "surface.position";
+    if (k > 0) {
+        const double scale = std::pow(2.5, k);
+        nodes = R"("s": {"type": "vec3_scale", "in": {"vector": {"from": "surface.position"}, )"
+                R"("factor": )" +
+                std::to_string(scale) +
+                R"(}}, "p": {"type": "vec3_add", "in": {"a": {"from": "s.vector"}, "b": [)" +
+                std::to_string(19.19 * k) + ", " + std::to_string(7.43 * k) + ", " +
+                std::to_string(31.71 * k) + "]}}, ";
+        point = "p.vector";
+    }
+    const std::string single = basis == "gradient" ? R"(, "octaves": 1)" : "";
+    nodes += one(basis + "_noise", R"("point": {"from": ")" + point + R"("}, "scale": 1)" + single);
+    std::vector<double> numbers;
+    for (const auto& lanes : values({nodes, "n.value"}, places))
+        numbers.push_back(lanes[0]);
+    return numbers;
+}
+
+class Fractals : public ::testing::TestWithParam<const char*> {};
+
+TEST_P(Fractals, AreMadeOfTheirOctaves) {
+    const std::string basis = GetParam();
+    const auto places = random_cells(300, 9, 8);
+    const std::vector<double> n[] = {octave(0, basis, places), octave(1, basis, places),
+                                     octave(2, basis, places)};
+    const auto fractal = [&](const char* type) {
+        std::vector<double> numbers;
+        const std::string in = R"("scale": 1, "octaves": 3, "lacunarity": 2.5, "gain": 0.4)";
+        for (const auto& lanes :
+             values({one(type, in + R"(, "basis": ")" + basis + "\""), "n.value"}, places))
+            numbers.push_back(lanes[0]);
+        return numbers;
+    };
+    const auto fbm = fractal("fbm"), turbulence = fractal("turbulence"), ridged = fractal("ridged");
+    for (size_t i = 0; i < places.size(); ++i) {
+        double sum = 0, folded = 0, ridges = 0, below = 1;
+        for (int k = 0; k < 3; ++k) {
+            const double weight = std::pow(0.4, k);
+            sum += weight * n[k][i];
+            folded += weight * std::fabs(n[k][i]);
+            const double ridge = std::pow(1 - std::fabs(n[k][i]), 2) * below;
+            ridges += weight * ridge;
+            below = std::min(2 * ridge, 1.0);
+        }
+        EXPECT_NEAR(fbm[i], sum / 1.56, 1e-6);
+        EXPECT_NEAR(turbulence[i], folded / 1.56, 1e-6);
+        EXPECT_NEAR(ridged[i], ridges / 1.56, 1e-6);
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Bases, Fractals, ::testing::Values("gradient", "simplex", "value"));
+
+TEST(Dents, AreAPowerOfTurbulence) {
+    const auto places = random_cells(500, 40, 5);
+    const auto turbulence = value_of("turbulence", "", places);
+    const auto dents = value_of("dents", R"("threshold": 0.25, "power": 2.5)", places);
+    int deep = 0;
+    for (size_t i = 0; i < places.size(); ++i) {
+        const double over = std::max((turbulence[i] - 0.25) / 0.75, 0.0);
+        EXPECT_NEAR(dents[i], -std::pow(over, 2.5), 1e-6);
+        deep += over > 0 ? 1 : 0;
+    }
+    EXPECT_GT(deep, 50);
+    EXPECT_LT(deep, 450);
+}
+
+}  // namespace
+}  // namespace wrinkle::test
