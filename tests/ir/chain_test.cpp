@@ -130,6 +130,7 @@ void functions_in_functions(int count) {
         const Value x{&m, m.begin_region(RegionKind::function, "f", types)[0]};
         const Value inner = i == 0 ? x : Value{&m, m.apply(below, std::array{x.id})[0]};
         below = m.end_region(std::array{op(Op::sin_, inner * (i + 1.0)).id});
+        if (!below.region) break;
     }
     EXPECT_EQ(m.problems.empty(), count <= Module::deepest_call + 1);
     if (!m.problems.empty()) return;
