@@ -26,6 +26,7 @@ struct DerivativeMap {
     vec2 uv;
     Float strength;
     Per per;
+    bool flip_u, flip_v;
     Scale scale;
     FrameMethod frame;
     vec3 direction, base;
@@ -42,6 +43,8 @@ Node derivative_map_node =
                    slider(-2, 2), unit("x"))
         .choice("per", {"uv", "texel"},
                 "Whether the picture holds the change per uv unit or per texel")
+        .flag("flip_u", false, "Turns the slopes along u about: for maps whose red points down")
+        .flag("flip_v", false, "Turns the slopes along v about: for maps with v pointing down")
         .choice("scale", SCALES, SCALE_DOC)
         .choice("frame", FRAME_METHODS, FRAME_DOC)
         .in<vec3>("direction", {0, 1, 0}, DIRECTION_DOC)
@@ -49,7 +52,8 @@ Node derivative_map_node =
         .out<Gradient>("gradient", "The bump")
         .out<Derivative>("derivative", "The slopes with their frame")
         .body([](DerivativeMap in) {
-            const vec2 slope = in.image.sample(in.uv).xy() * in.strength;
+            const vec2 flip(in.flip_u ? -1 : 1, in.flip_v ? -1 : 1);
+            const vec2 slope = in.image.sample(in.uv).xy() * flip * in.strength;
             const Derivative d(in.per == Per::texel ? slope * in.image.size() : slope,
                                frame(in.uv, in.frame, in.scale, in.direction));
             return std::tuple{Gradient(d, Base(in.base)), d};
