@@ -48,7 +48,7 @@ std::vector<std::string> missing_from(const std::string& page, const std::set<st
 
 TEST(Proofs, NameTestsAndGraphsThatExist) {
     const std::set<std::string> tests = tests_in_the_sources();
-    for (const char* name : {"docs/pitfalls.md"}) {
+    for (const char* name : {"docs/pitfalls.md", "docs/checklists.md"}) {
         const std::string page = text_of(root / name);
         EXPECT_GT(all_matches(page, std::regex(R"(`([A-Z]\w*)\.(\w+)`)")).size(), 40U) << name;
         for (const std::string& missing : missing_from(page, tests))

@@ -207,6 +207,49 @@ TEST(Reference, T11_OrderMattersOnlyAcrossAResolve) {
     EXPECT_GT(across, 1);
 }
 
+// ds/dx = dP/dx . gradient(s), for any scalar s on a surface: what brings a gradient back to
+// screens that have no derivatives.
+TEST(Reference, ScreenDerivativeIsTheGradientAlongThePixel) {
+    Material m;
+    const Value s = m.sin(m.position().x() * 3) + m.cos(m.uv1().y() * 4) * 0.5;
+    m.output("gradient", m.vector_of(m.from_height(s)));
+    m.output("scalar", s);
+    const Expanded material(m);
+    for (const Surface& surface : {sphere(), torus()})
+        for (const Sample& sample : samples(60, 70)) {
+            const Surroundings around = point_at(surface, sample.st, sample.pixel);
+            const dvec3 gamma = material.vector(0, around);
+            const auto scalar = [&](dvec2 st) {
+                return material.number(1, values_at(surface, st));
+            };
+            for (const int axis : {0, 1}) {
+                const dvec2 way = sample.pixel[axis];
+                const double length = glm::length(way);
+                const double change = along(scalar, sample.st, way / length, 1e-3);
+                const dvec3 moved = along(surface.position, sample.st, way / length, 1e-3);
+                EXPECT_NEAR(glm::dot(moved, gamma), change, 1e-6);
+            }
+        }
+}
+
+// The tangent nearest to a direction, by cross products and by Gram and Schmidt: one frame.
+TEST(Reference, AGuessedFrameIsThatOfBothMethods) {
+    const dvec3 up(0, 1, 0);
+    Material m;
+    for (const dvec2 slope : {dvec2(1, 0), dvec2(0, 1)})
+        m.output("axis", m.vector_of(m.from_slope(m.vector(slope),
+                                                  m.guess_frame(m.uv0(), m.vector(up * 3.0)))));
+    const Expanded material(m);
+    for (const Sample& sample : samples(60, 80)) {
+        const Surroundings around = point_at(torus(), sample.st, sample.pixel);
+        const dvec3 n = normal_of(around), side = glm::normalize(glm::cross(n, up));
+        EXPECT_LE(glm::distance(material.vector(0, around), glm::cross(side, n)), 1e-6);
+        EXPECT_LE(glm::distance(material.vector(1, around), side), 1e-6);
+        const dvec3 gram_schmidt = glm::normalize(up - n * glm::dot(n, up));
+        EXPECT_LE(glm::distance(material.vector(0, around), gram_schmidt), 1e-6);
+    }
+}
+
 // A mesh whose coordinates lie ten kilometres away, where floats are a millimetre apart: changes
 // are of the position seen from the eye, so the bump is that of the same mesh at the origin.
 TEST(Reference, T14_CoordinatesTenKilometresAwayKeepTheBump) {
