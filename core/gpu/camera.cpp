@@ -38,16 +38,16 @@ Framing framing_of(const Mesh& mesh, std::string_view shape) {
 
 }  // namespace
 
-glm::vec3 eye_of(const OrbitCamera& camera) {
-    const float limit = glm::radians(89.0F);
-    const float pitch = std::clamp(camera.pitch, -limit, limit);
-    const glm::vec3 backwards(std::sin(camera.yaw) * std::cos(pitch), std::sin(pitch),
-                              std::cos(camera.yaw) * std::cos(pitch));
-    return camera.target + camera.distance * backwards;
+glm::dvec3 eye_of(const OrbitCamera& camera) {
+    const double limit = glm::radians(89.0), yaw = camera.yaw;
+    const double pitch = std::clamp<double>(camera.pitch, -limit, limit);
+    const glm::dvec3 backwards(std::sin(yaw) * std::cos(pitch), std::sin(pitch),
+                               std::cos(yaw) * std::cos(pitch));
+    return glm::dvec3(camera.target) + static_cast<double>(camera.distance) * backwards;
 }
 
-glm::mat4 view_matrix(const OrbitCamera& camera) {
-    return glm::lookAt(eye_of(camera), camera.target, glm::vec3(0, 1, 0));
+glm::dmat4 view_matrix(const OrbitCamera& camera) {
+    return glm::lookAt(eye_of(camera), glm::dvec3(camera.target), glm::dvec3(0, 1, 0));
 }
 
 glm::mat4 projection_matrix(const OrbitCamera& camera, float aspect, float radius) {

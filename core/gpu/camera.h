@@ -18,8 +18,9 @@ struct OrbitCamera {
     float field_of_view = 0.5F;  // of the shorter side of the picture
 };
 
-glm::vec3 eye_of(const OrbitCamera& camera);
-glm::mat4 view_matrix(const OrbitCamera& camera);
+// In double: far from the origin a float's steps are larger than what is looked at.
+glm::dvec3 eye_of(const OrbitCamera& camera);
+glm::dmat4 view_matrix(const OrbitCamera& camera);
 // `radius` is that of a ball round the target with all there is to see; it sets the depth range.
 glm::mat4 projection_matrix(const OrbitCamera& camera, float aspect, float radius);
 

@@ -38,7 +38,9 @@ std::optional<ObjectSpace> object_space(const glm::mat4& object, const OrbitCame
     if (determinant == 0 || !std::isfinite(determinant)) return std::nullopt;
     const float reach = reach_of(bounds, object, camera.target);
     ObjectSpace space;
-    space.to_clip = projection_matrix(camera, aspect, reach) * view_matrix(camera) * object;
+    // What is far away cancels in double, before floats see it.
+    space.to_clip =
+        projection_matrix(camera, aspect, reach) * glm::mat4(view_matrix(camera) * precise);
     space.vector_to_world = glm::mat3(object);
     space.normal_to_world = normal_matrix(glm::dmat3(precise));
     space.eye = glm::vec3(glm::inverse(precise) * glm::dvec4(eye_of(camera), 1));

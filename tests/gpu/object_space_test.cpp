@@ -110,9 +110,9 @@ TEST(Camera, FramesAnyMeshByItsBounds) {
 TEST(Camera, TurnsRightAndUp) {
     OrbitCamera camera;
     camera.distance = 2;
-    EXPECT_LT(glm::distance(eye_of(camera), vec3(0, 0, 2)), 1e-6);
+    EXPECT_LT(glm::distance(eye_of(camera), glm::dvec3(0, 0, 2)), 1e-6);
     camera.yaw = glm::radians(90.0F);
-    EXPECT_LT(glm::distance(eye_of(camera), vec3(2, 0, 0)), 1e-6);
+    EXPECT_LT(glm::distance(eye_of(camera), glm::dvec3(2, 0, 0)), 1e-6);
     camera.pitch = glm::radians(30.0F);
     EXPECT_NEAR(eye_of(camera).y, 1, 1e-6);
     camera.pitch = 10;  // kept off the pole, where up would be lost

@@ -136,7 +136,7 @@ TEST_F(RendererTest, SeesBackFacesFromBehind) {
 
 TEST_F(RendererTest, GivesTheEyeInObjectSpace) {
     scene.object = glm::scale(glm::translate(mat4(1), vec3(0.5F, 0, 0)), vec3(2, -1, 0.5F));
-    const vec3 eye = (eye_of(scene.camera) - vec3(0.5F, 0, 0)) / vec3(2, -1, 0.5F);
+    const vec3 eye = (vec3(eye_of(scene.camera)) - vec3(0.5F, 0, 0)) / vec3(2, -1, 0.5F);
     const std::vector<Member> members{
         {"p", "vec3", "position"}, {"r", "vec3", "position_relative"}, {"v", "vec3", "view"}};
     const auto eyes = draw(material_with_normal("s.p - s.r", members), View::normal);

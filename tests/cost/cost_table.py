@@ -1,0 +1,116 @@
+#!/usr/bin/env python3
+"""What generated shaders cost beside Mikkelsen's reference code, case by case.
+
+usage: tests/cost/cost_table.py [--wrinkle PROGRAM] [--markdown] [--keep FOLDER] [CASE...]
+
+Each case of cases.json is a graph; `wrinkle compile` writes its function, a wrapper hands it
+interpolants and writes the normal, glslangValidator and `spirv-opt -O` make SPIR-V of it, and
+spirv_count.py counts. The reference's figures were counted by the same rule on its own code with
+the same interpolants, normal out, no lighting. Exits 1 when a case does not compile, never for a
+cost.
+"""
+import argparse
+import json
+import os
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+
+import spirv_count
+
+HERE = pathlib.Path(__file__).resolve().parent
+ROOT = HERE.parent.parent
+
+
+def run(command, **more):
+    done = subprocess.run(command, capture_output=True, text=True, **more)
+    if done.returncode:
+        sys.exit(f"{' '.join(map(str, command))}\n{done.stdout}{done.stderr}")
+    return done.stdout
+
+
+def is_known(wrinkle, case):
+    """Whether every node of the case is there; a build may leave families out."""
+    types = {node["type"] for node in case["nodes"].values()}
+    return all(subprocess.run([wrinkle, "nodes", name], capture_output=True).returncode == 0
+               for name in types)
+
+
+def compile_graph(wrinkle, case):
+    graph = {"wrinkle": 1, "name": case["what"], "back_faces": "none", "nodes": case["nodes"],
+             "outputs": {"normal": case["normal"]}}
+    # Pictures are those of the samples; only their names matter.
+    return run([wrinkle, "compile", "-", "--name", "material"], input=json.dumps(graph),
+               cwd=ROOT / "graphs")
+
+
+def wrapped(text):
+    """The function called with interpolants: `position_relative` and all others are varyings."""
+    struct = re.search(r"struct WrinkleSurface_material \{(.*?)\};", text, re.S)
+    members = re.findall(r"^\s*(\w+) (\w+);", struct.group(1), re.M) if struct else []
+    varyings = "".join(f"layout(location = {i}) in {kind} v_{name};\n"
+                       for i, (kind, name) in enumerate(members))
+    fill = "".join(f"    s.{name} = v_{name};\n" for _, name in members)
+    call = "wrinkle_material_normal(s)" if struct else "wrinkle_material_normal()"
+    return ("#version 450\n" + varyings + "layout(location = 0) out vec3 result;\n" + text +
+            "\nvoid main() {\n" + ("    WrinkleSurface_material s;\n" if struct else "") + fill +
+            f"    result = {call};\n}}\n")
+
+
+def cost_of(shader):
+    with tempfile.TemporaryDirectory() as folder:
+        source, raw, small = (os.path.join(folder, name) for name in ("s.frag", "s.spv", "o.spv"))
+        pathlib.Path(source).write_text(shader)
+        run(["glslangValidator", "-G", "--aml", "--amb", "-o", raw, source])
+        run(["spirv-opt", "-O", raw, "-o", small])
+        return spirv_count.count(run(["spirv-dis", small]))
+
+
+def row(case, cost, markdown):
+    ours = [cost[c] for c in ("alu", "trans", "div", "tex", "query", "branch", "loop")]
+    screen = f"{cost['deriv']}/{cost['deriv_lanes']}"
+    reference = case["reference"]
+    ratio = f"{cost['alu'] / reference['alu']:.2f}"
+    other = " ".join(str(reference.get(c, 0)) for c in ("trans", "div", "tex", "query"))
+    other += f" {reference.get('deriv', '0/0')} {reference.get('branch', 0)}"
+    mine = f"{' '.join(map(str, ours[1:5]))} {screen} {ours[5]}"
+    cells = [case["case"], case["what"], str(ours[0]), str(reference["alu"]), ratio, mine, other]
+    if markdown:
+        return "| " + " | ".join(cells) + " |"
+    return f"{cells[0]:7}{cells[1]:58}{cells[2]:>5}{cells[3]:>6}{cells[4]:>6}  {mine:22}{other}"
+
+
+HEAD = ["case", "graph", "ALU", "reference", "ratio", "trans div tex query deriv branch",
+        "the reference's"]
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("cases", nargs="*")
+    parser.add_argument("--wrinkle", default=str(ROOT / "build/release/bin/wrinkle"))
+    parser.add_argument("--markdown", action="store_true")
+    parser.add_argument("--keep", help="a folder for the shaders")
+    options = parser.parse_args()
+    if options.markdown:
+        print("| " + " | ".join(HEAD) + " |\n|" + "---|" * len(HEAD))
+    else:
+        print(f"{'case':7}{'graph':58}{'ALU':>5}{'ref':>6}{'ratio':>6}  {HEAD[5]:22}")
+    for case in json.loads((HERE / "cases.json").read_text()):
+        if options.cases and case["case"] not in options.cases:
+            continue
+        wrinkle = os.path.abspath(options.wrinkle)
+        if not is_known(wrinkle, case):
+            print(f"{case['what']}: its nodes are not in this build", file=sys.stderr)
+            continue
+        shader = wrapped(compile_graph(wrinkle, case))
+        if options.keep:
+            name = re.sub(r"\W+", "_", f"{case['case']} {case['what']}") + ".frag"
+            (pathlib.Path(options.keep) / name).write_text(shader)
+        print(row(case, cost_of(shader), options.markdown), flush=True)
+
+
+if __name__ == "__main__":
+    main()
