@@ -241,6 +241,9 @@ private:
         else if (fs::is_directory(*path, error))
             report(here(subject + "names " + json_quoted(name) + ", which is a folder",
                         "expected an image file"));
+        else if (!fs::is_regular_file(*path, error))
+            report(here(subject + "names " + json_quoted(name) + ", which is no regular file",
+                        "expected an image file"));
     }
 
     void required(const Node& node, size_t index, const Port& port) {
