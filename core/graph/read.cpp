@@ -20,7 +20,10 @@ public:
     Reader(Report& report, ReadLimits limits) : report_(report), limits_(limits) {}
 
     void read(const Value& root, Document& document) {
-        if (!report_.expect(root, Kind::object, "the graph", "")) return;
+        if (!report_.expect(root, Kind::object, "the graph", "")) {
+            lost_ = "it is no JSON object";
+            return;
+        }
         for (const json::Member& member : root.children())
             if (!read_member(member, document))
                 document.unknown.push_back({std::string(member.key), member.value});
@@ -30,6 +33,7 @@ public:
     }
 
     bool all_nodes() const { return all_nodes_; }
+    const std::string& lost() const { return lost_; }
 
 private:
     // Whether the member is known and well; it is kept with the unknown ones otherwise.
@@ -96,6 +100,7 @@ private:
                 report_.at_key(member.value, "", "the graph has more nodes than are allowed",
                                "the limit is " + std::to_string(limits_.nodes));
                 all_nodes_ = false;
+                lost_ = "it has more nodes than are allowed";
                 break;
             }
             nodes.push_back(std::make_shared<const Node>(
@@ -107,6 +112,7 @@ private:
     Report& report_;
     ReadLimits limits_;
     bool all_nodes_ = true;
+    std::string lost_;  // Document::lost
 };
 
 void add_in_order(const Diagnostics& found, Diagnostics& diagnostics) {
@@ -157,8 +163,10 @@ Document read_document(std::string bytes, std::string file, Diagnostics& diagnos
     const json::Parsed parsed =
         json::parse(std::move(bytes), std::move(file), report.list(), {limits.depth});
     document.source = parsed.root;
+    if (report.list().has_errors()) document.lost = to_text(report.list().list().front());
     Reader reader(report, limits);
     if (parsed.complete || parsed.root.is(Kind::object)) reader.read(parsed.root, document);
+    if (document.lost.empty()) document.lost = reader.lost();
     if (parsed.complete && reader.all_nodes()) check_links(document, report.list());
     add_in_order(report.list(), diagnostics);
     return document;

@@ -227,5 +227,20 @@ TEST(Diagnose, AtEachThing) {
     EXPECT_EQ(to_text(diagnose(d, "no")), "g.json: error: no");
 }
 
+// Writing such a document back would lose what was not read.
+TEST(Read, SaysWhatItLost) {
+    Diagnostics ignored;
+    const auto lost = [&](const std::string& text, ReadLimits limits = {}) {
+        return read_document(text, "g.json", ignored, limits).lost;
+    };
+    EXPECT_EQ(lost(sample_text()), "");
+    EXPECT_EQ(lost(R"({"wrinkle": 1, "nodes": {"a": {"type": "x", "odd": []}}, "more": 1})"), "");
+    EXPECT_NE(lost(sample_text().substr(0, 900)), "");
+    EXPECT_NE(lost(R"({"wrinkle": 1, "nodes": {}, "nodes": {}})"), "");
+    EXPECT_EQ(lost(sample_text(), {64, 7, 0}), "");
+    EXPECT_EQ(lost(sample_text(), {64, 6, 0}), "it has more nodes than are allowed");
+    EXPECT_EQ(lost("[1, 2]"), "it is no JSON object");
+}
+
 }  // namespace
 }  // namespace wrinkle
