@@ -24,13 +24,14 @@ std::string free_id(const Document&, std::string_view base,
                     const std::set<std::string>& taken = {});
 
 // Several nodes at once, in one pass over the document.
-struct NodePlace {
+struct NodePosition {
     std::string id;
     double x = 0, y = 0;
 };
-Document add_nodes(const Document&, std::vector<Node> nodes, const std::vector<NodePlace>& places);
+Document add_nodes(const Document&, std::vector<Node> nodes,
+                   const std::vector<NodePosition>& places);
 Document remove_nodes(const Document&, const std::set<std::string>& ids);
-Document move_nodes(const Document&, const std::vector<NodePlace>& places);
+Document move_nodes(const Document&, const std::vector<NodePosition>& places);
 Document mute_nodes(const Document&, const std::set<std::string>& ids, bool muted);
 
 // A node brought to a version of its type. Renamed inputs take their values along, every link to a

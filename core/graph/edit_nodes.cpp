@@ -150,7 +150,7 @@ std::vector<std::vector<size_t>> edges_of(const Document& document, bool reverse
 }  // namespace
 
 Document add_nodes(const Document& document, std::vector<Node> added,
-                   const std::vector<NodePlace>& places) {
+                   const std::vector<NodePosition>& places) {
     std::vector<NodePtr> nodes(document.nodes.begin(), document.nodes.end());
     std::set<std::string> ids;
     for (Node& node : added) {
@@ -177,7 +177,7 @@ Document remove_nodes(const Document& document, const std::set<std::string>& wan
     return changed;
 }
 
-Document move_nodes(const Document& document, const std::vector<NodePlace>& places) {
+Document move_nodes(const Document& document, const std::vector<NodePosition>& places) {
     std::vector<Position> positions(document.positions.begin(), document.positions.end());
     std::unordered_map<std::string, size_t> index;
     for (size_t i = 0; i < positions.size(); ++i)
