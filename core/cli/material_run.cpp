@@ -4,22 +4,21 @@
 
 namespace wrinkle::cli {
 
-std::vector<MaterialRun> compile_runs(const std::string& file, const CommonOptions& common,
-                                      const Registry& registry, const Overrides& overrides,
-                                      bool given_differentials, Diagnostics& diagnostics) {
+void compile_runs(const std::string& file, const CommonOptions& common, const Registry& registry,
+                  const Overrides& overrides, bool given_differentials, const UseRun& use,
+                  Diagnostics& diagnostics) {
     Diagnostics own;
     const Project project = open_project(file, common, own);
     MaterialOptions options;
     options.given_differentials = given_differentials;
     options.vertex_tangents = !common.no_tangents;
-    std::vector<MaterialRun> runs;
-    do {
-        Project changed = with_overrides(project, registry, overrides.list, runs.size(), own);
-        Compiled compiled = compile_or_check(changed, registry, options, own);
-        runs.push_back({std::move(changed), std::move(compiled)});
-    } while (runs.size() < overrides.runs && !own.has_errors());
+    for (size_t i = 0; i == 0 || (i < overrides.runs && !own.has_errors()); ++i) {
+        MaterialRun run;
+        run.project = with_overrides(project, registry, overrides.list, i, own);
+        run.compiled = compile_or_check(run.project, registry, options, own);
+        if (run.compiled.ok) use(i, run, own);
+    }
     append_once(own, diagnostics);
-    return runs;
 }
 
 Shader emit_function(const MaterialRun& run, const std::string& name, Diagnostics& diagnostics) {

@@ -1,6 +1,7 @@
 // One run of a graph (of a sweep, or the only one) on its way to numbers, text or pixels.
 #pragma once
 
+#include <functional>
 #include <string>
 
 #include "cli/compile.h"
@@ -14,10 +15,14 @@ struct MaterialRun {
     Compiled compiled;  // baked; `ok` is false when a problem was reported
 };
 
-// Reads the file once and compiles it for every run; up to the first run with an error.
-std::vector<MaterialRun> compile_runs(const std::string& file, const CommonOptions& common,
-                                      const Registry& registry, const Overrides& overrides,
-                                      bool given_differentials, Diagnostics& diagnostics);
+// What is done with a run that compiled, its number from 0; it is gone afterwards.
+using UseRun = std::function<void(size_t, const MaterialRun&, Diagnostics&)>;
+
+// Reads the file once, compiles it for every run and uses each before the next, so that a long
+// sweep takes the memory of one; up to the first run with an error.
+void compile_runs(const std::string& file, const CommonOptions& common, const Registry& registry,
+                  const Overrides& overrides, bool given_differentials, const UseRun& use,
+                  Diagnostics& diagnostics);
 
 // The function form with differentials from the screen, as `wrinkle compile` writes it by default.
 Shader emit_function(const MaterialRun& run, const std::string& name, Diagnostics& diagnostics);
