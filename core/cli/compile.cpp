@@ -42,7 +42,6 @@ struct CompileCommand {
     std::string target = std::string(targets().front().name);
     std::string form = "function", params = "baked", differentials = "screen";
     std::string name, stage = "fragment", reflect;
-    bool list_targets = false;
     Depfile depfile;
 
     struct Written {
@@ -50,7 +49,6 @@ struct CompileCommand {
     };
 
     int run() const {
-        if (list_targets) return write_result("-", target_list()) ? exit_fine : exit_environment;
         if (const int usage = check_usage()) return usage;
         Diagnostics diagnostics;
         const Nodes nodes = load_nodes(common, diagnostics);
@@ -71,13 +69,6 @@ struct CompileCommand {
         for (const Written& result : results)
             if (!write_result(result.path, result.text)) return exit_environment;
         return exit_fine;
-    }
-
-    std::string target_list() const {
-        std::string text;
-        for (const Target& each : targets())
-            text += std::string(each.name) + "  " + std::string(each.doc) + "\n";
-        return text;
     }
 
     int usage(const std::string& sentence) const {
@@ -182,7 +173,6 @@ void declare_compile(CLI::App& app, Run& run) {
         ->type_name("OUT")
         ->capture_default_str();
     sub.add_option("--target", c.target, "The language to write")->capture_default_str();
-    sub.add_flag("--list-targets", c.list_targets, "Lists the languages");
     sub.add_option("--form", c.form, "Functions for your shader, or a complete pair")
         ->check(CLI::IsMember({"function", "shader"}))
         ->capture_default_str();
