@@ -124,8 +124,11 @@ struct RenderCommand {
 
     // The image library writes files, so the bytes go through one.
     static bool save_to_stdout(const Image& image, Diagnostics& environment) {
-        const fs::path path =
-            fs::temp_directory_path() / ("wrinkle-" + std::to_string(getpid()) + ".png");
+        std::error_code none;
+        const fs::path folder = fs::temp_directory_path(none);
+        if (none) environment.error("there is no folder for temporary files: " + none.message());
+        if (none) return false;
+        const fs::path path = folder / ("wrinkle-" + std::to_string(getpid()) + ".png");
         if (!save_image(image, path, {}, environment)) return false;
         std::string why;
         const auto bytes = read_file(path, why);
