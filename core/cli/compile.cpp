@@ -1,7 +1,7 @@
 // wrinkle compile FILE...: graphs to GLSL.
 #include "cli/compile.h"
 
-#include <cstdio>
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 #include <set>
@@ -44,10 +44,6 @@ struct CompileCommand {
     std::string name, stage = "fragment", reflect;
     Depfile depfile;
 
-    struct Written {
-        std::string path, text;
-    };
-
     int run() const {
         if (const int usage = check_usage()) return usage;
         Diagnostics diagnostics;
@@ -57,7 +53,7 @@ struct CompileCommand {
             complain("compile takes no sweep; give --set one value");
             return exit_usage;
         }
-        std::vector<Written> results;
+        std::vector<Result> results;
         std::vector<fs::path> inputs;
         for (const std::string& file : files)
             compile(file, nodes.registry, overrides, results, inputs, diagnostics);
@@ -66,9 +62,7 @@ struct CompileCommand {
         if (depfile.wanted) results.push_back({depfile_path(), depfile_text(results, inputs)});
         std::error_code ignored;  // writing says why
         if (files.size() > 1) fs::create_directories(output, ignored);
-        for (const Written& result : results)
-            if (!write_result(result.path, result.text)) return exit_environment;
-        return exit_fine;
+        return write_results(results) ? exit_fine : exit_environment;
     }
 
     int usage(const std::string& sentence) const {
@@ -82,7 +76,9 @@ struct CompileCommand {
             return usage("there is no target '" + target + "'; --list-targets lists them");
         if (form == "shader" && differentials == "given")
             return usage("the shader form takes its differentials from the screen");
-        if (files.size() == 1) return exit_fine;
+        if (!depfile.wanted && !(depfile.path + depfile.target).empty())
+            return usage("-MF and -MT go with -MD");
+        if (files.size() == 1) return check_places();
         if (output == "-") return usage("several graphs need a folder: -o FOLDER");
         if (!reflect.empty()) return usage("--reflect goes with one graph");
         std::set<std::string> stems;
@@ -90,11 +86,24 @@ struct CompileCommand {
             if (!stems.insert(fs::path(file).stem().string()).second)
                 return usage("two graphs have the stem '" + fs::path(file).stem().string() +
                              "', and would be written to one file");
-        return exit_fine;
+        return check_places();
+    }
+
+    // Each place, a file or standard output, takes one text.
+    int check_places() const {
+        std::vector<std::string> places{output};
+        if (form == "shader" && output != "-") places = {output + ".vert", output + ".frag"};
+        if (!reflect.empty()) places.push_back(reflect);
+        if (depfile.wanted) places.push_back(depfile_path());
+        std::sort(places.begin(), places.end());
+        const auto twice = std::adjacent_find(places.begin(), places.end());
+        if (twice == places.end()) return exit_fine;
+        return usage(*twice == "-" ? "standard output takes one text; name a file for the others"
+                                   : "two texts would be written to " + *twice);
     }
 
     void compile(const std::string& file, const Registry& registry, const Overrides& overrides,
-                 std::vector<Written>& results, std::vector<fs::path>& inputs,
+                 std::vector<Result>& results, std::vector<fs::path>& inputs,
                  Diagnostics& diagnostics) const {
         Diagnostics own;
         const Project project = open_project(file, common, own);
@@ -121,7 +130,7 @@ struct CompileCommand {
 
     // The function form is one file, the shader form two; of standard output one stage.
     void add_results(const std::string& file, const Shader& shader,
-                     std::vector<Written>& results) const {
+                     std::vector<Result>& results) const {
         const bool folder = files.size() > 1;
         const std::string base =
             folder ? (fs::path(output) / fs::path(file).stem()).string() : output;
@@ -148,13 +157,13 @@ struct CompileCommand {
         return !depfile.path.empty() ? depfile.path : output == "-" ? "-" : output + ".d";
     }
 
-    std::string depfile_text(const std::vector<Written>& results,
+    std::string depfile_text(const std::vector<Result>& results,
                              const std::vector<fs::path>& inputs) const {
         std::vector<std::string> made;
         if (!depfile.target.empty())
             made.push_back(depfile.target);
         else
-            for (const Written& result : results)
+            for (const Result& result : results)
                 made.push_back(result.path);
         return make_rule(made, inputs);
     }

@@ -61,7 +61,8 @@ struct RewriteCommand {
         Diagnostics diagnostics;
         Registry registry;
         if (upgrade) registry = std::move(load_nodes(common, diagnostics).registry);
-        bool would_change = false, written = true;
+        bool would_change = false;
+        std::vector<Result> results;
         for (const std::string& file : files) {
             const auto text = read_text(file, diagnostics);
             if (!text) continue;
@@ -72,15 +73,15 @@ struct RewriteCommand {
             const std::string result =
                 upgrade ? write_document(upgraded(document, registry)) : canonical_text(document);
             if (!check_only) {
-                written = write_result(file, result) && written;
+                results.push_back({file, result});
             } else if (result != *text) {
                 would_change = true;
                 std::printf("%s would change\n", file.c_str());
             }
         }
         const int code = report(diagnostics, common.diagnostics);
-        if (!written) return exit_environment;
-        return code != exit_fine ? code : would_change ? exit_input : exit_fine;
+        if (code != exit_fine || would_change) return exit_input;
+        return write_results(results) ? exit_fine : exit_environment;
     }
 };
 
