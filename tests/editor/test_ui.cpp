@@ -4,6 +4,7 @@
 #include "editor/commands.h"
 #include "editor/layout.h"
 #include "editor/palette.h"
+#include "editor/popups.h"
 #include "graph/write.h"
 #include "headless.h"
 
@@ -21,7 +22,7 @@ TEST_F(Headless, ShowsWhatTheGraphHolds) {
         assert target out:noise.height
         assert target pin:softer.gradient
         assert target field:softer.amount
-        assert target pin:output.normal
+        assert target pin:$output.normal
         assert target line:1
         assert code wrinkle_graph_normal)");
     EXPECT_EQ(write_document(state.document()), small_graph);
@@ -64,7 +65,7 @@ TEST_F(Headless, APinIsConnectedByADrag) {
         assert wires 4
         drag pin:number.b out:noise.value
         assert wire noise.value number.b
-        drag out:number.result pin:output.roughness
+        drag out:number.result pin:$output.roughness
         assert wire number.result roughness
         assert errors 0
         key Ctrl+Z
@@ -273,6 +274,68 @@ TEST_F(Headless, AFileThatWasNotReadWholeIsNotOverwritten) {
     open(broken);
     play("key Ctrl+S\nassert status Not saved");
     EXPECT_EQ(text_of(file), broken);
+}
+
+TEST_F(Headless, AFileThatIsNoGraphIsNotOverwritten) {
+    open("[1, 2, 3]");
+    play("key Space\ntype smoothstep\nkey Enter\nkey Ctrl+S\nassert status Not saved");
+    EXPECT_EQ(text_of(file), "[1, 2, 3]");
+}
+
+TEST_F(Headless, ANodeMayHaveTheNameOfTheOutputs) {
+    std::string graph = small_graph;
+    for (size_t at = graph.find("number"); at != graph.npos; at = graph.find("number"))
+        graph.replace(at, 6, "output");
+    open(graph);
+    play(R"(
+        click node:$output
+        key Delete
+        assert node output
+        drag node:$output node:$output+40,40
+        key M
+        assert clean
+        click node:output
+        key Delete
+        assert no-node output)");
+}
+
+TEST_F(Headless, LoopsAreFoundFromBothEnds) {
+    open(small_graph);
+    play(R"(
+        drag pin:number.a out:number.result
+        assert status number.result depends on number
+        drag out:normal.normal pin:softer.gradient
+        assert status normal.normal depends on softer
+        assert clean)");
+}
+
+TEST_F(Headless, ImageFilesAreThoseNearTheGraph) {
+    namespace fs = std::filesystem;
+    fs::create_directories(folder.path() / "a" / "deep");
+    fs::create_directories(folder.path() / "b");
+    for (const char* name : {"z.png", "a/deep/d.exr", "a/c.jpg", "b/b.png", "b/notes.txt"})
+        folder.write(name, "x");
+    fs::create_directory_symlink(folder.path(), folder.path() / "a" / "again");
+    using Names = std::vector<std::string>;
+    EXPECT_EQ(image_files(folder.path()), (Names{"a/c.jpg", "a/deep/d.exr", "b/b.png", "z.png"}));
+    EXPECT_EQ(image_files(folder.path(), 3), (Names{"a/c.jpg", "b/b.png", "z.png"}));
+    EXPECT_EQ(image_files(folder.path(), 9, 3), (Names{"z.png"}));
+    EXPECT_EQ(image_files(folder.path() / "none"), Names{});
+}
+
+// The list stands as long as it is open: the folder is not walked on every frame.
+TEST_F(Headless, ImagesAreListedOnceWhenTheListOpens) {
+    std::string graph = small_graph;
+    graph.replace(graph.find("\"number\": {"), 11,
+                  R"("map": { "type": "height_map", "in": { "image": "x.png" } }, "number": {)");
+    folder.write("one.png", "x");
+    open(graph);
+    play("click field:map.image\nassert target choice:one.png");
+    folder.write("two.png", "x");
+    frame();
+    EXPECT_TRUE(state.targets.find("choice:one.png"));
+    EXPECT_FALSE(state.targets.find("choice:two.png"));
+    play("key Escape\nclick field:map.image\nassert target choice:two.png");
 }
 
 TEST_F(Headless, AMissingPluginIsShownKeptAndReported) {
