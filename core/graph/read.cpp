@@ -32,7 +32,7 @@ public:
                        "expected \"wrinkle\": 1");
     }
 
-    bool all_nodes() const { return all_nodes_; }
+    bool all_read() const { return all_read_; }
     const std::string& lost() const { return lost_; }
 
 private:
@@ -87,8 +87,17 @@ private:
     template <class T, class Read>
     Table<T> table(const Value& value, Read read) {
         std::vector<T> items;
-        for (const json::Member& member : value.children())
+        for (const json::Member& member : value.children()) {
+            if (items.size() >= limits_.ports) {
+                report_.at_key(member.value, "",
+                               "the graph has more inputs or outputs than are allowed",
+                               "the limit is " + std::to_string(limits_.ports));
+                lost_ = "it has more inputs or outputs than are allowed";
+                all_read_ = false;
+                break;
+            }
             items.push_back(read(member.key, member.value, report_));
+        }
         return Table<T>(std::move(items));
     }
 
@@ -99,7 +108,7 @@ private:
             if (nodes.size() + limits_.nodes_before >= limits_.nodes) {
                 report_.at_key(member.value, "", "the graph has more nodes than are allowed",
                                "the limit is " + std::to_string(limits_.nodes));
-                all_nodes_ = false;
+                all_read_ = false;
                 lost_ = "it has more nodes than are allowed";
                 break;
             }
@@ -111,7 +120,7 @@ private:
 
     Report& report_;
     ReadLimits limits_;
-    bool all_nodes_ = true;
+    bool all_read_ = true;
     std::string lost_;  // Document::lost
 };
 
@@ -167,7 +176,7 @@ Document read_document(std::string bytes, std::string file, Diagnostics& diagnos
     Reader reader(report, limits);
     if (parsed.complete || parsed.root.is(Kind::object)) reader.read(parsed.root, document);
     if (document.lost.empty()) document.lost = reader.lost();
-    if (parsed.complete && reader.all_nodes()) check_links(document, report.list());
+    if (parsed.complete && reader.all_read()) check_links(document, report.list());
     add_in_order(report.list(), diagnostics);
     return document;
 }

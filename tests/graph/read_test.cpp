@@ -242,5 +242,23 @@ TEST(Read, SaysWhatItLost) {
     EXPECT_EQ(lost("[1, 2]"), "it is no JSON object");
 }
 
+// Ports are looked up one after the other, as those of a node are: their number has a limit.
+TEST(Read, InputsAndOutputsHaveALimit) {
+    const auto problems = [](size_t count) {
+        std::string inputs, outputs;
+        for (size_t i = 0; i < count; ++i) {
+            const std::string name = (i ? ", \"p" : "\"p") + std::to_string(i) + "\": ";
+            inputs += name + "{\"type\": \"float\"}";
+            outputs += name + "{\"from\": \"input.p0\"}";
+        }
+        return problems_of("{\"wrinkle\": 1, \"inputs\": {" + inputs + "}, \"outputs\": {" +
+                           outputs + "}}");
+    };
+    EXPECT_EQ(problems(256), "");
+    const std::string text = problems(257);
+    EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 2) << text;
+    EXPECT_NE(text.find("the limit is 256"), text.npos);
+}
+
 }  // namespace
 }  // namespace wrinkle
