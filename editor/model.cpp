@@ -29,10 +29,7 @@ std::optional<Shader> emit_text(const Project& project, const Registry& registry
     emit_options.name = name;
     Shader shader = emit(compiled.module, emit_options);
     if (shader.problems.empty()) return shader;
-    Module refused;
-    refused.nodes = compiled.module.nodes;
-    refused.problems = shader.problems;
-    report_problems(refused, project, compiled.places, problems);
+    report_problems(shader.problems, compiled.module, project, compiled.places, problems);
     return std::nullopt;
 }
 

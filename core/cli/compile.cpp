@@ -1,6 +1,4 @@
 // wrinkle compile FILE...: graphs to GLSL.
-#include "cli/compile.h"
-
 #include <algorithm>
 #include <filesystem>
 #include <memory>
@@ -8,30 +6,11 @@
 
 #include "base/text.h"
 #include "cli/depfile.h"
+#include "cli/material_run.h"
 #include "cli/output.h"
-#include "lower/check.h"
 
 namespace wrinkle::cli {
 namespace fs = std::filesystem;
-
-std::string material_name(const std::string& file) {
-    return file == "-" ? "stdin" : identifier(fs::path(file).stem().string());
-}
-
-Compiled compile_or_check(const Project& project, const Registry& registry,
-                          const MaterialOptions& options, Diagnostics& diagnostics) {
-    if (!diagnostics.has_errors()) return compile_material(project, registry, options, diagnostics);
-    check(project, registry, diagnostics);
-    return {};
-}
-
-void report_emit(const Shader& shader, const Compiled& compiled, const Project& project,
-                 Diagnostics& diagnostics) {
-    Module problems;
-    problems.nodes = compiled.module.nodes;
-    problems.problems = shader.problems;
-    report_problems(problems, project, compiled.places, diagnostics);
-}
 
 namespace {
 
@@ -147,8 +126,10 @@ struct CompileCommand {
 
     void add_inputs(const Project& project, const Module& module,
                     std::vector<fs::path>& inputs) const {
+        std::error_code ignored;
         for (const Project::File& each : project.files)
-            if (!each.path.empty() && fs::is_regular_file(each.path)) inputs.push_back(each.path);
+            if (!each.path.empty() && fs::is_regular_file(each.path, ignored))
+                inputs.push_back(each.path);
         for (const Resource& resource : module.resources)
             inputs.push_back(resource.file);
     }

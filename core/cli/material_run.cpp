@@ -1,8 +1,29 @@
 #include "cli/material_run.h"
 
+#include <filesystem>
+
+#include "base/text.h"
 #include "cli/output.h"
+#include "lower/check.h"
 
 namespace wrinkle::cli {
+namespace fs = std::filesystem;
+
+std::string material_name(const std::string& file) {
+    return file == "-" ? "stdin" : identifier(fs::path(file).stem().string());
+}
+
+Compiled compile_or_check(const Project& project, const Registry& registry,
+                          const MaterialOptions& options, Diagnostics& diagnostics) {
+    if (!diagnostics.has_errors()) return compile_material(project, registry, options, diagnostics);
+    check(project, registry, diagnostics);
+    return {};
+}
+
+void report_emit(const Shader& shader, const Compiled& compiled, const Project& project,
+                 Diagnostics& diagnostics) {
+    report_problems(shader.problems, compiled.module, project, compiled.places, diagnostics);
+}
 
 void compile_runs(const std::string& file, const CommonOptions& common, const Registry& registry,
                   const Overrides& overrides, bool given_differentials, const UseRun& use,
