@@ -206,9 +206,10 @@ Card outputs_card(const State& state, const Used& used) {
     card.id = Card::outputs_id;
     const std::set<std::string_view> usual = {"normal", "height", "color", "roughness"};
     const auto standard = standard_outputs();
-    for (const std::string& name : standard)
+    for (const std::string_view name : standard)
         if (used.outputs.contains(name) || state.view.all_outputs || usual.contains(name))
-            add_row(card, name, *standard_output(name), false, used.outputs.contains(name));
+            add_row(card, std::string(name), *standard_output(name), false,
+                    used.outputs.contains(name));
     const bool more = card.pins.size() < standard.size() || state.view.all_outputs;
     for (const Output& output : state.document().outputs) {
         if (standard_output(output.name)) continue;
