@@ -63,11 +63,10 @@ private:
         if (!input) {
             std::vector<std::string> names = input_names();
             if (variant == Variant::value) names.insert(names.end(), {"dx", "dy"});
-            const std::string near = nearest(member.key, names);
             return error(member.value, "there is no '" + std::string(member.key) + "'",
-                         near.empty() ? "position, normal, tangent, uv0 ... uv3, color0, view, "
-                                        "facing, dx, dy"
-                                      : "did you mean '" + near + "'?");
+                         did_you_mean(member.key, names,
+                                      "position, normal, tangent, uv0 ... uv3, color0, view, "
+                                      "facing, dx, dy"));
         }
         const PointKey key{*input, variant};
         if (*input == SurfaceInput::facing_ && variant != Variant::value)

@@ -131,9 +131,8 @@ private:
     }
 
     void unknown(const json::Member& member, const std::vector<std::string>& names) {
-        const std::string near = nearest(member.key, names);
         error(member.value, "unknown key '" + std::string(member.key) + "'",
-              near.empty() ? list(names) : "did you mean '" + near + "'?");
+              did_you_mean(member.key, names, list(names)));
     }
 
     bool wants(const Value& value, Kind kind, const char* what) {

@@ -22,12 +22,6 @@ std::string in_quotes(std::string_view name) {
     return "'" + std::string(name) + "'";
 }
 
-std::string did_you_mean(std::string_view word, std::span<const std::string> names,
-                         const std::string& otherwise) {
-    const std::string near = nearest(word, names);
-    return near.empty() ? otherwise : "did you mean '" + near + "'?";
-}
-
 std::vector<std::string> port_names(const NodeType& type, bool outputs) {
     std::vector<std::string> names;
     for (const Port& port : type.ports)

@@ -86,12 +86,6 @@ private:
         diagnostics_.error("--set " + change.text + ": " + message, std::move(expected));
     }
 
-    static std::string did_you_mean(std::string_view word, std::span<const std::string> names,
-                                    std::string otherwise) {
-        const std::string near = nearest(word, names);
-        return near.empty() ? std::move(otherwise) : "did you mean '" + near + "'?";
-    }
-
     bool fits(const Override& change, const Value& value, const Port& port) {
         bool fine = true;
         for (const LiteralProblem& problem : literal_problems(value, port)) {
