@@ -9,11 +9,6 @@
 namespace wrinkle::editor {
 namespace {
 
-void name_item(State& state, const std::string& target) {
-    const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
-    state.targets.add(target, {low.x, low.y, high.x, high.y});
-}
-
 void draw_menu(State& state, const char* menu) {
     const bool open = ImGui::BeginMenu(menu);
     name_item(state, std::string("menu:") + menu);
@@ -42,20 +37,25 @@ void command_button(State& state, const char* id) {
     ImGui::SameLine();
 }
 
-std::string count(size_t number, const char* what) {
-    return std::to_string(number) + " " + what + (number == 1 ? "" : "s");
-}
-
 std::string compile_result(const State& state) {
     const Diagnostics& problems = state.built.problems;
     if (problems.has_errors() || !state.built.uniform)
-        return count(problems.error_count(), "error");
+        return counted(problems.error_count(), "error");
     char text[64];
     std::snprintf(text, sizeof text, "Compiled in %.1f ms", state.built.milliseconds);
     return text;
 }
 
 }  // namespace
+
+void name_item(State& state, const std::string& target) {
+    const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
+    state.targets.add(target, {low.x, low.y, high.x, high.y});
+}
+
+std::string counted(size_t number, const char* what) {
+    return std::to_string(number) + " " + what + (number == 1 ? "" : "s");
+}
 
 bool button(State& state, const char* label, const std::string& target, bool chosen, ImVec2 size) {
     if (chosen) {
@@ -110,8 +110,8 @@ void draw_status_bar(State& state) {
     const float x = at.x + text_width(font, 14, result) + 24;
     char right[96];
     std::snprintf(right, sizeof right, "%s, %s  %.0f %%",
-                  count(state.document().nodes.size(), "node").c_str(),
-                  count(state.layout.wires.size(), "wire").c_str(),
+                  counted(state.document().nodes.size(), "node").c_str(),
+                  counted(state.layout.wires.size(), "wire").c_str(),
                   static_cast<double>(state.view.zoom) * 100);
     const float right_width = text_width(font, 14, right);
     draw_text(list, font, 14, {size.x - 12 - right_width, at.y}, theme::text_dim, right);

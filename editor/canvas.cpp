@@ -7,6 +7,7 @@
 #include "editor/edits.h"
 #include "editor/field.h"
 #include "editor/layout.h"
+#include "editor/popups.h"
 #include "graph/edit.h"
 
 namespace wrinkle::editor {
@@ -44,6 +45,7 @@ void begin_wire(State& state, const Card& card, const Pin& pin) {
         wire.from = *link;
         wire.type = state.model.type_of(*link).value_or(pin.type);
     }
+    find_loops(state.document(), wire);
 }
 
 const Port& port_of(const Card& card, const Field& field) {
@@ -96,6 +98,7 @@ void open_popup(State& state, const Card& card, const Field* field, Popup::Kind 
         popup.text =
             typed_value(*state.document().find(card.id), port_of(card, *field), field->lane);
     }
+    if (kind == Popup::Kind::file) popup.files = image_files(state.folder());
     state.popup = std::move(popup);
 }
 
@@ -192,9 +195,11 @@ void drag(State& state) {
     const ImGuiIO& io = ImGui::GetIO();
     const ImVec2 delta = io.MousePos - g.start;
     if (!g.moved && std::fabs(delta.x) < threshold && std::fabs(delta.y) < threshold) return;
-    if (!g.moved && g.kind == Kind::wire && g.taken)
+    if (!g.moved && g.kind == Kind::wire && g.taken) {
         state.commit("Disconnect " + g.from.text(), without_wire(state.document(), g.node, g.port),
                      g.merge);
+        find_loops(state.document(), g);
+    }
     g.moved = true;
     switch (g.kind) {
         case Kind::pan:
@@ -230,14 +235,14 @@ void drop_wire(State& state) {
 void drop_cards(State& state) {
     const ImVec2 by = state.gesture.offset;
     refresh(state);  // the cards stand where the last motion has put them
-    Document moved = state.document();
+    std::vector<NodePosition> places;
     for (const Card& card : state.layout.cards) {
         if (!state.view.selected.contains(card.id)) continue;
-        if (card.kind == Card::Kind::node) moved = move_node(moved, card.id, card.at.x, card.at.y);
+        if (card.kind == Card::Kind::node) places.push_back({card.id, card.at.x, card.at.y});
         if (card.kind == Card::Kind::surface) state.view.surface_at = card.at;
         if (card.kind == Card::Kind::outputs) state.view.outputs_at = card.at;
     }
-    if (by.x != 0 || by.y != 0) state.commit("Move", std::move(moved));
+    if (by.x != 0 || by.y != 0) state.commit("Move", move_nodes(state.document(), places));
 }
 
 void release(State& state) {
@@ -251,10 +256,12 @@ void release(State& state) {
             break;
         case Kind::value:
             if (!g.moved) {
-                const Card* card = state.layout.find(g.node);
-                for (const Field& field : card->fields)
+                // Copies: what a click does may lay the cards out anew. No card: the node is gone.
+                const Card* found = state.layout.find(g.node);
+                const Card card = found ? *found : Card();
+                for (const Field& field : card.fields)
                     if (field.port == g.port && field.lane == g.lane)
-                        click_field(state, *card, field);
+                        click_field(state, card, field);
             }
             break;
         default:

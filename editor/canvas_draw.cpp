@@ -43,19 +43,6 @@ void draw_grid(const Painter& p) {
             p.list.AddRectFilled({x - 1, y - 1}, {x + 1, y + 1}, theme::grid);
 }
 
-struct Curve {
-    ImVec2 a, b, c, d;
-};
-
-Curve curve_between(const Painter& p, ImVec2 start, ImVec2 end) {
-    const float bend = std::max(40 * p.zoom, std::fabs(end.x - start.x) / 2);
-    return {start, start + ImVec2(bend, 0), end - ImVec2(bend, 0), end};
-}
-
-ImVec2 middle(const Curve& k) {
-    return k.a * 0.125F + k.b * 0.375F + k.c * 0.375F + k.d * 0.125F;
-}
-
 // The pill on a wire that says what happens to the value on its way.
 void draw_conversion(const Painter& p, const Wire& wire, ImVec2 at) {
     const Conversion what = conversion(wire.from_type, wire.to_type);
@@ -87,7 +74,7 @@ bool belongs_to_selection(const View& view, const Wire& wire) {
 
 void draw_wire(const Painter& p, const Wire& wire, bool hovered) {
     const ImVec2 start = to_screen(p.view, wire.start), end = to_screen(p.view, wire.end);
-    const Curve k = curve_between(p, start, end);
+    const Curve k = wire_curve(start, end, p.zoom);
     const bool chosen = p.view.selected_wire && p.view.selected_wire->node == wire.node &&
                         p.view.selected_wire->port == wire.port;
     const float thickness = (hovered                              ? 4
@@ -99,12 +86,12 @@ void draw_wire(const Painter& p, const Wire& wire, bool hovered) {
     ImU32 color = wire.known ? theme::of(wire.from_type) : theme::text_off;
     if (chosen) color = theme::accent;
     if (illegal) {
-        draw_dashed(p.list, k.a, k.b, k.c, k.d, theme::error, thickness, 6, 4);
+        draw_dashed(p.list, k, theme::error, thickness, 6, 4);
     } else {
         if (p.zoom >= 0.6F) p.list.AddBezierCubic(k.a, k.b, k.c, k.d, theme::canvas, thickness + 3);
         p.list.AddBezierCubic(k.a, k.b, k.c, k.d, color, thickness, p.zoom < 0.35F ? 8 : 0);
     }
-    if (wire.known) draw_conversion(p, wire, middle(k));
+    if (wire.known) draw_conversion(p, wire, k.at(0.5F));
 }
 
 void draw_field(const Painter& p, const Card& card, const Node& node, const Field& field,
@@ -195,10 +182,11 @@ void draw_header(const Painter& p, const Card& card, ImVec2 low, ImVec2 high) {
     }
     const Trouble trouble = trouble_of(p.state, card);
     const float right = trouble.any ? 28 : 10;
-    const float id_width = text_width(p.font(16, true), 16 * z, card.id) / z;
+    const std::string name = card.kind == Card::Kind::outputs ? "output" : card.id;
+    const float id_width = text_width(p.font(16, true), 16 * z, name) / z;
     const float room = card.size.x - left - right;
     p.text(low + ImVec2(left, 6) * z, 16, card.muted ? theme::text_off : theme::text,
-           p.cut(16, card.id, room, true), true);
+           p.cut(16, name, room, true), true);
     if (card.muted)
         p.list.AddLine(low + ImVec2(left, 14) * z,
                        low + ImVec2(left + std::min(id_width, room), 14) * z, theme::text_off, 1);
@@ -257,9 +245,9 @@ void draw_ghost(const Painter& p) {
             if (pin.port != port || pin.output != wire.from_output) continue;
             const ImVec2 fixed = to_screen(p.view, pin_at(card, pin));
             const ImVec2 loose = ImGui::GetIO().MousePos;
-            const Curve k =
-                wire.from_output ? curve_between(p, fixed, loose) : curve_between(p, loose, fixed);
-            draw_dashed(p.list, k.a, k.b, k.c, k.d, theme::of(wire.type), 2.5F, 7, 5);
+            const Curve k = wire.from_output ? wire_curve(fixed, loose, p.zoom)
+                                             : wire_curve(loose, fixed, p.zoom);
+            draw_dashed(p.list, k, theme::of(wire.type), 2.5F, 7, 5);
             p.list.AddCircleFilled(loose, 4, theme::of(wire.type));
         }
     }

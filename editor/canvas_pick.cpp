@@ -60,18 +60,16 @@ Hit part_of_card(const State& state, size_t index, ImVec2 mouse) {
 }
 
 bool near_wire(const State& state, const Wire& wire, ImVec2 mouse) {
-    const ImVec2 a = to_screen(state.view, wire.start), d = to_screen(state.view, wire.end);
-    const float bend = std::max(40 * state.view.zoom, std::fabs(d.x - a.x) / 2);
-    const float reach = wire_radius + bend;
+    const Curve curve = wire_curve(to_screen(state.view, wire.start),
+                                   to_screen(state.view, wire.end), state.view.zoom);
+    const ImVec2 a = curve.a, d = curve.d;
+    const float reach = wire_radius + curve.b.x - a.x;
     if (mouse.x < std::min(a.x, d.x) - reach || mouse.x > std::max(a.x, d.x) + reach ||
         mouse.y < std::min(a.y, d.y) - reach || mouse.y > std::max(a.y, d.y) + reach)
         return false;
-    const ImVec2 b = a + ImVec2(bend, 0), c = d - ImVec2(bend, 0);
     ImVec2 last = a;
     for (int i = 1; i <= 32; ++i) {
-        const float t = static_cast<float>(i) / 32, s = 1 - t;
-        const ImVec2 next =
-            a * (s * s * s) + b * (3 * s * s * t) + c * (3 * s * t * t) + d * (t * t * t);
+        const ImVec2 next = curve.at(static_cast<float>(i) / 32);
         const ImVec2 along = next - last;
         const float length = squared(along);
         const ImVec2 to = mouse - last;

@@ -1,5 +1,6 @@
 #include "editor/draw.h"
 
+#include <algorithm>
 #include <cmath>
 #include <span>
 
@@ -47,11 +48,6 @@ void draw_hourglass(ImDrawList& list, ImVec2 c, float u, ImU32 color, bool fille
 float baked_size(ImFont* font, float size) {
     const float ratio = font->FontSize / size;
     return ratio > 0.88F && ratio < 1.12F ? font->FontSize : size;
-}
-
-ImVec2 cubic(ImVec2 a, ImVec2 b, ImVec2 c, ImVec2 d, float t) {
-    const float s = 1 - t;
-    return a * (s * s * s) + b * (3 * s * s * t) + c * (3 * s * t * t) + d * (t * t * t);
 }
 
 }  // namespace
@@ -123,13 +119,23 @@ std::string fitting(ImFont* font, float size, std::string_view text, float width
     return std::string(text.data(), rest) + "...";
 }
 
-void draw_dashed(ImDrawList& list, ImVec2 from, ImVec2 c0, ImVec2 c1, ImVec2 to, ImU32 color,
-                 float thickness, float dash, float gap) {
+ImVec2 Curve::at(float t) const {
+    const float s = 1 - t;
+    return a * (s * s * s) + b * (3 * s * s * t) + c * (3 * s * t * t) + d * (t * t * t);
+}
+
+Curve wire_curve(ImVec2 start, ImVec2 end, float zoom) {
+    const float bend = std::max(40 * zoom, std::fabs(end.x - start.x) / 2);
+    return {start, start + ImVec2(bend, 0), end - ImVec2(bend, 0), end};
+}
+
+void draw_dashed(ImDrawList& list, const Curve& curve, ImU32 color, float thickness, float dash,
+                 float gap) {
     constexpr int steps = 96;
-    ImVec2 last = from;
+    ImVec2 last = curve.a;
     float along = 0;
     for (int i = 1; i <= steps; ++i) {
-        const ImVec2 next = cubic(from, c0, c1, to, static_cast<float>(i) / steps);
+        const ImVec2 next = curve.at(static_cast<float>(i) / steps);
         if (std::fmod(along, dash + gap) < dash) list.AddLine(last, next, color, thickness);
         along += std::hypot(next.x - last.x, next.y - last.y);
         last = next;

@@ -32,8 +32,15 @@ float text_width(ImFont* font, float size, std::string_view text);
 // The longest beginning that fits, with "..." when something was cut.
 std::string fitting(ImFont* font, float size, std::string_view text, float width);
 
-void draw_dashed(ImDrawList& list, ImVec2 from, ImVec2 c0, ImVec2 c1, ImVec2 to, ImU32 color,
-                 float thickness, float dash, float gap);
+// A cubic from a to d.
+struct Curve {
+    ImVec2 a, b, c, d;
+    ImVec2 at(float t) const;
+};
+Curve wire_curve(ImVec2 start, ImVec2 end, float zoom);
+
+void draw_dashed(ImDrawList& list, const Curve& curve, ImU32 color, float thickness, float dash,
+                 float gap);
 
 // A triangle with an exclamation mark.
 void draw_warning(ImDrawList& list, ImVec2 center, float size, ImU32 color);

@@ -82,41 +82,37 @@ void delete_selected(State& state) {
         state.view.selected_wire.reset();
         return;
     }
-    Document document = state.document();
-    size_t count = 0;
-    for (const std::string& id : state.view.selected) {
-        count += document.find(id) != nullptr;
-        document = remove_node(document, id);
-    }
+    Document document = remove_nodes(state.document(), state.view.selected);
+    const size_t count = state.document().nodes.size() - document.nodes.size();
     state.commit(count == 1 ? "Delete 1 node" : "Delete " + std::to_string(count) + " nodes",
                  std::move(document));
     state.view.selected.clear();
 }
 
 void duplicate_selected(State& state) {
-    Document document = state.document();
     std::set<std::string> copies;
+    std::vector<Node> nodes;
+    std::vector<NodePosition> places;
     for (const Card& card : state.layout.cards) {
         const Node* node = state.document().find(card.id);
         if (!node || card.kind != Card::Kind::node || !state.view.selected.contains(card.id))
             continue;
         Node copy = *node;
-        copy.id = free_id(document, node->id);
+        copy.id = free_id(state.document(), node->id, copies);
         copies.insert(copy.id);
-        document = add_node(document, std::move(copy), card.at.x + 32, card.at.y + 32);
+        places.push_back({copy.id, card.at.x + 32, card.at.y + 32});
+        nodes.push_back(std::move(copy));
     }
-    state.commit("Duplicate", std::move(document));
+    state.commit("Duplicate", add_nodes(state.document(), std::move(nodes), places));
     if (!copies.empty()) state.view.selected = copies;
 }
 
 void mute_selected(State& state) {
-    Document document = state.document();
+    const Document& document = state.document();
     bool any_loud = false;
     for (const std::string& id : state.view.selected)
         if (const Node* node = document.find(id)) any_loud |= !node->muted;
-    for (const std::string& id : state.view.selected)
-        document = set_muted(document, id, any_loud);
-    state.commit(any_loud ? "Mute" : "Unmute", std::move(document));
+    state.commit(any_loud ? "Mute" : "Unmute", mute_nodes(document, state.view.selected, any_loud));
 }
 
 std::string why_not(const State& state, const Gesture& wire, const Card& card, const Pin& pin) {
@@ -128,7 +124,15 @@ std::string why_not(const State& state, const Gesture& wire, const Card& card, c
                                                               : card.id;
     const std::string port = wire.from_output ? pin.port : wire.port;
     if (to.empty()) return output_problem(state.model, from, port, *state.registry);
+    const std::string& loose = wire.from_output ? to : from.node;
+    if (wire.loops.contains(loose))
+        return from.text() + " depends on " + to + ": that would be a loop";
     return wire_problem(state.model, state.document(), *state.registry, from, to, port);
+}
+
+void find_loops(const Document& document, Gesture& wire) {
+    wire.loops =
+        cycle_partners(document, wire.from_output ? wire.from.node : wire.node, wire.from_output);
 }
 
 std::string typed_value(const Node& node, const Port& port, int lane) {

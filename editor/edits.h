@@ -27,6 +27,8 @@ void delete_selected(State& state);
 void duplicate_selected(State& state);
 void mute_selected(State& state);
 
+// Finds once, for all pins and frames, the nodes that this wire cannot go to.
+void find_loops(const Document& document, Gesture& wire);
 // Why a wire may not end at this pin; "" when it may.
 std::string why_not(const State& state, const Gesture& wire, const Card& card, const Pin& pin);
 

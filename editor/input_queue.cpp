@@ -41,7 +41,6 @@ unsigned next_code_point(std::string_view text, size_t& at) {
 
 // What one frame has seen so far.
 struct Frame {
-    std::deque<InputEvent>::size_type count = 0;
     unsigned buttons = 0;
     bool moved = false, wheeled = false, typed = false, keyed = false;
     bool struck = false;  // a key: the modifiers must stay as they are

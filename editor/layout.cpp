@@ -203,12 +203,13 @@ Card inputs_card(const State& state, const Used& used) {
 Card outputs_card(const State& state, const Used& used) {
     Card card;
     card.kind = Card::Kind::outputs;
-    card.id = "output";
+    card.id = Card::outputs_id;
     const std::set<std::string_view> usual = {"normal", "height", "color", "roughness"};
     const auto standard = standard_outputs();
-    for (const std::string& name : standard)
+    for (const std::string_view name : standard)
         if (used.outputs.contains(name) || state.view.all_outputs || usual.contains(name))
-            add_row(card, name, *standard_output(name), false, used.outputs.contains(name));
+            add_row(card, std::string(name), *standard_output(name), false,
+                    used.outputs.contains(name));
     const bool more = card.pins.size() < standard.size() || state.view.all_outputs;
     for (const Output& output : state.document().outputs) {
         if (standard_output(output.name)) continue;
@@ -271,7 +272,7 @@ void add_wires(const Document& document, Layout& layout) {
         for (const Input& input : node->inputs)
             if (input.kind == Input::Kind::link)
                 wires.add(input.link, wires.node(node->id), input.port);
-    const Card* outputs = layout.find("output", Card::Kind::outputs);
+    const Card* outputs = layout.find(Card::outputs_id, Card::Kind::outputs);
     for (const Output& output : document.outputs)
         if (output.from.kind == Input::Kind::link)
             wires.add(output.from.link, outputs, output.name);
@@ -338,24 +339,25 @@ Layout lay_out(const State& state) {
 }
 
 Document tidied(const State& state) {
-    Document document = state.document();
+    const Document& document = state.document();
     const auto depth = depths(document);
     std::vector<float> next(document.nodes.size(), 0), width(document.nodes.size(), 0);
+    std::vector<ImVec2> size(document.nodes.size(), ImVec2(0, 0));
     for (const Card& card : state.layout.cards)
         if (card.kind == Card::Kind::node) {
-            float& column = width[depth[document.nodes.index_of(card.id)]];
-            column = std::max(column, card.size.x);
+            const size_t i = document.nodes.index_of(card.id);
+            size[i] = card.size;
+            width[depth[i]] = std::max(width[depth[i]], card.size.x);
         }
     std::vector<float> left(document.nodes.size() + 1, 0);
     for (size_t i = 0; i < width.size(); ++i)
         left[i + 1] = left[i] + std::ceil(width[i] / 8) * 8 + 64;
+    std::vector<NodePosition> places;
     for (size_t i = 0; i < depth.size(); ++i) {
-        const std::string id = state.document().nodes[i]->id;
-        document = move_node(document, id, left[depth[i]], next[depth[i]]);
-        if (const Card* card = state.layout.find(id))
-            next[depth[i]] += std::ceil(card->size.y / 8) * 8 + 32;
+        places.push_back({document.nodes[i]->id, left[depth[i]], next[depth[i]]});
+        next[depth[i]] += std::ceil(size[i].y / 8) * 8 + 32;
     }
-    return document;
+    return move_nodes(document, places);
 }
 
 ImVec2 pin_at(const Card& card, const Pin& pin) {

@@ -29,10 +29,7 @@ std::optional<Shader> emit_text(const Project& project, const Registry& registry
     emit_options.name = name;
     Shader shader = emit(compiled.module, emit_options);
     if (shader.problems.empty()) return shader;
-    Module refused;
-    refused.nodes = compiled.module.nodes;
-    refused.problems = shader.problems;
-    report_problems(refused, project, compiled.places, problems);
+    report_problems(shader.problems, compiled.module, project, compiled.places, problems);
     return std::nullopt;
 }
 
@@ -102,8 +99,6 @@ std::string wire_problem(const Model& model, const Document& document, const Reg
     const auto given = model.type_of(from);
     const NodeType* type = model.type_of(node);
     if (!given || !type) return "the type of one end is not known";
-    if (from.node == node || would_cycle(document, from, node))
-        return from.text() + " depends on " + std::string(node) + ": that would be a loop";
     if (type->id == reroute_type && !document.find(node)->find(port)) return {};
     const uint32_t index = type->find_input(port);
     if (index == NodeType::none || !type->ports[index].is_value())

@@ -49,7 +49,7 @@ struct Build {
 Build build(const Model& model, const Document& document, const Registry& registry,
             const std::string& name);
 
-// Whether a wire may go there, and if not, why: "" when it may.
+// Whether a wire may go there by its type, and if not, why: "" when it may.
 std::string wire_problem(const Model& model, const Document& document, const Registry& registry,
                          const Link& from, std::string_view node, std::string_view port);
 // The same for an output of the graph.

@@ -13,6 +13,11 @@ void draw_code(State& state);
 void draw_problems(State& state);
 float problems_height(const State& state);
 
+// Gives the ImGui item that was drawn last a name for scripts.
+void name_item(State& state, const std::string& target);
+
+std::string counted(size_t number, const char* what);  // "1 node", "2 nodes"
+
 // A button that scripts know by `target`; `chosen` marks the one that holds.
 bool button(State& state, const char* label, const std::string& target, bool chosen = false,
             ImVec2 size = {0, 0});

@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <deque>
 
 #include "editor/commands.h"
 #include "editor/field.h"
+#include "editor/panels.h"
 #include "editor/theme.h"
 #include "graph/edit.h"
 
@@ -59,8 +61,7 @@ bool draw_list(State& state, const std::vector<std::string>& names, size_t& take
     for (size_t i = 0; i < names.size(); ++i) {
         ImGui::PushID(static_cast<int>(i));
         const bool chosen = ImGui::Selectable(names[i].c_str());
-        const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
-        state.targets.add("choice:" + names[i], {low.x, low.y, high.x, high.y});
+        name_item(state, "choice:" + names[i]);
         ImGui::PopID();
         if (chosen) {
             taken = i;
@@ -82,7 +83,7 @@ bool draw_choices(State& state) {
 
 bool draw_files(State& state) {
     const Port* port = port_of(state);
-    const auto files = image_files(state.folder());
+    const std::vector<std::string> files = state.popup.files;
     if (files.empty()) ImGui::TextDisabled("There are no images below the graph's folder.");
     size_t taken = 0;
     if (!port || !draw_list(state, files, taken)) return !port;
@@ -108,17 +109,29 @@ bool draw_content(State& state) {
 
 }  // namespace
 
-std::vector<std::string> image_files(const fs::path& folder, size_t limit) {
+// Folder by folder, so that of too many files those nearest to the graph are found.
+std::vector<std::string> image_files(const fs::path& folder, size_t limit, size_t most_entries) {
     constexpr std::string_view known[] = {".png", ".jpg", ".jpeg", ".tif", ".tiff", ".exr", ".hdr"};
     std::vector<std::string> files;
-    std::error_code error;
-    fs::recursive_directory_iterator at(folder, fs::directory_options::skip_permission_denied,
-                                        error);
-    for (; !error && at != fs::recursive_directory_iterator(); at.increment(error)) {
-        if (files.size() == limit) break;
-        const std::string extension = at->path().extension().string();
-        if (std::find(std::begin(known), std::end(known), extension) != std::end(known))
-            files.push_back(at->path().lexically_relative(folder).generic_string());
+    std::deque<fs::path> folders{folder};
+    size_t entries = 0;
+    for (; !folders.empty() && files.size() < limit && entries < most_entries;
+         folders.pop_front()) {
+        std::set<fs::path> inner, images;
+        std::error_code error, ignored;
+        for (fs::directory_iterator at(folders.front(), error), end; !error && at != end;
+             at.increment(error)) {
+            if (++entries > most_entries) break;
+            const std::string extension = at->path().extension().string();
+            if (at->is_directory(ignored) && !at->is_symlink(ignored))
+                inner.insert(at->path());
+            else if (std::find(std::begin(known), std::end(known), extension) != std::end(known))
+                images.insert(at->path());
+        }
+        folders.insert(folders.end(), inner.begin(), inner.end());
+        for (const fs::path& image : images)
+            if (files.size() < limit)
+                files.push_back(image.lexically_relative(folder).generic_string());
     }
     std::sort(files.begin(), files.end());
     return files;
@@ -160,8 +173,7 @@ void draw_quit_question(State& state) {
     ImGui::Text("Save changes to %s?", state.path.filename().string().c_str());
     const auto button = [&](const char* label, const char* target) {
         const bool pressed = ImGui::Button(label, {88, 28});
-        const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
-        state.targets.add(target, {low.x, low.y, high.x, high.y});
+        name_item(state, target);
         return pressed;
     };
     const bool save = button("Save", "quit:save");

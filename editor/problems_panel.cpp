@@ -11,10 +11,7 @@ constexpr float head_height = 28, row_height_of_problem = 44;
 std::string counts(const Diagnostics& problems) {
     const size_t errors = problems.error_count(), all = problems.list().size();
     if (all == 0) return "No problems.";
-    const auto some = [](size_t count, const char* what) {
-        return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
-    };
-    return some(all - errors, "warning") + ", " + some(errors, "error");
+    return counted(all - errors, "warning") + ", " + counted(errors, "error");
 }
 
 std::string place(const Diagnostic& problem) {

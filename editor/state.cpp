@@ -8,7 +8,6 @@
 #include "gpu/from_glsl.h"
 #include "graph/read.h"
 #include "graph/write.h"
-#include "json/parse.h"
 
 namespace wrinkle::editor {
 namespace fs = std::filesystem;
@@ -41,14 +40,13 @@ void open_file(State& state, const fs::path& path) {
     const auto bytes = read_file(path, why);
     if (bytes) {
         state.history = History(read_document(*bytes, path.string(), problems));
-        Diagnostics lost;
-        json::parse(*bytes, path.string(), lost);
-        if (lost.has_errors()) state.save_refused = to_text(lost.list().front());
+        state.save_refused = state.document().lost;
     } else {
         Document empty;
         empty.file = path.string();
         state.history = History(std::move(empty));
-        if (fs::exists(path)) state.save_refused = path.string() + " " + why;
+        std::error_code ignored;
+        if (fs::exists(path, ignored)) state.save_refused = path.string() + " " + why;
     }
     state.saved_serial = state.history.serial();
     state.view = {};
@@ -155,7 +153,7 @@ void refresh(State& state) {
         state.layout = lay_out(state);
         if (const Card* card = state.layout.find(Link::surface, Card::Kind::surface))
             if (!state.view.surface_at) state.view.surface_at = card->at;
-        if (const Card* card = state.layout.find("output", Card::Kind::outputs))
+        if (const Card* card = state.layout.find(Card::outputs_id, Card::Kind::outputs))
             if (!state.view.outputs_at) state.view.outputs_at = card->at;
         state.layout_of = now;
         state.layout_stale = false;

@@ -39,6 +39,9 @@ struct Field {
 };
 struct Card {
     enum class Kind : uint8_t { node, surface, inputs, outputs };
+    // Of the outputs' card; no node can have it.
+    static constexpr const char* outputs_id = "$output";
+
     Kind kind = Kind::node;
     std::string id;
     std::string label;  // the type's title
@@ -84,8 +87,10 @@ struct Gesture {
     bool from_output = false;
     bool taken = false;  // it was lifted off node.port
     Link from;
-    std::string node,
-        port;  // the input it was drawn from; node "" and port: an output of the graph
+    // The input that it was drawn from; with node "" an output of the graph.
+    std::string node;
+    std::string port;
+    std::set<std::string> loops;  // nodes that it cannot go to without closing a cycle
     PortType type = PortType::float_;
 
     std::string merge;  // of the steps that this gesture makes
@@ -118,6 +123,7 @@ struct Popup {
     ImVec2 at{0, 0};
     float width = 0;
     std::string text;
+    std::vector<std::string> files;  // of kind file, as they were when it opened
 };
 
 struct View {

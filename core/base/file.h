@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -12,8 +13,26 @@ namespace wrinkle {
 std::optional<std::string> read_file(const std::filesystem::path& path, std::string& why);
 
 // Writes to a temporary name beside `path` and renames it. A file that already holds these bytes
-// is left untouched, so build systems see no change. False with the reason in `why`.
+// is left untouched, so build systems see no change; one that is replaced keeps its permissions. A
+// symbolic link stays: the file it leads to is replaced. What is no regular file (a device, a pipe)
+// is opened and written to. False with the reason in `why`.
 bool write_file(const std::filesystem::path& path, std::string_view bytes, std::string& why);
+
+// The same for several files: none is replaced before all have been written under their temporary
+// names. `why` then names the file too.
+struct FileBytes {
+    std::filesystem::path path;
+    std::string_view bytes;
+};
+bool write_files(std::span<const FileBytes> files, std::string& why);
+
+// Puts a file that was written elsewhere, best beside it, in the place of `path`, as write_file()
+// does; it is gone afterwards in any case.
+bool replace_file(const std::filesystem::path& written, const std::filesystem::path& path,
+                  std::string& why);
+
+// Where writing to `path` ends: symbolic links are followed, the last may lead nowhere yet.
+std::filesystem::path link_target(const std::filesystem::path& path);
 
 // `path` made absolute with symbolic links resolved as far as it exists, if that place is `root`
 // or below it; nothing if it climbs out.

@@ -97,6 +97,12 @@ std::string nearest(std::string_view word, std::span<const std::string> candidat
     return found;
 }
 
+std::string did_you_mean(std::string_view word, std::span<const std::string> candidates,
+                         std::string otherwise) {
+    const std::string near = nearest(word, candidates);
+    return near.empty() ? std::move(otherwise) : "did you mean '" + near + "'?";
+}
+
 std::vector<std::string_view> split(std::string_view text, char separator) {
     std::vector<std::string_view> parts;
     size_t begin = 0;

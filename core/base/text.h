@@ -22,6 +22,10 @@ std::string identifier(std::string_view text);
 // The candidate nearest to `word` when it is near enough to be a slip of the hand, else "".
 std::string nearest(std::string_view word, std::span<const std::string> candidates);
 
+// "did you mean 'weave'?" of the nearest candidate, `otherwise` when there is none.
+std::string did_you_mean(std::string_view word, std::span<const std::string> candidates,
+                         std::string otherwise = {});
+
 std::vector<std::string_view> split(std::string_view text, char separator);
 
 // True when the bytes are well-formed UTF-8 (no surrogates, no overlong forms).

@@ -1,7 +1,7 @@
 // wrinkle check FILE...: every problem at once.
 #include <memory>
 
-#include "cli/compile.h"
+#include "cli/material_run.h"
 #include "cli/output.h"
 
 namespace wrinkle::cli {

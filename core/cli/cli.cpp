@@ -1,11 +1,15 @@
 #include "cli/cli.h"
 
-#include <cstdio>
+#include <filesystem>
+#include <new>
+#include <stdexcept>
+
+#include "cli/output.h"
 
 namespace wrinkle::cli {
 namespace {
 
-constexpr const char* version = "wrinkle 0.1.0";
+constexpr const char* version = "wrinkle " WRINKLE_VERSION;
 
 // CLI11 has no long names behind a single dash, as compilers spell these.
 constexpr std::pair<std::string_view, const char*> compiler_flags[] = {
@@ -22,6 +26,22 @@ std::vector<std::string> rewritten(int argc, const char* const* argv) {
     return args;
 }
 
+// What the machine cannot give is said in one sentence, like any other problem.
+int guarded(const Run& run) {
+    try {
+        return run();
+    } catch (const std::bad_alloc&) {
+        complain("out of memory");
+    } catch (const std::length_error&) {
+        complain("out of memory");
+    } catch (const std::filesystem::filesystem_error& error) {
+        complain(error.path1().string() + ": " + error.code().message());
+    } catch (const std::exception& error) {
+        complain(error.what());
+    }
+    return exit_environment;
+}
+
 }  // namespace
 
 int run_cli(int argc, const char* const* argv) {
@@ -36,9 +56,10 @@ int run_cli(int argc, const char* const* argv) {
     try {
         app.parse(rewritten(argc, argv));
     } catch (const CLI::ParseError& error) {
-        return app.exit(error) == 0 ? exit_fine : exit_usage;
+        const int code = app.exit(error);
+        return code == exit_fine || code == exit_environment ? code : int{exit_usage};
     }
-    return run();
+    return guarded(run);
 }
 
 }  // namespace wrinkle::cli

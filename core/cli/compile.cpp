@@ -1,37 +1,16 @@
 // wrinkle compile FILE...: graphs to GLSL.
-#include "cli/compile.h"
-
-#include <cstdio>
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 #include <set>
 
 #include "base/text.h"
 #include "cli/depfile.h"
+#include "cli/material_run.h"
 #include "cli/output.h"
-#include "lower/check.h"
 
 namespace wrinkle::cli {
 namespace fs = std::filesystem;
-
-std::string material_name(const std::string& file) {
-    return file == "-" ? "stdin" : identifier(fs::path(file).stem().string());
-}
-
-Compiled compile_or_check(const Project& project, const Registry& registry,
-                          const MaterialOptions& options, Diagnostics& diagnostics) {
-    if (!diagnostics.has_errors()) return compile_material(project, registry, options, diagnostics);
-    check(project, registry, diagnostics);
-    return {};
-}
-
-void report_emit(const Shader& shader, const Compiled& compiled, const Project& project,
-                 Diagnostics& diagnostics) {
-    Module problems;
-    problems.nodes = compiled.module.nodes;
-    problems.problems = shader.problems;
-    report_problems(problems, project, compiled.places, diagnostics);
-}
 
 namespace {
 
@@ -42,15 +21,9 @@ struct CompileCommand {
     std::string target = std::string(targets().front().name);
     std::string form = "function", params = "baked", differentials = "screen";
     std::string name, stage = "fragment", reflect;
-    bool list_targets = false;
     Depfile depfile;
 
-    struct Written {
-        std::string path, text;
-    };
-
     int run() const {
-        if (list_targets) return write_result("-", target_list()) ? exit_fine : exit_environment;
         if (const int usage = check_usage()) return usage;
         Diagnostics diagnostics;
         const Nodes nodes = load_nodes(common, diagnostics);
@@ -59,7 +32,7 @@ struct CompileCommand {
             complain("compile takes no sweep; give --set one value");
             return exit_usage;
         }
-        std::vector<Written> results;
+        std::vector<Result> results;
         std::vector<fs::path> inputs;
         for (const std::string& file : files)
             compile(file, nodes.registry, overrides, results, inputs, diagnostics);
@@ -68,16 +41,7 @@ struct CompileCommand {
         if (depfile.wanted) results.push_back({depfile_path(), depfile_text(results, inputs)});
         std::error_code ignored;  // writing says why
         if (files.size() > 1) fs::create_directories(output, ignored);
-        for (const Written& result : results)
-            if (!write_result(result.path, result.text)) return exit_environment;
-        return exit_fine;
-    }
-
-    std::string target_list() const {
-        std::string text;
-        for (const Target& each : targets())
-            text += std::string(each.name) + "  " + std::string(each.doc) + "\n";
-        return text;
+        return write_results(results) ? exit_fine : exit_environment;
     }
 
     int usage(const std::string& sentence) const {
@@ -91,7 +55,9 @@ struct CompileCommand {
             return usage("there is no target '" + target + "'; --list-targets lists them");
         if (form == "shader" && differentials == "given")
             return usage("the shader form takes its differentials from the screen");
-        if (files.size() == 1) return exit_fine;
+        if (!depfile.wanted && !(depfile.path + depfile.target).empty())
+            return usage("-MF and -MT go with -MD");
+        if (files.size() == 1) return check_places();
         if (output == "-") return usage("several graphs need a folder: -o FOLDER");
         if (!reflect.empty()) return usage("--reflect goes with one graph");
         std::set<std::string> stems;
@@ -99,11 +65,24 @@ struct CompileCommand {
             if (!stems.insert(fs::path(file).stem().string()).second)
                 return usage("two graphs have the stem '" + fs::path(file).stem().string() +
                              "', and would be written to one file");
-        return exit_fine;
+        return check_places();
+    }
+
+    // Each place, a file or standard output, takes one text.
+    int check_places() const {
+        std::vector<std::string> places{output};
+        if (form == "shader" && output != "-") places = {output + ".vert", output + ".frag"};
+        if (!reflect.empty()) places.push_back(reflect);
+        if (depfile.wanted) places.push_back(depfile_path());
+        std::sort(places.begin(), places.end());
+        const auto twice = std::adjacent_find(places.begin(), places.end());
+        if (twice == places.end()) return exit_fine;
+        return usage(*twice == "-" ? "standard output takes one text; name a file for the others"
+                                   : "two texts would be written to " + *twice);
     }
 
     void compile(const std::string& file, const Registry& registry, const Overrides& overrides,
-                 std::vector<Written>& results, std::vector<fs::path>& inputs,
+                 std::vector<Result>& results, std::vector<fs::path>& inputs,
                  Diagnostics& diagnostics) const {
         Diagnostics own;
         const Project project = open_project(file, common, own);
@@ -130,7 +109,7 @@ struct CompileCommand {
 
     // The function form is one file, the shader form two; of standard output one stage.
     void add_results(const std::string& file, const Shader& shader,
-                     std::vector<Written>& results) const {
+                     std::vector<Result>& results) const {
         const bool folder = files.size() > 1;
         const std::string base =
             folder ? (fs::path(output) / fs::path(file).stem()).string() : output;
@@ -147,8 +126,10 @@ struct CompileCommand {
 
     void add_inputs(const Project& project, const Module& module,
                     std::vector<fs::path>& inputs) const {
+        std::error_code ignored;
         for (const Project::File& each : project.files)
-            if (!each.path.empty() && fs::is_regular_file(each.path)) inputs.push_back(each.path);
+            if (!each.path.empty() && fs::is_regular_file(each.path, ignored))
+                inputs.push_back(each.path);
         for (const Resource& resource : module.resources)
             inputs.push_back(resource.file);
     }
@@ -157,13 +138,13 @@ struct CompileCommand {
         return !depfile.path.empty() ? depfile.path : output == "-" ? "-" : output + ".d";
     }
 
-    std::string depfile_text(const std::vector<Written>& results,
+    std::string depfile_text(const std::vector<Result>& results,
                              const std::vector<fs::path>& inputs) const {
         std::vector<std::string> made;
         if (!depfile.target.empty())
             made.push_back(depfile.target);
         else
-            for (const Written& result : results)
+            for (const Result& result : results)
                 made.push_back(result.path);
         return make_rule(made, inputs);
     }
@@ -182,7 +163,6 @@ void declare_compile(CLI::App& app, Run& run) {
         ->type_name("OUT")
         ->capture_default_str();
     sub.add_option("--target", c.target, "The language to write")->capture_default_str();
-    sub.add_flag("--list-targets", c.list_targets, "Lists the languages");
     sub.add_option("--form", c.form, "Functions for your shader, or a complete pair")
         ->check(CLI::IsMember({"function", "shader"}))
         ->capture_default_str();

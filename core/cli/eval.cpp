@@ -22,14 +22,15 @@ struct EvalCommand {
         const Overrides overrides = parse_overrides(common, diagnostics);
         const std::vector<Point> points = at.empty() ? points_on_mesh(place, common, diagnostics)
                                                      : points_of_option(at, diagnostics);
-        const auto runs = compile_runs(file, common, nodes.registry, overrides, true, diagnostics);
         Textures textures;
-        if (!diagnostics.has_errors())
-            for (const MaterialRun& run : runs)
-                textures.load(run.compiled, run.project, diagnostics);
-        std::string text;
-        if (!diagnostics.has_errors())
-            text = result(runs, overrides, points, textures, diagnostics);
+        std::string text = overrides.is_sweep() ? "{\"runs\": [\n" : "{";
+        const auto use = [&](size_t i, const MaterialRun& run, Diagnostics& problems) {
+            textures.load(run.compiled, run.project, problems);
+            if (!problems.has_errors() && !diagnostics.has_errors())
+                text += result(i, run, overrides, points, textures, problems);
+        };
+        compile_runs(file, common, nodes.registry, overrides, true, use, diagnostics);
+        text += overrides.is_sweep() ? "\n]}\n" : "}\n";
         const int code = report(diagnostics, common.diagnostics);
         if (code != exit_fine) return code;
         return write_result("-", text) ? exit_fine : exit_environment;
@@ -49,21 +50,16 @@ struct EvalCommand {
         return sentence.empty();
     }
 
-    std::string result(const std::vector<MaterialRun>& runs, const Overrides& overrides,
+    std::string result(size_t number, const MaterialRun& run, const Overrides& overrides,
                        const std::vector<Point>& points, const Textures& textures,
                        Diagnostics& diagnostics) const {
         const Precision wanted = precision == "double" ? Precision::full : Precision::single;
-        std::string text = overrides.is_sweep() ? "{\"runs\": [\n" : "{";
-        for (size_t i = 0; i < runs.size(); ++i) {
-            const auto columns = evaluate_at(runs[i], textures, points, wanted, diagnostics);
-            if (!columns) return {};
-            if (overrides.is_sweep())
-                text += (i > 0 ? ",\n" : "") + std::string("{\"set\": ") + set_json(overrides, i) +
-                        ", ";
-            text += points_json(*columns, points.size(), wanted);
-            if (overrides.is_sweep()) text += "}";
-        }
-        return text + (overrides.is_sweep() ? "\n]}\n" : "}\n");
+        const auto columns = evaluate_at(run, textures, points, wanted, diagnostics);
+        if (!columns) return {};
+        const std::string numbers = points_json(*columns, points.size(), wanted);
+        if (!overrides.is_sweep()) return numbers;
+        return (number > 0 ? ",\n" : "") + std::string("{\"set\": ") + set_json(overrides, number) +
+               ", " + numbers + "}";
     }
 
     static std::string points_json(const std::vector<OutputColumn>& columns, size_t count,

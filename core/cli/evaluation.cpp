@@ -11,15 +11,16 @@ namespace {
 bool within_float(const std::vector<Point>& points, const Program& program,
                   Diagnostics& diagnostics) {
     bool fine = true;
+    const std::vector<InputNeed> needs = needed_inputs(program);
     for (const Point& point : points)
-        for (const InputNeed& need : needed_inputs(program)) {
+        for (const InputNeed& need : needs) {
             const PointKey key{need.input, need.variant};
             for (const double lane : point[key].lanes) {
                 if (std::isfinite(static_cast<float>(lane))) continue;
-                diagnostics.add(diagnose(point.source, "",
-                                         point.name + ": '" + key.name() + "' holds " +
-                                             shortest(lane) + ", which single precision does not",
-                                         "--precision double does"));
+                report_at(point.source,
+                          point.name + ": '" + key.name() + "' holds " + shortest(lane) +
+                              ", which single precision does not",
+                          "--precision double does", diagnostics);
                 fine = false;
             }
         }

@@ -10,19 +10,45 @@
 namespace wrinkle::cli {
 namespace {
 
-// Brings every node whose type has a newer version to it: ports that were renamed since are
-// renamed.
-Document upgraded(Document document, const Registry& registry) {
-    const Document original = document;
-    for (const NodePtr& node : original.nodes) {
-        const NodeType* type = registry.find(node->type);
-        if (!type || node->version >= static_cast<int>(type->version)) continue;
-        for (const Rename& rename : type->renames)
-            if (static_cast<int>(rename.version) > node->version)
-                document = rename_port(document, node->id, rename.old_name, rename.new_name);
-        document = set_type(document, node->id, node->type, static_cast<int>(type->version));
+// What a port is called in the newest version, after all renames from `first` on.
+std::string newest_name(const NodeType& type, size_t first) {
+    std::string name = type.renames[first].new_name;
+    for (size_t i = first + 1; i < type.renames.size(); ++i)
+        if (type.renames[i].old_name == name) name = type.renames[i].new_name;
+    return name;
+}
+
+// Inputs and outputs have name spaces of their own: a rename concerns the side that has the new
+// name and no longer the old one.
+NodeUpgrade upgrade_of(const Node& node, const NodeType& type) {
+    NodeUpgrade upgrade;
+    upgrade.id = node.id;
+    upgrade.version = static_cast<int>(type.version);
+    for (size_t i = 0; i < type.renames.size(); ++i) {
+        const Rename& rename = type.renames[i];
+        if (static_cast<int>(rename.version) <= node.version) continue;
+        const std::string name = newest_name(type, i);
+        const auto concerns = [&](auto find) {
+            return (type.*find)(name) != NodeType::none &&
+                   (type.*find)(rename.old_name) == NodeType::none;
+        };
+        if (concerns(&NodeType::find_input))
+            upgrade.inputs.push_back({rename.old_name, rename.new_name});
+        if (concerns(&NodeType::find_output))
+            upgrade.outputs.push_back({rename.old_name, rename.new_name});
     }
-    return document;
+    return upgrade;
+}
+
+// Brings every node whose type has a newer version to it.
+Document upgraded(const Document& document, const Registry& registry) {
+    std::vector<NodeUpgrade> upgrades;
+    for (const NodePtr& node : document.nodes) {
+        const NodeType* type = registry.find(node->type);
+        if (type && node->version < static_cast<int>(type->version))
+            upgrades.push_back(upgrade_of(*node, *type));
+    }
+    return upgrade_nodes(document, upgrades);
 }
 
 struct RewriteCommand {
@@ -35,7 +61,8 @@ struct RewriteCommand {
         Diagnostics diagnostics;
         Registry registry;
         if (upgrade) registry = std::move(load_nodes(common, diagnostics).registry);
-        bool would_change = false, written = true;
+        bool would_change = false;
+        std::vector<Result> results;
         for (const std::string& file : files) {
             const auto text = read_text(file, diagnostics);
             if (!text) continue;
@@ -46,15 +73,15 @@ struct RewriteCommand {
             const std::string result =
                 upgrade ? write_document(upgraded(document, registry)) : canonical_text(document);
             if (!check_only) {
-                written = write_result(file, result) && written;
+                results.push_back({file, result});
             } else if (result != *text) {
                 would_change = true;
                 std::printf("%s would change\n", file.c_str());
             }
         }
         const int code = report(diagnostics, common.diagnostics);
-        if (!written) return exit_environment;
-        return code != exit_fine ? code : would_change ? exit_input : exit_fine;
+        if (code != exit_fine || would_change) return exit_input;
+        return write_results(results) ? exit_fine : exit_environment;
     }
 };
 

@@ -1,25 +1,45 @@
 #include "cli/material_run.h"
 
+#include <filesystem>
+
+#include "base/text.h"
 #include "cli/output.h"
+#include "lower/check.h"
 
 namespace wrinkle::cli {
+namespace fs = std::filesystem;
 
-std::vector<MaterialRun> compile_runs(const std::string& file, const CommonOptions& common,
-                                      const Registry& registry, const Overrides& overrides,
-                                      bool given_differentials, Diagnostics& diagnostics) {
+std::string material_name(const std::string& file) {
+    return file == "-" ? "stdin" : identifier(fs::path(file).stem().string());
+}
+
+Compiled compile_or_check(const Project& project, const Registry& registry,
+                          const MaterialOptions& options, Diagnostics& diagnostics) {
+    if (!diagnostics.has_errors()) return compile_material(project, registry, options, diagnostics);
+    check(project, registry, diagnostics);
+    return {};
+}
+
+void report_emit(const Shader& shader, const Compiled& compiled, const Project& project,
+                 Diagnostics& diagnostics) {
+    report_problems(shader.problems, compiled.module, project, compiled.places, diagnostics);
+}
+
+void compile_runs(const std::string& file, const CommonOptions& common, const Registry& registry,
+                  const Overrides& overrides, bool given_differentials, const UseRun& use,
+                  Diagnostics& diagnostics) {
     Diagnostics own;
     const Project project = open_project(file, common, own);
     MaterialOptions options;
     options.given_differentials = given_differentials;
     options.vertex_tangents = !common.no_tangents;
-    std::vector<MaterialRun> runs;
-    do {
-        Project changed = with_overrides(project, registry, overrides.list, runs.size(), own);
-        Compiled compiled = compile_or_check(changed, registry, options, own);
-        runs.push_back({std::move(changed), std::move(compiled)});
-    } while (runs.size() < overrides.runs && !own.has_errors());
+    for (size_t i = 0; i == 0 || (i < overrides.runs && !own.has_errors()); ++i) {
+        MaterialRun run;
+        run.project = with_overrides(project, registry, overrides.list, i, own);
+        run.compiled = compile_or_check(run.project, registry, options, own);
+        if (run.compiled.ok) use(i, run, own);
+    }
     append_once(own, diagnostics);
-    return runs;
 }
 
 Shader emit_function(const MaterialRun& run, const std::string& name, Diagnostics& diagnostics) {

@@ -1,23 +1,42 @@
-// One run of a graph (of a sweep, or the only one) on its way to numbers, text or pixels.
+// Graphs compiled, as the commands need them for text, numbers or pixels: one, or one for every run
+// of a sweep.
 #pragma once
 
+#include <functional>
 #include <string>
 
-#include "cli/compile.h"
+#include "cli/session.h"
 #include "cli/textures.h"
-#include "gpu/material.h"
+#include "glsl/emit.h"
+#include "lower/material.h"
 
 namespace wrinkle::cli {
+
+// The graph's name in generated text: its file's stem as an identifier.
+std::string material_name(const std::string& file);
+
+// Compiles. Where the project has errors already the rest of it is checked as well, so that every
+// problem is reported in one go.
+Compiled compile_or_check(const Project& project, const Registry& registry,
+                          const MaterialOptions& options, Diagnostics& diagnostics);
+
+// A problem of the emitter, at the node it names.
+void report_emit(const Shader& shader, const Compiled& compiled, const Project& project,
+                 Diagnostics& diagnostics);
 
 struct MaterialRun {
     Project project;    // with the values of --set
     Compiled compiled;  // baked; `ok` is false when a problem was reported
 };
 
-// Reads the file once and compiles it for every run; up to the first run with an error.
-std::vector<MaterialRun> compile_runs(const std::string& file, const CommonOptions& common,
-                                      const Registry& registry, const Overrides& overrides,
-                                      bool given_differentials, Diagnostics& diagnostics);
+// What is done with a run that compiled, its number from 0; it is gone afterwards.
+using UseRun = std::function<void(size_t, const MaterialRun&, Diagnostics&)>;
+
+// Reads the file once, compiles it for every run and uses each before the next, so that a long
+// sweep takes the memory of one; up to the first run with an error.
+void compile_runs(const std::string& file, const CommonOptions& common, const Registry& registry,
+                  const Overrides& overrides, bool given_differentials, const UseRun& use,
+                  Diagnostics& diagnostics);
 
 // The function form with differentials from the screen, as `wrinkle compile` writes it by default.
 Shader emit_function(const MaterialRun& run, const std::string& name, Diagnostics& diagnostics);

@@ -19,10 +19,8 @@ struct NodesCommand {
         const Nodes nodes = load_nodes(common, diagnostics);
         const NodeType* type = id.empty() ? nullptr : nodes.registry.find(id);
         if (!id.empty() && !type) {
-            const std::string near = nearest(id, nodes.registry.ids());
-            diagnostics.error(
-                "there is no node type '" + id + "'",
-                near.empty() ? "wrinkle nodes lists them" : "did you mean '" + near + "'?");
+            diagnostics.error("there is no node type '" + id + "'",
+                              did_you_mean(id, nodes.registry.ids(), "wrinkle nodes lists them"));
             return report(diagnostics, common.diagnostics);
         }
         if (!write_result("-", text(nodes.registry, type))) return exit_environment;

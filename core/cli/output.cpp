@@ -8,17 +8,33 @@
 
 namespace wrinkle::cli {
 
+namespace {
+
+bool print(std::string_view text) {
+    const bool written = std::fwrite(text.data(), 1, text.size(), stdout) == text.size();
+    if (written && std::fflush(stdout) == 0) return true;
+    complain("standard output cannot be written");
+    return false;
+}
+
+}  // namespace
+
 bool write_result(const std::string& path, std::string_view text) {
-    if (path == "-") {
-        const bool written = std::fwrite(text.data(), 1, text.size(), stdout) == text.size();
-        if (written && std::fflush(stdout) == 0) return true;
-        complain("standard output cannot be written");
+    return write_results({{path, std::string(text)}});
+}
+
+bool write_results(const std::vector<Result>& results) {
+    std::vector<FileBytes> files;
+    for (const Result& result : results)
+        if (result.path != "-") files.push_back({result.path, result.text});
+    std::string why;
+    if (!write_files(files, why)) {
+        complain(why);
         return false;
     }
-    std::string why;
-    if (write_file(path, text, why)) return true;
-    complain(path + ": " + why);
-    return false;
+    for (const Result& result : results)
+        if (result.path == "-" && !print(result.text)) return false;
+    return true;
 }
 
 int report(const Diagnostics& diagnostics, const std::string& format) {

@@ -63,11 +63,10 @@ private:
         if (!input) {
             std::vector<std::string> names = input_names();
             if (variant == Variant::value) names.insert(names.end(), {"dx", "dy"});
-            const std::string near = nearest(member.key, names);
             return error(member.value, "there is no '" + std::string(member.key) + "'",
-                         near.empty() ? "position, normal, tangent, uv0 ... uv3, color0, view, "
-                                        "facing, dx, dy"
-                                      : "did you mean '" + near + "'?");
+                         did_you_mean(member.key, names,
+                                      "position, normal, tangent, uv0 ... uv3, color0, view, "
+                                      "facing, dx, dy"));
         }
         const PointKey key{*input, variant};
         if (*input == SurfaceInput::facing_ && variant != Variant::value)
@@ -101,7 +100,7 @@ private:
     }
 
     void error(const json::Value& value, const std::string& message, const std::string& expected) {
-        diagnostics_.add(diagnose(value, "", point_.name + ": " + message, expected));
+        report_at(value, point_.name + ": " + message, expected, diagnostics_);
     }
 
     Point& point_;
@@ -205,12 +204,13 @@ std::vector<Point> points_on_mesh(const MeshPlace& place, const CommonOptions& o
 
 bool all_given(const std::vector<Point>& points, const Program& program, Diagnostics& diagnostics) {
     bool fine = true;
+    const std::vector<InputNeed> needs = needed_inputs(program);
     for (const Point& point : points)
-        for (const InputNeed& need : needed_inputs(program)) {
+        for (const InputNeed& need : needs) {
             const PointKey key{need.input, need.variant};
             if (point[key].given) continue;
-            diagnostics.add(diagnose(point.source, "", point.name + " lacks '" + key.name() + "'",
-                                     "the graph needs it"));
+            report_at(point.source, point.name + " lacks '" + key.name() + "'",
+                      "the graph needs it", diagnostics);
             fine = false;
         }
     return fine;

@@ -41,7 +41,7 @@ struct Point {
     const Slot& operator[](PointKey key) const { return slots[key.index()]; }
 };
 
-// A point, or an array of them. `node` is what problems are reported at, may be "".
+// A point, or an array of them.
 std::vector<Point> read_points(const json::Value& value, Diagnostics& diagnostics);
 
 // The value of --at: JSON itself, "@FILE", or "-" for standard input.

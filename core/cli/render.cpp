@@ -40,12 +40,11 @@ struct RenderCommand {
         std::vector<Shader> shaders;
         std::vector<Mesh> meshes;
         Textures textures;
-        const auto runs = compile_runs(file, common, nodes.registry, overrides, false, diagnostics);
-        for (const MaterialRun& run : runs) {
-            if (!run.compiled.ok) continue;
-            textures.load(run.compiled, run.project, diagnostics);
-            shaders.push_back(emit_function(run, material_name(file), diagnostics));
-        }
+        const auto use = [&](size_t, const MaterialRun& run, Diagnostics& problems) {
+            textures.load(run.compiled, run.project, problems);
+            shaders.push_back(emit_function(run, material_name(file), problems));
+        };
+        compile_runs(file, common, nodes.registry, overrides, false, use, diagnostics);
         if (displace && !diagnostics.has_errors())
             meshes = displaced(*drawn_on, nodes, overrides, textures, diagnostics);
         else if (drawn_on)
@@ -58,13 +57,13 @@ struct RenderCommand {
     std::vector<Mesh> displaced(const Mesh& still, const Nodes& nodes, const Overrides& overrides,
                                 Textures& textures, Diagnostics& diagnostics) const {
         std::vector<Mesh> meshes;
-        for (const MaterialRun& run :
-             compile_runs(file, common, nodes.registry, overrides, true, diagnostics)) {
-            if (diagnostics.has_errors()) break;
-            textures.load(run.compiled, run.project, diagnostics);
-            auto mesh = displaced_mesh(still, run, textures, diagnostics);
+        const auto use = [&](size_t, const MaterialRun& run, Diagnostics& problems) {
+            if (problems.has_errors()) return;
+            textures.load(run.compiled, run.project, problems);
+            auto mesh = displaced_mesh(still, run, textures, problems);
             if (mesh) meshes.push_back(std::move(*mesh));
-        }
+        };
+        compile_runs(file, common, nodes.registry, overrides, true, use, diagnostics);
         return meshes;
     }
 
@@ -125,8 +124,11 @@ struct RenderCommand {
 
     // The image library writes files, so the bytes go through one.
     static bool save_to_stdout(const Image& image, Diagnostics& environment) {
-        const fs::path path =
-            fs::temp_directory_path() / ("wrinkle-" + std::to_string(getpid()) + ".png");
+        std::error_code none;
+        const fs::path folder = fs::temp_directory_path(none);
+        if (none) environment.error("there is no folder for temporary files: " + none.message());
+        if (none) return false;
+        const fs::path path = folder / ("wrinkle-" + std::to_string(getpid()) + ".png");
         if (!save_image(image, path, {}, environment)) return false;
         std::string why;
         const auto bytes = read_file(path, why);

@@ -4,6 +4,8 @@
 #include <cstdlib>
 
 #include "base/file.h"
+#include "cli/output.h"
+#include "glsl/target.h"
 #include "nodes/all.h"
 
 namespace wrinkle::cli {
@@ -16,6 +18,14 @@ std::string standard_input() {
     while ((count = std::fread(buffer, 1, sizeof buffer, stdin)) > 0)
         text.append(buffer, count);
     return text;
+}
+
+void list_targets() {
+    std::string text;
+    for (const Target& each : targets())
+        text += std::string(each.name) + "  " + std::string(each.doc) + "\n";
+    if (!write_result("-", text)) throw CLI::RuntimeError(exit_environment);
+    throw CLI::Success();
 }
 
 }  // namespace
@@ -42,6 +52,8 @@ void declare_common(CLI::App& command, CommonOptions& options, bool with_set) {
                     "Where the files a graph or mesh names must lie; default: its own folder")
         ->type_name("DIR");
     declare_plugin_path(command, options);
+    command.add_flag_callback("--list-targets", list_targets,
+                              "Lists the languages that compile writes");
     command.add_flag("--no-tangents", options.no_tangents,
                      "Meshes have no vertex tangents: frames of uv0 are derived");
     command.add_option("--diagnostics", options.diagnostics, "How problems are printed")
@@ -68,6 +80,12 @@ std::optional<std::string> read_text(const std::string& file, Diagnostics& diagn
         diagnostics.add(std::move(problem));
     }
     return text;
+}
+
+void report_at(const json::Value& value, std::string message, std::string expected,
+               Diagnostics& diagnostics) {
+    if (diagnostics.dropped() > 0) return diagnostics.add({});
+    diagnostics.add(diagnose(value, "", std::move(message), std::move(expected)));
 }
 
 Project open_project(const std::string& file, const CommonOptions& options,

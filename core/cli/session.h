@@ -38,6 +38,11 @@ Project open_project(const std::string& file, const CommonOptions& options,
 // The whole of standard input, or of a file; nothing with an error.
 std::optional<std::string> read_text(const std::string& file, Diagnostics& diagnostics);
 
+// A problem at a value. Those beyond the list's limit are only counted: finding the pointer of an
+// item takes a walk over its array.
+void report_at(const json::Value& value, std::string message, std::string expected,
+               Diagnostics& diagnostics);
+
 // The values of --set. Sweeps run side by side: their lengths must agree.
 struct Overrides {
     std::vector<Override> list;

@@ -131,9 +131,8 @@ private:
     }
 
     void unknown(const json::Member& member, const std::vector<std::string>& names) {
-        const std::string near = nearest(member.key, names);
         error(member.value, "unknown key '" + std::string(member.key) + "'",
-              near.empty() ? list(names) : "did you mean '" + near + "'?");
+              did_you_mean(member.key, names, list(names)));
     }
 
     bool wants(const Value& value, Kind kind, const char* what) {
@@ -144,7 +143,7 @@ private:
     }
 
     void error(const Value& value, std::string message, std::string expected) {
-        diagnostics_.add(diagnose(value, "", std::move(message), std::move(expected)));
+        report_at(value, std::move(message), std::move(expected), diagnostics_);
     }
 
     TestCase& test_;
@@ -173,12 +172,23 @@ bool is_test(const fs::path& path) {
     return path.filename().string().ends_with(test_suffix);
 }
 
-void find_below(const fs::path& folder, std::vector<fs::path>& tests) {
-    std::error_code problem;
-    const auto options = fs::directory_options::skip_permission_denied;
-    for (fs::recursive_directory_iterator at(folder, options, problem), end; at != end && !problem;
-         at.increment(problem))
-        if (is_test(at->path())) tests.push_back(at->path());
+// A folder that cannot be read is an error: its tests would go missing unseen.
+void find_below(const fs::path& top, std::vector<fs::path>& tests, Diagnostics& diagnostics) {
+    std::vector<fs::path> folders{top};
+    while (!folders.empty()) {
+        const fs::path folder = std::move(folders.back());
+        folders.pop_back();
+        std::error_code problem, ignored;
+        for (fs::directory_iterator at(folder, problem), end; !problem && at != end;
+             at.increment(problem)) {
+            if (at->is_directory(ignored) && !at->is_symlink(ignored))
+                folders.push_back(at->path());
+            else if (is_test(at->path()))
+                tests.push_back(at->path());
+        }
+        if (problem)
+            diagnostics.error(folder.string() + ": cannot be searched: " + problem.message());
+    }
 }
 
 }  // namespace
@@ -227,10 +237,10 @@ std::vector<fs::path> find_tests(const std::vector<std::string>& paths, Diagnost
         std::vector<fs::path> found;
         std::error_code ignored;
         if (fs::is_directory(path, ignored))
-            find_below(path, found);
+            find_below(path, found, diagnostics);
         else if (is_test(path))
             found.push_back(path);
-        if (found.empty())
+        if (found.empty() && !diagnostics.has_errors())
             diagnostics.error(path + ": there is no test",
                               "a file NAME.test.json, or a folder with such files in or below it");
         std::sort(found.begin(), found.end());

@@ -61,24 +61,24 @@ void TestRun::run(const TestCase& test, Diagnostics& diagnostics) {
     Diagnostics own;
     const Overrides overrides = parse_overrides(common, own);
     if (overrides.is_sweep()) own.error(test.file.string() + ": 'set' holds a sweep", "one value");
-    std::vector<MaterialRun> given, screen;
+    std::optional<MaterialRun> given, screen;
+    const auto compile = [&](bool given_differentials, std::optional<MaterialRun>& result) {
+        const auto keep = [&](size_t, const MaterialRun& run, Diagnostics&) { result = run; };
+        compile_runs(graph, common, registry_, overrides, given_differentials, keep, own);
+    };
     Textures textures;
     Shader shader;
     const bool displaced = test.render && test.render->picture.displace;
-    if (!own.has_errors() && (!test.points.empty() || displaced))
-        given = compile_runs(graph, common, registry_, overrides, true, own);
-    if (!own.has_errors() && (test.glsl || test.render))
-        screen = compile_runs(graph, common, registry_, overrides, false, own);
-    if (!own.has_errors() && !screen.empty())
-        shader = emit_function(screen[0], material_name(graph), own);
-    if (!own.has_errors() && !given.empty())
-        textures.load(given[0].compiled, given[0].project, own);
-    if (!own.has_errors() && test.render) textures.load(screen[0].compiled, screen[0].project, own);
-    if (!own.has_errors() && !test.points.empty()) values(test, given[0], textures, own);
+    if (!own.has_errors() && (!test.points.empty() || displaced)) compile(true, given);
+    if (!own.has_errors() && (test.glsl || test.render)) compile(false, screen);
+    if (!own.has_errors() && screen) shader = emit_function(*screen, material_name(graph), own);
+    if (!own.has_errors() && given) textures.load(given->compiled, given->project, own);
+    if (!own.has_errors() && test.render) textures.load(screen->compiled, screen->project, own);
+    if (!own.has_errors() && !test.points.empty()) values(test, *given, textures, own);
     if (!own.has_errors() && test.glsl) text(test, shader);
     std::optional<Mesh> mesh;
     if (!own.has_errors() && test.render) mesh = open_mesh(test.render->picture.mesh, common, own);
-    if (mesh && displaced) mesh = displaced_mesh(*mesh, given[0], textures, own);
+    if (mesh && displaced) mesh = displaced_mesh(*mesh, *given, textures, own);
     if (mesh) picture(test, shader, *mesh, textures, own);
     append_once(own, diagnostics);
 }

@@ -136,6 +136,8 @@ struct Document {
     std::vector<Extra> unknown;         // top-level keys
     json::Value source;                 // the whole as it was read; null for a new one
     bool edited = false;                // set by every edit that changes something
+    // Why not all of the text is in here, a clause or a problem: writing it would lose the rest.
+    std::string lost;
 
     const Node* find(std::string_view id) const;
 };

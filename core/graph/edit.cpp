@@ -2,18 +2,22 @@
 
 #include <algorithm>
 
+#include "graph/edit_parts.h"
 #include "graph/values.h"
 
 namespace wrinkle {
-namespace {
 
 using json::Value;
+
+namespace editing {
+namespace {
 
 void forget(std::vector<Extra>& extras, std::string_view key) {
     std::erase_if(extras, [&](const Extra& extra) { return extra.key == key; });
 }
 
-// A known key of the wrong kind was kept among the unknown ones; what is now edited replaces it.
+}  // namespace
+
 void mark_edited(Document& document) {
     document.edited = true;
     if (!document.nodes.empty()) forget(document.unknown, "nodes");
@@ -37,6 +41,18 @@ Node copy_of(const Node& node) {
     if (!copy.source.is(json::Kind::object)) copy.source = {};  // it becomes a node by the edit
     return copy;
 }
+
+void set_link(Input& input, Link link) {
+    input.link = std::move(link);
+    input.value = link_value(input.link, input.value);
+}
+
+}  // namespace editing
+
+namespace {
+
+using editing::copy_of;
+using editing::mark_edited;
 
 Document with_node(const Document& document, Node node) {
     Document changed = document;
@@ -105,35 +121,11 @@ void change_links(Document& document, Change change) {
     document.nodes = Table<NodePtr>(std::move(nodes));
 }
 
-struct DropLinks {
-    std::string_view id;
-    bool applies(const Link& link) const { return link.node == id; }
-    void to_inputs(std::vector<Input>& inputs) const {
-        std::erase_if(inputs, [&](const Input& input) { return applies(input.link); });
-    }
-};
-
 struct RenameLinks {
     std::string_view id, new_id;
     bool applies(const Link& link) const { return link.node == id; }
     void to_input(Input& input) const {
-        if (!applies(input.link)) return;
-        input.link.node = new_id;
-        input.value = link_value(input.link, input.value);
-    }
-    void to_inputs(std::vector<Input>& inputs) const {
-        for (Input& input : inputs)
-            to_input(input);
-    }
-};
-
-struct RenamePortLinks {
-    std::string_view id, port, new_port;
-    bool applies(const Link& link) const { return link.node == id && link.port == port; }
-    void to_input(Input& input) const {
-        if (!applies(input.link)) return;
-        input.link.port = new_port;
-        input.value = link_value(input.link, input.value);
+        if (applies(input.link)) editing::set_link(input, {std::string(new_id), input.link.port});
     }
     void to_inputs(std::vector<Input>& inputs) const {
         for (Input& input : inputs)
@@ -171,19 +163,7 @@ Document add_node(const Document& document, Node node, double x, double y) {
 }
 
 Document remove_node(const Document& document, std::string_view id) {
-    if (!document.find(id)) return document;
-    const std::string kept(id);  // `id` may be the removed node's own
-    Document changed = document;
-    changed.nodes = document.nodes.without(kept);
-    change_links(changed, DropLinks{kept});
-    std::vector<Output> outputs;
-    for (const Output& output : document.outputs)
-        if (output.from.link.node != kept) outputs.push_back(output);
-    if (outputs.size() != document.outputs.size())
-        changed.outputs = Table<Output>(std::move(outputs));
-    changed.positions = document.positions.without(kept);
-    mark_edited(changed);
-    return changed;
+    return remove_nodes(document, {std::string(id)});
 }
 
 Document rename_node(const Document& document, std::string_view id, std::string_view new_id) {
@@ -209,30 +189,12 @@ Document rename_node(const Document& document, std::string_view id, std::string_
     return changed;
 }
 
-Document rename_port(const Document& document, std::string_view id, std::string_view port,
-                     std::string_view new_port) {
-    if (!document.find(id) || new_port.empty() || port == new_port) return document;
-    const RenamePortLinks rename{id, port, new_port};
-    Document changed = change_node(document, id, [&](Node& node) {
-        Input* input = input_of(node, port);
-        if (!input || node.find(new_port)) return false;
-        input->port = new_port;
-        return true;
-    });
-    change_links(changed, rename);
-    std::vector<Output> outputs(document.outputs.begin(), document.outputs.end());
-    for (Output& output : outputs)
-        rename.to_input(output.from);
-    changed.outputs = Table<Output>(std::move(outputs));
-    mark_edited(changed);
-    return changed;
-}
-
-std::string free_id(const Document& document, std::string_view base) {
+std::string free_id(const Document& document, std::string_view base,
+                    const std::set<std::string>& taken) {
     std::string id(base);
     if (!id_problem(id).empty()) id = "node";
     const std::string stem = id;
-    for (size_t n = 2; document.find(id); ++n)
+    for (size_t n = 2; document.find(id) || taken.contains(id); ++n)
         id = stem + std::to_string(n);
     return id;
 }
@@ -329,12 +291,7 @@ Document set_back_faces(const Document& document, BackFaces choice) {
 }
 
 Document move_node(const Document& document, std::string_view id, double x, double y) {
-    if (!document.find(id)) return document;
-    const Position* old = document.positions.find(id);
-    if (old && old->x == x && old->y == y) return document;
-    const Value value = number_array({x, y}, old ? old->source : Value());
-    return with_table(document, &Document::positions,
-                      document.positions.with({std::string(id), x, y, value}));
+    return move_nodes(document, {{std::string(id), x, y}});
 }
 
 Document set_frame(const Document& document, Box frame) {
@@ -351,22 +308,6 @@ Document set_note(const Document& document, Box note) {
 
 Document remove_note(const Document& document, std::string_view id) {
     return with_table(document, &Document::notes, document.notes.without(id));
-}
-
-bool would_cycle(const Document& document, const Link& from, std::string_view id) {
-    if (!from.is_node()) return false;
-    std::vector<bool> seen(document.nodes.size(), false);
-    std::vector<size_t> todo{document.nodes.index_of(from.node)};
-    while (!todo.empty()) {
-        const size_t i = todo.back();
-        todo.pop_back();
-        if (i == Table<NodePtr>::npos || seen[i]) continue;
-        seen[i] = true;
-        if (document.nodes[i]->id == id) return true;
-        for (const Input& input : document.nodes[i]->inputs)
-            if (input.link.is_node()) todo.push_back(document.nodes.index_of(input.link.node));
-    }
-    return false;
 }
 
 }  // namespace wrinkle

@@ -3,8 +3,10 @@
 // returns the original itself (`edited` unchanged, all tables `same`).
 #pragma once
 
+#include <set>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "graph/document.h"
 
@@ -17,11 +19,32 @@ Document add_node(const Document&, Node node, double x, double y);
 Document remove_node(const Document&, std::string_view id);
 // All links, outputs and the layout follow.
 Document rename_node(const Document&, std::string_view id, std::string_view new_id);
-// A port of a node, input or output: its value and every link to it follow. For upgrades.
-Document rename_port(const Document&, std::string_view id, std::string_view port,
-                     std::string_view new_port);
-// `base`, or `base2`, `base3`, ... whichever is free.
-std::string free_id(const Document&, std::string_view base);
+// `base`, or `base2`, `base3`, ... whichever is neither in the document nor taken.
+std::string free_id(const Document&, std::string_view base,
+                    const std::set<std::string>& taken = {});
+
+// Several nodes at once, in one pass over the document.
+struct NodePosition {
+    std::string id;
+    double x = 0, y = 0;
+};
+Document add_nodes(const Document&, std::vector<Node> nodes,
+                   const std::vector<NodePosition>& places);
+Document remove_nodes(const Document&, const std::set<std::string>& ids);
+Document move_nodes(const Document&, const std::vector<NodePosition>& places);
+Document mute_nodes(const Document&, const std::set<std::string>& ids, bool muted);
+
+// A node brought to a version of its type. Renamed inputs take their values along, every link to a
+// renamed output follows; the renames are applied in their order.
+struct NodeUpgrade {
+    struct Rename {
+        std::string old_name, new_name;
+    };
+    std::string id;
+    int version = 1;
+    std::vector<Rename> inputs, outputs;
+};
+Document upgrade_nodes(const Document&, const std::vector<NodeUpgrade>& upgrades);
 
 // The ends need not exist, and a cycle is not refused: `check_links` reports them.
 Document connect(const Document&, const Link& from, std::string_view id, std::string_view port);
@@ -47,5 +70,8 @@ Document remove_note(const Document&, std::string_view id);
 
 // Whether a wire from `from` to node `id` would close a cycle.
 bool would_cycle(const Document&, const Link& from, std::string_view id);
+// All nodes whose wire with `id` would close one, itself among them: of a wire that begins at `id`
+// those that it depends on, of one that ends there those that depend on it.
+std::set<std::string> cycle_partners(const Document&, std::string_view id, bool begins);
 
 }  // namespace wrinkle

@@ -117,8 +117,7 @@ public:
         if (names_.empty())
             for (const T& entry : table_)
                 names_.emplace_back(table_key(entry));
-        const std::string name = nearest(word, names_);
-        return name.empty() ? otherwise : "did you mean '" + name + "'?";
+        return did_you_mean(word, names_, otherwise);
     }
 
 private:

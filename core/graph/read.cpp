@@ -20,7 +20,10 @@ public:
     Reader(Report& report, ReadLimits limits) : report_(report), limits_(limits) {}
 
     void read(const Value& root, Document& document) {
-        if (!report_.expect(root, Kind::object, "the graph", "")) return;
+        if (!report_.expect(root, Kind::object, "the graph", "")) {
+            lost_ = "it is no JSON object";
+            return;
+        }
         for (const json::Member& member : root.children())
             if (!read_member(member, document))
                 document.unknown.push_back({std::string(member.key), member.value});
@@ -29,7 +32,8 @@ public:
                        "expected \"wrinkle\": 1");
     }
 
-    bool all_nodes() const { return all_nodes_; }
+    bool all_read() const { return all_read_; }
+    const std::string& lost() const { return lost_; }
 
 private:
     // Whether the member is known and well; it is kept with the unknown ones otherwise.
@@ -83,8 +87,17 @@ private:
     template <class T, class Read>
     Table<T> table(const Value& value, Read read) {
         std::vector<T> items;
-        for (const json::Member& member : value.children())
+        for (const json::Member& member : value.children()) {
+            if (items.size() >= limits_.ports) {
+                report_.at_key(member.value, "",
+                               "the graph has more inputs or outputs than are allowed",
+                               "the limit is " + std::to_string(limits_.ports));
+                lost_ = "it has more inputs or outputs than are allowed";
+                all_read_ = false;
+                break;
+            }
             items.push_back(read(member.key, member.value, report_));
+        }
         return Table<T>(std::move(items));
     }
 
@@ -95,7 +108,8 @@ private:
             if (nodes.size() + limits_.nodes_before >= limits_.nodes) {
                 report_.at_key(member.value, "", "the graph has more nodes than are allowed",
                                "the limit is " + std::to_string(limits_.nodes));
-                all_nodes_ = false;
+                all_read_ = false;
+                lost_ = "it has more nodes than are allowed";
                 break;
             }
             nodes.push_back(std::make_shared<const Node>(
@@ -106,7 +120,8 @@ private:
 
     Report& report_;
     ReadLimits limits_;
-    bool all_nodes_ = true;
+    bool all_read_ = true;
+    std::string lost_;  // Document::lost
 };
 
 void add_in_order(const Diagnostics& found, Diagnostics& diagnostics) {
@@ -157,9 +172,11 @@ Document read_document(std::string bytes, std::string file, Diagnostics& diagnos
     const json::Parsed parsed =
         json::parse(std::move(bytes), std::move(file), report.list(), {limits.depth});
     document.source = parsed.root;
+    if (report.list().has_errors()) document.lost = to_text(report.list().list().front());
     Reader reader(report, limits);
     if (parsed.complete || parsed.root.is(Kind::object)) reader.read(parsed.root, document);
-    if (parsed.complete && reader.all_nodes()) check_links(document, report.list());
+    if (document.lost.empty()) document.lost = reader.lost();
+    if (parsed.complete && reader.all_read()) check_links(document, report.list());
     add_in_order(report.list(), diagnostics);
     return document;
 }

@@ -17,6 +17,7 @@ struct ReadLimits {
     uint32_t depth = 64;         // nesting of arrays and objects
     uint32_t nodes = 1'000'000;  // of a graph with its sub-graphs
     uint32_t nodes_before = 0;   // in the files that were read before this one
+    uint32_t ports = 256;        // inputs of a graph, and outputs: those of a node, as plugins have
 };
 
 Document read_document(std::string bytes, std::string file, Diagnostics& diagnostics,

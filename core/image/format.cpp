@@ -43,6 +43,10 @@ std::string read_head(const fs::path& path, std::string& why) {
         why = "is a folder, not a file";
         return {};
     }
+    if (fs::exists(path, error) && !fs::is_regular_file(path, error)) {
+        why = "is no regular file";  // opening a pipe would wait for its writer
+        return {};
+    }
     std::FILE* file = std::fopen(path.c_str(), "rb");
     if (!file) {
         why = "cannot be read: " + std::string(std::strerror(errno));

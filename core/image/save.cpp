@@ -136,21 +136,6 @@ bool write_pixels(const WrinkleImageModule& module, const Image& image, const fs
     return false;
 }
 
-// Equal bytes leave the old file, and its time, as they are.
-bool put_in_place(const fs::path& temporary, const fs::path& path, std::string& why) {
-    std::string ignored;
-    const auto bytes = read_file(temporary, why);
-    if (!bytes) return false;
-    if (read_file(path, ignored) == bytes) {
-        fs::remove(temporary);
-        return true;
-    }
-    std::error_code error;
-    fs::rename(temporary, path, error);
-    if (error) why = error.message();
-    return !error;
-}
-
 // Asked of the system first: its reason is better than OpenImageIO's.
 bool can_create(const fs::path& path, std::string& why) {
     std::FILE* file = std::fopen(path.c_str(), "wb");
@@ -160,12 +145,12 @@ bool can_create(const fs::path& path, std::string& why) {
 
 bool write_whole(const WrinkleImageModule& module, const Image& image, const fs::path& path,
                  const Writable& format, const SaveOptions& options, std::string& why) {
-    fs::path temporary = path;
+    fs::path temporary = link_target(path);
     temporary.replace_filename("." + path.stem().string() + ".tmp" + std::to_string(getpid()) +
                                path.extension().string());
     if (can_create(temporary, why) &&
         write_pixels(module, image, temporary, format, options, why) &&
-        put_in_place(temporary, path, why))
+        replace_file(temporary, path, why))
         return true;
     std::error_code ignored;
     fs::remove(temporary, ignored);

@@ -22,12 +22,6 @@ std::string in_quotes(std::string_view name) {
     return "'" + std::string(name) + "'";
 }
 
-std::string did_you_mean(std::string_view word, std::span<const std::string> names,
-                         const std::string& otherwise) {
-    const std::string near = nearest(word, names);
-    return near.empty() ? otherwise : "did you mean '" + near + "'?";
-}
-
 std::vector<std::string> port_names(const NodeType& type, bool outputs) {
     std::vector<std::string> names;
     for (const Port& port : type.ports)
@@ -240,6 +234,9 @@ private:
                         "a path is relative to its graph's folder"));
         else if (fs::is_directory(*path, error))
             report(here(subject + "names " + json_quoted(name) + ", which is a folder",
+                        "expected an image file"));
+        else if (!fs::is_regular_file(*path, error))
+            report(here(subject + "names " + json_quoted(name) + ", which is no regular file",
                         "expected an image file"));
     }
 

@@ -271,9 +271,8 @@ void choose_outputs(const Document& document, const LowerOptions& options,
             chosen.push_back(static_cast<uint32_t>(index));
             continue;
         }
-        const std::string near = nearest(name, names);
         diagnostics.add(diagnose(document, "the graph has no output '" + name + "'",
-                                 near.empty() ? "" : "did you mean '" + near + "'?"));
+                                 did_you_mean(name, names)));
     }
 }
 

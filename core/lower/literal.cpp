@@ -35,8 +35,7 @@ std::string list(std::span<const std::string> names) {
 }
 
 std::string remedy(std::string_view word, std::span<const std::string> names) {
-    const std::string near = nearest(word, names);
-    return near.empty() ? "expected " + list(names) : "did you mean '" + near + "'?";
+    return did_you_mean(word, names, "expected " + list(names));
 }
 
 void number_problems(const Value& value, const Port& port, Problems& problems) {

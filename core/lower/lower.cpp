@@ -68,7 +68,13 @@ Lowered lower(const Project& project, const Registry& registry, const LowerOptio
 
 void report_problems(const Module& module, const Project& project,
                      const std::vector<NodePlace>& places, Diagnostics& diagnostics) {
-    for (const Problem& problem : module.problems)
+    report_problems(module.problems, module, project, places, diagnostics);
+}
+
+void report_problems(const std::vector<Problem>& problems, const Module& module,
+                     const Project& project, const std::vector<NodePlace>& places,
+                     Diagnostics& diagnostics) {
+    for (const Problem& problem : problems)
         diagnostics.add(diagnose(project, places[problem.node], module.nodes[problem.node].path,
                                  problem.message, problem.expected));
 }

@@ -48,6 +48,9 @@ Lowered lower(const Project& project, const Types& types, const LowerOptions& op
               Diagnostics& diagnostics);
 
 // The problems that a module's passes recorded, as diagnostics at their nodes.
+void report_problems(const std::vector<Problem>& problems, const Module& module,
+                     const Project& project, const std::vector<NodePlace>& places,
+                     Diagnostics& diagnostics);
 void report_problems(const Module& module, const Project& project,
                      const std::vector<NodePlace>& places, Diagnostics& diagnostics);
 

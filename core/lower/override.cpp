@@ -2,6 +2,7 @@
 
 #include <array>
 #include <charconv>
+#include <cmath>
 
 #include "base/text.h"
 #include "graph/edit.h"
@@ -19,7 +20,7 @@ constexpr uint32_t longest_sweep = 10'000;
 
 bool to_number(std::string_view text, double& number) {
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-    return error == std::errc() && end == text.data() + text.size() && !text.empty();
+    return error == std::errc() && end == text.data() + text.size() && std::isfinite(number);
 }
 
 // "A:B:N"; empty when the text is no sweep, one null when it is a wrong one.
@@ -32,9 +33,13 @@ std::vector<Value> sweep(std::string_view text) {
         return {Value{}};
     std::vector<Value> values;
     const auto steps = static_cast<uint32_t>(count) - 1;
-    for (uint32_t i = 0; i <= steps; ++i)
-        values.push_back(Value::number(
-            i == steps ? last : first + (last - first) * static_cast<double>(i) / steps));
+    for (uint32_t i = 0; i <= steps; ++i) {
+        const double product = (last - first) * i;  // first: 1:2:11 shall hold 1.3, not 1.2999...
+        const double value = std::isfinite(product)
+                                 ? first + product / steps
+                                 : std::lerp(first, last, static_cast<double>(i) / steps);
+        values.push_back(Value::number(i == steps ? last : value));
+    }
     return values;
 }
 
@@ -79,12 +84,6 @@ private:
 
     void refuse(const Override& change, const std::string& message, std::string expected) {
         diagnostics_.error("--set " + change.text + ": " + message, std::move(expected));
-    }
-
-    static std::string did_you_mean(std::string_view word, std::span<const std::string> names,
-                                    std::string otherwise) {
-        const std::string near = nearest(word, names);
-        return near.empty() ? std::move(otherwise) : "did you mean '" + near + "'?";
     }
 
     bool fits(const Override& change, const Value& value, const Port& port) {

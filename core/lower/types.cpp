@@ -1,24 +1,12 @@
 #include "lower/types.h"
 
 #include <algorithm>
-#include <array>
 
 #include "graph/order.h"
 #include "lower/literal.h"
 
 namespace wrinkle {
 namespace {
-
-struct Standard {
-    std::string_view name;
-    PortType type;
-};
-constexpr std::array standards = {
-    Standard{"normal", PortType::normal_},       Standard{"height", PortType::height_},
-    Standard{"displacement", PortType::height_}, Standard{"color", PortType::color_},
-    Standard{"roughness", PortType::float_},     Standard{"metalness", PortType::float_},
-    Standard{"occlusion", PortType::float_},
-};
 
 std::deque<NodeType> make_reroutes() {
     std::deque<NodeType> types;
@@ -89,19 +77,6 @@ std::vector<uint32_t> files_in_order(const Project& project) {
 }
 
 }  // namespace
-
-std::optional<PortType> standard_output(std::string_view name) {
-    for (const Standard& standard : standards)
-        if (standard.name == name) return standard.type;
-    return {};
-}
-
-std::vector<std::string> standard_outputs() {
-    std::vector<std::string> names;
-    for (const Standard& standard : standards)
-        names.emplace_back(standard.name);
-    return names;
-}
 
 Types::Types(const Project& project, const Registry& registry)
     : project_(&project), nodes_(project.files.size()), graphs_(project.files.size()) {

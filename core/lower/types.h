@@ -13,14 +13,9 @@
 
 #include "graph/subgraph.h"
 #include "registry/registry.h"
+#include "registry/standard.h"
 
 namespace wrinkle {
-
-inline constexpr std::string_view reroute_type = "reroute";
-
-// "normal" is a normal, "roughness" a float, ...; nothing for a name of the user's own.
-std::optional<PortType> standard_output(std::string_view name);
-std::vector<std::string> standard_outputs();
 
 class Types {
 public:

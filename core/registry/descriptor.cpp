@@ -1,4 +1,5 @@
 #include "registry/descriptor.h"
+#include "registry/standard.h"
 
 #include <algorithm>
 #include <cmath>
@@ -60,7 +61,7 @@ public:
         node_ = type.id;
         if (!is_name(type.id))
             fault("its id is not lower_snake_case", "letters a-z, digits and _, at most 64");
-        if (type.id == "reroute") fault("this id is reserved");
+        if (type.id == reroute_type) fault("this id is reserved");
         text(copy.title, "the title", type.title);
         text(copy.doc, "the doc", type.doc);
         text(copy.family, "the family", type.family);

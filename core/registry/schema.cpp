@@ -1,9 +1,11 @@
 // The JSON Schema of graph files, generated from the node types.
 #include <cmath>
 
+#include "base/back_faces.h"
 #include "base/text.h"
 #include "registry/port_text.h"
 #include "registry/reference.h"
+#include "registry/standard.h"
 
 namespace wrinkle {
 namespace {
@@ -67,7 +69,7 @@ std::string type_names(const Registry& registry) {
     std::string text = "{\"anyOf\": [{\"enum\": [";
     for (const NodeType& type : registry.list())
         text += json_quoted(type.id) + ", ";
-    return text + "\"reroute\"]}, {\"type\": \"string\"}]}";
+    return text + json_quoted(reroute_type) + "]}, {\"type\": \"string\"}]}";
 }
 
 std::string numbers(int lanes) {
@@ -114,7 +116,9 @@ std::string graph_schema(const Registry& registry) {
         "  \"required\": [\"wrinkle\"],\n  \"properties\": {\n"
         "    \"wrinkle\": {\"const\": 1},\n"
         "    \"name\": {\"type\": \"string\"},\n"
-        "    \"back_faces\": {\"enum\": [\"mirror\", \"flip\", \"none\"]},\n"
+        "    \"back_faces\": {\"enum\": " +
+        word_list(back_faces_names) +
+        "},\n"
         "    \"inputs\": {\"type\": \"object\", \"additionalProperties\": "
         "{\"type\": \"object\", \"required\": [\"type\"], \"properties\": "
         "{\"type\": {\"enum\": " +
@@ -123,10 +127,13 @@ std::string graph_schema(const Registry& registry) {
         "    \"nodes\": {\"type\": \"object\", \"additionalProperties\": "
         "{\"$ref\": \"#/$defs/node\"}},\n"
         "    \"outputs\": {\"type\": \"object\", \"properties\": {";
-    for (const char* name : {"normal", "height", "displacement", "color", "roughness", "metalness"})
-        text += json_quoted(name) + ": {\"$ref\": \"#/$defs/wire\"}, ";
+    const char* separator = "";
+    for (const std::string_view name : standard_outputs()) {
+        text += separator + json_quoted(name) + ": {\"$ref\": \"#/$defs/wire\"}";
+        separator = ", ";
+    }
     text +=
-        "\"occlusion\": {\"$ref\": \"#/$defs/wire\"}}, \"additionalProperties\": {\"$ref\": "
+        "}, \"additionalProperties\": {\"$ref\": "
         "\"#/$defs/wire\"}},\n"
         "    \"layout\": {\"type\": \"object\"}\n  },\n";
     return text + definitions(registry) + "}\n";

@@ -1,7 +1,9 @@
 // Files that appear whole or not at all, and paths that stay inside their root.
 #include "base/file.h"
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include "base/texture_options.h"
@@ -54,6 +56,51 @@ TEST_F(Files, SayWhyTheyCannotBeWritten) {
     EXPECT_FALSE(write_file(folder_ / "inner", "a", why_));
     EXPECT_FALSE(why_.empty());
     EXPECT_EQ(std::distance(fs::directory_iterator(folder_), {}), 1);
+}
+
+TEST_F(Files, ALinkStaysAndItsFileIsReplaced) {
+    ASSERT_TRUE(write_file(folder_ / "inner" / "x", "old", why_)) << why_;
+    fs::create_symlink("inner/x", folder_ / "link");
+    ASSERT_TRUE(write_file(folder_ / "link", "new", why_)) << why_;
+    EXPECT_TRUE(fs::is_symlink(folder_ / "link"));
+    EXPECT_EQ(read_file(folder_ / "inner" / "x", why_), "new");
+    fs::create_symlink("inner/y", folder_ / "dangling");
+    ASSERT_TRUE(write_file(folder_ / "dangling", "there", why_)) << why_;
+    EXPECT_EQ(read_file(folder_ / "inner" / "y", why_), "there");
+}
+
+TEST_F(Files, PermissionsAreKept) {
+    ASSERT_TRUE(write_file(folder_ / "x", "old", why_)) << why_;
+    fs::permissions(folder_ / "x", fs::perms::owner_all);
+    ASSERT_TRUE(write_file(folder_ / "x", "new", why_)) << why_;
+    EXPECT_EQ(fs::status(folder_ / "x").permissions(), fs::perms::owner_all);
+}
+
+// Written to as it is; its reader is there already, so opening does not wait.
+TEST_F(Files, APipeIsWrittenTo) {
+    const fs::path pipe = folder_ / "pipe";
+    ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+    const int reader = open(pipe.c_str(), O_RDONLY | O_NONBLOCK);
+    ASSERT_TRUE(write_file(pipe, "through", why_)) << why_;
+    EXPECT_TRUE(fs::is_fifo(pipe));
+    char bytes[16] = "";
+    EXPECT_EQ(read(reader, bytes, sizeof bytes), 7);
+    EXPECT_STREQ(bytes, "through");
+    ASSERT_TRUE(write_file(folder_ / "x", "again", why_)) << why_;
+    ASSERT_TRUE(replace_file(folder_ / "x", pipe, why_)) << why_;
+    EXPECT_FALSE(fs::exists(folder_ / "x"));
+    EXPECT_EQ(read(reader, bytes, sizeof bytes), 5);
+    close(reader);
+}
+
+TEST_F(Files, SeveralAppearTogetherOrNotAtAll) {
+    const FileBytes good[] = {{folder_ / "a", "1"}, {folder_ / "b", "2"}};
+    ASSERT_TRUE(write_files(good, why_)) << why_;
+    const FileBytes bad[] = {{folder_ / "a", "3"}, {folder_ / "missing" / "b", "4"}};
+    EXPECT_FALSE(write_files(bad, why_));
+    EXPECT_NE(why_.find("missing"), why_.npos) << why_;
+    EXPECT_EQ(read_file(folder_ / "a", why_), "1");
+    EXPECT_EQ(std::distance(fs::directory_iterator(folder_), {}), 3);  // nothing temporary
 }
 
 TEST_F(Files, PathsStayInside) {

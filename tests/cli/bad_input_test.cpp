@@ -1,5 +1,7 @@
 // Graphs that are wrong in every way that an issue or a user thought of: each is reported at its
 // place with exit code 1, and nothing is written.
+#include <sys/stat.h>
+
 #include <algorithm>
 #include <set>
 #include <sstream>
@@ -190,6 +192,12 @@ TEST_F(BadInputTest, AFileThatIsNoneIsNamed) {
         EXPECT_EQ(ran.code, 1);
         EXPECT_TRUE(says(ran.err, name));
     }
+}
+
+// Opening a pipe waits for a writer, who may never come.
+TEST_F(BadInputTest, APipeIsNoImage) {
+    ASSERT_EQ(mkfifo((folder / "pipe.png").c_str(), 0600), 0);
+    expect_refused({"a pipe", image_graph("pipe.png"), {"no regular file"}});
 }
 
 TEST_F(BadInputTest, EveryProblemIsReportedAtOnce) {

@@ -112,6 +112,13 @@ TEST_F(CompileTest, RefusesWrongUsage) {
         {"compile", "g.json", "g.json"},
         {"compile", "g.json", "--set", "tilt.volume=0:1:3", "-o", "g.glsl"},
         {"compile", "g.json", "--nonsense"},
+        {"compile", "g.json", "--reflect", "-"},
+        {"compile", "g.json", "-MD"},
+        {"compile", "g.json", "-o", "g.glsl", "--reflect", "-", "-MD", "-MF", "-"},
+        {"compile", "g.json", "-o", "x", "--reflect", "x"},
+        {"compile", "g.json", "--form", "shader", "-o", "x", "--reflect", "x.frag"},
+        {"compile", "g.json", "-o", "g.glsl", "-MF", "g.d"},
+        {"compile", "g.json", "-o", "g.glsl", "-MT", "g"},
     };
     for (const auto& args : cases) {
         const Ran ran = run(args, "x");
@@ -119,6 +126,19 @@ TEST_F(CompileTest, RefusesWrongUsage) {
         EXPECT_EQ(ran.out, "");
         EXPECT_NE(ran.err, "");
         EXPECT_EQ(ran.read, 0);
+        EXPECT_EQ(files(), Names{"g.json"});
+    }
+}
+
+TEST_F(CompileTest, AllFilesAreWrittenOrNone) {
+    put("g.json", tilt_graph());
+    for (const Names& more : {Names{"--reflect", "none/g.json"}, Names{"-MD", "-MF", "none/g.d"},
+                              Names{"--form", "shader", "--reflect", "none/g.json"}}) {
+        Names args{"compile", "g.json", "-o", "g.glsl"};
+        args.insert(args.end(), more.begin(), more.end());
+        const Ran ran = run(args);
+        EXPECT_EQ(ran.code, 3);
+        EXPECT_TRUE(says(ran.err, "none/g."));
         EXPECT_EQ(files(), Names{"g.json"});
     }
 }

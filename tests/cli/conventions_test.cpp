@@ -29,6 +29,22 @@ TEST_F(ConventionsTest, VersionIsOneLine) {
     EXPECT_TRUE(ran.out.starts_with("wrinkle "));
 }
 
+TEST_F(ConventionsTest, TargetsAreListedByEveryCommandThatReadsGraphs) {
+    const Ran list = run({"compile", "--list-targets"});
+    EXPECT_EQ(list.code, 0) << list.err;
+    EXPECT_TRUE(says(list.out, "glsl"));
+    for (const char* command : {"check", "eval", "render", "test", "nodes"})
+        EXPECT_EQ(run({command, "--list-targets"}).out, list.out) << command;
+}
+
+TEST_F(ConventionsTest, OneBadFileOfSeveralLeavesAllAsTheyAre) {
+    const std::string loose = "{\"nodes\": {}, \"wrinkle\": 1}";
+    put("a.json", loose);
+    put("b.json", "{");
+    EXPECT_EQ(run({"format", "a.json", "b.json"}).code, 1);
+    EXPECT_EQ(get("a.json"), loose);
+}
+
 TEST_F(ConventionsTest, WrongUsageIsTwo) {
     for (const Names& args :
          {Names{}, Names{"bake-a-cake"}, Names{"check"}, Names{"check", "--nonsense", "g.json"},

@@ -161,5 +161,15 @@ TEST_F(EvalTest, RefusesWrongUsage) {
     }
 }
 
+TEST_F(EvalTest, SweepsOverFiniteNumbersAlone) {
+    put("g.json", ramp_graph());
+    for (const std::string sweep : {"nan:1:3", "0:inf:3", "0:1:nan"}) {
+        const Ran ran =
+            run({"eval", "g.json", "--at", R"({"uv0": [1, 0]})", "--set", "scaled.b=" + sweep});
+        EXPECT_EQ(ran.code, 1) << sweep << ran.out;
+        EXPECT_TRUE(says(ran.err, sweep));
+    }
+}
+
 }  // namespace
 }  // namespace wrinkle::test

@@ -62,7 +62,10 @@ Ran CliTest::run(const std::vector<std::string>& args, const std::string& input,
         dup2(err, 2);
         for (char* entry : additions)
             if (entry) putenv(entry);
-        if (chdir(folder.c_str()) == 0) execv(binary.c_str(), argv.data());
+        const rlimit limit{memory, memory};
+        if (memory != RLIM_INFINITY) setrlimit(RLIMIT_AS, &limit);
+        const bool changed = !as_nobody || geteuid() != 0 || setuid(65534) == 0;
+        if (chdir(folder.c_str()) == 0 && changed) execv(binary.c_str(), argv.data());
         _exit(127);
     }
     int status = 0;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 
 #include <filesystem>
 #include <string>
@@ -38,6 +39,8 @@ protected:
     std::vector<std::string> files() const;
 
     fs::path folder;
+    rlim_t memory = RLIM_INFINITY;  // bytes of address space that the process may have
+    bool as_nobody = false;         // gives up root's rights to read everything
 };
 
 // An EGL without drivers.

@@ -241,6 +241,66 @@ TEST_F(Edit, WouldCycle) {
     EXPECT_FALSE(would_cycle(sample, {"base", "gradient"}, "normal"));
     EXPECT_FALSE(would_cycle(sample, {"surface", "uv0"}, "base"));
     EXPECT_FALSE(would_cycle(sample, {"nobody", "x"}, "base"));
+    using Ids = std::set<std::string>;
+    EXPECT_EQ(cycle_partners(sample, "softer", true), (Ids{"softer", "weave", "tile"}));
+    EXPECT_EQ(cycle_partners(sample, "softer", false), (Ids{"softer", "sum", "normal"}));
+    EXPECT_EQ(cycle_partners(sample, "nobody", true), Ids{});
+}
+
+TEST_F(Edit, SeveralNodesAreOneEdit) {
+    const Document removed = remove_nodes(sample, {"base", "weave", "surface", "nobody"});
+    EXPECT_EQ(write_document(removed),
+              write_document(remove_node(remove_node(sample, "weave"), "base")));
+    EXPECT_TRUE(removed.find("tile")->find("uv")) << "what reads the surface stays";
+    const Document moved = move_nodes(sample, {{"base", 0, 0}, {"sum", 3, 4}, {"weave", 1, 2}});
+    EXPECT_EQ(after(moved), after(move_node(move_node(sample, "sum", 3, 4), "weave", 1, 2)));
+    EXPECT_EQ(write_document(mute_nodes(sample, {"base", "weave"}, true)),
+              write_document(set_muted(sample, "base", true)));
+    Node twice = *sample.find("plain");
+    twice.id = free_id(sample, "plain", {"plain2"});
+    EXPECT_EQ(twice.id, "plain3");
+    const Document added = add_nodes(sample, {twice, twice}, {{"plain3", 8, 8}});
+    EXPECT_EQ(write_document(added), write_document(add_node(sample, twice, 8, 8)));
+    EXPECT_FALSE(remove_nodes(sample, {"surface", "nobody"}).edited);
+    EXPECT_FALSE(move_nodes(sample, {{"base", 0, 0}}).edited);
+    EXPECT_FALSE(mute_nodes(sample, {"weave"}, true).edited);
+    EXPECT_FALSE(add_nodes(sample, {*sample.find("base")}, {}).edited);
+}
+
+TEST_F(Edit, UpgradesRenameEachSideAlone) {
+    // An input and an output share the name: only the side that was renamed follows.
+    const NodeUpgrade inputs{"tile", 2, {{"uv", "coordinates"}}, {}};
+    const Document in = upgrade_nodes(sample, {inputs});
+    EXPECT_EQ(in.find("tile")->inputs[0].port, "coordinates");
+    EXPECT_EQ(in.find("tile")->version, 2);
+    EXPECT_EQ(in.find("weave")->find("uv")->link.text(), "tile.uv");
+    const NodeUpgrade outputs{"tile", 2, {}, {{"uv", "result"}, {"result", "tiled"}}};
+    const Document out = upgrade_nodes(sample, {outputs});
+    EXPECT_EQ(out.find("tile")->inputs[0].port, "uv");
+    EXPECT_EQ(out.find("weave")->find("uv")->link.text(), "tile.tiled");
+    const NodeUpgrade last{"normal", 1, {}, {{"normal", "bent"}}};
+    EXPECT_EQ(upgrade_nodes(sample, {last}).outputs.find("normal")->from.link.text(),
+              "normal.bent");
+    // Nothing to rename, and a new name that is taken.
+    EXPECT_FALSE(upgrade_nodes(sample, {{"sum", 1, {{"c", "d"}, {"a", "b"}}, {}}}).edited);
+    EXPECT_FALSE(upgrade_nodes(sample, {{"nobody", 9, {}, {}}}).edited);
+}
+
+// With a document a node this would take hours.
+TEST_F(Edit, ManyNodesTakeOnePass) {
+    std::vector<Node> nodes(100'000);
+    std::vector<NodeUpgrade> upgrades;
+    std::set<std::string> ids;
+    for (size_t i = 0; i < nodes.size(); ++i) {
+        nodes[i].id = "n" + std::to_string(i);
+        ids.insert(nodes[i].id);
+        upgrades.push_back({nodes[i].id, 2, {}, {}});
+    }
+    Document document = upgrade_nodes(add_nodes({}, std::move(nodes), {}), upgrades);
+    EXPECT_EQ(document.nodes[99'999]->version, 2);
+    document = mute_nodes(document, ids, true);
+    EXPECT_TRUE(document.find("n50000")->muted);
+    EXPECT_TRUE(remove_nodes(document, ids).nodes.empty());
 }
 
 }  // namespace

@@ -227,5 +227,38 @@ TEST(Diagnose, AtEachThing) {
     EXPECT_EQ(to_text(diagnose(d, "no")), "g.json: error: no");
 }
 
+// Writing such a document back would lose what was not read.
+TEST(Read, SaysWhatItLost) {
+    Diagnostics ignored;
+    const auto lost = [&](const std::string& text, ReadLimits limits = {}) {
+        return read_document(text, "g.json", ignored, limits).lost;
+    };
+    EXPECT_EQ(lost(sample_text()), "");
+    EXPECT_EQ(lost(R"({"wrinkle": 1, "nodes": {"a": {"type": "x", "odd": []}}, "more": 1})"), "");
+    EXPECT_NE(lost(sample_text().substr(0, 900)), "");
+    EXPECT_NE(lost(R"({"wrinkle": 1, "nodes": {}, "nodes": {}})"), "");
+    EXPECT_EQ(lost(sample_text(), {64, 7, 0}), "");
+    EXPECT_EQ(lost(sample_text(), {64, 6, 0}), "it has more nodes than are allowed");
+    EXPECT_EQ(lost("[1, 2]"), "it is no JSON object");
+}
+
+// Ports are looked up one after the other, as those of a node are: their number has a limit.
+TEST(Read, InputsAndOutputsHaveALimit) {
+    const auto problems = [](size_t count) {
+        std::string inputs, outputs;
+        for (size_t i = 0; i < count; ++i) {
+            const std::string name = (i ? ", \"p" : "\"p") + std::to_string(i) + "\": ";
+            inputs += name + "{\"type\": \"float\"}";
+            outputs += name + "{\"from\": \"input.p0\"}";
+        }
+        return problems_of("{\"wrinkle\": 1, \"inputs\": {" + inputs + "}, \"outputs\": {" +
+                           outputs + "}}");
+    };
+    EXPECT_EQ(problems(256), "");
+    const std::string text = problems(257);
+    EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 2) << text;
+    EXPECT_NE(text.find("the limit is 256"), text.npos);
+}
+
 }  // namespace
 }  // namespace wrinkle

@@ -1,5 +1,7 @@
 // Files that are no pictures, or too large ones: one precise error each, never a crash, nothing on
 // standard error.
+#include <sys/stat.h>
+
 #include <cstdlib>
 
 #include "image/load.h"
@@ -57,6 +59,11 @@ TEST_F(BadImage, EmptyFile) {
 
 TEST_F(BadImage, Folder) {
     EXPECT_NE(refusal(folder).message.find("is a folder, not a file"), std::string::npos);
+}
+
+TEST_F(BadImage, Pipe) {
+    ASSERT_EQ(mkfifo((folder / "pipe.png").c_str(), 0600), 0);
+    EXPECT_NE(refusal(folder / "pipe.png").message.find("no regular file"), std::string::npos);
 }
 
 TEST_F(BadImage, ForeignContentNamesTheFormats) {

@@ -45,6 +45,16 @@ TEST(Override, SaysWhatIsNotOne) {
               "A:B:N, N from 2 to 10000)\n");
 }
 
+// Neither from_chars' "nan" and "inf" nor an overflow on the way between the ends.
+TEST(Override, HoldsFiniteNumbersAlone) {
+    for (const char* text : {"n.value=0:1:nan", "n.value=0:1:inf"})
+        EXPECT_NE(values(text).find("neither JSON nor a sweep"), std::string::npos) << text;
+    for (const char* text : {"n.value=nan:1:3", "n.value=0:inf:3", "n.value=-infinity:0:3"})
+        EXPECT_EQ(values(text), "n.value = \"" + std::string(text + 8) + "\"");
+    EXPECT_EQ(values("n.value=-1e308:1e308:3"), "n.value = -1e+308 0 1e+308");
+    EXPECT_EQ(values("n.value=1:2:11"), "n.value = 1 1.1 1.2 1.3 1.4 1.5 1.6 1.7 1.8 1.9 2");
+}
+
 const std::string sample = test::graph(
     R"("n": {"type": "number", "in": {"value": {"from": "input.k"}}}, "o": {"type": "options"})",
     R"("a": {"from": "n.value"}, "b": {"from": "o.value"})",

@@ -1,0 +1,27 @@
+#include "registry/standard.h"
+
+#include <algorithm>
+#include <array>
+
+namespace wrinkle {
+namespace {
+
+constexpr std::array<std::string_view, 7> names = {
+    "normal", "height", "displacement", "color", "roughness", "metalness", "occlusion"};
+constexpr std::array<PortType, 7> types = {PortType::normal_, PortType::height_, PortType::height_,
+                                           PortType::color_,  PortType::float_,  PortType::float_,
+                                           PortType::float_};
+
+}  // namespace
+
+std::optional<PortType> standard_output(std::string_view name) {
+    const auto* const found = std::find(names.begin(), names.end(), name);
+    if (found == names.end()) return {};
+    return types[static_cast<size_t>(found - names.begin())];
+}
+
+std::span<const std::string_view> standard_outputs() {
+    return names;
+}
+
+}  // namespace wrinkle

@@ -1,0 +1,19 @@
+// Names that mean the same in every graph.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string_view>
+
+#include "registry/port_type.h"
+
+namespace wrinkle {
+
+inline constexpr std::string_view reroute_type = "reroute";
+
+// An output of a graph: "normal" is a normal, "roughness" a float, ...; nothing for a name of the
+// user's own.
+std::optional<PortType> standard_output(std::string_view name);
+std::span<const std::string_view> standard_outputs();
+
+}  // namespace wrinkle

@@ -1,0 +1,85 @@
+// What the editor reads and writes: graphs, and the images round them.
+#include "editor/popups.h"
+#include "headless.h"
+
+namespace wrinkle::editor {
+namespace {
+
+TEST_F(Headless, SavesWhatIsShownAndOnlyTheEditedLine) {
+    open(small_graph);
+    play("key Ctrl+S");
+    EXPECT_EQ(text_of(file), small_graph) << "an untouched graph keeps its bytes";
+    play(R"(
+        double field:softer.amount
+        type 0.25
+        key Enter
+        assert dirty
+        click menu:File
+        click menu:save
+        assert clean)");
+    std::string expected = small_graph;
+    expected.replace(expected.find("\"amount\": 0.6"), 13, "\"amount\": 0.25");
+    EXPECT_NE(text_of(file).find("\"amount\": 0.25"), std::string::npos);
+    EXPECT_EQ(text_of(file), expected);
+    play("key Ctrl+Z\nassert dirty\nkey Ctrl+S");
+    EXPECT_EQ(text_of(file), small_graph);
+}
+
+TEST_F(Headless, AFileThatWasNotReadWholeIsNotOverwritten) {
+    const std::string broken = std::string(small_graph).substr(0, 300);
+    open(broken);
+    play("key Ctrl+S\nassert status Not saved");
+    EXPECT_EQ(text_of(file), broken);
+}
+
+TEST_F(Headless, AFileThatIsNoGraphIsNotOverwritten) {
+    open("[1, 2, 3]");
+    play("key Space\ntype smoothstep\nkey Enter\nkey Ctrl+S\nassert status Not saved");
+    EXPECT_EQ(text_of(file), "[1, 2, 3]");
+}
+
+TEST_F(Headless, ImageFilesAreThoseNearTheGraph) {
+    namespace fs = std::filesystem;
+    fs::create_directories(folder.path() / "a" / "deep");
+    fs::create_directories(folder.path() / "b");
+    for (const char* name : {"z.png", "a/deep/d.exr", "a/c.jpg", "b/b.png", "b/notes.txt"})
+        folder.write(name, "x");
+    fs::create_directory_symlink(folder.path(), folder.path() / "a" / "again");
+    using Names = std::vector<std::string>;
+    EXPECT_EQ(image_files(folder.path()), (Names{"a/c.jpg", "a/deep/d.exr", "b/b.png", "z.png"}));
+    EXPECT_EQ(image_files(folder.path(), 3), (Names{"a/c.jpg", "b/b.png", "z.png"}));
+    EXPECT_EQ(image_files(folder.path(), 9, 3), (Names{"z.png"}));
+    EXPECT_EQ(image_files(folder.path() / "none"), Names{});
+}
+
+// The list stands as long as it is open: the folder is not walked on every frame.
+TEST_F(Headless, ImagesAreListedOnceWhenTheListOpens) {
+    std::string graph = small_graph;
+    graph.replace(graph.find("\"number\": {"), 11,
+                  R"("map": { "type": "height_map", "in": { "image": "x.png" } }, "number": {)");
+    folder.write("one.png", "x");
+    open(graph);
+    play("click field:map.image\nassert target choice:one.png");
+    folder.write("two.png", "x");
+    frame();
+    EXPECT_TRUE(state.targets.find("choice:one.png"));
+    EXPECT_FALSE(state.targets.find("choice:two.png"));
+    play("key Escape\nclick field:map.image\nassert target choice:two.png");
+}
+
+TEST_F(Headless, AMissingPluginIsShownKeptAndReported) {
+    std::string graph = small_graph;
+    graph.replace(graph.find("\"type\": \"add\""), 13, "\"type\": \"acme\"");
+    open(graph);
+    play(R"(
+        assert node number
+        assert target node:number
+        assert target problem:1
+        click problem:1
+        drag node:softer node:softer+40,40
+        key Ctrl+S)");
+    EXPECT_NE(text_of(file).find("\"type\": \"acme\""), std::string::npos);
+}
+
+}  // namespace
+}  // namespace wrinkle::editor
