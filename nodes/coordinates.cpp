@@ -41,12 +41,12 @@ Node planar_uv_node =
                     "0 to 1: how squarely the surface faces the chosen side; constant under "
                     "differentiation")
         .body([](PlanarUv in) {
-            const Float towards = along(normalize(in.normal), in.axis);
+            const Float towards = along(normalize(front_of(in.normal)), in.axis);
             const Float faced = in.side == Side::both       ? abs(towards)
                                 : in.side == Side::positive ? towards
                                                             : -towards;
             const Float weight = smoothstep(in.limit, in.limit + in.falloff, detach(faced));
-            const Planes planes = planes_at(in.point, side_of(in.normal));
+            const Planes planes = planes_at(in.point, side_of(front_of(in.normal)));
             return std::tuple{plane(planes, in.axis) * in.scale, detach(weight)};
         });
 
@@ -82,7 +82,7 @@ Node box_uv_node =
         .out<vec2>("uv", "The projected place")
         .out<Float>("face", "The side: 0 to 5 for +x, -x, +y, -y, +z, -z")
         .body([](vec3 point, vec3 direction, vec2 scale) {
-            const CubeFace face = cube_face(direction, point);
+            const CubeFace face = cube_face(front_of(direction), point);
             return std::tuple{face.place * scale, face.index};
         });
 

@@ -1,4 +1,4 @@
-// Tangent frames as values: their vectors, a tangent from a map, and a normal that faces the viewer.
+// Tangent frames as values: their vectors, a tangent from a map, a normal that faces the viewer.
 #include "nodes/ports.h"
 #include "wrinkle/node.h"
 

@@ -1,5 +1,7 @@
 #include "nodes/projection.h"
 
+#include "wrinkle/surface.h"
+
 namespace wrinkle::nodes {
 using namespace sdk;
 
@@ -11,6 +13,11 @@ Planes planes_at(vec3 point, vec3 side) {
 
 vec3 side_of(vec3 direction) {
     return {sign_nonzero(direction.x()), sign_nonzero(direction.y()), sign_nonzero(direction.z())};
+}
+
+vec3 front_of(vec3 normal) {
+    const vec3 front = surface::front_normal;
+    return normal * sign_nonzero(dot(front, surface::normal));
 }
 
 vec3 volume_of(const Planes& slopes, vec3 weights, vec3 side) {

@@ -25,6 +25,10 @@ Planes planes_at(sdk::vec3 point, sdk::vec3 side);
 // +1 or -1 by axis: which side of each plane somebody sees who looks along -direction.
 sdk::vec3 side_of(sdk::vec3 direction);
 
+// A normal of the surface, turned or not by the graph's rule for back faces, as the front face has
+// it: a relief is the same from behind.
+sdk::vec3 front_of(sdk::vec3 normal);
+
 // The gradient in space of a height whose slopes on the three planes are given, by their weights.
 // Golubev, eqs. 46-49: weights count as constant.
 sdk::vec3 volume_of(const Planes& slopes, sdk::vec3 weights, sdk::vec3 side);

@@ -61,7 +61,7 @@ Node triplanar_color_node =
         .out<Float>("alpha", "Opacity, 0 to 1")
         .body([](TriplanarColor in) {
             const vec3 weights = triplanar_weights(in.normal, in.sharpness, usual_threshold);
-            const Planes at = tiled(in.point, side_of(in.normal), in.tiling);
+            const Planes at = tiled(in.point, side_of(front_of(in.normal)), in.tiling);
             const vec4 color = blend(at, weights, [&](vec2 uv) { return in.image.sample(uv); });
             return std::tuple{color.rgb(), color.a()};
         });
@@ -94,7 +94,7 @@ Node triplanar_height_map_node =
         .out<Gradient>("gradient", "Its bump")
         .body([](TriplanarHeightMap in) {
             const vec3 weights = triplanar_weights(in.base, in.sharpness, usual_threshold);
-            const Planes at = tiled(in.point, side_of(in.base), in.tiling);
+            const Planes at = tiled(in.point, side_of(front_of(in.base)), in.tiling);
             const Float value =
                 blend(at, weights, [&](vec2 uv) { return read_height(in.image, uv, in.quality); });
             const Float height = (value - in.midlevel) * in.amplitude;
@@ -114,7 +114,7 @@ struct TriplanarSlopes {
 template <class Read>
 static auto triplanar_slopes(const TriplanarSlopes& in, Read read) {
     const vec3 weights = triplanar_weights(in.base, in.sharpness, usual_threshold);
-    const vec3 side = side_of(in.base);
+    const vec3 side = side_of(front_of(in.base));
     const Planes at = tiled(in.point, side, in.tiling);
     const Planes slopes{read(at.x), read(at.y), read(at.z)};
     const Float per_length = in.scale == Scale::surface ? in.tiling : Float(1);
@@ -188,7 +188,7 @@ Node triplanar_height_node =
         .out<Gradient>("gradient", "Its bump")
         .body([](TriplanarHeight in) {
             const vec3 weights = triplanar_weights(in.base, in.sharpness, usual_threshold);
-            const Planes at = tiled(in.point, side_of(in.base), in.tiling);
+            const Planes at = tiled(in.point, side_of(front_of(in.base)), in.tiling);
             const Float height = blend(at, weights, [&](vec2 uv) { return in.height(uv); });
             return std::tuple{height, gradient_from_height(height, Base(in.base))};
         });
@@ -216,7 +216,7 @@ Node triplanar_derivative_node =
         .out<vec3>("volume", VOLUME_DOC)
         .body([](TriplanarDerivative in) {
             const vec3 weights = triplanar_weights(in.base, in.sharpness, usual_threshold);
-            const vec3 side = side_of(in.base);
+            const vec3 side = side_of(front_of(in.base));
             const Planes at = tiled(in.point, side, in.tiling);
             const Planes slopes{in.derivative(at.x).slope(), in.derivative(at.y).slope(),
                                 in.derivative(at.z).slope()};

@@ -47,10 +47,9 @@ struct RenderCommand {
         compile_runs(file, common, nodes.registry, overrides, false, use, diagnostics);
         if (displace && !diagnostics.has_errors())
             meshes = displaced(*drawn_on, nodes, overrides, textures, diagnostics);
-        else if (drawn_on)
-            meshes.push_back(*drawn_on);
         const int code = report(diagnostics, common.diagnostics);
-        return code == exit_fine ? draw(shaders, meshes, textures, options, overrides) : code;
+        if (code != exit_fine) return code;
+        return draw(shaders, *drawn_on, meshes, textures, options, overrides);
     }
 
     // Of each run.
@@ -93,18 +92,18 @@ struct RenderCommand {
         return sentence.empty();
     }
 
-    // `meshes`: one, or with --displace one for each shader.
-    int draw(const std::vector<Shader>& shaders, const std::vector<Mesh>& meshes,
-             const Textures& textures, const PictureOptions& options,
-             const Overrides& overrides) const {
+    // `still` is what the camera sees; with --displace each shader has a mesh of its own.
+    int draw(const std::vector<Shader>& shaders, const Mesh& still,
+             const std::vector<Mesh>& displaced, const Textures& textures,
+             const PictureOptions& options, const Overrides& overrides) const {
         Diagnostics environment, diagnostics;
-        auto painter = Painter::make(options, meshes.front(), environment);
+        auto painter = Painter::make(options, still, environment);
         if (!painter) {
             report(environment, common.diagnostics);
             return exit_environment;
         }
         for (size_t i = 0; i < shaders.size(); ++i) {
-            if (displace) painter->show(meshes[i]);
+            if (displace) painter->show(displaced[i]);
             const auto picture = painter->draw(shaders[i], textures, diagnostics);
             if (!picture) return report(diagnostics, common.diagnostics);
             const std::string path = path_of_run(output, overrides, i);

@@ -76,10 +76,10 @@ void TestRun::run(const TestCase& test, Diagnostics& diagnostics) {
     if (!own.has_errors() && test.render) textures.load(screen->compiled, screen->project, own);
     if (!own.has_errors() && !test.points.empty()) values(test, *given, textures, own);
     if (!own.has_errors() && test.glsl) text(test, shader);
-    std::optional<Mesh> mesh;
-    if (!own.has_errors() && test.render) mesh = open_mesh(test.render->picture.mesh, common, own);
-    if (mesh && displaced) mesh = displaced_mesh(*mesh, *given, textures, own);
-    if (mesh) picture(test, shader, *mesh, textures, own);
+    std::optional<Mesh> still, moved;
+    if (!own.has_errors() && test.render) still = open_mesh(test.render->picture.mesh, common, own);
+    if (still && displaced) moved = displaced_mesh(*still, *given, textures, own);
+    if (still && !own.has_errors()) picture(test, shader, *still, moved, textures, own);
     append_once(own, diagnostics);
 }
 
@@ -135,15 +135,17 @@ void TestRun::text(const TestCase& test, const Shader& shader) {
     if (!options_.report.empty()) write(report_path(test, ".glsl"), shader.source);
 }
 
-void TestRun::picture(const TestCase& test, const Shader& shader, const Mesh& mesh,
-                      const Textures& textures, Diagnostics& diagnostics) {
+void TestRun::picture(const TestCase& test, const Shader& shader, const Mesh& still,
+                      const std::optional<Mesh>& moved, const Textures& textures,
+                      Diagnostics& diagnostics) {
     Diagnostics environment;
     const PictureOptions& options = test.render->picture;
-    auto painter = Painter::make(options, mesh, environment);
+    auto painter = Painter::make(options, still, environment);
     if (!painter) {
         tally_.environment = environment.list().front().message;
         return;
     }
+    if (moved) painter->show(*moved);
     const auto picture = painter->draw(shader, textures, diagnostics);
     if (!picture) return;
     const fs::path golden = test.golden(".png");

@@ -35,8 +35,9 @@ private:
     void update_values(const TestCase& test, const std::vector<OutputColumn>& columns,
                        const std::vector<bool>& differs);
     void text(const TestCase& test, const Shader& shader);
-    void picture(const TestCase& test, const Shader& shader, const Mesh& mesh,
-                 const Textures& textures, Diagnostics& diagnostics);
+    void picture(const TestCase& test, const Shader& shader, const Mesh& still,
+                 const std::optional<Mesh>& moved, const Textures& textures,
+                 Diagnostics& diagnostics);
     bool write(const std::filesystem::path& path, std::string_view bytes);
     bool save(const Image& image, const std::filesystem::path& path);
     std::filesystem::path report_path(const TestCase& test, const std::string& extension) const;

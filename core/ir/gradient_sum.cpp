@@ -101,8 +101,9 @@ GradientSum GradientAlgebra::scale(const GradientSum& a, Value amount) {
 // Mikkelsen 2010, eq. 3.
 Value GradientAlgebra::screen_gradient(Value slope) {
     const Value n{target_, unit_normal(*target_)};
-    const Value p_x = screen_->position(Variant::dx);
-    const Value p_y = screen_->position(Variant::dy);
+    // What they hold along n drops out of both products.
+    const Value p_x{target_, target_->input(SurfaceInput::position_, Variant::dx)};
+    const Value p_y{target_, target_->input(SurfaceInput::position_, Variant::dy)};
     const Value r_x = surface_named("r_x", cross(p_y, n));
     const Value r_y = surface_named("r_y", cross(n, p_x));
     const Value det = surface_named("det", dot(p_x, r_x));

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "base/text.h"
+#include "ir/surface.h"
 #include "lower/decode.h"
 #include "lower/field.h"
 #include "lower/lowering.h"
@@ -170,6 +171,7 @@ private:
     }
 
     Id surface(uint32_t index) {
+        if (index == WR_SURFACE_FRONT_NORMAL) return unit_normal(module_);
         if (index >= static_cast<uint32_t>(surface_input_count))
             return refuse("asks for surface property " + std::to_string(index) +
                           ", which does not exist");

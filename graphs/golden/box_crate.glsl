@@ -14,15 +14,16 @@ vec3 wrinkle_box_crate_normal(WrinkleSurface_box_crate s) {
     vec3 dpdy = dFdy(s.position_relative);
     vec3 surface_dpdy = dpdy - normal * dot(normal, dpdy);
     vec3 sides_product = normal * s.facing;  // sides: Box UV
-    vec3 sides_magnitude = abs(sides_product);
+    vec3 sides_product_2 = sides_product * (dot(normal, sides_product) < 0.0 ? -1.0 : 1.0);
+    vec3 sides_magnitude = abs(sides_product_2);
     bool sides_test = sides_magnitude.x >= sides_magnitude.y;
     bool sides_test_2 = sides_test && sides_magnitude.x >= sides_magnitude.z;
-    float sides_negated = -(sides_product.x < 0.0 ? -1.0 : 1.0);
+    float sides_negated = -(sides_product_2.x < 0.0 ? -1.0 : 1.0);
     vec2 sides_vector = vec2(sides_negated * s.position.z, s.position.y);
     bool sides_test_3 = sides_magnitude.y >= sides_magnitude.z;
-    float sides_negated_2 = -(sides_product.y < 0.0 ? -1.0 : 1.0);
+    float sides_negated_2 = -(sides_product_2.y < 0.0 ? -1.0 : 1.0);
     vec2 sides_vector_2 = vec2(s.position.x, sides_negated_2 * s.position.z);
-    float sides_sign = sides_product.z < 0.0 ? -1.0 : 1.0;
+    float sides_sign = sides_product_2.z < 0.0 ? -1.0 : 1.0;
     vec2 sides_vector_3 = vec2(sides_sign * s.position.x, s.position.y);
     vec2 sides_choice = sides_test_2 ? sides_vector : sides_test_3 ? sides_vector_2 :
             sides_vector_3;
@@ -32,26 +33,26 @@ vec3 wrinkle_box_crate_normal(WrinkleSurface_box_crate s) {
     vec2 sides_vector_6 = vec2(surface_dpdy.x * sides_sign, surface_dpdy.y);
     vec2 sides_choice_2 = sides_test_2 ? sides_vector_4 : sides_test_3 ? sides_vector_5 :
             sides_vector_6;
-    vec2 sides_product_2 = sides_choice_2 * 2.0;
+    vec2 sides_product_3 = sides_choice_2 * 2.0;
     vec2 sides_vector_7 = vec2(surface_dpdx.z * sides_negated, surface_dpdx.y);
     vec2 sides_vector_8 = vec2(surface_dpdx.x, surface_dpdx.z * sides_negated_2);
     vec2 sides_vector_9 = vec2(surface_dpdx.x * sides_sign, surface_dpdx.y);
     vec2 sides_choice_3 = sides_test_2 ? sides_vector_7 : sides_test_3 ? sides_vector_8 :
             sides_vector_9;
-    vec2 sides_product_3 = sides_choice_3 * 2.0;
+    vec2 sides_product_4 = sides_choice_3 * 2.0;
     vec3 g_texel = texture(g_image, sides_uv).xyz * 2.0 - 1.0;  // g: Tangent normal map
     float g_product = max(abs(g_texel.x), abs(g_texel.y)) * 0.0078125;
     vec2 g_slope = -g_texel.xy;
     // normal: Resolve
     float normal_product = max(max(abs(g_texel.z), g_product), 1e-06) * s.facing;
-    vec3 normal_difference = surface_dpdx * sides_product_2.y - surface_dpdy * sides_product_3.y;
-    float normal_product_2 = sides_product_3.x * sides_product_2.y;
-    float normal_sign = normal_product_2 - sides_product_2.x * sides_product_3.y < 0.0 ? -1.0 : 1.0;
+    vec3 normal_difference = surface_dpdx * sides_product_3.y - surface_dpdy * sides_product_4.y;
+    float normal_product_2 = sides_product_4.x * sides_product_3.y;
+    float normal_sign = normal_product_2 - sides_product_3.x * sides_product_4.y < 0.0 ? -1.0 : 1.0;
     vec3 normal_product_3 = normal_difference * normal_sign;
     float normal_inverse_root = inversesqrt(max(dot(normal_product_3, normal_product_3), 1e-36));
-    vec3 normal_product_4 = normal_product_3 * normal_inverse_root;
+    vec3 normal_tangent = normal_product_3 * normal_inverse_root;
     float normal_sign_2 = dot(surface_dpdy, cross(normal, surface_dpdx)) < 0.0 ? -1.0 : 1.0;
-    vec3 normal_product_5 = cross(normal, normal_product_4) * (normal_sign * normal_sign_2);
-    vec3 normal_gradient = normal_product_4 * g_slope.x + normal_product_5 * g_slope.y;
+    vec3 normal_bitangent = cross(normal, normal_tangent) * (normal_sign * normal_sign_2);
+    vec3 normal_gradient = normal_tangent * g_slope.x + normal_bitangent * g_slope.y;
     return normalize(normal * normal_product - normal_gradient);
 }

@@ -102,44 +102,52 @@ float wrinkle_carved_ball_gradient_noise_change(vec3 a, vec3 b) {
     return mixed_11 + sum_3.z * difference_10;
 }
 
+float wrinkle_carved_ball_noise_octave_change(vec3 a, float b, vec3 c) {
+    return wrinkle_carved_ball_gradient_noise_change(a, c) * (1.0 - smoothstep(0.25, 0.75, b));
+}
+
 vec3 wrinkle_carved_ball_normal(WrinkleSurface_carved_ball s) {
     vec3 normal = normalize(s.normal);  // the surface point
     vec3 dpdy = dFdy(s.position_relative);
-    vec3 surface_dpdy = dpdy - normal * dot(normal, dpdy);
-    vec3 r_x = cross(surface_dpdy, normal);
+    vec3 r_x = cross(dpdy, normal);
     vec3 dpdx = dFdx(s.position_relative);
-    vec3 surface_dpdx = dpdx - normal * dot(normal, dpdx);
-    float det = dot(surface_dpdx, r_x);
+    float det = dot(dpdx, r_x);
     // carving: Object normal map
     vec3 carving_texel = texture(carving_image, s.uv0).xyz * 2.0 - 1.0;
     float carving_dot_product = dot(normal, carving_texel);
     vec3 carving_difference = normal * carving_dot_product - carving_texel;
     vec3 carving_gradient = carving_difference / max(abs(carving_dot_product), 1.1920929e-07);
     vec3 grain_product = s.position * 24.0;  // grain: Gradient noise
-    vec3 grain_product_2 = surface_dpdx * 24.0;
-    float grain_gradient_noise_change = wrinkle_carved_ball_gradient_noise_change(grain_product,
-            grain_product_2);
-    vec3 grain_sum = grain_product * 2.0 + vec3(19.19, 7.43, 31.71);
-    vec3 grain_product_3 = grain_product_2 * 2.0;
-    float grain_product_4 = wrinkle_carved_ball_gradient_noise_change(grain_sum,
-            grain_product_3) * 0.5;
-    float grain_sum_2 = grain_gradient_noise_change + grain_product_4;
-    vec3 grain_sum_3 = grain_sum * 2.0 + vec3(19.19, 7.43, 31.71);
-    float grain_gradient_noise_change_2 = wrinkle_carved_ball_gradient_noise_change(grain_sum_3,
-            grain_product_3 * 2.0);
-    float grain_product_5 = (grain_sum_2 + grain_gradient_noise_change_2 * 0.25) / 1.75 * 0.004;
-    vec3 grain_product_6 = surface_dpdy * 24.0;
-    float grain_gradient_noise_change_3 = wrinkle_carved_ball_gradient_noise_change(grain_product,
-            grain_product_6);
-    vec3 grain_product_7 = grain_product_6 * 2.0;
-    float grain_product_8 = wrinkle_carved_ball_gradient_noise_change(grain_sum,
-            grain_product_7) * 0.5;
-    float grain_sum_4 = grain_gradient_noise_change_3 + grain_product_8;
-    float grain_gradient_noise_change_4 = wrinkle_carved_ball_gradient_noise_change(grain_sum_3,
-            grain_product_7 * 2.0);
-    float grain_product_9 = (grain_sum_4 + grain_gradient_noise_change_4 * 0.25) / 1.75 * 0.004;
-    vec3 normal_product = r_x * grain_product_5;  // normal: Resolve
-    vec3 normal_product_2 = cross(normal, surface_dpdx) * grain_product_9;
+    float grain_greatest = max(length(dpdx * 24.0), length(dpdy * 24.0));
+    vec3 grain_product_2 = (dpdx - normal * dot(normal, dpdx)) * 24.0;
+    float grain_noise_octave_change = wrinkle_carved_ball_noise_octave_change(grain_product,
+            grain_greatest, grain_product_2);
+    vec3 grain_product_3 = grain_product * 2.0;
+    vec3 grain_sum = grain_product_3 + vec3(19.19, 7.43, 31.71);
+    float grain_product_4 = grain_greatest * 2.0;
+    vec3 grain_product_5 = grain_product_2 * 2.0;
+    float grain_noise_octave_change_2 = wrinkle_carved_ball_noise_octave_change(grain_sum,
+            grain_product_4, grain_product_5);
+    float grain_sum_2 = grain_noise_octave_change + grain_noise_octave_change_2 * 0.5;
+    vec3 grain_sum_3 = grain_product_3 * 2.0 + vec3(38.38, 14.86, 63.42);
+    float grain_product_6 = grain_product_4 * 2.0;
+    vec3 grain_product_7 = grain_product_5 * 2.0;
+    float grain_noise_octave_change_3 = wrinkle_carved_ball_noise_octave_change(grain_sum_3,
+            grain_product_6, grain_product_7);
+    vec3 grain_product_8 = (dpdy - normal * dot(normal, dpdy)) * 24.0;
+    float grain_noise_octave_change_4 = wrinkle_carved_ball_noise_octave_change(grain_product,
+            grain_greatest, grain_product_8);
+    vec3 grain_product_9 = grain_product_8 * 2.0;
+    float grain_noise_octave_change_5 = wrinkle_carved_ball_noise_octave_change(grain_sum,
+            grain_product_4, grain_product_9);
+    float grain_sum_4 = grain_noise_octave_change_4 + grain_noise_octave_change_5 * 0.5;
+    vec3 grain_product_10 = grain_product_9 * 2.0;
+    float grain_noise_octave_change_6 = wrinkle_carved_ball_noise_octave_change(grain_sum_3,
+            grain_product_6, grain_product_10);
+    float grain_product_11 = (grain_sum_4 + grain_noise_octave_change_6 * 0.25) / 1.75 * 0.004;
+    // normal: Resolve
+    vec3 normal_product = r_x * ((grain_sum_2 + grain_noise_octave_change_3 * 0.25) / 1.75 * 0.004);
+    vec3 normal_product_2 = cross(normal, dpdx) * grain_product_11;
     vec3 normal_gradient = (normal_product + normal_product_2) * (sign(det) / max(abs(det), 1e-36));
     vec3 normal_difference = normal * s.facing - (carving_gradient + normal_gradient);
     return normalize(normal_difference);

@@ -24,12 +24,11 @@ vec2 wrinkle_cylinder_tower_smooth_slope(vec2 a, vec2 b) {
 vec3 wrinkle_cylinder_tower_normal(WrinkleSurface_cylinder_tower s) {
     vec3 normal = normalize(s.normal);  // the surface point
     vec3 dpdy = dFdy(s.position_relative);
-    vec3 surface_dpdy = dpdy - normal * dot(normal, dpdy);
-    vec3 r_x = cross(surface_dpdy, normal);
+    vec3 r_x = cross(dpdy, normal);
     vec3 dpdx = dFdx(s.position_relative);
     vec3 surface_dpdx = dpdx - normal * dot(normal, dpdx);
-    float det = dot(surface_dpdx, r_x);
-    float inverse_det = (det < 0.0 ? -1.0 : 1.0) / max(abs(det), 1e-36);
+    vec3 surface_dpdy = dpdy - normal * dot(normal, dpdy);
+    float det = dot(dpdx, r_x);
     float round_dot_product = dot(s.position, vec3(0.0, -0.0, 1.0));  // round: Cylinder UV
     float round_negated = -dot(s.position, vec3(-1.0, 0.0, 0.0));
     bool round_test = abs(round_dot_product) + abs(round_negated) > 0.0;
@@ -70,6 +69,7 @@ vec3 wrinkle_cylinder_tower_normal(WrinkleSurface_cylinder_tower s) {
     float g_product = dot(g_mixed, round_vector_4 * vec2(8.0, 1.2)) * 0.03;
     // normal: Resolve
     vec3 normal_product = r_x * (dot(g_mixed, round_vector_3 * vec2(8.0, 1.2)) * 0.03);
-    vec3 normal_product_2 = cross(normal, surface_dpdx) * g_product;
-    return normalize(normal * s.facing - (normal_product + normal_product_2) * inverse_det);
+    vec3 normal_product_2 = cross(normal, dpdx) * g_product;
+    vec3 normal_gradient = (normal_product + normal_product_2) * (sign(det) / max(abs(det), 1e-36));
+    return normalize(normal * s.facing - normal_gradient);
 }

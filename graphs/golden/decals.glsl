@@ -103,6 +103,10 @@ float wrinkle_decals_gradient_noise_change(vec3 a, vec3 b) {
     return mixed_11 + sum_3.z * difference_10;
 }
 
+float wrinkle_decals_noise_octave_change(vec3 a, float b, vec3 c) {
+    return wrinkle_decals_gradient_noise_change(a, c) * (1.0 - smoothstep(0.25, 0.75, b));
+}
+
 vec2 wrinkle_decals_smooth_slope(vec2 a, vec2 b) {
     vec4 texel = textureLod(bricks_image, a + b, 0.0);
     float difference = texel.x - textureLod(bricks_image, a - b, 0.0).x;
@@ -134,11 +138,11 @@ vec2 wrinkle_decals_smooth_slope_2(vec2 a, vec2 b) {
 vec3 wrinkle_decals_normal(WrinkleSurface_decals s) {
     vec3 normal = normalize(s.normal);  // the surface point
     vec3 dpdy = dFdy(s.position_relative);
-    vec3 surface_dpdy = dpdy - normal * dot(normal, dpdy);
-    vec3 r_x = cross(surface_dpdy, normal);
+    vec3 r_x = cross(dpdy, normal);
     vec3 dpdx = dFdx(s.position_relative);
     vec3 surface_dpdx = dpdx - normal * dot(normal, dpdx);
-    float det = dot(surface_dpdx, r_x);
+    vec3 surface_dpdy = dpdy - normal * dot(normal, dpdy);
+    float det = dot(dpdx, r_x);
     vec3 slide_product = normal * s.facing;  // slide: Cone decal
     vec3 slide_difference = s.position - vec3(-1.2, 1.2, 2.5);
     float slide_dot_product = dot(slide_difference, vec3(0.9103665, -0.0, 0.41380295));
@@ -182,28 +186,34 @@ vec3 wrinkle_decals_normal(WrinkleSurface_decals s) {
     vec2 slide_difference_5 = vec2(slide_dot_product_7, slide_dot_product_8) - slide_product_8;
     vec2 slide_product_9 = slide_difference_5 / slide_product_2 * 0.5;
     vec3 ground_product = s.position * 2.0;  // ground: Gradient noise
+    float ground_greatest = max(length(dpdx * 2.0), length(dpdy * 2.0));
     vec3 ground_product_2 = surface_dpdx * 2.0;
-    float ground_gradient_noise_change = wrinkle_decals_gradient_noise_change(ground_product,
-            ground_product_2);
-    vec3 ground_sum = ground_product * 2.0 + vec3(19.19, 7.43, 31.71);
-    vec3 ground_product_3 = ground_product_2 * 2.0;
-    float ground_product_4 = wrinkle_decals_gradient_noise_change(ground_sum,
-            ground_product_3) * 0.5;
-    float ground_sum_2 = ground_gradient_noise_change + ground_product_4;
-    vec3 ground_sum_3 = ground_sum * 2.0 + vec3(19.19, 7.43, 31.71);
-    float ground_gradient_noise_change_2 = wrinkle_decals_gradient_noise_change(ground_sum_3,
-            ground_product_3 * 2.0);
-    float ground_product_5 = (ground_sum_2 + ground_gradient_noise_change_2 * 0.25) / 1.75 * 0.04;
-    vec3 ground_product_6 = surface_dpdy * 2.0;
-    float ground_gradient_noise_change_3 = wrinkle_decals_gradient_noise_change(ground_product,
-            ground_product_6);
-    vec3 ground_product_7 = ground_product_6 * 2.0;
-    float ground_product_8 = wrinkle_decals_gradient_noise_change(ground_sum,
-            ground_product_7) * 0.5;
-    float ground_sum_4 = ground_gradient_noise_change_3 + ground_product_8;
-    float ground_gradient_noise_change_4 = wrinkle_decals_gradient_noise_change(ground_sum_3,
-            ground_product_7 * 2.0);
-    float ground_product_9 = (ground_sum_4 + ground_gradient_noise_change_4 * 0.25) / 1.75 * 0.04;
+    float ground_noise_octave_change = wrinkle_decals_noise_octave_change(ground_product,
+            ground_greatest, ground_product_2);
+    vec3 ground_product_3 = ground_product * 2.0;
+    vec3 ground_sum = ground_product_3 + vec3(19.19, 7.43, 31.71);
+    float ground_product_4 = ground_greatest * 2.0;
+    vec3 ground_product_5 = ground_product_2 * 2.0;
+    float ground_noise_octave_change_2 = wrinkle_decals_noise_octave_change(ground_sum,
+            ground_product_4, ground_product_5);
+    float ground_sum_2 = ground_noise_octave_change + ground_noise_octave_change_2 * 0.5;
+    vec3 ground_sum_3 = ground_product_3 * 2.0 + vec3(38.38, 14.86, 63.42);
+    float ground_product_6 = ground_product_4 * 2.0;
+    vec3 ground_product_7 = ground_product_5 * 2.0;
+    float ground_noise_octave_change_3 = wrinkle_decals_noise_octave_change(ground_sum_3,
+            ground_product_6, ground_product_7);
+    float ground_product_8 = (ground_sum_2 + ground_noise_octave_change_3 * 0.25) / 1.75 * 0.04;
+    vec3 ground_product_9 = surface_dpdy * 2.0;
+    float ground_noise_octave_change_4 = wrinkle_decals_noise_octave_change(ground_product,
+            ground_greatest, ground_product_9);
+    vec3 ground_product_10 = ground_product_9 * 2.0;
+    float ground_noise_octave_change_5 = wrinkle_decals_noise_octave_change(ground_sum,
+            ground_product_4, ground_product_10);
+    float ground_sum_4 = ground_noise_octave_change_4 + ground_noise_octave_change_5 * 0.5;
+    vec3 ground_product_11 = ground_product_10 * 2.0;
+    float ground_noise_octave_change_6 = wrinkle_decals_noise_octave_change(ground_sum_3,
+            ground_product_6, ground_product_11);
+    float ground_product_12 = (ground_sum_4 + ground_noise_octave_change_6 * 0.25) / 1.75 * 0.04;
     vec2 bricks_size = vec2(textureSize(bricks_image, 0));  // bricks: Height map
     vec2 bricks_product = (slide_vector - slide_product_4) / slide_product_2 * 0.5 * bricks_size;
     vec2 bricks_product_2 = (slide_vector_2 - slide_product_5) / slide_product_2 * 0.5 *
@@ -223,7 +233,7 @@ vec3 wrinkle_decals_normal(WrinkleSurface_decals s) {
     float bricks_product_3 = dot(bricks_mixed, slide_product_7) * 0.02;
     vec2 bricks_vector_2 = vec2(bricks_product_3, dot(bricks_mixed, slide_product_9) * 0.02);
     // with_bricks: Masked decal
-    vec2 with_bricks_vector = vec2(ground_product_5, ground_product_9);
+    vec2 with_bricks_vector = vec2(ground_product_8, ground_product_12);
     vec2 with_bricks_product = with_bricks_vector * (1.0 - slide_attenuation);
     vec2 with_bricks_sum = with_bricks_product + bricks_vector_2 * slide_attenuation;
     vec3 stamp_difference = s.position - vec3(0.45, 0.25, 0.75);  // stamp: Box decal
@@ -395,9 +405,9 @@ vec3 wrinkle_decals_normal(WrinkleSurface_decals s) {
     vec2 with_dent_product = with_weave_sum * (1.0 - hit_attenuation);  // with_dent: Masked decal
     vec3 with_dent_product_2 = -ball_volume * hit_attenuation;
     vec2 g_sum = with_dent_product + vec2(groove_product, groove_product_2);  // g: Add bumps
-    vec3 normal_sum = r_x * g_sum.x + cross(normal, surface_dpdx) * g_sum.y;  // normal: Resolve
-    vec3 normal_gradient = normal_sum * ((det < 0.0 ? -1.0 : 1.0) / max(abs(det), 1e-36));
-    vec3 normal_gradient_2 = with_dent_product_2 - normal * dot(normal, with_dent_product_2);
-    vec3 normal_difference = slide_product - (normal_gradient + normal_gradient_2);
+    vec3 normal_sum = r_x * g_sum.x + cross(normal, dpdx) * g_sum.y;  // normal: Resolve
+    vec3 normal_gradient = with_dent_product_2 - normal * dot(normal, with_dent_product_2);
+    vec3 normal_gradient_2 = normal_sum * (sign(det) / max(abs(det), 1e-36)) + normal_gradient;
+    vec3 normal_difference = slide_product - normal_gradient_2;
     return normalize(normal_difference);
 }

@@ -100,6 +100,10 @@ float wrinkle_displaced_rock_gradient_noise_change(vec3 a, vec3 b) {
     return mixed_11 + sum_3.z * difference_10;
 }
 
+float wrinkle_displaced_rock_noise_octave_change(vec3 a, float b, vec3 c) {
+    return wrinkle_displaced_rock_gradient_noise_change(a, c) * (1.0 - smoothstep(0.25, 0.75, b));
+}
+
 float wrinkle_displaced_rock_gradient_noise(vec3 a) {
     vec3 floored = floor(a);
     int whole = int(floored.x);
@@ -132,51 +136,63 @@ float wrinkle_displaced_rock_gradient_noise(vec3 a) {
     return mix(mixed_2, mixed_4, product.z);
 }
 
+float wrinkle_displaced_rock_noise_octave(vec3 a, float b) {
+    return wrinkle_displaced_rock_gradient_noise(a) * (1.0 - smoothstep(0.25, 0.75, b));
+}
+
 vec3 wrinkle_displaced_rock_normal(WrinkleSurface_displaced_rock s) {
     vec3 normal = normalize(s.normal);  // the surface point
     vec3 dpdy = dFdy(s.position_relative);
-    vec3 surface_dpdy = dpdy - normal * dot(normal, dpdy);
-    vec3 r_x = cross(surface_dpdy, normal);
+    vec3 r_x = cross(dpdy, normal);
     vec3 dpdx = dFdx(s.position_relative);
-    vec3 surface_dpdx = dpdx - normal * dot(normal, dpdx);
-    float det = dot(surface_dpdx, r_x);
-    float inverse_det = (det < 0.0 ? -1.0 : 1.0) / max(abs(det), 1e-36);
+    float det = dot(dpdx, r_x);
     vec3 lumps_product = s.position * 2.5;  // lumps: Gradient noise
-    vec3 lumps_product_2 = surface_dpdx * 2.5;
-    float lumps_gradient_noise_change = wrinkle_displaced_rock_gradient_noise_change(lumps_product,
-            lumps_product_2);
-    vec3 lumps_sum = lumps_product * 2.0 + vec3(19.19, 7.43, 31.71);
-    vec3 lumps_product_3 = lumps_product_2 * 2.0;
-    float lumps_product_4 = wrinkle_displaced_rock_gradient_noise_change(lumps_sum,
-            lumps_product_3) * 0.5;
-    float lumps_sum_2 = lumps_gradient_noise_change + lumps_product_4;
-    vec3 lumps_sum_3 = lumps_sum * 2.0 + vec3(19.19, 7.43, 31.71);
-    float lumps_gradient_noise_change_2 = wrinkle_displaced_rock_gradient_noise_change(lumps_sum_3,
-            lumps_product_3 * 2.0);
-    vec3 lumps_product_5 = surface_dpdy * 2.5;
-    float lumps_gradient_noise_change_3 =
-            wrinkle_displaced_rock_gradient_noise_change(lumps_product, lumps_product_5);
-    vec3 lumps_product_6 = lumps_product_5 * 2.0;
-    float lumps_product_7 = wrinkle_displaced_rock_gradient_noise_change(lumps_sum,
-            lumps_product_6) * 0.5;
-    float lumps_sum_4 = lumps_gradient_noise_change_3 + lumps_product_7;
-    float lumps_gradient_noise_change_4 = wrinkle_displaced_rock_gradient_noise_change(lumps_sum_3,
-            lumps_product_6 * 2.0);
-    float lumps_product_8 = (lumps_sum_4 + lumps_gradient_noise_change_4 * 0.25) / 1.75 * 0.15;
+    float lumps_greatest = max(length(dpdx * 2.5), length(dpdy * 2.5));
+    vec3 lumps_product_2 = (dpdx - normal * dot(normal, dpdx)) * 2.5;
+    float lumps_noise_octave_change = wrinkle_displaced_rock_noise_octave_change(lumps_product,
+            lumps_greatest, lumps_product_2);
+    vec3 lumps_product_3 = lumps_product * 2.0;
+    vec3 lumps_sum = lumps_product_3 + vec3(19.19, 7.43, 31.71);
+    float lumps_product_4 = lumps_greatest * 2.0;
+    vec3 lumps_product_5 = lumps_product_2 * 2.0;
+    float lumps_noise_octave_change_2 = wrinkle_displaced_rock_noise_octave_change(lumps_sum,
+            lumps_product_4, lumps_product_5);
+    float lumps_sum_2 = lumps_noise_octave_change + lumps_noise_octave_change_2 * 0.5;
+    vec3 lumps_sum_3 = lumps_product_3 * 2.0 + vec3(38.38, 14.86, 63.42);
+    float lumps_product_6 = lumps_product_4 * 2.0;
+    vec3 lumps_product_7 = lumps_product_5 * 2.0;
+    float lumps_noise_octave_change_3 = wrinkle_displaced_rock_noise_octave_change(lumps_sum_3,
+            lumps_product_6, lumps_product_7);
+    vec3 lumps_product_8 = (dpdy - normal * dot(normal, dpdy)) * 2.5;
+    float lumps_noise_octave_change_4 = wrinkle_displaced_rock_noise_octave_change(lumps_product,
+            lumps_greatest, lumps_product_8);
+    vec3 lumps_product_9 = lumps_product_8 * 2.0;
+    float lumps_noise_octave_change_5 = wrinkle_displaced_rock_noise_octave_change(lumps_sum,
+            lumps_product_4, lumps_product_9);
+    float lumps_sum_4 = lumps_noise_octave_change_4 + lumps_noise_octave_change_5 * 0.5;
+    vec3 lumps_product_10 = lumps_product_9 * 2.0;
+    float lumps_noise_octave_change_6 = wrinkle_displaced_rock_noise_octave_change(lumps_sum_3,
+            lumps_product_6, lumps_product_10);
+    float lumps_product_11 = (lumps_sum_4 + lumps_noise_octave_change_6 * 0.25) / 1.75 * 0.15;
     // normal: Resolve
-    vec3 normal_product = r_x * ((lumps_sum_2 + lumps_gradient_noise_change_2 * 0.25) / 1.75 *
-            0.15);
-    vec3 normal_product_2 = cross(normal, surface_dpdx) * lumps_product_8;
-    return normalize(normal * s.facing - (normal_product + normal_product_2) * inverse_det);
+    vec3 normal_product = r_x * ((lumps_sum_2 + lumps_noise_octave_change_3 * 0.25) / 1.75 * 0.15);
+    vec3 normal_product_2 = cross(normal, dpdx) * lumps_product_11;
+    vec3 normal_gradient = (normal_product + normal_product_2) * (sign(det) / max(abs(det), 1e-36));
+    return normalize(normal * s.facing - normal_gradient);
 }
 
 float wrinkle_displaced_rock_displacement(WrinkleSurface_displaced_rock s) {
     vec3 lumps_product = s.position * 2.5;  // lumps: Gradient noise
-    vec3 lumps_sum = lumps_product * 2.0 + vec3(19.19, 7.43, 31.71);
-    float lumps_product_2 = wrinkle_displaced_rock_gradient_noise(lumps_sum) * 0.5;
-    float lumps_sum_2 = wrinkle_displaced_rock_gradient_noise(lumps_product) + lumps_product_2;
-    vec3 lumps_sum_3 = lumps_sum * 2.0 + vec3(19.19, 7.43, 31.71);
-    float lumps_value = (lumps_sum_2 + wrinkle_displaced_rock_gradient_noise(lumps_sum_3) * 0.25) /
-            1.75;
+    float lumps_extent = length(dFdx(s.position_relative) * 2.5);
+    float lumps_greatest = max(lumps_extent, length(dFdy(s.position_relative) * 2.5));
+    float lumps_noise_octave = wrinkle_displaced_rock_noise_octave(lumps_product, lumps_greatest);
+    vec3 lumps_product_2 = lumps_product * 2.0;
+    vec3 lumps_sum = lumps_product_2 + vec3(19.19, 7.43, 31.71);
+    float lumps_product_3 = lumps_greatest * 2.0;
+    float lumps_product_4 = wrinkle_displaced_rock_noise_octave(lumps_sum, lumps_product_3) * 0.5;
+    vec3 lumps_sum_2 = lumps_product_2 * 2.0 + vec3(38.38, 14.86, 63.42);
+    float lumps_product_5 = wrinkle_displaced_rock_noise_octave(lumps_sum_2,
+            lumps_product_3 * 2.0) * 0.25;
+    float lumps_value = (lumps_noise_octave + lumps_product_4 + lumps_product_5) / 1.75;
     return lumps_value * 0.15;
 }

@@ -135,10 +135,10 @@ vec3 wrinkle_everything_normal(WrinkleSurface_everything s) {
     vec3 surface_product = (surface_dpdx * duv1_dy.y - surface_dpdy * duv1_dx.y) * uv1_sign;
     float surface_inverse_root = inversesqrt(max(dot(surface_product, surface_product), 1e-36));
     vec3 uv1_tangent = surface_product * surface_inverse_root;
-    vec3 r_y = cross(normal, surface_dpdx);
-    float surface_product_2 = uv1_sign * (dot(surface_dpdy, r_y) < 0.0 ? -1.0 : 1.0);
-    vec3 r_x = cross(surface_dpdy, normal);
-    float det = dot(surface_dpdx, r_x);
+    float surface_sign = dot(surface_dpdy, cross(normal, surface_dpdx)) < 0.0 ? -1.0 : 1.0;
+    vec3 uv1_bitangent = cross(normal, uv1_tangent) * (uv1_sign * surface_sign);
+    vec3 r_x = cross(dpdy, normal);
+    float det = dot(dpdx, r_x);
     vec2 cloth_uv_product = s.uv1 * 10.0;  // cloth_uv: UV transform
     float cloth_uv_difference = 0.9396926 * cloth_uv_product.x - 0.34202015 * cloth_uv_product.y;
     float cloth_uv_sum = 0.34202015 * cloth_uv_product.x + 0.9396926 * cloth_uv_product.y;
@@ -196,11 +196,11 @@ vec3 wrinkle_everything_normal(WrinkleSurface_everything s) {
             1.5;
     vec2 all_vector = vec2(grain_quotient * 0.002, grain_quotient_2 * 0.002);  // all: Add bumps
     // normal: Resolve
-    vec3 normal_gradient = cross(normal, uv1_tangent) * surface_product_2 * softer_slope.y;
-    vec3 normal_gradient_2 = uv1_tangent * softer_slope.x + normal_gradient;
-    vec3 normal_gradient_3 = carving_quotient * cloth_depth + normal_gradient_2;
+    vec3 normal_gradient = uv1_tangent * softer_slope.x + uv1_bitangent * softer_slope.y;
+    vec3 normal_gradient_2 = carving_quotient * cloth_depth + normal_gradient;
     vec2 normal_product = (bricks_vector_2 + all_vector) * cloth_depth;
-    vec3 normal_sum = r_x * normal_product.x + r_y * normal_product.y;
-    vec3 normal_gradient_4 = normal_gradient_3 + normal_sum * (sign(det) / max(abs(det), 1e-36));
-    return normalize(normal * (cloth_depth * s.facing) - normal_gradient_4);
+    vec3 normal_sum = r_x * normal_product.x + cross(normal, dpdx) * normal_product.y;
+    vec3 normal_gradient_3 = normal_gradient_2 + normal_sum * (sign(det) / max(abs(det), 1e-36));
+    vec3 normal_difference = normal * (cloth_depth * s.facing) - normal_gradient_3;
+    return normalize(normal_difference);
 }

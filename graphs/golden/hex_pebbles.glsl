@@ -60,11 +60,9 @@ vec3 wrinkle_hex_pebbles_normal(WrinkleSurface_hex_pebbles s) {
     vec3 normal = normalize(s.normal);  // the surface point
     float inverse_normal_length = inversesqrt(dot(s.normal, s.normal));
     vec3 bitangent = cross(s.normal, s.tangent.xyz) * (s.tangent.w > 0.0 ? 1.0 : -1.0);
-    vec3 dpdy = dFdy(s.position_relative);
-    vec3 r_x = cross(dpdy - normal * dot(normal, dpdy), normal);
+    vec3 r_x = cross(dFdy(s.position_relative), normal);
     vec3 dpdx = dFdx(s.position_relative);
-    vec3 surface_dpdx = dpdx - normal * dot(normal, dpdx);
-    float det = dot(surface_dpdx, r_x);
+    float det = dot(dpdx, r_x);
     vec2 tile_uv = s.uv0 * 3.0;  // tile: UV transform
     vec2 tile_product = dFdx(s.uv0) * 3.0;
     vec2 tile_product_2 = dFdy(s.uv0) * 3.0;
@@ -303,10 +301,10 @@ vec3 wrinkle_hex_pebbles_normal(WrinkleSurface_hex_pebbles s) {
     // normal: Resolve
     vec3 normal_gradient = s.tangent.xyz * inverse_normal_length * grain_sum_18.x;
     vec3 normal_gradient_2 = normal_gradient + bitangent * inverse_normal_length * grain_sum_18.y;
-    vec3 normal_product = cross(normal, surface_dpdx) * dot(pebbles_product_14, tile_product_2);
+    vec3 normal_product = cross(normal, dpdx) * dot(pebbles_product_14, tile_product_2);
     vec3 normal_sum = r_x * dot(pebbles_product_14, tile_product) + normal_product;
-    vec3 normal_gradient_3 = normal_sum * ((det < 0.0 ? -1.0 : 1.0) / max(abs(det), 1e-36));
-    vec3 normal_difference = normal * s.facing - (normal_gradient_2 + normal_gradient_3);
+    vec3 normal_gradient_3 = normal_gradient_2 + normal_sum * (sign(det) / max(abs(det), 1e-36));
+    vec3 normal_difference = normal * s.facing - normal_gradient_3;
     return normalize(normal_difference);
 }
 

@@ -143,11 +143,11 @@ float wrinkle_noise_rock_noise_octave(vec3 a, float b) {
 vec3 wrinkle_noise_rock_normal(WrinkleSurface_noise_rock s) {
     vec3 normal = normalize(s.normal);  // the surface point
     vec3 dpdy = dFdy(s.position_relative);
-    vec3 surface_dpdy = dpdy - normal * dot(normal, dpdy);
-    vec3 r_x = cross(surface_dpdy, normal);
+    vec3 r_x = cross(dpdy, normal);
     vec3 dpdx = dFdx(s.position_relative);
     vec3 surface_dpdx = dpdx - normal * dot(normal, dpdx);
-    float det = dot(surface_dpdx, r_x);
+    vec3 surface_dpdy = dpdy - normal * dot(normal, dpdy);
+    float det = dot(dpdx, r_x);
     vec3 lumps_product = s.position * 3.0;  // lumps: Gradient noise
     float lumps_greatest = max(length(dpdx * 3.0), length(dpdy * 3.0));
     vec3 lumps_product_2 = surface_dpdx * 3.0;
@@ -255,7 +255,7 @@ vec3 wrinkle_noise_rock_normal(WrinkleSurface_noise_rock s) {
             0.015;
     float rock_sum = lumps_product_17 + carve_product;  // rock: Add heights
     float rock_sum_2 = lumps_product_24 + carve_product_2;
-    vec3 normal_sum = r_x * rock_sum + cross(normal, surface_dpdx) * rock_sum_2;  // normal: Resolve
+    vec3 normal_sum = r_x * rock_sum + cross(normal, dpdx) * rock_sum_2;  // normal: Resolve
     return normalize(normal * s.facing - normal_sum * (sign(det) / max(abs(det), 1e-36)));
 }
 

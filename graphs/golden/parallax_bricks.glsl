@@ -25,12 +25,11 @@ vec2 wrinkle_parallax_bricks_smooth_slope(vec2 a, vec2 b) {
 vec3 wrinkle_parallax_bricks_normal(WrinkleSurface_parallax_bricks s) {
     vec3 normal = normalize(s.normal);  // the surface point
     vec3 dpdy = dFdy(s.position_relative);
-    vec3 r_x = cross(dpdy - normal * dot(normal, dpdy), normal);
+    vec3 r_x = cross(dpdy, normal);
     vec2 duv0_dx = dFdx(s.uv0);
     vec2 duv0_dy = dFdy(s.uv0);
     vec3 dpdx = dFdx(s.position_relative);
-    vec3 surface_dpdx = dpdx - normal * dot(normal, dpdx);
-    float det = dot(surface_dpdx, r_x);
+    float det = dot(dpdx, r_x);
     vec3 bricks_product = normal * s.facing;  // bricks: Height map
     vec2 bricks_size = vec2(textureSize(bricks_image, 0));
     float march_dot_product = dot(bricks_product, s.view);  // march: Parallax occlusion
@@ -115,10 +114,9 @@ vec3 wrinkle_parallax_bricks_normal(WrinkleSurface_parallax_bricks s) {
             1.0 / bricks_size);
     vec2 bricks_mixed = mix(bricks_quotient_3, bricks_smooth_slope, bricks_clamped);
     // normal: Resolve
-    vec3 normal_product = cross(normal, surface_dpdx) * (dot(bricks_mixed, tile_product_2) * 0.03);
+    vec3 normal_product = cross(normal, dpdx) * (dot(bricks_mixed, tile_product_2) * 0.03);
     vec3 normal_sum = r_x * (dot(bricks_mixed, tile_product) * 0.03) + normal_product;
-    vec3 normal_gradient = normal_sum * ((det < 0.0 ? -1.0 : 1.0) / max(abs(det), 1e-36));
-    vec3 normal_difference = bricks_product - normal_gradient;
+    vec3 normal_difference = bricks_product - normal_sum * (sign(det) / max(abs(det), 1e-36));
     return normalize(normal_difference);
 }
 

@@ -117,18 +117,20 @@ float wrinkle_parallax_dents_gradient_noise_change(vec3 a, vec3 b) {
     return mixed_11 + sum_3.z * difference_10;
 }
 
+float wrinkle_parallax_dents_noise_octave_change(vec3 a, float b, vec3 c) {
+    return wrinkle_parallax_dents_gradient_noise_change(a, c) * (1.0 - smoothstep(0.25, 0.75, b));
+}
+
 vec3 wrinkle_parallax_dents_normal(WrinkleSurface_parallax_dents s) {
     vec3 normal = normalize(s.normal);  // the surface point
     vec3 dpdy = dFdy(s.position_relative);
-    vec3 surface_dpdy = dpdy - normal * dot(normal, dpdy);
-    vec3 r_x = cross(surface_dpdy, normal);
+    vec3 r_x = cross(dpdy, normal);
     vec2 duv0_dx = dFdx(s.uv0);
     vec2 duv0_dy = dFdy(s.uv0);
     vec3 dpdx = dFdx(s.position_relative);
-    vec3 surface_dpdx = dpdx - normal * dot(normal, dpdx);
-    vec3 r_y = cross(normal, surface_dpdx);
-    float det = dot(surface_dpdx, r_x);
-    float inverse_det = (det < 0.0 ? -1.0 : 1.0) / max(abs(det), 1e-36);
+    vec3 r_y = cross(normal, dpdx);
+    float det = dot(dpdx, r_x);
+    float inverse_det = sign(det) / max(abs(det), 1e-36);
     vec3 pebbles_product = normal * s.facing;  // pebbles: Height map
     vec2 pebbles_size = vec2(textureSize(pebbles_image, 0));
     float march_dot_product = dot(pebbles_product, s.view);  // march: Parallax occlusion
@@ -221,21 +223,24 @@ vec3 wrinkle_parallax_dents_normal(WrinkleSurface_parallax_dents s) {
     vec3 relief_difference = pebbles_product - relief_sum * inverse_det;
     vec3 relief_normal = normalize(relief_difference);
     vec3 dents_product = march_position * 14.0;  // dents: Gradient noise
-    vec3 dents_product_2 = surface_dpdx * 14.0;
-    float dents_gradient_noise_change = wrinkle_parallax_dents_gradient_noise_change(dents_product,
-            dents_product_2);
+    float dents_greatest = max(length(dpdx * 14.0), length(dpdy * 14.0));
+    vec3 dents_product_2 = (dpdx - normal * dot(normal, dpdx)) * 14.0;
+    float dents_noise_octave_change = wrinkle_parallax_dents_noise_octave_change(dents_product,
+            dents_greatest, dents_product_2);
     vec3 dents_sum = dents_product * 2.0 + vec3(19.19, 7.43, 31.71);
-    float dents_gradient_noise_change_2 = wrinkle_parallax_dents_gradient_noise_change(dents_sum,
-            dents_product_2 * 2.0);
-    float dents_quotient = (dents_gradient_noise_change + dents_gradient_noise_change_2 * 0.5) /
+    float dents_product_3 = dents_greatest * 2.0;
+    vec3 dents_product_4 = dents_product_2 * 2.0;
+    float dents_noise_octave_change_2 = wrinkle_parallax_dents_noise_octave_change(dents_sum,
+            dents_product_3, dents_product_4);
+    float dents_quotient = (dents_noise_octave_change + dents_noise_octave_change_2 * 0.5) / 1.5;
+    vec3 dents_product_5 = (dpdy - normal * dot(normal, dpdy)) * 14.0;
+    float dents_noise_octave_change_3 = wrinkle_parallax_dents_noise_octave_change(dents_product,
+            dents_greatest, dents_product_5);
+    vec3 dents_product_6 = dents_product_5 * 2.0;
+    float dents_noise_octave_change_4 = wrinkle_parallax_dents_noise_octave_change(dents_sum,
+            dents_product_3, dents_product_6);
+    float dents_quotient_2 = (dents_noise_octave_change_3 + dents_noise_octave_change_4 * 0.5) /
             1.5;
-    vec3 dents_product_3 = surface_dpdy * 14.0;
-    float dents_gradient_noise_change_3 =
-            wrinkle_parallax_dents_gradient_noise_change(dents_product, dents_product_3);
-    float dents_gradient_noise_change_4 = wrinkle_parallax_dents_gradient_noise_change(dents_sum,
-            dents_product_3 * 2.0);
-    float dents_quotient_2 = (dents_gradient_noise_change_3 + dents_gradient_noise_change_4 * 0.5)
-            / 1.5;
     vec3 normal_product = r_x * (dents_quotient * 0.004);  // normal: Resolve
     vec3 normal_product_2 = r_y * (dents_quotient_2 * 0.004);
     vec3 normal_product_3 = (normal_product + normal_product_2) * inverse_det;

@@ -59,6 +59,10 @@ float wrinkle_parallax_detail_gradient_noise(vec3 a) {
     return mix(mixed_2, mixed_4, product.z);
 }
 
+float wrinkle_parallax_detail_noise_octave(vec3 a, float b) {
+    return wrinkle_parallax_detail_gradient_noise(a) * (1.0 - smoothstep(0.25, 0.75, b));
+}
+
 float wrinkle_parallax_detail_noise_corner_change(int a, int b, int c, vec3 d, vec3 e) {
     uint sum = uint(c) * 747796405u + 2891336453u;
     uint product = (sum >> (sum >> 28u) + 4u ^ sum) * 277803737u;
@@ -142,16 +146,18 @@ float wrinkle_parallax_detail_gradient_noise_change(vec3 a, vec3 b) {
     return mixed_11 + sum_3.z * difference_10;
 }
 
+float wrinkle_parallax_detail_noise_octave_change(vec3 a, float b, vec3 c) {
+    return wrinkle_parallax_detail_gradient_noise_change(a, c) * (1.0 - smoothstep(0.25, 0.75, b));
+}
+
 vec3 wrinkle_parallax_detail_normal(WrinkleSurface_parallax_detail s) {
     vec3 normal = normalize(s.normal);  // the surface point
     vec3 dpdy = dFdy(s.position_relative);
-    vec3 r_x = cross(dpdy - normal * dot(normal, dpdy), normal);
+    vec3 r_x = cross(dpdy, normal);
     vec2 duv0_dx = dFdx(s.uv0);
     vec2 duv0_dy = dFdy(s.uv0);
     vec3 dpdx = dFdx(s.position_relative);
-    vec3 surface_dpdx = dpdx - normal * dot(normal, dpdx);
-    float det = dot(surface_dpdx, r_x);
-    float inverse_det = (det < 0.0 ? -1.0 : 1.0) / max(abs(det), 1e-36);
+    float det = dot(dpdx, r_x);
     float inverse_normal_length = inversesqrt(dot(s.normal, s.normal));
     vec3 bitangent = cross(s.normal, s.tangent.xyz) * (s.tangent.w > 0.0 ? 1.0 : -1.0);
     vec3 point_vector = vec3(s.uv0.x, s.uv0.y, 0.37);  // point: Combine vec3
@@ -171,13 +177,17 @@ vec3 wrinkle_parallax_detail_normal(WrinkleSurface_parallax_detail s) {
     vec2 march_product_4 = march_product_3 * (-1.0 / max(march_magnitude, 0.1));
     float march_quotient = 0.08 / max(32.0 * (0.25 + 0.75 * length(march_difference)), 1.0);
     vec3 dunes_product = point_vector * 7.0;  // dunes: Gradient noise
+    vec3 dunes_product_2 = vec3(duv0_dx.x, duv0_dx.y, 0.0) * 7.0;
+    vec3 dunes_product_3 = vec3(duv0_dy.x, duv0_dy.y, 0.0) * 7.0;
+    float dunes_greatest = max(length(dunes_product_2), length(dunes_product_3));
+    float dunes_noise_octave = wrinkle_parallax_detail_noise_octave(dunes_product, dunes_greatest);
     vec3 dunes_sum = dunes_product * 2.0 + vec3(19.19, 7.43, 31.71);
-    float dunes_product_2 = wrinkle_parallax_detail_gradient_noise(dunes_sum) * 0.5;
-    float dunes_value = (wrinkle_parallax_detail_gradient_noise(dunes_product) + dunes_product_2) /
-            1.5;
+    float dunes_product_4 = dunes_greatest * 2.0;
+    float dunes_product_5 = wrinkle_parallax_detail_noise_octave(dunes_sum, dunes_product_4) * 0.5;
+    float dunes_value = (dunes_noise_octave + dunes_product_5) / 1.5;
     float dunes_height = dunes_value * 0.08;
-    vec3 dunes_product_3 = vec3(duv0_dx.x, duv0_dx.y, 0.0) * 7.0;
-    vec3 dunes_product_4 = vec3(duv0_dy.x, duv0_dy.y, 0.0) * 7.0;
+    vec3 dunes_product_6 = dunes_product_2 * 2.0;
+    vec3 dunes_product_7 = dunes_product_3 * 2.0;
     float march_difference_4 = dunes_height - 0.04;  // march: Parallax occlusion (continued)
     float march_state = 0.0;
     float march_state_2 = march_difference_4;
@@ -188,16 +198,17 @@ vec3 wrinkle_parallax_detail_normal(WrinkleSurface_parallax_detail s) {
         float march_least = min(march_state_3 + march_quotient, 0.08);
         vec2 march_sum_2 = s.uv0 + march_product_4 * march_least;
         // dunes: Gradient noise (continued)
-        vec3 dunes_product_5 = vec3(march_sum_2.x, march_sum_2.y, 0.37) * 7.0;
-        vec3 dunes_sum_2 = dunes_product_5 * 2.0 + vec3(19.19, 7.43, 31.71);
-        float dunes_product_6 = wrinkle_parallax_detail_gradient_noise(dunes_sum_2) * 0.5;
-        float dunes_quotient = (wrinkle_parallax_detail_gradient_noise(dunes_product_5) +
-                dunes_product_6) / 1.5;
-        float dunes_product_7 = dunes_quotient * 0.08;
+        vec3 dunes_product_8 = vec3(march_sum_2.x, march_sum_2.y, 0.37) * 7.0;
+        float dunes_noise_octave_2 = wrinkle_parallax_detail_noise_octave(dunes_product_8,
+                dunes_greatest);
+        vec3 dunes_sum_2 = dunes_product_8 * 2.0 + vec3(19.19, 7.43, 31.71);
+        float dunes_product_9 = wrinkle_parallax_detail_noise_octave(dunes_sum_2,
+                dunes_product_4) * 0.5;
+        float dunes_product_10 = (dunes_noise_octave_2 + dunes_product_9) / 1.5 * 0.08;
         march_state = march_state_3;
         march_state_2 = march_state_4;
         march_state_3 = march_least;
-        march_state_4 = dunes_product_7 - 0.04 + march_least;
+        march_state_4 = dunes_product_10 - 0.04 + march_least;
     }
     // march: Parallax occlusion (continued)
     float march_state_5 = march_state;
@@ -211,14 +222,15 @@ vec3 wrinkle_parallax_detail_normal(WrinkleSurface_parallax_detail s) {
                 != 0.0 ? march_state_6 / march_difference_5 : 0.0);
         vec2 march_sum_4 = s.uv0 + march_product_4 * march_sum_3;
         // dunes: Gradient noise (continued)
-        vec3 dunes_product_8 = vec3(march_sum_4.x, march_sum_4.y, 0.37) * 7.0;
-        vec3 dunes_sum_3 = dunes_product_8 * 2.0 + vec3(19.19, 7.43, 31.71);
-        float dunes_product_9 = wrinkle_parallax_detail_gradient_noise(dunes_sum_3) * 0.5;
-        float dunes_quotient_2 = (wrinkle_parallax_detail_gradient_noise(dunes_product_8) +
-                dunes_product_9) / 1.5;
-        float dunes_product_10 = dunes_quotient_2 * 0.08;
+        vec3 dunes_product_11 = vec3(march_sum_4.x, march_sum_4.y, 0.37) * 7.0;
+        float dunes_noise_octave_3 = wrinkle_parallax_detail_noise_octave(dunes_product_11,
+                dunes_greatest);
+        vec3 dunes_sum_3 = dunes_product_11 * 2.0 + vec3(19.19, 7.43, 31.71);
+        float dunes_product_12 = wrinkle_parallax_detail_noise_octave(dunes_sum_3,
+                dunes_product_4) * 0.5;
+        float dunes_product_13 = (dunes_noise_octave_3 + dunes_product_12) / 1.5 * 0.08;
         // march: Parallax occlusion (continued)
-        float march_sum_5 = dunes_product_10 - 0.04 + march_sum_3;
+        float march_sum_5 = dunes_product_13 - 0.04 + march_sum_3;
         bool march_test = march_sum_5 < 0.0;
         march_state_5 = march_test ? march_sum_3 : march_state_5;
         march_state_6 = march_test ? march_sum_5 : march_state_6;
@@ -231,26 +243,24 @@ vec3 wrinkle_parallax_detail_normal(WrinkleSurface_parallax_detail s) {
     vec2 march_product_5 = march_product_4 * (march_state_8 < 0.0 ? march_state_7 : march_sum_6);
     vec2 march_uv = s.uv0 + march_product_5;
     // dunes: Gradient noise (continued)
-    vec3 dunes_product_11 = vec3(march_uv.x, march_uv.y, 0.37) * 7.0;
-    float dunes_gradient_noise_change =
-            wrinkle_parallax_detail_gradient_noise_change(dunes_product_11, dunes_product_3);
-    vec3 dunes_sum_4 = dunes_product_11 * 2.0 + vec3(19.19, 7.43, 31.71);
-    float dunes_gradient_noise_change_2 = wrinkle_parallax_detail_gradient_noise_change(dunes_sum_4,
-            dunes_product_3 * 2.0);
-    float dunes_quotient_3 = (dunes_gradient_noise_change + dunes_gradient_noise_change_2 * 0.5) /
+    vec3 dunes_product_14 = vec3(march_uv.x, march_uv.y, 0.37) * 7.0;
+    float dunes_noise_octave_change = wrinkle_parallax_detail_noise_octave_change(dunes_product_14,
+            dunes_greatest, dunes_product_2);
+    vec3 dunes_sum_4 = dunes_product_14 * 2.0 + vec3(19.19, 7.43, 31.71);
+    float dunes_noise_octave_change_2 = wrinkle_parallax_detail_noise_octave_change(dunes_sum_4,
+            dunes_product_4, dunes_product_6);
+    float dunes_quotient = (dunes_noise_octave_change + dunes_noise_octave_change_2 * 0.5) / 1.5;
+    float dunes_noise_octave_change_3 =
+            wrinkle_parallax_detail_noise_octave_change(dunes_product_14, dunes_greatest,
+            dunes_product_3);
+    float dunes_noise_octave_change_4 = wrinkle_parallax_detail_noise_octave_change(dunes_sum_4,
+            dunes_product_4, dunes_product_7);
+    float dunes_quotient_2 = (dunes_noise_octave_change_3 + dunes_noise_octave_change_4 * 0.5) /
             1.5;
-    float dunes_gradient_noise_change_3 =
-            wrinkle_parallax_detail_gradient_noise_change(dunes_product_11, dunes_product_4);
-    float dunes_gradient_noise_change_4 = wrinkle_parallax_detail_gradient_noise_change(dunes_sum_4,
-            dunes_product_4 * 2.0);
-    float dunes_quotient_4 = (dunes_gradient_noise_change_3 + dunes_gradient_noise_change_4 * 0.5)
-            / 1.5;
-    // march: Parallax occlusion (continued)
-    vec3 march_product_6 = r_x * (dunes_quotient_3 * 0.08);
-    vec3 march_product_7 = cross(normal, surface_dpdx) * (dunes_quotient_4 * 0.08);
-    // relief: Resolve
-    vec3 relief_normal = normalize(march_product - (march_product_6 + march_product_7) *
-            inverse_det);
+    vec3 march_product_6 = r_x * (dunes_quotient * 0.08);  // march: Parallax occlusion (continued)
+    vec3 march_product_7 = cross(normal, dpdx) * (dunes_quotient_2 * 0.08);
+    vec3 march_gradient = (march_product_6 + march_product_7) * (sign(det) / max(abs(det), 1e-36));
+    vec3 relief_normal = normalize(march_product - march_gradient);  // relief: Resolve
     // march: Parallax occlusion (continued)
     float march_quotient_2 = march_magnitude / max(abs(dot(relief_normal, s.view)), 1.19e-15);
     float march_greatest = max(max(march_quotient_2, 9.536743e-07), 1.1754944e-38);
@@ -282,7 +292,9 @@ vec3 wrinkle_parallax_detail_normal(WrinkleSurface_parallax_detail s) {
 }
 
 float wrinkle_parallax_detail_height(WrinkleSurface_parallax_detail s) {
-    vec3 dpdy = dFdy(s.position_relative);  // the surface point
+    vec2 duv0_dx = dFdx(s.uv0);  // the surface point
+    vec3 dpdy = dFdy(s.position_relative);
+    vec2 duv0_dy = dFdy(s.uv0);
     vec3 dpdx = dFdx(s.position_relative);
     vec3 point_vector = vec3(s.uv0.x, s.uv0.y, 0.37);  // point: Combine vec3
     vec3 march_product = normalize(s.normal) * s.facing;  // march: Parallax occlusion
@@ -290,20 +302,23 @@ float wrinkle_parallax_detail_height(WrinkleSurface_parallax_detail s) {
     vec3 march_difference = s.view - march_product * march_dot_product;
     vec3 march_difference_2 = dpdy - march_product * dot(march_product, dpdy);
     vec3 march_cross_product = cross(march_difference_2, march_product);
-    vec2 march_product_2 = dFdx(s.uv0) * dot(march_difference, march_cross_product);
     vec3 march_difference_3 = dpdx - march_product * dot(march_product, dpdx);
-    float march_dot_product_2 = dot(march_difference, cross(march_product, march_difference_3));
-    vec2 march_sum = march_product_2 + dFdy(s.uv0) * march_dot_product_2;
-    float march_dot_product_3 = dot(march_difference_3, march_cross_product);
-    float march_sign = march_dot_product_3 < 0.0 ? -1.0 : 1.0;
-    vec2 march_product_3 = march_sum * (march_sign / max(abs(march_dot_product_3), 1e-36));
+    vec2 march_product_2 = duv0_dy * dot(march_difference, cross(march_product,
+            march_difference_3));
+    vec2 march_sum = duv0_dx * dot(march_difference, march_cross_product) + march_product_2;
+    float march_dot_product_2 = dot(march_difference_3, march_cross_product);
+    float march_sign = march_dot_product_2 < 0.0 ? -1.0 : 1.0;
+    vec2 march_product_3 = march_sum * (march_sign / max(abs(march_dot_product_2), 1e-36));
     vec2 march_product_4 = march_product_3 * (-1.0 / max(abs(march_dot_product), 0.1));
     float march_quotient = 0.08 / max(32.0 * (0.25 + 0.75 * length(march_difference)), 1.0);
     vec3 dunes_product = point_vector * 7.0;  // dunes: Gradient noise
+    float dunes_extent = length(vec3(duv0_dx.x, duv0_dx.y, 0.0) * 7.0);
+    float dunes_greatest = max(dunes_extent, length(vec3(duv0_dy.x, duv0_dy.y, 0.0) * 7.0));
+    float dunes_noise_octave = wrinkle_parallax_detail_noise_octave(dunes_product, dunes_greatest);
     vec3 dunes_sum = dunes_product * 2.0 + vec3(19.19, 7.43, 31.71);
-    float dunes_product_2 = wrinkle_parallax_detail_gradient_noise(dunes_sum) * 0.5;
-    float dunes_value = (wrinkle_parallax_detail_gradient_noise(dunes_product) + dunes_product_2) /
-            1.5;
+    float dunes_product_2 = dunes_greatest * 2.0;
+    float dunes_product_3 = wrinkle_parallax_detail_noise_octave(dunes_sum, dunes_product_2) * 0.5;
+    float dunes_value = (dunes_noise_octave + dunes_product_3) / 1.5;
     float dunes_height = dunes_value * 0.08;
     float march_difference_4 = dunes_height - 0.04;  // march: Parallax occlusion (continued)
     float march_state = 0.0;
@@ -315,16 +330,17 @@ float wrinkle_parallax_detail_height(WrinkleSurface_parallax_detail s) {
         float march_least = min(march_state_3 + march_quotient, 0.08);
         vec2 march_sum_2 = s.uv0 + march_product_4 * march_least;
         // dunes: Gradient noise (continued)
-        vec3 dunes_product_3 = vec3(march_sum_2.x, march_sum_2.y, 0.37) * 7.0;
-        vec3 dunes_sum_2 = dunes_product_3 * 2.0 + vec3(19.19, 7.43, 31.71);
-        float dunes_product_4 = wrinkle_parallax_detail_gradient_noise(dunes_sum_2) * 0.5;
-        float dunes_quotient = (wrinkle_parallax_detail_gradient_noise(dunes_product_3) +
-                dunes_product_4) / 1.5;
-        float dunes_product_5 = dunes_quotient * 0.08;
+        vec3 dunes_product_4 = vec3(march_sum_2.x, march_sum_2.y, 0.37) * 7.0;
+        float dunes_noise_octave_2 = wrinkle_parallax_detail_noise_octave(dunes_product_4,
+                dunes_greatest);
+        vec3 dunes_sum_2 = dunes_product_4 * 2.0 + vec3(19.19, 7.43, 31.71);
+        float dunes_product_5 = wrinkle_parallax_detail_noise_octave(dunes_sum_2,
+                dunes_product_2) * 0.5;
+        float dunes_product_6 = (dunes_noise_octave_2 + dunes_product_5) / 1.5 * 0.08;
         march_state = march_state_3;
         march_state_2 = march_state_4;
         march_state_3 = march_least;
-        march_state_4 = dunes_product_5 - 0.04 + march_least;
+        march_state_4 = dunes_product_6 - 0.04 + march_least;
     }
     // march: Parallax occlusion (continued)
     float march_state_5 = march_state;
@@ -338,14 +354,15 @@ float wrinkle_parallax_detail_height(WrinkleSurface_parallax_detail s) {
                 != 0.0 ? march_state_6 / march_difference_5 : 0.0);
         vec2 march_sum_4 = s.uv0 + march_product_4 * march_sum_3;
         // dunes: Gradient noise (continued)
-        vec3 dunes_product_6 = vec3(march_sum_4.x, march_sum_4.y, 0.37) * 7.0;
-        vec3 dunes_sum_3 = dunes_product_6 * 2.0 + vec3(19.19, 7.43, 31.71);
-        float dunes_product_7 = wrinkle_parallax_detail_gradient_noise(dunes_sum_3) * 0.5;
-        float dunes_quotient_2 = (wrinkle_parallax_detail_gradient_noise(dunes_product_6) +
-                dunes_product_7) / 1.5;
-        float dunes_product_8 = dunes_quotient_2 * 0.08;
+        vec3 dunes_product_7 = vec3(march_sum_4.x, march_sum_4.y, 0.37) * 7.0;
+        float dunes_noise_octave_3 = wrinkle_parallax_detail_noise_octave(dunes_product_7,
+                dunes_greatest);
+        vec3 dunes_sum_3 = dunes_product_7 * 2.0 + vec3(19.19, 7.43, 31.71);
+        float dunes_product_8 = wrinkle_parallax_detail_noise_octave(dunes_sum_3,
+                dunes_product_2) * 0.5;
+        float dunes_product_9 = (dunes_noise_octave_3 + dunes_product_8) / 1.5 * 0.08;
         // march: Parallax occlusion (continued)
-        float march_sum_5 = dunes_product_8 - 0.04 + march_sum_3;
+        float march_sum_5 = dunes_product_9 - 0.04 + march_sum_3;
         bool march_test = march_sum_5 < 0.0;
         march_state_5 = march_test ? march_sum_3 : march_state_5;
         march_state_6 = march_test ? march_sum_5 : march_state_6;
@@ -358,10 +375,12 @@ float wrinkle_parallax_detail_height(WrinkleSurface_parallax_detail s) {
     vec2 march_product_5 = march_product_4 * (march_state_8 < 0.0 ? march_state_7 : march_sum_6);
     vec2 march_uv = s.uv0 + march_product_5;
     // dunes: Gradient noise (continued)
-    vec3 dunes_product_9 = vec3(march_uv.x, march_uv.y, 0.37) * 7.0;
-    vec3 dunes_sum_4 = dunes_product_9 * 2.0 + vec3(19.19, 7.43, 31.71);
-    float dunes_product_10 = wrinkle_parallax_detail_gradient_noise(dunes_sum_4) * 0.5;
+    vec3 dunes_product_10 = vec3(march_uv.x, march_uv.y, 0.37) * 7.0;
+    float dunes_noise_octave_4 = wrinkle_parallax_detail_noise_octave(dunes_product_10,
+            dunes_greatest);
+    vec3 dunes_sum_4 = dunes_product_10 * 2.0 + vec3(19.19, 7.43, 31.71);
+    float dunes_product_11 = wrinkle_parallax_detail_noise_octave(dunes_sum_4,
+            dunes_product_2) * 0.5;
     // march: Parallax occlusion (continued)
-    return (wrinkle_parallax_detail_gradient_noise(dunes_product_9) + dunes_product_10) / 1.5 *
-            0.08;
+    return (dunes_noise_octave_4 + dunes_product_11) / 1.5 * 0.08;
 }

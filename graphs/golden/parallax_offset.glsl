@@ -25,12 +25,11 @@ vec2 wrinkle_parallax_offset_smooth_slope(vec2 a, vec2 b) {
 vec3 wrinkle_parallax_offset_normal(WrinkleSurface_parallax_offset s) {
     vec3 normal = normalize(s.normal);  // the surface point
     vec3 dpdy = dFdy(s.position_relative);
-    vec3 r_x = cross(dpdy - normal * dot(normal, dpdy), normal);
+    vec3 r_x = cross(dpdy, normal);
     vec2 duv0_dx = dFdx(s.uv0);
     vec2 duv0_dy = dFdy(s.uv0);
     vec3 dpdx = dFdx(s.position_relative);
-    vec3 surface_dpdx = dpdx - normal * dot(normal, dpdx);
-    float det = dot(surface_dpdx, r_x);
+    float det = dot(dpdx, r_x);
     vec3 pebbles_product = normal * s.facing;  // pebbles: Height map
     vec2 pebbles_size = vec2(textureSize(pebbles_image, 0));
     // shift: Parallax offset
@@ -67,10 +66,9 @@ vec3 wrinkle_parallax_offset_normal(WrinkleSurface_parallax_offset s) {
             1.0 / pebbles_size);
     vec2 pebbles_mixed = mix(pebbles_quotient_3, pebbles_smooth_slope, pebbles_clamped);
     // normal: Resolve
-    vec3 normal_product = cross(normal, surface_dpdx) * (dot(pebbles_mixed, tile_product_2) * 0.03);
+    vec3 normal_product = cross(normal, dpdx) * (dot(pebbles_mixed, tile_product_2) * 0.03);
     vec3 normal_sum = r_x * (dot(pebbles_mixed, tile_product) * 0.03) + normal_product;
-    vec3 normal_gradient = normal_sum * ((det < 0.0 ? -1.0 : 1.0) / max(abs(det), 1e-36));
-    vec3 normal_difference = pebbles_product - normal_gradient;
+    vec3 normal_difference = pebbles_product - normal_sum * (sign(det) / max(abs(det), 1e-36));
     return normalize(normal_difference);
 }
 

@@ -23,11 +23,9 @@ vec2 wrinkle_plain_height_smooth_slope(vec2 a, vec2 b) {
 
 vec3 wrinkle_plain_height_normal(WrinkleSurface_plain_height s) {
     vec3 normal = normalize(s.normal);  // the surface point
-    vec3 dpdy = dFdy(s.position_relative);
-    vec3 r_x = cross(dpdy - normal * dot(normal, dpdy), normal);
+    vec3 r_x = cross(dFdy(s.position_relative), normal);
     vec3 dpdx = dFdx(s.position_relative);
-    vec3 surface_dpdx = dpdx - normal * dot(normal, dpdx);
-    float det = dot(surface_dpdx, r_x);
+    float det = dot(dpdx, r_x);
     vec2 tile_uv = s.uv0 * vec2(4.0, 2.0);  // tile: UV transform
     vec2 tile_product = dFdx(s.uv0) * vec2(4.0, 2.0);
     vec2 tile_product_2 = dFdy(s.uv0) * vec2(4.0, 2.0);
@@ -46,7 +44,7 @@ vec3 wrinkle_plain_height_normal(WrinkleSurface_plain_height s) {
     float bricks_clamped = clamp(bricks_quotient_3, 0.0, 1.0);
     vec2 bricks_mixed = mix(bricks_quotient_2, bricks_smooth_slope, bricks_clamped);
     // normal: Resolve
-    vec3 normal_product = cross(normal, surface_dpdx) * (dot(bricks_mixed, tile_product_2) * 0.04);
+    vec3 normal_product = cross(normal, dpdx) * (dot(bricks_mixed, tile_product_2) * 0.04);
     vec3 normal_sum = r_x * (dot(bricks_mixed, tile_product) * 0.04) + normal_product;
     vec3 normal_difference = normal * s.facing - normal_sum * (sign(det) / max(abs(det), 1e-36));
     return normalize(normal_difference);

@@ -24,12 +24,11 @@ vec2 wrinkle_plane_bricks_smooth_slope(vec2 a, vec2 b) {
 vec3 wrinkle_plane_bricks_normal(WrinkleSurface_plane_bricks s) {
     vec3 normal = normalize(s.normal);  // the surface point
     vec3 dpdy = dFdy(s.position_relative);
-    vec3 surface_dpdy = dpdy - normal * dot(normal, dpdy);
-    vec3 r_x = cross(surface_dpdy, normal);
+    vec3 r_x = cross(dpdy, normal);
     vec3 dpdx = dFdx(s.position_relative);
     vec3 surface_dpdx = dpdx - normal * dot(normal, dpdx);
-    float det = dot(surface_dpdx, r_x);
-    float inverse_det = (det < 0.0 ? -1.0 : 1.0) / max(abs(det), 1e-36);
+    vec3 surface_dpdy = dpdy - normal * dot(normal, dpdy);
+    float det = dot(dpdx, r_x);
     float slant_dot_product = dot(s.position, vec3(0.8944272, 0.0, -0.4472136));  // slant: Plane UV
     float slant_dot_product_2 = dot(s.position, vec3(-0.18257418, 0.91287094, -0.36514837));
     vec2 slant_uv = vec2(slant_dot_product, slant_dot_product_2) * 1.5;
@@ -55,6 +54,7 @@ vec3 wrinkle_plane_bricks_normal(WrinkleSurface_plane_bricks s) {
     float g_dot_product = dot(g_mixed, vec2(slant_dot_product_5, slant_dot_product_6) * 1.5);
     float g_dot_product_2 = dot(g_mixed, vec2(slant_dot_product_7, slant_dot_product_8) * 1.5);
     vec3 normal_product = r_x * (g_dot_product * 0.03);  // normal: Resolve
-    vec3 normal_product_2 = cross(normal, surface_dpdx) * (g_dot_product_2 * 0.03);
-    return normalize(normal * s.facing - (normal_product + normal_product_2) * inverse_det);
+    vec3 normal_product_2 = cross(normal, dpdx) * (g_dot_product_2 * 0.03);
+    vec3 normal_gradient = (normal_product + normal_product_2) * (sign(det) / max(abs(det), 1e-36));
+    return normalize(normal * s.facing - normal_gradient);
 }

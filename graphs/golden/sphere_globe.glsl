@@ -66,9 +66,9 @@ vec3 wrinkle_sphere_globe_normal(WrinkleSurface_sphere_globe s) {
     float normal_sign = normal_product_2 - tile_product.x * tile_product_2.y < 0.0 ? -1.0 : 1.0;
     vec3 normal_product_3 = normal_difference * normal_sign;
     float normal_inverse_root = inversesqrt(max(dot(normal_product_3, normal_product_3), 1e-36));
-    vec3 normal_product_4 = normal_product_3 * normal_inverse_root;
+    vec3 normal_tangent = normal_product_3 * normal_inverse_root;
     float normal_sign_2 = dot(surface_dpdy, cross(normal, surface_dpdx)) < 0.0 ? -1.0 : 1.0;
-    vec3 normal_product_5 = cross(normal, normal_product_4) * (normal_sign * normal_sign_2);
-    vec3 normal_gradient = normal_product_4 * g_slope.x + normal_product_5 * g_slope.y;
+    vec3 normal_bitangent = cross(normal, normal_tangent) * (normal_sign * normal_sign_2);
+    vec3 normal_gradient = normal_tangent * g_slope.x + normal_bitangent * g_slope.y;
     return normalize(normal * normal_product - normal_gradient);
 }

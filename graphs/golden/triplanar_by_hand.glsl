@@ -26,25 +26,25 @@ vec2 wrinkle_triplanar_by_hand_smooth_slope(vec2 a, vec2 b) {
 vec3 wrinkle_triplanar_by_hand_normal(WrinkleSurface_triplanar_by_hand s) {
     vec3 normal = normalize(s.normal);  // the surface point
     vec3 dpdy = dFdy(s.position_relative);
-    vec3 surface_dpdy = dpdy - normal * dot(normal, dpdy);
-    vec3 r_x = cross(surface_dpdy, normal);
+    vec3 r_x = cross(dpdy, normal);
     vec3 dpdx = dFdx(s.position_relative);
     vec3 surface_dpdx = dpdx - normal * dot(normal, dpdx);
-    float det = dot(surface_dpdx, r_x);
+    vec3 surface_dpdy = dpdy - normal * dot(normal, dpdy);
+    float det = dot(dpdx, r_x);
     vec3 side_product = normal * s.facing;  // side: Planar UV
-    float side_negated = -(side_product.x < 0.0 ? -1.0 : 1.0);
+    vec3 side_product_2 = side_product * (dot(normal, side_product) < 0.0 ? -1.0 : 1.0);
+    float side_negated = -(side_product_2.x < 0.0 ? -1.0 : 1.0);
     vec2 side_uv = vec2(side_negated * s.position.z, s.position.y) * 2.0;
-    float side_negated_2 = -(side_product.y < 0.0 ? -1.0 : 1.0);
-    float side_sign = side_product.z < 0.0 ? -1.0 : 1.0;
-    bool side_test = dot(side_product, side_product) > 0.0;
-    vec2 side_product_2 = vec2(surface_dpdx.z * side_negated, surface_dpdx.y) * 2.0;
-    vec2 side_product_3 = vec2(surface_dpdy.z * side_negated, surface_dpdy.y) * 2.0;
+    float side_negated_2 = -(side_product_2.y < 0.0 ? -1.0 : 1.0);
+    float side_sign = side_product_2.z < 0.0 ? -1.0 : 1.0;
+    vec2 side_product_3 = vec2(surface_dpdx.z * side_negated, surface_dpdx.y) * 2.0;
+    vec2 side_product_4 = vec2(surface_dpdy.z * side_negated, surface_dpdy.y) * 2.0;
     // rivets: Tangent normal map
     vec3 rivets_texel = texture(rivets_image, side_uv).xyz * 2.0 - 1.0;
     float rivets_product = max(abs(rivets_texel.x), abs(rivets_texel.y)) * 0.0078125;
     float rivets_depth = max(max(abs(rivets_texel.z), rivets_product), 1e-06);
     vec2 rivets_slope = -rivets_texel.xy * 0.5;
-    vec2 rivets_vector = vec2(dot(rivets_slope, side_product_2), dot(rivets_slope, side_product_3));
+    vec2 rivets_vector = vec2(dot(rivets_slope, side_product_3), dot(rivets_slope, side_product_4));
     vec2 top_uv = vec2(s.position.x, side_negated_2 * s.position.z) * 4.0;  // top: Planar UV
     vec2 top_product = vec2(surface_dpdx.x, surface_dpdx.z * side_negated_2) * 4.0;
     vec2 top_product_2 = vec2(surface_dpdy.x, surface_dpdy.z * side_negated_2) * 4.0;
@@ -73,9 +73,9 @@ vec3 wrinkle_triplanar_by_hand_normal(WrinkleSurface_triplanar_by_hand s) {
     vec2 bricks_mixed = mix(bricks_quotient_2, bricks_smooth_slope, bricks_clamped);
     float bricks_product_3 = dot(bricks_mixed, front_product) * 0.02;
     vec2 bricks_vector_2 = vec2(bricks_product_3, dot(bricks_mixed, front_product_2) * 0.02);
-    // weights: Triplanar weights
-    vec3 weights_difference = abs(side_test ? normalize(side_product) : vec3(0.0)) - 0.2;
-    vec3 weights_greatest = max(weights_difference, vec3(0.0));
+    bool weights_test = dot(side_product, side_product) > 0.0;  // weights: Triplanar weights
+    vec3 weights_magnitude = abs(weights_test ? normalize(side_product) : vec3(0.0));
+    vec3 weights_greatest = max(weights_magnitude - 0.2, vec3(0.0));
     float weights_greatest_2 = max(weights_greatest.x, weights_greatest.y);
     float weights_greatest_3 = max(weights_greatest_2, weights_greatest.z);
     vec3 weights_quotient = weights_greatest / weights_greatest_3;
@@ -92,7 +92,7 @@ vec3 wrinkle_triplanar_by_hand_normal(WrinkleSurface_triplanar_by_hand s) {
     vec2 normal_product_3 = rivets_vector * weights_weights.x * weave_depth;
     vec2 normal_product_4 = weave_vector * weights_weights.y * rivets_depth;
     vec2 normal_sum = normal_product_2 + (normal_product_3 + normal_product_4);
-    vec3 normal_sum_2 = r_x * normal_sum.x + cross(normal, surface_dpdx) * normal_sum.y;
-    vec3 normal_gradient = normal_sum_2 * ((det < 0.0 ? -1.0 : 1.0) / max(abs(det), 1e-36));
+    vec3 normal_sum_2 = r_x * normal_sum.x + cross(normal, dpdx) * normal_sum.y;
+    vec3 normal_gradient = normal_sum_2 * (sign(det) / max(abs(det), 1e-36));
     return normalize(normal * (normal_product * s.facing) - normal_gradient);
 }

@@ -42,22 +42,23 @@ vec2 wrinkle_triplanar_rock_smooth_slope_2(vec2 a, vec2 b) {
 vec3 wrinkle_triplanar_rock_normal(WrinkleSurface_triplanar_rock s) {
     vec3 normal = normalize(s.normal);  // the surface point
     vec3 dpdy = dFdy(s.position_relative);
-    vec3 surface_dpdy = dpdy - normal * dot(normal, dpdy);
-    vec3 r_x = cross(surface_dpdy, normal);
+    vec3 r_x = cross(dpdy, normal);
     vec3 dpdx = dFdx(s.position_relative);
     vec3 surface_dpdx = dpdx - normal * dot(normal, dpdx);
-    float det = dot(surface_dpdx, r_x);
+    vec3 surface_dpdy = dpdy - normal * dot(normal, dpdy);
+    float det = dot(dpdx, r_x);
     vec3 pebbles_product = normal * s.facing;  // pebbles: Triplanar height map
-    float pebbles_sign = pebbles_product.x < 0.0 ? -1.0 : 1.0;
+    vec3 pebbles_product_2 = pebbles_product * (dot(normal, pebbles_product) < 0.0 ? -1.0 : 1.0);
+    float pebbles_sign = pebbles_product_2.x < 0.0 ? -1.0 : 1.0;
     float pebbles_negated = -pebbles_sign;
-    vec3 pebbles_product_2 = s.position * 1.5;
-    vec2 pebbles_vector = vec2(pebbles_negated * pebbles_product_2.z, pebbles_product_2.y);
-    vec3 pebbles_product_3 = dpdx * 1.5;
-    vec2 pebbles_vector_2 = vec2(pebbles_product_3.z * pebbles_negated, pebbles_product_3.y);
+    vec3 pebbles_product_3 = s.position * 1.5;
+    vec2 pebbles_vector = vec2(pebbles_negated * pebbles_product_3.z, pebbles_product_3.y);
+    vec3 pebbles_product_4 = dpdx * 1.5;
+    vec2 pebbles_vector_2 = vec2(pebbles_product_4.z * pebbles_negated, pebbles_product_4.y);
     vec2 pebbles_size = vec2(textureSize(pebbles_image, 0));
     float pebbles_extent = length(pebbles_vector_2 * pebbles_size);
-    vec3 pebbles_product_4 = dpdy * 1.5;
-    vec2 pebbles_vector_3 = vec2(pebbles_product_4.z * pebbles_negated, pebbles_product_4.y);
+    vec3 pebbles_product_5 = dpdy * 1.5;
+    vec2 pebbles_vector_3 = vec2(pebbles_product_5.z * pebbles_negated, pebbles_product_5.y);
     float pebbles_greatest = max(pebbles_extent, length(pebbles_vector_3 * pebbles_size));
     vec2 pebbles_quotient = max(pebbles_greatest, 1.0) / pebbles_size;
     vec2 pebbles_sum = pebbles_vector + vec2(pebbles_quotient.x, 0.0);
@@ -72,8 +73,8 @@ vec3 wrinkle_triplanar_rock_normal(WrinkleSurface_triplanar_rock s) {
     float pebbles_quotient_4 = (0.5 - log2(max(pebbles_greatest, 1.1754944e-38))) / 0.45;
     float pebbles_clamped = clamp(pebbles_quotient_4, 0.0, 1.0);
     vec2 pebbles_mixed = mix(pebbles_quotient_2, pebbles_smooth_slope, pebbles_clamped);
-    vec3 pebbles_product_5 = surface_dpdx * 1.5;
-    vec2 pebbles_vector_4 = vec2(pebbles_product_5.z * pebbles_negated, pebbles_product_5.y);
+    vec3 pebbles_product_6 = surface_dpdx * 1.5;
+    vec2 pebbles_vector_4 = vec2(pebbles_product_6.z * pebbles_negated, pebbles_product_6.y);
     bool pebbles_test = dot(pebbles_product, pebbles_product) > 0.0;
     vec3 pebbles_magnitude = abs(pebbles_test ? normalize(pebbles_product) : vec3(0.0));
     vec3 pebbles_greatest_2 = max(pebbles_magnitude - 0.2, vec3(0.0));
@@ -91,13 +92,13 @@ vec3 wrinkle_triplanar_rock_normal(WrinkleSurface_triplanar_rock s) {
     float pebbles_dot_product = dot(pebbles_vector_5, vec3(1.0));
     vec3 pebbles_quotient_6 = pebbles_vector_5 / pebbles_dot_product;
     vec3 pebbles_choice_5 = pebbles_dot_product != 0.0 ? pebbles_quotient_6 : vec3(0.0);
-    float pebbles_product_6 = dot(pebbles_mixed, pebbles_vector_4) * pebbles_choice_5.x;
-    float pebbles_sign_2 = pebbles_product.y < 0.0 ? -1.0 : 1.0;
+    float pebbles_product_7 = dot(pebbles_mixed, pebbles_vector_4) * pebbles_choice_5.x;
+    float pebbles_sign_2 = pebbles_product_2.y < 0.0 ? -1.0 : 1.0;
     float pebbles_negated_2 = -pebbles_sign_2;
-    vec2 pebbles_vector_6 = vec2(pebbles_product_2.x, pebbles_negated_2 * pebbles_product_2.z);
-    vec2 pebbles_vector_7 = vec2(pebbles_product_3.x, pebbles_product_3.z * pebbles_negated_2);
+    vec2 pebbles_vector_6 = vec2(pebbles_product_3.x, pebbles_negated_2 * pebbles_product_3.z);
+    vec2 pebbles_vector_7 = vec2(pebbles_product_4.x, pebbles_product_4.z * pebbles_negated_2);
     float pebbles_extent_2 = length(pebbles_vector_7 * pebbles_size);
-    vec2 pebbles_vector_8 = vec2(pebbles_product_4.x, pebbles_product_4.z * pebbles_negated_2);
+    vec2 pebbles_vector_8 = vec2(pebbles_product_5.x, pebbles_product_5.z * pebbles_negated_2);
     float pebbles_greatest_5 = max(pebbles_extent_2, length(pebbles_vector_8 * pebbles_size));
     vec2 pebbles_quotient_7 = max(pebbles_greatest_5, 1.0) / pebbles_size;
     vec2 pebbles_sum_3 = pebbles_vector_6 + vec2(pebbles_quotient_7.x, 0.0);
@@ -111,13 +112,13 @@ vec3 wrinkle_triplanar_rock_normal(WrinkleSurface_triplanar_rock s) {
     float pebbles_quotient_9 = (0.5 - log2(max(pebbles_greatest_5, 1.1754944e-38))) / 0.45;
     float pebbles_clamped_2 = clamp(pebbles_quotient_9, 0.0, 1.0);
     vec2 pebbles_mixed_2 = mix(pebbles_quotient_8, pebbles_smooth_slope_2, pebbles_clamped_2);
-    vec2 pebbles_vector_9 = vec2(pebbles_product_5.x, pebbles_product_5.z * pebbles_negated_2);
-    float pebbles_product_7 = dot(pebbles_mixed_2, pebbles_vector_9) * pebbles_choice_5.y;
-    float pebbles_sign_3 = pebbles_product.z < 0.0 ? -1.0 : 1.0;
-    vec2 pebbles_vector_10 = vec2(pebbles_sign_3 * pebbles_product_2.x, pebbles_product_2.y);
-    vec2 pebbles_vector_11 = vec2(pebbles_product_3.x * pebbles_sign_3, pebbles_product_3.y);
+    vec2 pebbles_vector_9 = vec2(pebbles_product_6.x, pebbles_product_6.z * pebbles_negated_2);
+    float pebbles_product_8 = dot(pebbles_mixed_2, pebbles_vector_9) * pebbles_choice_5.y;
+    float pebbles_sign_3 = pebbles_product_2.z < 0.0 ? -1.0 : 1.0;
+    vec2 pebbles_vector_10 = vec2(pebbles_sign_3 * pebbles_product_3.x, pebbles_product_3.y);
+    vec2 pebbles_vector_11 = vec2(pebbles_product_4.x * pebbles_sign_3, pebbles_product_4.y);
     float pebbles_extent_3 = length(pebbles_vector_11 * pebbles_size);
-    vec2 pebbles_vector_12 = vec2(pebbles_product_4.x * pebbles_sign_3, pebbles_product_4.y);
+    vec2 pebbles_vector_12 = vec2(pebbles_product_5.x * pebbles_sign_3, pebbles_product_5.y);
     float pebbles_greatest_6 = max(pebbles_extent_3, length(pebbles_vector_12 * pebbles_size));
     vec2 pebbles_quotient_10 = max(pebbles_greatest_6, 1.0) / pebbles_size;
     vec2 pebbles_sum_5 = pebbles_vector_10 + vec2(pebbles_quotient_10.x, 0.0);
@@ -132,17 +133,17 @@ vec3 wrinkle_triplanar_rock_normal(WrinkleSurface_triplanar_rock s) {
     float pebbles_quotient_12 = (0.5 - log2(max(pebbles_greatest_6, 1.1754944e-38))) / 0.45;
     float pebbles_clamped_3 = clamp(pebbles_quotient_12, 0.0, 1.0);
     vec2 pebbles_mixed_3 = mix(pebbles_quotient_11, pebbles_smooth_slope_3, pebbles_clamped_3);
-    vec2 pebbles_vector_13 = vec2(pebbles_product_5.x * pebbles_sign_3, pebbles_product_5.y);
-    float pebbles_product_8 = dot(pebbles_mixed_3, pebbles_vector_13) * pebbles_choice_5.z;
-    float pebbles_product_9 = (pebbles_product_6 + pebbles_product_7 + pebbles_product_8) * 0.05;
-    vec3 pebbles_product_10 = surface_dpdy * 1.5;
-    vec2 pebbles_vector_14 = vec2(pebbles_product_10.z * pebbles_negated, pebbles_product_10.y);
-    float pebbles_product_11 = dot(pebbles_mixed, pebbles_vector_14) * pebbles_choice_5.x;
-    vec2 pebbles_vector_15 = vec2(pebbles_product_10.x, pebbles_product_10.z * pebbles_negated_2);
-    float pebbles_product_12 = dot(pebbles_mixed_2, pebbles_vector_15) * pebbles_choice_5.y;
-    vec2 pebbles_vector_16 = vec2(pebbles_product_10.x * pebbles_sign_3, pebbles_product_10.y);
-    float pebbles_product_13 = dot(pebbles_mixed_3, pebbles_vector_16) * pebbles_choice_5.z;
-    float pebbles_product_14 = (pebbles_product_11 + pebbles_product_12 + pebbles_product_13) *
+    vec2 pebbles_vector_13 = vec2(pebbles_product_6.x * pebbles_sign_3, pebbles_product_6.y);
+    float pebbles_product_9 = dot(pebbles_mixed_3, pebbles_vector_13) * pebbles_choice_5.z;
+    float pebbles_product_10 = (pebbles_product_7 + pebbles_product_8 + pebbles_product_9) * 0.05;
+    vec3 pebbles_product_11 = surface_dpdy * 1.5;
+    vec2 pebbles_vector_14 = vec2(pebbles_product_11.z * pebbles_negated, pebbles_product_11.y);
+    float pebbles_product_12 = dot(pebbles_mixed, pebbles_vector_14) * pebbles_choice_5.x;
+    vec2 pebbles_vector_15 = vec2(pebbles_product_11.x, pebbles_product_11.z * pebbles_negated_2);
+    float pebbles_product_13 = dot(pebbles_mixed_2, pebbles_vector_15) * pebbles_choice_5.y;
+    vec2 pebbles_vector_16 = vec2(pebbles_product_11.x * pebbles_sign_3, pebbles_product_11.y);
+    float pebbles_product_14 = dot(pebbles_mixed_3, pebbles_vector_16) * pebbles_choice_5.z;
+    float pebbles_product_15 = (pebbles_product_12 + pebbles_product_13 + pebbles_product_14) *
             0.05;
     vec3 weave_product = s.position * 6.0;  // weave: Triplanar normal map
     vec2 weave_vector = vec2(weave_product.x, pebbles_negated_2 * weave_product.z);
@@ -238,9 +239,9 @@ vec3 wrinkle_triplanar_rock_normal(WrinkleSurface_triplanar_rock s) {
     vec2 relief_vector_10 = vec2(relief_sum,
             relief_product_4 + relief_product_5 + relief_product_6);
     // g: Mix bumps
-    vec2 g_sum = vec2(pebbles_product_9, pebbles_product_14) * 0.7 + relief_vector_10 * 0.3;
-    vec3 normal_sum = r_x * g_sum.x + cross(normal, surface_dpdx) * g_sum.y;  // normal: Resolve
-    vec3 normal_gradient = normal_sum * ((det < 0.0 ? -1.0 : 1.0) / max(abs(det), 1e-36));
+    vec2 g_sum = vec2(pebbles_product_10, pebbles_product_15) * 0.7 + relief_vector_10 * 0.3;
+    vec3 normal_sum = r_x * g_sum.x + cross(normal, dpdx) * g_sum.y;  // normal: Resolve
+    vec3 normal_gradient = normal_sum * (sign(det) / max(abs(det), 1e-36));
     vec3 slopes_product = s.position * 2.0;  // slopes: Triplanar slopes
     vec2 slopes_vector = vec2(slopes_product.x, pebbles_negated_2 * slopes_product.z);
     vec2 slopes_vector_2 = vec2(pebbles_sign_3 * slopes_product.x, slopes_product.y);
@@ -270,7 +271,9 @@ vec3 wrinkle_triplanar_rock_normal(WrinkleSurface_triplanar_rock s) {
 }
 
 vec3 wrinkle_triplanar_rock_color(WrinkleSurface_triplanar_rock s) {
-    vec3 pebbles_product = normalize(s.normal) * s.facing;  // pebbles: Triplanar height map
+    vec3 normal = normalize(s.normal);
+    vec3 pebbles_product = normal * s.facing;  // pebbles: Triplanar height map
+    vec3 pebbles_product_2 = pebbles_product * (dot(normal, pebbles_product) < 0.0 ? -1.0 : 1.0);
     bool pebbles_test = dot(pebbles_product, pebbles_product) > 0.0;
     vec3 pebbles_magnitude = abs(pebbles_test ? normalize(pebbles_product) : vec3(0.0));
     vec3 pebbles_greatest = max(pebbles_magnitude - 0.2, vec3(0.0));
@@ -286,14 +289,14 @@ vec3 wrinkle_triplanar_rock_color(WrinkleSurface_triplanar_rock s) {
     vec3 pebbles_quotient_2 = pebbles_vector / pebbles_dot_product;
     vec3 pebbles_choice_5 = pebbles_dot_product != 0.0 ? pebbles_quotient_2 : vec3(0.0);
     vec3 tint_product = s.position * 0.7;  // tint: Triplanar colour
-    float tint_product_2 = -(pebbles_product.x < 0.0 ? -1.0 : 1.0) * tint_product.z;
+    float tint_product_2 = -(pebbles_product_2.x < 0.0 ? -1.0 : 1.0) * tint_product.z;
     vec4 tint_texel = texture(tint_image, vec2(tint_product_2, tint_product.y));
     vec3 tint_quotient = (max(tint_texel.xyz, 0.0) + 0.055) / 1.055;
     vec3 tint_power = pow(tint_quotient, vec3(2.4));
     vec3 tint_edge = step(vec3(0.04045), tint_texel.xyz);
     vec3 tint_mixed = mix(tint_texel.xyz / 12.92, tint_power, tint_edge);
     vec4 tint_vector = vec4(tint_mixed, tint_texel.w);
-    float tint_product_3 = -(pebbles_product.y < 0.0 ? -1.0 : 1.0) * tint_product.z;
+    float tint_product_3 = -(pebbles_product_2.y < 0.0 ? -1.0 : 1.0) * tint_product.z;
     vec4 tint_texel_2 = texture(tint_image, vec2(tint_product.x, tint_product_3));
     vec3 tint_quotient_2 = (max(tint_texel_2.xyz, 0.0) + 0.055) / 1.055;
     vec3 tint_power_2 = pow(tint_quotient_2, vec3(2.4));
@@ -301,7 +304,7 @@ vec3 wrinkle_triplanar_rock_color(WrinkleSurface_triplanar_rock s) {
     vec3 tint_mixed_2 = mix(tint_texel_2.xyz / 12.92, tint_power_2, tint_edge_2);
     vec4 tint_vector_2 = vec4(tint_mixed_2, tint_texel_2.w);
     vec4 tint_sum = tint_vector * pebbles_choice_5.x + tint_vector_2 * pebbles_choice_5.y;
-    float tint_product_4 = (pebbles_product.z < 0.0 ? -1.0 : 1.0) * tint_product.x;
+    float tint_product_4 = (pebbles_product_2.z < 0.0 ? -1.0 : 1.0) * tint_product.x;
     vec4 tint_texel_3 = texture(tint_image, vec2(tint_product_4, tint_product.y));
     vec3 tint_quotient_3 = (max(tint_texel_3.xyz, 0.0) + 0.055) / 1.055;
     vec3 tint_power_3 = pow(tint_quotient_3, vec3(2.4));

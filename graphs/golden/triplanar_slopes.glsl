@@ -104,26 +104,32 @@ float wrinkle_triplanar_slopes_gradient_noise_change(vec3 a, vec3 b) {
     return mixed_11 + sum_3.z * difference_10;
 }
 
+float wrinkle_triplanar_slopes_noise_octave_change(vec3 a, float b, vec3 c) {
+    return wrinkle_triplanar_slopes_gradient_noise_change(a, c) * (1.0 - smoothstep(0.25, 0.75, b));
+}
+
 vec3 wrinkle_triplanar_slopes_normal(WrinkleSurface_triplanar_slopes s) {
     vec3 normal = normalize(s.normal);  // the surface point
     vec3 dpdy = dFdy(s.position_relative);
-    vec3 surface_dpdy = dpdy - normal * dot(normal, dpdy);
-    vec3 r_x = cross(surface_dpdy, normal);
+    vec3 r_x = cross(dpdy, normal);
     vec3 dpdx = dFdx(s.position_relative);
-    vec3 surface_dpdx = dpdx - normal * dot(normal, dpdx);
-    float det = dot(surface_dpdx, r_x);
+    float det = dot(dpdx, r_x);
     vec3 noise_product = s.position * 2.0;  // noise: Gradient noise
-    float noise_gradient_noise_change =
-            wrinkle_triplanar_slopes_gradient_noise_change(noise_product, surface_dpdx * 2.0);
-    float noise_gradient_noise_change_2 =
-            wrinkle_triplanar_slopes_gradient_noise_change(noise_product, surface_dpdy * 2.0);
-    // base: Resolve
-    vec3 base_product = cross(normal, surface_dpdx) * (noise_gradient_noise_change_2 * 0.2);
-    vec3 base_sum = r_x * (noise_gradient_noise_change * 0.2) + base_product;
-    vec3 base_gradient = base_sum * ((det < 0.0 ? -1.0 : 1.0) / max(abs(det), 1e-36));
-    vec3 base_normal = normalize(normal * s.facing - base_gradient);
+    float noise_greatest = max(length(dpdx * 2.0), length(dpdy * 2.0));
+    vec3 noise_product_2 = (dpdx - normal * dot(normal, dpdx)) * 2.0;
+    float noise_noise_octave_change = wrinkle_triplanar_slopes_noise_octave_change(noise_product,
+            noise_greatest, noise_product_2);
+    float noise_product_3 = noise_noise_octave_change * 0.2;
+    vec3 noise_product_4 = (dpdy - normal * dot(normal, dpdy)) * 2.0;
+    float noise_noise_octave_change_2 = wrinkle_triplanar_slopes_noise_octave_change(noise_product,
+            noise_greatest, noise_product_4);
+    float noise_product_5 = noise_noise_octave_change_2 * 0.2;
+    vec3 base_product = normal * s.facing;  // base: Resolve
+    vec3 base_sum = r_x * noise_product_3 + cross(normal, dpdx) * noise_product_5;
+    vec3 base_normal = normalize(base_product - base_sum * (sign(det) / max(abs(det), 1e-36)));
     vec3 g_product = s.position * 3.0;  // g: Triplanar derivative map
-    float g_sign = base_normal.y < 0.0 ? -1.0 : 1.0;
+    vec3 g_product_2 = base_normal * (dot(normal, base_product) < 0.0 ? -1.0 : 1.0);
+    float g_sign = g_product_2.y < 0.0 ? -1.0 : 1.0;
     vec4 g_texel = texture(g_image, vec2(g_product.x, -g_sign * g_product.z));
     vec3 g_texel_2 = g_texel.xyz * 2.0 - 1.0;
     bool g_test = dot(base_normal, base_normal) > 0.0;
@@ -136,17 +142,17 @@ vec3 wrinkle_triplanar_slopes_normal(WrinkleSurface_triplanar_slopes s) {
     vec3 g_vector = vec3(g_choice_2, g_choice_3, g_choice.z > 0.0 ? pow(g_choice.z, 3.0) : 0.0);
     float g_dot_product = dot(g_vector, vec3(1.0));
     vec3 g_choice_4 = g_dot_product != 0.0 ? g_vector / g_dot_product : vec3(0.0);
-    vec2 g_product_2 = g_texel_2.xy * 0.1 * g_choice_4.y;
-    float g_sign_2 = base_normal.z < 0.0 ? -1.0 : 1.0;
+    vec2 g_product_3 = g_texel_2.xy * 0.1 * g_choice_4.y;
+    float g_sign_2 = g_product_2.z < 0.0 ? -1.0 : 1.0;
     vec4 g_texel_3 = texture(g_image, vec2(g_sign_2 * g_product.x, g_product.y));
-    vec2 g_product_3 = (g_texel_3.xyz * 2.0 - 1.0).xy * 0.1 * g_choice_4.z;
-    float g_sum = g_product_2.x + g_product_3.x * g_sign_2;
-    float g_sign_3 = base_normal.x < 0.0 ? -1.0 : 1.0;
+    vec2 g_product_4 = (g_texel_3.xyz * 2.0 - 1.0).xy * 0.1 * g_choice_4.z;
+    float g_sum = g_product_3.x + g_product_4.x * g_sign_2;
+    float g_sign_3 = g_product_2.x < 0.0 ? -1.0 : 1.0;
     vec4 g_texel_4 = texture(g_image, vec2(-g_sign_3 * g_product.z, g_product.y));
     vec3 g_texel_5 = g_texel_4.xyz * 2.0 - 1.0;
-    vec2 g_product_4 = g_texel_5.xy * 0.1 * g_choice_4.x;
-    float g_negated = -(g_product_4.x * g_sign_3 + g_product_2.y * g_sign);
-    vec3 g_volume = vec3(g_sum, g_product_4.y + g_product_3.y, g_negated) * 3.0;
+    vec2 g_product_5 = g_texel_5.xy * 0.1 * g_choice_4.x;
+    float g_negated = -(g_product_5.x * g_sign_3 + g_product_3.y * g_sign);
+    vec3 g_volume = vec3(g_sum, g_product_5.y + g_product_4.y, g_negated) * 3.0;
     // normal: Resolve
     return normalize(base_normal - (g_volume - base_normal * dot(base_normal, g_volume)));
 }

@@ -211,7 +211,7 @@ TEST_F(RewriteTest, TheVerifierFindsParametersOfNoOne) {
     lacking.results = {op(Op::sin_, {&m, m.region_parameter(1, 3, Type::float_)}).id};
     const Id tuple = m.apply_region(m.intern_region(lacking), std::array{v.id});
     m.outputs = {{"x", WR_PORT_float, m.result(tuple, 0)}};
-    EXPECT_NE(verify(m).find("a parameter that its region does not have"), std::string::npos);
+    EXPECT_NE(verify(m).find("a parameter that it does not have"), std::string::npos);
 }
 
 }  // namespace

@@ -110,6 +110,9 @@ extern "C" {
     X(view,     8,  vec3,  "Unit vector towards the eye, object space") \
     X(facing,   9,  float, "+1 on front faces, -1 on back faces")
 
+/* For surface() alone: the unit normal before the graph's back-face rule turns it */
+#define WR_SURFACE_FRONT_NORMAL 64u
+
 /* How arguments and result of an op relate (see core/ir/typing.h for the checks).
  *   leaf       made by the host            same       all of one float or integer type, result the same
  *   broadcast  as same, and a float may stand beside a vector; the result is the wider

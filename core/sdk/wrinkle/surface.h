@@ -14,6 +14,8 @@ struct Property {
 
 inline constexpr Property<vec3> position{WR_SURFACE_position};
 inline constexpr Property<vec3> normal{WR_SURFACE_normal};
+// As the front face has it, whatever the graph's rule for back faces; no default of a port.
+inline constexpr Property<vec3> front_normal{WR_SURFACE_FRONT_NORMAL};
 inline constexpr Property<vec4> tangent{WR_SURFACE_tangent};
 inline constexpr Property<vec2> uv0{WR_SURFACE_uv0};
 inline constexpr Property<vec2> uv1{WR_SURFACE_uv1};

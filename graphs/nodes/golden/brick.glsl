@@ -8,11 +8,9 @@ struct WrinkleSurface_brick {
 
 vec3 wrinkle_brick_normal(WrinkleSurface_brick s) {
     vec3 normal = normalize(s.normal);  // the surface point
-    vec3 dpdy = dFdy(s.position_relative);
-    vec3 r_x = cross(dpdy - normal * dot(normal, dpdy), normal);
+    vec3 r_x = cross(dFdy(s.position_relative), normal);
     vec3 dpdx = dFdx(s.position_relative);
-    vec3 surface_dpdx = dpdx - normal * dot(normal, dpdx);
-    float det = dot(surface_dpdx, r_x);
+    float det = dot(dpdx, r_x);
     vec2 relief_product = dFdx(s.uv0) * 6.0;  // relief: Bricks
     vec2 relief_product_2 = dFdy(s.uv0) * 6.0;
     float relief_greatest = max(length(relief_product), length(relief_product_2));
@@ -40,11 +38,10 @@ vec3 wrinkle_brick_normal(WrinkleSurface_brick s) {
     float relief_choice_2 = relief_test_3 ? -(relief_product_2.y * relief_sign) : relief_product_6;
     float relief_quotient_3 = -relief_choice_2 / relief_greatest_2;
     float relief_negated_2 = -(relief_test ? 0.0 : relief_test_2 ? 0.0 : relief_quotient_3);
-    float relief_product_7 = relief_negated_2 * relief_difference_5 * 0.02;
-    vec3 normal_product = r_x * (relief_negated * relief_difference_5 * 0.02);  // normal: Resolve
-    vec3 normal_sum = normal_product + cross(normal, surface_dpdx) * relief_product_7;
-    vec3 normal_gradient = normal_sum * ((det < 0.0 ? -1.0 : 1.0) / max(abs(det), 1e-36));
-    return normalize(normal * s.facing - normal_gradient);
+    // normal: Resolve
+    vec3 normal_product = cross(normal, dpdx) * (relief_negated_2 * relief_difference_5 * 0.02);
+    vec3 normal_sum = r_x * (relief_negated * relief_difference_5 * 0.02) + normal_product;
+    return normalize(normal * s.facing - normal_sum * (sign(det) / max(abs(det), 1e-36)));
 }
 
 float wrinkle_brick_height(WrinkleSurface_brick s) {

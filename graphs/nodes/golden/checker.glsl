@@ -8,11 +8,9 @@ struct WrinkleSurface_checker {
 
 vec3 wrinkle_checker_normal(WrinkleSurface_checker s) {
     vec3 normal = normalize(s.normal);  // the surface point
-    vec3 dpdy = dFdy(s.position_relative);
-    vec3 r_x = cross(dpdy - normal * dot(normal, dpdy), normal);
+    vec3 r_x = cross(dFdy(s.position_relative), normal);
     vec3 dpdx = dFdx(s.position_relative);
-    vec3 surface_dpdx = dpdx - normal * dot(normal, dpdx);
-    float det = dot(surface_dpdx, r_x);
+    float det = dot(dpdx, r_x);
     vec2 relief_product = dFdx(s.uv0) * 6.0;  // relief: Checker
     vec2 relief_product_2 = relief_product * 0.5 * 2.0;
     vec2 relief_product_3 = s.uv0 * 6.0;
@@ -37,8 +35,8 @@ vec3 wrinkle_checker_normal(WrinkleSurface_checker s) {
     float relief_product_12 = (relief_product_11 + relief_quotient_3.y * relief_product_9) * 0.02;
     // normal: Resolve
     vec3 normal_product = r_x * ((relief_product_8 + relief_quotient.y * relief_product_9) * 0.02);
-    vec3 normal_sum = normal_product + cross(normal, surface_dpdx) * relief_product_12;
-    vec3 normal_gradient = normal_sum * ((det < 0.0 ? -1.0 : 1.0) / max(abs(det), 1e-36));
+    vec3 normal_sum = normal_product + cross(normal, dpdx) * relief_product_12;
+    vec3 normal_gradient = normal_sum * (sign(det) / max(abs(det), 1e-36));
     return normalize(normal * s.facing - normal_gradient);
 }
 

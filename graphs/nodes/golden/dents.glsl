@@ -145,12 +145,9 @@ float wrinkle_dents_billow_change(vec3 a, float b, vec3 c) {
 vec3 wrinkle_dents_normal(WrinkleSurface_dents s) {
     vec3 normal = normalize(s.normal);  // the surface point
     vec3 dpdy = dFdy(s.position_relative);
-    vec3 surface_dpdy = dpdy - normal * dot(normal, dpdy);
-    vec3 r_x = cross(surface_dpdy, normal);
+    vec3 r_x = cross(dpdy, normal);
     vec3 dpdx = dFdx(s.position_relative);
-    vec3 surface_dpdx = dpdx - normal * dot(normal, dpdx);
-    float det = dot(surface_dpdx, r_x);
-    float inverse_det = (det < 0.0 ? -1.0 : 1.0) / max(abs(det), 1e-36);
+    float det = dot(dpdx, r_x);
     vec3 relief_product = s.position * 5.0;  // relief: Dents
     float relief_greatest = max(length(dpdx * 5.0), length(dpdy * 5.0));
     vec3 relief_sum = relief_product * 2.0 + vec3(19.19, 7.43, 31.71);
@@ -162,7 +159,7 @@ vec3 wrinkle_dents_normal(WrinkleSurface_dents s) {
     bool relief_test = relief_clamped > 0.0;
     bool relief_test_2 = 1.0 < max(relief_quotient, 0.0);
     bool relief_test_3 = relief_quotient < 0.0;
-    vec3 relief_product_4 = surface_dpdx * 5.0;
+    vec3 relief_product_4 = (dpdx - normal * dot(normal, dpdx)) * 5.0;
     float relief_billow_change = wrinkle_dents_billow_change(relief_product, relief_greatest,
             relief_product_4);
     vec3 relief_product_5 = relief_product_4 * 2.0;
@@ -173,7 +170,7 @@ vec3 wrinkle_dents_normal(WrinkleSurface_dents s) {
     float relief_choice_2 = relief_test ? 1.5 * pow(relief_clamped, 1.5) / relief_clamped : 0.0;
     float relief_choice_3 = relief_test ? (relief_test_2 ? 0.0 : relief_choice) * relief_choice_2 :
             0.0;
-    vec3 relief_product_6 = surface_dpdy * 5.0;
+    vec3 relief_product_6 = (dpdy - normal * dot(normal, dpdy)) * 5.0;
     float relief_billow_change_3 = wrinkle_dents_billow_change(relief_product, relief_greatest,
             relief_product_6);
     vec3 relief_product_7 = relief_product_6 * 2.0;
@@ -184,8 +181,9 @@ vec3 wrinkle_dents_normal(WrinkleSurface_dents s) {
     float relief_choice_5 = relief_test ? (relief_test_2 ? 0.0 : relief_choice_4) * relief_choice_2
             : 0.0;
     vec3 normal_product = r_x * (-relief_choice_3 * 0.08);  // normal: Resolve
-    vec3 normal_product_2 = cross(normal, surface_dpdx) * (-relief_choice_5 * 0.08);
-    return normalize(normal * s.facing - (normal_product + normal_product_2) * inverse_det);
+    vec3 normal_product_2 = cross(normal, dpdx) * (-relief_choice_5 * 0.08);
+    vec3 normal_gradient = (normal_product + normal_product_2) * (sign(det) / max(abs(det), 1e-36));
+    return normalize(normal * s.facing - normal_gradient);
 }
 
 float wrinkle_dents_height(WrinkleSurface_dents s) {

@@ -8,11 +8,9 @@ struct WrinkleSurface_domes {
 
 vec3 wrinkle_domes_normal(WrinkleSurface_domes s) {
     vec3 normal = normalize(s.normal);  // the surface point
-    vec3 dpdy = dFdy(s.position_relative);
-    vec3 r_x = cross(dpdy - normal * dot(normal, dpdy), normal);
+    vec3 r_x = cross(dFdy(s.position_relative), normal);
     vec3 dpdx = dFdx(s.position_relative);
-    vec3 surface_dpdx = dpdx - normal * dot(normal, dpdx);
-    float det = dot(surface_dpdx, r_x);
+    float det = dot(dpdx, r_x);
     vec2 relief_product = s.uv0 * 6.0;  // relief: Domes
     float relief_floored = floor(relief_product.y);
     float relief_difference = fract(relief_product.x - relief_floored * 0.5) - 0.5;
@@ -34,12 +32,10 @@ vec3 wrinkle_domes_normal(WrinkleSurface_domes s) {
             relief_product_3);
     float relief_negated_2 = -((relief_test_2 ? 0.0 : relief_sum_2 / 0.1225) * 0.64);
     float relief_quotient_3 = (relief_test ? 0.0 : relief_negated_2) * relief_choice / 0.4;
-    float relief_product_4 = relief_quotient_3 * relief_difference_3 * 0.05;
     // normal: Resolve
-    vec3 normal_product = r_x * (relief_quotient_2 * relief_difference_3 * 0.05);
-    vec3 normal_sum = normal_product + cross(normal, surface_dpdx) * relief_product_4;
-    vec3 normal_gradient = normal_sum * ((det < 0.0 ? -1.0 : 1.0) / max(abs(det), 1e-36));
-    vec3 normal_difference = normal * s.facing - normal_gradient;
+    vec3 normal_product = cross(normal, dpdx) * (relief_quotient_3 * relief_difference_3 * 0.05);
+    vec3 normal_sum = r_x * (relief_quotient_2 * relief_difference_3 * 0.05) + normal_product;
+    vec3 normal_difference = normal * s.facing - normal_sum * (sign(det) / max(abs(det), 1e-36));
     return normalize(normal_difference);
 }
 

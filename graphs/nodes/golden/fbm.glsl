@@ -114,15 +114,12 @@ float wrinkle_fbm_noise_octave(vec3 a, float b) {
 vec3 wrinkle_fbm_normal(WrinkleSurface_fbm s) {
     vec3 normal = normalize(s.normal);  // the surface point
     vec3 dpdy = dFdy(s.position_relative);
-    vec3 surface_dpdy = dpdy - normal * dot(normal, dpdy);
-    vec3 r_x = cross(surface_dpdy, normal);
+    vec3 r_x = cross(dpdy, normal);
     vec3 dpdx = dFdx(s.position_relative);
-    vec3 surface_dpdx = dpdx - normal * dot(normal, dpdx);
-    float det = dot(surface_dpdx, r_x);
-    float inverse_det = (det < 0.0 ? -1.0 : 1.0) / max(abs(det), 1e-36);
+    float det = dot(dpdx, r_x);
     vec3 relief_product = s.position * 3.0;  // relief: Fractal noise
     float relief_greatest = max(length(dpdx * 3.0), length(dpdy * 3.0));
-    vec3 relief_product_2 = surface_dpdx * 3.0;
+    vec3 relief_product_2 = (dpdx - normal * dot(normal, dpdx)) * 3.0;
     float relief_noise_octave_change = wrinkle_fbm_noise_octave_change(relief_product,
             relief_greatest, relief_product_2);
     vec3 relief_product_3 = relief_product * 2.0;
@@ -160,7 +157,7 @@ vec3 wrinkle_fbm_normal(WrinkleSurface_fbm s) {
             relief_product_15, relief_product_16);
     float relief_product_17 = (relief_sum_8 + relief_noise_octave_change_6 * 0.03125) / 1.96875 *
             0.06;
-    vec3 relief_product_18 = surface_dpdy * 3.0;
+    vec3 relief_product_18 = (dpdy - normal * dot(normal, dpdy)) * 3.0;
     float relief_noise_octave_change_7 = wrinkle_fbm_noise_octave_change(relief_product,
             relief_greatest, relief_product_18);
     vec3 relief_product_19 = relief_product_18 * 2.0;
@@ -185,8 +182,9 @@ vec3 wrinkle_fbm_normal(WrinkleSurface_fbm s) {
     float relief_product_24 = (relief_sum_13 + relief_noise_octave_change_12 * 0.03125) / 1.96875 *
             0.06;
     vec3 normal_product = r_x * relief_product_17;  // normal: Resolve
-    vec3 normal_product_2 = cross(normal, surface_dpdx) * relief_product_24;
-    return normalize(normal * s.facing - (normal_product + normal_product_2) * inverse_det);
+    vec3 normal_product_2 = cross(normal, dpdx) * relief_product_24;
+    vec3 normal_gradient = (normal_product + normal_product_2) * (sign(det) / max(abs(det), 1e-36));
+    return normalize(normal * s.facing - normal_gradient);
 }
 
 float wrinkle_fbm_height(WrinkleSurface_fbm s) {

@@ -143,15 +143,12 @@ float wrinkle_gradient_noise_noise_octave(vec3 a, float b) {
 vec3 wrinkle_gradient_noise_normal(WrinkleSurface_gradient_noise s) {
     vec3 normal = normalize(s.normal);  // the surface point
     vec3 dpdy = dFdy(s.position_relative);
-    vec3 surface_dpdy = dpdy - normal * dot(normal, dpdy);
-    vec3 r_x = cross(surface_dpdy, normal);
+    vec3 r_x = cross(dpdy, normal);
     vec3 dpdx = dFdx(s.position_relative);
-    vec3 surface_dpdx = dpdx - normal * dot(normal, dpdx);
-    float det = dot(surface_dpdx, r_x);
-    float inverse_det = (det < 0.0 ? -1.0 : 1.0) / max(abs(det), 1e-36);
+    float det = dot(dpdx, r_x);
     vec3 relief_product = s.position * 4.0;  // relief: Gradient noise
     float relief_greatest = max(length(dpdx * 4.0), length(dpdy * 4.0));
-    vec3 relief_product_2 = surface_dpdx * 4.0;
+    vec3 relief_product_2 = (dpdx - normal * dot(normal, dpdx)) * 4.0;
     float relief_noise_octave_change = wrinkle_gradient_noise_noise_octave_change(relief_product,
             relief_greatest, relief_product_2);
     vec3 relief_product_3 = relief_product * 2.0;
@@ -174,7 +171,7 @@ vec3 wrinkle_gradient_noise_normal(WrinkleSurface_gradient_noise s) {
     float relief_noise_octave_change_4 = wrinkle_gradient_noise_noise_octave_change(relief_sum_5,
             relief_product_9, relief_product_10);
     float relief_product_11 = (relief_sum_4 + relief_noise_octave_change_4 * 0.125) / 1.875 * 0.05;
-    vec3 relief_product_12 = surface_dpdy * 4.0;
+    vec3 relief_product_12 = (dpdy - normal * dot(normal, dpdy)) * 4.0;
     float relief_noise_octave_change_5 = wrinkle_gradient_noise_noise_octave_change(relief_product,
             relief_greatest, relief_product_12);
     vec3 relief_product_13 = relief_product_12 * 2.0;
@@ -190,8 +187,9 @@ vec3 wrinkle_gradient_noise_normal(WrinkleSurface_gradient_noise s) {
             relief_product_9, relief_product_15);
     float relief_product_16 = (relief_sum_7 + relief_noise_octave_change_8 * 0.125) / 1.875 * 0.05;
     vec3 normal_product = r_x * relief_product_11;  // normal: Resolve
-    vec3 normal_product_2 = cross(normal, surface_dpdx) * relief_product_16;
-    return normalize(normal * s.facing - (normal_product + normal_product_2) * inverse_det);
+    vec3 normal_product_2 = cross(normal, dpdx) * relief_product_16;
+    vec3 normal_gradient = (normal_product + normal_product_2) * (sign(det) / max(abs(det), 1e-36));
+    return normalize(normal * s.facing - normal_gradient);
 }
 
 float wrinkle_gradient_noise_height(WrinkleSurface_gradient_noise s) {

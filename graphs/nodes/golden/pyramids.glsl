@@ -8,11 +8,9 @@ struct WrinkleSurface_pyramids {
 
 vec3 wrinkle_pyramids_normal(WrinkleSurface_pyramids s) {
     vec3 normal = normalize(s.normal);  // the surface point
-    vec3 dpdy = dFdy(s.position_relative);
-    vec3 r_x = cross(dpdy - normal * dot(normal, dpdy), normal);
+    vec3 r_x = cross(dFdy(s.position_relative), normal);
     vec3 dpdx = dFdx(s.position_relative);
-    vec3 surface_dpdx = dpdx - normal * dot(normal, dpdx);
-    float det = dot(surface_dpdx, r_x);
+    float det = dot(dpdx, r_x);
     vec2 relief_product = s.uv0 * 6.0;  // relief: Pyramids
     vec2 relief_difference = relief_product - floor(relief_product) - 0.5;
     vec2 relief_magnitude = abs(relief_difference);
@@ -34,9 +32,8 @@ vec3 wrinkle_pyramids_normal(WrinkleSurface_pyramids s) {
     float relief_choice_2 = relief_test ? 0.0 : relief_test_2 ? 0.0 : -relief_quotient_2;
     float relief_product_7 = relief_choice_2 * relief_difference_3 * 0.05;
     // normal: Resolve
-    vec3 normal_sum = r_x * relief_product_5 + cross(normal, surface_dpdx) * relief_product_7;
-    vec3 normal_gradient = normal_sum * ((det < 0.0 ? -1.0 : 1.0) / max(abs(det), 1e-36));
-    return normalize(normal * s.facing - normal_gradient);
+    vec3 normal_sum = r_x * relief_product_5 + cross(normal, dpdx) * relief_product_7;
+    return normalize(normal * s.facing - normal_sum * (sign(det) / max(abs(det), 1e-36)));
 }
 
 float wrinkle_pyramids_height(WrinkleSurface_pyramids s) {

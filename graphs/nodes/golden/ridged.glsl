@@ -147,14 +147,12 @@ float wrinkle_ridged_ridge(vec3 a, float b) {
 vec3 wrinkle_ridged_normal(WrinkleSurface_ridged s) {
     vec3 normal = normalize(s.normal);  // the surface point
     vec3 dpdy = dFdy(s.position_relative);
-    vec3 surface_dpdy = dpdy - normal * dot(normal, dpdy);
-    vec3 r_x = cross(surface_dpdy, normal);
+    vec3 r_x = cross(dpdy, normal);
     vec3 dpdx = dFdx(s.position_relative);
-    vec3 surface_dpdx = dpdx - normal * dot(normal, dpdx);
-    float det = dot(surface_dpdx, r_x);
+    float det = dot(dpdx, r_x);
     vec3 relief_product = s.position * 2.0;  // relief: Ridged noise
     float relief_greatest = max(length(dpdx * 2.0), length(dpdy * 2.0));
-    vec3 relief_product_2 = surface_dpdx * 2.0;
+    vec3 relief_product_2 = (dpdx - normal * dot(normal, dpdx)) * 2.0;
     float relief_ridge_change = wrinkle_ridged_ridge_change(relief_product, relief_greatest,
             relief_product_2);
     vec3 relief_product_3 = relief_product * 2.0;
@@ -228,7 +226,7 @@ vec3 wrinkle_ridged_normal(WrinkleSurface_ridged s) {
     float relief_sum_12 = relief_ridge_change_6 * relief_clamped_5 + relief_choice_5 *
             relief_ridge_5;
     float relief_product_22 = relief_sum_12 * 0.03125;
-    vec3 relief_product_23 = surface_dpdy * 2.0;
+    vec3 relief_product_23 = (dpdy - normal * dot(normal, dpdy)) * 2.0;
     float relief_ridge_change_7 = wrinkle_ridged_ridge_change(relief_product, relief_greatest,
             relief_product_23);
     vec3 relief_product_24 = relief_product_23 * 2.0;
@@ -263,11 +261,11 @@ vec3 wrinkle_ridged_normal(WrinkleSurface_ridged s) {
     float relief_sum_19 = relief_ridge_change_12 * relief_clamped_5 + relief_choice_10 *
             relief_ridge_5;
     float relief_product_29 = relief_sum_19 * 0.03125;
-    float relief_product_30 = (relief_sum_18 + relief_product_29) / 1.96875 * 0.12;
     // normal: Resolve
     vec3 normal_product = r_x * ((relief_sum_10 + relief_product_22) / 1.96875 * 0.12);
-    vec3 normal_sum = normal_product + cross(normal, surface_dpdx) * relief_product_30;
-    vec3 normal_gradient = normal_sum * ((det < 0.0 ? -1.0 : 1.0) / max(abs(det), 1e-36));
+    vec3 normal_product_2 = cross(normal,
+            dpdx) * ((relief_sum_18 + relief_product_29) / 1.96875 * 0.12);
+    vec3 normal_gradient = (normal_product + normal_product_2) * (sign(det) / max(abs(det), 1e-36));
     return normalize(normal * s.facing - normal_gradient);
 }
 

@@ -108,11 +108,9 @@ float wrinkle_scratches_scratch_change(vec2 a, vec2 b, int c, float d, float e, 
 
 vec3 wrinkle_scratches_normal(WrinkleSurface_scratches s) {
     vec3 normal = normalize(s.normal);  // the surface point
-    vec3 dpdy = dFdy(s.position_relative);
-    vec3 r_x = cross(dpdy - normal * dot(normal, dpdy), normal);
+    vec3 r_x = cross(dFdy(s.position_relative), normal);
     vec3 dpdx = dFdx(s.position_relative);
-    vec3 surface_dpdx = dpdx - normal * dot(normal, dpdx);
-    float det = dot(surface_dpdx, r_x);
+    float det = dot(dpdx, r_x);
     vec2 relief_product = s.uv0 * 5.0;  // relief: Scratches
     vec2 relief_floored = floor(relief_product);
     vec2 relief_difference = relief_product - relief_floored;
@@ -168,11 +166,9 @@ vec3 wrinkle_scratches_normal(WrinkleSurface_scratches s) {
     float relief_choice_5 = relief_test_2 ? relief_scratch_change_5 : relief_choice_4;
     float relief_choice_6 = relief_test ? relief_scratch_change_4 : relief_choice_5;
     float relief_negated_2 = -(relief_choice_6 * relief_difference_7);
-    // normal: Resolve
-    vec3 normal_product = cross(normal, surface_dpdx) * (relief_negated_2 * 0.006);
+    vec3 normal_product = cross(normal, dpdx) * (relief_negated_2 * 0.006);  // normal: Resolve
     vec3 normal_sum = r_x * (relief_negated * 0.006) + normal_product;
-    vec3 normal_gradient = normal_sum * ((det < 0.0 ? -1.0 : 1.0) / max(abs(det), 1e-36));
-    return normalize(normal * s.facing - normal_gradient);
+    return normalize(normal * s.facing - normal_sum * (sign(det) / max(abs(det), 1e-36)));
 }
 
 float wrinkle_scratches_height(WrinkleSurface_scratches s) {

@@ -145,15 +145,12 @@ float wrinkle_turbulence_billow(vec3 a, float b) {
 vec3 wrinkle_turbulence_normal(WrinkleSurface_turbulence s) {
     vec3 normal = normalize(s.normal);  // the surface point
     vec3 dpdy = dFdy(s.position_relative);
-    vec3 surface_dpdy = dpdy - normal * dot(normal, dpdy);
-    vec3 r_x = cross(surface_dpdy, normal);
+    vec3 r_x = cross(dpdy, normal);
     vec3 dpdx = dFdx(s.position_relative);
-    vec3 surface_dpdx = dpdx - normal * dot(normal, dpdx);
-    float det = dot(surface_dpdx, r_x);
-    float inverse_det = (det < 0.0 ? -1.0 : 1.0) / max(abs(det), 1e-36);
+    float det = dot(dpdx, r_x);
     vec3 relief_product = s.position * 2.5;  // relief: Turbulence
     float relief_greatest = max(length(dpdx * 2.5), length(dpdy * 2.5));
-    vec3 relief_product_2 = surface_dpdx * 2.5;
+    vec3 relief_product_2 = (dpdx - normal * dot(normal, dpdx)) * 2.5;
     float relief_billow_change = wrinkle_turbulence_billow_change(relief_product, relief_greatest,
             relief_product_2);
     vec3 relief_product_3 = relief_product * 2.0;
@@ -182,7 +179,7 @@ vec3 wrinkle_turbulence_normal(WrinkleSurface_turbulence s) {
     vec3 relief_product_13 = relief_product_11 * 2.0;
     float relief_billow_change_5 = wrinkle_turbulence_billow_change(relief_sum_7, relief_product_12,
             relief_product_13);
-    vec3 relief_product_14 = surface_dpdy * 2.5;
+    vec3 relief_product_14 = (dpdy - normal * dot(normal, dpdy)) * 2.5;
     float relief_billow_change_6 = wrinkle_turbulence_billow_change(relief_product, relief_greatest,
             relief_product_14);
     vec3 relief_product_15 = relief_product_14 * 2.0;
@@ -203,8 +200,9 @@ vec3 wrinkle_turbulence_normal(WrinkleSurface_turbulence s) {
     float relief_product_19 = (relief_sum_10 + relief_billow_change_10 * 0.0625) / 1.9375 * 0.12;
     // normal: Resolve
     vec3 normal_product = r_x * ((relief_sum_6 + relief_billow_change_5 * 0.0625) / 1.9375 * 0.12);
-    vec3 normal_product_2 = cross(normal, surface_dpdx) * relief_product_19;
-    return normalize(normal * s.facing - (normal_product + normal_product_2) * inverse_det);
+    vec3 normal_product_2 = cross(normal, dpdx) * relief_product_19;
+    vec3 normal_gradient = (normal_product + normal_product_2) * (sign(det) / max(abs(det), 1e-36));
+    return normalize(normal * s.facing - normal_gradient);
 }
 
 float wrinkle_turbulence_height(WrinkleSurface_turbulence s) {

@@ -84,24 +84,23 @@ float wrinkle_value_noise_value_noise(vec3 a) {
 vec3 wrinkle_value_noise_normal(WrinkleSurface_value_noise s) {
     vec3 normal = normalize(s.normal);  // the surface point
     vec3 dpdy = dFdy(s.position_relative);
-    vec3 surface_dpdy = dpdy - normal * dot(normal, dpdy);
-    vec3 r_x = cross(surface_dpdy, normal);
+    vec3 r_x = cross(dpdy, normal);
     vec3 dpdx = dFdx(s.position_relative);
-    vec3 surface_dpdx = dpdx - normal * dot(normal, dpdx);
-    float det = dot(surface_dpdx, r_x);
+    float det = dot(dpdx, r_x);
     vec3 relief_product = s.position * 10.0;  // relief: Value noise
+    vec3 relief_product_2 = (dpdx - normal * dot(normal, dpdx)) * 10.0;
     float relief_value_noise_change = wrinkle_value_noise_value_noise_change(relief_product,
-            surface_dpdx * 10.0);
+            relief_product_2);
     float relief_ramp = smoothstep(0.25, 0.75, max(length(dpdx * 10.0), length(dpdy * 10.0)));
     float relief_difference = 1.0 - relief_ramp;
+    float relief_product_3 = relief_value_noise_change * relief_difference * 0.015;
+    vec3 relief_product_4 = (dpdy - normal * dot(normal, dpdy)) * 10.0;
     float relief_value_noise_change_2 = wrinkle_value_noise_value_noise_change(relief_product,
-            surface_dpdy * 10.0);
-    float relief_product_2 = relief_value_noise_change_2 * relief_difference * 0.015;
+            relief_product_4);
+    float relief_product_5 = relief_value_noise_change_2 * relief_difference * 0.015;
     // normal: Resolve
-    vec3 normal_product = r_x * (relief_value_noise_change * relief_difference * 0.015);
-    vec3 normal_sum = normal_product + cross(normal, surface_dpdx) * relief_product_2;
-    vec3 normal_gradient = normal_sum * ((det < 0.0 ? -1.0 : 1.0) / max(abs(det), 1e-36));
-    return normalize(normal * s.facing - normal_gradient);
+    vec3 normal_sum = r_x * relief_product_3 + cross(normal, dpdx) * relief_product_5;
+    return normalize(normal * s.facing - normal_sum * (sign(det) / max(abs(det), 1e-36)));
 }
 
 float wrinkle_value_noise_height(WrinkleSurface_value_noise s) {

@@ -26,11 +26,9 @@ float wrinkle_weave_thread_change(vec2 a, float b, float c, vec2 d) {
 
 vec3 wrinkle_weave_normal(WrinkleSurface_weave s) {
     vec3 normal = normalize(s.normal);  // the surface point
-    vec3 dpdy = dFdy(s.position_relative);
-    vec3 r_x = cross(dpdy - normal * dot(normal, dpdy), normal);
+    vec3 r_x = cross(dFdy(s.position_relative), normal);
     vec3 dpdx = dFdx(s.position_relative);
-    vec3 surface_dpdx = dpdx - normal * dot(normal, dpdx);
-    float det = dot(surface_dpdx, r_x);
+    float det = dot(dpdx, r_x);
     vec2 relief_product = s.uv0 * 8.0;  // relief: Weave
     float relief_thread = wrinkle_weave_thread(relief_product.yx, -1.0, 0.9);
     bool relief_test = wrinkle_weave_thread(relief_product, 1.0, 0.9) < relief_thread;
@@ -48,10 +46,10 @@ vec3 wrinkle_weave_normal(WrinkleSurface_weave s) {
     float relief_thread_change_4 = wrinkle_weave_thread_change(relief_product, 1.0, 0.9,
             relief_product_3);
     float relief_choice_2 = relief_test ? relief_thread_change_3 : relief_thread_change_4;
-    float relief_product_4 = relief_choice_2 * relief_difference * 0.05;
-    vec3 normal_product = r_x * (relief_choice * relief_difference * 0.05);  // normal: Resolve
-    vec3 normal_sum = normal_product + cross(normal, surface_dpdx) * relief_product_4;
-    vec3 normal_gradient = normal_sum * ((det < 0.0 ? -1.0 : 1.0) / max(abs(det), 1e-36));
+    // normal: Resolve
+    vec3 normal_product = cross(normal, dpdx) * (relief_choice_2 * relief_difference * 0.05);
+    vec3 normal_sum = r_x * (relief_choice * relief_difference * 0.05) + normal_product;
+    vec3 normal_gradient = normal_sum * (sign(det) / max(abs(det), 1e-36));
     return normalize(normal * s.facing - normal_gradient);
 }
 

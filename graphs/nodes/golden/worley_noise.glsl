@@ -58,12 +58,9 @@ vec3 wrinkle_worley_noise_nearest_cells(vec3 a, vec3 b, float c, out vec3 result
 vec3 wrinkle_worley_noise_normal(WrinkleSurface_worley_noise s) {
     vec3 normal = normalize(s.normal);  // the surface point
     vec3 dpdy = dFdy(s.position_relative);
-    vec3 surface_dpdy = dpdy - normal * dot(normal, dpdy);
-    vec3 r_x = cross(surface_dpdy, normal);
+    vec3 r_x = cross(dpdy, normal);
     vec3 dpdx = dFdx(s.position_relative);
-    vec3 surface_dpdx = dpdx - normal * dot(normal, dpdx);
-    float det = dot(surface_dpdx, r_x);
-    float inverse_det = (det < 0.0 ? -1.0 : 1.0) / max(abs(det), 1e-36);
+    float det = dot(dpdx, r_x);
     vec3 relief_product = s.position * 5.0;  // relief: Worley noise
     vec3 relief_floored = floor(relief_product);
     vec3 relief_difference = relief_product - relief_floored - 0.5;
@@ -75,7 +72,7 @@ vec3 wrinkle_worley_noise_normal(WrinkleSurface_worley_noise s) {
     vec3 relief_difference_2 = relief_nearest_cells_2 + relief_feature_point - relief_difference;
     float relief_extent = length(relief_difference_2);
     bool relief_test = relief_extent > 0.0;
-    vec3 relief_negated = -(surface_dpdx * 5.0);
+    vec3 relief_negated = -((dpdx - normal * dot(normal, dpdx)) * 5.0);
     float relief_quotient = dot(relief_difference_2, relief_negated) / relief_extent;
     float relief_choice = relief_test ? relief_quotient : 0.0;
     vec3 relief_feature_point_2 = wrinkle_worley_noise_feature_point(relief_floored +
@@ -87,16 +84,17 @@ vec3 wrinkle_worley_noise_normal(WrinkleSurface_worley_noise s) {
     float relief_difference_4 = relief_choice - (relief_test_2 ? relief_quotient_2 : 0.0);
     float relief_ramp = smoothstep(0.25, 0.75, max(length(dpdx * 5.0), length(dpdy * 5.0)));
     float relief_difference_5 = 1.0 - relief_ramp;
-    vec3 relief_negated_2 = -(surface_dpdy * 5.0);
+    vec3 relief_negated_2 = -((dpdy - normal * dot(normal, dpdy)) * 5.0);
     float relief_quotient_3 = dot(relief_difference_2, relief_negated_2) / relief_extent;
     float relief_choice_2 = relief_test ? relief_quotient_3 : 0.0;
     float relief_quotient_4 = dot(relief_difference_3, relief_negated_2) / relief_extent_2;
     float relief_difference_6 = relief_choice_2 - (relief_test_2 ? relief_quotient_4 : 0.0);
-    float relief_product_2 = relief_difference_6 * relief_difference_5 * 0.05;
     // normal: Resolve
     vec3 normal_product = r_x * (relief_difference_4 * relief_difference_5 * 0.05);
-    vec3 normal_product_2 = cross(normal, surface_dpdx) * relief_product_2;
-    return normalize(normal * s.facing - (normal_product + normal_product_2) * inverse_det);
+    vec3 normal_product_2 = cross(normal,
+            dpdx) * (relief_difference_6 * relief_difference_5 * 0.05);
+    vec3 normal_gradient = (normal_product + normal_product_2) * (sign(det) / max(abs(det), 1e-36));
+    return normalize(normal * s.facing - normal_gradient);
 }
 
 float wrinkle_worley_noise_height(WrinkleSurface_worley_noise s) {

@@ -9,22 +9,24 @@ struct WrinkleSurface_ripples {
 vec3 wrinkle_ripples_normal(WrinkleSurface_ripples s) {
     vec3 normal = normalize(s.normal);  // the surface point
     vec3 dpdy = dFdy(s.position_relative);
-    vec3 surface_dpdy = dpdy - normal * dot(normal, dpdy);
-    vec3 r_x = cross(surface_dpdy, normal);
+    vec3 r_x = cross(dpdy, normal);
     vec3 dpdx = dFdx(s.position_relative);
-    vec3 surface_dpdx = dpdx - normal * dot(normal, dpdx);
-    float det = dot(surface_dpdx, r_x);
+    float det = dot(dpdx, r_x);
     vec3 rings_difference = s.position - vec3(0.0, 1.0, 0.0);  // rings: Ripples
     float rings_extent = length(rings_difference);
     bool rings_test = rings_extent > 0.0;
-    float rings_choice = rings_test ? dot(rings_difference, surface_dpdx) / rings_extent : 0.0;
+    float rings_quotient = dot(rings_difference, dpdx - normal * dot(normal, dpdx)) / rings_extent;
+    float rings_choice = rings_test ? rings_quotient : 0.0;
     float rings_sine = sin(31.415926 * rings_extent);
-    float rings_product = -(rings_choice * 31.415926 * rings_sine) * 0.01;
-    float rings_choice_2 = rings_test ? dot(rings_difference, surface_dpdy) / rings_extent : 0.0;
-    float rings_product_2 = -(rings_choice_2 * 31.415926 * rings_sine) * 0.01;
+    float rings_quotient_2 = dot(rings_difference, dpdy - normal * dot(normal,
+            dpdy)) / rings_extent;
+    float rings_choice_2 = rings_test ? rings_quotient_2 : 0.0;
+    float rings_product = -(rings_choice_2 * 31.415926 * rings_sine) * 0.01;
     // normal: Resolve
-    vec3 normal_sum = r_x * rings_product + cross(normal, surface_dpdx) * rings_product_2;
-    return normalize(normal * s.facing - normal_sum * (sign(det) / max(abs(det), 1e-36)));
+    vec3 normal_product = r_x * (-(rings_choice * 31.415926 * rings_sine) * 0.01);
+    vec3 normal_sum = normal_product + cross(normal, dpdx) * rings_product;
+    vec3 normal_gradient = normal_sum * (sign(det) / max(abs(det), 1e-36));
+    return normalize(normal * s.facing - normal_gradient);
 }
 
 float wrinkle_ripples_height(WrinkleSurface_ripples s) {
