@@ -56,7 +56,8 @@ Id simplify_arithmetic(Module& m, Op op, Args a, Type type) {
             if (a[0] == a[1] || m.is_literal(a[2], 0)) return widened(m, a[0], type);
             return m.is_literal(a[2], 1) ? widened(m, a[1], type) : poison;
         case Op::abs_:
-            return m[a[0]].op == Op::abs_ ? a[0] : poison;
+        case Op::normalize_:
+            return m[a[0]].op == op ? a[0] : poison;
         case Op::cross_:
             if (a[0] == a[1]) return m.zero(type);
             [[fallthrough]];

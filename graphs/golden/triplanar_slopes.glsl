@@ -132,9 +132,8 @@ vec3 wrinkle_triplanar_slopes_normal(WrinkleSurface_triplanar_slopes s) {
     float g_sign = g_product_2.y < 0.0 ? -1.0 : 1.0;
     vec4 g_texel = texture(g_image, vec2(g_product.x, -g_sign * g_product.z));
     vec3 g_texel_2 = g_texel.xyz * 2.0 - 1.0;
-    bool g_test = dot(base_normal, base_normal) > 0.0;
-    vec3 g_difference = abs(g_test ? normalize(base_normal) : vec3(0.0)) - 0.2;
-    vec3 g_greatest = max(g_difference, vec3(0.0));
+    vec3 g_magnitude = abs(dot(base_normal, base_normal) > 0.0 ? base_normal : vec3(0.0));
+    vec3 g_greatest = max(g_magnitude - 0.2, vec3(0.0));
     float g_greatest_2 = max(max(g_greatest.x, g_greatest.y), g_greatest.z);
     vec3 g_choice = g_greatest_2 != 0.0 ? g_greatest / g_greatest_2 : vec3(0.0);
     float g_choice_2 = g_choice.x > 0.0 ? pow(g_choice.x, 3.0) : 0.0;

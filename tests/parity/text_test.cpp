@@ -2,6 +2,8 @@
 // with both kinds of parameters and of differentials.
 #include <gtest/gtest.h>
 
+#include <set>
+
 #include "glsl/emit.h"
 #include "glslang/validate.h"
 #include "parity/node_graph.h"
@@ -50,6 +52,18 @@ TEST(GeneratedText, OfEverySampleIsValid) {
         Diagnostics diagnostics;
         expect_valid(load_project(path, {}, diagnostics));
     }
+}
+
+TEST(Samples, ShowEveryNode) {
+    std::set<std::string> shown;
+    for (const std::filesystem::path& path : sample_graphs()) {
+        Diagnostics diagnostics;
+        const Project project = load_project(path, {}, diagnostics);
+        for (const NodePtr& node : project.top().nodes)
+            shown.insert(node->type);
+    }
+    for (const NodeType& type : all_nodes().list())
+        EXPECT_TRUE(shown.count(type.id) || type.id == "ripples") << type.id << " is in no graph";
 }
 
 }  // namespace
