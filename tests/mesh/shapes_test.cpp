@@ -159,7 +159,8 @@ TEST_P(EveryShape, HasTangentsAlongItsUvs) {
     std::mt19937 random(7);
     std::uniform_real_distribution<double> anywhere(0.02, 0.98);
     int tried = 0;
-    while (tried < 40) {
+    for (int draws = 0; tried < 40; ++draws) {
+        ASSERT_LT(draws, 4000) << "hardly a place of the uv square is on the mesh";
         const dvec2 uv(anywhere(random), anywhere(random));
         Diagnostics none;
         constexpr double h = 0.004;
