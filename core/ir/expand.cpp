@@ -21,8 +21,8 @@ struct Derivative {
 };
 
 // Which values may jump from pixel to pixel where their forward derivative does not, so that
-// hardware differences of them are no footprint: what goes in steps, is found by a loop, or is read
-// from a texture and then detached.
+// hardware differences of them are no footprint: what goes in steps, is chosen, goes once around, is
+// found by a loop, or is read from a texture and then detached.
 std::vector<bool> jumping(const Module& module) {
     std::vector<bool> jumps(module.size(), false), reads(module.size(), false);
     for (Id id = 1; id < module.size(); ++id) {
@@ -30,7 +30,7 @@ std::vector<bool> jumping(const Module& module) {
         if (op == Op::resolve_) continue;
         reads[id] = op == Op::sample_ || op == Op::sample_lod_ || op == Op::sample_grad_;
         jumps[id] = op == Op::floor_ || op == Op::ceil_ || op == Op::fract_ || op == Op::mod_ ||
-                    op == Op::loop_;
+                    op == Op::select_ || op == Op::atan2_ || op == Op::loop_;
         for (const Id operand : module.operands(id)) {
             reads[id] = reads[id] || reads[operand];
             jumps[id] = jumps[id] || jumps[operand] || (op == Op::detach_ && reads[operand]);

@@ -23,7 +23,7 @@ struct ExpandOptions {
 Module settle_frames(const Module& source, const ExpandOptions& options);
 
 // A module without opaque ops, ddx and ddy; frames are settled first where they are not. A sample
-// whose uv jumps between pixels (floor, fract, a march, a shift read from a texture) becomes a
+// whose uv jumps between pixels (floor, select, an angle, a march, a read shift) becomes a
 // sample_grad with the uv's forward derivative, so that no seam of levels shows where it jumps.
 // What cannot be expanded (a bump inside a loop, say) is a problem in the result.
 Module expand(const Module& source, const ExpandOptions& options);
