@@ -21,8 +21,8 @@ struct Derivative {
 };
 
 // Which values may jump from pixel to pixel where their forward derivative does not, so that
-// hardware differences of them are no footprint: what goes in steps, is chosen, goes once around, is
-// found by a loop, or is read from a texture and then detached.
+// hardware differences of them are no footprint: what goes in steps, is chosen, goes once around,
+// is found by a loop, or is read from a texture and then detached.
 std::vector<bool> jumping(const Module& module) {
     std::vector<bool> jumps(module.size(), false), reads(module.size(), false);
     for (Id id = 1; id < module.size(); ++id) {

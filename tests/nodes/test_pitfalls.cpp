@@ -118,12 +118,13 @@ TEST(Pitfalls, Pitfall18TheMiddleOfEightBits) {
 // Twice the strength is twice the slope, for every kind of map; never xy times two and normalised.
 TEST(Pitfalls, Pitfall19StrengthScalesSlopes) {
     const Image normals = plain({0.8, 0.4, 0.85});
-    for (const auto& [type, encoding] : {std::pair{"tangent_normal_map", "normal_gl"},
-                                         {"object_normal_map", "normal_gl"},
-                                         {"derivative_map", "derivative"}}) {
+    using Map = std::pair<const char*, const char*>;
+    for (const Map& each : {Map{"tangent_normal_map", "normal_gl"},
+                            {"object_normal_map", "normal_gl"},
+                            {"derivative_map", "derivative"}}) {
         const auto slope = [&](double strength) {
             const std::string in = R"("strength": )" + std::to_string(strength);
-            const Vector n = value({map(type, encoding, in), "r.normal", normals});
+            const Vector n = value({map(each.first, each.second, in), "r.normal", normals});
             return Vector{n[0] / n[2], n[1] / n[2]};
         };
         const Vector once = slope(1);
