@@ -142,8 +142,8 @@ void functions_in_functions(int count) {
 }
 
 TEST(Chain, OfFunctionsThatCallEachOther) {
-    // The derivative recurses over calls, up to that limit; sanitizers make its frames several times
-    // as large.
+    // The derivative recurses over calls, up to that limit; sanitizers make its frames several
+    // times as large.
     constexpr size_t stack = 1024 * 1024;
     on_small_stack([] { functions_in_functions(Module::deepest_call); }, stack);
     on_small_stack([] { functions_in_functions(Module::deepest_call + 2); }, stack);
