@@ -127,8 +127,8 @@ Text with_comments(int indent, const std::vector<std::pair<std::string, std::str
 
 // The shader form's own names. Taken in both forms, so that a uniform is called the same in both.
 void take_fixed_names(NameSet& globals) {
-    for (const char* name : {"object_to_clip", "object_to_world", "normal_to_world", "eye",
-                             "position_relative"})
+    for (const char* name :
+         {"object_to_clip", "object_to_world", "normal_to_world", "eye", "position_relative"})
         globals.unique(std::string("wrinkle_") + name);
     for (int i = 0; i < surface_input_count; ++i)
         globals.unique("wrinkle_" + std::string(info(static_cast<SurfaceInput>(i)).name));

@@ -178,7 +178,7 @@ Id Expander::opaque(const Module& source, Id id, std::span<const Id> mapped) {
             break;
         case Op::normal_derivative_:
             derivatives[id] =
-                    normal_derivative(value(mapped[0]), value(mapped[1]), frames.at(inst.arg[2]));
+                normal_derivative(value(mapped[0]), value(mapped[1]), frames.at(inst.arg[2]));
             break;
         case Op::slope_: {
             const auto found = derivatives.find(inst.arg[0]);
@@ -235,9 +235,9 @@ Id settle_one(void* context, Module& target, const Module& source, Id id,
     const Inst& inst = source[id];
     if (inst.op != Op::frame_) return poison;
     const auto& settler = *static_cast<const Settler*>(context);
-    return target.add(Op::frame_, mapped,
-                      settled_frame(target, inst.extra, settler.dependencies[inst.arg[0]],
-                                    settler.options));
+    return target.add(
+        Op::frame_, mapped,
+        settled_frame(target, inst.extra, settler.dependencies[inst.arg[0]], settler.options));
 }
 
 bool all_settled(const Module& module) {

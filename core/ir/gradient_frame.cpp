@@ -153,16 +153,15 @@ uint32_t settled_frame(Module& target, uint32_t extra, uint32_t dependencies,
     if (!fits(target, choice, dependencies))
         choice.method = choice.scale == WR_SCALE_surface ? WR_FRAME_exact : WR_FRAME_derived;
     const auto set = single_uv_set(dependencies);
-    return WR_FRAME(choice.method, choice.scale) |
-           (set ? 2 + static_cast<uint32_t>(*set) : 1) << set_shift;
+    return WR_FRAME(choice.method, choice.scale) | (set ? 2 + static_cast<uint32_t>(*set) : 1)
+                                                       << set_shift;
 }
 
 bool is_settled(uint32_t extra) {
     return extra >> set_shift != 0;
 }
 
-Frame make_frame(Module& target, ScreenDerivatives& screen, Id uv, Id direction,
-                 uint32_t settled) {
+Frame make_frame(Module& target, ScreenDerivatives& screen, Id uv, Id direction, uint32_t settled) {
     const uint32_t method = settled & 0xFF;
     Frame frame;
     if (method == WR_FRAME_exact) {

@@ -177,9 +177,7 @@ Id simplify_gradient(Module& m, Op op, Args a) {
     };
     switch (op) {
         case Op::gradient_add_:
-            return nothing_beside(a[0], a[1])   ? a[1]
-                   : nothing_beside(a[1], a[0]) ? a[0]
-                                                : poison;
+            return nothing_beside(a[0], a[1]) ? a[1] : nothing_beside(a[1], a[0]) ? a[0] : poison;
         case Op::gradient_scale_:
             if (flat(a[0]) || m.is_literal(a[1], 1)) return a[0];
             if (m.is_literal(a[1], 0)) return m.add(Op::gradient_zero_, {}, m[a[0]].extra);

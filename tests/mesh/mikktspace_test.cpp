@@ -85,7 +85,8 @@ TEST(MikkTSpace, AgreesWithRecordedTangents) {
 
 // Quads of every direction and mirroring, TANGENT given. The file is not ours to ship.
 TEST(MikkTSpace, AgreesWithTheTangentMirrorTest) {
-    const std::filesystem::path path = "/work/shared/data/NormalTangentMirrorTest.glb";
+    const std::filesystem::path path =
+        WRINKLE_SOURCE_DIR "/../shared/data/NormalTangentMirrorTest.glb";
     if (!std::filesystem::exists(path)) GTEST_SKIP() << path << " is absent";
     Diagnostics diagnostics;
     auto mesh = load_mesh(path, {}, diagnostics);

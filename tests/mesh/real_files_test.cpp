@@ -12,7 +12,7 @@
 namespace wrinkle {
 namespace {
 
-const std::filesystem::path data = "/work/shared/data";
+const std::filesystem::path data = WRINKLE_SOURCE_DIR "/../shared/data";
 
 std::optional<Mesh> loaded(const std::filesystem::path& path) {
     Diagnostics diagnostics;
