@@ -7,6 +7,7 @@
 #include <cstdlib>
 
 #include "base/file.h"
+#include "editor/document/files.h"
 #include "editor/window.h"
 #include "nodes/all.h"
 #include "registry/plugin_loader.h"
@@ -63,7 +64,7 @@ int main(int argc, char** argv) {
     wrinkle::editor::Arguments arguments;
     CLI::App app("Edits a graph in a window", "wrinkle-editor");
     app.add_option("FILE", arguments.file, "The graph; a new one when it does not exist");
-    app.add_option("--script", arguments.script, "Plays a script (editor/script.h) and ends");
+    app.add_option("--script", arguments.script, "Plays a script (editor/input/script.h) and ends");
     app.add_option("--shot", arguments.shot, "Writes a picture of the window and ends");
     app.add_option("--size", arguments.size, "Width and height of the window")->expected(2);
     app.add_option("--plugin-path", arguments.plugin_paths, "A plugin, or a folder of plugins");

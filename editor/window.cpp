@@ -9,9 +9,9 @@
 #include <algorithm>
 #include <cctype>
 
-#include "editor/commands.h"
-#include "editor/theme.h"
-#include "editor/ui.h"
+#include "editor/commands/commands.h"
+#include "editor/look/theme.h"
+#include "editor/panels/ui.h"
 #include "image/load.h"
 
 namespace wrinkle::editor {

@@ -5,7 +5,7 @@
 #include <memory>
 #include <string>
 
-#include "editor/script.h"
+#include "editor/input/script.h"
 #include "editor/state.h"
 
 namespace wrinkle::editor {

@@ -6,8 +6,9 @@
 #include <fstream>
 #include <sstream>
 
-#include "editor/theme.h"
-#include "editor/ui.h"
+#include "editor/document/files.h"
+#include "editor/look/theme.h"
+#include "editor/panels/ui.h"
 #include "nodes/all.h"
 
 namespace wrinkle::editor {

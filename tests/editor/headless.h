@@ -6,8 +6,8 @@
 #include <filesystem>
 #include <string>
 
-#include "editor/input_queue.h"
-#include "editor/script.h"
+#include "editor/input/input_queue.h"
+#include "editor/input/script.h"
 #include "editor/state.h"
 
 namespace wrinkle::editor {

@@ -1,5 +1,5 @@
 // What the editor reads and writes: graphs, and the images round them.
-#include "editor/popups.h"
+#include "editor/panels/popups.h"
 #include "headless.h"
 
 namespace wrinkle::editor {

@@ -3,10 +3,10 @@
 
 #include <random>
 
-#include "editor/change.h"
-#include "editor/edits.h"
-#include "editor/field.h"
-#include "editor/input_queue.h"
+#include "editor/canvas/field.h"
+#include "editor/document/change.h"
+#include "editor/document/edits.h"
+#include "editor/input/input_queue.h"
 #include "graph/edit.h"
 #include "graph/read.h"
 #include "graph/write.h"

@@ -1,9 +1,9 @@
 // The real window contents without a window, by the names of what is on the screen.
 #include <random>
 
-#include "editor/commands.h"
-#include "editor/layout.h"
-#include "editor/palette.h"
+#include "editor/canvas/layout.h"
+#include "editor/commands/commands.h"
+#include "editor/panels/palette.h"
 #include "graph/write.h"
 #include "headless.h"
 

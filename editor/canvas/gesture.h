@@ -1,0 +1,42 @@
+// What the hand is doing on the canvas between the press of a button and its release.
+#pragma once
+
+#include <imgui.h>
+
+#include <cstdint>
+#include <set>
+#include <string>
+
+#include "graph/document.h"
+#include "registry/port_type.h"
+
+namespace wrinkle::editor {
+
+// What the hand is doing on the canvas; it owns the pointer until the button is up or Escape.
+struct Gesture {
+    enum class Kind : uint8_t { none, pan, box, move, wire, value };
+    Kind kind = Kind::none;
+    ImVec2 start{0, 0};  // screen
+    bool moved = false;
+    ImVec2 offset{0, 0};  // of a move, canvas units
+
+    // of a wire: its fixed end
+    bool from_output = false;
+    bool taken = false;  // it was lifted off node.port
+    Link from;
+    // The input that it was drawn from; with node "" an output of the graph.
+    std::string node;
+    std::string port;
+    std::set<std::string> loops;  // nodes that it cannot go to without closing a cycle
+    PortType type = PortType::float_;
+
+    std::string merge;  // of the steps that this gesture makes
+
+    // of a value
+    uint32_t port_index = 0;
+    int lane = 0;
+    double start_value = 0;
+    float width = 0;
+};
+
+}  // namespace wrinkle::editor

@@ -1,0 +1,22 @@
+// The parts of the table, one per menu, in the order of the menu bar; and the usual reasons why a
+// command cannot be run.
+#pragma once
+
+#include "editor/commands/commands.h"
+
+namespace wrinkle::editor {
+
+std::span<const Command> file_commands();
+std::span<const Command> edit_commands();
+std::span<const Command> view_commands();
+std::span<const Command> node_commands();
+std::span<const Command> preview_commands();
+
+inline std::string_view always(const State&) {
+    return {};
+}
+inline std::string_view wants_selection(const State& state) {
+    return state.view.selected.empty() ? "Nothing is selected." : "";
+}
+
+}  // namespace wrinkle::editor

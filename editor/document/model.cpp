@@ -1,0 +1,120 @@
+#include "editor/document/model.h"
+
+#include <chrono>
+
+#include "graph/edit.h"
+#include "graph/order.h"
+#include "lower/check.h"
+#include "lower/conversion.h"
+
+namespace wrinkle::editor {
+namespace {
+
+// The node of the top graph that a path "outer/inner" belongs to.
+std::vector<std::string> top_nodes(const Reflection& reflection) {
+    std::vector<std::string> nodes;
+    for (const std::string& path : reflection.node_paths)
+        nodes.push_back(path.substr(0, path.find('/')));
+    return nodes;
+}
+
+std::optional<Shader> emit_text(const Project& project, const Registry& registry, bool uniforms,
+                                const std::string& name, Diagnostics& problems) {
+    MaterialOptions options;
+    options.uniform_parameters = uniforms;
+    options.reached_only = true;
+    const Compiled compiled = compile_material(project, registry, options, problems);
+    if (!compiled.ok) return std::nullopt;
+    EmitOptions emit_options;
+    emit_options.name = name;
+    Shader shader = emit(compiled.module, emit_options);
+    if (shader.problems.empty()) return shader;
+    report_problems(shader.problems, compiled.module, project, compiled.places, problems);
+    return std::nullopt;
+}
+
+std::string refusal(const Link& from, PortType given, std::string_view to, PortType wanted,
+                    const Registry& registry) {
+    return from.text() + " cannot feed " + std::string(to) + ": a " + std::string(name_of(given)) +
+           " is not a " + std::string(name_of(wanted)) + "; " +
+           alternative(given, wanted, registry);
+}
+
+}  // namespace
+
+const NodeType* Model::type_of(std::string_view node) const {
+    const size_t index = project->top().nodes.index_of(node);
+    return index == Table<NodePtr>::npos ? nullptr : types->of(0, index);
+}
+
+std::optional<PortType> Model::type_of(const Link& from) const {
+    return types->link(0, from);
+}
+
+std::optional<PortType> Model::wanted_by_output(std::string_view name) {
+    return standard_output(name);
+}
+
+Model make_model(const Document& document, const std::filesystem::path& folder,
+                 const Registry& registry) {
+    Model model;
+    model.project = std::make_unique<Project>(
+        load_project(document, folder, ProjectOptions{}, model.project_problems));
+    model.types = std::make_unique<Types>(*model.project, registry);
+    return model;
+}
+
+Project project_with(const Model& model, const Document& document) {
+    Project project = *model.project;
+    project.files[0].document = document;
+    return project;
+}
+
+Build build(const Model& model, const Document& document, const Registry& registry,
+            const std::string& name) {
+    const auto start = std::chrono::steady_clock::now();
+    Build result;
+    const Project project = project_with(model, document);
+    Diagnostics links;
+    check_links(document, links);
+    const bool linked = !links.has_errors();
+    if (!document.edited) result.problems.append(links);  // of an edited one check() says them
+    result.problems.append(model.project_problems);
+    check(project, registry, result.problems);
+    if (linked) {
+        result.uniform = emit_text(project, registry, true, name, result.live);
+        Diagnostics same_again;
+        result.baked = emit_text(project, registry, false, name, same_again);
+    }
+    if (result.uniform) result.uniform_nodes = top_nodes(result.uniform->reflection);
+    if (result.baked) result.baked_nodes = top_nodes(result.baked->reflection);
+    if (!result.problems.has_errors()) result.problems.append(result.live);
+    const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - start;
+    result.milliseconds = time.count();
+    return result;
+}
+
+std::string wire_problem(const Model& model, const Document& document, const Registry& registry,
+                         const Link& from, std::string_view node, std::string_view port) {
+    const auto given = model.type_of(from);
+    const NodeType* type = model.type_of(node);
+    if (!given || !type) return "the type of one end is not known";
+    if (type->id == reroute_type && !document.find(node)->find(port)) return {};
+    const uint32_t index = type->find_input(port);
+    if (index == NodeType::none || !type->ports[index].is_value())
+        return std::string(node) + "." + std::string(port) + " takes no wire";
+    const PortType wanted = type->ports[index].type;
+    if (conversion(*given, wanted) != Conversion::illegal) return {};
+    return refusal(from, *given, std::string(node) + "." + std::string(port), wanted, registry);
+}
+
+std::string output_problem(const Model& model, const Link& from, std::string_view output,
+                           const Registry& registry) {
+    const auto given = model.type_of(from);
+    if (!given) return "the type of " + from.text() + " is not known";
+    const auto wanted = Model::wanted_by_output(output);
+    if (!wanted || conversion(*given, *wanted) != Conversion::illegal) return {};
+    return refusal(from, *given, std::string(output), *wanted, registry);
+}
+
+}  // namespace wrinkle::editor

@@ -1,0 +1,53 @@
+// A list of things a hand would do, played through the input queue: for tests in a window and
+// without one. One line each; '#' begins a comment. NAME is a name of targets.h, with an offset in
+// pixels from its middle where wanted: "canvas+-200,150".
+//
+//   click NAME      right NAME      double NAME      drag FROM TO      wheel NAME AMOUNT
+//   key Ctrl+Z      type TEXT       wait [FRAMES]    shot FILE.png
+//   assert nodes N | wires N | errors N | dirty | clean | node ID | no-node ID | wire FROM TO |
+//          no-wire FROM TO | value NODE.PORT JSON | code TEXT | status TEXT | target NAME | stale |
+//          picture
+//
+// A step begins when the input of the former one has been used up and everything has been drawn.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "editor/input/input_queue.h"
+#include "editor/state.h"
+
+namespace wrinkle::editor {
+
+class Script {
+public:
+    enum class Progress : uint8_t { running, done, failed };
+    // Saves what is on the screen; false when it cannot.
+    using Shot = std::function<bool(const std::string& file)>;
+
+    explicit Script(std::string_view text);
+
+    // Once a frame, before the queue is applied.
+    Progress step(const State& state, InputQueue& queue, const Shot& shot);
+    // Says what went wrong and in which line: "line 3: nothing on the screen is called 'node:x'".
+    const std::string& why() const { return why_; }
+
+private:
+    struct Line {
+        size_t number;
+        std::vector<std::string> words;
+    };
+    bool run(const Line& line, const State& state, InputQueue& queue, const Shot& shot);
+    bool drag(const std::vector<std::string>& words, const State& state, InputQueue& queue);
+    bool fail(std::string why);
+    bool point_at(const std::string& name, const State& state, InputQueue& queue);
+
+    std::vector<Line> lines_;
+    size_t next_ = 0;
+    int settle_ = 0;
+    std::string why_;
+};
+
+}  // namespace wrinkle::editor

@@ -1,0 +1,38 @@
+// What is open over the panels: the palette, and a text or a list over a field.
+#pragma once
+
+#include <imgui.h>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "editor/canvas/gesture.h"
+
+namespace wrinkle::editor {
+
+// The search that adds a node, perhaps at the end of a wire.
+struct Palette {
+    bool open = false, opening = false;
+    bool commands = false;  // lists commands instead
+    ImVec2 at{0, 0};        // screen
+    std::string query;
+    int chosen = 0;
+    Gesture wire;  // kind wire: what it shall be connected to
+};
+
+// A text or a list over a field or a header.
+struct Popup {
+    enum class Kind : uint8_t { none, text, rename, choice, file };
+    Kind kind = Kind::none;
+    bool opening = false;
+    std::string node;
+    uint32_t port_index = 0;
+    int lane = 0;
+    ImVec2 at{0, 0};
+    float width = 0;
+    std::string text;
+    std::vector<std::string> files;  // of kind file, as they were when it opened
+};
+
+}  // namespace wrinkle::editor

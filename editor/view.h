@@ -1,0 +1,34 @@
+// How the document is looked at: never saved in the graph, never undone.
+#pragma once
+
+#include <imgui.h>
+
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "editor/preview/preview.h"
+#include "graph/document.h"
+
+namespace wrinkle::editor {
+
+struct View {
+    ImVec2 pan{0, 0};  // screen pixels from the canvas's corner to the canvas origin
+    float zoom = 1;
+    bool fitted = false;
+    ImVec2 corner{0, 0}, extent{0, 0};  // the canvas on the screen
+    std::set<std::string> selected;
+    std::vector<std::string> order;  // raised nodes, the topmost last
+    // Where the cards at the borders stand, once they have been put somewhere; canvas units.
+    std::optional<ImVec2> surface_at, outputs_at;
+    std::optional<Link> selected_wire;  // by its reading end; node "" is an output of the graph
+    bool all_surface = false, all_outputs = false;
+    bool code_baked = false;
+    int code_hovered = -1;
+    float side = 0.30F;     // of the window's width
+    float preview = 0.53F;  // of the side column's height
+    PreviewView preview_view;
+};
+
+}  // namespace wrinkle::editor
