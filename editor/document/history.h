@@ -1,6 +1,6 @@
-// The edits of one document as a list of immutable snapshots, with what each step did.
+// The edits of one document: the present snapshot, and what each step changed, without a limit.
 //
-// Undo and redo move along the list; a commit drops what was undone. Steps that carry the same
+// Undo and redo move along the steps; a commit drops what was undone. Steps that carry the same
 // `merge` key and follow each other are one step: a drag commits on every frame and is undone at
 // once. Every state that the document was ever in has its own serial number.
 #pragma once
@@ -9,20 +9,15 @@
 #include <string>
 #include <vector>
 
-#include "graph/document.h"
+#include "editor/document/delta.h"
 
 namespace wrinkle::editor {
 
-// Whether two snapshots share everything that an edit can change.
-bool same_document(const Document& a, const Document& b);
-
 class History {
 public:
-    static constexpr size_t max_steps = 4096;  // the oldest are forgotten
-
     explicit History(Document document = {});
 
-    const Document& now() const { return steps_[at_].document; }
+    const Document& now() const { return now_; }
     uint64_t serial() const { return steps_[at_].serial; }
 
     // False, and nothing happens, when the document is the present one.
@@ -37,13 +32,21 @@ public:
     const std::string& undo_name() const { return steps_[at_].name; }      // if can_undo()
     const std::string& redo_name() const { return steps_[at_ + 1].name; }  // if can_redo()
 
+    // All steps from the first, "Open", on; `at` is the present one.
+    size_t size() const { return steps_.size(); }
+    size_t at() const { return at_; }
+    const std::string& name(size_t step) const { return steps_[step].name; }
+    // Whether the present step may still grow by commits of the same key.
+    bool merging() const { return !steps_[at_].merge.empty() && !can_redo(); }
+
 private:
     struct Step {
         std::string name;  // "Scale: amount"
         std::string merge;
-        Document document;
         uint64_t serial = 0;
+        Delta delta;  // from the step before
     };
+    Document now_;
     std::vector<Step> steps_;
     size_t at_ = 0;
     uint64_t next_serial_ = 1;

@@ -1,7 +1,5 @@
-// The model without ImGui: history, change, values, saving.
+// The model without ImGui: change, values, wires, input.
 #include <imgui.h>
-
-#include <random>
 
 #include "editor/canvas/field.h"
 #include "editor/document/change.h"
@@ -20,99 +18,6 @@ Document read(const std::string& text) {
     Document document = read_document(text, "graph.json", problems);
     EXPECT_FALSE(problems.has_errors()) << to_text(problems);
     return document;
-}
-
-// One of the edits that the editor makes, with random ends.
-Document random_edit(const Document& document, std::mt19937& random) {
-    const auto pick = [&](size_t count) { return random() % count; };
-    const auto node = [&] { return document.nodes[pick(document.nodes.size())]->id; };
-    const auto& types = built_in_registry().list();
-    switch (document.nodes.size() < 3 ? 0 : pick(8)) {
-        case 0: {
-            Node fresh;
-            fresh.type = types[pick(types.size())].id;
-            fresh.id = free_id(document, fresh.type);
-            return add_node(document, std::move(fresh), static_cast<double>(pick(500)), 8);
-        }
-        case 1:
-            return remove_node(document, node());
-        case 2:
-            return connect(document, {node(), "result"}, node(), "a");
-        case 3:
-            return disconnect(document, node(), "a");
-        case 4:
-            return set_value(document, node(), "b",
-                             json::Value::number(0.25 + static_cast<double>(pick(9))));
-        case 5:
-            return move_node(document, node(), static_cast<double>(pick(500)), 16);
-        case 6:
-            return set_muted(document, node(), pick(2) == 0);
-        default:
-            return rename_node(document, node(), "n" + std::to_string(pick(1000)));
-    }
-}
-
-TEST(History, RandomEditsUndoToTheStartAndRedoToTheEnd) {
-    std::mt19937 random(7);
-    History history(read(small_graph));
-    std::vector<std::string> texts = {write_document(history.now())};
-    for (int i = 0; i < 1000; ++i)
-        if (history.commit("edit", random_edit(history.now(), random)))
-            texts.push_back(write_document(history.now()));
-    ASSERT_GT(texts.size(), 500U);
-    for (size_t i = texts.size(); i-- > 0;) {
-        EXPECT_EQ(write_document(history.now()), texts[i]);
-        EXPECT_EQ(history.undo(), i > 0);
-    }
-    EXPECT_EQ(write_document(history.now()), small_graph);
-    for (size_t i = 0; i < texts.size(); ++i) {
-        EXPECT_EQ(write_document(history.now()), texts[i]);
-        EXPECT_EQ(history.redo(), i + 1 < texts.size());
-    }
-}
-
-TEST(History, ACommitDropsWhatWasUndone) {
-    History history(read(small_graph));
-    history.commit("a", move_node(history.now(), "noise", 1, 1));
-    history.undo();
-    history.commit("b", move_node(history.now(), "noise", 2, 2));
-    EXPECT_FALSE(history.can_redo());
-    EXPECT_EQ(history.undo_name(), "b");
-}
-
-TEST(History, EqualKeysAreOneStepAndCanBeTakenBack) {
-    const Document start = read(small_graph);
-    History history(start);
-    for (int i = 1; i < 50; ++i)
-        history.commit("move", move_node(history.now(), "noise", i, 0), "drag");
-    EXPECT_DOUBLE_EQ(history.now().positions.find("noise")->x, 49);
-    history.undo();
-    EXPECT_FALSE(history.can_undo());
-    EXPECT_TRUE(same_document(history.now(), start));
-    history.redo();
-    history.cancel("another");
-    EXPECT_TRUE(history.can_undo());
-    history.cancel("drag");
-    EXPECT_TRUE(same_document(history.now(), start));
-    EXPECT_FALSE(history.can_redo());
-}
-
-TEST(History, NothingChangedIsNoStep) {
-    History history(read(small_graph));
-    EXPECT_FALSE(history.commit("same", set_value(history.now(), "nobody", "x", {})));
-    EXPECT_FALSE(history.can_undo());
-}
-
-TEST(History, EveryStateHasItsOwnSerial) {
-    History history(read(small_graph));
-    const uint64_t first = history.serial();
-    history.commit("a", move_node(history.now(), "noise", 1, 1));
-    const uint64_t second = history.serial();
-    history.undo();
-    EXPECT_EQ(history.serial(), first);
-    history.commit("b", move_node(history.now(), "noise", 2, 2));
-    EXPECT_NE(history.serial(), second);
-    EXPECT_NE(history.serial(), first);
 }
 
 TEST(Change, TellsLayoutValuesAndStructureApart) {
