@@ -48,8 +48,10 @@ int run(const Arguments& arguments) {
     if (!window) return complain(why, 3);
     State state;
     Preview preview;
+    Compiler compiler(registry, wake_window);
     state.registry = &registry;
     state.preview = &preview;
+    state.follow.compiler = &compiler;
     state.fonts.load();
     open_file(state, arguments.file);
     if (!window->run(state, script ? &*script : nullptr, arguments.shot, why))

@@ -10,6 +10,7 @@
 
 #include "editor/canvas/card.h"
 #include "editor/canvas/gesture.h"
+#include "editor/document/follow.h"
 #include "editor/document/history.h"
 #include "editor/document/model.h"
 #include "editor/input/targets.h"
@@ -42,8 +43,7 @@ struct State {
 
     Model model;
     Build built;
-    Document built_of;
-    Document sent;       // whose values the preview shows
+    Follow follow;
     bool fresh = false;  // model and build exist
     Layout layout;
     Document layout_of;

@@ -7,6 +7,7 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cctype>
 
 #include "editor/commands/commands.h"
@@ -26,6 +27,8 @@ struct Window::Handle {
 };
 
 namespace {
+
+std::atomic<bool> woken = false;
 
 InputQueue& queue_of(GLFWwindow* window) {
     return *static_cast<InputQueue*>(glfwGetWindowUserPointer(window));
@@ -85,6 +88,11 @@ GLFWwindow* make_window(const WindowOptions& options) {
 }
 
 }  // namespace
+
+void wake_window() {
+    woken = true;
+    glfwPostEmptyEvent();
+}
 
 std::unique_ptr<Window> Window::open(const WindowOptions& options, std::string& why) {
     if (!glfwInit()) {
@@ -175,7 +183,7 @@ bool Window::run(State& state, Script* script, const std::string& shot, std::str
             glfwPollEvents();
         else
             glfwWaitEventsTimeout(0.5);
-        if (!h.queue.empty()) h.awake = 3;
+        if (!h.queue.empty() || woken.exchange(false)) h.awake = 3;
         if (glfwWindowShouldClose(h.window)) {
             glfwSetWindowShouldClose(h.window, GLFW_FALSE);
             run_command(state, "quit");

@@ -15,6 +15,9 @@ struct WindowOptions {
     bool hidden_input = false;  // ignores the real mouse and keyboard: a script has the hand
 };
 
+// Makes the window look for news; from any thread, while there is one.
+void wake_window();
+
 class Window {
 public:
     // Nothing, with one sentence, when there is no display or no GL.

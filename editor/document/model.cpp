@@ -58,9 +58,9 @@ std::optional<PortType> Model::wanted_by_output(std::string_view name) {
 Model make_model(const Document& document, const std::filesystem::path& folder,
                  const Registry& registry) {
     Model model;
-    model.project = std::make_unique<Project>(
+    model.project = std::make_shared<const Project>(
         load_project(document, folder, ProjectOptions{}, model.project_problems));
-    model.types = std::make_unique<Types>(*model.project, registry);
+    model.types = std::make_shared<const Types>(*model.project, registry);
     return model;
 }
 

@@ -15,10 +15,11 @@
 
 namespace wrinkle::editor {
 
-// The document's types. Holds while no more than literals and layout change.
+// The document's types. Holds while no more than literals and layout change. Copies share what they
+// hold and never change it, so another thread may read one.
 struct Model {
-    std::unique_ptr<Project> project;
-    std::unique_ptr<Types> types;
+    std::shared_ptr<const Project> project;
+    std::shared_ptr<const Types> types;
     Diagnostics project_problems;  // of reading its sub-graphs
 
     const NodeType* type_of(std::string_view node) const;  // nullptr: unknown

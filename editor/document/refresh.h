@@ -5,7 +5,11 @@
 
 namespace wrinkle::editor {
 
-// Brings model, build, layout and preview up to the present snapshot, doing no more than changed.
+// Brings model and layout up to the present snapshot, doing no more than changed, and asks for the
+// texts; those and the picture follow when the compiler has them.
 void refresh(State& state);
+
+// Whether nothing is on its way any more: texts and picture are of the present snapshot.
+bool is_settled(const State& state);
 
 }  // namespace wrinkle::editor

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "base/text.h"
+#include "editor/document/refresh.h"
 #include "json/parse.h"
 
 namespace wrinkle::editor {
@@ -170,6 +171,7 @@ Script::Progress Script::step(const State& state, InputQueue& queue, const Shot&
         settle_ = settle_frames;
         return Progress::running;
     }
+    if (!is_settled(state)) return Progress::running;
     if (settle_-- > 0) return Progress::running;
     if (next_ == lines_.size()) return Progress::done;
     settle_ = settle_frames;

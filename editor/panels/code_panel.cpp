@@ -136,6 +136,7 @@ void draw_row(State& state, const Text& text, size_t index, std::string_view lin
 }  // namespace
 
 void draw_code(State& state) {
+    state.follow.code_shown = true;
     const Text text = text_of(state);
     const auto lines =
         text.shader ? lines_of(text.shader->source) : std::vector<std::string_view>();

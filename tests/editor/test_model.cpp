@@ -32,6 +32,17 @@ TEST(Change, TellsLayoutValuesAndStructureApart) {
     EXPECT_EQ(change(a, reset_value(a, "softer", "amount")).kind, Change::Kind::values);
     EXPECT_EQ(change(a, disconnect(a, "softer", "gradient")).kind, Change::Kind::structure);
     EXPECT_EQ(change(a, set_muted(a, "softer", true)).kind, Change::Kind::structure);
+    const Document renamed = rename_node(a, "softer", "weaker");
+    EXPECT_EQ(change(a, renamed).kind, Change::Kind::names);
+    EXPECT_EQ(change(renamed, a).kind, Change::Kind::names);
+    const Document swapped =
+        rename_node(rename_node(renamed, "noise", "softer"), "weaker", "noise");
+    EXPECT_EQ(change(a, swapped).kind, Change::Kind::names) << "each node is where it was";
+    const Document rewired = connect(renamed, {"number", "result"}, "weaker", "gradient");
+    EXPECT_EQ(change(a, rewired).kind, Change::Kind::structure);
+    const Document both = set_value(renamed, "weaker", "amount", json::Value::number(0.5));
+    EXPECT_EQ(change(a, both).kind, Change::Kind::values);
+    EXPECT_TRUE(change(a, both).renamed);
     EXPECT_EQ(change(a, remove_node(a, "number")).kind, Change::Kind::structure);
     EXPECT_EQ(change(a, remove_output(a, "normal")).kind, Change::Kind::structure);
 }

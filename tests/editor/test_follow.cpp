@@ -1,0 +1,129 @@
+// What follows from the document: when texts are made anew, and that the interface does not wait.
+#include "editor/document/files.h"
+#include "editor/document/refresh.h"
+#include "graph/edit.h"
+#include "headless.h"
+
+namespace wrinkle::editor {
+namespace {
+
+class Follows : public Headless {
+protected:
+    // One edit and what follows from it, nobody looking at the code.
+    void edit(Document document) {
+        state.commit("edit", std::move(document));
+        refresh(state);
+    }
+    uint64_t builds() const { return state.counters.builds; }
+    bool text_has(const char* words) const {
+        return state.built.uniform && state.built.uniform->source.find(words) != std::string::npos;
+    }
+};
+
+Document with_amount(const Document& document, double amount) {
+    return set_value(document, "softer", "amount", json::Value::number(amount));
+}
+
+TEST_F(Follows, MovingFramingAndRenamingMakeNoTextAndNoProgram) {
+    open(small_graph);
+    refresh(state);
+    const uint64_t before = builds();
+    const std::string running = state.follow.running->source;
+    edit(move_node(state.document(), "noise", 50, 60));
+    edit(set_frame(state.document(), {"frame", "Detail", {0, 0, 400, 300}, {}, {}}));
+    edit(set_note(state.document(), {"note", "Look here", {0, 0, 200, 100}, {}, {}}));
+    edit(rename_node(state.document(), "softer", "weaker"));
+    edit(rename_node(state.document(), "normal", "resolved"));
+    EXPECT_EQ(builds(), before);
+    EXPECT_TRUE(is_settled(state));
+    EXPECT_NE(state.type_of("weaker"), nullptr);
+    state.follow.code_shown = true;  // somebody looks at the code: it reads the new names
+    refresh(state);
+    EXPECT_EQ(builds(), before + 1);
+    EXPECT_TRUE(text_has("weaker"));
+    EXPECT_FALSE(text_has("softer"));
+    EXPECT_EQ(state.follow.running->source, running) << "another program runs";
+}
+
+TEST_F(Follows, ARenamedNodesValueStillReachesTheRunningProgram) {
+    open(small_graph);
+    edit(rename_node(state.document(), "softer", "weaker"));
+    const uint64_t before = builds(), sent = state.counters.uniforms;
+    state.gesture.kind = Gesture::Kind::value;  // a hand is on it
+    edit(set_value(state.document(), "weaker", "amount", json::Value::number(0.25)));
+    EXPECT_EQ(builds(), before);
+    EXPECT_EQ(state.counters.uniforms, sent + 1);
+    state.gesture.kind = Gesture::Kind::none;
+    refresh(state);
+    EXPECT_EQ(builds(), before + 1) << "the texts follow";
+}
+
+TEST_F(Follows, ACompilerThreadHandsOverTheNewestText) {
+    Compiler compiler(built_in_registry());
+    state.follow.compiler = &compiler;
+    open(small_graph);
+    compiler.settle();
+    frame();
+    EXPECT_TRUE(text_has("softer_amount"));
+    for (int i = 0; i < 40; ++i) {
+        edit(rename_node(state.document(), "number", "n" + std::to_string(i)));
+        edit(set_output(state.document(), i % 2 ? "roughness" : "metalness", {"noise", "value"}));
+        state.commit("back", remove_output(state.document(), i % 2 ? "roughness" : "metalness"));
+    }
+    edit(set_output(state.document(), "occlusion", {"noise", "value"}));
+    EXPECT_TRUE(state.follow.building() || text_has("_occlusion("));
+    compiler.settle();
+    refresh(state);
+    EXPECT_TRUE(is_settled(state));
+    EXPECT_TRUE(text_has("_occlusion("));
+    EXPECT_FALSE(text_has("_roughness("));
+    state.follow.compiler = nullptr;
+}
+
+TEST_F(Follows, TheFormerTextStaysWhileAnotherIsMade) {
+    Compiler compiler(built_in_registry());
+    state.follow.compiler = &compiler;
+    open(small_graph);
+    play("assert code wrinkle_graph_normal");
+    state.commit("edit", set_output(state.document(), "roughness", {"noise", "value"}));
+    refresh(state);  // asks; what is here is the former
+    EXPECT_TRUE(text_has("wrinkle_graph_normal"));
+    play("assert code wrinkle_graph_roughness");
+    state.follow.compiler = nullptr;
+}
+
+TEST_F(Follows, AResultOfAnotherFileIsDropped) {
+    Compiler compiler(built_in_registry());
+    state.follow.compiler = &compiler;
+    open(small_graph);  // its text may or may not be here yet
+    const auto other = folder.write("other.json", R"({"wrinkle": 1, "nodes": {}})");
+    open_file(state, other);
+    refresh(state);
+    compiler.settle();
+    refresh(state);
+    EXPECT_TRUE(is_settled(state));
+    EXPECT_FALSE(text_has("softer"));
+    state.follow.compiler = nullptr;
+}
+
+TEST_F(Follows, ValuesThatChangeWhileTextsAreMadeArrive) {
+    Compiler compiler(built_in_registry());
+    state.follow.compiler = &compiler;
+    open(small_graph);
+    play("assert code softer_amount");
+    state.commit("edit", set_output(state.document(), "roughness", {"noise", "value"}));
+    refresh(state);
+    state.gesture.kind = Gesture::Kind::value;
+    edit(with_amount(state.document(), 0.125));
+    const uint64_t sent = state.counters.uniforms;
+    compiler.settle();
+    refresh(state);
+    refresh(state);
+    EXPECT_GE(state.counters.uniforms, sent);
+    EXPECT_TRUE(same_document(state.follow.sent, state.document()));
+    state.gesture.kind = Gesture::Kind::none;
+    state.follow.compiler = nullptr;
+}
+
+}  // namespace
+}  // namespace wrinkle::editor
