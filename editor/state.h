@@ -13,6 +13,7 @@
 #include "editor/document/follow.h"
 #include "editor/document/history.h"
 #include "editor/document/model.h"
+#include "editor/drop/dropped.h"
 #include "editor/input/targets.h"
 #include "editor/look/fonts.h"
 #include "editor/panels/open.h"
@@ -39,6 +40,7 @@ struct State {
     Hit hovered;
     Palette palette;
     Popup popup;
+    Dropped dropped;
     std::string status;  // what the last action did, or why it was refused
 
     Model model;

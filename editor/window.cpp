@@ -56,6 +56,11 @@ void listen(GLFWwindow* window) {
     glfwSetScrollCallback(window, [](GLFWwindow* w, double x, double y) {
         queue_of(w).wheel(static_cast<float>(x), static_cast<float>(y));
     });
+    glfwSetDropCallback(window, [](GLFWwindow* w, int count, const char** files) {
+        double x = 0, y = 0;
+        glfwGetCursorPos(w, &x, &y);
+        queue_of(w).drop(static_cast<float>(x), static_cast<float>(y), {files, files + count});
+    });
     glfwSetCursorEnterCallback(window, [](GLFWwindow* w, int entered) {
         const bool held = glfwGetMouseButton(w, 0) || glfwGetMouseButton(w, 2);
         if (!entered && !held) queue_of(w).push({InputEvent::Kind::leave, 0, false, 0, 0});
@@ -147,6 +152,7 @@ void Window::draw_frame(State& state) {
                        : std::clamp(static_cast<float>(now - handle_->last), 0.001F, 0.2F);
     handle_->last = now;
     handle_->queue.apply(io);
+    state.dropped.arrived = handle_->queue.take_drops();
     ImGui_ImplOpenGL3_NewFrame();
     ImGui::NewFrame();
     draw_ui(state);

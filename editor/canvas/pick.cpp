@@ -120,6 +120,13 @@ void name_targets(State& state) {
                 low + ImVec2(field.width, field_height) * zoom);
         }
     }
+    for (const Wire& wire : state.layout.wires) {
+        const ImVec2 start = to_screen(state.view, wire.start);
+        const ImVec2 middle =
+            wire_curve(start, to_screen(state.view, wire.end), state.view.zoom).at(0.5F);
+        const std::string reader = wire.node.empty() ? Card::outputs_id : wire.node;
+        add("wire:" + reader + "." + wire.port, middle - ImVec2(6, 6), middle + ImVec2(6, 6));
+    }
     add("canvas", state.view.corner, state.view.corner + state.view.extent);
 }
 

@@ -66,6 +66,8 @@ struct Frame {
                 return !struck && !had_key(event.code) && !typed && !buttons && !moved;
             case InputEvent::Kind::character:
                 return !keyed && !buttons && !moved && !wheeled;
+            case InputEvent::Kind::drop:
+                return !keyed && !buttons && !moved && !wheeled && !typed;
         }
         return false;
     }
@@ -74,6 +76,7 @@ struct Frame {
         switch (event.kind) {
             case InputEvent::Kind::motion:
             case InputEvent::Kind::leave:
+            case InputEvent::Kind::drop:
                 moved = true;
                 break;
             case InputEvent::Kind::button:
@@ -98,6 +101,7 @@ struct Frame {
 void write(const InputEvent& event, ImGuiIO& io) {
     switch (event.kind) {
         case InputEvent::Kind::motion:
+        case InputEvent::Kind::drop:
             io.MousePos = ImVec2(event.x, event.y);
             break;
         case InputEvent::Kind::leave:
@@ -165,6 +169,8 @@ void InputQueue::apply(ImGuiIO& io) {
             frame.note(events_.front());
             write(events_.front(), io);
         }
+        if (InputEvent& event = events_.front(); event.kind == InputEvent::Kind::drop)
+            drops_.push_back({event.x, event.y, std::move(event.files)});
         events_.pop_front();
     }
     const auto down = [&](int left, int right) { return io.KeysDown[left] || io.KeysDown[right]; };

@@ -9,17 +9,26 @@
 #include <deque>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 struct ImGuiIO;
 
 namespace wrinkle::editor {
 
 struct InputEvent {
-    enum class Kind : uint8_t { key, character, button, motion, wheel, leave };
+    enum class Kind : uint8_t { key, character, button, motion, wheel, leave, drop };
     Kind kind = Kind::motion;
-    int code = 0;        // key, character (UTF-32) or button
-    bool down = false;   // key, button
-    float x = 0, y = 0;  // motion: position; wheel: amount
+    int code = 0;                         // key, character (UTF-32) or button
+    bool down = false;                    // key, button
+    float x = 0, y = 0;                   // motion, drop: position; wheel: amount
+    std::vector<std::string> files = {};  // drop
+};
+
+// Files let go over the window; screen pixels.
+struct FileDrop {
+    float x = 0, y = 0;
+    std::vector<std::string> files;
 };
 
 class InputQueue {
@@ -32,6 +41,9 @@ public:
     void button(int button, bool down) { push({InputEvent::Kind::button, button, down, 0, 0}); }
     void motion(float x, float y) { push({InputEvent::Kind::motion, 0, false, x, y}); }
     void wheel(float x, float y) { push({InputEvent::Kind::wheel, 0, false, x, y}); }
+    void drop(float x, float y, std::vector<std::string> files) {
+        push({InputEvent::Kind::drop, 0, false, x, y, std::move(files)});
+    }
 
     // "Ctrl+Shift+Z", "Delete", "F2": modifiers down, the key down and up, modifiers up. False for
     // a chord that names no key.
@@ -40,11 +52,14 @@ public:
 
     bool empty() const { return events_.empty(); }
 
-    // Writes one frame's worth into `io`; before ImGui::NewFrame().
+    // Writes one frame's worth into `io`; before ImGui::NewFrame(). What was dropped in that frame
+    // is left for take_drops().
     void apply(ImGuiIO& io);
+    std::vector<FileDrop> take_drops() { return std::exchange(drops_, {}); }
 
 private:
     std::deque<InputEvent> events_;
+    std::vector<FileDrop> drops_;
 };
 
 // The GLFW code of "A", "7", "F2", "Delete", "Space", "Escape", ...; 0 for none.

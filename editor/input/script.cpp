@@ -134,6 +134,24 @@ bool Script::drag(const std::vector<std::string>& w, const State& state, InputQu
     return true;
 }
 
+bool Script::drop(const std::vector<std::string>& w, const State& state, InputQueue& queue) {
+    if (w.size() < 3) return fail("drop needs files and a place");
+    const auto spot = spot_of(w.back(), state.targets);
+    if (!spot) return fail("nothing on the screen is called '" + w.back() + "'");
+    std::vector<std::string> files;
+    for (size_t i = 1; i + 1 < w.size(); ++i)
+        files.push_back((state.folder() / w[i]).string());
+    queue.drop(spot->x, spot->y, std::move(files));
+    return true;
+}
+
+void Script::count(const std::string& step, const std::vector<std::string>& words) {
+    const bool commits = typing_ && step == "key" && words[1] == "Enter";
+    const bool waits = step == "wait" || step == "assert" || step == "shot";
+    if (!commits && !waits) ++actions_;
+    if (!waits) typing_ = step == "type";
+}
+
 bool Script::run(const Line& line, const State& state, InputQueue& queue, const Shot& shot) {
     const auto& w = line.words;
     const std::string& what = w[0];
@@ -142,6 +160,7 @@ bool Script::run(const Line& line, const State& state, InputQueue& queue, const 
         return true;
     }
     if (w.size() < 2) return fail("'" + what + "' needs to know what");
+    count(what, w);
     if (what == "click" || what == "right" || what == "double") {
         if (!point_at(w[1], state, queue)) return false;
         click(queue, what == "right" ? 1 : 0);
@@ -149,6 +168,7 @@ bool Script::run(const Line& line, const State& state, InputQueue& queue, const 
         return true;
     }
     if (what == "drag") return drag(w, state, queue);
+    if (what == "drop") return drop(w, state, queue);
     if (what == "wheel") {
         if (!point_at(w[1], state, queue)) return false;
         queue.wheel(0, w.size() > 2 ? std::strtof(w[2].c_str(), nullptr) : 1);
@@ -161,6 +181,8 @@ bool Script::run(const Line& line, const State& state, InputQueue& queue, const 
     }
     if (what == "shot") return (shot && shot(w[1])) || fail("no picture could be written");
     if (what != "assert") return fail("'" + what + "' is no step");
+    if (w[1] == "actions" && w.size() > 2)
+        return actions_ <= number(w[2]) || fail(std::to_string(actions_) + " actions");
     const auto result = holds(state, w);
     if (!result) return fail("'" + rest(w, 1) + "' is nothing that can be asserted");
     return *result || fail("not so: " + rest(w, 1) + " (status: " + state.status + ")");

@@ -4,9 +4,13 @@
 //
 //   click NAME      right NAME      double NAME      drag FROM TO      wheel NAME AMOUNT
 //   key Ctrl+Z      type TEXT       wait [FRAMES]    shot FILE.png
+//   drop FILE... NAME               files by their path, a relative one from the graph's folder
 //   assert nodes N | wires N | errors N | dirty | clean | node ID | no-node ID | wire FROM TO |
 //          no-wire FROM TO | value NODE.PORT JSON | code TEXT | status TEXT | target NAME | stale |
-//          picture
+//          picture | actions N
+//
+// Actions are what a hand has done: each click, drag, drop, chord of keys, and each text that was
+// typed and committed with Enter counts as one. The assertion holds for N and less.
 //
 // A step begins when the input of the former one has been used up and everything has been drawn.
 #pragma once
@@ -41,12 +45,16 @@ private:
     };
     bool run(const Line& line, const State& state, InputQueue& queue, const Shot& shot);
     bool drag(const std::vector<std::string>& words, const State& state, InputQueue& queue);
+    bool drop(const std::vector<std::string>& words, const State& state, InputQueue& queue);
+    void count(const std::string& step, const std::vector<std::string>& words);
     bool fail(std::string why);
     bool point_at(const std::string& name, const State& state, InputQueue& queue);
 
     std::vector<Line> lines_;
     size_t next_ = 0;
     int settle_ = 0;
+    size_t actions_ = 0;
+    bool typing_ = false;  // the text is not committed yet
     std::string why_;
 };
 

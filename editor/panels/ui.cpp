@@ -6,6 +6,7 @@
 
 #include "editor/canvas/canvas.h"
 #include "editor/commands/commands.h"
+#include "editor/drop/drop.h"
 #include "editor/look/theme.h"
 #include "editor/panels/palette.h"
 #include "editor/panels/panels.h"
@@ -106,6 +107,8 @@ void draw_ui(State& state) {
     draw_palette(state);
     draw_popup(state);
     draw_quit_question(state);
+    draw_copy_question(state);
+    handle_drops(state);
 }
 
 }  // namespace wrinkle::editor

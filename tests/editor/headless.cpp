@@ -3,6 +3,8 @@
 #include <imgui.h>
 #include <unistd.h>
 
+#include <cstdio>
+#include <cstdlib>
 #include <fstream>
 #include <sstream>
 
@@ -87,6 +89,23 @@ std::string text_of(const fs::path& file) {
     return text.str();
 }
 
+std::string program_output(const std::string& arguments) {
+    const std::string command = std::string(WRINKLE_PROGRAM) + " " + arguments + " 2>&1";
+    FILE* pipe = popen(command.c_str(), "r");
+    std::string text;
+    char bytes[4096];
+    for (size_t n; pipe && (n = fread(bytes, 1, sizeof bytes, pipe)) > 0;)
+        text.append(bytes, n);
+    if (pipe) pclose(pipe);
+    return text;
+}
+
+void expect_golden(const std::string& name, const std::string& text) {
+    const fs::path file = fs::path(WRINKLE_SOURCE_DIR) / "tests/editor/golden" / name;
+    if (std::getenv("WRINKLE_UPDATE_GOLDEN")) std::ofstream(file, std::ios::binary) << text;
+    EXPECT_EQ(text, text_of(file)) << file;
+}
+
 Headless::Headless() {
     state.fonts = context();
     state.registry = &built_in_registry();
@@ -100,6 +119,13 @@ Headless::Headless() {
     }
 }
 
+std::string Headless::texture(const std::string& name) const {
+    const fs::path textures = folder.path() / "textures";
+    fs::create_directories(textures);
+    fs::copy_file(fs::path(WRINKLE_SOURCE_DIR) / "graphs/textures" / name, textures / name);
+    return (textures / name).string();
+}
+
 void Headless::open(const std::string& graph) {
     file = folder.write("graph.json", graph);
     open_file(state, file);
@@ -109,6 +135,7 @@ void Headless::open(const std::string& graph) {
 
 void Headless::frame() {
     queue.apply(ImGui::GetIO());
+    state.dropped.arrived = queue.take_drops();
     ImGui::NewFrame();
     draw_ui(state);
     ImGui::Render();

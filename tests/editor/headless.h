@@ -31,10 +31,17 @@ private:
 
 std::string text_of(const std::filesystem::path& file);
 
+// What `wrinkle ARGUMENTS` writes to standard output.
+std::string program_output(const std::string& arguments);
+// Compares with tests/editor/golden/NAME; WRINKLE_UPDATE_GOLDEN=1 writes it.
+void expect_golden(const std::string& name, const std::string& text);
+
 class Headless : public ::testing::Test {
 protected:
     Headless();
     void open(const std::string& graph);
+    // Copies a picture of graphs/textures into the folder's textures/.
+    std::string texture(const std::string& name) const;
     void frame();
     // Plays a script to its end; a step that goes wrong fails the test.
     void play(const std::string& script);

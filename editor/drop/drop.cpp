@@ -1,0 +1,246 @@
+#include "editor/drop/drop.h"
+
+#include <algorithm>
+#include <cctype>
+
+#include "base/file.h"
+#include "editor/canvas/canvas.h"
+#include "editor/canvas/field.h"
+#include "editor/canvas/layout.h"
+#include "editor/document/edits.h"
+#include "editor/document/files.h"
+#include "editor/document/refresh.h"
+#include "editor/drop/image_kind.h"
+#include "editor/drop/layer.h"
+#include "editor/look/draw.h"
+#include "editor/panels/panels.h"
+
+namespace wrinkle::editor {
+namespace fs = std::filesystem;
+namespace {
+
+enum class Kind : uint8_t { picture, environment, mesh, graph };
+
+Kind kind_of_name(const fs::path& file) {
+    std::string extension = file.extension().string();
+    for (char& c : extension)
+        c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    if (extension == ".obj" || extension == ".gltf" || extension == ".glb") return Kind::mesh;
+    if (extension == ".json") return Kind::graph;
+    if (extension == ".hdr" || extension == ".exr") return Kind::environment;
+    return Kind::picture;
+}
+
+bool on_preview(const State& state, const FileDrop& drop) {
+    const auto rect = state.targets.find("preview");
+    return rect && drop.x >= rect->x0 && drop.x < rect->x1 && drop.y >= rect->y0 &&
+           drop.y < rect->y1;
+}
+
+// As the graph writes it; "" for a file outside its folder.
+std::string path_in_graph(const State& state, const fs::path& file) {
+    const auto place = inside(state.folder(), file);
+    std::error_code error;
+    const fs::path root = fs::canonical(state.folder(), error);
+    return place && !error ? place->lexically_relative(root).generic_string() : "";
+}
+
+const Port* picture_port(const NodeType& type, const std::string& name) {
+    for (const Port& port : type.ports)
+        if (port.is_value() && port.type == PortType::image_ && (name.empty() || port.name == name))
+            return &port;
+    return nullptr;
+}
+
+// A picture on its way into the graph.
+struct Picture {
+    std::string file;  // as the graph writes it
+    ImageKind kind;
+    const NodeType* type = nullptr;
+    ImVec2 at{0, 0};  // canvas units
+    std::string merge;
+};
+
+bool set_on_card(State& state, const Picture& picture, const Hit& hit) {
+    const Card card = state.layout.cards[hit.card];
+    if (card.kind != Card::Kind::node || !card.type) return false;
+    const std::string field = hit.kind == Hit::Kind::field ? card.fields[hit.part].port : "";
+    const Port* port = picture_port(*card.type, field);
+    if (!port) port = picture_port(*card.type, "");
+    if (!port) return false;
+    state.commit(card.id + ": " + port->name,
+                 with_file(state.document(), card.id, *port, picture.file), picture.merge);
+    state.view.selected = {card.id};
+    return true;
+}
+
+void add_on_wire(State& state, const Picture& picture, const Wire& wire) {
+    const NewNode made =
+        with_picture(state, *picture.type, picture.file, picture.at + ImVec2(-336, 96));
+    const Port* bump = bump_of(*picture.type);
+    std::string why = picture.file + " is a picture of colours, so there is no bump to add";
+    std::optional<Document> document;
+    if (bump)
+        document = with_bump_on_wire(state, made.document, wire, {made.id, bump->name},
+                                     picture.at + ImVec2(-88, -60), why);
+    state.commit("Add " + made.id, document ? std::move(*document) : made.document, picture.merge);
+    state.view.selected = {made.id};
+    if (!document) state.status = why;
+}
+
+// True when the graph shows it.
+bool add_on_ground(State& state, const Picture& picture) {
+    if (state.document().nodes.empty()) leave_empty_graph(state);
+    const NewNode made = with_picture(state, *picture.type, picture.file, picture.at);
+    Document document = made.document;
+    const Port* bump = bump_of(*picture.type);
+    const bool shown = bump && !document.outputs.find("normal");
+    if (shown)
+        document =
+            with_bump_shown(state, document, {made.id, bump->name}, picture.at + ImVec2(512, 0));
+    state.commit("Add " + made.id, std::move(document), picture.merge);
+    state.view.selected = {made.id};
+    state.status = made.id + " is a " + picture.type->title + ": " + picture.kind.why + ".";
+    return shown;
+}
+
+const Wire* wire_of_normal(const State& state) {
+    for (const Wire& wire : state.layout.wires)
+        if (wire.node.empty() && wire.port == "normal") return &wire;
+    return nullptr;
+}
+
+// `layered`: the pictures before it were shown, so this one is laid over them.
+bool add_picture(State& state, const Picture& picture, const FileDrop& drop, bool layered) {
+    if (layered)
+        if (const Wire* found = wire_of_normal(state)) {
+            const Wire wire = *found;
+            add_on_wire(state, picture, wire);
+            return true;
+        }
+    const Hit hit = pick(state, {drop.x, drop.y});
+    if (hit.kind == Hit::Kind::wire) {
+        const Wire wire = state.layout.wires[hit.part];
+        add_on_wire(state, picture, wire);
+        return false;
+    }
+    if (hit.kind != Hit::Kind::nothing && set_on_card(state, picture, hit)) return false;
+    return add_on_ground(state, picture);
+}
+
+std::optional<Picture> read_picture(State& state, const std::string& file) {
+    Picture picture;
+    std::string problem;
+    const auto kind = kind_of_file(file, problem);
+    picture.type = kind ? state.registry->find(kind->node_type) : nullptr;
+    picture.file = path_in_graph(state, file);
+    if (!picture.type || picture.file.empty()) {
+        state.status = problem;
+        return std::nullopt;
+    }
+    picture.kind = *kind;
+    return picture;
+}
+
+void add_pictures(State& state, const FileDrop& drop, const std::vector<std::string>& files) {
+    const std::string merge = "drop " + std::to_string(state.history.serial());
+    const ImVec2 at = to_canvas(state.view, {drop.x, drop.y});
+    bool layered = false;
+    for (const std::string& file : files) {
+        auto picture = read_picture(state, file);
+        if (!picture) continue;
+        picture->at = at;
+        picture->merge = merge;
+        layered = add_picture(state, *picture, drop, layered);
+        refresh(state);
+    }
+}
+
+void open_graph(State& state, const std::string& file) {
+    if (state.dirty())
+        state.status = "Save " + state.path.filename().string() + " first, or undo its edits.";
+    else
+        open_file(state, file);
+}
+
+void handle(State& state, const FileDrop& drop) {
+    std::vector<std::string> pictures;
+    for (const std::string& file : drop.files) {
+        const Kind kind = kind_of_name(file);
+        if (kind == Kind::graph) return open_graph(state, file);
+        if (kind == Kind::mesh || (kind == Kind::environment && on_preview(state, drop)))
+            state.dropped.for_preview = file;
+        else
+            pictures.push_back(file);
+    }
+    const bool all_inside = std::all_of(pictures.begin(), pictures.end(), [&](const auto& file) {
+        return !path_in_graph(state, file).empty();
+    });
+    if (all_inside) return add_pictures(state, drop, pictures);
+    state.dropped.outside = {drop.x, drop.y, pictures};
+    state.dropped.asked = true;
+}
+
+// Where the copies go: beside the textures that are there.
+fs::path copy_folder(const State& state) {
+    std::error_code ignored;
+    const fs::path textures = state.folder() / "textures";
+    return fs::is_directory(textures, ignored) ? textures : state.folder();
+}
+
+// A copy under a name that no other file has; "" when it cannot be made.
+std::string copied(State& state, const fs::path& file) {
+    const fs::path folder = copy_folder(state);
+    fs::path to = folder / file.filename();
+    std::error_code error, ignored;
+    for (int i = 2; fs::exists(to, ignored); ++i)
+        to = folder / (file.stem().string() + std::to_string(i) + file.extension().string());
+    if (fs::copy_file(file, to, error)) return to.string();
+    state.status = file.filename().string() + " was not copied: " + error.message() + ".";
+    return {};
+}
+
+void copy_and_add(State& state, const FileDrop& drop) {
+    std::vector<std::string> files;
+    for (const std::string& file : drop.files) {
+        const std::string place = path_in_graph(state, file).empty() ? copied(state, file) : file;
+        if (!place.empty()) files.push_back(place);
+    }
+    add_pictures(state, drop, files);
+}
+
+}  // namespace
+
+void handle_drops(State& state) {
+    const std::vector<FileDrop> arrived = std::move(state.dropped.arrived);
+    state.dropped.arrived.clear();
+    for (const FileDrop& drop : arrived)
+        handle(state, drop);
+}
+
+void draw_copy_question(State& state) {
+    Dropped& dropped = state.dropped;
+    if (dropped.asked && !ImGui::IsPopupOpen("##copy")) ImGui::OpenPopup("##copy");
+    if (!ImGui::BeginPopupModal("##copy", nullptr,
+                                ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_AlwaysAutoResize))
+        return;
+    const std::string name = dropped.outside.files.empty()
+                                 ? ""
+                                 : fs::path(dropped.outside.files.front()).filename().string();
+    ImGui::Text("%s lies outside the graph's folder, where a graph cannot read it.", name.c_str());
+    const std::string label = "Copy into " + copy_folder(state).filename().string();
+    const bool copy = button(state, label.c_str(), "copy:yes");
+    ImGui::SameLine();
+    const bool cancel = button(state, "Cancel", "copy:no") ||
+                        ImGui::IsKeyPressed(ImGui::GetIO().KeyMap[ImGuiKey_Escape]);
+    if (copy || cancel) {
+        const FileDrop drop = std::move(dropped.outside);
+        dropped.outside = {};
+        dropped.asked = false;
+        ImGui::CloseCurrentPopup();
+        if (copy) copy_and_add(state, drop);
+    }
+    ImGui::EndPopup();
+}
+
+}  // namespace wrinkle::editor

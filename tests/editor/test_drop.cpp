@@ -1,0 +1,164 @@
+// Files dropped on the window: what they become by their pixels and by where they fall.
+#include <fstream>
+
+#include "base/text.h"
+#include "editor/canvas/field.h"
+#include "editor/drop/image_kind.h"
+#include "headless.h"
+
+namespace wrinkle::editor {
+namespace {
+namespace fs = std::filesystem;
+
+const char* const empty_graph = "{\n  \"wrinkle\": 1\n}\n";
+
+TEST(ImageKinds, AreToldByThePixels) {
+    const fs::path textures = fs::path(WRINKLE_SOURCE_DIR) / "graphs/textures";
+    const std::pair<const char*, const char*> wanted[] = {
+        {"rivets_normal.png", "tangent_normal_map"}, {"weave_normal.png", "tangent_normal_map"},
+        {"bricks_height.png", "height_map"},         {"weave_height.png", "height_map"},
+        {"pebbles_height.png", "height_map"},        {"pebbles_slopes.png", "derivative_map"},
+        {"ball_object.png", "object_normal_map"},    {"ball_cube.png", "cube_normal_map"},
+    };
+    for (const auto& [file, type] : wanted) {
+        std::string problem;
+        const auto kind = kind_of_file(textures / file, problem);
+        ASSERT_TRUE(kind) << file << problem;
+        EXPECT_EQ(kind->node_type, type) << file << ": " << kind->why;
+    }
+}
+
+Image painted(uint32_t channels, float (*value)(uint32_t x, uint32_t channel)) {
+    Image image = make_image(64, 4, channels);
+    for (uint32_t y = 0; y < 4; ++y)
+        for (uint32_t x = 0; x < 64; ++x)
+            for (uint32_t c = 0; c < channels; ++c)
+                image.texel(x, y)[c] = value(x, c);
+    return image;
+}
+
+TEST(ImageKinds, OfPicturesThatOnlyLookAlike) {
+    const auto photo = [](uint32_t x, uint32_t c) {
+        return static_cast<float>((x * (c + 3)) % 64) / 64;
+    };
+    const auto grey = [](uint32_t x, uint32_t) { return static_cast<float>(x) / 64; };
+    const auto flat = [](uint32_t, uint32_t c) { return c == 2 ? 1.0F : 0.5F; };
+    EXPECT_EQ(kind_of(painted(3, photo), "rust.png").node_type, "image");
+    EXPECT_EQ(kind_of(painted(3, photo), "rust_Normal.png").node_type, "tangent_normal_map");
+    EXPECT_EQ(kind_of(painted(3, grey), "normal.png").node_type, "height_map");
+    EXPECT_EQ(kind_of(painted(1, grey), "a.png").node_type, "height_map");
+    EXPECT_EQ(kind_of(painted(2, photo), "a.png").node_type, "derivative_map");
+    EXPECT_EQ(kind_of(painted(4, flat), "a.png").node_type, "tangent_normal_map");
+}
+
+TEST(ImageKinds, OfNoPictureIsAProblem) {
+    const TemporaryFolder folder;
+    std::string problem;
+    EXPECT_FALSE(kind_of_file(folder.write("notes.png", "no picture"), problem));
+    EXPECT_NE(problem.find("notes.png"), std::string::npos) << problem;
+    EXPECT_FALSE(kind_of_file(folder.path() / "missing.png", problem));
+}
+
+TEST_F(Headless, BaseAndDetailAreLayeredInThreeActions) {
+    texture("rivets_normal.png");
+    texture("weave_normal.png");
+    open(empty_graph);
+    play(R"(
+        drop textures/rivets_normal.png canvas
+        assert wire rivets_normal.gradient resolve.gradient
+        assert wire resolve.normal normal
+        drop textures/weave_normal.png wire:resolve.gradient
+        assert wire gradient_add.gradient resolve.gradient
+        assert wire rivets_normal.gradient gradient_add.a
+        assert wire weave_normal.gradient gradient_add.b
+        drag field:weave_normal.strength field:weave_normal.strength+12,0
+        assert actions 3
+        assert errors 0
+        key Ctrl+S
+        assert clean)");
+    const Node* weave = state.document().find("weave_normal");
+    const NodeType* type = built_in_registry().find(weave->type);
+    const double amount = numbers_at(*weave, type->ports[type->find_input("strength")])[0];
+    EXPECT_NE(amount, 1);
+    // How far a drag goes depends on the fonts, which decide how wide the field is.
+    std::string text = program_output("compile " + file.string());
+    const std::string digits = shortest(static_cast<float>(amount));
+    ASSERT_NE(text.find(digits), std::string::npos) << digits << "\n" << text;
+    text.replace(text.find(digits), digits.size(), "AMOUNT");
+    expect_golden("dropped.glsl", text);
+}
+
+TEST_F(Headless, ADropIsOneStep) {
+    texture("rivets_normal.png");
+    texture("weave_height.png");
+    open(empty_graph);
+    play(R"(
+        drop textures/rivets_normal.png textures/weave_height.png canvas
+        assert nodes 4
+        assert wire weave_height.height gradient_add.b
+        assert errors 0
+        key Ctrl+Z
+        assert nodes 0
+        assert clean)");
+}
+
+TEST_F(Headless, AFreeInputOfAnAdditionIsUsed) {
+    texture("weave_normal.png");
+    open(R"({ "wrinkle": 1, "nodes": {
+        "noise": { "type": "gradient_noise" },
+        "sum": { "type": "gradient_add", "in": { "a": { "from": "noise.height" } } },
+        "normal": { "type": "resolve", "in": { "gradient": { "from": "sum.gradient" } } } },
+        "outputs": { "normal": { "from": "normal.normal" } } })");
+    play(R"(
+        drop textures/weave_normal.png wire:sum.a
+        assert nodes 4
+        assert wire weave_normal.gradient sum.b
+        drop textures/weave_normal.png wire:$output.normal
+        assert nodes 6
+        assert wire gradient_add.gradient normal.gradient
+        assert errors 0)");
+}
+
+TEST_F(Headless, APictureOnANodeReplacesItsPicture) {
+    texture("rivets_normal.png");
+    texture("weave_normal.png");
+    open(empty_graph);
+    play(R"(
+        drop textures/rivets_normal.png canvas
+        drop textures/weave_normal.png field:rivets_normal.image
+        assert nodes 2
+        assert value rivets_normal.image "textures/weave_normal.png"
+        drop textures/rivets_normal.png node:rivets_normal
+        assert value rivets_normal.image "textures/rivets_normal.png")");
+}
+
+TEST_F(Headless, APictureFromElsewhereIsCopiedWhenAsked) {
+    const fs::path from = fs::path(WRINKLE_SOURCE_DIR) / "graphs/textures/rivets_normal.png";
+    texture("weave_normal.png");
+    open(empty_graph);
+    play("drop " + from.string() + " canvas\nassert nodes 0\nclick copy:no\nassert nodes 0");
+    EXPECT_FALSE(fs::exists(folder.path() / "textures/rivets_normal.png"));
+    play("drop " + from.string() + " canvas\nclick copy:yes\nassert nodes 2\nassert errors 0");
+    EXPECT_TRUE(fs::exists(folder.path() / "textures/rivets_normal.png"));
+    play(R"(assert value rivets_normal.image "textures/rivets_normal.png")");
+}
+
+TEST_F(Headless, WhatIsNoPictureIsRefused) {
+    folder.write("notes.txt", "no picture");
+    open(empty_graph);
+    play("drop notes.txt canvas\nassert nodes 0\nassert status notes.txt\nassert clean");
+    play("drop missing.png canvas\nassert nodes 0\nassert status missing.png");
+}
+
+TEST_F(Headless, AMeshIsLeftForThePreviewAndAGraphIsOpened) {
+    folder.write("ball.obj", "v 0 0 0\n");
+    folder.write("other.json", small_graph);
+    open(empty_graph);
+    play("drop ball.obj preview");
+    EXPECT_EQ(fs::path(state.dropped.for_preview).filename(), "ball.obj");
+    play("drop other.json canvas\nassert nodes 4");
+    EXPECT_EQ(state.path.filename(), "other.json");
+}
+
+}  // namespace
+}  // namespace wrinkle::editor
