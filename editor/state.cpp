@@ -4,6 +4,10 @@ namespace wrinkle::editor {
 namespace fs = std::filesystem;
 
 const Card* Layout::find(std::string_view id, Card::Kind kind) const {
+    if (kind == Card::Kind::node) {
+        const size_t index = nodes.index_of(id);
+        return index < card_of_node.size() ? &cards[card_of_node[index]] : nullptr;
+    }
     for (const Card& card : cards)
         if (card.kind == kind && card.id == id) return &card;
     return nullptr;

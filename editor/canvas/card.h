@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "graph/document.h"
+#include "lower/conversion.h"
 #include "registry/registry.h"
 
 namespace wrinkle::editor {
@@ -22,6 +23,7 @@ struct Pin {
     bool output = false;
     bool connected = false;
     float y = 0;
+    std::string label;  // as it is shown, cut to fit; "" when a field says it
 };
 struct Field {
     std::string port;
@@ -29,6 +31,9 @@ struct Field {
     int lane = 0;
     int lanes = 0;  // 0: not a number
     float x = 0, y = 0, width = 0;
+    std::string name, value;  // as they are shown, cut to fit
+    float part = -1;          // how much of the slider is full, 0 to 1; below 0: no slider
+    bool listed = false;      // a click opens a list
 };
 struct Card {
     enum class Kind : uint8_t { node, surface, inputs, outputs };
@@ -44,6 +49,9 @@ struct Card {
     std::vector<Pin> pins;
     std::vector<Field> fields;
     float more_y = -1;  // of the row that shows all properties; -1: none
+    // The header's texts as they are shown, cut to fit; title may be "".
+    std::string name, title;
+    float name_width = 0;
 };
 struct Wire {
     Link from;
@@ -52,12 +60,31 @@ struct Wire {
     ImVec2 start{0, 0}, end{0, 0};  // canvas units
     PortType from_type = PortType::float_, to_type = PortType::float_;
     bool known = true;
+    Conversion conversion = Conversion::same;
+    uint32_t from_card = 0, to_card = 0;  // in Layout::cards
+};
+struct Extent {
+    ImVec2 low{0, 0}, high{0, 0};
+    bool touches(const Extent& other) const {
+        return low.x <= other.high.x && low.y <= other.high.y && high.x >= other.low.x &&
+               high.y >= other.low.y;
+    }
 };
 struct Layout {
     std::vector<Card> cards;  // in drawing order
     std::vector<Wire> wires;
     ImVec2 low{0, 0}, high{0, 0};
+    std::vector<Extent> card_boxes, wire_boxes;  // canvas units; a card with its pins
+
     const Card* find(std::string_view id, Card::Kind kind = Card::Kind::node) const;
+
+    // What it was made of, so that the next one makes no more than what differs.
+    Table<NodePtr> nodes;
+    std::vector<uint32_t> card_of_node;  // by index in `nodes`
+    std::vector<uint64_t> readers;       // by index in `nodes`: which of its outputs are read
+    uint64_t fonts = 0;                  // Fonts::generation()
+    ImVec2 dragged{0, 0};                // how far the selected cards are from their places
+    size_t made = 0;                     // cards of nodes made anew by the last change
 };
 
 // What lies under the pointer.

@@ -7,10 +7,16 @@
 
 namespace wrinkle::editor {
 
-inline constexpr float detail_zoom = 0.5F;  // below it a card shows no rows
+inline constexpr float detail_zoom = 0.6F;  // below it a card shows no fields
+inline constexpr float plain_zoom = 0.35F;  // below it a card is a rectangle
 inline constexpr float header_height = 28, row_height = 24, field_height = 21, field_inset = 12;
 
-Layout lay_out(const State& state);
+// Brings state.layout up to the document and to the drag under way. A card is made anew only when
+// its node, its type or its readers have changed; a drag moves what it has in its hand.
+void update_layout(State& state);
+
+// Where nodes stand by the document, and where those without a place go.
+std::vector<ImVec2> places_of(const Document& document);
 
 // Where a pin is, in canvas units.
 ImVec2 pin_at(const Card& card, const Pin& pin);

@@ -19,11 +19,19 @@ float squared(ImVec2 v) {
     return v.x * v.x + v.y * v.y;
 }
 
+// What is within a distance on the screen, in canvas units.
+Extent around(const View& view, ImVec2 mouse, float radius) {
+    return {to_canvas(view, mouse - ImVec2(radius, radius)),
+            to_canvas(view, mouse + ImVec2(radius, radius))};
+}
+
 Hit nearest_pin(const State& state, ImVec2 mouse) {
     Hit hit;
     float best = pin_radius * pin_radius;
     const auto& cards = state.layout.cards;
+    const Extent near = around(state.view, mouse, pin_radius);
     for (size_t i = 0; i < cards.size(); ++i) {
+        if (!state.layout.card_boxes[i].touches(near)) continue;
         for (size_t k = 0; k < cards[i].pins.size(); ++k) {
             const ImVec2 at = to_screen(state.view, pin_at(cards[i], cards[i].pins[k]));
             if (squared(at - mouse) > best) continue;
@@ -62,12 +70,7 @@ Hit part_of_card(const State& state, size_t index, ImVec2 mouse) {
 bool near_wire(const State& state, const Wire& wire, ImVec2 mouse) {
     const Curve curve = wire_curve(to_screen(state.view, wire.start),
                                    to_screen(state.view, wire.end), state.view.zoom);
-    const ImVec2 a = curve.a, d = curve.d;
-    const float reach = wire_radius + curve.b.x - a.x;
-    if (mouse.x < std::min(a.x, d.x) - reach || mouse.x > std::max(a.x, d.x) + reach ||
-        mouse.y < std::min(a.y, d.y) - reach || mouse.y > std::max(a.y, d.y) + reach)
-        return false;
-    ImVec2 last = a;
+    ImVec2 last = curve.a;
     for (int i = 1; i <= 32; ++i) {
         const ImVec2 next = curve.at(static_cast<float>(i) / 32);
         const ImVec2 along = next - last;
@@ -87,47 +90,96 @@ Hit pick(const State& state, ImVec2 mouse) {
     const Hit pin = nearest_pin(state, mouse);
     if (pin.kind == Hit::Kind::pin) return pin;
     const auto& cards = state.layout.cards;
+    const Extent near = around(state.view, mouse, wire_radius);
     for (size_t i = cards.size(); i-- > 0;) {
+        if (!state.layout.card_boxes[i].touches(near)) continue;
         const ImVec2 low = to_screen(state.view, cards[i].at);
         if (within(mouse, low, low + cards[i].size * state.view.zoom))
             return part_of_card(state, i, mouse);
     }
     for (size_t i = state.layout.wires.size(); i-- > 0;)
-        if (near_wire(state, state.layout.wires[i], mouse)) return {Hit::Kind::wire, 0, i};
+        if (state.layout.wire_boxes[i].touches(near) &&
+            near_wire(state, state.layout.wires[i], mouse))
+            return {Hit::Kind::wire, 0, i};
     return {};
 }
 
-void name_targets(State& state) {
-    const auto add = [&](std::string name, ImVec2 low, ImVec2 high) {
-        state.targets.add(std::move(name), {low.x, low.y, high.x, high.y});
-    };
-    for (const Card& card : state.layout.cards) {
-        const ImVec2 at = to_screen(state.view, card.at);
-        const float zoom = state.view.zoom;
-        add("node:" + card.id, at, at + ImVec2(card.size.x, header_height) * zoom);
-        if (card.more_y >= 0)
-            add("more:" + card.id, at + ImVec2(0, card.more_y) * zoom, at + card.size * zoom);
-        for (const Pin& pin : card.pins) {
-            const ImVec2 center = to_screen(state.view, pin_at(card, pin));
-            add((pin.output ? "out:" : "pin:") + card.id + "." + pin.port, center - ImVec2(6, 6),
-                center + ImVec2(6, 6));
-        }
-        if (zoom < detail_zoom) continue;
-        for (const Field& field : card.fields) {
-            const std::string lane = field.lanes > 1 ? "." + std::to_string(field.lane) : "";
-            const ImVec2 low = at + ImVec2(field.x, field.y) * zoom;
-            add("field:" + card.id + "." + field.port + lane, low,
-                low + ImVec2(field.width, field_height) * zoom);
-        }
+namespace {
+
+TargetRect rect(ImVec2 low, ImVec2 high) {
+    return {low.x, low.y, high.x, high.y};
+}
+
+std::optional<TargetRect> pin_target(const View& view, const Card& card, std::string_view port,
+                                     bool output) {
+    for (const Pin& pin : card.pins) {
+        if (pin.port != port || pin.output != output) continue;
+        const ImVec2 center = to_screen(view, pin_at(card, pin));
+        return rect(center - ImVec2(6, 6), center + ImVec2(6, 6));
     }
+    return std::nullopt;
+}
+
+// "amount", or of several numbers "scale.0".
+std::optional<TargetRect> field_target(const View& view, const Card& card, std::string_view name) {
+    if (view.zoom < detail_zoom) return std::nullopt;
+    for (const Field& field : card.fields) {
+        const std::string lane = field.lanes > 1 ? "." + std::to_string(field.lane) : "";
+        if (field.port + lane != name) continue;
+        const ImVec2 low = to_screen(view, card.at + ImVec2(field.x, field.y));
+        return rect(low, low + ImVec2(field.width, field_height) * view.zoom);
+    }
+    return std::nullopt;
+}
+
+// "wire:sum.a": the middle of the wire that ends there.
+std::optional<TargetRect> wire_target(const State& state, const Card& reader,
+                                      std::string_view port) {
+    const std::string id = reader.kind == Card::Kind::outputs ? "" : reader.id;
     for (const Wire& wire : state.layout.wires) {
+        if (wire.node != id || wire.port != port) continue;
         const ImVec2 start = to_screen(state.view, wire.start);
-        const ImVec2 middle =
-            wire_curve(start, to_screen(state.view, wire.end), state.view.zoom).at(0.5F);
-        const std::string reader = wire.node.empty() ? Card::outputs_id : wire.node;
-        add("wire:" + reader + "." + wire.port, middle - ImVec2(6, 6), middle + ImVec2(6, 6));
+        const ImVec2 end = to_screen(state.view, wire.end);
+        const ImVec2 middle = wire_curve(start, end, state.view.zoom).at(0.5F);
+        return rect(middle - ImVec2(6, 6), middle + ImVec2(6, 6));
     }
-    add("canvas", state.view.corner, state.view.corner + state.view.extent);
+    return std::nullopt;
+}
+
+const Card* card_named(const Layout& layout, std::string_view id) {
+    if (const Card* card = layout.find(id)) return card;
+    for (const Card::Kind kind : {Card::Kind::surface, Card::Kind::inputs, Card::Kind::outputs})
+        if (const Card* card = layout.find(id, kind)) return card;
+    return nullptr;
+}
+
+// "node:base", "pin:sum.a", "out:sum.gradient", "field:softer.amount",
+// "wire:sum.a", "more:surface"
+std::optional<TargetRect> canvas_target(const State& state, std::string_view name) {
+    const size_t colon = name.find(':');
+    if (colon == name.npos) return std::nullopt;
+    const std::string_view what = name.substr(0, colon), rest = name.substr(colon + 1);
+    const size_t dot = rest.find('.');
+    const Card* card = card_named(state.layout, rest.substr(0, dot));
+    if (!card) return std::nullopt;
+    const ImVec2 at = to_screen(state.view, card->at);
+    const float zoom = state.view.zoom;
+    if (what == "node") return rect(at, at + ImVec2(card->size.x, header_height) * zoom);
+    if (what == "more" && card->more_y >= 0)
+        return rect(at + ImVec2(0, card->more_y) * zoom, at + card->size * zoom);
+    if (dot == rest.npos) return std::nullopt;
+    const std::string_view part = rest.substr(dot + 1);
+    if (what == "pin" || what == "out") return pin_target(state.view, *card, part, what == "out");
+    if (what == "wire") return wire_target(state, *card, part);
+    return what == "field" ? field_target(state.view, *card, part) : std::nullopt;
+}
+
+}  // namespace
+
+void name_targets(State& state) {
+    state.targets.set_canvas(
+        [&state](const std::string& name) { return canvas_target(state, name); });
+    state.targets.add("canvas", rect(state.view.corner, state.view.corner + state.view.extent));
 }
 
 }  // namespace wrinkle::editor

@@ -129,16 +129,6 @@ void follow_document(State& state) {
     }
 }
 
-void arrange(State& state) {
-    state.layout = lay_out(state);
-    if (const Card* card = state.layout.find(Link::surface, Card::Kind::surface))
-        if (!state.view.surface_at) state.view.surface_at = card->at;
-    if (const Card* card = state.layout.find(Card::outputs_id, Card::Kind::outputs))
-        if (!state.view.outputs_at) state.view.outputs_at = card->at;
-    state.layout_of = state.document();
-    state.layout_stale = false;
-}
-
 }  // namespace
 
 void refresh(State& state) {
@@ -151,7 +141,7 @@ void refresh(State& state) {
         if (auto result = follow.compiler->take()) take(state, std::move(*result));
     if (follow.names_stale && follow.code_shown) ask(state);
     follow.code_shown = false;
-    if (state.layout_stale || !same_document(state.layout_of, state.document())) arrange(state);
+    update_layout(state);
 }
 
 bool is_settled(const State& state) {

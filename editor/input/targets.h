@@ -1,9 +1,10 @@
 // Where the things on the screen are, by name: "node:base", "pin:base.gradient",
-// "field:softer.amount", "menu:save". Filled anew on every frame by whoever draws them; scripts and
-// tests point at names. Inputs and outputs of a node are told apart: "pin:sum.a" and
+// "field:softer.amount", "menu:save". Filled anew on every frame by whoever draws them; of the
+// canvas, which may hold thousands, they are worked out when asked for. Scripts and tests point at names. Inputs and outputs of a node are told apart: "pin:sum.a" and
 // "out:sum.gradient" would collide otherwise, so an output's pin is "out:".
 #pragma once
 
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -22,13 +23,17 @@ public:
     void add(std::string name, TargetRect rect) { rects_[std::move(name)] = rect; }
     std::optional<TargetRect> find(const std::string& name) const {
         const auto found = rects_.find(name);
-        if (found == rects_.end()) return std::nullopt;
-        return found->second;
+        if (found != rects_.end()) return found->second;
+        return canvas_ ? canvas_(name) : std::nullopt;
     }
+    // Knows the names that are not listed.
+    using Source = std::function<std::optional<TargetRect>(const std::string& name)>;
+    void set_canvas(Source canvas) { canvas_ = std::move(canvas); }
     const std::map<std::string, TargetRect>& all() const { return rects_; }
 
 private:
     std::map<std::string, TargetRect> rects_;
+    Source canvas_;
 };
 
 }  // namespace wrinkle::editor

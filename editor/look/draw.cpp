@@ -46,8 +46,8 @@ void draw_hourglass(ImDrawList& list, ImVec2 c, float u, ImU32 color, bool fille
 
 // Glyphs are crisp at the size they were baked at: it is taken when it is near enough.
 float baked_size(ImFont* font, float size) {
-    const float ratio = font->FontSize / size;
-    return ratio > 0.88F && ratio < 1.12F ? font->FontSize : size;
+    const float baked = font->FontSize * font->Scale;
+    return baked > 0.84F * size && baked < 1.13F * size ? baked : size;
 }
 
 }  // namespace

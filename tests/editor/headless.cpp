@@ -53,6 +53,7 @@ const Fonts& context() {
         ImGuiIO& io = ImGui::GetIO();
         io.IniFilename = nullptr;
         io.MouseDoubleClickTime = 0.06F;  // of three frames
+        io.BackendFlags |= ImGuiBackendFlags_RendererHasVtxOffset;  // as that of the window
         map_keys(io);
         theme::apply_style();
         Fonts loaded;

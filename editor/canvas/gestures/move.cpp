@@ -12,7 +12,6 @@ namespace wrinkle::editor {
 void drag_move(State& state, ImVec2 delta) {
     const ImVec2 by = delta * (1 / state.view.zoom);
     state.gesture.offset = {std::round(by.x / 8) * 8, std::round(by.y / 8) * 8};
-    state.layout_stale = true;
 }
 
 void drop_cards(State& state) {

@@ -1,0 +1,127 @@
+#include <algorithm>
+
+#include "editor/canvas/canvas.h"
+#include "editor/canvas/painter.h"
+
+namespace wrinkle::editor {
+namespace {
+
+constexpr TextStyle body, body_right{16, false, true}, bold{16, true};
+constexpr TextStyle small{14}, small_right{14, false, true};
+
+void draw_field(const Painter& p, const Card& card, const Field& field, bool hovered) {
+    const float z = p.zoom;
+    const ImVec2 low = p.at(card.at + ImVec2(field.x, field.y));
+    const ImVec2 high = low + ImVec2(field.width, field_height) * z;
+    p.list.AddRectFilled(low, high, theme::field, 4 * z);
+    if (field.part > 0) {
+        const float x = low.x + (high.x - low.x) * field.part;
+        const float round = std::min(4 * z, (x - low.x) / 2);
+        p.list.AddRectFilled(low, {x, high.y}, theme::accent_soft, round);
+        p.list.AddRectFilled({low.x + 3 * z, high.y - 2 * z}, {std::max(x, low.x + 3 * z), high.y},
+                             theme::accent);
+    }
+    p.list.AddRect(low, high, hovered ? theme::accent : theme::control, 4 * z);
+    const float pad = 7 * z, y = low.y + 2.5F * z;
+    if (!field.name.empty()) p.text({low.x + pad, y}, body, theme::text_dim, field.name);
+    const float end = high.x - pad - (field.listed ? 12 * z : 0);
+    p.text({end, y}, body_right, theme::text, field.value);
+    if (!field.listed) return;
+    const ImVec2 tip(high.x - 11 * z, (low.y + high.y) / 2 + 2 * z);
+    const ImVec2 chevron[] = {tip + ImVec2(-4, -4) * z, tip, tip + ImVec2(4, -4) * z};
+    p.list.AddPolyline(chevron, 3, theme::text_dim, 0, 1.5F * z);
+}
+
+void draw_pins(const Painter& p, const Card& card) {
+    const bool wiring = p.state.gesture.kind == Gesture::Kind::wire;
+    for (const Pin& pin : card.pins) {
+        const ImVec2 at = p.at(pin_at(card, pin));
+        const bool fits = !wiring || wire_fits(p.state, p.state.gesture, card, pin);
+        const float unit = (wiring && fits ? 8 : 6) * std::max(p.zoom, 0.4F);
+        ImU32 color = pin.known ? theme::of(pin.type) : theme::text_off;
+        if (!fits) color = theme::with_alpha(color, 0.3F);
+        if (p.details) p.list.AddCircleFilled(at, unit + 3 * p.zoom, theme::node);
+        draw_pin(p.list, pin.type, at, unit, color, pin.connected, theme::node);
+        if (pin.label.empty()) continue;
+        const ImVec2 label = at + ImVec2(pin.output ? -13 : 13, -8) * p.zoom;
+        p.text(label, pin.output ? body_right : body, theme::text, pin.label);
+    }
+}
+
+const Pin* main_pin(const Card& card) {
+    for (const Pin& pin : card.pins)
+        if (pin.output || card.kind == Card::Kind::outputs) return &pin;
+    return nullptr;
+}
+
+void draw_header(const Painter& p, size_t index, ImVec2 low, ImVec2 high) {
+    const Card& card = p.state.layout.cards[index];
+    const float z = p.zoom;
+    p.list.AddRectFilled(low, {high.x, low.y + header_height * z}, theme::header, 6 * z,
+                         ImDrawFlags_RoundCornersTop);
+    float left = 10;
+    if (const Pin* pin = main_pin(card)) {
+        draw_pin(p.list, pin->type, low + ImVec2(16, 14) * z, 5.5F * z,
+                 pin->known ? theme::of(pin->type) : theme::text_off, true, theme::header);
+        left = 29;
+    }
+    p.text(low + ImVec2(left, 6) * z, bold, card.muted ? theme::text_off : theme::text, card.name);
+    if (card.muted)
+        p.list.AddLine(low + ImVec2(left, 14) * z, low + ImVec2(left + card.name_width, 14) * z,
+                       theme::text_off, 1);
+    const Trouble trouble = p.trouble(index);
+    if (trouble.any)
+        draw_warning(p.list, {high.x - 15 * z, low.y + 14 * z}, std::max(16 * z, 8.0F),
+                     trouble.error ? theme::error : theme::warn);
+    else
+        p.text({high.x - 10 * z, low.y + 7 * z}, small_right, theme::text_dim, card.title);
+}
+
+// Far away: a rectangle, what is wrong with it, and whether it is selected.
+void draw_plain(const Painter& p, size_t index, ImVec2 low, ImVec2 high, bool selected) {
+    p.list.AddRectFilled(low, high, selected ? theme::accent : theme::line);
+    const ImVec2 edge(selected ? 2.0F : 1.0F, selected ? 2.0F : 1.0F);
+    if (high.x - low.x > 2 * edge.x + 1 && high.y - low.y > 2 * edge.y + 1)
+        p.list.AddRectFilled(low + edge, high - edge, theme::header);
+    const Trouble trouble = p.trouble(index);
+    if (trouble.any)
+        draw_warning(p.list, {high.x - 5, low.y + 5}, 8,
+                     trouble.error ? theme::error : theme::warn);
+}
+
+void draw_outline(const Painter& p, ImVec2 low, ImVec2 high, bool selected, bool hovered) {
+    const float radius = 6 * p.zoom;
+    if (selected)
+        p.list.AddRect(low - ImVec2(2, 2), high + ImVec2(2, 2),
+                       theme::with_alpha(theme::accent, 0.2F), radius + 2, 0, 3);
+    const ImU32 color = selected ? theme::accent : hovered ? theme::text_dim : theme::line;
+    p.list.AddRect(low, high, color, radius, 0, selected ? 2 : 1);
+}
+
+}  // namespace
+
+void draw_card(const Painter& p, size_t index) {
+    const Card& card = p.state.layout.cards[index];
+    const ImVec2 low = p.at(card.at), high = low + card.size * p.zoom;
+    const bool selected = p.is_selected(index);
+    if (p.plain) return draw_plain(p, index, low, high, selected);
+    const Hit& hit = p.state.hovered;
+    const bool hovered =
+        hit.card == index && hit.kind != Hit::Kind::nothing && hit.kind != Hit::Kind::wire;
+    const float radius = 6 * p.zoom;
+    p.list.AddRectFilled(low + ImVec2(2, 3), high + ImVec2(2, 3), IM_COL32(0, 0, 0, 71), radius);
+    p.list.AddRectFilled(low, high, theme::node, radius);
+    draw_header(p, index, low, high);
+    draw_outline(p, low, high, selected, hovered);
+    if (p.details)
+        for (size_t i = 0; i < card.fields.size(); ++i)
+            draw_field(p, card, card.fields[i],
+                       hovered && hit.kind == Hit::Kind::field && hit.part == i);
+    draw_pins(p, card);
+    if (!p.details || card.more_y < 0) return;
+    const bool all = card.kind == Card::Kind::surface ? p.view.all_surface : p.view.all_outputs;
+    p.text(low + ImVec2(13, card.more_y + 4) * p.zoom, small, theme::text_dim,
+           all ? "fewer" : "more...");
+}
+
+}  // namespace wrinkle::editor

@@ -1,0 +1,51 @@
+// What the parts of the canvas's drawing share, for one frame.
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "editor/canvas/layout.h"
+#include "editor/look/draw.h"
+#include "editor/look/magnified.h"
+#include "editor/look/theme.h"
+#include "editor/state.h"
+
+namespace wrinkle::editor {
+
+struct Trouble {
+    bool any = false, error = false;
+};
+
+class Painter {
+public:
+    Painter(const State& state, ImDrawList& list);
+
+    const State& state;
+    ImDrawList& list;
+    const View& view;
+    const float zoom;
+    const bool details;  // zoomed in far enough for fields
+    const bool plain;    // zoomed out so far that a card is a rectangle
+
+    ImVec2 at(ImVec2 canvas) const { return origin_ + canvas * zoom; }
+    bool sees(const Extent& box) const { return box.touches(seen_); }  // canvas units
+    void text(ImVec2 at, const TextStyle& style, ImU32 color, std::string_view what) const {
+        draw_magnified(list, state.fonts, style, zoom, at, color, what);
+    }
+    bool is_selected(size_t card) const { return !selected_.empty() && selected_[card]; }
+    Trouble trouble(size_t card) const { return troubles_.empty() ? Trouble{} : troubles_[card]; }
+
+private:
+    void find_selected();
+    void find_troubles();
+
+    ImVec2 origin_;
+    Extent seen_;
+    std::vector<bool> selected_;     // by card; empty: none
+    std::vector<Trouble> troubles_;  // by card; empty: none
+};
+
+void draw_wires(const Painter& painter);
+void draw_card(const Painter& painter, size_t index);
+
+}  // namespace wrinkle::editor

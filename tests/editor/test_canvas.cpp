@@ -1,0 +1,143 @@
+// The canvas with thousands of nodes: what is drawn, found and laid out anew, counted.
+#include <cmath>
+
+#include "editor/canvas/canvas.h"
+#include "editor/canvas/layout.h"
+#include "editor/document/refresh.h"
+#include "graph/edit.h"
+#include "headless.h"
+
+namespace wrinkle::editor {
+namespace {
+
+// `count` sums in rows of 40, each of the one before it.
+std::string sums(int count) {
+    std::string nodes, places;
+    for (int i = 0; i < count; ++i) {
+        const std::string name = "\"n" + std::to_string(i) + "\": ";
+        const std::string comma = i + 1 < count ? ",\n" : "";
+        const std::string from =
+            i > 0 ? R"("a": {"from": "n)" + std::to_string(i - 1) + ".result\"}" : "";
+        nodes += name + R"({"type": "add", "in": {)" + from + "}}" + comma;
+        places += name + "[" + std::to_string(i % 40 * 256) + ", " + std::to_string(i / 40 * 208) +
+                  "]" + comma;
+    }
+    return R"({"wrinkle": 1, "nodes": {)" + nodes +
+           R"(}, "outputs": {"height": {"from": "n1.result"}},
+"layout": {)" +
+           places + "}}";
+}
+
+size_t canvas_vertices() {
+    size_t most = 0;
+    const ImDrawData& data = *ImGui::GetDrawData();
+    for (int i = 0; i < data.CmdListsCount; ++i)
+        if (std::string_view(data.CmdLists[i]->_OwnerName) == "##canvas")
+            most = static_cast<size_t>(data.CmdLists[i]->VtxBuffer.Size);
+    return most;
+}
+
+TEST_F(Headless, OnlyWhatIsSeenIsDrawn) {
+    open(sums(2000));
+    fit(state.view, state.layout, false);
+    frame();
+    const size_t all = canvas_vertices();
+    EXPECT_GT(all, 2000U * 8);   // each is there
+    EXPECT_LT(all, 2000U * 40);  // and is no more than a rectangle and its wires
+    state.view.zoom = 1;
+    state.view.pan = {0, 0};
+    frame();
+    const size_t near = canvas_vertices();
+    EXPECT_GT(near, 1000U);
+    state.view.pan = {1e6F, 1e6F};
+    frame();
+    EXPECT_LT(canvas_vertices(), near / 4);
+}
+
+TEST_F(Headless, NamesOnTheCanvasAreWorkedOutWhenAskedFor) {
+    open(sums(2000));
+    fit(state.view, state.layout, false);
+    frame();
+    EXPECT_LT(state.targets.all().size(), 200U);
+    const auto last = state.targets.find("node:n1999");
+    ASSERT_TRUE(last);
+    const Card& card = *state.layout.find("n1999");
+    EXPECT_FLOAT_EQ(last->x0, to_screen(state.view, card.at).x);
+    EXPECT_TRUE(state.targets.find("pin:n7.a"));
+    EXPECT_TRUE(state.targets.find("out:n7.result"));
+    EXPECT_FALSE(state.targets.find("out:n7.a"));
+    EXPECT_FALSE(state.targets.find("field:n7.b")) << "no field is shown from that far";
+    EXPECT_FALSE(state.targets.find("node:n2000"));
+    EXPECT_FALSE(state.targets.find("pin:"));
+    EXPECT_FALSE(state.targets.find(""));
+}
+
+TEST_F(Headless, ACardIsMadeAnewOnlyWhenItsNodeHasChanged) {
+    open(sums(400));
+    EXPECT_EQ(state.layout.made, 400U);
+    state.commit("move", move_node(state.document(), "n5", 8, 8));
+    frame();
+    EXPECT_EQ(state.layout.made, 0U);
+    EXPECT_EQ(state.layout.find("n5")->at.x, 8);
+    state.commit("value", set_value(state.document(), "n5", "b", json::Value::number(7)));
+    frame();
+    EXPECT_EQ(state.layout.made, 1U);
+    EXPECT_EQ(state.layout.find("n5")->fields.at(0).value, "7.00");
+    state.commit("wire", connect(state.document(), {"n9", "result"}, "n20", "b"));
+    frame();
+    EXPECT_EQ(state.layout.made, 2U);  // n20, and n9 whose readers have changed
+    state.commit("delete", remove_node(state.document(), "n20"));
+    frame();
+    EXPECT_LE(state.layout.made, 4U);
+    EXPECT_EQ(state.layout.find("n20"), nullptr);
+    EXPECT_EQ(state.layout.find("n399")->id, "n399");
+}
+
+TEST_F(Headless, ADragMovesItsCardAndTheWiresAtIt) {
+    open(sums(400));
+    const Layout before = state.layout;
+    state.view.selected = {"n5"};
+    state.gesture.kind = Gesture::Kind::move;
+    state.gesture.offset = {40, 16};
+    refresh(state);
+    size_t moved = 0, bent = 0;
+    for (size_t i = 0; i < before.cards.size(); ++i)
+        moved += before.cards[i].at.x != state.layout.cards[i].at.x;
+    for (size_t i = 0; i < before.wires.size(); ++i)
+        bent += before.wires[i].start.x != state.layout.wires[i].start.x ||
+                before.wires[i].end.x != state.layout.wires[i].end.x;
+    EXPECT_EQ(moved, 1U);
+    EXPECT_EQ(bent, 2U);
+    EXPECT_EQ(state.layout.find("n5")->at.x, before.find("n5")->at.x + 40);
+    state.gesture = {};
+    refresh(state);
+    EXPECT_EQ(state.layout.find("n5")->at.x, before.find("n5")->at.x);
+}
+
+// Against what stands in the layout, every card of it: nothing is lost by looking only nearby.
+TEST_F(Headless, EveryPinAndHeaderIsFoundUnderThePointer) {
+    open(sums(200));
+    for (const float zoom : {0.3F, 0.7F, 1.0F, 2.5F}) {
+        state.view.zoom = zoom;
+        for (size_t i = 0; i < state.layout.cards.size(); ++i) {
+            const Card& card = state.layout.cards[i];
+            for (const Pin& pin : card.pins) {
+                const Hit hit = pick(state, to_screen(state.view, pin_at(card, pin)));
+                ASSERT_EQ(hit.kind, Hit::Kind::pin) << card.id << "." << pin.port << " at " << zoom;
+                const Card& found = state.layout.cards[hit.card];
+                EXPECT_EQ(found.id + found.pins[hit.part].port, card.id + pin.port);
+            }
+            const Hit hit = pick(state, to_screen(state.view, {card.at.x + 60, card.at.y + 3}));
+            EXPECT_EQ(hit.kind, Hit::Kind::header) << card.id << " at " << zoom;
+            EXPECT_EQ(hit.card, i);
+        }
+        const Wire& wire = state.layout.wires.at(150);
+        const ImVec2 middle((wire.start.x + wire.end.x) / 2, (wire.start.y + wire.end.y) / 2);
+        const Hit hit = pick(state, to_screen(state.view, middle));
+        EXPECT_EQ(hit.kind, Hit::Kind::wire) << zoom;
+        EXPECT_EQ(hit.part, 150U);
+    }
+}
+
+}  // namespace
+}  // namespace wrinkle::editor
