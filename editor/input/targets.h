@@ -1,7 +1,8 @@
 // Where the things on the screen are, by name: "node:base", "pin:base.gradient",
-// "field:softer.amount", "menu:save". Filled anew on every frame by whoever draws them; of the
-// canvas, which may hold thousands, they are worked out when asked for. Scripts and tests point at names. Inputs and outputs of a node are told apart: "pin:sum.a" and
-// "out:sum.gradient" would collide otherwise, so an output's pin is "out:".
+// "field:softer.amount", "menu:save". Filled anew on every frame by whoever draws them; those of
+// the canvas, which may hold thousands, are worked out when asked for. Scripts and tests point at
+// names. Inputs and outputs of a node are told apart: "pin:sum.a" and "out:sum.gradient" would
+// collide otherwise, so an output's pin is "out:".
 #pragma once
 
 #include <functional>
