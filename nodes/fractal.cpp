@@ -36,19 +36,29 @@ static Means means_of(Basis basis) {
 // The sum of |noise| over octaves, 0 to about 1.
 static Float billows(const Fractal& fractal, Basis basis) {
     const Noise noise = noise_function(basis);
-    const Layer layer = function("billow", [&](vec3 p, Float footprint) {
-        return mix(means_of(basis).absolute, abs(noise(p)), fade(footprint));
-    });
+    const Layer layer{function("billow",
+                               [&](vec3 p, Float w) {
+                                   return mix(means_of(basis).absolute, abs(noise.height(p)),
+                                              fade(w));
+                               }),
+                      function("billow_slope", [&](vec3 p, Float w) {
+                          return noise.slope(p) * (sign(noise.height(p)) * fade(w));
+                      })};
     return weighted_mean(octaves_of(fractal, layer));
 }
 
 // F. K. Musgrave's ridged multifractal: an octave is as strong as the ridge below it is high.
 static Float ridges(const Fractal& fractal, Basis basis) {
     const Noise noise = noise_function(basis);
-    const Layer layer = function("ridge", [&](vec3 p, Float footprint) {
-        const Float fold = 1 - abs(noise(p));
-        return mix(means_of(basis).ridge, fold * fold, fade(footprint));
-    });
+    const Layer layer{function("ridge",
+                               [&](vec3 p, Float w) {
+                                   const Float fold = 1 - abs(noise.height(p));
+                                   return mix(means_of(basis).ridge, fold * fold, fade(w));
+                               }),
+                      function("ridge_slope", [&](vec3 p, Float w) {
+                          const Float height = noise.height(p);
+                          return noise.slope(p) * (-2 * (1 - abs(height)) * sign(height) * fade(w));
+                      })};
     auto octaves = octaves_of(fractal, layer);
     for (size_t i = 1; i < octaves.size(); ++i)
         octaves[i].height *= saturate(octaves[i - 1].height * 2);

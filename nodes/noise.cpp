@@ -8,71 +8,117 @@
 namespace wrinkle::nodes {
 using namespace sdk;
 
-// The slope at a lattice point times the way to it: one of the twelve directions to the edges of a
-// cube (K. Perlin 2002), of length sqrt(2).
-static Float slope_at(Int x, Int y, Int z, vec3 way) {
+// The twelve directions to the edges of a cube (K. Perlin 2002), of length sqrt(2): by the axis
+// where they are 0, then by the signs of the other two components. One component of all of them,
+// two bits each, plus 1.
+static constexpr unsigned directions(unsigned component) {
+    unsigned packed = 0;
+    for (unsigned which = 0; which < 12; ++which) {
+        const unsigned none = which / 4, first = none == 0 ? 1 : 0;
+        const bool negative = (which & (component == first ? 1u : 2u)) != 0;
+        packed |= (component == none ? 1u : negative ? 0u : 2u) << (2 * which);
+    }
+    return packed;
+}
+
+static vec3 direction_at(Int x, Int y, Int z) {
     const Uint bits = hash(x, y, z);
-    const Uint axis = ((bits >> 8u) * 3u) >> 24u;
-    const Float a = select(axis == 0u, way.y(), way.x());
-    const Float b = select(axis == 2u, way.y(), way.z());
-    return select((bits & 1u) == 0u, a, -a) + select((bits & 2u) == 0u, b, -b);
+    const Uint none = ((bits >> 8u) * 3u) >> 24u;
+    const Uint place = (none * 4u + (bits & 3u)) * 2u;
+    const auto component = [&](unsigned k) { return Float((Uint(directions(k)) >> place) & 3u); };
+    return vec3(component(0), component(1), component(2)) - 1;
 }
 
 static Float value_at(Int x, Int y, Int z) {
     return unit_float(hash(x, y, z)) * 2 - 1;
 }
 
-static vec3 quintic(vec3 t) {
-    return t * t * t * (t * (t * 6 - vec3(15)) + vec3(10));
+// A height at a place and its slope there: what is not used leaves no trace in the text.
+struct Rise {
+    Float height;
+    vec3 slope;
+};
+
+static Rise mix(const Rise& a, const Rise& b, Float t) {
+    return {mix(a.height, b.height, t), mix(a.slope, b.slope, t)};
 }
 
-// corner(x, y, z, way) of the eight corners of a cell, joined smoothly.
+// The eight corners of the cell round p, joined by Perlin's quintic. corner(x, y, z, way) is that
+// of a lattice point, `way` from there.
 template <class Corner>
-static Noise lattice_noise(const char* name, Corner corner) {
-    return function(name, [corner](vec3 p) {
-        const vec3 cell = floor(p);
-        const vec3 f = p - cell;
-        const Int x(cell.x()), y(cell.y()), z(cell.z());
-        const vec3 t = quintic(f);
-        const auto row = [&](int dy, int dz) {
-            return mix(corner(x, y + dy, z + dz, f - vec3(0, dy, dz)),
-                       corner(x + 1, y + dy, z + dz, f - vec3(1, dy, dz)), t.x());
-        };
-        return mix(mix(row(0, 0), row(1, 0), t.y()), mix(row(0, 1), row(1, 1), t.y()), t.z());
-    });
+static Rise lattice(vec3 p, Corner corner) {
+    const vec3 cell = floor(p), f = p - cell;
+    const Int x(cell.x()), y(cell.y()), z(cell.z());
+    const vec3 t = f * f * f * (f * (f * 6 - vec3(15)) + vec3(10));
+    const vec3 steepness = 30 * f * f * (f - 1) * (f - 1);
+    const auto at = [&](int dx, int dy, int dz) {
+        return corner(x + dx, y + dy, z + dz, f - vec3(dx, dy, dz));
+    };
+    const auto row = [&](int dy, int dz) { return mix(at(0, dy, dz), at(1, dy, dz), t.x()); };
+    const auto along_x = [&](int dy, int dz) {
+        return at(1, dy, dz).height - at(0, dy, dz).height;
+    };
+    const auto along_y = [&](int dz) { return row(1, dz).height - row(0, dz).height; };
+    const Rise near = mix(row(0, 0), row(1, 0), t.y()), far = mix(row(0, 1), row(1, 1), t.y());
+    const Rise joined = mix(near, far, t.z());
+    const vec3 across(mix(mix(along_x(0, 0), along_x(1, 0), t.y()),
+                          mix(along_x(0, 1), along_x(1, 1), t.y()), t.z()),
+                      mix(along_y(0), along_y(1), t.z()), far.height - near.height);
+    return {joined.height, joined.slope + steepness * across};
 }
 
 // The four corners of a simplex in the skewed lattice: the cell's, one step along the greatest
-// component, one more along the next, and the opposite one.
-static Noise simplex_function() {
-    const auto slope = function("noise_corner", slope_at);
-    const auto corner = function("simplex_corner", [slope](vec3 cell, vec3 way) {
-        const Float near = max(0.5 - dot(way, way), 0);
-        const Float square = near * near;
-        return square * square * slope(Int(cell.x()), Int(cell.y()), Int(cell.z()), way);
-    });
-    return function("simplex_noise", [corner](vec3 p) {
-        const vec3 skewed = p + dot(p, vec3(1)) * (1.0 / 3);
-        const vec3 cell = floor(skewed);
-        const vec3 f = skewed - cell;
-        const Float xy(f.x() >= f.y()), xz(f.x() >= f.z()), yz(f.y() >= f.z());
-        const vec3 rank(xy + xz, 1 - xy + yz, 2 - xz - yz);
-        const vec3 way = f - dot(f, vec3(1)) * (1.0 / 6);
-        const vec3 one = saturate(rank - 1), two = saturate(rank);
-        return (corner(cell, way) + corner(cell + one, way - one + 1.0 / 6) +
-                corner(cell + two, way - two + 1.0 / 3) + corner(cell + 1, way - 0.5)) *
-               76.0;
-    });
+// component, one more along the next, and the opposite one. `direction` of a lattice point.
+template <class Direction>
+static Rise simplex(vec3 p, Direction direction) {
+    const vec3 skewed = p + dot(p, vec3(1)) * (1.0 / 3);
+    const vec3 cell = floor(skewed);
+    const vec3 f = skewed - cell;
+    const Float xy(f.x() >= f.y()), xz(f.x() >= f.z()), yz(f.y() >= f.z());
+    const vec3 rank(xy + xz, 1 - xy + yz, 2 - xz - yz);
+    const vec3 way = f - dot(f, vec3(1)) * (1.0 / 6);
+    const vec3 one = saturate(rank - 1), two = saturate(rank);
+    Rise sum{0, vec3(0)};
+    const auto add = [&](vec3 corner, vec3 from) {
+        const Float near = max(0.5 - dot(from, from), 0), cube = near * near * near;
+        const vec3 slope = direction(Int(corner.x()), Int(corner.y()), Int(corner.z()));
+        const Float height = dot(slope, from);
+        sum.height += cube * near * height;
+        sum.slope += cube * (near * slope - 8 * height * from);
+    };
+    add(cell, way);
+    add(cell + one, way - one + 1.0 / 6);
+    add(cell + two, way - two + 1.0 / 3);
+    add(cell + 1, way - 0.5);
+    return {sum.height * 76, sum.slope * 76};
+}
+
+// rise(p) as two functions of the text.
+template <class At>
+static Noise noise_of(const char* height, const char* slope, At rise) {
+    return {function(height, [&](vec3 p) { return rise(p).height; }),
+            function(slope, [&](vec3 p) { return rise(p).slope; })};
 }
 
 Noise noise_function(Basis basis) {
-    if (basis == Basis::simplex) return simplex_function();
     if (basis == Basis::value) {
-        const auto corner = function("value_corner", value_at);
-        return lattice_noise("value_noise",
-                             [corner](Int x, Int y, Int z, vec3) { return corner(x, y, z); });
+        const auto value = function("value_corner", value_at);
+        const auto corner = [&](Int x, Int y, Int z, vec3) {
+            return Rise{value(x, y, z), vec3(0)};
+        };
+        return noise_of("value_noise", "value_noise_slope",
+                        [&](vec3 p) { return lattice(p, corner); });
     }
-    return lattice_noise("gradient_noise", function("noise_corner", slope_at));
+    const auto direction = function("noise_direction", direction_at);
+    if (basis == Basis::simplex)
+        return noise_of("simplex_noise", "simplex_noise_slope",
+                        [&](vec3 p) { return simplex(p, direction); });
+    const auto corner = [&](Int x, Int y, Int z, vec3 way) {
+        const vec3 slope = direction(x, y, z);
+        return Rise{dot(slope, way), slope};
+    };
+    return noise_of("gradient_noise", "gradient_noise_slope",
+                    [&](vec3 p) { return lattice(p, corner); });
 }
 
 std::vector<Octave> octaves_of(const Fractal& fractal, const Layer& layer) {
@@ -101,8 +147,9 @@ Float weighted_mean(const std::vector<Octave>& octaves) {
 
 Float fbm(const Fractal& fractal, Basis basis) {
     const Noise noise = noise_function(basis);
-    const Layer layer = function(
-        "noise_octave", [&](vec3 p, Float footprint) { return noise(p) * fade(footprint); });
+    const Layer layer{
+        function("noise_octave", [&](vec3 p, Float w) { return noise.height(p) * fade(w); }),
+        function("noise_octave_slope", [&](vec3 p, Float w) { return noise.slope(p) * fade(w); })};
     return weighted_mean(octaves_of(fractal, layer));
 }
 

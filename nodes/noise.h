@@ -7,7 +7,18 @@
 
 namespace wrinkle::nodes {
 
-using Noise = sdk::Function<sdk::Float, std::tuple<sdk::vec3>>;
+// A height and, in a function of its own, its slope: where only the bump is asked for, only the
+// slope is computed. Called, it is the height with that slope for its derivative.
+template <class... More>
+struct Sloped {
+    sdk::Function<sdk::Float, std::tuple<sdk::vec3, More...>> height;
+    sdk::Function<sdk::vec3, std::tuple<sdk::vec3, More...>> slope;
+
+    sdk::Float operator()(sdk::vec3 p, More... more) const {
+        return sdk::with_slope(height(p, more...), p, slope(p, more...));
+    }
+};
+using Noise = Sloped<>;
 
 // All have mean 0 and stay within [-1, 1] but for a few percent.
 //   gradient  K. Perlin 2002 on hashed lattice points: C2, 0 at lattice points
@@ -19,7 +30,7 @@ inline constexpr const char* basis_names[] = {"gradient", "simplex", "value"};
 Noise noise_function(Basis basis);
 
 // What a fractal adds up: a function of the text of a place and of the pixel's footprint there.
-using Layer = sdk::Function<sdk::Float, std::tuple<sdk::vec3, sdk::Float>>;
+using Layer = Sloped<sdk::Float>;
 
 // Octaves of a layer: each `lacunarity` times finer than the one before and `gain` times as strong.
 // Octave k is read at point * lacunarity^k + k * (19.19, 7.43, 31.71).

@@ -1,9 +1,9 @@
 // Numbers from a module, without a GPU: a tape over scalar registers, run on tiles of 256 points.
 //
-// compile_program() takes a module after expand() and explicit_lod() (no opaque op, no implicit
-// sample) and flattens it: vectors become lanes, calls are inlined, loops stay. Registers are used
-// again as soon as nobody reads them, so scratch is bounded by what lives at once. A parameter has
-// the value that the graph gives it. Linear time, no recursion over instructions.
+// compile_program() takes a module after expand() and explicit_lod() (no opaque op, of the samples
+// sample_lod alone) and flattens it: vectors become lanes, calls are inlined, loops stay. Registers
+// are used again as soon as nobody reads them, so scratch is bounded by what lives at once. A
+// parameter has the value that the graph gives it. Linear time, no recursion over instructions.
 //
 // evaluate() is pure and may be called from several threads, each on its own range of points; the
 // results do not depend on how points are split. float gives what shaders compute, double what they

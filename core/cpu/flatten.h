@@ -39,7 +39,6 @@ private:
     Lanes vector_op(const Inst& inst, const std::vector<Lanes>& args);
     Lanes transformed(const std::vector<Lanes>& args);
     Lanes sampled(const Inst& inst, const std::vector<Lanes>& args);
-    uint32_t lod_of(uint32_t resource, const Lanes& dx, const Lanes& dy);
     std::vector<Lanes> called(const Inst& inst, const std::vector<Lanes>& args);
     std::vector<Lanes> looped(const Inst& inst, const std::vector<Lanes>& args);
     void advance_state(const Region& region, const std::vector<Lanes>& state);

@@ -39,7 +39,6 @@ Flattener::Lanes Flattener::made(const Inst& inst, const std::vector<Lanes>& arg
         case Op::detach_:
             return args[0];
         case Op::sample_lod_:
-        case Op::sample_grad_:
         case Op::image_size_:
             return sampled(inst, args);
         case Op::dot_:
@@ -153,31 +152,12 @@ Flattener::Lanes Flattener::transformed(const std::vector<Lanes>& args) {
     return result;
 }
 
-// As sample_lod_of() in ir/rewrite.h.
-uint32_t Flattener::lod_of(uint32_t resource, const Lanes& dx, const Lanes& dy) {
-    Inst size;
-    size.op = Op::image_size_;
-    size.extra = resource;
-    const Lanes texels = sampled(size, {});
-    const auto square = [&](const Lanes& change) {
-        const Lanes scaled{add_float(Op::mul_, {texels[0], change[0]}),
-                           add_float(Op::mul_, {texels[1], change[1]})};
-        return dot(scaled, scaled);
-    };
-    constexpr double smallest = 9.094947017729282e-13;
-    const uint32_t widest = add_float(Op::max_, {add_float(Op::max_, {square(dx), square(dy)}),
-                                                 constant(smallest, Type::float_)});
-    return add_float(Op::mul_, {add_float(Op::log2_, {widest}), constant(0.5, Type::float_)});
-}
-
 Flattener::Lanes Flattener::sampled(const Inst& inst, const std::vector<Lanes>& args) {
     Step step;
     step.kind = inst.op == Op::image_size_ ? Step::Kind::size : Step::Kind::sample;
     step.extra = inst.extra;
-    if (inst.op != Op::image_size_) {
-        const uint32_t lod =
-            inst.op == Op::sample_lod_ ? args[1][0] : lod_of(inst.extra, args[1], args[2]);
-        step.in = {args[0][0], args[0][1], lod};
+    if (inst.op == Op::sample_lod_) {
+        step.in = {args[0][0], args[0][1], args[1][0]};
         step.count = 3;
     }
     Lanes result;

@@ -11,16 +11,16 @@
 namespace wrinkle {
 namespace {
 
-bool never_changes(const Inst& inst) {
-    return info(inst.op).flags & WR_FLAG_ZERO_DERIVATIVE || inst.type == Type::int_ ||
-           inst.type == Type::uint_ || inst.type == Type::bool_ || info(inst.op).rule == Rule::leaf;
-}
-
 bool is_sample(const Inst& inst) {
     return inst.op == Op::sample_ || inst.op == Op::sample_lod_ || inst.op == Op::sample_grad_;
 }
 
 }  // namespace
+
+bool never_changes(const Inst& inst) {
+    return info(inst.op).flags & WR_FLAG_ZERO_DERIVATIVE || inst.type == Type::int_ ||
+           inst.type == Type::uint_ || inst.type == Type::bool_ || info(inst.op).rule == Rule::leaf;
+}
 
 Id Direction::tangent(Id value) {
     std::unordered_set<Id> seen;
@@ -250,6 +250,14 @@ Direction screen_direction(Module& module, Variant axis, bool project_position) 
                    project_position ? projected_position(module, axis)
                                     : module.input(SurfaceInput::position_, axis));
     module.current_node = node;
+    return direction;
+}
+
+Direction space_direction(Module& module, int axis) {
+    Direction direction(module);
+    std::array<double, 3> along{};
+    along[static_cast<size_t>(axis)] = 1;
+    direction.seed(module.input(SurfaceInput::position_), module.constant(Type::vec3_, along));
     return direction;
 }
 

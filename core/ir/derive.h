@@ -21,6 +21,9 @@
 
 namespace wrinkle {
 
+// Whether the value of this instruction has derivative 0 whatever its operands do, or is a leaf.
+bool never_changes(const Inst& inst);
+
 class Direction {
 public:
     explicit Direction(Module& module) : module_(&module) {}
@@ -59,6 +62,9 @@ private:
 // differential (position's is projected on the tangent plane of the surface normal when
 // `project_position`, so that a height of position equals its volume form on low-poly meshes too).
 Direction screen_direction(Module& module, Variant axis, bool project_position);
+
+// d/dx, d/dy or d/dz: the position changes by a unit vector, all else is constant.
+Direction space_direction(Module& module, int axis);
 
 // d/du or d/dv of a uv set: that set changes by (1,0) or (0,1), all else is constant.
 Direction uv_direction(Module& module, SurfaceInput uv_set, int axis);

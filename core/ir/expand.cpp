@@ -42,6 +42,7 @@ std::vector<bool> jumping(const Module& module) {
 struct Expander {
     const ExpandOptions& options;
     const std::vector<bool> jumps;
+    const std::vector<uint32_t> inputs;  // that each value changes with
     Module* target = nullptr;
     std::optional<ScreenDerivatives> screen;
     std::optional<GradientAlgebra> algebra;
@@ -56,6 +57,7 @@ struct Expander {
     Id opaque(const Module& source, Id id, std::span<const Id> mapped);
     void gradient(const Module& source, Id id, std::span<const Id> mapped);
     GradientSum source_gradient(const Module& source, Id id, std::span<const Id> mapped);
+    GradientSum solid_gradient(Id height);
     GradientSum from_normal(Value n, Value v) const;
     Derivative normal_derivative(Value m, Value strength, const Frame& frame) const;
     Id resolve(const Module& source, Id id);
@@ -83,8 +85,17 @@ GradientSum Expander::from_normal(Value n, Value v) const {
 // TspaceNormalToDerivative: -xy / max(|z|, max(|x|,|y|)/128), the division left for later.
 Derivative Expander::normal_derivative(Value m, Value strength, const Frame& frame) const {
     const Value widest = max(abs(m.x()), abs(m.y()));
-    const Value depth = max(max(abs(m.z()), widest * (1 / steepest_slope)), smallest_depth);
+    const Value least = named("least_depth", widest * (1 / steepest_slope));
+    const Value depth = max(max(abs(m.z()), least), smallest_depth);
     return {named("slope", -m.xy() * strength), named("depth", depth), frame};
+}
+
+GradientSum Expander::solid_gradient(Id height) {
+    GradientSum result;
+    const Value volume =
+        vec3(screen->in_space(0, height), screen->in_space(1, height), screen->in_space(2, height));
+    if (!target->is_literal(volume.id, 0)) result.flat.volume = volume;
+    return result;
 }
 
 GradientSum Expander::source_gradient(const Module& source, Id id, std::span<const Id> mapped) {
@@ -97,6 +108,7 @@ GradientSum Expander::source_gradient(const Module& source, Id id, std::span<con
             return algebra->from_slope(d.frame.key, slope_in_basis(d.frame, d.slope), d.depth);
         }
         case Op::gradient_from_height_: {
+            if (is_position_alone(inputs[inst.arg[0]])) return solid_gradient(mapped[0]);
             const Id x = screen->along_surface(Variant::dx, mapped[0]).id;
             const Id y = screen->along_surface(Variant::dy, mapped[0]).id;
             if (target->is_literal(x, 0) && target->is_literal(y, 0)) return {};
@@ -255,7 +267,8 @@ Module settle_frames(const Module& source, const ExpandOptions& options) {
 
 Module expand(const Module& source, const ExpandOptions& options) {
     if (!all_settled(source)) return expand(settle_frames(source, options), options);
-    Expander expander{options, jumping(source), nullptr, {}, {}, {}, {}, {}, {}};
+    Expander expander{
+        options, jumping(source), input_dependencies(source), nullptr, {}, {}, {}, {}, {}, {}};
     const Module expanded = rebuild(source, expand_one, &expander);
     return rebuild(expanded, strip_detach, nullptr);
 }

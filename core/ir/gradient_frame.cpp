@@ -56,6 +56,13 @@ Choice chosen(uint32_t extra, uint32_t dependencies, const ExpandOptions& option
     return choice;
 }
 
+// The one input that a frame of this method is told by.
+std::optional<SurfaceInput> source_of(uint32_t method, uint32_t dependencies) {
+    if (method != WR_FRAME_exact) return single_uv_set(dependencies);
+    if (is_position_alone(dependencies)) return SurfaceInput::position_;
+    return {};
+}
+
 bool fits(Module& target, const Choice& choice, uint32_t dependencies) {
     const bool exact = choice.method == WR_FRAME_exact;
     if (exact != (choice.scale == WR_SCALE_surface)) {
@@ -72,7 +79,7 @@ bool fits(Module& target, const Choice& choice, uint32_t dependencies) {
     return true;
 }
 
-// Bits 16 on: 0 not settled, 1 no single uv set, else 2 + the surface input.
+// Bits 16 on: 0 not settled, 1 no single source, else 2 + the surface input.
 constexpr uint32_t set_shift = 16;
 
 TangentBasis vertex_basis(Module& target, bool raw) {
@@ -132,12 +139,18 @@ Value ScreenDerivatives::position(Variant axis) {
     return {target_, projected_position(*target_, axis)};
 }
 
+Value ScreenDerivatives::in_space(int axis, Id value) {
+    auto& direction = space_[static_cast<size_t>(axis)];
+    if (!direction) direction = space_direction(*target_, axis);
+    return {target_, direction->tangent_or_zero(value)};
+}
+
 std::vector<uint32_t> input_dependencies(const Module& module) {
     std::vector<uint32_t> inputs(module.size(), 0);
     for (Id id = 1; id < module.size(); ++id) {
         const Inst& inst = module[id];
         if (inst.op == Op::input_) inputs[id] = bit(input_of(inst.extra));
-        if (inst.op == Op::detach_) continue;
+        if (inst.op == Op::resolve_ || never_changes(inst)) continue;
         for (const Id operand : module.operands(id))
             inputs[id] |= inputs[operand];
         if (inst.op == Op::loop_ || inst.op == Op::call_)
@@ -147,12 +160,16 @@ std::vector<uint32_t> input_dependencies(const Module& module) {
     return inputs;
 }
 
+bool is_position_alone(uint32_t dependencies) {
+    return dependencies == bit(SurfaceInput::position_);
+}
+
 uint32_t settled_frame(Module& target, uint32_t extra, uint32_t dependencies,
                        const ExpandOptions& options) {
     Choice choice = chosen(extra, dependencies, options);
     if (!fits(target, choice, dependencies))
         choice.method = choice.scale == WR_SCALE_surface ? WR_FRAME_exact : WR_FRAME_derived;
-    const auto set = single_uv_set(dependencies);
+    const auto set = source_of(choice.method, dependencies);
     return WR_FRAME(choice.method, choice.scale) | (set ? 2 + static_cast<uint32_t>(*set) : 1)
                                                        << set_shift;
 }
@@ -163,13 +180,20 @@ bool is_settled(uint32_t extra) {
 
 Frame make_frame(Module& target, ScreenDerivatives& screen, Id uv, Id direction, uint32_t settled) {
     const uint32_t method = settled & 0xFF;
+    const uint32_t set = settled >> set_shift;
     Frame frame;
+    if (method == WR_FRAME_exact && set > 1) {
+        frame.key = {Basis::space, poison};
+        frame.row_u = screen.in_space(0, uv);
+        frame.row_v = screen.in_space(1, uv);
+        frame.row_z = screen.in_space(2, uv);
+        return frame;
+    }
     if (method == WR_FRAME_exact) {
         frame.row_u = screen.along_surface(Variant::dx, uv);
         frame.row_v = screen.along_surface(Variant::dy, uv);
         return frame;
     }
-    const uint32_t set = settled >> set_shift;
     if (set > 1) bring_to_set(target, uv, static_cast<SurfaceInput>(set - 2), frame);
     if (method == WR_FRAME_guess)
         frame.key = {Basis::guess, direction};
@@ -200,6 +224,7 @@ TangentBasis tangent_basis(Module& target, const FrameKey& key, ScreenDerivative
         case Basis::guess:
             return guessed_basis(target, key.source);
         case Basis::exact:
+        case Basis::space:
             break;
     }
     return {};
@@ -210,8 +235,10 @@ Value slope_in_basis(const Frame& frame, Value slope) {
     if (frame.key.basis == Basis::exact)
         return vec2(dot(slope, frame.row_u), dot(slope, frame.row_v));
     // By components, so that a diagonal J of literals folds away.
-    return vec2(slope.x() * frame.row_u.x() + slope.y() * frame.row_u.y(),
-                slope.x() * frame.row_v.x() + slope.y() * frame.row_v.y());
+    const auto along = [&](Value row) { return slope.x() * row.x() + slope.y() * row.y(); };
+    if (frame.key.basis == Basis::space)
+        return vec3(along(frame.row_u), along(frame.row_v), along(frame.row_z));
+    return vec2(along(frame.row_u), along(frame.row_v));
 }
 
 }  // namespace wrinkle

@@ -14,8 +14,11 @@
 //             is parallel to n
 //   exact     no basis of its own: a slope goes to screen differentials by the chain rule,
 //             s . d(uv)/dx (eq. 3)
+//   space     the exact frame of a uv that changes with the position alone: a slope goes to a
+//             gradient in space, s.x grad u + s.y grad v, with no differential of the screen
 #pragma once
 
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -36,14 +39,17 @@ public:
     Value on_screen(Variant axis, Id value);
     // The position's own, projected on the tangent plane.
     Value position(Variant axis);
+    // Along x, y or z, as 0 to 2, of what changes with the position alone.
+    Value in_space(int axis, Id value);
 
 private:
     Value change(Variant axis, Id value, bool project);
     Module* target_;
     std::array<std::optional<Direction>, 4> directions_;
+    std::array<std::optional<Direction>, 3> space_;
 };
 
-enum class Basis : uint8_t { vertex, derived_set, derived_uv, guess, exact };
+enum class Basis : uint8_t { vertex, derived_set, derived_uv, guess, exact, space };
 
 struct FrameKey {
     Basis basis = Basis::exact;
@@ -55,6 +61,7 @@ struct FrameKey {
 struct Frame {
     FrameKey key;
     Value row_u, row_v;  // vec2: slope . row_u is the slope along the basis' u; empty: identity
+    Value row_z;         // vec2, the third of a frame in space, whose others are along x and y
 };
 
 struct TangentBasis {
@@ -62,8 +69,9 @@ struct TangentBasis {
 };
 
 // Which surface inputs each instruction changes with, a bit per SurfaceInput; bits of region bodies
-// count, those of a detached value do not.
+// count, those of a detached value and of what goes in steps do not.
 std::vector<uint32_t> input_dependencies(const Module& module);
+bool is_position_alone(uint32_t dependencies);
 
 // `extra` of a frame op once settled: WR_FRAME with the method decided, and the uv set that its uv
 // is a function of. `dependencies` are those of the uv. Where method and scale do not fit, a
@@ -78,7 +86,8 @@ Frame make_frame(Module& target, ScreenDerivatives& screen, Id uv, Id direction,
 TangentBasis tangent_basis(Module& target, const FrameKey& key, ScreenDerivatives& screen,
                            bool raw);
 
-// A slope brought into the frame's basis (screen differentials dh/dx, dh/dy for an exact one).
+// A slope brought into the frame's basis (screen differentials dh/dx, dh/dy for an exact one, a
+// vec3 for one in space).
 Value slope_in_basis(const Frame& frame, Value slope);
 
 }  // namespace wrinkle

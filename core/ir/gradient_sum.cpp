@@ -27,6 +27,8 @@ GradientSum GradientAlgebra::from_slope(const FrameKey& basis, Value slope, Valu
     Slopes slopes;
     if (basis.basis == Basis::exact)
         slopes.screen = slope;
+    else if (basis.basis == Basis::space)
+        slopes.volume = slope;
     else
         slopes.slots.push_back({basis, slope});
     GradientSum result;

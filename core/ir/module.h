@@ -237,6 +237,8 @@ private:
     bool fits(const OpenRegion& open, std::span<const Id> results);
     bool fits(const RegionBody& body);
     int calls_below(const RegionBody& body) const;
+    uint32_t interned_region(uint64_t hash, const Region& region) const;  // 0: none is
+    uint32_t intern_region(Region region, const RegionBody& body);
 
     std::vector<Inst> inst_;
     std::vector<Id> slots_;  // open addressing; poison is free

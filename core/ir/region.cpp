@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cassert>
 #include <unordered_set>
+#include <utility>
 
 #include "ir/copy.h"
 #include "ir/module.h"
@@ -96,10 +97,10 @@ RegionUse Module::end_region(std::span<const Id> results, uint32_t max_iteration
     region.level = static_cast<uint8_t>(level);
     RegionBody body = region_body(*this, region);
     if (!fits(body)) return {};
-    if (open.kind == RegionKind::loop) return {intern_region(std::move(region)), {}};
+    if (open.kind == RegionKind::loop) return {intern_region(std::move(region), body), {}};
 
     RegionUse use;
-    use.captured = std::move(body.captured);
+    use.captured = std::exchange(body.captured, {});
     Copier copier(*this, *this, false);
     copier.set_shift(level, 1 - level);
     for (const Id id : use.captured) {
@@ -111,7 +112,7 @@ RegionUse Module::end_region(std::span<const Id> results, uint32_t max_iteration
     copier.run(results);
     for (Id& result : region.results)
         result = copier[result];
-    use.region = intern_region(std::move(region));
+    use.region = intern_region(std::move(region), body);
     return use;
 }
 
@@ -123,12 +124,22 @@ int Module::calls_below(const RegionBody& body) const {
     return deepest;
 }
 
-uint32_t Module::intern_region(Region region) {
-    const uint64_t hash = hash_of(region);
+uint32_t Module::interned_region(uint64_t hash, const Region& region) const {
     const auto [begin, end] = region_table_.equal_range(hash);
     for (auto entry = begin; entry != end; ++entry)
         if (identical(regions_[entry->second], region)) return entry->second;
+    return 0;
+}
+
+uint32_t Module::intern_region(Region region) {
+    if (const uint32_t index = interned_region(hash_of(region), region)) return index;
     const RegionBody body = region_body(*this, region);
+    return intern_region(std::move(region), body);
+}
+
+uint32_t Module::intern_region(Region region, const RegionBody& body) {
+    const uint64_t hash = hash_of(region);
+    if (const uint32_t index = interned_region(hash, region)) return index;
     uint8_t free_level = 0;
     if (region.kind == RegionKind::loop)
         for (const Id id : body.captured)

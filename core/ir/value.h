@@ -46,6 +46,9 @@ inline Value number(Value like, double value) {
 inline Value vec2(Value a, Value b) {
     return {a.module, a.module->construct(Type::vec2_, {a.id, b.id})};
 }
+inline Value vec3(Value a, Value b, Value c) {
+    return {a.module, a.module->construct(Type::vec3_, {a.id, b.id, c.id})};
+}
 
 inline Value operator-(Value a) {
     return op(Op::neg_, a);

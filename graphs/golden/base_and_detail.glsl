@@ -10,13 +10,13 @@ uniform sampler2D detail_image;  // textures/weave_normal.png (normal_gl, repeat
 
 vec3 wrinkle_base_and_detail_normal(WrinkleSurface_base_and_detail s) {
     vec3 base_texel = texture(base_image, s.uv0).xyz * 2.0 - 1.0;  // base: Tangent normal map
-    float base_product = max(abs(base_texel.x), abs(base_texel.y)) * 0.0078125;
-    float base_depth = max(max(abs(base_texel.z), base_product), 1e-06);
+    float base_least_depth = max(abs(base_texel.x), abs(base_texel.y)) * 0.0078125;
+    float base_depth = max(max(abs(base_texel.z), base_least_depth), 1e-06);
     vec2 tile_uv = s.uv0 * 8.0;  // tile: UV transform
     // detail: Tangent normal map
     vec3 detail_texel = texture(detail_image, tile_uv).xyz * 2.0 - 1.0;
-    float detail_product = max(abs(detail_texel.x), abs(detail_texel.y)) * 0.0078125;
-    float detail_depth = max(max(abs(detail_texel.z), detail_product), 1e-06);
+    float detail_least_depth = max(abs(detail_texel.x), abs(detail_texel.y)) * 0.0078125;
+    float detail_depth = max(max(abs(detail_texel.z), detail_least_depth), 1e-06);
     vec3 bitangent = cross(s.normal, s.tangent.xyz) * (s.tangent.w > 0.0 ? 1.0 : -1.0);
     vec2 normal_slope = -detail_texel.xy * 0.5 * base_depth;  // normal: Resolve
     vec2 normal_slope_2 = -base_texel.xy * detail_depth + normal_slope;

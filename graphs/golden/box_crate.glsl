@@ -51,10 +51,10 @@ vec3 wrinkle_box_crate_normal(WrinkleSurface_box_crate s) {
     // g: Tangent normal map
     vec4 g_texel = textureGrad(g_image, sides_uv, sides_product_3, sides_product_4);
     vec3 g_texel_2 = g_texel.xyz * 2.0 - 1.0;
-    float g_product = max(abs(g_texel_2.x), abs(g_texel_2.y)) * 0.0078125;
+    float g_least_depth = max(abs(g_texel_2.x), abs(g_texel_2.y)) * 0.0078125;
     vec2 g_slope = -g_texel_2.xy;
     // normal: Resolve
-    float normal_product = max(max(abs(g_texel_2.z), g_product), 1e-06) * s.facing;
+    float normal_product = max(max(abs(g_texel_2.z), g_least_depth), 1e-06) * s.facing;
     vec3 normal_difference = surface_dpdx * sides_product_5.y - surface_dpdy * sides_product_6.y;
     float normal_product_2 = sides_product_6.x * sides_product_5.y;
     float normal_sign = normal_product_2 - sides_product_5.x * sides_product_6.y < 0.0 ? -1.0 : 1.0;

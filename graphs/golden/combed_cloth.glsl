@@ -14,7 +14,7 @@ vec3 wrinkle_combed_cloth_normal(WrinkleSurface_combed_cloth s) {
     vec3 bitangent = cross(s.normal, s.tangent.xyz) * (s.tangent.w > 0.0 ? 1.0 : -1.0);
     vec2 tile_uv = s.uv0 * vec2(10.0, 5.0);  // tile: UV transform
     vec3 cloth_texel = texture(cloth_image, tile_uv).xyz * 2.0 - 1.0;  // cloth: Tangent normal map
-    float cloth_product = max(abs(cloth_texel.x), abs(cloth_texel.y)) * 0.0078125;
+    float cloth_least_depth = max(abs(cloth_texel.x), abs(cloth_texel.y)) * 0.0078125;
     vec2 cloth_slope = -cloth_texel.xy;
     vec3 vectors_tangent = s.tangent.xyz * inverse_normal_length;  // vectors: Tangent frame
     vec3 comb_texel = texture(comb_image, s.uv0).xyz * 2.0 - 1.0;  // comb: Tangent map
@@ -22,7 +22,7 @@ vec3 wrinkle_combed_cloth_normal(WrinkleSurface_combed_cloth s) {
     vec3 comb_direction = vectors_tangent * comb_texel.x + comb_product;
     vec3 lean_vector = vectors_tangent + comb_direction;  // lean: Add vec3
     // normal: Resolve
-    float normal_product = max(max(abs(cloth_texel.z), cloth_product), 1e-06) * s.facing;
+    float normal_product = max(max(abs(cloth_texel.z), cloth_least_depth), 1e-06) * s.facing;
     vec3 normal_difference = lean_vector - normal * dot(normal, lean_vector);
     float normal_dot_product = dot(normal_difference, normal_difference);
     bool normal_test = normal_dot_product - dot(lean_vector, lean_vector) * 1e-10 > 0.0;

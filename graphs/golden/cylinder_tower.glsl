@@ -23,14 +23,11 @@ vec2 wrinkle_cylinder_tower_smooth_slope(vec2 a, vec2 b) {
 
 vec3 wrinkle_cylinder_tower_normal(WrinkleSurface_cylinder_tower s) {
     vec3 normal = normalize(s.normal);  // the surface point
-    vec3 dpdy = dFdy(s.position_relative);
-    vec3 r_x = cross(dpdy, normal);
     vec3 dpdx = dFdx(s.position_relative);
-    vec3 surface_dpdx = dpdx - normal * dot(normal, dpdx);
-    vec3 surface_dpdy = dpdy - normal * dot(normal, dpdy);
-    float det = dot(dpdx, r_x);
+    vec3 dpdy = dFdy(s.position_relative);
     float round_dot_product = dot(s.position, vec3(0.0, -0.0, 1.0));  // round: Cylinder UV
-    float round_negated = -dot(s.position, vec3(-1.0, 0.0, 0.0));
+    float round_dot_product_2 = dot(s.position, vec3(-1.0, 0.0, 0.0));
+    float round_negated = -round_dot_product_2;
     bool round_test = abs(round_dot_product) + abs(round_negated) > 0.0;
     float round_quotient = (round_test ? atan(round_negated, round_dot_product) : 0.0) / 6.2831855;
     vec2 round_uv = vec2(round_quotient + 0.5, dot(s.position, vec3(0.0, 1.0, 0.0)));
@@ -44,16 +41,8 @@ vec3 wrinkle_cylinder_tower_normal(WrinkleSurface_cylinder_tower s) {
     float round_difference_2 = round_product_2 - dot(dpdy, vec3(0.0, -0.0, 1.0)) * round_negated;
     float round_choice_3 = round_test ? round_difference_2 * round_choice : 0.0;
     vec2 round_vector_2 = vec2(round_choice_3 / 6.2831855, dot(dpdy, vec3(0.0, 1.0, 0.0)));
-    float round_product_3 = -dot(surface_dpdx, vec3(-1.0, 0.0, 0.0)) * round_dot_product;
-    float round_difference_3 = round_product_3 - dot(surface_dpdx, vec3(0.0, -0.0,
-            1.0)) * round_negated;
-    float round_choice_4 = round_test ? round_difference_3 * round_choice : 0.0;
-    vec2 round_vector_3 = vec2(round_choice_4 / 6.2831855, dot(surface_dpdx, vec3(0.0, 1.0, 0.0)));
-    float round_product_4 = -dot(surface_dpdy, vec3(-1.0, 0.0, 0.0)) * round_dot_product;
-    float round_difference_4 = round_product_4 - dot(surface_dpdy, vec3(0.0, -0.0,
-            1.0)) * round_negated;
-    float round_choice_5 = round_test ? round_difference_4 * round_choice : 0.0;
-    vec2 round_vector_4 = vec2(round_choice_5 / 6.2831855, dot(surface_dpdy, vec3(0.0, 1.0, 0.0)));
+    float round_quotient_2 = (round_test ? round_dot_product * round_choice : 0.0) / 6.2831855;
+    float round_quotient_3 = (round_test ? round_dot_product_2 * round_choice : 0.0) / 6.2831855;
     vec2 tile_uv = round_uv * vec2(8.0, 1.2);  // tile: UV transform
     vec2 tile_product = round_vector * vec2(8.0, 1.2);
     vec2 tile_product_2 = round_vector_2 * vec2(8.0, 1.2);
@@ -69,10 +58,10 @@ vec3 wrinkle_cylinder_tower_normal(WrinkleSurface_cylinder_tower s) {
     float g_clamped = clamp((0.5 - log2(max(g_greatest, 1.1754944e-38))) / 0.45, 0.0, 1.0);
     vec2 g_mixed = mix(g_quotient_2, wrinkle_cylinder_tower_smooth_slope(tile_uv, 1.0 / g_size),
             g_clamped);
-    float g_product = dot(g_mixed, round_vector_4 * vec2(8.0, 1.2)) * 0.03;
+    float g_dot_product = dot(g_mixed, vec2(round_quotient_2, 0.0) * vec2(8.0, 1.2));
+    float g_product = dot(g_mixed, vec2(0.0, 1.2)) * 0.03;
+    float g_dot_product_2 = dot(g_mixed, vec2(round_quotient_3, 0.0) * vec2(8.0, 1.2));
+    vec3 g_vector = vec3(g_dot_product * 0.03, g_product, g_dot_product_2 * 0.03);
     // normal: Resolve
-    vec3 normal_product = r_x * (dot(g_mixed, round_vector_3 * vec2(8.0, 1.2)) * 0.03);
-    vec3 normal_product_2 = cross(normal, dpdx) * g_product;
-    vec3 normal_gradient = (normal_product + normal_product_2) * (sign(det) / max(abs(det), 1e-36));
-    return normalize(normal * s.facing - normal_gradient);
+    return normalize(normal * s.facing - (g_vector - normal * dot(normal, g_vector)));
 }

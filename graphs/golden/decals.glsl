@@ -9,7 +9,7 @@ uniform sampler2D bricks_image;  // textures/bricks_height.png (linear, repeat)
 uniform sampler2D weave_image;   // textures/weave_height.png (linear, repeat)
 uniform sampler2D ball_image;    // textures/ball_cube.png (normal_gl, repeat)
 
-float wrinkle_decals_noise_corner_change(int a, int b, int c, vec3 d, vec3 e) {
+vec3 wrinkle_decals_noise_direction(int a, int b, int c) {
     uint sum = uint(c) * 747796405u + 2891336453u;
     uint product = (sum >> (sum >> 28u) + 4u ^ sum) * 277803737u;
     uint sum_2 = (uint(b) + (product >> 22u ^ product)) * 747796405u + 2891336453u;
@@ -17,94 +17,60 @@ float wrinkle_decals_noise_corner_change(int a, int b, int c, vec3 d, vec3 e) {
     uint sum_3 = (uint(a) + (product_2 >> 22u ^ product_2)) * 747796405u + 2891336453u;
     uint product_3 = (sum_3 >> (sum_3 >> 28u) + 4u ^ sum_3) * 277803737u;
     uint bits = product_3 >> 22u ^ product_3;
-    uint bits_2 = (bits >> 8u) * 3u >> 24u;
-    float choice = bits_2 == 0u ? e.y : e.x;
-    float choice_2 = bits_2 == 2u ? e.y : e.z;
-    return ((bits & 1u) == 0u ? choice : -choice) + ((bits & 2u) == 0u ? choice_2 : -choice_2);
+    uint product_4 = (((bits >> 8u) * 3u >> 24u) * 4u + (bits & 3u)) * 2u;
+    float number = float(2237013u >> product_4 & 3u);
+    float number_2 = float(5573130u >> product_4 & 3u);
+    return vec3(number, float(677154u >> product_4 & 3u), number_2) - 1.0;
 }
 
-float wrinkle_decals_noise_corner(int a, int b, int c, vec3 d) {
-    uint sum = uint(c) * 747796405u + 2891336453u;
-    uint product = (sum >> (sum >> 28u) + 4u ^ sum) * 277803737u;
-    uint sum_2 = (uint(b) + (product >> 22u ^ product)) * 747796405u + 2891336453u;
-    uint product_2 = (sum_2 >> (sum_2 >> 28u) + 4u ^ sum_2) * 277803737u;
-    uint sum_3 = (uint(a) + (product_2 >> 22u ^ product_2)) * 747796405u + 2891336453u;
-    uint product_3 = (sum_3 >> (sum_3 >> 28u) + 4u ^ sum_3) * 277803737u;
-    uint bits = product_3 >> 22u ^ product_3;
-    uint bits_2 = (bits >> 8u) * 3u >> 24u;
-    float choice = bits_2 == 0u ? d.y : d.x;
-    float choice_2 = bits_2 == 2u ? d.y : d.z;
-    return ((bits & 1u) == 0u ? choice : -choice) + ((bits & 2u) == 0u ? choice_2 : -choice_2);
-}
-
-float wrinkle_decals_gradient_noise_change(vec3 a, vec3 b) {
+vec3 wrinkle_decals_gradient_noise_slope(vec3 a) {
     vec3 floored = floor(a);
     int whole = int(floored.x);
     int whole_2 = int(floored.y);
     int whole_3 = int(floored.z);
-    vec3 difference = a - floored;
-    float noise_corner_change = wrinkle_decals_noise_corner_change(whole, whole_2, whole_3,
-            difference, b);
+    vec3 noise_direction = wrinkle_decals_noise_direction(whole, whole_2, whole_3);
     int sum = whole + 1;
-    vec3 difference_2 = difference - vec3(1.0, 0.0, 0.0);
-    float noise_corner_change_2 = wrinkle_decals_noise_corner_change(sum, whole_2, whole_3,
-            difference_2, b);
-    vec3 product = difference * difference;
-    vec3 product_2 = product * difference;
-    vec3 difference_3 = difference * 6.0 - 15.0;
-    vec3 sum_2 = difference * difference_3 + 10.0;
-    vec3 product_3 = product_2 * sum_2;
-    float mixed = mix(noise_corner_change, noise_corner_change_2, product_3.x);
-    vec3 product_4 = b * difference;
-    vec3 product_5 = ((product_4 + product_4) * difference + b * product) * sum_2;
-    vec3 sum_3 = product_5 + (b * difference_3 + b * 6.0 * difference) * product_2;
-    float noise_corner = wrinkle_decals_noise_corner(sum, whole_2, whole_3, difference_2);
-    float noise_corner_2 = wrinkle_decals_noise_corner(whole, whole_2, whole_3, difference);
-    float sum_4 = mixed + sum_3.x * (noise_corner - noise_corner_2);
-    int sum_5 = whole_2 + 1;
-    vec3 difference_4 = difference - vec3(0.0, 1.0, 0.0);
-    float noise_corner_change_3 = wrinkle_decals_noise_corner_change(whole, sum_5, whole_3,
-            difference_4, b);
-    vec3 difference_5 = difference - vec3(1.0, 1.0, 0.0);
-    float noise_corner_change_4 = wrinkle_decals_noise_corner_change(sum, sum_5, whole_3,
-            difference_5, b);
-    float mixed_2 = mix(noise_corner_change_3, noise_corner_change_4, product_3.x);
-    float noise_corner_3 = wrinkle_decals_noise_corner(sum, sum_5, whole_3, difference_5);
-    float noise_corner_4 = wrinkle_decals_noise_corner(whole, sum_5, whole_3, difference_4);
-    float mixed_3 = mix(sum_4, mixed_2 + sum_3.x * (noise_corner_3 - noise_corner_4), product_3.y);
-    float mixed_4 = mix(noise_corner_4, noise_corner_3, product_3.x);
-    float mixed_5 = mix(noise_corner_2, noise_corner, product_3.x);
-    float sum_6 = mixed_3 + sum_3.y * (mixed_4 - mixed_5);
-    int sum_7 = whole_3 + 1;
-    vec3 difference_6 = difference - vec3(0.0, 0.0, 1.0);
-    float noise_corner_change_5 = wrinkle_decals_noise_corner_change(whole, whole_2, sum_7,
-            difference_6, b);
-    vec3 difference_7 = difference - vec3(1.0, 0.0, 1.0);
-    float noise_corner_change_6 = wrinkle_decals_noise_corner_change(sum, whole_2, sum_7,
-            difference_7, b);
-    float mixed_6 = mix(noise_corner_change_5, noise_corner_change_6, product_3.x);
-    float noise_corner_5 = wrinkle_decals_noise_corner(sum, whole_2, sum_7, difference_7);
-    float noise_corner_6 = wrinkle_decals_noise_corner(whole, whole_2, sum_7, difference_6);
-    float sum_8 = mixed_6 + sum_3.x * (noise_corner_5 - noise_corner_6);
-    vec3 difference_8 = difference - vec3(0.0, 1.0, 1.0);
-    float noise_corner_change_7 = wrinkle_decals_noise_corner_change(whole, sum_5, sum_7,
-            difference_8, b);
-    vec3 difference_9 = difference - 1.0;
-    float noise_corner_change_8 = wrinkle_decals_noise_corner_change(sum, sum_5, sum_7,
-            difference_9, b);
-    float mixed_7 = mix(noise_corner_change_7, noise_corner_change_8, product_3.x);
-    float noise_corner_7 = wrinkle_decals_noise_corner(sum, sum_5, sum_7, difference_9);
-    float noise_corner_8 = wrinkle_decals_noise_corner(whole, sum_5, sum_7, difference_8);
-    float mixed_8 = mix(sum_8, mixed_7 + sum_3.x * (noise_corner_7 - noise_corner_8), product_3.y);
-    float mixed_9 = mix(noise_corner_8, noise_corner_7, product_3.x);
-    float mixed_10 = mix(noise_corner_6, noise_corner_5, product_3.x);
-    float mixed_11 = mix(sum_6, mixed_8 + sum_3.y * (mixed_9 - mixed_10), product_3.z);
-    float difference_10 = mix(mixed_10, mixed_9, product_3.y) - mix(mixed_5, mixed_4, product_3.y);
-    return mixed_11 + sum_3.z * difference_10;
+    vec3 noise_direction_2 = wrinkle_decals_noise_direction(sum, whole_2, whole_3);
+    vec3 difference = a - floored;
+    vec3 sum_2 = difference * (difference * 6.0 - 15.0) + 10.0;
+    vec3 product = difference * difference * difference * sum_2;
+    vec3 mixed = mix(noise_direction, noise_direction_2, product.x);
+    int sum_3 = whole_2 + 1;
+    vec3 noise_direction_3 = wrinkle_decals_noise_direction(whole, sum_3, whole_3);
+    vec3 noise_direction_4 = wrinkle_decals_noise_direction(sum, sum_3, whole_3);
+    vec3 mixed_2 = mix(noise_direction_3, noise_direction_4, product.x);
+    vec3 mixed_3 = mix(mixed, mixed_2, product.y);
+    int sum_4 = whole_3 + 1;
+    vec3 noise_direction_5 = wrinkle_decals_noise_direction(whole, whole_2, sum_4);
+    vec3 noise_direction_6 = wrinkle_decals_noise_direction(sum, whole_2, sum_4);
+    vec3 mixed_4 = mix(noise_direction_5, noise_direction_6, product.x);
+    vec3 noise_direction_7 = wrinkle_decals_noise_direction(whole, sum_3, sum_4);
+    vec3 noise_direction_8 = wrinkle_decals_noise_direction(sum, sum_3, sum_4);
+    vec3 mixed_5 = mix(noise_direction_7, noise_direction_8, product.x);
+    vec3 difference_2 = difference - 1.0;
+    vec3 product_2 = 30.0 * difference * difference * difference_2 * difference_2;
+    float dot_product = dot(noise_direction_2, difference - vec3(1.0, 0.0, 0.0));
+    float dot_product_2 = dot(noise_direction, difference);
+    float dot_product_3 = dot(noise_direction_4, difference - vec3(1.0, 1.0, 0.0));
+    float dot_product_4 = dot(noise_direction_3, difference - vec3(0.0, 1.0, 0.0));
+    float mixed_6 = mix(dot_product - dot_product_2, dot_product_3 - dot_product_4, product.y);
+    float dot_product_5 = dot(noise_direction_6, difference - vec3(1.0, 0.0, 1.0));
+    float dot_product_6 = dot(noise_direction_5, difference - vec3(0.0, 0.0, 1.0));
+    float dot_product_7 = dot(noise_direction_8, difference - 1.0);
+    float dot_product_8 = dot(noise_direction_7, difference - vec3(0.0, 1.0, 1.0));
+    float mixed_7 = mix(dot_product_5 - dot_product_6, dot_product_7 - dot_product_8, product.y);
+    float mixed_8 = mix(dot_product_4, dot_product_3, product.x);
+    float mixed_9 = mix(dot_product_2, dot_product, product.x);
+    float mixed_10 = mix(dot_product_8, dot_product_7, product.x);
+    float mixed_11 = mix(dot_product_6, dot_product_5, product.x);
+    float mixed_12 = mix(mixed_8 - mixed_9, mixed_10 - mixed_11, product.z);
+    float difference_3 = mix(mixed_11, mixed_10, product.y) - mix(mixed_9, mixed_8, product.y);
+    vec3 product_3 = product_2 * vec3(mix(mixed_6, mixed_7, product.z), mixed_12, difference_3);
+    return mix(mixed_3, mix(mixed_4, mixed_5, product.y), product.z) + product_3;
 }
 
-float wrinkle_decals_noise_octave_change(vec3 a, float b, vec3 c) {
-    return wrinkle_decals_gradient_noise_change(a, c) * (1.0 - smoothstep(0.25, 0.75, b));
+vec3 wrinkle_decals_noise_octave_slope(vec3 a, float b) {
+    return wrinkle_decals_gradient_noise_slope(a) * (1.0 - smoothstep(0.25, 0.75, b));
 }
 
 vec2 wrinkle_decals_smooth_slope(vec2 a, vec2 b) {
@@ -137,12 +103,8 @@ vec2 wrinkle_decals_smooth_slope_2(vec2 a, vec2 b) {
 
 vec3 wrinkle_decals_normal(WrinkleSurface_decals s) {
     vec3 normal = normalize(s.normal);  // the surface point
-    vec3 dpdy = dFdy(s.position_relative);
-    vec3 r_x = cross(dpdy, normal);
     vec3 dpdx = dFdx(s.position_relative);
-    vec3 surface_dpdx = dpdx - normal * dot(normal, dpdx);
-    vec3 surface_dpdy = dpdy - normal * dot(normal, dpdy);
-    float det = dot(dpdx, r_x);
+    vec3 dpdy = dFdy(s.position_relative);
     vec3 slide_product = normal * s.facing;  // slide: Cone decal
     vec3 slide_difference = s.position - vec3(-1.2, 1.2, 2.5);
     float slide_dot_product = dot(slide_difference, vec3(0.9103665, -0.0, 0.41380295));
@@ -173,47 +135,40 @@ vec3 wrinkle_decals_normal(WrinkleSurface_decals s) {
     vec2 slide_vector_2 = vec2(dot(dpdy, vec3(0.9103665, -0.0, 0.41380295)), slide_dot_product_4);
     float slide_negated_4 = -dot(dpdy, vec3(-0.38235956, 0.38235956, 0.84119105));
     vec2 slide_product_5 = (slide_test_3 ? 0.0 : slide_negated_4) * 0.23086819 * slide_quotient;
-    float slide_dot_product_5 = dot(surface_dpdx, vec3(0.9103665, -0.0, 0.41380295));
-    float slide_dot_product_6 = dot(surface_dpdx, vec3(0.15822151, 0.9240136, -0.3480873));
-    float slide_negated_5 = -dot(surface_dpdx, vec3(-0.38235956, 0.38235956, 0.84119105));
-    vec2 slide_product_6 = (slide_test_3 ? 0.0 : slide_negated_5) * 0.23086819 * slide_quotient;
-    vec2 slide_difference_4 = vec2(slide_dot_product_5, slide_dot_product_6) - slide_product_6;
-    vec2 slide_product_7 = slide_difference_4 / slide_product_2 * 0.5;
-    float slide_dot_product_7 = dot(surface_dpdy, vec3(0.9103665, -0.0, 0.41380295));
-    float slide_dot_product_8 = dot(surface_dpdy, vec3(0.15822151, 0.9240136, -0.3480873));
-    float slide_negated_6 = -dot(surface_dpdy, vec3(-0.38235956, 0.38235956, 0.84119105));
-    vec2 slide_product_8 = (slide_test_3 ? 0.0 : slide_negated_6) * 0.23086819 * slide_quotient;
-    vec2 slide_difference_5 = vec2(slide_dot_product_7, slide_dot_product_8) - slide_product_8;
-    vec2 slide_product_9 = slide_difference_5 / slide_product_2 * 0.5;
+    vec2 slide_product_6 = (slide_test_3 ? 0.0 : 0.38235956) * 0.23086819 * slide_quotient;
+    vec2 slide_product_7 = (vec2(0.9103665, 0.15822151) - slide_product_6) / slide_product_2 * 0.5;
+    vec2 slide_product_8 = (slide_test_3 ? 0.0 : -0.38235956) * 0.23086819 * slide_quotient;
+    vec2 slide_product_9 = (vec2(0.0, 0.9240136) - slide_product_8) / slide_product_2 * 0.5;
+    vec2 slide_product_10 = (slide_test_3 ? 0.0 : -0.84119105) * 0.23086819 * slide_quotient;
+    vec2 slide_product_11 = (vec2(0.41380295,
+            -0.3480873) - slide_product_10) / slide_product_2 * 0.5;
     vec3 ground_product = s.position * 2.0;  // ground: Gradient noise
     float ground_greatest = max(length(dpdx * 2.0), length(dpdy * 2.0));
-    vec3 ground_product_2 = surface_dpdx * 2.0;
-    float ground_noise_octave_change = wrinkle_decals_noise_octave_change(ground_product,
-            ground_greatest, ground_product_2);
-    vec3 ground_product_3 = ground_product * 2.0;
-    vec3 ground_sum = ground_product_3 + vec3(19.19, 7.43, 31.71);
-    float ground_product_4 = ground_greatest * 2.0;
-    vec3 ground_product_5 = ground_product_2 * 2.0;
-    float ground_noise_octave_change_2 = wrinkle_decals_noise_octave_change(ground_sum,
-            ground_product_4, ground_product_5);
-    float ground_sum_2 = ground_noise_octave_change + ground_noise_octave_change_2 * 0.5;
-    vec3 ground_sum_3 = ground_product_3 * 2.0 + vec3(38.38, 14.86, 63.42);
-    float ground_product_6 = ground_product_4 * 2.0;
-    vec3 ground_product_7 = ground_product_5 * 2.0;
-    float ground_noise_octave_change_3 = wrinkle_decals_noise_octave_change(ground_sum_3,
-            ground_product_6, ground_product_7);
-    float ground_product_8 = (ground_sum_2 + ground_noise_octave_change_3 * 0.25) / 1.75 * 0.04;
-    vec3 ground_product_9 = surface_dpdy * 2.0;
-    float ground_noise_octave_change_4 = wrinkle_decals_noise_octave_change(ground_product,
-            ground_greatest, ground_product_9);
-    vec3 ground_product_10 = ground_product_9 * 2.0;
-    float ground_noise_octave_change_5 = wrinkle_decals_noise_octave_change(ground_sum,
-            ground_product_4, ground_product_10);
-    float ground_sum_4 = ground_noise_octave_change_4 + ground_noise_octave_change_5 * 0.5;
-    vec3 ground_product_11 = ground_product_10 * 2.0;
-    float ground_noise_octave_change_6 = wrinkle_decals_noise_octave_change(ground_sum_3,
-            ground_product_6, ground_product_11);
-    float ground_product_12 = (ground_sum_4 + ground_noise_octave_change_6 * 0.25) / 1.75 * 0.04;
+    vec3 ground_noise_octave_slope = wrinkle_decals_noise_octave_slope(ground_product,
+            ground_greatest);
+    vec3 ground_product_2 = ground_product * 2.0;
+    vec3 ground_sum = ground_product_2 + vec3(19.19, 7.43, 31.71);
+    float ground_product_3 = ground_greatest * 2.0;
+    vec3 ground_noise_octave_slope_2 = wrinkle_decals_noise_octave_slope(ground_sum,
+            ground_product_3);
+    float ground_product_4 = dot(ground_noise_octave_slope_2, vec3(4.0, 0.0, 0.0)) * 0.5;
+    float ground_sum_2 = dot(ground_noise_octave_slope, vec3(2.0, 0.0, 0.0)) + ground_product_4;
+    vec3 ground_sum_3 = ground_product_2 * 2.0 + vec3(38.38, 14.86, 63.42);
+    float ground_product_5 = ground_product_3 * 2.0;
+    vec3 ground_noise_octave_slope_3 = wrinkle_decals_noise_octave_slope(ground_sum_3,
+            ground_product_5);
+    float ground_sum_4 = ground_sum_2 + dot(ground_noise_octave_slope_3, vec3(8.0, 0.0,
+            0.0)) * 0.25;
+    float ground_product_6 = ground_sum_4 / 1.75 * 0.04;
+    float ground_product_7 = dot(ground_noise_octave_slope_2, vec3(0.0, 4.0, 0.0)) * 0.5;
+    float ground_sum_5 = dot(ground_noise_octave_slope, vec3(0.0, 2.0, 0.0)) + ground_product_7;
+    float ground_sum_6 = ground_sum_5 + dot(ground_noise_octave_slope_3, vec3(0.0, 8.0,
+            0.0)) * 0.25;
+    float ground_product_8 = ground_sum_6 / 1.75 * 0.04;
+    float ground_product_9 = dot(ground_noise_octave_slope_2, vec3(0.0, 0.0, 4.0)) * 0.5;
+    float ground_sum_7 = dot(ground_noise_octave_slope, vec3(0.0, 0.0, 2.0)) + ground_product_9;
+    float ground_sum_8 = ground_sum_7 + dot(ground_noise_octave_slope_3, vec3(0.0, 0.0,
+            8.0)) * 0.25;
     vec2 bricks_size = vec2(textureSize(bricks_image, 0));  // bricks: Height map
     vec2 bricks_product = (slide_vector - slide_product_4) / slide_product_2 * 0.5 * bricks_size;
     vec2 bricks_product_2 = (slide_vector_2 - slide_product_5) / slide_product_2 * 0.5 *
@@ -231,11 +186,13 @@ vec3 wrinkle_decals_normal(WrinkleSurface_decals s) {
     float bricks_clamped = clamp(bricks_quotient_3, 0.0, 1.0);
     vec2 bricks_mixed = mix(bricks_quotient_2, bricks_smooth_slope, bricks_clamped);
     float bricks_product_3 = dot(bricks_mixed, slide_product_7) * 0.02;
-    vec2 bricks_vector_2 = vec2(bricks_product_3, dot(bricks_mixed, slide_product_9) * 0.02);
+    float bricks_product_4 = dot(bricks_mixed, slide_product_9) * 0.02;
+    float bricks_product_5 = dot(bricks_mixed, slide_product_11) * 0.02;
     // with_bricks: Masked decal
-    vec2 with_bricks_vector = vec2(ground_product_8, ground_product_12);
-    vec2 with_bricks_product = with_bricks_vector * (1.0 - slide_attenuation);
-    vec2 with_bricks_sum = with_bricks_product + bricks_vector_2 * slide_attenuation;
+    vec3 with_bricks_vector = vec3(ground_product_6, ground_product_8, ground_sum_8 / 1.75 * 0.04);
+    vec3 with_bricks_product = with_bricks_vector * (1.0 - slide_attenuation);
+    vec3 with_bricks_product_2 = vec3(bricks_product_3, bricks_product_4,
+            bricks_product_5) * slide_attenuation;
     vec3 stamp_difference = s.position - vec3(0.45, 0.25, 0.75);  // stamp: Box decal
     float stamp_dot_product = dot(stamp_difference, vec3(0.8944272, 0.0, -0.4472136));
     float stamp_dot_product_2 = dot(stamp_difference, vec3(-0.115900114, 0.96583426, -0.23180023));
@@ -251,14 +208,6 @@ vec3 wrinkle_decals_normal(WrinkleSurface_decals s) {
     float stamp_dot_product_8 = dot(dpdy, vec3(-0.115900114, 0.96583426, -0.23180023));
     float stamp_dot_product_9 = dot(dpdy, vec3(0.4319342, 0.25916052, 0.8638684));
     vec3 stamp_vector_3 = vec3(stamp_dot_product_7, stamp_dot_product_8, stamp_dot_product_9);
-    float stamp_dot_product_10 = dot(surface_dpdx, vec3(0.8944272, 0.0, -0.4472136));
-    float stamp_dot_product_11 = dot(surface_dpdx, vec3(-0.115900114, 0.96583426, -0.23180023));
-    float stamp_dot_product_12 = dot(surface_dpdx, vec3(0.4319342, 0.25916052, 0.8638684));
-    vec3 stamp_vector_4 = vec3(stamp_dot_product_10, stamp_dot_product_11, stamp_dot_product_12);
-    float stamp_dot_product_13 = dot(surface_dpdy, vec3(0.8944272, 0.0, -0.4472136));
-    float stamp_dot_product_14 = dot(surface_dpdy, vec3(-0.115900114, 0.96583426, -0.23180023));
-    float stamp_dot_product_15 = dot(surface_dpdy, vec3(0.4319342, 0.25916052, 0.8638684));
-    vec3 stamp_vector_5 = vec3(stamp_dot_product_13, stamp_dot_product_14, stamp_dot_product_15);
     vec3 stamp_product = abs(stamp_quotient) * 2.0;
     float stamp_clamped = clamp((stamp_product.x - 0.9) / 0.1, 0.0, 1.0);
     float stamp_difference_2 = 1.0 - stamp_clamped * stamp_clamped * (3.0 - 2.0 * stamp_clamped);
@@ -269,8 +218,8 @@ vec3 wrinkle_decals_normal(WrinkleSurface_decals s) {
     float stamp_difference_4 = 1.0 - stamp_clamped_3 * stamp_clamped_3 * (3.0 - 2.0 *
             stamp_clamped_3);
     float stamp_product_2 = stamp_difference_2 * stamp_difference_3 * stamp_difference_4;
-    float stamp_dot_product_16 = dot(slide_choice, vec3(0.4319342, 0.25916052, 0.8638684));
-    float stamp_clamped_4 = clamp(stamp_dot_product_16, 0.0, 1.0);
+    float stamp_dot_product_10 = dot(slide_choice, vec3(0.4319342, 0.25916052, 0.8638684));
+    float stamp_clamped_4 = clamp(stamp_dot_product_10, 0.0, 1.0);
     float stamp_attenuation = stamp_product_2 * (stamp_clamped_4 > 0.0 ? pow(stamp_clamped_4,
             0.2) : 0.0);
     vec2 weave_size = vec2(textureSize(weave_image, 0));  // weave: Height map
@@ -287,11 +236,13 @@ vec3 wrinkle_decals_normal(WrinkleSurface_decals s) {
     vec2 weave_smooth_slope = wrinkle_decals_smooth_slope_2(stamp_uv, 1.0 / weave_size);
     float weave_clamped = clamp((0.5 - log2(max(weave_greatest, 1.1754944e-38))) / 0.45, 0.0, 1.0);
     vec2 weave_mixed = mix(weave_quotient_2, weave_smooth_slope, weave_clamped);
-    float weave_product = dot(weave_mixed, (stamp_vector_4 / vec3(0.6, 0.6, 1.0)).xy) * 0.03;
-    float weave_product_2 = dot(weave_mixed, (stamp_vector_5 / vec3(0.6, 0.6, 1.0)).xy) * 0.03;
-    vec2 weave_vector_2 = vec2(weave_product, weave_product_2);
+    float weave_product = dot(weave_mixed, vec2(1.4907119, -0.19316685)) * 0.03;
+    float weave_product_2 = dot(weave_mixed, vec2(0.0, 1.6097238)) * 0.03;
+    float weave_product_3 = dot(weave_mixed, vec2(-0.74535596, -0.3863337)) * 0.03;
     // with_weave: Add decal
-    vec2 with_weave_sum = with_bricks_sum + weave_vector_2 * stamp_attenuation;
+    vec3 with_weave_product = vec3(weave_product, weave_product_2,
+            weave_product_3) * stamp_attenuation;
+    vec3 with_weave_sum = with_bricks_product + with_bricks_product_2 + with_weave_product;
     vec3 hit_difference = s.position - vec3(0.1, -0.55, 0.9);  // hit: Sphere decal
     float hit_extent = length(hit_difference);
     float hit_clamped = clamp((hit_extent / 0.5 - 0.7) / 0.3, 0.0, 1.0);
@@ -307,45 +258,6 @@ vec3 wrinkle_decals_normal(WrinkleSurface_decals s) {
     vec3 hit_choice = hit_test ? (hit_test_2 ? hit_quotient : vec3(0.0)) : vec3(0.0);
     vec3 hit_quotient_2 = (dpdy - hit_unit * dot(hit_unit, dpdy)) / hit_extent;
     vec3 hit_choice_2 = hit_test ? (hit_test_2 ? hit_quotient_2 : vec3(0.0)) : vec3(0.0);
-    vec3 scratch_difference = s.position - vec3(-0.85, -0.35, 0.5);  // scratch: Capsule decal
-    float scratch_quotient = dot(scratch_difference, vec3(0.6, 0.0, 0.45)) / 0.5625;
-    vec3 scratch_gradient = vec3(0.6, 0.0, 0.45) * clamp(scratch_quotient, 0.0, 1.0);
-    vec3 scratch_difference_2 = scratch_difference - scratch_gradient;
-    float scratch_extent = length(scratch_difference_2);
-    float scratch_quotient_2 = (scratch_extent / 0.15 - 0.7) / 0.3;
-    bool scratch_test = 1.0 < max(scratch_quotient_2, 0.0);
-    bool scratch_test_2 = scratch_quotient_2 < 0.0;
-    bool scratch_test_3 = scratch_extent > 0.0;
-    bool scratch_test_4 = 1.0 < max(scratch_quotient, 0.0);
-    bool scratch_test_5 = scratch_quotient < 0.0;
-    float scratch_choice = scratch_test_5 ? 0.0 : dot(surface_dpdx, vec3(0.6, 0.0, 0.45)) / 0.5625;
-    vec3 scratch_product = (scratch_test_4 ? 0.0 : scratch_choice) * vec3(0.6, 0.0, 0.45);
-    vec3 scratch_difference_3 = surface_dpdx - scratch_product;
-    float scratch_quotient_3 = dot(scratch_difference_2, scratch_difference_3) / scratch_extent;
-    float scratch_quotient_4 = (scratch_test_3 ? scratch_quotient_3 : 0.0) / 0.15 / 0.3;
-    float scratch_choice_2 = scratch_test ? 0.0 : scratch_test_2 ? 0.0 : scratch_quotient_4;
-    float scratch_clamped = clamp(scratch_quotient_2, 0.0, 1.0);
-    float scratch_product_2 = scratch_choice_2 * scratch_clamped;
-    float scratch_difference_4 = 3.0 - 2.0 * scratch_clamped;
-    float scratch_product_3 = (scratch_product_2 + scratch_product_2) * scratch_difference_4;
-    float scratch_product_4 = scratch_clamped * scratch_clamped;
-    float scratch_negated = -(scratch_product_3 + -(scratch_choice_2 * 2.0) * scratch_product_4);
-    bool scratch_test_6 = dot(scratch_difference_2, scratch_difference_2) > 0.0;
-    vec3 scratch_direction = scratch_test_6 ? normalize(scratch_difference_2) : vec3(0.0);
-    float scratch_clamped_2 = clamp(dot(slide_choice, scratch_direction), 0.0, 1.0);
-    float scratch_choice_3 = scratch_clamped_2 > 0.0 ? pow(scratch_clamped_2, 0.0) : 1.0;
-    float scratch_choice_4 = scratch_test_5 ? 0.0 : dot(surface_dpdy, vec3(0.6, 0.0,
-            0.45)) / 0.5625;
-    vec3 scratch_product_5 = (scratch_test_4 ? 0.0 : scratch_choice_4) * vec3(0.6, 0.0, 0.45);
-    vec3 scratch_difference_5 = surface_dpdy - scratch_product_5;
-    float scratch_quotient_5 = dot(scratch_difference_2, scratch_difference_5) / scratch_extent;
-    float scratch_quotient_6 = (scratch_test_3 ? scratch_quotient_5 : 0.0) / 0.15 / 0.3;
-    float scratch_choice_5 = scratch_test ? 0.0 : scratch_test_2 ? 0.0 : scratch_quotient_6;
-    float scratch_product_6 = scratch_choice_5 * scratch_clamped;
-    float scratch_product_7 = (scratch_product_6 + scratch_product_6) * scratch_difference_4;
-    float scratch_negated_2 = -(scratch_product_7 + -(scratch_choice_5 * 2.0) * scratch_product_4);
-    float groove_product = scratch_negated * scratch_choice_3 * -0.06;  // groove: Scale height
-    float groove_product_2 = scratch_negated_2 * scratch_choice_3 * -0.06;
     bool ball_test = dot(hit_direction, hit_direction) > 0.0;  // ball: Cube normal map
     vec3 ball_choice = ball_test ? normalize(hit_direction) : vec3(0.0);
     vec3 ball_magnitude = abs(hit_direction);
@@ -402,12 +314,53 @@ vec3 wrinkle_decals_normal(WrinkleSurface_decals s) {
     float ball_dot_product = dot(ball_choice, ball_texel_2);
     float ball_greatest_2 = max(abs(ball_dot_product), max(length(ball_texel_2) / 128.0, 1e-06));
     vec3 ball_volume = (ball_choice * ball_dot_product - ball_texel_2) / ball_greatest_2;
-    vec2 with_dent_product = with_weave_sum * (1.0 - hit_attenuation);  // with_dent: Masked decal
-    vec3 with_dent_product_2 = -ball_volume * hit_attenuation;
-    vec2 g_sum = with_dent_product + vec2(groove_product, groove_product_2);  // g: Add bumps
-    vec3 normal_sum = r_x * g_sum.x + cross(normal, dpdx) * g_sum.y;  // normal: Resolve
-    vec3 normal_gradient = with_dent_product_2 - normal * dot(normal, with_dent_product_2);
-    vec3 normal_gradient_2 = normal_sum * (sign(det) / max(abs(det), 1e-36)) + normal_gradient;
-    vec3 normal_difference = slide_product - normal_gradient_2;
-    return normalize(normal_difference);
+    vec3 with_dent_product = with_weave_sum * (1.0 - hit_attenuation);  // with_dent: Masked decal
+    vec3 with_dent_sum = with_dent_product + -ball_volume * hit_attenuation;
+    vec3 scratch_difference = s.position - vec3(-0.85, -0.35, 0.5);  // scratch: Capsule decal
+    float scratch_quotient = dot(scratch_difference, vec3(0.6, 0.0, 0.45)) / 0.5625;
+    vec3 scratch_gradient = vec3(0.6, 0.0, 0.45) * clamp(scratch_quotient, 0.0, 1.0);
+    vec3 scratch_difference_2 = scratch_difference - scratch_gradient;
+    float scratch_extent = length(scratch_difference_2);
+    float scratch_quotient_2 = (scratch_extent / 0.15 - 0.7) / 0.3;
+    bool scratch_test = 1.0 < max(scratch_quotient_2, 0.0);
+    bool scratch_test_2 = scratch_quotient_2 < 0.0;
+    bool scratch_test_3 = scratch_extent > 0.0;
+    bool scratch_test_4 = 1.0 < max(scratch_quotient, 0.0);
+    bool scratch_test_5 = scratch_quotient < 0.0;
+    float scratch_choice = scratch_test_4 ? 0.0 : scratch_test_5 ? 0.0 : 1.0666667;
+    vec3 scratch_difference_3 = vec3(1.0, 0.0, 0.0) - scratch_choice * vec3(0.6, 0.0, 0.45);
+    float scratch_quotient_3 = dot(scratch_difference_2, scratch_difference_3) / scratch_extent;
+    float scratch_quotient_4 = (scratch_test_3 ? scratch_quotient_3 : 0.0) / 0.15 / 0.3;
+    float scratch_choice_2 = scratch_test ? 0.0 : scratch_test_2 ? 0.0 : scratch_quotient_4;
+    float scratch_clamped = clamp(scratch_quotient_2, 0.0, 1.0);
+    float scratch_product = scratch_choice_2 * scratch_clamped;
+    float scratch_difference_4 = 3.0 - 2.0 * scratch_clamped;
+    float scratch_product_2 = (scratch_product + scratch_product) * scratch_difference_4;
+    float scratch_product_3 = scratch_clamped * scratch_clamped;
+    float scratch_negated = -(scratch_product_2 + -(scratch_choice_2 * 2.0) * scratch_product_3);
+    bool scratch_test_6 = dot(scratch_difference_2, scratch_difference_2) > 0.0;
+    vec3 scratch_direction = scratch_test_6 ? normalize(scratch_difference_2) : vec3(0.0);
+    float scratch_clamped_2 = clamp(dot(slide_choice, scratch_direction), 0.0, 1.0);
+    float scratch_choice_3 = scratch_clamped_2 > 0.0 ? pow(scratch_clamped_2, 0.0) : 1.0;
+    float scratch_quotient_5 = dot(scratch_difference_2, vec3(0.0, 1.0, 0.0)) / scratch_extent;
+    float scratch_quotient_6 = (scratch_test_3 ? scratch_quotient_5 : 0.0) / 0.15 / 0.3;
+    float scratch_choice_4 = scratch_test ? 0.0 : scratch_test_2 ? 0.0 : scratch_quotient_6;
+    float scratch_product_4 = scratch_choice_4 * scratch_clamped;
+    float scratch_product_5 = (scratch_product_4 + scratch_product_4) * scratch_difference_4;
+    float scratch_negated_2 = -(scratch_product_5 + -(scratch_choice_4 * 2.0) * scratch_product_3);
+    vec3 scratch_product_6 = (scratch_test_4 ? 0.0 : scratch_test_5 ? 0.0 : 0.8) * vec3(0.6, 0.0,
+            0.45);
+    float scratch_dot_product = dot(scratch_difference_2, vec3(0.0, 0.0, 1.0) - scratch_product_6);
+    float scratch_quotient_7 = scratch_dot_product / scratch_extent;
+    float scratch_quotient_8 = (scratch_test_3 ? scratch_quotient_7 : 0.0) / 0.15 / 0.3;
+    float scratch_choice_5 = scratch_test ? 0.0 : scratch_test_2 ? 0.0 : scratch_quotient_8;
+    float scratch_product_7 = scratch_choice_5 * scratch_clamped;
+    float scratch_product_8 = (scratch_product_7 + scratch_product_7) * scratch_difference_4;
+    float scratch_negated_3 = -(scratch_product_8 + -(scratch_choice_5 * 2.0) * scratch_product_3);
+    float groove_product = scratch_negated * scratch_choice_3 * -0.06;  // groove: Scale height
+    float groove_product_2 = scratch_negated_2 * scratch_choice_3 * -0.06;
+    float groove_product_3 = scratch_negated_3 * scratch_choice_3 * -0.06;
+    // g: Add bumps
+    vec3 g_sum = with_dent_sum + vec3(groove_product, groove_product_2, groove_product_3);
+    return normalize(slide_product - (g_sum - normal * dot(normal, g_sum)));  // normal: Resolve
 }

@@ -25,7 +25,7 @@ vec2 wrinkle_everything_smooth_slope(vec2 a, vec2 b) {
     return vec2(sum, sum_2) / (8.0 * b);
 }
 
-float wrinkle_everything_noise_corner_change(int a, int b, int c, vec3 d, vec3 e) {
+vec3 wrinkle_everything_noise_direction(int a, int b, int c) {
     uint sum = uint(c) * 747796405u + 2891336453u;
     uint product = (sum >> (sum >> 28u) + 4u ^ sum) * 277803737u;
     uint sum_2 = (uint(b) + (product >> 22u ^ product)) * 747796405u + 2891336453u;
@@ -33,94 +33,60 @@ float wrinkle_everything_noise_corner_change(int a, int b, int c, vec3 d, vec3 e
     uint sum_3 = (uint(a) + (product_2 >> 22u ^ product_2)) * 747796405u + 2891336453u;
     uint product_3 = (sum_3 >> (sum_3 >> 28u) + 4u ^ sum_3) * 277803737u;
     uint bits = product_3 >> 22u ^ product_3;
-    uint bits_2 = (bits >> 8u) * 3u >> 24u;
-    float choice = bits_2 == 0u ? e.y : e.x;
-    float choice_2 = bits_2 == 2u ? e.y : e.z;
-    return ((bits & 1u) == 0u ? choice : -choice) + ((bits & 2u) == 0u ? choice_2 : -choice_2);
+    uint product_4 = (((bits >> 8u) * 3u >> 24u) * 4u + (bits & 3u)) * 2u;
+    float number = float(2237013u >> product_4 & 3u);
+    float number_2 = float(5573130u >> product_4 & 3u);
+    return vec3(number, float(677154u >> product_4 & 3u), number_2) - 1.0;
 }
 
-float wrinkle_everything_noise_corner(int a, int b, int c, vec3 d) {
-    uint sum = uint(c) * 747796405u + 2891336453u;
-    uint product = (sum >> (sum >> 28u) + 4u ^ sum) * 277803737u;
-    uint sum_2 = (uint(b) + (product >> 22u ^ product)) * 747796405u + 2891336453u;
-    uint product_2 = (sum_2 >> (sum_2 >> 28u) + 4u ^ sum_2) * 277803737u;
-    uint sum_3 = (uint(a) + (product_2 >> 22u ^ product_2)) * 747796405u + 2891336453u;
-    uint product_3 = (sum_3 >> (sum_3 >> 28u) + 4u ^ sum_3) * 277803737u;
-    uint bits = product_3 >> 22u ^ product_3;
-    uint bits_2 = (bits >> 8u) * 3u >> 24u;
-    float choice = bits_2 == 0u ? d.y : d.x;
-    float choice_2 = bits_2 == 2u ? d.y : d.z;
-    return ((bits & 1u) == 0u ? choice : -choice) + ((bits & 2u) == 0u ? choice_2 : -choice_2);
-}
-
-float wrinkle_everything_gradient_noise_change(vec3 a, vec3 b) {
+vec3 wrinkle_everything_gradient_noise_slope(vec3 a) {
     vec3 floored = floor(a);
     int whole = int(floored.x);
     int whole_2 = int(floored.y);
     int whole_3 = int(floored.z);
-    vec3 difference = a - floored;
-    float noise_corner_change = wrinkle_everything_noise_corner_change(whole, whole_2, whole_3,
-            difference, b);
+    vec3 noise_direction = wrinkle_everything_noise_direction(whole, whole_2, whole_3);
     int sum = whole + 1;
-    vec3 difference_2 = difference - vec3(1.0, 0.0, 0.0);
-    float noise_corner_change_2 = wrinkle_everything_noise_corner_change(sum, whole_2, whole_3,
-            difference_2, b);
-    vec3 product = difference * difference;
-    vec3 product_2 = product * difference;
-    vec3 difference_3 = difference * 6.0 - 15.0;
-    vec3 sum_2 = difference * difference_3 + 10.0;
-    vec3 product_3 = product_2 * sum_2;
-    float mixed = mix(noise_corner_change, noise_corner_change_2, product_3.x);
-    vec3 product_4 = b * difference;
-    vec3 product_5 = ((product_4 + product_4) * difference + b * product) * sum_2;
-    vec3 sum_3 = product_5 + (b * difference_3 + b * 6.0 * difference) * product_2;
-    float noise_corner = wrinkle_everything_noise_corner(sum, whole_2, whole_3, difference_2);
-    float noise_corner_2 = wrinkle_everything_noise_corner(whole, whole_2, whole_3, difference);
-    float sum_4 = mixed + sum_3.x * (noise_corner - noise_corner_2);
-    int sum_5 = whole_2 + 1;
-    vec3 difference_4 = difference - vec3(0.0, 1.0, 0.0);
-    float noise_corner_change_3 = wrinkle_everything_noise_corner_change(whole, sum_5, whole_3,
-            difference_4, b);
-    vec3 difference_5 = difference - vec3(1.0, 1.0, 0.0);
-    float noise_corner_change_4 = wrinkle_everything_noise_corner_change(sum, sum_5, whole_3,
-            difference_5, b);
-    float mixed_2 = mix(noise_corner_change_3, noise_corner_change_4, product_3.x);
-    float noise_corner_3 = wrinkle_everything_noise_corner(sum, sum_5, whole_3, difference_5);
-    float noise_corner_4 = wrinkle_everything_noise_corner(whole, sum_5, whole_3, difference_4);
-    float mixed_3 = mix(sum_4, mixed_2 + sum_3.x * (noise_corner_3 - noise_corner_4), product_3.y);
-    float mixed_4 = mix(noise_corner_4, noise_corner_3, product_3.x);
-    float mixed_5 = mix(noise_corner_2, noise_corner, product_3.x);
-    float sum_6 = mixed_3 + sum_3.y * (mixed_4 - mixed_5);
-    int sum_7 = whole_3 + 1;
-    vec3 difference_6 = difference - vec3(0.0, 0.0, 1.0);
-    float noise_corner_change_5 = wrinkle_everything_noise_corner_change(whole, whole_2, sum_7,
-            difference_6, b);
-    vec3 difference_7 = difference - vec3(1.0, 0.0, 1.0);
-    float noise_corner_change_6 = wrinkle_everything_noise_corner_change(sum, whole_2, sum_7,
-            difference_7, b);
-    float mixed_6 = mix(noise_corner_change_5, noise_corner_change_6, product_3.x);
-    float noise_corner_5 = wrinkle_everything_noise_corner(sum, whole_2, sum_7, difference_7);
-    float noise_corner_6 = wrinkle_everything_noise_corner(whole, whole_2, sum_7, difference_6);
-    float sum_8 = mixed_6 + sum_3.x * (noise_corner_5 - noise_corner_6);
-    vec3 difference_8 = difference - vec3(0.0, 1.0, 1.0);
-    float noise_corner_change_7 = wrinkle_everything_noise_corner_change(whole, sum_5, sum_7,
-            difference_8, b);
-    vec3 difference_9 = difference - 1.0;
-    float noise_corner_change_8 = wrinkle_everything_noise_corner_change(sum, sum_5, sum_7,
-            difference_9, b);
-    float mixed_7 = mix(noise_corner_change_7, noise_corner_change_8, product_3.x);
-    float noise_corner_7 = wrinkle_everything_noise_corner(sum, sum_5, sum_7, difference_9);
-    float noise_corner_8 = wrinkle_everything_noise_corner(whole, sum_5, sum_7, difference_8);
-    float mixed_8 = mix(sum_8, mixed_7 + sum_3.x * (noise_corner_7 - noise_corner_8), product_3.y);
-    float mixed_9 = mix(noise_corner_8, noise_corner_7, product_3.x);
-    float mixed_10 = mix(noise_corner_6, noise_corner_5, product_3.x);
-    float mixed_11 = mix(sum_6, mixed_8 + sum_3.y * (mixed_9 - mixed_10), product_3.z);
-    float difference_10 = mix(mixed_10, mixed_9, product_3.y) - mix(mixed_5, mixed_4, product_3.y);
-    return mixed_11 + sum_3.z * difference_10;
+    vec3 noise_direction_2 = wrinkle_everything_noise_direction(sum, whole_2, whole_3);
+    vec3 difference = a - floored;
+    vec3 sum_2 = difference * (difference * 6.0 - 15.0) + 10.0;
+    vec3 product = difference * difference * difference * sum_2;
+    vec3 mixed = mix(noise_direction, noise_direction_2, product.x);
+    int sum_3 = whole_2 + 1;
+    vec3 noise_direction_3 = wrinkle_everything_noise_direction(whole, sum_3, whole_3);
+    vec3 noise_direction_4 = wrinkle_everything_noise_direction(sum, sum_3, whole_3);
+    vec3 mixed_2 = mix(noise_direction_3, noise_direction_4, product.x);
+    vec3 mixed_3 = mix(mixed, mixed_2, product.y);
+    int sum_4 = whole_3 + 1;
+    vec3 noise_direction_5 = wrinkle_everything_noise_direction(whole, whole_2, sum_4);
+    vec3 noise_direction_6 = wrinkle_everything_noise_direction(sum, whole_2, sum_4);
+    vec3 mixed_4 = mix(noise_direction_5, noise_direction_6, product.x);
+    vec3 noise_direction_7 = wrinkle_everything_noise_direction(whole, sum_3, sum_4);
+    vec3 noise_direction_8 = wrinkle_everything_noise_direction(sum, sum_3, sum_4);
+    vec3 mixed_5 = mix(noise_direction_7, noise_direction_8, product.x);
+    vec3 difference_2 = difference - 1.0;
+    vec3 product_2 = 30.0 * difference * difference * difference_2 * difference_2;
+    float dot_product = dot(noise_direction_2, difference - vec3(1.0, 0.0, 0.0));
+    float dot_product_2 = dot(noise_direction, difference);
+    float dot_product_3 = dot(noise_direction_4, difference - vec3(1.0, 1.0, 0.0));
+    float dot_product_4 = dot(noise_direction_3, difference - vec3(0.0, 1.0, 0.0));
+    float mixed_6 = mix(dot_product - dot_product_2, dot_product_3 - dot_product_4, product.y);
+    float dot_product_5 = dot(noise_direction_6, difference - vec3(1.0, 0.0, 1.0));
+    float dot_product_6 = dot(noise_direction_5, difference - vec3(0.0, 0.0, 1.0));
+    float dot_product_7 = dot(noise_direction_8, difference - 1.0);
+    float dot_product_8 = dot(noise_direction_7, difference - vec3(0.0, 1.0, 1.0));
+    float mixed_7 = mix(dot_product_5 - dot_product_6, dot_product_7 - dot_product_8, product.y);
+    float mixed_8 = mix(dot_product_4, dot_product_3, product.x);
+    float mixed_9 = mix(dot_product_2, dot_product, product.x);
+    float mixed_10 = mix(dot_product_8, dot_product_7, product.x);
+    float mixed_11 = mix(dot_product_6, dot_product_5, product.x);
+    float mixed_12 = mix(mixed_8 - mixed_9, mixed_10 - mixed_11, product.z);
+    float difference_3 = mix(mixed_11, mixed_10, product.y) - mix(mixed_9, mixed_8, product.y);
+    vec3 product_3 = product_2 * vec3(mix(mixed_6, mixed_7, product.z), mixed_12, difference_3);
+    return mix(mixed_3, mix(mixed_4, mixed_5, product.y), product.z) + product_3;
 }
 
-float wrinkle_everything_noise_octave_change(vec3 a, float b, vec3 c) {
-    return wrinkle_everything_gradient_noise_change(a, c) * (1.0 - smoothstep(0.25, 0.75, b));
+vec3 wrinkle_everything_noise_octave_slope(vec3 a, float b) {
+    return wrinkle_everything_gradient_noise_slope(a) * (1.0 - smoothstep(0.25, 0.75, b));
 }
 
 vec3 wrinkle_everything_normal(WrinkleSurface_everything s) {
@@ -145,8 +111,8 @@ vec3 wrinkle_everything_normal(WrinkleSurface_everything s) {
     vec2 cloth_uv_uv = vec2(cloth_uv_difference, cloth_uv_sum);
     // cloth: Tangent normal map
     vec3 cloth_texel = texture(cloth_image, cloth_uv_uv).xyz * 2.0 - 1.0;
-    float cloth_product = max(abs(cloth_texel.x), abs(cloth_texel.y)) * 0.0078125;
-    float cloth_depth = max(max(abs(cloth_texel.z), cloth_product), 1e-06);
+    float cloth_least_depth = max(abs(cloth_texel.x), abs(cloth_texel.y)) * 0.0078125;
+    float cloth_depth = max(max(abs(cloth_texel.z), cloth_least_depth), 1e-06);
     vec2 cloth_slope = -cloth_texel.xy;
     float cloth_sum = cloth_slope.x * 0.9396926 + cloth_slope.y * 0.34202015;
     float cloth_sum_2 = cloth_slope.x * -0.34202015 + cloth_slope.y * 0.9396926;
@@ -177,30 +143,31 @@ vec3 wrinkle_everything_normal(WrinkleSurface_everything s) {
     vec2 bricks_vector_2 = vec2(bricks_product, dot(bricks_mixed, tile_product_2) * 0.015);
     vec3 grain_product = s.position * 30.0;  // grain: Gradient noise
     float grain_greatest = max(length(dpdx * 30.0), length(dpdy * 30.0));
-    vec3 grain_product_2 = surface_dpdx * 30.0;
-    float grain_noise_octave_change = wrinkle_everything_noise_octave_change(grain_product,
-            grain_greatest, grain_product_2);
+    vec3 grain_noise_octave_slope = wrinkle_everything_noise_octave_slope(grain_product,
+            grain_greatest);
     vec3 grain_sum = grain_product * 2.0 + vec3(19.19, 7.43, 31.71);
-    float grain_product_3 = grain_greatest * 2.0;
-    vec3 grain_product_4 = grain_product_2 * 2.0;
-    float grain_noise_octave_change_2 = wrinkle_everything_noise_octave_change(grain_sum,
-            grain_product_3, grain_product_4);
-    float grain_quotient = (grain_noise_octave_change + grain_noise_octave_change_2 * 0.5) / 1.5;
-    vec3 grain_product_5 = surface_dpdy * 30.0;
-    float grain_noise_octave_change_3 = wrinkle_everything_noise_octave_change(grain_product,
-            grain_greatest, grain_product_5);
-    vec3 grain_product_6 = grain_product_5 * 2.0;
-    float grain_noise_octave_change_4 = wrinkle_everything_noise_octave_change(grain_sum,
-            grain_product_3, grain_product_6);
-    float grain_quotient_2 = (grain_noise_octave_change_3 + grain_noise_octave_change_4 * 0.5) /
-            1.5;
-    vec2 all_vector = vec2(grain_quotient * 0.002, grain_quotient_2 * 0.002);  // all: Add bumps
+    float grain_product_2 = grain_greatest * 2.0;
+    vec3 grain_noise_octave_slope_2 = wrinkle_everything_noise_octave_slope(grain_sum,
+            grain_product_2);
+    float grain_product_3 = dot(grain_noise_octave_slope_2, vec3(60.0, 0.0, 0.0)) * 0.5;
+    float grain_sum_2 = dot(grain_noise_octave_slope, vec3(30.0, 0.0, 0.0)) + grain_product_3;
+    float grain_product_4 = grain_sum_2 / 1.5 * 0.002;
+    float grain_product_5 = dot(grain_noise_octave_slope_2, vec3(0.0, 60.0, 0.0)) * 0.5;
+    float grain_sum_3 = dot(grain_noise_octave_slope, vec3(0.0, 30.0, 0.0)) + grain_product_5;
+    float grain_product_6 = grain_sum_3 / 1.5 * 0.002;
+    float grain_product_7 = dot(grain_noise_octave_slope_2, vec3(0.0, 0.0, 60.0)) * 0.5;
+    float grain_sum_4 = dot(grain_noise_octave_slope, vec3(0.0, 0.0, 30.0)) + grain_product_7;
+    // all: Add bumps
+    vec3 all_vector = vec3(grain_product_4, grain_product_6, grain_sum_4 / 1.5 * 0.002);
     // normal: Resolve
     vec3 normal_gradient = uv1_tangent * softer_slope.x + uv1_bitangent * softer_slope.y;
     vec3 normal_gradient_2 = carving_quotient * cloth_depth + normal_gradient;
-    vec2 normal_product = (bricks_vector_2 + all_vector) * cloth_depth;
+    vec2 normal_product = bricks_vector_2 * cloth_depth;
     vec3 normal_sum = r_x * normal_product.x + cross(normal, dpdx) * normal_product.y;
     vec3 normal_gradient_3 = normal_gradient_2 + normal_sum * (sign(det) / max(abs(det), 1e-36));
-    vec3 normal_difference = normal * (cloth_depth * s.facing) - normal_gradient_3;
+    vec3 normal_product_2 = all_vector * cloth_depth;
+    vec3 normal_gradient_4 = normal_product_2 - normal * dot(normal, normal_product_2);
+    vec3 normal_difference = normal * (cloth_depth * s.facing) - (normal_gradient_3 +
+            normal_gradient_4);
     return normalize(normal_difference);
 }

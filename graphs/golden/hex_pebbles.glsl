@@ -85,8 +85,8 @@ vec3 wrinkle_hex_pebbles_normal(WrinkleSurface_hex_pebbles s) {
     vec2 grain_sum_5 = grain_hex_copy_2 * tile_product_2.x + grain_vector * tile_product_2.y;
     vec3 grain_texel = textureGrad(grain_image, grain_sum_3, grain_sum_4, grain_sum_5).xyz * 2.0;
     vec3 grain_texel_2 = grain_texel - 1.0;
-    float grain_product_2 = max(abs(grain_texel_2.x), abs(grain_texel_2.y)) * 0.0078125;
-    float grain_depth = max(max(abs(grain_texel_2.z), grain_product_2), 1e-06);
+    float grain_least_depth = max(abs(grain_texel_2.x), abs(grain_texel_2.y)) * 0.0078125;
+    float grain_depth = max(max(abs(grain_texel_2.z), grain_least_depth), 1e-06);
     vec2 grain_quotient_2 = -grain_texel_2.xy * 0.4 / grain_depth;
     vec2 grain_vector_2 = vec2(dot(grain_quotient_2, grain_hex_copy_2), dot(grain_quotient_2,
             grain_vector));
@@ -96,16 +96,16 @@ vec3 wrinkle_hex_pebbles_normal(WrinkleSurface_hex_pebbles s) {
     float grain_sum_6 = grain_hex_grid_3.x + 0.5 * grain_hex_grid_3.y;
     vec2 grain_quotient_3 = vec2(grain_sum_6, grain_hex_grid_3.y * 0.8660254) / 6.928203;
     vec2 grain_difference_2 = tile_uv - grain_quotient_3;
-    vec2 grain_product_3 = grain_hex_copy_4 * grain_difference_2.x;
+    vec2 grain_product_2 = grain_hex_copy_4 * grain_difference_2.x;
     vec2 grain_vector_3 = vec2(-grain_hex_copy_4.y, grain_hex_copy_4.x);
-    vec2 grain_sum_7 = grain_product_3 + grain_vector_3 * grain_difference_2.y + grain_quotient_3;
+    vec2 grain_sum_7 = grain_product_2 + grain_vector_3 * grain_difference_2.y + grain_quotient_3;
     vec2 grain_sum_8 = grain_sum_7 + grain_hex_copy_3;
     vec2 grain_sum_9 = grain_hex_copy_4 * tile_product.x + grain_vector_3 * tile_product.y;
     vec2 grain_sum_10 = grain_hex_copy_4 * tile_product_2.x + grain_vector_3 * tile_product_2.y;
     vec3 grain_texel_3 = textureGrad(grain_image, grain_sum_8, grain_sum_9, grain_sum_10).xyz * 2.0;
     vec3 grain_texel_4 = grain_texel_3 - 1.0;
-    float grain_product_4 = max(abs(grain_texel_4.x), abs(grain_texel_4.y)) * 0.0078125;
-    float grain_depth_2 = max(max(abs(grain_texel_4.z), grain_product_4), 1e-06);
+    float grain_least_depth_2 = max(abs(grain_texel_4.x), abs(grain_texel_4.y)) * 0.0078125;
+    float grain_depth_2 = max(max(abs(grain_texel_4.z), grain_least_depth_2), 1e-06);
     vec2 grain_quotient_4 = -grain_texel_4.xy * 0.4 / grain_depth_2;
     vec2 grain_vector_4 = vec2(dot(grain_quotient_4, grain_hex_copy_4), dot(grain_quotient_4,
             grain_vector_3));
@@ -115,48 +115,48 @@ vec3 wrinkle_hex_pebbles_normal(WrinkleSurface_hex_pebbles s) {
     float grain_sum_11 = grain_hex_grid_4.x + 0.5 * grain_hex_grid_4.y;
     vec2 grain_quotient_5 = vec2(grain_sum_11, grain_hex_grid_4.y * 0.8660254) / 6.928203;
     vec2 grain_difference_3 = tile_uv - grain_quotient_5;
-    vec2 grain_product_5 = grain_hex_copy_6 * grain_difference_3.x;
+    vec2 grain_product_3 = grain_hex_copy_6 * grain_difference_3.x;
     vec2 grain_vector_5 = vec2(-grain_hex_copy_6.y, grain_hex_copy_6.x);
-    vec2 grain_sum_12 = grain_product_5 + grain_vector_5 * grain_difference_3.y + grain_quotient_5;
+    vec2 grain_sum_12 = grain_product_3 + grain_vector_5 * grain_difference_3.y + grain_quotient_5;
     vec2 grain_sum_13 = grain_sum_12 + grain_hex_copy_5;
     vec2 grain_sum_14 = grain_hex_copy_6 * tile_product.x + grain_vector_5 * tile_product.y;
     vec2 grain_sum_15 = grain_hex_copy_6 * tile_product_2.x + grain_vector_5 * tile_product_2.y;
     vec3 grain_texel_5 = textureGrad(grain_image, grain_sum_13, grain_sum_14,
             grain_sum_15).xyz * 2.0;
     vec3 grain_texel_6 = grain_texel_5 - 1.0;
-    float grain_product_6 = max(abs(grain_texel_6.x), abs(grain_texel_6.y)) * 0.0078125;
-    float grain_depth_3 = max(max(abs(grain_texel_6.z), grain_product_6), 1e-06);
+    float grain_least_depth_3 = max(abs(grain_texel_6.x), abs(grain_texel_6.y)) * 0.0078125;
+    float grain_depth_3 = max(max(abs(grain_texel_6.z), grain_least_depth_3), 1e-06);
     vec2 grain_quotient_6 = -grain_texel_6.xy * 0.4 / grain_depth_3;
     vec2 grain_vector_6 = vec2(dot(grain_quotient_6, grain_hex_copy_6), dot(grain_quotient_6,
             grain_vector_5));
     float grain_dot_product_3 = dot(grain_vector_6, grain_vector_6);
     vec3 grain_vector_7 = vec3(grain_dot_product, grain_dot_product_2, grain_dot_product_3);
-    vec3 grain_product_7 = 0.6 * sqrt(max(grain_vector_7 / (1.0 + grain_vector_7), 0.0));
-    vec3 grain_sum_16 = 0.4 + grain_product_7;
+    vec3 grain_product_4 = 0.6 * sqrt(max(grain_vector_7 / (1.0 + grain_vector_7), 0.0));
+    vec3 grain_sum_16 = 0.4 + grain_product_4;
     vec3 grain_greatest = max(grain_hex_grid, vec3(1e-04));
     float grain_choice = grain_greatest.x > 0.0 ? pow(grain_greatest.x, 7.0) : 0.0;
     float grain_choice_2 = grain_greatest.y > 0.0 ? pow(grain_greatest.y, 7.0) : 0.0;
     float grain_choice_3 = grain_greatest.z > 0.0 ? pow(grain_greatest.z, 7.0) : 0.0;
-    vec3 grain_product_8 = grain_sum_16 * vec3(grain_choice, grain_choice_2, grain_choice_3);
-    vec3 grain_quotient_7 = grain_product_8 / dot(grain_product_8, vec3(1.0));
-    float grain_product_9 = 2.0 * grain_quotient_7.x;
-    float grain_product_10 = 0.5 * (grain_product_9 > 0.0 ? pow(grain_product_9, 1.0) : 0.0);
-    float grain_difference_4 = 2.0 - grain_product_9;
+    vec3 grain_product_5 = grain_sum_16 * vec3(grain_choice, grain_choice_2, grain_choice_3);
+    vec3 grain_quotient_7 = grain_product_5 / dot(grain_product_5, vec3(1.0));
+    float grain_product_6 = 2.0 * grain_quotient_7.x;
+    float grain_product_7 = 0.5 * (grain_product_6 > 0.0 ? pow(grain_product_6, 1.0) : 0.0);
+    float grain_difference_4 = 2.0 - grain_product_6;
     float grain_difference_5 = 1.0 - 0.5 * (grain_difference_4 > 0.0 ? pow(grain_difference_4,
             1.0) : 0.0);
-    float grain_choice_4 = grain_quotient_7.x < 0.5 ? grain_product_10 : grain_difference_5;
-    float grain_product_11 = 2.0 * grain_quotient_7.y;
-    float grain_product_12 = 0.5 * (grain_product_11 > 0.0 ? pow(grain_product_11, 1.0) : 0.0);
-    float grain_difference_6 = 2.0 - grain_product_11;
+    float grain_choice_4 = grain_quotient_7.x < 0.5 ? grain_product_7 : grain_difference_5;
+    float grain_product_8 = 2.0 * grain_quotient_7.y;
+    float grain_product_9 = 0.5 * (grain_product_8 > 0.0 ? pow(grain_product_8, 1.0) : 0.0);
+    float grain_difference_6 = 2.0 - grain_product_8;
     float grain_difference_7 = 1.0 - 0.5 * (grain_difference_6 > 0.0 ? pow(grain_difference_6,
             1.0) : 0.0);
-    float grain_choice_5 = grain_quotient_7.y < 0.5 ? grain_product_12 : grain_difference_7;
-    float grain_product_13 = 2.0 * grain_quotient_7.z;
-    float grain_product_14 = 0.5 * (grain_product_13 > 0.0 ? pow(grain_product_13, 1.0) : 0.0);
-    float grain_difference_8 = 2.0 - grain_product_13;
+    float grain_choice_5 = grain_quotient_7.y < 0.5 ? grain_product_9 : grain_difference_7;
+    float grain_product_10 = 2.0 * grain_quotient_7.z;
+    float grain_product_11 = 0.5 * (grain_product_10 > 0.0 ? pow(grain_product_10, 1.0) : 0.0);
+    float grain_difference_8 = 2.0 - grain_product_10;
     float grain_difference_9 = 1.0 - 0.5 * (grain_difference_8 > 0.0 ? pow(grain_difference_8,
             1.0) : 0.0);
-    float grain_choice_6 = grain_quotient_7.z < 0.5 ? grain_product_14 : grain_difference_9;
+    float grain_choice_6 = grain_quotient_7.z < 0.5 ? grain_product_11 : grain_difference_9;
     vec3 grain_vector_8 = vec3(grain_choice_4, grain_choice_5, grain_choice_6);
     vec3 grain_quotient_8 = grain_vector_8 / dot(grain_vector_8, vec3(1.0));
     vec2 grain_sum_17 = grain_vector_2 * grain_quotient_8.x + grain_vector_4 * grain_quotient_8.y;

@@ -13,13 +13,13 @@ uniform sampler2D patches_image;  // textures/patches_mask.png (linear, repeat)
 vec3 wrinkle_operators_normal(WrinkleSurface_operators s) {
     vec2 tile_uv = s.uv0 * 4.0;  // tile: UV transform
     vec3 weave_texel = texture(weave_image, tile_uv).xyz * 2.0 - 1.0;  // weave: Tangent normal map
-    float weave_product = max(abs(weave_texel.x), abs(weave_texel.y)) * 0.0078125;
-    float weave_depth = max(max(abs(weave_texel.z), weave_product), 1e-06);
+    float weave_least_depth = max(abs(weave_texel.x), abs(weave_texel.y)) * 0.0078125;
+    float weave_depth = max(max(abs(weave_texel.z), weave_least_depth), 1e-06);
     vec2 weave_slope = -weave_texel.xy * 0.6;
     // rivets: Tangent normal map
     vec3 rivets_texel = texture(rivets_image, tile_uv).xyz * 2.0 - 1.0;
-    float rivets_product = max(abs(rivets_texel.x), abs(rivets_texel.y)) * 0.0078125;
-    float rivets_depth = max(max(abs(rivets_texel.z), rivets_product), 1e-06);
+    float rivets_least_depth = max(abs(rivets_texel.x), abs(rivets_texel.y)) * 0.0078125;
+    float rivets_depth = max(max(abs(rivets_texel.z), rivets_least_depth), 1e-06);
     vec2 rivets_slope = -rivets_texel.xy;
     // cloth: Bump over bump
     float cloth_least = min(max(texture(patches_image, s.uv0).x, 0.0), 1.0);
@@ -50,13 +50,13 @@ float wrinkle_operators_tilt(WrinkleSurface_operators s) {
     vec3 bitangent = cross(s.normal, s.tangent.xyz) * (s.tangent.w > 0.0 ? 1.0 : -1.0);
     vec2 tile_uv = s.uv0 * 4.0;  // tile: UV transform
     vec3 weave_texel = texture(weave_image, tile_uv).xyz * 2.0 - 1.0;  // weave: Tangent normal map
-    float weave_product = max(abs(weave_texel.x), abs(weave_texel.y)) * 0.0078125;
-    float weave_depth = max(max(abs(weave_texel.z), weave_product), 1e-06);
+    float weave_least_depth = max(abs(weave_texel.x), abs(weave_texel.y)) * 0.0078125;
+    float weave_depth = max(max(abs(weave_texel.z), weave_least_depth), 1e-06);
     vec2 weave_slope = -weave_texel.xy * 0.6;
     // rivets: Tangent normal map
     vec3 rivets_texel = texture(rivets_image, tile_uv).xyz * 2.0 - 1.0;
-    float rivets_product = max(abs(rivets_texel.x), abs(rivets_texel.y)) * 0.0078125;
-    float rivets_depth = max(max(abs(rivets_texel.z), rivets_product), 1e-06);
+    float rivets_least_depth = max(abs(rivets_texel.x), abs(rivets_texel.y)) * 0.0078125;
+    float rivets_depth = max(max(abs(rivets_texel.z), rivets_least_depth), 1e-06);
     vec2 rivets_slope = -rivets_texel.xy;
     // cloth: Bump over bump
     float cloth_least = min(max(texture(patches_image, s.uv0).x, 0.0), 1.0);
@@ -88,13 +88,13 @@ float wrinkle_operators_angle(WrinkleSurface_operators s) {
     vec3 pebbles_product = normalize(s.normal) * s.facing;  // pebbles: Derivative map
     vec2 tile_uv = s.uv0 * 4.0;  // tile: UV transform
     vec3 weave_texel = texture(weave_image, tile_uv).xyz * 2.0 - 1.0;  // weave: Tangent normal map
-    float weave_product = max(abs(weave_texel.x), abs(weave_texel.y)) * 0.0078125;
-    float weave_depth = max(max(abs(weave_texel.z), weave_product), 1e-06);
+    float weave_least_depth = max(abs(weave_texel.x), abs(weave_texel.y)) * 0.0078125;
+    float weave_depth = max(max(abs(weave_texel.z), weave_least_depth), 1e-06);
     vec2 weave_slope = -weave_texel.xy * 0.6;
     // rivets: Tangent normal map
     vec3 rivets_texel = texture(rivets_image, tile_uv).xyz * 2.0 - 1.0;
-    float rivets_product = max(abs(rivets_texel.x), abs(rivets_texel.y)) * 0.0078125;
-    float rivets_depth = max(max(abs(rivets_texel.z), rivets_product), 1e-06);
+    float rivets_least_depth = max(abs(rivets_texel.x), abs(rivets_texel.y)) * 0.0078125;
+    float rivets_depth = max(max(abs(rivets_texel.z), rivets_least_depth), 1e-06);
     vec2 rivets_slope = -rivets_texel.xy;
     // cloth: Bump over bump
     float cloth_least = min(max(texture(patches_image, s.uv0).x, 0.0), 1.0);

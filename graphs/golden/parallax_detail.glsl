@@ -9,7 +9,7 @@ struct WrinkleSurface_parallax_detail {
 };
 uniform sampler2D weave_image;  // textures/weave_normal.png (normal_gl, repeat)
 
-float wrinkle_parallax_detail_noise_corner(int a, int b, int c, vec3 d) {
+vec3 wrinkle_parallax_detail_noise_direction(int a, int b, int c) {
     uint sum = uint(c) * 747796405u + 2891336453u;
     uint product = (sum >> (sum >> 28u) + 4u ^ sum) * 277803737u;
     uint sum_2 = (uint(b) + (product >> 22u ^ product)) * 747796405u + 2891336453u;
@@ -17,10 +17,10 @@ float wrinkle_parallax_detail_noise_corner(int a, int b, int c, vec3 d) {
     uint sum_3 = (uint(a) + (product_2 >> 22u ^ product_2)) * 747796405u + 2891336453u;
     uint product_3 = (sum_3 >> (sum_3 >> 28u) + 4u ^ sum_3) * 277803737u;
     uint bits = product_3 >> 22u ^ product_3;
-    uint bits_2 = (bits >> 8u) * 3u >> 24u;
-    float choice = bits_2 == 0u ? d.y : d.x;
-    float choice_2 = bits_2 == 2u ? d.y : d.z;
-    return ((bits & 1u) == 0u ? choice : -choice) + ((bits & 2u) == 0u ? choice_2 : -choice_2);
+    uint product_4 = (((bits >> 8u) * 3u >> 24u) * 4u + (bits & 3u)) * 2u;
+    float number = float(2237013u >> product_4 & 3u);
+    float number_2 = float(5573130u >> product_4 & 3u);
+    return vec3(number, float(677154u >> product_4 & 3u), number_2) - 1.0;
 }
 
 float wrinkle_parallax_detail_gradient_noise(vec3 a) {
@@ -29,33 +29,31 @@ float wrinkle_parallax_detail_gradient_noise(vec3 a) {
     int whole_2 = int(floored.y);
     int whole_3 = int(floored.z);
     vec3 difference = a - floored;
-    float noise_corner = wrinkle_parallax_detail_noise_corner(whole, whole_2, whole_3, difference);
+    float dot_product = dot(wrinkle_parallax_detail_noise_direction(whole, whole_2, whole_3),
+            difference);
     int sum = whole + 1;
-    vec3 difference_2 = difference - vec3(1.0, 0.0, 0.0);
-    float noise_corner_2 = wrinkle_parallax_detail_noise_corner(sum, whole_2, whole_3,
-            difference_2);
+    vec3 noise_direction = wrinkle_parallax_detail_noise_direction(sum, whole_2, whole_3);
+    float dot_product_2 = dot(noise_direction, difference - vec3(1.0, 0.0, 0.0));
     vec3 sum_2 = difference * (difference * 6.0 - 15.0) + 10.0;
     vec3 product = difference * difference * difference * sum_2;
-    float mixed = mix(noise_corner, noise_corner_2, product.x);
+    float mixed = mix(dot_product, dot_product_2, product.x);
     int sum_3 = whole_2 + 1;
-    vec3 difference_3 = difference - vec3(0.0, 1.0, 0.0);
-    float noise_corner_3 = wrinkle_parallax_detail_noise_corner(whole, sum_3, whole_3,
-            difference_3);
-    vec3 difference_4 = difference - vec3(1.0, 1.0, 0.0);
-    float noise_corner_4 = wrinkle_parallax_detail_noise_corner(sum, sum_3, whole_3, difference_4);
-    float mixed_2 = mix(mixed, mix(noise_corner_3, noise_corner_4, product.x), product.y);
+    vec3 noise_direction_2 = wrinkle_parallax_detail_noise_direction(whole, sum_3, whole_3);
+    float dot_product_3 = dot(noise_direction_2, difference - vec3(0.0, 1.0, 0.0));
+    vec3 noise_direction_3 = wrinkle_parallax_detail_noise_direction(sum, sum_3, whole_3);
+    float dot_product_4 = dot(noise_direction_3, difference - vec3(1.0, 1.0, 0.0));
+    float mixed_2 = mix(mixed, mix(dot_product_3, dot_product_4, product.x), product.y);
     int sum_4 = whole_3 + 1;
-    vec3 difference_5 = difference - vec3(0.0, 0.0, 1.0);
-    float noise_corner_5 = wrinkle_parallax_detail_noise_corner(whole, whole_2, sum_4,
-            difference_5);
-    vec3 difference_6 = difference - vec3(1.0, 0.0, 1.0);
-    float noise_corner_6 = wrinkle_parallax_detail_noise_corner(sum, whole_2, sum_4, difference_6);
-    float mixed_3 = mix(noise_corner_5, noise_corner_6, product.x);
-    vec3 difference_7 = difference - vec3(0.0, 1.0, 1.0);
-    float noise_corner_7 = wrinkle_parallax_detail_noise_corner(whole, sum_3, sum_4, difference_7);
-    float noise_corner_8 = wrinkle_parallax_detail_noise_corner(sum, sum_3, sum_4,
-            difference - 1.0);
-    float mixed_4 = mix(mixed_3, mix(noise_corner_7, noise_corner_8, product.x), product.y);
+    vec3 noise_direction_4 = wrinkle_parallax_detail_noise_direction(whole, whole_2, sum_4);
+    float dot_product_5 = dot(noise_direction_4, difference - vec3(0.0, 0.0, 1.0));
+    vec3 noise_direction_5 = wrinkle_parallax_detail_noise_direction(sum, whole_2, sum_4);
+    float dot_product_6 = dot(noise_direction_5, difference - vec3(1.0, 0.0, 1.0));
+    float mixed_3 = mix(dot_product_5, dot_product_6, product.x);
+    vec3 noise_direction_6 = wrinkle_parallax_detail_noise_direction(whole, sum_3, sum_4);
+    float dot_product_7 = dot(noise_direction_6, difference - vec3(0.0, 1.0, 1.0));
+    vec3 noise_direction_7 = wrinkle_parallax_detail_noise_direction(sum, sum_3, sum_4);
+    float dot_product_8 = dot(noise_direction_7, difference - 1.0);
+    float mixed_4 = mix(mixed_3, mix(dot_product_7, dot_product_8, product.x), product.y);
     return mix(mixed_2, mixed_4, product.z);
 }
 
@@ -63,91 +61,54 @@ float wrinkle_parallax_detail_noise_octave(vec3 a, float b) {
     return wrinkle_parallax_detail_gradient_noise(a) * (1.0 - smoothstep(0.25, 0.75, b));
 }
 
-float wrinkle_parallax_detail_noise_corner_change(int a, int b, int c, vec3 d, vec3 e) {
-    uint sum = uint(c) * 747796405u + 2891336453u;
-    uint product = (sum >> (sum >> 28u) + 4u ^ sum) * 277803737u;
-    uint sum_2 = (uint(b) + (product >> 22u ^ product)) * 747796405u + 2891336453u;
-    uint product_2 = (sum_2 >> (sum_2 >> 28u) + 4u ^ sum_2) * 277803737u;
-    uint sum_3 = (uint(a) + (product_2 >> 22u ^ product_2)) * 747796405u + 2891336453u;
-    uint product_3 = (sum_3 >> (sum_3 >> 28u) + 4u ^ sum_3) * 277803737u;
-    uint bits = product_3 >> 22u ^ product_3;
-    uint bits_2 = (bits >> 8u) * 3u >> 24u;
-    float choice = bits_2 == 0u ? e.y : e.x;
-    float choice_2 = bits_2 == 2u ? e.y : e.z;
-    return ((bits & 1u) == 0u ? choice : -choice) + ((bits & 2u) == 0u ? choice_2 : -choice_2);
-}
-
-float wrinkle_parallax_detail_gradient_noise_change(vec3 a, vec3 b) {
+vec3 wrinkle_parallax_detail_gradient_noise_slope(vec3 a) {
     vec3 floored = floor(a);
     int whole = int(floored.x);
     int whole_2 = int(floored.y);
     int whole_3 = int(floored.z);
-    vec3 difference = a - floored;
-    float noise_corner_change = wrinkle_parallax_detail_noise_corner_change(whole, whole_2, whole_3,
-            difference, b);
+    vec3 noise_direction = wrinkle_parallax_detail_noise_direction(whole, whole_2, whole_3);
     int sum = whole + 1;
-    vec3 difference_2 = difference - vec3(1.0, 0.0, 0.0);
-    float noise_corner_change_2 = wrinkle_parallax_detail_noise_corner_change(sum, whole_2, whole_3,
-            difference_2, b);
-    vec3 product = difference * difference;
-    vec3 product_2 = product * difference;
-    vec3 difference_3 = difference * 6.0 - 15.0;
-    vec3 sum_2 = difference * difference_3 + 10.0;
-    vec3 product_3 = product_2 * sum_2;
-    float mixed = mix(noise_corner_change, noise_corner_change_2, product_3.x);
-    vec3 product_4 = b * difference;
-    vec3 product_5 = ((product_4 + product_4) * difference + b * product) * sum_2;
-    vec3 sum_3 = product_5 + (b * difference_3 + b * 6.0 * difference) * product_2;
-    float noise_corner = wrinkle_parallax_detail_noise_corner(sum, whole_2, whole_3, difference_2);
-    float noise_corner_2 = wrinkle_parallax_detail_noise_corner(whole, whole_2, whole_3,
-            difference);
-    float sum_4 = mixed + sum_3.x * (noise_corner - noise_corner_2);
-    int sum_5 = whole_2 + 1;
-    vec3 difference_4 = difference - vec3(0.0, 1.0, 0.0);
-    float noise_corner_change_3 = wrinkle_parallax_detail_noise_corner_change(whole, sum_5, whole_3,
-            difference_4, b);
-    vec3 difference_5 = difference - vec3(1.0, 1.0, 0.0);
-    float noise_corner_change_4 = wrinkle_parallax_detail_noise_corner_change(sum, sum_5, whole_3,
-            difference_5, b);
-    float mixed_2 = mix(noise_corner_change_3, noise_corner_change_4, product_3.x);
-    float noise_corner_3 = wrinkle_parallax_detail_noise_corner(sum, sum_5, whole_3, difference_5);
-    float noise_corner_4 = wrinkle_parallax_detail_noise_corner(whole, sum_5, whole_3,
-            difference_4);
-    float mixed_3 = mix(sum_4, mixed_2 + sum_3.x * (noise_corner_3 - noise_corner_4), product_3.y);
-    float mixed_4 = mix(noise_corner_4, noise_corner_3, product_3.x);
-    float mixed_5 = mix(noise_corner_2, noise_corner, product_3.x);
-    float sum_6 = mixed_3 + sum_3.y * (mixed_4 - mixed_5);
-    int sum_7 = whole_3 + 1;
-    vec3 difference_6 = difference - vec3(0.0, 0.0, 1.0);
-    float noise_corner_change_5 = wrinkle_parallax_detail_noise_corner_change(whole, whole_2, sum_7,
-            difference_6, b);
-    vec3 difference_7 = difference - vec3(1.0, 0.0, 1.0);
-    float noise_corner_change_6 = wrinkle_parallax_detail_noise_corner_change(sum, whole_2, sum_7,
-            difference_7, b);
-    float mixed_6 = mix(noise_corner_change_5, noise_corner_change_6, product_3.x);
-    float noise_corner_5 = wrinkle_parallax_detail_noise_corner(sum, whole_2, sum_7, difference_7);
-    float noise_corner_6 = wrinkle_parallax_detail_noise_corner(whole, whole_2, sum_7,
-            difference_6);
-    float sum_8 = mixed_6 + sum_3.x * (noise_corner_5 - noise_corner_6);
-    vec3 difference_8 = difference - vec3(0.0, 1.0, 1.0);
-    float noise_corner_change_7 = wrinkle_parallax_detail_noise_corner_change(whole, sum_5, sum_7,
-            difference_8, b);
-    vec3 difference_9 = difference - 1.0;
-    float noise_corner_change_8 = wrinkle_parallax_detail_noise_corner_change(sum, sum_5, sum_7,
-            difference_9, b);
-    float mixed_7 = mix(noise_corner_change_7, noise_corner_change_8, product_3.x);
-    float noise_corner_7 = wrinkle_parallax_detail_noise_corner(sum, sum_5, sum_7, difference_9);
-    float noise_corner_8 = wrinkle_parallax_detail_noise_corner(whole, sum_5, sum_7, difference_8);
-    float mixed_8 = mix(sum_8, mixed_7 + sum_3.x * (noise_corner_7 - noise_corner_8), product_3.y);
-    float mixed_9 = mix(noise_corner_8, noise_corner_7, product_3.x);
-    float mixed_10 = mix(noise_corner_6, noise_corner_5, product_3.x);
-    float mixed_11 = mix(sum_6, mixed_8 + sum_3.y * (mixed_9 - mixed_10), product_3.z);
-    float difference_10 = mix(mixed_10, mixed_9, product_3.y) - mix(mixed_5, mixed_4, product_3.y);
-    return mixed_11 + sum_3.z * difference_10;
+    vec3 noise_direction_2 = wrinkle_parallax_detail_noise_direction(sum, whole_2, whole_3);
+    vec3 difference = a - floored;
+    vec3 sum_2 = difference * (difference * 6.0 - 15.0) + 10.0;
+    vec3 product = difference * difference * difference * sum_2;
+    vec3 mixed = mix(noise_direction, noise_direction_2, product.x);
+    int sum_3 = whole_2 + 1;
+    vec3 noise_direction_3 = wrinkle_parallax_detail_noise_direction(whole, sum_3, whole_3);
+    vec3 noise_direction_4 = wrinkle_parallax_detail_noise_direction(sum, sum_3, whole_3);
+    vec3 mixed_2 = mix(noise_direction_3, noise_direction_4, product.x);
+    vec3 mixed_3 = mix(mixed, mixed_2, product.y);
+    int sum_4 = whole_3 + 1;
+    vec3 noise_direction_5 = wrinkle_parallax_detail_noise_direction(whole, whole_2, sum_4);
+    vec3 noise_direction_6 = wrinkle_parallax_detail_noise_direction(sum, whole_2, sum_4);
+    vec3 mixed_4 = mix(noise_direction_5, noise_direction_6, product.x);
+    vec3 noise_direction_7 = wrinkle_parallax_detail_noise_direction(whole, sum_3, sum_4);
+    vec3 noise_direction_8 = wrinkle_parallax_detail_noise_direction(sum, sum_3, sum_4);
+    vec3 mixed_5 = mix(noise_direction_7, noise_direction_8, product.x);
+    vec3 difference_2 = difference - 1.0;
+    vec3 product_2 = 30.0 * difference * difference * difference_2 * difference_2;
+    float dot_product = dot(noise_direction_2, difference - vec3(1.0, 0.0, 0.0));
+    float dot_product_2 = dot(noise_direction, difference);
+    float dot_product_3 = dot(noise_direction_4, difference - vec3(1.0, 1.0, 0.0));
+    float dot_product_4 = dot(noise_direction_3, difference - vec3(0.0, 1.0, 0.0));
+    float mixed_6 = mix(dot_product - dot_product_2, dot_product_3 - dot_product_4, product.y);
+    float dot_product_5 = dot(noise_direction_6, difference - vec3(1.0, 0.0, 1.0));
+    float dot_product_6 = dot(noise_direction_5, difference - vec3(0.0, 0.0, 1.0));
+    float dot_product_7 = dot(noise_direction_8, difference - 1.0);
+    float dot_product_8 = dot(noise_direction_7, difference - vec3(0.0, 1.0, 1.0));
+    float mixed_7 = mix(dot_product_5 - dot_product_6, dot_product_7 - dot_product_8, product.y);
+    float mixed_8 = mix(dot_product_4, dot_product_3, product.x);
+    float mixed_9 = mix(dot_product_2, dot_product, product.x);
+    float mixed_10 = mix(dot_product_8, dot_product_7, product.x);
+    float mixed_11 = mix(dot_product_6, dot_product_5, product.x);
+    float mixed_12 = mix(mixed_8 - mixed_9, mixed_10 - mixed_11, product.z);
+    float difference_3 = mix(mixed_11, mixed_10, product.y) - mix(mixed_9, mixed_8, product.y);
+    vec3 product_3 = product_2 * vec3(mix(mixed_6, mixed_7, product.z), mixed_12, difference_3);
+    return mix(mixed_3, mix(mixed_4, mixed_5, product.y), product.z) + product_3;
 }
 
-float wrinkle_parallax_detail_noise_octave_change(vec3 a, float b, vec3 c) {
-    return wrinkle_parallax_detail_gradient_noise_change(a, c) * (1.0 - smoothstep(0.25, 0.75, b));
+vec3 wrinkle_parallax_detail_noise_octave_slope(vec3 a, float b) {
+    return wrinkle_parallax_detail_gradient_noise_slope(a) * (1.0 - smoothstep(0.25, 0.75, b));
 }
 
 vec3 wrinkle_parallax_detail_normal(WrinkleSurface_parallax_detail s) {
@@ -186,8 +147,6 @@ vec3 wrinkle_parallax_detail_normal(WrinkleSurface_parallax_detail s) {
     float dunes_product_5 = wrinkle_parallax_detail_noise_octave(dunes_sum, dunes_product_4) * 0.5;
     float dunes_value = (dunes_noise_octave + dunes_product_5) / 1.5;
     float dunes_height = dunes_value * 0.08;
-    vec3 dunes_product_6 = dunes_product_2 * 2.0;
-    vec3 dunes_product_7 = dunes_product_3 * 2.0;
     float march_difference_4 = dunes_height - 0.04;  // march: Parallax occlusion (continued)
     float march_state = 0.0;
     float march_state_2 = march_difference_4;
@@ -198,17 +157,17 @@ vec3 wrinkle_parallax_detail_normal(WrinkleSurface_parallax_detail s) {
         float march_least = min(march_state_3 + march_quotient, 0.08);
         vec2 march_sum_2 = s.uv0 + march_product_4 * march_least;
         // dunes: Gradient noise (continued)
-        vec3 dunes_product_8 = vec3(march_sum_2.x, march_sum_2.y, 0.37) * 7.0;
-        float dunes_noise_octave_2 = wrinkle_parallax_detail_noise_octave(dunes_product_8,
+        vec3 dunes_product_6 = vec3(march_sum_2.x, march_sum_2.y, 0.37) * 7.0;
+        float dunes_noise_octave_2 = wrinkle_parallax_detail_noise_octave(dunes_product_6,
                 dunes_greatest);
-        vec3 dunes_sum_2 = dunes_product_8 * 2.0 + vec3(19.19, 7.43, 31.71);
-        float dunes_product_9 = wrinkle_parallax_detail_noise_octave(dunes_sum_2,
+        vec3 dunes_sum_2 = dunes_product_6 * 2.0 + vec3(19.19, 7.43, 31.71);
+        float dunes_product_7 = wrinkle_parallax_detail_noise_octave(dunes_sum_2,
                 dunes_product_4) * 0.5;
-        float dunes_product_10 = (dunes_noise_octave_2 + dunes_product_9) / 1.5 * 0.08;
+        float dunes_product_8 = (dunes_noise_octave_2 + dunes_product_7) / 1.5 * 0.08;
         march_state = march_state_3;
         march_state_2 = march_state_4;
         march_state_3 = march_least;
-        march_state_4 = dunes_product_10 - 0.04 + march_least;
+        march_state_4 = dunes_product_8 - 0.04 + march_least;
     }
     // march: Parallax occlusion (continued)
     float march_state_5 = march_state;
@@ -222,15 +181,15 @@ vec3 wrinkle_parallax_detail_normal(WrinkleSurface_parallax_detail s) {
                 != 0.0 ? march_state_6 / march_difference_5 : 0.0);
         vec2 march_sum_4 = s.uv0 + march_product_4 * march_sum_3;
         // dunes: Gradient noise (continued)
-        vec3 dunes_product_11 = vec3(march_sum_4.x, march_sum_4.y, 0.37) * 7.0;
-        float dunes_noise_octave_3 = wrinkle_parallax_detail_noise_octave(dunes_product_11,
+        vec3 dunes_product_9 = vec3(march_sum_4.x, march_sum_4.y, 0.37) * 7.0;
+        float dunes_noise_octave_3 = wrinkle_parallax_detail_noise_octave(dunes_product_9,
                 dunes_greatest);
-        vec3 dunes_sum_3 = dunes_product_11 * 2.0 + vec3(19.19, 7.43, 31.71);
-        float dunes_product_12 = wrinkle_parallax_detail_noise_octave(dunes_sum_3,
+        vec3 dunes_sum_3 = dunes_product_9 * 2.0 + vec3(19.19, 7.43, 31.71);
+        float dunes_product_10 = wrinkle_parallax_detail_noise_octave(dunes_sum_3,
                 dunes_product_4) * 0.5;
-        float dunes_product_13 = (dunes_noise_octave_3 + dunes_product_12) / 1.5 * 0.08;
+        float dunes_product_11 = (dunes_noise_octave_3 + dunes_product_10) / 1.5 * 0.08;
         // march: Parallax occlusion (continued)
-        float march_sum_5 = dunes_product_13 - 0.04 + march_sum_3;
+        float march_sum_5 = dunes_product_11 - 0.04 + march_sum_3;
         bool march_test = march_sum_5 < 0.0;
         march_state_5 = march_test ? march_sum_3 : march_state_5;
         march_state_6 = march_test ? march_sum_5 : march_state_6;
@@ -243,20 +202,18 @@ vec3 wrinkle_parallax_detail_normal(WrinkleSurface_parallax_detail s) {
     vec2 march_product_5 = march_product_4 * (march_state_8 < 0.0 ? march_state_7 : march_sum_6);
     vec2 march_uv = s.uv0 + march_product_5;
     // dunes: Gradient noise (continued)
-    vec3 dunes_product_14 = vec3(march_uv.x, march_uv.y, 0.37) * 7.0;
-    float dunes_noise_octave_change = wrinkle_parallax_detail_noise_octave_change(dunes_product_14,
-            dunes_greatest, dunes_product_2);
-    vec3 dunes_sum_4 = dunes_product_14 * 2.0 + vec3(19.19, 7.43, 31.71);
-    float dunes_noise_octave_change_2 = wrinkle_parallax_detail_noise_octave_change(dunes_sum_4,
-            dunes_product_4, dunes_product_6);
-    float dunes_quotient = (dunes_noise_octave_change + dunes_noise_octave_change_2 * 0.5) / 1.5;
-    float dunes_noise_octave_change_3 =
-            wrinkle_parallax_detail_noise_octave_change(dunes_product_14, dunes_greatest,
-            dunes_product_3);
-    float dunes_noise_octave_change_4 = wrinkle_parallax_detail_noise_octave_change(dunes_sum_4,
-            dunes_product_4, dunes_product_7);
-    float dunes_quotient_2 = (dunes_noise_octave_change_3 + dunes_noise_octave_change_4 * 0.5) /
-            1.5;
+    vec3 dunes_product_12 = vec3(march_uv.x, march_uv.y, 0.37) * 7.0;
+    vec3 dunes_noise_octave_slope = wrinkle_parallax_detail_noise_octave_slope(dunes_product_12,
+            dunes_greatest);
+    vec3 dunes_sum_4 = dunes_product_12 * 2.0 + vec3(19.19, 7.43, 31.71);
+    vec3 dunes_noise_octave_slope_2 = wrinkle_parallax_detail_noise_octave_slope(dunes_sum_4,
+            dunes_product_4);
+    float dunes_product_13 = dot(dunes_noise_octave_slope_2, dunes_product_2 * 2.0) * 0.5;
+    float dunes_quotient = (dot(dunes_noise_octave_slope,
+            dunes_product_2) + dunes_product_13) / 1.5;
+    float dunes_product_14 = dot(dunes_noise_octave_slope_2, dunes_product_3 * 2.0) * 0.5;
+    float dunes_quotient_2 = (dot(dunes_noise_octave_slope,
+            dunes_product_3) + dunes_product_14) / 1.5;
     vec3 march_product_6 = r_x * (dunes_quotient * 0.08);  // march: Parallax occlusion (continued)
     vec3 march_product_7 = cross(normal, dpdx) * (dunes_quotient_2 * 0.08);
     vec3 march_gradient = (march_product_6 + march_product_7) * (sign(det) / max(abs(det), 1e-36));
@@ -274,17 +231,17 @@ vec3 wrinkle_parallax_detail_normal(WrinkleSurface_parallax_detail s) {
     // weave: Tangent normal map
     vec4 weave_texel = textureGrad(weave_image, tile_uv, tile_product, tile_product_2);
     vec3 weave_texel_2 = weave_texel.xyz * 2.0 - 1.0;
-    float weave_product = max(abs(weave_texel_2.x), abs(weave_texel_2.y)) * 0.0078125;
+    float weave_least_depth = max(abs(weave_texel_2.x), abs(weave_texel_2.y)) * 0.0078125;
     vec2 weave_slope = -weave_texel_2.xy * 0.5;
-    float weave_product_2 = tile_product_3.x * tile_product_4.y;
-    float weave_magnitude = abs(weave_product_2 - tile_product_3.y * tile_product_4.x);
+    float weave_product = tile_product_3.x * tile_product_4.y;
+    float weave_magnitude = abs(weave_product - tile_product_3.y * tile_product_4.x);
     float weave_choice = weave_magnitude > 0.0 ? inversesqrt(max(weave_magnitude, 1e-36)) : 0.0;
-    float weave_product_3 = weave_slope.x * (tile_product_3.x * weave_choice);
-    float weave_sum = weave_product_3 + weave_slope.y * (tile_product_3.y * weave_choice);
-    float weave_product_4 = weave_slope.x * (tile_product_4.x * weave_choice);
-    float weave_sum_2 = weave_product_4 + weave_slope.y * (tile_product_4.y * weave_choice);
+    float weave_product_2 = weave_slope.x * (tile_product_3.x * weave_choice);
+    float weave_sum = weave_product_2 + weave_slope.y * (tile_product_3.y * weave_choice);
+    float weave_product_3 = weave_slope.x * (tile_product_4.x * weave_choice);
+    float weave_sum_2 = weave_product_3 + weave_slope.y * (tile_product_4.y * weave_choice);
     // normal: Resolve
-    vec3 normal_product = relief_normal * max(max(abs(weave_texel_2.z), weave_product), 1e-06);
+    vec3 normal_product = relief_normal * max(max(abs(weave_texel_2.z), weave_least_depth), 1e-06);
     vec3 normal_product_2 = s.tangent.xyz * inverse_normal_length * weave_sum;
     vec3 normal_sum = normal_product_2 + bitangent * inverse_normal_length * weave_sum_2;
     vec3 normal_gradient = normal_sum - relief_normal * dot(relief_normal, normal_sum);

@@ -23,12 +23,8 @@ vec2 wrinkle_planar_dust_smooth_slope(vec2 a, vec2 b) {
 
 vec3 wrinkle_planar_dust_normal(WrinkleSurface_planar_dust s) {
     vec3 normal = normalize(s.normal);  // the surface point
-    vec3 dpdy = dFdy(s.position_relative);
-    vec3 r_x = cross(dpdy, normal);
     vec3 dpdx = dFdx(s.position_relative);
-    vec3 surface_dpdx = dpdx - normal * dot(normal, dpdx);
-    vec3 surface_dpdy = dpdy - normal * dot(normal, dpdy);
-    float det = dot(dpdx, r_x);
+    vec3 dpdy = dFdy(s.position_relative);
     vec3 from_above_product = normal * s.facing;  // from_above: Planar UV
     float from_above_sign = dot(normal, from_above_product) < 0.0 ? -1.0 : 1.0;
     vec3 from_above_product_2 = from_above_product * from_above_sign;
@@ -36,8 +32,6 @@ vec3 wrinkle_planar_dust_normal(WrinkleSurface_planar_dust s) {
     vec2 from_above_uv = vec2(s.position.x, from_above_negated * s.position.z) * 1.5;
     vec2 from_above_product_3 = vec2(dpdx.x, dpdx.z * from_above_negated) * 1.5;
     vec2 from_above_product_4 = vec2(dpdy.x, dpdy.z * from_above_negated) * 1.5;
-    vec2 from_above_vector = vec2(surface_dpdx.x, surface_dpdx.z * from_above_negated);
-    vec2 from_above_vector_2 = vec2(surface_dpdy.x, surface_dpdy.z * from_above_negated);
     bool from_above_test = dot(from_above_product_2, from_above_product_2) > 0.0;
     vec3 from_above_choice = from_above_test ? normalize(from_above_product_2) : vec3(0.0);
     float from_above_clamped = clamp((from_above_choice.y - 0.2) / 0.3, 0.0, 1.0);
@@ -57,10 +51,9 @@ vec3 wrinkle_planar_dust_normal(WrinkleSurface_planar_dust s) {
     float pebbles_quotient_3 = (0.5 - log2(max(pebbles_greatest, 1.1754944e-38))) / 0.45;
     float pebbles_clamped = clamp(pebbles_quotient_3, 0.0, 1.0);
     vec2 pebbles_mixed = mix(pebbles_quotient_2, pebbles_smooth_slope, pebbles_clamped);
-    float pebbles_product = dot(pebbles_mixed, from_above_vector * 1.5) * 0.06;
-    float pebbles_product_2 = dot(pebbles_mixed, from_above_vector_2 * 1.5) * 0.06;
-    vec2 pebbles_vector_2 = vec2(pebbles_product, pebbles_product_2);
-    vec2 g_product = pebbles_vector_2 * from_above_weight;  // g: Scale bump
-    vec3 normal_sum = r_x * g_product.x + cross(normal, dpdx) * g_product.y;  // normal: Resolve
-    return normalize(from_above_product - normal_sum * (sign(det) / max(abs(det), 1e-36)));
+    float pebbles_product = dot(pebbles_mixed, vec2(0.0, from_above_negated) * 1.5) * 0.06;
+    vec3 pebbles_vector_2 = vec3(dot(pebbles_mixed, vec2(1.5, 0.0)) * 0.06, 0.0, pebbles_product);
+    vec3 g_product = pebbles_vector_2 * from_above_weight;  // g: Scale bump
+    // normal: Resolve
+    return normalize(from_above_product - (g_product - normal * dot(normal, g_product)));
 }

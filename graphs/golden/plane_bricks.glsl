@@ -23,12 +23,8 @@ vec2 wrinkle_plane_bricks_smooth_slope(vec2 a, vec2 b) {
 
 vec3 wrinkle_plane_bricks_normal(WrinkleSurface_plane_bricks s) {
     vec3 normal = normalize(s.normal);  // the surface point
-    vec3 dpdy = dFdy(s.position_relative);
-    vec3 r_x = cross(dpdy, normal);
     vec3 dpdx = dFdx(s.position_relative);
-    vec3 surface_dpdx = dpdx - normal * dot(normal, dpdx);
-    vec3 surface_dpdy = dpdy - normal * dot(normal, dpdy);
-    float det = dot(dpdx, r_x);
+    vec3 dpdy = dFdy(s.position_relative);
     float slant_dot_product = dot(s.position, vec3(0.8944272, 0.0, -0.4472136));  // slant: Plane UV
     float slant_dot_product_2 = dot(s.position, vec3(-0.18257418, 0.91287094, -0.36514837));
     vec2 slant_uv = vec2(slant_dot_product, slant_dot_product_2) * 1.5;
@@ -36,10 +32,6 @@ vec3 wrinkle_plane_bricks_normal(WrinkleSurface_plane_bricks s) {
     vec2 slant_vector = vec2(dot(dpdx, vec3(0.8944272, 0.0, -0.4472136)), slant_dot_product_3);
     float slant_dot_product_4 = dot(dpdy, vec3(-0.18257418, 0.91287094, -0.36514837));
     vec2 slant_vector_2 = vec2(dot(dpdy, vec3(0.8944272, 0.0, -0.4472136)), slant_dot_product_4);
-    float slant_dot_product_5 = dot(surface_dpdx, vec3(0.8944272, 0.0, -0.4472136));
-    float slant_dot_product_6 = dot(surface_dpdx, vec3(-0.18257418, 0.91287094, -0.36514837));
-    float slant_dot_product_7 = dot(surface_dpdy, vec3(0.8944272, 0.0, -0.4472136));
-    float slant_dot_product_8 = dot(surface_dpdy, vec3(-0.18257418, 0.91287094, -0.36514837));
     vec2 g_size = vec2(textureSize(g_image, 0));  // g: Height map
     float g_extent = length(slant_vector * 1.5 * g_size);
     float g_greatest = max(g_extent, length(slant_vector_2 * 1.5 * g_size));
@@ -51,10 +43,9 @@ vec3 wrinkle_plane_bricks_normal(WrinkleSurface_plane_bricks s) {
     float g_clamped = clamp((0.5 - log2(max(g_greatest, 1.1754944e-38))) / 0.45, 0.0, 1.0);
     vec2 g_mixed = mix(g_quotient_2, wrinkle_plane_bricks_smooth_slope(slant_uv, 1.0 / g_size),
             g_clamped);
-    float g_dot_product = dot(g_mixed, vec2(slant_dot_product_5, slant_dot_product_6) * 1.5);
-    float g_dot_product_2 = dot(g_mixed, vec2(slant_dot_product_7, slant_dot_product_8) * 1.5);
-    vec3 normal_product = r_x * (g_dot_product * 0.03);  // normal: Resolve
-    vec3 normal_product_2 = cross(normal, dpdx) * (g_dot_product_2 * 0.03);
-    vec3 normal_gradient = (normal_product + normal_product_2) * (sign(det) / max(abs(det), 1e-36));
-    return normalize(normal * s.facing - normal_gradient);
+    float g_product = dot(g_mixed, vec2(1.3416408, -0.2738613)) * 0.03;
+    float g_product_2 = dot(g_mixed, vec2(-0.6708204, -0.5477226)) * 0.03;
+    vec3 g_vector = vec3(g_product, dot(g_mixed, vec2(0.0, 1.3693064)) * 0.03, g_product_2);
+    // normal: Resolve
+    return normalize(normal * s.facing - (g_vector - normal * dot(normal, g_vector)));
 }

@@ -87,10 +87,10 @@ vec3 wrinkle_sphere_globe_normal(WrinkleSurface_sphere_globe s) {
     // g: Tangent normal map
     vec4 g_texel = textureGrad(g_image, tile_uv, tile_product, tile_product_2);
     vec3 g_texel_2 = g_texel.xyz * 2.0 - 1.0;
-    float g_product = max(abs(g_texel_2.x), abs(g_texel_2.y)) * 0.0078125;
+    float g_least_depth = max(abs(g_texel_2.x), abs(g_texel_2.y)) * 0.0078125;
     vec2 g_slope = -g_texel_2.xy;
     // normal: Resolve
-    float normal_product = max(max(abs(g_texel_2.z), g_product), 1e-06) * s.facing;
+    float normal_product = max(max(abs(g_texel_2.z), g_least_depth), 1e-06) * s.facing;
     vec3 normal_difference = surface_dpdx * tile_product_3.y - surface_dpdy * tile_product_4.y;
     float normal_product_2 = tile_product_4.x * tile_product_3.y;
     float normal_sign = normal_product_2 - tile_product_3.x * tile_product_4.y < 0.0 ? -1.0 : 1.0;

@@ -25,37 +25,30 @@ vec2 wrinkle_triplanar_by_hand_smooth_slope(vec2 a, vec2 b) {
 
 vec3 wrinkle_triplanar_by_hand_normal(WrinkleSurface_triplanar_by_hand s) {
     vec3 normal = normalize(s.normal);  // the surface point
-    vec3 dpdy = dFdy(s.position_relative);
-    vec3 r_x = cross(dpdy, normal);
     vec3 dpdx = dFdx(s.position_relative);
-    vec3 surface_dpdx = dpdx - normal * dot(normal, dpdx);
-    vec3 surface_dpdy = dpdy - normal * dot(normal, dpdy);
-    float det = dot(dpdx, r_x);
+    vec3 dpdy = dFdy(s.position_relative);
     vec3 side_product = normal * s.facing;  // side: Planar UV
     vec3 side_product_2 = side_product * (dot(normal, side_product) < 0.0 ? -1.0 : 1.0);
     float side_negated = -(side_product_2.x < 0.0 ? -1.0 : 1.0);
     vec2 side_uv = vec2(side_negated * s.position.z, s.position.y) * 2.0;
     float side_negated_2 = -(side_product_2.y < 0.0 ? -1.0 : 1.0);
     float side_sign = side_product_2.z < 0.0 ? -1.0 : 1.0;
-    vec2 side_product_3 = vec2(surface_dpdx.z * side_negated, surface_dpdx.y) * 2.0;
-    vec2 side_product_4 = vec2(surface_dpdy.z * side_negated, surface_dpdy.y) * 2.0;
+    vec2 side_product_3 = vec2(side_negated, 0.0) * 2.0;
     // rivets: Tangent normal map
     vec3 rivets_texel = texture(rivets_image, side_uv).xyz * 2.0 - 1.0;
-    float rivets_product = max(abs(rivets_texel.x), abs(rivets_texel.y)) * 0.0078125;
-    float rivets_depth = max(max(abs(rivets_texel.z), rivets_product), 1e-06);
+    float rivets_least_depth = max(abs(rivets_texel.x), abs(rivets_texel.y)) * 0.0078125;
+    float rivets_depth = max(max(abs(rivets_texel.z), rivets_least_depth), 1e-06);
     vec2 rivets_slope = -rivets_texel.xy * 0.5;
-    vec2 rivets_vector = vec2(dot(rivets_slope, side_product_3), dot(rivets_slope, side_product_4));
+    float rivets_product = rivets_slope.x * side_product_3.x;
+    float rivets_sum = rivets_product + rivets_slope.y * side_product_3.y;
     vec2 top_uv = vec2(s.position.x, side_negated_2 * s.position.z) * 4.0;  // top: Planar UV
-    vec2 top_product = vec2(surface_dpdx.x, surface_dpdx.z * side_negated_2) * 4.0;
-    vec2 top_product_2 = vec2(surface_dpdy.x, surface_dpdy.z * side_negated_2) * 4.0;
+    vec2 top_product = vec2(0.0, side_negated_2) * 4.0;
     vec3 weave_texel = texture(weave_image, top_uv).xyz * 2.0 - 1.0;  // weave: Tangent normal map
-    float weave_product = max(abs(weave_texel.x), abs(weave_texel.y)) * 0.0078125;
-    float weave_depth = max(max(abs(weave_texel.z), weave_product), 1e-06);
+    float weave_least_depth = max(abs(weave_texel.x), abs(weave_texel.y)) * 0.0078125;
+    float weave_depth = max(max(abs(weave_texel.z), weave_least_depth), 1e-06);
     vec2 weave_slope = -weave_texel.xy * 0.25;
-    vec2 weave_vector = vec2(dot(weave_slope, top_product), dot(weave_slope, top_product_2));
+    float weave_sum = weave_slope.x * top_product.x + weave_slope.y * top_product.y;
     vec2 front_uv = vec2(side_sign * s.position.x, s.position.y) * 2.0;  // front: Planar UV
-    vec2 front_product = vec2(surface_dpdx.x * side_sign, surface_dpdx.y) * 2.0;
-    vec2 front_product_2 = vec2(surface_dpdy.x * side_sign, surface_dpdy.y) * 2.0;
     vec2 bricks_size = vec2(textureSize(bricks_image, 0));  // bricks: Height map
     vec2 bricks_product = vec2(dpdx.x * side_sign, dpdx.y) * 2.0 * bricks_size;
     vec2 bricks_product_2 = vec2(dpdy.x * side_sign, dpdy.y) * 2.0 * bricks_size;
@@ -71,8 +64,8 @@ vec3 wrinkle_triplanar_by_hand_normal(WrinkleSurface_triplanar_by_hand s) {
     float bricks_quotient_3 = (0.5 - log2(max(bricks_greatest, 1.1754944e-38))) / 0.45;
     float bricks_clamped = clamp(bricks_quotient_3, 0.0, 1.0);
     vec2 bricks_mixed = mix(bricks_quotient_2, bricks_smooth_slope, bricks_clamped);
-    float bricks_product_3 = dot(bricks_mixed, front_product) * 0.02;
-    vec2 bricks_vector_2 = vec2(bricks_product_3, dot(bricks_mixed, front_product_2) * 0.02);
+    float bricks_product_3 = dot(bricks_mixed, vec2(side_sign, 0.0) * 2.0) * 0.02;
+    vec3 bricks_vector_2 = vec3(bricks_product_3, dot(bricks_mixed, vec2(0.0, 2.0)) * 0.02, 0.0);
     bool weights_test = dot(side_product, side_product) > 0.0;  // weights: Triplanar weights
     vec3 weights_magnitude = abs(weights_test ? normalize(side_product) : vec3(0.0));
     vec3 weights_greatest = max(weights_magnitude - 0.2, vec3(0.0));
@@ -87,12 +80,13 @@ vec3 wrinkle_triplanar_by_hand_normal(WrinkleSurface_triplanar_by_hand s) {
     float weights_dot_product = dot(weights_vector, vec3(1.0));
     vec3 weights_quotient_2 = weights_vector / weights_dot_product;
     vec3 weights_weights = weights_dot_product != 0.0 ? weights_quotient_2 : vec3(0.0);
+    // of_x: Scale bump
+    vec3 of_x_product = vec3(0.0, rivets_slope.y * 2.0, rivets_sum) * weights_weights.x;
+    // of_y: Scale bump
+    vec3 of_y_product = vec3(weave_slope.x * 4.0, 0.0, weave_sum) * weights_weights.y;
     float normal_product = rivets_depth * weave_depth;  // normal: Resolve
-    vec2 normal_product_2 = bricks_vector_2 * weights_weights.z * normal_product;
-    vec2 normal_product_3 = rivets_vector * weights_weights.x * weave_depth;
-    vec2 normal_product_4 = weave_vector * weights_weights.y * rivets_depth;
-    vec2 normal_sum = normal_product_2 + (normal_product_3 + normal_product_4);
-    vec3 normal_sum_2 = r_x * normal_sum.x + cross(normal, dpdx) * normal_sum.y;
-    vec3 normal_gradient = normal_sum_2 * (sign(det) / max(abs(det), 1e-36));
+    vec3 normal_product_2 = bricks_vector_2 * weights_weights.z * normal_product;
+    vec3 normal_sum = normal_product_2 + (of_x_product * weave_depth + of_y_product * rivets_depth);
+    vec3 normal_gradient = normal_sum - normal * dot(normal, normal_sum);
     return normalize(normal * (normal_product * s.facing) - normal_gradient);
 }

@@ -6,9 +6,9 @@ struct WrinkleSurface_triplanar_rock {
     float facing;            // +1 on front faces, -1 on back faces
 };
 uniform sampler2D pebbles_image;  // textures/pebbles_height.png (linear, repeat)
-uniform sampler2D bricks_image;   // textures/bricks_height.png (linear, repeat)
 uniform sampler2D weave_image;    // textures/weave_normal.png (normal_gl, repeat)
 uniform sampler2D rivets_image;   // textures/rivets_normal.png (normal_gl, repeat)
+uniform sampler2D bricks_image;   // textures/bricks_height.png (linear, repeat)
 uniform sampler2D tint_image;     // textures/patches_mask.png (srgb, repeat)
 
 vec2 wrinkle_triplanar_rock_smooth_slope(vec2 a, vec2 b) {
@@ -41,24 +41,20 @@ vec2 wrinkle_triplanar_rock_smooth_slope_2(vec2 a, vec2 b) {
 
 vec3 wrinkle_triplanar_rock_normal(WrinkleSurface_triplanar_rock s) {
     vec3 normal = normalize(s.normal);  // the surface point
-    vec3 dpdy = dFdy(s.position_relative);
-    vec3 r_x = cross(dpdy, normal);
     vec3 dpdx = dFdx(s.position_relative);
-    vec3 surface_dpdx = dpdx - normal * dot(normal, dpdx);
-    vec3 surface_dpdy = dpdy - normal * dot(normal, dpdy);
-    float det = dot(dpdx, r_x);
+    vec3 dpdy = dFdy(s.position_relative);
     vec3 pebbles_product = normal * s.facing;  // pebbles: Triplanar height map
-    vec3 pebbles_product_2 = pebbles_product * (dot(normal, pebbles_product) < 0.0 ? -1.0 : 1.0);
-    float pebbles_sign = pebbles_product_2.x < 0.0 ? -1.0 : 1.0;
+    vec3 pebbles_product_2 = s.position * 1.5;
+    vec3 pebbles_product_3 = pebbles_product * (dot(normal, pebbles_product) < 0.0 ? -1.0 : 1.0);
+    float pebbles_sign = pebbles_product_3.y < 0.0 ? -1.0 : 1.0;
     float pebbles_negated = -pebbles_sign;
-    vec3 pebbles_product_3 = s.position * 1.5;
-    vec2 pebbles_vector = vec2(pebbles_negated * pebbles_product_3.z, pebbles_product_3.y);
+    vec2 pebbles_vector = vec2(pebbles_product_2.x, pebbles_negated * pebbles_product_2.z);
     vec3 pebbles_product_4 = dpdx * 1.5;
-    vec2 pebbles_vector_2 = vec2(pebbles_product_4.z * pebbles_negated, pebbles_product_4.y);
+    vec2 pebbles_vector_2 = vec2(pebbles_product_4.x, pebbles_product_4.z * pebbles_negated);
     vec2 pebbles_size = vec2(textureSize(pebbles_image, 0));
     float pebbles_extent = length(pebbles_vector_2 * pebbles_size);
     vec3 pebbles_product_5 = dpdy * 1.5;
-    vec2 pebbles_vector_3 = vec2(pebbles_product_5.z * pebbles_negated, pebbles_product_5.y);
+    vec2 pebbles_vector_3 = vec2(pebbles_product_5.x, pebbles_product_5.z * pebbles_negated);
     float pebbles_greatest = max(pebbles_extent, length(pebbles_vector_3 * pebbles_size));
     vec2 pebbles_quotient = max(pebbles_greatest, 1.0) / pebbles_size;
     vec2 pebbles_sum = pebbles_vector + vec2(pebbles_quotient.x, 0.0);
@@ -73,8 +69,6 @@ vec3 wrinkle_triplanar_rock_normal(WrinkleSurface_triplanar_rock s) {
     float pebbles_quotient_4 = (0.5 - log2(max(pebbles_greatest, 1.1754944e-38))) / 0.45;
     float pebbles_clamped = clamp(pebbles_quotient_4, 0.0, 1.0);
     vec2 pebbles_mixed = mix(pebbles_quotient_2, pebbles_smooth_slope, pebbles_clamped);
-    vec3 pebbles_product_6 = surface_dpdx * 1.5;
-    vec2 pebbles_vector_4 = vec2(pebbles_product_6.z * pebbles_negated, pebbles_product_6.y);
     bool pebbles_test = dot(pebbles_product, pebbles_product) > 0.0;
     vec3 pebbles_magnitude = abs(pebbles_test ? normalize(pebbles_product) : vec3(0.0));
     vec3 pebbles_greatest_2 = max(pebbles_magnitude - 0.2, vec3(0.0));
@@ -88,68 +82,65 @@ vec3 wrinkle_triplanar_rock_normal(WrinkleSurface_triplanar_rock s) {
     float pebbles_choice_3 = pebbles_test_3 ? pow(pebbles_choice.y, 3.0) : 0.0;
     bool pebbles_test_4 = pebbles_choice.z > 0.0;
     float pebbles_choice_4 = pebbles_test_4 ? pow(pebbles_choice.z, 3.0) : 0.0;
-    vec3 pebbles_vector_5 = vec3(pebbles_choice_2, pebbles_choice_3, pebbles_choice_4);
-    float pebbles_dot_product = dot(pebbles_vector_5, vec3(1.0));
-    vec3 pebbles_quotient_6 = pebbles_vector_5 / pebbles_dot_product;
+    vec3 pebbles_vector_4 = vec3(pebbles_choice_2, pebbles_choice_3, pebbles_choice_4);
+    float pebbles_dot_product = dot(pebbles_vector_4, vec3(1.0));
+    vec3 pebbles_quotient_6 = pebbles_vector_4 / pebbles_dot_product;
     vec3 pebbles_choice_5 = pebbles_dot_product != 0.0 ? pebbles_quotient_6 : vec3(0.0);
-    float pebbles_product_7 = dot(pebbles_mixed, pebbles_vector_4) * pebbles_choice_5.x;
-    float pebbles_sign_2 = pebbles_product_2.y < 0.0 ? -1.0 : 1.0;
-    float pebbles_negated_2 = -pebbles_sign_2;
-    vec2 pebbles_vector_6 = vec2(pebbles_product_3.x, pebbles_negated_2 * pebbles_product_3.z);
-    vec2 pebbles_vector_7 = vec2(pebbles_product_4.x, pebbles_product_4.z * pebbles_negated_2);
-    float pebbles_extent_2 = length(pebbles_vector_7 * pebbles_size);
-    vec2 pebbles_vector_8 = vec2(pebbles_product_5.x, pebbles_product_5.z * pebbles_negated_2);
-    float pebbles_greatest_5 = max(pebbles_extent_2, length(pebbles_vector_8 * pebbles_size));
+    float pebbles_product_6 = dot(pebbles_mixed, vec2(1.5, 0.0)) * pebbles_choice_5.y;
+    float pebbles_sign_2 = pebbles_product_3.z < 0.0 ? -1.0 : 1.0;
+    vec2 pebbles_vector_5 = vec2(pebbles_sign_2 * pebbles_product_2.x, pebbles_product_2.y);
+    vec2 pebbles_vector_6 = vec2(pebbles_product_4.x * pebbles_sign_2, pebbles_product_4.y);
+    float pebbles_extent_2 = length(pebbles_vector_6 * pebbles_size);
+    vec2 pebbles_vector_7 = vec2(pebbles_product_5.x * pebbles_sign_2, pebbles_product_5.y);
+    float pebbles_greatest_5 = max(pebbles_extent_2, length(pebbles_vector_7 * pebbles_size));
     vec2 pebbles_quotient_7 = max(pebbles_greatest_5, 1.0) / pebbles_size;
-    vec2 pebbles_sum_3 = pebbles_vector_6 + vec2(pebbles_quotient_7.x, 0.0);
-    vec4 pebbles_texel_2 = texture(pebbles_image, pebbles_vector_6);
+    vec2 pebbles_sum_3 = pebbles_vector_5 + vec2(pebbles_quotient_7.x, 0.0);
+    vec4 pebbles_texel_2 = texture(pebbles_image, pebbles_vector_5);
     float pebbles_difference_3 = texture(pebbles_image, pebbles_sum_3).x - pebbles_texel_2.x;
-    vec2 pebbles_sum_4 = pebbles_vector_6 + vec2(0.0, pebbles_quotient_7.y);
+    vec2 pebbles_sum_4 = pebbles_vector_5 + vec2(0.0, pebbles_quotient_7.y);
     float pebbles_difference_4 = texture(pebbles_image, pebbles_sum_4).x - pebbles_texel_2.x;
     vec2 pebbles_quotient_8 = vec2(pebbles_difference_3, pebbles_difference_4) / pebbles_quotient_7;
-    vec2 pebbles_smooth_slope_2 = wrinkle_triplanar_rock_smooth_slope(pebbles_vector_6,
+    vec2 pebbles_smooth_slope_2 = wrinkle_triplanar_rock_smooth_slope(pebbles_vector_5,
             pebbles_quotient_3);
     float pebbles_quotient_9 = (0.5 - log2(max(pebbles_greatest_5, 1.1754944e-38))) / 0.45;
     float pebbles_clamped_2 = clamp(pebbles_quotient_9, 0.0, 1.0);
     vec2 pebbles_mixed_2 = mix(pebbles_quotient_8, pebbles_smooth_slope_2, pebbles_clamped_2);
-    vec2 pebbles_vector_9 = vec2(pebbles_product_6.x, pebbles_product_6.z * pebbles_negated_2);
-    float pebbles_product_8 = dot(pebbles_mixed_2, pebbles_vector_9) * pebbles_choice_5.y;
-    float pebbles_sign_3 = pebbles_product_2.z < 0.0 ? -1.0 : 1.0;
-    vec2 pebbles_vector_10 = vec2(pebbles_sign_3 * pebbles_product_3.x, pebbles_product_3.y);
-    vec2 pebbles_vector_11 = vec2(pebbles_product_4.x * pebbles_sign_3, pebbles_product_4.y);
-    float pebbles_extent_3 = length(pebbles_vector_11 * pebbles_size);
-    vec2 pebbles_vector_12 = vec2(pebbles_product_5.x * pebbles_sign_3, pebbles_product_5.y);
-    float pebbles_greatest_6 = max(pebbles_extent_3, length(pebbles_vector_12 * pebbles_size));
+    float pebbles_product_7 = dot(pebbles_mixed_2, vec2(1.5 * pebbles_sign_2,
+            0.0)) * pebbles_choice_5.z;
+    float pebbles_product_8 = (pebbles_product_6 + pebbles_product_7) * 0.05;
+    float pebbles_sign_3 = pebbles_product_3.x < 0.0 ? -1.0 : 1.0;
+    float pebbles_negated_2 = -pebbles_sign_3;
+    vec2 pebbles_vector_8 = vec2(pebbles_negated_2 * pebbles_product_2.z, pebbles_product_2.y);
+    vec2 pebbles_vector_9 = vec2(pebbles_product_4.z * pebbles_negated_2, pebbles_product_4.y);
+    float pebbles_extent_3 = length(pebbles_vector_9 * pebbles_size);
+    vec2 pebbles_vector_10 = vec2(pebbles_product_5.z * pebbles_negated_2, pebbles_product_5.y);
+    float pebbles_greatest_6 = max(pebbles_extent_3, length(pebbles_vector_10 * pebbles_size));
     vec2 pebbles_quotient_10 = max(pebbles_greatest_6, 1.0) / pebbles_size;
-    vec2 pebbles_sum_5 = pebbles_vector_10 + vec2(pebbles_quotient_10.x, 0.0);
-    vec4 pebbles_texel_3 = texture(pebbles_image, pebbles_vector_10);
+    vec2 pebbles_sum_5 = pebbles_vector_8 + vec2(pebbles_quotient_10.x, 0.0);
+    vec4 pebbles_texel_3 = texture(pebbles_image, pebbles_vector_8);
     float pebbles_difference_5 = texture(pebbles_image, pebbles_sum_5).x - pebbles_texel_3.x;
-    vec2 pebbles_sum_6 = pebbles_vector_10 + vec2(0.0, pebbles_quotient_10.y);
+    vec2 pebbles_sum_6 = pebbles_vector_8 + vec2(0.0, pebbles_quotient_10.y);
     float pebbles_difference_6 = texture(pebbles_image, pebbles_sum_6).x - pebbles_texel_3.x;
     vec2 pebbles_quotient_11 = vec2(pebbles_difference_5,
             pebbles_difference_6) / pebbles_quotient_10;
-    vec2 pebbles_smooth_slope_3 = wrinkle_triplanar_rock_smooth_slope(pebbles_vector_10,
+    vec2 pebbles_smooth_slope_3 = wrinkle_triplanar_rock_smooth_slope(pebbles_vector_8,
             pebbles_quotient_3);
     float pebbles_quotient_12 = (0.5 - log2(max(pebbles_greatest_6, 1.1754944e-38))) / 0.45;
     float pebbles_clamped_3 = clamp(pebbles_quotient_12, 0.0, 1.0);
     vec2 pebbles_mixed_3 = mix(pebbles_quotient_11, pebbles_smooth_slope_3, pebbles_clamped_3);
-    vec2 pebbles_vector_13 = vec2(pebbles_product_6.x * pebbles_sign_3, pebbles_product_6.y);
-    float pebbles_product_9 = dot(pebbles_mixed_3, pebbles_vector_13) * pebbles_choice_5.z;
-    float pebbles_product_10 = (pebbles_product_7 + pebbles_product_8 + pebbles_product_9) * 0.05;
-    vec3 pebbles_product_11 = surface_dpdy * 1.5;
-    vec2 pebbles_vector_14 = vec2(pebbles_product_11.z * pebbles_negated, pebbles_product_11.y);
-    float pebbles_product_12 = dot(pebbles_mixed, pebbles_vector_14) * pebbles_choice_5.x;
-    vec2 pebbles_vector_15 = vec2(pebbles_product_11.x, pebbles_product_11.z * pebbles_negated_2);
-    float pebbles_product_13 = dot(pebbles_mixed_2, pebbles_vector_15) * pebbles_choice_5.y;
-    vec2 pebbles_vector_16 = vec2(pebbles_product_11.x * pebbles_sign_3, pebbles_product_11.y);
-    float pebbles_product_14 = dot(pebbles_mixed_3, pebbles_vector_16) * pebbles_choice_5.z;
-    float pebbles_product_15 = (pebbles_product_12 + pebbles_product_13 + pebbles_product_14) *
+    float pebbles_product_9 = dot(pebbles_mixed_3, vec2(0.0, 1.5)) * pebbles_choice_5.x;
+    float pebbles_product_10 = dot(pebbles_mixed_2, vec2(0.0, 1.5)) * pebbles_choice_5.z;
+    float pebbles_product_11 = (pebbles_product_9 + pebbles_product_10) * 0.05;
+    float pebbles_dot_product_2 = dot(pebbles_mixed_3, vec2(1.5 * pebbles_negated_2, 0.0));
+    float pebbles_product_12 = pebbles_dot_product_2 * pebbles_choice_5.x;
+    float pebbles_dot_product_3 = dot(pebbles_mixed, vec2(0.0, 1.5 * pebbles_negated));
+    float pebbles_product_13 = (pebbles_product_12 + pebbles_dot_product_3 * pebbles_choice_5.y) *
             0.05;
     vec3 weave_product = s.position * 6.0;  // weave: Triplanar normal map
-    vec2 weave_vector = vec2(weave_product.x, pebbles_negated_2 * weave_product.z);
+    vec2 weave_vector = vec2(weave_product.x, pebbles_negated * weave_product.z);
     vec3 weave_texel = texture(weave_image, weave_vector).xyz * 2.0 - 1.0;
-    float weave_product_2 = max(abs(weave_texel.x), abs(weave_texel.y)) * 0.0078125;
-    float weave_depth = max(max(abs(weave_texel.z), weave_product_2), 1e-06);
+    float weave_least_depth = max(abs(weave_texel.x), abs(weave_texel.y)) * 0.0078125;
+    float weave_depth = max(max(abs(weave_texel.z), weave_least_depth), 1e-06);
     float weave_choice = pebbles_test_2 ? pow(pebbles_choice.x, 8.0) : 0.0;
     float weave_choice_2 = pebbles_test_3 ? pow(pebbles_choice.y, 8.0) : 0.0;
     float weave_choice_3 = pebbles_test_4 ? pow(pebbles_choice.z, 8.0) : 0.0;
@@ -157,33 +148,50 @@ vec3 wrinkle_triplanar_rock_normal(WrinkleSurface_triplanar_rock s) {
     float weave_dot_product = dot(weave_vector_2, vec3(1.0));
     vec3 weave_quotient = weave_vector_2 / weave_dot_product;
     vec3 weave_choice_4 = weave_dot_product != 0.0 ? weave_quotient : vec3(0.0);
-    vec2 weave_product_3 = -weave_texel.xy * 0.5 / weave_depth * weave_choice_4.y;
-    vec2 weave_vector_3 = vec2(pebbles_sign_3 * weave_product.x, weave_product.y);
+    vec2 weave_product_2 = -weave_texel.xy * 0.5 / weave_depth * weave_choice_4.y;
+    vec2 weave_vector_3 = vec2(pebbles_sign_2 * weave_product.x, weave_product.y);
     vec3 weave_texel_2 = texture(weave_image, weave_vector_3).xyz * 2.0 - 1.0;
-    float weave_product_4 = max(abs(weave_texel_2.x), abs(weave_texel_2.y)) * 0.0078125;
-    float weave_depth_2 = max(max(abs(weave_texel_2.z), weave_product_4), 1e-06);
-    vec2 weave_product_5 = -weave_texel_2.xy * 0.5 / weave_depth_2 * weave_choice_4.z;
-    float weave_sum = weave_product_3.x + weave_product_5.x * pebbles_sign_3;
-    vec2 weave_vector_4 = vec2(pebbles_negated * weave_product.z, weave_product.y);
+    float weave_least_depth_2 = max(abs(weave_texel_2.x), abs(weave_texel_2.y)) * 0.0078125;
+    float weave_depth_2 = max(max(abs(weave_texel_2.z), weave_least_depth_2), 1e-06);
+    vec2 weave_product_3 = -weave_texel_2.xy * 0.5 / weave_depth_2 * weave_choice_4.z;
+    float weave_sum = weave_product_2.x + weave_product_3.x * pebbles_sign_2;
+    vec2 weave_vector_4 = vec2(pebbles_negated_2 * weave_product.z, weave_product.y);
     vec3 weave_texel_3 = texture(weave_image, weave_vector_4).xyz * 2.0 - 1.0;
-    float weave_product_6 = max(abs(weave_texel_3.x), abs(weave_texel_3.y)) * 0.0078125;
-    float weave_depth_3 = max(max(abs(weave_texel_3.z), weave_product_6), 1e-06);
-    vec2 weave_product_7 = -weave_texel_3.xy * 0.5 / weave_depth_3 * weave_choice_4.x;
-    float weave_negated = -(weave_product_7.x * pebbles_sign + weave_product_3.y * pebbles_sign_2);
-    vec3 weave_volume = vec3(weave_sum, weave_product_7.y + weave_product_5.y, weave_negated);
+    float weave_least_depth_3 = max(abs(weave_texel_3.x), abs(weave_texel_3.y)) * 0.0078125;
+    float weave_depth_3 = max(max(abs(weave_texel_3.z), weave_least_depth_3), 1e-06);
+    vec2 weave_product_4 = -weave_texel_3.xy * 0.5 / weave_depth_3 * weave_choice_4.x;
+    float weave_negated = -(weave_product_4.x * pebbles_sign_3 + weave_product_2.y * pebbles_sign);
+    vec3 weave_volume = vec3(weave_sum, weave_product_4.y + weave_product_3.y, weave_negated);
+    // a: Add bumps
+    vec3 a_sum = vec3(pebbles_product_8, pebbles_product_11, pebbles_product_13) + weave_volume;
+    vec3 slopes_product = s.position * 2.0;  // slopes: Triplanar slopes
+    vec2 slopes_vector = vec2(slopes_product.x, pebbles_negated * slopes_product.z);
+    vec2 slopes_vector_2 = vec2(pebbles_sign_2 * slopes_product.x, slopes_product.y);
+    vec2 slopes_vector_3 = vec2(pebbles_negated_2 * slopes_product.z, slopes_product.y);
+    // rivets: Tangent normal map
+    vec3 rivets_texel = texture(rivets_image, slopes_vector).xyz * 2.0 - 1.0;
+    float rivets_least_depth = max(abs(rivets_texel.x), abs(rivets_texel.y)) * 0.0078125;
+    float rivets_depth = max(max(abs(rivets_texel.z), rivets_least_depth), 1e-06);
+    vec3 rivets_texel_2 = texture(rivets_image, slopes_vector_2).xyz * 2.0 - 1.0;
+    float rivets_least_depth_2 = max(abs(rivets_texel_2.x), abs(rivets_texel_2.y)) * 0.0078125;
+    float rivets_depth_2 = max(max(abs(rivets_texel_2.z), rivets_least_depth_2), 1e-06);
+    vec3 rivets_texel_3 = texture(rivets_image, slopes_vector_3).xyz * 2.0 - 1.0;
+    float rivets_least_depth_3 = max(abs(rivets_texel_3.x), abs(rivets_texel_3.y)) * 0.0078125;
+    float rivets_depth_3 = max(max(abs(rivets_texel_3.z), rivets_least_depth_3), 1e-06);
+    // slopes: Triplanar slopes (continued)
+    vec2 slopes_product_2 = -rivets_texel.xy / rivets_depth * pebbles_choice_5.y;
+    vec2 slopes_product_3 = -rivets_texel_2.xy / rivets_depth_2 * pebbles_choice_5.z;
+    float slopes_sum = slopes_product_2.x + slopes_product_3.x * pebbles_sign_2;
+    vec2 slopes_product_4 = -rivets_texel_3.xy / rivets_depth_3 * pebbles_choice_5.x;
+    float slopes_sum_2 = slopes_product_4.x * pebbles_sign_3 + slopes_product_2.y * pebbles_sign;
+    vec3 slopes_volume = vec3(slopes_sum, slopes_product_4.y + slopes_product_3.y, -slopes_sum_2);
     // relief: Triplanar height
-    vec2 relief_vector = vec2(pebbles_negated * s.position.z, s.position.y);
-    vec2 relief_vector_2 = vec2(surface_dpdx.z * pebbles_negated, surface_dpdx.y);
-    vec2 relief_vector_3 = vec2(s.position.x, pebbles_negated_2 * s.position.z);
-    vec2 relief_vector_4 = vec2(surface_dpdx.x, surface_dpdx.z * pebbles_negated_2);
-    vec2 relief_vector_5 = vec2(pebbles_sign_3 * s.position.x, s.position.y);
-    vec2 relief_vector_6 = vec2(surface_dpdx.x * pebbles_sign_3, surface_dpdx.y);
-    vec2 relief_vector_7 = vec2(surface_dpdy.z * pebbles_negated, surface_dpdy.y);
-    vec2 relief_vector_8 = vec2(surface_dpdy.x, surface_dpdy.z * pebbles_negated_2);
-    vec2 relief_vector_9 = vec2(surface_dpdy.x * pebbles_sign_3, surface_dpdy.y);
+    vec2 relief_vector = vec2(s.position.x, pebbles_negated * s.position.z);
+    vec2 relief_vector_2 = vec2(pebbles_sign_2 * s.position.x, s.position.y);
+    vec2 relief_vector_3 = vec2(pebbles_negated_2 * s.position.z, s.position.y);
     vec2 bricks_size = vec2(textureSize(bricks_image, 0));  // bricks: Height map
-    float bricks_extent = length(vec2(dpdx.z * pebbles_negated, dpdx.y) * bricks_size);
-    float bricks_extent_2 = length(vec2(dpdy.z * pebbles_negated, dpdy.y) * bricks_size);
+    float bricks_extent = length(vec2(dpdx.x, dpdx.z * pebbles_negated) * bricks_size);
+    float bricks_extent_2 = length(vec2(dpdy.x, dpdy.z * pebbles_negated) * bricks_size);
     float bricks_greatest = max(bricks_extent, bricks_extent_2);
     vec2 bricks_quotient = max(bricks_greatest, 1.0) / bricks_size;
     vec4 bricks_texel = texture(bricks_image, relief_vector + vec2(bricks_quotient.x, 0.0));
@@ -198,76 +206,51 @@ vec3 wrinkle_triplanar_rock_normal(WrinkleSurface_triplanar_rock s) {
     float bricks_quotient_4 = (0.5 - log2(max(bricks_greatest, 1.1754944e-38))) / 0.45;
     float bricks_clamped = clamp(bricks_quotient_4, 0.0, 1.0);
     vec2 bricks_mixed = mix(bricks_quotient_2, bricks_smooth_slope, bricks_clamped);
-    float bricks_extent_3 = length(vec2(dpdx.x, dpdx.z * pebbles_negated_2) * bricks_size);
-    float bricks_extent_4 = length(vec2(dpdy.x, dpdy.z * pebbles_negated_2) * bricks_size);
+    float bricks_extent_3 = length(vec2(dpdx.x * pebbles_sign_2, dpdx.y) * bricks_size);
+    float bricks_extent_4 = length(vec2(dpdy.x * pebbles_sign_2, dpdy.y) * bricks_size);
     float bricks_greatest_2 = max(bricks_extent_3, bricks_extent_4);
     vec2 bricks_quotient_5 = max(bricks_greatest_2, 1.0) / bricks_size;
-    vec4 bricks_texel_4 = texture(bricks_image, relief_vector_3 + vec2(bricks_quotient_5.x, 0.0));
-    vec4 bricks_texel_5 = texture(bricks_image, relief_vector_3);
+    vec4 bricks_texel_4 = texture(bricks_image, relief_vector_2 + vec2(bricks_quotient_5.x, 0.0));
+    vec4 bricks_texel_5 = texture(bricks_image, relief_vector_2);
     float bricks_difference_2 = bricks_texel_4.x - bricks_texel_5.x;
-    vec4 bricks_texel_6 = texture(bricks_image, relief_vector_3 + vec2(0.0, bricks_quotient_5.y));
+    vec4 bricks_texel_6 = texture(bricks_image, relief_vector_2 + vec2(0.0, bricks_quotient_5.y));
     vec2 bricks_vector_2 = vec2(bricks_difference_2, bricks_texel_6.x - bricks_texel_5.x);
     vec2 bricks_quotient_6 = bricks_vector_2 / bricks_quotient_5;
-    vec2 bricks_smooth_slope_2 = wrinkle_triplanar_rock_smooth_slope_2(relief_vector_3,
+    vec2 bricks_smooth_slope_2 = wrinkle_triplanar_rock_smooth_slope_2(relief_vector_2,
             bricks_quotient_3);
     float bricks_quotient_7 = (0.5 - log2(max(bricks_greatest_2, 1.1754944e-38))) / 0.45;
     float bricks_clamped_2 = clamp(bricks_quotient_7, 0.0, 1.0);
     vec2 bricks_mixed_2 = mix(bricks_quotient_6, bricks_smooth_slope_2, bricks_clamped_2);
-    float bricks_extent_5 = length(vec2(dpdx.x * pebbles_sign_3, dpdx.y) * bricks_size);
-    float bricks_extent_6 = length(vec2(dpdy.x * pebbles_sign_3, dpdy.y) * bricks_size);
+    float bricks_extent_5 = length(vec2(dpdx.z * pebbles_negated_2, dpdx.y) * bricks_size);
+    float bricks_extent_6 = length(vec2(dpdy.z * pebbles_negated_2, dpdy.y) * bricks_size);
     float bricks_greatest_3 = max(bricks_extent_5, bricks_extent_6);
     vec2 bricks_quotient_8 = max(bricks_greatest_3, 1.0) / bricks_size;
-    vec4 bricks_texel_7 = texture(bricks_image, relief_vector_5 + vec2(bricks_quotient_8.x, 0.0));
-    vec4 bricks_texel_8 = texture(bricks_image, relief_vector_5);
+    vec4 bricks_texel_7 = texture(bricks_image, relief_vector_3 + vec2(bricks_quotient_8.x, 0.0));
+    vec4 bricks_texel_8 = texture(bricks_image, relief_vector_3);
     float bricks_difference_3 = bricks_texel_7.x - bricks_texel_8.x;
-    vec4 bricks_texel_9 = texture(bricks_image, relief_vector_5 + vec2(0.0, bricks_quotient_8.y));
+    vec4 bricks_texel_9 = texture(bricks_image, relief_vector_3 + vec2(0.0, bricks_quotient_8.y));
     vec2 bricks_vector_3 = vec2(bricks_difference_3, bricks_texel_9.x - bricks_texel_8.x);
     vec2 bricks_quotient_9 = bricks_vector_3 / bricks_quotient_8;
-    vec2 bricks_smooth_slope_3 = wrinkle_triplanar_rock_smooth_slope_2(relief_vector_5,
+    vec2 bricks_smooth_slope_3 = wrinkle_triplanar_rock_smooth_slope_2(relief_vector_3,
             bricks_quotient_3);
     float bricks_quotient_10 = (0.5 - log2(max(bricks_greatest_3, 1.1754944e-38))) / 0.45;
     float bricks_clamped_3 = clamp(bricks_quotient_10, 0.0, 1.0);
     vec2 bricks_mixed_3 = mix(bricks_quotient_9, bricks_smooth_slope_3, bricks_clamped_3);
+    float bricks_product = dot(bricks_mixed_3, vec2(pebbles_negated_2, 0.0)) * 0.02;
+    float bricks_product_2 = dot(bricks_mixed, vec2(0.0, pebbles_negated)) * 0.02;
     // relief: Triplanar height (continued)
-    float relief_product = dot(bricks_mixed, relief_vector_2) * 0.02 * pebbles_choice_5.x;
-    float relief_product_2 = dot(bricks_mixed_2, relief_vector_4) * 0.02 * pebbles_choice_5.y;
-    float relief_product_3 = dot(bricks_mixed_3, relief_vector_6) * 0.02 * pebbles_choice_5.z;
-    float relief_sum = relief_product + relief_product_2 + relief_product_3;
-    float relief_product_4 = dot(bricks_mixed, relief_vector_7) * 0.02 * pebbles_choice_5.x;
-    float relief_product_5 = dot(bricks_mixed_2, relief_vector_8) * 0.02 * pebbles_choice_5.y;
-    float relief_product_6 = dot(bricks_mixed_3, relief_vector_9) * 0.02 * pebbles_choice_5.z;
-    vec2 relief_vector_10 = vec2(relief_sum,
-            relief_product_4 + relief_product_5 + relief_product_6);
-    // g: Mix bumps
-    vec2 g_sum = vec2(pebbles_product_10, pebbles_product_15) * 0.7 + relief_vector_10 * 0.3;
-    vec3 normal_sum = r_x * g_sum.x + cross(normal, dpdx) * g_sum.y;  // normal: Resolve
-    vec3 normal_gradient = normal_sum * (sign(det) / max(abs(det), 1e-36));
-    vec3 slopes_product = s.position * 2.0;  // slopes: Triplanar slopes
-    vec2 slopes_vector = vec2(slopes_product.x, pebbles_negated_2 * slopes_product.z);
-    vec2 slopes_vector_2 = vec2(pebbles_sign_3 * slopes_product.x, slopes_product.y);
-    vec2 slopes_vector_3 = vec2(pebbles_negated * slopes_product.z, slopes_product.y);
-    // rivets: Tangent normal map
-    vec3 rivets_texel = texture(rivets_image, slopes_vector).xyz * 2.0 - 1.0;
-    float rivets_product = max(abs(rivets_texel.x), abs(rivets_texel.y)) * 0.0078125;
-    float rivets_depth = max(max(abs(rivets_texel.z), rivets_product), 1e-06);
-    vec3 rivets_texel_2 = texture(rivets_image, slopes_vector_2).xyz * 2.0 - 1.0;
-    float rivets_product_2 = max(abs(rivets_texel_2.x), abs(rivets_texel_2.y)) * 0.0078125;
-    float rivets_depth_2 = max(max(abs(rivets_texel_2.z), rivets_product_2), 1e-06);
-    vec3 rivets_texel_3 = texture(rivets_image, slopes_vector_3).xyz * 2.0 - 1.0;
-    float rivets_product_3 = max(abs(rivets_texel_3.x), abs(rivets_texel_3.y)) * 0.0078125;
-    float rivets_depth_3 = max(max(abs(rivets_texel_3.z), rivets_product_3), 1e-06);
-    // slopes: Triplanar slopes (continued)
-    vec2 slopes_product_2 = -rivets_texel.xy / rivets_depth * pebbles_choice_5.y;
-    vec2 slopes_product_3 = -rivets_texel_2.xy / rivets_depth_2 * pebbles_choice_5.z;
-    float slopes_sum = slopes_product_2.x + slopes_product_3.x * pebbles_sign_3;
-    vec2 slopes_product_4 = -rivets_texel_3.xy / rivets_depth_3 * pebbles_choice_5.x;
-    float slopes_sum_2 = slopes_product_4.x * pebbles_sign + slopes_product_2.y * pebbles_sign_2;
-    vec3 slopes_volume = vec3(slopes_sum, slopes_product_4.y + slopes_product_3.y, -slopes_sum_2);
-    vec3 g_sum_2 = weave_volume * 0.7 + slopes_volume * 0.3;  // g: Mix bumps (continued)
-    // normal: Resolve (continued)
-    vec3 normal_gradient_2 = normal_gradient + (g_sum_2 - normal * dot(normal, g_sum_2));
-    vec3 normal_difference = pebbles_product - normal_gradient_2;
-    return normalize(normal_difference);
+    float relief_product = dot(bricks_mixed, vec2(1.0, 0.0)) * 0.02 * pebbles_choice_5.y;
+    float relief_product_2 = dot(bricks_mixed_2, vec2(pebbles_sign_2,
+            0.0)) * 0.02 * pebbles_choice_5.z;
+    float relief_sum = relief_product + relief_product_2;
+    float relief_product_3 = dot(bricks_mixed_3, vec2(0.0, 1.0)) * 0.02 * pebbles_choice_5.x;
+    float relief_product_4 = dot(bricks_mixed_2, vec2(0.0, 1.0)) * 0.02 * pebbles_choice_5.z;
+    float relief_product_5 = bricks_product * pebbles_choice_5.x;
+    float relief_sum_2 = relief_product_5 + bricks_product_2 * pebbles_choice_5.y;
+    vec3 relief_vector_4 = vec3(relief_sum, relief_product_3 + relief_product_4, relief_sum_2);
+    vec3 b_sum = slopes_volume + relief_vector_4;  // b: Add bumps
+    vec3 g_sum = a_sum * 0.7 + b_sum * 0.3;  // g: Mix bumps
+    return normalize(pebbles_product - (g_sum - normal * dot(normal, g_sum)));  // normal: Resolve
 }
 
 vec3 wrinkle_triplanar_rock_color(WrinkleSurface_triplanar_rock s) {

@@ -28,12 +28,12 @@ vec3 wrinkle_woven_strap_normal(WrinkleSurface_woven_strap s) {
     float surface_sign = dot(surface_dpdy, cross(normal, surface_dpdx)) < 0.0 ? -1.0 : 1.0;
     vec3 uv1_bitangent = cross(normal, uv1_tangent) * (uv1_sign * surface_sign);
     vec3 plates_texel = texture(plates_image, s.uv0).xyz * 2.0 - 1.0;  // plates: Tangent normal map
-    float plates_product = max(abs(plates_texel.x), abs(plates_texel.y)) * 0.0078125;
-    float plates_depth = max(max(abs(plates_texel.z), plates_product), 1e-06);
+    float plates_least_depth = max(abs(plates_texel.x), abs(plates_texel.y)) * 0.0078125;
+    float plates_depth = max(max(abs(plates_texel.z), plates_least_depth), 1e-06);
     vec2 tile_uv = s.uv1 * 6.0;  // tile: UV transform
     vec3 cloth_texel = texture(cloth_image, tile_uv).xyz * 2.0 - 1.0;  // cloth: Tangent normal map
-    float cloth_product = max(abs(cloth_texel.x), abs(cloth_texel.y)) * 0.0078125;
-    float cloth_depth = max(max(abs(cloth_texel.z), cloth_product), 1e-06);
+    float cloth_least_depth = max(abs(cloth_texel.x), abs(cloth_texel.y)) * 0.0078125;
+    float cloth_depth = max(max(abs(cloth_texel.z), cloth_least_depth), 1e-06);
     vec3 normal_product = normal * (plates_depth * cloth_depth * s.facing);  // normal: Resolve
     vec2 normal_slope = -plates_texel.xy * cloth_depth;
     vec3 normal_gradient = s.tangent.xyz * inverse_normal_length * normal_slope.x;

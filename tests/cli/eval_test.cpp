@@ -68,18 +68,17 @@ TEST_F(EvalTest, NamesWhatAPointLacks) {
 
 TEST_F(EvalTest, NamesADifferentialThatAPointLacks) {
     put("g.json", R"({"wrinkle": 1, "nodes": {
-        "split": {"type": "separate_vec3", "in": {"vector": {"from": "surface.position"}}},
+        "split": {"type": "separate_vec2", "in": {"vector": {"from": "surface.uv0"}}},
         "bump": {"type": "gradient_from_height", "in": {"height": {"from": "split.x"}}},
         "end": {"type": "resolve", "in": {"gradient": {"from": "bump.gradient"}}}},
         "outputs": {"normal": {"from": "end.normal"}}})");
-    const std::string base = R"("position": [0, 0, 0], "normal": [0, 0, 1])";
-    const Ran ran =
-        run({"eval", "g.json", "--at", "{" + base + R"(, "dx": {"position": [0.001, 0, 0]}})"});
+    const std::string base = R"("position": [0, 0, 0], "normal": [0, 0, 1], "uv0": [0, 0],
+        "dx": {"position": [0.001, 0, 0], "uv0": [0.001, 0]}, )";
+    const Ran ran = run({"eval", "g.json", "--at", "{" + base + R"("dy": {"uv0": [0, 0]}})"});
     EXPECT_EQ(ran.code, 1);
     EXPECT_TRUE(says(ran.err, "lacks 'dy.position'"));
     // Height x over the plane: slope 1, so 45 degrees.
-    const std::string whole =
-        "{" + base + R"(, "dx": {"position": [0.001, 0, 0]}, "dy": {"position": [0, 0.001, 0]}})";
+    const std::string whole = "{" + base + R"("dy": {"position": [0, 0.001, 0], "uv0": [0, 0]}})";
     expect_normal(point({"eval", "g.json", "--at", whole}).find("normal"), -std::sqrt(0.5), 0,
                   std::sqrt(0.5));
 }

@@ -68,10 +68,19 @@ def cost_of(shader):
         return spirv_count.count(run(["spirv-dis", small]))
 
 
+def reference_of(case):
+    """The reference's figures, or those of a shader that follows its published algorithm."""
+    reference = case["reference"]
+    if "shader" not in reference:
+        return reference
+    cost = cost_of((HERE / "reference" / reference["shader"]).read_text())
+    return {**cost, "deriv": f"{cost['deriv']}/{cost['deriv_lanes']}"}
+
+
 def row(case, cost, markdown):
     ours = [cost[c] for c in ("alu", "trans", "div", "tex", "query", "branch", "loop")]
     screen = f"{cost['deriv']}/{cost['deriv_lanes']}"
-    reference = case["reference"]
+    reference = reference_of(case)
     ratio = f"{cost['alu'] / reference['alu']:.2f}"
     other = " ".join(str(reference.get(c, 0)) for c in ("trans", "div", "tex", "query"))
     other += f" {reference.get('deriv', '0/0')} {reference.get('branch', 0)}"

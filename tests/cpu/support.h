@@ -10,6 +10,7 @@
 #include "cpu/evaluate.h"
 #include "ir/interpret.h"
 #include "ir/module.h"
+#include "ir/rewrite.h"
 
 namespace wrinkle::test {
 
@@ -43,7 +44,7 @@ private:
 template <class T>
 Results evaluate_all(const Scene& scene, std::span<const Texture> textures = {}) {
     std::string why;
-    const Program program = compile_program(scene.m, why);
+    const Program program = compile_program(explicit_lod(scene.m), why);
     Results results = make_results(program, scene.points.count);
     evaluate<T>(program, scene.points, textures, 0, scene.points.count, results);
     return results;

@@ -36,12 +36,12 @@ vec3 wrinkle_strap_normal(WrinkleSurface_strap s) {
     float surface_sign = dot(surface_dpdy, cross(normal, surface_dpdx)) < 0.0 ? -1.0 : 1.0;
     vec3 uv1_bitangent = cross(normal, uv1_tangent) * (uv1_sign * surface_sign);
     vec3 base_texel = texture(base_image, s.uv0).xyz * 2.0 - 1.0;  // base: Tangent normal map
-    float base_product = max(abs(base_texel.x), abs(base_texel.y)) * 0.0078125;
-    float base_depth = max(max(abs(base_texel.z), base_product), 1e-06);
+    float base_least_depth = max(abs(base_texel.x), abs(base_texel.y)) * 0.0078125;
+    float base_depth = max(max(abs(base_texel.z), base_least_depth), 1e-06);
     vec2 tile_uv = s.uv1 * 8.0;  // tile: Tile
     vec3 weave_texel = texture(weave_image, tile_uv).xyz * 2.0 - 1.0;  // weave: Tangent normal map
-    float weave_product = max(abs(weave_texel.x), abs(weave_texel.y)) * 0.0078125;
-    float weave_depth = max(max(abs(weave_texel.z), weave_product), 1e-06);
+    float weave_least_depth = max(abs(weave_texel.x), abs(weave_texel.y)) * 0.0078125;
+    float weave_depth = max(max(abs(weave_texel.z), weave_least_depth), 1e-06);
     vec3 normal_product = normal * (base_depth * weave_depth * s.facing);  // normal: Resolve
     vec2 normal_slope = -base_texel.xy * weave_depth;
     vec3 normal_gradient = s.tangent.xyz * inverse_normal_length * normal_slope.x;

@@ -34,8 +34,8 @@ vec3 wrinkle_strap_normal(WrinkleSurface_strap s) {
     float base_product_3 = log2(max(base_greatest, 9.094947e-13)) * 0.5;
     vec4 base_texel = textureLod(base_image, s.uv0, base_product_3);
     vec3 base_texel_2 = base_texel.xyz * 2.0 - 1.0;
-    float base_product_4 = max(abs(base_texel_2.x), abs(base_texel_2.y)) * 0.0078125;
-    float base_depth = max(max(abs(base_texel_2.z), base_product_4), 1e-06);
+    float base_least_depth = max(abs(base_texel_2.x), abs(base_texel_2.y)) * 0.0078125;
+    float base_depth = max(max(abs(base_texel_2.z), base_least_depth), 1e-06);
     vec2 tile_uv = s.uv1 * 8.0;  // tile: Tile
     vec2 weave_size = vec2(textureSize(weave_image, 0));  // weave: Tangent normal map
     vec2 weave_product = weave_size * (s.uv1_dx * 8.0);
@@ -45,8 +45,8 @@ vec3 wrinkle_strap_normal(WrinkleSurface_strap s) {
     float weave_product_3 = log2(max(weave_greatest, 9.094947e-13)) * 0.5;
     vec4 weave_texel = textureLod(weave_image, tile_uv, weave_product_3);
     vec3 weave_texel_2 = weave_texel.xyz * 2.0 - 1.0;
-    float weave_product_4 = max(abs(weave_texel_2.x), abs(weave_texel_2.y)) * 0.0078125;
-    float weave_depth = max(max(abs(weave_texel_2.z), weave_product_4), 1e-06);
+    float weave_least_depth = max(abs(weave_texel_2.x), abs(weave_texel_2.y)) * 0.0078125;
+    float weave_depth = max(max(abs(weave_texel_2.z), weave_least_depth), 1e-06);
     vec3 normal_product = normal * (base_depth * weave_depth * s.facing);  // normal: Resolve
     vec2 normal_slope = -base_texel_2.xy * weave_depth;
     vec3 normal_gradient = s.tangent.xyz * inverse_normal_length * normal_slope.x;

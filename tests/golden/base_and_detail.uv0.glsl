@@ -10,12 +10,12 @@ uniform sampler2D weave_image;  // weave.png (normal_gl, repeat)
 
 vec3 wrinkle_strap_normal(WrinkleSurface_strap s) {
     vec3 base_texel = texture(base_image, s.uv0).xyz * 2.0 - 1.0;  // base: Tangent normal map
-    float base_product = max(abs(base_texel.x), abs(base_texel.y)) * 0.0078125;
-    float base_depth = max(max(abs(base_texel.z), base_product), 1e-06);
+    float base_least_depth = max(abs(base_texel.x), abs(base_texel.y)) * 0.0078125;
+    float base_depth = max(max(abs(base_texel.z), base_least_depth), 1e-06);
     vec2 tile_uv = s.uv0 * 8.0;  // tile: Tile
     vec3 weave_texel = texture(weave_image, tile_uv).xyz * 2.0 - 1.0;  // weave: Tangent normal map
-    float weave_product = max(abs(weave_texel.x), abs(weave_texel.y)) * 0.0078125;
-    float weave_depth = max(max(abs(weave_texel.z), weave_product), 1e-06);
+    float weave_least_depth = max(abs(weave_texel.x), abs(weave_texel.y)) * 0.0078125;
+    float weave_depth = max(max(abs(weave_texel.z), weave_least_depth), 1e-06);
     vec3 bitangent = cross(s.normal, s.tangent.xyz) * (s.tangent.w > 0.0 ? 1.0 : -1.0);
     // normal: Resolve
     vec2 normal_slope = -base_texel.xy * weave_depth + -weave_texel.xy * 0.6 * base_depth;

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "nodes/relief.h"
+#include "nodes/solid.h"
 
 namespace wrinkle::test {
 namespace {
@@ -11,8 +12,8 @@ namespace {
 struct Range {
     const char* type;
     const char* in;
-    double low, high;  // never left
-    double mean, rms;  // of random places, known from a separate sampling of the definition
+    double low = 0, high = 0;  // never left
+    double mean = 0, rms = 0;  // of random places, known from a separate sampling of the definition
 };
 
 void PrintTo(const Range& range, std::ostream* out) {
@@ -68,6 +69,45 @@ TEST(SmoothNoise, HasAContinuousSlope) {
         }
     }
 }
+
+// Slopes are written beside the values: along two tangents of a sphere they are what central
+// differences of the value give.
+class NoiseSlope : public ::testing::TestWithParam<Range> {};
+
+TEST_P(NoiseSlope, IsThatOfItsValue) {
+    constexpr double step = 1e-6;
+    const std::string in = GetParam().in;
+    const std::string nodes =
+        one(GetParam().type, R"("scale": 3, "amplitude": 1)" + (in.empty() ? "" : ", " + in)) +
+        R"(, "g": {"type": "gradient_from_height", "in": {"height": {"from": "n.height"}}})";
+    const std::vector<Place> places = on_sphere(300);
+    const auto slopes = values_on({nodes, "g.gradient"}, places, 1e-4);
+    for (const Vector along : {Vector{0.3, 0.8, -0.5}, Vector{-0.7, 0.1, 0.4}}) {
+        std::vector<Place> before = places, after = places;
+        std::vector<Vector> tangents;
+        for (size_t i = 0; i < places.size(); ++i) {
+            tangents.push_back(unit(cross(places[i].normal, along)));
+            before[i].position = places[i].position - tangents[i] * step;
+            after[i].position = places[i].position + tangents[i] * step;
+        }
+        const auto low = values_on({nodes, "n.value"}, before, 1e-4);
+        const auto high = values_on({nodes, "n.value"}, after, 1e-4);
+        for (size_t i = 0; i < places.size(); ++i)
+            EXPECT_NEAR(dot(vector_of(slopes[i]), tangents[i]),
+                        (high[i][0] - low[i][0]) / (2 * step), 1e-5);
+    }
+}
+
+// clang-format off
+const Range sloped[] = {
+    {"gradient_noise", R"("octaves": 1)"}, {"gradient_noise", ""},
+    {"simplex_noise", ""}, {"value_noise", ""},
+    {"fbm", R"("basis": "simplex")"}, {"fbm", R"("basis": "value")"},
+    {"turbulence", ""}, {"turbulence", R"("basis": "simplex")"},
+    {"ridged", ""}, {"ridged", R"("basis": "value")"}, {"dents", R"("threshold": 0.1)"},
+};
+// clang-format on
+INSTANTIATE_TEST_SUITE_P(Noises, NoiseSlope, ::testing::ValuesIn(sloped));
 
 TEST(ValueNoise, IsTheHashAtLatticePoints) {
     const auto noise = value_of("value_noise", "", {{0, 0}, {3, -8}, {-200, 41}});

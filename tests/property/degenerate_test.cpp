@@ -83,7 +83,7 @@ const Spoilt spoilt_cases[] = {
          set(around, SurfaceInput::uv1_, {0, 0.02}, Variant::dy);
      },
      {}},
-    {"position_that_stands_still", no_position_change, {"derived", "derived_uv", "height"}},
+    {"position_that_stands_still", no_position_change, {"derived", "derived_uv", "height_of_both"}},
     {"position_along_a_line",
      [](Surroundings& around) {
          const auto x = around.inputs.at(input_extra(SurfaceInput::position_, Variant::dx));
@@ -95,7 +95,7 @@ const Spoilt spoilt_cases[] = {
          no_uv_change(around);
          no_position_change(around);
      },
-     {"derived", "derived_uv", "exact", "height", "height_of_uv"}},
+     {"derived", "derived_uv", "exact", "height_of_both", "height_of_uv"}},
     {"no_tangent",
      [](Surroundings& around) {
          set(around, SurfaceInput::tangent_, {0, 0, 0, 1});
@@ -137,6 +137,7 @@ std::vector<NamedGradient> all_kinds(Material& m) {
         {"exact", m.from_slope(slope, m.frame(m.uv0(), WR_FRAME_exact, WR_SCALE_surface))},
         {"guess", m.from_slope(slope, m.guess_frame(m.uv0(), m.vector(dvec3(1, 0, 0))))},
         {"height", m.from_height(m.position().x() * 0.2)},
+        {"height_of_both", m.from_height(m.position().x() * 0.2 + m.uv1().x() * 0.1)},
         {"height_of_uv", m.from_height(m.uv1().x() * 0.2)},
         {"volume", m.from_volume(m.position())},
         {"opposite normal", m.from_normal(-n)},
@@ -172,6 +173,17 @@ TEST_P(DegenerateInput, IsFiniteAndFlatWhereDocumented) {
 
 INSTANTIATE_TEST_SUITE_P(Inputs, DegenerateInput, testing::ValuesIn(spoilt_cases),
                          [](const auto& instance) { return std::string(instance.param.name); });
+
+TEST(Degenerate, AHeightInSpaceNeedsNoDifferentials) {
+    Material m;
+    m.output("normal", m.resolve(m.from_height(m.position().x() * 0.2)));
+    Surroundings around = ordinary();
+    no_position_change(around);
+    const dvec3 n = glm::normalize(normal_of(around));
+    const dvec3 uphill = 0.2 * (dvec3(1, 0, 0) - n * n.x);
+    const dvec3 expected = glm::normalize(n - uphill);
+    EXPECT_LE(glm::distance(Expanded(m).vector(0, around), expected), 1e-12);
+}
 
 TEST(Degenerate, TangentSignOfZeroCountsAsNegative) {
     Material m;

@@ -6,7 +6,7 @@ struct WrinkleSurface_fbm {
     float facing;            // +1 on front faces, -1 on back faces
 };
 
-float wrinkle_fbm_noise_corner(int a, int b, int c, vec3 d) {
+vec3 wrinkle_fbm_noise_direction(int a, int b, int c) {
     uint sum = uint(c) * 747796405u + 2891336453u;
     uint product = (sum >> (sum >> 28u) + 4u ^ sum) * 277803737u;
     uint sum_2 = (uint(b) + (product >> 22u ^ product)) * 747796405u + 2891336453u;
@@ -14,77 +14,54 @@ float wrinkle_fbm_noise_corner(int a, int b, int c, vec3 d) {
     uint sum_3 = (uint(a) + (product_2 >> 22u ^ product_2)) * 747796405u + 2891336453u;
     uint product_3 = (sum_3 >> (sum_3 >> 28u) + 4u ^ sum_3) * 277803737u;
     uint bits = product_3 >> 22u ^ product_3;
-    uint bits_2 = (bits >> 8u) * 3u >> 24u;
-    float choice = bits_2 == 0u ? d.y : d.x;
-    float choice_2 = bits_2 == 2u ? d.y : d.z;
-    return ((bits & 1u) == 0u ? choice : -choice) + ((bits & 2u) == 0u ? choice_2 : -choice_2);
+    uint product_4 = (((bits >> 8u) * 3u >> 24u) * 4u + (bits & 3u)) * 2u;
+    float number = float(2237013u >> product_4 & 3u);
+    float number_2 = float(5573130u >> product_4 & 3u);
+    return vec3(number, float(677154u >> product_4 & 3u), number_2) - 1.0;
 }
 
-float wrinkle_fbm_noise_corner_change(int a, int b, int c, vec3 d, vec3 e) {
-    uint sum = uint(c) * 747796405u + 2891336453u;
-    uint product = (sum >> (sum >> 28u) + 4u ^ sum) * 277803737u;
-    uint sum_2 = (uint(b) + (product >> 22u ^ product)) * 747796405u + 2891336453u;
-    uint product_2 = (sum_2 >> (sum_2 >> 28u) + 4u ^ sum_2) * 277803737u;
-    uint sum_3 = (uint(a) + (product_2 >> 22u ^ product_2)) * 747796405u + 2891336453u;
-    uint product_3 = (sum_3 >> (sum_3 >> 28u) + 4u ^ sum_3) * 277803737u;
-    uint bits = product_3 >> 22u ^ product_3;
-    uint bits_2 = (bits >> 8u) * 3u >> 24u;
-    float choice = bits_2 == 0u ? e.y : e.x;
-    float choice_2 = bits_2 == 2u ? e.y : e.z;
-    return ((bits & 1u) == 0u ? choice : -choice) + ((bits & 2u) == 0u ? choice_2 : -choice_2);
-}
-
-float wrinkle_fbm_simplex_corner_change(vec3 a, vec3 b, vec3 c) {
-    float difference = 0.5 - dot(b, b);
-    float greatest = max(difference, 0.0);
-    float product = (difference < 0.0 ? 0.0 : -(dot(c, b) + dot(b, c))) * greatest;
-    float product_2 = greatest * greatest;
-    float product_3 = (product + product) * product_2;
-    int whole = int(a.x);
-    int whole_2 = int(a.y);
-    int whole_3 = int(a.z);
-    float product_4 = (product_3 + product_3) * wrinkle_fbm_noise_corner(whole, whole_2, whole_3,
-            b);
-    float noise_corner_change = wrinkle_fbm_noise_corner_change(whole, whole_2, whole_3, b, c);
-    return product_4 + noise_corner_change * (product_2 * product_2);
-}
-
-float wrinkle_fbm_simplex_noise_change(vec3 a, vec3 b) {
+vec3 wrinkle_fbm_simplex_noise_slope(vec3 a) {
     vec3 sum = a + dot(a, vec3(1.0)) * 0.33333334;
     vec3 floored = floor(sum);
     vec3 difference = sum - floored;
     vec3 difference_2 = difference - dot(difference, vec3(1.0)) * 0.16666667;
-    vec3 sum_2 = b + dot(b, vec3(1.0)) * 0.33333334;
-    vec3 difference_3 = sum_2 - dot(sum_2, vec3(1.0)) * 0.16666667;
-    float simplex_corner_change = wrinkle_fbm_simplex_corner_change(floored, difference_2,
-            difference_3);
+    float greatest = max(0.5 - dot(difference_2, difference_2), 0.0);
+    int whole = int(floored.x);
+    vec3 noise_direction = wrinkle_fbm_noise_direction(whole, int(floored.y), int(floored.z));
+    vec3 product = 8.0 * dot(noise_direction, difference_2) * difference_2;
+    vec3 difference_3 = greatest * noise_direction - product;
+    vec3 product_2 = greatest * greatest * greatest * difference_3;
     float number = float(difference.x >= difference.y);
     float number_2 = float(difference.x >= difference.z);
     float number_3 = float(difference.y >= difference.z);
     vec3 vector = vec3(number + number_2, 1.0 - number + number_3, 2.0 - number_2 - number_3);
     vec3 clamped = clamp(vector - 1.0, 0.0, 1.0);
-    vec3 sum_3 = difference_2 - clamped + 0.16666667;
-    float simplex_corner_change_2 = wrinkle_fbm_simplex_corner_change(floored + clamped, sum_3,
-            difference_3);
+    vec3 sum_2 = difference_2 - clamped + 0.16666667;
+    float greatest_2 = max(0.5 - dot(sum_2, sum_2), 0.0);
+    vec3 sum_3 = floored + clamped;
+    vec3 noise_direction_2 = wrinkle_fbm_noise_direction(int(sum_3.x), int(sum_3.y), int(sum_3.z));
+    vec3 difference_4 = greatest_2 * noise_direction_2 - 8.0 * dot(noise_direction_2,
+            sum_2) * sum_2;
+    vec3 sum_4 = product_2 + greatest_2 * greatest_2 * greatest_2 * difference_4;
     vec3 clamped_2 = clamp(vector, 0.0, 1.0);
-    vec3 sum_4 = difference_2 - clamped_2 + 0.33333334;
-    float simplex_corner_change_3 = wrinkle_fbm_simplex_corner_change(floored + clamped_2, sum_4,
-            difference_3);
-    float sum_5 = simplex_corner_change + simplex_corner_change_2 + simplex_corner_change_3;
-    vec3 difference_4 = difference_2 - 0.5;
-    float simplex_corner_change_4 = wrinkle_fbm_simplex_corner_change(floored + 1.0, difference_4,
-            difference_3);
-    return (sum_5 + simplex_corner_change_4) * 76.0;
+    vec3 sum_5 = difference_2 - clamped_2 + 0.33333334;
+    float greatest_3 = max(0.5 - dot(sum_5, sum_5), 0.0);
+    vec3 sum_6 = floored + clamped_2;
+    vec3 noise_direction_3 = wrinkle_fbm_noise_direction(int(sum_6.x), int(sum_6.y), int(sum_6.z));
+    vec3 difference_5 = greatest_3 * noise_direction_3 - 8.0 * dot(noise_direction_3,
+            sum_5) * sum_5;
+    vec3 sum_7 = sum_4 + greatest_3 * greatest_3 * greatest_3 * difference_5;
+    vec3 difference_6 = difference_2 - 0.5;
+    float greatest_4 = max(0.5 - dot(difference_6, difference_6), 0.0);
+    vec3 sum_8 = floored + 1.0;
+    vec3 noise_direction_4 = wrinkle_fbm_noise_direction(int(sum_8.x), int(sum_8.y), int(sum_8.z));
+    vec3 product_3 = 8.0 * dot(noise_direction_4, difference_6) * difference_6;
+    vec3 difference_7 = greatest_4 * noise_direction_4 - product_3;
+    return (sum_7 + greatest_4 * greatest_4 * greatest_4 * difference_7) * 76.0;
 }
 
-float wrinkle_fbm_noise_octave_change(vec3 a, float b, vec3 c) {
-    return wrinkle_fbm_simplex_noise_change(a, c) * (1.0 - smoothstep(0.25, 0.75, b));
-}
-
-float wrinkle_fbm_simplex_corner(vec3 a, vec3 b) {
-    float greatest = max(0.5 - dot(b, b), 0.0);
-    float product = greatest * greatest;
-    return product * product * wrinkle_fbm_noise_corner(int(a.x), int(a.y), int(a.z), b);
+vec3 wrinkle_fbm_noise_octave_slope(vec3 a, float b) {
+    return wrinkle_fbm_simplex_noise_slope(a) * (1.0 - smoothstep(0.25, 0.75, b));
 }
 
 float wrinkle_fbm_simplex_noise(vec3 a) {
@@ -92,19 +69,35 @@ float wrinkle_fbm_simplex_noise(vec3 a) {
     vec3 floored = floor(sum);
     vec3 difference = sum - floored;
     vec3 difference_2 = difference - dot(difference, vec3(1.0)) * 0.16666667;
+    float greatest = max(0.5 - dot(difference_2, difference_2), 0.0);
+    float product = greatest * greatest * greatest * greatest;
+    int whole = int(floored.x);
+    vec3 noise_direction = wrinkle_fbm_noise_direction(whole, int(floored.y), int(floored.z));
+    float product_2 = product * dot(noise_direction, difference_2);
     float number = float(difference.x >= difference.y);
     float number_2 = float(difference.x >= difference.z);
     float number_3 = float(difference.y >= difference.z);
     vec3 vector = vec3(number + number_2, 1.0 - number + number_3, 2.0 - number_2 - number_3);
     vec3 clamped = clamp(vector - 1.0, 0.0, 1.0);
     vec3 sum_2 = difference_2 - clamped + 0.16666667;
-    float simplex_corner = wrinkle_fbm_simplex_corner(floored + clamped, sum_2);
-    float sum_3 = wrinkle_fbm_simplex_corner(floored, difference_2) + simplex_corner;
+    float greatest_2 = max(0.5 - dot(sum_2, sum_2), 0.0);
+    float product_3 = greatest_2 * greatest_2 * greatest_2 * greatest_2;
+    vec3 sum_3 = floored + clamped;
+    vec3 noise_direction_2 = wrinkle_fbm_noise_direction(int(sum_3.x), int(sum_3.y), int(sum_3.z));
+    float sum_4 = product_2 + product_3 * dot(noise_direction_2, sum_2);
     vec3 clamped_2 = clamp(vector, 0.0, 1.0);
-    vec3 sum_4 = difference_2 - clamped_2 + 0.33333334;
-    float sum_5 = sum_3 + wrinkle_fbm_simplex_corner(floored + clamped_2, sum_4);
-    float simplex_corner_2 = wrinkle_fbm_simplex_corner(floored + 1.0, difference_2 - 0.5);
-    return (sum_5 + simplex_corner_2) * 76.0;
+    vec3 sum_5 = difference_2 - clamped_2 + 0.33333334;
+    float greatest_3 = max(0.5 - dot(sum_5, sum_5), 0.0);
+    float product_4 = greatest_3 * greatest_3 * greatest_3 * greatest_3;
+    vec3 sum_6 = floored + clamped_2;
+    vec3 noise_direction_3 = wrinkle_fbm_noise_direction(int(sum_6.x), int(sum_6.y), int(sum_6.z));
+    vec3 difference_3 = difference_2 - 0.5;
+    float greatest_4 = max(0.5 - dot(difference_3, difference_3), 0.0);
+    float product_5 = greatest_4 * greatest_4 * greatest_4 * greatest_4;
+    vec3 sum_7 = floored + 1.0;
+    vec3 noise_direction_4 = wrinkle_fbm_noise_direction(int(sum_7.x), int(sum_7.y), int(sum_7.z));
+    float product_6 = product_5 * dot(noise_direction_4, difference_3);
+    return (sum_4 + product_4 * dot(noise_direction_3, sum_5) + product_6) * 76.0;
 }
 
 float wrinkle_fbm_noise_octave(vec3 a, float b) {
@@ -112,78 +105,64 @@ float wrinkle_fbm_noise_octave(vec3 a, float b) {
 }
 
 vec3 wrinkle_fbm_normal(WrinkleSurface_fbm s) {
-    vec3 normal = normalize(s.normal);  // the surface point
-    vec3 dpdy = dFdy(s.position_relative);
-    vec3 r_x = cross(dpdy, normal);
-    vec3 dpdx = dFdx(s.position_relative);
-    float det = dot(dpdx, r_x);
+    vec3 normal = normalize(s.normal);
     vec3 relief_product = s.position * 3.0;  // relief: Fractal noise
-    float relief_greatest = max(length(dpdx * 3.0), length(dpdy * 3.0));
-    vec3 relief_product_2 = (dpdx - normal * dot(normal, dpdx)) * 3.0;
-    float relief_noise_octave_change = wrinkle_fbm_noise_octave_change(relief_product,
-            relief_greatest, relief_product_2);
-    vec3 relief_product_3 = relief_product * 2.0;
-    vec3 relief_sum = relief_product_3 + vec3(19.19, 7.43, 31.71);
-    float relief_product_4 = relief_greatest * 2.0;
+    float relief_extent = length(dFdx(s.position_relative) * 3.0);
+    float relief_greatest = max(relief_extent, length(dFdy(s.position_relative) * 3.0));
+    vec3 relief_noise_octave_slope = wrinkle_fbm_noise_octave_slope(relief_product,
+            relief_greatest);
+    vec3 relief_product_2 = relief_product * 2.0;
+    vec3 relief_sum = relief_product_2 + vec3(19.19, 7.43, 31.71);
+    float relief_product_3 = relief_greatest * 2.0;
+    vec3 relief_noise_octave_slope_2 = wrinkle_fbm_noise_octave_slope(relief_sum, relief_product_3);
+    float relief_product_4 = dot(relief_noise_octave_slope_2, vec3(6.0, 0.0, 0.0)) * 0.5;
+    float relief_sum_2 = dot(relief_noise_octave_slope, vec3(3.0, 0.0, 0.0)) + relief_product_4;
     vec3 relief_product_5 = relief_product_2 * 2.0;
-    float relief_noise_octave_change_2 = wrinkle_fbm_noise_octave_change(relief_sum,
-            relief_product_4, relief_product_5);
-    float relief_sum_2 = relief_noise_octave_change + relief_noise_octave_change_2 * 0.5;
-    vec3 relief_product_6 = relief_product_3 * 2.0;
-    vec3 relief_sum_3 = relief_product_6 + vec3(38.38, 14.86, 63.42);
-    float relief_product_7 = relief_product_4 * 2.0;
-    vec3 relief_product_8 = relief_product_5 * 2.0;
-    float relief_noise_octave_change_3 = wrinkle_fbm_noise_octave_change(relief_sum_3,
-            relief_product_7, relief_product_8);
-    float relief_sum_4 = relief_sum_2 + relief_noise_octave_change_3 * 0.25;
-    vec3 relief_product_9 = relief_product_6 * 2.0;
-    vec3 relief_sum_5 = relief_product_9 + vec3(57.57, 22.29, 95.13);
-    float relief_product_10 = relief_product_7 * 2.0;
-    vec3 relief_product_11 = relief_product_8 * 2.0;
-    float relief_noise_octave_change_4 = wrinkle_fbm_noise_octave_change(relief_sum_5,
-            relief_product_10, relief_product_11);
-    float relief_sum_6 = relief_sum_4 + relief_noise_octave_change_4 * 0.125;
-    vec3 relief_product_12 = relief_product_9 * 2.0;
-    vec3 relief_sum_7 = relief_product_12 + vec3(76.76, 29.72, 126.84);
-    float relief_product_13 = relief_product_10 * 2.0;
-    vec3 relief_product_14 = relief_product_11 * 2.0;
-    float relief_noise_octave_change_5 = wrinkle_fbm_noise_octave_change(relief_sum_7,
-            relief_product_13, relief_product_14);
-    float relief_sum_8 = relief_sum_6 + relief_noise_octave_change_5 * 0.0625;
-    vec3 relief_sum_9 = relief_product_12 * 2.0 + vec3(95.95, 37.15, 158.55);
-    float relief_product_15 = relief_product_13 * 2.0;
-    vec3 relief_product_16 = relief_product_14 * 2.0;
-    float relief_noise_octave_change_6 = wrinkle_fbm_noise_octave_change(relief_sum_9,
-            relief_product_15, relief_product_16);
-    float relief_product_17 = (relief_sum_8 + relief_noise_octave_change_6 * 0.03125) / 1.96875 *
-            0.06;
-    vec3 relief_product_18 = (dpdy - normal * dot(normal, dpdy)) * 3.0;
-    float relief_noise_octave_change_7 = wrinkle_fbm_noise_octave_change(relief_product,
-            relief_greatest, relief_product_18);
-    vec3 relief_product_19 = relief_product_18 * 2.0;
-    float relief_noise_octave_change_8 = wrinkle_fbm_noise_octave_change(relief_sum,
-            relief_product_4, relief_product_19);
-    float relief_sum_10 = relief_noise_octave_change_7 + relief_noise_octave_change_8 * 0.5;
-    vec3 relief_product_20 = relief_product_19 * 2.0;
-    float relief_noise_octave_change_9 = wrinkle_fbm_noise_octave_change(relief_sum_3,
-            relief_product_7, relief_product_20);
-    float relief_sum_11 = relief_sum_10 + relief_noise_octave_change_9 * 0.25;
-    vec3 relief_product_21 = relief_product_20 * 2.0;
-    float relief_noise_octave_change_10 = wrinkle_fbm_noise_octave_change(relief_sum_5,
-            relief_product_10, relief_product_21);
-    float relief_sum_12 = relief_sum_11 + relief_noise_octave_change_10 * 0.125;
-    vec3 relief_product_22 = relief_product_21 * 2.0;
-    float relief_noise_octave_change_11 = wrinkle_fbm_noise_octave_change(relief_sum_7,
-            relief_product_13, relief_product_22);
-    float relief_sum_13 = relief_sum_12 + relief_noise_octave_change_11 * 0.0625;
-    vec3 relief_product_23 = relief_product_22 * 2.0;
-    float relief_noise_octave_change_12 = wrinkle_fbm_noise_octave_change(relief_sum_9,
-            relief_product_15, relief_product_23);
-    float relief_product_24 = (relief_sum_13 + relief_noise_octave_change_12 * 0.03125) / 1.96875 *
-            0.06;
-    vec3 normal_product = r_x * relief_product_17;  // normal: Resolve
-    vec3 normal_product_2 = cross(normal, dpdx) * relief_product_24;
-    vec3 normal_gradient = (normal_product + normal_product_2) * (sign(det) / max(abs(det), 1e-36));
+    vec3 relief_sum_3 = relief_product_5 + vec3(38.38, 14.86, 63.42);
+    float relief_product_6 = relief_product_3 * 2.0;
+    vec3 relief_noise_octave_slope_3 = wrinkle_fbm_noise_octave_slope(relief_sum_3,
+            relief_product_6);
+    float relief_sum_4 = relief_sum_2 + dot(relief_noise_octave_slope_3, vec3(12.0, 0.0,
+            0.0)) * 0.25;
+    vec3 relief_product_7 = relief_product_5 * 2.0;
+    vec3 relief_sum_5 = relief_product_7 + vec3(57.57, 22.29, 95.13);
+    float relief_product_8 = relief_product_6 * 2.0;
+    vec3 relief_noise_octave_slope_4 = wrinkle_fbm_noise_octave_slope(relief_sum_5,
+            relief_product_8);
+    float relief_product_9 = dot(relief_noise_octave_slope_4, vec3(24.0, 0.0, 0.0)) * 0.125;
+    vec3 relief_product_10 = relief_product_7 * 2.0;
+    vec3 relief_sum_6 = relief_product_10 + vec3(76.76, 29.72, 126.84);
+    float relief_product_11 = relief_product_8 * 2.0;
+    vec3 relief_noise_octave_slope_5 = wrinkle_fbm_noise_octave_slope(relief_sum_6,
+            relief_product_11);
+    float relief_product_12 = dot(relief_noise_octave_slope_5, vec3(48.0, 0.0, 0.0)) * 0.0625;
+    vec3 relief_sum_7 = relief_product_10 * 2.0 + vec3(95.95, 37.15, 158.55);
+    float relief_product_13 = relief_product_11 * 2.0;
+    vec3 relief_noise_octave_slope_6 = wrinkle_fbm_noise_octave_slope(relief_sum_7,
+            relief_product_13);
+    float relief_product_14 = dot(relief_noise_octave_slope_6, vec3(96.0, 0.0, 0.0)) * 0.03125;
+    float relief_sum_8 = relief_sum_4 + relief_product_9 + relief_product_12 + relief_product_14;
+    float relief_product_15 = relief_sum_8 / 1.96875 * 0.06;
+    float relief_product_16 = dot(relief_noise_octave_slope_2, vec3(0.0, 6.0, 0.0)) * 0.5;
+    float relief_sum_9 = dot(relief_noise_octave_slope, vec3(0.0, 3.0, 0.0)) + relief_product_16;
+    float relief_sum_10 = relief_sum_9 + dot(relief_noise_octave_slope_3, vec3(0.0, 12.0,
+            0.0)) * 0.25;
+    float relief_product_17 = dot(relief_noise_octave_slope_4, vec3(0.0, 24.0, 0.0)) * 0.125;
+    float relief_product_18 = dot(relief_noise_octave_slope_5, vec3(0.0, 48.0, 0.0)) * 0.0625;
+    float relief_product_19 = dot(relief_noise_octave_slope_6, vec3(0.0, 96.0, 0.0)) * 0.03125;
+    float relief_sum_11 = relief_sum_10 + relief_product_17 + relief_product_18 + relief_product_19;
+    float relief_product_20 = relief_sum_11 / 1.96875 * 0.06;
+    float relief_product_21 = dot(relief_noise_octave_slope_2, vec3(0.0, 0.0, 6.0)) * 0.5;
+    float relief_sum_12 = dot(relief_noise_octave_slope, vec3(0.0, 0.0, 3.0)) + relief_product_21;
+    float relief_sum_13 = relief_sum_12 + dot(relief_noise_octave_slope_3, vec3(0.0, 0.0,
+            12.0)) * 0.25;
+    float relief_product_22 = dot(relief_noise_octave_slope_4, vec3(0.0, 0.0, 24.0)) * 0.125;
+    float relief_product_23 = dot(relief_noise_octave_slope_5, vec3(0.0, 0.0, 48.0)) * 0.0625;
+    float relief_product_24 = dot(relief_noise_octave_slope_6, vec3(0.0, 0.0, 96.0)) * 0.03125;
+    float relief_sum_14 = relief_sum_13 + relief_product_22 + relief_product_23 + relief_product_24;
+    // normal: Resolve
+    vec3 normal_vector = vec3(relief_product_15, relief_product_20, relief_sum_14 / 1.96875 * 0.06);
+    vec3 normal_gradient = normal_vector - normal * dot(normal, normal_vector);
     return normalize(normal * s.facing - normal_gradient);
 }
 

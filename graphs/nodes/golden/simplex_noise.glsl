@@ -6,7 +6,7 @@ struct WrinkleSurface_simplex_noise {
     float facing;            // +1 on front faces, -1 on back faces
 };
 
-float wrinkle_simplex_noise_noise_corner(int a, int b, int c, vec3 d) {
+vec3 wrinkle_simplex_noise_noise_direction(int a, int b, int c) {
     uint sum = uint(c) * 747796405u + 2891336453u;
     uint product = (sum >> (sum >> 28u) + 4u ^ sum) * 277803737u;
     uint sum_2 = (uint(b) + (product >> 22u ^ product)) * 747796405u + 2891336453u;
@@ -14,74 +14,54 @@ float wrinkle_simplex_noise_noise_corner(int a, int b, int c, vec3 d) {
     uint sum_3 = (uint(a) + (product_2 >> 22u ^ product_2)) * 747796405u + 2891336453u;
     uint product_3 = (sum_3 >> (sum_3 >> 28u) + 4u ^ sum_3) * 277803737u;
     uint bits = product_3 >> 22u ^ product_3;
-    uint bits_2 = (bits >> 8u) * 3u >> 24u;
-    float choice = bits_2 == 0u ? d.y : d.x;
-    float choice_2 = bits_2 == 2u ? d.y : d.z;
-    return ((bits & 1u) == 0u ? choice : -choice) + ((bits & 2u) == 0u ? choice_2 : -choice_2);
+    uint product_4 = (((bits >> 8u) * 3u >> 24u) * 4u + (bits & 3u)) * 2u;
+    float number = float(2237013u >> product_4 & 3u);
+    float number_2 = float(5573130u >> product_4 & 3u);
+    return vec3(number, float(677154u >> product_4 & 3u), number_2) - 1.0;
 }
 
-float wrinkle_simplex_noise_noise_corner_change(int a, int b, int c, vec3 d, vec3 e) {
-    uint sum = uint(c) * 747796405u + 2891336453u;
-    uint product = (sum >> (sum >> 28u) + 4u ^ sum) * 277803737u;
-    uint sum_2 = (uint(b) + (product >> 22u ^ product)) * 747796405u + 2891336453u;
-    uint product_2 = (sum_2 >> (sum_2 >> 28u) + 4u ^ sum_2) * 277803737u;
-    uint sum_3 = (uint(a) + (product_2 >> 22u ^ product_2)) * 747796405u + 2891336453u;
-    uint product_3 = (sum_3 >> (sum_3 >> 28u) + 4u ^ sum_3) * 277803737u;
-    uint bits = product_3 >> 22u ^ product_3;
-    uint bits_2 = (bits >> 8u) * 3u >> 24u;
-    float choice = bits_2 == 0u ? e.y : e.x;
-    float choice_2 = bits_2 == 2u ? e.y : e.z;
-    return ((bits & 1u) == 0u ? choice : -choice) + ((bits & 2u) == 0u ? choice_2 : -choice_2);
-}
-
-float wrinkle_simplex_noise_simplex_corner_change(vec3 a, vec3 b, vec3 c) {
-    float difference = 0.5 - dot(b, b);
-    float greatest = max(difference, 0.0);
-    float product = (difference < 0.0 ? 0.0 : -(dot(c, b) + dot(b, c))) * greatest;
-    float product_2 = greatest * greatest;
-    float product_3 = (product + product) * product_2;
-    int whole = int(a.x);
-    int whole_2 = int(a.y);
-    int whole_3 = int(a.z);
-    float product_4 = (product_3 + product_3) * wrinkle_simplex_noise_noise_corner(whole, whole_2,
-            whole_3, b);
-    float noise_corner_change = wrinkle_simplex_noise_noise_corner_change(whole, whole_2, whole_3,
-            b, c);
-    return product_4 + noise_corner_change * (product_2 * product_2);
-}
-
-float wrinkle_simplex_noise_simplex_noise_change(vec3 a, vec3 b) {
+vec3 wrinkle_simplex_noise_simplex_noise_slope(vec3 a) {
     vec3 sum = a + dot(a, vec3(1.0)) * 0.33333334;
     vec3 floored = floor(sum);
     vec3 difference = sum - floored;
     vec3 difference_2 = difference - dot(difference, vec3(1.0)) * 0.16666667;
-    vec3 sum_2 = b + dot(b, vec3(1.0)) * 0.33333334;
-    vec3 difference_3 = sum_2 - dot(sum_2, vec3(1.0)) * 0.16666667;
-    float simplex_corner_change = wrinkle_simplex_noise_simplex_corner_change(floored, difference_2,
-            difference_3);
+    float greatest = max(0.5 - dot(difference_2, difference_2), 0.0);
+    int whole = int(floored.x);
+    vec3 noise_direction = wrinkle_simplex_noise_noise_direction(whole, int(floored.y),
+            int(floored.z));
+    vec3 product = 8.0 * dot(noise_direction, difference_2) * difference_2;
+    vec3 difference_3 = greatest * noise_direction - product;
+    vec3 product_2 = greatest * greatest * greatest * difference_3;
     float number = float(difference.x >= difference.y);
     float number_2 = float(difference.x >= difference.z);
     float number_3 = float(difference.y >= difference.z);
     vec3 vector = vec3(number + number_2, 1.0 - number + number_3, 2.0 - number_2 - number_3);
     vec3 clamped = clamp(vector - 1.0, 0.0, 1.0);
-    vec3 sum_3 = difference_2 - clamped + 0.16666667;
-    float simplex_corner_change_2 = wrinkle_simplex_noise_simplex_corner_change(floored + clamped,
-            sum_3, difference_3);
+    vec3 sum_2 = difference_2 - clamped + 0.16666667;
+    float greatest_2 = max(0.5 - dot(sum_2, sum_2), 0.0);
+    vec3 sum_3 = floored + clamped;
+    vec3 noise_direction_2 = wrinkle_simplex_noise_noise_direction(int(sum_3.x), int(sum_3.y),
+            int(sum_3.z));
+    vec3 difference_4 = greatest_2 * noise_direction_2 - 8.0 * dot(noise_direction_2,
+            sum_2) * sum_2;
+    vec3 sum_4 = product_2 + greatest_2 * greatest_2 * greatest_2 * difference_4;
     vec3 clamped_2 = clamp(vector, 0.0, 1.0);
-    vec3 sum_4 = difference_2 - clamped_2 + 0.33333334;
-    float simplex_corner_change_3 = wrinkle_simplex_noise_simplex_corner_change(floored + clamped_2,
-            sum_4, difference_3);
-    float sum_5 = simplex_corner_change + simplex_corner_change_2 + simplex_corner_change_3;
-    vec3 difference_4 = difference_2 - 0.5;
-    float simplex_corner_change_4 = wrinkle_simplex_noise_simplex_corner_change(floored + 1.0,
-            difference_4, difference_3);
-    return (sum_5 + simplex_corner_change_4) * 76.0;
-}
-
-float wrinkle_simplex_noise_simplex_corner(vec3 a, vec3 b) {
-    float greatest = max(0.5 - dot(b, b), 0.0);
-    float product = greatest * greatest;
-    return product * product * wrinkle_simplex_noise_noise_corner(int(a.x), int(a.y), int(a.z), b);
+    vec3 sum_5 = difference_2 - clamped_2 + 0.33333334;
+    float greatest_3 = max(0.5 - dot(sum_5, sum_5), 0.0);
+    vec3 sum_6 = floored + clamped_2;
+    vec3 noise_direction_3 = wrinkle_simplex_noise_noise_direction(int(sum_6.x), int(sum_6.y),
+            int(sum_6.z));
+    vec3 difference_5 = greatest_3 * noise_direction_3 - 8.0 * dot(noise_direction_3,
+            sum_5) * sum_5;
+    vec3 sum_7 = sum_4 + greatest_3 * greatest_3 * greatest_3 * difference_5;
+    vec3 difference_6 = difference_2 - 0.5;
+    float greatest_4 = max(0.5 - dot(difference_6, difference_6), 0.0);
+    vec3 sum_8 = floored + 1.0;
+    vec3 noise_direction_4 = wrinkle_simplex_noise_noise_direction(int(sum_8.x), int(sum_8.y),
+            int(sum_8.z));
+    vec3 product_3 = 8.0 * dot(noise_direction_4, difference_6) * difference_6;
+    vec3 difference_7 = greatest_4 * noise_direction_4 - product_3;
+    return (sum_7 + greatest_4 * greatest_4 * greatest_4 * difference_7) * 76.0;
 }
 
 float wrinkle_simplex_noise_simplex_noise(vec3 a) {
@@ -89,42 +69,58 @@ float wrinkle_simplex_noise_simplex_noise(vec3 a) {
     vec3 floored = floor(sum);
     vec3 difference = sum - floored;
     vec3 difference_2 = difference - dot(difference, vec3(1.0)) * 0.16666667;
+    float greatest = max(0.5 - dot(difference_2, difference_2), 0.0);
+    float product = greatest * greatest * greatest * greatest;
+    int whole = int(floored.x);
+    vec3 noise_direction = wrinkle_simplex_noise_noise_direction(whole, int(floored.y),
+            int(floored.z));
+    float product_2 = product * dot(noise_direction, difference_2);
     float number = float(difference.x >= difference.y);
     float number_2 = float(difference.x >= difference.z);
     float number_3 = float(difference.y >= difference.z);
     vec3 vector = vec3(number + number_2, 1.0 - number + number_3, 2.0 - number_2 - number_3);
     vec3 clamped = clamp(vector - 1.0, 0.0, 1.0);
     vec3 sum_2 = difference_2 - clamped + 0.16666667;
-    float simplex_corner = wrinkle_simplex_noise_simplex_corner(floored + clamped, sum_2);
-    float sum_3 = wrinkle_simplex_noise_simplex_corner(floored, difference_2) + simplex_corner;
+    float greatest_2 = max(0.5 - dot(sum_2, sum_2), 0.0);
+    float product_3 = greatest_2 * greatest_2 * greatest_2 * greatest_2;
+    vec3 sum_3 = floored + clamped;
+    vec3 noise_direction_2 = wrinkle_simplex_noise_noise_direction(int(sum_3.x), int(sum_3.y),
+            int(sum_3.z));
+    float sum_4 = product_2 + product_3 * dot(noise_direction_2, sum_2);
     vec3 clamped_2 = clamp(vector, 0.0, 1.0);
-    vec3 sum_4 = difference_2 - clamped_2 + 0.33333334;
-    float sum_5 = sum_3 + wrinkle_simplex_noise_simplex_corner(floored + clamped_2, sum_4);
-    float simplex_corner_2 = wrinkle_simplex_noise_simplex_corner(floored + 1.0,
-            difference_2 - 0.5);
-    return (sum_5 + simplex_corner_2) * 76.0;
+    vec3 sum_5 = difference_2 - clamped_2 + 0.33333334;
+    float greatest_3 = max(0.5 - dot(sum_5, sum_5), 0.0);
+    float product_4 = greatest_3 * greatest_3 * greatest_3 * greatest_3;
+    vec3 sum_6 = floored + clamped_2;
+    vec3 noise_direction_3 = wrinkle_simplex_noise_noise_direction(int(sum_6.x), int(sum_6.y),
+            int(sum_6.z));
+    vec3 difference_3 = difference_2 - 0.5;
+    float greatest_4 = max(0.5 - dot(difference_3, difference_3), 0.0);
+    float product_5 = greatest_4 * greatest_4 * greatest_4 * greatest_4;
+    vec3 sum_7 = floored + 1.0;
+    vec3 noise_direction_4 = wrinkle_simplex_noise_noise_direction(int(sum_7.x), int(sum_7.y),
+            int(sum_7.z));
+    float product_6 = product_5 * dot(noise_direction_4, difference_3);
+    return (sum_4 + product_4 * dot(noise_direction_3, sum_5) + product_6) * 76.0;
 }
 
 vec3 wrinkle_simplex_noise_normal(WrinkleSurface_simplex_noise s) {
-    vec3 normal = normalize(s.normal);  // the surface point
-    vec3 dpdy = dFdy(s.position_relative);
-    vec3 r_x = cross(dpdy, normal);
-    vec3 dpdx = dFdx(s.position_relative);
-    float det = dot(dpdx, r_x);
-    vec3 relief_product = s.position * 8.0;  // relief: Simplex noise
-    vec3 relief_product_2 = (dpdx - normal * dot(normal, dpdx)) * 8.0;
-    float relief_simplex_noise_change = wrinkle_simplex_noise_simplex_noise_change(relief_product,
-            relief_product_2);
-    float relief_ramp = smoothstep(0.25, 0.75, max(length(dpdx * 8.0), length(dpdy * 8.0)));
-    float relief_difference = 1.0 - relief_ramp;
-    float relief_product_3 = relief_simplex_noise_change * relief_difference * 0.02;
-    vec3 relief_product_4 = (dpdy - normal * dot(normal, dpdy)) * 8.0;
-    float relief_simplex_noise_change_2 = wrinkle_simplex_noise_simplex_noise_change(relief_product,
-            relief_product_4);
-    float relief_product_5 = relief_simplex_noise_change_2 * relief_difference * 0.02;
+    vec3 normal = normalize(s.normal);
+    // relief: Simplex noise
+    vec3 relief_simplex_noise_slope = wrinkle_simplex_noise_simplex_noise_slope(s.position * 8.0);
+    float relief_extent = length(dFdx(s.position_relative) * 8.0);
+    float relief_greatest = max(relief_extent, length(dFdy(s.position_relative) * 8.0));
+    float relief_difference = 1.0 - smoothstep(0.25, 0.75, relief_greatest);
+    float relief_product = dot(relief_simplex_noise_slope, vec3(8.0, 0.0, 0.0)) * relief_difference;
+    float relief_product_2 = dot(relief_simplex_noise_slope, vec3(0.0, 8.0,
+            0.0)) * relief_difference;
+    float relief_product_3 = dot(relief_simplex_noise_slope, vec3(0.0, 0.0,
+            8.0)) * relief_difference;
     // normal: Resolve
-    vec3 normal_sum = r_x * relief_product_3 + cross(normal, dpdx) * relief_product_5;
-    return normalize(normal * s.facing - normal_sum * (sign(det) / max(abs(det), 1e-36)));
+    vec3 normal_vector = vec3(relief_product * 0.02, relief_product_2 * 0.02,
+            relief_product_3 * 0.02);
+    vec3 normal_gradient = normal_vector - normal * dot(normal, normal_vector);
+    return normalize(normal * s.facing - normal_gradient);
 }
 
 float wrinkle_simplex_noise_height(WrinkleSurface_simplex_noise s) {

@@ -16,43 +16,38 @@ float wrinkle_value_noise_value_corner(int a, int b, int c) {
     return float((product_3 >> 22u ^ product_3) >> 8u) * 5.9604645e-08 * 2.0 - 1.0;
 }
 
-float wrinkle_value_noise_value_noise_change(vec3 a, vec3 b) {
+vec3 wrinkle_value_noise_value_noise_slope(vec3 a) {
     vec3 floored = floor(a);
     vec3 difference = a - floored;
-    vec3 product = b * difference;
-    vec3 product_2 = difference * difference;
-    vec3 difference_2 = difference * 6.0 - 15.0;
-    vec3 sum = difference * difference_2 + 10.0;
-    vec3 product_3 = ((product + product) * difference + b * product_2) * sum;
-    vec3 product_4 = product_2 * difference;
-    vec3 sum_2 = product_3 + (b * difference_2 + b * 6.0 * difference) * product_4;
+    vec3 difference_2 = difference - 1.0;
+    vec3 product = 30.0 * difference * difference * difference_2 * difference_2;
     int whole = int(floored.x);
-    int sum_3 = whole + 1;
+    int sum = whole + 1;
     int whole_2 = int(floored.y);
     int whole_3 = int(floored.z);
-    float value_corner = wrinkle_value_noise_value_corner(sum_3, whole_2, whole_3);
+    float value_corner = wrinkle_value_noise_value_corner(sum, whole_2, whole_3);
     float value_corner_2 = wrinkle_value_noise_value_corner(whole, whole_2, whole_3);
-    float product_5 = sum_2.x * (value_corner - value_corner_2);
-    int sum_4 = whole_2 + 1;
-    float value_corner_3 = wrinkle_value_noise_value_corner(sum_3, sum_4, whole_3);
-    float value_corner_4 = wrinkle_value_noise_value_corner(whole, sum_4, whole_3);
-    vec3 product_6 = product_4 * sum;
-    float mixed = mix(product_5, sum_2.x * (value_corner_3 - value_corner_4), product_6.y);
-    float mixed_2 = mix(value_corner_4, value_corner_3, product_6.x);
-    float mixed_3 = mix(value_corner_2, value_corner, product_6.x);
-    float sum_5 = mixed + sum_2.y * (mixed_2 - mixed_3);
-    int sum_6 = whole_3 + 1;
-    float value_corner_5 = wrinkle_value_noise_value_corner(sum_3, whole_2, sum_6);
-    float value_corner_6 = wrinkle_value_noise_value_corner(whole, whole_2, sum_6);
-    float product_7 = sum_2.x * (value_corner_5 - value_corner_6);
-    float value_corner_7 = wrinkle_value_noise_value_corner(sum_3, sum_4, sum_6);
-    float value_corner_8 = wrinkle_value_noise_value_corner(whole, sum_4, sum_6);
-    float mixed_4 = mix(product_7, sum_2.x * (value_corner_7 - value_corner_8), product_6.y);
-    float mixed_5 = mix(value_corner_8, value_corner_7, product_6.x);
-    float mixed_6 = mix(value_corner_6, value_corner_5, product_6.x);
-    float difference_3 = mix(mixed_6, mixed_5, product_6.y) - mix(mixed_3, mixed_2, product_6.y);
-    return mix(sum_5, mixed_4 + sum_2.y * (mixed_5 - mixed_6),
-            product_6.z) + sum_2.z * difference_3;
+    float difference_3 = value_corner - value_corner_2;
+    int sum_2 = whole_2 + 1;
+    float value_corner_3 = wrinkle_value_noise_value_corner(sum, sum_2, whole_3);
+    float value_corner_4 = wrinkle_value_noise_value_corner(whole, sum_2, whole_3);
+    vec3 sum_3 = difference * (difference * 6.0 - 15.0) + 10.0;
+    vec3 product_2 = difference * difference * difference * sum_3;
+    float mixed = mix(difference_3, value_corner_3 - value_corner_4, product_2.y);
+    int sum_4 = whole_3 + 1;
+    float value_corner_5 = wrinkle_value_noise_value_corner(sum, whole_2, sum_4);
+    float value_corner_6 = wrinkle_value_noise_value_corner(whole, whole_2, sum_4);
+    float difference_4 = value_corner_5 - value_corner_6;
+    float value_corner_7 = wrinkle_value_noise_value_corner(sum, sum_2, sum_4);
+    float value_corner_8 = wrinkle_value_noise_value_corner(whole, sum_2, sum_4);
+    float mixed_2 = mix(difference_4, value_corner_7 - value_corner_8, product_2.y);
+    float mixed_3 = mix(value_corner_4, value_corner_3, product_2.x);
+    float mixed_4 = mix(value_corner_2, value_corner, product_2.x);
+    float mixed_5 = mix(value_corner_8, value_corner_7, product_2.x);
+    float mixed_6 = mix(value_corner_6, value_corner_5, product_2.x);
+    float mixed_7 = mix(mixed_3 - mixed_4, mixed_5 - mixed_6, product_2.z);
+    float difference_5 = mix(mixed_6, mixed_5, product_2.y) - mix(mixed_4, mixed_3, product_2.y);
+    return product * vec3(mix(mixed, mixed_2, product_2.z), mixed_7, difference_5);
 }
 
 float wrinkle_value_noise_value_noise(vec3 a) {
@@ -82,25 +77,22 @@ float wrinkle_value_noise_value_noise(vec3 a) {
 }
 
 vec3 wrinkle_value_noise_normal(WrinkleSurface_value_noise s) {
-    vec3 normal = normalize(s.normal);  // the surface point
-    vec3 dpdy = dFdy(s.position_relative);
-    vec3 r_x = cross(dpdy, normal);
-    vec3 dpdx = dFdx(s.position_relative);
-    float det = dot(dpdx, r_x);
-    vec3 relief_product = s.position * 10.0;  // relief: Value noise
-    vec3 relief_product_2 = (dpdx - normal * dot(normal, dpdx)) * 10.0;
-    float relief_value_noise_change = wrinkle_value_noise_value_noise_change(relief_product,
-            relief_product_2);
-    float relief_ramp = smoothstep(0.25, 0.75, max(length(dpdx * 10.0), length(dpdy * 10.0)));
-    float relief_difference = 1.0 - relief_ramp;
-    float relief_product_3 = relief_value_noise_change * relief_difference * 0.015;
-    vec3 relief_product_4 = (dpdy - normal * dot(normal, dpdy)) * 10.0;
-    float relief_value_noise_change_2 = wrinkle_value_noise_value_noise_change(relief_product,
-            relief_product_4);
-    float relief_product_5 = relief_value_noise_change_2 * relief_difference * 0.015;
+    vec3 normal = normalize(s.normal);
+    // relief: Value noise
+    vec3 relief_value_noise_slope = wrinkle_value_noise_value_noise_slope(s.position * 10.0);
+    float relief_extent = length(dFdx(s.position_relative) * 10.0);
+    float relief_greatest = max(relief_extent, length(dFdy(s.position_relative) * 10.0));
+    float relief_difference = 1.0 - smoothstep(0.25, 0.75, relief_greatest);
+    float relief_product = dot(relief_value_noise_slope, vec3(10.0, 0.0, 0.0)) * relief_difference;
+    float relief_product_2 = relief_product * 0.015;
+    float relief_product_3 = dot(relief_value_noise_slope, vec3(0.0, 10.0,
+            0.0)) * relief_difference;
+    float relief_product_4 = dot(relief_value_noise_slope, vec3(0.0, 0.0,
+            10.0)) * relief_difference;
     // normal: Resolve
-    vec3 normal_sum = r_x * relief_product_3 + cross(normal, dpdx) * relief_product_5;
-    return normalize(normal * s.facing - normal_sum * (sign(det) / max(abs(det), 1e-36)));
+    vec3 normal_vector = vec3(relief_product_2, relief_product_3 * 0.015, relief_product_4 * 0.015);
+    vec3 normal_gradient = normal_vector - normal * dot(normal, normal_vector);
+    return normalize(normal * s.facing - normal_gradient);
 }
 
 float wrinkle_value_noise_height(WrinkleSurface_value_noise s) {

@@ -56,11 +56,7 @@ vec3 wrinkle_worley_noise_nearest_cells(vec3 a, vec3 b, float c, out vec3 result
 }
 
 vec3 wrinkle_worley_noise_normal(WrinkleSurface_worley_noise s) {
-    vec3 normal = normalize(s.normal);  // the surface point
-    vec3 dpdy = dFdy(s.position_relative);
-    vec3 r_x = cross(dpdy, normal);
-    vec3 dpdx = dFdx(s.position_relative);
-    float det = dot(dpdx, r_x);
+    vec3 normal = normalize(s.normal);
     vec3 relief_product = s.position * 5.0;  // relief: Worley noise
     vec3 relief_floored = floor(relief_product);
     vec3 relief_difference = relief_product - relief_floored - 0.5;
@@ -72,28 +68,32 @@ vec3 wrinkle_worley_noise_normal(WrinkleSurface_worley_noise s) {
     vec3 relief_difference_2 = relief_nearest_cells_2 + relief_feature_point - relief_difference;
     float relief_extent = length(relief_difference_2);
     bool relief_test = relief_extent > 0.0;
-    vec3 relief_negated = -((dpdx - normal * dot(normal, dpdx)) * 5.0);
-    float relief_quotient = dot(relief_difference_2, relief_negated) / relief_extent;
+    float relief_quotient = dot(relief_difference_2, vec3(-5.0, -0.0, -0.0)) / relief_extent;
     float relief_choice = relief_test ? relief_quotient : 0.0;
     vec3 relief_feature_point_2 = wrinkle_worley_noise_feature_point(relief_floored +
             relief_nearest_cells, 1.0);
     vec3 relief_difference_3 = relief_nearest_cells + relief_feature_point_2 - relief_difference;
     float relief_extent_2 = length(relief_difference_3);
     bool relief_test_2 = relief_extent_2 > 0.0;
-    float relief_quotient_2 = dot(relief_difference_3, relief_negated) / relief_extent_2;
+    float relief_quotient_2 = dot(relief_difference_3, vec3(-5.0, -0.0, -0.0)) / relief_extent_2;
     float relief_difference_4 = relief_choice - (relief_test_2 ? relief_quotient_2 : 0.0);
-    float relief_ramp = smoothstep(0.25, 0.75, max(length(dpdx * 5.0), length(dpdy * 5.0)));
-    float relief_difference_5 = 1.0 - relief_ramp;
-    vec3 relief_negated_2 = -((dpdy - normal * dot(normal, dpdy)) * 5.0);
-    float relief_quotient_3 = dot(relief_difference_2, relief_negated_2) / relief_extent;
+    float relief_extent_3 = length(dFdx(s.position_relative) * 5.0);
+    float relief_greatest = max(relief_extent_3, length(dFdy(s.position_relative) * 5.0));
+    float relief_difference_5 = 1.0 - smoothstep(0.25, 0.75, relief_greatest);
+    float relief_product_2 = relief_difference_4 * relief_difference_5 * 0.05;
+    float relief_quotient_3 = dot(relief_difference_2, vec3(-0.0, -5.0, -0.0)) / relief_extent;
     float relief_choice_2 = relief_test ? relief_quotient_3 : 0.0;
-    float relief_quotient_4 = dot(relief_difference_3, relief_negated_2) / relief_extent_2;
+    float relief_quotient_4 = dot(relief_difference_3, vec3(-0.0, -5.0, -0.0)) / relief_extent_2;
     float relief_difference_6 = relief_choice_2 - (relief_test_2 ? relief_quotient_4 : 0.0);
+    float relief_product_3 = relief_difference_6 * relief_difference_5 * 0.05;
+    float relief_quotient_5 = dot(relief_difference_2, vec3(-0.0, -0.0, -5.0)) / relief_extent;
+    float relief_choice_3 = relief_test ? relief_quotient_5 : 0.0;
+    float relief_quotient_6 = dot(relief_difference_3, vec3(-0.0, -0.0, -5.0)) / relief_extent_2;
+    float relief_difference_7 = relief_choice_3 - (relief_test_2 ? relief_quotient_6 : 0.0);
+    float relief_product_4 = relief_difference_7 * relief_difference_5 * 0.05;
     // normal: Resolve
-    vec3 normal_product = r_x * (relief_difference_4 * relief_difference_5 * 0.05);
-    vec3 normal_product_2 = cross(normal,
-            dpdx) * (relief_difference_6 * relief_difference_5 * 0.05);
-    vec3 normal_gradient = (normal_product + normal_product_2) * (sign(det) / max(abs(det), 1e-36));
+    vec3 normal_vector = vec3(relief_product_2, relief_product_3, relief_product_4);
+    vec3 normal_gradient = normal_vector - normal * dot(normal, normal_vector);
     return normalize(normal * s.facing - normal_gradient);
 }
 
