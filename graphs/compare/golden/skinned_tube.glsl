@@ -18,7 +18,8 @@ vec3 wrinkle_skinned_tube_normal(WrinkleSurface_skinned_tube s) {
     // resolved: Resolve
     float resolved_product = max(max(abs(map_color.z), vertex_product), 1e-06) * s.facing;
     vec3 resolved_gradient = s.tangent.xyz * vertex_slope.x + bitangent * vertex_slope.y;
-    return normalize(s.normal * resolved_product - resolved_gradient);
+    vec3 resolved_bumped = s.normal * resolved_product - resolved_gradient;
+    return normalize(vec3(resolved_bumped.xy, resolved_bumped.z + 1e-18));
 }
 
 vec3 wrinkle_skinned_tube_derived(WrinkleSurface_skinned_tube s) {
