@@ -18,8 +18,8 @@ public:
     Backdrop& operator=(Backdrop&& other) noexcept;
     ~Backdrop();
 
-    // Fills the target that is bound, its depth left alone. `factor` times the radiance goes through
-    // the display curve of the shaded view.
+    // Fills the target that is bound, its depth left alone. `factor` times the radiance goes
+    // through the display curve of the shaded view.
     void draw(const OrbitCamera& camera, float aspect, float factor, float exposure) const;
 
 private:
