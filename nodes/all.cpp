@@ -26,7 +26,7 @@
     X(gradient_over) X(gradient_clamp_slope) X(gradient_tilt) X(normal_angle) X(gradient_from_height) \
     X(gradient_from_volume) X(gradient_from_normal) X(gradient_from_tangent_normal) X(resolve) \
     /* frame.cpp */ \
-    X(tangent_frame) X(tangent_map) X(face_viewer) \
+    X(tangent_frame) X(tangent_map) X(tangent_space_normal) X(face_viewer) \
     /* compositor.cpp */ \
     X(gradient_compositor) \
     /* height.cpp */ \

@@ -1,4 +1,5 @@
-// Tangent frames as values: their vectors, a tangent from a map, a normal that faces the viewer.
+// Tangent frames as values: their vectors, a tangent from a map, a normal in tangent space, and one
+// that faces the viewer.
 #include "nodes/ports.h"
 #include "wrinkle/node.h"
 
@@ -9,9 +10,12 @@ using namespace sdk;
 #define VECTOR_FRAMES \
     { "auto", "vertex", "derived" }
 
-static vec3 along(vec2 way, vec2 uv, FrameMethod method) {
-    const Frame basis = frame(uv, method, Scale::unit, surface::normal);
-    return Gradient(Derivative(way, basis)).vector();
+static vec3 along(vec2 way, Frame basis, Base base = {}) {
+    return Gradient(Derivative(way, basis), base).vector();
+}
+
+static Frame unit_frame(vec2 uv, FrameMethod method) {
+    return frame(uv, method, Scale::unit, surface::normal);
 }
 
 Node tangent_frame_node =
@@ -24,7 +28,8 @@ Node tangent_frame_node =
         .out<vec3>("tangent", "Along u, object space; unit but for a scaled vertex tangent")
         .out<vec3>("bitangent", "Along v, object space")
         .body([](vec2 uv, FrameMethod method) {
-            return std::tuple{along(vec2(1, 0), uv, method), along(vec2(0, 1), uv, method)};
+            const Frame basis = unit_frame(uv, method);
+            return std::tuple{along(vec2(1, 0), basis), along(vec2(0, 1), basis)};
         });
 
 enum class DirectionSpace { tangent, object };
@@ -44,7 +49,46 @@ Node tangent_map_node =
         .out<vec3>("direction", "Object space, any length; its part along the surface counts")
         .body([](Image image, vec2 uv, DirectionSpace space, FrameMethod method) {
             const vec3 read = image.sample(uv).xyz();
-            return space == DirectionSpace::object ? read : along(read.xy(), uv, method);
+            return space == DirectionSpace::object ? read
+                                                   : along(read.xy(), unit_frame(uv, method));
+        });
+
+struct IntoTangentSpace {
+    vec3 normal;
+    vec2 uv;
+    Scale scale;
+    FrameMethod frame;
+    vec3 direction, base;
+};
+
+// The inverse of [T B N] by cofactors; a positive factor changes no direction, so the determinant
+// lends its sign alone.
+static vec3 into_frame(vec3 v, vec3 t, vec3 b, vec3 n) {
+    const vec3 up = cross(t, b);
+    const vec3 m =
+        vec3(dot(cross(b, n), v), dot(cross(n, t), v), dot(up, v)) * sign_nonzero(dot(up, n));
+    return select(dot(m, m) > 0, normalize(m), vec3(0, 0, 1));
+}
+
+Node tangent_space_normal_node =
+    node("tangent_space_normal", "Normal in tangent space",
+         "What a tangent-space normal map must hold to give this normal or bump: decoded in the "
+         "same frame, on the same base, it is that normal again.")
+        .family("normal")
+        .in<Normal>("normal", surface::normal, "A resolved normal, object space, any length")
+        .in<vec2>("uv", surface::uv0, "The uv along whose directions x and y are measured")
+        .choice("scale", SCALES, SCALE_DOC, static_cast<int>(Scale::unit))
+        .choice("frame", FRAME_METHODS, FRAME_DOC)
+        .in<vec3>("direction", {0, 1, 0}, DIRECTION_DOC)
+        .in<Normal>("base", surface::normal, "The normal that the map will be put on")
+        .out<vec3>("normal", "Unit, z outward, green up; (0, 0, 1) where the frame is degenerate")
+        .out<Color>("color", "The same as a map stores it, 0.5 + 0.5 times the normal")
+        .body([](IntoTangentSpace in) {
+            const Frame basis = frame(in.uv, in.frame, in.scale, in.direction);
+            const Base base(in.base);
+            const vec3 normal = into_frame(in.normal, along(vec2(1, 0), basis, base),
+                                           along(vec2(0, 1), basis, base), in.base);
+            return std::tuple{normal, 0.5 + 0.5 * normal};
         });
 
 Node face_viewer_node =

@@ -21,10 +21,15 @@ std::string mesh_help() {
     return text + "or an OBJ or glTF file";
 }
 
+bool is_mesh_path(const std::string& name_or_path) {
+    return name_or_path.find_first_of("./") != name_or_path.npos;
+}
+
 std::string check_mesh(const std::string& name_or_path) {
     const auto names = shape_names();
-    const bool is_path = name_or_path.find_first_of("./") != name_or_path.npos;
-    if (is_path || std::find(names.begin(), names.end(), name_or_path) != names.end()) return "";
+    if (is_mesh_path(name_or_path) ||
+        std::find(names.begin(), names.end(), name_or_path) != names.end())
+        return "";
     return "'" + name_or_path + "' is none of " + mesh_help();
 }
 

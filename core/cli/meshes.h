@@ -17,6 +17,8 @@ std::vector<std::string> shape_names();
 
 std::string mesh_help();  // "sphere, plane, ..., or an OBJ or glTF file"
 
+bool is_mesh_path(const std::string& name_or_path);
+
 // For CLI11: refuses a name that no shape has; "" for what is fine.
 std::string check_mesh(const std::string& name_or_path);
 

@@ -106,9 +106,28 @@ Painter::Painter(gpu::Context context, gpu::Target target, const PictureOptions&
     renderer_.set_mesh(mesh);
     renderer_.set_lighting(options.lighting);
     if (!options.environment.empty()) renderer_.set_environment(options.environment);
+    scene_.surroundings = options.backdrop;
     scene_.phong = options.phong;
     options_.environment = {};  // the renderer has it
     scene_.camera = gpu::default_camera(mesh, options.mesh);
+}
+
+// What is no direction would be compared as if it were one.
+bool Painter::can_compare(const Shader& shader, Diagnostics& diagnostics) const {
+    if (options_.view != gpu::View::difference) return true;
+    for (const FunctionInfo& output : shader.reflection.functions) {
+        const auto type = static_cast<PortType>(output.port_type);
+        if (output.output != options_.against || type == PortType::normal_ ||
+            type == PortType::vec3_)
+            continue;
+        diagnostics.error("the output '" + options_.against + "' holds a " +
+                              std::string(name_of(type)) + ", which is no normal to compare with",
+                          type == PortType::gradient_ || type == PortType::derivative_
+                              ? "put a node 'resolve' before it"
+                              : "an output that holds a normal");
+        return false;
+    }
+    return true;
 }
 
 bool Painter::set_material(const gpu::Material& material, const Textures& textures,
@@ -122,6 +141,7 @@ bool Painter::set_material(const gpu::Material& material, const Textures& textur
 
 std::optional<Picture> Painter::draw(const Shader& shader, const Textures& textures,
                                      Diagnostics& diagnostics) {
+    if (!can_compare(shader, diagnostics)) return {};
     if (!set_material(gpu::material_from(shader), textures, diagnostics)) return {};
     gpu::ViewOptions view;
     view.view = options_.view;

@@ -23,6 +23,7 @@ struct PictureOptions {
     gpu::Lighting lighting = gpu::Lighting::ggx;
     gpu::Phong phong;
     Image environment;      // empty: sky and ground
+    bool backdrop = true;   // shows the environment's picture behind the mesh
     bool displace = false;  // moves the mesh by the output `displacement`
 };
 
@@ -64,6 +65,7 @@ public:
 private:
     Painter(gpu::Context context, gpu::Target target, const PictureOptions& options,
             const Mesh& mesh);
+    bool can_compare(const Shader& shader, Diagnostics& diagnostics) const;
     bool set_material(const gpu::Material& material, const Textures& textures,
                       Diagnostics& diagnostics);
 

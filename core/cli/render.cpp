@@ -21,7 +21,7 @@ struct RenderCommand {
     std::string file, output;
     std::string mesh = "sphere", size = "512x512", view = "shaded", against;
     bool displace = false;
-    std::string lighting = "ggx", phong, environment;
+    std::string lighting = "ggx", phong, environment, background = "environment";
 
     int run() const {
         PictureOptions options;
@@ -70,6 +70,7 @@ struct RenderCommand {
         options.mesh = mesh;
         options.against = against;
         options.view = *gpu::view_named(view);
+        options.backdrop = background == "environment";
         options.lighting = lighting == "phong" ? gpu::Lighting::phong : gpu::Lighting::ggx;
         const std::string type = fs::path(output).extension().string();
         std::string sentence;
@@ -175,6 +176,10 @@ void declare_render(CLI::App& app, Run& run) {
                    "What GGX reflects: an equirectangular .hdr or .exr, its middle behind the "
                    "object; default: a sky over a ground")
         ->type_name("FILE");
+    sub.add_option("--background", c.background,
+                   "Behind the object: that picture, where there is one, or a plain grey")
+        ->check(CLI::IsMember({"environment", "plain"}))
+        ->capture_default_str();
     declare_common(sub, c.common);
     sub.callback([command, &run] { run = [command] { return command->run(); }; });
 }

@@ -88,7 +88,7 @@ private:
             if (member.key == "tolerance")
                 read_tolerance(member, render.tolerance);
             else if (member.key == "mesh")
-                choose(member, shape_names(), render.picture.mesh);
+                read_mesh(member.value, render);
             else if (member.key == "view")
                 read_view(member, render.picture);
             else if (member.key == "size")
@@ -100,6 +100,14 @@ private:
             else if (member.key != "against" && member.key != "displace")
                 unknown(member, {"mesh", "size", "view", "against", "displace", "tolerance"});
         }
+    }
+
+    void read_mesh(const Value& value, RenderCase& render) {
+        if (!wants(value, Kind::string, "mesh")) return;
+        render.mesh = value;
+        render.picture.mesh = value.as_string();
+        if (!check_mesh(render.picture.mesh).empty())
+            error(value, "mesh: there is no '" + render.picture.mesh + "'", mesh_help());
     }
 
     void read_view(const json::Member& member, PictureOptions& picture) {

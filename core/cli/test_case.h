@@ -12,6 +12,7 @@
 //                "tolerance": 1}                the picture is golden/NAME.png; a case. Tolerance:
 //   }                                           root mean square of all channels, 8-bit steps
 //
+// "mesh" is a shape's name, or a file: relative to the graph, and inside the root.
 // Every key may be left out; what stands above are the defaults, but for points, expect and set.
 // Unknown keys are errors.
 #pragma once
@@ -29,6 +30,7 @@ namespace wrinkle::cli {
 
 struct RenderCase {
     PictureOptions picture;
+    json::Value mesh;  // where it is named; null: not given
     double tolerance = 1;
 };
 

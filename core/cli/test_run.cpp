@@ -43,6 +43,19 @@ std::string joined(const std::vector<std::string>& sentences) {
     return text;
 }
 
+// Of the render case; a file is found as the graph's images are.
+std::optional<Mesh> mesh_of(const RenderCase& render, const Project& project,
+                            const CommonOptions& common, Diagnostics& diagnostics) {
+    const std::string& name = render.picture.mesh;
+    if (!is_mesh_path(name)) return open_mesh(name, common, diagnostics);
+    if (const auto path = resolve_file(project, 0, name))
+        return open_mesh(path->string(), common, diagnostics);
+    report_at(render.mesh, "mesh names " + json_quoted(name) + ", outside the root",
+              "keep it below " + project.root.string() + ", or choose another root with --root",
+              diagnostics);
+    return {};
+}
+
 }  // namespace
 
 void TestRun::test(const fs::path& file, Diagnostics& diagnostics) {
@@ -77,7 +90,8 @@ void TestRun::run(const TestCase& test, Diagnostics& diagnostics) {
     if (!own.has_errors() && !test.points.empty()) values(test, *given, textures, own);
     if (!own.has_errors() && test.glsl) text(test, shader);
     std::optional<Mesh> still, moved;
-    if (!own.has_errors() && test.render) still = open_mesh(test.render->picture.mesh, common, own);
+    if (!own.has_errors() && test.render)
+        still = mesh_of(*test.render, screen->project, common, own);
     if (still && displaced) moved = displaced_mesh(*still, *given, textures, own);
     if (still && !own.has_errors()) picture(test, shader, *still, moved, textures, own);
     append_once(own, diagnostics);

@@ -19,19 +19,6 @@ using glm::dvec3;
 
 constexpr double pi = std::numbers::pi;
 
-// Radiance alone, as the header says.
-MipChain radiance_of(const Image& picture) {
-    Image clean = make_image(picture.width, picture.height, 3);
-    for (size_t i = 0; i < size_t{picture.width} * picture.height; ++i) {
-        const auto texel =
-            expand_texel(&picture.data[i * picture.channels], picture.channels, picture.has_alpha);
-        for (size_t k = 0; k < 3; ++k)
-            clean.data[3 * i + k] =
-                std::isfinite(texel[k]) ? std::clamp(texel[k], 0.0F, 65504.0F) : 0;
-    }
-    return build_mips(std::move(clean));
-}
-
 dvec3 texel(const Image& image, int64_t x, int64_t y) {
     const auto width = static_cast<int64_t>(image.width),
                height = static_cast<int64_t>(image.height);
@@ -129,6 +116,18 @@ dvec3 cube_direction(int face, dvec2 st) {
 dvec2 equirect_uv(dvec3 d) {
     return {0.5 + std::atan2(d.x, -d.z) / (2 * pi),
             0.5 + std::asin(std::clamp(d.y, -1.0, 1.0)) / pi};
+}
+
+MipChain radiance_of(const Image& picture) {
+    Image clean = make_image(picture.width, picture.height, 3);
+    for (size_t i = 0; i < size_t{picture.width} * picture.height; ++i) {
+        const auto texel =
+            expand_texel(&picture.data[i * picture.channels], picture.channels, picture.has_alpha);
+        for (size_t k = 0; k < 3; ++k)
+            clean.data[3 * i + k] =
+                std::isfinite(texel[k]) ? std::clamp(texel[k], 0.0F, 65504.0F) : 0;
+    }
+    return build_mips(std::move(clean));
 }
 
 EnvironmentCube prefilter(const Image& picture) {

@@ -18,7 +18,7 @@
 #include <glm/vec3.hpp>
 #include <vector>
 
-#include "image/image.h"
+#include "image/mips.h"
 
 namespace wrinkle::gpu {
 
@@ -30,6 +30,9 @@ constexpr int environment_side = 128;  // of level 0, halved per level
 struct EnvironmentCube {
     std::array<std::array<std::vector<glm::vec3>, 6>, environment_levels> faces;
 };
+
+// The picture's first three channels, every value as above; with its mip levels.
+MipChain radiance_of(const Image& picture);
 
 EnvironmentCube prefilter(const Image& picture);
 

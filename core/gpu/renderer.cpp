@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "gpu/backdrop.h"
 #include "gpu/environment.h"
 #include "gpu/mesh_buffers.h"
 #include "gpu/object_space.h"
@@ -124,6 +125,7 @@ struct Renderer::State {
     Programs programs;
     std::map<std::string, KeptImage> images;
     std::optional<EnvironmentTexture> environment;
+    std::optional<Backdrop> backdrop;
     Shading wanted, shading;  // of the next material, and of the one in use
 
     bool bring_up_images(const Material& material, Diagnostics& diagnostics);
@@ -242,6 +244,7 @@ void Renderer::set_lighting(Lighting lighting) {
 
 void Renderer::set_environment(const Image& picture) {
     state_->environment.emplace(prefilter(picture));
+    state_->backdrop.emplace(radiance_of(picture));
     state_->wanted.environment = true;
 }
 
@@ -327,6 +330,8 @@ bool Renderer::draw(const Scene& scene, const ViewOptions& options, const Target
     if (wants_seen_range(options))
         shown.height_range = seen_range(*this, scene, target, diagnostics);
     clear(target, scene, options.raw);
+    if (scene.surroundings && state_->backdrop && options.view == View::shaded && !options.raw)
+        state_->backdrop->draw(scene.camera, aspect, scene.environment, scene.exposure);
     program->use();
     set_view_uniforms(*program, scene, shown, *space);
     set_raster_state(space->mirrored);

@@ -76,6 +76,7 @@ struct Scene {
     float environment = 1;                  // factor on sky and ground
     float exposure = 1;
     Phong phong;
+    bool surroundings = false;  // the picture of set_environment() behind the shaded view
     glm::vec4 background{0.16F, 0.16F, 0.17F, 1};  // as displayed
 };
 

@@ -94,6 +94,9 @@ uniform mat3 WrView_vector_to_world;
 uniform vec3 WrView_to_light;
 uniform float WrView_light;
 uniform float WrView_environment;
+)";
+
+constexpr std::string_view curve_text = R"(
 uniform float WrView_exposure;
 
 vec3 WrView_display(vec3 radiance) {
@@ -264,7 +267,7 @@ std::string difference_body(const Material& material, const OutputFunction* agai
 }
 
 std::string shading_of(const Shading& shading) {
-    std::string text(shading_text);
+    std::string text = std::string(shading_text).append(curve_text);
     if (shading.lighting == Lighting::phong) return text.append(phong_text);
     return text.append(shading.environment ? surroundings_text : sky_text).append(ggx_text);
 }
@@ -301,6 +304,10 @@ std::string body_of(const Material& material, View view, const OutputFunction* a
 }
 
 }  // namespace
+
+std::string_view display_text() {
+    return curve_text;
+}
 
 int attribute_location(std::string_view property) {
     const Property* found = find_property(property);

@@ -30,6 +30,10 @@ struct Shading {
 ShaderText wrap_material(const Material& material, View view, const OutputFunction* against,
                          const Shading& shading = {});
 
+// GLSL: `vec3 WrView_display(vec3 radiance)`, what the shaded view shows of it, with its uniform
+// WrView_exposure.
+std::string_view display_text();
+
 // The location of a property's vertex attribute, -1 for one that needs none ("view", "facing").
 int attribute_location(std::string_view property);
 

@@ -11,6 +11,14 @@ namespace {
 // bumps close up.
 constexpr double smallest_area = 1e-36;
 
+// Added to what is resolved on vertex tangents, along z, which is one addition: lost in rounding,
+// but where a tangent along the normal takes all of it away. Its square is a normal float.
+constexpr double least_normal = 1e-18;
+
+bool on_vertex_tangents(const Slopes::Slot& slot) {
+    return slot.basis.basis == Basis::vertex;
+}
+
 Value sum(Value a, Value b) {
     if (!a) return b;
     if (!b) return a;
@@ -159,9 +167,7 @@ Value GradientAlgebra::resolve(const GradientSum& sum, Value facing, Value sign,
     // T, B and N of a vertex basis share the factor 1/|N|: where nothing else stands beside them it
     // drops out too.
     const bool raw = !on_base && !slopes.screen && !slopes.volume && !slopes.rest &&
-                     std::all_of(slopes.slots.begin(), slopes.slots.end(), [](const auto& slot) {
-                         return slot.basis.basis == Basis::vertex;
-                     });
+                     std::all_of(slopes.slots.begin(), slopes.slots.end(), on_vertex_tangents);
     const Value gamma = vector(slopes, on_base, raw && !slopes.empty());
     if (!gamma) {
         if (on_base) return on_base;
@@ -175,7 +181,13 @@ Value GradientAlgebra::resolve(const GradientSum& sum, Value facing, Value sign,
     const Value turn = on_base ? Value{} : facing;
     const Value factor = depth && turn ? depth * turn : depth ? depth : turn;
     if (factor) n = n * factor;
-    return normalize(sign ? n - gamma * sign : n - gamma);
+    const Value bumped = sign ? n - gamma * sign : n - gamma;
+    const bool may_vanish =
+        !on_base && std::any_of(slopes.slots.begin(), slopes.slots.end(), on_vertex_tangents);
+    if (!may_vanish) return normalize(bumped);
+    named("gradient", gamma);
+    named("bumped", bumped);
+    return normalize(vec3(bumped.xy(), bumped.z() + number(bumped, least_normal)));
 }
 
 }  // namespace wrinkle

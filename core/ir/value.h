@@ -43,6 +43,9 @@ inline Value op(Op o, Value a, Value b, Value c) {
 inline Value number(Value like, double value) {
     return {like.module, like.module->number(value)};
 }
+inline Value vec3(Value xy, Value z) {
+    return {xy.module, xy.module->construct(Type::vec3_, {xy.id, z.id})};
+}
 inline Value vec2(Value a, Value b) {
     return {a.module, a.module->construct(Type::vec2_, {a.id, b.id})};
 }

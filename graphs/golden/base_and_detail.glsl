@@ -21,5 +21,6 @@ vec3 wrinkle_base_and_detail_normal(WrinkleSurface_base_and_detail s) {
     vec2 normal_slope = -detail_texel.xy * 0.5 * base_depth;  // normal: Resolve
     vec2 normal_slope_2 = -base_texel.xy * detail_depth + normal_slope;
     vec3 normal_gradient = s.tangent.xyz * normal_slope_2.x + bitangent * normal_slope_2.y;
-    return normalize(s.normal * (base_depth * detail_depth * s.facing) - normal_gradient);
+    vec3 normal_bumped = s.normal * (base_depth * detail_depth * s.facing) - normal_gradient;
+    return normalize(vec3(normal_bumped.xy, normal_bumped.z + 1e-18));
 }

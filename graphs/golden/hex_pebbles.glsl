@@ -299,13 +299,13 @@ vec3 wrinkle_hex_pebbles_normal(WrinkleSurface_hex_pebbles s) {
     vec2 pebbles_vector_11 = vec2(dot(pebbles_mixed_3, pebbles_hex_copy_6), pebbles_dot_product_3);
     vec2 pebbles_product_14 = (pebbles_sum_15 + pebbles_vector_11 * pebbles_quotient_7.z) * 0.03;
     // normal: Resolve
-    vec3 normal_gradient = s.tangent.xyz * inverse_normal_length * grain_sum_18.x;
-    vec3 normal_gradient_2 = normal_gradient + bitangent * inverse_normal_length * grain_sum_18.y;
-    vec3 normal_product = cross(normal, dpdx) * dot(pebbles_product_14, tile_product_2);
-    vec3 normal_sum = r_x * dot(pebbles_product_14, tile_product) + normal_product;
-    vec3 normal_gradient_3 = normal_gradient_2 + normal_sum * (sign(det) / max(abs(det), 1e-36));
-    vec3 normal_difference = normal * s.facing - normal_gradient_3;
-    return normalize(normal_difference);
+    vec3 normal_product = s.tangent.xyz * inverse_normal_length * grain_sum_18.x;
+    vec3 normal_sum = normal_product + bitangent * inverse_normal_length * grain_sum_18.y;
+    vec3 normal_product_2 = cross(normal, dpdx) * dot(pebbles_product_14, tile_product_2);
+    vec3 normal_sum_2 = r_x * dot(pebbles_product_14, tile_product) + normal_product_2;
+    vec3 normal_gradient = normal_sum + normal_sum_2 * (sign(det) / max(abs(det), 1e-36));
+    vec3 normal_bumped = normal * s.facing - normal_gradient;
+    return normalize(vec3(normal_bumped.xy, normal_bumped.z + 1e-18));
 }
 
 vec3 wrinkle_hex_pebbles_color(WrinkleSurface_hex_pebbles s) {

@@ -41,7 +41,8 @@ vec3 wrinkle_operators_normal(WrinkleSurface_operators s) {
     vec2 normal_slope_2 = stack_slope * normal_product + (stack_slope_2 * rivets_depth +
             normal_slope);
     vec3 normal_gradient = s.tangent.xyz * normal_slope_2.x + bitangent * normal_slope_2.y;
-    return normalize(s.normal * (normal_product * s.facing) - normal_gradient);
+    vec3 normal_bumped = s.normal * (normal_product * s.facing) - normal_gradient;
+    return normalize(vec3(normal_bumped.xy, normal_bumped.z + 1e-18));
 }
 
 float wrinkle_operators_tilt(WrinkleSurface_operators s) {
@@ -76,7 +77,8 @@ float wrinkle_operators_tilt(WrinkleSurface_operators s) {
     vec2 normal_slope_2 = stack_slope * normal_product + (stack_slope_2 * rivets_depth +
             normal_slope);
     vec3 normal_gradient = s.tangent.xyz * normal_slope_2.x + bitangent * normal_slope_2.y;
-    vec3 normal_normal = normalize(s.normal * (normal_product * s.facing) - normal_gradient);
+    vec3 normal_bumped = s.normal * (normal_product * s.facing) - normal_gradient;
+    vec3 normal_normal = normalize(vec3(normal_bumped.xy, normal_bumped.z + 1e-18));
     float again_dot_product = dot(normal, normal_normal);  // again: Bump from normal
     vec3 again_difference = normal * again_dot_product - normal_normal;
     // tilt: Tilt of bump
@@ -116,7 +118,8 @@ float wrinkle_operators_angle(WrinkleSurface_operators s) {
     vec2 normal_slope_2 = stack_slope * normal_product + (stack_slope_2 * rivets_depth +
             normal_slope);
     vec3 normal_gradient = s.tangent.xyz * normal_slope_2.x + bitangent * normal_slope_2.y;
-    vec3 normal_normal = normalize(s.normal * (normal_product * s.facing) - normal_gradient);
+    vec3 normal_bumped = s.normal * (normal_product * s.facing) - normal_gradient;
+    vec3 normal_normal = normalize(vec3(normal_bumped.xy, normal_bumped.z + 1e-18));
     float apart_dot_product = dot(pebbles_product, normal_normal);  // apart: Angle of normals
     float apart_extent = length(cross(pebbles_product, normal_normal));
     bool apart_test = abs(apart_dot_product) + abs(apart_extent) > 0.0;

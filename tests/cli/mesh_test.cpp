@@ -148,7 +148,8 @@ TEST_F(LightingOptionsTest, ChangeThePicture) {
         {},
         {"--lighting", "phong"},
         {"--lighting", "phong", "--phong", "0.3,0.2,0,1"},
-        {"--environment", "env.hdr"}};
+        {"--environment", "env.hdr"},
+        {"--environment", "env.hdr", "--background", "plain"}};
     std::vector<std::string> pictures;
     for (const auto& way : ways) {
         std::vector<std::string> args = {"render", "g.json", "-o", "g.png", "--size", "16x16"};

@@ -123,6 +123,26 @@ TEST_F(RenderTest, RefusesAViewThatTheGraphDoesNotHave) {
     EXPECT_FALSE(exists("g.png"));
 }
 
+TEST_F(RenderTest, RefusesToCompareWithWhatIsNoNormal) {
+    put("g.json", R"({"wrinkle": 1,
+        "nodes": {"b": {"type": "gradient_from_volume", "in": {"volume": [1, 0, 0]}},
+                  "r": {"type": "resolve", "in": {"gradient": {"from": "b.gradient"}}},
+                  "t": {"type": "gradient_tilt", "in": {"gradient": {"from": "b.gradient"}}}},
+        "outputs": {"normal": {"from": "r.normal"}, "raw": {"from": "b.gradient"},
+                    "same": {"from": "r.normal"}, "tilt": {"from": "t.tilt"}}})");
+    const auto against = [&](const std::string& output) {
+        return run({"render", "g.json", "-o", "g.png", "--size", "8x8", "--view", "difference",
+                    "--against", output});
+    };
+    const Ran raw = against("raw");
+    EXPECT_EQ(raw.code, 1);
+    EXPECT_TRUE(says(raw.err, "'raw' holds a gradient"));
+    EXPECT_TRUE(says(raw.err, "'resolve'"));
+    EXPECT_TRUE(says(against("tilt").err, "'tilt' holds a float"));
+    EXPECT_FALSE(exists("g.png"));
+    EXPECT_EQ(against("same").code, 0);
+}
+
 TEST_F(RenderTest, RefusesWrongUsage) {
     put("g.json", tilt_graph());
     const std::vector<std::vector<std::string>> cases = {

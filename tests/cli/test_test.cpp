@@ -131,6 +131,18 @@ TEST_F(TestTest, ComparesPictures) {
     EXPECT_TRUE(exists("out/a.png"));
 }
 
+TEST_F(TestTest, DrawsOnMeshFilesBesideTheGraph) {
+    fs::create_directories(folder / "in/meshes");
+    put("in/a.json", tilt_graph("0.75"));
+    put("in/meshes/half.obj", "v -1 -1 0\nv 1 -1 0\nv 1 1 0\nf 1 2 3\n");
+    put("in/a.test.json",
+        R"({"render": {"mesh": "meshes/half.obj", "size": "24x24", "view": "normal"}})");
+    EXPECT_EQ(run({"test", "in/a.test.json", "--update"}).code, 0);
+    EXPECT_EQ(run({"test", "in"}).out, "1 passed, 0 failed\n");
+    put("in/meshes/half.obj", "v -1 -1 0\nv 1 -1 0\nv -1 1 0\nf 1 2 3\n");
+    EXPECT_EQ(run({"test", "in"}).out.substr(0, 4), "FAIL");
+}
+
 TEST_F(TestTest, PicturesWithoutADriverAreTheEnvironmentsFault) {
     put("a.json", tilt_graph());
     put("a.test.json", R"({"render": {"size": "24x24"}})");
@@ -151,6 +163,10 @@ TEST_F(TestTest, RefusesBadFiles) {
         {R"({"glsl": 1})", "a.test.json:1:10"},
         {R"({"glsl": true, "tolerance": -1})", "negative"},
         {R"({"render": {"mesh": "kettle"}})", "'kettle'"},
+        {R"({"render": {"mesh": 5}})", "mesh is a number"},
+        {R"({"render": {"mesh": "../out.obj"}})", "outside the root"},
+        {R"({"render": {"mesh": "none.obj"}})", "none.obj"},
+        {R"({"render": {"mesh": "a.json"}})", "a.json"},
         {R"({"render": {"size": "9"}})", "512x512"},
         {R"({"render": {"viewed": "uv"}})", "did you mean 'view'?"},
         {R"({"glsl": true, "set": ["tilt.volume=0:1:2"]})", "sweep"},

@@ -39,6 +39,13 @@ TEST(Build, OperandsThatMakeNoSense) {
     EXPECT_EQ(text.substr(0, 38), "dot of (float, float) makes no sense: ");
 }
 
+TEST(Build, AGuessedFrameHasADirectionAndNoOtherHas) {
+    const std::string sentence =
+        "gives a frame a direction where there is none, or none to 'guess'" + mend;
+    EXPECT_EQ(report_of("guess_nowhere"), sentence);
+    EXPECT_EQ(report_of("vertex_somewhere"), sentence);
+}
+
 TEST(Build, RegionsAreClosedAndKeptTogether) {
     EXPECT_EQ(report_of("open_region"), "leaves a loop or a function open" + mend);
     EXPECT_EQ(report_of("leaks_region"),

@@ -49,9 +49,10 @@ vec3 wrinkle_strap_normal(WrinkleSurface_strap s) {
     float weave_depth = max(max(abs(weave_texel_2.z), weave_least_depth), 1e-06);
     vec3 normal_product = normal * (base_depth * weave_depth * s.facing);  // normal: Resolve
     vec2 normal_slope = -base_texel_2.xy * weave_depth;
-    vec3 normal_gradient = s.tangent.xyz * inverse_normal_length * normal_slope.x;
-    vec3 normal_gradient_2 = normal_gradient + bitangent * inverse_normal_length * normal_slope.y;
+    vec3 normal_product_2 = s.tangent.xyz * inverse_normal_length * normal_slope.x;
+    vec3 normal_sum = normal_product_2 + bitangent * inverse_normal_length * normal_slope.y;
     vec2 normal_slope_2 = -weave_texel_2.xy * 0.6 * base_depth;
-    vec3 normal_gradient_3 = uv1_tangent * normal_slope_2.x + uv1_bitangent * normal_slope_2.y;
-    return normalize(normal_product - (normal_gradient_2 + normal_gradient_3));
+    vec3 normal_sum_2 = uv1_tangent * normal_slope_2.x + uv1_bitangent * normal_slope_2.y;
+    vec3 normal_bumped = normal_product - (normal_sum + normal_sum_2);
+    return normalize(vec3(normal_bumped.xy, normal_bumped.z + 1e-18));
 }

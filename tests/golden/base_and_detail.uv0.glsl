@@ -20,5 +20,6 @@ vec3 wrinkle_strap_normal(WrinkleSurface_strap s) {
     // normal: Resolve
     vec2 normal_slope = -base_texel.xy * weave_depth + -weave_texel.xy * 0.6 * base_depth;
     vec3 normal_gradient = s.tangent.xyz * normal_slope.x + bitangent * normal_slope.y;
-    return normalize(s.normal * (base_depth * weave_depth * s.facing) - normal_gradient);
+    vec3 normal_bumped = s.normal * (base_depth * weave_depth * s.facing) - normal_gradient;
+    return normalize(vec3(normal_bumped.xy, normal_bumped.z + 1e-18));
 }

@@ -142,6 +142,32 @@ TEST_F(LightingTest, AMirrorShowsTheSurroundings) {
     EXPECT_GT(checked, 500U);
 }
 
+// Each pixel beside the object shows the radiance of the way that its corner of the view frustum
+// lies.
+TEST_F(LightingTest, TheSurroundingsStandBehindTheObject) {
+    const auto radiance = [](dvec3 d) { return vec3(d) * 0.3F + 0.4F; };
+    renderer->set_environment(surroundings(radiance, 256));
+    const auto covered = draw(constants("vec3(1.0)", "0.5", "0.0"), View::shaded);
+    scene.surroundings = true;
+    ASSERT_TRUE(renderer->draw(scene, {}, *target, diagnostics)) << errors();
+    const std::vector<float> shown = target->read();
+    const glm::dmat4 to_world =
+        glm::inverse(glm::dmat4(projection_matrix(scene.camera, 1, 2)) * view_matrix(scene.camera));
+    size_t checked = 0;
+    for (size_t i = 0; i < covered.size(); ++i) {
+        if (covered[i].covered) continue;
+        const dvec2 at = (dvec2(i % size, i / size) + 0.5) / (size / 2.0) - 1.0;
+        const glm::dvec4 far = to_world * glm::dvec4(at, 1, 1);
+        const vec3 light = radiance(glm::normalize(dvec3(far) / far.w - eye_of(scene.camera)));
+        for (int k = 0; k < 3; ++k) {
+            const float srgb = 1.055F * std::pow(light[k], 1 / 2.4F) - 0.055F;
+            ASSERT_NEAR(shown[4 * i + static_cast<size_t>(k)], srgb, 0.02) << i << " " << k;
+        }
+        ++checked;
+    }
+    EXPECT_GT(checked, 500U);
+}
+
 TEST_F(LightingTest, AWhiteSurfaceTakesTheIrradiance) {
     scene.light = 0;
     const auto places = positions();

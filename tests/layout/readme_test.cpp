@@ -22,10 +22,10 @@ TEST(Readme, ShowsTheGeneratedTextOfBaseAndDetail) {
         << "put graphs/golden/base_and_detail.glsl into README.md";
 }
 
-// Base and detail in function form are at most 25 lines.
+// Base and detail in function form are at most 26 lines.
 TEST(Readme, BaseAndDetailStayShort) {
     const std::string golden = text_of("graphs/golden/base_and_detail.glsl");
-    EXPECT_LE(std::count(golden.begin(), golden.end(), '\n'), 25);
+    EXPECT_LE(std::count(golden.begin(), golden.end(), '\n'), 26);
 }
 
 }  // namespace

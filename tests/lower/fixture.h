@@ -21,8 +21,8 @@ namespace wrinkle::test {
 // field_at(shape field of float) -> value      march(shape field of float) -> value
 // many(value, height, gradient) -> value, height, normal, gradient
 // old_name(size, was length until version 2; version 2) -> value
-// wrong_frame, forgets, twice, wrong_type, bad_operands, complains, open_region, leaks_region,
-// lies: bodies that err
+// wrong_frame, forgets, twice, wrong_type, bad_operands, guess_nowhere, vertex_somewhere,
+// complains, open_region, leaks_region, lies: bodies that err
 const Registry& registry();
 
 // Files by name ("main.json" is the top), written into a folder of the test's own.

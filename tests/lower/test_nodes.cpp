@@ -155,6 +155,19 @@ const wr_node c_nodes[] = {
            [](const wr_builder* b) {
                b->output(b, 1, emit(b, WR_OP_dot, {b->input(b, 0), b->input(b, 0)}));
            }),
+    c_node("guess_nowhere",
+           [](const wr_builder* b) {
+               const wr_value uv = b->surface(b, WR_SURFACE_uv0);
+               emit(b, WR_OP_frame, {uv}, WR_FRAME(WR_FRAME_guess, WR_SCALE_unit));
+               b->output(b, 1, b->input(b, 0));
+           }),
+    c_node("vertex_somewhere",
+           [](const wr_builder* b) {
+               const wr_value uv = b->surface(b, WR_SURFACE_uv0);
+               const wr_value direction = b->surface(b, WR_SURFACE_position);
+               emit(b, WR_OP_frame, {uv, direction}, WR_FRAME(WR_FRAME_vertex, WR_SCALE_unit));
+               b->output(b, 1, b->input(b, 0));
+           }),
     c_node("complains",
            [](const wr_builder* b) {
                b->error(b, "the moon is not full");

@@ -2,6 +2,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/mat3x3.hpp>
+#include <glm/matrix.hpp>
 
 #include "nodes/plane.h"
 
@@ -58,6 +61,78 @@ TEST(DerivativeMap, FlipsEitherSlope) {
     const auto map = [](const char* in) { return one("derivative_map", in); };
     expect_vector(value({map(R"("flip_u": true)"), "n.gradient", slopes}), {-0.5, -0.25, 0});
     expect_vector(value({map(R"("flip_v": true)"), "n.gradient", slopes}), {0.5, 0.25, 0});
+}
+
+// Points whose tangent is neither unit nor square to a normal of any length, mirrored or not.
+PointSet leaning_points(const Scene& scene, glm::dvec3 n, glm::dvec3 t, double w) {
+    PointSet points = plane_points(scene, {{0.3, 0.6}, {-0.2, 0.9}});
+    auto& normals = points.at(SurfaceInput::normal_, Variant::value);
+    auto& tangents = points.at(SurfaceInput::tangent_, Variant::value);
+    for (size_t i = 0; i < points.count; ++i) {
+        for (int lane = 0; lane < 3; ++lane) {
+            normals[3 * i + static_cast<size_t>(lane)] = n[lane];
+            tangents[4 * i + static_cast<size_t>(lane)] = t[lane];
+        }
+        tangents[4 * i + 3] = w;
+    }
+    return points;
+}
+
+const std::string slanted =
+    R"("g": {"type": "gradient_from_volume", "in": {"volume": [1.5, -2, 0.7]}},
+    "r": {"type": "resolve", "in": {"gradient": {"from": "g.gradient"}}}, )";
+
+// Eq. 24: what goes into tangent space comes back out of it, in every frame.
+TEST(TangentSpaceNormal, DecodesToTheNormalThatItWasMadeFrom) {
+    const std::string turned = R"("t": {"type": "uv_transform", "in": {"rotation": 25,
+        "scale": [-3, 2]}}, )";
+    for (const char* frame :
+         {R"("frame": "vertex")", R"("frame": "derived")", R"("frame": "auto")",
+          R"("scale": "surface")", R"("frame": "guess", "direction": [0.3, 0.8, -0.5])"})
+        for (const char* uv : {"surface.uv0", "t.uv"}) {
+            const std::string in = R"("uv": {"from": ")" + std::string(uv) + "\"}, " + frame;
+            const std::string nodes =
+                slanted + turned +
+                one("tangent_space_normal", R"("normal": {"from": "r.normal"}, )" + in) +
+                R"(, "d": {"type": "gradient_from_tangent_normal", "in": {"normal": {"from": "n.normal"}, )" +
+                in +
+                R"(}}, "back": {"type": "resolve", "in": {"gradient": {"from": "d.gradient"}}})";
+            for (const double w : {1.0, -1.0}) {
+                const auto there = Scene{nodes, "r.normal"}, back = Scene{nodes, "back.normal"};
+                const glm::dvec3 n(0.2, -0.1, 0.7), t(0.6, 0.3, 0.1);
+                const auto expected = values(there, leaning_points(there, n, t, w));
+                const auto got = values(back, leaning_points(back, n, t, w));
+                ASSERT_EQ(got.size(), expected.size());
+                for (size_t i = 0; i < got.size(); ++i)
+                    expect_vector(got[i], {expected[i][0], expected[i][1], expected[i][2]});
+            }
+        }
+}
+
+// MikkTSpace's decode is normalize([T B N] m): solved for m by brute force.
+TEST(TangentSpaceNormal, SolvesTheDecodeOfVertexTangents) {
+    const std::string nodes = slanted + one("tangent_space_normal",
+                                            R"("normal": {"from": "r.normal"}, "frame": "vertex")");
+    for (const double w : {1.0, -1.0}) {
+        const glm::dvec3 n(0.2, -0.1, 0.7), t(0.6, 0.3, 0.1);
+        const Scene scene{nodes, "n.normal"}, resolved{nodes, "r.normal"};
+        const auto normals = values(resolved, leaning_points(resolved, n, t, w));
+        const auto got = values(scene, leaning_points(scene, n, t, w));
+        for (size_t i = 0; i < got.size(); ++i) {
+            const glm::dvec3 v(normals[i][0], normals[i][1], normals[i][2]);
+            const glm::dvec3 m =
+                glm::normalize(glm::inverse(glm::dmat3(t, w * glm::cross(n, t), n)) * v);
+            EXPECT_LT(m.z, 0.9) << "not flat";
+            expect_vector(got[i], {m.x, m.y, m.z});
+        }
+    }
+}
+
+TEST(TangentSpaceNormal, IsFlatWhereThereIsNoFrame) {
+    const std::string nodes =
+        slanted + one("tangent_space_normal", R"("normal": {"from": "r.normal"}, "uv": [1, 2])");
+    expect_vector(value({nodes, "n.normal"}), {0, 0, 1});
+    expect_vector(value({nodes, "n.color"}), {0.5, 0.5, 1});
 }
 
 // Pitfall 27: a normal that looks away shades black.

@@ -86,6 +86,30 @@ TEST(Operators, ASlopeIsLimitedAndKeepsItsDirection) {
     }
 }
 
+// Unity makes 1/z of a two-channel map as rsqrt(max(1 - x^2 - y^2, 2^-7)).
+TEST(Operators, UnitysLimitOfTwoChannelMapsIsATilt) {
+    const Image map = painted(64, [](double u, double v) {
+        const double turn = 2 * std::numbers::pi * v, r = u * 128 / 127;
+        return std::array{0.5 + 0.5 * r * std::cos(turn), 0.5 + 0.5 * r * std::sin(turn), 0.0};
+    });
+    const std::string nodes =
+        R"("m": {"type": "tangent_normal_map", "in": {"image":
+               {"file": "textures/weave_normal.png", "encoding": "normal_rg"}}},
+           "n": {"type": "gradient_clamp_slope", "in": {"gradient": {"from": "m.gradient"},
+               "max_tilt": 84.95}},
+           "t": {"type": "gradient_tilt", "in": {"gradient": {"from": "n.gradient"}}},
+           "free": {"type": "gradient_tilt", "in": {"gradient": {"from": "m.gradient"}}})";
+    double beyond = 0;
+    for (int i = 0; i < 64; ++i) {
+        const double u = (i + 0.5) / 64, v = 19.5 / 64, r = u * 128 / 127;
+        const double unity = r / std::sqrt(std::max(1 - r * r, 1.0 / 128));
+        const double tilt = std::atan(unity) * 180 / std::numbers::pi;
+        EXPECT_NEAR(value({nodes, "t.tilt", map}, u, v)[0], tilt, 0.05) << r;
+        beyond = std::max(beyond, value({nodes, "free.tilt", map}, u, v)[0] - tilt);
+    }
+    EXPECT_GT(beyond, 1) << "nothing here is steep enough to be limited";
+}
+
 TEST(Operators, TiltIsTheAngleOfTheNormals) {
     const std::string tilt = of_one("gradient_tilt", "[3, -4, 9]");
     EXPECT_NEAR(value({tilt, "n.slope"})[0], 5, 1e-12);

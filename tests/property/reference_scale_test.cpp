@@ -1,5 +1,5 @@
 // The matrix of properties, continued: T5 object-space normals, T7 what a scale means, T9 matrices,
-// T11 bumps on a resolved base, T14 ten kilometres from the origin.
+// T11 bumps on a resolved base, T12 differentials of a ray, T14 ten kilometres from the origin.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -230,6 +230,57 @@ TEST(Reference, ScreenDerivativeIsTheGradientAlongThePixel) {
                 EXPECT_NEAR(glm::dot(moved, gamma), change, 1e-6);
             }
         }
+}
+
+// Where the ray of the pixel beside by (x, y) meets the tangent plane; ray(0, 0) meets the surface.
+struct PixelRays {
+    dvec3 eye, toward, beside_x, beside_y;
+
+    dvec3 ray(dvec2 pixel) const { return toward + beside_x * pixel.x + beside_y * pixel.y; }
+    dvec3 hit(dvec3 n, dvec2 pixel) const {
+        const dvec3 way = ray(pixel);
+        return eye + way * (glm::dot(n, toward) / glm::dot(n, way));
+    }
+    // As a caller without neighbours writes it, by the quotient rule.
+    dvec3 change(dvec3 n, dvec3 beside) const {
+        return beside - toward * (glm::dot(n, beside) / glm::dot(n, toward));
+    }
+};
+
+// Differentials from the pixel's ray alone: those of its neighbours' rays on the tangent plane, and
+// given to a material they make the bump that any other pixel makes.
+TEST(Reference, T12_DifferentialsOfAPixelsRayAreThoseOfItsNeighbours) {
+    Material m;
+    m.output("height", m.resolve(m.from_height(m.sin(m.position().x() * 3) * 0.1)));
+    m.output("map", m.resolve(m.from_slope(m.vector(dvec2(0.4, -0.3)),
+                                           m.frame(m.uv1(), WR_FRAME_derived, WR_SCALE_unit))));
+    const Expanded material(m);
+    for (const Sample& sample : samples(80, 81)) {
+        const Surface surface = torus();
+        Surroundings around = point_at(surface, sample.st, sample.pixel);
+        const dvec3 n = normal_of(around), s = along(surface.position, sample.st, {1, 0}, 1e-3);
+        const dvec3 side = glm::normalize(s), toward = side * 2.0 - n * (sample.st.y + 1.2);
+        const PixelRays rays{surface.position(sample.st) - toward, toward,
+                             glm::cross(side, n) * 1e-3 + n * 4e-4, side * 1e-3 - n * 2e-4};
+        const dvec3 t = along(surface.position, sample.st, {0, 1}, 1e-3);
+        const glm::dmat3 to_st = glm::inverse(glm::dmat3(s, t, n));
+        for (const Variant axis : {Variant::dx, Variant::dy}) {
+            const bool is_x = axis == Variant::dx;
+            const dvec3 moved = rays.change(n, is_x ? rays.beside_x : rays.beside_y);
+            const auto hit = [&](dvec2 pixel) { return rays.hit(n, pixel); };
+            const dvec3 neighbours = along(hit, dvec2(0), is_x ? dvec2(1, 0) : dvec2(0, 1), 1e-2);
+            EXPECT_LE(glm::distance(moved, neighbours), 1e-6 * glm::length(moved));
+            const dvec3 st = to_st * moved;
+            const dvec2 uv = along(surface.uv1, sample.st, {1, 0}, 1e-3) * st.x +
+                             along(surface.uv1, sample.st, {0, 1}, 1e-3) * st.y;
+            set(around, SurfaceInput::position_, {moved.x, moved.y, moved.z}, axis);
+            set(around, SurfaceInput::uv1_, {uv.x, uv.y}, axis);
+        }
+        const Surroundings other = point_at(surface, sample.st, sample.pixel);
+        for (size_t output = 0; output < 2; ++output)
+            EXPECT_LE(angle_deg(material.vector(output, around), material.vector(output, other)),
+                      1e-6);
+    }
 }
 
 // The tangent nearest to a direction, by cross products and by Gram and Schmidt: one frame.
