@@ -114,7 +114,7 @@ Painter::Painter(gpu::Context context, gpu::Target target, const PictureOptions&
 bool Painter::set_material(const gpu::Material& material, const Textures& textures,
                            Diagnostics& diagnostics) {
     for (const gpu::MaterialSampler& sampler : material.samplers) {
-        const MipChain* chain = textures.find(sampler.file);
+        const auto chain = textures.find(sampler.file);
         if (!chain || !renderer_.add_image(sampler.file, *chain, diagnostics)) return false;
     }
     return renderer_.set_material(material, diagnostics);
