@@ -2,8 +2,8 @@
 // view. Everything of its own is called WrView_...; in compile logs the lines of the material keep
 // their numbers and the renderer's own after them begin at 100001.
 //
-// Vertex attributes are those of glsl/attributes.h and behind them the place where a vertex is drawn.
-// The fragment's one output is WrView_color.
+// Vertex attributes are those of glsl/attributes.h and behind them the place where a vertex is
+// drawn. The fragment's one output is WrView_color.
 #pragma once
 
 #include <string>

@@ -166,7 +166,8 @@ TEST(Descriptor, RefusesTextsWithoutAnEndAndControlCharacters) {
     EXPECT_EQ(refusal([&](Sample& s) { s.node.doc = endless.c_str(); }),
               "p.so: error: node 'sample': the doc has no end within 4096 bytes\n");
     EXPECT_EQ(refusal([](Sample& s) { s.node.id = "two\nlines"; }),
-              "p.so: error: node 'number 0': the id holds a control character (one line of text)\n");
+              "p.so: error: node 'number 0': the id holds a control character (one line of "
+              "text)\n");
     EXPECT_EQ(refusal([](Sample& s) { s.height.doc = "\x1B[31mred"; }),
               "p.so: error: node 'sample': port 'height': the doc holds a control character (one "
               "line of text)\n");
