@@ -36,10 +36,8 @@ std::string number_json(double value, Precision precision) {
 
 std::vector<Texture> textures_of(const Module& module, const Textures& textures) {
     std::vector<Texture> result;
-    for (const Resource& resource : module.resources) {
-        const MipChain* chain = textures.find(resource.file);
-        result.push_back(chain ? Texture(*chain, resource.options) : Texture());
-    }
+    for (const Resource& resource : module.resources)
+        result.emplace_back(textures.find(resource.file), resource.options);
     return result;
 }
 

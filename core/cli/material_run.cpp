@@ -9,10 +9,6 @@
 namespace wrinkle::cli {
 namespace fs = std::filesystem;
 
-std::string material_name(const std::string& file) {
-    return file == "-" ? "stdin" : identifier(fs::path(file).stem().string());
-}
-
 Compiled compile_or_check(const Project& project, const Registry& registry,
                           const MaterialOptions& options, Diagnostics& diagnostics) {
     if (!diagnostics.has_errors()) return compile_material(project, registry, options, diagnostics);

@@ -12,9 +12,6 @@
 
 namespace wrinkle::cli {
 
-// The graph's name in generated text: its file's stem as an identifier.
-std::string material_name(const std::string& file);
-
 // Compiles. Where the project has errors already the rest of it is checked as well, so that every
 // problem is reported in one go.
 Compiled compile_or_check(const Project& project, const Registry& registry,

@@ -133,7 +133,7 @@ bool Painter::can_compare(const Shader& shader, Diagnostics& diagnostics) const 
 bool Painter::set_material(const gpu::Material& material, const Textures& textures,
                            Diagnostics& diagnostics) {
     for (const gpu::MaterialSampler& sampler : material.samplers) {
-        const MipChain* chain = textures.find(sampler.file);
+        const auto chain = textures.find(sampler.file);
         if (!chain || !renderer_.add_image(sampler.file, *chain, diagnostics)) return false;
     }
     return renderer_.set_material(material, diagnostics);

@@ -30,13 +30,15 @@ void Textures::load(const Compiled& compiled, const Project& project, Diagnostic
         auto image = load_image(resource.file, own);
         for (const Diagnostic& problem : own.list())
             diagnostics.add(at_reader(problem, resource, compiled, project));
-        chains_[resource.file] = image ? build_mips(std::move(*image)) : MipChain{};
+        auto& chain = chains_[resource.file];
+        if (image && !image->empty())
+            chain = std::make_shared<const MipChain>(build_mips(std::move(*image)));
     }
 }
 
-const MipChain* Textures::find(const std::string& file) const {
+std::shared_ptr<const MipChain> Textures::find(const std::string& file) const {
     const auto found = chains_.find(file);
-    return found == chains_.end() || found->second.levels.empty() ? nullptr : &found->second;
+    return found == chains_.end() ? nullptr : found->second;
 }
 
 }  // namespace wrinkle::cli

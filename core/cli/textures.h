@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <memory>
 #include <string>
 
 #include "cli/session.h"
@@ -17,11 +18,11 @@ public:
     // a file that failed once is reported once.
     void load(const Compiled& compiled, const Project& project, Diagnostics& diagnostics);
 
-    // nullptr for one that was not, or could not be, read.
-    const MipChain* find(const std::string& file) const;
+    // Null for one that was not, or could not be, read.
+    std::shared_ptr<const MipChain> find(const std::string& file) const;
 
 private:
-    std::map<std::string, MipChain> chains_;  // empty: could not be read
+    std::map<std::string, std::shared_ptr<const MipChain>> chains_;
 };
 
 }  // namespace wrinkle::cli

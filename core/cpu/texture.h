@@ -4,10 +4,12 @@
 // lod is clamped to the levels there are; between two levels results mix linearly. With the filter
 // `nearest` the nearest texel of the nearest level is taken. NaN and infinite coordinates read as
 // 0. Missing channels follow expand_texel() of image/image.h.
+//
+// The texels are the mip chain's own, shared and never copied, as many channels as it has.
 #pragma once
 
 #include <array>
-#include <vector>
+#include <memory>
 
 #include "base/texture_options.h"
 #include "image/mips.h"
@@ -17,28 +19,28 @@ namespace wrinkle {
 class Texture {
 public:
     Texture() = default;  // one black texel
-    Texture(const MipChain& chain, const TextureOptions& options);
+    Texture(std::shared_ptr<const MipChain> chain, const TextureOptions& options);
+    Texture(MipChain chain, const TextureOptions& options);
 
-    uint32_t width() const { return levels_[0].width; }
-    uint32_t height() const { return levels_[0].height; }
+    uint32_t width() const { return chain_->levels[0].width; }
+    uint32_t height() const { return chain_->levels[0].height; }
 
     // r, g, b, a. The weights are computed in T.
     template <class T>
     std::array<T, 4> sample_lod(T u, T v, T lod) const;
 
 private:
-    struct Level {
-        uint32_t width = 1;
-        uint32_t height = 1;
-        std::vector<float> rgba{0, 0, 0, 1};
-    };
     template <class T>
-    std::array<T, 4> bilinear(const Level& level, T u, T v) const;
+    std::array<T, 4> bilinear(const Image& level, T u, T v) const;
+    template <class T, uint32_t channels>
+    std::array<T, 4> bilinear_of(const Image& level, T u, T v) const;
     template <class T>
-    std::array<T, 4> nearest(const Level& level, T u, T v) const;
+    std::array<T, 4> nearest(const Image& level, T u, T v) const;
 
-    std::vector<Level> levels_{Level{}};
+    std::shared_ptr<const MipChain> chain_ = black();
     TextureOptions options_;
+
+    static std::shared_ptr<const MipChain> black();
 };
 
 }  // namespace wrinkle

@@ -1,5 +1,6 @@
 #include "glsl/emit.h"
 
+#include "base/text.h"
 #include "glsl/interface.h"
 
 namespace wrinkle {
@@ -32,6 +33,10 @@ bool refused(const Module& module, const EmitOptions& options, Shader& shader) {
 }
 
 }  // namespace
+
+std::string material_name(const std::filesystem::path& file) {
+    return file == "-" ? "stdin" : identifier(file.stem().string());
+}
 
 Shader emit(const Module& module, const EmitOptions& options) {
     Shader shader;

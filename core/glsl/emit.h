@@ -23,6 +23,7 @@
 // A `parameter` that remains in the module is a uniform NODE_PORT, of a graph input input_NAME.
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -49,6 +50,9 @@ struct Shader {
     Reflection reflection;
     std::vector<Problem> problems;  // the texts are empty when there are any
 };
+
+// NAME of a graph's file: its stem; "stdin" of "-".
+std::string material_name(const std::filesystem::path& file);
 
 Shader emit(const Module& module, const EmitOptions& options);
 

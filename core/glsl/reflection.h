@@ -57,8 +57,7 @@ struct FunctionInfo {
     std::string variable;    // its name there
 };
 
-// A vertex attribute of the shader form. Location: position 0, normal 1, tangent 2, uv0 ... uv3
-// 3 ... 6, color0 7.
+// A vertex attribute of the shader form, at its place in glsl/attributes.h.
 struct AttributeInfo {
     std::string name;
     Type type = Type::vec3_;

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 
+#include "glsl/attributes.h"
 #include "glsl/interface.h"
 
 namespace wrinkle {
@@ -10,9 +11,6 @@ namespace {
 // Of a fragment output; others follow in graph order.
 constexpr std::array<std::string_view, 7> standard_outputs = {
     "normal", "color", "roughness", "metalness", "occlusion", "height", "displacement"};
-
-// Of the vertex attributes, by SurfaceInput; -1: made in the shader.
-constexpr std::array<int, surface_input_count> locations = {0, 1, 2, 3, 4, 5, 6, 7, -1, -1};
 
 struct Stage {
     const Plan& plan;
@@ -39,11 +37,12 @@ void assign_locations(Interface& face) {
 
 void find_varyings(Stage& stage) {
     Reflection& r = stage.face.reflection;
-    r.attributes.push_back({"position", Type::vec3_, 0, SurfaceInput::position_});
+    r.attributes.push_back(
+        {"position", Type::vec3_, location_of(SurfaceInput::position_), SurfaceInput::position_});
     for (const MemberInfo& member : r.members) {
-        const int location = locations[static_cast<size_t>(member.input)];
+        const int location = location_of(member.input);
         stage.relative = stage.relative || member.relative || member.input == SurfaceInput::view_;
-        if (location > 0)
+        if (location >= 0 && member.input != SurfaceInput::position_)
             r.attributes.push_back(
                 {std::string(info(member.input).name), member.type, location, member.input});
         if (location >= 0 && !member.relative) r.varyings.push_back("wrinkle_" + member.name);

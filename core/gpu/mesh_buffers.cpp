@@ -4,6 +4,8 @@
 
 #include <utility>
 
+#include "gpu/wrapper.h"
+
 namespace wrinkle::gpu {
 namespace {
 
@@ -20,25 +22,26 @@ uint32_t make_buffer(GLenum target, const std::vector<T>& values) {
 }  // namespace
 
 template <typename T>
-void MeshBuffers::add(uint32_t location, const std::vector<T>& values) {
+void MeshBuffers::add(int location, const std::vector<T>& values) {
     if (values.empty()) return;
+    const auto index = static_cast<GLuint>(location);
     buffers_.push_back(make_buffer(GL_ARRAY_BUFFER, values));
-    glEnableVertexAttribArray(location);
-    glVertexAttribPointer(location, T::length(), GL_FLOAT, GL_FALSE, sizeof(T), nullptr);
-    has_[location] = true;
+    glEnableVertexAttribArray(index);
+    glVertexAttribPointer(index, T::length(), GL_FLOAT, GL_FALSE, sizeof(T), nullptr);
+    has_[index] = true;
 }
 
 MeshBuffers::MeshBuffers(const Mesh& mesh)
     : indices_(static_cast<int>(mesh.indices.size())), bounds_(bounds_of(mesh)) {
     glGenVertexArrays(1, &array_);
     glBindVertexArray(array_);
-    add(0, mesh.positions);
-    add(1, mesh.normals);
-    add(2, mesh.tangents);
-    for (uint32_t set = 0; set < max_uv_sets; ++set)
-        add(3 + set, mesh.uvs[set]);
-    add(7, mesh.colors);
-    add(8, mesh.drawn());
+    add(location_of(SurfaceInput::position_), mesh.positions);
+    add(location_of(SurfaceInput::normal_), mesh.normals);
+    add(location_of(SurfaceInput::tangent_), mesh.tangents);
+    for (int set = 0; set < static_cast<int>(max_uv_sets); ++set)
+        add(location_of(SurfaceInput::uv0_) + set, mesh.uvs[static_cast<size_t>(set)]);
+    add(location_of(SurfaceInput::color0_), mesh.colors);
+    add(drawn_location, mesh.drawn());
     buffers_.push_back(make_buffer(GL_ELEMENT_ARRAY_BUFFER, mesh.indices));
     glBindVertexArray(0);
 }

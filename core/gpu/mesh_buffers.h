@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "glsl/attributes.h"
 #include "mesh/mesh.h"
 
 namespace wrinkle::gpu {
@@ -22,11 +23,11 @@ public:
 
 private:
     template <typename T>
-    void add(uint32_t location, const std::vector<T>& values);
+    void add(int location, const std::vector<T>& values);
 
     uint32_t array_ = 0;
     std::vector<uint32_t> buffers_;
-    std::array<bool, 9> has_{};
+    std::array<bool, attribute_count + 1> has_{};
     int indices_ = 0;
     Bounds bounds_;
 };

@@ -87,8 +87,7 @@ std::optional<Program> compile(const Material& material, View view, const Output
 
 bool check_members(const Material& material, Diagnostics& diagnostics) {
     for (const Member& member : material.members)
-        if (attribute_location(member.property) < 0 && member.property != "view" &&
-            member.property != "facing") {
+        if (!is_property(member.property)) {
             diagnostics.error("the material reads " + in_quotes(member.property) +
                               ", which is no property of a drawn surface");
             return false;

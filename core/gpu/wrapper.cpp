@@ -3,27 +3,29 @@
 #include <algorithm>
 #include <array>
 
+#include "glsl/attributes.h"
+
 namespace wrinkle::gpu {
 namespace {
 
 struct Property {
     std::string_view name;
     std::string_view value;  // in the fragment shader's main()
-    int location;            // of the vertex attribute behind it, or -1
+    SurfaceInput input;      // what it is made of
 };
 
 constexpr std::array<Property, 11> properties{{
-    {"position", "WrView_position", 0},
-    {"position_relative", "WrView_position_relative", 0},
-    {"normal", "WrView_normal", 1},
-    {"tangent", "WrView_tangent", 2},
-    {"uv0", "WrView_uv0", 3},
-    {"uv1", "WrView_uv1", 4},
-    {"uv2", "WrView_uv2", 5},
-    {"uv3", "WrView_uv3", 6},
-    {"color0", "WrView_color0", 7},
-    {"view", "normalize(WrView_to_eye)", -1},
-    {"facing", "(gl_FrontFacing ? 1.0 : -1.0)", -1},
+    {"position", "WrView_position", SurfaceInput::position_},
+    {"position_relative", "WrView_position_relative", SurfaceInput::position_},
+    {"normal", "WrView_normal", SurfaceInput::normal_},
+    {"tangent", "WrView_tangent", SurfaceInput::tangent_},
+    {"uv0", "WrView_uv0", SurfaceInput::uv0_},
+    {"uv1", "WrView_uv1", SurfaceInput::uv1_},
+    {"uv2", "WrView_uv2", SurfaceInput::uv2_},
+    {"uv3", "WrView_uv3", SurfaceInput::uv3_},
+    {"color0", "WrView_color0", SurfaceInput::color0_},
+    {"view", "normalize(WrView_to_eye)", SurfaceInput::view_},
+    {"facing", "(gl_FrontFacing ? 1.0 : -1.0)", SurfaceInput::facing_},
 }};
 
 const Property* find_property(std::string_view name) {
@@ -32,17 +34,7 @@ const Property* find_property(std::string_view name) {
     return found == properties.end() ? nullptr : found;
 }
 
-constexpr std::string_view vertex_text = R"(#version 330 core
-layout(location = 0) in vec3 WrView_in_position;
-layout(location = 1) in vec3 WrView_in_normal;
-layout(location = 2) in vec4 WrView_in_tangent;
-layout(location = 3) in vec2 WrView_in_uv0;
-layout(location = 4) in vec2 WrView_in_uv1;
-layout(location = 5) in vec2 WrView_in_uv2;
-layout(location = 6) in vec2 WrView_in_uv3;
-layout(location = 7) in vec4 WrView_in_color0;
-layout(location = 8) in vec3 WrView_in_drawn;
-uniform mat4 WrView_to_clip;
+constexpr std::string_view vertex_text = R"(uniform mat4 WrView_to_clip;
 uniform vec3 WrView_eye;
 out vec3 WrView_position;
 out vec3 WrView_position_relative;
@@ -303,15 +295,35 @@ std::string body_of(const Material& material, View view, const OutputFunction* a
     return {};
 }
 
+std::string vertex_inputs() {
+    std::string text = "#version 330 core\n";
+    const auto add = [&](int location, std::string_view type, std::string_view name) {
+        text += "layout(location = " + std::to_string(location) + ") in " + std::string(type) +
+                " WrView_in_" + std::string(name) + ";\n";
+    };
+    for (int i = 0; i < surface_input_count; ++i) {
+        const auto input = static_cast<SurfaceInput>(i);
+        const SurfaceInfo& property = info(input);
+        if (location_of(input) >= 0)
+            add(location_of(input), info(property.type).name, property.name);
+    }
+    add(drawn_location, "vec3", "drawn");
+    return text;
+}
+
 }  // namespace
 
 std::string_view display_text() {
     return curve_text;
 }
 
+bool is_property(std::string_view name) {
+    return find_property(name) != nullptr;
+}
+
 int attribute_location(std::string_view property) {
     const Property* found = find_property(property);
-    return found ? found->location : -1;
+    return found ? location_of(found->input) : -1;
 }
 
 ShaderText wrap_material(const Material& material, View view, const OutputFunction* against,
@@ -324,7 +336,7 @@ ShaderText wrap_material(const Material& material, View view, const OutputFuncti
     fragment += surface_text;
     fragment += body_of(material, view, against);
     fragment += "    WrView_color = vec4(WrView_raw ? value : clamp(shown, 0.0, 1.0), 1.0);\n}\n";
-    return {std::string(vertex_text), std::move(fragment)};
+    return {vertex_inputs() + std::string(vertex_text), std::move(fragment)};
 }
 
 const OutputFunction* find_output(const Material& material, const std::string& output) {

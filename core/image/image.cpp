@@ -25,20 +25,6 @@ Image make_image(uint32_t width, uint32_t height, uint32_t channels, PixelType s
     return image;
 }
 
-std::array<float, 4> expand_texel(const float* values, uint32_t channels, bool has_alpha) {
-    switch (channels) {
-        case 1:
-            return {values[0], values[0], values[0], 1};
-        case 2:
-            if (has_alpha) return {values[0], values[0], values[0], values[1]};
-            return {values[0], values[1], 0, 1};
-        case 3:
-            return {values[0], values[1], values[2], 1};
-        default:
-            return {values[0], values[1], values[2], values[3]};
-    }
-}
-
 Image to_rgba(const Image& image) {
     Image wide = make_image(image.width, image.height, 4, image.source);
     float* out = wide.data.data();

@@ -45,8 +45,21 @@ Image make_image(uint32_t width, uint32_t height, uint32_t channels,
                  PixelType source = PixelType::float32);
 
 // The one rule by which fewer channels become four: gray is repeated into r, g and b; red-green
-// gets blue 0; a missing alpha is 1. `values` points at `channels` floats.
-std::array<float, 4> expand_texel(const float* values, uint32_t channels, bool has_alpha);
+// gets blue 0; a missing alpha is 1. `values` points at `channels` numbers.
+template <class T>
+std::array<T, 4> expand_texel(const T* values, uint32_t channels, bool has_alpha) {
+    switch (channels) {
+        case 1:
+            return {values[0], values[0], values[0], 1};
+        case 2:
+            if (has_alpha) return {values[0], values[0], values[0], values[1]};
+            return {values[0], values[1], 0, 1};
+        case 3:
+            return {values[0], values[1], values[2], 1};
+        default:
+            return {values[0], values[1], values[2], values[3]};
+    }
+}
 Image to_rgba(const Image& image);  // every texel through expand_texel
 
 }  // namespace wrinkle

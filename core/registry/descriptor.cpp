@@ -12,6 +12,8 @@ namespace {
 
 constexpr uint32_t most_nodes = 10'000;
 constexpr uint32_t most_ports = 256;  // also of choices and renames
+constexpr size_t longest_name = 64;   // bytes
+constexpr size_t longest_text = 4096;
 
 template <class T>
 bool read_struct(const T* source, T& copy) {
@@ -25,8 +27,12 @@ bool read_struct(const T* source, T& copy) {
 bool is_name(std::string_view text) {
     const auto lower = [](char c) { return c >= 'a' && c <= 'z'; };
     const auto inside = [&](char c) { return lower(c) || (c >= '0' && c <= '9') || c == '_'; };
-    return !text.empty() && text.size() <= 64 && lower(text[0]) &&
+    return !text.empty() && text.size() <= longest_name && lower(text[0]) &&
            std::all_of(text.begin(), text.end(), inside);
+}
+
+bool is_control(char c) {
+    return static_cast<unsigned char>(c) < 0x20 || c == 0x7F;
 }
 
 class Reader {
@@ -57,7 +63,7 @@ public:
         wr_node copy;
         if (!source) return void(fault("its descriptor is null"));
         if (!read_struct(source, copy)) return void(too_small("its descriptor", source->size));
-        if (!text(copy.id, "the id", type.id)) return;
+        if (!name(copy.id, "the id", type.id)) return;
         node_ = type.id;
         if (!is_name(type.id))
             fault("its id is not lower_snake_case", "letters a-z, digits and _, at most 64");
@@ -96,11 +102,23 @@ private:
         return fault(what + " has the impossible size " + std::to_string(size));
     }
 
-    bool text(const char* source, const char* what, std::string& copy) {
+    // One line of text. `copy` is fit to be printed whatever the answer; "" when it is false.
+    bool text(const char* source, const char* what, std::string& copy, size_t most = longest_text) {
+        copy.clear();
         if (!source) return fault(std::string(what) + " is null");
-        copy = source;
-        if (!is_utf8(copy)) return fault(std::string(what) + " is not valid UTF-8");
+        const std::string_view found(source, strnlen(source, most + 1));
+        if (found.size() > most)
+            return fault(std::string(what) + " has no end within " + std::to_string(most) +
+                         " bytes");
+        if (!is_utf8(found)) return fault(std::string(what) + " is not valid UTF-8");
+        if (std::any_of(found.begin(), found.end(), is_control))
+            return fault(std::string(what) + " holds a control character", "one line of text");
+        copy = found;
         return true;
+    }
+
+    bool name(const char* source, const char* what, std::string& copy) {
+        return text(source, what, copy, longest_name);
     }
 
     void ports(const wr_node& node, NodeType& type) {
@@ -131,7 +149,7 @@ private:
         wr_port copy;
         if (!source) return fault("its descriptor is null");
         if (!read_struct(source, copy)) return too_small("its descriptor", source->size);
-        if (!text(copy.name, "the name", port.name)) return false;
+        if (!name(copy.name, "the name", port.name)) return false;
         port_ = "port '" + port.name + "'";
         if (!is_name(port.name))
             fault("its name is not lower_snake_case", "letters a-z, digits and _, at most 64");
@@ -160,9 +178,10 @@ private:
 
     bool value(const wr_port& source, Port& port) {
         if (source.encoding) {
-            const auto encoding = encoding_named(source.encoding);
-            if (!encoding)
-                return fault("its encoding " + json_quoted(source.encoding) + " does not exist");
+            std::string word;
+            if (!name(source.encoding, "the encoding", word)) return false;
+            const auto encoding = encoding_named(word);
+            if (!encoding) return fault("its encoding " + json_quoted(word) + " does not exist");
             port.encoding = *encoding;
         }
         const bool field = port.kind == Port::Kind::field;
@@ -230,7 +249,7 @@ private:
                          "at most " + std::to_string(most_ports));
         for (uint32_t i = 0; i < source.choice_count; ++i) {
             std::string name;
-            if (!text(source.choices[i], "the name of a choice", name)) return false;
+            if (!this->name(source.choices[i], "the name of a choice", name)) return false;
             if (!is_name(name))
                 return fault("its choice " + json_quoted(name) + " is not lower_snake_case");
             if (std::find(port.choices.begin(), port.choices.end(), name) != port.choices.end())
@@ -250,8 +269,8 @@ private:
                 fault("a renamed port is null or has an impossible size");
                 continue;
             }
-            if (!text(copy.old_name, "the old name of a port", rename.old_name)) continue;
-            if (!text(copy.new_name, "the new name of a port", rename.new_name)) continue;
+            if (!name(copy.old_name, "the old name of a port", rename.old_name)) continue;
+            if (!name(copy.new_name, "the new name of a port", rename.new_name)) continue;
             rename.version = copy.version;
             if (rename.version < 2 || rename.version > type.version)
                 fault("port '" + rename.old_name + "' was renamed in version " +

@@ -25,9 +25,11 @@ std::string literal_schema(const Port& port) {
                "}";
     if (port.kind == Port::Kind::count) {
         std::string text = "{\"type\": \"integer\"";
-        if (port.has_hard_range())
-            text += ", \"minimum\": " + shortest(port.hard_min) +
-                    ", \"maximum\": " + shortest(port.hard_max);
+        const auto bound = [&](const char* word, double value) {
+            if (std::isfinite(value)) text += word + shortest(value);
+        };
+        if (port.has_hard_range()) bound(", \"minimum\": ", port.hard_min);
+        if (port.has_hard_range()) bound(", \"maximum\": ", port.hard_max);
         return text + "}";
     }
     if (port.type == PortType::image_) return "{\"$ref\": \"#/$defs/image\"}";

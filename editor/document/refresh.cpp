@@ -1,6 +1,5 @@
 #include "editor/document/refresh.h"
 
-#include "base/text.h"
 #include "editor/canvas/field.h"
 #include "editor/canvas/layout.h"
 #include "editor/document/change.h"
@@ -83,8 +82,7 @@ void ask(State& state) {
     Follow& follow = state.follow;
     follow.asked_of = state.document();
     follow.names_stale = false;
-    CompileJob job{++follow.asked, state.model, state.document(),
-                   identifier(state.path.stem().string())};
+    CompileJob job{++follow.asked, state.model, state.document(), material_name(state.path)};
     if (follow.compiler)
         follow.compiler->ask(std::move(job));
     else

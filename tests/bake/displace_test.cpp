@@ -10,6 +10,7 @@
 #include "mesh/shapes.h"
 #include "mesh/subdivide.h"
 #include "nodes/all.h"
+#include "support/angle.h"
 
 namespace wrinkle::test {
 namespace {
@@ -52,10 +53,6 @@ std::vector<dvec3> normals_of_triangles(const Mesh& mesh) {
             sums[mesh.indices[t + k]] += normal;
     }
     return sums;
-}
-
-double angle_deg(dvec3 a, dvec3 b) {
-    return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)) * 57.29577951308232;
 }
 
 struct Angles {

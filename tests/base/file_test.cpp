@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include "base/texture_options.h"
+#include "support/files.h"
 
 namespace wrinkle {
 namespace {
@@ -15,13 +16,10 @@ namespace fs = std::filesystem;
 
 class Files : public testing::Test {
 protected:
-    void SetUp() override {
-        folder_ = fs::temp_directory_path() / ("wrinkle_files_" + std::to_string(getpid()));
-        fs::create_directories(folder_ / "inner");
-    }
-    void TearDown() override { fs::remove_all(folder_); }
+    void SetUp() override { fs::create_directories(folder_ / "inner"); }
 
-    fs::path folder_;
+    test::TemporaryFolder temporary_;
+    fs::path folder_ = temporary_.path();
     std::string why_;
 };
 

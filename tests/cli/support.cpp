@@ -5,17 +5,11 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <fstream>
 
 namespace wrinkle::test {
 namespace {
 
 const std::string binary = WRINKLE_BINARY_DIR "/bin/wrinkle";
-
-std::string read_all(const fs::path& path) {
-    std::ifstream file(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(file), {}};
-}
 
 int open_file(const fs::path& path) {
     return open(path.c_str(), O_RDWR | O_CREAT | O_TRUNC, 0600);
@@ -30,18 +24,6 @@ std::vector<char*> pointers(const std::vector<std::string>& strings) {
 }
 
 }  // namespace
-
-void CliTest::SetUp() {
-    const auto* info = testing::UnitTest::GetInstance()->current_test_info();
-    folder = fs::temp_directory_path() /
-             ("wrinkle_cli_" + std::to_string(getpid()) + "_" + info->name());
-    fs::create_directories(folder / "work");
-    folder /= "work";
-}
-
-void CliTest::TearDown() {
-    fs::remove_all(folder.parent_path());
-}
 
 // Standard input is a file whose offset is shared with the process, so what was read shows.
 Ran CliTest::run(const std::vector<std::string>& args, const std::string& input,
@@ -75,21 +57,17 @@ Ran CliTest::run(const std::vector<std::string>& args, const std::string& input,
     ran.read = lseek(in, 0, SEEK_CUR);
     for (const int file : {in, out, err})
         close(file);
-    ran.out = read_all(beside / "out");
-    ran.err = read_all(beside / "err");
+    ran.out = bytes_of(beside / "out");
+    ran.err = bytes_of(beside / "err");
     return ran;
 }
 
 fs::path CliTest::put(const std::string& name, std::string_view bytes) const {
-    const fs::path path = folder / name;
-    fs::create_directories(path.parent_path());
-    std::ofstream(path, std::ios::binary)
-        .write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-    return path;
+    return temporary.put("work" / fs::path(name), bytes);
 }
 
 std::string CliTest::get(const std::string& name) const {
-    return read_all(folder / name);
+    return bytes_of(folder / name);
 }
 
 std::vector<std::string> CliTest::files() const {

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "json/parse.h"
+#include "support/files.h"
 
 namespace wrinkle::test {
 
@@ -25,8 +26,7 @@ struct Ran {
 
 class CliTest : public testing::Test {
 protected:
-    void SetUp() override;
-    void TearDown() override;
+    void SetUp() override { fs::create_directories(folder); }
 
     // In `folder`. `environment` entries are "NAME=value".
     Ran run(const std::vector<std::string>& args, const std::string& input = "",
@@ -38,7 +38,8 @@ protected:
     // Everything below the folder, sorted: to see that nothing was written.
     std::vector<std::string> files() const;
 
-    fs::path folder;
+    TemporaryFolder temporary;
+    fs::path folder = temporary.path() / "work";
     rlim_t memory = RLIM_INFINITY;  // bytes of address space that the process may have
     bool as_nobody = false;         // gives up root's rights to read everything
 };

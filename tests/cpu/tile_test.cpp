@@ -1,6 +1,5 @@
 // Where tiles begin and end changes nothing, long chains stay small, and missing values are named.
 #include <gtest/gtest.h>
-#include <pthread.h>
 
 #include <bit>
 #include <cmath>
@@ -8,6 +7,7 @@
 
 #include "cpu/support.h"
 #include "ir/value.h"
+#include "support/small_stack.h"
 
 namespace wrinkle::test {
 namespace {
@@ -126,20 +126,6 @@ TEST(Parameters, HaveTheValueOfTheModule) {
 }
 
 constexpr int chain_length = 100'000;
-
-void on_small_stack(void (*body)()) {
-    pthread_attr_t attributes;
-    pthread_attr_init(&attributes);
-    pthread_attr_setstacksize(&attributes, 256 * 1024);
-    pthread_t thread;
-    const auto run = [](void* argument) -> void* {
-        reinterpret_cast<void (*)()>(argument)();
-        return nullptr;
-    };
-    ASSERT_EQ(pthread_create(&thread, &attributes, run, reinterpret_cast<void*>(body)), 0);
-    pthread_join(thread, nullptr);
-    pthread_attr_destroy(&attributes);
-}
 
 // Every link has a number of its own, as a graph of a hundred thousand sliders would.
 void evaluate_chain() {

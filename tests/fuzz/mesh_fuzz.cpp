@@ -1,55 +1,59 @@
-// Any bytes as a mesh file: nothing crashes; the answer is a mesh with finite values, unit frames
-// and indices in range, or errors that name the file.
+// The answer is a mesh with finite values, unit frames and indices in range, or errors that name
+// the file.
 #include <cmath>
-#include <cstdlib>
 #include <glm/geometric.hpp>
 
+#include "fuzz/fuzz.h"
 #include "mesh/load.h"
 #include "mesh/sample.h"
 
+namespace wrinkle::fuzz {
 namespace {
 
-void require(bool holds) {
-    if (!holds) std::abort();
-}
-
 template <typename T>
-void require_finite(const std::vector<T>& values, size_t count, bool needed) {
-    require(values.size() == count || (!needed && values.empty()));
+bool finite(const std::vector<T>& values, size_t count, bool needed) {
+    if (values.empty() && !needed) return true;
+    if (values.size() != count) return false;
     for (const T& value : values)
         for (int k = 0; k < T::length(); ++k)
-            require(std::isfinite(value[k]));
+            if (!std::isfinite(value[k])) return false;
+    return true;
+}
+
+std::string wrong_with(const Mesh& mesh) {
+    const size_t count = mesh.vertex_count();
+    if (mesh.triangle_count() == 0 || mesh.indices.size() % 3 != 0) return "no whole triangles";
+    for (const uint32_t index : mesh.indices)
+        if (index >= count) return "an index out of range";
+    bool fine = finite(mesh.positions, count, true) && finite(mesh.normals, count, true) &&
+                finite(mesh.tangents, count, mesh.has_uv(0)) && finite(mesh.colors, count, false);
+    for (const auto& uvs : mesh.uvs)
+        fine = fine && finite(uvs, count, false);
+    if (!fine) return "an attribute of another length, or no finite number";
+    for (const glm::vec3 normal : mesh.normals)
+        if (std::abs(glm::length(normal) - 1) >= 1e-3F) return "a normal that is not of length 1";
+    for (const glm::vec4& tangent : mesh.tangents)
+        if (std::abs(tangent.w) != 1 || glm::length(glm::vec3(tangent)) <= 0.4F)
+            return "a short tangent, or one without a sign";
+    return "";
 }
 
 }  // namespace
 
-extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, size_t size) {
-    using namespace wrinkle;
+std::string mesh(std::string_view bytes) {
     Diagnostics diagnostics;
     MeshFileOptions options;
     options.limits.max_corners = 1 << 16;
     options.limits.max_bytes = 1 << 20;
-    const std::string_view bytes(reinterpret_cast<const char*>(data), size);
     const auto mesh = load_mesh_bytes(bytes, "nowhere/fuzz.mesh", options, diagnostics);
-    require(mesh.has_value() != diagnostics.has_errors());
+    if (mesh.has_value() == diagnostics.has_errors()) return "a mesh and an error, or neither";
     for (const Diagnostic& diagnostic : diagnostics.list())
-        require(diagnostic.where.file == "nowhere/fuzz.mesh" && !diagnostic.message.empty());
-    if (!mesh) return 0;
-    const size_t count = mesh->vertex_count();
-    require(mesh->triangle_count() > 0 && mesh->indices.size() % 3 == 0);
-    for (const uint32_t index : mesh->indices)
-        require(index < count);
-    require_finite(mesh->positions, count, true);
-    require_finite(mesh->normals, count, true);
-    require_finite(mesh->tangents, count, mesh->has_uv(0));
-    require_finite(mesh->colors, count, false);
-    for (const auto& uvs : mesh->uvs)
-        require_finite(uvs, count, false);
-    for (const glm::vec3 normal : mesh->normals)
-        require(std::abs(glm::length(normal) - 1) < 1e-3F);
-    for (const glm::vec4& tangent : mesh->tangents)
-        require(std::abs(tangent.w) == 1 && glm::length(glm::vec3(tangent)) > 0.4F);
+        if (diagnostic.where.file != "nowhere/fuzz.mesh" || diagnostic.message.empty())
+            return "a problem without its file or its words";
+    if (!mesh) return "";
     Diagnostics ignored;
     sample_mesh(*mesh, {0.5, 0.5}, 1024, ignored);
-    return 0;
+    return wrong_with(*mesh);
 }
+
+}  // namespace wrinkle::fuzz

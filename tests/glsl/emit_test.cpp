@@ -189,5 +189,11 @@ TEST(Emit, merged_sampler_takes_its_first_reader_in_the_text) {
     EXPECT_EQ(shader.reflection.samplers[0].readers.size(), 2u);
 }
 
+TEST(Emit, AMaterialIsCalledLikeItsFile) {
+    EXPECT_EQ(material_name("graphs/woven strap.v2.json"), "woven_strap_v2");
+    EXPECT_EQ(material_name("2nd.json"), "n2nd");
+    EXPECT_EQ(material_name("-"), "stdin");
+}
+
 }  // namespace
 }  // namespace wrinkle::test

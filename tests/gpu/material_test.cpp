@@ -1,12 +1,11 @@
 // What a material brings with it: uniforms, images, and all that can be wrong with them.
 #include <gtest/gtest.h>
-#include <unistd.h>
 
-#include <filesystem>
 #include <glm/ext/matrix_transform.hpp>
 
 #include "fixture.h"
 #include "image/load.h"
+#include "support/files.h"
 
 namespace wrinkle::gpu {
 namespace {
@@ -67,7 +66,8 @@ TEST_F(MaterialTest, LooksImagesUpAsTheSamplerSays) {
 }
 
 TEST_F(MaterialTest, ReadsImageFilesOnceUntilToldToForgetThem) {
-    const std::string file = testing::TempDir() + "wrinkle_" + std::to_string(getpid()) + ".exr";
+    const test::TemporaryFolder folder;
+    const std::string file = folder.path() / "flat.exr";
     const auto save = [&](float value) {
         Image image = make_image(1, 1, 3);
         image.data = {value, value, value};
@@ -82,7 +82,6 @@ TEST_F(MaterialTest, ReadsImageFilesOnceUntilToldToForgetThem) {
     renderer->forget_images();
     EXPECT_EQ(middle(draw(View::normal)), glm::vec3(3)) << "still drawn with";
     EXPECT_EQ(middle(draw(with_image(file), View::normal)), glm::vec3(4));
-    std::filesystem::remove(file);
 }
 
 TEST_F(MaterialTest, KeepsTheFormerMaterialWhenOneIsRefused) {

@@ -7,6 +7,7 @@
 
 #include "base/file.h"
 #include "sample.h"
+#include "support/files.h"
 
 namespace wrinkle {
 namespace {
@@ -15,14 +16,7 @@ namespace fs = std::filesystem;
 
 class Subgraph : public testing::Test {
 protected:
-    void SetUp() override {
-        folder = fs::temp_directory_path() /
-                 ("wrinkle_subgraph_" + std::to_string(getpid()) + "_" +
-                  testing::UnitTest::GetInstance()->current_test_info()->name());
-        fs::create_directories(folder / "in" / "parts");
-        folder = fs::canonical(folder);
-    }
-    void TearDown() override { fs::remove_all(folder); }
+    void SetUp() override { fs::create_directories(folder / "in" / "parts"); }
 
     // A graph with one node for each type, n0, n1, ...
     static std::string text_with(const std::vector<std::string>& types) {
@@ -32,10 +26,7 @@ protected:
                      types[i] + "\"}";
         return graph_of(nodes);
     }
-    void put(const std::string& name, const std::string& text) {
-        std::string why;
-        ASSERT_TRUE(write_file(folder / name, text, why)) << why;
-    }
+    void put(const std::string& name, const std::string& text) { temporary.put(name, text); }
     Project load(const std::string& name, ProjectOptions options = {}) {
         return load_project(folder / name, options, diagnostics);
     }
@@ -48,7 +39,8 @@ protected:
         return text;
     }
 
-    fs::path folder;
+    test::TemporaryFolder temporary;
+    fs::path folder = temporary.path();
     Diagnostics diagnostics;
 };
 

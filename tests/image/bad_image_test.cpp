@@ -135,7 +135,7 @@ TEST_F(BadImage, TheEnvironmentSetsTheLimits) {
 // A cut file is an error, or, where only trailing bytes without pixels are missing, the picture.
 TEST_F(BadImage, TruncatedAtManyPlaces) {
     for (const fs::path& path : good_files()) {
-        const std::string bytes = bytes_of_file(path);
+        const std::string bytes = bytes_of(path);
         const Image whole = loaded(path);
         size_t refused = 0, tried = 0;
         for (size_t size = 0; size<bytes.size(); size += bytes.size()> 2000 ? 7 : 1, ++tried) {
@@ -158,7 +158,7 @@ TEST_F(BadImage, DamagedBytes) {
     };
     const ImageLimits limits{512, 512 * 512, 8 << 20};
     for (const fs::path& path : good_files()) {
-        const std::string bytes = bytes_of_file(path);
+        const std::string bytes = bytes_of(path);
         for (int round = 0; round < 150; ++round) {
             std::string damaged = bytes;
             for (size_t i = 0; i < 1 + random(4); ++i) {
@@ -175,7 +175,7 @@ TEST_F(BadImage, DamagedBytes) {
 
 TEST_F(BadImage, ErrorsAreOneLine) {
     for (const fs::path& path : good_files()) {
-        const std::string bytes = bytes_of_file(path);
+        const std::string bytes = bytes_of(path);
         const Diagnostic error = refusal(put("cut", bytes.substr(0, bytes.size() / 3)));
         EXPECT_EQ(error.message.find('\n'), std::string::npos);
         EXPECT_NE(error.expected, "");

@@ -110,8 +110,8 @@ TEST_F(SaveTest, EqualImagesGiveEqualBytesWithoutTimeOrPlace) {
         const std::string one = "one" + std::string(extension), two = "two2" + one;
         save(image, one.c_str(), {.type = type});
         save(image, two.c_str(), {.type = type});
-        const std::string bytes = bytes_of_file(folder / one);
-        EXPECT_EQ(bytes, bytes_of_file(folder / two));
+        const std::string bytes = bytes_of(folder / one);
+        EXPECT_EQ(bytes, bytes_of(folder / two));
         EXPECT_EQ(bytes.find(year), bytes.npos) << one;
         for (const char* word : {"DateTime", "tIME", "wrinkle_image"})
             EXPECT_EQ(bytes.find(word), bytes.npos) << one << " says " << word;
@@ -133,7 +133,7 @@ TEST_F(SaveTest, AnUnchangedFileIsLeftAlone) {
 
 TEST_F(SaveTest, APngClaimsNoColourSpace) {
     save(sample_image(3, 3, 3), "a.png", {.type = u16});
-    const std::string bytes = bytes_of_file(folder / "a.png");
+    const std::string bytes = bytes_of(folder / "a.png");
     for (const char* chunk : {"gAMA", "sRGB", "iCCP", "cHRM"})
         EXPECT_EQ(bytes.find(chunk), bytes.npos) << chunk;
 }

@@ -3,11 +3,9 @@
 #pragma once
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <cstdint>
 #include <filesystem>
-#include <fstream>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -15,6 +13,7 @@
 #include "base/diagnostics.h"
 #include "image/image.h"
 #include "image/load.h"
+#include "support/files.h"
 
 namespace wrinkle::test {
 
@@ -23,27 +22,13 @@ namespace fs = std::filesystem;
 // A fresh folder per test, gone afterwards.
 class ImageTest : public testing::Test {
 protected:
-    void SetUp() override {
-        const auto* info = testing::UnitTest::GetInstance()->current_test_info();
-        folder = fs::temp_directory_path() /
-                 ("wrinkle_image_" + std::to_string(getpid()) + "_" + info->name());
-        fs::create_directories(folder);
-    }
-    void TearDown() override { fs::remove_all(folder); }
-
     fs::path put(const std::string& name, std::string_view bytes) const {
-        std::ofstream(folder / name, std::ios::binary)
-            .write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-        return folder / name;
+        return temporary.put(name, bytes);
     }
 
-    fs::path folder;
+    TemporaryFolder temporary;
+    fs::path folder = temporary.path();
 };
-
-inline std::string bytes_of_file(const fs::path& path) {
-    std::ifstream file(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(file), {}};
-}
 
 inline std::string big_endian(uint32_t value) {
     std::string bytes;

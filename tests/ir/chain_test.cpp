@@ -1,6 +1,5 @@
 // Long chains: every pass is a loop over few instructions, on a stack of 256 KB.
 #include <gtest/gtest.h>
-#include <pthread.h>
 
 #include "ir/derive.h"
 #include "ir/expand.h"
@@ -9,26 +8,13 @@
 #include "ir/support.h"
 #include "ir/value.h"
 #include "ir/verify.h"
+#include "support/small_stack.h"
 
 namespace wrinkle::test {
 namespace {
 
 constexpr int length = 100'000;
 constexpr int shorter = 20'000;  // 13 bytes of stack for each: enough to tell
-
-void on_small_stack(void (*body)(), size_t size = 256 * 1024) {
-    pthread_attr_t attributes;
-    pthread_attr_init(&attributes);
-    pthread_attr_setstacksize(&attributes, size);
-    pthread_t thread;
-    const auto run = [](void* argument) -> void* {
-        reinterpret_cast<void (*)()>(argument)();
-        return nullptr;
-    };
-    ASSERT_EQ(pthread_create(&thread, &attributes, run, reinterpret_cast<void*>(body)), 0);
-    pthread_join(thread, nullptr);
-    pthread_attr_destroy(&attributes);
-}
 
 // height = ((uv.x * a + uv.y) * a + uv.y) * a ...
 Module chain(int count) {

@@ -3,10 +3,9 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 
 #include "layout/rules.h"
+#include "support/files.h"
 
 namespace wrinkle::layout {
 namespace {
@@ -20,9 +19,8 @@ std::vector<Source> sources_below(const std::string& top) {
     for (const auto& entry : fs::recursive_directory_iterator(root / top)) {
         const auto extension = entry.path().extension();
         if (extension != ".h" && extension != ".cpp" && extension != ".c") continue;
-        std::ifstream in(entry.path(), std::ios::binary);
-        sources.push_back({entry.path().lexically_relative(root).generic_string(),
-                           std::string(std::istreambuf_iterator<char>(in), {})});
+        sources.push_back(
+            {entry.path().lexically_relative(root).generic_string(), test::bytes_of(entry.path())});
     }
     std::sort(sources.begin(), sources.end(),
               [](const Source& a, const Source& b) { return a.path < b.path; });
@@ -53,6 +51,9 @@ TEST_P(Tree, FilesAndFunctionsAreShort) {
 }
 TEST_P(Tree, NothingIsLeftForLater) {
     expect_none(word_violations);
+}
+TEST_P(Tree, FilesOfTestsAreCalledSo) {
+    expect_none(name_violations);
 }
 
 INSTANTIATE_TEST_SUITE_P(Folders, Tree,
@@ -154,6 +155,14 @@ TEST(Rules, LabelsOfASwitchAreNotCounted) {
     for (int i = 0; i < 10; ++i)
         text += "        g();\n";
     EXPECT_EQ(count_of(length_violations, "core/ir/a.cpp", text + "    }\n}\n"), 1u);
+}
+
+TEST(Rules, FilesOfTestsHaveOneFormOfName) {
+    const std::string text = "TEST_F(A, B) {\n}\n";
+    EXPECT_EQ(count_of(name_violations, "tests/ir/fold_test.cpp", text), 0u);
+    EXPECT_EQ(count_of(name_violations, "tests/ir/test_fold.cpp", text), 1u);
+    EXPECT_EQ(count_of(name_violations, "tests/ir/fold_test.cpp", "int a;\n"), 1u);
+    EXPECT_EQ(count_of(name_violations, "tests/ir/support.cpp", "int a;\n"), 0u);
 }
 
 TEST(Rules, UnfinishedWorkIsFound) {

@@ -4,22 +4,19 @@
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <set>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "support/files.h"
+
 namespace {
+
+using wrinkle::test::bytes_of;
 
 namespace fs = std::filesystem;
 const fs::path root = WRINKLE_SOURCE_DIR;
-
-std::string text_of(const fs::path& path) {
-    std::ifstream file(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(file), {}};
-}
 
 bool is_name(std::string_view text) {
     return !text.empty() && std::all_of(text.begin(), text.end(), [](unsigned char c) {
@@ -55,7 +52,7 @@ std::set<std::string> tests_in(const std::string& source) {
 std::set<std::string> tests_in_the_sources() {
     std::set<std::string> names;
     for (const auto& entry : fs::recursive_directory_iterator(root / "tests"))
-        if (entry.path().extension() == ".cpp") names.merge(tests_in(text_of(entry.path())));
+        if (entry.path().extension() == ".cpp") names.merge(tests_in(bytes_of(entry.path())));
     return names;
 }
 
@@ -93,7 +90,7 @@ std::vector<std::string> missing_from(const std::string& page, const std::set<st
 TEST(Proofs, NameTestsAndGraphsThatExist) {
     const std::set<std::string> tests = tests_in_the_sources();
     for (const char* name : {"docs/pitfalls.md", "docs/checklists.md"}) {
-        const std::string page = text_of(root / name);
+        const std::string page = bytes_of(root / name);
         const std::vector<std::string> texts = quoted(page);
         EXPECT_GT(std::count_if(texts.begin(), texts.end(), is_test), 40) << name;
         for (const std::string& missing : missing_from(page, tests))

@@ -2,29 +2,25 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <fstream>
-#include <sstream>
 #include <string>
+
+#include "support/files.h"
 
 namespace {
 
-std::string text_of(const std::string& name) {
-    std::ifstream file(std::string(WRINKLE_SOURCE_DIR) + "/" + name);
-    std::ostringstream text;
-    text << file.rdbuf();
-    return text.str();
-}
+using wrinkle::test::bytes_of;
+const std::filesystem::path root = WRINKLE_SOURCE_DIR;
 
 TEST(Readme, ShowsTheGeneratedTextOfBaseAndDetail) {
-    const std::string golden = text_of("graphs/golden/base_and_detail.glsl");
+    const std::string golden = bytes_of(root / "graphs/golden/base_and_detail.glsl");
     ASSERT_FALSE(golden.empty());
-    EXPECT_NE(text_of("README.md").find("```glsl\n" + golden + "```"), std::string::npos)
+    EXPECT_NE(bytes_of(root / "README.md").find("```glsl\n" + golden + "```"), std::string::npos)
         << "put graphs/golden/base_and_detail.glsl into README.md";
 }
 
 // Base and detail in function form are at most 26 lines.
 TEST(Readme, BaseAndDetailStayShort) {
-    const std::string golden = text_of("graphs/golden/base_and_detail.glsl");
+    const std::string golden = bytes_of(root / "graphs/golden/base_and_detail.glsl");
     EXPECT_LE(std::count(golden.begin(), golden.end(), '\n'), 26);
 }
 

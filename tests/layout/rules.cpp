@@ -242,9 +242,21 @@ std::vector<std::string> word_violations(const Source& source) {
     return found;
 }
 
+std::vector<std::string> name_violations(const Source& source) {
+    if (!source.path.starts_with("tests/") || source.path.starts_with("tests/editor/")) return {};
+    const bool named = source.path.ends_with("_test.cpp");
+    bool has_test = false;
+    for_each_line(source.text, [&](size_t, std::string_view line) {
+        has_test = has_test || line.starts_with("TEST(") || line.starts_with("TEST_");
+    });
+    if (has_test == named) return {};
+    return {at(source, 1, named ? "NAME_test.cpp without a TEST" : "a TEST outside NAME_test.cpp")};
+}
+
 std::vector<std::string> all_violations(const Source& source) {
     std::vector<std::string> found = include_violations(source);
-    for (const auto check : {column_violations, length_violations, word_violations})
+    for (const auto check :
+         {column_violations, length_violations, word_violations, name_violations})
         for (std::string& violation : check(source))
             found.push_back(std::move(violation));
     return found;

@@ -1,5 +1,6 @@
 // The rules of the source tree that a text search can see: who may include whom (one table, in
-// rules.cpp), the length of files, functions and lines, and words that stand for unfinished work.
+// rules.cpp), the length of files, functions and lines, words that stand for unfinished work,
+// the names of files of tests.
 //
 // A Source is a file's text under its path from the root of the repository, with '/' between
 // folders. Each check gives one sentence per violation, beginning with "path:line: "; none means
@@ -33,6 +34,9 @@ std::vector<std::string> include_violations(const Source& source);
 std::vector<std::string> column_violations(const Source& source);
 std::vector<std::string> length_violations(const Source& source);
 std::vector<std::string> word_violations(const Source& source);
+
+// Below tests: a file with a TEST is called NAME_test.cpp, and no other is.
+std::vector<std::string> name_violations(const Source& source);
 
 std::vector<std::string> all_violations(const Source& source);
 

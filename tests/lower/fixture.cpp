@@ -1,11 +1,8 @@
 #include "lower/fixture.h"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
-#include <fstream>
-
-const wr_plugin* test_plugin();  // test_nodes.cpp
+const wr_plugin* test_plugin();  // nodes.cpp
 
 namespace wrinkle::test {
 namespace {
@@ -26,18 +23,8 @@ const Registry& registry() {
 }
 
 Files::Files(const std::map<std::string, std::string>& files) {
-    static int count = 0;
-    folder = std::filesystem::path(testing::TempDir()) /
-             ("wrinkle_" + std::to_string(getpid()) + "_" + std::to_string(count++));
-    for (const auto& [name, text] : files) {
-        std::filesystem::create_directories((folder / name).parent_path());
-        std::ofstream(folder / name, std::ios::binary) << text;
-    }
-}
-
-Files::~Files() {
-    std::error_code error;
-    std::filesystem::remove_all(folder, error);
+    for (const auto& [name, text] : files)
+        temporary.put(name, text);
 }
 
 std::string graph(const std::string& nodes, const std::string& outputs, const std::string& more) {

@@ -8,6 +8,7 @@
 #include "graph/subgraph.h"
 #include "lower/material.h"
 #include "registry/registry.h"
+#include "support/files.h"
 
 namespace wrinkle::test {
 
@@ -28,10 +29,8 @@ const Registry& registry();
 // Files by name ("main.json" is the top), written into a folder of the test's own.
 struct Files {
     explicit Files(const std::map<std::string, std::string>& files);
-    ~Files();
-    Files(const Files&) = delete;
-    Files& operator=(const Files&) = delete;
-    std::filesystem::path folder;
+    test::TemporaryFolder temporary;
+    std::filesystem::path folder = temporary.path();
 };
 
 // {"wrinkle": 1, "nodes": {NODES}, "outputs": {OUTPUTS}}

@@ -1,15 +1,14 @@
 // glTF files: what is read, and what is said of files that are wrong.
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 #include <glm/geometric.hpp>
 #include <limits>
 #include <numbers>
 
 #include "mesh/files.h"
+#include "support/files.h"
 
 namespace wrinkle::test {
 namespace {
@@ -193,10 +192,9 @@ TEST(Gltf, PutsPrimitivesOfDifferentAttributesTogether) {
 class GltfFiles : public testing::Test {
 protected:
     void SetUp() override { fs::create_directories(folder / "models"); }
-    void TearDown() override { fs::remove_all(folder); }
 
     void put(const std::string& name, const std::string& bytes) const {
-        std::ofstream(folder / name, std::ios::binary) << bytes;
+        temporary.put(name, bytes);
     }
 
     std::string outcome(const std::string& uri, const fs::path& root = "") const {
@@ -209,9 +207,8 @@ protected:
         return mesh ? "fine" : to_text(diagnostics);
     }
 
-    fs::path folder =
-        fs::temp_directory_path() / ("wrinkle_gltf_" + std::to_string(getpid()) + "_" +
-                                     testing::UnitTest::GetInstance()->current_test_info()->name());
+    TemporaryFolder temporary;
+    fs::path folder = temporary.path();
 };
 
 TEST_F(GltfFiles, StandBelowTheFolderOrTheRoot) {

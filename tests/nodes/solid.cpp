@@ -22,10 +22,6 @@ Vector cross(Vector a, Vector b) {
 Vector unit(Vector a) {
     return a * (1 / std::sqrt(dot(a, a)));
 }
-double angle_deg(Vector a, Vector b) {
-    const Vector c = cross(a, b);
-    return std::atan2(std::sqrt(dot(c, c)), dot(a, b)) * 57.29577951308232;
-}
 Vector vector_of(const std::vector<double>& lanes) {
     return {lanes.at(0), lanes.at(1), lanes.at(2)};
 }

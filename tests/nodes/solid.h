@@ -5,11 +5,14 @@
 #include <functional>
 
 #include "nodes/plane.h"
+#include "support/angle.h"
 
 namespace wrinkle::test {
 
 struct Vector {
     double x = 0, y = 0, z = 0;
+
+    double operator[](size_t i) const { return i == 0 ? x : i == 1 ? y : z; }
 };
 Vector operator+(Vector a, Vector b);
 Vector operator-(Vector a, Vector b);
@@ -17,7 +20,6 @@ Vector operator*(Vector a, double k);
 double dot(Vector a, Vector b);
 Vector cross(Vector a, Vector b);
 Vector unit(Vector a);
-double angle_deg(Vector a, Vector b);
 Vector vector_of(const std::vector<double>& lanes);
 
 struct Place {

@@ -8,6 +8,7 @@
 #include "glslang/validate.h"
 #include "gpu/from_glsl.h"
 #include "parity/points.h"
+#include "support/angle.h"
 
 namespace wrinkle::test {
 namespace {
@@ -24,13 +25,6 @@ std::vector<Texture> textures_of(const Module& module, const ImageOf& images) {
     for (const Resource& resource : module.resources)
         textures.emplace_back(images(resource.file), resource.options);
     return textures;
-}
-
-double angle_deg(const double* a, const double* b) {
-    const double cross[] = {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2],
-                            a[0] * b[1] - a[1] * b[0]};
-    const double sine = std::sqrt(cross[0] * cross[0] + cross[1] * cross[1] + cross[2] * cross[2]);
-    return std::atan2(sine, a[0] * b[0] + a[1] * b[1] + a[2] * b[2]) * 57.29577951308232;
 }
 
 // How far two results are apart, 1 being as far as is allowed. Not finite: infinitely far.

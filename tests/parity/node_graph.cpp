@@ -2,12 +2,10 @@
 
 #include <gtest/gtest.h>
 
-#include <filesystem>
-#include <fstream>
-
 #include "base/text.h"
 #include "nodes/all.h"
 #include "registry/plugin_loader.h"
+#include "support/files.h"
 
 namespace wrinkle::test {
 namespace {
@@ -199,15 +197,13 @@ const Registry& all_nodes() {
 }
 
 std::string image_folder() {
-    static const std::string folder = [] {
-        const std::filesystem::path path =
-            std::filesystem::path(testing::TempDir()) / "wrinkle_parity";
-        std::filesystem::create_directories(path);
+    static const TemporaryFolder folder;
+    static const bool written = [] {
         for (const char* name : {"a.exr", "b.exr"})
-            std::ofstream(path / name) << "never read";
-        return path.string();
+            folder.put(name, "never read");
+        return true;
     }();
-    return folder;
+    return written ? folder.path().string() : "";
 }
 
 Subject compile_around(const NodeType& type, Inputs inputs, unsigned seed) {

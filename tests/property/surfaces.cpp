@@ -154,11 +154,6 @@ std::vector<Sample> samples(int count, unsigned seed) {
     return result;
 }
 
-// By the sine too, as the cosine alone loses small angles.
-double angle_deg(dvec3 a, dvec3 b) {
-    return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)) * 57.29577951308232;
-}
-
 dvec3 to_vec3(const Lanes& lanes) {
     return {lanes[0], lanes[1], lanes[2]};
 }

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "ir/interpret.h"
+#include "support/angle.h"
 
 namespace wrinkle::test {
 
@@ -58,7 +59,6 @@ struct Sample {
 };
 std::vector<Sample> samples(int count, unsigned seed);
 
-double angle_deg(dvec3 a, dvec3 b);
 dvec3 to_vec3(const Lanes& lanes);
 void set(Surroundings& around, SurfaceInput input, std::initializer_list<double> lanes,
          Variant variant = Variant::value);

@@ -159,6 +159,22 @@ TEST(Descriptor, RefusesWrongNodes) {
               "p.so: error: node 'sample': its version is 0 (versions count from 1)\n");
 }
 
+TEST(Descriptor, RefusesTextsWithoutAnEndAndControlCharacters) {
+    const std::string endless(1 << 20, 'a');
+    EXPECT_EQ(refusal([&](Sample& s) { s.node.id = endless.c_str(); }),
+              "p.so: error: node 'number 0': the id has no end within 64 bytes\n");
+    EXPECT_EQ(refusal([&](Sample& s) { s.node.doc = endless.c_str(); }),
+              "p.so: error: node 'sample': the doc has no end within 4096 bytes\n");
+    EXPECT_EQ(refusal([](Sample& s) { s.node.id = "two\nlines"; }),
+              "p.so: error: node 'number 0': the id holds a control character (one line of "
+              "text)\n");
+    EXPECT_EQ(refusal([](Sample& s) { s.height.doc = "\x1B[31mred"; }),
+              "p.so: error: node 'sample': port 'height': the doc holds a control character (one "
+              "line of text)\n");
+    EXPECT_EQ(refusal([](Sample& s) { s.image.encoding = "\xC3"; }),
+              "p.so: error: node 'sample': port 'image': the encoding is not valid UTF-8\n");
+}
+
 std::string port_refusal(const std::function<void(Sample&)>& spoil) {
     const std::string text = refusal(spoil);
     const std::string prefix = "p.so: error: node 'sample': ";

@@ -1,9 +1,9 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
-#include <fstream>
 
 #include "registry/plugin_loader.h"
+#include "support/files.h"
 
 namespace wrinkle {
 namespace {
@@ -48,9 +48,9 @@ TEST(PluginLoader, SaysWhyItRefuses) {
     EXPECT_EQ(refusal(folder + "/wrong_abi.so"),
               "it is made for plugin interface 77 (this program has interface 1)");
     EXPECT_EQ(refusal(folder + "/nowhere.so"), "there is no such plugin or folder");
-    const std::string text = testing::TempDir() + "/text.so";
-    std::ofstream(text) << "no shared object";
-    EXPECT_EQ(refusal(text).substr(0, 25), "it cannot be loaded: file");
+    const test::TemporaryFolder temporary;
+    EXPECT_EQ(refusal(temporary.put("text.so", "no shared object")).substr(0, 25),
+              "it cannot be loaded: file");
 }
 
 TEST(PluginLoader, TriesAFolderByNameAndGoesOn) {

@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <limits>
+
 #include "registry/reference.h"
 
 namespace wrinkle {
@@ -101,6 +103,23 @@ TEST(Reference, SchemaCompletesAndLetsUnknownThingsPass) {
               text.npos);
     EXPECT_NE(text.find("{\"$ref\": \"#/$defs/numbers2\"}"), text.npos);
     EXPECT_EQ(text.find("\"additionalProperties\": false"), text.npos);
+}
+
+TEST(Reference, AnOpenRangeIsNoNumberOfTheSchema) {
+    wr_port octaves = port(WR_KIND_COUNT, 0, "octaves", "How many");
+    octaves.hard_min = octaves.default_value[0] = 1;
+    octaves.hard_max = std::numeric_limits<double>::infinity();
+    const wr_port out = port(WR_KIND_OUTPUT, WR_PORT_float, "value", "The sum");
+    const wr_port* const ports[] = {&octaves, &out};
+    const wr_node node = {sizeof node, 1, "n", "N", "N.", "f", ports, 2, nullptr, 0, build};
+    const wr_node* const nodes[] = {&node};
+    const wr_plugin plugin = {sizeof plugin, WR_ABI, "t", "1", nodes, 1, nullptr};
+    Registry registry;
+    Diagnostics diagnostics;
+    ASSERT_TRUE(registry.add_plugin(&plugin, "p.so", diagnostics)) << to_text(diagnostics);
+    const std::string text = graph_schema(registry);
+    EXPECT_NE(text.find("{\"type\": \"integer\", \"minimum\": 1}"), text.npos);
+    EXPECT_EQ(text.find("inf"), text.npos);
 }
 
 }  // namespace

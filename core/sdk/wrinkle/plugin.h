@@ -17,8 +17,8 @@
  * Versions   Every struct begins with its size and only grows at its end; a reader looks at a
  *            member only where `size` covers it. Numbers of types, ops, inputs and kinds are
  *            append-only. Anything optional goes through get_extension.
- * Only fixed-width integers, double, pointers and function pointers cross; strings are UTF-8 and
- * end with 0.
+ * Only fixed-width integers, double, pointers and function pointers cross; strings are UTF-8, end
+ * with 0 and have one line: names at most 64 bytes, other texts 4096.
  *
  * Values of the language
  *   float vec2 vec3 vec4 mat3 int uint bool      as in GLSL; mat3 is column-major

@@ -1,0 +1,94 @@
+// A fixed number of damaged samples for each reader; WRINKLE_FUZZ=N plays N times as many. The
+// input at work lies in the build folder as fuzz_NAME.input: what is left there after a crash
+// caused it.
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <charconv>
+#include <cstdlib>
+
+#include "fuzz/damage.h"
+#include "fuzz/fuzz.h"
+#include "fuzz/samples.h"
+#include "support/files.h"
+
+namespace wrinkle::fuzz {
+namespace {
+
+uint32_t times() {
+    const char* text = std::getenv("WRINKLE_FUZZ");
+    uint32_t value = 1;
+    if (text) std::from_chars(text, text + std::char_traits<char>::length(text), value);
+    return value;
+}
+
+struct Reader {
+    const char* name;
+    std::string (*play)(std::string_view);
+    std::vector<std::string> samples;
+    uint32_t inputs;
+};
+
+// The input at work, in a file that outlives a crash. Kept open: opening is what takes time.
+class AtWork {
+public:
+    explicit AtWork(const std::string& name)
+        : path_(WRINKLE_BINARY_DIR "/fuzz_" + name + ".input"),
+          file_(open(path_.c_str(), O_RDWR | O_CREAT | O_TRUNC, 0600)) {}
+    ~AtWork() { close(file_); }
+    AtWork(const AtWork&) = delete;
+    AtWork& operator=(const AtWork&) = delete;
+
+    bool keep(const std::string& bytes) const {
+        return pwrite(file_, bytes.data(), bytes.size(), 0) == static_cast<ssize_t>(bytes.size()) &&
+               ftruncate(file_, static_cast<off_t>(bytes.size())) == 0;
+    }
+    const std::string& path() const { return path_; }
+
+private:
+    std::string path_;
+    int file_;
+};
+
+void play(const Reader& reader) {
+    for (const std::string& sample : reader.samples)
+        EXPECT_EQ(reader.play(sample), "") << "an undamaged sample";
+    const AtWork work(reader.name);
+    const uint32_t count = reader.inputs * times();
+    for (uint32_t number = 0; number < count; ++number) {
+        const std::string bytes = damaged(reader.samples, number);
+        const std::string input = number % 2 ? with_checksums(bytes) : bytes;
+        ASSERT_TRUE(work.keep(input)) << work.path();
+        ASSERT_EQ(reader.play(input), "") << "input " << number << ", kept in " << work.path();
+    }
+    std::filesystem::remove(work.path());
+}
+
+TEST(Fuzz, Graphs) {
+    play({"graph", graph, graph_samples(), 2000});
+}
+TEST(Fuzz, Meshes) {
+    play({"mesh", mesh, mesh_samples(), 20000});
+}
+TEST(Fuzz, Images) {
+    play({"image", image, image_samples(), 1000});
+}
+TEST(Fuzz, Descriptors) {
+    play({"descriptor", descriptor, descriptor_samples(), 20000});
+}
+
+// The players would notice: a damaged sample differs, often from where it did before.
+TEST(Fuzz, DamageIsDoneAndRepeats) {
+    const std::vector<std::string> samples = mesh_samples();
+    size_t refused = 0;
+    for (uint32_t number = 0; number < 100; ++number) {
+        EXPECT_EQ(damaged(samples, number), damaged(samples, number));
+        const std::string bytes = damaged(samples, number);
+        refused += std::count(samples.begin(), samples.end(), bytes) == 0 ? 1 : 0;
+    }
+    EXPECT_GT(refused, 90u);
+}
+
+}  // namespace
+}  // namespace wrinkle::fuzz
