@@ -12,11 +12,11 @@ vec3 wrinkle_skinned_tube_normal(WrinkleSurface_skinned_tube s) {
     vec2 tile_uv = s.uv0 * 3.0;  // tile: UV transform
     vec3 map_color = texture(map_image, tile_uv).xyz * 2.0 - 1.0;  // map: Image
     // vertex: Bump from tangent-space normal
-    float vertex_product = max(abs(map_color.x), abs(map_color.y)) * 0.0078125;
+    float vertex_least_depth = max(abs(map_color.x), abs(map_color.y)) * 0.0078125;
     vec2 vertex_slope = -map_color.xy;
     vec3 bitangent = cross(s.normal, s.tangent.xyz) * (s.tangent.w > 0.0 ? 1.0 : -1.0);
     // resolved: Resolve
-    float resolved_product = max(max(abs(map_color.z), vertex_product), 1e-06) * s.facing;
+    float resolved_product = max(max(abs(map_color.z), vertex_least_depth), 1e-06) * s.facing;
     vec3 resolved_gradient = s.tangent.xyz * vertex_slope.x + bitangent * vertex_slope.y;
     vec3 resolved_bumped = s.normal * resolved_product - resolved_gradient;
     return normalize(vec3(resolved_bumped.xy, resolved_bumped.z + 1e-18));
@@ -39,10 +39,10 @@ vec3 wrinkle_skinned_tube_derived(WrinkleSurface_skinned_tube s) {
     vec2 tile_uv = s.uv0 * 3.0;  // tile: UV transform
     vec3 map_color = texture(map_image, tile_uv).xyz * 2.0 - 1.0;  // map: Image
     // vertex: Bump from tangent-space normal
-    float vertex_product = max(abs(map_color.x), abs(map_color.y)) * 0.0078125;
+    float vertex_least_depth = max(abs(map_color.x), abs(map_color.y)) * 0.0078125;
     vec2 vertex_slope = -map_color.xy;
     // resolved: Resolve
-    float resolved_product = max(max(abs(map_color.z), vertex_product), 1e-06) * s.facing;
+    float resolved_product = max(max(abs(map_color.z), vertex_least_depth), 1e-06) * s.facing;
     // derived_resolved: Resolve
     vec3 derived_resolved_gradient = uv0_tangent * vertex_slope.x + uv0_bitangent * vertex_slope.y;
     return normalize(normal * resolved_product - derived_resolved_gradient);

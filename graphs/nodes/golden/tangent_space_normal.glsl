@@ -8,7 +8,7 @@ struct WrinkleSurface_tangent_space_normal {
     float facing;            // +1 on front faces, -1 on back faces
 };
 
-float wrinkle_tangent_space_normal_noise_corner(int a, int b, int c, vec3 d) {
+vec3 wrinkle_tangent_space_normal_noise_direction(int a, int b, int c) {
     uint sum = uint(c) * 747796405u + 2891336453u;
     uint product = (sum >> (sum >> 28u) + 4u ^ sum) * 277803737u;
     uint sum_2 = (uint(b) + (product >> 22u ^ product)) * 747796405u + 2891336453u;
@@ -16,10 +16,10 @@ float wrinkle_tangent_space_normal_noise_corner(int a, int b, int c, vec3 d) {
     uint sum_3 = (uint(a) + (product_2 >> 22u ^ product_2)) * 747796405u + 2891336453u;
     uint product_3 = (sum_3 >> (sum_3 >> 28u) + 4u ^ sum_3) * 277803737u;
     uint bits = product_3 >> 22u ^ product_3;
-    uint bits_2 = (bits >> 8u) * 3u >> 24u;
-    float choice = bits_2 == 0u ? d.y : d.x;
-    float choice_2 = bits_2 == 2u ? d.y : d.z;
-    return ((bits & 1u) == 0u ? choice : -choice) + ((bits & 2u) == 0u ? choice_2 : -choice_2);
+    uint product_4 = (((bits >> 8u) * 3u >> 24u) * 4u + (bits & 3u)) * 2u;
+    float number = float(2237013u >> product_4 & 3u);
+    float number_2 = float(5573130u >> product_4 & 3u);
+    return vec3(number, float(677154u >> product_4 & 3u), number_2) - 1.0;
 }
 
 float wrinkle_tangent_space_normal_gradient_noise(vec3 a) {
@@ -28,37 +28,31 @@ float wrinkle_tangent_space_normal_gradient_noise(vec3 a) {
     int whole_2 = int(floored.y);
     int whole_3 = int(floored.z);
     vec3 difference = a - floored;
-    float noise_corner = wrinkle_tangent_space_normal_noise_corner(whole, whole_2, whole_3,
+    float dot_product = dot(wrinkle_tangent_space_normal_noise_direction(whole, whole_2, whole_3),
             difference);
     int sum = whole + 1;
-    vec3 difference_2 = difference - vec3(1.0, 0.0, 0.0);
-    float noise_corner_2 = wrinkle_tangent_space_normal_noise_corner(sum, whole_2, whole_3,
-            difference_2);
+    vec3 noise_direction = wrinkle_tangent_space_normal_noise_direction(sum, whole_2, whole_3);
+    float dot_product_2 = dot(noise_direction, difference - vec3(1.0, 0.0, 0.0));
     vec3 sum_2 = difference * (difference * 6.0 - 15.0) + 10.0;
     vec3 product = difference * difference * difference * sum_2;
-    float mixed = mix(noise_corner, noise_corner_2, product.x);
+    float mixed = mix(dot_product, dot_product_2, product.x);
     int sum_3 = whole_2 + 1;
-    vec3 difference_3 = difference - vec3(0.0, 1.0, 0.0);
-    float noise_corner_3 = wrinkle_tangent_space_normal_noise_corner(whole, sum_3, whole_3,
-            difference_3);
-    vec3 difference_4 = difference - vec3(1.0, 1.0, 0.0);
-    float noise_corner_4 = wrinkle_tangent_space_normal_noise_corner(sum, sum_3, whole_3,
-            difference_4);
-    float mixed_2 = mix(mixed, mix(noise_corner_3, noise_corner_4, product.x), product.y);
+    vec3 noise_direction_2 = wrinkle_tangent_space_normal_noise_direction(whole, sum_3, whole_3);
+    float dot_product_3 = dot(noise_direction_2, difference - vec3(0.0, 1.0, 0.0));
+    vec3 noise_direction_3 = wrinkle_tangent_space_normal_noise_direction(sum, sum_3, whole_3);
+    float dot_product_4 = dot(noise_direction_3, difference - vec3(1.0, 1.0, 0.0));
+    float mixed_2 = mix(mixed, mix(dot_product_3, dot_product_4, product.x), product.y);
     int sum_4 = whole_3 + 1;
-    vec3 difference_5 = difference - vec3(0.0, 0.0, 1.0);
-    float noise_corner_5 = wrinkle_tangent_space_normal_noise_corner(whole, whole_2, sum_4,
-            difference_5);
-    vec3 difference_6 = difference - vec3(1.0, 0.0, 1.0);
-    float noise_corner_6 = wrinkle_tangent_space_normal_noise_corner(sum, whole_2, sum_4,
-            difference_6);
-    float mixed_3 = mix(noise_corner_5, noise_corner_6, product.x);
-    vec3 difference_7 = difference - vec3(0.0, 1.0, 1.0);
-    float noise_corner_7 = wrinkle_tangent_space_normal_noise_corner(whole, sum_3, sum_4,
-            difference_7);
-    float noise_corner_8 = wrinkle_tangent_space_normal_noise_corner(sum, sum_3, sum_4,
-            difference - 1.0);
-    float mixed_4 = mix(mixed_3, mix(noise_corner_7, noise_corner_8, product.x), product.y);
+    vec3 noise_direction_4 = wrinkle_tangent_space_normal_noise_direction(whole, whole_2, sum_4);
+    float dot_product_5 = dot(noise_direction_4, difference - vec3(0.0, 0.0, 1.0));
+    vec3 noise_direction_5 = wrinkle_tangent_space_normal_noise_direction(sum, whole_2, sum_4);
+    float dot_product_6 = dot(noise_direction_5, difference - vec3(1.0, 0.0, 1.0));
+    float mixed_3 = mix(dot_product_5, dot_product_6, product.x);
+    vec3 noise_direction_6 = wrinkle_tangent_space_normal_noise_direction(whole, sum_3, sum_4);
+    float dot_product_7 = dot(noise_direction_6, difference - vec3(0.0, 1.0, 1.0));
+    vec3 noise_direction_7 = wrinkle_tangent_space_normal_noise_direction(sum, sum_3, sum_4);
+    float dot_product_8 = dot(noise_direction_7, difference - 1.0);
+    float mixed_4 = mix(mixed_3, mix(dot_product_7, dot_product_8, product.x), product.y);
     return mix(mixed_2, mixed_4, product.z);
 }
 
@@ -67,98 +61,56 @@ float wrinkle_tangent_space_normal_billow(vec3 a, float b) {
             0.75, b));
 }
 
-float wrinkle_tangent_space_normal_noise_corner_change(int a, int b, int c, vec3 d, vec3 e) {
-    uint sum = uint(c) * 747796405u + 2891336453u;
-    uint product = (sum >> (sum >> 28u) + 4u ^ sum) * 277803737u;
-    uint sum_2 = (uint(b) + (product >> 22u ^ product)) * 747796405u + 2891336453u;
-    uint product_2 = (sum_2 >> (sum_2 >> 28u) + 4u ^ sum_2) * 277803737u;
-    uint sum_3 = (uint(a) + (product_2 >> 22u ^ product_2)) * 747796405u + 2891336453u;
-    uint product_3 = (sum_3 >> (sum_3 >> 28u) + 4u ^ sum_3) * 277803737u;
-    uint bits = product_3 >> 22u ^ product_3;
-    uint bits_2 = (bits >> 8u) * 3u >> 24u;
-    float choice = bits_2 == 0u ? e.y : e.x;
-    float choice_2 = bits_2 == 2u ? e.y : e.z;
-    return ((bits & 1u) == 0u ? choice : -choice) + ((bits & 2u) == 0u ? choice_2 : -choice_2);
-}
-
-float wrinkle_tangent_space_normal_gradient_noise_change(vec3 a, vec3 b) {
+vec3 wrinkle_tangent_space_normal_gradient_noise_slope(vec3 a) {
     vec3 floored = floor(a);
     int whole = int(floored.x);
     int whole_2 = int(floored.y);
     int whole_3 = int(floored.z);
-    vec3 difference = a - floored;
-    float noise_corner_change = wrinkle_tangent_space_normal_noise_corner_change(whole, whole_2,
-            whole_3, difference, b);
+    vec3 noise_direction = wrinkle_tangent_space_normal_noise_direction(whole, whole_2, whole_3);
     int sum = whole + 1;
-    vec3 difference_2 = difference - vec3(1.0, 0.0, 0.0);
-    float noise_corner_change_2 = wrinkle_tangent_space_normal_noise_corner_change(sum, whole_2,
-            whole_3, difference_2, b);
-    vec3 product = difference * difference;
-    vec3 product_2 = product * difference;
-    vec3 difference_3 = difference * 6.0 - 15.0;
-    vec3 sum_2 = difference * difference_3 + 10.0;
-    vec3 product_3 = product_2 * sum_2;
-    float mixed = mix(noise_corner_change, noise_corner_change_2, product_3.x);
-    vec3 product_4 = b * difference;
-    vec3 product_5 = ((product_4 + product_4) * difference + b * product) * sum_2;
-    vec3 sum_3 = product_5 + (b * difference_3 + b * 6.0 * difference) * product_2;
-    float noise_corner = wrinkle_tangent_space_normal_noise_corner(sum, whole_2, whole_3,
-            difference_2);
-    float noise_corner_2 = wrinkle_tangent_space_normal_noise_corner(whole, whole_2, whole_3,
-            difference);
-    float sum_4 = mixed + sum_3.x * (noise_corner - noise_corner_2);
-    int sum_5 = whole_2 + 1;
-    vec3 difference_4 = difference - vec3(0.0, 1.0, 0.0);
-    float noise_corner_change_3 = wrinkle_tangent_space_normal_noise_corner_change(whole, sum_5,
-            whole_3, difference_4, b);
-    vec3 difference_5 = difference - vec3(1.0, 1.0, 0.0);
-    float noise_corner_change_4 = wrinkle_tangent_space_normal_noise_corner_change(sum, sum_5,
-            whole_3, difference_5, b);
-    float mixed_2 = mix(noise_corner_change_3, noise_corner_change_4, product_3.x);
-    float noise_corner_3 = wrinkle_tangent_space_normal_noise_corner(sum, sum_5, whole_3,
-            difference_5);
-    float noise_corner_4 = wrinkle_tangent_space_normal_noise_corner(whole, sum_5, whole_3,
-            difference_4);
-    float mixed_3 = mix(sum_4, mixed_2 + sum_3.x * (noise_corner_3 - noise_corner_4), product_3.y);
-    float mixed_4 = mix(noise_corner_4, noise_corner_3, product_3.x);
-    float mixed_5 = mix(noise_corner_2, noise_corner, product_3.x);
-    float sum_6 = mixed_3 + sum_3.y * (mixed_4 - mixed_5);
-    int sum_7 = whole_3 + 1;
-    vec3 difference_6 = difference - vec3(0.0, 0.0, 1.0);
-    float noise_corner_change_5 = wrinkle_tangent_space_normal_noise_corner_change(whole, whole_2,
-            sum_7, difference_6, b);
-    vec3 difference_7 = difference - vec3(1.0, 0.0, 1.0);
-    float noise_corner_change_6 = wrinkle_tangent_space_normal_noise_corner_change(sum, whole_2,
-            sum_7, difference_7, b);
-    float mixed_6 = mix(noise_corner_change_5, noise_corner_change_6, product_3.x);
-    float noise_corner_5 = wrinkle_tangent_space_normal_noise_corner(sum, whole_2, sum_7,
-            difference_7);
-    float noise_corner_6 = wrinkle_tangent_space_normal_noise_corner(whole, whole_2, sum_7,
-            difference_6);
-    float sum_8 = mixed_6 + sum_3.x * (noise_corner_5 - noise_corner_6);
-    vec3 difference_8 = difference - vec3(0.0, 1.0, 1.0);
-    float noise_corner_change_7 = wrinkle_tangent_space_normal_noise_corner_change(whole, sum_5,
-            sum_7, difference_8, b);
-    vec3 difference_9 = difference - 1.0;
-    float noise_corner_change_8 = wrinkle_tangent_space_normal_noise_corner_change(sum, sum_5,
-            sum_7, difference_9, b);
-    float mixed_7 = mix(noise_corner_change_7, noise_corner_change_8, product_3.x);
-    float noise_corner_7 = wrinkle_tangent_space_normal_noise_corner(sum, sum_5, sum_7,
-            difference_9);
-    float noise_corner_8 = wrinkle_tangent_space_normal_noise_corner(whole, sum_5, sum_7,
-            difference_8);
-    float mixed_8 = mix(sum_8, mixed_7 + sum_3.x * (noise_corner_7 - noise_corner_8), product_3.y);
-    float mixed_9 = mix(noise_corner_8, noise_corner_7, product_3.x);
-    float mixed_10 = mix(noise_corner_6, noise_corner_5, product_3.x);
-    float mixed_11 = mix(sum_6, mixed_8 + sum_3.y * (mixed_9 - mixed_10), product_3.z);
-    float difference_10 = mix(mixed_10, mixed_9, product_3.y) - mix(mixed_5, mixed_4, product_3.y);
-    return mixed_11 + sum_3.z * difference_10;
+    vec3 noise_direction_2 = wrinkle_tangent_space_normal_noise_direction(sum, whole_2, whole_3);
+    vec3 difference = a - floored;
+    vec3 sum_2 = difference * (difference * 6.0 - 15.0) + 10.0;
+    vec3 product = difference * difference * difference * sum_2;
+    vec3 mixed = mix(noise_direction, noise_direction_2, product.x);
+    int sum_3 = whole_2 + 1;
+    vec3 noise_direction_3 = wrinkle_tangent_space_normal_noise_direction(whole, sum_3, whole_3);
+    vec3 noise_direction_4 = wrinkle_tangent_space_normal_noise_direction(sum, sum_3, whole_3);
+    vec3 mixed_2 = mix(noise_direction_3, noise_direction_4, product.x);
+    vec3 mixed_3 = mix(mixed, mixed_2, product.y);
+    int sum_4 = whole_3 + 1;
+    vec3 noise_direction_5 = wrinkle_tangent_space_normal_noise_direction(whole, whole_2, sum_4);
+    vec3 noise_direction_6 = wrinkle_tangent_space_normal_noise_direction(sum, whole_2, sum_4);
+    vec3 mixed_4 = mix(noise_direction_5, noise_direction_6, product.x);
+    vec3 noise_direction_7 = wrinkle_tangent_space_normal_noise_direction(whole, sum_3, sum_4);
+    vec3 noise_direction_8 = wrinkle_tangent_space_normal_noise_direction(sum, sum_3, sum_4);
+    vec3 mixed_5 = mix(noise_direction_7, noise_direction_8, product.x);
+    vec3 difference_2 = difference - 1.0;
+    vec3 product_2 = 30.0 * difference * difference * difference_2 * difference_2;
+    float dot_product = dot(noise_direction_2, difference - vec3(1.0, 0.0, 0.0));
+    float dot_product_2 = dot(noise_direction, difference);
+    float dot_product_3 = dot(noise_direction_4, difference - vec3(1.0, 1.0, 0.0));
+    float dot_product_4 = dot(noise_direction_3, difference - vec3(0.0, 1.0, 0.0));
+    float mixed_6 = mix(dot_product - dot_product_2, dot_product_3 - dot_product_4, product.y);
+    float dot_product_5 = dot(noise_direction_6, difference - vec3(1.0, 0.0, 1.0));
+    float dot_product_6 = dot(noise_direction_5, difference - vec3(0.0, 0.0, 1.0));
+    float dot_product_7 = dot(noise_direction_8, difference - 1.0);
+    float dot_product_8 = dot(noise_direction_7, difference - vec3(0.0, 1.0, 1.0));
+    float mixed_7 = mix(dot_product_5 - dot_product_6, dot_product_7 - dot_product_8, product.y);
+    float mixed_8 = mix(dot_product_4, dot_product_3, product.x);
+    float mixed_9 = mix(dot_product_2, dot_product, product.x);
+    float mixed_10 = mix(dot_product_8, dot_product_7, product.x);
+    float mixed_11 = mix(dot_product_6, dot_product_5, product.x);
+    float mixed_12 = mix(mixed_8 - mixed_9, mixed_10 - mixed_11, product.z);
+    float difference_3 = mix(mixed_11, mixed_10, product.y) - mix(mixed_9, mixed_8, product.y);
+    vec3 product_3 = product_2 * vec3(mix(mixed_6, mixed_7, product.z), mixed_12, difference_3);
+    return mix(mixed_3, mix(mixed_4, mixed_5, product.y), product.z) + product_3;
 }
 
-float wrinkle_tangent_space_normal_billow_change(vec3 a, float b, vec3 c) {
-    float gradient_noise_change = wrinkle_tangent_space_normal_gradient_noise_change(a, c);
-    float product = gradient_noise_change * sign(wrinkle_tangent_space_normal_gradient_noise(a));
-    return product * (1.0 - smoothstep(0.25, 0.75, b));
+vec3 wrinkle_tangent_space_normal_billow_slope(vec3 a, float b) {
+    float sign_2 = sign(wrinkle_tangent_space_normal_gradient_noise(a));
+    float product = sign_2 * (1.0 - smoothstep(0.25, 0.75, b));
+    return wrinkle_tangent_space_normal_gradient_noise_slope(a) * product;
 }
 
 float wrinkle_tangent_space_normal_thread(vec2 a, float b, float c) {
@@ -200,22 +152,22 @@ vec3 wrinkle_tangent_space_normal_color(WrinkleSurface_tangent_space_normal s) {
     bool dents_test = dents_clamped > 0.0;
     bool dents_test_2 = 1.0 < max(dents_quotient, 0.0);
     bool dents_test_3 = dents_quotient < 0.0;
+    vec3 dents_billow_slope = wrinkle_tangent_space_normal_billow_slope(dents_product,
+            dents_greatest);
     vec3 dents_product_4 = (dpdx - normal * dot(normal, dpdx)) * 3.0;
-    float dents_billow_change = wrinkle_tangent_space_normal_billow_change(dents_product,
-            dents_greatest, dents_product_4);
-    float dents_billow_change_2 = wrinkle_tangent_space_normal_billow_change(dents_sum,
-            dents_product_2, dents_product_4 * 2.0);
-    float dents_quotient_2 = (dents_billow_change + dents_billow_change_2 * 0.5) / 1.5 / 0.85;
+    vec3 dents_billow_slope_2 = wrinkle_tangent_space_normal_billow_slope(dents_sum,
+            dents_product_2);
+    float dents_product_5 = dot(dents_billow_slope_2, dents_product_4 * 2.0) * 0.5;
+    float dents_quotient_2 = (dot(dents_billow_slope,
+            dents_product_4) + dents_product_5) / 1.5 / 0.85;
     float dents_choice = dents_test_3 ? 0.0 : dents_quotient_2;
     float dents_choice_2 = dents_test ? 1.5 * pow(dents_clamped, 1.5) / dents_clamped : 0.0;
     float dents_negated = -(dents_test ? (dents_test_2 ? 0.0 : dents_choice) * dents_choice_2 :
             0.0);
-    vec3 dents_product_5 = (dpdy - normal * dot(normal, dpdy)) * 3.0;
-    float dents_billow_change_3 = wrinkle_tangent_space_normal_billow_change(dents_product,
-            dents_greatest, dents_product_5);
-    float dents_billow_change_4 = wrinkle_tangent_space_normal_billow_change(dents_sum,
-            dents_product_2, dents_product_5 * 2.0);
-    float dents_quotient_3 = (dents_billow_change_3 + dents_billow_change_4 * 0.5) / 1.5 / 0.85;
+    vec3 dents_product_6 = (dpdy - normal * dot(normal, dpdy)) * 3.0;
+    float dents_product_7 = dot(dents_billow_slope_2, dents_product_6 * 2.0) * 0.5;
+    float dents_quotient_3 = (dot(dents_billow_slope,
+            dents_product_6) + dents_product_7) / 1.5 / 0.85;
     float dents_choice_3 = dents_test_3 ? 0.0 : dents_quotient_3;
     float dents_negated_2 = -(dents_test ? (dents_test_2 ? 0.0 : dents_choice_3) * dents_choice_2 :
             0.0);
