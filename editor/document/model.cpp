@@ -10,18 +10,10 @@
 namespace wrinkle::editor {
 namespace {
 
-// The node of the top graph that a path "outer/inner" belongs to.
-std::vector<std::string> top_nodes(const Reflection& reflection) {
-    std::vector<std::string> nodes;
-    for (const std::string& path : reflection.node_paths)
-        nodes.push_back(path.substr(0, path.find('/')));
-    return nodes;
-}
-
-std::optional<Shader> emit_text(const Project& project, const Registry& registry, bool uniforms,
+std::optional<Shader> emit_text(const Project& project, const Registry& registry,
                                 const std::string& name, Diagnostics& problems) {
     MaterialOptions options;
-    options.uniform_parameters = uniforms;
+    options.uniform_parameters = true;
     options.reached_only = true;
     const Compiled compiled = compile_material(project, registry, options, problems);
     if (!compiled.ok) return std::nullopt;
@@ -81,13 +73,7 @@ Build build(const Model& model, const Document& document, const Registry& regist
     if (!document.edited) result.problems.append(links);  // of an edited one check() says them
     result.problems.append(model.project_problems);
     check(project, registry, result.problems);
-    if (linked) {
-        result.uniform = emit_text(project, registry, true, name, result.live);
-        Diagnostics same_again;
-        result.baked = emit_text(project, registry, false, name, same_again);
-    }
-    if (result.uniform) result.uniform_nodes = top_nodes(result.uniform->reflection);
-    if (result.baked) result.baked_nodes = top_nodes(result.baked->reflection);
+    if (linked) result.uniform = emit_text(project, registry, name, result.live);
     if (!result.problems.has_errors()) result.problems.append(result.live);
     const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - start;
     result.milliseconds = time.count();

@@ -84,6 +84,7 @@ std::optional<bool> holds(const State& state, const std::vector<std::string>& w)
     if (what == "no-node") return state.document().find(w[2]) == nullptr;
     if (what == "status") return state.status.find(rest(w, 2)) != std::string::npos;
     if (what == "target") return state.targets.find(w[2]).has_value();
+    if (what == "no-target") return !state.targets.find(w[2]);
     if (what == "code")
         return state.built.uniform &&
                state.built.uniform->source.find(rest(w, 2)) != std::string::npos;

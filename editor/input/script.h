@@ -6,8 +6,8 @@
 //   key Ctrl+Z      type TEXT       wait [FRAMES]    shot FILE.png
 //   drop FILE... NAME               files by their path, a relative one from the graph's folder
 //   assert nodes N | wires N | errors N | dirty | clean | node ID | no-node ID | wire FROM TO |
-//          no-wire FROM TO | value NODE.PORT JSON | code TEXT | status TEXT | target NAME | stale |
-//          picture | actions N
+//          no-wire FROM TO | value NODE.PORT JSON | code TEXT | status TEXT | target NAME |
+//          no-target NAME | stale | picture | actions N
 //
 // Actions are what a hand has done: each click, drag, drop, chord of keys, and each text that was
 // typed and committed with Enter counts as one. The assertion holds for N and less.

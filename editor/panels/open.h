@@ -18,7 +18,14 @@ struct Palette {
     ImVec2 at{0, 0};        // screen
     std::string query;
     int chosen = 0;
-    Gesture wire;  // kind wire: what it shall be connected to
+    int first = 0;           // row that is drawn
+    bool all_types = false;  // not only those that fit the wire
+    Gesture wire;            // kind wire: what it shall be connected to
+};
+
+// What was chosen lately, the newest first.
+struct Recent {
+    std::vector<std::string> nodes, commands;  // ids
 };
 
 // A text or a list over a field or a header.
