@@ -102,6 +102,7 @@ void draw_outline(const Painter& p, ImVec2 low, ImVec2 high, bool selected, bool
 
 void draw_card(const Painter& p, size_t index) {
     const Card& card = p.state.layout.cards[index];
+    if (card.reroute) return draw_reroute(p, index);
     const ImVec2 low = p.at(card.at), high = low + card.size * p.zoom;
     const bool selected = p.is_selected(index);
     if (p.plain) return draw_plain(p, index, low, high, selected);

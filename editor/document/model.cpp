@@ -2,6 +2,7 @@
 
 #include <chrono>
 
+#include "editor/document/wiring.h"
 #include "graph/edit.h"
 #include "graph/order.h"
 #include "lower/check.h"
@@ -85,7 +86,14 @@ std::string wire_problem(const Model& model, const Document& document, const Reg
     const auto given = model.type_of(from);
     const NodeType* type = model.type_of(node);
     if (!given || !type) return "the type of one end is not known";
-    if (type->id == reroute_type && !document.find(node)->find(port)) return {};
+    if (type->id == reroute_type) {
+        for (const Connection& end : fed_by_reroute(document, std::string(node))) {
+            const auto wanted = wanted_at(model, end.node, end.port);
+            if (!converts(*given, wanted))
+                return refusal(from, *given, end.node + "." + end.port, *wanted, registry);
+        }
+        return {};
+    }
     const uint32_t index = type->find_input(port);
     if (index == NodeType::none || !type->ports[index].is_value())
         return std::string(node) + "." + std::string(port) + " takes no wire";

@@ -35,7 +35,9 @@ void choose(State& state, const PaletteRow& row) {
         return row.command->run(state);
     }
     note_use(state.recent.nodes, row.type->id);
-    add_node_of_type(state, *row.type, to_canvas(state.view, palette.at), palette.wire);
+    const ImVec2 at = to_canvas(state.view, palette.at);
+    if (palette.at_selection) return add_node_to_selection(state, *row.type, at);
+    add_node_of_type(state, *row.type, at, palette.wire);
 }
 
 // The letters that were asked for stand out.

@@ -178,7 +178,7 @@ TEST_F(Headless, NodesAreMovedTogetherRenamedMutedAndDeleted) {
         key M
         key Delete
         assert no-node softer
-        assert wires 1
+        assert wires 2
         key Ctrl+Z
         assert wires 3)");
     EXPECT_TRUE(state.document().find("softer")->muted);
