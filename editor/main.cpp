@@ -49,9 +49,11 @@ int run(const Arguments& arguments) {
     State state;
     Preview preview;
     Compiler compiler(registry, wake_window);
+    CodeMaker code(registry, wake_window);
     state.registry = &registry;
     state.preview = &preview;
     state.follow.compiler = &compiler;
+    state.code.maker = &code;
     state.fonts.load();
     open_file(state, arguments.file);
     if (!window->run(state, script ? &*script : nullptr, arguments.shot, why))

@@ -10,6 +10,8 @@
 
 #include "editor/canvas/card.h"
 #include "editor/canvas/gesture.h"
+#include "editor/code/code.h"
+#include "editor/document/clip.h"
 #include "editor/document/follow.h"
 #include "editor/document/history.h"
 #include "editor/document/model.h"
@@ -40,7 +42,11 @@ struct State {
     Hit hovered;
     Palette palette;
     Popup popup;
+    Recent recent;
     Dropped dropped;
+    Code code;
+    Clip clip;
+    Offer offer;
     std::string status;  // what the last action did, or why it was refused
 
     Model model;

@@ -22,6 +22,10 @@ void toggle_more(State& state, const Card& card) {
 }
 
 void double_click(State& state, const Hit& hit) {
+    if (hit.kind == Hit::Kind::wire) {
+        reroute_wire(state, hit.part, to_canvas(state.view, ImGui::GetIO().MousePos));
+        return;
+    }
     if (hit.kind == Hit::Kind::header) {
         const Card& card = state.layout.cards[hit.card];
         if (card.kind == Card::Kind::node) open_popup(state, card, nullptr, Popup::Kind::rename);
@@ -50,7 +54,9 @@ void press(State& state, const Hit& hit) {
         case Hit::Kind::header:
         case Hit::Kind::card:
             select_card(state, state.layout.cards[hit.card].id);
-            return begin_gesture(state, Kind::move);
+            begin_gesture(state, Kind::move);
+            state.gesture.node = state.layout.cards[hit.card].id;
+            return;
         case Hit::Kind::more:
             return toggle_more(state, state.layout.cards[hit.card]);
         case Hit::Kind::wire: {
@@ -85,7 +91,12 @@ void drag(State& state) {
         case Kind::value:
             drag_value(state, delta);
             break;
+        case Kind::cut:
+        case Kind::reroute:
+            drag_stroke(state);
+            break;
         case Kind::wire:
+        case Kind::lazy:
         case Kind::none:
             break;
     }
@@ -98,10 +109,22 @@ void release(State& state) {
             drop_wire(state);
             break;
         case Kind::move:
-            if (g.moved) drop_cards(state);
+            if (g.moved)
+                drop_cards(state);
+            else
+                click_card(state, g.node);
             break;
         case Kind::value:
             drop_value(state);
+            break;
+        case Kind::cut:
+            drop_cut(state);
+            break;
+        case Kind::reroute:
+            drop_reroutes(state);
+            break;
+        case Kind::lazy:
+            if (g.moved) drop_lazy(state);
             break;
         default:
             break;
@@ -112,6 +135,9 @@ void release(State& state) {
 
 void cancel(State& state) {
     if (state.gesture.moved) state.history.cancel(state.gesture.merge);
+    if (state.gesture.kind == Kind::pan) state.view.pan = state.gesture.pan;
+    if (state.gesture.kind == Kind::box) state.view.selected = state.gesture.selected;
+    state.status.clear();
     state.gesture = {};
     state.layout_stale = true;
 }
@@ -121,31 +147,47 @@ void zoom_by_wheel(State& state) {
     if (io.MouseWheel != 0) zoom_at(state.view, io.MousePos, std::pow(1.1F, io.MouseWheel));
 }
 
+void press_right(State& state, const Hit& hit) {
+    const ImGuiIO& io = ImGui::GetIO();
+    const bool on_card = hit.kind != Hit::Kind::nothing && hit.kind != Hit::Kind::wire;
+    if (io.KeyCtrl) return begin_gesture(state, Kind::cut, 1);
+    if (io.KeyShift) return begin_gesture(state, Kind::reroute, 1);
+    if (io.KeyAlt && on_card) {
+        begin_gesture(state, Kind::lazy, 1);
+        state.gesture.card = hit.card;
+    } else if (hit.kind == Hit::Kind::nothing && !io.KeyAlt) {
+        open_palette(state, io.MousePos, {});
+    }
+}
+
 }  // namespace
 
-void begin_gesture(State& state, Gesture::Kind kind) {
+void begin_gesture(State& state, Gesture::Kind kind, int button) {
     state.gesture = {};
     state.gesture.kind = kind;
+    state.gesture.button = button;
+    state.gesture.pan = state.view.pan;
+    state.gesture.selected = state.view.selected;
     state.gesture.start = ImGui::GetIO().MousePos;
     state.gesture.merge = "gesture " + std::to_string(state.history.serial());
 }
 
 void update_gesture(State& state, bool hovered) {
     const ImGuiIO& io = ImGui::GetIO();
-    state.hovered = hovered || state.gesture.kind != Kind::none ? pick(state, io.MousePos) : Hit{};
-    if (state.gesture.kind == Kind::none && hovered) {
+    const Gesture& g = state.gesture;
+    state.hovered = g.kind == Kind::wire              ? aim_wire(state, io.MousePos)
+                    : hovered || g.kind != Kind::none ? pick(state, io.MousePos)
+                                                      : Hit{};
+    if (g.kind == Kind::none && hovered) {
         zoom_by_wheel(state);
         if (ImGui::IsMouseClicked(ImGuiMouseButton_Left)) press(state, state.hovered);
-        if (ImGui::IsMouseClicked(ImGuiMouseButton_Middle)) begin_gesture(state, Kind::pan);
-        if (ImGui::IsMouseClicked(ImGuiMouseButton_Right) &&
-            state.hovered.kind == Hit::Kind::nothing)
-            open_palette(state, io.MousePos, {});
-    } else if (state.gesture.kind != Kind::none) {
+        if (ImGui::IsMouseClicked(ImGuiMouseButton_Middle)) begin_gesture(state, Kind::pan, 2);
+        if (ImGui::IsMouseClicked(ImGuiMouseButton_Right)) press_right(state, state.hovered);
+    } else if (g.kind != Kind::none) {
         drag(state);
-        const int button = io.MouseDown[2] || io.MouseReleased[2] ? 2 : 0;
         if (ImGui::IsKeyPressed(io.KeyMap[ImGuiKey_Escape], false))
             cancel(state);
-        else if (!io.MouseDown[button])
+        else if (!io.MouseDown[g.button])
             release(state);
     }
 }
@@ -166,6 +208,7 @@ void draw_canvas(State& state) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     list.PushClipRect(view.corner, view.corner + view.extent, true);
     draw_graph(state, list);
+    draw_gesture(state, list);
     list.PopClipRect();
     name_targets(state);
 }

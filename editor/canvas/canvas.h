@@ -10,6 +10,12 @@
 //                            the palette, filtered by what fits
 //   double-click a field     type a value
 //   double-click a header    rename
+//   double-click a wire      a reroute
+//   drop a loose node on a wire   it stands in the wire
+//   Alt + right drag         from node to node: connects what fits best
+//   Ctrl + right drag        cuts the wires that it crosses
+//   Shift + right drag       a reroute in each wire that it crosses
+//   Escape                   takes the gesture back
 #pragma once
 
 #include "editor/state.h"
@@ -21,6 +27,7 @@ void draw_canvas(State& state);  // the panel: into the current ImGui window, al
 // Its parts.
 Hit pick(const State& state, ImVec2 mouse);
 void draw_graph(const State& state, ImDrawList& list);
+void draw_gesture(const State& state, ImDrawList& list);  // what the hand is doing
 void update_gesture(State& state, bool active);
 void name_targets(State& state);
 

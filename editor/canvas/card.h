@@ -45,6 +45,7 @@ struct Card {
     std::string label;  // the type's title
     const NodeType* type = nullptr;
     bool muted = false;
+    bool reroute = false;
     ImVec2 at{0, 0}, size{0, 0};
     std::vector<Pin> pins;
     std::vector<Field> fields;

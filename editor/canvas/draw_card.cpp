@@ -102,12 +102,14 @@ void draw_outline(const Painter& p, ImVec2 low, ImVec2 high, bool selected, bool
 
 void draw_card(const Painter& p, size_t index) {
     const Card& card = p.state.layout.cards[index];
+    if (card.reroute) return draw_reroute(p, index);
     const ImVec2 low = p.at(card.at), high = low + card.size * p.zoom;
     const bool selected = p.is_selected(index);
     if (p.plain) return draw_plain(p, index, low, high, selected);
     const Hit& hit = p.state.hovered;
     const bool hovered =
-        hit.card == index && hit.kind != Hit::Kind::nothing && hit.kind != Hit::Kind::wire;
+        (hit.card == index && hit.kind != Hit::Kind::nothing && hit.kind != Hit::Kind::wire) ||
+        (card.kind == Card::Kind::node && card.id == p.state.code.hovered);
     const float radius = 6 * p.zoom;
     p.list.AddRectFilled(low + ImVec2(2, 3), high + ImVec2(2, 3), IM_COL32(0, 0, 0, 71), radius);
     p.list.AddRectFilled(low, high, theme::node, radius);

@@ -4,8 +4,10 @@
 #include <imgui.h>
 
 #include <cstdint>
+#include <optional>
 #include <set>
 #include <string>
+#include <vector>
 
 #include "graph/document.h"
 #include "registry/port_type.h"
@@ -14,11 +16,37 @@ namespace wrinkle::editor {
 
 // What the hand is doing on the canvas; it owns the pointer until the button is up or Escape.
 struct Gesture {
-    enum class Kind : uint8_t { none, pan, box, move, wire, value };
+    enum class Kind : uint8_t {
+        none,
+        pan,
+        box,
+        move,
+        wire,
+        value,
+        cut,      // a stroke across wires
+        reroute,  // the same, for a reroute in each
+        lazy,     // from a card to a card
+    };
     Kind kind = Kind::none;
+    int button = 0;
     ImVec2 start{0, 0};  // screen
     bool moved = false;
-    ImVec2 offset{0, 0};  // of a move, canvas units
+    ImVec2 pan{0, 0};                // of the view, as it was
+    std::set<std::string> selected;  // as it was
+
+    // of a move
+    ImVec2 offset{0, 0};               // canvas units
+    std::optional<size_t> under_wire;  // of the layout: that the card would stand in
+
+    // of a stroke
+    struct Crossing {
+        size_t wire = 0;  // of the layout
+        ImVec2 at{0, 0};  // canvas units
+    };
+    std::vector<ImVec2> stroke;  // canvas units
+    std::vector<Crossing> crossed;
+
+    size_t card = 0;  // of the layout: where a lazy wire begins
 
     // of a wire: its fixed end
     bool from_output = false;

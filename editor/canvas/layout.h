@@ -10,6 +10,8 @@ namespace wrinkle::editor {
 inline constexpr float detail_zoom = 0.6F;  // below it a card shows no fields
 inline constexpr float plain_zoom = 0.35F;  // below it a card is a rectangle
 inline constexpr float header_height = 28, row_height = 24, field_height = 21, field_inset = 12;
+// A pin at either end, the shape in the middle.
+inline constexpr float reroute_width = 32, reroute_height = 16;
 
 // Brings state.layout up to the document and to the drag under way. A card is made anew only when
 // its node, its type or its readers have changed; a drag moves what it has in its hand.
@@ -30,6 +32,7 @@ ImVec2 free_place(const Layout& layout, ImVec2 at);
 // Canvas units to screen pixels and back.
 ImVec2 to_screen(const View& view, ImVec2 at);
 ImVec2 to_canvas(const View& view, ImVec2 at);
+ImVec2 pointed_at(const View& view);  // the pointer, or the canvas's middle; screen
 void fit(View& view, const Layout& layout, bool selection_only);
 void zoom_at(View& view, ImVec2 screen, float factor);
 

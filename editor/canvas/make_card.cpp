@@ -22,6 +22,10 @@ public:
         card.type = type;
         card.label = type ? type->title : node_.type;
         card.muted = node_.muted;
+        if (node_.type == reroute_type) {
+            fill_reroute();
+            return std::move(card);
+        }
         card.size.x = wanted_width();
         if (type)
             fill_ports();
@@ -44,6 +48,7 @@ private:
     float wanted_width() const;
     void fill_ports();
     void fill_unknown();
+    void fill_reroute();
     void add_pin(const std::string& port, PortType type, bool known, bool output, bool connected,
                  float y);
     void add_field(uint32_t index, const Port& port, float y);
@@ -135,6 +140,17 @@ void CardMaker::fill_ports() {
         y += row_height;
     }
     card.size.y = y + 8;
+}
+
+void CardMaker::fill_reroute() {
+    const PortType type = card.type ? card.type->ports.front().type : PortType::float_;
+    const Input* in = node_.find("in");
+    const bool fed = in && in->kind == Input::Kind::link;
+    const float y = reroute_height / 2;
+    card.reroute = true;
+    card.size = {reroute_width, reroute_height};
+    card.pins.push_back({"out", type, card.type != nullptr, true, is_read("out"), y, ""});
+    card.pins.push_back({"in", type, card.type != nullptr, false, fed, y, ""});
 }
 
 // Ports as the document writes them.

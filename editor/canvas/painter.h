@@ -47,5 +47,6 @@ private:
 
 void draw_wires(const Painter& painter);
 void draw_card(const Painter& painter, size_t index);
+void draw_reroute(const Painter& painter, size_t index);
 
 }  // namespace wrinkle::editor

@@ -25,6 +25,12 @@ Extent around(const View& view, ImVec2 mouse, float radius) {
             to_canvas(view, mouse + ImVec2(radius, radius))};
 }
 
+// The middle of a reroute moves it, its ends are pins.
+bool is_handle(const State& state, const Card& card, ImVec2 mouse) {
+    const ImVec2 at = to_canvas(state.view, mouse) - card.at;
+    return card.reroute && within(at, {9, 0}, {23, reroute_height});
+}
+
 Hit nearest_pin(const State& state, ImVec2 mouse) {
     Hit hit;
     float best = pin_radius * pin_radius;
@@ -34,7 +40,7 @@ Hit nearest_pin(const State& state, ImVec2 mouse) {
         if (!state.layout.card_boxes[i].touches(near)) continue;
         for (size_t k = 0; k < cards[i].pins.size(); ++k) {
             const ImVec2 at = to_screen(state.view, pin_at(cards[i], cards[i].pins[k]));
-            if (squared(at - mouse) > best) continue;
+            if (squared(at - mouse) > best || is_handle(state, cards[i], mouse)) continue;
             best = squared(at - mouse);
             hit = {Hit::Kind::pin, i, k};
         }
@@ -42,20 +48,9 @@ Hit nearest_pin(const State& state, ImVec2 mouse) {
     return hit;
 }
 
-// While a wire is drawn a whole row stands for its pin.
-Hit row_of_wire(const State& state, size_t index, ImVec2 at) {
-    const Card& card = state.layout.cards[index];
-    for (size_t k = 0; k < card.pins.size(); ++k)
-        if (std::fabs(card.pins[k].y - at.y) < row_height / 2 &&
-            card.pins[k].output != state.gesture.from_output)
-            return {Hit::Kind::pin, index, k};
-    return {Hit::Kind::card, index, 0};
-}
-
 Hit part_of_card(const State& state, size_t index, ImVec2 mouse) {
     const Card& card = state.layout.cards[index];
     const ImVec2 at = to_canvas(state.view, mouse) - card.at;
-    if (state.gesture.kind == Gesture::Kind::wire) return row_of_wire(state, index, at);
     if (at.y < header_height) return {Hit::Kind::header, index, 0};
     if (card.more_y >= 0 && at.y >= card.more_y) return {Hit::Kind::more, index, 0};
     if (state.view.zoom >= detail_zoom)

@@ -15,6 +15,13 @@ ImVec2 to_canvas(const View& view, ImVec2 at) {
     return (at - view.corner - view.pan) * (1 / view.zoom);
 }
 
+ImVec2 pointed_at(const View& view) {
+    const ImVec2 mouse = ImGui::GetIO().MousePos, end = view.corner + view.extent;
+    const bool over =
+        mouse.x >= view.corner.x && mouse.y >= view.corner.y && mouse.x < end.x && mouse.y < end.y;
+    return over ? mouse : (view.corner + end) * 0.5F;
+}
+
 void fit(View& view, const Layout& layout, bool selection_only) {
     ImVec2 low = layout.low, high = layout.high;
     bool first = true;

@@ -50,7 +50,7 @@ bool run_command(State& state, std::string_view id) {
 }
 
 void run_keys(State& state) {
-    if (ImGui::GetIO().WantTextInput || state.palette.open ||
+    if (ImGui::GetIO().WantTextInput || state.palette.open || state.offer.open ||
         state.popup.kind != Popup::Kind::none || state.gesture.kind != Gesture::Kind::none)
         return;
     for (const Command& command : commands())

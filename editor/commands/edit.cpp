@@ -1,5 +1,7 @@
 #include "editor/commands/groups.h"
+#include "editor/document/clipboard.h"
 #include "editor/document/edits.h"
+#include "editor/document/wiring.h"
 
 namespace wrinkle::editor {
 namespace {
@@ -35,8 +37,20 @@ constexpr Command table[] = {
     {"undo", "Undo", "Ctrl+Z", "Edit", no_undo, undo},
     {"redo", "Redo", "Ctrl+Shift+Z", "Edit", no_redo, redo},
     {"delete", "Delete", "Delete", "Edit", no_delete, delete_selected},
-    {"duplicate", "Duplicate", "Ctrl+D", "Edit", wants_selection, duplicate_selected},
+    {"delete-with-wires", "Delete with wires", "Shift+Delete", "Edit", no_delete,
+     delete_selected_with_wires},
+    {"cut", "Cut", "Ctrl+X", "Edit", wants_selection, cut_selected},
+    {"copy", "Copy", "Ctrl+C", "Edit", wants_selection, copy_selected},
+    {"paste", "Paste", "Ctrl+V", "Edit", always, paste},
+    {"duplicate", "Duplicate", "Ctrl+D", "Edit", wants_selection,
+     [](State& s) { duplicate_selected(s); }},
+    {"duplicate-alone", "Duplicate without inputs", "Ctrl+Shift+D", "Edit", wants_selection,
+     [](State& s) { duplicate_selected(s, false); }},
     {"select-all", "Select all", "Ctrl+A", "Edit", always, select_all},
+    {"select-upstream", "Select what feeds it", "L", "Edit", wants_selection,
+     [](State& s) { s.view.selected = with_upstream(s.document(), s.view.selected); }},
+    {"select-downstream", "Select what it feeds", "Shift+L", "Edit", wants_selection,
+     [](State& s) { s.view.selected = with_downstream(s.document(), s.view.selected); }},
 };
 
 }  // namespace

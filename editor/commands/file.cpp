@@ -1,3 +1,4 @@
+#include "editor/code/export.h"
 #include "editor/commands/groups.h"
 #include "editor/document/files.h"
 
@@ -16,6 +17,8 @@ void quit(State& state) {
 
 constexpr Command table[] = {
     {"save", "Save", "Ctrl+S", "File", always, [](State& s) { save_file(s); }},
+    {"export-glsl", "Export GLSL", "Ctrl+E", "File", always,
+     [](State& s) { export_code(s, usual_export(s)); }},
     {"reload", "Read images again", "F5", "File", always, reload},
     {"quit", "Quit", "Ctrl+Q", "File", always, quit},
 };

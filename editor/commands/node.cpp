@@ -6,13 +6,8 @@ namespace wrinkle::editor {
 namespace {
 
 void add_node(State& state) {
-    const ImVec2 mouse = ImGui::GetIO().MousePos;
-    const View& view = state.view;
-    const ImVec2 end(view.corner.x + view.extent.x, view.corner.y + view.extent.y);
-    const ImVec2 middle((view.corner.x + end.x) / 2, (view.corner.y + end.y) / 2);
-    const bool over =
-        mouse.x >= view.corner.x && mouse.y >= view.corner.y && mouse.x < end.x && mouse.y < end.y;
-    open_palette(state, over ? mouse : middle, {});
+    open_palette(state, pointed_at(state.view), {});
+    state.palette.at_selection = true;
 }
 
 void tidy(State& state) {
@@ -25,6 +20,7 @@ void tidy(State& state) {
 constexpr Command table[] = {
     {"add-node", "Add node", "Space", "Node", always, add_node},
     {"mute", "Mute", "M", "Node", wants_selection, mute_selected},
+    {"swap-inputs", "Swap inputs", "Alt+S", "Node", wants_selection, swap_selected},
     {"tidy", "Tidy", "Ctrl+L", "Node", always, tidy},
 };
 

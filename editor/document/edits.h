@@ -18,13 +18,17 @@ Document without_wire(const Document& document, const std::string& node, const s
 // A new node of a type, with an id after the type, at a place near `at` (canvas units); connected
 // to the loose end of `wire` by the first port that fits.
 void add_node_of_type(State& state, const NodeType& type, ImVec2 at, const Gesture& wire);
+// The same in the selected wire, where it fits; else fed by the selected nodes, to their right.
+void add_node_to_selection(State& state, const NodeType& type, ImVec2 at);
 // Whether a node of that type has a port for it.
 bool type_fits(const NodeType& type, const Gesture& wire);
 bool type_matches(const NodeType& type, const Gesture& wire);  // without a conversion
 
-void delete_selected(State& state);
-// A copy of each selected node, with the wires into it.
-void duplicate_selected(State& state);
+void delete_selected(State& state);  // what fed the nodes feeds their readers, where it fits
+void delete_selected_with_wires(State& state);
+// A copy of each selected node; wires among them run among the copies. With the wires from others.
+void duplicate_selected(State& state, bool with_inputs = true);
+void swap_selected(State& state);
 void mute_selected(State& state);
 
 // Finds once, for all pins and frames, the nodes that this wire cannot go to.

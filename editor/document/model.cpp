@@ -2,6 +2,7 @@
 
 #include <chrono>
 
+#include "editor/document/wiring.h"
 #include "graph/edit.h"
 #include "graph/order.h"
 #include "lower/check.h"
@@ -10,18 +11,10 @@
 namespace wrinkle::editor {
 namespace {
 
-// The node of the top graph that a path "outer/inner" belongs to.
-std::vector<std::string> top_nodes(const Reflection& reflection) {
-    std::vector<std::string> nodes;
-    for (const std::string& path : reflection.node_paths)
-        nodes.push_back(path.substr(0, path.find('/')));
-    return nodes;
-}
-
-std::optional<Shader> emit_text(const Project& project, const Registry& registry, bool uniforms,
+std::optional<Shader> emit_text(const Project& project, const Registry& registry,
                                 const std::string& name, Diagnostics& problems) {
     MaterialOptions options;
-    options.uniform_parameters = uniforms;
+    options.uniform_parameters = true;
     options.reached_only = true;
     const Compiled compiled = compile_material(project, registry, options, problems);
     if (!compiled.ok) return std::nullopt;
@@ -81,13 +74,7 @@ Build build(const Model& model, const Document& document, const Registry& regist
     if (!document.edited) result.problems.append(links);  // of an edited one check() says them
     result.problems.append(model.project_problems);
     check(project, registry, result.problems);
-    if (linked) {
-        result.uniform = emit_text(project, registry, true, name, result.live);
-        Diagnostics same_again;
-        result.baked = emit_text(project, registry, false, name, same_again);
-    }
-    if (result.uniform) result.uniform_nodes = top_nodes(result.uniform->reflection);
-    if (result.baked) result.baked_nodes = top_nodes(result.baked->reflection);
+    if (linked) result.uniform = emit_text(project, registry, name, result.live);
     if (!result.problems.has_errors()) result.problems.append(result.live);
     const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - start;
     result.milliseconds = time.count();
@@ -99,7 +86,14 @@ std::string wire_problem(const Model& model, const Document& document, const Reg
     const auto given = model.type_of(from);
     const NodeType* type = model.type_of(node);
     if (!given || !type) return "the type of one end is not known";
-    if (type->id == reroute_type && !document.find(node)->find(port)) return {};
+    if (type->id == reroute_type) {
+        for (const Connection& end : fed_by_reroute(document, std::string(node))) {
+            const auto wanted = wanted_at(model, end.node, end.port);
+            if (!converts(*given, wanted))
+                return refusal(from, *given, end.node + "." + end.port, *wanted, registry);
+        }
+        return {};
+    }
     const uint32_t index = type->find_input(port);
     if (index == NodeType::none || !type->ports[index].is_value())
         return std::string(node) + "." + std::string(port) + " takes no wire";

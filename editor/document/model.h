@@ -35,15 +35,12 @@ Model make_model(const Document& document, const std::filesystem::path& folder,
 // The same project with another top document, for compiling.
 Project project_with(const Model& model, const Document& document);
 
-// One compilation. The text with uniforms is what the preview runs, the baked one what `wrinkle
-// compile` writes.
+// One compilation: what the preview runs. The texts that `wrinkle compile` writes are made in
+// editor/code.
 struct Build {
     Diagnostics problems;  // of the whole document
     Diagnostics live;      // why `uniform` is empty
     std::optional<Shader> uniform;
-    std::optional<Shader> baked;
-    // By index in the shader's Reflection::node_paths the node of the top graph, "" for none.
-    std::vector<std::string> uniform_nodes, baked_nodes;
     double milliseconds = 0;
 };
 

@@ -11,7 +11,7 @@
 #include "editor/document/files.h"
 #include "editor/document/refresh.h"
 #include "editor/drop/image_kind.h"
-#include "editor/drop/layer.h"
+#include "editor/document/layer.h"
 #include "editor/look/draw.h"
 #include "editor/panels/panels.h"
 

@@ -84,6 +84,7 @@ std::optional<bool> holds(const State& state, const std::vector<std::string>& w)
     if (what == "no-node") return state.document().find(w[2]) == nullptr;
     if (what == "status") return state.status.find(rest(w, 2)) != std::string::npos;
     if (what == "target") return state.targets.find(w[2]).has_value();
+    if (what == "no-target") return !state.targets.find(w[2]);
     if (what == "code")
         return state.built.uniform &&
                state.built.uniform->source.find(rest(w, 2)) != std::string::npos;
@@ -152,6 +153,30 @@ void Script::count(const std::string& step, const std::vector<std::string>& word
     if (!waits) typing_ = step == "type";
 }
 
+bool Script::stroke(const std::vector<std::string>& w, const State& state, InputQueue& queue) {
+    if (w.size() < 5) return fail("stroke needs keys, a button and two places");
+    const int button = w[2] == "right" ? 1 : 0;
+    std::vector<Spot> spots;
+    for (size_t i = 3; i < w.size(); ++i) {
+        const auto spot = spot_of(w[i], state.targets);
+        if (!spot) return fail("nothing on the screen is called '" + w[i] + "'");
+        spots.push_back(*spot);
+    }
+    const auto keys = split(w[1], '+');
+    const auto hold = [&](bool down) {
+        for (const std::string_view key : keys)
+            if (key != "-") queue.key(key_named(key), down);
+    };
+    queue.motion(spots[0].x, spots[0].y);
+    hold(true);
+    queue.button(button, true);
+    for (const Spot& spot : spots)
+        queue.motion(spot.x, spot.y);
+    queue.button(button, false);
+    hold(false);
+    return true;
+}
+
 bool Script::run(const Line& line, const State& state, InputQueue& queue, const Shot& shot) {
     const auto& w = line.words;
     const std::string& what = w[0];
@@ -169,6 +194,7 @@ bool Script::run(const Line& line, const State& state, InputQueue& queue, const 
     }
     if (what == "drag") return drag(w, state, queue);
     if (what == "drop") return drop(w, state, queue);
+    if (what == "stroke") return stroke(w, state, queue);
     if (what == "wheel") {
         if (!point_at(w[1], state, queue)) return false;
         queue.wheel(0, w.size() > 2 ? std::strtof(w[2].c_str(), nullptr) : 1);

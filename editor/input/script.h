@@ -3,11 +3,12 @@
 // pixels from its middle where wanted: "canvas+-200,150".
 //
 //   click NAME      right NAME      double NAME      drag FROM TO      wheel NAME AMOUNT
+//   stroke MODIFIERS left|right FROM TO ...    a drag with keys held, "-" for none, over all places
 //   key Ctrl+Z      type TEXT       wait [FRAMES]    shot FILE.png
 //   drop FILE... NAME               files by their path, a relative one from the graph's folder
 //   assert nodes N | wires N | errors N | dirty | clean | node ID | no-node ID | wire FROM TO |
-//          no-wire FROM TO | value NODE.PORT JSON | code TEXT | status TEXT | target NAME | stale |
-//          picture | actions N
+//          no-wire FROM TO | value NODE.PORT JSON | code TEXT | status TEXT | target NAME |
+//          no-target NAME | stale | picture | actions N
 //
 // Actions are what a hand has done: each click, drag, drop, chord of keys, and each text that was
 // typed and committed with Enter counts as one. The assertion holds for N and less.
@@ -47,6 +48,7 @@ private:
     bool drag(const std::vector<std::string>& words, const State& state, InputQueue& queue);
     bool drop(const std::vector<std::string>& words, const State& state, InputQueue& queue);
     void count(const std::string& step, const std::vector<std::string>& words);
+    bool stroke(const std::vector<std::string>& words, const State& state, InputQueue& queue);
     bool fail(std::string why);
     bool point_at(const std::string& name, const State& state, InputQueue& queue);
 

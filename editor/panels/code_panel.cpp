@@ -1,7 +1,11 @@
-// The generated text: what `wrinkle compile` writes (baked), or what the preview runs (uniforms).
-// Lines of the selected nodes are marked; a click on a line selects its node.
-#include <cctype>
+// The generated text, as `wrinkle compile` writes it. Lines of the selected nodes are marked; the
+// node of the line under the pointer is marked on the canvas, a click selects it.
+#include <algorithm>
 
+#include "base/text.h"
+#include "editor/code/tokens.h"
+#include "editor/commands/commands.h"
+#include "editor/document/change.h"
 #include "editor/look/draw.h"
 #include "editor/look/theme.h"
 #include "editor/panels/panels.h"
@@ -9,146 +13,211 @@
 namespace wrinkle::editor {
 namespace {
 
-constexpr float line_height = 17;
+constexpr float head_height = 38, line_height = 17, number_right = 32, text_left = 44;
+constexpr float narrow = 520;  // below it the choices stand in a menu
 
-bool is_type(std::string_view word) {
-    constexpr std::string_view types[] = {"void", "float", "int",  "uint", "bool",     "vec2",
-                                          "vec3", "vec4",  "mat2", "mat3", "sampler2D"};
-    for (const std::string_view type : types)
-        if (word == type) return true;
-    return word.starts_with("WrinkleSurface");
-}
-
-bool is_keyword(std::string_view word) {
-    constexpr std::string_view words[] = {"struct", "uniform", "return", "for",  "if",   "else",
-                                          "const",  "in",      "out",    "true", "false"};
-    for (const std::string_view keyword : words)
-        if (word == keyword) return true;
-    return false;
-}
-
-bool is_word(char c) {
-    return std::isalnum(static_cast<unsigned char>(c)) || c == '_';
-}
-
-ImU32 color_of(std::string_view line, size_t begin, size_t end) {
-    const std::string_view word = line.substr(begin, end - begin);
-    if (std::isdigit(static_cast<unsigned char>(word[0]))) return theme::code_number;
-    if (is_keyword(word)) return theme::code_keyword;
-    if (is_type(word)) return theme::code_type;
-    if (end < line.size() && line[end] == '(') return theme::code_function;
+ImU32 color_of(Token token) {
+    switch (token) {
+        case Token::keyword:
+            return theme::code_keyword;
+        case Token::type:
+            return theme::code_type;
+        case Token::function:
+            return theme::code_function;
+        case Token::number:
+            return theme::code_number;
+        case Token::comment:
+            return theme::code_comment;
+        case Token::text:
+            break;
+    }
     return theme::code_text;
 }
 
 void draw_line(ImDrawList& list, ImFont* font, ImVec2 at, std::string_view line) {
     const float advance = font->GetCharAdvance('m');
-    const auto put = [&](size_t begin, size_t end, ImU32 color) {
-        const ImVec2 place(at.x + advance * static_cast<float>(begin), at.y);
-        list.AddText(font, font->FontSize, place, color, line.data() + begin, line.data() + end);
-    };
-    for (size_t i = 0; i < line.size();) {
-        if (line.substr(i).starts_with("//")) return put(i, line.size(), theme::code_comment);
-        size_t end = i + 1;
-        if (is_word(line[i])) {
-            while (end < line.size() &&
-                   (is_word(line[end]) ||
-                    (line[end] == '.' && std::isdigit(static_cast<unsigned char>(line[i])))))
-                ++end;
-            put(i, end, color_of(line, i, end));
-        } else {
-            while (end < line.size() && !is_word(line[end]) && line[end] != '/')
-                ++end;
-            put(i, end, theme::code_text);
-        }
-        i = end;
-    }
+    for (const Piece& piece : pieces_of(line))
+        list.AddText(font, font->FontSize, {at.x + advance * static_cast<float>(piece.begin), at.y},
+                     color_of(piece.token), line.data() + piece.begin, line.data() + piece.end);
 }
 
-std::vector<std::string_view> lines_of(std::string_view text) {
-    std::vector<std::string_view> lines;
-    while (!text.empty()) {
-        const size_t end = std::min(text.find('\n'), text.size());
-        lines.push_back(text.substr(0, end));
-        text.remove_prefix(std::min(end + 1, text.size()));
-    }
-    return lines;
+void take(Code& code, CodeText text) {
+    code.problem = text.problem;
+    if (text.problem.empty()) code.text = std::move(text);
 }
 
-struct Text {
-    const Shader* shader = nullptr;
-    const std::vector<std::string>* nodes = nullptr;
-
-    // The node that a line came from, "" for none.
-    std::string node(size_t line) const {
-        if (line >= shader->reflection.lines.size()) return {};
-        const uint32_t index = shader->reflection.lines[line];
-        return index < nodes->size() ? (*nodes)[index] : std::string();
-    }
-};
-
-Text text_of(const State& state) {
-    const Build& built = state.built;
-    if (state.view.code_baked) return {built.baked ? &*built.baked : nullptr, &built.baked_nodes};
-    return {built.uniform ? &*built.uniform : nullptr, &built.uniform_nodes};
+bool is_asked(const State& state) {
+    const Code& code = state.code;
+    if (!code.asked || code.asked_file != state.follow.first) return false;
+    if (code.asked_options != code.options) return false;
+    if (same_document(code.asked_of, state.document())) return true;
+    const Change difference = change(code.asked_of, state.document());
+    return !difference.renamed &&
+           (difference.kind == Change::Kind::none || difference.kind == Change::Kind::cosmetic);
 }
 
-void draw_head(State& state, size_t lines) {
-    const ImVec2 at = ImGui::GetWindowPos();
-    ImDrawList& list = *ImGui::GetWindowDrawList();
-    list.AddRectFilled(at, at + ImVec2(ImGui::GetWindowWidth(), 36), theme::panel);
-    draw_text(list, state.fonts.bold(18), 17, at + ImVec2(12, 9), theme::text, "Code");
-    draw_text(list, state.fonts.regular(14), 14, at + ImVec2(64, 11), theme::text_dim,
-              std::to_string(lines) + " lines");
-    ImGui::SetCursorPos({ImGui::GetWindowWidth() - 240, 6});
-    if (button(state, "Uniforms", "code:uniforms", !state.view.code_baked))
-        state.view.code_baked = false;
+// Brings the text up to the document; while the hand is on a value it may stay behind.
+void follow(State& state) {
+    Code& code = state.code;
+    if (code.maker)
+        if (auto text = code.maker->take()) take(code, std::move(*text));
+    const bool other_file = code.asked_file != state.follow.first;
+    if (!state.fresh || is_asked(state)) return;
+    if (!other_file && state.gesture.kind == Gesture::Kind::value) return;
+    if (other_file) code.text = {};
+    code.asked = true;
+    code.asked_file = state.follow.first;
+    code.asked_of = state.document();
+    code.asked_options = code.options;
+    CodeJob job{state.model, state.document(), identifier(state.path.stem().string()),
+                code.options};
+    if (code.maker)
+        code.maker->ask(std::move(job));
+    else
+        take(code, make_code(job, *state.registry));
+}
+
+// A list to choose from; `target` names it and, with a colon and the item, its items.
+int draw_choice(State& state, const std::string& target, std::span<const std::string> items,
+                int chosen, float width) {
+    ImGui::SetNextItemWidth(width);
+    const std::string& shown = items[static_cast<size_t>(chosen)];
+    const bool open = ImGui::BeginCombo(("##" + target).c_str(), shown.c_str());
+    name_item(state, target);
+    if (!open) return chosen;
+    for (size_t i = 0; i < items.size(); ++i) {
+        const bool own = static_cast<int>(i) == chosen;
+        if (ImGui::Selectable(items[i].c_str(), own)) chosen = static_cast<int>(i);
+        name_item(state, target + ":" + items[i]);
+    }
+    ImGui::EndCombo();
+    return chosen;
+}
+
+void draw_options(State& state, float width) {
+    CodeOptions& options = state.code.options;
+    std::vector<std::string> names;
+    int target = 0;
+    for (const Target& each : targets()) {
+        if (each.name == options.target) target = static_cast<int>(names.size());
+        names.emplace_back(each.name);
+    }
+    target = draw_choice(state, "code:target", names, target, width);
+    options.target = names[static_cast<size_t>(target)];
     ImGui::SameLine(0, 4);
-    if (button(state, "Baked", "code:baked", state.view.code_baked)) state.view.code_baked = true;
-    ImGui::SameLine(0, 12);
-    const Text text = text_of(state);
-    if (button(state, "Copy", "code:copy") && text.shader)
-        ImGui::SetClipboardText(text.shader->source.c_str());
-    ImGui::SetCursorPosY(40);
+    static const std::string forms[] = {"Function", "Vertex", "Fragment"};
+    const int form = options.form == Form::function ? 0 : options.vertex ? 1 : 2;
+    const int wanted = draw_choice(state, "code:form", forms, form, width);
+    options.form = wanted == 0 ? Form::function : Form::shader;
+    options.vertex = wanted == 1;
+    ImGui::SameLine(0, 4);
+    static const std::string values[] = {"Baked", "Uniforms"};
+    options.uniforms = draw_choice(state, "code:parameters", values, options.uniforms, width) == 1;
 }
 
-void draw_row(State& state, const Text& text, size_t index, std::string_view line) {
+void draw_head(State& state) {
+    const ImVec2 at = ImGui::GetWindowPos();
+    const float width = ImGui::GetWindowWidth();
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.AddRectFilled(at, at + ImVec2(width, head_height), theme::panel);
+    draw_text(list, state.fonts.bold(18), 18, at + ImVec2(12, 10), theme::text, "Code");
+    draw_text(list, state.fonts.regular(14), 14, at + ImVec2(66, 13), theme::text_dim,
+              counted(state.code.text.starts.size(), "line"));
+    const bool wide = width >= narrow;
+    constexpr float choice = 92, buttons = 128, menu = 36;
+    ImGui::SetCursorPos({width - buttons - (wide ? 3 * choice + 8 : menu) - 12, 7});
+    if (wide) {
+        draw_options(state, choice);
+    } else {
+        if (button(state, "...", "code:menu")) ImGui::OpenPopup("##code-options");
+        if (ImGui::BeginPopup("##code-options")) {
+            draw_options(state, choice);
+            ImGui::EndPopup();
+        }
+    }
+    ImGui::SetCursorPos({width - buttons - 4, 7});
+    if (button(state, "Copy", "code:copy")) ImGui::SetClipboardText(state.code.text.source.c_str());
+    ImGui::SameLine(0, 4);
+    if (button(state, "Export...", "code:export")) run_command(state, "export-glsl");
+    ImGui::SetCursorPosY(head_height);
+}
+
+void draw_row(State& state, size_t index, float width) {
+    const CodeText& text = state.code.text;
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const ImVec2 at = ImGui::GetCursorScreenPos();
-    const std::string node = text.node(index);
+    const std::string& node = text.node(index);
     ImGui::PushID(static_cast<int>(index));
-    const ImVec2 size(std::max(ImGui::GetContentRegionAvail().x, 1.0F), line_height);
+    const ImVec2 size(width, line_height);
     const bool clicked = ImGui::InvisibleButton("line", size);
     ImGui::PopID();
+    const bool hovered = ImGui::IsItemHovered();
     if (!node.empty() && state.view.selected.contains(node)) {
         list.AddRectFilled(at, at + size, theme::code_highlight);
         list.AddRectFilled(at, at + ImVec2(3, line_height), theme::accent);
-    } else if (ImGui::IsItemHovered()) {
-        list.AddRect(at, at + size, theme::border);
     }
+    if (hovered) list.AddRect(at, at + size, theme::border);
+    if (hovered) state.code.hovered = node;
     state.targets.add("line:" + std::to_string(index + 1),
                       {at.x, at.y, at.x + size.x, at.y + size.y});
-    draw_text(list, state.fonts.regular(14), 13, at + ImVec2(32, 2), theme::text_off,
+    draw_text(list, state.fonts.regular(14), 14, at + ImVec2(number_right, 1), theme::text_off,
               std::to_string(index + 1), true);
-    draw_line(list, state.fonts.code(), at + ImVec2(44, 1), line);
-    if (clicked && state.document().find(node)) state.view.selected = {node};
+    draw_line(list, state.fonts.code(), at + ImVec2(text_left, 0), text.line(index));
+    if (!clicked || !state.document().find(node)) return;
+    state.view.selected = {node};
+    state.code.scrolled_to = node;
+}
+
+// A node selected elsewhere brings its lines into view.
+void scroll_to_selected(State& state) {
+    Code& code = state.code;
+    const std::string selected =
+        state.view.selected.size() == 1 ? *state.view.selected.begin() : std::string();
+    if (selected == code.scrolled_to) return;
+    code.scrolled_to = selected;
+    const auto found = std::find(code.text.nodes.begin(), code.text.nodes.end(), selected);
+    if (selected.empty() || found == code.text.nodes.end()) return;
+    const float y = static_cast<float>(found - code.text.nodes.begin()) * line_height;
+    const float top = ImGui::GetScrollY(), tall = ImGui::GetWindowHeight();
+    if (y < top || y > top + tall - 3 * line_height) ImGui::SetScrollY(y - tall / 3);
+}
+
+void draw_problem(State& state) {
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const float width = ImGui::GetContentRegionAvail().x;
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.AddRectFilled(at, at + ImVec2(width, 28), theme::bar);
+    list.AddRectFilled(at, at + ImVec2(4, 28), theme::warn);
+    ImFont* font = state.fonts.regular(14);
+    const std::string text =
+        (state.code.text.starts.empty() ? "No text yet. " : "The last text that could be made. ") +
+        state.code.problem;
+    draw_text(list, font, 14, at + ImVec2(12, 7), theme::text, fitting(font, 14, text, width - 20));
+    ImGui::SetCursorPosY(ImGui::GetCursorPosY() + 28);
 }
 
 }  // namespace
 
 void draw_code(State& state) {
     state.follow.code_shown = true;
-    const Text text = text_of(state);
-    const auto lines =
-        text.shader ? lines_of(text.shader->source) : std::vector<std::string_view>();
-    draw_head(state, lines.size());
+    follow(state);
+    state.code.hovered.clear();
+    draw_head(state);
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, 0));
     ImGui::PushStyleColor(ImGuiCol_ChildBg, theme::code);
-    ImGui::BeginChild("##lines", {0, 0}, false, ImGuiWindowFlags_NoNavInputs);
+    if (!state.code.problem.empty()) draw_problem(state);
+    const CodeText& text = state.code.text;
+    ImGui::BeginChild("##lines", {0, 0}, false,
+                      ImGuiWindowFlags_NoNavInputs | ImGuiWindowFlags_HorizontalScrollbar);
+    const float advance = state.fonts.code()->GetCharAdvance('m');
+    const float width = std::max(ImGui::GetContentRegionAvail().x,
+                                 text_left + 8 + advance * static_cast<float>(text.longest));
+    scroll_to_selected(state);
     ImGuiListClipper clipper;
-    clipper.Begin(static_cast<int>(lines.size()), line_height);
+    clipper.Begin(static_cast<int>(text.starts.size()), line_height);
     while (clipper.Step())
         for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i)
-            draw_row(state, text, static_cast<size_t>(i), lines[static_cast<size_t>(i)]);
+            draw_row(state, static_cast<size_t>(i), width);
     ImGui::EndChild();
     ImGui::PopStyleColor();
     ImGui::PopStyleVar();

@@ -4,10 +4,12 @@
 #include <imgui.h>
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "editor/canvas/gesture.h"
+#include "registry/registry.h"
 
 namespace wrinkle::editor {
 
@@ -18,7 +20,32 @@ struct Palette {
     ImVec2 at{0, 0};        // screen
     std::string query;
     int chosen = 0;
-    Gesture wire;  // kind wire: what it shall be connected to
+    int first = 0;              // row that is drawn
+    bool all_types = false;     // not only those that fit the wire
+    bool at_selection = false;  // the node goes in the selected wire or behind the selected nodes
+    Gesture wire;               // kind wire: what it shall be connected to
+};
+
+// What was chosen lately, the newest first.
+struct Recent {
+    std::vector<std::string> nodes, commands;  // ids
+};
+
+// What could stand between the two ends of a wire that do not fit each other.
+struct Offer {
+    struct Choice {
+        const NodeType* type = nullptr;
+        std::string in, out;  // its ports in the wire
+    };
+    bool open = false, opening = false;
+    ImVec2 at{0, 0};  // screen
+    std::string why;  // one sentence
+    std::vector<Choice> choices;
+    int chosen = 0;
+    // The ends of the wire; `lifted` is where it ended before, when it was taken off.
+    Link from;
+    std::string node, port;
+    std::optional<Link> lifted;
 };
 
 // A text or a list over a field or a header.

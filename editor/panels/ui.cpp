@@ -8,6 +8,7 @@
 #include "editor/commands/commands.h"
 #include "editor/drop/drop.h"
 #include "editor/look/theme.h"
+#include "editor/panels/offer_panel.h"
 #include "editor/panels/palette.h"
 #include "editor/panels/panels.h"
 #include "editor/panels/popups.h"
@@ -105,6 +106,7 @@ void draw_ui(State& state) {
     draw_splitter("##split-side", {left, top}, {3, work}, true, state.view.side, size.x);
     draw_side(state, {left + 3, top}, {side, work});
     draw_palette(state);
+    draw_offer(state);
     draw_popup(state);
     draw_quit_question(state);
     draw_copy_question(state);

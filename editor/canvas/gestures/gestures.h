@@ -7,10 +7,11 @@
 
 namespace wrinkle::editor {
 
-void begin_gesture(State& state, Gesture::Kind kind);
+void begin_gesture(State& state, Gesture::Kind kind, int button = 0);
 
 // select.cpp
 void select_card(State& state, const std::string& id);
+void click_card(State& state, const std::string& id);  // a press that moved nothing
 void drag_box(State& state);
 
 // move.cpp
@@ -18,6 +19,9 @@ void drag_move(State& state, ImVec2 delta);
 void drop_cards(State& state);
 
 // wire.cpp
+// The pin that a wire would end at: the nearest one that it fits within 12 pixels, else the row of
+// a card, else the card's own choice; a pin that it does not fit where there is nothing better.
+Hit aim_wire(const State& state, ImVec2 mouse);
 void begin_wire(State& state, const Card& card, const Pin& pin);
 void lift_wire(State& state);
 void drop_wire(State& state);
@@ -27,5 +31,15 @@ void open_popup(State& state, const Card& card, const Field* field, Popup::Kind 
 void begin_value(State& state, const Card& card, const Field& field);
 void drag_value(State& state, ImVec2 delta);
 void drop_value(State& state);
+
+// stroke.cpp
+void drag_stroke(State& state);
+void drop_cut(State& state);
+void drop_reroutes(State& state);
+// A reroute in the wire, where it was hit; canvas units.
+void reroute_wire(State& state, size_t wire, ImVec2 at);
+
+// lazy.cpp
+void drop_lazy(State& state);
 
 }  // namespace wrinkle::editor

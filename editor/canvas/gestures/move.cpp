@@ -2,16 +2,61 @@
 
 #include <cmath>
 
+#include "editor/canvas/crossing.h"
 #include "editor/canvas/layout.h"
+#include "editor/canvas/room.h"
+#include "editor/document/edits.h"
 #include "editor/document/refresh.h"
+#include "editor/document/wiring.h"
 #include "editor/look/draw.h"
 #include "graph/edit.h"
 
 namespace wrinkle::editor {
+namespace {
+
+// The one card that moves, when no wire touches it.
+const Card* loose_card(const State& state) {
+    const Card* found = nullptr;
+    for (const Card& card : state.layout.cards) {
+        if (!state.view.selected.contains(card.id)) continue;
+        if (found || card.kind != Card::Kind::node || !card.type) return nullptr;
+        found = &card;
+    }
+    return found && is_unconnected(state.document(), found->id) ? found : nullptr;
+}
+
+std::optional<Passage> passage_in(const State& state, const Card& card, const Wire& wire) {
+    if (!wire.known) return std::nullopt;
+    if (card.reroute) return Passage{"in", "out"};
+    return passage(*card.type, wire.from_type, wanted_at(state.model, wire.node, wire.port));
+}
+
+// The wire that the moved card would stand in.
+std::optional<size_t> wire_for_drop(const State& state) {
+    const Card* card = loose_card(state);
+    const auto wire = card ? wire_under(state.layout, *card) : std::nullopt;
+    if (!wire || !passage_in(state, *card, state.layout.wires[*wire])) return std::nullopt;
+    return wire;
+}
+
+bool drop_in_wire(State& state, const Document& moved) {
+    const auto index = wire_for_drop(state);
+    if (!index) return false;
+    const Card card = *loose_card(state);
+    const Wire wire = state.layout.wires[*index];
+    const Connection place{wire.from, wire.node, wire.port};
+    const Document wired = insert_in_wire(moved, place, card.id, *passage_in(state, card, wire));
+    state.commit("Insert " + card.id + " in a wire",
+                 with_room(state, wired, card, state.view.outputs_at));
+    return true;
+}
+
+}  // namespace
 
 void drag_move(State& state, ImVec2 delta) {
     const ImVec2 by = delta * (1 / state.view.zoom);
     state.gesture.offset = {std::round(by.x / 8) * 8, std::round(by.y / 8) * 8};
+    state.gesture.under_wire = wire_for_drop(state);
 }
 
 void drop_cards(State& state) {
@@ -24,7 +69,9 @@ void drop_cards(State& state) {
         if (card.kind == Card::Kind::surface) state.view.surface_at = card.at;
         if (card.kind == Card::Kind::outputs) state.view.outputs_at = card.at;
     }
-    if (by.x != 0 || by.y != 0) state.commit("Move", move_nodes(state.document(), places));
+    if (by.x == 0 && by.y == 0) return;
+    const Document moved = move_nodes(state.document(), places);
+    if (!drop_in_wire(state, moved)) state.commit("Move", moved);
 }
 
 }  // namespace wrinkle::editor

@@ -19,6 +19,11 @@ void select_card(State& state, const std::string& id) {
     state.layout_stale = true;
 }
 
+void click_card(State& state, const std::string& id) {
+    const ImGuiIO& io = ImGui::GetIO();
+    if (!io.KeyShift && !io.KeyCtrl) state.view.selected = {id};
+}
+
 void drag_box(State& state) {
     const ImVec2 a = to_canvas(state.view, state.gesture.start);
     const ImVec2 b = to_canvas(state.view, ImGui::GetIO().MousePos);

@@ -1,8 +1,97 @@
+#include <cmath>
+
 #include "editor/canvas/canvas.h"
 #include "editor/canvas/gestures/gestures.h"
+#include "editor/canvas/layout.h"
 #include "editor/document/edits.h"
+#include "editor/document/offer.h"
+#include "editor/document/wiring.h"
+#include "editor/look/draw.h"
 
 namespace wrinkle::editor {
+namespace {
+
+// Screen pixels, at any zoom: 12, as the pointer stands on whole ones.
+constexpr float reach = 13.5F;
+
+// The best pin so far: any that fits beats any that does not, then the nearer one.
+struct Aim {
+    Hit hit;
+    bool fits = false;
+    float distance = 0;
+
+    void offer(Hit pin, bool pin_fits, float away) {
+        if (hit.kind == Hit::Kind::pin &&
+            (fits > pin_fits || (fits == pin_fits && distance <= away)))
+            return;
+        *this = {pin, pin_fits, away};
+    }
+};
+
+bool is_over(const Card& card, ImVec2 at, float margin) {
+    return at.x >= card.at.x - margin && at.y >= card.at.y - margin &&
+           at.x < card.at.x + card.size.x + margin && at.y < card.at.y + card.size.y + margin;
+}
+
+Aim pin_in_reach(const State& state, ImVec2 mouse) {
+    Aim aim;
+    const ImVec2 at = to_canvas(state.view, mouse);
+    for (size_t i = 0; i < state.layout.cards.size(); ++i) {
+        const Card& card = state.layout.cards[i];
+        if (!is_over(card, at, reach / state.view.zoom)) continue;
+        for (size_t k = 0; k < card.pins.size(); ++k) {
+            if (card.pins[k].output == state.gesture.from_output) continue;
+            const ImVec2 away = to_screen(state.view, pin_at(card, card.pins[k])) - mouse;
+            const float distance = std::hypot(away.x, away.y);
+            if (distance > reach) continue;
+            aim.offer({Hit::Kind::pin, i, k}, wire_fits(state, state.gesture, card, card.pins[k]),
+                      distance);
+        }
+    }
+    return aim;
+}
+
+// A row stands for its pin; elsewhere, and where rows are too small to aim at, the card chooses
+// among those that fit, the free ones first.
+Aim pin_of_card(const State& state, size_t index, ImVec2 at) {
+    Aim aim;
+    const Card& card = state.layout.cards[index];
+    for (size_t k = 0; k < card.pins.size(); ++k) {
+        const Pin& pin = card.pins[k];
+        if (pin.output == state.gesture.from_output) continue;
+        const bool fits = wire_fits(state, state.gesture, card, pin);
+        const float away = std::fabs(at.y - card.at.y - pin.y);
+        const bool in_row = away < row_height / 2;
+        if (in_row && (fits || state.view.zoom >= detail_zoom))
+            return {{Hit::Kind::pin, index, k}, fits, 0};
+        if (fits) aim.offer({Hit::Kind::pin, index, k}, !pin.output && !pin.connected, away);
+    }
+    return aim;
+}
+
+bool is_own(const State& state, const Card& card) {
+    const Gesture& wire = state.gesture;
+    return card.kind == Card::Kind::node &&
+           card.id == (wire.from_output ? wire.from.node : wire.node);
+}
+
+}  // namespace
+
+Hit aim_wire(const State& state, ImVec2 mouse) {
+    const Aim near = pin_in_reach(state, mouse);
+    if (near.fits) return near.hit;
+    const ImVec2 at = to_canvas(state.view, mouse);
+    for (size_t i = state.layout.cards.size(); i-- > 0;) {
+        const Card& card = state.layout.cards[i];
+        if (!is_over(card, at, 0)) continue;
+        if (is_own(state, card))
+            return near.hit.kind == Hit::Kind::pin ? near.hit : Hit{Hit::Kind::card, i, 0};
+        const Aim aim = pin_of_card(state, i, at);
+        if (aim.hit.kind == Hit::Kind::pin) return aim.hit;
+        return near.hit.kind == Hit::Kind::pin ? near.hit : Hit{Hit::Kind::card, i, 0};
+    }
+    return near.hit;
+}
 
 void begin_wire(State& state, const Card& card, const Pin& pin) {
     begin_gesture(state, Gesture::Kind::wire);
@@ -35,18 +124,22 @@ void lift_wire(State& state) {
 
 void drop_wire(State& state) {
     const Gesture wire = state.gesture;
-    const Hit hit = pick(state, ImGui::GetIO().MousePos);
+    const Hit hit = aim_wire(state, ImGui::GetIO().MousePos);
     if (hit.kind == Hit::Kind::pin) {
         const Card& card = state.layout.cards[hit.card];
         connect_wire(state, wire, card, card.pins[hit.part]);
-    } else if (wire.moved && !wire.taken &&
-               (hit.kind == Hit::Kind::nothing || hit.kind == Hit::Kind::wire)) {
+    } else if (wire.moved && !wire.taken && hit.kind == Hit::Kind::nothing) {
         open_palette(state, ImGui::GetIO().MousePos, wire);
     }
 }
 
 bool wire_fits(const State& state, const Gesture& wire, const Card& card, const Pin& pin) {
-    return why_not(state, wire, card, pin).empty();
+    if (pin.output == wire.from_output || !pin.known) return false;
+    const std::string id = card.kind == Card::Kind::outputs ? "" : card.id;
+    if (!id.empty() && wire.loops.contains(id)) return false;
+    if (wire.from_output)
+        return wire_is_legal(state.model, state.document(), wire.type, id, pin.port);
+    return wire_is_legal(state.model, state.document(), pin.type, wire.node, wire.port);
 }
 
 void connect_wire(State& state, const Gesture& wire, const Card& card, const Pin& pin) {
@@ -59,6 +152,7 @@ void connect_wire(State& state, const Gesture& wire, const Card& card, const Pin
     if (const std::string why = why_not(state, wire, card, pin); !why.empty()) {
         if (wire.taken) state.history.cancel(wire.merge);
         state.status = why;
+        offer_between(state, wire, card, pin);
         return;
     }
     const Link from = wire.from_output ? wire.from : Link{card.id, pin.port};

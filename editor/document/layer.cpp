@@ -1,4 +1,4 @@
-#include "editor/drop/layer.h"
+#include "editor/document/layer.h"
 
 #include <algorithm>
 #include <cctype>

@@ -1,0 +1,96 @@
+#include "editor/code/code.h"
+
+#include <algorithm>
+
+#include "graph/order.h"
+#include "lower/material.h"
+
+namespace wrinkle::editor {
+namespace {
+
+std::string first_error(const Diagnostics& problems) {
+    for (const Diagnostic& problem : problems.list())
+        if (problem.severity == Severity::error)
+            return (problem.node.empty() ? "" : problem.node + ": ") + problem.message;
+    return "The graph has errors.";
+}
+
+void cut_lines(CodeText& text) {
+    for (size_t at = 0; at < text.source.size();) {
+        const size_t end = std::min(text.source.find('\n', at), text.source.size());
+        text.starts.push_back(at);
+        text.longest = std::max(text.longest, end - at);
+        at = end + 1;
+    }
+}
+
+// The node of the top graph that a path "outer/inner" belongs to.
+std::string top_of(const std::string& path) {
+    return path.substr(0, path.find('/'));
+}
+
+Shader shader_of(const CodeJob& job, const Registry& registry, Diagnostics& problems) {
+    const Project project = project_with(job.model, job.document);
+    check_links(job.document, problems);
+    problems.append(job.model.project_problems);
+    if (problems.has_errors()) return {};
+    MaterialOptions options;
+    options.uniform_parameters = job.options.uniforms;
+    const Compiled compiled = compile_material(project, registry, options, problems);
+    if (!compiled.ok) return {};
+    EmitOptions emit_options;
+    emit_options.name = job.name;
+    emit_options.form = job.options.form;
+    emit_options.target = find_target(job.options.target);
+    if (!emit_options.target) emit_options.target = &targets().front();
+    Shader shader = emit(compiled.module, emit_options);
+    report_problems(shader.problems, compiled.module, project, compiled.places, problems);
+    return shader;
+}
+
+}  // namespace
+
+std::string_view CodeText::line(size_t index) const {
+    const size_t end = index + 1 < starts.size() ? starts[index + 1] : source.size();
+    std::string_view text = std::string_view(source).substr(starts[index], end - starts[index]);
+    if (text.ends_with('\n')) text.remove_suffix(1);
+    return text;
+}
+
+const std::string& CodeText::node(size_t line) const {
+    static const std::string none;
+    return line < nodes.size() ? nodes[line] : none;
+}
+
+CodeText lines_of(std::string text) {
+    CodeText result;
+    result.source = std::move(text);
+    cut_lines(result);
+    return result;
+}
+
+CodeText make_code(const CodeJob& job, const Registry& registry) {
+    CodeText text;
+    text.options = job.options;
+    Diagnostics problems;
+    Shader shader = shader_of(job, registry, problems);
+    if (problems.has_errors()) {
+        text.problem = first_error(problems);
+        return text;
+    }
+    const bool whole = job.options.form == Form::shader;
+    text.vertex = std::move(shader.vertex);
+    text.fragment = std::move(shader.fragment);
+    text.source = !whole               ? std::move(shader.source)
+                  : job.options.vertex ? text.vertex
+                                       : text.fragment;
+    cut_lines(text);
+    if (whole && job.options.vertex) return text;
+    for (const uint32_t index : shader.reflection.lines)
+        text.nodes.push_back(index < shader.reflection.node_paths.size()
+                                 ? top_of(shader.reflection.node_paths[index])
+                                 : "");
+    return text;
+}
+
+}  // namespace wrinkle::editor

@@ -1,0 +1,202 @@
+#include "editor/document/clipboard.h"
+
+#include <cmath>
+
+#include "editor/canvas/layout.h"
+#include "editor/document/copies.h"
+#include "editor/document/edits.h"
+#include "editor/look/draw.h"
+#include "graph/edit.h"
+#include "graph/order.h"
+#include "graph/read.h"
+#include "graph/write.h"
+
+namespace wrinkle::editor {
+namespace {
+
+std::string nodes_in_words(size_t count) {
+    return count == 1 ? "1 node" : std::to_string(count) + " nodes";
+}
+
+// The selected nodes as a graph of their own, where they stand now.
+Document extract(const State& state, const Document& cut) {
+    const std::set<std::string>& ids = state.view.selected;
+    Copies copies = copies_of(cut, ids, {}, [&](const Link& link) {
+        return link.is_surface() || cut.inputs.find(link.port);
+    });
+    std::vector<NodePosition> places;
+    for (const Card& card : state.layout.cards)
+        if (const auto copy = copies.new_id.find(card.id);
+            card.kind == Card::Kind::node && copy != copies.new_id.end())
+            places.push_back({copy->second, card.at.x, card.at.y});
+    Document result;
+    for (const Node& node : copies.nodes)
+        for (const Input& input : node.inputs)
+            if (const GraphInput* read =
+                    input.link.is_input() ? cut.inputs.find(input.link.port) : nullptr)
+                result = set_graph_input(result, *read);
+    return add_nodes(result, std::move(copies.nodes), places);
+}
+
+std::vector<Connection> left_out(const Document& before, const Document& after,
+                                 const std::set<std::string>& ids) {
+    std::vector<Connection> wires;
+    for (const std::string& id : ids) {
+        const Node* node = before.find(id);
+        const Node* left = after.find(id);
+        if (!node || !left) continue;
+        for (const Input& input : node->inputs)
+            if (input.kind == Input::Kind::link && !left->find(input.port))
+                wires.push_back({input.link, id, input.port});
+    }
+    return wires;
+}
+
+std::optional<Document> refuse(std::string& why, std::string reason) {
+    why = "Nothing was pasted: " + std::move(reason);
+    return std::nullopt;
+}
+
+// Wires to nodes that the text does not have are left out, as a part of a file has them.
+Document without_dangling(Document document) {
+    std::vector<Connection> dangling;
+    for (const NodePtr& node : document.nodes)
+        for (const Input& input : node->inputs)
+            if (input.kind == Input::Kind::link && input.link.is_node() &&
+                !document.find(input.link.node))
+                dangling.push_back({input.link, node->id, input.port});
+    for (const Connection& wire : dangling)
+        document = without_wire(document, wire.node, wire.port);
+    return document;
+}
+
+// On the grid, and no card exactly over another.
+ImVec2 free_offset(const State& state, const std::vector<ImVec2>& places, ImVec2 by) {
+    by = {std::round(by.x / 8) * 8, std::round(by.y / 8) * 8};
+    const auto covers = [&] {
+        for (const Card& card : state.layout.cards)
+            for (const ImVec2& place : places)
+                if (std::fabs(place.x + by.x - card.at.x) < 24 &&
+                    std::fabs(place.y + by.y - card.at.y) < 24)
+                    return true;
+        return false;
+    };
+    for (int tries = 0; tries < 256 && covers(); ++tries)
+        by = by + ImVec2(32, 32);
+    return by;
+}
+
+// Those of the wires that were left out whose ends are here, where the text is from here.
+Document with_outer_wires(const State& state, Document document, const std::string& text,
+                          const Copies& copies) {
+    const Clip& clip = state.clip;
+    if (clip.text != text || clip.document != state.path) return document;
+    for (const Connection& wire : clip.outer) {
+        const auto reader = copies.new_id.find(wire.node);
+        const auto inside = copies.new_id.find(wire.from.node);
+        if (reader == copies.new_id.end()) continue;
+        if (inside != copies.new_id.end()) {
+            document =
+                connect(document, {inside->second, wire.from.port}, reader->second, wire.port);
+            continue;
+        }
+        const auto given = state.model.type_of(wire.from);
+        const NodeType* type = state.registry->find(document.find(reader->second)->type);
+        const uint32_t port = type ? type->find_input(wire.port) : NodeType::none;
+        const bool fits =
+            port == NodeType::none || (given && converts(*given, type->ports[port].type));
+        if (fits && state.document().find(wire.from.node))
+            document = connect(document, wire.from, reader->second, wire.port);
+    }
+    return document;
+}
+
+void paste_nodes(State& state, const Document& source, const std::string& text) {
+    std::set<std::string> ids;
+    for (const NodePtr& node : source.nodes)
+        ids.insert(node->id);
+    Copies copies = copies_of(source, ids, state.document(), [&](const Link& link) {
+        const GraphInput* here =
+            link.is_input() ? state.document().inputs.find(link.port) : nullptr;
+        const GraphInput* there = link.is_input() ? source.inputs.find(link.port) : nullptr;
+        return link.is_surface() || (here && there && here->type == there->type);
+    });
+    const std::vector<ImVec2> places = places_of(source);
+    ImVec2 low = places.front();
+    for (const ImVec2& place : places)
+        low = {std::min(low.x, place.x), std::min(low.y, place.y)};
+    const ImVec2 by =
+        free_offset(state, places, to_canvas(state.view, pointed_at(state.view)) - low);
+    std::vector<NodePosition> at;
+    std::set<std::string> fresh;
+    for (size_t i = 0; i < copies.nodes.size(); ++i) {
+        at.push_back({copies.nodes[i].id, places[i].x + by.x, places[i].y + by.y});
+        fresh.insert(copies.nodes[i].id);
+    }
+    const Document added = add_nodes(state.document(), copies.nodes, at);
+    state.commit("Paste " + nodes_in_words(fresh.size()),
+                 with_outer_wires(state, added, text, copies));
+    state.view.selected = fresh;
+}
+
+}  // namespace
+
+std::optional<Document> nodes_from_text(const std::string& text, std::string& why) {
+    if (text.empty()) return refuse(why, "the clipboard is empty.");
+    if (text.size() > longest_pasted) return refuse(why, "the text is longer than 32 MB.");
+    Diagnostics problems, links;
+    ReadLimits limits;
+    limits.nodes = most_pasted;
+    const Document document = read_document(text, "clipboard", problems, limits);
+    check_links(document, links);
+    if (!document.lost.empty() || problems.error_count() > links.error_count()) {
+        const auto& list = problems.list();
+        const Location where = list.empty() ? Location() : list.front().where;
+        return refuse(why, "the clipboard holds no nodes; line " + std::to_string(where.line) +
+                               ": " + (list.empty() ? document.lost : list.front().message) + ".");
+    }
+    if (document.nodes.empty()) return refuse(why, "the text has no nodes.");
+    Document whole = without_dangling(document);
+    Diagnostics loops;
+    check_links(whole, loops);
+    for (const Diagnostic& problem : loops.list())
+        if (problem.message.find("input") == std::string::npos)
+            return refuse(why, problem.message + ".");
+    return whole;
+}
+
+void copy_selected(State& state) {
+    const std::set<std::string>& ids = state.view.selected;
+    const Document cut = without_outer_wires(state.model, state.document(), ids);
+    const Document part = extract(state, cut);
+    if (part.nodes.empty()) {
+        state.status = "No node is selected.";
+        return;
+    }
+    state.clip.text = canonical_text(part);
+    state.clip.document = state.path;
+    state.clip.outer = left_out(state.document(), cut, ids);
+    ImGui::SetClipboardText(state.clip.text.c_str());
+    state.status = "Copied " + nodes_in_words(part.nodes.size());
+}
+
+void cut_selected(State& state) {
+    copy_selected(state);
+    const Document document = delete_and_part(state.model, state.document(), state.view.selected);
+    const size_t count = state.document().nodes.size() - document.nodes.size();
+    state.commit("Cut " + nodes_in_words(count), document);
+    state.view.selected.clear();
+}
+
+void paste(State& state) {
+    const char* text = ImGui::GetClipboardText();
+    const std::string found = text && *text ? text : state.clip.text;
+    std::string why;
+    const auto source = nodes_from_text(found, why);
+    if (source)
+        paste_nodes(state, *source, found);
+    else
+        state.status = why;
+}
+
+}  // namespace wrinkle::editor

@@ -1,0 +1,66 @@
+// What is done with the selected nodes.
+#include "editor/document/copies.h"
+#include "editor/document/edits.h"
+#include "editor/document/wiring.h"
+#include "graph/edit.h"
+
+namespace wrinkle::editor {
+namespace {
+
+std::string nodes_in_words(size_t count) {
+    return count == 1 ? "1 node" : std::to_string(count) + " nodes";
+}
+
+using Remove = Document (*)(const Model&, const Document&, const std::set<std::string>&);
+
+void remove_selected(State& state, Remove remove) {
+    if (const auto wire = state.view.selected_wire) {
+        state.commit("Delete wire",
+                     cut_wires(state.model, state.document(), {{{}, wire->node, wire->port}}));
+        state.view.selected_wire.reset();
+        return;
+    }
+    Document document = remove(state.model, state.document(), state.view.selected);
+    const size_t count = state.document().nodes.size() - document.nodes.size();
+    state.commit("Delete " + nodes_in_words(count), std::move(document));
+    state.view.selected.clear();
+}
+
+}  // namespace
+
+void delete_selected(State& state) {
+    remove_selected(state, delete_and_heal);
+}
+
+void delete_selected_with_wires(State& state) {
+    remove_selected(state, delete_and_part);
+}
+
+void duplicate_selected(State& state, bool with_inputs) {
+    const std::set<std::string>& ids = state.view.selected;
+    const Document source =
+        with_inputs ? state.document() : without_outer_wires(state.model, state.document(), ids);
+    Copies copies = copies_of(source, ids, state.document(), [](const Link&) { return true; });
+    std::vector<NodePosition> places;
+    std::set<std::string> fresh;
+    for (const Card& card : state.layout.cards) {
+        const auto copy = copies.new_id.find(card.id);
+        if (card.kind != Card::Kind::node || copy == copies.new_id.end()) continue;
+        places.push_back({copy->second, card.at.x + 32, card.at.y + 32});
+        fresh.insert(copy->second);
+    }
+    state.commit("Duplicate " + nodes_in_words(fresh.size()),
+                 add_nodes(state.document(), std::move(copies.nodes), places));
+    if (!fresh.empty()) state.view.selected = fresh;
+}
+
+void swap_selected(State& state) {
+    Document document = state.document();
+    for (const std::string& id : state.view.selected)
+        document = swap_inputs(state.model, document, id);
+    if (same_document(document, state.document()))
+        state.status = "No selected node has two inputs of one type that differ.";
+    state.commit("Swap inputs", std::move(document));
+}
+
+}  // namespace wrinkle::editor

@@ -1,0 +1,65 @@
+// What stands at two inputs of a node changes places.
+#include <algorithm>
+
+#include "editor/canvas/field.h"
+#include "editor/document/wiring.h"
+#include "graph/edit.h"
+
+namespace wrinkle::editor {
+namespace {
+
+// The first inputs of one type, if there are two.
+std::vector<const Port*> twins(const NodeType& type) {
+    for (const Port& first : type.ports) {
+        if (!first.is_value()) continue;
+        std::vector<const Port*> same;
+        for (const Port& port : type.ports)
+            if (port.is_value() && port.type == first.type) same.push_back(&port);
+        if (same.size() > 1) return same;
+    }
+    return {};
+}
+
+json::Value default_of(const Port& port) {
+    const auto lanes = static_cast<size_t>(lanes_of_field(port));
+    if (lanes == 1) return json::Value::number(port.default_value[0]);
+    std::vector<json::Value> items;
+    for (size_t i = 0; i < lanes; ++i)
+        items.push_back(json::Value::number(port.default_value[i]));
+    return json::Value::array(items);
+}
+
+bool same_default(const Port& a, const Port& b) {
+    return a.default_kind == b.default_kind && a.default_surface == b.default_surface &&
+           a.default_value == b.default_value;
+}
+
+// What held at port `from` of the old node holds at port `to`.
+Document hand_on(const Document& document, const Node& old, const Port& from, const Port& to) {
+    const Input* input = old.find(from.name);
+    const Document bare = reset_value(document, old.id, to.name);
+    if (input && input->kind == Input::Kind::link)
+        return connect(bare, input->link, old.id, to.name);
+    if (input) return set_value(bare, old.id, to.name, input->value);
+    if (same_default(from, to)) return bare;
+    if (from.default_kind == Port::Default::surface) {
+        const std::string name(surface_properties()[from.default_surface].name);
+        return connect(bare, {std::string(Link::surface), name}, old.id, to.name);
+    }
+    return lanes_of_field(from) > 0 ? set_value(bare, old.id, to.name, default_of(from)) : bare;
+}
+
+}  // namespace
+
+Document swap_inputs(const Model& model, const Document& document, const std::string& id) {
+    const Node* node = document.find(id);
+    const NodeType* type = model.type_of(id);
+    if (!node || !type) return document;
+    const std::vector<const Port*> ports = twins(*type);
+    Document result = document;
+    for (size_t i = 0; i < ports.size(); ++i)
+        result = hand_on(result, *node, *ports[i], *ports[(i + 1) % ports.size()]);
+    return ports.empty() ? document : result;
+}
+
+}  // namespace wrinkle::editor

@@ -1,0 +1,29 @@
+// How well a name answers a query, and which of its letters do. Letter case does not count.
+//
+//   0  the whole title or id          4  the beginning of another word of the id
+//   1  the beginning of the title     5  within the title
+//   2  the beginning of the id        6  within the id
+//   3  the beginning of another       7  letters of the title, in order
+//      word of the title              8  the beginning of a word of the doc line
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace wrinkle::editor {
+
+std::string lower_case(std::string_view text);  // ASCII; other bytes stay
+
+struct Match {
+    int rank = 0;
+    std::vector<size_t> letters;  // bytes of the title, ascending
+};
+
+// `query` in lower case. Nothing when it is not found; an empty one finds everything at rank 0. The
+// doc line is asked only for three letters and more.
+std::optional<Match> match(std::string_view title, std::string_view id, std::string_view doc,
+                           std::string_view query);
+
+}  // namespace wrinkle::editor

@@ -1,0 +1,143 @@
+// Copies as text: valid, with links and fresh ids, through garbage and across processes.
+#include <algorithm>
+#include <cmath>
+
+#include "editor/document/clipboard.h"
+#include "editor/document/files.h"
+#include "graph/edit.h"
+#include "graph/write.h"
+#include "headless.h"
+#include "lower/check.h"
+
+namespace wrinkle::editor {
+namespace {
+
+size_t errors_of(const std::string& text) {
+    Diagnostics problems;
+    const Document document = read_document(text, "clipboard", problems);
+    const Model model = make_model(document, ".", built_in_registry());
+    check(project_with(model, document), built_in_registry(), problems);
+    return problems.error_count();
+}
+
+TEST_F(Headless, ACopyIsAGraphFileOfItsOwn) {
+    open(small_graph);
+    state.view.selected = {"softer", "normal"};
+    play("key Ctrl+C\nassert status Copied 2 nodes\nassert clean");
+    const std::string text = ImGui::GetClipboardText();
+    EXPECT_EQ(errors_of(text), 0U) << text;
+    EXPECT_NE(text.find("\"wrinkle\": 1"), text.npos);
+    EXPECT_NE(text.find("\"from\": \"softer.gradient\""), text.npos);
+    EXPECT_EQ(text.find("noise"), text.npos) << "what was not copied is not named";
+}
+
+TEST_F(Headless, PastingKeepsTheWiresOfItsOwnDocument) {
+    open(small_graph);
+    state.view.selected = {"softer", "normal"};
+    play(R"(
+        key Ctrl+C
+        click canvas+0,250
+        key Ctrl+V
+        assert status Paste 2 nodes
+        assert wire noise.height softer2.gradient
+        assert wire softer2.gradient normal2.gradient
+        assert value softer2.amount 0.6
+        assert nodes 6
+        key Ctrl+V
+        assert node softer3
+        key Ctrl+Z
+        key Ctrl+Z
+        assert clean)");
+    EXPECT_EQ(write_document(state.document()), small_graph);
+}
+
+TEST_F(Headless, PastedNodesLandAtThePointerAndNeverExactlyOnOthers) {
+    open(small_graph);
+    state.view.selected = {"softer"};
+    play("key Ctrl+C\nclick canvas+100,200\nkey Ctrl+V");
+    const Card& card = *state.layout.find("softer2");
+    const auto canvas = *state.targets.find("canvas");
+    const float x = state.view.corner.x + state.view.pan.x + card.at.x * state.view.zoom;
+    EXPECT_NEAR(x, canvas.middle_x() + 100, 8);
+    for (int i = 0; i < 5; ++i)
+        play("key Ctrl+V");
+    const auto& cards = state.layout.cards;
+    for (size_t a = 0; a < cards.size(); ++a)
+        for (size_t b = a + 1; b < cards.size(); ++b)
+            EXPECT_GT(std::max(std::fabs(cards[a].at.x - cards[b].at.x),
+                               std::fabs(cards[a].at.y - cards[b].at.y)),
+                      8)
+                << cards[a].id << " and " << cards[b].id;
+}
+
+TEST_F(Headless, InAnotherDocumentOutsideWiresAreDropped) {
+    open(small_graph);
+    state.view.selected = {"softer", "normal"};
+    play("key Ctrl+C");
+    open_file(state, folder.write("other.json", small_graph));
+    play(R"(
+        click canvas+0,250
+        key Ctrl+V
+        assert node softer2
+        assert no-wire noise.height softer2.gradient
+        assert wire softer2.gradient normal2.gradient
+        assert errors 0)");
+}
+
+TEST_F(Headless, CuttingIsOneStepAndCanBePasted) {
+    open(small_graph);
+    state.view.selected = {"softer"};
+    play(R"(
+        key Ctrl+X
+        assert no-node softer
+        assert status Cut 1 node
+        click canvas+0,250
+        key Ctrl+V
+        assert node softer
+        assert wire noise.height softer.gradient
+        key Ctrl+Z
+        key Ctrl+Z
+        assert clean)");
+}
+
+TEST_F(Headless, NoTextChangesAnythingUnlessItIsNodes) {
+    open(small_graph);
+    const std::string deep(100'000, '[');
+    const std::string nobody =
+        R"({"wrinkle":1,"nodes":{"a":{"type":"sine","in":{"angle":{"from":"b.x"}}}}})";
+    const std::pair<std::string, const char*> texts[] = {
+        {"hello", "holds no nodes; line 1"},
+        {"{}", "holds no nodes"},
+        {"[]", "holds no nodes"},
+        {R"({"wrinkle":1,"nodes":{}})", "no nodes"},
+        {R"({"wrinkle":2,"nodes":{"a":{"type":"sine"}}})", "holds no nodes"},
+        {R"({"wrinkle":1,"nodes":{"a.b":{"type":"sine"}}})", "holds no nodes"},
+        {R"({"wrinkle":1,"nodes":{"$x":{"type":"sine"}}})", "holds no nodes"},
+        {R"({"wrinkle":1,"nodes":{"a":{"type":"sine","in":{"angle":{"from":"a.result"}}}}})", ""},
+        {R"({"wrinkle":1,"nodes":{"a":{"type":"sine")", "holds no nodes"},
+        {deep, "holds no nodes"},
+        {std::string("\xff\xfe{}"), "holds no nodes"},
+    };
+    for (const auto& [text, why] : texts) {
+        ImGui::SetClipboardText(text.c_str());
+        state.status.clear();
+        play("key Ctrl+V\nassert clean\nassert nodes 4");
+        EXPECT_EQ(state.status.rfind("Nothing was pasted: ", 0), 0U) << text.substr(0, 60);
+        EXPECT_NE(state.status.find(why), std::string::npos) << state.status;
+    }
+    ImGui::SetClipboardText(nobody.c_str());
+    play("key Ctrl+V\nassert node a\nassert wires 3\nkey Ctrl+Z\nassert clean");
+}
+
+TEST_F(Headless, ANodeOfAMissingPluginIsPastedVerbatim) {
+    open(small_graph);
+    ImGui::SetClipboardText(
+        R"({"wrinkle":1,"nodes":{"x":{"type":"acme_cracks","in":{"depth":1.50},"note":"keep"}}})");
+    play("key Ctrl+V\nassert node x");
+    const std::string text = write_document(state.document());
+    EXPECT_NE(text.find("\"depth\": 1.50"), text.npos) << text;
+    EXPECT_NE(text.find("\"note\": \"keep\""), text.npos) << text;
+}
+
+}  // namespace
+}  // namespace wrinkle::editor

@@ -1,0 +1,207 @@
+// The code panel: the text of `wrinkle compile`, and whose each line is.
+#include <algorithm>
+
+#include "base/text.h"
+#include "editor/code/export.h"
+#include "editor/code/tokens.h"
+#include "editor/document/files.h"
+#include "headless.h"
+
+namespace wrinkle::editor {
+namespace {
+namespace fs = std::filesystem;
+
+std::vector<fs::path> sample_graphs() {
+    std::vector<fs::path> files;
+    for (const auto& entry : fs::directory_iterator(fs::path(WRINKLE_SOURCE_DIR) / "graphs"))
+        if (entry.path().extension() == ".json" && !entry.path().stem().string().ends_with(".test"))
+            files.push_back(entry.path());
+    std::sort(files.begin(), files.end());
+    EXPECT_GT(files.size(), 20U);
+    return files;
+}
+
+TEST(Tokens, CoverALineAndKnowItsPieces) {
+    const std::string_view line = "    vec3 n = wrinkle_f(s.uv0, 1e-06) * .5;  // base: Add";
+    std::string seen;
+    size_t at = 0;
+    for (const Piece& piece : pieces_of(line)) {
+        EXPECT_EQ(piece.begin, at);
+        at = piece.end;
+        const std::string_view text = line.substr(piece.begin, piece.end - piece.begin);
+        if (piece.token != Token::text)
+            seen += std::to_string(static_cast<int>(piece.token)) + std::string(text) + "|";
+    }
+    EXPECT_EQ(at, line.size());
+    EXPECT_EQ(seen, "2vec3|3wrinkle_f|41e-06|4.5|5// base: Add|");
+    EXPECT_EQ(pieces_of("#version 330 core").front().token, Token::keyword);
+    EXPECT_EQ(pieces_of("uniform float x2;").front().token, Token::keyword);
+    EXPECT_TRUE(pieces_of("").empty());
+}
+
+TEST(Tokens, TakeAnyBytes) {
+    std::string bytes;
+    for (int i = 1; i < 256; ++i)
+        bytes += static_cast<char>(i);
+    size_t at = 0;
+    for (const Piece& piece : pieces_of(bytes)) {
+        EXPECT_EQ(piece.begin, at);
+        EXPECT_GT(piece.end, at);
+        at = piece.end;
+    }
+    EXPECT_EQ(at, bytes.size());
+}
+
+TEST_F(Headless, ExportsWhatTheProgramWrites) {
+    std::string all;
+    for (const fs::path& graph : sample_graphs())
+        all += " " + graph.string();
+    for (const std::string params : {"baked", "uniform"})
+        for (const std::string form : {"function", "shader"}) {
+            const fs::path made = folder.path() / (params + form);
+            EXPECT_EQ(program_output("compile --params " + params + " --form " + form + " -o " +
+                                     made.string() + all),
+                      "");
+            for (const fs::path& graph : sample_graphs()) {
+                open_file(state, graph);
+                frame();
+                state.code.options.uniforms = params == "uniform";
+                state.code.options.form = form == "shader" ? Form::shader : Form::function;
+                const fs::path file = folder.path() / "out" / graph.stem();
+                fs::create_directories(file.parent_path());
+                ASSERT_TRUE(export_code(state, file)) << graph << state.status;
+                const auto compare = [&](const std::string& ours, const std::string& theirs) {
+                    const std::string text = text_of(ours);
+                    EXPECT_FALSE(text.empty());
+                    EXPECT_EQ(text, text_of(theirs)) << graph;
+                };
+                if (form == "function") {
+                    compare(file, (made / graph.stem()).string() + ".glsl");
+                    frame();
+                    EXPECT_EQ(state.code.text.source, text_of(file)) << "the panel shows another";
+                } else {
+                    compare(file.string() + ".vert", (made / graph.stem()).string() + ".vert");
+                    compare(file.string() + ".frag", (made / graph.stem()).string() + ".frag");
+                }
+            }
+        }
+}
+
+size_t indent_of(std::string_view line) {
+    return std::min(line.find_first_not_of(' '), line.size());
+}
+
+// The text itself says whose a line is: what is assigned to has a name that begins with the node's
+// id, the end of a loop is its beginning's, and for all else there is a comment "id: Title" on the
+// line or on the last one that has any.
+std::string node_by_text(const State& state, size_t line) {
+    const CodeText& code = state.code.text;
+    const std::string_view own = code.line(line);
+    const std::string_view words = own.substr(indent_of(own));
+    if (words == "}")
+        for (size_t i = line; i-- > 0;)
+            if (indent_of(code.line(i)) == indent_of(own) && code.line(i).ends_with(" {"))
+                return node_by_text(state, i);
+    if (const size_t name = words.find(" = "); name != words.npos && words.find(' ') == name)
+        for (const NodePtr& node : state.document().nodes)
+            if (words.starts_with(identifier(node->id) + "_")) return node->id;
+    for (size_t i = line + 1; i-- > 0;) {
+        const std::string_view text = code.line(i);
+        const size_t mark = text.find("// ");
+        if (mark == text.npos) continue;
+        std::string_view id = text.substr(mark + 3);
+        id = id.substr(0, std::min(id.find(": "), id.size()));
+        const std::string top(id.substr(0, id.find('/')));
+        if (state.document().find(top)) return top;
+    }
+    return {};
+}
+
+TEST_F(Headless, EveryLineLeadsToTheNodeThatItsTextNames) {
+    size_t lines = 0, wrong = 0;
+    for (const fs::path& graph : sample_graphs()) {
+        open_file(state, graph);
+        frame();
+        const CodeText& text = state.code.text;
+        ASSERT_EQ(text.nodes.size(), text.starts.size()) << graph;
+        for (size_t i = 0; i < text.nodes.size(); ++i) {
+            if (text.node(i).empty()) continue;
+            ++lines;
+            const std::string named = node_by_text(state, i);
+            wrong += named != text.node(i);
+            EXPECT_EQ(named, text.node(i))
+                << graph.filename() << ":" << i + 1 << ": " << text.line(i);
+        }
+    }
+    std::printf("%zu lines of %zu samples belong to nodes, %zu of them wrongly\n", lines,
+                sample_graphs().size(), wrong);
+}
+
+TEST_F(Headless, AClickOnALineSelectsItsNodeAndHoveringMarksIt) {
+    open(small_graph);
+    ImGui::GetIO().DisplaySize.y = 5000;
+    state.view.preview = 0.15F;
+    frame();
+    frame();
+    for (size_t i = 0; i < state.code.text.starts.size(); ++i) {
+        const std::string node = state.code.text.node(i);
+        state.view.selected.clear();
+        play("click line:" + std::to_string(i + 1));
+        EXPECT_EQ(state.code.hovered, node);
+        EXPECT_EQ(state.view.selected,
+                  node.empty() ? std::set<std::string>() : std::set<std::string>{node});
+    }
+}
+
+TEST_F(Headless, TheFormIsChosenAndTheTextCopied) {
+    open(small_graph);
+    state.view.side = 0.4F;  // there is room for the choices
+    frame();
+    frame();
+    play(R"(
+        click code:form
+        click code:form:Vertex
+        wait)");
+    EXPECT_NE(state.code.text.source.find("gl_Position"), std::string::npos);
+    play("click code:form\nclick code:form:Fragment\nwait");
+    EXPECT_NE(state.code.text.source.find("#version 330"), std::string::npos);
+    play(
+        "click code:form\nclick code:form:Function\nclick code:parameters\n"
+        "click code:parameters:Uniforms\nclick code:copy");
+    EXPECT_NE(state.code.text.source.find("uniform float softer_amount"), std::string::npos);
+    const char* copied = ImGui::GetClipboardText();
+    EXPECT_EQ(std::string(copied ? copied : ""), state.code.text.source);
+}
+
+TEST_F(Headless, TheLastTextStaysWhenTheGraphBreaks) {
+    open(small_graph);
+    const std::string text = state.code.text.source;
+    EXPECT_FALSE(text.empty());
+    state.commit("Break", read_document(R"({ "wrinkle": 1, "nodes": { "a": { "type": "no_such" } },
+        "outputs": { "normal": { "from": "a.b" } } })",
+                                        "x.json", *std::make_unique<Diagnostics>()));
+    frame();
+    frame();
+    EXPECT_EQ(state.code.text.source, text);
+    EXPECT_FALSE(state.code.problem.empty());
+    EXPECT_FALSE(export_code(state, folder.path() / "broken.glsl"));
+    EXPECT_FALSE(fs::exists(folder.path() / "broken.glsl"));
+}
+
+TEST_F(Headless, OfALongTextOnlyWhatIsSeenIsDrawn) {
+    open(small_graph);
+    std::string text;
+    for (int i = 0; i < 10'000; ++i)
+        text += "    vec3 value_" + std::to_string(i) + " = vec3(0.0);\n";
+    state.code.text = lines_of(text);
+    EXPECT_EQ(state.code.text.starts.size(), 10'000U);
+    frame();
+    size_t drawn = 0;
+    for (const auto& [name, rect] : state.targets.all())
+        drawn += name.starts_with("line:");
+    EXPECT_GT(drawn, 10U);
+    EXPECT_LT(drawn, 100U);
+}
+
+}  // namespace
+}  // namespace wrinkle::editor
