@@ -27,5 +27,6 @@ vec3 wrinkle_graph_normal(WrinkleSurface_graph s) {
     vec2 resolve_slope = -weave_normal_texel.xy * AMOUNT * rivets_normal_depth;
     vec2 resolve_slope_2 = -rivets_normal_texel.xy * weave_normal_depth + resolve_slope;
     vec3 resolve_gradient = s.tangent.xyz * resolve_slope_2.x + bitangent * resolve_slope_2.y;
-    return normalize(resolve_product - resolve_gradient);
+    vec3 resolve_bumped = resolve_product - resolve_gradient;
+    return normalize(vec3(resolve_bumped.xy, resolve_bumped.z + 1e-18));
 }
