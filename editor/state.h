@@ -18,7 +18,9 @@
 #include "editor/drop/dropped.h"
 #include "editor/input/targets.h"
 #include "editor/look/fonts.h"
+#include "editor/look/look.h"
 #include "editor/panels/open.h"
+#include "editor/panels/panes.h"
 #include "editor/view.h"
 
 namespace wrinkle::editor {
@@ -31,6 +33,7 @@ struct Counters {
 struct State {
     const Registry* registry = nullptr;
     Fonts fonts;
+    Look look;
     History history;
     std::filesystem::path path;
     uint64_t saved_serial = 0;
@@ -38,6 +41,7 @@ struct State {
     bool quit = false, quit_asked = false;
 
     View view;
+    Panes panes;
     Gesture gesture;
     Hit hovered;
     Palette palette;

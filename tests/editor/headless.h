@@ -39,6 +39,7 @@ void expect_golden(const std::string& name, const std::string& text);
 class Headless : public ::testing::Test {
 protected:
     Headless();
+    ~Headless() override;
     void open(const std::string& graph);
     // Copies a picture of graphs/textures into the folder's textures/.
     std::string texture(const std::string& name) const;
