@@ -201,7 +201,8 @@ void draw_toolbar(State& state) {
                               {"preview-node", "Preview node"},
                               {"delete", "Delete"}};
     constexpr Tool looks[] = {{"find", "Find in graph"}, {"fit", "Show all"}, {"save", "Save"}};
-    constexpr Tool right[] = {{"export", "Export...", true}, {"bake", "Bake maps...", true, true}};
+    constexpr Tool right[] = {{"export-glsl", "Export GLSL", true},
+                              {"bake", "Bake maps...", true, true}};
     const float whole = ImGui::GetWindowSize().x;
     const bool words = whole >= wordless;
     for (const Tool& tool : left)
