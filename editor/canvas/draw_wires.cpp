@@ -13,7 +13,8 @@ int pieces(const Curve& k, bool plain) {
     if (tall < 0.5F && k.d.x > k.a.x) return 1;
     const float back = k.d.x < k.a.x ? k.b.x - k.a.x : 0;
     const float length = wide + tall + 2 * back;
-    return plain ? std::clamp(static_cast<int>(length / 20), 1, 8)
+    // One that runs back turns sharply: too few pieces would leave spikes.
+    return plain ? std::clamp(static_cast<int>(length / 20), back > 0 ? 12 : 1, 12)
                  : std::clamp(4 + static_cast<int>(length / 14), 6, 32);
 }
 
