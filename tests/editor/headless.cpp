@@ -47,15 +47,15 @@ Registry make_registry() {
 }
 
 // One context for all tests: baking fonts is the slow part.
-Fonts& context() {
-    static Fonts fonts = [] {
+const Fonts& context() {
+    static const Fonts fonts = [] {
         ImGui::CreateContext();
         ImGuiIO& io = ImGui::GetIO();
         io.IniFilename = nullptr;
-        io.MouseDoubleClickTime = 0.06F;                            // of three frames
+        io.MouseDoubleClickTime = 0.06F;  // of three frames
         io.BackendFlags |= ImGuiBackendFlags_RendererHasVtxOffset;  // as that of the window
         map_keys(io);
-        theme::use(Theme::dark);
+        theme::apply_style();
         Fonts loaded;
         loaded.load();
         return loaded;
@@ -110,6 +110,7 @@ void expect_golden(const std::string& name, const std::string& text) {
 Headless::Headless() {
     state.fonts = context();
     state.registry = &built_in_registry();
+    state.keeping.folders = folders_below(home.path());
     ImGuiIO& io = ImGui::GetIO();
     io.DisplaySize = {1600, 900};
     io.DeltaTime = 1.0F / 60;
@@ -118,12 +119,6 @@ Headless::Headless() {
         ImGui::NewFrame();
         ImGui::EndFrame();
     }
-}
-
-Headless::~Headless() {
-    theme::use(Theme::dark);
-    ImGui::GetIO().DisplayFramebufferScale = {1, 1};
-    if (state.fonts.generation() != context().generation()) context().load();
 }
 
 std::string Headless::texture(const std::string& name) const {
@@ -141,13 +136,7 @@ void Headless::open(const std::string& graph) {
 }
 
 void Headless::frame() {
-    ImGuiIO& io = ImGui::GetIO();
-    apply_look(state.look, state.fonts);
-    if (const float scale = state.look.scale; scale != io.DisplayFramebufferScale.x) {
-        io.DisplaySize = {1600 / scale, 900 / scale};
-        io.DisplayFramebufferScale = {scale, scale};
-    }
-    queue.apply(io);
+    queue.apply(ImGui::GetIO());
     state.dropped.arrived = queue.take_drops();
     ImGui::NewFrame();
     draw_ui(state);

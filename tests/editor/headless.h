@@ -39,7 +39,6 @@ void expect_golden(const std::string& name, const std::string& text);
 class Headless : public ::testing::Test {
 protected:
     Headless();
-    ~Headless() override;
     void open(const std::string& graph);
     // Copies a picture of graphs/textures into the folder's textures/.
     std::string texture(const std::string& name) const;
@@ -47,7 +46,7 @@ protected:
     // Plays a script to its end; a step that goes wrong fails the test.
     void play(const std::string& script);
 
-    TemporaryFolder folder;
+    TemporaryFolder folder, home;
     std::filesystem::path file;
     State state;
     InputQueue queue;
