@@ -14,13 +14,13 @@
 #include "editor/document/clip.h"
 #include "editor/document/follow.h"
 #include "editor/document/history.h"
-#include "editor/document/intent.h"
-#include "editor/document/keeping.h"
 #include "editor/document/model.h"
 #include "editor/drop/dropped.h"
 #include "editor/input/targets.h"
 #include "editor/look/fonts.h"
+#include "editor/look/look.h"
 #include "editor/panels/open.h"
+#include "editor/panels/panes.h"
 #include "editor/view.h"
 
 namespace wrinkle::editor {
@@ -33,16 +33,15 @@ struct Counters {
 struct State {
     const Registry* registry = nullptr;
     Fonts fonts;
+    Look look;
     History history;
     std::filesystem::path path;
-    static constexpr uint64_t never_saved = ~uint64_t{0};
     uint64_t saved_serial = 0;
     std::string save_refused;  // why this file is not written: what reading it would lose
-    Keeping keeping;
-    Question question;
-    bool quit = false;
+    bool quit = false, quit_asked = false;
 
     View view;
+    Panes panes;
     Gesture gesture;
     Hit hovered;
     Palette palette;
@@ -71,8 +70,7 @@ struct State {
     const Document& document() const { return history.now(); }
     bool dirty() const { return history.serial() != saved_serial; }
     std::filesystem::path folder() const;
-    std::string title() const;      // of the window
-    std::string file_name() const;  // "strap.json"; "untitled.json" where there is no file yet
+    std::string title() const;  // of the window
     const NodeType* type_of(std::string_view node) const { return model.type_of(node); }
 
     // One step of history; says so in the status.

@@ -24,8 +24,6 @@ struct View {
     std::optional<ImVec2> surface_at, outputs_at;
     std::optional<Link> selected_wire;  // by its reading end; node "" is an output of the graph
     bool all_surface = false, all_outputs = false;
-    float side = 0.30F;     // of the window's width
-    float preview = 0.53F;  // of the side column's height
     PreviewView preview_view;
 };
 

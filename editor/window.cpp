@@ -11,7 +11,6 @@
 #include <cctype>
 
 #include "editor/commands/commands.h"
-#include "editor/document/files.h"
 #include "editor/look/theme.h"
 #include "editor/panels/ui.h"
 #include "image/load.h"
@@ -51,16 +50,15 @@ void listen(GLFWwindow* window) {
     glfwSetMouseButtonCallback(window, [](GLFWwindow* w, int button, int action, int) {
         queue_of(w).button(button, action == GLFW_PRESS);
     });
-    glfwSetCursorPosCallback(window, [](GLFWwindow* w, double x, double y) {
-        queue_of(w).motion(static_cast<float>(x), static_cast<float>(y));
-    });
+    glfwSetCursorPosCallback(
+        window, [](GLFWwindow* w, double x, double y) { queue_of(w).window_motion(x, y); });
     glfwSetScrollCallback(window, [](GLFWwindow* w, double x, double y) {
         queue_of(w).wheel(static_cast<float>(x), static_cast<float>(y));
     });
     glfwSetDropCallback(window, [](GLFWwindow* w, int count, const char** files) {
         double x = 0, y = 0;
         glfwGetCursorPos(w, &x, &y);
-        queue_of(w).drop(static_cast<float>(x), static_cast<float>(y), {files, files + count});
+        queue_of(w).window_drop(x, y, {files, files + count});
     });
     glfwSetCursorEnterCallback(window, [](GLFWwindow* w, int entered) {
         const bool held = glfwGetMouseButton(w, 0) || glfwGetMouseButton(w, 2);
@@ -125,7 +123,7 @@ std::unique_ptr<Window> Window::open(const WindowOptions& options, std::string& 
     io.MouseDoubleClickTime = options.hidden_input ? 0.06F : 0.4F;
     map_keys(io);
     use_clipboard(window);
-    theme::apply_style();
+    theme::use(Theme::dark);
     ImGui_ImplOpenGL3_Init("#version 330 core");
     if (!options.hidden_input) listen(window);
     return result;
@@ -144,7 +142,13 @@ void Window::draw_frame(State& state) {
     glfwGetWindowSize(handle_->window, &width, &height);
     glfwGetFramebufferSize(handle_->window, &pixels_x, &pixels_y);
     if (width < 1 || height < 1) return;
-    io.DisplaySize = {static_cast<float>(width), static_cast<float>(height)};
+    if (apply_look(state.look, state.fonts)) {
+        ImGui_ImplOpenGL3_DestroyFontsTexture();
+        ImGui_ImplOpenGL3_CreateFontsTexture();
+    }
+    const float scale = state.look.scale;
+    handle_->queue.set_scale(scale);
+    io.DisplaySize = {static_cast<float>(width) / scale, static_cast<float>(height) / scale};
     io.DisplayFramebufferScale = {static_cast<float>(pixels_x) / io.DisplaySize.x,
                                   static_cast<float>(pixels_y) / io.DisplaySize.y};
     const double now = glfwGetTime();
@@ -158,6 +162,7 @@ void Window::draw_frame(State& state) {
     ImGui::NewFrame();
     draw_ui(state);
     ImGui::Render();
+    sharpen(*ImGui::GetDrawData(), io.DisplayFramebufferScale.x);
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
     glViewport(0, 0, pixels_x, pixels_y);
     glClearColor(0.08F, 0.09F, 0.1F, 1);
@@ -190,7 +195,6 @@ bool Window::run(State& state, Script* script, const std::string& shot, std::str
             glfwPollEvents();
         else
             glfwWaitEventsTimeout(0.5);
-        if (tend(state)) h.awake = 3;
         if (!h.queue.empty() || woken.exchange(false)) h.awake = 3;
         if (glfwWindowShouldClose(h.window)) {
             glfwSetWindowShouldClose(h.window, GLFW_FALSE);

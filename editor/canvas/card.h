@@ -23,7 +23,8 @@ struct Pin {
     bool output = false;
     bool connected = false;
     float y = 0;
-    std::string label;  // as it is shown, cut to fit; "" when a field says it
+    std::string label;      // as it is shown, cut to fit
+    bool in_field = false;  // a field says its name
 };
 struct Field {
     std::string port;

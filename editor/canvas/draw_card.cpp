@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 
 #include "editor/canvas/canvas.h"
 #include "editor/canvas/painter.h"
@@ -9,7 +10,23 @@ namespace {
 constexpr TextStyle body, body_right{16, false, true}, bold{16, true};
 constexpr TextStyle small{14}, small_right{14, false, true};
 
-void draw_field(const Painter& p, const Card& card, const Field& field, bool hovered) {
+ImU32 color_of(const Diagnostic& problem) {
+    return problem.severity == Severity::error ? theme::error : theme::warn;
+}
+
+void draw_badge(const Painter& p, ImVec2 center, float size, const Diagnostic& problem) {
+    if (problem.severity == Severity::error)
+        draw_error(p.list, center, size, theme::error);
+    else
+        draw_warning(p.list, center, size, theme::warn);
+}
+
+void explain(const Painter& p, const Diagnostic& problem) {
+    show_tooltip(p.state.fonts.bold(16), problem.message, problem.expected);
+}
+
+void draw_field(const Painter& p, const Card& card, const Field& field, bool hovered,
+                const Diagnostic* fault) {
     const float z = p.zoom;
     const ImVec2 low = p.at(card.at + ImVec2(field.x, field.y));
     const ImVec2 high = low + ImVec2(field.width, field_height) * z;
@@ -21,7 +38,11 @@ void draw_field(const Painter& p, const Card& card, const Field& field, bool hov
         p.list.AddRectFilled({low.x + 3 * z, high.y - 2 * z}, {std::max(x, low.x + 3 * z), high.y},
                              theme::accent);
     }
-    p.list.AddRect(low, high, hovered ? theme::accent : theme::control, 4 * z);
+    if (fault)
+        p.list.AddRect(low, high, color_of(*fault), 4 * z, 0, 1.6F);
+    else
+        p.list.AddRect(low, high, hovered ? theme::accent : theme::control, 4 * z);
+    if (fault && hovered) explain(p, *fault);
     const float pad = 7 * z, y = low.y + 2.5F * z;
     if (!field.name.empty()) p.text({low.x + pad, y}, body, theme::text_dim, field.name);
     const float end = high.x - pad - (field.listed ? 12 * z : 0);
@@ -32,17 +53,21 @@ void draw_field(const Painter& p, const Card& card, const Field& field, bool hov
     p.list.AddPolyline(chevron, 3, theme::text_dim, 0, 1.5F * z);
 }
 
-void draw_pins(const Painter& p, const Card& card) {
+void draw_pins(const Painter& p, size_t index) {
+    const Card& card = p.state.layout.cards[index];
+    const Hit& hit = p.state.hovered;
     const bool wiring = p.state.gesture.kind == Gesture::Kind::wire;
-    for (const Pin& pin : card.pins) {
+    for (size_t i = 0; i < card.pins.size(); ++i) {
+        const Pin& pin = card.pins[i];
         const ImVec2 at = p.at(pin_at(card, pin));
         const bool fits = !wiring || wire_fits(p.state, p.state.gesture, card, pin);
-        const float unit = (wiring && fits ? 8 : 6) * std::max(p.zoom, 0.4F);
+        const bool near = hit.kind == Hit::Kind::pin && hit.card == index && hit.part == i;
+        const float unit = (wiring && fits ? 8 : near ? 7 : 6) * std::max(p.zoom, 0.4F);
         ImU32 color = pin.known ? theme::of(pin.type) : theme::text_off;
         if (!fits) color = theme::with_alpha(color, 0.3F);
         if (p.details) p.list.AddCircleFilled(at, unit + 3 * p.zoom, theme::node);
         draw_pin(p.list, pin.type, at, unit, color, pin.connected, theme::node);
-        if (pin.label.empty()) continue;
+        if (pin.in_field && p.details) continue;
         const ImVec2 label = at + ImVec2(pin.output ? -13 : 13, -8) * p.zoom;
         p.text(label, pin.output ? body_right : body, theme::text, pin.label);
     }
@@ -69,12 +94,16 @@ void draw_header(const Painter& p, size_t index, ImVec2 low, ImVec2 high) {
     if (card.muted)
         p.list.AddLine(low + ImVec2(left, 14) * z, low + ImVec2(left + card.name_width, 14) * z,
                        theme::text_off, 1);
-    const Trouble trouble = p.trouble(index);
-    if (trouble.any)
-        draw_warning(p.list, {high.x - 15 * z, low.y + 14 * z}, std::max(16 * z, 8.0F),
-                     trouble.error ? theme::error : theme::warn);
-    else
+    if (const Diagnostic* problem = p.trouble(index).worst) {
+        const ImVec2 center(high.x - 15 * z, low.y + 14 * z);
+        draw_badge(p, center, std::max(16 * z, 8.0F), *problem);
+        const ImVec2 off = ImGui::GetIO().MousePos - center;
+        if (p.state.hovered.card == index && p.state.hovered.kind == Hit::Kind::header &&
+            std::max(std::fabs(off.x), std::fabs(off.y)) < 12)
+            explain(p, *problem);
+    } else {
         p.text({high.x - 10 * z, low.y + 7 * z}, small_right, theme::text_dim, card.title);
+    }
 }
 
 // Far away: a rectangle, what is wrong with it, and whether it is selected.
@@ -83,19 +112,58 @@ void draw_plain(const Painter& p, size_t index, ImVec2 low, ImVec2 high, bool se
     const ImVec2 edge(selected ? 2.0F : 1.0F, selected ? 2.0F : 1.0F);
     if (high.x - low.x > 2 * edge.x + 1 && high.y - low.y > 2 * edge.y + 1)
         p.list.AddRectFilled(low + edge, high - edge, theme::header);
-    const Trouble trouble = p.trouble(index);
-    if (trouble.any)
-        draw_warning(p.list, {high.x - 5, low.y + 5}, 8,
-                     trouble.error ? theme::error : theme::warn);
+    if (const Diagnostic* problem = p.trouble(index).worst)
+        draw_badge(p, {high.x - 5, low.y + 5}, 8, *problem);
 }
 
-void draw_outline(const Painter& p, ImVec2 low, ImVec2 high, bool selected, bool hovered) {
+void draw_outline(const Painter& p, const Card& card, ImVec2 low, ImVec2 high, bool selected,
+                  bool hovered) {
     const float radius = 6 * p.zoom;
     if (selected)
         p.list.AddRect(low - ImVec2(2, 2), high + ImVec2(2, 2),
-                       theme::with_alpha(theme::accent, 0.2F), radius + 2, 0, 3);
+                       theme::with_alpha(theme::accent, p.is_primary(card) ? 0.4F : 0.2F),
+                       radius + 2, 0, 3);
     const ImU32 color = selected ? theme::accent : hovered ? theme::text_dim : theme::line;
     p.list.AddRect(low, high, color, radius, 0, selected ? 2 : 1);
+}
+
+// Of a type that is not installed.
+void draw_hatch(const Painter& p, ImVec2 low, ImVec2 high) {
+    p.list.PushClipRect(low + ImVec2(1, 0), high - ImVec2(1, 1), true);
+    const float tall = high.y - low.y;
+    for (float x = low.x - tall; x < high.x; x += std::max(8 * p.zoom, 4.0F))
+        p.list.AddLine({x, high.y}, {x + tall, low.y}, theme::border);
+    p.list.PopClipRect();
+}
+
+// The value that goes past a muted node.
+void draw_passage(const Painter& p, const Card& card) {
+    const Pin* output = main_pin(card);
+    const auto input = std::find_if(card.pins.begin(), card.pins.end(), [&](const Pin& pin) {
+        return !pin.output && output && pin.type == output->type;
+    });
+    if (!output || input == card.pins.end()) return;
+    const ImVec2 from = p.at(pin_at(card, *input)), to = p.at(pin_at(card, *output));
+    draw_dashed(p.list, {from, from + (to - from) * 0.33F, from + (to - from) * 0.67F, to},
+                theme::text_dim, 1.5F, 6, 4);
+}
+
+void draw_body(const Painter& p, size_t index, ImVec2 low, ImVec2 high, bool hovered) {
+    const Card& card = p.state.layout.cards[index];
+    const Hit& hit = p.state.hovered;
+    const ImVec2 under(low.x, low.y + header_height * p.zoom);
+    if (card.kind == Card::Kind::node && !card.type) draw_hatch(p, under, high);
+    const bool faulty = p.trouble(index).worst != nullptr;
+    if (p.details)
+        for (size_t i = 0; i < card.fields.size(); ++i)
+            draw_field(p, card, card.fields[i],
+                       hovered && hit.kind == Hit::Kind::field && hit.part == i,
+                       faulty ? p.fault(card, card.fields[i].port) : nullptr);
+    if (!card.muted) return;
+    p.list.AddRectFilled(under + ImVec2(1, 0), high - ImVec2(1, 1),
+                         theme::with_alpha(theme::node, 0.55F), 5 * p.zoom,
+                         ImDrawFlags_RoundCornersBottom);
+    draw_passage(p, card);
 }
 
 }  // namespace
@@ -111,15 +179,14 @@ void draw_card(const Painter& p, size_t index) {
         (hit.card == index && hit.kind != Hit::Kind::nothing && hit.kind != Hit::Kind::wire) ||
         (card.kind == Card::Kind::node && card.id == p.state.code.hovered);
     const float radius = 6 * p.zoom;
-    p.list.AddRectFilled(low + ImVec2(2, 3), high + ImVec2(2, 3), IM_COL32(0, 0, 0, 71), radius);
+    const bool held = selected && p.state.gesture.kind == Gesture::Kind::move;
+    const ImVec2 fall = held ? ImVec2(4, 6) : ImVec2(2, 3);
+    p.list.AddRectFilled(low + fall, high + fall, theme::shadow, radius);
     p.list.AddRectFilled(low, high, theme::node, radius);
     draw_header(p, index, low, high);
-    draw_outline(p, low, high, selected, hovered);
-    if (p.details)
-        for (size_t i = 0; i < card.fields.size(); ++i)
-            draw_field(p, card, card.fields[i],
-                       hovered && hit.kind == Hit::Kind::field && hit.part == i);
-    draw_pins(p, card);
+    draw_body(p, index, low, high, hovered);
+    draw_outline(p, card, low, high, selected, hovered);
+    draw_pins(p, index);
     if (!p.details || card.more_y < 0) return;
     const bool all = card.kind == Card::Kind::surface ? p.view.all_surface : p.view.all_outputs;
     p.text(low + ImVec2(13, card.more_y + 4) * p.zoom, small, theme::text_dim,

@@ -57,8 +57,8 @@ void draw_frames(const Painter& p) {
                              note ? theme::bar : theme::with_alpha(theme::accent, 0.045F), 8);
         if (!note) p.list.AddRect(low, high, theme::border, 8);
         if (note) p.list.AddRectFilled(low, {low.x + 3, high.y}, theme::control);
-        draw_text(p.list, p.state.fonts.bold(16), std::max(16 * p.zoom, 12.0F),
-                  low + ImVec2(16, 10) * p.zoom, theme::text_dim, box.text);
+        draw_magnified(p.list, p.state.fonts, {18, true}, std::max(p.zoom, 12 / 18.0F),
+                       low + ImVec2(16, 12) * p.zoom, theme::text_dim, box.text);
     };
     for (const Box& box : p.state.document().frames)
         draw(box, false);

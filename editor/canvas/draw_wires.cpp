@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 
 #include "editor/canvas/painter.h"
@@ -12,7 +13,8 @@ int pieces(const Curve& k, bool plain) {
     if (tall < 0.5F && k.d.x > k.a.x) return 1;
     const float back = k.d.x < k.a.x ? k.b.x - k.a.x : 0;
     const float length = wide + tall + 2 * back;
-    return plain ? std::clamp(static_cast<int>(length / 20), 1, 8)
+    // One that runs back turns sharply: too few pieces would leave spikes.
+    return plain ? std::clamp(static_cast<int>(length / 20), back > 0 ? 12 : 1, 12)
                  : std::clamp(4 + static_cast<int>(length / 14), 6, 32);
 }
 
@@ -43,6 +45,16 @@ void draw_conversion(const Painter& p, const Wire& wire, ImVec2 at) {
     p.list.AddLine(at - ImVec2(5 * z, 0), at + ImVec2(3 * z, 0), theme::text, 1.5F * z);
     const ImVec2 tip[] = {at + ImVec2(1, -3) * z, at + ImVec2(4.5F, 0) * z, at + ImVec2(1, 3) * z};
     p.list.AddPolyline(tip, 3, theme::text, 0, 1.5F * z);
+}
+
+void explain(const Painter& p, const Wire& wire) {
+    const std::string given(name_of(wire.from_type)), wanted(name_of(wire.to_type));
+    std::string title = given + " to " + wanted;
+    title[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(title[0])));
+    if (wire.conversion != Conversion::illegal)
+        return show_tooltip(p.state.fonts.bold(16), title, doc(wire.conversion));
+    show_tooltip(p.state.fonts.bold(16), "A " + given + " is not a " + wanted + ".",
+                 alternative(wire.from_type, wire.to_type, *p.state.registry));
 }
 
 bool is_chosen(const View& view, const Wire& wire) {
@@ -80,7 +92,11 @@ void draw_wire(const Painter& p, size_t index) {
     else
         draw_line(p, wire, k, color, thickness);
     const bool pill = wire.conversion != Conversion::same && wire.conversion != Conversion::rename;
-    if (pill && p.zoom >= 0.5F) draw_conversion(p, wire, k.at(0.5F));
+    if (!pill || p.zoom < 0.5F) return;
+    draw_conversion(p, wire, k.at(0.5F));
+    const ImVec2 off = ImGui::GetIO().MousePos - k.at(0.5F);
+    if (hovered && std::fabs(off.x) < 25 * p.zoom && std::fabs(off.y) < 12 * p.zoom)
+        explain(p, wire);
 }
 
 }  // namespace

@@ -81,7 +81,7 @@ float CardMaker::wanted_width() const {
 void CardMaker::add_pin(const std::string& port, PortType type, bool known, bool output,
                         bool connected, float y) {
     card.pins.push_back({port, type, known, output, connected, y + row_height / 2,
-                         cut(body, port, card.size.x - 30)});
+                         cut(body, port, card.size.x - 30), false});
 }
 
 // A single number has its name inside, before its value.
@@ -134,7 +134,7 @@ void CardMaker::fill_ports() {
         const bool field = !connected && shows_field(port);
         if (port.is_value()) {
             add_pin(port.name, port.type, true, false, connected, y);
-            if (field && lanes_of_field(port) <= 1) card.pins.back().label.clear();
+            card.pins.back().in_field = field && lanes_of_field(port) <= 1;
         }
         if (field) add_field(i, port, y + 1.5F);
         y += row_height;
@@ -184,7 +184,7 @@ void write_header(const Fonts& fonts, Card& card) {
 
 void add_row(Card& card, std::string name, PortType type, bool output, bool connected) {
     const float y = header_height + row_height * static_cast<float>(card.pins.size());
-    card.pins.push_back({name, type, true, output, connected, y + row_height / 2, name});
+    card.pins.push_back({name, type, true, output, connected, y + row_height / 2, name, false});
 }
 
 void close_card(const Fonts& fonts, Card& card, bool more) {

@@ -21,19 +21,34 @@ void Painter::find_selected() {
     for (size_t i = 0; i < selected_.size(); ++i)
         if (sees(state.layout.card_boxes[i]) || view.selected.size() < 64)
             selected_[i] = view.selected.contains(state.layout.cards[i].id);
+    if (view.selected.size() > 1 && !view.order.empty())
+        primary_ = state.layout.find(view.order.back());
 }
 
 void Painter::find_troubles() {
     for (const Diagnostic& problem : state.built.problems.list()) {
-        const std::string_view id =
-            std::string_view(problem.node).substr(0, problem.node.find('/'));
-        const Card* card = id.empty() ? nullptr : state.layout.find(id);
+        const std::string_view path = problem.node;
+        const Card* card =
+            path.empty() ? nullptr : state.layout.find(path.substr(0, path.find('/')));
         if (!card) continue;
         troubles_.resize(state.layout.cards.size());
         Trouble& trouble = troubles_[static_cast<size_t>(card - state.layout.cards.data())];
-        trouble.any = true;
-        trouble.error |= problem.severity == Severity::error;
+        if (!trouble.worst || (!trouble.error() && problem.severity == Severity::error))
+            trouble.worst = &problem;
     }
+}
+
+const Diagnostic* Painter::fault(const Card& card, std::string_view port) const {
+    constexpr std::string_view inputs = "/in/";
+    for (const Diagnostic& problem : state.built.problems.list()) {
+        if (problem.node != card.id) continue;
+        std::string_view at = problem.pointer;
+        const size_t found = at.find(inputs);
+        if (found == at.npos) continue;
+        at.remove_prefix(found + inputs.size());
+        if (at.substr(0, at.find('/')) == port) return &problem;
+    }
+    return nullptr;
 }
 
 }  // namespace wrinkle::editor

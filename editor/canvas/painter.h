@@ -12,8 +12,10 @@
 
 namespace wrinkle::editor {
 
+// The worst that is wrong with a card; nullptr: nothing.
 struct Trouble {
-    bool any = false, error = false;
+    const Diagnostic* worst = nullptr;
+    bool error() const { return worst && worst->severity == Severity::error; }
 };
 
 class Painter {
@@ -34,6 +36,9 @@ public:
     }
     bool is_selected(size_t card) const { return !selected_.empty() && selected_[card]; }
     Trouble trouble(size_t card) const { return troubles_.empty() ? Trouble{} : troubles_[card]; }
+    // What is wrong at a port of a card that has troubles.
+    const Diagnostic* fault(const Card& card, std::string_view port) const;
+    bool is_primary(const Card& card) const { return &card == primary_; }
 
 private:
     void find_selected();
@@ -43,6 +48,7 @@ private:
     Extent seen_;
     std::vector<bool> selected_;     // by card; empty: none
     std::vector<Trouble> troubles_;  // by card; empty: none
+    const Card* primary_ = nullptr;  // of several that are selected the one chosen last
 };
 
 void draw_wires(const Painter& painter);

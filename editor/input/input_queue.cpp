@@ -143,6 +143,8 @@ int key_named(std::string_view name) {
         return std::toupper(static_cast<unsigned char>(name[0]));
     if (name.size() == 2 && name[0] == 'F' && name[1] >= '1' && name[1] <= '9')
         return GLFW_KEY_F1 + (name[1] - '1');
+    if (name.size() == 3 && name.substr(0, 2) == "F1" && name[2] >= '0' && name[2] <= '2')
+        return GLFW_KEY_F10 + (name[2] - '0');
     return 0;
 }
 

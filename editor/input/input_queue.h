@@ -25,7 +25,7 @@ struct InputEvent {
     std::vector<std::string> files = {};  // drop
 };
 
-// Files let go over the window; screen pixels.
+// Files let go over the window; logical pixels.
 struct FileDrop {
     float x = 0, y = 0;
     std::vector<std::string> files;
@@ -40,6 +40,14 @@ public:
     }
     void button(int button, bool down) { push({InputEvent::Kind::button, button, down, 0, 0}); }
     void motion(float x, float y) { push({InputEvent::Kind::motion, 0, false, x, y}); }
+    // Of the window: `scale` of its pixels make one of the interface's (editor/look/look.h).
+    void set_scale(float scale) { scale_ = scale; }
+    void window_motion(double x, double y) {
+        motion(static_cast<float>(x) / scale_, static_cast<float>(y) / scale_);
+    }
+    void window_drop(double x, double y, std::vector<std::string> files) {
+        drop(static_cast<float>(x) / scale_, static_cast<float>(y) / scale_, std::move(files));
+    }
     void wheel(float x, float y) { push({InputEvent::Kind::wheel, 0, false, x, y}); }
     void drop(float x, float y, std::vector<std::string> files) {
         push({InputEvent::Kind::drop, 0, false, x, y, std::move(files)});
@@ -60,6 +68,7 @@ public:
 private:
     std::deque<InputEvent> events_;
     std::vector<FileDrop> drops_;
+    float scale_ = 1;
 };
 
 // The GLFW code of "A", "7", "F2", "Delete", "Space", "Escape", ...; 0 for none.

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <span>
 
+#include "editor/look/theme.h"
+
 namespace wrinkle::editor {
 namespace {
 
@@ -142,12 +144,57 @@ void draw_dashed(ImDrawList& list, const Curve& curve, ImU32 color, float thickn
     }
 }
 
+namespace {
+
+// Dark on the light colours of the dark theme, and the other way round.
+ImU32 on_badge() {
+    return theme::used() == Theme::dark ? IM_COL32_BLACK : IM_COL32_WHITE;
+}
+
+void draw_mark(ImDrawList& list, ImVec2 c, float half) {
+    const float thick = std::max(half * 0.22F, 1.0F);
+    list.AddLine(c + ImVec2(0, -half * 0.45F), c + ImVec2(0, half * 0.2F), on_badge(), thick);
+    list.AddCircleFilled(c + ImVec2(0, half * 0.5F), thick * 0.6F, on_badge());
+}
+
+}  // namespace
+
 void draw_warning(ImDrawList& list, ImVec2 c, float size, ImU32 color) {
     const float half = size * 0.5F;
     list.AddTriangleFilled(c + ImVec2(0, -half), c + ImVec2(half, half * 0.85F),
                            c + ImVec2(-half, half * 0.85F), color);
-    list.AddLine(c + ImVec2(0, -half * 0.35F), c + ImVec2(0, half * 0.25F), IM_COL32_BLACK, 1.8F);
-    list.AddCircleFilled(c + ImVec2(0, half * 0.58F), 1.1F, IM_COL32_BLACK);
+    draw_mark(list, c + ImVec2(0, half * 0.12F), half);
+}
+
+void draw_error(ImDrawList& list, ImVec2 c, float size, ImU32 color) {
+    const float half = size * 0.5F, cut = half * 0.42F;
+    const ImVec2 corners[] = {c + ImVec2(-cut, -half), c + ImVec2(cut, -half),
+                              c + ImVec2(half, -cut),  c + ImVec2(half, cut),
+                              c + ImVec2(cut, half),   c + ImVec2(-cut, half),
+                              c + ImVec2(-half, cut),  c + ImVec2(-half, -cut)};
+    list.AddConvexPolyFilled(corners, 8, color);
+    draw_mark(list, c, half);
+}
+
+void show_tooltip(ImFont* bold, std::string_view title, std::string_view text) {
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(12, 8));
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 5);
+    ImGui::PushStyleColor(ImGuiCol_PopupBg, theme::bar);
+    ImGui::PushStyleColor(ImGuiCol_Border, theme::line);
+    ImGui::BeginTooltip();
+    ImGui::PushTextWrapPos(360);
+    ImGui::PushFont(bold);
+    ImGui::TextUnformatted(title.data(), title.data() + title.size());
+    ImGui::PopFont();
+    if (!text.empty()) {
+        ImGui::PushStyleColor(ImGuiCol_Text, theme::text_dim);
+        ImGui::TextUnformatted(text.data(), text.data() + text.size());
+        ImGui::PopStyleColor();
+    }
+    ImGui::PopTextWrapPos();
+    ImGui::EndTooltip();
+    ImGui::PopStyleColor(2);
+    ImGui::PopStyleVar(2);
 }
 
 }  // namespace wrinkle::editor

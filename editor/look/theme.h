@@ -1,9 +1,19 @@
-// The dark theme: colours by role, and those of the types on wires.
+// Colours by role, and those of the types on wires, in two themes. The names are those of the theme
+// in use; use() switches all of them at once, between frames.
+//
+// Text stands on its grounds with a contrast of 4.5 or more, parts with 3; the types differ in
+// colour for every kind of sight (tests/editor/test_theme.cpp) and in shape (draw.h).
 #pragma once
 
 #include <imgui.h>
 
 #include "registry/port_type.h"
+
+namespace wrinkle::editor {
+
+enum class Theme : uint8_t { dark, light };
+
+}  // namespace wrinkle::editor
 
 namespace wrinkle::editor::theme {
 
@@ -14,21 +24,45 @@ constexpr ImU32 with_alpha(ImU32 color, float alpha) {
     return (color & ~IM_COL32_A_MASK) | static_cast<ImU32>(alpha * 255) << IM_COL32_A_SHIFT;
 }
 
-inline constexpr ImU32 canvas = rgb(0x15171B), grid = rgb(0x2C313A);
-inline constexpr ImU32 panel = rgb(0x1D2025), bar = rgb(0x23272E);
-inline constexpr ImU32 node = rgb(0x262A31), header = rgb(0x2F343D), field = rgb(0x16191D);
-inline constexpr ImU32 border = rgb(0x363C46), line = rgb(0x606977), control = rgb(0x7C8696);
-inline constexpr ImU32 text = rgb(0xE9ECF1), text_dim = rgb(0xB0B8C4), text_off = rgb(0x77808D);
-inline constexpr ImU32 accent = rgb(0x6FB3FF), accent_fill = rgb(0x2A68BD);
-inline constexpr ImU32 accent_soft = rgb(0x24405F);
-inline constexpr ImU32 warn = rgb(0xF5B83D), error = rgb(0xFF8078), ok = rgb(0x5CC98B);
-inline constexpr ImU32 code = rgb(0x181B20), code_highlight = rgb(0x1E3049);
-inline constexpr ImU32 code_text = rgb(0xD7DCE4), code_comment = rgb(0x97A2B2);
-inline constexpr ImU32 code_keyword = rgb(0x8FB8FF), code_type = rgb(0x6CCFC4);
-inline constexpr ImU32 code_function = rgb(0xE9C77B), code_number = rgb(0xF2A68C);
+// name, dark, light
+#define WRINKLE_THEME_COLORS(X)           \
+    X(canvas, 0x15171B, 0xF1F2F4)         \
+    X(grid, 0x2C313A, 0xD3D7DC)           \
+    X(panel, 0x1D2025, 0xFAFBFC)          \
+    X(bar, 0x23272E, 0xE9EBEE)            \
+    X(node, 0x262A31, 0xFFFFFF)           \
+    X(header, 0x2F343D, 0xEBEEF2)         \
+    X(field, 0x16191D, 0xF3F5F7)          \
+    X(border, 0x363C46, 0xCBD0D7)         \
+    X(line, 0x606977, 0x848C98)           \
+    X(control, 0x7C8696, 0x757D89)        \
+    X(text, 0xE9ECF1, 0x1A1D21)           \
+    X(text_dim, 0xB0B8C4, 0x4F5761)       \
+    X(text_off, 0x77808D, 0x7D8591)       \
+    X(accent, 0x6FB3FF, 0x1A5DBC)         \
+    X(accent_fill, 0x2A68BD, 0x1F62BD)    \
+    X(accent_soft, 0x24405F, 0xD3E3F8)    \
+    X(warn, 0xF5B83D, 0x7F5200)           \
+    X(error, 0xFF8078, 0xB3261E)          \
+    X(ok, 0x5CC98B, 0x1B7040)             \
+    X(code, 0x181B20, 0xFAFBFC)           \
+    X(code_highlight, 0x1E3049, 0xE2ECFA) \
+    X(code_text, 0xD7DCE4, 0x22262B)      \
+    X(code_comment, 0x97A2B2, 0x5A636E)   \
+    X(code_keyword, 0x8FB8FF, 0x1F4FB8)   \
+    X(code_type, 0x6CCFC4, 0x00665E)      \
+    X(code_function, 0xE9C77B, 0x7A4E00)  \
+    X(code_number, 0xF2A68C, 0xA33A16)    \
+    X(on_accent, 0xFFFFFF, 0xFFFFFF)
+
+#define X(name, dark, light) inline ImU32 name = rgb(dark);
+WRINKLE_THEME_COLORS(X)
+#undef X
+inline ImU32 shadow = IM_COL32(0, 0, 0, 71);  // of cards and popups; none in the light theme
 
 ImU32 of(PortType type);
 
-void apply_style();  // to ImGui's own widgets
+void use(Theme theme);  // and ImGui's own widgets with it, where there is a context
+Theme used();
 
 }  // namespace wrinkle::editor::theme

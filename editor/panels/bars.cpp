@@ -1,52 +1,150 @@
-// Menu bar, toolbar and status bar.
-#include <cstdio>
+// Menu bar and toolbar, and the small things that all panels share.
+#include <algorithm>
+#include <cmath>
 
 #include "editor/commands/commands.h"
 #include "editor/look/draw.h"
+#include "editor/look/icons.h"
 #include "editor/look/theme.h"
 #include "editor/panels/panels.h"
-#include "editor/panels/questions.h"
 
 namespace wrinkle::editor {
 namespace {
 
+constexpr const char* menus[] = {"File", "Edit", "View", "Node", "Preview", "Bake", "Help"};
+constexpr float wordless = 1100;  // below this width buttons of the toolbar lose their words
+
+bool is_used(std::string_view menu) {
+    return std::any_of(commands().begin(), commands().end(),
+                       [&](const Command& command) { return command.menu == menu; });
+}
+
+// What a command does, its key, and why it cannot be run now.
+void explain(const State& state, const Command& command) {
+    if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
+    const std::string title(command.title), keys(command.keys), why(command.why_not(state));
+    ImGui::SetTooltip("%s%s%s%s%s", title.c_str(), keys.empty() ? "" : "   ", keys.c_str(),
+                      why.empty() ? "" : "\n", why.c_str());
+}
+
+void draw_menu_item(State& state, const Command& command) {
+    const bool enabled = command.enabled(state);
+    const std::string title = "     " + std::string(command.title), keys(command.keys);
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    ImGui::PushStyleColor(ImGuiCol_TextDisabled, theme::text_dim);
+    const bool chosen = ImGui::MenuItem(title.c_str(), keys.c_str(), false, enabled);
+    ImGui::PopStyleColor();
+    name_item(state, "menu:" + std::string(command.id));
+    const bool on = command.on && command.on(state);
+    const ImU32 color = enabled ? theme::text_dim : theme::text_off;
+    draw_icon(*ImGui::GetWindowDrawList(), on ? "check" : command.id, at + ImVec2(8, 8), color);
+    if (!enabled) explain(state, command);
+    if (chosen) command.run(state);
+}
+
 void draw_menu(State& state, const char* menu) {
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(8, 8));
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(10, 10));
     const bool open = ImGui::BeginMenu(menu);
     name_item(state, std::string("menu:") + menu);
-    if (!open) return;
-    for (const Command& command : commands()) {
-        if (command.menu != menu) continue;
-        const bool enabled = command.enabled(state);
-        const std::string title(command.title), keys(command.keys);
-        const bool chosen =
-            ImGui::MenuItem(title.c_str(), keys.c_str(), command.on && command.on(state), enabled);
-        name_item(state, "menu:" + std::string(command.id));
-        if (chosen) command.run(state);
+    if (open) {
+        for (const Command& command : commands())
+            if (command.menu == menu) draw_menu_item(state, command);
+        ImGui::EndMenu();
     }
-    if (std::string_view(menu) == "File") draw_recent_files(state);
-    ImGui::EndMenu();
+    ImGui::PopStyleVar(2);
 }
 
-void command_button(State& state, const char* id) {
-    const Command* command = find_command(id);
+// The field at the right of the menu bar: opens the list of commands.
+float draw_command_search(State& state) {
+    const Command* search = find_command("commands");
+    const float wide = ImGui::GetWindowSize().x < wordless ? 176.0F : 256.0F;
+    const float left = ImGui::GetWindowSize().x - wide - 8;
+    if (!search) return left;
+    ImGui::SetCursorPos({left, 3});
+    const ImVec2 low = ImGui::GetCursorScreenPos(), high = low + ImVec2(wide, 22);
+    const bool pressed = ImGui::InvisibleButton("search", high - low);
+    name_item(state, "search");
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.AddRectFilled(low, high, theme::field, 4);
+    list.AddRect(low, high, ImGui::IsItemHovered() ? theme::accent : theme::control, 4);
+    draw_icon(list, "find", low + ImVec2(15, 11), theme::text_dim);
+    ImFont* font = state.fonts.regular(14);
+    draw_text(list, font, 14, low + ImVec2(30, 4), theme::text_dim, "Search commands");
+    draw_text(list, font, 14, {high.x - 8, low.y + 4}, theme::text_dim, search->keys, true);
+    if (pressed) search->run(state);
+    return left;
+}
+
+void draw_title(const State& state, float from, float to) {
+    const std::string file = state.path.filename().string() + (state.dirty() ? ", edited" : "");
+    const std::string& name = state.document().name;
+    ImFont *bold = state.fonts.bold(16), *small = state.fonts.regular(14);
+    const float gap = name.empty() ? 0 : 10;
+    const float rest = text_width(small, 14, file) + gap;
+    const std::string shown = fitting(bold, 16, name, std::max(to - from - rest - 32, 40.0F));
+    const float whole = text_width(bold, 16, shown) + rest;
+    if (whole > to - from - 16) return;
+    const float middle = ImGui::GetWindowSize().x / 2;
+    const float x = std::clamp(middle - whole / 2, from + 8, to - whole - 8);
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    draw_text(list, bold, 16, {x, 6}, theme::text, shown);
+    draw_text(list, small, 14, {x + whole - rest + gap, 7}, theme::text_dim, file);
+}
+
+struct Tool {
+    const char* id;     // of a command; one that there is not is left out
+    const char* words;  // "": the icon alone
+    bool framed = false, primary = false;
+};
+
+float width_of(const State& state, const Tool& tool, const Command& command, bool words) {
+    float width = 28;
+    if (words && tool.words[0])
+        width += 8 + text_width(state.fonts.regular(16), 16, tool.words) + 4;
+    if (words && tool.framed && !tool.primary && !command.keys.empty())
+        width += 8 + text_width(state.fonts.regular(14), 14, command.keys);
+    return std::ceil(width);
+}
+
+void paint_tool(const State& state, const Tool& tool, const Command& command, bool words,
+                bool enabled) {
+    const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
+    const bool hovered = enabled && ImGui::IsItemHovered(), held = ImGui::IsItemActive();
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    if (tool.primary || hovered || held)
+        list.AddRectFilled(low, high,
+                           tool.primary || held ? theme::accent_fill : theme::accent_soft, 5);
+    if (tool.framed && !tool.primary) list.AddRect(low, high, theme::border, 5);
+    ImU32 color = tool.primary ? theme::on_accent : theme::text;
+    if (!enabled) color = theme::text_off;
+    draw_icon(list, tool.id, {low.x + 14, (low.y + high.y) / 2}, color);
+    if (!words || !tool.words[0]) return;
+    draw_text(list, state.fonts.regular(16), 16, low + ImVec2(28, 6), color, tool.words);
+    if (tool.framed && !tool.primary)
+        draw_text(list, state.fonts.regular(14), 14, {high.x - 10, low.y + 7}, theme::text_dim,
+                  command.keys, true);
+}
+
+void draw_tool(State& state, const Tool& tool, bool words) {
+    const Command* command = find_command(tool.id);
+    if (!command) return;
     const bool enabled = command->enabled(state);
+    const ImVec2 size(width_of(state, tool, *command, words), 28);
     ImGui::BeginDisabled(!enabled);
-    const std::string title(command->title);
-    const bool pressed = button(state, title.c_str(), std::string("tool:") + id);
+    const bool pressed = ImGui::InvisibleButton(tool.id, size);
     ImGui::EndDisabled();
-    if (ImGui::IsItemHovered() && !command->keys.empty())
-        ImGui::SetTooltip("%s  %s", title.c_str(), std::string(command->keys).c_str());
+    name_item(state, std::string("tool:") + tool.id);
+    paint_tool(state, tool, *command, words, enabled);
+    explain(state, *command);
     if (pressed) command->run(state);
-    ImGui::SameLine();
+    ImGui::SameLine(0, 4);
 }
 
-std::string compile_result(const State& state) {
-    const Diagnostics& problems = state.built.problems;
-    if (problems.has_errors() || !state.built.uniform)
-        return counted(problems.error_count(), "error");
-    char text[64];
-    std::snprintf(text, sizeof text, "Compiled in %.1f ms", state.built.milliseconds);
-    return text;
+void draw_divider() {
+    const ImVec2 at = ImGui::GetCursorScreenPos() + ImVec2(4, 4);
+    ImGui::GetWindowDrawList()->AddLine(at, at + ImVec2(0, 20), theme::border);
+    ImGui::SetCursorPosX(ImGui::GetCursorPosX() + 9);
 }
 
 }  // namespace
@@ -57,7 +155,10 @@ void name_item(State& state, const std::string& target) {
 }
 
 std::string counted(size_t number, const char* what) {
-    return std::to_string(number) + " " + what + (number == 1 ? "" : "s");
+    std::string digits = std::to_string(number);
+    for (size_t i = digits.size(); i > 3; i -= 3)
+        digits.insert(i - 3, ",");
+    return digits + " " + what + (number == 1 ? "" : "s");
 }
 
 bool button(State& state, const char* label, const std::string& target, bool chosen, ImVec2 size) {
@@ -72,54 +173,54 @@ bool button(State& state, const char* label, const std::string& target, bool cho
 }
 
 void draw_menu_bar(State& state) {
-    ImGui::SetCursorPos({8, 2});
+    ImGui::SetCursorPos({4, 2});
     ImGui::PushStyleVar(ImGuiStyleVar_FrameBorderSize, 0);
-    ImGui::BeginChild("##bar", {0, 0}, false, ImGuiWindowFlags_MenuBar);
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(8, 8));
+    ImGui::PushStyleColor(ImGuiCol_Border, theme::line);
+    ImGui::BeginChild("##bar", {ImGui::GetWindowSize().x - 272, 0}, false,
+                      ImGuiWindowFlags_MenuBar | ImGuiWindowFlags_NoScrollbar);
+    float end = 0;
     if (ImGui::BeginMenuBar()) {
-        for (const char* menu : {"File", "Edit", "View", "Node", "Preview"})
-            draw_menu(state, menu);
+        for (const char* menu : menus)
+            if (is_used(menu)) draw_menu(state, menu);
+        end = ImGui::GetCursorPosX();
         ImGui::EndMenuBar();
     }
-    ImGui::PopStyleVar();
     ImGui::EndChild();
+    ImGui::PopStyleColor();
     ImGui::PopStyleVar();
-    const std::string file = state.file_name() + (state.dirty() ? ", edited" : "");
-    const std::string& name = state.document().name;
-    const Fonts& fonts = state.fonts;
-    ImDrawList& list = *ImGui::GetWindowDrawList();
-    const float name_width = text_width(fonts.bold(16), 16, name);
-    const float whole = name_width + 10 + text_width(fonts.regular(14), 14, file);
-    const float x = ImGui::GetIO().DisplaySize.x / 2 - whole / 2;
-    draw_text(list, fonts.bold(16), 16, {x, 6}, theme::text, name);
-    draw_text(list, fonts.regular(14), 14, {x + name_width + 10, 7}, theme::text_dim, file);
+    const float search = draw_command_search(state);
+    draw_title(state, end + 8, search);
 }
 
 void draw_toolbar(State& state) {
-    for (const char* id :
-         {"undo", "redo", "add-node", "tidy", "mute", "delete", "fit", "commands", "save"})
-        command_button(state, id);
+    constexpr Tool left[] = {{"undo", ""}, {"redo", ""}};
+    constexpr Tool edits[] = {{"add-node", "Add node", true},
+                              {"align-left", "Align"},
+                              {"tidy", "Tidy"},
+                              {"mute", "Mute"},
+                              {"preview-node", "Preview node"},
+                              {"delete", "Delete"}};
+    constexpr Tool looks[] = {{"find", "Find in graph"}, {"fit", "Show all"}, {"save", "Save"}};
+    constexpr Tool right[] = {{"export-glsl", "Export GLSL", true},
+                              {"bake", "Bake maps...", true, true}};
+    const float whole = ImGui::GetWindowSize().x;
+    const bool words = whole >= wordless;
+    for (const Tool& tool : left)
+        draw_tool(state, tool, words);
+    draw_divider();
+    for (const Tool& tool : edits)
+        draw_tool(state, tool, words);
+    draw_divider();
+    for (const Tool& tool : looks)
+        draw_tool(state, tool, words);
+    float x = whole - 8;
+    for (const Tool& tool : right)
+        if (const Command* command = find_command(tool.id))
+            x -= width_of(state, tool, *command, words) + 8;
+    ImGui::SetCursorPosX(std::max(x, ImGui::GetCursorPosX()));
+    for (const Tool& tool : right)
+        draw_tool(state, tool, words);
     ImGui::NewLine();
-}
-
-void draw_status_bar(State& state) {
-    ImDrawList& list = *ImGui::GetWindowDrawList();
-    ImFont* font = state.fonts.regular(14);
-    const ImVec2 size = ImGui::GetWindowSize();
-    const ImVec2 at = ImGui::GetWindowPos() + ImVec2(12, 5);
-    const bool failed = state.built.problems.has_errors() || !state.built.uniform;
-    const std::string result = compile_result(state);
-    draw_text(list, font, 14, at, failed ? theme::error : theme::ok, result);
-    const float x = at.x + text_width(font, 14, result) + 24;
-    char right[96];
-    std::snprintf(right, sizeof right, "%s, %s  %.0f %%",
-                  counted(state.document().nodes.size(), "node").c_str(),
-                  counted(state.layout.wires.size(), "wire").c_str(),
-                  static_cast<double>(state.view.zoom) * 100);
-    const float right_width = text_width(font, 14, right);
-    draw_text(list, font, 14, {size.x - 12 - right_width, at.y}, theme::text_dim, right);
-    draw_text(list, font, 14, {x, at.y}, theme::text_dim,
-              fitting(font, 14, state.status, size.x - right_width - x - 40));
 }
 
 }  // namespace wrinkle::editor

@@ -35,9 +35,10 @@ ImU32 color_of(Token token) {
 }
 
 void draw_line(ImDrawList& list, ImFont* font, ImVec2 at, std::string_view line) {
-    const float advance = font->GetCharAdvance('m');
+    const float advance = font->GetCharAdvance('m') * font->Scale;
     for (const Piece& piece : pieces_of(line))
-        list.AddText(font, font->FontSize, {at.x + advance * static_cast<float>(piece.begin), at.y},
+        list.AddText(font, font->FontSize * font->Scale,
+                     {at.x + advance * static_cast<float>(piece.begin), at.y},
                      color_of(piece.token), line.data() + piece.begin, line.data() + piece.end);
 }
 

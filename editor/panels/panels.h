@@ -8,6 +8,7 @@ namespace wrinkle::editor {
 void draw_menu_bar(State& state);
 void draw_toolbar(State& state);
 void draw_status_bar(State& state);
+void draw_overlays(State& state);
 void draw_preview(State& state);
 void draw_code(State& state);
 void draw_problems(State& state);

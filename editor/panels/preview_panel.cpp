@@ -74,9 +74,11 @@ void draw_preview(State& state) {
     list.AddRectFilled(at, at + size, theme::rgb(0x282A2D));
     Diagnostics drawing;
     uint32_t picture = 0;
+    const ImVec2 pixels = ImGui::GetIO().DisplayFramebufferScale;
     if (state.preview)
-        picture = state.preview->picture(state.view.preview_view, static_cast<int>(size.x),
-                                         static_cast<int>(size.y), drawing);
+        picture =
+            state.preview->picture(state.view.preview_view, static_cast<int>(size.x * pixels.x),
+                                   static_cast<int>(size.y * pixels.y), drawing);
     if (picture)
         list.AddImage(reinterpret_cast<ImTextureID>(static_cast<intptr_t>(picture)), at, at + size,
                       {0, 1}, {1, 0});

@@ -167,7 +167,7 @@ int main() {
     io.DisplaySize = {1920, 1080};
     io.DeltaTime = 1.0F / 60;
     io.BackendFlags |= ImGuiBackendFlags_RendererHasVtxOffset;
-    theme::apply_style();
+    theme::use(Theme::dark);
     Fonts fonts;
     std::printf("milliseconds; fonts %.1f\n", timed([&] { fonts.load(); }));
     wrinkle::Registry registry;

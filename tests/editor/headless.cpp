@@ -47,15 +47,15 @@ Registry make_registry() {
 }
 
 // One context for all tests: baking fonts is the slow part.
-const Fonts& context() {
-    static const Fonts fonts = [] {
+Fonts& context() {
+    static Fonts fonts = [] {
         ImGui::CreateContext();
         ImGuiIO& io = ImGui::GetIO();
         io.IniFilename = nullptr;
-        io.MouseDoubleClickTime = 0.06F;  // of three frames
+        io.MouseDoubleClickTime = 0.06F;                            // of three frames
         io.BackendFlags |= ImGuiBackendFlags_RendererHasVtxOffset;  // as that of the window
         map_keys(io);
-        theme::apply_style();
+        theme::use(Theme::dark);
         Fonts loaded;
         loaded.load();
         return loaded;
@@ -110,7 +110,6 @@ void expect_golden(const std::string& name, const std::string& text) {
 Headless::Headless() {
     state.fonts = context();
     state.registry = &built_in_registry();
-    state.keeping.folders = folders_below(home.path());
     ImGuiIO& io = ImGui::GetIO();
     io.DisplaySize = {1600, 900};
     io.DeltaTime = 1.0F / 60;
@@ -119,6 +118,12 @@ Headless::Headless() {
         ImGui::NewFrame();
         ImGui::EndFrame();
     }
+}
+
+Headless::~Headless() {
+    theme::use(Theme::dark);
+    ImGui::GetIO().DisplayFramebufferScale = {1, 1};
+    if (state.fonts.generation() != context().generation()) context().load();
 }
 
 std::string Headless::texture(const std::string& name) const {
@@ -136,7 +141,13 @@ void Headless::open(const std::string& graph) {
 }
 
 void Headless::frame() {
-    queue.apply(ImGui::GetIO());
+    ImGuiIO& io = ImGui::GetIO();
+    apply_look(state.look, state.fonts);
+    if (const float scale = state.look.scale; scale != io.DisplayFramebufferScale.x) {
+        io.DisplaySize = {1600 / scale, 900 / scale};
+        io.DisplayFramebufferScale = {scale, scale};
+    }
+    queue.apply(io);
     state.dropped.arrived = queue.take_drops();
     ImGui::NewFrame();
     draw_ui(state);

@@ -39,6 +39,7 @@ void expect_golden(const std::string& name, const std::string& text);
 class Headless : public ::testing::Test {
 protected:
     Headless();
+    ~Headless() override;
     void open(const std::string& graph);
     // Copies a picture of graphs/textures into the folder's textures/.
     std::string texture(const std::string& name) const;
@@ -46,7 +47,7 @@ protected:
     // Plays a script to its end; a step that goes wrong fails the test.
     void play(const std::string& script);
 
-    TemporaryFolder folder, home;
+    TemporaryFolder folder;
     std::filesystem::path file;
     State state;
     InputQueue queue;

@@ -140,7 +140,7 @@ TEST_F(Headless, EveryLineLeadsToTheNodeThatItsTextNames) {
 TEST_F(Headless, AClickOnALineSelectsItsNodeAndHoveringMarksIt) {
     open(small_graph);
     ImGui::GetIO().DisplaySize.y = 5000;
-    state.view.preview = 0.15F;
+    state.panes.preview = 0.15F;
     frame();
     frame();
     for (size_t i = 0; i < state.code.text.starts.size(); ++i) {
@@ -155,7 +155,7 @@ TEST_F(Headless, AClickOnALineSelectsItsNodeAndHoveringMarksIt) {
 
 TEST_F(Headless, TheFormIsChosenAndTheTextCopied) {
     open(small_graph);
-    state.view.side = 0.4F;  // there is room for the choices
+    state.panes.side = 0.4F;  // there is room for the choices
     frame();
     frame();
     play(R"(
