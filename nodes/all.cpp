@@ -60,7 +60,7 @@
     X(compare_bump_over_normal) X(compare_normal_strength) \
     /* comparison_surface.cpp */ \
     X(compare_perlin) X(compare_weighted_normals) X(compare_blender_strength) \
-    X(compare_engine_basis) X(compare_screen_height)
+    X(compare_engine_basis) X(compare_bump_blend) X(compare_screen_height)
 // clang-format on
 
 namespace wrinkle {

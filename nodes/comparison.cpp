@@ -2,6 +2,7 @@
 // result and the sum, over all pairs of normals tilted up to 45 degrees. Sources: C.
 // Barre-Brisebois and S. Hill, "Blending in Detail" (2012); the node libraries of Babylon.js,
 // MaterialX, three.js and Unity.
+#include "nodes/blend.h"
 #include "wrinkle/node.h"
 
 namespace wrinkle::nodes {
@@ -22,7 +23,7 @@ Node compare_linear_node =
     blend("compare_linear", "Wrong: linear blend",
           "The average of two normals. Wrong: each halves the other, and a flat layer flattens. "
           "14.3 degrees off on average.")
-        .body([](vec3 a, vec3 b) { return normalize(a + b); });
+        .body([](vec3 a, vec3 b) { return linear_blend(a, b); });
 
 // Of colours, within [-1, 1].
 static Float overlaid(Float a, Float b) {
@@ -47,30 +48,25 @@ Node compare_whiteout_node =
     blend("compare_whiteout", "Wrong: whiteout blend",
           "Adds x and y, multiplies z. Wrong: steep slopes are exaggerated, and grouping of three "
           "layers matters. 2.1 degrees off on average.")
-        .body([](vec3 a, vec3 b) { return normalize(vec3(a.xy() + b.xy(), a.z() * b.z())); });
+        .body([](vec3 a, vec3 b) { return whiteout_blend(a, b); });
 
 Node compare_udn_node =
     blend("compare_udn", "Wrong: UDN blend",
           "Adds x and y, keeps the z of the base. Wrong: the detail grows on a steep base, and "
           "fades on a flat one. 2.0 degrees off on average.")
-        .body([](vec3 a, vec3 b) { return normalize(vec3(a.xy() + b.xy(), a.z())); });
+        .body([](vec3 a, vec3 b) { return udn_blend(a, b); });
 
 Node compare_partial_derivative_node =
     blend("compare_partial_derivative", "Partial derivative blend",
           "Adds the slopes of two tangent-space normals. Right, and the same as gradient_add, but "
           "only for two maps on one uv set.")
-        .body([](vec3 a, vec3 b) {
-            return normalize(vec3(a.xy() * b.z() + b.xy() * a.z(), a.z() * b.z()));
-        });
+        .body([](vec3 a, vec3 b) { return partial_derivative_blend(a, b); });
 
 Node compare_rnm_node =
     blend("compare_rnm", "Other meaning: reoriented normal mapping",
           "Turns the detail by the rotation from z to the base. Another meaning, not a sum: the "
           "order matters, and slopes do not add. 3.1 degrees off on average, 25 at worst.")
-        .body([](vec3 a, vec3 b) {
-            const vec3 t = a + vec3(0, 0, 1), u = b * vec3(-1, -1, 1);
-            return normalize(t * divide(dot(t, u), t.z()) - u);
-        });
+        .body([](vec3 a, vec3 b) { return rnm_blend(a, b); });
 
 Node compare_unity_node =
     blend("compare_unity", "Wrong: Unity basis blend",

@@ -1,4 +1,5 @@
 // What others do to a normal on a surface. Each node says what is wrong with it.
+#include "nodes/blend.h"
 #include "wrinkle/node.h"
 
 namespace wrinkle::nodes {
@@ -63,6 +64,47 @@ Node compare_engine_basis_node =
             const vec3 bitangent = normalize(py * ux.x() - px * uy.x());
             const vec3 normal = surface::normal;
             return normalize(tangent * m.x() + bitangent * m.y() + normal * m.z());
+        });
+
+enum class BumpBlend { udn, whiteout, rnm, linear, partial_derivative };
+
+static vec3 blended(vec3 a, vec3 b, BumpBlend blend) {
+    switch (blend) {
+        case BumpBlend::udn:
+            return udn_blend(a, b);
+        case BumpBlend::whiteout:
+            return whiteout_blend(a, b);
+        case BumpBlend::rnm:
+            return rnm_blend(a, b);
+        case BumpBlend::linear:
+            return linear_blend(a, b);
+        case BumpBlend::partial_derivative:
+            break;
+    }
+    return partial_derivative_blend(a, b);
+}
+
+Node compare_bump_blend_node =
+    node("compare_bump_blend", "Wrong: bumps blended as normals",
+         "What a blend of detail maps makes of two bumps: both as tangent-space normals of uv0. "
+         "Wrong as the blends are; in the place of an Add bumps it shows by how much. "
+         "partial_derivative is right.")
+        .family("comparison")
+        .in<Gradient>("a", "The coarse bump")
+        .in<Gradient>("b", "The fine bump")
+        .choice("blend", {"udn", "whiteout", "rnm", "linear", "partial_derivative"},
+                "Which of the nodes with these names")
+        .out<Gradient>("gradient", "The bump of the blended normal")
+        .body([](Gradient a, Gradient b, BumpBlend blend) {
+            const Frame basis = frame(surface::uv0, Scale::unit);
+            const vec3 along_u = Gradient(Derivative(vec2(1, 0), basis)).vector();
+            const vec3 along_v = Gradient(Derivative(vec2(0, 1), basis)).vector();
+            const auto tangent_normal = [&](Gradient g) {
+                const vec3 slope = g.vector();
+                return normalize(vec3(-dot(along_u, slope), -dot(along_v, slope), 1));
+            };
+            const vec3 n = blended(tangent_normal(a), tangent_normal(b), blend);
+            return Gradient(normal_derivative(n, 1, basis));
         });
 
 enum class PixelAxes { lengths, unit };

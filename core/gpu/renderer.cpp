@@ -23,11 +23,11 @@
 namespace wrinkle::gpu {
 namespace {
 
-constexpr std::array<std::string_view, 2> lightings{"ggx", "phong"};
-constexpr std::array<std::string_view, 6> names{"shaded", "normal", "gradient",
-                                                "height", "uv",     "difference"};
-
-using ProgramKey = std::pair<View, std::string>;  // the string is `against`
+struct ProgramKey {
+    View view = View::shaded;
+    std::string normal = "normal", against = {};
+    friend auto operator<=>(const ProgramKey&, const ProgramKey&) = default;
+};
 using Programs = std::map<ProgramKey, Program>;
 
 std::string in_quotes(std::string_view text) {
@@ -48,6 +48,8 @@ void set_view_uniforms(const Program& program, const Scene& scene, const ViewOpt
     program.set("WrView_to_light", glm::normalize(scene.to_light));
     program.set("WrView_light", scene.light);
     program.set("WrView_environment", scene.environment);
+    program.set("WrView_environment_turn",
+                glm::vec2(std::cos(scene.environment_turn), std::sin(scene.environment_turn)));
     program.set("WrView_exposure", scene.exposure);
     const Phong& phong = scene.phong;
     program.set("WrView_phong",
@@ -75,6 +77,20 @@ void set_raster_state(bool mirrored) {
     glFrontFace(mirrored ? GL_CW : GL_CCW);
 }
 
+// Edges in front of the triangles they belong to.
+void set_edges(bool on) {
+    glPolygonMode(GL_FRONT_AND_BACK, on ? GL_LINE : GL_FILL);
+    glPolygonOffset(-1, -1);
+    (on ? glEnable : glDisable)(GL_POLYGON_OFFSET_LINE);
+}
+
+// The same text, read as if another output were the normal.
+Material with_normal(Material material, const OutputFunction& normal) {
+    std::erase_if(material.outputs, [](const OutputFunction& o) { return o.output == "normal"; });
+    material.outputs.push_back({"normal", normal.function, normal.type});
+    return material;
+}
+
 std::optional<Program> compile(const Material& material, View view, const OutputFunction* against,
                                const Shading& shading, Diagnostics& diagnostics) {
     const ShaderText text = wrap_material(material, view, against, shading);
@@ -97,20 +113,6 @@ bool check_members(const Material& material, Diagnostics& diagnostics) {
 
 }  // namespace
 
-std::span<const std::string_view> lighting_names() {
-    return lightings;
-}
-
-std::span<const std::string_view> view_names() {
-    return names;
-}
-
-std::optional<View> view_named(std::string_view name) {
-    const auto* found = std::find(names.begin(), names.end(), name);
-    if (found == names.end()) return std::nullopt;
-    return static_cast<View>(found - names.begin());
-}
-
 struct KeptImage {
     Texture texture;
     bool is_file;        // read by us, so it can be read again
@@ -126,6 +128,7 @@ struct Renderer::State {
     std::optional<EnvironmentTexture> environment;
     std::optional<Backdrop> backdrop;
     Shading wanted, shading;  // of the next material, and of the one in use
+    uint64_t linked = 0;
 
     bool bring_up_images(const Material& material, Diagnostics& diagnostics);
     bool upload(const std::string& file, const MipChain& chain, bool is_file,
@@ -176,19 +179,24 @@ bool Renderer::State::bring_up_images(const Material& material, Diagnostics& dia
 
 const Program* Renderer::State::program_for(const ViewOptions& options, Diagnostics& diagnostics) {
     const std::string against = options.view == View::difference ? options.against : "";
-    const ProgramKey key(options.view, against);
+    const ProgramKey key{options.view, options.normal, against};
     if (const auto found = programs.find(key); found != programs.end()) return &found->second;
     const OutputFunction* other = find_output(*material, against);
-    if (!against.empty() && !other) {
-        diagnostics.error("the graph has no output " + in_quotes(against) + " to compare with");
-        return nullptr;
-    }
+    const OutputFunction* normal = find_output(*material, options.normal);
+    for (const std::string& name : {against, options.normal})
+        if (!name.empty() && name != "normal" && !find_output(*material, name)) {
+            diagnostics.error("the graph has no output " + in_quotes(name) + " to compare with");
+            return nullptr;
+        }
     if (options.view == View::height && !find_output(*material, "height")) {
         diagnostics.error("the graph has no output 'height' to show", "an output named 'height'");
         return nullptr;
     }
-    std::optional<Program> program = compile(*material, options.view, other, shading, diagnostics);
+    const bool usual = !normal || options.normal == "normal";
+    std::optional<Program> program = compile(usual ? *material : with_normal(*material, *normal),
+                                             options.view, other, shading, diagnostics);
     if (!program) return nullptr;
+    ++linked;
     return &programs.emplace(key, std::move(*program)).first->second;
 }
 
@@ -247,6 +255,14 @@ void Renderer::set_environment(const Image& picture) {
     state_->wanted.environment = true;
 }
 
+void Renderer::forget_environment() {
+    state_->wanted.environment = false;
+}
+
+uint64_t Renderer::programs_linked() const {
+    return state_->linked;
+}
+
 bool Renderer::set_material(const Material& material, Diagnostics& diagnostics) {
     if (!check_members(material, diagnostics)) return false;
     if (!state_->bring_up_images(material, diagnostics)) return false;
@@ -255,9 +271,10 @@ bool Renderer::set_material(const Material& material, Diagnostics& diagnostics) 
         std::optional<Program> shaded =
             compile(material, View::shaded, nullptr, state_->wanted, diagnostics);
         if (!shaded) return false;
+        ++state_->linked;
         state_->shading = state_->wanted;
         state_->programs.clear();
-        state_->programs.emplace(ProgramKey(View::shaded, ""), std::move(*shaded));
+        state_->programs.emplace(ProgramKey{}, std::move(*shaded));
     }
     state_->material = material;
     state_->lookups.clear();
@@ -334,7 +351,14 @@ bool Renderer::draw(const Scene& scene, const ViewOptions& options, const Target
     program->use();
     set_view_uniforms(*program, scene, shown, *space);
     set_raster_state(space->mirrored);
+    program->set("WrView_edges", 0.0F);
     state_->draw_mesh(*program);
+    if (options.view == View::wireframe) {
+        program->set("WrView_edges", 1.0F);
+        set_edges(true);
+        state_->draw_mesh(*program);
+        set_edges(false);
+    }
     target.resolve();
     return true;
 }

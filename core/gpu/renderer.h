@@ -15,8 +15,9 @@
 //   height      The output `height`; refused where there is none. Gray over height_range.
 //   uv          (u, v, 0) of uv0. Shown as its fraction.
 //   difference  Angle in degrees between the normal and the un-bumped one, or that of the output
-//               `against`. Heat map: black, blue, green, yellow, red at 0, 1/4, 1/2, 3/4, 1 of
-//               heat_degrees.
+//               `against`. Heat map: ten colors of cividis (Nunez, Anderton and Renslow 2018), even
+//               steps from dark blue at 0 to yellow at heat_degrees and beyond.
+//   wireframe   0 on triangles, 1 on their edges. Shown gray, lit from the eye, and light.
 //
 // Alpha of raw values is 1 on the mesh and 0 beside it; colors are opaque, with the background.
 //
@@ -47,7 +48,7 @@
 
 namespace wrinkle::gpu {
 
-enum class View : uint8_t { shaded, normal, gradient, height, uv, difference };
+enum class View : uint8_t { shaded, normal, gradient, height, uv, difference, wireframe };
 
 std::span<const std::string_view> view_names();  // in the order of the enumerators
 std::optional<View> view_named(std::string_view name);
@@ -74,6 +75,7 @@ struct Scene {
     glm::vec3 to_light{-0.5F, 0.7F, 0.6F};  // world space, any length
     float light = 0.85F;                    // irradiance of a surface that faces it, over pi
     float environment = 1;                  // factor on sky and ground
+    float environment_turn = 0;             // of a picture round +y, radians; from +z towards +x
     float exposure = 1;
     Phong phong;
     bool surroundings = false;  // the picture of set_environment() behind the shaded view
@@ -82,6 +84,7 @@ struct Scene {
 
 struct ViewOptions {
     View view = View::shaded;
+    std::string normal = "normal";  // the output that is taken for the normal
     std::string against;  // for difference: an output with a normal; "" is the un-bumped surface
     float heat_degrees = 45;
     glm::vec2 height_range{0, 0};  // black to white; two equal values: the range that is seen
@@ -106,12 +109,14 @@ public:
     // How the shaded view is lit; takes effect with the next set_material. Compiles nothing.
     void set_lighting(Lighting lighting);
     void set_environment(const Image& picture);
+    void forget_environment();  // sky and ground again
 
     // Compiles the shaded view and brings up the images; on failure the former material stays. A
     // material that differs in samplers and uniforms only compiles nothing.
     bool set_material(const Material& material, Diagnostics& diagnostics);
     // A value of the material in use; false when it has no such uniform.
     bool set_uniform(std::string_view name, std::span<const float> value);
+    uint64_t programs_linked() const;  // ever, by this renderer
 
     // Keeps pixels under a name that samplers may give as their file; other files are read when a
     // material first needs them. forget_images() makes the next set_material read those anew.

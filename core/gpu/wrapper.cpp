@@ -115,13 +115,21 @@ vec3 WrView_mirrored(vec3 direction, float roughness) {
 
 constexpr std::string_view surroundings_text = R"(
 uniform samplerCube WrView_surroundings;
+uniform vec2 WrView_environment_turn;  // cosine and sine
+
+vec3 WrView_around(vec3 direction, float level) {
+    float c = WrView_environment_turn.x, s = WrView_environment_turn.y;
+    vec3 turned = vec3(c * direction.x - s * direction.z, direction.y,
+                       s * direction.x + c * direction.z);
+    return textureLod(WrView_surroundings, turned, level).rgb;
+}
 
 vec3 WrView_irradiance(vec3 n) {
-    return textureLod(WrView_surroundings, n, 5.0).rgb;
+    return WrView_around(n, 5.0);
 }
 
 vec3 WrView_mirrored(vec3 direction, float roughness) {
-    return textureLod(WrView_surroundings, direction, 4.0 * roughness).rgb;
+    return WrView_around(direction, 4.0 * roughness);
 }
 )";
 
@@ -167,8 +175,13 @@ float WrView_angle(vec3 a, vec3 b) {
 }
 
 vec3 WrView_heat(float angle) {
-    float t = 4.0 * clamp(angle / WrView_heat_degrees, 0.0, 1.0);
-    return clamp(vec3(t - 2.0, t < 2.0 ? t - 1.0 : 4.0 - t, t < 1.0 ? t : 2.0 - t), 0.0, 1.0);
+    const vec3 colors[10] = vec3[10](
+        vec3(0, 34, 78), vec3(18, 53, 112), vec3(59, 73, 108), vec3(87, 93, 109),
+        vec3(112, 113, 115), vec3(138, 134, 120), vec3(165, 156, 116), vec3(195, 179, 105),
+        vec3(225, 204, 85), vec3(254, 232, 56));
+    float t = 9.0 * clamp(angle / WrView_heat_degrees, 0.0, 1.0);
+    int step = min(int(t), 8);
+    return mix(colors[step], colors[step + 1], t - float(step)) / 255.0;
 }
 )";
 
@@ -258,6 +271,13 @@ std::string difference_body(const Material& material, const OutputFunction* agai
 )";
 }
 
+std::string wireframe_body() {
+    return R"(    vec3 to_eye = normalize(WrView_to_eye);
+    vec3 value = vec3(WrView_edges);
+    vec3 shown = mix(vec3(0.12 + 0.2 * abs(dot(surface, to_eye))), vec3(0.75), WrView_edges);
+)";
+}
+
 std::string shading_of(const Shading& shading) {
     std::string text = std::string(shading_text).append(curve_text);
     if (shading.lighting == Lighting::phong) return text.append(phong_text);
@@ -272,6 +292,8 @@ std::string helpers_of(View view, const Shading& shading) {
             return "uniform vec2 WrView_height_range;\n";
         case View::difference:
             return std::string(difference_text);
+        case View::wireframe:
+            return "uniform float WrView_edges;\n";
         default:
             return "";
     }
@@ -291,6 +313,8 @@ std::string body_of(const Material& material, View view, const OutputFunction* a
             return uv_body();
         case View::difference:
             return difference_body(material, against);
+        case View::wireframe:
+            return wireframe_body();
     }
     return {};
 }

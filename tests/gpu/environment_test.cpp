@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "fixture.h"
 
@@ -166,6 +167,23 @@ TEST_F(LightingTest, TheSurroundingsStandBehindTheObject) {
         ++checked;
     }
     EXPECT_GT(checked, 500U);
+}
+
+TEST_F(LightingTest, SurroundingsTurnRoundTheUpAxis) {
+    scene.light = 0;
+    const auto look = [](dvec3 d) { return vec3(d) * 0.5F + 0.5F; };
+    renderer->set_environment(surroundings(look, 128));
+    scene.environment_turn = std::numbers::pi_v<float> / 2;
+    const auto turned = draw(constants("vec3(1.0)", "0.0", "1.0"), View::shaded);
+    scene.environment_turn = 0;
+    // What was at +z is at +x now, what was at +x at -z.
+    renderer->set_environment(surroundings([&](dvec3 d) { return look({-d.z, d.y, d.x}); }, 128));
+    const auto expected = draw(constants("vec3(1.0)", "0.0", "1.0"), View::shaded);
+    for (size_t i = 0; i < turned.size(); ++i)
+        ASSERT_LT(glm::length(turned[i].value - expected[i].value), 0.05F) << i;
+    renderer->forget_environment();
+    const auto sky = draw(constants("vec3(1.0)", "0.0", "1.0"), View::shaded);
+    EXPECT_GT(glm::length(sky[32 * 64 + 32].value - expected[32 * 64 + 32].value), 0.1F);
 }
 
 TEST_F(LightingTest, AWhiteSurfaceTakesTheIrradiance) {

@@ -155,11 +155,11 @@ TEST_F(MaterialTest, RefusesPicturesWithoutPixelsOrTooLarge) {
 }
 
 TEST(Views, HaveNames) {
-    ASSERT_EQ(view_names().size(), 6U);
+    ASSERT_EQ(view_names().size(), 7U);
     for (std::string_view name : view_names())
         EXPECT_EQ(view_names()[static_cast<size_t>(*view_named(name))], name);
     EXPECT_EQ(view_named("difference"), View::difference);
-    EXPECT_FALSE(view_named("wireframe"));
+    EXPECT_FALSE(view_named("outline"));
 }
 
 }  // namespace

@@ -126,13 +126,18 @@ TEST_F(ViewTest, MakesColorsAsTheHeaderSays) {
     EXPECT_TRUE(bright) << "the shoulder was not reached";
 }
 
-TEST_F(ViewTest, HeatMapRunsFromBlackToRed) {
+TEST_F(ViewTest, HeatMapRunsFromDarkBlueToYellow) {
     const auto shown = Target::make({size, size}, diagnostics);
     ASSERT_TRUE(renderer->set_material(tilted(), diagnostics)) << errors();
     const float angle = std::atan(0.3F) * 180 / std::numbers::pi_v<float>;
-    const std::vector<std::pair<float, vec3>> cases{
-        {4, {0, 0, 1}}, {2, {0, 1, 0}}, {4 / 3.0F, {1, 1, 0}}, {1, {1, 0, 0}}, {0.1F, {1, 0, 0}}};
-    for (const auto& [factor, expected] : cases) {
+    // #123570 and #C3B369 of the published table, half way between #707173 and #8A8678, its end.
+    const std::vector<std::pair<float, vec3>> cases{{9, {18, 53, 112}},
+                                                    {9 / 7.0F, {195, 179, 105}},
+                                                    {2, {125, 123.5, 117.5}},
+                                                    {1, {254, 232, 56}},
+                                                    {0.1F, {254, 232, 56}}};
+    for (const auto& [factor, bytes] : cases) {
+        const vec3 expected = bytes / 255.0F;
         ViewOptions options;
         options.view = View::difference;
         options.heat_degrees = angle * factor;
@@ -141,6 +146,43 @@ TEST_F(ViewTest, HeatMapRunsFromBlackToRed) {
         const float* middle = pixels.data() + 4 * (32 * 64 + 32);
         EXPECT_LT(glm::distance(vec3(middle[0], middle[1], middle[2]), expected), 0.02F) << factor;
     }
+}
+
+TEST_F(ViewTest, WireframeShowsEdgesOnTriangles) {
+    Mesh mesh = *make_shape("plane");
+    mesh.indices = {0, 1, static_cast<uint32_t>(mesh.vertex_count() - 1)};
+    renderer->set_mesh(mesh);
+    size_t edges = 0, faces = 0;
+    for (const auto& pixel : draw(Material{}, View::wireframe)) {
+        if (!pixel.covered) continue;
+        EXPECT_TRUE(pixel.value.r == 0 || pixel.value.r == 1) << pixel.value.r;
+        (pixel.value.r > 0 ? edges : faces) += 1;
+    }
+    EXPECT_GT(edges, 50U);
+    EXPECT_GT(faces, 50U);
+    EXPECT_GE(covered(draw(Material{}, View::uv)), faces) << "the next view fills no triangles";
+}
+
+TEST_F(ViewTest, AnotherOutputStandsForTheNormal) {
+    Material two = tilted();
+    two.outputs.push_back({"other", "wrinkle_test_flat", "vec3"});
+    const auto flat = draw(tilted(), View::difference);
+    ViewOptions options;
+    options.view = View::difference;
+    options.normal = "other";
+    options.raw = true;
+    const auto numbers = Target::make({size, size, PixelFormat::rgba32f}, diagnostics);
+    ASSERT_TRUE(renderer->set_material(two, diagnostics)) << errors();
+    const uint64_t linked = renderer->programs_linked();
+    ASSERT_TRUE(renderer->draw(scene, options, *numbers, diagnostics)) << errors();
+    ASSERT_TRUE(renderer->draw(scene, options, *numbers, diagnostics)) << errors();
+    EXPECT_EQ(renderer->programs_linked(), linked + 1);
+    const std::vector<float> pixels = numbers->read();
+    const size_t middle = 32 * 64 + 32;
+    EXPECT_GT(flat[middle].value.r, 10) << "this material's own normal is tilted";
+    EXPECT_LT(pixels[4 * middle], 0.01F);
+    options.normal = "missing";
+    EXPECT_FALSE(renderer->draw(scene, options, *numbers, diagnostics));
 }
 
 }  // namespace
