@@ -17,7 +17,7 @@ namespace {
 
 struct Arguments {
     std::string file = "untitled.json";
-    std::string script, shot;
+    std::string script, shot, timings;
     std::vector<std::string> plugin_paths;
     std::vector<int> size = {1600, 900};
 };
@@ -47,7 +47,7 @@ int run(const Arguments& arguments) {
     const auto window = Window::open(options, why);
     if (!window) return complain(why, 3);
     State state;
-    Preview preview;
+    Preview preview(wake_window);
     Compiler compiler(registry, wake_window);
     CodeMaker code(registry, wake_window);
     state.registry = &registry;
@@ -56,8 +56,13 @@ int run(const Arguments& arguments) {
     state.code.maker = &code;
     state.fonts.load();
     open_file(state, arguments.file);
+    Timings timings;
+    if (!arguments.timings.empty()) state.timings = &timings;
     if (!window->run(state, script ? &*script : nullptr, arguments.shot, why))
         return complain(why, 1);
+    const std::string figures = timings.to_json(state.counters.builds, state.counters.programs);
+    if (state.timings && !write_file(arguments.timings, figures, why))
+        return complain(arguments.timings + " " + why, 1);
     return 0;
 }
 
@@ -70,6 +75,8 @@ int main(int argc, char** argv) {
     app.add_option("FILE", arguments.file, "The graph; a new one when it does not exist");
     app.add_option("--script", arguments.script, "Plays a script (editor/input/script.h) and ends");
     app.add_option("--shot", arguments.shot, "Writes a picture of the window and ends");
+    app.add_option("--timings", arguments.timings,
+                   "Writes how long frames took, and edits until their pixels were there");
     app.add_option("--size", arguments.size, "Width and height of the window")->expected(2);
     app.add_option("--plugin-path", arguments.plugin_paths, "A plugin, or a folder of plugins");
     try {

@@ -14,13 +14,13 @@
 #include "editor/document/clip.h"
 #include "editor/document/follow.h"
 #include "editor/document/history.h"
-#include "editor/document/model.h"
 #include "editor/drop/dropped.h"
 #include "editor/input/targets.h"
 #include "editor/look/fonts.h"
 #include "editor/look/look.h"
 #include "editor/panels/open.h"
 #include "editor/panels/panes.h"
+#include "editor/timings.h"
 #include "editor/view.h"
 
 namespace wrinkle::editor {
@@ -28,6 +28,7 @@ namespace wrinkle::editor {
 struct Counters {
     uint64_t builds = 0;    // texts generated
     uint64_t uniforms = 0;  // values sent to the running material
+    uint64_t programs = 0;  // built for the preview
 };
 
 struct State {
@@ -61,10 +62,11 @@ struct State {
     Document layout_of;
     bool layout_stale = true;
 
-    Preview* preview = nullptr;  // nullptr without GL
-    Diagnostics preview_problems;
-    bool preview_stale = false;
+    Preview* preview = nullptr;    // nullptr without GL
+    Diagnostics preview_problems;  // of the newest picture
+    bool preview_stale = false;    // the picture is of a former graph
     Counters counters;
+    Timings* timings = nullptr;  // somebody measures
     Targets targets;
 
     const Document& document() const { return history.now(); }

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "editor/preview/preview.h"
+#include "editor/preview/request.h"
 #include "graph/document.h"
 
 namespace wrinkle::editor {
@@ -25,6 +26,9 @@ struct View {
     std::optional<Link> selected_wire;  // by its reading end; node "" is an output of the graph
     bool all_surface = false, all_outputs = false;
     PreviewView preview_view;
+    CompareView compare;
+    // `against` counts while something is compared.
+    PreviewRequest preview_request{"", Against::blend, "udn", false};
 };
 
 }  // namespace wrinkle::editor

@@ -203,6 +203,7 @@ bool Window::run(State& state, Script* script, const std::string& shot, std::str
         }
         if (h.awake <= 0 && !ImGui::GetIO().WantTextInput && !script && shot.empty()) continue;
         --h.awake;
+        if (state.timings) state.timings->frame_begins();
         draw_frame(state);
         ++frames;
         const auto progress = script ? script->step(state, h.queue, take) : Script::Progress::done;
@@ -218,6 +219,7 @@ bool Window::run(State& state, Script* script, const std::string& shot, std::str
         }
         if (finished) return true;
         glfwSwapBuffers(h.window);
+        if (state.timings) state.timings->frame_ends(state.preview->shown().version);
     }
     return true;
 }

@@ -77,6 +77,13 @@ void set_raster_state(bool mirrored) {
     glFrontFace(mirrored ? GL_CW : GL_CCW);
 }
 
+// Sees the surroundings as if they had not been turned.
+OrbitCamera turned(const Scene& scene) {
+    OrbitCamera camera = scene.camera;
+    camera.yaw -= scene.environment_turn;
+    return camera;
+}
+
 // Edges in front of the triangles they belong to.
 void set_edges(bool on) {
     glPolygonMode(GL_FRONT_AND_BACK, on ? GL_LINE : GL_FILL);
@@ -257,6 +264,7 @@ void Renderer::set_environment(const Image& picture) {
 
 void Renderer::forget_environment() {
     state_->wanted.environment = false;
+    state_->backdrop.reset();
 }
 
 uint64_t Renderer::programs_linked() const {
@@ -347,7 +355,7 @@ bool Renderer::draw(const Scene& scene, const ViewOptions& options, const Target
         shown.height_range = seen_range(*this, scene, target, diagnostics);
     clear(target, scene, options.raw);
     if (scene.surroundings && state_->backdrop && options.view == View::shaded && !options.raw)
-        state_->backdrop->draw(scene.camera, aspect, scene.environment, scene.exposure);
+        state_->backdrop->draw(turned(scene), aspect, scene.environment, scene.exposure);
     program->use();
     set_view_uniforms(*program, scene, shown, *space);
     set_raster_state(space->mirrored);

@@ -9,6 +9,7 @@
 
 #include "editor/document/model.h"
 #include "editor/worker.h"
+#include "glsl/emit.h"
 
 namespace wrinkle::editor {
 

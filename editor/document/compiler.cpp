@@ -4,7 +4,7 @@ namespace wrinkle::editor {
 
 Compilation compile(CompileJob job, const Registry& registry) {
     Compilation result;
-    result.build = build(job.model, job.document, registry, job.name);
+    result.build = build(job.model, job.document, registry, job.name, job.request);
     result.version = job.version;
     result.document = std::move(job.document);
     return result;

@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "editor/document/model.h"
+#include "editor/document/build.h"
 #include "editor/worker.h"
 
 namespace wrinkle::editor {
@@ -16,6 +16,7 @@ struct CompileJob {
     Model model;
     Document document;
     std::string name;  // of the material
+    PreviewRequest request;
 };
 
 struct Compilation {

@@ -15,13 +15,16 @@ struct Follow {
     uint64_t came = 0;             // that of the newest result
     uint64_t first = 0;            // of the file that is open; older results are another's
     Document asked_of, built_of;
-    bool names_stale = false;  // the texts have former names of nodes
-    bool code_shown = false;   // somebody looks at the texts; said anew on every frame
+    PreviewRequest asked_for;
 
-    // What the preview runs. It may be older than the texts: other names make no other program.
+    // What the preview runs. Its nodes may have other names by now: they make no other program.
     std::optional<Shader> running;
     Document running_of;
-    Document sent;  // whose values it has
+    PreviewRequest running_for;
+    std::map<std::string, std::string> copied;  // Build::copied of it
+    std::shared_ptr<const Displacement> displacement;
+    Document sent;       // whose values it has
+    uint64_t heard = 0;  // the newest picture's version whose problems are known
 
     bool building() const { return came < asked; }
 };

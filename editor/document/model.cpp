@@ -1,30 +1,14 @@
 #include "editor/document/model.h"
 
-#include <chrono>
+#include <map>
 
 #include "editor/document/wiring.h"
 #include "graph/edit.h"
 #include "graph/order.h"
-#include "lower/check.h"
 #include "lower/conversion.h"
 
 namespace wrinkle::editor {
 namespace {
-
-std::optional<Shader> emit_text(const Project& project, const Registry& registry,
-                                const std::string& name, Diagnostics& problems) {
-    MaterialOptions options;
-    options.uniform_parameters = true;
-    options.reached_only = true;
-    const Compiled compiled = compile_material(project, registry, options, problems);
-    if (!compiled.ok) return std::nullopt;
-    EmitOptions emit_options;
-    emit_options.name = name;
-    Shader shader = emit(compiled.module, emit_options);
-    if (shader.problems.empty()) return shader;
-    report_problems(shader.problems, compiled.module, project, compiled.places, problems);
-    return std::nullopt;
-}
 
 std::string refusal(const Link& from, PortType given, std::string_view to, PortType wanted,
                     const Registry& registry) {
@@ -59,26 +43,17 @@ Model make_model(const Document& document, const std::filesystem::path& folder,
 
 Project project_with(const Model& model, const Document& document) {
     Project project = *model.project;
-    project.files[0].document = document;
+    Project::File& top = project.files[0];
+    std::map<std::string, uint32_t> files;  // of the sub-graphs, by what nodes call them
+    for (size_t i = 0; i < top.document.nodes.size(); ++i)
+        files[top.document.nodes[i]->type] = top.subgraphs[i];
+    top.subgraphs.clear();
+    for (const NodePtr& node : document.nodes) {
+        const auto file = files.find(node->type);
+        top.subgraphs.push_back(file == files.end() ? Project::File::none : file->second);
+    }
+    top.document = document;
     return project;
-}
-
-Build build(const Model& model, const Document& document, const Registry& registry,
-            const std::string& name) {
-    const auto start = std::chrono::steady_clock::now();
-    Build result;
-    const Project project = project_with(model, document);
-    Diagnostics links;
-    check_links(document, links);
-    const bool linked = !links.has_errors();
-    if (!document.edited) result.problems.append(links);  // of an edited one check() says them
-    result.problems.append(model.project_problems);
-    check(project, registry, result.problems);
-    if (linked) result.uniform = emit_text(project, registry, name, result.live);
-    if (!result.problems.has_errors()) result.problems.append(result.live);
-    const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - start;
-    result.milliseconds = time.count();
-    return result;
 }
 
 std::string wire_problem(const Model& model, const Document& document, const Registry& registry,

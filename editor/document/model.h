@@ -1,5 +1,5 @@
-// What follows from a snapshot, and never the other way round: the types of its nodes, its
-// problems, its GLSL. Pure functions of the document and of the files that it names.
+// What follows from a snapshot, and never the other way round: the types of its nodes. Pure
+// functions of the document and of the files that it names.
 #pragma once
 
 #include <filesystem>
@@ -8,9 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "glsl/emit.h"
 #include "graph/subgraph.h"
-#include "lower/material.h"
 #include "lower/types.h"
 
 namespace wrinkle::editor {
@@ -34,18 +32,6 @@ Model make_model(const Document& document, const std::filesystem::path& folder,
 
 // The same project with another top document, for compiling.
 Project project_with(const Model& model, const Document& document);
-
-// One compilation: what the preview runs. The texts that `wrinkle compile` writes are made in
-// editor/code.
-struct Build {
-    Diagnostics problems;  // of the whole document
-    Diagnostics live;      // why `uniform` is empty
-    std::optional<Shader> uniform;
-    double milliseconds = 0;
-};
-
-Build build(const Model& model, const Document& document, const Registry& registry,
-            const std::string& name);
 
 // Whether a wire may go there by its type, and if not, why: "" when it may.
 std::string wire_problem(const Model& model, const Document& document, const Registry& registry,

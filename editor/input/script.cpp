@@ -75,7 +75,9 @@ std::optional<bool> holds(const State& state, const std::vector<std::string>& w)
     if (what == "dirty") return state.dirty();
     if (what == "clean") return !state.dirty();
     if (what == "stale") return state.preview_stale;
-    if (what == "picture") return state.preview && !state.preview_stale;
+    if (what == "picture")
+        return state.preview && state.preview->shown().texture != 0 && !state.preview_stale;
+    if (what == "other") return state.preview && state.preview->shown().other != 0;
     if (w.size() < 3) return std::nullopt;
     if (what == "nodes") return state.document().nodes.size() == number(w[2]);
     if (what == "wires") return state.layout.wires.size() == number(w[2]);
@@ -148,7 +150,7 @@ bool Script::drop(const std::vector<std::string>& w, const State& state, InputQu
 
 void Script::count(const std::string& step, const std::vector<std::string>& words) {
     const bool commits = typing_ && step == "key" && words[1] == "Enter";
-    const bool waits = step == "wait" || step == "assert" || step == "shot";
+    const bool waits = step == "wait" || step == "assert" || step == "shot" || step == "section";
     if (!commits && !waits) ++actions_;
     if (!waits) typing_ = step == "type";
 }
@@ -198,6 +200,11 @@ bool Script::run(const Line& line, const State& state, InputQueue& queue, const 
     if (what == "wheel") {
         if (!point_at(w[1], state, queue)) return false;
         queue.wheel(0, w.size() > 2 ? std::strtof(w[2].c_str(), nullptr) : 1);
+        return true;
+    }
+    if (what == "section") {
+        if (state.timings)
+            state.timings->section(w[1], state.counters.builds, state.counters.programs);
         return true;
     }
     if (what == "key") return queue.chord(w[1]) || fail("there is no key '" + w[1] + "'");

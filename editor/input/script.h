@@ -6,14 +6,16 @@
 //   stroke MODIFIERS left|right FROM TO ...    a drag with keys held, "-" for none, over all places
 //   key Ctrl+Z      type TEXT       wait [FRAMES]    shot FILE.png
 //   drop FILE... NAME               files by their path, a relative one from the graph's folder
+//   section NAME                    of the timings (editor/timings.h)
 //   assert nodes N | wires N | errors N | dirty | clean | node ID | no-node ID | wire FROM TO |
 //          no-wire FROM TO | value NODE.PORT JSON | code TEXT | status TEXT | target NAME |
-//          no-target NAME | stale | picture | actions N
+//          no-target NAME | stale | picture | other | actions N
 //
 // Actions are what a hand has done: each click, drag, drop, chord of keys, and each text that was
 // typed and committed with Enter counts as one. The assertion holds for N and less.
 //
-// A step begins when the input of the former one has been used up and everything has been drawn.
+// A step begins when the input of the former one has been used up, the texts and the picture are of
+// the newest document, and everything has been drawn. `other`: the preview compares two sides.
 #pragma once
 
 #include <functional>

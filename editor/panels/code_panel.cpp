@@ -200,7 +200,6 @@ void draw_problem(State& state) {
 }  // namespace
 
 void draw_code(State& state) {
-    state.follow.code_shown = true;
     follow(state);
     state.code.hovered.clear();
     draw_head(state);

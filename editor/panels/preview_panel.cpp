@@ -1,93 +1,204 @@
+// The preview: its header, the views, the picture and the comparison.
 #include <algorithm>
-#include <cmath>
+#include <filesystem>
+#include <utility>
 
+#include "editor/commands/commands.h"
 #include "editor/look/draw.h"
 #include "editor/look/theme.h"
 #include "editor/panels/panels.h"
+#include "editor/panels/preview_parts.h"
 #include "mesh/shapes.h"
 
 namespace wrinkle::editor {
 namespace {
 
-void draw_head(State& state) {
-    const ImVec2 at = ImGui::GetWindowPos();
-    draw_text(*ImGui::GetWindowDrawList(), state.fonts.bold(18), 17, at + ImVec2(12, 8),
-              theme::text, "Preview");
-    ImGui::SetCursorPos({110, 5});
-    PreviewView& view = state.view.preview_view;
+constexpr float head_height = 34, strip_height = 32;
+
+std::string capitalised(std::string text) {
+    if (!text.empty() && text[0] >= 'a' && text[0] <= 'z')
+        text[0] = static_cast<char>(text[0] - 'a' + 'A');
+    return text;
+}
+
+std::string mesh_label(const std::string& mesh) {
+    return make_shape(mesh) ? capitalised(mesh) : std::filesystem::path(mesh).filename().string();
+}
+
+Choices meshes(const PreviewView& view) {
+    Choices choices;
     for (const Shape& shape : shapes()) {
-        const std::string name(shape.name);
-        if (button(state, name.c_str(), "mesh:" + name, view.mesh == name)) view.mesh = name;
-        ImGui::SameLine(0, 4);
+        if (view.mesh == shape.name) choices.chosen = static_cast<int>(choices.labels.size());
+        choices.labels.push_back(capitalised(std::string(shape.name)));
+        choices.targets.push_back("mesh:" + std::string(shape.name));
     }
-    ImGui::NewLine();
-    ImGui::SetCursorPosX(12);
-    for (size_t i = 0; i < gpu::view_names().size(); ++i) {
-        const std::string name(gpu::view_names()[i]);
-        const auto which = static_cast<gpu::View>(i);
-        if (button(state, name.c_str(), "view:" + name, view.view == which)) view.view = which;
-        ImGui::SameLine(0, 4);
-    }
-    ImGui::NewLine();
+    return choices;
 }
 
-void orbit(State& state) {
+Choices lights(const PreviewView& view) {
+    Choices choices{{"Studio", "Phong"}, {"light:studio", "light:phong"}, 0};
+    if (!view.environment.empty()) {
+        choices.labels.push_back(std::filesystem::path(view.environment).filename().string());
+        choices.targets.push_back("light:file");
+        choices.chosen = 2;
+    }
+    if (view.lighting == gpu::Lighting::phong) choices.chosen = 1;
+    return choices;
+}
+
+void choose_light(PreviewView& view, int picked) {
+    view.lighting = picked == 1 ? gpu::Lighting::phong : gpu::Lighting::ggx;
+    if (picked == 0) view.environment.clear();
+}
+
+void edit_path(State& state, const char* label, const char* hint, const char* target,
+               std::string& path, const char* none) {
+    char text[1024] = "";
+    path.copy(text, sizeof text - 1);
+    ImGui::TextUnformatted(label);
+    ImGui::SetNextItemWidth(280);
+    ImGui::PushID(label);
+    if (ImGui::InputTextWithHint("##path", hint, text, sizeof text,
+                                 ImGuiInputTextFlags_EnterReturnsTrue))
+        path = text[0] ? text : none;
+    ImGui::PopID();
+    name_item(state, target);
+}
+
+void draw_more(State& state) {
     PreviewView& view = state.view.preview_view;
-    const ImGuiIO& io = ImGui::GetIO();
-    if (ImGui::IsItemActive()) {
-        view.yaw -= io.MouseDelta.x * 0.01F;
-        view.pitch = std::clamp(view.pitch + io.MouseDelta.y * 0.01F, -1.5F, 1.5F);
+    if (button(state, "...", "preview:more")) ImGui::OpenPopup("preview-more");
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(12, 12));
+    if (ImGui::BeginPopup("preview-more")) {
+        ImGui::SetNextItemWidth(150);
+        ImGui::DragFloat("Object scale", &view.scale, 0.01F, 0.01F, 100.0F, "%.2f x",
+                         ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp);
+        name_item(state, "preview:scale");
+        ImGui::Checkbox("Displaced", &view.displaced);
+        name_item(state, "preview:displaced");
+        edit_path(state, "Mesh file", "teapot.glb", "preview:mesh-file", view.mesh, "sphere");
+        edit_path(state, "Surroundings", "sky.hdr", "preview:environment-file", view.environment,
+                  "");
+        ImGui::EndPopup();
     }
-    if (ImGui::IsItemHovered() && io.MouseWheel != 0)
-        view.distance = std::clamp(view.distance * std::pow(1.1F, -io.MouseWheel), 0.1F, 10.0F);
+    ImGui::PopStyleVar();
 }
 
-std::string first_reason(const State& state, const Diagnostics& drawing) {
-    for (const Diagnostics* list :
-         {&state.preview_problems, &state.built.problems, &state.built.live, &drawing})
-        for (const Diagnostic& problem : list->list())
-            if (problem.severity == Severity::error)
-                return (problem.node.empty() ? "" : problem.node + ": ") + problem.message;
-    return {};
+// A mesh or surroundings that fell on the window.
+void take_dropped(State& state) {
+    const std::string file = std::exchange(state.dropped.for_preview, {});
+    if (file.empty()) return;
+    const std::string type = std::filesystem::path(file).extension().string();
+    PreviewView& view = state.view.preview_view;
+    const bool light = type == ".hdr" || type == ".exr" || type == ".HDR" || type == ".EXR";
+    (light ? view.environment : view.mesh) = file;
+    if (light) view.lighting = gpu::Lighting::ggx;
 }
 
-void draw_strip(State& state, ImVec2 at, float width, const std::string& text) {
-    ImDrawList& list = *ImGui::GetWindowDrawList();
-    list.AddRectFilled(at, at + ImVec2(width, 28), theme::with_alpha(theme::canvas, 0.88F));
-    list.AddRectFilled(at, at + ImVec2(4, 28), theme::warn);
-    ImFont* font = state.fonts.regular(14);
-    draw_text(list, font, 14, at + ImVec2(12, 7), theme::text, fitting(font, 14, text, width - 20));
+std::string what_is_shown(const State& state) {
+    const std::string& node = state.follow.running_for.node;
+    return node.empty() ? "output: normal" : "node: " + node + ", preview only";
 }
 
 }  // namespace
 
-void draw_preview(State& state) {
-    draw_head(state);
-    ImGui::SetCursorPosX(0);
-    const ImVec2 at = ImGui::GetCursorScreenPos();
-    const ImVec2 size = ImGui::GetContentRegionAvail();
-    if (size.x < 1 || size.y < 1) return;
-    ImGui::InvisibleButton("picture", size);
-    state.targets.add("preview", {at.x, at.y, at.x + size.x, at.y + size.y});
-    orbit(state);
+int choose(State& state, const char* id, const std::string& target, const std::string& shown,
+           const Choices& choices, float width) {
+    int picked = -1;
+    ImGui::SetNextItemWidth(width);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(8, 8));
+    const bool open = ImGui::BeginCombo(id, shown.c_str());
+    name_item(state, target);
+    if (open) {
+        for (size_t i = 0; i < choices.labels.size(); ++i) {
+            ImGui::PushID(static_cast<int>(i));
+            if (ImGui::Selectable(choices.labels[i].c_str(), choices.chosen == static_cast<int>(i)))
+                picked = static_cast<int>(i);
+            ImGui::PopID();
+            name_item(state, choices.targets[i]);
+        }
+        ImGui::EndCombo();
+    }
+    ImGui::PopStyleVar();
+    return picked;
+}
+
+void draw_preview_head(State& state) {
+    const ImVec2 at = ImGui::GetWindowPos();
+    const float width = ImGui::GetWindowWidth();
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    list.AddRectFilled(at, at + size, theme::rgb(0x282A2D));
-    Diagnostics drawing;
-    uint32_t picture = 0;
-    const ImVec2 pixels = ImGui::GetIO().DisplayFramebufferScale;
-    if (state.preview)
-        picture =
-            state.preview->picture(state.view.preview_view, static_cast<int>(size.x * pixels.x),
-                                   static_cast<int>(size.y * pixels.y), drawing);
-    if (picture)
-        list.AddImage(reinterpret_cast<ImTextureID>(static_cast<intptr_t>(picture)), at, at + size,
-                      {0, 1}, {1, 0});
-    const std::string reason = first_reason(state, drawing);
-    if (state.preview_stale)
-        draw_strip(state, at, size.x,
-                   (picture ? "Showing the last good picture. " : "No picture yet. ") + reason);
-    else if (!reason.empty() && drawing.has_errors())
-        draw_strip(state, at, size.x, reason);
+    draw_text(list, state.fonts.bold(18), 18, at + ImVec2(12, 8), theme::text, "Preview");
+    const float controls = std::min(292.0F, width - 100);
+    ImFont* small = state.fonts.regular(14);
+    draw_text(list, small, 14, at + ImVec2(90, 10), theme::text_dim,
+              fitting(small, 14, what_is_shown(state), width - controls - 106));
+    PreviewView& view = state.view.preview_view;
+    const float room = (controls - 96) / 2;
+    ImGui::SetCursorPos({width - controls, 5});
+    const int mesh =
+        choose(state, "##mesh", "preview:mesh", mesh_label(view.mesh), meshes(view), room);
+    if (mesh >= 0) view.mesh = std::string(shapes()[static_cast<size_t>(mesh)].name);
+    ImGui::SameLine(0, 6);
+    const Choices all = lights(view);
+    const int light = choose(state, "##light", "preview:light",
+                             all.labels[static_cast<size_t>(all.chosen)], all, room);
+    if (light >= 0) choose_light(view, light);
+    ImGui::SameLine(0, 6);
+    if (button(state, "Fit", "preview:frame")) run_command(state, "frame-preview");
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("Show all of the object  Shift+F");
+    ImGui::SameLine(0, 6);
+    draw_more(state);
+}
+
+void draw_preview_strip(State& state) {
+    struct Segment {
+        const char* label;
+        gpu::View view;
+    };
+    constexpr Segment segments[] = {{"Shaded", gpu::View::shaded},
+                                    {"Normal", gpu::View::normal},
+                                    {"Gradient", gpu::View::gradient},
+                                    {"Height", gpu::View::height},
+                                    {"UV", gpu::View::uv},
+                                    {"Wireframe", gpu::View::wireframe}};
+    PreviewView& view = state.view.preview_view;
+    const float width = ImGui::GetWindowWidth();
+    ImGui::SetCursorPos({12, head_height + 2});
+    if (width < 440) {  // too narrow for all of them side by side
+        Choices choices;
+        std::string shown = "Difference";
+        for (size_t i = 0; i < std::size(segments); ++i) {
+            choices.labels.push_back(segments[i].label);
+            choices.targets.push_back(
+                "view:" + std::string(gpu::view_names()[static_cast<size_t>(segments[i].view)]));
+            if (segments[i].view == view.view) shown = segments[i].label;
+        }
+        const int picked = choose(state, "##view", "preview:view", shown, choices, width - 24);
+        if (picked >= 0) view.view = segments[picked].view;
+        return;
+    }
+    int key = 0;
+    for (const Segment& segment : segments) {
+        const std::string name(gpu::view_names()[static_cast<size_t>(segment.view)]);
+        if (button(state, segment.label, "view:" + name, view.view == segment.view))
+            view.view = segment.view;
+        ++key;
+        if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s  %d", segment.label, key);
+        ImGui::SameLine(0, 2);
+    }
+    ImGui::NewLine();
+}
+
+void draw_preview(State& state) {
+    take_dropped(state);
+    const ImVec2 corner = ImGui::GetWindowPos(), whole = ImGui::GetWindowSize();
+    draw_preview_head(state);
+    draw_preview_strip(state);
+    const float compare = compare_height(whole.x);
+    const ImVec2 at = corner + ImVec2(0, head_height + strip_height);
+    const ImVec2 size(whole.x, whole.y - head_height - strip_height - compare);
+    if (size.x >= 1 && size.y >= 1) draw_preview_picture(state, at, size);
+    draw_compare(state, corner + ImVec2(0, whole.y - compare), whole.x);
 }
 
 }  // namespace wrinkle::editor

@@ -1,58 +1,87 @@
 #include "editor/preview/preview.h"
 
-#include <epoxy/gl.h>
-
-#include "mesh/shapes.h"
+#include "editor/preview/painter.h"
 
 namespace wrinkle::editor {
 
-bool Preview::set_material(const gpu::Material& material, Diagnostics& problems) {
-    if (!renderer_.set_material(material, problems)) return false;
-    has_material_ = changed_ = true;
-    return true;
+Preview::Preview(std::function<void()> wake) {
+    Diagnostics why;  // the fallback says nothing: it shows the same
+    context_ = gpu::Context::sharing_current(why);
+    if (!context_) return;
+    const auto work = [this](PreviewJob&& job) {
+        if (!painter_) {
+            context_->make_current();
+            painter_ = std::make_unique<PreviewPainter>();
+        }
+        return painter_->draw(job, held_);
+    };
+    const auto finish = [this] {
+        painter_.reset();
+        context_->release_current();
+    };
+    worker_ = std::make_unique<Worker<PreviewJob, PreviewPicture>>(work, std::move(wake), finish);
 }
 
-void Preview::set_uniform(const std::string& name, std::span<const float> value) {
-    if (has_material_ && renderer_.set_uniform(name, value)) changed_ = true;
-}
+Preview::~Preview() = default;
 
-void Preview::use_mesh(const std::string& name) {
-    if (name == mesh_) return;
-    const auto mesh = make_shape(name);
-    if (!mesh) return;
-    renderer_.set_mesh(*mesh);
-    framing_ = gpu::default_camera(*mesh, name);
-    mesh_ = name;
+void Preview::set_material(std::shared_ptr<const gpu::Material> material,
+                           std::shared_ptr<const Displacement> displacement) {
+    job_.material = std::move(material);
+    job_.displacement = std::move(displacement);
+    job_.values.clear();
     changed_ = true;
 }
 
-uint32_t Preview::picture(const PreviewView& view, int width, int height, Diagnostics& problems) {
-    if (!has_material_ || width < 1 || height < 1) return 0;
-    use_mesh(view.mesh);
-    if (!target_ || target_->width() != width || target_->height() != height) {
-        gpu::TargetOptions options;
-        options.width = width;
-        options.height = height;
-        options.samples = 4;
-        auto target = gpu::Target::make(options, problems);
-        if (!target) return has_picture_ ? target_->texture() : 0;
-        target_ = std::move(target);
-        changed_ = true;
-    }
-    if (changed_ || view != drawn_) {
-        gpu::Scene scene;
-        scene.camera = framing_;
-        scene.camera.yaw = view.yaw;
-        scene.camera.pitch = view.pitch;
-        scene.camera.distance = framing_.distance * view.distance;
-        gpu::ViewOptions options;
-        options.view = view.view;
-        if (renderer_.draw(scene, options, *target_, problems)) has_picture_ = true;
-        glBindFramebuffer(GL_FRAMEBUFFER, 0);
-        drawn_ = view;
-        changed_ = false;
-    }
-    return has_picture_ ? target_->texture() : 0;
+void Preview::set_uniform(const std::string& name, std::span<const float> value) {
+    job_.values[name].assign(value.begin(), value.end());
+    changed_ = true;
+}
+
+void Preview::forget_images() {
+    ++job_.images;
+    changed_ = true;
+}
+
+void Preview::show(const PreviewView& view, const std::string& against, const CompareView& compare,
+                   int width, int height) {
+    const bool difference = !against.empty() && compare.difference;
+    const float degrees = difference ? compare.degrees : 0;
+    if (!changed_ && view == job_.view && against == job_.against &&
+        difference == job_.difference && degrees == job_.degrees && width == job_.width &&
+        height == job_.height)
+        return;
+    job_.view = view;
+    job_.against = against;
+    job_.difference = difference;
+    job_.degrees = degrees;
+    job_.width = width;
+    job_.height = height;
+    changed_ = false;
+    ask();
+}
+
+void Preview::ask() {
+    ++job_.version;
+    if (worker_) return worker_->post(job_);
+    if (!painter_) painter_ = std::make_unique<PreviewPainter>();
+    picture_ = painter_->draw(job_, -1);
+}
+
+const PreviewPicture& Preview::picture() {
+    if (worker_)
+        if (auto newer = worker_->take()) {
+            held_ = newer->slot;
+            picture_ = std::move(*newer);
+        }
+    return picture_;
+}
+
+bool Preview::idle() const {
+    return !changed_ && (!worker_ || worker_->idle());
+}
+
+void Preview::settle() {
+    if (worker_) worker_->settle();
 }
 
 }  // namespace wrinkle::editor

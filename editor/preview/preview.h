@@ -1,48 +1,54 @@
-// The picture of the material: an object drawn into a texture that the window shows.
+// The picture of the material, drawn on a thread of its own with a GL context that shares textures
+// with the window's. The newest job wins; the interface shows the newest picture there is.
 //
-// Everything that the panels need stands in this small face, so that the drawing may move to a
-// thread of its own. Wants a GL context current on the calling thread. The last good picture stays
-// when a material cannot be used.
+// Where no such context can be made the same is drawn at once, on the thread that asks.
 #pragma once
 
-#include <cstdint>
-#include <optional>
+#include <atomic>
+#include <functional>
+#include <memory>
 #include <span>
 #include <string>
-#include <string_view>
 
-#include "gpu/renderer.h"
+#include "editor/preview/painter.h"
+#include "editor/worker.h"
+#include "gpu/context.h"
 
 namespace wrinkle::editor {
 
-struct PreviewView {
-    std::string mesh = "sphere";
-    gpu::View view = gpu::View::shaded;
-    float yaw = 0.5F, pitch = 0.25F;  // radians
-    float distance = 1;               // times that at which all of the mesh is seen
-    bool operator==(const PreviewView&) const = default;
-};
-
 class Preview {
 public:
-    // False, with the reason, when the former material stays.
-    bool set_material(const gpu::Material& material, Diagnostics& problems);
-    void set_uniform(const std::string& name, std::span<const float> value);
-    void forget_images() { renderer_.forget_images(); }
+    // Wants a GL context current; later calls come from the same thread. wake is called on the
+    // other one whenever there is a new picture.
+    explicit Preview(std::function<void()> wake = {});
 
-    // The newest picture as a GL texture, bottom row first; 0 when there has never been one. Draws
-    // only when something has changed.
-    uint32_t picture(const PreviewView& view, int width, int height, Diagnostics& problems);
+    void set_material(std::shared_ptr<const gpu::Material> material,
+                      std::shared_ptr<const Displacement> displacement);
+    void set_uniform(const std::string& name, std::span<const float> value);
+    void forget_images();
+    // Of the same material; width and height in pixels.
+    void show(const PreviewView& view, const std::string& against, const CompareView& compare,
+              int width, int height);
+
+    // The newest there is. Its textures hold until the next call.
+    const PreviewPicture& picture();
+    const PreviewPicture& shown() const { return picture_; }  // what picture() gave last
+    uint64_t asked() const { return job_.version; }
+    bool idle() const;
+    void settle();
+    bool has_thread() const { return worker_ != nullptr; }
+    ~Preview();
 
 private:
-    void use_mesh(const std::string& name);
+    void ask();
 
-    gpu::Renderer renderer_;
-    std::optional<gpu::Target> target_;
-    gpu::OrbitCamera framing_;
-    PreviewView drawn_;
-    std::string mesh_;
-    bool has_material_ = false, changed_ = true, has_picture_ = false;
+    PreviewJob job_;
+    bool changed_ = false;
+    PreviewPicture picture_;
+    std::atomic<int> held_ = -1;
+    std::unique_ptr<PreviewPainter> painter_;                     // used by one thread alone
+    std::optional<gpu::Context> context_;                         // of the worker
+    std::unique_ptr<Worker<PreviewJob, PreviewPicture>> worker_;  // goes first
 };
 
 }  // namespace wrinkle::editor

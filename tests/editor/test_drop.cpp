@@ -155,7 +155,10 @@ TEST_F(Headless, AMeshIsLeftForThePreviewAndAGraphIsOpened) {
     folder.write("other.json", small_graph);
     open(empty_graph);
     play("drop ball.obj preview");
-    EXPECT_EQ(fs::path(state.dropped.for_preview).filename(), "ball.obj");
+    EXPECT_EQ(fs::path(state.view.preview_view.mesh).filename(), "ball.obj");
+    folder.write("sky.hdr", "none");
+    play("drop sky.hdr preview");
+    EXPECT_EQ(fs::path(state.view.preview_view.environment).filename(), "sky.hdr");
     play("drop other.json canvas\nassert nodes 4");
     EXPECT_EQ(state.path.filename(), "other.json");
 }

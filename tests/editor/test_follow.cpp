@@ -37,12 +37,16 @@ TEST_F(Follows, MovingFramingAndRenamingMakeNoTextAndNoProgram) {
     EXPECT_EQ(builds(), before);
     EXPECT_TRUE(is_settled(state));
     EXPECT_NE(state.type_of("weaker"), nullptr);
-    state.follow.code_shown = true;  // somebody looks at the code: it reads the new names
-    refresh(state);
-    EXPECT_EQ(builds(), before + 1);
-    EXPECT_TRUE(text_has("weaker"));
-    EXPECT_FALSE(text_has("softer"));
     EXPECT_EQ(state.follow.running->source, running) << "another program runs";
+}
+
+TEST_F(Follows, ProblemsSpeakOfRenamedNodesByTheirNewNames) {
+    open(small_graph);
+    edit(set_value(state.document(), "number", "nonsense", json::Value::number(1)));
+    ASSERT_EQ(state.built.problems.list().size(), 1U);
+    edit(rename_node(state.document(), "number", "total"));
+    ASSERT_EQ(state.built.problems.list().size(), 1U);
+    EXPECT_EQ(state.built.problems.list()[0].node, "total");
 }
 
 TEST_F(Follows, ARenamedNodesValueStillReachesTheRunningProgram) {

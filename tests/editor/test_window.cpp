@@ -108,6 +108,73 @@ assert clean
     EXPECT_GT(colors_of(*image, 1000, 1200, 400, 550), 50U) << "the preview is blank";
 }
 
+// A height of `count` nodes in a row, each with a number of its own, and its normal.
+std::string chain(int count) {
+    std::string nodes =
+        R"("uv": { "type": "separate_vec2", "in": { "vector": { "from": "surface.uv0" } } })";
+    std::string last = "uv.x";
+    const char* const types[] = {"multiply", "sine", "add"};
+    for (int i = 0; i < count - 3; ++i) {
+        const std::string id = "n" + std::to_string(i), type = types[i % 3];
+        const std::string port = type == "sine" ? "angle" : "a";
+        nodes += ",\n\"" + id + "\": { \"type\": \"" + type + "\", \"in\": { \"" + port +
+                 "\": { \"from\": \"" + last + "\" }" +
+                 (type == "multiply" ? ", \"b\": 3.1"
+                  : type == "add"    ? ", \"b\": 0.2"
+                                     : "") +
+                 " } }";
+        last = id + ".result";
+    }
+    nodes += R"(,
+"depth": { "type": "multiply", "in": { "a": { "from": ")" +
+             last + R"(" }, "b": 0.05 } },
+"normal": { "type": "resolve", "in": { "gradient": { "from": "depth.result" } } })";
+    return "{ \"wrinkle\": 1, \"nodes\": {\n" + nodes +
+           "\n}, \"outputs\": { \"normal\": { \"from\": \"normal.normal\" } } }\n";
+}
+
+// Cuts the chain at its end and mends it, drags a number, shows a node and the outputs again.
+std::string measured_script() {
+    return R"(
+section cut
+click node:depth
+key F
+drag pin:depth.a canvas+0,320
+section undo
+key Escape
+key Ctrl+Z
+section drag
+drag field:depth.b field:depth.b+40,0
+section node
+click node:depth
+key P
+section outputs
+key P
+section rest
+assert picture
+)";
+}
+
+TEST(Window, FiguresOfThePreview) {
+    const VirtualScreen screen;
+    if (!screen.is_there()) GTEST_SKIP() << "there is no Xvfb here";
+    for (const int count : {20, 50, 200}) {
+        const TemporaryFolder folder;
+        const auto graph = folder.write("graph.json", chain(count));
+        const auto script = folder.write("script.txt", measured_script());
+        const auto figures = folder.path() / "figures.json";
+        ASSERT_EQ(run(screen.variable(), graph.string() + " --size 1280 720 --script " +
+                                             script.string() + " --timings " + figures.string()),
+                  0);
+        const std::string text = text_of(figures);
+        std::printf("%d nodes: %s", count, text.c_str());
+        const std::string drag =
+            text.substr(text.find("\"drag\""), text.find("\"node\"") - text.find("\"drag\""));
+        EXPECT_NE(drag.find("\"programs\": 0"), std::string::npos) << drag;
+        EXPECT_NE(text.find("\"longest_frame_ms\""), std::string::npos);
+    }
+}
+
 TEST(Window, AScriptThatIsNotSoFailsAndSavesNothing) {
     const VirtualScreen screen;
     if (!screen.is_there()) GTEST_SKIP() << "there is no Xvfb here";

@@ -1,0 +1,88 @@
+#include "editor/document/build.h"
+
+#include <chrono>
+
+#include "graph/order.h"
+#include "lower/check.h"
+#include "lower/material.h"
+
+namespace wrinkle::editor {
+namespace {
+
+std::optional<Shader> emit_text(const Project& project, const Registry& registry,
+                                const std::string& name, Diagnostics& problems) {
+    MaterialOptions options;
+    options.uniform_parameters = true;
+    options.reached_only = true;
+    const Compiled compiled = compile_material(project, registry, options, problems);
+    if (!compiled.ok) return std::nullopt;
+    EmitOptions emit_options;
+    emit_options.name = name;
+    Shader shader = emit(compiled.module, emit_options);
+    if (shader.problems.empty()) return shader;
+    report_problems(shader.problems, compiled.module, project, compiled.places, problems);
+    return std::nullopt;
+}
+
+std::string first_error(const Diagnostics& problems) {
+    for (const Diagnostic& problem : problems.list())
+        if (problem.severity == Severity::error)
+            return (problem.node.empty() ? "" : problem.node + ": ") + problem.message;
+    return {};
+}
+
+void build_shown(const Model& model, const Document& document, const Registry& registry,
+                 const std::string& name, Build& result) {
+    const PreviewRequest& request = result.request;
+    if (request.node.empty() && request.against == Against::nothing) return;
+    Requested requested = requested_document(document, model, request);
+    result.why_not_shown = requested.why_not;
+    if (!requested.why_not.empty()) return;
+    Diagnostics problems;
+    const Project project = project_with(model, requested.document);
+    result.shown = emit_text(project, registry, name, problems);
+    if (!result.shown) result.why_not_shown = first_error(problems);
+    result.copied = std::move(requested.copied);
+    result.replaced = requested.replaced;
+}
+
+void build_displacement(const Project& project, const Registry& registry, Build& result) {
+    if (!result.request.displaced || !project.top().outputs.find("displacement")) return;
+    MaterialOptions options;
+    options.given_differentials = true;
+    options.reached_only = true;
+    options.lower.outputs = {"displacement"};
+    Diagnostics problems;
+    const Compiled compiled = compile_material(project, registry, options, problems);
+    if (!compiled.ok) return;
+    std::string why;
+    Displacement displacement{compile_program(compiled.module, why), compiled.module.resources};
+    if (why.empty())
+        result.displacement = std::make_shared<const Displacement>(std::move(displacement));
+}
+
+}  // namespace
+
+Build build(const Model& model, const Document& document, const Registry& registry,
+            const std::string& name, const PreviewRequest& request) {
+    const auto start = std::chrono::steady_clock::now();
+    Build result;
+    result.request = request;
+    const Project project = project_with(model, document);
+    Diagnostics links;
+    check_links(document, links);
+    if (!document.edited) result.problems.append(links);  // of an edited one check() says them
+    result.problems.append(model.project_problems);
+    check(project, registry, result.problems);
+    if (!links.has_errors()) {
+        result.uniform = emit_text(project, registry, name, result.live);
+        build_shown(model, document, registry, name, result);
+        build_displacement(project, registry, result);
+    }
+    if (!result.problems.has_errors()) result.problems.append(result.live);
+    const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - start;
+    result.milliseconds = time.count();
+    return result;
+}
+
+}  // namespace wrinkle::editor

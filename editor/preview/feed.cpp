@@ -1,0 +1,164 @@
+#include "editor/preview/feed.h"
+
+#include <algorithm>
+#include <cctype>
+#include <charconv>
+
+#include "editor/canvas/field.h"
+#include "gpu/from_glsl.h"
+
+namespace wrinkle::editor {
+namespace {
+
+// The running program's uniforms for a place of the document, which may have other names by now:
+// one, or several where nodes were copied for a comparison.
+std::vector<const UniformInfo*> uniforms_at(const Follow& follow, const Change::Place& place) {
+    std::vector<const UniformInfo*> found;
+    if (!follow.running || place.index >= follow.running_of.nodes.size()) return found;
+    const std::string& node = follow.running_of.nodes[place.index]->id;
+    for (const UniformInfo& uniform : follow.running->reflection.uniforms) {
+        if (uniform.graph_input || uniform.port != place.port) continue;
+        const auto copy = follow.copied.find(uniform.node);
+        if (uniform.node == node || (copy != follow.copied.end() && copy->second == node))
+            found.push_back(&uniform);
+    }
+    return found;
+}
+
+// A place that the running program has no uniform for may still be one that it does not read; that
+// is found out by compiling.
+bool all_are_uniforms(const Follow& follow, const Change& difference) {
+    if (difference.kind == Change::Kind::structure) return false;
+    return std::all_of(
+        difference.values.begin(), difference.values.end(),
+        [&](const Change::Place& place) { return !uniforms_at(follow, place).empty(); });
+}
+
+void send(State& state, const Change::Place& place) {
+    const Node* node = state.document().find(place.node);
+    const NodeType* type = state.type_of(place.node);
+    const uint32_t port = node && type ? type->find_input(place.port) : NodeType::none;
+    if (port == NodeType::none) return;
+    const auto numbers = numbers_at(*node, type->ports[port]);
+    const auto lanes = static_cast<size_t>(lanes_of(type->ports[port].type));
+    float values[4];
+    for (size_t i = 0; i < lanes; ++i)
+        values[i] = static_cast<float>(numbers[i]);
+    ++state.counters.uniforms;
+    if (!state.preview) return;
+    for (const UniformInfo* uniform : uniforms_at(state.follow, place))
+        state.preview->set_uniform(uniform->name, {values, lanes});
+    if (state.timings) state.timings->values(state.preview->asked() + 1);
+}
+
+// The first "0:38(" or "0(38)" of a log; 0 for none.
+size_t line_in(const std::string& log) {
+    for (size_t at = 0; at + 2 < log.size(); ++at) {
+        if (log[at] != '0' || (log[at + 1] != ':' && log[at + 1] != '(')) continue;
+        if (at > 0 && std::isalnum(static_cast<unsigned char>(log[at - 1]))) continue;
+        size_t line = 0;
+        const char* begin = log.data() + at + 2;
+        const auto [end, problem] = std::from_chars(begin, log.data() + log.size(), line);
+        if (problem == std::errc{} && end != begin) return line;
+    }
+    return 0;
+}
+
+}  // namespace
+
+PreviewRequest wanted_request(const State& state) {
+    PreviewRequest request = state.view.preview_request;
+    request.displaced = state.view.preview_view.displaced;
+    if (state.view.compare.mode == CompareView::Mode::off) {
+        request.against = Against::nothing;
+        request.name.clear();
+    }
+    if (!request.node.empty() && !state.document().find(request.node)) request.node.clear();
+    return request;
+}
+
+bool send_values(State& state) {
+    Follow& follow = state.follow;
+    const Change difference = change(follow.sent, state.document());
+    if (!all_are_uniforms(follow, difference)) return false;
+    for (const Change::Place& place : difference.values)
+        send(state, place);
+    follow.sent = state.document();
+    return true;
+}
+
+void run_newest(State& state) {
+    Follow& follow = state.follow;
+    const Build& built = state.built;
+    state.preview_stale = !built.running();
+    if (!built.running()) return;
+    const bool same_kind = follow.running && follow.running_for == built.request &&
+                           !follow.displacement && !built.displacement;
+    if (same_kind && all_are_uniforms(follow, change(follow.running_of, follow.built_of))) {
+        send_values(state);
+        return;
+    }
+    follow.running = built.running();
+    follow.running_of = follow.sent = follow.built_of;
+    follow.running_for = built.request;
+    follow.copied = built.copied;
+    follow.displacement = built.displacement;
+    if (!state.preview) return;
+    state.preview->set_material(
+        std::make_shared<const gpu::Material>(gpu::material_from(*follow.running)),
+        follow.displacement);
+    if (state.timings) state.timings->compiled(follow.came, state.preview->asked() + 1);
+    send_values(state);
+}
+
+void rename_in_request(State& state, const Document& before) {
+    PreviewRequest& request = state.view.preview_request;
+    for (std::string* id : {&request.node, &request.name}) {
+        if (id == &request.name && request.against != Against::node) continue;
+        const size_t index = before.nodes.index_of(*id);
+        if (index < state.document().nodes.size()) *id = state.document().nodes[index]->id;
+    }
+}
+
+Diagnostic at_node(const Diagnostic& refusal, const Reflection& reflection,
+                   const std::map<std::string, std::string>& copied) {
+    const size_t line = line_in(refusal.message);
+    if (line == 0 || line > reflection.lines.size()) return refusal;
+    const uint32_t index = reflection.lines[line - 1];
+    Diagnostic result;
+    if (index < reflection.node_paths.size()) {
+        const std::string& path = reflection.node_paths[index];
+        result.node = path.substr(0, path.find('/'));
+        const auto copy = copied.find(result.node);
+        if (copy != copied.end()) result.node = copy->second;
+    }
+    result.message = "The graphics driver refused the shader at line " + std::to_string(line) +
+                     (result.node.empty() ? "" : " (" + result.node + ")") +
+                     ". The last good picture is shown.";
+    result.expected = refusal.message;
+    return result;
+}
+
+void hear_preview(State& state) {
+    if (!state.preview) return;
+    const PreviewPicture& picture = state.preview->picture();
+    if (picture.version == state.follow.heard) return;
+    state.follow.heard = picture.version;
+    state.counters.programs = picture.programs;
+    state.preview_problems = Diagnostics();
+    for (const Diagnostic& problem : picture.problems.list())
+        state.preview_problems.add(
+            state.follow.running
+                ? at_node(problem, state.follow.running->reflection, state.follow.copied)
+                : problem);
+    state.preview_stale = !state.built.running() || picture.refused;
+}
+
+std::string other_normal(const State& state) {
+    if (state.view.compare.mode == CompareView::Mode::off || !state.follow.running) return {};
+    for (const FunctionInfo& function : state.follow.running->reflection.functions)
+        if (function.output == against_output) return against_output;
+    return {};
+}
+
+}  // namespace wrinkle::editor
