@@ -1,5 +1,5 @@
-// What the preview runs of a snapshot, and its problems: a pure function of the document and of the files that it
-// names, so it may run on any thread.
+// What the preview runs of a snapshot, and its problems: a pure function of the document and of the
+// files that it names, so it may run on any thread.
 #pragma once
 
 #include <memory>

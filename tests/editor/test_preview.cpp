@@ -192,6 +192,35 @@ TEST_F(WithPreview, TwiceTheObjectHasHalfTheSlopes) {
     EXPECT_LT(after, 0.8 * before);
 }
 
+// The plane at these uvs, as far as a program reads it.
+PointSet plane_points(const Program& program, const std::vector<glm::dvec2>& places) {
+    PointSet points;
+    points.count = places.size();
+    constexpr double step = 1e-3;
+    for (const InputNeed need : needed_inputs(program)) {
+        const bool value = need.variant == Variant::value;
+        const glm::dvec2 d(need.variant == Variant::dx ? step : 0,
+                           need.variant == Variant::dy ? step : 0);
+        std::vector<double>& list = points.at(need.input, need.variant);
+        for (const glm::dvec2 uv : places) {
+            std::vector<double> numbers{value ? 1.0 : 0.0};  // facing
+            const glm::dvec2 p = value ? 2.0 * uv - 1.0 : 2.0 * d;
+            if (need.input == SurfaceInput::position_) numbers = {p.x, p.y, 0};
+            if (need.input == SurfaceInput::uv0_)
+                numbers = value ? std::vector<double>{uv.x, uv.y} : std::vector<double>{d.x, d.y};
+            if (need.input == SurfaceInput::normal_) numbers = {0, 0, value ? 1.0 : 0.0};
+            if (need.input == SurfaceInput::tangent_)
+                numbers = {value ? 1.0 : 0.0, 0, 0, value ? 1.0 : 0.0};
+            list.insert(list.end(), numbers.begin(), numbers.end());
+        }
+    }
+    return points;
+}
+
+glm::dvec3 vector_at(const std::vector<double>& values, size_t i) {
+    return {values[3 * i], values[3 * i + 1], values[3 * i + 2]};
+}
+
 // What the CPU says of the two normals at places of the plane, in degrees.
 std::vector<double> cpu_angles(const State& state, const std::vector<glm::dvec2>& places) {
     const Requested requested =
@@ -206,39 +235,13 @@ std::vector<double> cpu_angles(const State& state, const std::vector<glm::dvec2>
     EXPECT_TRUE(compiled.ok) << to_text(problems);
     std::string why;
     const Program program = compile_program(compiled.module, why);
-    PointSet points;
-    points.count = places.size();
-    constexpr double step = 1e-3;
-    for (const InputNeed need : needed_inputs(program)) {
-        const bool value = need.variant == Variant::value;
-        const double x = need.variant == Variant::dx ? step : 0;
-        const double y = need.variant == Variant::dy ? step : 0;
-        std::vector<double>& list = points.at(need.input, need.variant);
-        for (const glm::dvec2 uv : places) {
-            const auto add = [&](std::initializer_list<double> numbers) {
-                list.insert(list.end(), numbers);
-            };
-            if (need.input == SurfaceInput::position_)
-                value ? add({2 * uv.x - 1, 2 * uv.y - 1, 0}) : add({2 * x, 2 * y, 0});
-            else if (need.input == SurfaceInput::uv0_)
-                value ? add({uv.x, uv.y}) : add({x, y});
-            else if (need.input == SurfaceInput::normal_)
-                value ? add({0, 0, 1}) : add({0, 0, 0});
-            else if (need.input == SurfaceInput::tangent_)
-                value ? add({1, 0, 0, 1}) : add({0, 0, 0, 0});
-            else
-                add({value ? 1.0 : 0.0});  // facing
-        }
-    }
-    Results results = make_results(program, points.count);
-    evaluate<double>(program, points, {}, 0, points.count, results);
+    Results results = make_results(program, places.size());
+    evaluate<double>(program, plane_points(program, places), {}, 0, places.size(), results);
     std::vector<double> angles;
     for (size_t i = 0; i < places.size(); ++i) {
-        const glm::dvec3 a(results.values[0][3 * i], results.values[0][3 * i + 1],
-                           results.values[0][3 * i + 2]);
-        const glm::dvec3 b(results.values[1][3 * i], results.values[1][3 * i + 1],
-                           results.values[1][3 * i + 2]);
-        angles.push_back(std::acos(std::clamp(glm::dot(a, b), -1.0, 1.0)) * 180 / std::numbers::pi);
+        const double cosine =
+            glm::dot(vector_at(results.values[0], i), vector_at(results.values[1], i));
+        angles.push_back(std::acos(std::clamp(cosine, -1.0, 1.0)) * 180 / std::numbers::pi);
     }
     return angles;
 }
