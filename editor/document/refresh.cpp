@@ -78,7 +78,10 @@ void refresh(State& state) {
         begin(state);
     else if (!same_document(follow.asked_of, state.document()))
         follow_document(state);
-    if (follow.asked_for != wanted_request(state)) ask(state);
+    if (follow.asked_for != wanted_request(state)) {
+        ask(state);
+        if (state.timings) state.timings->structure(follow.asked);
+    }
     if (follow.compiler)
         if (auto result = follow.compiler->take()) take(state, std::move(*result));
     hear_preview(state);

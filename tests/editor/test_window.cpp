@@ -108,37 +108,37 @@ assert clean
     EXPECT_GT(colors_of(*image, 1000, 1200, 400, 550), 50U) << "the preview is blank";
 }
 
-// A height of `count` nodes in a row, each with a number of its own, and its normal.
+// A height of `count` nodes in a chain, laid out in rows of ten, and its normal.
 std::string chain(int count) {
     std::string nodes =
         R"("uv": { "type": "separate_vec2", "in": { "vector": { "from": "surface.uv0" } } })";
-    std::string last = "uv.x";
-    const char* const types[] = {"multiply", "sine", "add"};
+    std::string last = "uv.x",
+                places = R"("depth": [0, -400], "normal": [400, -400], "uv": [0, -200])";
+    const char* const starts[] = {R"("multiply", "in": { "b": 3.1, "a")",
+                                  R"("sine", "in": { "angle")", R"("add", "in": { "b": 0.2, "a")"};
     for (int i = 0; i < count - 3; ++i) {
-        const std::string id = "n" + std::to_string(i), type = types[i % 3];
-        const std::string port = type == "sine" ? "angle" : "a";
-        nodes += ",\n\"" + id + "\": { \"type\": \"" + type + "\", \"in\": { \"" + port +
-                 "\": { \"from\": \"" + last + "\" }" +
-                 (type == "multiply" ? ", \"b\": 3.1"
-                  : type == "add"    ? ", \"b\": 0.2"
-                                     : "") +
-                 " } }";
+        const std::string id = "n" + std::to_string(i);
+        nodes += ",\n\"" + id + "\": { \"type\": " + starts[i % 3] + ": { \"from\": \"" + last +
+                 "\" } } }";
+        places += ", \"" + id + "\": [" + std::to_string(i % 10 * 240) + ", " +
+                  std::to_string(i / 10 * 160) + "]";
         last = id + ".result";
     }
     nodes += R"(,
-"depth": { "type": "multiply", "in": { "a": { "from": ")" +
-             last + R"(" }, "b": 0.05 } },
+"depth": { "type": "multiply", "in": { "b": 0.05, "a": { "from": ")" +
+             last + R"(" } } },
 "normal": { "type": "resolve", "in": { "gradient": { "from": "depth.result" } } })";
     return "{ \"wrinkle\": 1, \"nodes\": {\n" + nodes +
-           "\n}, \"outputs\": { \"normal\": { \"from\": \"normal.normal\" } } }\n";
+           "\n}, \"outputs\": { \"normal\": { \"from\": \"normal.normal\" } }, \"layout\": { " +
+           places + " } }\n";
 }
 
 // Cuts the chain at its end and mends it, drags a number, shows a node and the outputs again.
 std::string measured_script() {
     return R"(
-section cut
 click node:depth
 key F
+section cut
 drag pin:depth.a canvas+0,320
 section undo
 key Escape
