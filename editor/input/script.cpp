@@ -97,6 +97,11 @@ std::optional<bool> holds(const State& state, const std::vector<std::string>& w)
     return std::nullopt;
 }
 
+bool begin_section(const State& state, const std::string& name) {
+    if (state.timings) state.timings->section(name, state.counters.builds, state.counters.programs);
+    return true;
+}
+
 void click(InputQueue& queue, int button = 0) {
     queue.button(button, true);
     queue.button(button, false);
@@ -202,11 +207,7 @@ bool Script::run(const Line& line, const State& state, InputQueue& queue, const 
         queue.wheel(0, w.size() > 2 ? std::strtof(w[2].c_str(), nullptr) : 1);
         return true;
     }
-    if (what == "section") {
-        if (state.timings)
-            state.timings->section(w[1], state.counters.builds, state.counters.programs);
-        return true;
-    }
+    if (what == "section") return begin_section(state, w[1]);
     if (what == "key") return queue.chord(w[1]) || fail("there is no key '" + w[1] + "'");
     if (what == "type") {
         queue.type(rest(w, 1));
