@@ -8,7 +8,7 @@ struct WrinkleSurface_blended_bumps {
     float facing;            // +1 on front faces, -1 on back faces
 };
 
-float wrinkle_blended_bumps_noise_corner_change(int a, int b, int c, vec3 d, vec3 e) {
+vec3 wrinkle_blended_bumps_noise_direction(int a, int b, int c) {
     uint sum = uint(c) * 747796405u + 2891336453u;
     uint product = (sum >> (sum >> 28u) + 4u ^ sum) * 277803737u;
     uint sum_2 = (uint(b) + (product >> 22u ^ product)) * 747796405u + 2891336453u;
@@ -16,94 +16,60 @@ float wrinkle_blended_bumps_noise_corner_change(int a, int b, int c, vec3 d, vec
     uint sum_3 = (uint(a) + (product_2 >> 22u ^ product_2)) * 747796405u + 2891336453u;
     uint product_3 = (sum_3 >> (sum_3 >> 28u) + 4u ^ sum_3) * 277803737u;
     uint bits = product_3 >> 22u ^ product_3;
-    uint bits_2 = (bits >> 8u) * 3u >> 24u;
-    float choice = bits_2 == 0u ? e.y : e.x;
-    float choice_2 = bits_2 == 2u ? e.y : e.z;
-    return ((bits & 1u) == 0u ? choice : -choice) + ((bits & 2u) == 0u ? choice_2 : -choice_2);
+    uint product_4 = (((bits >> 8u) * 3u >> 24u) * 4u + (bits & 3u)) * 2u;
+    float number = float(2237013u >> product_4 & 3u);
+    float number_2 = float(5573130u >> product_4 & 3u);
+    return vec3(number, float(677154u >> product_4 & 3u), number_2) - 1.0;
 }
 
-float wrinkle_blended_bumps_noise_corner(int a, int b, int c, vec3 d) {
-    uint sum = uint(c) * 747796405u + 2891336453u;
-    uint product = (sum >> (sum >> 28u) + 4u ^ sum) * 277803737u;
-    uint sum_2 = (uint(b) + (product >> 22u ^ product)) * 747796405u + 2891336453u;
-    uint product_2 = (sum_2 >> (sum_2 >> 28u) + 4u ^ sum_2) * 277803737u;
-    uint sum_3 = (uint(a) + (product_2 >> 22u ^ product_2)) * 747796405u + 2891336453u;
-    uint product_3 = (sum_3 >> (sum_3 >> 28u) + 4u ^ sum_3) * 277803737u;
-    uint bits = product_3 >> 22u ^ product_3;
-    uint bits_2 = (bits >> 8u) * 3u >> 24u;
-    float choice = bits_2 == 0u ? d.y : d.x;
-    float choice_2 = bits_2 == 2u ? d.y : d.z;
-    return ((bits & 1u) == 0u ? choice : -choice) + ((bits & 2u) == 0u ? choice_2 : -choice_2);
-}
-
-float wrinkle_blended_bumps_gradient_noise_change(vec3 a, vec3 b) {
+vec3 wrinkle_blended_bumps_gradient_noise_slope(vec3 a) {
     vec3 floored = floor(a);
     int whole = int(floored.x);
     int whole_2 = int(floored.y);
     int whole_3 = int(floored.z);
-    vec3 difference = a - floored;
-    float noise_corner_change = wrinkle_blended_bumps_noise_corner_change(whole, whole_2, whole_3,
-            difference, b);
+    vec3 noise_direction = wrinkle_blended_bumps_noise_direction(whole, whole_2, whole_3);
     int sum = whole + 1;
-    vec3 difference_2 = difference - vec3(1.0, 0.0, 0.0);
-    float noise_corner_change_2 = wrinkle_blended_bumps_noise_corner_change(sum, whole_2, whole_3,
-            difference_2, b);
-    vec3 product = difference * difference;
-    vec3 product_2 = product * difference;
-    vec3 difference_3 = difference * 6.0 - 15.0;
-    vec3 sum_2 = difference * difference_3 + 10.0;
-    vec3 product_3 = product_2 * sum_2;
-    float mixed = mix(noise_corner_change, noise_corner_change_2, product_3.x);
-    vec3 product_4 = b * difference;
-    vec3 product_5 = ((product_4 + product_4) * difference + b * product) * sum_2;
-    vec3 sum_3 = product_5 + (b * difference_3 + b * 6.0 * difference) * product_2;
-    float noise_corner = wrinkle_blended_bumps_noise_corner(sum, whole_2, whole_3, difference_2);
-    float noise_corner_2 = wrinkle_blended_bumps_noise_corner(whole, whole_2, whole_3, difference);
-    float sum_4 = mixed + sum_3.x * (noise_corner - noise_corner_2);
-    int sum_5 = whole_2 + 1;
-    vec3 difference_4 = difference - vec3(0.0, 1.0, 0.0);
-    float noise_corner_change_3 = wrinkle_blended_bumps_noise_corner_change(whole, sum_5, whole_3,
-            difference_4, b);
-    vec3 difference_5 = difference - vec3(1.0, 1.0, 0.0);
-    float noise_corner_change_4 = wrinkle_blended_bumps_noise_corner_change(sum, sum_5, whole_3,
-            difference_5, b);
-    float mixed_2 = mix(noise_corner_change_3, noise_corner_change_4, product_3.x);
-    float noise_corner_3 = wrinkle_blended_bumps_noise_corner(sum, sum_5, whole_3, difference_5);
-    float noise_corner_4 = wrinkle_blended_bumps_noise_corner(whole, sum_5, whole_3, difference_4);
-    float mixed_3 = mix(sum_4, mixed_2 + sum_3.x * (noise_corner_3 - noise_corner_4), product_3.y);
-    float mixed_4 = mix(noise_corner_4, noise_corner_3, product_3.x);
-    float mixed_5 = mix(noise_corner_2, noise_corner, product_3.x);
-    float sum_6 = mixed_3 + sum_3.y * (mixed_4 - mixed_5);
-    int sum_7 = whole_3 + 1;
-    vec3 difference_6 = difference - vec3(0.0, 0.0, 1.0);
-    float noise_corner_change_5 = wrinkle_blended_bumps_noise_corner_change(whole, whole_2, sum_7,
-            difference_6, b);
-    vec3 difference_7 = difference - vec3(1.0, 0.0, 1.0);
-    float noise_corner_change_6 = wrinkle_blended_bumps_noise_corner_change(sum, whole_2, sum_7,
-            difference_7, b);
-    float mixed_6 = mix(noise_corner_change_5, noise_corner_change_6, product_3.x);
-    float noise_corner_5 = wrinkle_blended_bumps_noise_corner(sum, whole_2, sum_7, difference_7);
-    float noise_corner_6 = wrinkle_blended_bumps_noise_corner(whole, whole_2, sum_7, difference_6);
-    float sum_8 = mixed_6 + sum_3.x * (noise_corner_5 - noise_corner_6);
-    vec3 difference_8 = difference - vec3(0.0, 1.0, 1.0);
-    float noise_corner_change_7 = wrinkle_blended_bumps_noise_corner_change(whole, sum_5, sum_7,
-            difference_8, b);
-    vec3 difference_9 = difference - 1.0;
-    float noise_corner_change_8 = wrinkle_blended_bumps_noise_corner_change(sum, sum_5, sum_7,
-            difference_9, b);
-    float mixed_7 = mix(noise_corner_change_7, noise_corner_change_8, product_3.x);
-    float noise_corner_7 = wrinkle_blended_bumps_noise_corner(sum, sum_5, sum_7, difference_9);
-    float noise_corner_8 = wrinkle_blended_bumps_noise_corner(whole, sum_5, sum_7, difference_8);
-    float mixed_8 = mix(sum_8, mixed_7 + sum_3.x * (noise_corner_7 - noise_corner_8), product_3.y);
-    float mixed_9 = mix(noise_corner_8, noise_corner_7, product_3.x);
-    float mixed_10 = mix(noise_corner_6, noise_corner_5, product_3.x);
-    float mixed_11 = mix(sum_6, mixed_8 + sum_3.y * (mixed_9 - mixed_10), product_3.z);
-    float difference_10 = mix(mixed_10, mixed_9, product_3.y) - mix(mixed_5, mixed_4, product_3.y);
-    return mixed_11 + sum_3.z * difference_10;
+    vec3 noise_direction_2 = wrinkle_blended_bumps_noise_direction(sum, whole_2, whole_3);
+    vec3 difference = a - floored;
+    vec3 sum_2 = difference * (difference * 6.0 - 15.0) + 10.0;
+    vec3 product = difference * difference * difference * sum_2;
+    vec3 mixed = mix(noise_direction, noise_direction_2, product.x);
+    int sum_3 = whole_2 + 1;
+    vec3 noise_direction_3 = wrinkle_blended_bumps_noise_direction(whole, sum_3, whole_3);
+    vec3 noise_direction_4 = wrinkle_blended_bumps_noise_direction(sum, sum_3, whole_3);
+    vec3 mixed_2 = mix(noise_direction_3, noise_direction_4, product.x);
+    vec3 mixed_3 = mix(mixed, mixed_2, product.y);
+    int sum_4 = whole_3 + 1;
+    vec3 noise_direction_5 = wrinkle_blended_bumps_noise_direction(whole, whole_2, sum_4);
+    vec3 noise_direction_6 = wrinkle_blended_bumps_noise_direction(sum, whole_2, sum_4);
+    vec3 mixed_4 = mix(noise_direction_5, noise_direction_6, product.x);
+    vec3 noise_direction_7 = wrinkle_blended_bumps_noise_direction(whole, sum_3, sum_4);
+    vec3 noise_direction_8 = wrinkle_blended_bumps_noise_direction(sum, sum_3, sum_4);
+    vec3 mixed_5 = mix(noise_direction_7, noise_direction_8, product.x);
+    vec3 difference_2 = difference - 1.0;
+    vec3 product_2 = 30.0 * difference * difference * difference_2 * difference_2;
+    float dot_product = dot(noise_direction_2, difference - vec3(1.0, 0.0, 0.0));
+    float dot_product_2 = dot(noise_direction, difference);
+    float dot_product_3 = dot(noise_direction_4, difference - vec3(1.0, 1.0, 0.0));
+    float dot_product_4 = dot(noise_direction_3, difference - vec3(0.0, 1.0, 0.0));
+    float mixed_6 = mix(dot_product - dot_product_2, dot_product_3 - dot_product_4, product.y);
+    float dot_product_5 = dot(noise_direction_6, difference - vec3(1.0, 0.0, 1.0));
+    float dot_product_6 = dot(noise_direction_5, difference - vec3(0.0, 0.0, 1.0));
+    float dot_product_7 = dot(noise_direction_8, difference - 1.0);
+    float dot_product_8 = dot(noise_direction_7, difference - vec3(0.0, 1.0, 1.0));
+    float mixed_7 = mix(dot_product_5 - dot_product_6, dot_product_7 - dot_product_8, product.y);
+    float mixed_8 = mix(dot_product_4, dot_product_3, product.x);
+    float mixed_9 = mix(dot_product_2, dot_product, product.x);
+    float mixed_10 = mix(dot_product_8, dot_product_7, product.x);
+    float mixed_11 = mix(dot_product_6, dot_product_5, product.x);
+    float mixed_12 = mix(mixed_8 - mixed_9, mixed_10 - mixed_11, product.z);
+    float difference_3 = mix(mixed_11, mixed_10, product.y) - mix(mixed_9, mixed_8, product.y);
+    vec3 product_3 = product_2 * vec3(mix(mixed_6, mixed_7, product.z), mixed_12, difference_3);
+    return mix(mixed_3, mix(mixed_4, mixed_5, product.y), product.z) + product_3;
 }
 
-float wrinkle_blended_bumps_noise_octave_change(vec3 a, float b, vec3 c) {
-    return wrinkle_blended_bumps_gradient_noise_change(a, c) * (1.0 - smoothstep(0.25, 0.75, b));
+vec3 wrinkle_blended_bumps_noise_octave_slope(vec3 a, float b) {
+    return wrinkle_blended_bumps_gradient_noise_slope(a) * (1.0 - smoothstep(0.25, 0.75, b));
 }
 
 vec3 wrinkle_blended_bumps_normal(WrinkleSurface_blended_bumps s) {
@@ -128,54 +94,53 @@ vec3 wrinkle_blended_bumps_normal(WrinkleSurface_blended_bumps s) {
     vec2 knobs_product_3 = dFdy(s.uv0) * 6.0;
     float knobs_greatest = max(length(knobs_product_2), length(knobs_product_3));
     float knobs_difference_3 = 1.0 - smoothstep(0.25, 0.75, knobs_greatest);
-    float knobs_product_4 = knobs_quotient_2 * knobs_difference_3 * 0.08;
     float knobs_sum_2 = dot(knobs_product_3, knobs_vector) + dot(knobs_vector, knobs_product_3);
     float knobs_negated_2 = -((knobs_test_2 ? 0.0 : knobs_sum_2 / 0.1225) * 0.64);
     float knobs_quotient_3 = (knobs_test ? 0.0 : knobs_negated_2) * knobs_choice / 0.4;
     vec3 grain_product = s.position * 14.0;  // grain: Gradient noise
     float grain_greatest = max(length(dpdx * 14.0), length(dpdy * 14.0));
-    vec3 grain_product_2 = (dpdx - normal * dot(normal, dpdx)) * 14.0;
-    float grain_noise_octave_change = wrinkle_blended_bumps_noise_octave_change(grain_product,
-            grain_greatest, grain_product_2);
-    vec3 grain_product_3 = grain_product * 2.0;
-    vec3 grain_sum = grain_product_3 + vec3(19.19, 7.43, 31.71);
-    float grain_product_4 = grain_greatest * 2.0;
+    vec3 grain_noise_octave_slope = wrinkle_blended_bumps_noise_octave_slope(grain_product,
+            grain_greatest);
+    vec3 grain_product_2 = grain_product * 2.0;
+    vec3 grain_sum = grain_product_2 + vec3(19.19, 7.43, 31.71);
+    float grain_product_3 = grain_greatest * 2.0;
+    vec3 grain_noise_octave_slope_2 = wrinkle_blended_bumps_noise_octave_slope(grain_sum,
+            grain_product_3);
+    float grain_product_4 = dot(grain_noise_octave_slope_2, vec3(28.0, 0.0, 0.0)) * 0.5;
+    float grain_sum_2 = dot(grain_noise_octave_slope, vec3(14.0, 0.0, 0.0)) + grain_product_4;
     vec3 grain_product_5 = grain_product_2 * 2.0;
-    float grain_noise_octave_change_2 = wrinkle_blended_bumps_noise_octave_change(grain_sum,
-            grain_product_4, grain_product_5);
-    float grain_sum_2 = grain_noise_octave_change + grain_noise_octave_change_2 * 0.5;
-    vec3 grain_product_6 = grain_product_3 * 2.0;
-    vec3 grain_sum_3 = grain_product_6 + vec3(38.38, 14.86, 63.42);
-    float grain_product_7 = grain_product_4 * 2.0;
-    vec3 grain_product_8 = grain_product_5 * 2.0;
-    float grain_noise_octave_change_3 = wrinkle_blended_bumps_noise_octave_change(grain_sum_3,
-            grain_product_7, grain_product_8);
-    float grain_sum_4 = grain_sum_2 + grain_noise_octave_change_3 * 0.25;
-    vec3 grain_sum_5 = grain_product_6 * 2.0 + vec3(57.57, 22.29, 95.13);
-    float grain_product_9 = grain_product_7 * 2.0;
-    vec3 grain_product_10 = grain_product_8 * 2.0;
-    float grain_noise_octave_change_4 = wrinkle_blended_bumps_noise_octave_change(grain_sum_5,
-            grain_product_9, grain_product_10);
-    float grain_product_11 = (grain_sum_4 + grain_noise_octave_change_4 * 0.125) / 1.875 * 0.03;
-    vec3 grain_product_12 = (dpdy - normal * dot(normal, dpdy)) * 14.0;
-    float grain_noise_octave_change_5 = wrinkle_blended_bumps_noise_octave_change(grain_product,
-            grain_greatest, grain_product_12);
-    vec3 grain_product_13 = grain_product_12 * 2.0;
-    float grain_noise_octave_change_6 = wrinkle_blended_bumps_noise_octave_change(grain_sum,
-            grain_product_4, grain_product_13);
-    float grain_sum_6 = grain_noise_octave_change_5 + grain_noise_octave_change_6 * 0.5;
-    vec3 grain_product_14 = grain_product_13 * 2.0;
-    float grain_noise_octave_change_7 = wrinkle_blended_bumps_noise_octave_change(grain_sum_3,
-            grain_product_7, grain_product_14);
-    float grain_sum_7 = grain_sum_6 + grain_noise_octave_change_7 * 0.25;
-    vec3 grain_product_15 = grain_product_14 * 2.0;
-    float grain_noise_octave_change_8 = wrinkle_blended_bumps_noise_octave_change(grain_sum_5,
-            grain_product_9, grain_product_15);
-    float grain_product_16 = (grain_sum_7 + grain_noise_octave_change_8 * 0.125) / 1.875 * 0.03;
-    vec2 sum_vector = vec2(grain_product_11, grain_product_16);  // sum: Add bumps
-    vec2 sum_sum = vec2(knobs_product_4, knobs_quotient_3 * knobs_difference_3 * 0.08) + sum_vector;
-    vec3 normal_sum = r_x * sum_sum.x + cross(normal, dpdx) * sum_sum.y;  // normal: Resolve
-    return normalize(normal * s.facing - normal_sum * (sign(det) / max(abs(det), 1e-36)));
+    vec3 grain_sum_3 = grain_product_5 + vec3(38.38, 14.86, 63.42);
+    float grain_product_6 = grain_product_3 * 2.0;
+    vec3 grain_noise_octave_slope_3 = wrinkle_blended_bumps_noise_octave_slope(grain_sum_3,
+            grain_product_6);
+    float grain_sum_4 = grain_sum_2 + dot(grain_noise_octave_slope_3, vec3(56.0, 0.0, 0.0)) * 0.25;
+    vec3 grain_sum_5 = grain_product_5 * 2.0 + vec3(57.57, 22.29, 95.13);
+    float grain_product_7 = grain_product_6 * 2.0;
+    vec3 grain_noise_octave_slope_4 = wrinkle_blended_bumps_noise_octave_slope(grain_sum_5,
+            grain_product_7);
+    float grain_sum_6 = grain_sum_4 + dot(grain_noise_octave_slope_4, vec3(112.0, 0.0,
+            0.0)) * 0.125;
+    float grain_product_8 = grain_sum_6 / 1.875 * 0.03;
+    float grain_product_9 = dot(grain_noise_octave_slope_2, vec3(0.0, 28.0, 0.0)) * 0.5;
+    float grain_sum_7 = dot(grain_noise_octave_slope, vec3(0.0, 14.0, 0.0)) + grain_product_9;
+    float grain_sum_8 = grain_sum_7 + dot(grain_noise_octave_slope_3, vec3(0.0, 56.0, 0.0)) * 0.25;
+    float grain_sum_9 = grain_sum_8 + dot(grain_noise_octave_slope_4, vec3(0.0, 112.0,
+            0.0)) * 0.125;
+    float grain_product_10 = dot(grain_noise_octave_slope_2, vec3(0.0, 0.0, 28.0)) * 0.5;
+    float grain_sum_10 = dot(grain_noise_octave_slope, vec3(0.0, 0.0, 14.0)) + grain_product_10;
+    float grain_sum_11 = grain_sum_10 + dot(grain_noise_octave_slope_3, vec3(0.0, 0.0,
+            56.0)) * 0.25;
+    float grain_sum_12 = grain_sum_11 + dot(grain_noise_octave_slope_4, vec3(0.0, 0.0,
+            112.0)) * 0.125;
+    // sum: Add bumps
+    vec3 sum_vector = vec3(grain_product_8, grain_sum_9 / 1.875 * 0.03,
+            grain_sum_12 / 1.875 * 0.03);
+    // normal: Resolve
+    vec3 normal_product = cross(normal, dpdx) * (knobs_quotient_3 * knobs_difference_3 * 0.08);
+    vec3 normal_sum = r_x * (knobs_quotient_2 * knobs_difference_3 * 0.08) + normal_product;
+    vec3 normal_gradient = normal_sum * (sign(det) / max(abs(det), 1e-36));
+    vec3 normal_gradient_2 = normal_gradient + (sum_vector - normal * dot(normal, sum_vector));
+    return normalize(normal * s.facing - normal_gradient_2);
 }
 
 vec3 wrinkle_blended_bumps_naive(WrinkleSurface_blended_bumps s) {
@@ -184,9 +149,7 @@ vec3 wrinkle_blended_bumps_naive(WrinkleSurface_blended_bumps s) {
     vec3 normal = normalize(s.normal);
     vec3 r_x = cross(dpdy, normal);
     vec3 dpdx = dFdx(s.position_relative);
-    vec3 r_y = cross(normal, dpdx);
     float det = dot(dpdx, r_x);
-    float inverse_det = sign(det) / max(abs(det), 1e-36);
     vec3 bitangent = cross(s.normal, s.tangent.xyz) * (s.tangent.w > 0.0 ? 1.0 : -1.0);
     vec2 knobs_product = s.uv0 * 6.0;  // knobs: Domes
     float knobs_difference = knobs_product.y - floor(knobs_product.y) - 0.5;
@@ -209,68 +172,66 @@ vec3 wrinkle_blended_bumps_naive(WrinkleSurface_blended_bumps s) {
     float knobs_quotient_3 = (knobs_test ? 0.0 : knobs_negated_2) * knobs_choice / 0.4;
     vec3 grain_product = s.position * 14.0;  // grain: Gradient noise
     float grain_greatest = max(length(dpdx * 14.0), length(dpdy * 14.0));
-    vec3 grain_product_2 = (dpdx - normal * dot(normal, dpdx)) * 14.0;
-    float grain_noise_octave_change = wrinkle_blended_bumps_noise_octave_change(grain_product,
-            grain_greatest, grain_product_2);
-    vec3 grain_product_3 = grain_product * 2.0;
-    vec3 grain_sum = grain_product_3 + vec3(19.19, 7.43, 31.71);
-    float grain_product_4 = grain_greatest * 2.0;
+    vec3 grain_noise_octave_slope = wrinkle_blended_bumps_noise_octave_slope(grain_product,
+            grain_greatest);
+    vec3 grain_product_2 = grain_product * 2.0;
+    vec3 grain_sum = grain_product_2 + vec3(19.19, 7.43, 31.71);
+    float grain_product_3 = grain_greatest * 2.0;
+    vec3 grain_noise_octave_slope_2 = wrinkle_blended_bumps_noise_octave_slope(grain_sum,
+            grain_product_3);
+    float grain_product_4 = dot(grain_noise_octave_slope_2, vec3(28.0, 0.0, 0.0)) * 0.5;
+    float grain_sum_2 = dot(grain_noise_octave_slope, vec3(14.0, 0.0, 0.0)) + grain_product_4;
     vec3 grain_product_5 = grain_product_2 * 2.0;
-    float grain_noise_octave_change_2 = wrinkle_blended_bumps_noise_octave_change(grain_sum,
-            grain_product_4, grain_product_5);
-    float grain_sum_2 = grain_noise_octave_change + grain_noise_octave_change_2 * 0.5;
-    vec3 grain_product_6 = grain_product_3 * 2.0;
-    vec3 grain_sum_3 = grain_product_6 + vec3(38.38, 14.86, 63.42);
-    float grain_product_7 = grain_product_4 * 2.0;
-    vec3 grain_product_8 = grain_product_5 * 2.0;
-    float grain_noise_octave_change_3 = wrinkle_blended_bumps_noise_octave_change(grain_sum_3,
-            grain_product_7, grain_product_8);
-    float grain_sum_4 = grain_sum_2 + grain_noise_octave_change_3 * 0.25;
-    vec3 grain_sum_5 = grain_product_6 * 2.0 + vec3(57.57, 22.29, 95.13);
-    float grain_product_9 = grain_product_7 * 2.0;
-    vec3 grain_product_10 = grain_product_8 * 2.0;
-    float grain_noise_octave_change_4 = wrinkle_blended_bumps_noise_octave_change(grain_sum_5,
-            grain_product_9, grain_product_10);
-    vec3 grain_product_11 = (dpdy - normal * dot(normal, dpdy)) * 14.0;
-    float grain_noise_octave_change_5 = wrinkle_blended_bumps_noise_octave_change(grain_product,
-            grain_greatest, grain_product_11);
-    vec3 grain_product_12 = grain_product_11 * 2.0;
-    float grain_noise_octave_change_6 = wrinkle_blended_bumps_noise_octave_change(grain_sum,
-            grain_product_4, grain_product_12);
-    float grain_sum_6 = grain_noise_octave_change_5 + grain_noise_octave_change_6 * 0.5;
-    vec3 grain_product_13 = grain_product_12 * 2.0;
-    float grain_noise_octave_change_7 = wrinkle_blended_bumps_noise_octave_change(grain_sum_3,
-            grain_product_7, grain_product_13);
-    float grain_sum_7 = grain_sum_6 + grain_noise_octave_change_7 * 0.25;
-    vec3 grain_product_14 = grain_product_13 * 2.0;
-    float grain_noise_octave_change_8 = wrinkle_blended_bumps_noise_octave_change(grain_sum_5,
-            grain_product_9, grain_product_14);
+    vec3 grain_sum_3 = grain_product_5 + vec3(38.38, 14.86, 63.42);
+    float grain_product_6 = grain_product_3 * 2.0;
+    vec3 grain_noise_octave_slope_3 = wrinkle_blended_bumps_noise_octave_slope(grain_sum_3,
+            grain_product_6);
+    float grain_sum_4 = grain_sum_2 + dot(grain_noise_octave_slope_3, vec3(56.0, 0.0, 0.0)) * 0.25;
+    vec3 grain_sum_5 = grain_product_5 * 2.0 + vec3(57.57, 22.29, 95.13);
+    float grain_product_7 = grain_product_6 * 2.0;
+    vec3 grain_noise_octave_slope_4 = wrinkle_blended_bumps_noise_octave_slope(grain_sum_5,
+            grain_product_7);
+    float grain_sum_6 = grain_sum_4 + dot(grain_noise_octave_slope_4, vec3(112.0, 0.0,
+            0.0)) * 0.125;
+    float grain_product_8 = grain_sum_6 / 1.875 * 0.03;
+    float grain_product_9 = dot(grain_noise_octave_slope_2, vec3(0.0, 28.0, 0.0)) * 0.5;
+    float grain_sum_7 = dot(grain_noise_octave_slope, vec3(0.0, 14.0, 0.0)) + grain_product_9;
+    float grain_sum_8 = grain_sum_7 + dot(grain_noise_octave_slope_3, vec3(0.0, 56.0, 0.0)) * 0.25;
+    float grain_sum_9 = grain_sum_8 + dot(grain_noise_octave_slope_4, vec3(0.0, 112.0,
+            0.0)) * 0.125;
+    float grain_product_10 = dot(grain_noise_octave_slope_2, vec3(0.0, 0.0, 28.0)) * 0.5;
+    float grain_sum_10 = dot(grain_noise_octave_slope, vec3(0.0, 0.0, 14.0)) + grain_product_10;
+    float grain_sum_11 = grain_sum_10 + dot(grain_noise_octave_slope_3, vec3(0.0, 0.0,
+            56.0)) * 0.25;
+    float grain_sum_12 = grain_sum_11 + dot(grain_noise_octave_slope_4, vec3(0.0, 0.0,
+            112.0)) * 0.125;
+    // sum: Add bumps
+    vec3 sum_vector = vec3(grain_product_8, grain_sum_9 / 1.875 * 0.03,
+            grain_sum_12 / 1.875 * 0.03);
+    // normal: Resolve
+    vec3 normal_product = cross(normal, dpdx) * (knobs_quotient_3 * knobs_difference_3 * 0.08);
+    vec3 normal_sum = r_x * (knobs_quotient_2 * knobs_difference_3 * 0.08) + normal_product;
+    vec3 normal_gradient = normal_sum * (sign(det) / max(abs(det), 1e-36));
+    vec3 normal_gradient_2 = sum_vector - normal * dot(normal, sum_vector);
     // blend: Wrong: bumps blended as normals
     vec3 blend_product = s.tangent.xyz * inverse_normal_length;
-    vec3 blend_product_2 = r_x * (knobs_quotient_2 * knobs_difference_3 * 0.08);
-    vec3 blend_sum = blend_product_2 + r_y * (knobs_quotient_3 * knobs_difference_3 * 0.08);
-    vec3 blend_product_3 = blend_sum * inverse_det;
-    float blend_negated = -dot(blend_product, blend_product_3);
-    vec3 blend_product_4 = bitangent * inverse_normal_length;
-    vec3 blend_vector = vec3(blend_negated, -dot(blend_product_4, blend_product_3), 1.0);
+    float blend_negated = -dot(blend_product, normal_gradient);
+    vec3 blend_product_2 = bitangent * inverse_normal_length;
+    vec3 blend_vector = vec3(blend_negated, -dot(blend_product_2, normal_gradient), 1.0);
     bool blend_test = dot(blend_vector, blend_vector) > 0.0;
     vec3 blend_choice = blend_test ? normalize(blend_vector) : vec3(0.0);
-    vec3 blend_product_5 = r_x * ((grain_sum_4 + grain_noise_octave_change_4 * 0.125) / 1.875 *
-            0.03);
-    vec3 blend_product_6 = r_y * ((grain_sum_7 + grain_noise_octave_change_8 * 0.125) / 1.875 *
-            0.03);
-    vec3 blend_product_7 = (blend_product_5 + blend_product_6) * inverse_det;
-    float blend_negated_2 = -dot(blend_product, blend_product_7);
-    vec3 blend_vector_2 = vec3(blend_negated_2, -dot(blend_product_4, blend_product_7), 1.0);
+    float blend_negated_2 = -dot(blend_product, normal_gradient_2);
+    vec3 blend_vector_2 = vec3(blend_negated_2, -dot(blend_product_2, normal_gradient_2), 1.0);
     bool blend_test_2 = dot(blend_vector_2, blend_vector_2) > 0.0;
     vec3 blend_choice_2 = blend_test_2 ? normalize(blend_vector_2) : vec3(0.0);
     vec3 blend_vector_3 = vec3(blend_choice.xy + blend_choice_2.xy, blend_choice.z);
     bool blend_test_3 = dot(blend_vector_3, blend_vector_3) > 0.0;
     vec3 blend_choice_3 = blend_test_3 ? normalize(blend_vector_3) : vec3(0.0);
-    float blend_product_8 = max(abs(blend_choice_3.x), abs(blend_choice_3.y)) * 0.0078125;
+    float blend_least_depth = max(abs(blend_choice_3.x), abs(blend_choice_3.y)) * 0.0078125;
     vec2 blend_slope = -blend_choice_3.xy;
     // blended: Resolve
-    float blended_product = max(max(abs(blend_choice_3.z), blend_product_8), 1e-06) * s.facing;
+    float blended_product = max(max(abs(blend_choice_3.z), blend_least_depth), 1e-06) * s.facing;
     vec3 blended_gradient = s.tangent.xyz * blend_slope.x + bitangent * blend_slope.y;
-    return normalize(s.normal * blended_product - blended_gradient);
+    vec3 blended_bumped = s.normal * blended_product - blended_gradient;
+    return normalize(vec3(blended_bumped.xy, blended_bumped.z + 1e-18));
 }
