@@ -12,7 +12,7 @@ namespace {
 TEST_F(Headless, ShowsWhatTheGraphHolds) {
     ImGui::GetIO().DisplaySize.y = 5000;  // all lines are on the screen
     open(small_graph);
-    state.view.preview = 0.15F;
+    state.panes.preview = 0.15F;
     frame();
     play(R"(
         assert nodes 4
