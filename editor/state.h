@@ -37,6 +37,7 @@ struct State {
     Look look;
     History history;
     std::filesystem::path path;
+    std::vector<std::filesystem::path> outer;  // the graphs that this one was opened from
     uint64_t saved_serial = 0;
     std::string save_refused;  // why this file is not written: what reading it would lose
     bool quit = false, quit_asked = false;
@@ -52,6 +53,7 @@ struct State {
     Code code;
     Clip clip;
     Offer offer;
+    BoxText box_text;
     std::string status;  // what the last action did, or why it was refused
 
     Model model;

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "editor/canvas/box_id.h"
 #include "editor/preview/preview.h"
 #include "editor/preview/request.h"
 #include "graph/document.h"
@@ -20,6 +21,7 @@ struct View {
     bool fitted = false;
     ImVec2 corner{0, 0}, extent{0, 0};  // the canvas on the screen
     std::set<std::string> selected;
+    std::set<BoxId> boxes;           // selected frames and notes
     std::vector<std::string> order;  // raised nodes, the topmost last
     // Where the cards at the borders stand, once they have been put somewhere; canvas units.
     std::optional<ImVec2> surface_at, outputs_at;

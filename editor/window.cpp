@@ -195,7 +195,7 @@ bool Window::run(State& state, Script* script, const std::string& shot, std::str
             glfwPollEvents();
         else
             glfwWaitEventsTimeout(0.5);
-        if (!h.queue.empty() || woken.exchange(false)) h.awake = 3;
+        if (!h.queue.empty() || woken.exchange(false) || state.gesture.panning) h.awake = 3;
         if (glfwWindowShouldClose(h.window)) {
             glfwSetWindowShouldClose(h.window, GLFW_FALSE);
             run_command(state, "quit");

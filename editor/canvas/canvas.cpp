@@ -2,9 +2,11 @@
 
 #include <cmath>
 
+#include "editor/canvas/boxes.h"
 #include "editor/canvas/gestures/gestures.h"
 #include "editor/canvas/layout.h"
 #include "editor/document/edits.h"
+#include "editor/document/group.h"
 #include "editor/document/refresh.h"
 #include "editor/look/draw.h"
 
@@ -26,6 +28,15 @@ void double_click(State& state, const Hit& hit) {
         reroute_wire(state, hit.part, to_canvas(state.view, ImGui::GetIO().MousePos));
         return;
     }
+    if (hit.kind == Hit::Kind::box) {
+        edit_box_text(state, all_boxes(state.document())[hit.part]);
+        return;
+    }
+    if (hit.kind == Hit::Kind::card) {
+        const Node* node = state.document().find(state.layout.cards[hit.card].id);
+        if (node && node->subgraph()) open_group(state);
+        return;
+    }
     if (hit.kind == Hit::Kind::header) {
         const Card& card = state.layout.cards[hit.card];
         if (card.kind == Card::Kind::node) open_popup(state, card, nullptr, Popup::Kind::rename);
@@ -41,7 +52,8 @@ void press(State& state, const Hit& hit) {
     state.view.selected_wire.reset();
     if (io.KeyAlt) return begin_gesture(state, Kind::pan);
     if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) double_click(state, hit);
-    if (state.popup.kind != Popup::Kind::none) return;
+    if (!state.layout.nodes.same(state.document().nodes)) return;  // the hit is of another graph
+    if (state.popup.kind != Popup::Kind::none || state.box_text.open) return;
     switch (hit.kind) {
         case Hit::Kind::pin: {
             const Card& card = state.layout.cards[hit.card];
@@ -53,10 +65,7 @@ void press(State& state, const Hit& hit) {
         }
         case Hit::Kind::header:
         case Hit::Kind::card:
-            select_card(state, state.layout.cards[hit.card].id);
-            begin_gesture(state, Kind::move);
-            state.gesture.node = state.layout.cards[hit.card].id;
-            return;
+            return begin_move(state, state.layout.cards[hit.card].id);
         case Hit::Kind::more:
             return toggle_more(state, state.layout.cards[hit.card]);
         case Hit::Kind::wire: {
@@ -65,15 +74,21 @@ void press(State& state, const Hit& hit) {
             state.view.selected_wire = Link{wire.node, wire.port};
             return;
         }
+        case Hit::Kind::box:
+            return begin_box(state, hit);
         case Hit::Kind::nothing:
-            if (!io.KeyShift) state.view.selected.clear();
-            return begin_gesture(state, Kind::box);
+            begin_gesture(state, io.KeyCtrl && io.KeyShift ? Kind::lasso : Kind::box);
+            if (io.KeyShift || io.KeyCtrl) return;
+            state.view.selected.clear();
+            state.view.boxes.clear();
+            return;
     }
 }
 
 void drag(State& state) {
     Gesture& g = state.gesture;
     const ImGuiIO& io = ImGui::GetIO();
+    pan_at_edges(state);
     const ImVec2 delta = io.MousePos - g.start;
     if (!g.moved && std::fabs(delta.x) < threshold && std::fabs(delta.y) < threshold) return;
     if (!g.moved && g.kind == Kind::wire) lift_wire(state);
@@ -84,6 +99,12 @@ void drag(State& state) {
             break;
         case Kind::box:
             drag_box(state);
+            break;
+        case Kind::lasso:
+            drag_lasso(state);
+            break;
+        case Kind::resize:
+            drag_resize(state, delta);
             break;
         case Kind::move:
             drag_move(state, delta);
@@ -111,6 +132,8 @@ void release(State& state) {
         case Kind::move:
             if (g.moved)
                 drop_cards(state);
+            else if (g.node.empty())
+                click_box(state, g.box);
             else
                 click_card(state, g.node);
             break;
@@ -135,11 +158,20 @@ void release(State& state) {
 
 void cancel(State& state) {
     if (state.gesture.moved) state.history.cancel(state.gesture.merge);
-    if (state.gesture.kind == Kind::pan) state.view.pan = state.gesture.pan;
-    if (state.gesture.kind == Kind::box) state.view.selected = state.gesture.selected;
+    state.view.pan = state.gesture.pan;
+    if (state.gesture.kind == Kind::box || state.gesture.kind == Kind::lasso) {
+        state.view.selected = state.gesture.selected;
+        state.view.boxes = state.gesture.boxes;
+    }
     state.status.clear();
     state.gesture = {};
     state.layout_stale = true;
+}
+
+// Gestures that remember cards or wires by their place in the layout.
+bool points_at_layout(const Gesture& g) {
+    return g.kind == Kind::cut || g.kind == Kind::reroute || g.kind == Kind::lazy ||
+           g.kind == Kind::move;
 }
 
 void zoom_by_wheel(State& state) {
@@ -149,7 +181,8 @@ void zoom_by_wheel(State& state) {
 
 void press_right(State& state, const Hit& hit) {
     const ImGuiIO& io = ImGui::GetIO();
-    const bool on_card = hit.kind != Hit::Kind::nothing && hit.kind != Hit::Kind::wire;
+    const bool on_card = hit.card < state.layout.cards.size() && hit.kind != Hit::Kind::nothing &&
+                         hit.kind != Hit::Kind::wire;
     if (io.KeyCtrl) return begin_gesture(state, Kind::cut, 1);
     if (io.KeyShift) return begin_gesture(state, Kind::reroute, 1);
     if (io.KeyAlt && on_card) {
@@ -166,8 +199,10 @@ void begin_gesture(State& state, Gesture::Kind kind, int button) {
     state.gesture = {};
     state.gesture.kind = kind;
     state.gesture.button = button;
+    state.gesture.serial = state.history.serial();
     state.gesture.pan = state.view.pan;
     state.gesture.selected = state.view.selected;
+    state.gesture.boxes = state.view.boxes;
     state.gesture.start = ImGui::GetIO().MousePos;
     state.gesture.merge = "gesture " + std::to_string(state.history.serial());
 }
@@ -175,6 +210,7 @@ void begin_gesture(State& state, Gesture::Kind kind, int button) {
 void update_gesture(State& state, bool hovered) {
     const ImGuiIO& io = ImGui::GetIO();
     const Gesture& g = state.gesture;
+    if (points_at_layout(g) && g.serial != state.history.serial()) cancel(state);
     state.hovered = g.kind == Kind::wire              ? aim_wire(state, io.MousePos)
                     : hovered || g.kind != Kind::none ? pick(state, io.MousePos)
                                                       : Hit{};
@@ -211,6 +247,7 @@ void draw_canvas(State& state) {
     draw_gesture(state, list);
     list.PopClipRect();
     name_targets(state);
+    name_boxes(state);
 }
 
 }  // namespace wrinkle::editor

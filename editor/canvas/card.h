@@ -91,10 +91,12 @@ struct Layout {
 
 // What lies under the pointer.
 struct Hit {
-    enum class Kind : uint8_t { nothing, card, header, pin, field, wire, more };
+    enum class Kind : uint8_t { nothing, card, header, pin, field, wire, more, box };
+    static constexpr size_t no_card = ~size_t{0};
     Kind kind = Kind::nothing;
-    size_t card = 0;  // in Layout::cards
-    size_t part = 0;  // pin or field of the card; wire of the layout
+    size_t card = 0;    // in Layout::cards
+    size_t part = 0;    // pin or field of the card; wire of the layout; box (canvas/boxes.h)
+    uint8_t edges = 0;  // of a box, as bits: left 1, right 2, top 4, bottom 8
 };
 
 }  // namespace wrinkle::editor

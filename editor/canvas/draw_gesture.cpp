@@ -42,6 +42,14 @@ void draw_stroke(const State& state, ImDrawList& list) {
     }
 }
 
+void draw_lasso(const State& state, ImDrawList& list) {
+    std::vector<ImVec2> points;
+    for (const ImVec2 at : state.gesture.stroke)
+        points.push_back(to_screen(state.view, at));
+    list.AddPolyline(points.data(), static_cast<int>(points.size()), theme::accent,
+                     ImDrawFlags_Closed, 1.5F);
+}
+
 void outline(const State& state, ImDrawList& list, const Card& card) {
     const ImVec2 low = to_screen(state.view, card.at);
     list.AddRect(low - ImVec2(3, 3), low + card.size * state.view.zoom + ImVec2(3, 3),
@@ -52,7 +60,8 @@ void draw_lazy(const State& state, ImDrawList& list) {
     const Card& from = state.layout.cards[state.gesture.card];
     outline(state, list, from);
     const Hit& hit = state.hovered;
-    const bool on_card = hit.kind != Hit::Kind::nothing && hit.kind != Hit::Kind::wire;
+    const bool on_card = hit.kind != Hit::Kind::nothing && hit.kind != Hit::Kind::wire &&
+                         hit.card < state.layout.cards.size();
     ImVec2 start = to_screen(state.view, from.at + from.size * 0.5F), end = ImGui::GetIO().MousePos;
     ImU32 color = theme::accent;
     if (on_card && hit.card != state.gesture.card) {
@@ -78,6 +87,8 @@ void draw_gesture(const State& state, ImDrawList& list) {
         case Gesture::Kind::cut:
         case Gesture::Kind::reroute:
             return draw_stroke(state, list);
+        case Gesture::Kind::lasso:
+            return draw_lasso(state, list);
         case Gesture::Kind::lazy:
             return draw_lazy(state, list);
         case Gesture::Kind::move:

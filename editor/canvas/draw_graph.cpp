@@ -47,25 +47,6 @@ void draw_box(const Painter& p) {
     p.list.AddRect(low, high, theme::accent);
 }
 
-void draw_frames(const Painter& p) {
-    const auto draw = [&](const Box& box, bool note) {
-        const ImVec2 corner(static_cast<float>(box.rect.x), static_cast<float>(box.rect.y));
-        const ImVec2 size(static_cast<float>(box.rect.width), static_cast<float>(box.rect.height));
-        if (!p.sees({corner, corner + size})) return;
-        const ImVec2 low = p.at(corner), high = p.at(corner + size);
-        p.list.AddRectFilled(low, high,
-                             note ? theme::bar : theme::with_alpha(theme::accent, 0.045F), 8);
-        if (!note) p.list.AddRect(low, high, theme::border, 8);
-        if (note) p.list.AddRectFilled(low, {low.x + 3, high.y}, theme::control);
-        draw_magnified(p.list, p.state.fonts, {18, true}, std::max(p.zoom, 12 / 18.0F),
-                       low + ImVec2(16, 12) * p.zoom, theme::text_dim, box.text);
-    };
-    for (const Box& box : p.state.document().frames)
-        draw(box, false);
-    for (const Box& box : p.state.document().notes)
-        draw(box, true);
-}
-
 void draw_hint(const Painter& p) {
     if (!p.state.document().nodes.empty()) return;
     constexpr std::string_view hint = "Space adds a node. Drop an image to start.";
@@ -80,7 +61,7 @@ void draw_graph(const State& state, ImDrawList& list) {
     const Painter p(state, list);
     list.AddRectFilled(state.view.corner, state.view.corner + state.view.extent, theme::canvas);
     draw_grid(p);
-    draw_frames(p);
+    draw_boxes(p);
     draw_wires(p);
     for (size_t i = 0; i < state.layout.cards.size(); ++i)
         if (p.sees(state.layout.card_boxes[i])) draw_card(p, i);

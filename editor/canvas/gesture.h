@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "editor/canvas/box_id.h"
 #include "graph/document.h"
 #include "registry/port_type.h"
 
@@ -26,16 +27,23 @@ struct Gesture {
         cut,      // a stroke across wires
         reroute,  // the same, for a reroute in each
         lazy,     // from a card to a card
+        lasso,
+        resize,  // of a frame or a note
     };
     Kind kind = Kind::none;
     int button = 0;
-    ImVec2 start{0, 0};  // screen
+    ImVec2 start{0, 0};   // screen
+    uint64_t serial = 0;  // of the document that it began with
     bool moved = false;
+    bool panning = false;            // the view moves, as the pointer is at the border
     ImVec2 pan{0, 0};                // of the view, as it was
     std::set<std::string> selected;  // as it was
+    std::set<BoxId> boxes;           // the selected ones, as they were
 
     // of a move
-    ImVec2 offset{0, 0};               // canvas units
+    ImVec2 offset{0, 0};            // canvas units
+    std::set<std::string> carried;  // cards that go along
+    std::set<BoxId> carried_boxes;
     std::optional<size_t> under_wire;  // of the layout: that the card would stand in
 
     // of a stroke
@@ -47,6 +55,10 @@ struct Gesture {
     std::vector<Crossing> crossed;
 
     size_t card = 0;  // of the layout: where a lazy wire begins
+
+    BoxId box;  // that was pressed
+    uint8_t edges = 0;
+    Rectangle rect;  // as it was
 
     // of a wire: its fixed end
     bool from_output = false;

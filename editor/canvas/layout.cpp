@@ -267,7 +267,7 @@ void drag_cards(const State& state, Layout& layout) {
     std::vector<bool> moves(layout.cards.size(), false);
     for (size_t i = 0; i < layout.cards.size(); ++i) {
         Card& card = layout.cards[i];
-        moves[i] = state.view.selected.contains(
+        moves[i] = state.gesture.carried.contains(
             card.kind == Card::Kind::inputs ? std::string(Link::surface) : card.id);
         if (!moves[i]) continue;
         card.at = card.at + by;
@@ -283,7 +283,9 @@ void drag_cards(const State& state, Layout& layout) {
 
 void update_layout(State& state) {
     const Document& now = state.document();
-    if (state.layout_stale || !same_document(state.layout_of, now) ||
+    const bool let_go = state.gesture.kind != Gesture::Kind::move &&
+                        (state.layout.dragged.x != 0 || state.layout.dragged.y != 0);
+    if (state.layout_stale || let_go || !same_document(state.layout_of, now) ||
         state.layout.fonts != state.fonts.generation()) {
         state.layout = lay_out(state);
         state.layout_of = now;

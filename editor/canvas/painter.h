@@ -53,6 +53,7 @@ private:
 
 void draw_wires(const Painter& painter);
 void draw_card(const Painter& painter, size_t index);
+void draw_boxes(const Painter& painter);
 void draw_reroute(const Painter& painter, size_t index);
 
 }  // namespace wrinkle::editor

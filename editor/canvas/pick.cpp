@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "editor/canvas/boxes.h"
 #include "editor/canvas/canvas.h"
 #include "editor/canvas/layout.h"
 #include "editor/look/draw.h"
@@ -96,7 +97,7 @@ Hit pick(const State& state, ImVec2 mouse) {
         if (state.layout.wire_boxes[i].touches(near) &&
             near_wire(state, state.layout.wires[i], mouse))
             return {Hit::Kind::wire, 0, i};
-    return {};
+    return pick_box(state, mouse).value_or(Hit{});
 }
 
 namespace {

@@ -13,7 +13,7 @@ std::string_view no_redo(const State& state) {
     return state.history.can_redo() ? "" : "Nothing has been undone.";
 }
 std::string_view no_delete(const State& state) {
-    return state.view.selected_wire ? "" : wants_selection(state);
+    return state.view.selected_wire || !state.view.boxes.empty() ? "" : wants_selection(state);
 }
 
 void undo(State& state) {
@@ -26,6 +26,12 @@ void redo(State& state) {
     const std::string name = state.history.redo_name();
     state.history.redo();
     state.status = "Redid: " + name;
+}
+
+void find(State& state) {
+    const View& view = state.view;
+    open_palette(state, {view.corner.x + view.extent.x / 2 - 144, view.corner.y + 64}, {});
+    state.palette.find = true;
 }
 
 void select_all(State& state) {
@@ -46,6 +52,7 @@ constexpr Command table[] = {
      [](State& s) { duplicate_selected(s); }},
     {"duplicate-alone", "Duplicate without inputs", "Ctrl+Shift+D", "Edit", wants_selection,
      [](State& s) { duplicate_selected(s, false); }},
+    {"find", "Find in graph", "Ctrl+F", "Edit", always, find},
     {"select-all", "Select all", "Ctrl+A", "Edit", always, select_all},
     {"select-upstream", "Select what feeds it", "L", "Edit", wants_selection,
      [](State& s) { s.view.selected = with_upstream(s.document(), s.view.selected); }},

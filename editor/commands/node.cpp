@@ -1,6 +1,8 @@
+#include "editor/canvas/arrange.h"
 #include "editor/canvas/layout.h"
 #include "editor/commands/groups.h"
 #include "editor/document/edits.h"
+#include "editor/document/group.h"
 
 namespace wrinkle::editor {
 namespace {
@@ -17,11 +19,48 @@ void tidy(State& state) {
     state.view.fitted = false;
 }
 
+std::string_view no_outer(const State& state) {
+    return state.outer.empty() ? "This graph was not opened from another." : "";
+}
+std::string_view wants_two(const State& state) {
+    return state.view.selected.size() < 2 ? "Fewer than two nodes are selected." : "";
+}
+std::string_view wants_three(const State& state) {
+    return state.view.selected.size() < 3 ? "Fewer than three nodes are selected." : "";
+}
+
+template <Side Where>
+void align(State& state) {
+    state.commit("Align", aligned(state, Where));
+}
+template <bool Across>
+void distribute(State& state) {
+    state.commit("Distribute", distributed(state, Across));
+}
+
 constexpr Command table[] = {
     {"add-node", "Add node", "Space", "Node", always, add_node},
     {"mute", "Mute", "M", "Node", wants_selection, mute_selected},
     {"swap-inputs", "Swap inputs", "Alt+S", "Node", wants_selection, swap_selected},
+    {"frame", "Frame", "C", "Node", always, frame_selected},
+    {"note", "Note", "N", "Node", always, add_note},
+    {"group", "Group", "Ctrl+G", "Node", wants_selection, group_selected},
+    {"ungroup", "Ungroup", "Ctrl+Shift+G", "Node", wants_selection, ungroup_selected},
+    {"open-group", "Open sub-graph", "Tab", "Node", wants_selection, open_group},
+    {"leave-group", "Back to the graph around it", "Shift+Tab", "Node", no_outer, leave_group},
     {"tidy", "Tidy", "Ctrl+L", "Node", always, tidy},
+    {"tidy-selection", "Tidy selection", "Ctrl+Shift+L", "Node", wants_selection,
+     [](State& s) { s.commit("Tidy selection", tidied_selection(s)); }},
+    {"align-left", "Align left", "Alt+Left", "Node", wants_two, align<Side::left>},
+    {"align-right", "Align right", "Alt+Right", "Node", wants_two, align<Side::right>},
+    {"align-top", "Align top", "Alt+Up", "Node", wants_two, align<Side::top>},
+    {"align-bottom", "Align bottom", "Alt+Down", "Node", wants_two, align<Side::bottom>},
+    {"align-column", "Align middles in a column", "", "Node", wants_two, align<Side::middle_x>},
+    {"align-row", "Align middles in a row", "", "Node", wants_two, align<Side::middle_y>},
+    {"distribute-across", "Distribute across", "", "Node", wants_three, distribute<true>},
+    {"distribute-down", "Distribute down", "", "Node", wants_three, distribute<false>},
+    {"snap", "Snap to grid", "", "Node", wants_selection,
+     [](State& s) { s.commit("Snap to grid", snapped(s)); }},
 };
 
 }  // namespace

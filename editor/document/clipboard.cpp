@@ -5,6 +5,7 @@
 #include "editor/canvas/layout.h"
 #include "editor/document/copies.h"
 #include "editor/document/edits.h"
+#include "editor/document/misfits.h"
 #include "editor/look/draw.h"
 #include "graph/edit.h"
 #include "graph/order.h"
@@ -18,24 +19,24 @@ std::string nodes_in_words(size_t count) {
     return count == 1 ? "1 node" : std::to_string(count) + " nodes";
 }
 
-// The selected nodes as a graph of their own, where they stand now.
+// The selected nodes as a graph of their own, where they stand now; `cut` has no wires into them.
 Document extract(const State& state, const Document& cut) {
-    const std::set<std::string>& ids = state.view.selected;
-    Copies copies = copies_of(cut, ids, {}, [&](const Link& link) {
-        return link.is_surface() || cut.inputs.find(link.port);
-    });
+    std::vector<Node> nodes;
+    Document result;
+    for (const NodePtr& node : cut.nodes) {
+        if (!state.view.selected.contains(node->id)) continue;
+        nodes.push_back(*node);
+        for (const Input& input : node->inputs) {
+            const bool reads = input.kind == Input::Kind::link && input.link.is_input();
+            const GraphInput* read = reads ? cut.inputs.find(input.link.port) : nullptr;
+            if (read) result = set_graph_input(result, *read);
+        }
+    }
     std::vector<NodePosition> places;
     for (const Card& card : state.layout.cards)
-        if (const auto copy = copies.new_id.find(card.id);
-            card.kind == Card::Kind::node && copy != copies.new_id.end())
-            places.push_back({copy->second, card.at.x, card.at.y});
-    Document result;
-    for (const Node& node : copies.nodes)
-        for (const Input& input : node.inputs)
-            if (const GraphInput* read =
-                    input.link.is_input() ? cut.inputs.find(input.link.port) : nullptr)
-                result = set_graph_input(result, *read);
-    return add_nodes(result, std::move(copies.nodes), places);
+        if (card.kind == Card::Kind::node && state.view.selected.contains(card.id))
+            places.push_back({card.id, card.at.x, card.at.y});
+    return add_nodes(result, std::move(nodes), places);
 }
 
 std::vector<Connection> left_out(const Document& before, const Document& after,
@@ -134,8 +135,9 @@ void paste_nodes(State& state, const Document& source, const std::string& text) 
         fresh.insert(copies.nodes[i].id);
     }
     const Document added = add_nodes(state.document(), copies.nodes, at);
+    const Document wired = with_outer_wires(state, added, text, copies);
     state.commit("Paste " + nodes_in_words(fresh.size()),
-                 with_outer_wires(state, added, text, copies));
+                 without_misfits(wired, fresh, state.folder(), *state.registry));
     state.view.selected = fresh;
 }
 

@@ -1,4 +1,5 @@
 // What is done with the selected nodes.
+#include "editor/canvas/boxes.h"
 #include "editor/document/copies.h"
 #include "editor/document/edits.h"
 #include "editor/document/wiring.h"
@@ -22,8 +23,12 @@ void remove_selected(State& state, Remove remove) {
     }
     Document document = remove(state.model, state.document(), state.view.selected);
     const size_t count = state.document().nodes.size() - document.nodes.size();
-    state.commit("Delete " + nodes_in_words(count), std::move(document));
+    for (const BoxId& box : state.view.boxes)
+        document = without_box(document, box);
+    state.commit(count > 0 ? "Delete " + nodes_in_words(count) : "Delete frame",
+                 std::move(document));
     state.view.selected.clear();
+    state.view.boxes.clear();
 }
 
 }  // namespace

@@ -29,6 +29,10 @@ void delete_selected_with_wires(State& state);
 // A copy of each selected node; wires among them run among the copies. With the wires from others.
 void duplicate_selected(State& state, bool with_inputs = true);
 void swap_selected(State& state);
+void frame_selected(State& state);  // a frame around them, or an empty one at the pointer
+void add_note(State& state);        // at the pointer
+void edit_box_text(State& state, const BoxId& id);
+void accept_box_text(State& state);
 void mute_selected(State& state);
 
 // Finds once, for all pins and frames, the nodes that this wire cannot go to.

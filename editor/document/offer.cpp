@@ -11,6 +11,8 @@
 namespace wrinkle::editor {
 namespace {
 
+constexpr int far_off = 20;
+
 // Lower is nearer: the same types, the main input, few other inputs.
 int distance(const NodeType& type, const Passage& through, PortType from, PortType to) {
     int away = 0, inputs = 0;
@@ -40,7 +42,7 @@ std::vector<Offer::Choice> between(const Registry& registry, PortType from, Port
                      [](const auto& a, const auto& b) { return a.first < b.first; });
     std::vector<Offer::Choice> choices;
     for (size_t i = 0; i < std::min(most, found.size()); ++i)
-        choices.push_back(found[i].second);
+        if (found[i].first < found[0].first + far_off) choices.push_back(found[i].second);
     return choices;
 }
 
@@ -57,6 +59,7 @@ void offer_between(State& state, const Gesture& wire, const Card& card, const Pi
     if (wire.taken) offer.lifted = Link{wire.node, wire.port};
     offer.choices = between(*state.registry, *given, *wanted);
     offer.why = state.status;
+    if (!offer.choices.empty()) offer.why = offer.why.substr(0, offer.why.find(';')) + ".";
     offer.at = ImGui::GetIO().MousePos;
     offer.open = offer.opening = true;
     state.offer = std::move(offer);
@@ -74,7 +77,9 @@ void accept_offer(State& state, size_t choice) {
     const std::string id = node.id;
     const ImVec2 at = free_place(state.layout, to_canvas(state.view, offer.at) - ImVec2(224, 40));
     Document document = state.document();
-    if (offer.lifted) document = without_wire(document, offer.lifted->node, offer.lifted->port);
+    if (offer.lifted)
+        document = cut_wires(state.model, document,
+                             {{offer.from, offer.lifted->node, offer.lifted->port}});
     document = add_node(document, std::move(node), at.x, at.y);
     state.commit("Insert " + chosen.type->title,
                  insert_in_wire(document, {offer.from, offer.node, offer.port}, id,

@@ -8,14 +8,22 @@
 namespace wrinkle::editor {
 namespace {
 
-// The first inputs of one type, if there are two.
-std::vector<const Port*> twins(const NodeType& type) {
+// The first two inputs of one type, those with something at them before others. One that reads the
+// surface by default is left out: no wire could say so for every other.
+std::vector<const Port*> twins(const NodeType& type, const Node& node) {
+    const auto counts = [](const Port& port) {
+        return port.is_value() && port.default_kind != Port::Default::surface;
+    };
     for (const Port& first : type.ports) {
-        if (!first.is_value()) continue;
+        if (!counts(first)) continue;
         std::vector<const Port*> same;
         for (const Port& port : type.ports)
-            if (port.is_value() && port.type == first.type) same.push_back(&port);
-        if (same.size() > 1) return same;
+            if (counts(port) && port.type == first.type) same.push_back(&port);
+        if (same.size() < 2) continue;
+        std::stable_partition(same.begin(), same.end(),
+                              [&](const Port* port) { return node.find(port->name); });
+        same.resize(2);
+        return same;
     }
     return {};
 }
@@ -30,8 +38,7 @@ json::Value default_of(const Port& port) {
 }
 
 bool same_default(const Port& a, const Port& b) {
-    return a.default_kind == b.default_kind && a.default_surface == b.default_surface &&
-           a.default_value == b.default_value;
+    return a.default_kind == b.default_kind && a.default_value == b.default_value;
 }
 
 // What held at port `from` of the old node holds at port `to`.
@@ -42,10 +49,6 @@ Document hand_on(const Document& document, const Node& old, const Port& from, co
         return connect(bare, input->link, old.id, to.name);
     if (input) return set_value(bare, old.id, to.name, input->value);
     if (same_default(from, to)) return bare;
-    if (from.default_kind == Port::Default::surface) {
-        const std::string name(surface_properties()[from.default_surface].name);
-        return connect(bare, {std::string(Link::surface), name}, old.id, to.name);
-    }
     return lanes_of_field(from) > 0 ? set_value(bare, old.id, to.name, default_of(from)) : bare;
 }
 
@@ -55,7 +58,7 @@ Document swap_inputs(const Model& model, const Document& document, const std::st
     const Node* node = document.find(id);
     const NodeType* type = model.type_of(id);
     if (!node || !type) return document;
-    const std::vector<const Port*> ports = twins(*type);
+    const std::vector<const Port*> ports = twins(*type, *node);
     Document result = document;
     for (size_t i = 0; i < ports.size(); ++i)
         result = hand_on(result, *node, *ports[i], *ports[(i + 1) % ports.size()]);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "editor/document/each_wire.h"
 #include "editor/document/edits.h"
 #include "graph/edit.h"
 #include "lower/conversion.h"
@@ -41,15 +42,6 @@ std::optional<Link> staying(const Model& model, const Document& document,
         link = *before;
     }
     return std::nullopt;
-}
-
-template <class Visit>
-void each_wire(const Document& document, Visit visit) {
-    for (const NodePtr& node : document.nodes)
-        for (const Input& input : node->inputs)
-            if (is_link(&input)) visit(Connection{input.link, node->id, input.port});
-    for (const Output& output : document.outputs)
-        if (is_link(&output.from)) visit(Connection{output.from.link, "", output.name});
 }
 
 // Reroutes that nothing feeds any more, and those behind them: they carry a float then.

@@ -177,8 +177,10 @@ bool Script::stroke(const std::vector<std::string>& w, const State& state, Input
     queue.motion(spots[0].x, spots[0].y);
     hold(true);
     queue.button(button, true);
-    for (const Spot& spot : spots)
+    for (const Spot& spot : spots) {
         queue.motion(spot.x, spot.y);
+        queue.key(0, false);  // no key: so that the next motion waits for the next frame
+    }
     queue.button(button, false);
     hold(false);
     return true;

@@ -10,7 +10,7 @@
 namespace wrinkle::editor {
 namespace {
 
-constexpr float width = 360;
+constexpr float width = 440;
 
 // The row that was taken, -1 for none.
 int draw_choices(State& state) {

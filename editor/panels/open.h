@@ -16,6 +16,7 @@ namespace wrinkle::editor {
 // The search that adds a node, perhaps at the end of a wire.
 struct Palette {
     bool open = false, opening = false;
+    bool find = false;      // lists the nodes of the graph instead
     bool commands = false;  // lists commands instead
     ImVec2 at{0, 0};        // screen
     std::string query;
@@ -46,6 +47,14 @@ struct Offer {
     Link from;
     std::string node, port;
     std::optional<Link> lifted;
+};
+
+// The text of a note or the title of a frame while it is edited.
+struct BoxText {
+    bool open = false, opening = false;
+    BoxId box;
+    std::string text;
+    std::string merge;  // of the step that made the box
 };
 
 // A text or a list over a field or a header.

@@ -30,6 +30,10 @@ void choose(State& state, const PaletteRow& row) {
         return;
     }
     state.palette = {};
+    if (!row.node.empty()) {
+        state.view.selected = {row.node};
+        return fit(state.view, state.layout, true);
+    }
     if (row.command) {
         note_use(state.recent.commands, row.command->id);
         return row.command->run(state);

@@ -27,6 +27,7 @@ struct PaletteRow {
     std::vector<size_t> letters;
     const NodeType* type = nullptr;
     const struct Command* command = nullptr;
+    std::string node;  // of the graph, to be shown
 };
 std::vector<PaletteRow> palette_rows(const State& state);
 

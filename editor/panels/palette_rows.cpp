@@ -68,6 +68,31 @@ std::vector<PaletteRow> command_rows(const State& state) {
     return rows;
 }
 
+// The nodes of the graph by id, type and title.
+std::vector<PaletteRow> graph_rows(const State& state) {
+    std::vector<std::pair<int, PaletteRow>> found;
+    const std::string query = lower_case(state.palette.query);
+    for (const NodePtr& node : state.document().nodes) {
+        const NodeType* type = state.type_of(node->id);
+        const std::string title = type ? type->title : "unknown type";
+        auto matched = match(node->id, node->type, title, query);
+        if (!matched) continue;
+        PaletteRow row;
+        row.title = row.node = node->id;
+        row.doc = title;
+        row.target = "palette:" + node->id;
+        row.letters = std::move(matched->letters);
+        row.type = type;
+        found.emplace_back(matched->rank, std::move(row));
+    }
+    std::stable_sort(found.begin(), found.end(),
+                     [](const auto& a, const auto& b) { return a.first < b.first; });
+    std::vector<PaletteRow> rows;
+    for (auto& [rank, row] : found)
+        rows.push_back(std::move(row));
+    return rows;
+}
+
 }  // namespace
 
 std::vector<FoundNode> find_nodes(const State& state, std::string_view query) {
@@ -100,6 +125,7 @@ std::vector<const NodeType*> search_nodes(const State& state, std::string_view q
 }
 
 std::vector<PaletteRow> palette_rows(const State& state) {
+    if (state.palette.find) return graph_rows(state);
     return state.palette.commands ? command_rows(state) : node_rows(state);
 }
 

@@ -6,6 +6,7 @@
 #include "editor/drop/drop.h"
 #include "editor/look/draw.h"
 #include "editor/look/theme.h"
+#include "editor/panels/box_text.h"
 #include "editor/panels/offer_panel.h"
 #include "editor/panels/palette.h"
 #include "editor/panels/panels.h"
@@ -90,6 +91,7 @@ void draw_ui(State& state) {
     draw_splitters(state.panes, regions);
     draw_palette(state);
     draw_offer(state);
+    draw_box_text(state);
     draw_popup(state);
     draw_quit_question(state);
     draw_copy_question(state);

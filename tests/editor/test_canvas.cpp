@@ -98,6 +98,7 @@ TEST_F(Headless, ADragMovesItsCardAndTheWiresAtIt) {
     const Layout before = state.layout;
     state.view.selected = {"n5"};
     state.gesture.kind = Gesture::Kind::move;
+    state.gesture.carried = {"n5"};
     state.gesture.offset = {40, 16};
     refresh(state);
     size_t moved = 0, bent = 0;

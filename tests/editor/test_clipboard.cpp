@@ -70,6 +70,17 @@ TEST_F(Headless, PastedNodesLandAtThePointerAndNeverExactlyOnOthers) {
                 << cards[a].id << " and " << cards[b].id;
 }
 
+TEST_F(Headless, PastedNodesFindTheWiresOfTheirOwnNames) {
+    open(R"({ "wrinkle": 1, "nodes": {
+        "a": { "type": "sine" }, "b": { "type": "sine" },
+        "c": { "type": "sine", "in": { "angle": { "from": "a.result" } } },
+        "c2": { "type": "sine", "in": { "angle": { "from": "b.result" } } } } })");
+    state.view.selected = {"c2"};
+    play("key Ctrl+C\nkey Ctrl+V\nassert wire b.result c3.angle");
+    state.view.selected = {"c2", "c"};
+    play("key Ctrl+C\nkey Ctrl+V\nassert wire a.result c4.angle\nassert wire b.result c5.angle");
+}
+
 TEST_F(Headless, InAnotherDocumentOutsideWiresAreDropped) {
     open(small_graph);
     state.view.selected = {"softer", "normal"};

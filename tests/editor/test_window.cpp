@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <set>
 #include <string>
+#include <thread>
 
 #include "headless.h"
 #include "image/load.h"
@@ -195,6 +196,35 @@ TEST(Window, WithoutADisplayItSaysSo) {
     EXPECT_EQ(run("DISPLAY=", graph.string() + " 2>" + words.string()), 3);
     EXPECT_EQ(text_of(words).substr(0, 16), "wrinkle-editor: ");
     EXPECT_EQ(run("DISPLAY=", "--no-such-option 2>/dev/null >/dev/null"), 2);
+}
+
+TEST(Window, NodesAreCopiedFromOneProcessToAnother) {
+    const VirtualScreen screen;
+    if (!screen.is_there()) GTEST_SKIP() << "there is no Xvfb here";
+    const TemporaryFolder folder;
+    const auto graph = folder.write("graph.json", small_graph);
+    const auto copy = folder.write("copy.txt", R"(
+key Ctrl+A
+key Ctrl+C
+assert status Copied 4 nodes
+wait 600
+)");
+    const auto paste = folder.write("paste.txt", R"(
+key Ctrl+V
+assert nodes 4
+assert wire noise.height softer.gradient
+assert wire softer.gradient normal.gradient
+assert no-wire normal.normal normal
+)");
+    int copied = -1, pasted = -1;
+    std::thread first(
+        [&] { copied = run(screen.variable(), graph.string() + " --script " + copy.string()); });
+    for (int tries = 0; tries < 8 && pasted != 0; ++tries)
+        pasted = run(screen.variable(), (folder.path() / "new.json").string() + " --script " +
+                                            paste.string() + " 2>/dev/null");
+    first.join();
+    EXPECT_EQ(copied, 0);
+    EXPECT_EQ(pasted, 0);
 }
 
 }  // namespace

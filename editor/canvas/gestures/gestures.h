@@ -13,8 +13,20 @@ void begin_gesture(State& state, Gesture::Kind kind, int button = 0);
 void select_card(State& state, const std::string& id);
 void click_card(State& state, const std::string& id);  // a press that moved nothing
 void drag_box(State& state);
+void drag_lasso(State& state);
+
+// boxes.cpp
+void select_box(State& state, const BoxId& id);
+void begin_box(State& state, const Hit& hit);  // moved by its title, resized at its edges
+void click_box(State& state, const BoxId& id);
+void drag_resize(State& state, ImVec2 delta);
+
+// edge_pan.cpp
+void pan_at_edges(State& state);
 
 // move.cpp
+void begin_move(State& state, const std::string& id);
+void carry_selection(State& state);  // and what stands in the selected frames
 void drag_move(State& state, ImVec2 delta);
 void drop_cards(State& state);
 

@@ -53,7 +53,8 @@ std::optional<LazyWire> lazy_wire(const State& state, const Card& first, const C
 
 void drop_lazy(State& state) {
     const Hit hit = state.hovered;
-    const bool on_card = hit.kind != Hit::Kind::nothing && hit.kind != Hit::Kind::wire;
+    const bool on_card = hit.kind != Hit::Kind::nothing && hit.kind != Hit::Kind::wire &&
+                         hit.card < state.layout.cards.size();
     if (!on_card || hit.card == state.gesture.card) return;
     const Card &first = state.layout.cards[state.gesture.card],
                &last = state.layout.cards[hit.card];

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "editor/canvas/boxes.h"
 #include "editor/canvas/crossing.h"
 #include "editor/canvas/layout.h"
 #include "editor/canvas/room.h"
@@ -16,9 +17,10 @@ namespace {
 
 // The one card that moves, when no wire touches it.
 const Card* loose_card(const State& state) {
+    if (!state.gesture.carried_boxes.empty()) return nullptr;
     const Card* found = nullptr;
     for (const Card& card : state.layout.cards) {
-        if (!state.view.selected.contains(card.id)) continue;
+        if (!state.gesture.carried.contains(card.id)) continue;
         if (found || card.kind != Card::Kind::node || !card.type) return nullptr;
         found = &card;
     }
@@ -53,6 +55,20 @@ bool drop_in_wire(State& state, const Document& moved) {
 
 }  // namespace
 
+void begin_move(State& state, const std::string& id) {
+    select_card(state, id);
+    begin_gesture(state, Gesture::Kind::move);
+    state.gesture.node = id;
+    carry_selection(state);
+}
+
+void carry_selection(State& state) {
+    Gesture& g = state.gesture;
+    g.carried = state.view.selected;
+    for (const BoxId& box : state.view.boxes)
+        add_contents(state, box, g.carried, g.carried_boxes);
+}
+
 void drag_move(State& state, ImVec2 delta) {
     const ImVec2 by = delta * (1 / state.view.zoom);
     state.gesture.offset = {std::round(by.x / 8) * 8, std::round(by.y / 8) * 8};
@@ -64,13 +80,19 @@ void drop_cards(State& state) {
     refresh(state);  // the cards stand where the last motion has put them
     std::vector<NodePosition> places;
     for (const Card& card : state.layout.cards) {
-        if (!state.view.selected.contains(card.id)) continue;
+        if (!state.gesture.carried.contains(card.id)) continue;
         if (card.kind == Card::Kind::node) places.push_back({card.id, card.at.x, card.at.y});
         if (card.kind == Card::Kind::surface) state.view.surface_at = card.at;
         if (card.kind == Card::Kind::outputs) state.view.outputs_at = card.at;
     }
     if (by.x == 0 && by.y == 0) return;
-    const Document moved = move_nodes(state.document(), places);
+    Document moved = move_nodes(state.document(), places);
+    for (const BoxId& id : state.gesture.carried_boxes) {
+        Box box = *find_box(state.document(), id);
+        box.rect.x += by.x;
+        box.rect.y += by.y;
+        moved = with_box(moved, id.note, std::move(box));
+    }
     if (!drop_in_wire(state, moved)) state.commit("Move", moved);
 }
 

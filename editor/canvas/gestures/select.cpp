@@ -2,9 +2,27 @@
 
 #include <algorithm>
 
+#include "editor/canvas/boxes.h"
 #include "editor/canvas/layout.h"
+#include "editor/look/draw.h"
 
 namespace wrinkle::editor {
+namespace {
+
+constexpr size_t most_points = 4096;
+
+// Even-odd.
+bool encloses(const std::vector<ImVec2>& polygon, ImVec2 at) {
+    bool inside = false;
+    for (size_t i = 0, k = polygon.size() - 1; i < polygon.size(); k = i++) {
+        const ImVec2 a = polygon[i], b = polygon[k];
+        if ((a.y > at.y) == (b.y > at.y)) continue;
+        if (at.x < (b.x - a.x) * (at.y - a.y) / (b.y - a.y) + a.x) inside = !inside;
+    }
+    return inside;
+}
+
+}  // namespace
 
 void select_card(State& state, const std::string& id) {
     std::set<std::string>& selected = state.view.selected;
@@ -13,6 +31,7 @@ void select_card(State& state, const std::string& id) {
         if (!selected.erase(id)) selected.insert(id);
     } else if (!selected.contains(id)) {
         selected = {id};
+        state.view.boxes.clear();
     }
     std::erase(state.view.order, id);
     state.view.order.push_back(id);
@@ -21,19 +40,48 @@ void select_card(State& state, const std::string& id) {
 
 void click_card(State& state, const std::string& id) {
     const ImGuiIO& io = ImGui::GetIO();
-    if (!io.KeyShift && !io.KeyCtrl) state.view.selected = {id};
+    if (io.KeyShift || io.KeyCtrl) return;
+    state.view.selected = {id};
+    state.view.boxes.clear();
 }
 
 void drag_box(State& state) {
-    const ImVec2 a = to_canvas(state.view, state.gesture.start);
-    const ImVec2 b = to_canvas(state.view, ImGui::GetIO().MousePos);
-    const ImVec2 low(std::min(a.x, b.x), std::min(a.y, b.y));
-    const ImVec2 high(std::max(a.x, b.x), std::max(a.y, b.y));
-    if (!ImGui::GetIO().KeyShift) state.view.selected.clear();
-    for (const Card& card : state.layout.cards)
-        if (card.at.x < high.x && card.at.y < high.y && card.at.x + card.size.x > low.x &&
-            card.at.y + card.size.y > low.y)
+    const ImGuiIO& io = ImGui::GetIO();
+    const Gesture& g = state.gesture;
+    const ImVec2 a = to_canvas(state.view, g.start), b = to_canvas(state.view, io.MousePos);
+    const Extent box{{std::min(a.x, b.x), std::min(a.y, b.y)},
+                     {std::max(a.x, b.x), std::max(a.y, b.y)}};
+    const bool keep = io.KeyShift || io.KeyCtrl;
+    state.view.selected = keep ? g.selected : std::set<std::string>();
+    state.view.boxes = keep ? g.boxes : std::set<BoxId>();
+    for (const Card& card : state.layout.cards) {
+        if (!box.touches({card.at, card.at + card.size})) continue;
+        if (io.KeyCtrl)
+            state.view.selected.erase(card.id);
+        else
             state.view.selected.insert(card.id);
+    }
+    for (const BoxId& id : all_boxes(state.document())) {
+        const Extent extent = extent_of(state, id, *find_box(state.document(), id));
+        const bool whole = box.low.x <= extent.low.x && box.low.y <= extent.low.y &&
+                           box.high.x >= extent.high.x && box.high.y >= extent.high.y;
+        if (whole && io.KeyCtrl)
+            state.view.boxes.erase(id);
+        else if (whole)
+            state.view.boxes.insert(id);
+    }
+}
+
+void drag_lasso(State& state) {
+    Gesture& g = state.gesture;
+    const ImVec2 at = to_canvas(state.view, ImGui::GetIO().MousePos);
+    if (g.stroke.empty()) g.stroke.push_back(to_canvas(state.view, g.start));
+    const ImVec2 last = g.stroke.back();
+    if ((last.x == at.x && last.y == at.y) || g.stroke.size() == most_points) return;
+    g.stroke.push_back(at);
+    state.view.selected = g.selected;
+    for (const Card& card : state.layout.cards)
+        if (encloses(g.stroke, card.at + card.size * 0.5F)) state.view.selected.insert(card.id);
 }
 
 }  // namespace wrinkle::editor

@@ -117,8 +117,8 @@ void begin_wire(State& state, const Card& card, const Pin& pin) {
 void lift_wire(State& state) {
     Gesture& g = state.gesture;
     if (!g.taken) return;
-    state.commit("Disconnect " + g.from.text(), without_wire(state.document(), g.node, g.port),
-                 g.merge);
+    state.commit("Disconnect " + g.from.text(),
+                 cut_wires(state.model, state.document(), {{g.from, g.node, g.port}}), g.merge);
     find_loops(state.document(), g);
 }
 

@@ -1,0 +1,36 @@
+// What is dragged to the border of the canvas moves the view along.
+#include <algorithm>
+
+#include "editor/canvas/gestures/gestures.h"
+#include "editor/look/draw.h"
+
+namespace wrinkle::editor {
+namespace {
+
+constexpr float margin = 20, fastest = 900;  // screen pixels, and those a second
+
+float push(float at, float low, float high) {
+    const float before = low + margin - at, after = at - (high - margin);
+    return std::clamp(before, 0.0F, 2 * margin) - std::clamp(after, 0.0F, 2 * margin);
+}
+
+}  // namespace
+
+void pan_at_edges(State& state) {
+    Gesture& g = state.gesture;
+    const ImGuiIO& io = ImGui::GetIO();
+    g.panning = false;
+    if (!g.moved || g.kind == Gesture::Kind::pan || g.kind == Gesture::Kind::value) return;
+    if (!ImGui::IsMousePosValid()) return;
+    const View& view = state.view;
+    const ImVec2 end = view.corner + view.extent;
+    const ImVec2 by = ImVec2(push(io.MousePos.x, view.corner.x, end.x),
+                             push(io.MousePos.y, view.corner.y, end.y)) *
+                      (fastest * io.DeltaTime / (2 * margin));
+    if (by.x == 0 && by.y == 0) return;
+    g.panning = true;
+    g.start = g.start + by;
+    state.view.pan = state.view.pan + by;
+}
+
+}  // namespace wrinkle::editor
