@@ -51,7 +51,8 @@ bool run_command(State& state, std::string_view id) {
 
 void run_keys(State& state) {
     if (ImGui::GetIO().WantTextInput || state.palette.open || state.offer.open ||
-        state.popup.kind != Popup::Kind::none || state.gesture.kind != Gesture::Kind::none)
+        state.question.open() || state.popup.kind != Popup::Kind::none ||
+        state.gesture.kind != Gesture::Kind::none)
         return;
     for (const Command& command : commands())
         if (!command.keys.empty() && pressed(command.keys) && command.enabled(state))

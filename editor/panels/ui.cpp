@@ -1,4 +1,5 @@
 #include "editor/panels/ui.h"
+#include "editor/document/files.h"
 #include "editor/document/refresh.h"
 
 #include "editor/canvas/canvas.h"
@@ -10,6 +11,7 @@
 #include "editor/panels/palette.h"
 #include "editor/panels/panels.h"
 #include "editor/panels/popups.h"
+#include "editor/panels/questions.h"
 #include "editor/panels/regions.h"
 
 namespace wrinkle::editor {
@@ -91,9 +93,10 @@ void draw_ui(State& state) {
     draw_palette(state);
     draw_offer(state);
     draw_popup(state);
-    draw_quit_question(state);
     draw_copy_question(state);
+    draw_question(state);
     handle_drops(state);
+    tend(state);
 }
 
 }  // namespace wrinkle::editor
