@@ -1,5 +1,7 @@
 // wrinkle-editor FILE: the visual editor. Exit codes as those of `wrinkle`: 0 fine, 1 the script
 // failed or a file cannot be read, 2 wrong usage, 3 no window, no GL.
+#include <signal.h>
+
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
@@ -8,6 +10,7 @@
 
 #include "base/file.h"
 #include "editor/document/files.h"
+#include "editor/document/recovery.h"
 #include "editor/window.h"
 #include "nodes/all.h"
 #include "registry/plugin_loader.h"
@@ -16,15 +19,30 @@ namespace wrinkle::editor {
 namespace {
 
 struct Arguments {
-    std::string file = "untitled.json";
-    std::string script, shot, timings;
+    std::string file;
+    std::string script, shot, timings, state;
     std::vector<std::string> plugin_paths;
-    std::vector<int> size = {1600, 900};
+    std::vector<int> size;
 };
 
 int complain(const std::string& sentence, int code) {
     std::fprintf(stderr, "wrinkle-editor: %s\n", sentence.c_str());
     return code;
+}
+
+// A script and a picture depend on no user's settings, unless they are given some.
+Folders folders_of(const Arguments& arguments) {
+    if (!arguments.state.empty()) return folders_below(std::filesystem::absolute(arguments.state));
+    return arguments.script.empty() && arguments.shot.empty() ? user_folders() : Folders();
+}
+
+void begin(State& state, const Arguments& arguments) {
+    if (arguments.file.empty())
+        new_file(state);
+    else
+        open_file(state, arguments.file);
+    look_for_recoverable(state);
+    offer_recovery(state);
 }
 
 int run(const Arguments& arguments) {
@@ -42,11 +60,17 @@ int run(const Arguments& arguments) {
                  plugin_places(arguments.plugin_paths, std::getenv("WRINKLE_PLUGIN_PATH")),
                  problems);
     if (!problems.list().empty()) std::fputs(to_text(problems).c_str(), stderr);
-    WindowOptions options{arguments.size[0], arguments.size[1],
+    State state;
+    std::string trouble;
+    Keeping& keeping = state.keeping;
+    keeping.folders = folders_of(arguments);
+    use_settings(state, read_settings(keeping.folders, trouble));
+    const bool sized = arguments.size.size() == 2;
+    WindowOptions options{sized ? arguments.size[0] : keeping.settings.width,
+                          sized ? arguments.size[1] : keeping.settings.height,
                           script.has_value() || !arguments.shot.empty()};
     const auto window = Window::open(options, why);
     if (!window) return complain(why, 3);
-    State state;
     Preview preview(wake_window);
     Compiler compiler(registry, wake_window);
     CodeMaker code(registry, wake_window);
@@ -55,11 +79,13 @@ int run(const Arguments& arguments) {
     state.follow.compiler = &compiler;
     state.code.maker = &code;
     state.fonts.load();
-    open_file(state, arguments.file);
+    begin(state, arguments);
+    if (!trouble.empty()) state.status = trouble;
     Timings timings;
     if (!arguments.timings.empty()) state.timings = &timings;
-    if (!window->run(state, script ? &*script : nullptr, arguments.shot, why))
-        return complain(why, 1);
+    const bool good = window->run(state, script ? &*script : nullptr, arguments.shot, why);
+    finish(state);
+    if (!good) return complain(why, 1);
     const std::string figures = timings.to_json(state.counters.builds, state.counters.programs);
     if (state.timings && !write_file(arguments.timings, figures, why))
         return complain(arguments.timings + " " + why, 1);
@@ -78,11 +104,13 @@ int main(int argc, char** argv) {
     app.add_option("--timings", arguments.timings,
                    "Writes how long frames took, and edits until their pixels were there");
     app.add_option("--size", arguments.size, "Width and height of the window")->expected(2);
+    app.add_option("--state", arguments.state, "Keeps settings and recovery files in this folder");
     app.add_option("--plugin-path", arguments.plugin_paths, "A plugin, or a folder of plugins");
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
         return app.exit(error) == 0 ? 0 : 2;
     }
+    signal(SIGXFSZ, SIG_IGN);  // writing says what is wrong
     return wrinkle::editor::run(arguments);
 }

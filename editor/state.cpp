@@ -18,9 +18,12 @@ fs::path State::folder() const {
     return parent.empty() ? fs::path(".") : parent;
 }
 
+std::string State::file_name() const {
+    return path.empty() ? "untitled.json" : path.filename().string();
+}
+
 std::string State::title() const {
-    const std::string file = path.filename().string();
-    return (file.empty() ? "untitled.json" : file) + (dirty() ? " *" : "") + " - Wrinkle";
+    return file_name() + (dirty() ? " *" : "") + " - Wrinkle";
 }
 
 void State::commit(std::string name, Document document, const std::string& merge) {

@@ -14,6 +14,9 @@
 #include "editor/document/clip.h"
 #include "editor/document/follow.h"
 #include "editor/document/history.h"
+#include "editor/document/intent.h"
+#include "editor/document/keeping.h"
+#include "editor/document/model.h"
 #include "editor/drop/dropped.h"
 #include "editor/input/targets.h"
 #include "editor/look/fonts.h"
@@ -38,9 +41,12 @@ struct State {
     History history;
     std::filesystem::path path;
     std::vector<std::filesystem::path> outer;  // the graphs that this one was opened from
+    static constexpr uint64_t never_saved = ~uint64_t{0};
     uint64_t saved_serial = 0;
     std::string save_refused;  // why this file is not written: what reading it would lose
-    bool quit = false, quit_asked = false;
+    Keeping keeping;
+    Question question;
+    bool quit = false;
 
     View view;
     Panes panes;
@@ -74,7 +80,8 @@ struct State {
     const Document& document() const { return history.now(); }
     bool dirty() const { return history.serial() != saved_serial; }
     std::filesystem::path folder() const;
-    std::string title() const;  // of the window
+    std::string title() const;      // of the window
+    std::string file_name() const;  // "strap.json"; "untitled.json" where there is no file yet
     const NodeType* type_of(std::string_view node) const { return model.type_of(node); }
 
     // One step of history; says so in the status.

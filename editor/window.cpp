@@ -11,6 +11,7 @@
 #include <cctype>
 
 #include "editor/commands/commands.h"
+#include "editor/document/files.h"
 #include "editor/look/theme.h"
 #include "editor/panels/ui.h"
 #include "image/load.h"
@@ -195,6 +196,7 @@ bool Window::run(State& state, Script* script, const std::string& shot, std::str
             glfwPollEvents();
         else
             glfwWaitEventsTimeout(0.5);
+        if (tend(state)) h.awake = 3;
         if (!h.queue.empty() || woken.exchange(false) || state.gesture.panning) h.awake = 3;
         if (glfwWindowShouldClose(h.window)) {
             glfwSetWindowShouldClose(h.window, GLFW_FALSE);

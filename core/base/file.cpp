@@ -1,5 +1,6 @@
 #include "base/file.h"
 
+#include <fcntl.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -17,11 +18,34 @@ std::string reason() {
     return std::strerror(errno);
 }
 
-bool write_all(const fs::path& path, std::string_view bytes) {
+std::error_code last_error() {
+    return {errno, std::generic_category()};
+}
+
+std::string sentence(const std::error_code& error) {
+    const bool folder = error == std::errc::is_a_directory;
+    return "cannot be written: " + (folder ? std::string("it is a folder") : error.message());
+}
+
+enum class Sync : bool { no, yes };
+
+std::error_code write_all(const fs::path& path, std::string_view bytes, Sync sync) {
     std::FILE* file = std::fopen(path.c_str(), "wb");
-    if (!file) return false;
-    const bool written = std::fwrite(bytes.data(), 1, bytes.size(), file) == bytes.size();
-    return std::fclose(file) == 0 && written;
+    if (!file) return last_error();
+    std::error_code error;
+    if (std::fwrite(bytes.data(), 1, bytes.size(), file) != bytes.size() ||
+        std::fflush(file) != 0 || (sync == Sync::yes && fsync(fileno(file)) != 0))
+        error = last_error();
+    if (std::fclose(file) != 0 && !error) error = last_error();
+    return error;
+}
+
+// A folder's own bytes are its names. Some file systems cannot do it, and need not.
+void sync_folder(const fs::path& folder) {
+    const int handle = open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY);
+    if (handle < 0) return;
+    fsync(handle);
+    close(handle);
 }
 
 bool is_special(const fs::path& path) {
@@ -51,39 +75,30 @@ public:
         if (!temporary_.empty()) fs::remove(temporary_, ignored);
     }
 
-    bool write(std::string& why) {
+    std::error_code write(Sync sync = Sync::no) {
         std::error_code error;
-        if (fs::is_directory(target_, error)) {
-            why = "cannot be written: it is a folder";
-            return false;
-        }
-        if (is_special(target_) || holds(target_, file_.bytes)) return true;
+        if (fs::is_directory(target_, error)) return make_error_code(std::errc::is_a_directory);
+        if (is_special(target_) || holds(target_, file_.bytes)) return {};
         temporary_ = target_;
         temporary_ += ".tmp" + std::to_string(getpid());
-        if (write_all(temporary_, file_.bytes)) return true;
-        why = "cannot be written: " + reason();
-        return false;
+        return write_all(temporary_, file_.bytes, sync);
     }
 
-    bool place(std::string& why) {
-        if (is_special(target_)) {
-            if (write_all(target_, file_.bytes)) return true;
-            why = "cannot be written: " + reason();
-            return false;
-        }
-        return temporary_.empty() || put(std::exchange(temporary_, {}), target_, why);
+    std::error_code place() {
+        if (is_special(target_)) return write_all(target_, file_.bytes, Sync::no);
+        return temporary_.empty() ? std::error_code() : put(std::exchange(temporary_, {}), target_);
     }
 
-    static bool put(const fs::path& written, const fs::path& target, std::string& why) {
-        std::error_code error;
+    static std::error_code put(const fs::path& written, const fs::path& target) {
+        std::error_code error, ignored;
         const fs::file_status old = fs::status(target, error);
         if (fs::is_regular_file(old)) fs::permissions(written, old.permissions(), error);
         fs::rename(written, target, error);
-        if (!error) return true;
-        why = "cannot be written: " + error.message();
-        fs::remove(written, error);
-        return false;
+        if (error) fs::remove(written, ignored);
+        return error;
     }
+
+    const fs::path& target() const { return target_; }
 
 private:
     FileBytes file_;
@@ -120,23 +135,32 @@ std::optional<std::string> read_file(const fs::path& path, std::string& why) {
 
 bool write_file(const fs::path& path, std::string_view bytes, std::string& why) {
     Replacement file({path, bytes});
-    return file.write(why) && file.place(why);
+    std::error_code error = file.write();
+    if (!error) error = file.place();
+    if (error) why = sentence(error);
+    return !error;
+}
+
+std::error_code write_file_synced(const fs::path& path, std::string_view bytes) {
+    Replacement file({path, bytes});
+    if (const std::error_code error = file.write(Sync::yes)) return error;
+    const std::error_code error = file.place();
+    if (!error) sync_folder(file.target().parent_path());
+    return error;
 }
 
 bool write_files(std::span<const FileBytes> files, std::string& why) {
     std::vector<Replacement> replacements;
-    const auto name = [&](size_t i) { why = files[i].path.string() + ": " + why; };
+    const auto failed = [&](size_t i, const std::error_code& error) {
+        if (error) why = files[i].path.string() + ": " + sentence(error);
+        return static_cast<bool>(error);
+    };
     for (const FileBytes& file : files) {
         replacements.emplace_back(file);
-        if (replacements.back().write(why)) continue;
-        name(replacements.size() - 1);
-        return false;
+        if (failed(replacements.size() - 1, replacements.back().write())) return false;
     }
     for (size_t i = 0; i < files.size(); ++i)
-        if (!replacements[i].place(why)) {
-            name(i);
-            return false;
-        }
+        if (failed(i, replacements[i].place())) return false;
     return true;
 }
 
@@ -144,7 +168,11 @@ bool replace_file(const fs::path& written, const fs::path& path, std::string& wh
     const fs::path target = link_target(path);
     const auto bytes = read_file(written, why);
     const bool in_place = bytes && (is_special(target) || holds(target, *bytes));
-    if (bytes && !in_place) return Replacement::put(written, target, why);
+    if (bytes && !in_place) {
+        const std::error_code error = Replacement::put(written, target);
+        if (error) why = sentence(error);
+        return !error;
+    }
     std::error_code ignored;
     fs::remove(written, ignored);
     return in_place && write_file(path, *bytes, why);

@@ -6,6 +6,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <system_error>
 
 namespace wrinkle {
 
@@ -17,6 +18,10 @@ std::optional<std::string> read_file(const std::filesystem::path& path, std::str
 // symbolic link stays: the file it leads to is replaced. What is no regular file (a device, a pipe)
 // is opened and written to. False with the reason in `why`.
 bool write_file(const std::filesystem::path& path, std::string_view bytes, std::string& why);
+
+// The same for work that nobody can make again: the bytes are on the disk before they take the
+// place of the old ones, and the new name is before it returns. The system's error, or none.
+std::error_code write_file_synced(const std::filesystem::path& path, std::string_view bytes);
 
 // The same for several files: none is replaced before all have been written under their temporary
 // names. `why` then names the file too.

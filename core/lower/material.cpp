@@ -2,17 +2,42 @@
 
 #include <cassert>
 
+#include "graph/order.h"
 #include "ir/expand.h"
 #include "ir/rewrite.h"
 #include "ir/verify.h"
 #include "lower/check.h"
 
 namespace wrinkle {
+namespace {
+
+bool is_broken(const Input& input) {
+    return input.kind == Input::Kind::broken;
+}
+
+// Whether every node has a type, and every wire leads somewhere and none in a circle. Reading has
+// reported what does not.
+bool is_connected(const Document& document) {
+    for (const NodePtr& node : document.nodes) {
+        if (node->type.empty()) return false;
+        for (const Input& input : node->inputs)
+            if (is_broken(input)) return false;
+    }
+    for (const Output& output : document.outputs)
+        if (is_broken(output.from)) return false;
+    Diagnostics problems;
+    check_links(document, problems);
+    return !problems.has_errors();
+}
+
+}  // namespace
 
 Compiled compile_material(const Project& project, const Registry& registry,
                           const MaterialOptions& options, Diagnostics& diagnostics) {
     Compiled compiled;
     if (diagnostics.has_errors()) return compiled;
+    for (const Project::File& file : project.files)
+        if (!is_connected(file.document)) return compiled;
     const Types types(project, registry);
     check(project, registry, types, diagnostics, {options.reached_only});
     if (diagnostics.has_errors()) return compiled;

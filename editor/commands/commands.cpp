@@ -51,7 +51,7 @@ bool run_command(State& state, std::string_view id) {
 
 void run_keys(State& state) {
     if (ImGui::GetIO().WantTextInput || state.palette.open || state.offer.open ||
-        state.box_text.open || state.popup.kind != Popup::Kind::none ||
+        state.box_text.open || state.question.open() || state.popup.kind != Popup::Kind::none ||
         state.gesture.kind != Gesture::Kind::none)
         return;
     for (const Command& command : commands())

@@ -11,16 +11,38 @@ void reload(State& state) {
     state.status = "Read the images and sub-graphs again";
 }
 
-void quit(State& state) {
-    (state.dirty() ? state.quit_asked : state.quit) = true;
+void save_as(State& state) {
+    state.question = {.kind = Question::Kind::save_as, .text = state.path.filename().string()};
+}
+
+void open(State& state) {
+    state.question = {.kind = Question::Kind::open, .text = state.path.filename().string()};
+}
+
+std::string_view no_recoverable(const State& state) {
+    return state.keeping.recoverable.empty() ? "Nothing is left to recover." : "";
+}
+
+void ask_recover(State& state) {
+    intend(state, {Intent::Kind::recover, state.keeping.recoverable.front().journal});
 }
 
 constexpr Command table[] = {
+    {"new", "New", "Ctrl+N", "File", always,
+     [](State& s) {
+         intend(s, {Intent::Kind::new_graph, {}});
+     }},
+    {"open", "Open...", "Ctrl+O", "File", always, open},
     {"save", "Save", "Ctrl+S", "File", always, [](State& s) { save_file(s); }},
+    {"save-as", "Save as...", "Ctrl+Shift+S", "File", always, save_as},
+    {"recover", "Recover unsaved graph...", "", "File", no_recoverable, ask_recover},
     {"export-glsl", "Export GLSL", "Ctrl+E", "File", always,
      [](State& s) { export_code(s, usual_export(s)); }},
     {"reload", "Read images again", "F5", "File", always, reload},
-    {"quit", "Quit", "Ctrl+Q", "File", always, quit},
+    {"quit", "Quit", "Ctrl+Q", "File", always,
+     [](State& s) {
+         intend(s, {Intent::Kind::quit, {}});
+     }},
 };
 
 }  // namespace

@@ -24,6 +24,30 @@ std::optional<Shader> emit_text(const Project& project, const Registry& registry
     return std::nullopt;
 }
 
+// What reading a text could not use: check() takes it as reported, and nothing can be made of it.
+// False when something stands where a wire or a value should.
+bool report_unread(const Document& document, Diagnostics& problems) {
+    if (!document.lost.empty())
+        problems.add(diagnose(document, "not all of the file could be read: " + document.lost,
+                              "it is not written over; save under another name"));
+    bool whole = true;
+    const auto broken = [&](Diagnostic problem) {
+        problems.add(std::move(problem));
+        whole = false;
+    };
+    const std::string wanted = R"(expected a value, or {"from": "node.port"})";
+    for (const NodePtr& node : document.nodes)
+        for (const Input& input : node->inputs)
+            if (input.kind == Input::Kind::broken)
+                broken(diagnose_port(document, *node, input.port,
+                                     "port '" + input.port + "' could not be read", wanted));
+    for (const Output& output : document.outputs)
+        if (output.from.kind != Input::Kind::link)
+            broken(diagnose(document, output, "output '" + output.name + "' could not be read",
+                            R"(expected {"from": "node.port"})"));
+    return whole;
+}
+
 std::string first_error(const Diagnostics& problems) {
     for (const Diagnostic& problem : problems.list())
         if (problem.severity == Severity::error)
@@ -71,10 +95,11 @@ Build build(const Model& model, const Document& document, const Registry& regist
     const Project project = project_with(model, document);
     Diagnostics links;
     check_links(document, links);
+    const bool linked = report_unread(document, result.problems) && !links.has_errors();
     if (!document.edited) result.problems.append(links);  // of an edited one check() says them
     result.problems.append(model.project_problems);
     check(project, registry, result.problems);
-    if (!links.has_errors()) {
+    if (linked) {
         result.uniform = emit_text(project, registry, name, result.live);
         build_shown(model, document, registry, name, result);
         build_displacement(project, registry, result);

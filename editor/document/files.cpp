@@ -1,47 +1,196 @@
 #include "editor/document/files.h"
 
+#include <imgui.h>
+
+#include <chrono>
+
 #include "base/file.h"
+#include "editor/document/recovery.h"
 #include "graph/read.h"
 #include "graph/write.h"
 
 namespace wrinkle::editor {
 namespace fs = std::filesystem;
+namespace {
 
-void open_file(State& state, const fs::path& path) {
+std::string name_of(const fs::path& path) {
+    return path.filename().string();
+}
+
+void begin(State& state, const fs::path& path, Document document) {
+    state.keeping.journal.drop();  // saved, or given up
     state.path = path;
     state.save_refused.clear();
-    Diagnostics problems;
+    state.history = History(std::move(document));
+    state.saved_serial = state.history.serial();
+    state.view = {};
+    state.gesture = {};
+    state.palette = {};
+    state.popup = {};
+    state.fresh = false;
+    state.keeping.disk = {};
+}
+
+Document read_text(const State& state, std::string text) {
+    Diagnostics shown_by_the_build;
+    return read_document(std::move(text), state.path.string(), shown_by_the_build);
+}
+
+// Writes without asking.
+bool write_to(State& state, const fs::path& path) {
+    const bool kept = state.dirty() && keep_edits_now(state);
+    const std::string text = write_document(state.document());
+    if (const std::error_code error = write_file_synced(path, text)) {
+        state.status = name_of(path) + " was not saved: " + disk_words(error) +
+                       (kept ? ". Your edits are kept in the recovery file."
+                             : ". Your edits are still here, in memory alone.");
+        return false;
+    }
+    state.keeping.disk = DiskCopy::of(path, text);
+    state.saved_serial = state.history.serial();
+    state.status = "Saved " + name_of(path);
+    return true;
+}
+
+double seconds_now() {
+    const auto now = std::chrono::steady_clock::now().time_since_epoch();
+    return std::chrono::duration<double>(now).count();
+}
+
+void keep_settings(State& state) {
+    Keeping& keeping = state.keeping;
+    keeping.settings.side = state.panes.side;
+    keeping.settings.preview = state.panes.preview;
+    keeping.settings.problems = state.panes.problems;
+    keeping.settings.theme = state.look.theme == Theme::light ? "light" : "dark";
+    keeping.settings.scale = state.look.scale;
+    const ImVec2 size = ImGui::GetIO().DisplaySize;
+    if (size.x >= 1 && size.y >= 1) {
+        keeping.settings.width = static_cast<int>(size.x * state.look.scale);
+        keeping.settings.height = static_cast<int>(size.y * state.look.scale);
+    }
+    if (keeping.settings == keeping.written || ImGui::IsAnyMouseDown()) return;
+    const std::string why = write_settings(keeping.folders, keeping.settings);
+    if (!why.empty()) state.status = "The settings were not saved: " + why + ".";
+    keeping.written = keeping.settings;
+}
+
+}  // namespace
+
+void new_file(State& state) {
+    begin(state, {}, {});
+    state.status = "New graph";
+}
+
+void open_file(State& state, const fs::path& path) {
     std::string why;
     const auto bytes = read_file(path, why);
+    begin(state, path, {});
+    std::error_code ignored;
     if (bytes) {
-        state.history = History(read_document(*bytes, path.string(), problems));
+        state.history = History(read_text(state, *bytes));
         state.save_refused = state.document().lost;
+        state.keeping.disk = DiskCopy::of(path, *bytes);
+        remember_recent(state.keeping.folders, state.keeping.settings, path);
     } else {
         Document empty;
         empty.file = path.string();
         state.history = History(std::move(empty));
-        std::error_code ignored;
         if (fs::exists(path, ignored)) state.save_refused = path.string() + " " + why;
     }
-    state.saved_serial = state.history.serial();
-    state.view = {};
-    state.fresh = false;
     state.status = bytes ? "Opened " + path.string() : "New graph " + path.string();
 }
 
 bool save_file(State& state) {
+    if (state.path.empty()) {
+        state.question = {.kind = Question::Kind::save_as};
+        return false;
+    }
     if (!state.save_refused.empty()) {
         state.status = "Not saved, because the file could not be read whole: " + state.save_refused;
         return false;
     }
-    std::string why;
-    if (!write_file(state.path, write_document(state.document()), why)) {
-        state.status = state.path.string() + " was not saved: it " + why;
+    if (compare(state.keeping.disk, state.path) == OnDisk::changed) {
+        state.question = {.kind = Question::Kind::changed, .saving = true};
         return false;
     }
-    state.saved_serial = state.history.serial();
-    state.status = "Saved " + state.path.filename().string();
+    return write_to(state, state.path);
+}
+
+bool save_file_as(State& state, const fs::path& path) {
+    if (!write_to(state, path)) return false;
+    state.path = path;
+    state.save_refused.clear();
+    state.fresh = false;
+    remember_recent(state.keeping.folders, state.keeping.settings, path);
     return true;
+}
+
+void load_theirs(State& state) {
+    std::string why;
+    const auto bytes = read_file(state.path, why);
+    if (!bytes) {
+        state.status = name_of(state.path) + " " + why;
+        return;
+    }
+    state.keeping.disk = DiskCopy::of(state.path, *bytes);
+    state.commit("Load " + name_of(state.path) + " again", read_text(state, *bytes));
+    state.saved_serial = state.history.serial();
+    state.save_refused = state.document().lost;
+    state.fresh = false;
+    state.status = name_of(state.path) + " was changed by another program and is read again.";
+}
+
+void keep_mine(State& state) {
+    std::string why;
+    const auto bytes = read_file(state.path, why);
+    state.keeping.disk = DiskCopy::of(state.path, bytes.value_or(""));
+    state.saved_serial = State::never_saved;
+}
+
+void look_at_disk(State& state) {
+    switch (compare(state.keeping.disk, state.path)) {
+        case OnDisk::same:
+            return;
+        case OnDisk::gone:
+            state.keeping.disk = {};
+            state.saved_serial = State::never_saved;
+            state.status = name_of(state.path) + " is no longer there. Save writes it again.";
+            return;
+        case OnDisk::changed:
+            if (!state.dirty()) return load_theirs(state);
+            state.question = {.kind = Question::Kind::changed};
+    }
+}
+
+bool tend(State& state) {
+    keep_edits(state);
+    const double now = seconds_now();
+    if (now - state.keeping.looked < 1) return false;
+    state.keeping.looked = now;
+    state.keeping.try_again = true;
+    state.keeping.journal.sync();
+    keep_settings(state);
+    const bool busy = state.gesture.kind != Gesture::Kind::none || state.question.open() ||
+                      state.popup.kind != Popup::Kind::none;
+    const std::string status = state.status;
+    if (!busy && !state.path.empty()) look_at_disk(state);
+    return state.question.open() || state.status != status;
+}
+
+void use_settings(State& state, const Settings& settings) {
+    state.keeping.settings = state.keeping.written = settings;
+    state.panes.side = settings.side;
+    state.panes.preview = settings.preview;
+    state.panes.problems = settings.problems;
+    state.look.theme = settings.theme == "light" ? Theme::light : Theme::dark;
+    for (const float scale : interface_scales)
+        if (scale <= settings.scale) state.look.scale = scale;
+}
+
+void finish(State& state) {
+    state.keeping.journal.drop();
+    keep_settings(state);
 }
 
 }  // namespace wrinkle::editor

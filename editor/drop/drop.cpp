@@ -156,18 +156,11 @@ void add_pictures(State& state, const FileDrop& drop, const std::vector<std::str
     }
 }
 
-void open_graph(State& state, const std::string& file) {
-    if (state.dirty())
-        state.status = "Save " + state.path.filename().string() + " first, or undo its edits.";
-    else
-        open_file(state, file);
-}
-
 void handle(State& state, const FileDrop& drop) {
     std::vector<std::string> pictures;
     for (const std::string& file : drop.files) {
         const Kind kind = kind_of_name(file);
-        if (kind == Kind::graph) return open_graph(state, file);
+        if (kind == Kind::graph) return intend(state, {Intent::Kind::open, file});
         if (kind == Kind::mesh || (kind == Kind::environment && on_preview(state, drop)))
             state.dropped.for_preview = file;
         else

@@ -1,6 +1,7 @@
 #include "editor/input/script.h"
 
 #include <charconv>
+#include <cstdio>
 #include <cstdlib>
 #include <optional>
 
@@ -214,6 +215,10 @@ bool Script::run(const Line& line, const State& state, InputQueue& queue, const 
     if (what == "type") {
         queue.type(rest(w, 1));
         return true;
+    }
+    if (what == "say") {
+        std::printf("%s\n", rest(w, 1).c_str());
+        return std::fflush(stdout) == 0;
     }
     if (what == "shot") return (shot && shot(w[1])) || fail("no picture could be written");
     if (what != "assert") return fail("'" + what + "' is no step");

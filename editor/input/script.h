@@ -5,6 +5,7 @@
 //   click NAME      right NAME      double NAME      drag FROM TO      wheel NAME AMOUNT
 //   stroke MODIFIERS left|right FROM TO ...    a drag with keys held, "-" for none, over all places
 //   key Ctrl+Z      type TEXT       wait [FRAMES]    shot FILE.png
+//   say TEXT        (to standard output: so far it has come)
 //   drop FILE... NAME               files by their path, a relative one from the graph's folder
 //   section NAME                    of the timings (editor/timings.h)
 //   assert nodes N | wires N | errors N | dirty | clean | node ID | no-node ID | wire FROM TO |

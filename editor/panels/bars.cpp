@@ -7,6 +7,7 @@
 #include "editor/look/icons.h"
 #include "editor/look/theme.h"
 #include "editor/panels/panels.h"
+#include "editor/panels/questions.h"
 
 namespace wrinkle::editor {
 namespace {
@@ -50,6 +51,7 @@ void draw_menu(State& state, const char* menu) {
     if (open) {
         for (const Command& command : commands())
             if (command.menu == menu) draw_menu_item(state, command);
+        if (std::string_view(menu) == "File") draw_recent_files(state);
         ImGui::EndMenu();
     }
     ImGui::PopStyleVar(2);
@@ -77,7 +79,7 @@ float draw_command_search(State& state) {
 }
 
 void draw_title(const State& state, float from, float to) {
-    const std::string file = state.path.filename().string() + (state.dirty() ? ", edited" : "");
+    const std::string file = state.file_name() + (state.dirty() ? ", edited" : "");
     const std::string& name = state.document().name;
     ImFont *bold = state.fonts.bold(16), *small = state.fonts.regular(14);
     const float gap = name.empty() ? 0 : 10;

@@ -1,5 +1,4 @@
 #include "editor/panels/popups.h"
-#include "editor/document/files.h"
 
 #include <imgui_stdlib.h>
 
@@ -164,30 +163,6 @@ void draw_popup(State& state) {
     ImGui::PopStyleVar(3);
     if (done || away || ImGui::IsKeyPressed(ImGui::GetIO().KeyMap[ImGuiKey_Escape]))
         state.popup = {};
-}
-
-void draw_quit_question(State& state) {
-    if (state.quit_asked && !ImGui::IsPopupOpen("##quit")) ImGui::OpenPopup("##quit");
-    if (!ImGui::BeginPopupModal("##quit", nullptr,
-                                ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_AlwaysAutoResize))
-        return;
-    ImGui::Text("Save changes to %s?", state.path.filename().string().c_str());
-    const auto button = [&](const char* label, const char* target) {
-        const bool pressed = ImGui::Button(label, {88, 28});
-        name_item(state, target);
-        return pressed;
-    };
-    const bool save = button("Save", "quit:save");
-    ImGui::SameLine();
-    const bool discard = button("Discard", "quit:discard");
-    ImGui::SameLine();
-    const bool cancel = button("Cancel", "quit:cancel");
-    if (discard || (save && save_file(state))) state.quit = true;
-    if (save || discard || cancel) {
-        state.quit_asked = false;
-        ImGui::CloseCurrentPopup();
-    }
-    ImGui::EndPopup();
 }
 
 }  // namespace wrinkle::editor

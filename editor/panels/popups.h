@@ -6,7 +6,6 @@
 namespace wrinkle::editor {
 
 void draw_popup(State& state);
-void draw_quit_question(State& state);
 
 // The image files below the graph's folder, relative to it, sorted; at most `limit`, looked for
 // among `most_entries` files and folders.

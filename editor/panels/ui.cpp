@@ -1,4 +1,5 @@
 #include "editor/panels/ui.h"
+#include "editor/document/files.h"
 #include "editor/document/refresh.h"
 
 #include "editor/canvas/canvas.h"
@@ -11,6 +12,7 @@
 #include "editor/panels/palette.h"
 #include "editor/panels/panels.h"
 #include "editor/panels/popups.h"
+#include "editor/panels/questions.h"
 #include "editor/panels/regions.h"
 
 namespace wrinkle::editor {
@@ -93,9 +95,10 @@ void draw_ui(State& state) {
     draw_offer(state);
     draw_box_text(state);
     draw_popup(state);
-    draw_quit_question(state);
     draw_copy_question(state);
+    draw_question(state);
     handle_drops(state);
+    tend(state);
 }
 
 }  // namespace wrinkle::editor

@@ -30,6 +30,21 @@ TEST_F(Files, ComeBackByteForByte) {
     EXPECT_EQ(std::distance(fs::directory_iterator(folder_), {}), 2);  // nothing temporary
 }
 
+TEST_F(Files, SyncedOnesKeepModeAndLinkAndGiveTheSystemsError) {
+    EXPECT_FALSE(write_file_synced(folder_ / "inner" / "x", "old"));
+    fs::permissions(folder_ / "inner" / "x", fs::perms::owner_all);
+    fs::create_symlink("inner/x", folder_ / "link");
+    EXPECT_FALSE(write_file_synced(folder_ / "link", "new"));
+    EXPECT_TRUE(fs::is_symlink(folder_ / "link"));
+    EXPECT_EQ(read_file(folder_ / "inner" / "x", why_), "new");
+    EXPECT_EQ(fs::status(folder_ / "inner" / "x").permissions(), fs::perms::owner_all);
+    EXPECT_EQ(std::distance(fs::directory_iterator(folder_ / "inner"), {}), 1);
+    EXPECT_EQ(write_file_synced(folder_ / "inner", "a"), std::errc::is_a_directory);
+    EXPECT_EQ(write_file_synced(folder_ / "missing" / "x", "a"),
+              std::errc::no_such_file_or_directory);
+    EXPECT_EQ(write_file_synced("/dev/full", "a"), std::errc::no_space_on_device);
+}
+
 TEST_F(Files, EqualBytesLeaveAFileAlone) {
     ASSERT_TRUE(write_file(folder_ / "x", "same", why_));
     const auto long_ago = fs::last_write_time(folder_ / "x") - std::chrono::hours(1);

@@ -110,6 +110,7 @@ void expect_golden(const std::string& name, const std::string& text) {
 Headless::Headless() {
     state.fonts = context();
     state.registry = &built_in_registry();
+    state.keeping.folders = folders_below(home.path());
     ImGuiIO& io = ImGui::GetIO();
     io.DisplaySize = {1600, 900};
     io.DeltaTime = 1.0F / 60;

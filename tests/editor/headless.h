@@ -47,7 +47,7 @@ protected:
     // Plays a script to its end; a step that goes wrong fails the test.
     void play(const std::string& script);
 
-    TemporaryFolder folder;
+    TemporaryFolder folder, home;
     std::filesystem::path file;
     State state;
     InputQueue queue;

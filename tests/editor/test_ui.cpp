@@ -269,7 +269,9 @@ TEST_F(Headless, LoopsAreFoundFromBothEnds) {
 
 TEST_F(Headless, QuittingAsksOnlyWhenSomethingIsUnsaved) {
     open(small_graph);
-    play("click node:number\nkey Delete\nkey Ctrl+Q\nassert target quit:save\nclick quit:cancel");
+    play(
+        "click node:number\nkey Delete\nkey Ctrl+Q\nassert target answer:save\nclick "
+        "answer:cancel");
     EXPECT_FALSE(state.quit);
     play("key Ctrl+Z\nassert clean\nkey Ctrl+Q");
     EXPECT_TRUE(state.quit);

@@ -1,7 +1,5 @@
 // A real window on a virtual screen. Skipped only where there is no Xvfb.
-#include <signal.h>
 #include <sys/wait.h>
-#include <unistd.h>
 
 #include <cstdlib>
 #include <set>
@@ -10,44 +8,10 @@
 
 #include "headless.h"
 #include "image/load.h"
+#include "virtual_screen.h"
 
 namespace wrinkle::editor {
 namespace {
-
-// An X server without a screen, at a number that is free.
-class VirtualScreen {
-public:
-    VirtualScreen() {
-        int ends[2];
-        if (pipe(ends) != 0) return;
-        process_ = fork();
-        if (process_ == 0) {
-            close(ends[0]);
-            const std::string end = std::to_string(ends[1]);
-            execlp("Xvfb", "Xvfb", "-displayfd", end.c_str(), "-screen", "0", "1280x720x24",
-                   "-nolisten", "tcp", static_cast<char*>(nullptr));
-            _exit(127);
-        }
-        close(ends[1]);
-        char digit = 0;
-        while (read(ends[0], &digit, 1) == 1 && digit != '\n')
-            number_ += digit;
-        close(ends[0]);
-    }
-    VirtualScreen(const VirtualScreen&) = delete;
-    VirtualScreen& operator=(const VirtualScreen&) = delete;
-    ~VirtualScreen() {
-        if (process_ <= 0) return;
-        kill(process_, SIGTERM);
-        waitpid(process_, nullptr, 0);
-    }
-    bool is_there() const { return !number_.empty(); }
-    std::string variable() const { return "DISPLAY=:" + number_; }
-
-private:
-    pid_t process_ = -1;
-    std::string number_;
-};
 
 // Leaks are not looked for here: GLFW unloads the GL driver, and what that leaks has no name left
 // to be exempt by. The same frames run without a window in test_ui.cpp, with leaks looked for.

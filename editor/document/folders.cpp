@@ -1,0 +1,43 @@
+#include "editor/document/folders.h"
+
+#include <cstdlib>
+
+namespace wrinkle::editor {
+namespace fs = std::filesystem;
+namespace {
+
+// The specification takes absolute paths alone.
+fs::path base_folder(const char* variable, const char* below_home) {
+    const char* named = std::getenv(variable);
+    if (named && fs::path(named).is_absolute()) return fs::path(named) / "wrinkle";
+    const char* home = std::getenv("HOME");
+    if (!home || !fs::path(home).is_absolute()) return {};
+    return fs::path(home) / below_home / "wrinkle";
+}
+
+}  // namespace
+
+Folders user_folders() {
+    return {base_folder("XDG_CONFIG_HOME", ".config"),
+            base_folder("XDG_STATE_HOME", ".local/state")};
+}
+
+Folders folders_below(const fs::path& folder) {
+    return {folder / "config", folder / "state"};
+}
+
+std::string disk_words(const std::error_code& error) {
+    using std::errc;
+    if (error == errc::no_space_on_device || error.value() == EDQUOT) return "the disk is full";
+    if (error == errc::read_only_file_system) return "the disk can only be read";
+    if (error == errc::permission_denied || error == errc::operation_not_permitted)
+        return "its folder may not be written to";
+    if (error == errc::no_such_file_or_directory || error == errc::not_a_directory)
+        return "its folder is no longer there";
+    if (error == errc::is_a_directory) return "there is a folder of this name";
+    if (error == errc::filename_too_long) return "its name is too long";
+    if (error == errc::file_too_large) return "it is larger than a file may be here";
+    return "the system says \"" + error.message() + "\"";
+}
+
+}  // namespace wrinkle::editor

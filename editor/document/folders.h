@@ -1,0 +1,23 @@
+// Where the editor keeps what belongs to no graph: $XDG_CONFIG_HOME/wrinkle (settings) and
+// $XDG_STATE_HOME/wrinkle (recovery files), by the XDG Base Directory Specification.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <system_error>
+
+namespace wrinkle::editor {
+
+struct Folders {
+    std::filesystem::path config, state;  // both empty: nothing is kept
+};
+
+// From the environment; nothing is kept where it names no home.
+Folders user_folders();
+// Below one folder, for scripts and tests.
+Folders folders_below(const std::filesystem::path& folder);
+
+// Why a file could not be written, as the end of a sentence: "the disk is full".
+std::string disk_words(const std::error_code& error);
+
+}  // namespace wrinkle::editor

@@ -1,0 +1,128 @@
+#include "editor/document/intent.h"
+
+#include "editor/document/files.h"
+#include "editor/document/recovery.h"
+
+namespace wrinkle::editor {
+namespace fs = std::filesystem;
+namespace {
+
+// A relative one is meant beside the graph.
+fs::path typed_path(const State& state) {
+    const fs::path typed = state.question.text;
+    return typed.is_absolute() ? typed : state.folder() / typed;
+}
+
+bool same_file(const fs::path& a, const fs::path& b) {
+    std::error_code ignored;
+    return fs::equivalent(a, b, ignored);
+}
+
+void done(State& state) {
+    const Intent then = state.question.then;
+    state.question = {};
+    carry_out(state, then);
+}
+
+void answer_open(State& state) {
+    const fs::path path = typed_path(state);
+    std::error_code error;
+    if (!fs::exists(path, error)) {
+        state.question.trouble = "There is no file " + path.string() + ".";
+    } else if (fs::is_directory(path, error)) {
+        state.question.trouble = path.string() + " is a folder.";
+    } else {
+        state.question = {};
+        intend(state, {Intent::Kind::open, path});
+    }
+}
+
+void write_as(State& state, const fs::path& path) {
+    if (save_file_as(state, path)) return done(state);
+    state.question.kind = Question::Kind::save_as;
+    state.question.trouble = state.status;
+}
+
+void answer_save_as(State& state) {
+    fs::path path = typed_path(state);
+    if (path.extension().empty()) path += ".json";
+    std::error_code error;
+    const bool there = fs::exists(path, error), itself = there && same_file(path, state.path);
+    if (fs::is_directory(path, error)) {
+        state.question.trouble = path.string() + " is a folder.";
+    } else if (itself && !state.save_refused.empty()) {
+        state.question.trouble =
+            state.file_name() + " could not be read whole and is kept. Choose another name.";
+    } else if (there && !itself) {
+        state.question.kind = Question::Kind::replace;
+        state.question.file = path;
+    } else {
+        write_as(state, path);
+    }
+}
+
+}  // namespace
+
+void carry_out(State& state, const Intent& intent) {
+    switch (intent.kind) {
+        case Intent::Kind::nothing:
+            return;
+        case Intent::Kind::quit:
+            state.quit = true;
+            return;
+        case Intent::Kind::new_graph:
+            return new_file(state);
+        case Intent::Kind::open:
+            open_file(state, intent.file);
+            look_for_recoverable(state);
+            return offer_recovery(state);
+        case Intent::Kind::recover:
+            state.question = {.kind = Question::Kind::recover, .file = intent.file};
+            return;
+    }
+}
+
+void intend(State& state, const Intent& intent) {
+    if (!state.dirty()) return carry_out(state, intent);
+    state.question = {.kind = Question::Kind::unsaved, .then = intent};
+}
+
+void answer_save(State& state) {
+    const Question asked = state.question;
+    if (save_file(state)) return done(state);
+    if (state.question.kind == asked.kind)
+        state.question.trouble = state.status;
+    else
+        state.question.then = asked.then;  // another question came first
+}
+
+void answer_path(State& state) {
+    state.question.trouble.clear();
+    state.question.opening = true;
+    if (state.question.text.empty())
+        state.question.trouble = "Type the name of a file.";
+    else if (state.question.kind == Question::Kind::open)
+        answer_open(state);
+    else
+        answer_save_as(state);
+}
+
+void answer_recover(State& state) {
+    const fs::path journal = state.question.file;
+    state.question = {};
+    for (const Recoverable& found : state.keeping.recoverable)
+        if (found.journal == journal) return recover(state, found);
+}
+
+void answer_forget(State& state) {
+    const fs::path journal = state.question.file;
+    state.question = {};
+    for (const Recoverable& found : state.keeping.recoverable)
+        if (found.journal == journal) return forget(state, found);
+}
+
+void answer_replace(State& state) {
+    write_as(state, state.question.file);
+}
+
+}  // namespace wrinkle::editor

@@ -1,0 +1,89 @@
+#include "editor/document/recovery.h"
+
+#include <imgui.h>
+
+#include "editor/document/files.h"
+#include "graph/read.h"
+#include "graph/write.h"
+
+namespace wrinkle::editor {
+namespace fs = std::filesystem;
+namespace {
+
+void say_failure(State& state, const std::error_code& error) {
+    const std::string words = disk_words(error);
+    if (state.keeping.unkept != words)
+        state.status = "Edits are not kept for recovery: " + words + ". Save them soon.";
+    state.keeping.unkept = words;
+}
+
+bool same_file(const fs::path& a, const fs::path& b) {
+    std::error_code error;
+    return fs::weakly_canonical(fs::absolute(a, error), error) ==
+           fs::weakly_canonical(fs::absolute(b, error), error);
+}
+
+}  // namespace
+
+bool keep_edits_now(State& state) {
+    Keeping& keeping = state.keeping;
+    if (keeping.folders.state.empty()) return false;
+    const uint64_t serial = state.history.serial();
+    if (keeping.journal.exists() && keeping.journalled == serial) return true;
+    const std::error_code error = keeping.journal.keep(
+        keeping.folders.state, state.path, state.save_refused, write_document(state.document()));
+    if (error) {
+        say_failure(state, error);
+        return false;
+    }
+    keeping.unkept.clear();
+    keeping.journalled = serial;
+    return true;
+}
+
+void keep_edits(State& state) {
+    Keeping& keeping = state.keeping;
+    if (!state.dirty()) return keeping.journal.drop();
+    const bool kept = keeping.journal.exists() && keeping.journalled == state.history.serial();
+    if (kept || (state.history.merging() && ImGui::IsAnyMouseDown())) return;
+    const bool wait = !keeping.unkept.empty() && !keeping.try_again;
+    keeping.try_again = false;
+    if (!wait) keep_edits_now(state);
+}
+
+void look_for_recoverable(State& state) {
+    state.keeping.recoverable.clear();
+    if (!state.keeping.folders.state.empty())
+        state.keeping.recoverable = list_recoverable(state.keeping.folders.state);
+}
+
+void offer_recovery(State& state) {
+    if (state.question.open()) return;
+    for (const Recoverable& found : state.keeping.recoverable) {
+        if (!state.path.empty() && !same_file(found.graph, state.path)) continue;
+        state.question = {.kind = Question::Kind::recover, .file = found.journal};
+        return;
+    }
+}
+
+void recover(State& state, const Recoverable& found) {
+    const Recoverable taken = found;  // the list is made anew
+    if (taken.graph.empty())
+        new_file(state);
+    else
+        open_file(state, taken.graph);
+    Diagnostics shown_by_the_build;
+    state.commit("Recover unsaved edits",
+                 read_document(taken.text, state.path.string(), shown_by_the_build));
+    if (!taken.refused.empty()) state.save_refused = taken.refused;
+    state.status = "Recovered the unsaved edits of " + state.file_name();
+    if (keep_edits_now(state)) forget(state, taken);
+}
+
+void forget(State& state, const Recoverable& found) {
+    std::error_code ignored;
+    fs::remove(found.journal, ignored);
+    look_for_recoverable(state);
+}
+
+}  // namespace wrinkle::editor

@@ -1,0 +1,141 @@
+#include "editor/document/settings.h"
+
+#include <algorithm>
+
+#include "base/file.h"
+#include "base/text.h"
+#include "json/parse.h"
+#include "json/write.h"
+
+namespace wrinkle::editor {
+namespace fs = std::filesystem;
+namespace {
+
+using json::Kind;
+using json::Value;
+
+fs::path settings_file(const Folders& folders) {
+    return folders.config / "settings.json";
+}
+
+// Every field by its name, with the range that can be used.
+template <class S, class Visitor>
+void each_setting(S& settings, Visitor&& visit) {
+    visit("width", settings.width, 320, 16384);
+    visit("height", settings.height, 240, 16384);
+    visit("side", settings.side, 0.0F, 0.9F);
+    visit("preview", settings.preview, 0.0F, 0.9F);
+    visit("problems", settings.problems, 0.0F, 0.9F);
+    visit("scale", settings.scale, 1.0F, 3.0F);
+    visit("theme", settings.theme, 0, 32);
+    visit("recent", settings.recent, 0, 0);
+}
+
+// Takes what it can use, and lists the names of what it cannot.
+struct Reader {
+    Value root;
+    std::string unusable;
+
+    template <class Number>
+    void operator()(const char* name, Number& field, Number low, Number high) {
+        const Value value = root.find(name);
+        const bool fits = value.is(Kind::number) && value.as_number() >= double(low) &&
+                          value.as_number() <= double(high);
+        if (fits) field = static_cast<Number>(value.as_number());
+        note(name, fits);
+    }
+    void operator()(const char* name, std::string& field, int, int longest) {
+        const Value value = root.find(name);
+        const bool fits =
+            value.is(Kind::string) && value.as_string().size() <= static_cast<size_t>(longest);
+        if (fits) field = value.as_string();
+        note(name, fits);
+    }
+    void operator()(const char* name, std::vector<fs::path>& field, int, int) {
+        const Value value = root.find(name);
+        note(name, value.is(Kind::array));
+        for (const json::Member& item : value.children())
+            if (item.value.is(Kind::string) && field.size() < Settings::most_recent)
+                field.emplace_back(item.value.as_string());
+    }
+    void note(const char* name, bool fits) {
+        if (!fits && root.has(name)) unusable += (unusable.empty() ? "" : ", ") + std::string(name);
+    }
+};
+
+struct Writer {
+    std::vector<std::pair<std::string, Value>> members;
+
+    void operator()(const char* name, int field, int, int) {
+        members.emplace_back(name, Value::number(field));
+    }
+    void operator()(const char* name, float field, float, float) {
+        members.emplace_back(name, Value::single(field));
+    }
+    void operator()(const char* name, const std::string& field, int, int) {
+        members.emplace_back(name, Value::string(field));
+    }
+    void operator()(const char* name, const std::vector<fs::path>& field, int, int) {
+        std::vector<Value> items;
+        for (const fs::path& file : field)  // JSON can spell no other names
+            if (is_utf8(file.string())) items.push_back(Value::string(file.string()));
+        members.emplace_back(name, Value::array(items));
+    }
+};
+
+}  // namespace
+
+Settings read_settings(const Folders& folders, std::string& trouble) {
+    Settings settings;
+    std::string why;
+    std::error_code error;
+    const fs::path file = settings_file(folders);
+    if (folders.config.empty() || !fs::exists(file, error)) return settings;
+    const auto text = read_file(file, why);
+    if (!text) {
+        trouble = file.string() + " " + why + ". The editor begins with its own settings.";
+        return settings;
+    }
+    Diagnostics problems;
+    const json::Parsed parsed = json::parse(*text, file.string(), problems);
+    if (!parsed.complete || !parsed.root.is(Kind::object)) {
+        fs::path kept = file;
+        kept += ".bak";
+        fs::rename(file, kept, error);
+        trouble = file.string() + " is damaged. It is kept as " + kept.filename().string() +
+                  ", and the editor begins with its own settings.";
+        return settings;
+    }
+    Reader reader{parsed.root, {}};
+    each_setting(settings, reader);
+    if (!reader.unusable.empty())
+        trouble = file.string() + ": " + reader.unusable + " cannot be used as written there.";
+    return settings;
+}
+
+std::string write_settings(const Folders& folders, const Settings& settings) {
+    if (folders.config.empty()) return {};
+    Writer writer;
+    each_setting(settings, writer);
+    std::error_code error;
+    fs::create_directories(folders.config, error);
+    if (!error)
+        error = write_file_synced(settings_file(folders),
+                                  json::pretty(Value::object(writer.members)) + "\n");
+    return error ? disk_words(error) : "";
+}
+
+void remember_recent(const Folders& folders, Settings& settings, const fs::path& file) {
+    std::string ignored;
+    if (!folders.config.empty()) settings.recent = read_settings(folders, ignored).recent;
+    std::error_code error;
+    fs::path absolute = fs::weakly_canonical(fs::absolute(file, error), error);
+    if (error) absolute = file;
+    std::erase(settings.recent, absolute);
+    settings.recent.insert(settings.recent.begin(), absolute);
+    if (settings.recent.size() > Settings::most_recent)
+        settings.recent.resize(Settings::most_recent);
+    write_settings(folders, settings);
+}
+
+}  // namespace wrinkle::editor

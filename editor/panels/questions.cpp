@@ -1,0 +1,198 @@
+#include "editor/panels/questions.h"
+
+#include <imgui_stdlib.h>
+
+#include <ctime>
+#include <vector>
+
+#include "editor/document/files.h"
+#include "editor/look/theme.h"
+#include "editor/panels/panels.h"
+
+namespace wrinkle::editor {
+namespace {
+
+constexpr float dialog_width = 520, dialog_padding = 24;
+
+struct Answer {
+    const char* label;
+    const char* target;
+    void (*take)(State&);
+};
+
+struct Sheet {
+    std::string sentence, detail;
+    bool path = false;            // has a field for a path
+    std::vector<Answer> answers;  // the first on Enter, the last on Escape
+};
+
+void cancel(State& state) {
+    state.question = {};
+}
+
+void discard(State& state) {
+    const Intent then = state.question.then;
+    state.question = {};
+    carry_out(state, then);
+}
+
+void take_theirs(State& state) {
+    const Intent then = state.question.then;
+    state.question = {};
+    load_theirs(state);
+    carry_out(state, then);
+}
+
+// When it stood in the way of saving, it is saved now.
+void take_mine(State& state) {
+    keep_mine(state);
+    if (state.question.saving) return answer_save(state);
+    state.question = {};
+}
+
+constexpr Answer cancelled{"Cancel", "answer:cancel", cancel};
+
+// Of what a program that died left behind.
+Sheet recovery_sheet(const State& state) {
+    Sheet sheet{"", "", false, {}};
+    for (const Recoverable& found : state.keeping.recoverable) {
+        if (found.journal != state.question.file) continue;
+        const std::string file =
+            found.graph.empty() ? "a graph without a file" : found.graph.filename().string();
+        char when[64] = "";
+        const time_t seconds = found.when;
+        if (const tm* local = std::localtime(&seconds))
+            std::strftime(when, sizeof when, "%H:%M on %d %B", local);
+        sheet.sentence = "Recover unsaved edits of " + file + "?";
+        sheet.detail = "The editor ended before they were saved. The last one was made at " +
+                       std::string(when) + ".";
+    }
+    sheet.answers = {{"Recover", "answer:recover", answer_recover},
+                     {"Discard", "answer:forget", answer_forget},
+                     {"Later", "answer:later", cancel}};
+    return sheet;
+}
+
+Sheet sheet_of(const State& state) {
+    const Question& question = state.question;
+    const std::string file = state.file_name();
+    switch (question.kind) {
+        case Question::Kind::none:
+            break;
+        case Question::Kind::unsaved:
+            return {"Save changes to " + file + "?",
+                    "",
+                    false,
+                    {{"Save", "answer:save", answer_save},
+                     {"Discard", "answer:discard", discard},
+                     cancelled}};
+        case Question::Kind::changed:
+            return {file + " was changed by another program.",
+                    "Mine keeps what is shown here. Theirs loads the file; undo brings yours back.",
+                    false,
+                    {{"Keep mine", "answer:mine", take_mine},
+                     {"Load theirs", "answer:theirs", take_theirs},
+                     cancelled}};
+        case Question::Kind::replace:
+            return {question.file.filename().string() + " is there already.",
+                    "Its present contents would be lost.",
+                    false,
+                    {{"Replace", "answer:replace", answer_replace}, cancelled}};
+        case Question::Kind::recover:
+            return recovery_sheet(state);
+        case Question::Kind::open:
+            return {
+                "Open which file?", "", true, {{"Open", "answer:open", answer_path}, cancelled}};
+        case Question::Kind::save_as:
+            return {"Save under which name?",
+                    "",
+                    true,
+                    {{"Save", "answer:save", answer_path}, cancelled}};
+    }
+    return {};
+}
+
+void draw_words(const State& state, const Sheet& sheet) {
+    ImGui::PushTextWrapPos(dialog_width - dialog_padding);
+    ImGui::PushFont(state.fonts.bold(18));
+    ImGui::TextUnformatted(sheet.sentence.c_str());
+    ImGui::PopFont();
+    ImGui::PushStyleColor(ImGuiCol_Text, theme::text_dim);
+    if (!sheet.detail.empty()) ImGui::TextUnformatted(sheet.detail.c_str());
+    ImGui::PopStyleColor();
+    ImGui::PushStyleColor(ImGuiCol_Text, theme::error);
+    const std::string& trouble = state.question.trouble;
+    if (!trouble.empty()) ImGui::TextUnformatted(trouble.c_str());
+    ImGui::PopStyleColor();
+    ImGui::PopTextWrapPos();
+}
+
+const Answer* draw_path(State& state, const Sheet& sheet) {
+    if (state.question.opening) ImGui::SetKeyboardFocusHere();
+    ImGui::SetNextItemWidth(-1);
+    const bool entered =
+        ImGui::InputText("##path", &state.question.text,
+                         ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
+    name_item(state, "answer:path");
+    return entered ? &sheet.answers.front() : nullptr;
+}
+
+const Answer* draw_answers(State& state, const Sheet& sheet) {
+    const Answer* taken = nullptr;
+    ImGui::Dummy({0, 8});
+    for (const Answer& answer : sheet.answers) {
+        const bool first = &answer == &sheet.answers.front();
+        if (!first) ImGui::SameLine();
+        if (first) ImGui::PushStyleColor(ImGuiCol_Button, theme::accent_fill);
+        if (button(state, answer.label, answer.target, false, {104, 28})) taken = &answer;
+        if (first) ImGui::PopStyleColor();
+    }
+    const auto pressed = [](ImGuiKey key) {
+        return ImGui::IsKeyPressed(ImGui::GetIO().KeyMap[key]);
+    };
+    if (pressed(ImGuiKey_Escape)) return &sheet.answers.back();
+    const bool enter = pressed(ImGuiKey_Enter) && !sheet.path && !state.question.opening;
+    return enter ? &sheet.answers.front() : taken;
+}
+
+}  // namespace
+
+void draw_question(State& state) {
+    if (!state.question.open()) return;
+    const Sheet sheet = sheet_of(state);
+    if (!ImGui::IsPopupOpen("##question")) ImGui::OpenPopup("##question");
+    const ImVec2 size = ImGui::GetIO().DisplaySize;
+    ImGui::SetNextWindowPos({size.x / 2, size.y * 0.4F}, ImGuiCond_Always, {0.5F, 0.5F});
+    ImGui::SetNextWindowSize({dialog_width, 0});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(dialog_padding, dialog_padding));
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(8, 8));
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 8);
+    if (ImGui::BeginPopupModal("##question", nullptr,
+                               ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |
+                                   ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings)) {
+        draw_words(state, sheet);
+        const Answer* entered = sheet.path ? draw_path(state, sheet) : nullptr;
+        const Answer* pressed = draw_answers(state, sheet);
+        state.question.opening = false;
+        if (const Answer* taken = pressed ? pressed : entered) taken->take(state);
+        if (!state.question.open()) ImGui::CloseCurrentPopup();
+        ImGui::EndPopup();
+    }
+    ImGui::PopStyleVar(3);
+}
+
+void draw_recent_files(State& state) {
+    const auto recent = state.keeping.settings.recent;
+    if (recent.empty()) return;
+    ImGui::Separator();
+    for (size_t i = 0; i < recent.size(); ++i) {
+        ImGui::PushID(static_cast<int>(i));
+        const bool chosen = ImGui::MenuItem(recent[i].filename().string().c_str());
+        if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", recent[i].string().c_str());
+        name_item(state, "recent:" + std::to_string(i + 1));
+        ImGui::PopID();
+        if (chosen) intend(state, {Intent::Kind::open, recent[i]});
+    }
+}
+
+}  // namespace wrinkle::editor

@@ -1,0 +1,186 @@
+// A real program that is killed at any moment: no committed edit is lost, no file half written.
+// WRINKLE_KILLS says how often; a few by default.
+#include <fcntl.h>
+#include <poll.h>
+
+#include <chrono>
+#include <cstdlib>
+#include <cstring>
+#include <random>
+#include <thread>
+
+#include "base/text.h"
+#include "editor/document/files.h"
+#include "editor/document/recovery.h"
+#include "graph/read.h"
+#include "graph/write.h"
+#include "headless.h"
+#include "virtual_screen.h"
+
+namespace wrinkle::editor {
+namespace {
+
+namespace fs = std::filesystem;
+using Clock = std::chrono::steady_clock;
+
+int kills() {
+    const char* wanted = std::getenv("WRINKLE_KILLS");
+    return wanted ? std::atoi(wanted) : 6;
+}
+
+// Counts upwards in one field, with saves and drags between, and says how far it has come.
+std::string counting_script(int from) {
+    std::string script;
+    for (int i = from; i < from + 400; ++i) {
+        const std::string number = std::to_string(i);
+        script +=
+            "double field:softer.amount\ntype " + number + "\nkey Enter\nsay " + number + "\n";
+        if (i % 3 == 0) script += "say saving\nkey Ctrl+S\n";
+        if (i % 5 == 0) script += "drag field:noise.scale field:noise.scale+9,0\n";
+    }
+    return script;
+}
+
+// The number in a whole graph; nothing when it is not whole.
+std::optional<int> number_in(const std::string& text) {
+    Diagnostics problems;
+    const Document document = read_document(text, "graph.json", problems);
+    const Node* node = document.find("softer");
+    const Input* input = node ? node->find("amount") : nullptr;
+    if (problems.has_errors() || !document.lost.empty() || !node) return std::nullopt;
+    return input ? static_cast<int>(input->value.as_number()) : 1;  // 1 is the default
+}
+
+// A running editor and what it has said.
+class Victim {
+public:
+    Victim(const VirtualScreen& screen, const std::vector<std::string>& arguments) {
+        int ends[2];
+        if (pipe(ends) != 0) return;
+        process_ = fork();
+        if (process_ == 0) {
+            dup2(ends[1], STDOUT_FILENO);
+            dup2(open("/dev/null", O_WRONLY), STDERR_FILENO);
+            close(ends[0]);
+            std::string display = screen.variable();
+            putenv(display.data());
+            unsetenv("WAYLAND_DISPLAY");
+            std::vector<char*> words = {const_cast<char*>(WRINKLE_EDITOR)};
+            for (const std::string& argument : arguments)
+                words.push_back(const_cast<char*>(argument.c_str()));
+            words.push_back(nullptr);
+            execv(WRINKLE_EDITOR, words.data());
+            _exit(127);
+        }
+        close(ends[1]);
+        output_ = ends[0];
+    }
+    Victim(const Victim&) = delete;
+    Victim& operator=(const Victim&) = delete;
+    ~Victim() { close(output_); }
+
+    // Listens until then, or until it says `word`.
+    void listen(Clock::time_point end, const char* word = nullptr) {
+        while (Clock::now() < end) {
+            const auto left =
+                std::chrono::duration_cast<std::chrono::milliseconds>(end - Clock::now());
+            pollfd waiting{output_, POLLIN, 0};
+            if (poll(&waiting, 1, static_cast<int>(left.count()) + 1) <= 0) continue;
+            if (!take()) return;
+            if (word && said_.find(word) != said_.npos) return;
+        }
+    }
+    // Everything that was said before it died.
+    const std::string& kill() {
+        ::kill(process_, SIGKILL);
+        waitpid(process_, nullptr, 0);
+        while (take()) {
+        }
+        return said_;
+    }
+
+private:
+    bool take() {
+        char bytes[256];
+        const ssize_t count = read(output_, bytes, sizeof bytes);
+        if (count > 0) said_.append(bytes, static_cast<size_t>(count));
+        return count > 0;
+    }
+    pid_t process_ = -1;
+    int output_ = -1;
+    std::string said_;
+};
+
+int last_number(const std::string& said, int otherwise) {
+    for (const std::string_view line : split(said, '\n'))
+        if (!line.empty() && std::isdigit(static_cast<unsigned char>(line[0])))
+            otherwise = std::atoi(std::string(line).c_str());
+    return otherwise;
+}
+
+// Lets it work for a while: a part of the start, until about a save, or any time.
+void let_work(Victim& victim, int round, std::mt19937& random) {
+    const auto any = [&](unsigned most) {
+        std::this_thread::sleep_for(std::chrono::microseconds(random() % (most * 1000)));
+    };
+    const auto patience = Clock::now() + std::chrono::seconds(60);
+    if (round % 8 == 2) return any(2000);
+    victim.listen(patience, round % 2 ? "saving" : "\n");
+    any(round % 2 ? 120 : 2500);
+}
+
+struct Tally {
+    int reached = 10;  // the number that is in the file or in a journal
+    int recovered = 0, stray = 0, edits = 0;
+};
+
+class Killed : public Headless {
+protected:
+    // One life of the editor, and what is left of it.
+    void round(const VirtualScreen& screen, int number, std::mt19937& random) {
+        const auto script = home.write("script.txt", counting_script(tally.reached + 1));
+        Victim victim(screen, {file.string(), "--size", "1280", "720", "--script", script.string(),
+                               "--state", home.path().string()});
+        let_work(victim, number, random);
+        const int said = last_number(victim.kill(), tally.reached);
+        const auto on_disk = number_in(text_of(file));
+        ASSERT_TRUE(on_disk) << "half written:\n" << text_of(file);
+        look_for_recoverable(state);
+        ASSERT_LE(state.keeping.recoverable.size(), 1U);
+        int now = *on_disk;
+        if (!state.keeping.recoverable.empty()) {
+            ++tally.recovered;
+            recover(state, state.keeping.recoverable[0]);
+            now = number_in(write_document(state.document())).value_or(-1);
+            ASSERT_TRUE(save_file(state)) << state.status;
+            finish(state);
+        }
+        ASSERT_GE(now, said) << "an edit is lost";
+        ASSERT_LE(now, said + 1) << "nobody has typed that";
+        tally.edits += now - tally.reached;
+        tally.reached = now;
+        for (const auto& entry : fs::directory_iterator(folder.path()))
+            tally.stray += entry.path() != file && fs::remove(entry.path());
+    }
+    Tally tally;
+};
+
+TEST_F(Killed, AnEditorLosesNoCommittedEdit) {
+    const VirtualScreen screen;
+    if (!screen.is_there()) GTEST_SKIP() << "there is no Xvfb here";
+    std::string graph = small_graph;
+    graph.replace(graph.find("0.6"), 3, std::to_string(tally.reached));
+    file = folder.write("graph.json", graph);
+    std::mt19937 random(static_cast<unsigned>(kills()));
+    for (int i = 0; i < kills() && !HasFatalFailure(); ++i) {
+        SCOPED_TRACE("round " + std::to_string(i));
+        round(screen, i, random);
+    }
+    std::printf("%d kills, %d edits, %d recoveries, %d temporary files left\n", kills(),
+                tally.edits, tally.recovered, tally.stray);
+    EXPECT_GT(tally.edits, 0);
+    EXPECT_GT(tally.recovered, 0);
+}
+
+}  // namespace
+}  // namespace wrinkle::editor
