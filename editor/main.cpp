@@ -55,6 +55,7 @@ int run(const Arguments& arguments) {
     state.follow.compiler = &compiler;
     state.code.maker = &code;
     state.fonts.load();
+    state.thumbnails.use_gl();
     open_file(state, arguments.file);
     if (!window->run(state, script ? &*script : nullptr, arguments.shot, why))
         return complain(why, 1);

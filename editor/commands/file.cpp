@@ -1,6 +1,7 @@
 #include "editor/code/export.h"
 #include "editor/commands/groups.h"
 #include "editor/document/files.h"
+#include "editor/panels/browser.h"
 
 namespace wrinkle::editor {
 namespace {
@@ -17,8 +18,8 @@ void quit(State& state) {
 
 constexpr Command table[] = {
     {"save", "Save", "Ctrl+S", "File", always, [](State& s) { save_file(s); }},
-    {"export-glsl", "Export GLSL", "Ctrl+E", "File", always,
-     [](State& s) { export_code(s, usual_export(s)); }},
+    {"export-glsl", "Export GLSL...", "Ctrl+E", "File", always,
+     [](State& s) { browse(s, Browser::Purpose::export_text, usual_export(s)); }},
     {"reload", "Read images again", "F5", "File", always, reload},
     {"quit", "Quit", "Ctrl+Q", "File", always, quit},
 };
