@@ -79,6 +79,7 @@ int run(const Arguments& arguments) {
     state.follow.compiler = &compiler;
     state.code.maker = &code;
     state.fonts.load();
+    state.thumbnails.use_gl();
     begin(state, arguments);
     if (!trouble.empty()) state.status = trouble;
     Timings timings;

@@ -21,6 +21,7 @@
 #include "editor/input/targets.h"
 #include "editor/look/fonts.h"
 #include "editor/look/look.h"
+#include "editor/look/thumbnails.h"
 #include "editor/panels/open.h"
 #include "editor/panels/panes.h"
 #include "editor/timings.h"
@@ -55,6 +56,11 @@ struct State {
     Palette palette;
     Popup popup;
     Recent recent;
+    Browser browser;
+    Start start;
+    Thumbnails thumbnails;
+    Help help;
+    Problems problems;
     Dropped dropped;
     Code code;
     Clip clip;

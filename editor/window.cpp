@@ -195,7 +195,8 @@ bool Window::run(State& state, Script* script, const std::string& shot, std::str
         if (h.awake > 0 || !h.queue.empty() || script || !shot.empty())
             glfwPollEvents();
         else
-            glfwWaitEventsTimeout(0.5);
+            glfwWaitEventsTimeout(state.help.waiting ? 0.1 : 0.5);
+        if (state.help.waiting || state.thumbnails.waiting()) h.awake = std::max(h.awake, 1);
         if (tend(state)) h.awake = 3;
         if (!h.queue.empty() || woken.exchange(false) || state.gesture.panning) h.awake = 3;
         if (glfwWindowShouldClose(h.window)) {

@@ -9,8 +9,8 @@ namespace {
 
 std::vector<Command> all_commands() {
     std::vector<Command> all;
-    for (const auto group :
-         {file_commands(), edit_commands(), view_commands(), node_commands(), preview_commands()})
+    for (const auto group : {file_commands(), edit_commands(), view_commands(), node_commands(),
+                             preview_commands(), help_commands()})
         all.insert(all.end(), group.begin(), group.end());
     return all;
 }
@@ -50,8 +50,9 @@ bool run_command(State& state, std::string_view id) {
 }
 
 void run_keys(State& state) {
-    if (ImGui::GetIO().WantTextInput || state.palette.open || state.offer.open ||
-        state.box_text.open || state.question.open() || state.popup.kind != Popup::Kind::none ||
+    if (ImGui::GetIO().WantTextInput || state.palette.open || state.help.open || state.offer.open ||
+        state.box_text.open || state.question.open() ||
+        state.browser.purpose != Browser::Purpose::none || state.popup.kind != Popup::Kind::none ||
         state.gesture.kind != Gesture::Kind::none)
         return;
     for (const Command& command : commands())

@@ -1,6 +1,7 @@
 #include "editor/code/export.h"
 #include "editor/commands/groups.h"
 #include "editor/document/files.h"
+#include "editor/panels/browser.h"
 
 namespace wrinkle::editor {
 namespace {
@@ -12,11 +13,11 @@ void reload(State& state) {
 }
 
 void save_as(State& state) {
-    state.question = {.kind = Question::Kind::save_as, .text = state.path.filename().string()};
+    browse(state, Browser::Purpose::save_graph, state.folder() / state.file_name());
 }
 
 void open(State& state) {
-    state.question = {.kind = Question::Kind::open, .text = state.path.filename().string()};
+    browse(state, Browser::Purpose::open_graph, state.folder() / "x");
 }
 
 std::string_view no_recoverable(const State& state) {
@@ -30,14 +31,15 @@ void ask_recover(State& state) {
 constexpr Command table[] = {
     {"new", "New", "Ctrl+N", "File", always,
      [](State& s) {
+         s.start.left = true;
          intend(s, {Intent::Kind::new_graph, {}});
      }},
     {"open", "Open...", "Ctrl+O", "File", always, open},
     {"save", "Save", "Ctrl+S", "File", always, [](State& s) { save_file(s); }},
     {"save-as", "Save as...", "Ctrl+Shift+S", "File", always, save_as},
     {"recover", "Recover unsaved graph...", "", "File", no_recoverable, ask_recover},
-    {"export-glsl", "Export GLSL", "Ctrl+E", "File", always,
-     [](State& s) { export_code(s, usual_export(s)); }},
+    {"export-glsl", "Export GLSL...", "Ctrl+E", "File", always,
+     [](State& s) { browse(s, Browser::Purpose::export_text, usual_export(s)); }},
     {"reload", "Read images again", "F5", "File", always, reload},
     {"quit", "Quit", "Ctrl+Q", "File", always,
      [](State& s) {

@@ -11,6 +11,7 @@ std::span<const Command> edit_commands();
 std::span<const Command> view_commands();
 std::span<const Command> node_commands();
 std::span<const Command> preview_commands();
+std::span<const Command> help_commands();
 
 inline std::string_view always(const State&) {
     return {};

@@ -3,6 +3,7 @@
 #include "editor/commands/groups.h"
 #include "editor/document/edits.h"
 #include "editor/document/group.h"
+#include "editor/panels/popups.h"
 
 namespace wrinkle::editor {
 namespace {
@@ -28,6 +29,11 @@ std::string_view wants_two(const State& state) {
 std::string_view wants_three(const State& state) {
     return state.view.selected.size() < 3 ? "Fewer than three nodes are selected." : "";
 }
+std::string_view no_values(const State& state) {
+    if (state.view.selected.size() != 1) return "Select one node.";
+    const Card* card = state.layout.find(*state.view.selected.begin());
+    return card && !card->fields.empty() ? "" : "The node has no values.";
+}
 
 template <Side Where>
 void align(State& state) {
@@ -40,6 +46,8 @@ void distribute(State& state) {
 
 constexpr Command table[] = {
     {"add-node", "Add node", "Space", "Node", always, add_node},
+    {"add-picture", "Add picture", "I", "Node", always, choose_picture},
+    {"edit-values", "Edit values", "Enter", "Node", no_values, edit_values},
     {"mute", "Mute", "M", "Node", wants_selection, mute_selected},
     {"swap-inputs", "Swap inputs", "Alt+S", "Node", wants_selection, swap_selected},
     {"frame", "Frame", "C", "Node", always, frame_selected},

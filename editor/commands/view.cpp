@@ -70,6 +70,7 @@ constexpr Command table[] = {
     {"fit", "Show all", "Home", "View", always, [](State& s) { fit(s.view, s.layout, false); }},
     {"fit-selection", "Show selection", "F", "View", wants_selection,
      [](State& s) { fit(s.view, s.layout, true); }},
+    {"next-problem", "Next problem", "F8", "View", no_problems, next_problem},
     {"zoom-in", "Zoom in", "Ctrl+Up", "View", always, zoom<1>},
     {"zoom-out", "Zoom out", "Ctrl+Down", "View", always, zoom<-1>},
     {"side", "Preview and code", "F6", "View", always, toggle_side, shows_side},

@@ -84,15 +84,6 @@ std::string free_input(const State& state, const Document& document, const Wire&
     return reader->find(other) ? "" : other;
 }
 
-// The wire into the resolve that this one comes out of, else itself.
-Wire before_resolve(const State& state, const Document& document, const Wire& wire) {
-    const Node* source = document.find(wire.from.node);
-    if (!source || source->type != "resolve") return wire;
-    for (const Wire& each : state.layout.wires)
-        if (each.node == source->id && each.port == "gradient") return each;
-    return wire;
-}
-
 }  // namespace
 
 NewNode with_node(const State& state, const Document& document, const NodeType& type,
@@ -156,6 +147,14 @@ std::optional<Document> with_bump_on_wire(const State& state, const Document& do
     Document result = connect(made.document, wire.from, made.id, "a");
     result = connect(result, bump, made.id, "b");
     return with_wire(result, {made.id, first_output(*type)->name}, wire.node, wire.port);
+}
+
+Wire before_resolve(const State& state, const Document& document, const Wire& wire) {
+    const Node* source = document.find(wire.from.node);
+    if (!source || source->type != "resolve") return wire;
+    for (const Wire& each : state.layout.wires)
+        if (each.node == source->id && each.port == "gradient") return each;
+    return wire;
 }
 
 void leave_empty_graph(State& state) {

@@ -35,6 +35,9 @@ std::optional<Document> with_bump_on_wire(const State& state, const Document& do
                                           const Wire& wire, const Link& bump, ImVec2 at,
                                           std::string& why);
 
+// The wire into the resolve that this one comes out of, else itself.
+Wire before_resolve(const State& state, const Document& document, const Wire& wire);
+
 // Moves the cards at the borders where they belong once an empty graph has its first nodes.
 void leave_empty_graph(State& state);
 

@@ -9,9 +9,9 @@
 #include "editor/canvas/layout.h"
 #include "editor/document/edits.h"
 #include "editor/document/files.h"
+#include "editor/document/layer.h"
 #include "editor/document/refresh.h"
 #include "editor/drop/image_kind.h"
-#include "editor/document/layer.h"
 #include "editor/look/draw.h"
 #include "editor/panels/panels.h"
 
@@ -111,11 +111,13 @@ const Wire* wire_of_normal(const State& state) {
 }
 
 // `layered`: the pictures before it were shown, so this one is laid over them.
-bool add_picture(State& state, const Picture& picture, const FileDrop& drop, bool layered) {
+bool place_picture(State& state, const Picture& picture, const FileDrop& drop, bool layered) {
     if (layered)
         if (const Wire* found = wire_of_normal(state)) {
-            const Wire wire = *found;
-            add_on_wire(state, picture, wire);
+            const Wire wire = before_resolve(state, state.document(), *found);
+            Picture placed = picture;
+            placed.at = (wire.start + wire.end) * 0.5F;
+            add_on_wire(state, placed, wire);
             return true;
         }
     const Hit hit = pick(state, {drop.x, drop.y});
@@ -151,7 +153,7 @@ void add_pictures(State& state, const FileDrop& drop, const std::vector<std::str
         if (!picture) continue;
         picture->at = at;
         picture->merge = merge;
-        layered = add_picture(state, *picture, drop, layered);
+        layered = place_picture(state, *picture, drop, layered);
         refresh(state);
     }
 }
@@ -172,6 +174,7 @@ void handle(State& state, const FileDrop& drop) {
     if (all_inside) return add_pictures(state, drop, pictures);
     state.dropped.outside = {drop.x, drop.y, pictures};
     state.dropped.asked = true;
+    state.dropped.by_name = false;
 }
 
 // Where the copies go: beside the textures that are there.
@@ -193,6 +196,19 @@ std::string copied(State& state, const fs::path& file) {
     return {};
 }
 
+void set_picture(State& state, const std::string& id, const std::string& name,
+                 const std::string& file) {
+    const NodeType* type = state.type_of(id);
+    const Port* port = type ? picture_port(*type, name) : nullptr;
+    if (port) state.commit(id + ": " + name, with_file(state.document(), id, *port, file));
+}
+
+void copy_and_use(State& state, const std::string& file) {
+    const std::string place = copied(state, file);
+    const Dropped to = state.dropped;
+    if (!place.empty()) use_picture(state, to.node, to.port, place);
+}
+
 void copy_and_add(State& state, const FileDrop& drop) {
     std::vector<std::string> files;
     for (const std::string& file : drop.files) {
@@ -203,6 +219,35 @@ void copy_and_add(State& state, const FileDrop& drop) {
 }
 
 }  // namespace
+
+void add_picture(State& state, const std::string& file) {
+    auto picture = read_picture(state, (state.folder() / file).string());
+    if (!picture) return;
+    picture->at =
+        to_canvas(state.view, state.view.corner + state.view.extent * 0.5F) - ImVec2(120, 120);
+    const auto selected = state.view.selected_wire;
+    for (const Wire& each : state.layout.wires)
+        if (selected && each.node == selected->node && each.port == selected->port) {
+            const Wire wire = each;
+            picture->at = (wire.start + wire.end) * 0.5F;
+            return add_on_wire(state, *picture, wire);
+        }
+    if (wire_of_normal(state))
+        place_picture(state, *picture, {}, true);
+    else
+        add_on_ground(state, *picture);
+}
+
+void use_picture(State& state, const std::string& node, const std::string& port,
+                 const std::string& file) {
+    const std::string place = path_in_graph(state, file);
+    if (!place.empty())
+        return node.empty() ? add_picture(state, place) : set_picture(state, node, port, place);
+    state.dropped.outside = {0, 0, {file}};
+    state.dropped.asked = state.dropped.by_name = true;
+    state.dropped.node = node;
+    state.dropped.port = port;
+}
 
 void handle_drops(State& state) {
     const std::vector<FileDrop> arrived = std::move(state.dropped.arrived);
@@ -231,7 +276,10 @@ void draw_copy_question(State& state) {
         dropped.outside = {};
         dropped.asked = false;
         ImGui::CloseCurrentPopup();
-        if (copy) copy_and_add(state, drop);
+        if (copy && dropped.by_name)
+            copy_and_use(state, drop.files.front());
+        else if (copy)
+            copy_and_add(state, drop);
     }
     ImGui::EndPopup();
 }

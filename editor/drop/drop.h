@@ -17,6 +17,14 @@ namespace wrinkle::editor {
 // At the end of a frame, when everything on the screen has its name.
 void handle_drops(State& state);
 
+// A picture chosen by name, a path as the graph writes it: laid over the selected wire or over what
+// the output `normal` shows, else a source on empty ground.
+void add_picture(State& state, const std::string& file);
+
+// A picture from anywhere for a node, "" for a new one; asks about one outside the graph's folder.
+void use_picture(State& state, const std::string& node, const std::string& port,
+                 const std::string& file);
+
 // The question whether files from elsewhere are to be copied into the graph's folder.
 void draw_copy_question(State& state);
 

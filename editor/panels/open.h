@@ -4,11 +4,14 @@
 #include <imgui.h>
 
 #include <cstdint>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "editor/canvas/gesture.h"
+#include "editor/panels/listing.h"
+#include "editor/panels/samples.h"
 #include "registry/registry.h"
 
 namespace wrinkle::editor {
@@ -25,6 +28,41 @@ struct Palette {
     bool all_types = false;     // not only those that fit the wire
     bool at_selection = false;  // the node goes in the selected wire or behind the selected nodes
     Gesture wire;               // kind wire: what it shall be connected to
+};
+
+// The file browser.
+struct Browser {
+    enum class Purpose : uint8_t { none, open_graph, save_graph, export_text, picture };
+    Purpose purpose = Purpose::none;
+    std::filesystem::path folder;
+    Listing listing;
+    std::vector<size_t> shown;  // of the listing's entries
+    int chosen = 0;             // of those
+    std::string text, filtered_by;
+    bool focus = false, scroll = false;
+    std::string node, port;  // of picture; "" adds a node
+};
+
+// The page that stands in for a canvas without a graph.
+struct Start {
+    bool left = false;  // an empty graph was asked for
+    bool read = false;
+    std::vector<Sample> samples;
+};
+
+// The page of a node's type, or the list of shortcuts.
+struct Help {
+    bool open = false, opening = false;
+    std::string node, type;  // "" for the shortcuts
+    float rested = 0;        // seconds that the pointer has not moved
+    bool waiting = false;    // for the pointer to have rested long enough
+};
+
+// The list of problems.
+struct Problems {
+    size_t current = 0;    // the one that was shown last
+    bool visited = false;  // any was
+    bool scroll = false;
 };
 
 // What was chosen lately, the newest first.
@@ -59,7 +97,7 @@ struct BoxText {
 
 // A text or a list over a field or a header.
 struct Popup {
-    enum class Kind : uint8_t { none, text, rename, choice, file };
+    enum class Kind : uint8_t { none, text, rename, choice, file, color };
     Kind kind = Kind::none;
     bool opening = false;
     std::string node;
@@ -69,6 +107,10 @@ struct Popup {
     float width = 0;
     std::string text;
     std::vector<std::string> files;  // of kind file, as they were when it opened
+    std::string query;               // narrows a list
+    int chosen = 0;                  // of what is left of it
+    int next = 0;                    // 1 or -1: Tab asked for the next or the last field
+    std::string merge;               // of the steps that a colour makes
 };
 
 }  // namespace wrinkle::editor

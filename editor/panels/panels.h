@@ -13,6 +13,8 @@ void draw_preview(State& state);
 void draw_code(State& state);
 void draw_problems(State& state);
 float problems_height(const State& state);
+void next_problem(State& state);                   // frames its node
+std::string_view no_problems(const State& state);  // "" when there is one
 
 // Gives the ImGui item that was drawn last a name for scripts.
 void name_item(State& state, const std::string& target);

@@ -4,21 +4,28 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <deque>
 
 #include "editor/canvas/field.h"
+#include "editor/canvas/gestures/gestures.h"
 #include "editor/commands/commands.h"
+#include "editor/drop/drop.h"
+#include "editor/look/draw.h"
 #include "editor/look/theme.h"
+#include "editor/panels/browser.h"
 #include "editor/panels/panels.h"
+#include "editor/panels/search.h"
 #include "graph/edit.h"
 
 namespace wrinkle::editor {
-namespace fs = std::filesystem;
 namespace {
+
+constexpr size_t most_without_field = 8;  // choices that need no field to narrow them
+constexpr float row_tall = 24, rows_shown = 10;
 
 const Port* port_of(const State& state) {
     const NodeType* type = state.type_of(state.popup.node);
-    return type ? &type->ports[state.popup.port_index] : nullptr;
+    const bool there = type && state.popup.port_index < type->ports.size();
+    return there ? &type->ports[state.popup.port_index] : nullptr;
 }
 
 void accept_number(State& state) {
@@ -46,50 +53,162 @@ void accept_name(State& state) {
     }
 }
 
+int on_tab(ImGuiInputTextCallbackData* data) {
+    static_cast<Popup*>(data->UserData)->next = ImGui::GetIO().KeyShift ? -1 : 1;
+    return 0;
+}
+
 // True when it is done with.
 bool draw_text_entry(State& state) {
-    if (state.popup.opening) ImGui::SetKeyboardFocusHere();
+    Popup& popup = state.popup;
+    if (popup.opening) ImGui::SetKeyboardFocusHere();
     ImGui::SetNextItemWidth(-1);
-    if (!ImGui::InputText("##text", &state.popup.text,
-                          ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll))
-        return false;
-    state.popup.kind == Popup::Kind::text ? accept_number(state) : accept_name(state);
+    // Each value has a field of its own, so that Tab leaves nothing of the last one in it.
+    const std::string id = "##" + popup.node +
+                           std::to_string(popup.port_index * 4 + static_cast<uint32_t>(popup.lane));
+    const bool entered =
+        ImGui::InputText(id.c_str(), &popup.text,
+                         ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll |
+                             ImGuiInputTextFlags_CallbackCompletion,
+                         on_tab, &popup);
+    if (!entered && popup.next == 0) return false;
+    popup.kind == Popup::Kind::text ? accept_number(state) : accept_name(state);
     return true;
 }
 
-bool draw_list(State& state, const std::vector<std::string>& names, size_t& taken) {
-    for (size_t i = 0; i < names.size(); ++i) {
-        ImGui::PushID(static_cast<int>(i));
-        const bool chosen = ImGui::Selectable(names[i].c_str());
-        name_item(state, "choice:" + names[i]);
-        ImGui::PopID();
-        if (chosen) {
-            taken = i;
-            return true;
-        }
+// The indices of the names that answer what was typed, best first.
+std::vector<size_t> narrowed(const std::vector<std::string>& names, const std::string& query) {
+    std::vector<std::pair<int, size_t>> found;
+    for (size_t i = 0; i < names.size(); ++i)
+        if (const auto matched = match(names[i], "", "", lower_case(query)))
+            found.emplace_back(matched->rank, i);
+    std::sort(found.begin(), found.end());
+    std::vector<size_t> shown;
+    for (const auto& [rank, index] : found)
+        shown.push_back(index);
+    return shown;
+}
+
+// True on Enter.
+bool draw_query(State& state, bool field) {
+    Popup& popup = state.popup;
+    const ImGuiIO& io = ImGui::GetIO();
+    if (!field) {
+        const bool tab = ImGui::IsKeyPressed(io.KeyMap[ImGuiKey_Tab], false);
+        if (tab) popup.next = io.KeyShift ? -1 : 1;
+        return !popup.opening && ImGui::IsKeyPressed(io.KeyMap[ImGuiKey_Enter], false);
     }
-    return false;
+    if (popup.opening) ImGui::SetKeyboardFocusHere();
+    ImGui::SetNextItemWidth(-1);
+    const std::string before = popup.query;
+    const bool entered = ImGui::InputTextWithHint(
+        "##query", "Type a part of the name", &popup.query,
+        ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_CallbackCompletion, on_tab,
+        &popup);
+    if (popup.query != before) popup.chosen = 0;
+    return entered;
+}
+
+// True when one was taken.
+bool draw_list(State& state, const std::vector<std::string>& names, size_t& taken) {
+    Popup& popup = state.popup;
+    const bool field = names.size() > most_without_field;
+    const bool entered = draw_query(state, field);
+    const std::vector<size_t> shown = narrowed(names, popup.query);
+    const ImGuiIO& io = ImGui::GetIO();
+    const auto pressed = [&](ImGuiKey key) { return ImGui::IsKeyPressed(io.KeyMap[key]); };
+    const int before = popup.chosen;
+    popup.chosen += pressed(ImGuiKey_DownArrow) - pressed(ImGuiKey_UpArrow);
+    popup.chosen = std::clamp(popup.chosen, 0, std::max(static_cast<int>(shown.size()) - 1, 0));
+    const float rows = std::min(static_cast<float>(std::max<size_t>(shown.size(), 1)), rows_shown);
+    ImGui::BeginChild("##names", {0, rows * row_tall}, false, ImGuiWindowFlags_NoNavInputs);
+    if (popup.chosen != before)
+        ImGui::SetScrollY((static_cast<float>(popup.chosen) - rows / 2) * row_tall);
+    if (shown.empty()) ImGui::TextDisabled("No name matches.");
+    int clicked = -1;
+    ImGuiListClipper clipper;
+    clipper.Begin(static_cast<int>(shown.size()), row_tall);
+    while (clipper.Step())
+        for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
+            const std::string& name = names[shown[static_cast<size_t>(i)]];
+            ImGui::PushID(i);
+            if (ImGui::Selectable("##name", i == popup.chosen, 0, {0, row_tall})) clicked = i;
+            ImGui::PopID();
+            name_item(state, "choice:" + name);
+            const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
+            ImFont* font = state.fonts.regular(16);
+            draw_text(*ImGui::GetWindowDrawList(), font, 16, low + ImVec2(8, 4), theme::text,
+                      fitting(font, 16, name, high.x - low.x - 16));
+        }
+    ImGui::EndChild();
+    const int chosen = clicked >= 0 ? clicked : entered && !shown.empty() ? popup.chosen : -1;
+    if (chosen >= 0) taken = shown[static_cast<size_t>(chosen)];
+    if (entered && chosen < 0) popup.opening = true;  // the keyboard goes back to the field
+    return chosen >= 0;
 }
 
 bool draw_choices(State& state) {
     const Port* port = port_of(state);
+    if (!port) return true;
+    const std::string node = state.popup.node;
+    const bool flag = port->kind == Port::Kind::flag;
     size_t taken = 0;
-    if (!port || !draw_list(state, port->choices, taken)) return !port;
-    state.commit(
-        state.popup.node + ": " + port->name,
-        with_choice(state.document(), state.popup.node, *port, static_cast<uint32_t>(taken)));
+    if (!draw_list(state, flag ? std::vector<std::string>{"no", "yes"} : port->choices, taken))
+        return state.popup.next != 0;
+    const Document& now = state.document();
+    state.commit(node + ": " + port->name,
+                 flag ? with_flag(now, node, *port, taken == 1)
+                      : with_choice(now, node, *port, static_cast<uint32_t>(taken)));
     return true;
 }
 
+// Without a node the picture is added.
 bool draw_files(State& state) {
-    const Port* port = port_of(state);
+    const bool adds = state.popup.node.empty();
+    const Port* port = adds ? nullptr : port_of(state);
+    if (!port && !adds) return true;
     const std::vector<std::string> files = state.popup.files;
     if (files.empty()) ImGui::TextDisabled("There are no images below the graph's folder.");
+    const std::string node = state.popup.node, name = port ? port->name : "";
+    if (button(state, "Browse...", "choice:browse")) {
+        browse_picture(state, node, name);
+        return true;
+    }
     size_t taken = 0;
-    if (!port || !draw_list(state, files, taken)) return !port;
-    state.commit(state.popup.node + ": " + port->name,
-                 with_file(state.document(), state.popup.node, *port, files[taken]));
+    if (!draw_list(state, files, taken)) return state.popup.next != 0;
+    if (adds)
+        add_picture(state, files[taken]);
+    else
+        state.commit(state.popup.node + ": " + port->name,
+                     with_file(state.document(), state.popup.node, *port, files[taken]));
     return true;
+}
+
+// All that is picked while it is open is one step.
+bool draw_color(State& state) {
+    const Port* port = port_of(state);
+    const Node* node = state.document().find(state.popup.node);
+    if (!port || !node) return true;
+    const auto numbers = numbers_at(*node, *port);
+    float color[3];
+    for (size_t i = 0; i < 3; ++i)
+        color[i] = static_cast<float>(numbers[i]);
+    ImGui::SetNextItemWidth(220);
+    constexpr ImGuiColorEditFlags flags = ImGuiColorEditFlags_Float | ImGuiColorEditFlags_HDR |
+                                          ImGuiColorEditFlags_NoSidePreview |
+                                          ImGuiColorEditFlags_DisplayRGB;
+    const bool changed = ImGui::ColorPicker3("##color", color, flags);
+    name_item(state, "color");
+    if (changed) {
+        Document document = state.document();
+        for (int i = 0; i < 3; ++i)
+            document =
+                with_number(document, state.popup.node, *port, i, static_cast<double>(color[i]));
+        state.commit(state.popup.node + ": " + port->name, document, state.popup.merge);
+    }
+    const ImGuiIO& io = ImGui::GetIO();
+    if (ImGui::IsKeyPressed(io.KeyMap[ImGuiKey_Tab], false)) state.popup.next = 1;
+    return state.popup.next != 0 || ImGui::IsKeyPressed(io.KeyMap[ImGuiKey_Enter], false);
 }
 
 bool draw_content(State& state) {
@@ -101,68 +220,110 @@ bool draw_content(State& state) {
             return draw_choices(state);
         case Popup::Kind::file:
             return draw_files(state);
+        case Popup::Kind::color:
+            return draw_color(state);
         case Popup::Kind::none:
             break;
     }
     return true;
 }
 
+Popup::Kind kind_of(const Port& port) {
+    if (port.kind == Port::Kind::choice || port.kind == Port::Kind::flag)
+        return Popup::Kind::choice;
+    if (port.is_value() && port.type == PortType::image_) return Popup::Kind::file;
+    if (port.is_value() && port.type == PortType::color_) return Popup::Kind::color;
+    return Popup::Kind::text;
+}
+
+void open_next(State& state, const Popup& popup) {
+    const Card* found = state.layout.find(popup.node);
+    if (!found || found->fields.empty()) return;
+    const Card card = *found;
+    const auto count = static_cast<int>(card.fields.size());
+    for (int i = 0; i < count; ++i) {
+        const Field& field = card.fields[static_cast<size_t>(i)];
+        if (field.index != popup.port_index || field.lane != popup.lane) continue;
+        int to = (i + popup.next + count) % count;
+        // A colour is one thing to change.
+        while (popup.kind == Popup::Kind::color && to != i &&
+               card.fields[static_cast<size_t>(to)].index == popup.port_index)
+            to = (to + popup.next + count) % count;
+        return open_field(state, card, card.fields[static_cast<size_t>(to)]);
+    }
+}
+
+bool is_list(Popup::Kind kind) {
+    return kind == Popup::Kind::choice || kind == Popup::Kind::file;
+}
+
+// True when it is to be closed.
+bool draw_window(State& state) {
+    const Popup::Kind kind = state.popup.kind;
+    ImGui::Begin("##popup", nullptr,
+                 ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
+                     ImGuiWindowFlags_NoSavedSettings |
+                     (kind == Popup::Kind::color ? ImGuiWindowFlags_AlwaysAutoResize : 0));
+    const bool was_opening = state.popup.opening;
+    const bool done = draw_content(state);
+    if (was_opening) state.popup.opening = false;
+    const bool away = !was_opening && !ImGui::IsWindowFocused(ImGuiFocusedFlags_ChildWindows) &&
+                      !ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
+    ImGui::End();
+    return done || away;
+}
+
 }  // namespace
 
-// Folder by folder, so that of too many files those nearest to the graph are found.
-std::vector<std::string> image_files(const fs::path& folder, size_t limit, size_t most_entries) {
-    constexpr std::string_view known[] = {".png", ".jpg", ".jpeg", ".tif", ".tiff", ".exr", ".hdr"};
-    std::vector<std::string> files;
-    std::deque<fs::path> folders{folder};
-    size_t entries = 0;
-    for (; !folders.empty() && files.size() < limit && entries < most_entries;
-         folders.pop_front()) {
-        std::set<fs::path> inner, images;
-        std::error_code error, ignored;
-        for (fs::directory_iterator at(folders.front(), error), end; !error && at != end;
-             at.increment(error)) {
-            if (++entries > most_entries) break;
-            const std::string extension = at->path().extension().string();
-            if (at->is_directory(ignored) && !at->is_symlink(ignored))
-                inner.insert(at->path());
-            else if (std::find(std::begin(known), std::end(known), extension) != std::end(known))
-                images.insert(at->path());
-        }
-        folders.insert(folders.end(), inner.begin(), inner.end());
-        for (const fs::path& image : images)
-            if (files.size() < limit)
-                files.push_back(image.lexically_relative(folder).generic_string());
-    }
-    std::sort(files.begin(), files.end());
-    return files;
+void open_field(State& state, const Card& card, const Field& field) {
+    const Port& port = card.type->ports[field.index];
+    const Node* node = state.document().find(card.id);
+    if (!node) return;
+    const Popup::Kind kind = kind_of(port);
+    open_popup(state, card, &field, kind);
+    if (kind == Popup::Kind::choice)
+        state.popup.chosen = static_cast<int>(numbers_at(*node, port)[0]);
+    state.popup.merge = "popup " + std::to_string(state.history.serial());
+}
+
+void edit_values(State& state) {
+    const Card* card = state.layout.find(*state.view.selected.begin());
+    if (card && !card->fields.empty()) open_field(state, Card(*card), Field(card->fields.front()));
+}
+
+void choose_picture(State& state) {
+    Popup popup;
+    popup.kind = Popup::Kind::file;
+    popup.opening = true;
+    popup.width = 360;
+    const View& view = state.view;
+    popup.at = view.corner + ImVec2((view.extent.x - popup.width) / 2, 64);
+    popup.files = image_files(state.folder());
+    state.popup = std::move(popup);
 }
 
 void draw_popup(State& state) {
     if (state.popup.kind == Popup::Kind::none) return;
-    const bool list =
-        state.popup.kind == Popup::Kind::choice || state.popup.kind == Popup::Kind::file;
-    ImGui::SetNextWindowPos(state.popup.at);
-    const float width = std::max(state.popup.width, list ? 160.0F : 0.0F);
-    ImGui::SetNextWindowSizeConstraints({width, 0}, {std::max(width, 360.0F), 320});
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, list ? ImVec2(6, 6) : ImVec2(0, 0));
+    const bool list = is_list(state.popup.kind), color = state.popup.kind == Popup::Kind::color;
+    const float width = std::max(state.popup.width, list ? 240.0F : 0.0F);
+    ImVec2 at = state.popup.at;
+    if (list) at.x = std::min(at.x, ImGui::GetIO().DisplaySize.x - width - 8);
+    ImGui::SetNextWindowPos(at);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, list || color ? ImVec2(6, 6) : ImVec2(0, 0));
     ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, ImVec2(1, 1));
     ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1);
     ImGui::PushStyleColor(ImGuiCol_Border, theme::accent);
     if (state.popup.opening) ImGui::SetNextWindowFocus();
-    if (!list) ImGui::SetNextWindowSize({width, 0});
-    ImGui::Begin("##popup", nullptr,
-                 ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
-                     ImGuiWindowFlags_NoSavedSettings |
-                     (list ? ImGuiWindowFlags_AlwaysAutoResize : 0));
-    const bool was_opening = state.popup.opening;
-    const bool done = draw_content(state);
-    const bool away = !was_opening && !ImGui::IsWindowFocused();
-    state.popup.opening = false;
-    ImGui::End();
+    if (!color) ImGui::SetNextWindowSize({width, 0});
+    const bool done = draw_window(state);
     ImGui::PopStyleColor();
     ImGui::PopStyleVar(3);
-    if (done || away || ImGui::IsKeyPressed(ImGui::GetIO().KeyMap[ImGuiKey_Escape]))
-        state.popup = {};
+    const bool escape = ImGui::IsKeyPressed(ImGui::GetIO().KeyMap[ImGuiKey_Escape]);
+    if (!done && !escape) return;
+    const Popup closed = std::move(state.popup);
+    state.popup = {};
+    if (escape && closed.kind == Popup::Kind::color) state.history.cancel(closed.merge);
+    if (closed.next != 0 && !escape) open_next(state, closed);
 }
 
 }  // namespace wrinkle::editor

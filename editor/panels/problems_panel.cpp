@@ -1,12 +1,28 @@
+// What is wrong with the graph, a row each: the node, the sentence, the place in the file, and what
+// certainly helps as a button. A click frames the node.
 #include "editor/canvas/layout.h"
+#include "editor/document/edits.h"
 #include "editor/look/draw.h"
 #include "editor/look/theme.h"
 #include "editor/panels/panels.h"
+#include "editor/panels/popups.h"
+#include "lower/conversion.h"
 
 namespace wrinkle::editor {
 namespace {
 
-constexpr float head_height = 28, row_height_of_problem = 44;
+constexpr float closed_height = 28, head_height = 36, row_tall = 62, foot = 6;
+constexpr float opened = 0.25F;    // of the work area, where it was closed for want of room
+constexpr float low_window = 800;  // there the header stands alone until it is clicked
+
+const Diagnostics& shown(const State& state) {
+    return state.built.problems.list().empty() ? state.preview_problems : state.built.problems;
+}
+
+bool is_open(const State& state) {
+    return !shown(state).list().empty() &&
+           (state.panes.problems > 0 || ImGui::GetIO().DisplaySize.y >= low_window);
+}
 
 std::string counts(const Diagnostics& problems) {
     const size_t errors = problems.error_count(), all = problems.list().size();
@@ -14,7 +30,7 @@ std::string counts(const Diagnostics& problems) {
     return counted(all - errors, "warning") + ", " + counted(errors, "error");
 }
 
-std::string place(const Diagnostic& problem) {
+std::string evidence(const Diagnostic& problem) {
     std::string text = problem.expected;
     if (problem.where.line == 0) return text;
     if (!text.empty()) text += "   ";
@@ -22,65 +38,194 @@ std::string place(const Diagnostic& problem) {
            ", column " + std::to_string(problem.where.column);
 }
 
-void show_node(State& state, const std::string& path) {
-    const std::string id = path.substr(0, path.find('/'));
+std::string top_of(const std::string& path) {
+    return path.substr(0, path.find('/'));
+}
+
+// The port that the problem is about, "" for none: "/nodes/weave/in/image" ends with it.
+std::string port_of(const Diagnostic& problem) {
+    const std::string mark = "/in/";
+    const size_t at = problem.pointer.rfind(mark);
+    if (at == problem.pointer.npos || top_of(problem.node) != problem.node) return {};
+    const std::string rest = problem.pointer.substr(at + mark.size());
+    return rest.substr(0, rest.find('/'));
+}
+
+struct Fix {
+    const char* label = nullptr;  // nullptr: nothing is certain to help
+    bool picture = false;         // choose one; else the wire goes
+    std::string node, port;
+};
+
+bool is_wrong_wire(const State& state, const Node& node, const Port& port) {
+    const Input* input = node.find(port.name);
+    if (!input || input->kind != Input::Kind::link || !port.is_value()) return false;
+    const auto given = state.model.type_of(input->link);
+    return !given || conversion(*given, port.type) == Conversion::illegal;
+}
+
+Fix fix_of(const State& state, const Diagnostic& problem) {
+    const Node* node = state.document().find(problem.node);
+    const NodeType* type = node ? state.type_of(node->id) : nullptr;
+    const std::string name = port_of(problem);
+    const uint32_t index = type ? type->find_input(name) : NodeType::none;
+    if (index == NodeType::none || problem.severity != Severity::error) return {};
+    const Port& port = type->ports[index];
+    if (is_wrong_wire(state, *node, port)) return {"Disconnect", false, node->id, name};
+    const Input* input = node->find(name);
+    const bool linked = input && input->kind == Input::Kind::link;
+    if (port.type == PortType::image_ && port.is_value() && !linked)
+        return {"Choose image...", true, node->id, name};
+    return {};
+}
+
+void apply(State& state, const Fix& fix) {
+    if (!fix.picture) {
+        state.commit("Disconnect " + fix.node + "." + fix.port,
+                     without_wire(state.document(), fix.node, fix.port));
+        return;
+    }
+    const Card* found = state.layout.find(fix.node);
+    if (!found) return;
+    const Card card = *found;
+    state.view.selected = {fix.node};
+    fit(state.view, state.layout, true);
+    for (const Field& field : card.fields)
+        if (field.port == fix.port) return open_field(state, card, field);
+}
+
+void show_problem(State& state, size_t index) {
+    const Diagnostic& problem = shown(state).list()[index];
+    state.problems.current = index;
+    const std::string id = top_of(problem.node);
+    state.status = problem.message;
     if (!state.document().find(id)) return;
     state.view.selected = {id};
     fit(state.view, state.layout, true);
 }
 
+// An octagon with an exclamation mark for an error, a triangle for a warning.
+void draw_icon(ImDrawList& list, ImVec2 center, bool error) {
+    if (!error) return draw_warning(list, center, 20, theme::warn);
+    list.AddNgonFilled(center, 11, theme::error, 8);
+    list.AddRectFilled(center + ImVec2(-1, -6), center + ImVec2(1, 2), theme::panel);
+    list.AddRectFilled(center + ImVec2(-1, 4), center + ImVec2(1, 6), theme::panel);
+}
+
+// Where the sentence begins.
+float draw_chip(const State& state, ImDrawList& list, ImVec2 at, const std::string& node) {
+    if (node.empty()) return 44;
+    ImFont* font = state.fonts.bold(16);
+    const std::string shown_name = fitting(font, 16, node, 200);
+    const float width = text_width(font, 16, shown_name) + 16;
+    list.AddRectFilled(at + ImVec2(44, 8), at + ImVec2(44 + width, 30), theme::node, 4);
+    list.AddRect(at + ImVec2(44, 8), at + ImVec2(44 + width, 30), theme::border, 4);
+    draw_text(list, font, 16, at + ImVec2(52, 11), theme::text, shown_name);
+    return 44 + width + 10;
+}
+
 void draw_problem(State& state, const Diagnostic& problem, size_t index) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const ImVec2 at = ImGui::GetCursorScreenPos();
-    const ImVec2 size(std::max(ImGui::GetContentRegionAvail().x, 1.0F), row_height_of_problem - 4);
+    const float width = std::max(ImGui::GetContentRegionAvail().x, 1.0F);
+    const ImVec2 size(width, row_tall - 6);
+    const Fix fix = fix_of(state, problem);
     ImGui::PushID(static_cast<int>(index));
-    const bool clicked = ImGui::InvisibleButton("problem", size);
-    ImGui::PopID();
-    state.targets.add("problem:" + std::to_string(index + 1),
-                      {at.x, at.y, at.x + size.x, at.y + size.y});
-    list.AddRect(at, at + size, ImGui::IsItemHovered() ? theme::accent : theme::border, 6);
-    const bool error = problem.severity == Severity::error;
-    draw_warning(list, at + ImVec2(18, 20), 16, error ? theme::error : theme::warn);
+    const bool clicked = ImGui::InvisibleButton("problem", size, ImGuiButtonFlags_None);
+    ImGui::SetItemAllowOverlap();
+    const std::string target = "problem:" + std::to_string(index + 1);
+    state.targets.add(target, {at.x, at.y, at.x + size.x, at.y + size.y});
+    const bool current = index == state.problems.current;
+    list.AddRect(at, at + size,
+                 ImGui::IsItemHovered() ? theme::accent
+                 : current              ? theme::text_dim
+                                        : theme::border,
+                 6);
+    draw_icon(list, at + ImVec2(22, 28), problem.severity == Severity::error);
     const Fonts& fonts = state.fonts;
-    float x = 36;
-    if (!problem.node.empty()) {
-        draw_text(list, fonts.bold(16), 16, at + ImVec2(x, 4), theme::text, problem.node);
-        x += text_width(fonts.bold(16), 16, problem.node) + 10;
+    const float right = fix.label ? width - 150 : width - 12;
+    const float x = draw_chip(state, list, at, problem.node);
+    draw_text(list, fonts.regular(16), 16, at + ImVec2(x, 11), theme::text,
+              fitting(fonts.regular(16), 16, problem.message, right - x));
+    draw_text(list, fonts.regular(14), 14, at + ImVec2(44, 35), theme::text_dim,
+              fitting(fonts.regular(14), 14, evidence(problem), right - 44));
+    if (ImGui::IsItemHovered() && text_width(fonts.regular(16), 16, problem.message) > right - x)
+        ImGui::SetTooltip("%s", problem.message.c_str());
+    bool fixed = false;
+    if (fix.label) {
+        const ImVec2 next = ImGui::GetCursorPos();
+        ImGui::SetCursorScreenPos(at + ImVec2(width - 140, 14));
+        fixed = button(state, fix.label, "fix:" + std::to_string(index + 1), false, {132, 28});
+        ImGui::SetCursorPos(next);
     }
-    draw_text(list, fonts.regular(16), 16, at + ImVec2(x, 4), theme::text,
-              fitting(fonts.regular(16), 16, problem.message, size.x - x - 8));
-    draw_text(list, fonts.regular(14), 14, at + ImVec2(36, 22), theme::text_dim,
-              fitting(fonts.regular(14), 14, place(problem), size.x - 44));
-    if (clicked) show_node(state, problem.node);
+    ImGui::PopID();
+    if (fixed) return apply(state, fix);
+    if (clicked) show_problem(state, index);
 }
 
-const Diagnostics& shown(const State& state) {
-    return state.built.problems.list().empty() ? state.preview_problems : state.built.problems;
+void draw_head(State& state) {
+    const Diagnostics& problems = shown(state);
+    const ImVec2 at = ImGui::GetWindowPos();
+    const float width = ImGui::GetWindowWidth();
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const float y = is_open(state) ? 9 : 5;
+    const float name = text_width(state.fonts.bold(18), 18, "Problems");
+    draw_text(list, state.fonts.bold(18), 18, at + ImVec2(12, y), theme::text, "Problems");
+    draw_text(list, state.fonts.regular(14), 14, at + ImVec2(name + 26, y + 3), theme::text_dim,
+              counts(problems));
+    if (problems.list().empty()) return;
+    ImGui::SetCursorPos({0, 0});
+    if (ImGui::InvisibleButton("head", {width - 150, is_open(state) ? head_height : closed_height}))
+        state.panes.problems = state.panes.problems > 0 ? 0 : opened;
+    name_item(state, "problems");
+    draw_text(list, state.fonts.regular(14), 14, at + ImVec2(width - 14, y + 3), theme::text_dim,
+              "Next problem  F8", true);
+    ImGui::SetCursorPos({width - 150, 0});
+    if (ImGui::InvisibleButton("next", {150, closed_height})) next_problem(state);
+    name_item(state, "problems:next");
 }
 
 }  // namespace
 
+std::string_view no_problems(const State& state) {
+    return shown(state).list().empty() ? "There are no problems." : "";
+}
+
+void next_problem(State& state) {
+    const size_t count = shown(state).list().size();
+    if (count == 0) return;
+    if (ImGui::GetIO().DisplaySize.y < low_window && state.panes.problems <= 0)
+        state.panes.problems = opened;
+    const bool before = state.problems.visited && state.problems.current < count;
+    state.problems.visited = true;
+    show_problem(state, before ? (state.problems.current + 1) % count : 0);
+    state.problems.scroll = true;
+}
+
 float problems_height(const State& state) {
-    return head_height + row_height_of_problem * static_cast<float>(shown(state).list().size());
+    if (!is_open(state)) return closed_height;
+    return head_height + row_tall * static_cast<float>(shown(state).list().size()) + foot;
 }
 
 void draw_problems(State& state) {
     const Diagnostics problems = shown(state);
-    const ImVec2 at = ImGui::GetWindowPos();
-    ImDrawList& list = *ImGui::GetWindowDrawList();
-    draw_text(list, state.fonts.bold(18), 17, at + ImVec2(12, 5), theme::text, "Problems");
-    draw_text(list, state.fonts.regular(14), 14, at + ImVec2(96, 7), theme::text_dim,
-              counts(problems));
-    if (problems.list().empty()) return;
+    draw_head(state);
+    if (problems.list().empty()) state.problems = {};
+    if (!is_open(state)) return;
     ImGui::SetCursorPosY(head_height);
     ImGui::BeginChild("##problems", {0, 0}, false, ImGuiWindowFlags_NoNavInputs);
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, 6));
+    if (state.problems.scroll)
+        ImGui::SetScrollY(static_cast<float>(state.problems.current) * row_tall);
+    state.problems.scroll = false;
     ImGuiListClipper clipper;
-    clipper.Begin(static_cast<int>(problems.list().size()), row_height_of_problem);
+    clipper.Begin(static_cast<int>(problems.list().size()), row_tall);
     while (clipper.Step())
         for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
             const auto index = static_cast<size_t>(i);
             draw_problem(state, problems.list()[index], index);
         }
+    ImGui::PopStyleVar();
     ImGui::EndChild();
 }
 

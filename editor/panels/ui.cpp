@@ -8,12 +8,15 @@
 #include "editor/look/draw.h"
 #include "editor/look/theme.h"
 #include "editor/panels/box_text.h"
+#include "editor/panels/browser.h"
+#include "editor/panels/help.h"
 #include "editor/panels/offer_panel.h"
 #include "editor/panels/palette.h"
 #include "editor/panels/panels.h"
 #include "editor/panels/popups.h"
 #include "editor/panels/questions.h"
 #include "editor/panels/regions.h"
+#include "editor/panels/start_page.h"
 
 namespace wrinkle::editor {
 namespace {
@@ -62,9 +65,9 @@ void draw_panes(State& state, const Regions& regions) {
     if (regions.canvas.size.x > 0) {
         {
             const Region region("##canvas", regions.canvas, theme::canvas);
-            draw_canvas(state);
+            is_at_start(state) ? draw_start_page(state) : draw_canvas(state);
         }
-        draw_overlays(state);
+        if (!is_at_start(state)) draw_overlays(state);
     }
     if (regions.problems.size.x > 0) {
         const Region region("##problems", regions.problems, theme::panel, {12, 5});
@@ -84,6 +87,7 @@ void draw_panes(State& state, const Regions& regions) {
 
 void draw_ui(State& state) {
     state.targets.clear();
+    state.thumbnails.begin_frame();
     run_keys(state);
     refresh(state);
     const ImVec2 size = ImGui::GetIO().DisplaySize;
@@ -95,6 +99,9 @@ void draw_ui(State& state) {
     draw_offer(state);
     draw_box_text(state);
     draw_popup(state);
+    draw_browser(state);
+    draw_help(state);
+    draw_hover_docs(state);
     draw_copy_question(state);
     draw_question(state);
     handle_drops(state);

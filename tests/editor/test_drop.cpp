@@ -59,10 +59,31 @@ TEST(ImageKinds, OfNoPictureIsAProblem) {
     EXPECT_FALSE(kind_of_file(folder.path() / "missing.png", problem));
 }
 
-TEST_F(Headless, BaseAndDetailAreLayeredInThreeActions) {
-    texture("rivets_normal.png");
-    texture("weave_normal.png");
-    open(empty_graph);
+class Layering : public Headless {
+protected:
+    Layering() {
+        texture("rivets_normal.png");
+        texture("weave_normal.png");
+        open(empty_graph);
+    }
+    // Compares what the program makes of the saved graph; all ways end at the same text. How far a
+    // drag goes depends on the fonts, which decide how wide a field is.
+    void expect_layers() {
+        play("assert errors 0\nkey Ctrl+S\nassert clean");
+        const Node* weave = state.document().find("weave_normal");
+        ASSERT_TRUE(weave);
+        const NodeType* type = built_in_registry().find(weave->type);
+        const double amount = numbers_at(*weave, type->ports[type->find_input("strength")])[0];
+        EXPECT_NE(amount, 1);
+        std::string text = program_output("compile " + file.string());
+        const std::string digits = shortest(static_cast<float>(amount));
+        ASSERT_NE(text.find(digits), std::string::npos) << digits << "\n" << text;
+        text.replace(text.find(digits), digits.size(), "AMOUNT");
+        expect_golden("dropped.glsl", text);
+    }
+};
+
+TEST_F(Layering, TakesThreeActionsByDropping) {
     play(R"(
         drop textures/rivets_normal.png canvas
         assert wire rivets_normal.gradient resolve.gradient
@@ -72,20 +93,52 @@ TEST_F(Headless, BaseAndDetailAreLayeredInThreeActions) {
         assert wire rivets_normal.gradient gradient_add.a
         assert wire weave_normal.gradient gradient_add.b
         drag field:weave_normal.strength field:weave_normal.strength+12,0
-        assert actions 3
-        assert errors 0
-        key Ctrl+S
-        assert clean)");
-    const Node* weave = state.document().find("weave_normal");
-    const NodeType* type = built_in_registry().find(weave->type);
-    const double amount = numbers_at(*weave, type->ports[type->find_input("strength")])[0];
-    EXPECT_NE(amount, 1);
-    // How far a drag goes depends on the fonts, which decide how wide the field is.
-    std::string text = program_output("compile " + file.string());
-    const std::string digits = shortest(static_cast<float>(amount));
-    ASSERT_NE(text.find(digits), std::string::npos) << digits << "\n" << text;
-    text.replace(text.find(digits), digits.size(), "AMOUNT");
-    expect_golden("dropped.glsl", text);
+        assert actions 3)");
+    expect_layers();
+}
+
+TEST_F(Layering, TakesSevenActionsByTheMouse) {
+    play(R"(
+        click menu:Node
+        click menu:add-picture
+        click choice:textures/rivets_normal.png
+        click menu:Node
+        click menu:add-picture
+        click choice:textures/weave_normal.png
+        drag field:weave_normal.strength field:weave_normal.strength+12,0
+        assert actions 7)");
+    expect_layers();
+}
+
+TEST_F(Layering, TakesSevenActionsByTheKeyboard) {
+    for (const char* name :
+         {"ball_cube.png", "ball_object.png", "bricks_height.png", "patches_mask.png",
+          "pebbles_height.png", "pebbles_slopes.png", "weave_height.png"})
+        texture(name);  // a list to type into
+    play(R"(
+        key I
+        type rivets
+        key Enter
+        key I
+        type weave_n
+        key Enter
+        key Enter
+        key Tab
+        type 0.6
+        key Enter
+        assert value weave_normal.strength 0.6
+        assert actions 7)");
+    expect_layers();
+}
+
+TEST_F(Layering, APictureIsLaidOverTheSelectedWire) {
+    play(R"(
+        drop textures/rivets_normal.png canvas
+        click wire:$output.normal
+        key I
+        click choice:textures/weave_normal.png
+        assert wire weave_normal.gradient gradient_add.b
+        assert wire gradient_add.gradient resolve.gradient)");
 }
 
 TEST_F(Headless, ADropIsOneStep) {

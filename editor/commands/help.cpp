@@ -1,0 +1,18 @@
+#include "editor/panels/help.h"
+#include "editor/commands/groups.h"
+
+namespace wrinkle::editor {
+namespace {
+
+constexpr Command table[] = {
+    {"help", "Help on the selected node", "F1", "Help", always, show_help},
+    {"shortcuts", "Shortcuts", "Shift+F1", "Help", always, show_shortcuts},
+};
+
+}  // namespace
+
+std::span<const Command> help_commands() {
+    return table;
+}
+
+}  // namespace wrinkle::editor

@@ -1,0 +1,26 @@
+#include "editor/panels/file_actions.h"
+
+#include "editor/document/files.h"
+#include "editor/document/intent.h"
+
+namespace wrinkle::editor {
+
+void open_chosen(State& state, const std::filesystem::path& file) {
+    state.question = {.kind = Question::Kind::open, .text = file.string()};
+    answer_path(state);
+}
+
+void save_chosen(State& state, const std::filesystem::path& file) {
+    state.question = {.kind = Question::Kind::save_as, .text = file.string()};
+    answer_path(state);
+}
+
+void new_chosen(State& state) {
+    state.start.left = true;
+}
+
+std::vector<std::filesystem::path> recent_files(const State& state) {
+    return state.keeping.settings.recent;
+}
+
+}  // namespace wrinkle::editor

@@ -1,0 +1,201 @@
+// Values edited in place, problems with their fixes, help from the tables.
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <fstream>
+#include <map>
+
+#include "base/text.h"
+#include "editor/canvas/field.h"
+#include "editor/commands/commands.h"
+#include "editor/panels/help.h"
+#include "editor/panels/panels.h"
+#include "headless.h"
+
+namespace wrinkle::editor {
+namespace {
+namespace fs = std::filesystem;
+
+TEST_F(Headless, TabGoesThroughAllValuesOfANode) {
+    texture("rivets_normal.png");
+    texture("weave_normal.png");
+    open(R"({ "wrinkle": 1, "nodes": { "map": { "type": "tangent_normal_map" } } })");
+    play(R"(
+        click node:map
+        key Enter
+        assert target choice:textures/weave_normal.png
+        key Down
+        key Tab
+        type 0.5
+        key Tab
+        assert value map.strength 0.5
+        assert target choice:surface
+        key Up
+        key Enter
+        assert value map.scale "surface")");
+    play(R"(
+        key Enter
+        key Down
+        key Enter
+        assert value map.image "textures/weave_normal.png"
+        double field:map.direction.0
+        type 2
+        key Tab
+        type 3
+        key Tab
+        type 4
+        key Enter)");
+    const NodeType& type = *built_in_registry().find("tangent_normal_map");
+    const auto numbers =
+        numbers_at(*state.document().find("map"), type.ports[type.find_input("direction")]);
+    EXPECT_EQ(numbers, (std::array<double, 4>{2, 3, 4, 0}));
+}
+
+TEST_F(Headless, ALongListIsNarrowedByTyping) {
+    for (const char* name : {"ball_cube.png", "ball_object.png", "bricks_height.png",
+                             "patches_mask.png", "pebbles_height.png", "pebbles_slopes.png",
+                             "rivets_normal.png", "weave_height.png", "weave_normal.png"})
+        texture(name);
+    open(R"({ "wrinkle": 1, "nodes": { "map": { "type": "tangent_normal_map" } } })");
+    play(R"(
+        click field:map.image
+        type weave_n
+        assert no-target choice:textures/rivets_normal.png
+        key Enter
+        assert value map.image "textures/weave_normal.png"
+        click field:map.image
+        type nothing like it
+        key Enter
+        assert value map.image "textures/weave_normal.png"
+        key Escape)");
+    EXPECT_EQ(state.popup.kind, Popup::Kind::none);
+}
+
+TEST_F(Headless, AColourIsPickedInOneStep) {
+    open(R"({ "wrinkle": 1, "nodes": { "mix": { "type": "vec3_mix" },
+        "tone": { "type": "triplanar_color" } },
+        "outputs": {} })");
+    const NodeType* type = nullptr;
+    const Port* port = nullptr;
+    for (const NodeType& each : built_in_registry().list())
+        for (const Port& p : each.ports)
+            if (p.kind == Port::Kind::input && p.type == PortType::color_ &&
+                p.default_kind == Port::Default::constant) {
+                type = &each;
+                port = &p;
+            }
+    if (!type) GTEST_SKIP() << "no node has a colour of its own";
+    open(R"({ "wrinkle": 1, "nodes": { "c": { "type": ")" + type->id + "\" } } }");
+    play("click field:c." + port->name + ".0\nassert target color");
+    play(
+        "click color+-60,-40\nclick color+-50,-60\nkey Enter\nassert dirty\nkey Ctrl+Z\nassert "
+        "clean");
+}
+
+const char* const broken_graph = R"({
+  "wrinkle": 1,
+  "nodes": {
+    "weave": { "type": "tangent_normal_map", "in": { "image": "textures/gone.png" } },
+    "softer": { "type": "gradient_scale", "in": { "gradient": { "from": "weave.gradient" }, "amount": { "from": "normal2.normal" } } },
+    "normal2": { "type": "resolve" },
+    "odd": { "type": "no_such_type" },
+    "normal": { "type": "resolve", "in": { "gradient": { "from": "softer.gradient" } } }
+  },
+  "outputs": { "normal": { "from": "normal.normal" } }
+})";
+
+TEST_F(Headless, ProblemsFrameTheirNodesAndAreFixedWhereThatIsCertain) {
+    texture("weave_normal.png");
+    open(broken_graph);
+    const auto find = [&](std::string_view node) {
+        const auto& list = state.built.problems.list();
+        for (size_t i = 0; i < list.size(); ++i)
+            if (list[i].node == node) return std::to_string(i + 1);
+        return std::string("none");
+    };
+    ASSERT_NE(find("weave"), "none") << to_text(state.built.problems);
+    ImGui::GetIO().DisplaySize.y = 2400;  // all rows are on the screen
+    frame();
+    frame();
+    play("click problem:" + find("odd"));
+    EXPECT_EQ(state.view.selected, std::set<std::string>{"odd"});
+    EXPECT_FALSE(state.targets.find("fix:" + find("odd")));
+    play("click fix:" + find("softer") + "\nassert no-wire normal2.normal softer.amount");
+    play("click fix:" + find("weave") +
+         "\nclick choice:textures/weave_normal.png\n"
+         "assert value weave.image \"textures/weave_normal.png\"");
+    EXPECT_EQ(find("weave"), "none") << to_text(state.built.problems);
+}
+
+TEST_F(Headless, TheKeyGoesFromProblemToProblem) {
+    open(broken_graph);
+    const auto& list = state.built.problems.list();
+    ASSERT_GE(list.size(), 3U);
+    for (size_t i = 0; i < list.size() + 1; ++i) {
+        play("key F8");
+        EXPECT_EQ(state.problems.current, i % list.size());
+        EXPECT_TRUE(state.view.selected.contains(list[i % list.size()].node));
+    }
+    open(small_graph);
+    play("key F8\nassert clean");
+}
+
+TEST_F(Headless, HelpIsOfTheSelectedNode) {
+    open(small_graph);
+    play("click node:softer\nkey F1\nassert target help:gradient_scale\nkey Escape");
+    play("click canvas+0,320\nkey F1\nassert target help:shortcuts\nkey Escape\nwait");
+    EXPECT_FALSE(state.help.open);
+    const auto node = *state.targets.find("node:softer");
+    queue.motion(node.middle_x(), node.middle_y());
+    play("wait 60");
+    play("assert target tip:gradient_scale");
+    const auto field = *state.targets.find("field:softer.amount");
+    queue.motion(field.middle_x(), field.middle_y());
+    play("wait 60\nassert target tip:amount");
+}
+
+TEST_F(Headless, EveryNodeHasAPage) {
+    open(small_graph);
+    for (const NodeType& type : built_in_registry().list()) {
+        for (const Port& port : type.ports)
+            EXPECT_FALSE(port_facts(port).empty());
+        Node node;
+        node.id = "it";
+        node.type = type.id;
+        open("{ \"wrinkle\": 1, \"nodes\": { \"it\": { \"type\": \"" + type.id + "\" } } }");
+        state.view.selected = {"it"};
+        play("key F1\nassert target help:" + type.id + "\nkey Escape");
+    }
+}
+
+TEST(Shortcuts, StandInThePage) {
+    const fs::path page = fs::path(WRINKLE_SOURCE_DIR) / "docs/editor.md";
+    std::string text = text_of(page);
+    const std::string begin = "## Shortcuts\n\n", table = begin + shortcuts_markdown();
+    const size_t at = text.find(begin);
+    ASSERT_NE(at, std::string::npos);
+    if (std::getenv("WRINKLE_UPDATE_GOLDEN"))
+        std::ofstream(page, std::ios::binary) << (text = text.substr(0, at) + table);
+    EXPECT_EQ(text.substr(at), table) << "WRINKLE_UPDATE_GOLDEN=1 writes it";
+}
+
+TEST(Shortcuts, NeverMeanTwoThings) {
+    std::map<std::string, std::string> keys;
+    for (const Command& command : commands()) {
+        if (command.keys.empty()) continue;
+        std::vector<std::string> parts;
+        for (const std::string_view part : split(command.keys, '+'))
+            parts.emplace_back(part);
+        std::sort(parts.begin(), parts.end() - 1);  // modifiers in any order
+        std::string whole;
+        for (const std::string& part : parts) {
+            EXPECT_NE(key_named(part), 0) << command.keys;
+            whole += part + "+";
+        }
+        const auto [other, fresh] = keys.emplace(whole, command.id);
+        EXPECT_TRUE(fresh) << command.id << " and " << other->second << ": " << command.keys;
+    }
+}
+
+}  // namespace
+}  // namespace wrinkle::editor
