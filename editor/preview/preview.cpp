@@ -77,7 +77,7 @@ const PreviewPicture& Preview::picture() {
 }
 
 bool Preview::idle() const {
-    return !changed_ && (!worker_ || worker_->idle());
+    return !worker_ || worker_->idle();
 }
 
 void Preview::settle() {

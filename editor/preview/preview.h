@@ -34,7 +34,7 @@ public:
     const PreviewPicture& picture();
     const PreviewPicture& shown() const { return picture_; }  // what picture() gave last
     uint64_t asked() const { return job_.version; }
-    bool idle() const;
+    bool idle() const;  // no picture is on its way; none is while nobody shows one
     void settle();
     bool has_thread() const { return worker_ != nullptr; }
     ~Preview();
