@@ -1,6 +1,7 @@
 #include "headless.h"
 
 #include <imgui.h>
+#include <imgui_internal.h>
 #include <unistd.h>
 
 #include <cstdio>
@@ -115,6 +116,8 @@ Headless::Headless() {
     io.DisplaySize = {1600, 900};
     io.DeltaTime = 1.0F / 60;
     io.MousePos = {-1, -1};
+    for (ImGuiWindow* window : ImGui::GetCurrentContext()->Windows)
+        window->Scroll = {0, 0};    // as a former test has left it
     for (int i = 0; i < 30; ++i) {  // so that no click of a former test makes this one a double
         ImGui::NewFrame();
         ImGui::EndFrame();
