@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "base/file.h"
 #include "editor/canvas/layout.h"
 #include "editor/document/copies.h"
 #include "editor/document/edits.h"
@@ -13,6 +14,7 @@
 #include "graph/write.h"
 
 namespace wrinkle::editor {
+namespace fs = std::filesystem;
 namespace {
 
 std::string nodes_in_words(size_t count) {
@@ -141,6 +143,27 @@ void paste_nodes(State& state, const Document& source, const std::string& text) 
     state.view.selected = fresh;
 }
 
+// A system's clipboard may lose its text with the program that put it there.
+fs::path place_to_keep(const State& state) {
+    const fs::path& folder = state.keeping.folders.state;
+    return folder.empty() ? fs::path() : folder / "clipboard.json";
+}
+
+void keep(const State& state, const std::string& text) {
+    const fs::path place = place_to_keep(state);
+    std::error_code ignored;
+    std::string unheard;  // the clipboard has it
+    if (place.empty()) return;
+    fs::create_directories(place.parent_path(), ignored);
+    write_file(place, text, unheard);
+}
+
+std::string kept(const State& state) {
+    const fs::path place = place_to_keep(state);
+    std::string unheard;
+    return place.empty() ? state.clip.text : read_file(place, unheard).value_or("");
+}
+
 }  // namespace
 
 std::optional<Document> nodes_from_text(const std::string& text, std::string& why) {
@@ -179,6 +202,7 @@ void copy_selected(State& state) {
     state.clip.document = state.path;
     state.clip.outer = left_out(state.document(), cut, ids);
     ImGui::SetClipboardText(state.clip.text.c_str());
+    keep(state, state.clip.text);
     state.status = "Copied " + nodes_in_words(part.nodes.size());
 }
 
@@ -192,7 +216,7 @@ void cut_selected(State& state) {
 
 void paste(State& state) {
     const char* text = ImGui::GetClipboardText();
-    const std::string found = text && *text ? text : state.clip.text;
+    const std::string found = text && *text ? text : kept(state);
     std::string why;
     const auto source = nodes_from_text(found, why);
     if (source)

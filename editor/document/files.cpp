@@ -27,6 +27,9 @@ void begin(State& state, const fs::path& path, Document document) {
     state.gesture = {};
     state.palette = {};
     state.popup = {};
+    state.offer = {};
+    state.box_text = {};
+    state.outer.clear();
     state.fresh = false;
     state.keeping.disk = {};
 }

@@ -156,6 +156,10 @@ std::optional<Group> make_group(const Model& model, const Document& document,
 }
 
 void group_selected(State& state) {
+    if (state.path.empty()) {
+        state.status = "Save the graph first; the group stands in a file beside it.";
+        return;
+    }
     const std::string file = free_file(state.folder());
     std::string why;
     const auto group = make_group(state.model, state.document(), state.view.selected, file, why);

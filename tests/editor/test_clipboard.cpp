@@ -95,6 +95,16 @@ TEST_F(Headless, InAnotherDocumentOutsideWiresAreDropped) {
         assert errors 0)");
 }
 
+TEST_F(Headless, ACopyOutlivesAClipboardThatForgets) {
+    state.keeping.folders = folders_below(folder.path());
+    open(small_graph);
+    state.view.selected = {"softer"};
+    play("key Ctrl+C");
+    ImGui::SetClipboardText("");
+    state.clip = {};
+    play("key Ctrl+V\nassert node softer2");
+}
+
 TEST_F(Headless, CuttingIsOneStepAndCanBePasted) {
     open(small_graph);
     state.view.selected = {"softer"};
