@@ -45,6 +45,24 @@ void begin(State& state, const Arguments& arguments) {
     offer_recovery(state);
 }
 
+void add_nodes(Registry& registry, const Arguments& arguments) {
+    Diagnostics problems;
+    registry.add_plugin(built_in_nodes(), Registry::built_in, problems);
+    load_plugins(registry,
+                 plugin_places(arguments.plugin_paths, std::getenv("WRINKLE_PLUGIN_PATH")),
+                 problems);
+    if (!problems.list().empty()) std::fputs(to_text(problems).c_str(), stderr);
+}
+
+bool write_timings(const State& state, const std::string& file) {
+    std::string why;
+    const Counters& counters = state.counters;
+    if (write_file(file, state.timings->to_json(counters.builds, counters.programs), why))
+        return true;
+    complain(file + " " + why, 1);
+    return false;
+}
+
 int run(const Arguments& arguments) {
     std::optional<Script> script;
     std::string why;
@@ -54,12 +72,7 @@ int run(const Arguments& arguments) {
         script.emplace(*text);
     }
     Registry registry;
-    Diagnostics problems;
-    registry.add_plugin(built_in_nodes(), Registry::built_in, problems);
-    load_plugins(registry,
-                 plugin_places(arguments.plugin_paths, std::getenv("WRINKLE_PLUGIN_PATH")),
-                 problems);
-    if (!problems.list().empty()) std::fputs(to_text(problems).c_str(), stderr);
+    add_nodes(registry, arguments);
     State state;
     std::string trouble;
     Keeping& keeping = state.keeping;
@@ -87,10 +100,7 @@ int run(const Arguments& arguments) {
     const bool good = window->run(state, script ? &*script : nullptr, arguments.shot, why);
     finish(state);
     if (!good) return complain(why, 1);
-    const std::string figures = timings.to_json(state.counters.builds, state.counters.programs);
-    if (state.timings && !write_file(arguments.timings, figures, why))
-        return complain(arguments.timings + " " + why, 1);
-    return 0;
+    return !state.timings || write_timings(state, arguments.timings) ? 0 : 1;
 }
 
 }  // namespace

@@ -108,6 +108,11 @@ void click(InputQueue& queue, int button = 0) {
     queue.button(button, false);
 }
 
+bool say(const std::string& words) {
+    std::printf("%s\n", words.c_str());
+    return std::fflush(stdout) == 0;
+}
+
 }  // namespace
 
 Script::Script(std::string_view text) {
@@ -216,10 +221,7 @@ bool Script::run(const Line& line, const State& state, InputQueue& queue, const 
         queue.type(rest(w, 1));
         return true;
     }
-    if (what == "say") {
-        std::printf("%s\n", rest(w, 1).c_str());
-        return std::fflush(stdout) == 0;
-    }
+    if (what == "say") return say(rest(w, 1));
     if (what == "shot") return (shot && shot(w[1])) || fail("no picture could be written");
     if (what != "assert") return fail("'" + what + "' is no step");
     if (w[1] == "actions" && w.size() > 2)
