@@ -15,12 +15,15 @@ bool is_broken(const Input& input) {
     return input.kind == Input::Kind::broken;
 }
 
-// Whether every node has a type, and every wire leads somewhere and none in a circle. Reading has
-// reported what does not.
-bool is_connected(const Document& document) {
-    for (const NodePtr& node : document.nodes) {
-        if (node->type.empty()) return false;
-        for (const Input& input : node->inputs)
+// Whether every node has a type and every sub-graph could be read, and every wire leads somewhere
+// and none in a circle. Reading has reported what does not.
+bool is_connected(const Project::File& file) {
+    const Document& document = file.document;
+    for (size_t i = 0; i < document.nodes.size(); ++i) {
+        const Node& node = *document.nodes[i];
+        if (node.type.empty()) return false;
+        if (node.subgraph() && file.subgraphs[i] == Project::File::none) return false;
+        for (const Input& input : node.inputs)
             if (is_broken(input)) return false;
     }
     for (const Output& output : document.outputs)
@@ -37,7 +40,7 @@ Compiled compile_material(const Project& project, const Registry& registry,
     Compiled compiled;
     if (diagnostics.has_errors()) return compiled;
     for (const Project::File& file : project.files)
-        if (!is_connected(file.document)) return compiled;
+        if (!is_connected(file)) return compiled;
     const Types types(project, registry);
     check(project, registry, types, diagnostics, {options.reached_only});
     if (diagnostics.has_errors()) return compiled;

@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <filesystem>
 
+#include "editor/input/input_queue.h"
 #include "editor/look/draw.h"
 #include "editor/look/theme.h"
 #include "editor/panels/panels.h"
@@ -39,7 +40,7 @@ void handle(State& state, const Area& area) {
             view.pan_y += d.y * scale;
         } else if (right && io.KeyShift) {
             view.turn += d.x * 0.01F;
-        } else if (right || (left && io.KeysDown['L'])) {
+        } else if (right || (left && io.KeysDown[key_named("L")])) {
             turn_light(view, d);
         } else if (left) {
             view.yaw -= d.x * 0.01F;

@@ -141,6 +141,13 @@ TEST(Document, AnEmptyTypeIsKept) {
     EXPECT_EQ(expect_unknown_nodes_kept(document, write_document(set_name(document, "b"))), 1U);
 }
 
+TEST_F(Headless, AGraphThatHoldsItselfIsOpened) {
+    open(R"({"wrinkle": 1, "nodes": {"self": {"type": "graph:graph.json"}},
+             "outputs": {"normal": {"from": "self.normal"}}})");
+    EXPECT_TRUE(state.built.problems.has_errors());
+    EXPECT_FALSE(state.built.uniform);
+}
+
 TEST_F(Headless, DamagedGraphsAreOpenedKeptAndNotOverwritten) {
     const char* wanted = std::getenv("WRINKLE_DAMAGED");
     const int count = wanted ? std::atoi(wanted) : 150;
