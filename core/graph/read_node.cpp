@@ -42,9 +42,9 @@ bool read_member(const json::Member& member, Node& node, Report& report) {
     if (member.key == "type") {
         if (!report.expect(value, Kind::string, "\"type\"", node.id)) return false;
         node.type = value.as_string();
-        if (node.type.empty())
-            report.at(value, node.id, "\"type\" is empty", "expected the name of a node type");
-        return true;
+        if (!node.type.empty()) return true;
+        report.at(value, node.id, "\"type\" is empty", "expected the name of a node type");
+        return false;
     }
     if (member.key == "version") return read_version(value, node, report);
     if (member.key == "muted") {

@@ -133,6 +133,14 @@ size_t expect_unknown_nodes_kept(const Document& document, const std::string& sa
     return unknown;
 }
 
+TEST(Document, AnEmptyTypeIsKept) {
+    const std::string text = R"({ "wrinkle": 1, "nodes": { "a": { "type": "" } } })";
+    Diagnostics problems;
+    const Document document = read_document(text, "graph.json", problems);
+    EXPECT_EQ(problems.error_count(), 1U) << to_text(problems);
+    EXPECT_EQ(expect_unknown_nodes_kept(document, write_document(set_name(document, "b"))), 1U);
+}
+
 TEST_F(Headless, DamagedGraphsAreOpenedKeptAndNotOverwritten) {
     const char* wanted = std::getenv("WRINKLE_DAMAGED");
     const int count = wanted ? std::atoi(wanted) : 150;
