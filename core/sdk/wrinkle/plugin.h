@@ -268,7 +268,7 @@ enum {
 
 /* `extra` of a frame, and of a swizzle (count 1-4 of components 0-3; unused ones 0) */
 #define WR_FRAME(method, scale) ((uint32_t)(method) | (uint32_t)(scale) << 8)
-#define WR_SWIZZLE(count, a, b, c, d) \
+#define WR_SWIZZLE(count, a, b, c, d)                                                    \
     ((uint32_t)(count) | (uint32_t)(a) << 4 | (uint32_t)(b) << 8 | (uint32_t)(c) << 12 | \
      (uint32_t)(d) << 16)
 
@@ -279,7 +279,7 @@ typedef uint32_t wr_region; /* a loop body or a function; 0 is none */
 
 /* Kinds of regions */
 #define WR_REGION_FUNCTION 1u /* results: the outputs; captured values become parameters */
-#define WR_REGION_LOOP 2u     /* parameters: the state; results: bool "go on", then the next state */
+#define WR_REGION_LOOP 2u /* parameters: the state; results: bool "go on", then the next state */
 
 /* What a node's build() works with. Valid during that call. Members are called as b->emit(b, ...). */
 typedef struct wr_builder {
@@ -325,7 +325,7 @@ typedef struct wr_builder {
 } wr_builder;
 
 /* Kinds of ports */
-#define WR_KIND_INPUT 1u  /* a value: wire, literal or default */
+#define WR_KIND_INPUT 1u /* a value: wire, literal or default */
 #define WR_KIND_OUTPUT 2u
 #define WR_KIND_CHOICE 3u /* one of several names, known while building */
 #define WR_KIND_COUNT 4u  /* an integer, known while building */
