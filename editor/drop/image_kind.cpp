@@ -4,6 +4,7 @@
 #include <cctype>
 #include <cmath>
 
+#include "editor/panels/search.h"
 #include "image/load.h"
 
 namespace wrinkle::editor {
@@ -45,13 +46,6 @@ Statistics measure(const Image& image) {
 
 std::string percent(double share) {
     return std::to_string(static_cast<int>(share * 100)) + " %";
-}
-
-std::string lower_case(std::string_view text) {
-    std::string lower(text);
-    for (char& c : lower)
-        c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    return lower;
 }
 
 bool says(std::string_view name, std::initializer_list<std::string_view> words) {

@@ -159,7 +159,7 @@ void draw_places(State& state) {
     ImGui::BeginChild("##places", {places_width, -36}, false);
     std::vector<std::pair<std::string, fs::path>> places{{"Graph's folder", state.folder()}};
     if (const char* home = std::getenv("HOME")) places.emplace_back("Home", home);
-    for (const fs::path& file : recent_files(state))
+    for (const fs::path& file : state.keeping.settings.recent)
         places.emplace_back(file.filename().string(), file);
     std::error_code ignored;
     for (size_t i = 0; i < places.size(); ++i) {

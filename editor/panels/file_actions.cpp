@@ -15,12 +15,4 @@ void save_chosen(State& state, const std::filesystem::path& file) {
     answer_path(state);
 }
 
-void new_chosen(State& state) {
-    state.start.left = true;
-}
-
-std::vector<std::filesystem::path> recent_files(const State& state) {
-    return state.keeping.settings.recent;
-}
-
 }  // namespace wrinkle::editor

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <filesystem>
-#include <vector>
 
 #include "editor/state.h"
 
@@ -12,7 +11,5 @@ namespace wrinkle::editor {
 void open_chosen(State& state, const std::filesystem::path& file);
 // Asks before anything is replaced, and again where it cannot be written.
 void save_chosen(State& state, const std::filesystem::path& file);
-void new_chosen(State& state);
-std::vector<std::filesystem::path> recent_files(const State& state);
 
 }  // namespace wrinkle::editor

@@ -43,7 +43,7 @@ void draw_drop_area(State& state, float width) {
 }
 
 void draw_buttons(State& state) {
-    if (button(state, "New graph", "start:new", true, {132, 28})) new_chosen(state);
+    if (button(state, "New graph", "start:new", true, {132, 28})) state.start.left = true;
     for (const char* id : {"open", "recover"}) {
         const Command* command = find_command(id);
         if (!command || !command->enabled(state)) continue;

@@ -52,6 +52,7 @@ TEST(TangentNormal, NeedNotBeUnit) {
 }
 
 TEST(TangentNormal, OfZeroLengthIsFlat) {
+    // The guard against a vanishing normal adds 1e-18: 5.5e-11 degrees in double.
     for (const uint32_t method : unit_methods)
         EXPECT_LE(tilt_of(dvec3(0, 0, 0), method), 1e-9);
 }
