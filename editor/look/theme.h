@@ -2,7 +2,7 @@
 // in use; use() switches all of them at once, between frames.
 //
 // Text stands on its grounds with a contrast of 4.5 or more, parts with 3; the types differ in
-// colour for every kind of sight (tests/editor/test_theme.cpp) and in shape (draw.h).
+// colour for every kind of sight (tests/editor/theme_test.cpp) and in shape (draw.h).
 #pragma once
 
 #include <imgui.h>

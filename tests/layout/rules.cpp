@@ -243,7 +243,7 @@ std::vector<std::string> word_violations(const Source& source) {
 }
 
 std::vector<std::string> name_violations(const Source& source) {
-    if (!source.path.starts_with("tests/") || source.path.starts_with("tests/editor/")) return {};
+    if (!source.path.starts_with("tests/")) return {};
     const bool named = source.path.ends_with("_test.cpp");
     bool has_test = false;
     for_each_line(source.text, [&](size_t, std::string_view line) {

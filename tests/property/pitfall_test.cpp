@@ -1,5 +1,5 @@
 // What users of bump mapping run into, one test each; docs/pitfalls.md tells the stories. Here what
-// concerns frames, uvs, normals and the screen; maps are in tests/nodes/test_pitfalls.cpp.
+// concerns frames, uvs, normals and the screen; maps are in tests/nodes/pitfalls_test.cpp.
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -14,7 +14,7 @@ namespace wrinkle::editor {
 namespace {
 
 // Leaks are not looked for here: GLFW unloads the GL driver, and what that leaks has no name left
-// to be exempt by. The same frames run without a window in test_ui.cpp, with leaks looked for.
+// to be exempt by. The same frames run without a window in ui_test.cpp, with leaks looked for.
 int run(const std::string& environment, const std::string& arguments) {
     const char* set = std::getenv("ASAN_OPTIONS");
     const std::string sanitizer =
