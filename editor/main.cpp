@@ -98,8 +98,8 @@ int run(const Arguments& arguments) {
     Timings timings;
     if (!arguments.timings.empty()) state.timings = &timings;
     const bool good = window->run(state, script ? &*script : nullptr, arguments.shot, why);
+    if (!good) return complain(why, 1);  // what was not saved stays in the recovery file
     finish(state);
-    if (!good) return complain(why, 1);
     return !state.timings || write_timings(state, arguments.timings) ? 0 : 1;
 }
 

@@ -14,6 +14,7 @@
 #include "editor/document/files.h"
 #include "editor/look/theme.h"
 #include "editor/panels/ui.h"
+#include "gpu/context.h"
 #include "image/load.h"
 
 namespace wrinkle::editor {
@@ -24,7 +25,8 @@ struct Window::Handle {
     bool scripted = false;
     double last = 0;
     std::string title;
-    int awake = 3;  // frames still to draw
+    int awake = 3;      // frames still to draw
+    bool lost = false;  // the driver dropped the context
 };
 
 namespace {
@@ -89,7 +91,24 @@ GLFWwindow* make_window(const WindowOptions& options) {
     glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
     glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
     glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
-    return glfwCreateWindow(options.width, options.height, "Wrinkle", nullptr, nullptr);
+    // Not every driver can say that it was reset.
+    for (const int robustness : {GLFW_LOSE_CONTEXT_ON_RESET, GLFW_NO_ROBUSTNESS}) {
+        glfwWindowHint(GLFW_CONTEXT_ROBUSTNESS, robustness);
+        GLFWwindow* window =
+            glfwCreateWindow(options.width, options.height, "Wrinkle", nullptr, nullptr);
+        if (window) return window;
+    }
+    return nullptr;
+}
+
+// What belongs to one window and its context; ImGui's own state outlives them.
+void adopt(GLFWwindow* window, InputQueue& queue, bool scripted) {
+    glfwMakeContextCurrent(window);
+    glfwSwapInterval(scripted ? 0 : 1);
+    glfwSetWindowUserPointer(window, &queue);
+    use_clipboard(window);
+    ImGui_ImplOpenGL3_Init("#version 330 core");
+    if (!scripted) listen(window);
 }
 
 }  // namespace
@@ -114,19 +133,14 @@ std::unique_ptr<Window> Window::open(const WindowOptions& options, std::string& 
     result->handle_ = std::make_unique<Handle>();
     result->handle_->window = window;
     result->handle_->scripted = options.hidden_input;
-    glfwMakeContextCurrent(window);
-    glfwSwapInterval(options.hidden_input ? 0 : 1);
-    glfwSetWindowUserPointer(window, &result->handle_->queue);
     ImGui::CreateContext();
     ImGuiIO& io = ImGui::GetIO();
     io.IniFilename = nullptr;
     // A script's clicks follow each other in few frames of fixed length.
     io.MouseDoubleClickTime = options.hidden_input ? 0.06F : 0.4F;
     map_keys(io);
-    use_clipboard(window);
     theme::use(Theme::dark);
-    ImGui_ImplOpenGL3_Init("#version 330 core");
-    if (!options.hidden_input) listen(window);
+    adopt(window, result->handle_->queue, options.hidden_input);
     return result;
 }
 
@@ -135,6 +149,35 @@ Window::~Window() {
     ImGui::DestroyContext();
     glfwDestroyWindow(handle_->window);
     glfwTerminate();
+}
+
+bool Window::is_lost(const State& state) const {
+    return handle_->lost || gpu::Context::was_lost() ||
+           (state.preview && state.preview->shown().lost);
+}
+
+// A context cannot be had anew in the same window, so there is another one, of the same size.
+bool Window::renew(State& state, std::string& why) {
+    Handle& h = *handle_;
+    h.lost = false;
+    WindowOptions options;
+    glfwGetWindowSize(h.window, &options.width, &options.height);
+    if (state.preview) state.preview->leave_context();
+    state.thumbnails.forget();
+    ImGui_ImplOpenGL3_Shutdown();
+    GLFWwindow* window = make_window(options);
+    if (!window) {
+        why = "the graphics driver stopped, and no window can be opened any more: " + glfw_error();
+        return false;
+    }
+    glfwDestroyWindow(h.window);
+    h.window = window;
+    h.title.clear();
+    adopt(window, h.queue, h.scripted);
+    if (state.preview) state.preview->renew();
+    state.status = "The graphics driver was reset; all is drawn anew.";
+    h.awake = 3;
+    return true;
 }
 
 void Window::draw_frame(State& state) {
@@ -187,35 +230,42 @@ bool Window::save_picture(const std::string& file) const {
     return save_image(image, file, {}, problems);
 }
 
+// Takes what has happened, and sleeps where nothing did; whether there is a frame to draw.
+bool Window::listen(State& state, bool playing) {
+    Handle& h = *handle_;
+    if (h.awake > 0 || !h.queue.empty() || playing)
+        glfwPollEvents();
+    else
+        glfwWaitEventsTimeout(state.help.waiting ? 0.1 : 0.5);
+    if (state.help.waiting || state.thumbnails.waiting()) h.awake = std::max(h.awake, 1);
+    if (tend(state)) h.awake = 3;
+    if (!h.queue.empty() || woken.exchange(false) || state.gesture.panning) h.awake = 3;
+    if (glfwWindowShouldClose(h.window)) {
+        glfwSetWindowShouldClose(h.window, GLFW_FALSE);
+        run_command(state, "quit");
+        h.awake = 3;
+    }
+    if (h.awake <= 0 && !ImGui::GetIO().WantTextInput && !playing) return false;
+    --h.awake;
+    return true;
+}
+
 bool Window::run(State& state, Script* script, const std::string& shot, std::string& why) {
     Handle& h = *handle_;
-    const auto take = [&](const std::string& file) { return save_picture(file); };
-    int frames = 0;
-    while (!state.quit) {
-        if (h.awake > 0 || !h.queue.empty() || script || !shot.empty())
-            glfwPollEvents();
-        else
-            glfwWaitEventsTimeout(state.help.waiting ? 0.1 : 0.5);
-        if (state.help.waiting || state.thumbnails.waiting()) h.awake = std::max(h.awake, 1);
-        if (tend(state)) h.awake = 3;
-        if (!h.queue.empty() || woken.exchange(false) || state.gesture.panning) h.awake = 3;
-        if (glfwWindowShouldClose(h.window)) {
-            glfwSetWindowShouldClose(h.window, GLFW_FALSE);
-            run_command(state, "quit");
-            h.awake = 3;
-        }
-        if (h.awake <= 0 && !ImGui::GetIO().WantTextInput && !script && shot.empty()) continue;
-        --h.awake;
+    const Script::Screen screen{[&](const std::string& file) { return save_picture(file); },
+                                [&h] { h.lost = true; }};
+    const bool playing = script || !shot.empty();
+    for (int frames = 1; !state.quit; ++frames) {
+        if (!listen(state, playing)) continue;
         if (state.timings) state.timings->frame_begins();
         draw_frame(state);
-        ++frames;
-        const auto progress = script ? script->step(state, h.queue, take) : Script::Progress::done;
+        const auto progress =
+            script ? script->step(state, h.queue, screen) : Script::Progress::done;
         if (progress == Script::Progress::failed) {
             why = script->why();
             return false;
         }
-        const bool finished =
-            (script || !shot.empty()) && frames > 3 && progress == Script::Progress::done;
+        const bool finished = playing && frames > 3 && progress == Script::Progress::done;
         if (finished && !shot.empty() && !save_picture(shot)) {
             why = shot + " cannot be written";
             return false;
@@ -223,6 +273,7 @@ bool Window::run(State& state, Script* script, const std::string& shot, std::str
         if (finished) return true;
         glfwSwapBuffers(h.window);
         if (state.timings) state.timings->frame_ends(state.preview->shown().version);
+        if (is_lost(state) && !renew(state, why)) return false;
     }
     return true;
 }

@@ -30,7 +30,10 @@ public:
 
 private:
     Window() = default;
+    bool listen(State& state, bool playing);
     void draw_frame(State& state);
+    bool is_lost(const State& state) const;
+    bool renew(State& state, std::string& why);
     bool save_picture(const std::string& file) const;
 
     struct Handle;

@@ -46,14 +46,29 @@ EGLConfig choose_config(EGLDisplay display) {
     return config;
 }
 
+bool is_robust_gl() {
+    return epoxy_gl_version() >= 45 || epoxy_has_gl_extension("GL_KHR_robustness");
+}
+
+// Contexts that share have to be told of a reset in one way.
+bool is_told_of_reset(EGLContext context) {
+    if (context == EGL_NO_CONTEXT || !is_robust_gl()) return false;
+    GLint strategy = GL_NO_RESET_NOTIFICATION;
+    glGetIntegerv(GL_RESET_NOTIFICATION_STRATEGY, &strategy);
+    return strategy == GL_LOSE_CONTEXT_ON_RESET;
+}
+
 EGLContext create_context(EGLDisplay display, EGLConfig config, EGLContext share) {
-    const std::array<EGLint, 7> wanted{EGL_CONTEXT_MAJOR_VERSION,
-                                       3,
-                                       EGL_CONTEXT_MINOR_VERSION,
-                                       3,
-                                       EGL_CONTEXT_OPENGL_PROFILE_MASK,
-                                       EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
-                                       EGL_NONE};
+    const std::array<EGLint, 9> wanted{
+        EGL_CONTEXT_MAJOR_VERSION,
+        3,
+        EGL_CONTEXT_MINOR_VERSION,
+        3,
+        EGL_CONTEXT_OPENGL_PROFILE_MASK,
+        EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
+        is_told_of_reset(share) ? EGL_CONTEXT_OPENGL_RESET_NOTIFICATION_STRATEGY_KHR : EGL_NONE,
+        EGL_LOSE_CONTEXT_ON_RESET_KHR,
+        EGL_NONE};
     return eglCreateContext(display, config, share, wanted.data());
 }
 
@@ -176,6 +191,9 @@ std::string Context::renderer_name() {
 }
 std::string Context::version_name() {
     return text_of(GL_VERSION);
+}
+bool Context::was_lost() {
+    return is_robust_gl() && glGetGraphicsResetStatus() != GL_NO_ERROR;
 }
 void Context::finish() {
     glFinish();

@@ -36,6 +36,11 @@ public:
     static std::string renderer_name();
     static std::string version_name();
 
+    // Whether the driver has dropped the current context, as after a hang or a reset: nothing that
+    // was made in it can be used again, it is to be destroyed. Drivers without robustness
+    // (GL_KHR_robustness) never say so.
+    static bool was_lost();
+
     // Waits until all that was drawn here can be seen by contexts that share with this one.
     static void finish();
 

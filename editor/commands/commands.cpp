@@ -29,6 +29,12 @@ bool pressed(std::string_view keys) {
            ImGui::IsKeyPressed(key, false);
 }
 
+// In a field of a panel's own popup. WantTextInput alone is of the former frame: a field that has
+// gone since would swallow the key that comes next.
+bool is_typing() {
+    return ImGui::GetIO().WantTextInput && ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
+}
+
 }  // namespace
 
 std::span<const Command> commands() {
@@ -50,7 +56,7 @@ bool run_command(State& state, std::string_view id) {
 }
 
 void run_keys(State& state) {
-    if (ImGui::GetIO().WantTextInput || state.palette.open || state.help.open || state.offer.open ||
+    if (is_typing() || state.palette.open || state.help.open || state.offer.open ||
         state.box_text.open || state.question.open() ||
         state.browser.purpose != Browser::Purpose::none || state.popup.kind != Popup::Kind::none ||
         state.gesture.kind != Gesture::Kind::none)

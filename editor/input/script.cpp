@@ -161,7 +161,8 @@ bool Script::drop(const std::vector<std::string>& w, const State& state, InputQu
 
 void Script::count(const std::string& step, const std::vector<std::string>& words) {
     const bool commits = typing_ && step == "key" && words[1] == "Enter";
-    const bool waits = step == "wait" || step == "assert" || step == "shot" || step == "section";
+    const bool waits =
+        step == "wait" || step == "assert" || step == "shot" || step == "section" || step == "lose";
     if (!commits && !waits) ++actions_;
     if (!waits) typing_ = step == "type";
 }
@@ -192,7 +193,20 @@ bool Script::stroke(const std::vector<std::string>& w, const State& state, Input
     return true;
 }
 
-bool Script::run(const Line& line, const State& state, InputQueue& queue, const Shot& shot) {
+// A click, or a turn of the wheel.
+bool Script::point(const Line& line, const State& state, InputQueue& queue) {
+    const auto& w = line.words;
+    if (!point_at(w[1], state, queue)) return false;
+    if (w[0] == "wheel") {
+        queue.wheel(0, w.size() > 2 ? std::strtof(w[2].c_str(), nullptr) : 1);
+        return true;
+    }
+    click(queue, w[0] == "right" ? 1 : 0);
+    if (w[0] == "double") click(queue);
+    return true;
+}
+
+bool Script::run(const Line& line, const State& state, InputQueue& queue, const Screen& screen) {
     const auto& w = line.words;
     const std::string& what = w[0];
     if (what == "wait") {
@@ -201,28 +215,32 @@ bool Script::run(const Line& line, const State& state, InputQueue& queue, const 
     }
     if (w.size() < 2) return fail("'" + what + "' needs to know what");
     count(what, w);
-    if (what == "click" || what == "right" || what == "double") {
-        if (!point_at(w[1], state, queue)) return false;
-        click(queue, what == "right" ? 1 : 0);
-        if (what == "double") click(queue);
-        return true;
-    }
+    if (what == "click" || what == "right" || what == "double" || what == "wheel")
+        return point(line, state, queue);
     if (what == "drag") return drag(w, state, queue);
     if (what == "drop") return drop(w, state, queue);
     if (what == "stroke") return stroke(w, state, queue);
-    if (what == "wheel") {
-        if (!point_at(w[1], state, queue)) return false;
-        queue.wheel(0, w.size() > 2 ? std::strtof(w[2].c_str(), nullptr) : 1);
-        return true;
-    }
-    if (what == "section") return begin_section(state, w[1]);
     if (what == "key") return queue.chord(w[1]) || fail("there is no key '" + w[1] + "'");
     if (what == "type") {
         queue.type(rest(w, 1));
         return true;
     }
+    return see(line, state, screen);
+}
+
+// The steps that no hand does.
+bool Script::see(const Line& line, const State& state, const Screen& screen) {
+    const auto& w = line.words;
+    const std::string& what = w[0];
+    if (what == "section") return begin_section(state, w[1]);
     if (what == "say") return say(rest(w, 1));
-    if (what == "shot") return (shot && shot(w[1])) || fail("no picture could be written");
+    if (what == "shot")
+        return (screen.shot && screen.shot(w[1])) || fail("no picture could be written");
+    if (what == "lose") {
+        if (!screen.lose_driver || w[1] != "driver") return fail("there is no such thing to lose");
+        screen.lose_driver();
+        return true;
+    }
     if (what != "assert") return fail("'" + what + "' is no step");
     if (w[1] == "actions" && w.size() > 2)
         return actions_ <= number(w[2]) || fail(std::to_string(actions_) + " actions");
@@ -231,7 +249,7 @@ bool Script::run(const Line& line, const State& state, InputQueue& queue, const 
     return *result || fail("not so: " + rest(w, 1) + " (status: " + state.status + ")");
 }
 
-Script::Progress Script::step(const State& state, InputQueue& queue, const Shot& shot) {
+Script::Progress Script::step(const State& state, InputQueue& queue, const Screen& screen) {
     if (!queue.empty()) {
         settle_ = settle_frames;
         return Progress::running;
@@ -240,7 +258,7 @@ Script::Progress Script::step(const State& state, InputQueue& queue, const Shot&
     if (settle_-- > 0) return Progress::running;
     if (next_ == lines_.size()) return Progress::done;
     settle_ = settle_frames;
-    if (!run(lines_[next_], state, queue, shot)) return Progress::failed;
+    if (!run(lines_[next_], state, queue, screen)) return Progress::failed;
     ++next_;
     return Progress::running;
 }

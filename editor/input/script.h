@@ -8,6 +8,7 @@
 //   say TEXT        (to standard output: so far it has come)
 //   drop FILE... NAME               files by their path, a relative one from the graph's folder
 //   section NAME                    of the timings (editor/timings.h)
+//   lose driver                     as if the graphics driver had dropped all that it had
 //   assert nodes N | wires N | errors N | dirty | clean | node ID | no-node ID | wire FROM TO |
 //          no-wire FROM TO | value NODE.PORT JSON | code TEXT | status TEXT | target NAME |
 //          no-target NAME | stale | picture | other | actions N
@@ -32,13 +33,16 @@ namespace wrinkle::editor {
 class Script {
 public:
     enum class Progress : uint8_t { running, done, failed };
-    // Saves what is on the screen; false when it cannot.
-    using Shot = std::function<bool(const std::string& file)>;
+    // What only a window can do.
+    struct Screen {
+        std::function<bool(const std::string& file)> shot;  // false when it cannot
+        std::function<void()> lose_driver;
+    };
 
     explicit Script(std::string_view text);
 
     // Once a frame, before the queue is applied.
-    Progress step(const State& state, InputQueue& queue, const Shot& shot);
+    Progress step(const State& state, InputQueue& queue, const Screen& screen);
     // Says what went wrong and in which line: "line 3: nothing on the screen is called 'node:x'".
     const std::string& why() const { return why_; }
 
@@ -47,7 +51,9 @@ private:
         size_t number;
         std::vector<std::string> words;
     };
-    bool run(const Line& line, const State& state, InputQueue& queue, const Shot& shot);
+    bool run(const Line& line, const State& state, InputQueue& queue, const Screen& screen);
+    bool point(const Line& line, const State& state, InputQueue& queue);
+    bool see(const Line& line, const State& state, const Screen& screen);
     bool drag(const std::vector<std::string>& words, const State& state, InputQueue& queue);
     bool drop(const std::vector<std::string>& words, const State& state, InputQueue& queue);
     void count(const std::string& step, const std::vector<std::string>& words);

@@ -14,6 +14,7 @@ public:
 
     // Before the first frame of a window; without it nothing is ever read.
     void use_gl() { gl_ = true; }
+    void forget() { textures_.clear(); }  // their context is gone
     void begin_frame() { read_one_ = waiting_ = false; }
     // The texture, bottom row first; 0 when there is none, or not yet: ask again.
     uint32_t of(const std::filesystem::path& file);

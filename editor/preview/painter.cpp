@@ -109,8 +109,6 @@ bool PreviewPainter::use_material(const PreviewJob& job) {
         relit_ = false;
         refusal_ = Diagnostics();
         if (renderer_.set_material(*job.material, refusal_)) has_material_ = true;
-        if (glGetError() == GL_CONTEXT_LOST)
-            refusal_.error("the graphics driver has stopped", "save, and start the editor again");
     }
     if (!has_material_) return false;
     if (!refusal_.has_errors())
@@ -202,6 +200,7 @@ PreviewPicture PreviewPainter::draw(const PreviewJob& job, int held) {
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
     gpu::Context::finish();
     picture.refused = refusal_.has_errors();
+    picture.lost = gpu::Context::was_lost();
     Diagnostics problems = refusal_;
     problems.append(dark_);
     problems.append(picture.problems);

@@ -44,6 +44,7 @@ struct PreviewPicture {
     int slot = -1;                    // which textures they are
     int width = 0, height = 0;
     bool refused = false;  // the material, so the picture is of a former one
+    bool lost = false;     // the driver dropped the context: all has to be made anew
     Diagnostics problems;
     AngleFigures angles;
     double milliseconds = 0;  // of the drawing, until its last pixel

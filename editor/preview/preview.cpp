@@ -4,7 +4,11 @@
 
 namespace wrinkle::editor {
 
-Preview::Preview(std::function<void()> wake) {
+Preview::Preview(std::function<void()> wake) : wake_(std::move(wake)) {
+    begin();
+}
+
+void Preview::begin() {
     Diagnostics why;  // the fallback says nothing: it shows the same
     context_ = gpu::Context::sharing_current(why);
     if (!context_) return;
@@ -19,10 +23,23 @@ Preview::Preview(std::function<void()> wake) {
         painter_.reset();
         context_->release_current();
     };
-    worker_ = std::make_unique<Worker<PreviewJob, PreviewPicture>>(work, std::move(wake), finish);
+    worker_ = std::make_unique<Worker<PreviewJob, PreviewPicture>>(work, wake_, finish);
 }
 
 Preview::~Preview() = default;
+
+void Preview::leave_context() {
+    worker_.reset();
+    painter_.reset();
+    context_.reset();
+    held_ = -1;
+    picture_ = PreviewPicture();
+}
+
+void Preview::renew() {
+    begin();
+    changed_ = true;
+}
 
 void Preview::set_material(std::shared_ptr<const gpu::Material> material,
                            std::shared_ptr<const Displacement> displacement) {

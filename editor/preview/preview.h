@@ -30,6 +30,11 @@ public:
     void show(const PreviewView& view, const std::string& against, const CompareView& compare,
               int width, int height);
 
+    // Gives up all that was made in the window's context, which goes next; then makes it anew in
+    // the one that is current, and draws the same again.
+    void leave_context();
+    void renew();
+
     // The newest there is. Its textures hold until the next call.
     const PreviewPicture& picture();
     const PreviewPicture& shown() const { return picture_; }  // what picture() gave last
@@ -40,9 +45,11 @@ public:
     ~Preview();
 
 private:
+    void begin();
     void ask();
 
     PreviewJob job_;
+    std::function<void()> wake_;
     bool changed_ = false;
     PreviewPicture picture_;
     std::atomic<int> held_ = -1;

@@ -1,8 +1,5 @@
 // A real program that is killed at any moment: no committed edit is lost, no file half written.
 // WRINKLE_KILLS says how often; a few by default.
-#include <fcntl.h>
-#include <poll.h>
-
 #include <chrono>
 #include <cstdlib>
 #include <cstring>
@@ -15,6 +12,7 @@
 #include "graph/read.h"
 #include "graph/write.h"
 #include "headless.h"
+#include "running_editor.h"
 #include "virtual_screen.h"
 
 namespace wrinkle::editor {
@@ -51,66 +49,6 @@ std::optional<int> number_in(const std::string& text) {
     return input ? static_cast<int>(input->value.as_number()) : 1;  // 1 is the default
 }
 
-// A running editor and what it has said.
-class Victim {
-public:
-    Victim(const VirtualScreen& screen, const std::vector<std::string>& arguments) {
-        int ends[2];
-        if (pipe(ends) != 0) return;
-        process_ = fork();
-        if (process_ == 0) {
-            dup2(ends[1], STDOUT_FILENO);
-            dup2(open("/dev/null", O_WRONLY), STDERR_FILENO);
-            close(ends[0]);
-            std::string display = screen.variable();
-            putenv(display.data());
-            unsetenv("WAYLAND_DISPLAY");
-            std::vector<char*> words = {const_cast<char*>(WRINKLE_EDITOR)};
-            for (const std::string& argument : arguments)
-                words.push_back(const_cast<char*>(argument.c_str()));
-            words.push_back(nullptr);
-            execv(WRINKLE_EDITOR, words.data());
-            _exit(127);
-        }
-        close(ends[1]);
-        output_ = ends[0];
-    }
-    Victim(const Victim&) = delete;
-    Victim& operator=(const Victim&) = delete;
-    ~Victim() { close(output_); }
-
-    // Listens until then, or until it says `word`.
-    void listen(Clock::time_point end, const char* word = nullptr) {
-        while (Clock::now() < end) {
-            const auto left =
-                std::chrono::duration_cast<std::chrono::milliseconds>(end - Clock::now());
-            pollfd waiting{output_, POLLIN, 0};
-            if (poll(&waiting, 1, static_cast<int>(left.count()) + 1) <= 0) continue;
-            if (!take()) return;
-            if (word && said_.find(word) != said_.npos) return;
-        }
-    }
-    // Everything that was said before it died.
-    const std::string& kill() {
-        ::kill(process_, SIGKILL);
-        waitpid(process_, nullptr, 0);
-        while (take()) {
-        }
-        return said_;
-    }
-
-private:
-    bool take() {
-        char bytes[256];
-        const ssize_t count = read(output_, bytes, sizeof bytes);
-        if (count > 0) said_.append(bytes, static_cast<size_t>(count));
-        return count > 0;
-    }
-    pid_t process_ = -1;
-    int output_ = -1;
-    std::string said_;
-};
-
 int last_number(const std::string& said, int otherwise) {
     for (const std::string_view line : split(said, '\n'))
         if (!line.empty() && std::isdigit(static_cast<unsigned char>(line[0])))
@@ -119,7 +57,7 @@ int last_number(const std::string& said, int otherwise) {
 }
 
 // Lets it work for a while: a part of the start, until about a save, or any time.
-void let_work(Victim& victim, int round, std::mt19937& random) {
+void let_work(RunningEditor& victim, int round, std::mt19937& random) {
     const auto any = [&](unsigned most) {
         std::this_thread::sleep_for(std::chrono::microseconds(random() % (most * 1000)));
     };
@@ -139,8 +77,9 @@ protected:
     // One life of the editor, and what is left of it.
     void round(const VirtualScreen& screen, int number, std::mt19937& random) {
         const auto script = home.write("script.txt", counting_script(tally.reached + 1));
-        Victim victim(screen, {file.string(), "--size", "1280", "720", "--script", script.string(),
-                               "--state", home.path().string()});
+        RunningEditor victim(screen,
+                             {file.string(), "--size", "1280", "720", "--script", script.string(),
+                              "--state", home.path().string()});
         let_work(victim, number, random);
         const int said = last_number(victim.kill(), tally.reached);
         const auto on_disk = number_in(text_of(file));

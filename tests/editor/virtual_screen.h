@@ -19,7 +19,7 @@ public:
         if (process_ == 0) {
             close(ends[0]);
             const std::string end = std::to_string(ends[1]);
-            execlp("Xvfb", "Xvfb", "-displayfd", end.c_str(), "-screen", "0", "1280x720x24",
+            execlp("Xvfb", "Xvfb", "-displayfd", end.c_str(), "-screen", "0", "1600x900x24",
                    "-nolisten", "tcp", static_cast<char*>(nullptr));
             _exit(127);
         }

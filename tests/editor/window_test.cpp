@@ -143,6 +143,42 @@ TEST(Window, FiguresOfThePreview) {
     }
 }
 
+// The texels of the preview, above the line that says how long it took.
+std::vector<float> preview_of(const Image& image) {
+    std::vector<float> values;
+    for (uint32_t y = 130; y < 300; ++y)
+        for (uint32_t x = 900; x < image.width; ++x)
+            values.insert(values.end(), image.texel(x, y), image.texel(x, y) + 3);
+    return values;
+}
+
+TEST(Window, ALostDriverIsStartedAgainAndTheWorkIsThere) {
+    const VirtualScreen screen;
+    if (!screen.is_there()) GTEST_SKIP() << "there is no Xvfb here";
+    const TemporaryFolder folder;
+    const auto graph = folder.write("graph.json", small_graph);
+    const auto before = folder.path() / "before.png", after = folder.path() / "after.png";
+    const auto script = folder.write("script.txt", R"(
+drag field:softer.amount field:softer.amount+20,0
+assert dirty
+shot )" + before.string() + R"(
+lose driver
+assert status was reset
+assert picture
+assert dirty
+shot )" + after.string() + R"(
+key Ctrl+Z
+assert clean
+)");
+    ASSERT_EQ(
+        run(screen.variable(), graph.string() + " --size 1280 720 --script " + script.string()), 0);
+    Diagnostics problems;
+    const auto first = load_image(before, problems), second = load_image(after, problems);
+    ASSERT_TRUE(first && second) << to_text(problems);
+    EXPECT_GT(colors_of(*second, 1000, 1200, 400, 550), 50U) << "the preview is blank";
+    EXPECT_TRUE(preview_of(*first) == preview_of(*second));
+}
+
 TEST(Window, AScriptThatIsNotSoFailsAndSavesNothing) {
     const VirtualScreen screen;
     if (!screen.is_there()) GTEST_SKIP() << "there is no Xvfb here";

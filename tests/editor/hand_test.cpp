@@ -1,0 +1,146 @@
+// A hand at a real window: xdotool presses keys and buttons through the X server. WRINKLE_TAPS says
+// how many in the longest test; a few by default. Skipped only where there is no Xvfb.
+#include <atomic>
+#include <cstdlib>
+#include <random>
+#include <thread>
+
+#include "editor/document/recovery.h"
+#include "graph/read.h"
+#include "headless.h"
+#include "running_editor.h"
+
+namespace wrinkle::editor {
+namespace {
+
+using Clock = RunningEditor::Clock;
+using std::chrono::milliseconds;
+
+size_t taps() {
+    const char* wanted = std::getenv("WRINKLE_TAPS");
+    return wanted ? static_cast<size_t>(std::atoi(wanted)) : 60;
+}
+
+// The newest unsaved text of the one graph that is open, and how many edits made it.
+std::optional<Recoverable> kept(const std::filesystem::path& folder) {
+    std::error_code ignored;
+    for (const auto& entry : std::filesystem::directory_iterator(folder / "journal", ignored))
+        if (auto found = read_journal(entry.path())) return found;
+    return std::nullopt;
+}
+
+class Hand : public Headless {
+protected:
+    // The same window as the headless one, so things stand where these are.
+    void begin(const std::string& text) {
+        open(text);
+        for (int i = 0; i < 4; ++i)
+            frame();
+        editor.emplace(screen, std::vector<std::string>{file.string(), "--size", "1600", "900",
+                                                        "--state", home.path().string()});
+        ASSERT_EQ(do_now("search --sync --onlyvisible --name Wrinkle windowfocus --sync"), 0);
+        std::this_thread::sleep_for(milliseconds(500));  // its first frames
+    }
+    int do_now(const std::string& steps) const {
+        const std::string command = screen.variable() + " xdotool " + steps + " >/dev/null 2>&1";
+        return std::system(command.c_str());
+    }
+    std::string click_at(const std::string& target) const {
+        const auto rect = state.targets.find(target);
+        if (!rect) return "click-on-nothing";  // no step of xdotool, so it fails
+        return "mousemove " + std::to_string(static_cast<int>(rect->middle_x())) + " " +
+               std::to_string(static_cast<int>(rect->y0 + 8)) + " click 1 ";
+    }
+    // Until so many edits are kept.
+    std::optional<Recoverable> wait_for(size_t edits) const {
+        const auto patience = Clock::now() + std::chrono::seconds(40);
+        std::optional<Recoverable> found;
+        while (Clock::now() < patience && (!found || found->edits < edits)) {
+            std::this_thread::sleep_for(milliseconds(50));
+            found = kept(state.keeping.folders.state);
+        }
+        return found;
+    }
+
+    VirtualScreen screen;
+    std::optional<RunningEditor> editor;
+};
+
+// The program stands still for all but a moment of each period, as one does that draws slowly.
+class Slowly {
+public:
+    Slowly(pid_t process, milliseconds period)
+        : thread_([=, this] {
+              while (!done_) {
+                  kill(process, SIGSTOP);
+                  std::this_thread::sleep_for(period - milliseconds(8));
+                  kill(process, SIGCONT);
+                  std::this_thread::sleep_for(milliseconds(8));
+              }
+          }) {}
+    ~Slowly() {
+        done_ = true;
+        thread_.join();
+    }
+    Slowly(const Slowly&) = delete;
+    Slowly& operator=(const Slowly&) = delete;
+
+private:
+    std::atomic<bool> done_ = false;
+    std::thread thread_;
+};
+
+class HandAtRate : public Hand, public ::testing::WithParamInterface<int> {};
+
+// Buttons choose one node or the other, keys mute it: a tap that is lost, or that changes places
+// with another, mutes another node.
+TEST_P(HandAtRate, EveryTapArrivesInOrder) {
+    if (!screen.is_there()) GTEST_SKIP() << "there is no Xvfb here";
+    begin(small_graph);
+    std::mt19937 random(7);
+    const char* const names[] = {"softer", "noise"};
+    bool muted[2] = {false, false};
+    size_t chosen = 0, edits = 0;
+    std::string steps = click_at("node:softer");
+    for (size_t i = 0; i < taps(); ++i) {
+        if (random() % 2) {
+            chosen = 1 - chosen;
+            steps += click_at(std::string("node:") + names[chosen]);
+        } else {
+            steps += "key m ";
+            muted[chosen] = !muted[chosen];
+            ++edits;
+        }
+    }
+    {
+        const Slowly slowly(editor->process(), milliseconds(1000 / GetParam()));
+        ASSERT_EQ(do_now(steps), 0);
+    }
+    const auto found = wait_for(edits);
+    ASSERT_TRUE(found) << "nothing arrived";
+    EXPECT_EQ(found->edits, edits);
+    Diagnostics problems;
+    const Document document = read_document(found->text, "graph.json", problems);
+    for (size_t i = 0; i < 2; ++i)
+        EXPECT_EQ(document.find(names[i])->muted, muted[i]) << names[i];
+    std::printf("%zu taps, %zu edits at %d frames a second\n", taps(), found->edits, GetParam());
+}
+
+INSTANTIATE_TEST_SUITE_P(FramesASecond, HandAtRate, ::testing::Values(5, 20, 60));
+
+TEST_F(Hand, WhatIsTypedAheadIsNotLost) {
+    if (!screen.is_there()) GTEST_SKIP() << "there is no Xvfb here";
+    begin(small_graph);
+    {
+        const Slowly slowly(editor->process(), milliseconds(200));
+        ASSERT_EQ(do_now("mousemove 400 700 key space type --delay 1 worley"), 0);
+        ASSERT_EQ(do_now("key Return key ctrl+s"), 0);
+    }
+    const auto patience = Clock::now() + std::chrono::seconds(30);
+    while (Clock::now() < patience && text_of(file).find("worley") == std::string::npos)
+        std::this_thread::sleep_for(milliseconds(50));
+    EXPECT_NE(text_of(file).find("worley"), std::string::npos) << text_of(file);
+}
+
+}  // namespace
+}  // namespace wrinkle::editor
