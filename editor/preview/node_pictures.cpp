@@ -1,0 +1,176 @@
+#include "editor/preview/node_pictures.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/vec3.hpp>
+#include <optional>
+
+#include "cpu/evaluate.h"
+#include "editor/preview/request.h"
+#include "graph/edit.h"
+#include "image/load.h"
+#include "lower/material.h"
+
+namespace wrinkle::editor {
+namespace {
+
+constexpr size_t texel_count = size_t{NodePictures::width} * NodePictures::height;
+constexpr double texel = 1.0 / NodePictures::height;
+
+struct Shown {
+    std::string node;
+    std::string output;  // of the document that is made for it
+};
+
+// The document with an output for each node that makes something to see.
+std::vector<Shown> show_nodes(Document& document, const Model& model) {
+    document.outputs = Table<Output>();
+    std::vector<Shown> shown;
+    const std::vector<NodePtr> nodes(document.nodes.begin(), document.nodes.end());
+    for (const NodePtr& node : nodes) {
+        const NodeType* type = model.type_of(node->id);
+        const std::string port = type ? shown_port(*type) : "";
+        if (port.empty()) continue;
+        shown.push_back({node->id, "picture" + std::to_string(shown.size())});
+        document = set_output(document, shown.back().output, {node->id, port});
+    }
+    return shown;
+}
+
+std::array<double, 4> value_at(InputNeed need, uint32_t x, uint32_t y) {
+    const bool is_value = need.variant == Variant::value;
+    const double u = is_value ? (x + 0.5) * texel : need.variant == Variant::dx ? texel : 0;
+    const double v = is_value ? (y + 0.5) * texel : need.variant == Variant::dy ? texel : 0;
+    const double one = is_value ? 1 : 0;
+    switch (need.input) {
+        case SurfaceInput::position_:
+            return {is_value ? u - 1 : u, is_value ? v - 0.5 : v, 0, 0};
+        case SurfaceInput::normal_:
+        case SurfaceInput::view_:
+            return {0, 0, one, 0};
+        case SurfaceInput::tangent_:
+            return {one, 0, 0, one};
+        case SurfaceInput::color0_:
+            return {one, one, one, one};
+        case SurfaceInput::facing_:
+            return {one, 0, 0, 0};
+        default:
+            return {u, v, 0, 0};
+    }
+}
+
+PointSet patch(const Program& program) {
+    PointSet points;
+    points.count = texel_count;
+    for (const InputNeed& need : needed_inputs(program)) {
+        const auto lanes = size_t{info(info(need.input).type).lanes};
+        std::vector<double>& values = points.at(need.input, need.variant);
+        for (uint32_t y = 0; y < NodePictures::height; ++y)
+            for (uint32_t x = 0; x < NodePictures::width; ++x) {
+                const auto lane = value_at(need, x, y);
+                values.insert(values.end(), lane.begin(), lane.begin() + lanes);
+            }
+    }
+    return points;
+}
+
+glm::dvec3 normal_color(glm::dvec3 normal) {
+    return 0.5 + 0.5 * glm::normalize(normal);
+}
+
+double fraction(double value) {
+    return value - std::floor(value);
+}
+
+// Of a texel's lanes. `low` and `range` are those of all texels.
+glm::dvec3 color_of(PortType type, const double* lane, double low, double range) {
+    switch (type) {
+        case PortType::gradient_:
+            return normal_color({-lane[0], -lane[1], 1 - lane[2]});
+        case PortType::derivative_:
+            return normal_color({-lane[0], -lane[1], 1});
+        case PortType::normal_:
+            return normal_color({lane[0], lane[1], lane[2]});
+        case PortType::height_:
+        case PortType::float_:
+            return glm::dvec3((lane[0] - low) / range);
+        case PortType::vec2_:
+            return {fraction(lane[0]), fraction(lane[1]), 0};
+        default:
+            return {lane[0], lane[1], lane[2]};
+    }
+}
+
+void append(std::vector<uint8_t>& texels, PortType type, const std::vector<double>& values) {
+    const size_t lanes = values.size() / texel_count;
+    const auto [least, most] = std::minmax_element(values.begin(), values.end());
+    // One value alone is shown as it is.
+    const bool flat = !(*most > *least);
+    const double low = flat ? 0 : *least, range = flat ? 1 : *most - *least;
+    for (size_t i = 0; i < texel_count; ++i) {
+        glm::dvec3 color = color_of(type, values.data() + i * lanes, low, range);
+        if (!std::isfinite(color.x + color.y + color.z)) color = {1, 0, 1};
+        if (type == PortType::color_)
+            for (int c = 0; c < 3; ++c)
+                color[c] = std::pow(std::clamp(color[c], 0.0, 1.0), 1 / 2.2);
+        for (int c = 0; c < 3; ++c)
+            texels.push_back(static_cast<uint8_t>(std::clamp(color[c], 0.0, 1.0) * 255 + 0.5));
+        texels.push_back(255);
+    }
+}
+
+}  // namespace
+
+NodePictures NodePainter::draw(const NodePictureJob& job) {
+    NodePictures pictures;
+    pictures.version = job.version;
+    if (std::exchange(images_, job.images) != job.images) chains_.clear();
+    Document document = job.document;
+    const std::vector<Shown> shown = show_nodes(document, job.model);
+    if (shown.empty()) return pictures;
+    MaterialOptions options;
+    options.given_differentials = true;
+    options.reached_only = true;
+    Diagnostics problems;
+    const Compiled compiled =
+        compile_material(project_with(job.model, document), *registry_, options, problems);
+    if (!compiled.ok) return pictures;
+    std::string why;
+    const Program program = compile_program(compiled.module, why);
+    if (!why.empty()) return pictures;
+    Results results = make_results(program, texel_count);
+    evaluate<float>(program, patch(program), textures_of(compiled.module), 0, texel_count, results);
+    for (size_t i = 0; i < program.outputs.size(); ++i) {
+        const auto found = std::find_if(shown.begin(), shown.end(), [&](const Shown& one) {
+            return one.output == program.outputs[i].name;
+        });
+        if (found == shown.end()) continue;
+        pictures.places[found->node] = static_cast<uint32_t>(pictures.places.size());
+        append(pictures.texels, static_cast<PortType>(program.outputs[i].port_type),
+               results.values[i]);
+    }
+    return pictures;
+}
+
+std::vector<Texture> NodePainter::textures_of(const Module& module) {
+    std::vector<Texture> textures;
+    for (const Resource& resource : module.resources) {
+        auto found = chains_.find(resource.file);
+        if (found == chains_.end()) {
+            Diagnostics said_elsewhere;
+            auto image = load_image(resource.file, said_elsewhere);
+            found = chains_.emplace(resource.file, nullptr).first;
+            if (image && !image->empty())
+                found->second = std::make_shared<const MipChain>(build_mips(std::move(*image)));
+        }
+        if (found->second)
+            textures.emplace_back(found->second, resource.options);
+        else
+            textures.emplace_back();
+    }
+    return textures;
+}
+
+}  // namespace wrinkle::editor

@@ -1,0 +1,105 @@
+// The oracle is what the graph means on a flat patch, worked out by hand.
+#include "editor/preview/node_pictures.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "graph/read.h"
+#include "headless.h"
+
+namespace wrinkle::editor {
+namespace {
+
+NodePictures pictures_of(const std::string& nodes, const std::filesystem::path& folder = ".") {
+    Diagnostics problems;
+    NodePictureJob job;
+    job.version = 7;
+    job.document = read_document(R"({ "wrinkle": 1, "nodes": {)" + nodes + R"(}, "outputs": {} })",
+                                 "graph.json", problems);
+    job.model = make_model(job.document, folder, built_in_registry());
+    return NodePainter(built_in_registry()).draw(job);
+}
+
+struct Texel {
+    int r = -1, g = -1, b = -1, a = -1;
+};
+
+Texel texel_of(const NodePictures& pictures, const std::string& node, uint32_t x, uint32_t y) {
+    const auto place = pictures.places.find(node);
+    if (place == pictures.places.end()) return {};
+    const size_t at =
+        4 * ((size_t{place->second} * NodePictures::height + y) * NodePictures::width + x);
+    if (at + 4 > pictures.texels.size()) return {};
+    const uint8_t* t = pictures.texels.data() + at;
+    return {t[0], t[1], t[2], t[3]};
+}
+
+void expect_texel(Texel texel, int r, int g, int b) {
+    EXPECT_NEAR(texel.r, r, 1);
+    EXPECT_NEAR(texel.g, g, 1);
+    EXPECT_NEAR(texel.b, b, 1);
+    EXPECT_EQ(texel.a, 255);
+}
+
+constexpr const char* ramp = R"(
+"split": { "type": "separate_vec2", "in": { "vector": { "from": "surface.uv0" } } },
+"half": { "type": "multiply", "in": { "a": { "from": "split.x" }, "b": 0.5 } },
+"hill": { "type": "height_scale", "in": { "height": { "from": "half.result" } } },
+"bump": { "type": "gradient_from_height", "in": { "height": { "from": "hill.height" } } },
+"normal": { "type": "resolve", "in": { "gradient": { "from": "bump.gradient" } } })";
+
+TEST(NodePictures, AHeightIsGrayOverItsRange) {
+    const NodePictures pictures = pictures_of(ramp);
+    EXPECT_EQ(pictures.version, 7U);
+    expect_texel(texel_of(pictures, "hill", 0, 20), 0, 0, 0);
+    expect_texel(texel_of(pictures, "hill", NodePictures::width - 1, 20), 255, 255, 255);
+    const int middle = static_cast<int>(std::lround(64.0 / 127 * 255));
+    expect_texel(texel_of(pictures, "half", 64, 3), middle, middle, middle);
+}
+
+TEST(NodePictures, ASlopeIsTheColourOfItsNormal) {
+    // h = u / 2 over a patch on which u is x: the normal is (-1, 0, 2) / sqrt 5.
+    const NodePictures pictures = pictures_of(ramp);
+    const auto shown = [](double v) { return static_cast<int>(std::lround(127.5 + 127.5 * v)); };
+    const int r = shown(-1 / std::sqrt(5.0)), b = shown(2 / std::sqrt(5.0));
+    for (const char* node : {"bump", "normal"})
+        expect_texel(texel_of(pictures, node, 50, 40), r, shown(0), b);
+}
+
+TEST(NodePictures, EveryNodeThatMakesSomethingHasOne) {
+    const NodePictures pictures = pictures_of(ramp);
+    EXPECT_EQ(pictures.places.size(), 5U);
+    EXPECT_EQ(pictures.texels.size(), 5U * 4 * NodePictures::width * NodePictures::height);
+}
+
+TEST(NodePictures, WhatIsNotFiniteIsMagenta) {
+    const NodePictures pictures = pictures_of(std::string(ramp) + R"(,
+"large": { "type": "multiply", "in": { "a": { "from": "split.x" }, "b": 3e38 } },
+"infinite": { "type": "multiply", "in": { "a": { "from": "large.result" }, "b": 3e38 } })");
+    expect_texel(texel_of(pictures, "infinite", 5, 5), 255, 0, 255);
+}
+
+TEST(NodePictures, ABrokenGraphHasNone) {
+    EXPECT_TRUE(pictures_of(R"("a": { "type": "no_such_node" })").places.empty());
+    EXPECT_TRUE(pictures_of("").places.empty());
+    EXPECT_TRUE(pictures_of(R"(
+"a": { "type": "sine", "in": { "angle": { "from": "b.result" } } },
+"b": { "type": "sine", "in": { "angle": { "from": "a.result" } } })")
+                    .places.empty());
+}
+
+TEST_F(Headless, ThePictureOfAMapIsTheMap) {
+    const std::string name = texture("rivets_normal.png");
+    const NodePictures pictures = pictures_of(
+        R"("map": { "type": "image", "in": { "image": ")" + name + R"(" } })", folder.path());
+    ASSERT_TRUE(pictures.places.contains("map"));
+    size_t other = 0;
+    const Texel first = texel_of(pictures, "map", 0, 0);
+    for (uint32_t x = 0; x < NodePictures::width; ++x)
+        other += texel_of(pictures, "map", x, 32).r != first.r;
+    EXPECT_GT(other, 10U);
+}
+
+}  // namespace
+}  // namespace wrinkle::editor
