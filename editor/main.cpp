@@ -64,6 +64,7 @@ bool write_timings(const State& state, const std::string& file) {
 }
 
 int run(const Arguments& arguments) {
+    Timings timings;  // from here on
     std::optional<Script> script;
     std::string why;
     if (!arguments.script.empty()) {
@@ -95,7 +96,6 @@ int run(const Arguments& arguments) {
     state.thumbnails.use_gl();
     begin(state, arguments);
     if (!trouble.empty()) state.status = trouble;
-    Timings timings;
     if (!arguments.timings.empty()) state.timings = &timings;
     const bool good = window->run(state, script ? &*script : nullptr, arguments.shot, why);
     if (!good) return complain(why, 1);  // what was not saved stays in the recovery file

@@ -52,6 +52,8 @@ void Timings::frame_ends(uint64_t shown) {
     const Clock::time_point now = Clock::now();
     Section& section = sections_.back();
     section.frames.push_back(milliseconds(now - frame_));
+    if (first_frame_ == 0) first_frame_ = milliseconds(now - start_);
+    if (first_picture_ == 0 && shown > 0) first_picture_ = milliseconds(now - start_);
     std::erase_if(pending_, [&](const Pending& edit) {
         if (edit.picture == 0 || edit.picture > shown) return false;
         (edit.compile != 0 ? section.structure : section.values)
@@ -61,7 +63,8 @@ void Timings::frame_ends(uint64_t shown) {
 }
 
 std::string Timings::to_json(uint64_t builds, uint64_t programs) const {
-    std::string text = "[\n";
+    std::string text = "{\"first_frame_ms\": " + number(first_frame_) +
+                       ", \"first_picture_ms\": " + number(first_picture_) + ", \"sections\": [\n";
     for (size_t i = 0; i < sections_.size(); ++i) {
         const Section& s = sections_[i];
         const bool last = i + 1 == sections_.size();
@@ -81,7 +84,7 @@ std::string Timings::to_json(uint64_t builds, uint64_t programs) const {
                 std::to_string((last ? programs : sections_[i + 1].programs) - s.programs) + "}" +
                 (last ? "\n" : ",\n");
     }
-    return text + "]\n";
+    return text + "]}\n";
 }
 
 }  // namespace wrinkle::editor

@@ -1,5 +1,5 @@
-// How long the window took, for whoever asks (`wrinkle-editor --timings FILE`): frames, and the way
-// from an edit to the first frame that shows its pixels. Milliseconds.
+// How long the window took, for whoever asks (`wrinkle-editor --timings FILE`): the start, frames,
+// and the way from an edit to the first frame that shows its pixels. Milliseconds.
 //
 // An edit counts from the frame that sees its new document to the end of the frame that shows the
 // picture made of it. A script's `section NAME` begins a new part.
@@ -38,7 +38,8 @@ private:
         Clock::time_point since;
         uint64_t compile = 0, picture = 0;  // 0: not known yet, none
     };
-    Clock::time_point frame_ = Clock::now();
+    Clock::time_point start_ = Clock::now(), frame_ = start_;
+    double first_frame_ = 0, first_picture_ = 0;  // their ends
     std::vector<Section> sections_{1};
     std::vector<Pending> pending_;
 };

@@ -12,6 +12,7 @@
 
 #include "editor/commands/commands.h"
 #include "editor/document/files.h"
+#include "editor/document/refresh.h"
 #include "editor/look/theme.h"
 #include "editor/panels/ui.h"
 #include "gpu/context.h"
@@ -239,7 +240,8 @@ bool Window::listen(State& state, bool playing) {
         glfwWaitEventsTimeout(state.help.waiting ? 0.1 : 0.5);
     if (state.help.waiting || state.thumbnails.waiting()) h.awake = std::max(h.awake, 1);
     if (tend(state)) h.awake = 3;
-    if (!h.queue.empty() || woken.exchange(false) || state.gesture.panning) h.awake = 3;
+    if (!h.queue.empty() || state.gesture.panning) h.awake = 3;
+    if (woken.exchange(false)) h.awake = std::max(h.awake, 1);  // one frame shows a result
     if (glfwWindowShouldClose(h.window)) {
         glfwSetWindowShouldClose(h.window, GLFW_FALSE);
         run_command(state, "quit");
@@ -256,7 +258,8 @@ bool Window::run(State& state, Script* script, const std::string& shot, std::str
                                 [&h] { h.lost = true; }};
     const bool playing = script || !shot.empty();
     for (int frames = 1; !state.quit; ++frames) {
-        if (!listen(state, playing)) continue;
+        // A script that waits for a picture sleeps like a hand that does.
+        if (!listen(state, playing && (!script || is_settled(state)))) continue;
         if (state.timings) state.timings->frame_begins();
         draw_frame(state);
         const auto progress =

@@ -2,7 +2,8 @@
 // place. Results come out one at a time, the newest only.
 //
 // Work and finish run on the thread, finish once before it ends. wake is called there after each
-// result; it may do no more than tell another thread to look.
+// result; it may do no more than tell another thread to look. Where there are fewer cores than
+// threads the one that draws the interface goes first.
 #pragma once
 
 #include <condition_variable>
@@ -13,6 +14,9 @@
 #include <utility>
 
 namespace wrinkle::editor {
+
+// Makes the calling thread give way to those that have not called this; on Linux alone.
+void yield_to_interface();
 
 template <class Job, class Result>
 class Worker {
@@ -61,6 +65,7 @@ public:
 
 private:
     void run() {
+        yield_to_interface();
         std::unique_lock lock(mutex_);
         while (true) {
             changed_.wait(lock, [this] { return stopping_ || job_; });

@@ -98,11 +98,8 @@ std::string chain(int count) {
            places + " } }\n";
 }
 
-// Cuts the chain at its end and mends it, drags a number where its field is large enough to be
-// seen, shows a node and the outputs again.
-std::string measured_script(bool near) {
-    const char* const drag = near ? "drag field:depth.b field:depth.b+40,0" : "wait";
-    return R"(
+// Cuts the chain at its end and mends it, drags a number, shows a node and the outputs again.
+const char* const measured_script = R"(
 click node:depth
 key F
 section cut
@@ -111,8 +108,7 @@ section undo
 key Escape
 key Ctrl+Z
 section drag
-)" + std::string(drag) +
-           R"(
+drag field:depth.b field:depth.b+40,0
 section node
 click node:depth
 key P
@@ -121,26 +117,24 @@ key P
 section rest
 assert picture
 )";
-}
 
-TEST(Window, FiguresOfThePreview) {
+TEST(Window, ADragOfAValueBuildsNoTextAndNoProgram) {
     const VirtualScreen screen;
     if (!screen.is_there()) GTEST_SKIP() << "there is no Xvfb here";
-    for (const int count : {20, 50, 200}) {
-        const TemporaryFolder folder;
-        const auto graph = folder.write("graph.json", chain(count));
-        const auto script = folder.write("script.txt", measured_script(count < 200));
-        const auto figures = folder.path() / "figures.json";
-        ASSERT_EQ(run(screen.variable(), graph.string() + " --size 1280 720 --script " +
-                                             script.string() + " --timings " + figures.string()),
-                  0);
-        const std::string text = text_of(figures);
-        std::printf("%d nodes: %s", count, text.c_str());
-        const std::string drag =
-            text.substr(text.find("\"drag\""), text.find("\"node\"") - text.find("\"drag\""));
-        EXPECT_NE(drag.find("\"programs\": 0"), std::string::npos) << drag;
-        EXPECT_NE(text.find("\"longest_frame_ms\""), std::string::npos);
-    }
+    const TemporaryFolder folder;
+    const auto graph = folder.write("graph.json", chain(20));
+    const auto script = folder.write("script.txt", measured_script);
+    const auto figures = folder.path() / "figures.json";
+    ASSERT_EQ(run(screen.variable(), graph.string() + " --size 1280 720 --script " +
+                                         script.string() + " --timings " + figures.string()),
+              0);
+    const std::string text = text_of(figures);
+    const auto part = [&](const char* from, const char* to) {
+        return text.substr(text.find(from), text.find(to) - text.find(from));
+    };
+    const std::string drag = part("\"drag\"", "\"node\""), cut = part("\"cut\"", "\"undo\"");
+    EXPECT_NE(drag.find("\"programs\": 0"), std::string::npos) << drag;
+    EXPECT_NE(cut.find("\"programs\": 1"), std::string::npos) << cut;
 }
 
 // The texels of the preview, above the line that says how long it took.

@@ -1,0 +1,16 @@
+#include "editor/worker.h"
+
+#ifdef __linux__
+#include <sys/resource.h>
+#endif
+
+namespace wrinkle::editor {
+
+void yield_to_interface() {
+#ifdef __linux__
+    constexpr int steps = 10;  // of niceness; 0 stands for the calling thread
+    setpriority(PRIO_PROCESS, 0, getpriority(PRIO_PROCESS, 0) + steps);
+#endif
+}
+
+}  // namespace wrinkle::editor
