@@ -88,7 +88,7 @@ void draw_header(const Painter& p, size_t index, ImVec2 low, ImVec2 high) {
     if (const Pin* pin = main_pin(card)) {
         draw_pin(p.list, pin->type, low + ImVec2(16, 14) * z, 5.5F * z,
                  pin->known ? theme::of(pin->type) : theme::text_off, true, theme::header);
-        left = 29;
+        left = name_left;
     }
     p.text(low + ImVec2(left, 6) * z, bold, card.muted ? theme::text_off : theme::text, card.name);
     if (card.muted)

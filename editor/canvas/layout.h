@@ -9,6 +9,7 @@ namespace wrinkle::editor {
 
 inline constexpr float detail_zoom = 0.6F;  // below it a card shows no fields
 inline constexpr float plain_zoom = 0.35F;  // below it a card is a rectangle
+inline constexpr float name_left = 29;      // of a card with a pin in its header
 inline constexpr float header_height = 28, row_height = 24, field_height = 21, field_inset = 12;
 // A pin at either end, the shape in the middle.
 inline constexpr float reroute_width = 32, reroute_height = 16;

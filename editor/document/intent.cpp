@@ -1,6 +1,7 @@
 #include "editor/document/intent.h"
 
 #include "editor/document/files.h"
+#include "editor/document/levels.h"
 #include "editor/document/recovery.h"
 
 namespace wrinkle::editor {
@@ -21,7 +22,14 @@ bool same_file(const fs::path& a, const fs::path& b) {
 void done(State& state) {
     const Intent then = state.question.then;
     state.question = {};
-    carry_out(state, then);
+    save_and_carry_out(state, then);
+}
+
+// What was not saved is asked about again, unless another question came first.
+void ask_again(State& state, const Intent& then) {
+    if (!state.question.open())
+        state.question = {.kind = Question::Kind::unsaved, .trouble = state.status};
+    state.question.then = then;
 }
 
 void answer_open(State& state) {
@@ -79,21 +87,31 @@ void carry_out(State& state, const Intent& intent) {
         case Intent::Kind::recover:
             state.question = {.kind = Question::Kind::recover, .file = intent.file};
             return;
+        case Intent::Kind::leave:
+            return come_back(state, intent.depth);
     }
 }
 
 void intend(State& state, const Intent& intent) {
-    if (!state.dirty()) return carry_out(state, intent);
+    if (unsaved(state, intent).empty()) return carry_out(state, intent);
     state.question = {.kind = Question::Kind::unsaved, .then = intent};
 }
 
 void answer_save(State& state) {
-    const Question asked = state.question;
-    if (save_file(state)) return done(state);
-    if (state.question.kind == asked.kind)
-        state.question.trouble = state.status;
-    else
-        state.question.then = asked.then;  // another question came first
+    const Intent then = state.question.then;
+    state.question = {};
+    if (state.dirty() && !save_file(state)) return ask_again(state, then);
+    save_and_carry_out(state, then);
+}
+
+void save_and_carry_out(State& state, const Intent& intent) {
+    while (!unsaved(state, intent).empty()) {
+        if (!state.dirty())
+            come_back(state, state.outer.size() - 1);
+        else if (!save_file(state))
+            return ask_again(state, intent);
+    }
+    carry_out(state, intent);
 }
 
 void answer_path(State& state) {

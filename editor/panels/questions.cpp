@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "editor/document/files.h"
+#include "editor/document/levels.h"
 #include "editor/look/theme.h"
 #include "editor/panels/panels.h"
 
@@ -40,7 +41,7 @@ void take_theirs(State& state) {
     const Intent then = state.question.then;
     state.question = {};
     load_theirs(state);
-    carry_out(state, then);
+    save_and_carry_out(state, then);
 }
 
 // When it stood in the way of saving, it is saved now.
@@ -51,6 +52,14 @@ void take_mine(State& state) {
 }
 
 constexpr Answer cancelled{"Cancel", "answer:cancel", cancel};
+
+// "a.json, b.json and c.json"
+std::string listed(const std::vector<std::string>& names) {
+    std::string text;
+    for (size_t i = 0; i < names.size(); ++i)
+        text += (i == 0 ? "" : i + 1 < names.size() ? ", " : " and ") + names[i];
+    return text;
+}
 
 // Of what a program that died left behind.
 Sheet recovery_sheet(const State& state) {
@@ -80,8 +89,10 @@ Sheet sheet_of(const State& state) {
         case Question::Kind::none:
             break;
         case Question::Kind::unsaved:
-            return {"Save changes to " + file + "?",
-                    "",
+            return {"Save changes to " + listed(unsaved(state, question.then)) + "?",
+                    question.then.kind == Intent::Kind::leave
+                        ? "The graph around it shows what is saved."
+                        : "",
                     false,
                     {{"Save", "answer:save", answer_save},
                      {"Discard", "answer:discard", discard},
