@@ -139,7 +139,7 @@ void CardMaker::fill_ports() {
         if (field) add_field(i, port, y + 1.5F);
         y += row_height;
     }
-    card.size.y = y + 8;
+    card.size.y = y + cost_height;
 }
 
 void CardMaker::fill_reroute() {

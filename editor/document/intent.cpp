@@ -14,11 +14,6 @@ fs::path typed_path(const State& state) {
     return typed.is_absolute() ? typed : state.folder() / typed;
 }
 
-bool same_file(const fs::path& a, const fs::path& b) {
-    std::error_code ignored;
-    return fs::equivalent(a, b, ignored);
-}
-
 void done(State& state) {
     const Intent then = state.question.then;
     state.question = {};
@@ -55,7 +50,7 @@ void answer_save_as(State& state) {
     fs::path path = typed_path(state);
     if (path.extension().empty()) path += ".json";
     std::error_code error;
-    const bool there = fs::exists(path, error), itself = there && same_file(path, state.path);
+    const bool there = fs::exists(path, error), itself = there && is_same_file(path, state.path);
     if (fs::is_directory(path, error)) {
         state.question.trouble = path.string() + " is a folder.";
     } else if (itself && !state.save_refused.empty()) {

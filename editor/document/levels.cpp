@@ -18,11 +18,6 @@ void exchange(State& state, Level& level) {
     std::swap(state.view, level.view);
 }
 
-bool is_same_file(const fs::path& a, const fs::path& b) {
-    std::error_code ignored;
-    return fs::equivalent(a, b, ignored);
-}
-
 // "strap.json > weave.json > strap.json"
 std::string circle(const State& state, size_t from) {
     const std::vector<std::string> files = open_files(state);
@@ -47,6 +42,11 @@ std::string why_not_opened(const State& state, const Node& node, const fs::path&
 
 }  // namespace
 
+bool is_same_file(const fs::path& a, const fs::path& b) {
+    std::error_code ignored;
+    return fs::equivalent(a, b, ignored);
+}
+
 const Node* selected_group(const State& state) {
     const Node* node = state.view.selected.size() == 1
                            ? state.document().find(*state.view.selected.begin())
@@ -68,7 +68,7 @@ void open_group(State& state) {
     }
     dive(state, file);
     look_for_recoverable(state);
-    if (!state.path.empty()) offer_recovery(state);
+    offer_recovery(state);
 }
 
 void dive(State& state, const fs::path& file) {

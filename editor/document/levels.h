@@ -29,6 +29,9 @@ void close_outer(State& state);
 // The files with unsaved edits that the intent would put away, the innermost first.
 std::vector<std::string> unsaved(const State& state, const Intent& intent);
 
+// Of two paths that both lead somewhere.
+bool is_same_file(const std::filesystem::path& a, const std::filesystem::path& b);
+
 // The names of the open files from the outermost to the one on the canvas.
 std::vector<std::string> open_files(const State& state);
 

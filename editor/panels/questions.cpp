@@ -7,6 +7,7 @@
 
 #include "editor/document/files.h"
 #include "editor/document/levels.h"
+#include "editor/document/words.h"
 #include "editor/look/theme.h"
 #include "editor/panels/panels.h"
 
@@ -52,14 +53,6 @@ void take_mine(State& state) {
 }
 
 constexpr Answer cancelled{"Cancel", "answer:cancel", cancel};
-
-// "a.json, b.json and c.json"
-std::string listed(const std::vector<std::string>& names) {
-    std::string text;
-    for (size_t i = 0; i < names.size(); ++i)
-        text += (i == 0 ? "" : i + 1 < names.size() ? ", " : " and ") + names[i];
-    return text;
-}
 
 // Of what a program that died left behind.
 Sheet recovery_sheet(const State& state) {

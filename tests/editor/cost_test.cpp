@@ -1,6 +1,12 @@
 // What the material costs, per card.
 #include "editor/document/cost.h"
 
+#include <cmath>
+
+#include "editor/canvas/canvas.h"
+#include "editor/canvas/painter.h"
+#include "editor/look/heat.h"
+#include "graph/edit.h"
 #include "graph/read.h"
 #include "headless.h"
 
@@ -77,6 +83,89 @@ TEST_F(Headless, CostsAreThoseOfTheText) {
             << name;
     }
     EXPECT_GT(compared, 4U);
+}
+
+// Vertices of that colour that are drawn in the card's last row, or in its header.
+size_t drawn(const State& state, std::string_view node, ImU32 color, bool header = false) {
+    ImDrawList list(ImGui::GetDrawListSharedData());
+    list._ResetForNewFrame();
+    list.PushClipRectFullScreen();
+    list.PushTextureID(ImGui::GetIO().Fonts->TexID);
+    draw_graph(state, list);
+    const Card& card = *state.layout.find(node);
+    const float y = header ? 0 : card.size.y - cost_height;
+    const ImVec2 low = to_screen(state.view, card.at + ImVec2(4, y + 2));
+    const ImVec2 high = to_screen(
+        state.view, card.at + ImVec2(card.size.x - 4, y + (header ? header_height : cost_height)));
+    size_t count = 0;
+    for (const ImDrawVert& vertex : list.VtxBuffer)
+        count += vertex.col == color && vertex.pos.x > low.x && vertex.pos.x < high.x &&
+                 vertex.pos.y > low.y && vertex.pos.y < high.y;
+    return count;
+}
+
+TEST_F(Headless, TheCardSaysItsCostAndTheHeatViewTintsIt) {
+    open(small_graph);
+    state.view.zoom = 1;
+    frame();
+    const size_t letters = drawn(state, "noise", theme::text_dim);
+    EXPECT_GE(letters, 4 * std::string("123ops").size());
+    const HeatColor hottest = heat_color(1), coldest = heat_color(0);
+    EXPECT_EQ(drawn(state, "noise", hottest.ground), 0U);
+    play("key H");
+    EXPECT_GT(drawn(state, "noise", hottest.ground), 0U);
+    EXPECT_GT(drawn(state, "noise", hottest.text), 0U);
+    EXPECT_GT(drawn(state, "number", coldest.ground), 0U);
+    play("key H");
+    EXPECT_EQ(drawn(state, "noise", hottest.ground), 0U);
+    state.built.costs.reset();
+    EXPECT_EQ(drawn(state, "noise", theme::text_dim), 0U);
+}
+
+// The scale is even: it gets lighter from stop to stop, and its text reads on it.
+TEST(Heat, GetsLighterAndItsTextReads) {
+    const auto light = [](ImU32 color) {
+        double sum = 0;
+        const double weights[] = {0.2126, 0.7152, 0.0722};
+        for (int i = 0; i < 3; ++i) {
+            const double c = (color >> 8 * i & 255) / 255.0;
+            sum += weights[i] * (c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4));
+        }
+        return sum;
+    };
+    double before = -1;
+    for (int i = 0; i <= 90; ++i) {
+        const HeatColor heat = heat_color(static_cast<float>(i) / 90);
+        const double ground = light(heat.ground), text = light(heat.text);
+        EXPECT_GT(ground, before);
+        before = ground;
+        EXPECT_GE((std::max(ground, text) + 0.05) / (std::min(ground, text) + 0.05), 4.5) << i;
+    }
+}
+
+TEST_F(Headless, ThePreviewedNodeShowsAnEye) {
+    open(small_graph);
+    state.view.zoom = 1;
+    EXPECT_EQ(drawn(state, "softer", theme::accent, true), 0U);
+    state.view.selected = {"softer"};
+    play("key P");
+    state.view.selected.clear();
+    EXPECT_GT(drawn(state, "softer", theme::accent, true), 10U);
+    EXPECT_EQ(drawn(state, "noise", theme::accent, true), 0U);
+    play("key P");
+    EXPECT_EQ(drawn(state, "softer", theme::accent, true), 0U);
+}
+
+TEST_F(Headless, ARenamedNodeKeepsItsCost) {
+    open(small_graph);
+    const Cost before = cost_of(state, "noise");
+    state.commit("Rename", rename_node(state.document(), "noise", "sound"));
+    frame();
+    ImDrawList list(ImGui::GetDrawListSharedData());
+    const Painter painter(state, list);
+    const Cost* cost = painter.cost(*state.layout.find("sound"));
+    ASSERT_TRUE(cost);
+    EXPECT_EQ(*cost, before);
 }
 
 TEST_F(Headless, ASubGraphCostsWhatItsNodesDo) {
