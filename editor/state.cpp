@@ -13,13 +13,21 @@ const Card* Layout::find(std::string_view id, Card::Kind kind) const {
     return nullptr;
 }
 
-fs::path State::folder() const {
+fs::path folder_of(const fs::path& path) {
     const fs::path parent = path.parent_path();
     return parent.empty() ? fs::path(".") : parent;
 }
 
-std::string State::file_name() const {
+fs::path State::folder() const {
+    return folder_of(path);
+}
+
+std::string file_name_of(const fs::path& path) {
     return path.empty() ? "untitled.json" : path.filename().string();
+}
+
+std::string State::file_name() const {
+    return file_name_of(path);
 }
 
 std::string State::title() const {

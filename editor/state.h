@@ -16,6 +16,7 @@
 #include "editor/document/history.h"
 #include "editor/document/intent.h"
 #include "editor/document/keeping.h"
+#include "editor/document/level.h"
 #include "editor/document/model.h"
 #include "editor/drop/dropped.h"
 #include "editor/input/targets.h"
@@ -29,6 +30,10 @@
 
 namespace wrinkle::editor {
 
+// "strap.json"; "untitled.json" where there is no file yet.
+std::string file_name_of(const std::filesystem::path& path);
+std::filesystem::path folder_of(const std::filesystem::path& path);
+
 struct Counters {
     uint64_t builds = 0;    // texts generated
     uint64_t uniforms = 0;  // values sent to the running material
@@ -41,7 +46,7 @@ struct State {
     Look look;
     History history;
     std::filesystem::path path;
-    std::vector<std::filesystem::path> outer;  // the graphs that this one was opened from
+    std::vector<Level> outer;  // the graphs that this one was opened from, the outermost first
     static constexpr uint64_t never_saved = ~uint64_t{0};
     uint64_t saved_serial = 0;
     std::string save_refused;  // why this file is not written: what reading it would lose
@@ -87,7 +92,7 @@ struct State {
     bool dirty() const { return history.serial() != saved_serial; }
     std::filesystem::path folder() const;
     std::string title() const;      // of the window
-    std::string file_name() const;  // "strap.json"; "untitled.json" where there is no file yet
+    std::string file_name() const;  // of `path`, by file_name_of()
     const NodeType* type_of(std::string_view node) const { return model.type_of(node); }
 
     // One step of history; says so in the status.

@@ -26,7 +26,15 @@ struct View {
     // Where the cards at the borders stand, once they have been put somewhere; canvas units.
     std::optional<ImVec2> surface_at, outputs_at;
     std::optional<Link> selected_wire;  // by its reading end; node "" is an output of the graph
+    // A step of the history that pushed the outputs' card aside: from where to where.
+    struct Push {
+        uint64_t serial = 0;  // of the state after it
+        ImVec2 from{0, 0}, to{0, 0};
+    };
+    std::vector<Push> pushes;
     bool all_surface = false, all_outputs = false;
+    bool tracing = false;  // what is not on a way through the selection fades
+    bool heat = false;     // costs are tinted
     PreviewView preview_view;
     CompareView compare;
     // `against` counts while something is compared.

@@ -6,7 +6,7 @@
 #include "editor/canvas/gestures/gestures.h"
 #include "editor/canvas/layout.h"
 #include "editor/document/edits.h"
-#include "editor/document/group.h"
+#include "editor/document/levels.h"
 #include "editor/document/refresh.h"
 #include "editor/look/draw.h"
 
@@ -23,6 +23,12 @@ void toggle_more(State& state, const Card& card) {
     state.layout_stale = true;
 }
 
+// A name is renamed where it stands; the rest of a sub-graph's card opens it.
+bool is_on_name(const State& state, const Card& card) {
+    const ImVec2 at = to_canvas(state.view, ImGui::GetIO().MousePos) - card.at;
+    return at.y < header_height && at.x < name_left + card.name_width + 4;
+}
+
 void double_click(State& state, const Hit& hit) {
     if (hit.kind == Hit::Kind::wire) {
         reroute_wire(state, hit.part, to_canvas(state.view, ImGui::GetIO().MousePos));
@@ -32,10 +38,13 @@ void double_click(State& state, const Hit& hit) {
         edit_box_text(state, all_boxes(state.document())[hit.part]);
         return;
     }
-    if (hit.kind == Hit::Kind::card) {
-        const Node* node = state.document().find(state.layout.cards[hit.card].id);
-        if (node && node->subgraph()) open_group(state);
-        return;
+    if (hit.kind == Hit::Kind::card || hit.kind == Hit::Kind::header) {
+        const Card& card = state.layout.cards[hit.card];
+        const Node* node = state.document().find(card.id);
+        if (node && node->subgraph() && !is_on_name(state, card)) {
+            state.view.selected = {card.id};
+            return open_group(state);
+        }
     }
     if (hit.kind == Hit::Kind::header) {
         const Card& card = state.layout.cards[hit.card];

@@ -3,6 +3,8 @@
 
 #include "editor/canvas/canvas.h"
 #include "editor/canvas/painter.h"
+#include "editor/look/heat.h"
+#include "editor/look/icons.h"
 
 namespace wrinkle::editor {
 namespace {
@@ -88,8 +90,9 @@ void draw_header(const Painter& p, size_t index, ImVec2 low, ImVec2 high) {
     if (const Pin* pin = main_pin(card)) {
         draw_pin(p.list, pin->type, low + ImVec2(16, 14) * z, 5.5F * z,
                  pin->known ? theme::of(pin->type) : theme::text_off, true, theme::header);
-        left = 29;
+        left = name_left;
     }
+    const bool previewed = card.kind == Card::Kind::node && p.view.preview_request.node == card.id;
     p.text(low + ImVec2(left, 6) * z, bold, card.muted ? theme::text_off : theme::text, card.name);
     if (card.muted)
         p.list.AddLine(low + ImVec2(left, 14) * z, low + ImVec2(left + card.name_width, 14) * z,
@@ -101,9 +104,34 @@ void draw_header(const Painter& p, size_t index, ImVec2 low, ImVec2 high) {
         if (p.state.hovered.card == index && p.state.hovered.kind == Hit::Kind::header &&
             std::max(std::fabs(off.x), std::fabs(off.y)) < 12)
             explain(p, *problem);
+    } else if (previewed) {
+        draw_icon(p.list, "preview-node", {high.x - 15 * z, low.y + 14 * z}, theme::accent);
     } else {
         p.text({high.x - 10 * z, low.y + 7 * z}, small_right, theme::text_dim, card.title);
     }
+}
+
+ImU32 plain_color(const Painter& p, const Card& card) {
+    const Cost* cost = p.view.heat ? p.cost(card) : nullptr;
+    return cost ? heat_color(p.heat(*cost)).ground : theme::header;
+}
+
+// The last row: what the node costs, while the graph compiles.
+void draw_cost(const Painter& p, const Card& card, ImVec2 high) {
+    const Cost* cost = p.cost(card);
+    if (!cost) return;
+    const std::string words = in_words(*cost);
+    const float z = p.zoom;
+    const ImVec2 end = high - ImVec2(10, 17) * z;
+    ImU32 color = theme::text_dim;
+    if (p.view.heat) {
+        const float width = magnified_width(p.state.fonts, small, words);
+        const HeatColor heat = heat_color(p.heat(*cost));
+        p.list.AddRectFilled(end - ImVec2(width + 6, 1) * z, end + ImVec2(5, 15) * z, heat.ground,
+                             4 * z);
+        color = heat.text;
+    }
+    p.text(end, small_right, color, words);
 }
 
 // Far away: a rectangle, what is wrong with it, and whether it is selected.
@@ -111,7 +139,7 @@ void draw_plain(const Painter& p, size_t index, ImVec2 low, ImVec2 high, bool se
     p.list.AddRectFilled(low, high, selected ? theme::accent : theme::line);
     const ImVec2 edge(selected ? 2.0F : 1.0F, selected ? 2.0F : 1.0F);
     if (high.x - low.x > 2 * edge.x + 1 && high.y - low.y > 2 * edge.y + 1)
-        p.list.AddRectFilled(low + edge, high - edge, theme::header);
+        p.list.AddRectFilled(low + edge, high - edge, plain_color(p, p.state.layout.cards[index]));
     if (const Diagnostic* problem = p.trouble(index).worst)
         draw_badge(p, {high.x - 5, low.y + 5}, 8, *problem);
 }
@@ -159,6 +187,7 @@ void draw_body(const Painter& p, size_t index, ImVec2 low, ImVec2 high, bool hov
             draw_field(p, card, card.fields[i],
                        hovered && hit.kind == Hit::Kind::field && hit.part == i,
                        faulty ? p.fault(card, card.fields[i].port) : nullptr);
+    if (p.details || p.view.heat) draw_cost(p, card, high);
     if (!card.muted) return;
     p.list.AddRectFilled(under + ImVec2(1, 0), high - ImVec2(1, 1),
                          theme::with_alpha(theme::node, 0.55F), 5 * p.zoom,

@@ -64,7 +64,11 @@ void draw_graph(const State& state, ImDrawList& list) {
     draw_boxes(p);
     draw_wires(p);
     for (size_t i = 0; i < state.layout.cards.size(); ++i)
-        if (p.sees(state.layout.card_boxes[i])) draw_card(p, i);
+        if (p.sees(state.layout.card_boxes[i])) {
+            const int first = list.VtxBuffer.Size;
+            draw_card(p, i);
+            if (p.fades(i)) fade(list, first);
+        }
     draw_ghost(p);
     draw_box(p);
     draw_hint(p);

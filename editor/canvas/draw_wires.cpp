@@ -103,8 +103,12 @@ void draw_wire(const Painter& p, size_t index) {
 
 void draw_wires(const Painter& p) {
     const auto& boxes = p.state.layout.wire_boxes;
-    for (size_t i = 0; i < boxes.size(); ++i)
-        if (p.sees(boxes[i])) draw_wire(p, i);
+    for (size_t i = 0; i < boxes.size(); ++i) {
+        if (!p.sees(boxes[i])) continue;
+        const int first = p.list.VtxBuffer.Size;
+        draw_wire(p, i);
+        if (p.fades_wire(i)) fade(p.list, first);
+    }
 }
 
 }  // namespace wrinkle::editor

@@ -235,15 +235,19 @@ void add_border_cards(State& state, Layout& layout, const Used& used) {
 Layout lay_out(State& state) {
     const Document& document = state.document();
     const Readers readers = find_readers(document);
-    const std::vector<ImVec2> places = places_of(document);
     Layout layout;
     layout.fonts = state.fonts.generation();
     layout.cards.reserve(document.nodes.size() + 3);
     CardTaker taker(state, state.layout, readers);
+    std::vector<ImVec2> sizes;
+    sizes.reserve(document.nodes.size());
     for (size_t i = 0; i < document.nodes.size(); ++i) {
         layout.cards.push_back(taker.take(i));
-        layout.cards.back().at = places[i];
+        sizes.push_back(layout.cards.back().size);
     }
+    const std::vector<ImVec2> places = places_of(document, sizes);
+    for (size_t i = 0; i < places.size(); ++i)
+        layout.cards[i].at = places[i];
     layout.made = taker.made;
     layout.nodes = document.nodes;
     layout.readers = readers.key;
@@ -280,6 +284,18 @@ void drag_cards(const State& state, Layout& layout) {
 }
 
 }  // namespace
+
+std::vector<ImVec2> places_off_canvas(const State& state, const Document& document) {
+    std::vector<ImVec2> sizes;
+    if (document.positions.size() >= document.nodes.size())
+        return places_of(document, std::vector<ImVec2>(document.nodes.size(), ImVec2(0, 0)));
+    const Model model = make_model(document, state.folder(), *state.registry);
+    const Readers readers = find_readers(document);
+    for (size_t i = 0; i < document.nodes.size(); ++i)
+        sizes.push_back(
+            make_card(state.fonts, *document.nodes[i], model.types->of(0, i), readers.of(i)).size);
+    return places_of(document, sizes);
+}
 
 void update_layout(State& state) {
     const Document& now = state.document();

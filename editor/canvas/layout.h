@@ -9,7 +9,9 @@ namespace wrinkle::editor {
 
 inline constexpr float detail_zoom = 0.6F;  // below it a card shows no fields
 inline constexpr float plain_zoom = 0.35F;  // below it a card is a rectangle
+inline constexpr float name_left = 29;      // of a card with a pin in its header
 inline constexpr float header_height = 28, row_height = 24, field_height = 21, field_inset = 12;
+inline constexpr float cost_height = 20;  // of the last row; 8 without it
 // A pin at either end, the shape in the middle.
 inline constexpr float reroute_width = 32, reroute_height = 16;
 
@@ -17,8 +19,11 @@ inline constexpr float reroute_width = 32, reroute_height = 16;
 // its node, its type or its readers have changed; a drag moves what it has in its hand.
 void update_layout(State& state);
 
-// Where nodes stand by the document, and where those without a place go.
-std::vector<ImVec2> places_of(const Document& document);
+// Where nodes stand by the document, and where those without a place go: in columns by their
+// depth, below the cards that have one; `sizes` are those of the cards, by index.
+std::vector<ImVec2> places_of(const Document& document, const std::vector<ImVec2>& sizes);
+// The same of a document that is not on the canvas.
+std::vector<ImVec2> places_off_canvas(const State& state, const Document& document);
 
 // Where a pin is, in canvas units.
 ImVec2 pin_at(const Card& card, const Pin& pin);

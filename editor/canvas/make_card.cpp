@@ -67,7 +67,7 @@ bool shows_field(const Port& port) {
 
 float CardMaker::wanted_width() const {
     const float label = std::min(width(small, card.label), 80.0F);
-    float wanted = 29 + width(bold, card.id) + 16 + label + 10;
+    float wanted = name_left + width(bold, card.id) + 16 + label + 10;
     if (!card.type) return std::clamp(std::ceil(wanted / 8) * 8, 104.0F, 240.0F);
     for (const Port& port : card.type->ports) {
         float row = 40 + width(body, port.name);
@@ -139,7 +139,7 @@ void CardMaker::fill_ports() {
         if (field) add_field(i, port, y + 1.5F);
         y += row_height;
     }
-    card.size.y = y + 8;
+    card.size.y = y + cost_height;
 }
 
 void CardMaker::fill_reroute() {
@@ -174,7 +174,7 @@ void write_header(const Fonts& fonts, Card& card) {
     const bool output = card.kind == Card::Kind::outputs;
     const bool pinned = output || std::any_of(card.pins.begin(), card.pins.end(),
                                               [](const Pin& pin) { return pin.output; });
-    const float room = card.size.x - (pinned ? 29 : 10) - 10;
+    const float room = card.size.x - (pinned ? name_left : 10) - 10;
     card.name = magnified_fitting(fonts, bold, output ? "output" : card.id, room);
     card.name_width = magnified_width(fonts, bold, card.name);
     const float rest = room - card.name_width - 12;

@@ -1,5 +1,7 @@
 #include "editor/canvas/painter.h"
 
+#include <algorithm>
+
 namespace wrinkle::editor {
 
 Painter::Painter(const State& state, ImDrawList& list)
@@ -13,6 +15,8 @@ Painter::Painter(const State& state, ImDrawList& list)
       seen_{to_canvas(state.view, view.corner), to_canvas(state.view, view.corner + view.extent)} {
     find_selected();
     find_troubles();
+    if (view.tracing && !view.selected.empty()) find_related();
+    if (view.heat && state.built.costs) find_dearest();
 }
 
 void Painter::find_selected() {
@@ -35,6 +39,68 @@ void Painter::find_troubles() {
         Trouble& trouble = troubles_[static_cast<size_t>(card - state.layout.cards.data())];
         if (!trouble.worst || (!trouble.error() && problem.severity == Severity::error))
             trouble.worst = &problem;
+    }
+}
+
+// Cards on a way to the selection, and from it; a wire leads along one of them or along the other.
+void Painter::find_related() {
+    const Layout& layout = state.layout;
+    const size_t cards = layout.cards.size();
+    related_.assign(cards, false);
+    related_wires_.assign(layout.wires.size(), false);
+    std::vector<uint32_t> open;
+    for (const bool up : {true, false}) {
+        std::vector<std::vector<uint32_t>> wires_at(cards);
+        for (uint32_t i = 0; i < layout.wires.size(); ++i)
+            wires_at[up ? layout.wires[i].to_card : layout.wires[i].from_card].push_back(i);
+        std::vector<bool> reached(cards, false);
+        for (uint32_t i = 0; i < cards; ++i)
+            if (view.selected.contains(layout.cards[i].id)) reached[i] = true, open.push_back(i);
+        while (!open.empty()) {
+            const uint32_t card = open.back();
+            open.pop_back();
+            related_[card] = true;
+            for (const uint32_t i : wires_at[card]) {
+                related_wires_[i] = true;
+                const uint32_t next = up ? layout.wires[i].from_card : layout.wires[i].to_card;
+                if (!reached[next]) reached[next] = true, open.push_back(next);
+            }
+        }
+    }
+}
+
+void Painter::find_dearest() {
+    for (const Cost& cost : state.built.costs->nodes) {
+        dearest_.reads = std::max(dearest_.reads, cost.reads);
+        dearest_.ops = std::max(dearest_.ops, cost.ops);
+    }
+}
+
+// The costs are of the document that was compiled last; a node renamed since stands where it did.
+const Cost* Painter::cost(const Card& card) const {
+    const bool of_another = state.follow.came < state.follow.first;
+    if (of_another || !state.built.costs || card.kind != Card::Kind::node || card.reroute)
+        return nullptr;
+    const Table<NodePtr>& before = state.follow.built_of.nodes;
+    const Table<NodePtr>& now = state.document().nodes;
+    size_t index = before.index_of(card.id);
+    if (index == before.npos && before.size() == now.size()) index = now.index_of(card.id);
+    const std::vector<Cost>& costs = state.built.costs->nodes;
+    return index < costs.size() ? &costs[index] : nullptr;
+}
+
+float Painter::heat(const Cost& cost) const {
+    const auto part = [](uint32_t of, uint32_t whole) {
+        return whole == 0 ? 0.0F : static_cast<float>(of) / static_cast<float>(whole);
+    };
+    return std::max(part(cost.reads, dearest_.reads), part(cost.ops, dearest_.ops));
+}
+
+void fade(ImDrawList& list, int first) {
+    for (int i = first; i < list.VtxBuffer.Size; ++i) {
+        ImU32& color = list.VtxBuffer[i].col;
+        const auto alpha = static_cast<float>(color >> IM_COL32_A_SHIFT);
+        color = theme::with_alpha(color, alpha * 0.35F / 255);
     }
 }
 

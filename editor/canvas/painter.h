@@ -39,17 +39,30 @@ public:
     // What is wrong at a port of a card that has troubles.
     const Diagnostic* fault(const Card& card, std::string_view port) const;
     bool is_primary(const Card& card) const { return &card == primary_; }
+    // While tracing: on no way through the selection.
+    bool fades(size_t card) const { return !related_.empty() && !related_[card]; }
+    bool fades_wire(size_t wire) const { return !related_.empty() && !related_wires_[wire]; }
+    const Cost* cost(const Card& card) const;  // nullptr: not known
+    // How dear a card is beside the dearest, 0 to 1: by its reads or by its ops.
+    float heat(const Cost& cost) const;
 
 private:
     void find_selected();
     void find_troubles();
+    void find_related();
+    void find_dearest();
 
     ImVec2 origin_;
     Extent seen_;
-    std::vector<bool> selected_;     // by card; empty: none
-    std::vector<Trouble> troubles_;  // by card; empty: none
-    const Card* primary_ = nullptr;  // of several that are selected the one chosen last
+    std::vector<bool> selected_;                 // by card; empty: none
+    std::vector<Trouble> troubles_;              // by card; empty: none
+    std::vector<bool> related_, related_wires_;  // by card, by wire; empty: nothing fades
+    Cost dearest_;                               // the most reads and the most ops of a card
+    const Card* primary_ = nullptr;              // of several that are selected the one chosen last
 };
+
+// What was drawn since `first` (a count of vertices) at 35 %.
+void fade(ImDrawList& list, int first);
 
 void draw_wires(const Painter& painter);
 void draw_card(const Painter& painter, size_t index);

@@ -1,6 +1,7 @@
 // Where cards stand: those without a place, all of them when the graph is tidied, and a new one.
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "editor/canvas/layout.h"
 #include "editor/look/draw.h"
@@ -26,56 +27,74 @@ std::vector<size_t> depths(const Document& document) {
     return depth;
 }
 
-// The depth as a column; nodes of one column below each other.
-std::vector<ImVec2> automatic_places(const Document& document) {
-    std::vector<float> next;
-    std::vector<ImVec2> places;
-    const auto depth = depths(document);
-    for (size_t i = 0; i < depth.size(); ++i) {
-        if (next.size() <= depth[i]) next.resize(depth[i] + 1, 0);
-        places.push_back({static_cast<float>(depth[i]) * 256, next[depth[i]]});
-        next[depth[i]] +=
-            72 + row_height * static_cast<float>(document.nodes[i]->inputs.size() + 2);
-    }
-    return places;
+constexpr float row_gap = 32, column_gap = 64;
+
+float grid_up(float length) {
+    return std::ceil(length / 8) * 8;
 }
+
+// Columns by depth, each as wide as its widest card; nodes of one column below each other, from
+// `corner` on. A column without a node takes no room.
+class Columns {
+public:
+    Columns(const Document& document, const std::vector<ImVec2>& sizes,
+            const std::vector<size_t>& nodes, ImVec2 corner)
+        : depth_(depths(document)), left_(depth_.size() + 1, 0), next_(depth_.size(), corner.y) {
+        std::vector<float> width(depth_.size(), 0);
+        for (const size_t i : nodes)
+            width[depth_[i]] = std::max(width[depth_[i]], sizes[i].x);
+        left_[0] = corner.x;
+        for (size_t i = 0; i < width.size(); ++i)
+            left_[i + 1] = left_[i] + (width[i] > 0 ? grid_up(width[i]) + column_gap : 0);
+    }
+
+    ImVec2 take(size_t node, ImVec2 size) {
+        const size_t column = depth_[node];
+        const ImVec2 at(left_[column], next_[column]);
+        next_[column] += grid_up(size.y) + row_gap;
+        return at;
+    }
+
+private:
+    std::vector<size_t> depth_;
+    std::vector<float> left_, next_;
+};
 
 }  // namespace
 
-std::vector<ImVec2> places_of(const Document& document) {
+std::vector<ImVec2> places_of(const Document& document, const std::vector<ImVec2>& sizes) {
     std::vector<ImVec2> places;
     std::vector<size_t> without;
+    ImVec2 corner(0, 0);
     for (size_t i = 0; i < document.nodes.size(); ++i) {
         const Position* at = document.positions.find(document.nodes[i]->id);
-        places.push_back(at ? ImVec2(static_cast<float>(at->x), static_cast<float>(at->y))
-                            : ImVec2(0, 0));
+        const ImVec2 place =
+            at ? ImVec2(static_cast<float>(at->x), static_cast<float>(at->y)) : ImVec2(0, 0);
         if (!at) without.push_back(i);
+        const bool first = at && places.size() == without.size();
+        if (at) corner.x = first ? place.x : std::min(corner.x, place.x);
+        if (at) corner.y = std::max(first ? place.y : corner.y, place.y + sizes[i].y + row_gap);
+        places.push_back(place);
     }
     if (without.empty()) return places;
-    const std::vector<ImVec2> automatic = automatic_places(document);
+    Columns columns(document, sizes, without, {corner.x, grid_up(corner.y)});
     for (const size_t i : without)
-        places[i] = automatic[i];
+        places[i] = columns.take(i, sizes[i]);
     return places;
 }
 
 Document tidied(const State& state) {
     const Document& document = state.document();
-    const auto depth = depths(document);
-    std::vector<float> next(document.nodes.size(), 0), width(document.nodes.size(), 0);
-    std::vector<ImVec2> size(document.nodes.size(), ImVec2(0, 0));
+    std::vector<ImVec2> sizes(document.nodes.size(), ImVec2(0, 0));
     for (const Card& card : state.layout.cards)
-        if (card.kind == Card::Kind::node) {
-            const size_t i = document.nodes.index_of(card.id);
-            size[i] = card.size;
-            width[depth[i]] = std::max(width[depth[i]], card.size.x);
-        }
-    std::vector<float> left(document.nodes.size() + 1, 0);
-    for (size_t i = 0; i < width.size(); ++i)
-        left[i + 1] = left[i] + std::ceil(width[i] / 8) * 8 + 64;
+        if (card.kind == Card::Kind::node) sizes[document.nodes.index_of(card.id)] = card.size;
+    std::vector<size_t> all(sizes.size());
+    std::iota(all.begin(), all.end(), size_t{0});
+    Columns columns(document, sizes, all, {0, 0});
     std::vector<NodePosition> places;
-    for (size_t i = 0; i < depth.size(); ++i) {
-        places.push_back({document.nodes[i]->id, left[depth[i]], next[depth[i]]});
-        next[depth[i]] += std::ceil(size[i].y / 8) * 8 + 32;
+    for (const size_t i : all) {
+        const ImVec2 at = columns.take(i, sizes[i]);
+        places.push_back({document.nodes[i]->id, at.x, at.y});
     }
     return move_nodes(document, places);
 }

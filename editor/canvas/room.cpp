@@ -60,4 +60,19 @@ Document with_room(const State& state, const Document& document, const Card& car
     return move_nodes(document, places);
 }
 
+void push_outputs(State& state, ImVec2 from, ImVec2 to) {
+    state.view.outputs_at = to;
+    state.view.pushes.push_back({state.history.serial(), from, to});
+}
+
+void follow_undo(View& view, uint64_t serial) {
+    for (const View::Push& push : view.pushes)
+        if (push.serial == serial) view.outputs_at = push.from;
+}
+
+void follow_redo(View& view, uint64_t serial) {
+    for (const View::Push& push : view.pushes)
+        if (push.serial == serial) view.outputs_at = push.to;
+}
+
 }  // namespace wrinkle::editor

@@ -1,3 +1,5 @@
+#include "editor/canvas/boxes.h"
+#include "editor/canvas/room.h"
 #include "editor/commands/groups.h"
 #include "editor/document/clipboard.h"
 #include "editor/document/edits.h"
@@ -16,15 +18,22 @@ std::string_view no_delete(const State& state) {
     return state.view.selected_wire || !state.view.boxes.empty() ? "" : wants_selection(state);
 }
 
+std::string_view no_part(const State& state) {
+    return state.view.boxes.empty() ? wants_selection(state) : "";
+}
+
 void undo(State& state) {
     const std::string name = state.history.undo_name();
+    const uint64_t serial = state.history.serial();
     state.history.undo();
+    follow_undo(state.view, serial);
     state.status = "Undid: " + name;
 }
 
 void redo(State& state) {
     const std::string name = state.history.redo_name();
     state.history.redo();
+    follow_redo(state.view, state.history.serial());
     state.status = "Redid: " + name;
 }
 
@@ -37,6 +46,8 @@ void find(State& state) {
 void select_all(State& state) {
     for (const NodePtr& node : state.document().nodes)
         state.view.selected.insert(node->id);
+    const std::vector<BoxId> boxes = all_boxes(state.document());
+    state.view.boxes = {boxes.begin(), boxes.end()};
 }
 
 constexpr Command table[] = {
@@ -45,12 +56,11 @@ constexpr Command table[] = {
     {"delete", "Delete", "Delete", "Edit", no_delete, delete_selected},
     {"delete-with-wires", "Delete with wires", "Shift+Delete", "Edit", no_delete,
      delete_selected_with_wires},
-    {"cut", "Cut", "Ctrl+X", "Edit", wants_selection, cut_selected},
-    {"copy", "Copy", "Ctrl+C", "Edit", wants_selection, copy_selected},
+    {"cut", "Cut", "Ctrl+X", "Edit", no_part, cut_selected},
+    {"copy", "Copy", "Ctrl+C", "Edit", no_part, copy_selected},
     {"paste", "Paste", "Ctrl+V", "Edit", always, paste},
-    {"duplicate", "Duplicate", "Ctrl+D", "Edit", wants_selection,
-     [](State& s) { duplicate_selected(s); }},
-    {"duplicate-alone", "Duplicate without inputs", "Ctrl+Shift+D", "Edit", wants_selection,
+    {"duplicate", "Duplicate", "Ctrl+D", "Edit", no_part, [](State& s) { duplicate_selected(s); }},
+    {"duplicate-alone", "Duplicate without inputs", "Ctrl+Shift+D", "Edit", no_part,
      [](State& s) { duplicate_selected(s, false); }},
     {"find", "Find in graph", "Ctrl+F", "Edit", always, find},
     {"select-all", "Select all", "Ctrl+A", "Edit", always, select_all},

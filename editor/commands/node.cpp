@@ -3,6 +3,7 @@
 #include "editor/commands/groups.h"
 #include "editor/document/edits.h"
 #include "editor/document/group.h"
+#include "editor/document/levels.h"
 #include "editor/panels/popups.h"
 
 namespace wrinkle::editor {
@@ -23,6 +24,17 @@ void tidy(State& state) {
 std::string_view no_outer(const State& state) {
     return state.outer.empty() ? "This graph was not opened from another." : "";
 }
+std::string_view no_group(const State& state) {
+    return selected_group(state) ? "" : "Select one node that is a sub-graph.";
+}
+
+// To the graph around this one, or to the outermost.
+void leave_group(State& state) {
+    intend(state, {Intent::Kind::leave, {}, state.outer.size() - 1});
+}
+void leave_groups(State& state) {
+    intend(state, {Intent::Kind::leave, {}, 0});
+}
 std::string_view wants_two(const State& state) {
     return state.view.selected.size() < 2 ? "Fewer than two nodes are selected." : "";
 }
@@ -31,6 +43,7 @@ std::string_view wants_three(const State& state) {
 }
 std::string_view no_values(const State& state) {
     if (state.view.selected.size() != 1) return "Select one node.";
+    if (selected_group(state)) return {};
     const Card* card = state.layout.find(*state.view.selected.begin());
     return card && !card->fields.empty() ? "" : "The node has no values.";
 }
@@ -47,15 +60,17 @@ void distribute(State& state) {
 constexpr Command table[] = {
     {"add-node", "Add node", "Space", "Node", always, add_node},
     {"add-picture", "Add picture", "I", "Node", always, choose_picture},
-    {"edit-values", "Edit values", "Enter", "Node", no_values, edit_values},
+    {"edit-values", "Edit values, or open the sub-graph", "Enter", "Node", no_values,
+     [](State& s) { selected_group(s) ? open_group(s) : edit_values(s); }},
     {"mute", "Mute", "M", "Node", wants_selection, mute_selected},
     {"swap-inputs", "Swap inputs", "Alt+S", "Node", wants_selection, swap_selected},
     {"frame", "Frame", "C", "Node", always, frame_selected},
     {"note", "Note", "N", "Node", always, add_note},
     {"group", "Group", "Ctrl+G", "Node", wants_selection, group_selected},
     {"ungroup", "Ungroup", "Ctrl+Shift+G", "Node", wants_selection, ungroup_selected},
-    {"open-group", "Open sub-graph", "Tab", "Node", wants_selection, open_group},
+    {"open-group", "Open sub-graph", "Tab", "Node", no_group, open_group},
     {"leave-group", "Back to the graph around it", "Shift+Tab", "Node", no_outer, leave_group},
+    {"leave-groups", "Back to the outermost graph", "", "Node", no_outer, leave_groups},
     {"tidy", "Tidy", "Ctrl+L", "Node", always, tidy},
     {"tidy-selection", "Tidy selection", "Ctrl+Shift+L", "Node", wants_selection,
      [](State& s) { s.commit("Tidy selection", tidied_selection(s)); }},

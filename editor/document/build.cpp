@@ -10,7 +10,8 @@ namespace wrinkle::editor {
 namespace {
 
 std::optional<Shader> emit_text(const Project& project, const Registry& registry,
-                                const std::string& name, Diagnostics& problems) {
+                                const std::string& name, Diagnostics& problems,
+                                std::optional<Costs>* costs = nullptr) {
     MaterialOptions options;
     options.uniform_parameters = true;
     options.reached_only = true;
@@ -19,7 +20,10 @@ std::optional<Shader> emit_text(const Project& project, const Registry& registry
     EmitOptions emit_options;
     emit_options.name = name;
     Shader shader = emit(compiled.module, emit_options);
-    if (shader.problems.empty()) return shader;
+    if (shader.problems.empty()) {
+        if (costs) *costs = count_costs(compiled.module, project.top());
+        return shader;
+    }
     report_problems(shader.problems, compiled.module, project, compiled.places, problems);
     return std::nullopt;
 }
@@ -100,7 +104,7 @@ Build build(const Model& model, const Document& document, const Registry& regist
     result.problems.append(model.project_problems);
     check(project, registry, result.problems);
     if (linked) {
-        result.uniform = emit_text(project, registry, name, result.live);
+        result.uniform = emit_text(project, registry, name, result.live, &result.costs);
         build_shown(model, document, registry, name, result);
         build_displacement(project, registry, result);
     }

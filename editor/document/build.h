@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "editor/document/cost.h"
 #include "editor/document/model.h"
 #include "editor/preview/displacement.h"
 #include "editor/preview/request.h"
@@ -19,6 +20,7 @@ struct Build {
     Diagnostics problems;  // of the whole document
     Diagnostics live;      // why `uniform` is empty
     std::optional<Shader> uniform;
+    std::optional<Costs> costs;  // of `uniform`
     double milliseconds = 0;
 
     // What the preview runs in place of `uniform` when it was asked for something else.

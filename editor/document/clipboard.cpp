@@ -1,12 +1,14 @@
 #include "editor/document/clipboard.h"
 
-#include <cmath>
+#include <algorithm>
 
 #include "base/file.h"
+#include "editor/canvas/boxes.h"
 #include "editor/canvas/layout.h"
 #include "editor/document/copies.h"
 #include "editor/document/edits.h"
 #include "editor/document/misfits.h"
+#include "editor/document/words.h"
 #include "editor/look/draw.h"
 #include "graph/edit.h"
 #include "graph/order.h"
@@ -17,11 +19,26 @@ namespace wrinkle::editor {
 namespace fs = std::filesystem;
 namespace {
 
-std::string nodes_in_words(size_t count) {
-    return count == 1 ? "1 node" : std::to_string(count) + " nodes";
+// "2 nodes and a frame", "2 notes"
+std::string in_words(const Document& part) {
+    std::vector<std::string> words;
+    if (!part.nodes.empty()) words.push_back(nodes_in_words(part.nodes.size()));
+    const auto add = [&](size_t count, const std::string& what) {
+        if (count > 0)
+            words.push_back(count == 1 ? "a " + what : std::to_string(count) + " " + what + "s");
+    };
+    add(part.frames.size(), "frame");
+    add(part.notes.size(), "note");
+    return listed(words);
 }
 
-// The selected nodes as a graph of their own, where they stand now; `cut` has no wires into them.
+std::set<BoxId> boxes_of(const Document& document) {
+    const std::vector<BoxId> all = all_boxes(document);
+    return {all.begin(), all.end()};
+}
+
+// The selected nodes, frames and notes as a graph of their own, where they stand now; `cut` has no
+// wires into them.
 Document extract(const State& state, const Document& cut) {
     std::vector<Node> nodes;
     Document result;
@@ -38,6 +55,8 @@ Document extract(const State& state, const Document& cut) {
     for (const Card& card : state.layout.cards)
         if (card.kind == Card::Kind::node && state.view.selected.contains(card.id))
             places.push_back({card.id, card.at.x, card.at.y});
+    for (const BoxId& id : state.view.boxes)
+        if (const Box* box = find_box(cut, id)) result = with_box(result, id.note, *box);
     return add_nodes(result, std::move(nodes), places);
 }
 
@@ -73,22 +92,6 @@ Document without_dangling(Document document) {
     return document;
 }
 
-// On the grid, and no card exactly over another.
-ImVec2 free_offset(const State& state, const std::vector<ImVec2>& places, ImVec2 by) {
-    by = {std::round(by.x / 8) * 8, std::round(by.y / 8) * 8};
-    const auto covers = [&] {
-        for (const Card& card : state.layout.cards)
-            for (const ImVec2& place : places)
-                if (std::fabs(place.x + by.x - card.at.x) < 24 &&
-                    std::fabs(place.y + by.y - card.at.y) < 24)
-                    return true;
-        return false;
-    };
-    for (int tries = 0; tries < 256 && covers(); ++tries)
-        by = by + ImVec2(32, 32);
-    return by;
-}
-
 // Those of the wires that were left out whose ends are here, where the text is from here.
 Document with_outer_wires(const State& state, Document document, const std::string& text,
                           const Copies& copies) {
@@ -114,6 +117,18 @@ Document with_outer_wires(const State& state, Document document, const std::stri
     return document;
 }
 
+ImVec2 corner_of(const Document& document, const std::vector<ImVec2>& places) {
+    std::vector<ImVec2> corners = places;
+    for (const BoxId& id : all_boxes(document)) {
+        const Rectangle& rect = find_box(document, id)->rect;
+        corners.push_back({static_cast<float>(rect.x), static_cast<float>(rect.y)});
+    }
+    ImVec2 low = corners.front();
+    for (const ImVec2& corner : corners)
+        low = {std::min(low.x, corner.x), std::min(low.y, corner.y)};
+    return low;
+}
+
 void paste_nodes(State& state, const Document& source, const std::string& text) {
     std::set<std::string> ids;
     for (const NodePtr& node : source.nodes)
@@ -124,12 +139,10 @@ void paste_nodes(State& state, const Document& source, const std::string& text) 
         const GraphInput* there = link.is_input() ? source.inputs.find(link.port) : nullptr;
         return link.is_surface() || (here && there && here->type == there->type);
     });
-    const std::vector<ImVec2> places = places_of(source);
-    ImVec2 low = places.front();
-    for (const ImVec2& place : places)
-        low = {std::min(low.x, place.x), std::min(low.y, place.y)};
-    const ImVec2 by =
-        free_offset(state, places, to_canvas(state.view, pointed_at(state.view)) - low);
+    const std::vector<ImVec2> places = places_off_canvas(state, source);
+    const std::set<BoxId> boxes = boxes_of(source);
+    const ImVec2 wanted = to_canvas(state.view, pointed_at(state.view)) - corner_of(source, places);
+    const ImVec2 by = free_offset(state, places, source, boxes, wanted);
     std::vector<NodePosition> at;
     std::set<std::string> fresh;
     for (size_t i = 0; i < copies.nodes.size(); ++i) {
@@ -138,9 +151,11 @@ void paste_nodes(State& state, const Document& source, const std::string& text) 
     }
     const Document added = add_nodes(state.document(), copies.nodes, at);
     const Document wired = with_outer_wires(state, added, text, copies);
-    state.commit("Paste " + nodes_in_words(fresh.size()),
-                 without_misfits(wired, fresh, state.folder(), *state.registry));
+    const BoxCopies boxed = with_boxes(wired, source, boxes, by);
+    state.commit("Paste " + in_words(source),
+                 without_misfits(boxed.document, fresh, state.folder(), *state.registry));
     state.view.selected = fresh;
+    state.view.boxes = boxed.ids;
 }
 
 // A system's clipboard may lose its text with the program that put it there.
@@ -180,7 +195,8 @@ std::optional<Document> nodes_from_text(const std::string& text, std::string& wh
         return refuse(why, "the clipboard holds no nodes; line " + std::to_string(where.line) +
                                ": " + (list.empty() ? document.lost : list.front().message) + ".");
     }
-    if (document.nodes.empty()) return refuse(why, "the text has no nodes.");
+    if (document.nodes.empty() && all_boxes(document).empty())
+        return refuse(why, "the text has no nodes.");
     Document whole = without_dangling(document);
     Diagnostics loops;
     check_links(whole, loops);
@@ -194,8 +210,8 @@ void copy_selected(State& state) {
     const std::set<std::string>& ids = state.view.selected;
     const Document cut = without_outer_wires(state.model, state.document(), ids);
     const Document part = extract(state, cut);
-    if (part.nodes.empty()) {
-        state.status = "No node is selected.";
+    if (in_words(part).empty()) {
+        state.status = "Nothing is selected that can be copied.";
         return;
     }
     state.clip.text = canonical_text(part);
@@ -203,15 +219,18 @@ void copy_selected(State& state) {
     state.clip.outer = left_out(state.document(), cut, ids);
     ImGui::SetClipboardText(state.clip.text.c_str());
     keep(state, state.clip.text);
-    state.status = "Copied " + nodes_in_words(part.nodes.size());
+    state.status = "Copied " + in_words(part);
 }
 
 void cut_selected(State& state) {
     copy_selected(state);
-    const Document document = delete_and_part(state.model, state.document(), state.view.selected);
-    const size_t count = state.document().nodes.size() - document.nodes.size();
-    state.commit("Cut " + nodes_in_words(count), document);
+    const Document part = extract(state, state.document());
+    Document document = delete_and_part(state.model, state.document(), state.view.selected);
+    for (const BoxId& id : state.view.boxes)
+        document = without_box(document, id);
+    state.commit("Cut " + in_words(part), document);
     state.view.selected.clear();
+    state.view.boxes.clear();
 }
 
 void paste(State& state) {

@@ -1,4 +1,4 @@
-// Copies of nodes under ids of their own.
+// Copies of nodes, frames and notes under ids of their own.
 #pragma once
 
 #include <functional>
@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "editor/canvas/box_id.h"
+#include "editor/state.h"
 #include "graph/document.h"
 
 namespace wrinkle::editor {
@@ -20,5 +22,19 @@ struct Copies {
 // copies; of the others those stay that `keep` says.
 Copies copies_of(const Document& source, const std::set<std::string>& ids, const Document& target,
                  const std::function<bool(const Link&)>& keep);
+
+// The frames and notes `ids` of `source` in `target` as well, moved by `by`, and what they are
+// called there.
+struct BoxCopies {
+    Document document;
+    std::set<BoxId> ids;
+};
+BoxCopies with_boxes(const Document& target, const Document& source, const std::set<BoxId>& ids,
+                     ImVec2 by);
+
+// `by`, or more of it, on the grid: so far that of cards at `places` and of the boxes of `source`
+// none comes to stand on a card or box that is there.
+ImVec2 free_offset(const State& state, const std::vector<ImVec2>& places, const Document& source,
+                   const std::set<BoxId>& boxes, ImVec2 by);
 
 }  // namespace wrinkle::editor

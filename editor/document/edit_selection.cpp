@@ -3,14 +3,11 @@
 #include "editor/document/copies.h"
 #include "editor/document/edits.h"
 #include "editor/document/wiring.h"
+#include "editor/document/words.h"
 #include "graph/edit.h"
 
 namespace wrinkle::editor {
 namespace {
-
-std::string nodes_in_words(size_t count) {
-    return count == 1 ? "1 node" : std::to_string(count) + " nodes";
-}
 
 using Remove = Document (*)(const Model&, const Document&, const std::set<std::string>&);
 
@@ -46,17 +43,26 @@ void duplicate_selected(State& state, bool with_inputs) {
     const Document source =
         with_inputs ? state.document() : without_outer_wires(state.model, state.document(), ids);
     Copies copies = copies_of(source, ids, state.document(), [](const Link&) { return true; });
+    std::vector<ImVec2> from;
     std::vector<NodePosition> places;
     std::set<std::string> fresh;
     for (const Card& card : state.layout.cards) {
         const auto copy = copies.new_id.find(card.id);
         if (card.kind != Card::Kind::node || copy == copies.new_id.end()) continue;
-        places.push_back({copy->second, card.at.x + 32, card.at.y + 32});
+        from.push_back(card.at);
+        places.push_back({copy->second, card.at.x, card.at.y});
         fresh.insert(copy->second);
     }
-    state.commit("Duplicate " + nodes_in_words(fresh.size()),
-                 add_nodes(state.document(), std::move(copies.nodes), places));
-    if (!fresh.empty()) state.view.selected = fresh;
+    const std::set<BoxId> boxes = state.view.boxes;
+    const ImVec2 by = free_offset(state, from, source, boxes, {32, 32});
+    for (NodePosition& place : places)
+        place.x += by.x, place.y += by.y;
+    const BoxCopies boxed =
+        with_boxes(add_nodes(state.document(), std::move(copies.nodes), places), source, boxes, by);
+    state.commit(fresh.empty() ? "Duplicate frame" : "Duplicate " + nodes_in_words(fresh.size()),
+                 boxed.document);
+    if (!fresh.empty() || !boxed.ids.empty()) state.view.selected = fresh;
+    state.view.boxes = boxed.ids;
 }
 
 void swap_selected(State& state) {

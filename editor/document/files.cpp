@@ -5,6 +5,7 @@
 #include <chrono>
 
 #include "base/file.h"
+#include "editor/document/levels.h"
 #include "editor/document/recovery.h"
 #include "graph/read.h"
 #include "graph/write.h"
@@ -24,14 +25,8 @@ void begin(State& state, const fs::path& path, Document document) {
     state.history = History(std::move(document));
     state.saved_serial = state.history.serial();
     state.view = {};
-    state.gesture = {};
-    state.palette = {};
-    state.popup = {};
-    state.offer = {};
-    state.box_text = {};
-    state.outer.clear();
-    state.fresh = false;
     state.keeping.disk = {};
+    let_go(state);
 }
 
 Document read_text(const State& state, std::string text) {
@@ -80,12 +75,29 @@ void keep_settings(State& state) {
 
 }  // namespace
 
+void let_go(State& state) {
+    state.gesture = {};
+    state.palette = {};
+    state.popup = {};
+    state.offer = {};
+    state.box_text = {};
+    state.fresh = false;
+}
+
 void new_file(State& state) {
+    close_outer(state);
     begin(state, {}, {});
     state.status = "New graph";
 }
 
 void open_file(State& state, const fs::path& path) {
+    close_outer(state);
+    load_file(state, path);
+    if (state.keeping.disk.stamp.there)
+        remember_recent(state.keeping.folders, state.keeping.settings, path);
+}
+
+void load_file(State& state, const fs::path& path) {
     std::string why;
     const auto bytes = read_file(path, why);
     begin(state, path, {});
@@ -94,7 +106,6 @@ void open_file(State& state, const fs::path& path) {
         state.history = History(read_text(state, *bytes));
         state.save_refused = state.document().lost;
         state.keeping.disk = DiskCopy::of(path, *bytes);
-        remember_recent(state.keeping.folders, state.keeping.settings, path);
     } else {
         Document empty;
         empty.file = path.string();
@@ -173,6 +184,8 @@ bool tend(State& state) {
     state.keeping.looked = now;
     state.keeping.try_again = true;
     state.keeping.journal.sync();
+    for (Level& level : state.outer)
+        level.journal.sync();
     keep_settings(state);
     const bool busy = state.gesture.kind != Gesture::Kind::none || state.question.open() ||
                       state.popup.kind != Popup::Kind::none;
@@ -193,6 +206,7 @@ void use_settings(State& state, const Settings& settings) {
 
 void finish(State& state) {
     state.keeping.journal.drop();
+    close_outer(state);
     keep_settings(state);
 }
 

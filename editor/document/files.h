@@ -15,6 +15,10 @@ namespace wrinkle::editor {
 void new_file(State& state);
 // Opens a graph. A file that does not exist is a new graph under that name.
 void open_file(State& state, const std::filesystem::path& path);
+// The same inside the graphs that are open around it (levels.h).
+void load_file(State& state, const std::filesystem::path& path);
+// What the hand was doing with the graph ends: another one is on the canvas.
+void let_go(State& state);
 
 // False when nothing was written, and why in the status; asks for a name where there is none, and
 // what to do where the file is no longer the one that was read.

@@ -5,7 +5,6 @@
 #include "base/file.h"
 #include "editor/canvas/layout.h"
 #include "editor/document/edits.h"
-#include "editor/document/files.h"
 #include "editor/document/wiring.h"
 #include "editor/look/draw.h"
 #include "graph/edit.h"
@@ -174,36 +173,6 @@ void group_selected(State& state) {
     const ImVec2 at = free_place(state.layout, middle_of(state));
     state.commit("Group in " + file, move_node(group->outer, group->node, at.x, at.y));
     state.view.selected = {group->node};
-}
-
-void open_group(State& state) {
-    const Node* node = state.view.selected.size() == 1
-                           ? state.document().find(*state.view.selected.begin())
-                           : nullptr;
-    const auto file = node ? node->subgraph() : std::nullopt;
-    if (!file) {
-        state.status = "Select one node that is a sub-graph.";
-    } else if (state.dirty()) {
-        state.status = "Save first; then the sub-graph can be opened.";
-    } else {
-        std::vector<fs::path> outer = std::move(state.outer);
-        outer.push_back(state.path);
-        open_file(state, state.folder() / fs::path(*file));
-        state.outer = std::move(outer);
-    }
-}
-
-void leave_group(State& state) {
-    if (state.outer.empty()) return;
-    if (state.dirty()) {
-        state.status = "Save first; then the graph around it can be opened.";
-        return;
-    }
-    std::vector<fs::path> outer = std::move(state.outer);
-    const fs::path path = outer.back();
-    outer.pop_back();
-    open_file(state, path);
-    state.outer = std::move(outer);
 }
 
 }  // namespace wrinkle::editor

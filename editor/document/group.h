@@ -30,8 +30,4 @@ void group_selected(State& state);
 // The nodes of the one selected sub-graph in its place, in one step; its file stays.
 void ungroup_selected(State& state);
 
-// Opens the sub-graph of the one selected node, and goes back to where that was done.
-void open_group(State& state);
-void leave_group(State& state);
-
 }  // namespace wrinkle::editor

@@ -1,6 +1,7 @@
 #include "editor/document/intent.h"
 
 #include "editor/document/files.h"
+#include "editor/document/levels.h"
 #include "editor/document/recovery.h"
 
 namespace wrinkle::editor {
@@ -13,15 +14,17 @@ fs::path typed_path(const State& state) {
     return typed.is_absolute() ? typed : state.folder() / typed;
 }
 
-bool same_file(const fs::path& a, const fs::path& b) {
-    std::error_code ignored;
-    return fs::equivalent(a, b, ignored);
-}
-
 void done(State& state) {
     const Intent then = state.question.then;
     state.question = {};
-    carry_out(state, then);
+    save_and_carry_out(state, then);
+}
+
+// What was not saved is asked about again, unless another question came first.
+void ask_again(State& state, const Intent& then) {
+    if (!state.question.open())
+        state.question = {.kind = Question::Kind::unsaved, .trouble = state.status};
+    state.question.then = then;
 }
 
 void answer_open(State& state) {
@@ -47,7 +50,7 @@ void answer_save_as(State& state) {
     fs::path path = typed_path(state);
     if (path.extension().empty()) path += ".json";
     std::error_code error;
-    const bool there = fs::exists(path, error), itself = there && same_file(path, state.path);
+    const bool there = fs::exists(path, error), itself = there && is_same_file(path, state.path);
     if (fs::is_directory(path, error)) {
         state.question.trouble = path.string() + " is a folder.";
     } else if (itself && !state.save_refused.empty()) {
@@ -79,21 +82,31 @@ void carry_out(State& state, const Intent& intent) {
         case Intent::Kind::recover:
             state.question = {.kind = Question::Kind::recover, .file = intent.file};
             return;
+        case Intent::Kind::leave:
+            return come_back(state, intent.depth);
     }
 }
 
 void intend(State& state, const Intent& intent) {
-    if (!state.dirty()) return carry_out(state, intent);
+    if (unsaved(state, intent).empty()) return carry_out(state, intent);
     state.question = {.kind = Question::Kind::unsaved, .then = intent};
 }
 
 void answer_save(State& state) {
-    const Question asked = state.question;
-    if (save_file(state)) return done(state);
-    if (state.question.kind == asked.kind)
-        state.question.trouble = state.status;
-    else
-        state.question.then = asked.then;  // another question came first
+    const Intent then = state.question.then;
+    state.question = {};
+    if (state.dirty() && !save_file(state)) return ask_again(state, then);
+    save_and_carry_out(state, then);
+}
+
+void save_and_carry_out(State& state, const Intent& intent) {
+    while (!unsaved(state, intent).empty()) {
+        if (!state.dirty())
+            come_back(state, state.outer.size() - 1);
+        else if (!save_file(state))
+            return ask_again(state, intent);
+    }
+    carry_out(state, intent);
 }
 
 void answer_path(State& state) {

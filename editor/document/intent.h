@@ -11,9 +11,10 @@ namespace wrinkle::editor {
 struct State;
 
 struct Intent {
-    enum class Kind : uint8_t { nothing, quit, new_graph, open, recover };
+    enum class Kind : uint8_t { nothing, quit, new_graph, open, recover, leave };
     Kind kind = Kind::nothing;
     std::filesystem::path file;  // of open; of recover the journal
+    size_t depth = 0;            // of leave: which of State::outer shall be on the canvas
 };
 
 // Something that the user must decide before anything else is done (panels/questions.h draws it).
@@ -40,6 +41,8 @@ struct Question {
 
 // Does it, or asks about unsaved work first.
 void intend(State& state, const Intent& intent);
+// Saves what is unsaved of what it puts away, from the innermost graph on, and does it.
+void save_and_carry_out(State& state, const Intent& intent);
 // Does it.
 void carry_out(State& state, const Intent& intent);
 

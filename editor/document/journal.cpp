@@ -146,6 +146,15 @@ std::error_code Journal::keep(const fs::path& state_folder, const fs::path& grap
     return error;
 }
 
+void Journal::swap(Journal& other) noexcept {
+    std::swap(handle_, other.handle_);
+    file_.swap(other.file_);
+    text_.swap(other.text_);
+    std::swap(size_, other.size_);
+    std::swap(synced_, other.synced_);
+    syncing_.swap(other.syncing_);
+}
+
 void Journal::sync() {
     if (handle_ < 0 || synced_ == size_ || syncing_->exchange(true)) return;
     synced_ = size_;

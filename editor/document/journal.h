@@ -34,8 +34,12 @@ class Journal {
 public:
     Journal() = default;
     ~Journal() { close(); }
-    Journal(const Journal&) = delete;
-    Journal& operator=(const Journal&) = delete;
+    Journal(Journal&& other) noexcept { swap(other); }
+    Journal& operator=(Journal&& other) noexcept {
+        swap(other);
+        return *this;
+    }
+    void swap(Journal& other) noexcept;
 
     // Brings the file up to `text`. After an error nothing of this text is kept, and what was kept
     // before still is.

@@ -33,10 +33,10 @@ std::optional<PortType> Model::wanted_by_output(std::string_view name) {
 }
 
 Model make_model(const Document& document, const std::filesystem::path& folder,
-                 const Registry& registry) {
+                 const Registry& registry, const std::filesystem::path& root) {
     Model model;
     model.project = std::make_shared<const Project>(
-        load_project(document, folder, ProjectOptions{}, model.project_problems));
+        load_project(document, folder, {root, {}}, model.project_problems));
     model.types = std::make_shared<const Types>(*model.project, registry);
     return model;
 }

@@ -27,8 +27,9 @@ struct Model {
     static std::optional<PortType> wanted_by_output(std::string_view name);
 };
 
+// `folder` is that of the document's file; no name leads out of `root` ("": the same folder).
 Model make_model(const Document& document, const std::filesystem::path& folder,
-                 const Registry& registry);
+                 const Registry& registry, const std::filesystem::path& root = {});
 
 // The same project with another top document, for compiling.
 Project project_with(const Model& model, const Document& document);

@@ -68,9 +68,10 @@ void offer_recovery(State& state) {
 
 void recover(State& state, const Recoverable& found) {
     const Recoverable taken = found;  // the list is made anew
+    const bool is_open = !state.path.empty() && same_file(taken.graph, state.path);
     if (taken.graph.empty())
         new_file(state);
-    else
+    else if (!is_open || state.dirty())
         open_file(state, taken.graph);
     Diagnostics shown_by_the_build;
     state.commit("Recover unsaved edits",

@@ -30,7 +30,8 @@ void ask(State& state) {
 }
 
 void remodel(State& state) {
-    state.model = make_model(state.document(), state.folder(), *state.registry);
+    state.model = make_model(state.document(), state.folder(), *state.registry,
+                             state.outer.empty() ? "" : folder_of(state.outer.front().path));
 }
 
 void begin(State& state) {

@@ -13,8 +13,9 @@ namespace {
 
 class Ungrouper {
 public:
-    Ungrouper(const Document& outer, const Node& node, const Document& inner)
-        : node_(node), inner_(inner), result(outer) {}
+    Ungrouper(const Document& outer, const Node& node, const Document& inner,
+              std::vector<ImVec2> places)
+        : node_(node), inner_(inner), places_(std::move(places)), result(outer) {}
 
     void run(ImVec2 at) {
         std::set<std::string> ids;
@@ -35,20 +36,20 @@ public:
 private:
     const Node& node_;
     const Document& inner_;
+    const std::vector<ImVec2> places_;
 
 public:
     Document result;
 
 private:
     void place(ImVec2 at) {
-        const std::vector<ImVec2> places = places_of(inner_);
-        ImVec2 low = places.empty() ? ImVec2(0, 0) : places.front();
-        for (const ImVec2& each : places)
+        ImVec2 low = places_.empty() ? ImVec2(0, 0) : places_.front();
+        for (const ImVec2& each : places_)
             low = {std::min(low.x, each.x), std::min(low.y, each.y)};
         std::vector<NodePosition> positions;
         for (size_t i = 0; i < copies.nodes.size(); ++i)
             positions.push_back(
-                {copies.nodes[i].id, places[i].x - low.x + at.x, places[i].y - low.y + at.y});
+                {copies.nodes[i].id, places_[i].x - low.x + at.x, places_[i].y - low.y + at.y});
         result = add_nodes(result, copies.nodes, positions);
     }
 
@@ -129,7 +130,8 @@ void ungroup_selected(State& state) {
         return;
     }
     const Card* card = state.layout.find(node->id);
-    Ungrouper ungrouper(state.document(), *node, file->document);
+    Ungrouper ungrouper(state.document(), *node, file->document,
+                        places_off_canvas(state, file->document));
     ungrouper.run(card ? card->at : ImVec2(0, 0));
     std::set<std::string> fresh;
     for (const auto& [old, id] : ungrouper.copies.new_id)

@@ -21,6 +21,7 @@ constexpr GestureHelp table[] = {
     {"Click a value", "opens its list, its colour or its pictures"},
     {"Double-click a value", "types it; Tab goes on to the next"},
     {"Double-click a name", "renames the node"},
+    {"Double-click a sub-graph", "opens it"},
     {"Drag empty ground", "selects what the box touches"},
     {"Middle drag, Alt + drag", "moves the view"},
     {"Wheel", "zooms at the pointer"},

@@ -4,6 +4,7 @@
 
 #include "editor/canvas/layout.h"
 #include "editor/commands/commands.h"
+#include "editor/document/levels.h"
 #include "editor/look/draw.h"
 #include "editor/look/icons.h"
 #include "editor/look/theme.h"
@@ -12,7 +13,7 @@
 namespace wrinkle::editor {
 namespace {
 
-constexpr float margin = 16, tall = 28;
+constexpr float margin = 16, tall = 28, crumb_gap = 24;
 const ImVec2 map_size(168, 112);
 
 // A window without a frame of its own; the canvas under it keeps a drag that began there.
@@ -44,20 +45,76 @@ private:
     ImVec2 low_, high_;
 };
 
-void draw_crumbs(const State& state) {
+// One open file in the row, or what stands for several.
+struct Crumb {
+    static constexpr size_t gap = ~size_t{0};
+    size_t depth = 0;  // in State::outer; behind it: the graph on the canvas
+    std::string text;
+    float width = 0;
+};
+
+// As many as there is room for: the outermost and the innermost first.
+std::vector<Crumb> find_crumbs(const State& state, float room) {
+    ImFont* font = state.fonts.regular(16);
+    std::vector<std::string> files = open_files(state);
+    std::vector<Crumb> crumbs;
+    float total = 0;
+    for (size_t i = 0; i < files.size(); ++i) {
+        const bool dirty = i < state.outer.size() && state.outer[i].dirty();
+        const float most = std::max(room / (files.size() > 1 ? 2 : 1) - 48, 60.0F);
+        const std::string text = fitting(font, 16, files[i], most) + (dirty ? " *" : "");
+        crumbs.push_back({i, text, text_width(font, 16, text)});
+        total += crumbs.back().width + crumb_gap;
+    }
+    while (total > room && crumbs.size() > 2) {
+        const bool first = crumbs[1].depth != Crumb::gap;
+        if (!first && crumbs.size() == 3) break;
+        const auto dropped = crumbs.begin() + (first ? 1 : 2);
+        total -= dropped->width + crumb_gap;
+        crumbs.erase(dropped);
+        if (!first) continue;
+        const Crumb dots{Crumb::gap, "...", text_width(font, 16, "...")};
+        total += dots.width + crumb_gap;
+        crumbs.insert(crumbs.begin() + 1, dots);
+    }
+    return crumbs;
+}
+
+bool draw_crumb_ground(State& state, const Crumb& crumb, ImVec2 at) {
+    const ImVec2 low = at - ImVec2(6, 5), size(crumb.width + 12, tall - 2);
+    ImGui::SetCursorScreenPos(low);
+    const std::string id = "crumb:" + std::to_string(crumb.depth);
+    const bool pressed = ImGui::InvisibleButton(id.c_str(), size);
+    name_item(state, id);
+    if (ImGui::IsItemHovered())
+        Overlay::list().AddRectFilled(low, low + size, theme::accent_soft, 4);
+    return pressed;
+}
+
+// The open files from the outermost to the one on the canvas; each leads back to itself.
+void draw_crumbs(State& state) {
     const View& view = state.view;
     ImFont* font = state.fonts.regular(16);
-    std::string file = state.path.filename().string();
-    if (file.empty()) file = "untitled.json";
-    file = fitting(font, 16, file, std::max(view.extent.x - 200, 60.0F));
-    const float first = text_width(font, 16, file), second = text_width(font, 16, "Main graph");
-    const Overlay overlay("##crumbs", view.corner + ImVec2(margin, margin),
-                          {first + second + 48, tall});
+    std::vector<Crumb> crumbs = find_crumbs(state, view.extent.x - 2 * margin);
+    if (crumbs.size() == 1)
+        crumbs.push_back({Crumb::gap, "Main graph", text_width(font, 16, "Main graph")});
+    float width = 0;
+    for (const Crumb& crumb : crumbs)
+        width += crumb.width + crumb_gap;
+    const Overlay overlay("##crumbs", view.corner + ImVec2(margin, margin), {width, tall});
     ImDrawList& list = Overlay::list();
-    const ImVec2 at = overlay.low() + ImVec2(12, 6);
-    draw_text(list, font, 16, at, theme::text, file);
-    draw_icon(list, "into", at + ImVec2(first + 12, 8), theme::text_dim);
-    draw_text(list, font, 16, at + ImVec2(first + 24, 0), theme::text_dim, "Main graph");
+    ImVec2 at = overlay.low() + ImVec2(12, 6);
+    std::optional<size_t> pressed;
+    for (const Crumb& crumb : crumbs) {
+        const bool leads = crumb.depth < state.outer.size();
+        const bool here = crumb.depth == state.outer.size();
+        if (leads && draw_crumb_ground(state, crumb, at)) pressed = crumb.depth;
+        draw_text(list, font, 16, at, here ? theme::text : theme::text_dim, crumb.text);
+        at.x += crumb.width + crumb_gap;
+        if (&crumb != &crumbs.back())
+            draw_icon(list, "into", at + ImVec2(-crumb_gap / 2, 8), theme::text_dim);
+    }
+    if (pressed) intend(state, {Intent::Kind::leave, {}, *pressed});
 }
 
 bool draw_part(State& state, const char* id, ImVec2 at, float width) {

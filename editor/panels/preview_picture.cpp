@@ -6,6 +6,7 @@
 
 #include "editor/input/input_queue.h"
 #include "editor/look/draw.h"
+#include "editor/look/heat.h"
 #include "editor/look/theme.h"
 #include "editor/panels/panels.h"
 #include "editor/panels/preview_parts.h"
@@ -119,11 +120,10 @@ std::string degrees(float value, const char* before = "") {
 }
 
 void draw_scale(ImDrawList& list, ImVec2 at, float width) {
-    constexpr unsigned stops[] = {0x00224E, 0x123570, 0x3B496C, 0x575D6D, 0x707173,
-                                  0x8A8678, 0xA59C74, 0xC3B369, 0xE1CC55, 0xFEE838};
-    const float step = width / 9;
-    for (int i = 0; i < 9; ++i) {
-        const ImU32 a = theme::rgb(stops[i]), b = theme::rgb(stops[i + 1]);
+    constexpr size_t steps = heat_stops.size() - 1;
+    const float step = width / steps;
+    for (size_t i = 0; i < steps; ++i) {
+        const ImU32 a = theme::rgb(heat_stops[i]), b = theme::rgb(heat_stops[i + 1]);
         const ImVec2 low = at + ImVec2(step * static_cast<float>(i), 0);
         list.AddRectFilledMultiColor(low, low + ImVec2(step + 0.5F, 10), a, b, b, a);
     }

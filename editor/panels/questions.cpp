@@ -6,6 +6,8 @@
 #include <vector>
 
 #include "editor/document/files.h"
+#include "editor/document/levels.h"
+#include "editor/document/words.h"
 #include "editor/look/theme.h"
 #include "editor/panels/panels.h"
 
@@ -40,7 +42,7 @@ void take_theirs(State& state) {
     const Intent then = state.question.then;
     state.question = {};
     load_theirs(state);
-    carry_out(state, then);
+    save_and_carry_out(state, then);
 }
 
 // When it stood in the way of saving, it is saved now.
@@ -80,8 +82,10 @@ Sheet sheet_of(const State& state) {
         case Question::Kind::none:
             break;
         case Question::Kind::unsaved:
-            return {"Save changes to " + file + "?",
-                    "",
+            return {"Save changes to " + listed(unsaved(state, question.then)) + "?",
+                    question.then.kind == Intent::Kind::leave
+                        ? "The graph around it shows what is saved."
+                        : "",
                     false,
                     {{"Save", "answer:save", answer_save},
                      {"Discard", "answer:discard", discard},

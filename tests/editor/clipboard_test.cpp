@@ -70,6 +70,77 @@ TEST_F(Headless, PastedNodesLandAtThePointerAndNeverExactlyOnOthers) {
                 << cards[a].id << " and " << cards[b].id;
 }
 
+const char* const framed_graph = R"({ "wrinkle": 1, "nodes": {
+    "a": { "type": "sine" }, "b": { "type": "sine" } },
+    "layout": { "a": [0, 0], "b": [600, 0],
+        "$frames": { "f": { "title": "Waves", "rect": [-40, -60, 260, 240] } },
+        "$notes": { "n": { "text": "hello", "rect": [0, 320, 240, 96] } } } })";
+
+bool is_inside(const Box& box, const Card& card) {
+    return card.at.x > box.rect.x && card.at.y > box.rect.y &&
+           card.at.x + card.size.x < box.rect.x + box.rect.width &&
+           card.at.y + card.size.y < box.rect.y + box.rect.height;
+}
+
+TEST_F(Headless, FramesAndNotesAreCopiedWithTheirNodes) {
+    open(framed_graph);
+    const auto check_copies = [&] {
+        ASSERT_EQ(state.document().frames.size(), 2U);
+        ASSERT_EQ(state.document().notes.size(), 2U);
+        const Box& frame = state.document().frames[1];
+        EXPECT_EQ(frame.text, "Waves");
+        EXPECT_EQ(state.document().notes[1].text, "hello");
+        EXPECT_TRUE(is_inside(frame, *state.layout.find("a2")));
+        EXPECT_NE(frame.rect, state.document().frames[0].rect);
+        EXPECT_EQ(frame.rect.width, 260);
+        EXPECT_EQ(state.view.boxes.size(), 2U);
+        EXPECT_EQ(state.view.selected, std::set<std::string>{"a2"});
+    };
+    const auto select = [&] {
+        state.view.selected = {"a"};
+        state.view.boxes = {{false, "f"}, {true, "n"}};
+    };
+    select();
+    play("key Ctrl+C\nassert status Copied 1 node, a frame and a note\nkey Ctrl+V");
+    check_copies();
+    play("key Ctrl+Z\nassert clean");
+    select();
+    play("key Ctrl+D\nassert status Duplicate");
+    check_copies();
+    play("key Ctrl+Z\nassert clean");
+    select();
+    play("key Ctrl+X\nassert nodes 1");
+    EXPECT_TRUE(state.document().frames.empty());
+    EXPECT_TRUE(state.document().notes.empty());
+    play("key Ctrl+V\nassert nodes 2");
+    EXPECT_EQ(state.document().frames.size(), 1U);
+    EXPECT_TRUE(is_inside(state.document().frames[0], *state.layout.find("a")));
+}
+
+TEST_F(Headless, AFrameAloneIsCopiedTooAndNeverExactlyOnAnother) {
+    open(framed_graph);
+    state.view.boxes = {{false, "f"}};
+    play("key Ctrl+C\nassert status Copied a frame");
+    for (int i = 0; i < 4; ++i)
+        play("key Ctrl+V");
+    state.view.boxes = {{false, "f"}};
+    state.view.selected = {"b"};
+    play("key Ctrl+D");
+    state.view.boxes = {{false, "f"}};
+    state.view.selected = {"b"};
+    play("key Ctrl+D\nassert nodes 4");
+    const auto& frames = state.document().frames;
+    ASSERT_EQ(frames.size(), 7U);
+    for (size_t i = 0; i < frames.size(); ++i)
+        for (size_t k = i + 1; k < frames.size(); ++k)
+            EXPECT_GT(std::max(std::fabs(frames[i].rect.x - frames[k].rect.x),
+                               std::fabs(frames[i].rect.y - frames[k].rect.y)),
+                      8);
+    const Card &first = *state.layout.find("b2"), &second = *state.layout.find("b3");
+    EXPECT_GT(std::fabs(first.at.x - second.at.x), 8);
+    EXPECT_EQ(frames[6].rect.x - frames[0].rect.x, second.at.x - 600);
+}
+
 TEST_F(Headless, PastedNodesFindTheWiresOfTheirOwnNames) {
     open(R"({ "wrinkle": 1, "nodes": {
         "a": { "type": "sine" }, "b": { "type": "sine" },

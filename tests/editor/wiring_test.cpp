@@ -7,6 +7,25 @@
 namespace wrinkle::editor {
 namespace {
 
+TEST_F(Headless, ThePushOfTheOutputsCardIsUndoneWithItsGesture) {
+    open(R"({"wrinkle": 1, "nodes": {
+        "bump": {"type": "resolve"}, "loose": {"type": "face_viewer"}},
+        "outputs": {"normal": {"from": "bump.normal"}},
+        "layout": {"bump": [0, 0], "loose": [160, 320]}})");
+    state.view.outputs_at = ImVec2(320, 0);
+    state.layout_stale = true;
+    frame();
+    play("drag node:loose node:loose+40,-320\nassert wire loose.normal normal");
+    const ImVec2 pushed = *state.view.outputs_at;
+    EXPECT_GT(pushed.x, 320);
+    for (int i = 0; i < 2; ++i) {
+        play("key Ctrl+Z\nassert clean");
+        EXPECT_EQ(state.view.outputs_at->x, 320);
+        play("key Ctrl+Shift+Z\nassert dirty");
+        EXPECT_EQ(state.view.outputs_at->x, pushed.x);
+    }
+}
+
 TEST_F(Headless, DeletingHealsTheWireOrLeavesAGap) {
     open(small_graph);
     play(R"(

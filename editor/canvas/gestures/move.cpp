@@ -48,8 +48,10 @@ bool drop_in_wire(State& state, const Document& moved) {
     const Wire wire = state.layout.wires[*index];
     const Connection place{wire.from, wire.node, wire.port};
     const Document wired = insert_in_wire(moved, place, card.id, *passage_in(state, card, wire));
-    state.commit("Insert " + card.id + " in a wire",
-                 with_room(state, wired, card, state.view.outputs_at));
+    std::optional<ImVec2> outputs_at;
+    const std::optional<ImVec2> from = state.view.outputs_at;
+    state.commit("Insert " + card.id + " in a wire", with_room(state, wired, card, outputs_at));
+    if (outputs_at && from) push_outputs(state, *from, *outputs_at);
     return true;
 }
 
@@ -80,7 +82,11 @@ void drop_cards(State& state) {
     refresh(state);  // the cards stand where the last motion has put them
     std::vector<NodePosition> places;
     for (const Card& card : state.layout.cards) {
-        if (!state.gesture.carried.contains(card.id)) continue;
+        const bool carried = state.gesture.carried.contains(card.id);
+        // A card without a place of its own would move when others get one.
+        const bool settles =
+            card.kind == Card::Kind::node && !state.document().positions.find(card.id);
+        if (!carried && !settles) continue;
         if (card.kind == Card::Kind::node) places.push_back({card.id, card.at.x, card.at.y});
         if (card.kind == Card::Kind::surface) state.view.surface_at = card.at;
         if (card.kind == Card::Kind::outputs) state.view.outputs_at = card.at;

@@ -1,0 +1,28 @@
+// A graph that stays open in memory while a sub-graph of it is on the canvas: as it was left.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+
+#include "editor/document/history.h"
+#include "editor/document/journal.h"
+#include "editor/document/watch.h"
+#include "editor/view.h"
+
+namespace wrinkle::editor {
+
+struct Level {
+    std::filesystem::path path;
+    History history;
+    uint64_t saved_serial = 0;
+    std::string save_refused;
+    DiskCopy disk;
+    Journal journal;
+    uint64_t journalled = 0;
+    View view;
+
+    bool dirty() const { return history.serial() != saved_serial; }
+};
+
+}  // namespace wrinkle::editor
