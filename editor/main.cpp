@@ -88,12 +88,15 @@ int run(const Arguments& arguments) {
     Preview preview(wake_window);
     Compiler compiler(registry, wake_window);
     CodeMaker code(registry, wake_window);
+    NodePictureMaker pictures(registry, wake_window);
     state.registry = &registry;
     state.preview = &preview;
     state.follow.compiler = &compiler;
     state.code.maker = &code;
     state.fonts.load();
     state.thumbnails.use_gl();
+    state.node_feed.maker = &pictures;
+    state.node_feed.atlas.use_gl();
     begin(state, arguments);
     if (!trouble.empty()) state.status = trouble;
     if (!arguments.timings.empty()) state.timings = &timings;

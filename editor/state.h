@@ -25,6 +25,7 @@
 #include "editor/look/thumbnails.h"
 #include "editor/panels/open.h"
 #include "editor/panels/panes.h"
+#include "editor/preview/node_feed.h"
 #include "editor/timings.h"
 #include "editor/view.h"
 
@@ -84,6 +85,7 @@ struct State {
     Preview* preview = nullptr;    // nullptr without GL
     Diagnostics preview_problems;  // of the newest picture
     bool preview_stale = false;    // the picture is of a former graph
+    NodeFeed node_feed;
     Counters counters;
     Timings* timings = nullptr;  // somebody measures
     Targets targets;

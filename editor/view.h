@@ -33,8 +33,10 @@ struct View {
     };
     std::vector<Push> pushes;
     bool all_surface = false, all_outputs = false;
-    bool tracing = false;  // what is not on a way through the selection fades
-    bool heat = false;     // costs are tinted
+    bool pictures = true;          // of what nodes make, on their cards (canvas/make_card.h)
+    std::set<std::string> turned;  // nodes whose picture is not as is usual for their type
+    bool tracing = false;          // what is not on a way through the selection fades
+    bool heat = false;             // costs are tinted
     PreviewView preview_view;
     CompareView compare;
     // `against` counts while something is compared.

@@ -165,6 +165,8 @@ bool Window::renew(State& state, std::string& why) {
     glfwGetWindowSize(h.window, &options.width, &options.height);
     if (state.preview) state.preview->leave_context();
     state.thumbnails.forget();
+    state.node_feed.atlas.forget();
+    state.node_feed.asked = 0;  // so that all are made anew
     ImGui_ImplOpenGL3_Shutdown();
     GLFWwindow* window = make_window(options);
     if (!window) {

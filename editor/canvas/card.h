@@ -50,7 +50,8 @@ struct Card {
     ImVec2 at{0, 0}, size{0, 0};
     std::vector<Pin> pins;
     std::vector<Field> fields;
-    float more_y = -1;  // of the row that shows all properties; -1: none
+    float more_y = -1;     // of the row that shows all properties; -1: none
+    float picture_y = -1;  // of the picture of what it makes; -1: none
     // The header's texts as they are shown, cut to fit; title may be "".
     std::string name, title;
     float name_width = 0;

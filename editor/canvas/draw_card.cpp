@@ -116,6 +116,26 @@ ImU32 plain_color(const Painter& p, const Card& card) {
     return cost ? heat_color(p.heat(*cost)).ground : theme::header;
 }
 
+// What the node makes, cut to the card's width; half as strong while it is of a former graph.
+void draw_picture(const Painter& p, const Card& card, ImVec2 low, ImVec2 high) {
+    if (card.picture_y < 0) return;
+    const ImVec2 from(low.x + field_inset * p.zoom, low.y + card.picture_y * p.zoom);
+    const ImVec2 to(high.x - field_inset * p.zoom, from.y + picture_height * p.zoom);
+    const NodeFeed& feed = p.state.node_feed;
+    const auto place = feed.pictures.places.find(card.id);
+    if (place != feed.pictures.places.end() && place->second < feed.atlas.count()) {
+        PictureAtlas::Place at = feed.atlas.place(place->second);
+        const float wide = (to.x - from.x) / (to.y - from.y) * NodePictures::height;
+        const float u = (at.u1 - at.u0) * (1 - std::min(wide / NodePictures::width, 1.0F)) / 2;
+        const float v = (at.v1 - at.v0) * (1 - std::min(NodePictures::width / wide, 1.0F)) / 2;
+        const ImU32 tint = theme::with_alpha(IM_COL32_WHITE, p.state.built.running() ? 1 : 0.5F);
+        p.list.AddImageRounded(
+            reinterpret_cast<ImTextureID>(static_cast<intptr_t>(feed.atlas.texture())), from, to,
+            {at.u0 + u, at.v1 - v}, {at.u1 - u, at.v0 + v}, tint, 3 * p.zoom);
+    }
+    p.list.AddRect(from, to, theme::border, 3 * p.zoom);
+}
+
 // The last row: what the node costs, while the graph compiles.
 void draw_cost(const Painter& p, const Card& card, ImVec2 high) {
     const Cost* cost = p.cost(card);
@@ -187,6 +207,7 @@ void draw_body(const Painter& p, size_t index, ImVec2 low, ImVec2 high, bool hov
             draw_field(p, card, card.fields[i],
                        hovered && hit.kind == Hit::Kind::field && hit.part == i,
                        faulty ? p.fault(card, card.fields[i].port) : nullptr);
+    if (p.details) draw_picture(p, card, low, high);
     if (p.details || p.view.heat) draw_cost(p, card, high);
     if (!card.muted) return;
     p.list.AddRectFilled(under + ImVec2(1, 0), high - ImVec2(1, 1),

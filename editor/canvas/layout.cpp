@@ -81,14 +81,15 @@ public:
     Card take(size_t index) {
         const NodePtr& node = state_.document().nodes[index];
         const NodeType* type = state_.model.types->of(0, index);
+        const bool picture = has_picture(state_.view, *node, type);
         const size_t before = index_before(index, node);
         if (before != Table<NodePtr>::npos && old_.readers[before] == readers_.key[index] &&
             has_lasting_type(*node)) {
             Card& card = old_.cards[old_.card_of_node[before]];
-            if (card.type == type) return std::move(card);
+            if (card.type == type && (card.picture_y >= 0) == picture) return std::move(card);
         }
         ++made;
-        return make_card(state_.fonts, *node, type, readers_.of(index));
+        return make_card(state_.fonts, *node, type, readers_.of(index), picture);
     }
 
     size_t made = 0;
@@ -291,9 +292,13 @@ std::vector<ImVec2> places_off_canvas(const State& state, const Document& docume
         return places_of(document, std::vector<ImVec2>(document.nodes.size(), ImVec2(0, 0)));
     const Model model = make_model(document, state.folder(), *state.registry);
     const Readers readers = find_readers(document);
-    for (size_t i = 0; i < document.nodes.size(); ++i)
+    for (size_t i = 0; i < document.nodes.size(); ++i) {
+        const Node& node = *document.nodes[i];
+        const NodeType* type = model.types->of(0, i);
         sizes.push_back(
-            make_card(state.fonts, *document.nodes[i], model.types->of(0, i), readers.of(i)).size);
+            make_card(state.fonts, node, type, readers.of(i), has_picture(state.view, node, type))
+                .size);
+    }
     return places_of(document, sizes);
 }
 

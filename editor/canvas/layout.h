@@ -12,6 +12,7 @@ inline constexpr float plain_zoom = 0.35F;  // below it a card is a rectangle
 inline constexpr float name_left = 29;      // of a card with a pin in its header
 inline constexpr float header_height = 28, row_height = 24, field_height = 21, field_inset = 12;
 inline constexpr float cost_height = 20;  // of the last row; 8 without it
+inline constexpr float picture_height = 72;
 // A pin at either end, the shape in the middle.
 inline constexpr float reroute_width = 32, reroute_height = 16;
 

@@ -14,8 +14,9 @@ constexpr TextStyle body, bold{16, true}, small{14};
 
 class CardMaker {
 public:
-    CardMaker(const Fonts& fonts, const Node& node, std::span<const std::string_view> read)
-        : fonts_(fonts), node_(node), read_(read) {}
+    CardMaker(const Fonts& fonts, const Node& node, std::span<const std::string_view> read,
+              bool picture)
+        : fonts_(fonts), node_(node), read_(read), picture_(picture) {}
 
     Card make(const NodeType* type) {
         card.id = node_.id;
@@ -58,6 +59,7 @@ private:
     const Fonts& fonts_;
     const Node& node_;
     std::span<const std::string_view> read_;
+    bool picture_;
 };
 
 bool shows_field(const Port& port) {
@@ -139,6 +141,10 @@ void CardMaker::fill_ports() {
         if (field) add_field(i, port, y + 1.5F);
         y += row_height;
     }
+    if (picture_) {
+        card.picture_y = y + 4;
+        y += picture_height + 8;
+    }
     card.size.y = y + cost_height;
 }
 
@@ -201,9 +207,21 @@ void close_card(const Fonts& fonts, Card& card, bool more) {
 
 }  // namespace
 
+bool has_picture(const View& view, const Node& node, const NodeType* type) {
+    if (!view.pictures || !type || node.type == reroute_type) return false;
+    const std::string shown = shown_port(*type);
+    const auto made = std::find_if(type->ports.begin(), type->ports.end(),
+                                   [&](const Port& port) { return port.name == shown; });
+    if (made == type->ports.end()) return false;
+    const bool usual = std::none_of(type->ports.begin(), type->ports.end(), [&](const Port& port) {
+        return port.is_value() && port.type == made->type;
+    });
+    return usual != view.turned.contains(node.id);
+}
+
 Card make_card(const Fonts& fonts, const Node& node, const NodeType* type,
-               std::span<const std::string_view> read) {
-    Card card = CardMaker(fonts, node, read).make(type);
+               std::span<const std::string_view> read, bool picture) {
+    Card card = CardMaker(fonts, node, read, picture).make(type);
     write_header(fonts, card);
     return card;
 }

@@ -48,6 +48,23 @@ std::string_view no_values(const State& state) {
     return card && !card->fields.empty() ? "" : "The node has no values.";
 }
 
+// Shows the pictures of the selected nodes, or hides them where all show one.
+void turn_pictures(State& state) {
+    View& view = state.view;
+    view.pictures = true;
+    bool all = true;
+    for (const std::string& id : view.selected) {
+        const Card* card = state.layout.find(id);
+        all = all && (!card || !card->type || card->picture_y >= 0);
+    }
+    for (const std::string& id : view.selected) {
+        const Card* card = state.layout.find(id);
+        if (!card || (card->picture_y >= 0) != all) continue;
+        if (view.turned.erase(id) == 0) view.turned.insert(id);
+    }
+    state.layout_stale = true;
+}
+
 template <Side Where>
 void align(State& state) {
     state.commit("Align", aligned(state, Where));
@@ -63,6 +80,7 @@ constexpr Command table[] = {
     {"edit-values", "Edit values, or open the sub-graph", "Enter", "Node", no_values,
      [](State& s) { selected_group(s) ? open_group(s) : edit_values(s); }},
     {"mute", "Mute", "M", "Node", wants_selection, mute_selected},
+    {"picture", "Picture of what it makes", "V", "Node", wants_selection, turn_pictures},
     {"swap-inputs", "Swap inputs", "Alt+S", "Node", wants_selection, swap_selected},
     {"frame", "Frame", "C", "Node", always, frame_selected},
     {"note", "Note", "N", "Node", always, add_note},

@@ -78,6 +78,12 @@ constexpr Command table[] = {
      [](const State& s) { return s.view.tracing; }},
     {"heat", "Tint costs", "H", "View", always, [](State& s) { s.view.heat = !s.view.heat; },
      [](const State& s) { return s.view.heat; }},
+    {"pictures", "Pictures on nodes", "Shift+V", "View", always,
+     [](State& s) {
+         s.view.pictures = !s.view.pictures;
+         s.layout_stale = true;
+     },
+     [](const State& s) { return s.view.pictures; }},
     {"side", "Preview and code", "F6", "View", always, toggle_side, shows_side},
     {"maximise", "Maximise the panel under the pointer", "F11", "View", always, maximise,
      is_maximised},

@@ -87,6 +87,7 @@ void refresh(State& state) {
         if (auto result = follow.compiler->take()) take(state, std::move(*result));
     hear_preview(state);
     update_layout(state);
+    feed_node_pictures(state);
 }
 
 bool is_settled(const State& state) {

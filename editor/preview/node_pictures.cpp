@@ -5,7 +5,6 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
-#include <optional>
 
 #include "cpu/evaluate.h"
 #include "editor/preview/request.h"
@@ -24,15 +23,16 @@ struct Shown {
     std::string output;  // of the document that is made for it
 };
 
-// The document with an output for each node that makes something to see.
-std::vector<Shown> show_nodes(Document& document, const Model& model) {
+// The document with an output for each wanted node that makes something to see.
+std::vector<Shown> show_nodes(Document& document, const Model& model,
+                              const std::set<std::string>& wanted) {
     document.outputs = Table<Output>();
     std::vector<Shown> shown;
     const std::vector<NodePtr> nodes(document.nodes.begin(), document.nodes.end());
     for (const NodePtr& node : nodes) {
         const NodeType* type = model.type_of(node->id);
         const std::string port = type ? shown_port(*type) : "";
-        if (port.empty()) continue;
+        if (port.empty() || !wanted.contains(node->id)) continue;
         shown.push_back({node->id, "picture" + std::to_string(shown.size())});
         document = set_output(document, shown.back().output, {node->id, port});
     }
@@ -128,7 +128,7 @@ NodePictures NodePainter::draw(const NodePictureJob& job) {
     pictures.version = job.version;
     if (std::exchange(images_, job.images) != job.images) chains_.clear();
     Document document = job.document;
-    const std::vector<Shown> shown = show_nodes(document, job.model);
+    const std::vector<Shown> shown = show_nodes(document, job.model, job.nodes);
     if (shown.empty()) return pictures;
     MaterialOptions options;
     options.given_differentials = true;

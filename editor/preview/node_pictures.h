@@ -10,6 +10,8 @@
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -24,7 +26,8 @@ struct NodePictureJob {
     uint64_t version = 0;  // grows with every job
     Model model;
     Document document;
-    uint64_t images = 0;  // when it changes, image files are read again
+    std::set<std::string> nodes;  // whose pictures are wanted
+    uint64_t images = 0;          // when it changes, image files are read again
 };
 
 struct NodePictures {

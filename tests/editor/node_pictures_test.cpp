@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "editor/canvas/layout.h"
 #include "graph/read.h"
 #include "headless.h"
 
@@ -17,6 +18,8 @@ NodePictures pictures_of(const std::string& nodes, const std::filesystem::path& 
     job.version = 7;
     job.document = read_document(R"({ "wrinkle": 1, "nodes": {)" + nodes + R"(}, "outputs": {} })",
                                  "graph.json", problems);
+    for (const NodePtr& node : job.document.nodes)
+        job.nodes.insert(node->id);
     job.model = make_model(job.document, folder, built_in_registry());
     return NodePainter(built_in_registry()).draw(job);
 }
@@ -99,6 +102,52 @@ TEST_F(Headless, ThePictureOfAMapIsTheMap) {
     for (uint32_t x = 0; x < NodePictures::width; ++x)
         other += texel_of(pictures, "map", x, 32).r != first.r;
     EXPECT_GT(other, 10U);
+}
+
+// Of a card's picture: where it begins, below 0 where there is none.
+float picture_of(const State& state, const std::string& node) {
+    const Card* card = state.layout.find(node);
+    return card ? card->picture_y : -2;
+}
+
+TEST_F(Headless, ACardShowsWhatItMakesWhereThatIsAnotherKindOfThing) {
+    open(small_graph);
+    play("click node:softer");
+    EXPECT_GT(picture_of(state, "noise"), 0);   // a height, of a point
+    EXPECT_GT(picture_of(state, "normal"), 0);  // a normal, of a bump
+    EXPECT_LT(picture_of(state, "softer"), 0);  // a bump, of a bump
+    const float height = state.layout.find("softer")->size.y;
+    play("key V");
+    EXPECT_GT(picture_of(state, "softer"), 0);
+    EXPECT_GT(state.layout.find("softer")->size.y, height + picture_height);
+    play("key V");
+    EXPECT_LT(picture_of(state, "softer"), 0);
+    play("key Shift+V");
+    EXPECT_LT(picture_of(state, "noise"), 0);
+    EXPECT_FALSE(state.dirty());
+}
+
+TEST_F(Headless, PicturesFollowWhatChangesThemAndNothingElse) {
+    open(small_graph);
+    NodePictureMaker maker(built_in_registry());
+    state.node_feed.maker = &maker;
+    const auto newest = [&] {
+        frame();
+        maker.settle();
+        frame();
+        return state.node_feed.pictures;
+    };
+    const NodePictures first = newest();
+    EXPECT_EQ(first.places.size(), 2U);
+    play("drag node:noise node:noise+0,120");
+    EXPECT_EQ(newest().version, first.version) << "moving made them anew";
+    play("double field:noise.scale\ntype 9\nkey Enter");
+    const NodePictures second = newest();
+    EXPECT_GT(second.version, first.version);
+    EXPECT_NE(second.texels, first.texels);
+    play("double field:noise.scale\ntype 0/0\nkey Enter\nkey Escape");
+    play("drag pin:normal.gradient canvas+0,330\nkey Escape");
+    EXPECT_EQ(newest().places.size(), 2U);
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Cards that nobody has put anywhere.
+// Where cards stand that nobody has put anywhere, and those of the graphs that come along.
 #include "editor/canvas/layout.h"
 #include "editor/document/files.h"
 #include "headless.h"
@@ -70,6 +70,14 @@ TEST_F(Headless, MovingOneCardLeavesTheOthersWhereTheyAre) {
     EXPECT_EQ(state.layout.find("c")->at.x, c.x);
     EXPECT_GT(state.layout.find("b")->at.y, a.y + 100);
     play("key Ctrl+Z\nassert clean");
+}
+
+TEST_F(Headless, TheGraphsThatComeWithItDoNotOverlap) {
+    for (const fs::path& graph : all_graphs()) {
+        open_file(state, graph);
+        frame();
+        EXPECT_EQ(overlaps(state.layout, Document()), "") << graph;
+    }
 }
 
 TEST_F(Headless, TidiedGraphsDoNotOverlap) {

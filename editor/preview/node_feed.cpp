@@ -1,0 +1,46 @@
+#include "editor/preview/node_feed.h"
+
+#include "editor/document/change.h"
+#include "editor/state.h"
+
+namespace wrinkle::editor {
+namespace {
+
+std::set<std::string> wanted_nodes(const State& state) {
+    std::set<std::string> wanted;
+    for (const Card& card : state.layout.cards)
+        if (card.picture_y >= 0) wanted.insert(card.id);
+    return wanted;
+}
+
+// Whether the pictures of the one document are those of the other.
+bool looks_the_same(const Document& before, const Document& after) {
+    const Change difference = change(before, after);
+    return difference.kind == Change::Kind::none || difference.kind == Change::Kind::cosmetic;
+}
+
+}  // namespace
+
+void feed_node_pictures(State& state) {
+    NodeFeed& feed = state.node_feed;
+    if (!feed.maker) return;
+    if (auto newest = feed.maker->take(); newest && !newest->places.empty()) {
+        feed.pictures = std::move(*newest);
+        feed.atlas.fill(feed.pictures.texels, NodePictures::width, NodePictures::height);
+    }
+    const bool busy = state.follow.building() || (state.preview && !state.preview->idle()) ||
+                      state.gesture.kind != Gesture::Kind::none;
+    if (busy || !state.built.running()) return;
+    std::set<std::string> wanted = wanted_nodes(state);
+    const Document& now = state.document();
+    if (feed.asked > 0 && wanted == feed.asked_nodes && feed.images == feed.asked_images &&
+        looks_the_same(feed.asked_of, now))
+        return;
+    feed.asked_of = now;
+    feed.asked_nodes = wanted;
+    feed.asked_images = feed.images;
+    if (!wanted.empty())
+        feed.maker->ask({++feed.asked, state.model, now, std::move(wanted), feed.images});
+}
+
+}  // namespace wrinkle::editor
