@@ -12,7 +12,6 @@
 #include "editor/document/files.h"
 #include "editor/document/recovery.h"
 #include "editor/window.h"
-#include "nodes/all.h"
 #include "registry/plugin_loader.h"
 
 namespace wrinkle::editor {
@@ -45,12 +44,11 @@ void begin(State& state, const Arguments& arguments) {
     offer_recovery(state);
 }
 
-void add_nodes(Registry& registry, const Arguments& arguments) {
+void add_nodes(State& state, const Arguments& arguments) {
     Diagnostics problems;
-    registry.add_plugin(built_in_nodes(), Registry::built_in, problems);
-    load_plugins(registry,
-                 plugin_places(arguments.plugin_paths, std::getenv("WRINKLE_PLUGIN_PATH")),
-                 problems);
+    state.plugins.places =
+        plugin_places(arguments.plugin_paths, std::getenv("WRINKLE_PLUGIN_PATH"));
+    load_plugins(state, problems);
     if (!problems.list().empty()) std::fputs(to_text(problems).c_str(), stderr);
 }
 
@@ -63,6 +61,23 @@ bool write_timings(const State& state, const std::string& file) {
     return false;
 }
 
+// The threads beside the interface; they end before the state that they work for.
+struct Workers {
+    Preview preview{wake_window};
+    Compiler compiler;
+    CodeMaker code;
+    FileLooker looker{[](FileQuestion&& question) { return look_at_files(question); }, wake_window};
+
+    explicit Workers(State& state)
+        : compiler(*state.registry, wake_window), code(*state.registry, wake_window) {
+        state.preview = &preview;
+        state.follow.compiler = &compiler;
+        state.code.maker = &code;
+        state.used.looker = &looker;
+        state.tasks.wake = wake_window;
+    }
+};
+
 int run(const Arguments& arguments) {
     std::optional<Script> script;
     std::string why;
@@ -71,9 +86,8 @@ int run(const Arguments& arguments) {
         if (!text) return complain(arguments.script + " " + why, 1);
         script.emplace(*text);
     }
-    Registry registry;
-    add_nodes(registry, arguments);
     State state;
+    add_nodes(state, arguments);
     std::string trouble;
     Keeping& keeping = state.keeping;
     keeping.folders = folders_of(arguments);
@@ -84,13 +98,7 @@ int run(const Arguments& arguments) {
                           script.has_value() || !arguments.shot.empty()};
     const auto window = Window::open(options, why);
     if (!window) return complain(why, 3);
-    Preview preview(wake_window);
-    Compiler compiler(registry, wake_window);
-    CodeMaker code(registry, wake_window);
-    state.registry = &registry;
-    state.preview = &preview;
-    state.follow.compiler = &compiler;
-    state.code.maker = &code;
+    Workers workers(state);
     state.fonts.load();
     state.thumbnails.use_gl();
     begin(state, arguments);
@@ -98,6 +106,7 @@ int run(const Arguments& arguments) {
     Timings timings;
     if (!arguments.timings.empty()) state.timings = &timings;
     const bool good = window->run(state, script ? &*script : nullptr, arguments.shot, why);
+    state.tasks = {};  // stops what runs
     finish(state);
     if (!good) return complain(why, 1);
     return !state.timings || write_timings(state, arguments.timings) ? 0 : 1;

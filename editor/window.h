@@ -31,6 +31,7 @@ public:
 private:
     Window() = default;
     void draw_frame(State& state);
+    void dress(const State& state);
     bool save_picture(const std::string& file) const;
 
     struct Handle;
