@@ -12,7 +12,6 @@
 #include "editor/document/files.h"
 #include "editor/document/recovery.h"
 #include "editor/window.h"
-#include "nodes/all.h"
 #include "registry/plugin_loader.h"
 
 namespace wrinkle::editor {
@@ -45,12 +44,11 @@ void begin(State& state, const Arguments& arguments) {
     offer_recovery(state);
 }
 
-void add_nodes(Registry& registry, const Arguments& arguments) {
+void add_nodes(State& state, const Arguments& arguments) {
     Diagnostics problems;
-    registry.add_plugin(built_in_nodes(), Registry::built_in, problems);
-    load_plugins(registry,
-                 plugin_places(arguments.plugin_paths, std::getenv("WRINKLE_PLUGIN_PATH")),
-                 problems);
+    state.plugins.places =
+        plugin_places(arguments.plugin_paths, std::getenv("WRINKLE_PLUGIN_PATH"));
+    load_plugins(state, problems);
     if (!problems.list().empty()) std::fputs(to_text(problems).c_str(), stderr);
 }
 
@@ -63,6 +61,25 @@ bool write_timings(const State& state, const std::string& file) {
     return false;
 }
 
+// The threads beside the interface; they end before the state that they work for.
+struct Workers {
+    Preview preview{wake_window};
+    Compiler compiler;
+    CodeMaker code;
+    NodePictureMaker pictures{wake_window};
+    FileLooker looker{[](FileQuestion&& question) { return look_at_files(question); }, wake_window};
+
+    explicit Workers(State& state)
+        : compiler(*state.registry, wake_window), code(*state.registry, wake_window) {
+        state.preview = &preview;
+        state.follow.compiler = &compiler;
+        state.code.maker = &code;
+        state.node_feed.maker = &pictures;
+        state.used.looker = &looker;
+        state.tasks.wake = wake_window;
+    }
+};
+
 int run(const Arguments& arguments) {
     Timings timings;  // from here on
     std::optional<Script> script;
@@ -72,9 +89,8 @@ int run(const Arguments& arguments) {
         if (!text) return complain(arguments.script + " " + why, 1);
         script.emplace(*text);
     }
-    Registry registry;
-    add_nodes(registry, arguments);
     State state;
+    add_nodes(state, arguments);
     std::string trouble;
     Keeping& keeping = state.keeping;
     keeping.folders = folders_of(arguments);
@@ -85,22 +101,15 @@ int run(const Arguments& arguments) {
                           script.has_value() || !arguments.shot.empty()};
     const auto window = Window::open(options, why);
     if (!window) return complain(why, 3);
-    Preview preview(wake_window);
-    Compiler compiler(registry, wake_window);
-    CodeMaker code(registry, wake_window);
-    NodePictureMaker pictures(registry, wake_window);
-    state.registry = &registry;
-    state.preview = &preview;
-    state.follow.compiler = &compiler;
-    state.code.maker = &code;
+    Workers workers(state);
     state.fonts.load();
     state.thumbnails.use_gl();
-    state.node_feed.maker = &pictures;
     state.node_feed.atlas.use_gl();
     begin(state, arguments);
     if (!trouble.empty()) state.status = trouble;
     if (!arguments.timings.empty()) state.timings = &timings;
     const bool good = window->run(state, script ? &*script : nullptr, arguments.shot, why);
+    state.tasks = {};                    // stops what runs
     if (!good) return complain(why, 1);  // what was not saved stays in the recovery file
     finish(state);
     return !state.timings || write_timings(state, arguments.timings) ? 0 : 1;

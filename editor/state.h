@@ -18,6 +18,8 @@
 #include "editor/document/keeping.h"
 #include "editor/document/level.h"
 #include "editor/document/model.h"
+#include "editor/document/plugins.h"
+#include "editor/document/used_files.h"
 #include "editor/drop/dropped.h"
 #include "editor/input/targets.h"
 #include "editor/look/fonts.h"
@@ -26,6 +28,7 @@
 #include "editor/panels/open.h"
 #include "editor/panels/panes.h"
 #include "editor/preview/node_feed.h"
+#include "editor/tasks/task.h"
 #include "editor/timings.h"
 #include "editor/view.h"
 
@@ -43,6 +46,8 @@ struct Counters {
 
 struct State {
     const Registry* registry = nullptr;
+    Plugins plugins;
+    UsedFiles used;
     Fonts fonts;
     Look look;
     History history;
@@ -72,6 +77,7 @@ struct State {
     Clip clip;
     Offer offer;
     BoxText box_text;
+    Tasks tasks;
     std::string status;  // what the last action did, or why it was refused
 
     Model model;

@@ -7,8 +7,10 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cctype>
+#include <utility>
 
 #include "editor/commands/commands.h"
 #include "editor/document/files.h"
@@ -26,11 +28,15 @@ struct Window::Handle {
     bool scripted = false;
     double last = 0;
     std::string title;
+    std::array<GLFWcursor*, ImGuiMouseCursor_COUNT> cursors = {};  // nullptr: the usual arrow
+    ImGuiMouseCursor cursor = ImGuiMouseCursor_Arrow;
     int awake = 3;      // frames still to draw
     bool lost = false;  // the driver dropped the context
 };
 
 namespace {
+
+constexpr int least_width = 800, least_height = 500;
 
 std::atomic<bool> woken = false;
 
@@ -70,6 +76,17 @@ void listen(GLFWwindow* window) {
     });
 }
 
+// Shapes that GLFW 3.3 lacks stay the arrow.
+void make_cursors(std::array<GLFWcursor*, ImGuiMouseCursor_COUNT>& cursors) {
+    constexpr std::pair<ImGuiMouseCursor, int> shapes[] = {
+        {ImGuiMouseCursor_TextInput, GLFW_IBEAM_CURSOR},
+        {ImGuiMouseCursor_ResizeEW, GLFW_HRESIZE_CURSOR},
+        {ImGuiMouseCursor_ResizeNS, GLFW_VRESIZE_CURSOR},
+        {ImGuiMouseCursor_Hand, GLFW_HAND_CURSOR}};
+    for (const auto& [which, shape] : shapes)
+        cursors[static_cast<size_t>(which)] = glfwCreateStandardCursor(shape);
+}
+
 void use_clipboard(GLFWwindow* window) {
     ImGuiIO& io = ImGui::GetIO();
     io.ClipboardUserData = window;
@@ -96,8 +113,11 @@ GLFWwindow* make_window(const WindowOptions& options) {
     for (const int robustness : {GLFW_LOSE_CONTEXT_ON_RESET, GLFW_NO_ROBUSTNESS}) {
         glfwWindowHint(GLFW_CONTEXT_ROBUSTNESS, robustness);
         GLFWwindow* window =
-            glfwCreateWindow(options.width, options.height, "Wrinkle", nullptr, nullptr);
-        if (window) return window;
+            glfwCreateWindow(std::max(options.width, least_width),
+                             std::max(options.height, least_height), "Wrinkle", nullptr, nullptr);
+        if (!window) continue;
+        glfwSetWindowSizeLimits(window, least_width, least_height, GLFW_DONT_CARE, GLFW_DONT_CARE);
+        return window;
     }
     return nullptr;
 }
@@ -140,6 +160,8 @@ std::unique_ptr<Window> Window::open(const WindowOptions& options, std::string& 
     // A script's clicks follow each other in few frames of fixed length.
     io.MouseDoubleClickTime = options.hidden_input ? 0.06F : 0.4F;
     map_keys(io);
+    io.BackendFlags |= ImGuiBackendFlags_HasMouseCursors;
+    make_cursors(result->handle_->cursors);
     theme::use(Theme::dark);
     adopt(window, result->handle_->queue, options.hidden_input);
     return result;
@@ -215,6 +237,16 @@ void Window::draw_frame(State& state) {
     glClearColor(0.08F, 0.09F, 0.1F, 1);
     glClear(GL_COLOR_BUFFER_BIT);
     ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+    dress(state);
+}
+
+// The title and the pointer, where they have changed.
+void Window::dress(const State& state) {
+    const ImGuiMouseCursor cursor = ImGui::GetMouseCursor();
+    if (cursor != handle_->cursor && cursor >= 0) {
+        handle_->cursor = cursor;
+        glfwSetCursor(handle_->window, handle_->cursors[static_cast<size_t>(cursor)]);
+    }
     if (state.title() != handle_->title) {
         handle_->title = state.title();
         glfwSetWindowTitle(handle_->window, handle_->title.c_str());
@@ -239,8 +271,9 @@ bool Window::listen(State& state, bool playing) {
     if (h.awake > 0 || !h.queue.empty() || playing)
         glfwPollEvents();
     else
-        glfwWaitEventsTimeout(state.help.waiting ? 0.1 : 0.5);
-    if (state.help.waiting || state.thumbnails.waiting()) h.awake = std::max(h.awake, 1);
+        glfwWaitEventsTimeout(state.help.waiting || state.tasks.running ? 0.1 : 0.5);
+    if (state.help.waiting || state.thumbnails.waiting() || state.tasks.running)
+        h.awake = std::max(h.awake, 1);
     if (tend(state)) h.awake = 3;
     if (!h.queue.empty() || state.gesture.panning) h.awake = 3;
     if (woken.exchange(false)) h.awake = std::max(h.awake, 1);  // one frame shows a result

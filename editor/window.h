@@ -34,6 +34,7 @@ private:
     void draw_frame(State& state);
     bool is_lost(const State& state) const;
     bool renew(State& state, std::string& why);
+    void dress(const State& state);
     bool save_picture(const std::string& file) const;
 
     struct Handle;

@@ -1,11 +1,17 @@
 #include "registry/plugin_loader.h"
 
 #include <dlfcn.h>
+#include <elf.h>
+#include <fcntl.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <cstdlib>
+#include <cstring>
 #include <filesystem>
 #include <set>
 
+#include "base/file.h"
 #include "base/text.h"
 #include "registry/descriptor.h"
 
@@ -16,10 +22,46 @@ namespace {
 
 constexpr const char* entry_symbol = "wrinkle_plugin";
 
+// Loading less than a whole file may end the program.
+bool is_cut_short(const std::string& path) {
+    std::string why;
+    const auto bytes = read_file(path, why);
+    Elf64_Ehdr head;
+    if (!bytes || bytes->size() < sizeof head) return false;  // dlopen() says what it is
+    std::memcpy(&head, bytes->data(), sizeof head);
+    if (std::memcmp(head.e_ident, ELFMAG, SELFMAG) != 0 || head.e_ident[EI_CLASS] != ELFCLASS64)
+        return false;
+    const auto ends_after = [&](uint64_t at, uint64_t size) {
+        return at > bytes->size() || size > bytes->size() - at;
+    };
+    if (ends_after(head.e_shoff, uint64_t{head.e_shentsize} * head.e_shnum) ||
+        ends_after(head.e_phoff, sizeof(Elf64_Phdr) * head.e_phnum))
+        return true;
+    for (size_t i = 0; i < head.e_phnum; ++i) {
+        Elf64_Phdr part;
+        std::memcpy(&part, bytes->data() + head.e_phoff + i * sizeof part, sizeof part);
+        if (ends_after(part.p_offset, part.p_filesz)) return true;
+    }
+    return false;
+}
+
+// A temporary file with the same bytes; "" when there can be none.
+std::string copy_of(const std::string& path) {
+    std::error_code error;
+    std::string name = (fs::temp_directory_path(error) / "wrinkle-plugin-XXXXXX.so").string();
+    const int file = mkostemps(name.data(), 3, O_CLOEXEC);
+    if (file < 0) return {};
+    close(file);
+    fs::copy_file(path, name, fs::copy_options::overwrite_existing, error);
+    if (!error) return name;
+    unlink(name.c_str());
+    return {};
+}
+
 class Loader {
 public:
-    Loader(Registry& registry, Diagnostics& diagnostics)
-        : registry_(registry), diagnostics_(diagnostics) {}
+    Loader(Registry& registry, Diagnostics& diagnostics, const PluginOptions& options)
+        : registry_(registry), diagnostics_(diagnostics), options_(options) {}
 
     void place(const std::string& name) {
         std::error_code error;
@@ -80,7 +122,8 @@ private:
             problems.add(std::move(diagnostic));
             return false;
         };
-        void* library = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
+        if (is_cut_short(path)) return refuse("it cannot be loaded: the file is cut short");
+        void* library = open(path);
         if (!library) return refuse("it cannot be loaded: " + last_error(path));
         const auto entry = reinterpret_cast<wr_plugin_entry>(dlsym(library, entry_symbol));
         if (!entry) {
@@ -130,8 +173,19 @@ private:
         diagnostics_.add(std::move(diagnostic));
     }
 
+    void* open(const std::string& path) const {
+        constexpr int mode = RTLD_NOW | RTLD_LOCAL;
+        void* library = nullptr;
+        if (const std::string copy = options_.copies ? copy_of(path) : ""; !copy.empty()) {
+            library = dlopen(copy.c_str(), mode);
+            unlink(copy.c_str());
+        }
+        return library ? library : dlopen(path.c_str(), mode);
+    }
+
     Registry& registry_;
     Diagnostics& diagnostics_;
+    const PluginOptions& options_;
     std::set<fs::path> seen_;
     std::vector<PluginReport> reports_;
 };
@@ -159,8 +213,8 @@ std::vector<std::string> plugin_places(std::span<const std::string> options,
 }
 
 std::vector<PluginReport> load_plugins(Registry& registry, std::span<const std::string> places,
-                                       Diagnostics& diagnostics) {
-    Loader loader(registry, diagnostics);
+                                       Diagnostics& diagnostics, const PluginOptions& options) {
+    Loader loader(registry, diagnostics, options);
     for (const std::string& name : places)
         loader.place(name);
     return loader.take_reports();

@@ -5,6 +5,7 @@
 #include "editor/canvas/painter.h"
 #include "editor/look/heat.h"
 #include "editor/look/icons.h"
+#include "editor/words.h"
 
 namespace wrinkle::editor {
 namespace {
@@ -24,7 +25,7 @@ void draw_badge(const Painter& p, ImVec2 center, float size, const Diagnostic& p
 }
 
 void explain(const Painter& p, const Diagnostic& problem) {
-    show_tooltip(p.state.fonts.bold(16), problem.message, problem.expected);
+    show_tooltip(p.state.fonts.bold(16), sentence(problem.message), sentence(problem.expected));
 }
 
 void draw_field(const Painter& p, const Card& card, const Field& field, bool hovered,

@@ -51,7 +51,8 @@ void draw_hint(const Painter& p) {
     if (!p.state.document().nodes.empty()) return;
     constexpr std::string_view hint = "Space adds a node. Drop an image to start.";
     const float width = text_width(p.state.fonts.regular(16), 16, hint);
-    const ImVec2 at = p.view.corner + p.view.extent * 0.5F - ImVec2(width / 2, 8);
+    ImVec2 at = p.view.corner + p.view.extent * 0.5F - ImVec2(width / 2, 8);
+    if (!p.state.layout.cards.empty()) at.y = p.at(p.state.layout.high).y + 24;  // below them
     draw_text(p.list, p.state.fonts.regular(16), 16, at, theme::text_dim, hint);
 }
 

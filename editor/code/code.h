@@ -2,6 +2,7 @@
 // byte, and the node that each line came from. Made on a thread of its own where there is one.
 #pragma once
 
+#include <atomic>
 #include <functional>
 #include <string>
 #include <string_view>
@@ -50,12 +51,14 @@ class CodeMaker {
 public:
     // The registry must stay as it is while the maker lives. wake is called on its thread.
     explicit CodeMaker(const Registry& registry, std::function<void()> wake = {})
-        : worker_([&registry](CodeJob&& job) { return make_code(job, registry); },
-                  std::move(wake)) {}
+        : registry_(&registry),
+          worker_([this](CodeJob&& job) { return make_code(job, *registry_); }, std::move(wake)) {}
+    void use(const Registry& registry) { registry_ = &registry; }  // as of Compiler
     void ask(CodeJob job) { worker_.post(std::move(job)); }
     std::optional<CodeText> take() { return worker_.take(); }
 
 private:
+    std::atomic<const Registry*> registry_;
     Worker<CodeJob, CodeText> worker_;
 };
 

@@ -2,35 +2,49 @@
 
 #include "base/file.h"
 #include "base/text.h"
+#include "editor/words.h"
 
 namespace wrinkle::editor {
 namespace fs = std::filesystem;
+namespace {
 
-bool export_code(State& state, const fs::path& file) {
-    const CodeText text = make_code(
-        {state.model, state.document(), identifier(state.path.stem().string()), state.code.options},
-        *state.registry);
+CodeJob job_of(const State& state) {
+    return {state.model, state.document(), identifier(state.path.stem().string()),
+            state.code.options};
+}
+
+bool has_stages(const CodeOptions& options) {
+    return options.form == Form::shader;
+}
+
+}  // namespace
+
+TaskOutcome export_code(const CodeJob& job, const Registry& registry, const fs::path& file) {
+    const CodeText text = make_code(job, registry);
     const std::string name = file.filename().string();
-    if (!text.problem.empty()) {
-        state.status = name + " was not written, because the graph has errors. " + text.problem;
-        return false;
-    }
+    if (!text.problem.empty())
+        return {false,
+                name + " was not written, because the graph has errors. " + sentence(text.problem)};
     std::vector<FileBytes> files{{file, text.source}};
-    if (state.code.options.form == Form::shader)
+    if (has_stages(job.options))
         files = {{file.string() + ".vert", text.vertex}, {file.string() + ".frag", text.fragment}};
     std::string why;
-    if (!write_files(files, why)) {
-        state.status = name + " was not written: " + why;
-        return false;
-    }
-    state.status =
-        files.size() == 1 ? "Wrote " + file.string() : "Wrote " + file.string() + ".vert and .frag";
-    return true;
+    if (!write_files(files, why))
+        return {false, name + " was not written: " + disk_words(why) + "."};
+    return {true, "Wrote " + name + (has_stages(job.options) ? ".vert and .frag." : ".")};
+}
+
+void start_code_export(State& state, const fs::path& file) {
+    const auto work = [job = job_of(state), registry = state.registry, file](TaskProgress&) {
+        return export_code(job, *registry, file);
+    };
+    start_task(state, {"Exporting " + file.filename().string(), work,
+                       [file](State& s) { start_code_export(s, file); }});
 }
 
 fs::path usual_export(const State& state) {
     const std::string stem = state.path.stem().string();
-    return state.folder() / (state.code.options.form == Form::shader ? stem : stem + ".glsl");
+    return state.folder() / (has_stages(state.code.options) ? stem : stem + ".glsl");
 }
 
 }  // namespace wrinkle::editor

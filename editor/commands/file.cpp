@@ -2,14 +2,19 @@
 #include "editor/commands/groups.h"
 #include "editor/document/files.h"
 #include "editor/panels/browser.h"
+#include "editor/preview/feed.h"
 
 namespace wrinkle::editor {
 namespace {
 
 void reload(State& state) {
-    if (state.preview) state.preview->forget_images();
+    forget_images(state);
+    if (state.preview) {
+        state.preview->forget_mesh();
+        state.preview->forget_light();
+    }
     state.fresh = false;
-    state.status = "Read the images and sub-graphs again";
+    state.status = "Images, meshes and sub-graphs are read again.";
 }
 
 void save_as(State& state) {
@@ -22,6 +27,10 @@ void open(State& state) {
 
 std::string_view no_recoverable(const State& state) {
     return state.keeping.recoverable.empty() ? "Nothing is left to recover." : "";
+}
+
+std::string_view no_plugins(const State& state) {
+    return state.plugins.places.empty() ? "No plugin or folder of plugins was given." : "";
 }
 
 void ask_recover(State& state) {
@@ -40,7 +49,8 @@ constexpr Command table[] = {
     {"recover", "Recover unsaved graph...", "", "File", no_recoverable, ask_recover},
     {"export-glsl", "Export GLSL...", "Ctrl+E", "File", always,
      [](State& s) { browse(s, Browser::Purpose::export_text, usual_export(s)); }},
-    {"reload", "Read images again", "F5", "File", always, reload},
+    {"reload", "Read files again", "F5", "File", always, reload},
+    {"reload-plugins", "Reload plugins", "", "File", no_plugins, reload_plugins},
     {"quit", "Quit", "Ctrl+Q", "File", always,
      [](State& s) {
          intend(s, {Intent::Kind::quit, {}});

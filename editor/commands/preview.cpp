@@ -1,4 +1,6 @@
 #include "editor/commands/groups.h"
+#include "editor/panels/browser.h"
+#include "editor/preview/picture_export.h"
 #include "editor/preview/request.h"
 
 namespace wrinkle::editor {
@@ -30,7 +32,7 @@ void preview_node(State& state) {
     }
     const NodeType* type = state.type_of(selected);
     if (!type || shown_port(*type).empty()) {
-        state.status = selected + " makes nothing that can be shown on a surface";
+        state.status = selected + " makes nothing that can be shown on a surface.";
         return;
     }
     node = selected;
@@ -71,6 +73,12 @@ void difference(State& state) {
     if (view.mode == CompareView::Mode::off) view.mode = CompareView::Mode::split;
 }
 
+template <bool Large>
+void save_picture(State& state) {
+    browse(state, Browser::Purpose::export_picture, usual_picture(state));
+    state.browser.size = Large ? 2 : 0;
+}
+
 constexpr Command table[] = {
     {"preview-node", "Preview node", "P", "Preview", one_node, preview_node,
      [](const State& s) { return !s.view.preview_request.node.empty(); }},
@@ -84,6 +92,9 @@ constexpr Command table[] = {
      shown<gpu::View::wireframe>},
     {"bump-angle", "Angle of the bump", "", "Preview", always, show<gpu::View::difference>,
      shown<gpu::View::difference>},
+    {"save-picture", "Save picture...", "", "Preview", no_picture, save_picture<false>},
+    {"export-picture", "Export picture in a size...", "", "Preview", no_picture,
+     save_picture<true>},
     {"displaced", "Displaced", "", "Preview", always, displaced,
      [](const State& s) { return s.view.preview_view.displaced; }},
     {"frame-preview", "Show all of the object", "Shift+F", "Preview", always, frame},

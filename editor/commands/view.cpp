@@ -45,9 +45,6 @@ std::string_view no_scale(const State& state) {
     return By > 0 ? "It is as large as it gets." : "It is as small as it gets.";
 }
 
-Regions regions_of(const State& state) {
-    return find_regions(state.panes, ImGui::GetIO().DisplaySize, problems_height(state));
-}
 bool shows_side(const State& state) {
     return state.panes.side_shown.value_or(regions_of(state).preview.size.x > 0);
 }

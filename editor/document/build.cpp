@@ -91,6 +91,10 @@ void build_displacement(const Project& project, const Registry& registry, Build&
 
 }  // namespace
 
+bool holds_nothing(const Document& document) {
+    return document.nodes.empty() && document.outputs.empty();
+}
+
 Build build(const Model& model, const Document& document, const Registry& registry,
             const std::string& name, const PreviewRequest& request) {
     const auto start = std::chrono::steady_clock::now();
@@ -102,9 +106,11 @@ Build build(const Model& model, const Document& document, const Registry& regist
     const bool linked = report_unread(document, result.problems) && !links.has_errors();
     if (!document.edited) result.problems.append(links);  // of an edited one check() says them
     result.problems.append(model.project_problems);
-    check(project, registry, result.problems);
+    if (!holds_nothing(document)) check(project, registry, result.problems);
     if (linked) {
-        result.uniform = emit_text(project, registry, name, result.live, &result.costs);
+        // Without outputs check() has said that nothing is made.
+        if (!document.outputs.empty())
+            result.uniform = emit_text(project, registry, name, result.live, &result.costs);
         build_shown(model, document, registry, name, result);
         build_displacement(project, registry, result);
     }

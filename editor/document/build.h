@@ -34,6 +34,9 @@ struct Build {
     const std::optional<Shader>& running() const { return shown ? shown : uniform; }
 };
 
+// Neither a node nor an output: there is nothing to compile, and nothing wrong with it.
+bool holds_nothing(const Document& document);
+
 Build build(const Model& model, const Document& document, const Registry& registry,
             const std::string& name, const PreviewRequest& request = {});
 

@@ -2,6 +2,7 @@
 // and what comes out is never older than what came out before.
 #pragma once
 
+#include <atomic>
 #include <functional>
 #include <optional>
 #include <string>
@@ -31,8 +32,12 @@ class Compiler {
 public:
     // The registry must stay as it is while the compiler is busy. wake is called on its thread.
     explicit Compiler(const Registry& registry, std::function<void()> wake = {})
-        : worker_([&registry](CompileJob&& job) { return compile(std::move(job), registry); },
+        : registry_(&registry),
+          worker_([this](CompileJob&& job) { return compile(std::move(job), *registry_); },
                   std::move(wake)) {}
+
+    // From the next job on; the former one must stay as it is as long.
+    void use(const Registry& registry) { registry_ = &registry; }
 
     void ask(CompileJob job) { worker_.post(std::move(job)); }
     std::optional<Compilation> take() { return worker_.take(); }
@@ -40,6 +45,7 @@ public:
     void settle() { worker_.settle(); }
 
 private:
+    std::atomic<const Registry*> registry_;
     Worker<CompileJob, Compilation> worker_;
 };
 

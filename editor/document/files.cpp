@@ -179,8 +179,9 @@ void look_at_disk(State& state) {
 
 bool tend(State& state) {
     keep_edits(state);
+    const bool read = follow_files(state);
     const double now = seconds_now();
-    if (now - state.keeping.looked < 1) return false;
+    if (now - state.keeping.looked < 1) return read;
     state.keeping.looked = now;
     state.keeping.try_again = true;
     state.keeping.journal.sync();
@@ -191,7 +192,7 @@ bool tend(State& state) {
                       state.popup.kind != Popup::Kind::none;
     const std::string status = state.status;
     if (!busy && !state.path.empty()) look_at_disk(state);
-    return state.question.open() || state.status != status;
+    return read || state.question.open() || state.status != status;
 }
 
 void use_settings(State& state, const Settings& settings) {

@@ -40,4 +40,13 @@ std::string disk_words(const std::error_code& error) {
     return "the system says \"" + error.message() + "\"";
 }
 
+std::string disk_words(std::string_view why) {
+    for (const int code :
+         {ENOSPC, EDQUOT, EROFS, EACCES, EPERM, ENOENT, ENOTDIR, EISDIR, ENAMETOOLONG, EFBIG}) {
+        const std::error_code error(code, std::generic_category());
+        if (why.find(error.message()) != why.npos) return disk_words(error);
+    }
+    return std::string(why);
+}
+
 }  // namespace wrinkle::editor

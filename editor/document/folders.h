@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <system_error>
 
 namespace wrinkle::editor {
@@ -19,5 +20,7 @@ Folders folders_below(const std::filesystem::path& folder);
 
 // Why a file could not be written, as the end of a sentence: "the disk is full".
 std::string disk_words(const std::error_code& error);
+// The same where the core says it in a text that ends with the system's words.
+std::string disk_words(std::string_view why);
 
 }  // namespace wrinkle::editor

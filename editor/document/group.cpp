@@ -167,7 +167,7 @@ void group_selected(State& state) {
         return;
     }
     if (!write_file(state.folder() / file, canonical_text(group->inner), why)) {
-        state.status = file + " was not written: it " + why;
+        state.status = file + " was not written: " + disk_words(why) + ".";
         return;
     }
     const ImVec2 at = free_place(state.layout, middle_of(state));

@@ -3,6 +3,7 @@
 #include <map>
 
 #include "editor/document/wiring.h"
+#include "editor/words.h"
 #include "graph/edit.h"
 #include "graph/order.h"
 #include "lower/conversion.h"
@@ -13,8 +14,8 @@ namespace {
 std::string refusal(const Link& from, PortType given, std::string_view to, PortType wanted,
                     const Registry& registry) {
     return from.text() + " cannot feed " + std::string(to) + ": a " + std::string(name_of(given)) +
-           " is not a " + std::string(name_of(wanted)) + "; " +
-           alternative(given, wanted, registry);
+           " is not a " + std::string(name_of(wanted)) + ". " +
+           sentence(alternative(given, wanted, registry));
 }
 
 }  // namespace

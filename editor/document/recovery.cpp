@@ -38,6 +38,7 @@ bool keep_edits_now(State& state) {
     }
     keeping.unkept.clear();
     keeping.journalled = serial;
+    keeping.kept_at = std::time(nullptr);
     return true;
 }
 
@@ -49,6 +50,17 @@ void keep_edits(State& state) {
     const bool wait = !keeping.unkept.empty() && !keeping.try_again;
     keeping.try_again = false;
     if (!wait) keep_edits_now(state);
+}
+
+std::string kept_words(const State& state) {
+    const Keeping& keeping = state.keeping;
+    if (!state.dirty()) return state.path.empty() ? "" : "Saved";
+    if (!keeping.unkept.empty()) return "Edits are in memory alone";
+    if (!keeping.journal.exists()) return "Not saved";
+    char text[40] = "All edits kept";
+    if (const tm* local = std::localtime(&keeping.kept_at))
+        std::strftime(text, sizeof text, "All edits kept %H:%M", local);
+    return text;
 }
 
 void look_for_recoverable(State& state) {

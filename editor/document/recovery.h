@@ -14,6 +14,9 @@ void keep_edits(State& state);
 // At once, whatever the hand is doing. False when they could not be kept, or nothing ever is.
 bool keep_edits_now(State& state);
 
+// What can be said of it: "Saved", "All edits kept 14:02"; "" for a new graph.
+std::string kept_words(const State& state);
+
 // Fills state.keeping.recoverable.
 void look_for_recoverable(State& state);
 // Asks about the latest for the open graph; where there is no file, about the latest of all.

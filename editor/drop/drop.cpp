@@ -192,7 +192,7 @@ std::string copied(State& state, const fs::path& file) {
     for (int i = 2; fs::exists(to, ignored); ++i)
         to = folder / (file.stem().string() + std::to_string(i) + file.extension().string());
     if (fs::copy_file(file, to, error)) return to.string();
-    state.status = file.filename().string() + " was not copied: " + error.message() + ".";
+    state.status = file.filename().string() + " was not copied: " + disk_words(error) + ".";
     return {};
 }
 

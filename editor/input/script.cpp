@@ -213,6 +213,7 @@ bool Script::run(const Line& line, const State& state, InputQueue& queue, const 
         settle_ = w.size() > 1 ? static_cast<int>(number(w[1])) : settle_frames;
         return true;
     }
+    if (what == "finish") return finishing_ = true;
     if (w.size() < 2) return fail("'" + what + "' needs to know what");
     count(what, w);
     if (what == "click" || what == "right" || what == "double" || what == "wheel")
@@ -254,7 +255,8 @@ Script::Progress Script::step(const State& state, InputQueue& queue, const Scree
         settle_ = settle_frames;
         return Progress::running;
     }
-    if (!is_settled(state)) return Progress::running;
+    if (!is_settled(state) || (finishing_ && state.tasks.running)) return Progress::running;
+    finishing_ = false;
     if (settle_-- > 0) return Progress::running;
     if (next_ == lines_.size()) return Progress::done;
     settle_ = settle_frames;

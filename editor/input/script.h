@@ -7,6 +7,7 @@
 //   key Ctrl+Z      type TEXT       wait [FRAMES]    shot FILE.png
 //   say TEXT        (to standard output: so far it has come)
 //   drop FILE... NAME               files by their path, a relative one from the graph's folder
+//   finish                          waits for what runs in the background
 //   section NAME                    of the timings (editor/timings.h)
 //   lose driver                     as if the graphics driver had dropped all that it had
 //   assert nodes N | wires N | errors N | dirty | clean | node ID | no-node ID | wire FROM TO |
@@ -65,7 +66,8 @@ private:
     size_t next_ = 0;
     int settle_ = 0;
     size_t actions_ = 0;
-    bool typing_ = false;  // the text is not committed yet
+    bool typing_ = false;     // the text is not committed yet
+    bool finishing_ = false;  // what runs in the background is waited for
     std::string why_;
 };
 

@@ -100,6 +100,7 @@ void draw_pin(ImDrawList& list, PortType type, ImVec2 c, float unit, ImU32 color
 
 void draw_text(ImDrawList& list, ImFont* font, float size, ImVec2 at, ImU32 color,
                std::string_view text, bool right_aligned) {
+    if (text.empty()) return;
     if (right_aligned) at.x -= text_width(font, size, text);
     at.x = std::floor(at.x);
     at.y = std::floor(at.y);
@@ -107,6 +108,7 @@ void draw_text(ImDrawList& list, ImFont* font, float size, ImVec2 at, ImU32 colo
 }
 
 float text_width(ImFont* font, float size, std::string_view text) {
+    if (text.empty()) return 0;  // it may point nowhere
     return font
         ->CalcTextSizeA(baked_size(font, size), FLT_MAX, 0, text.data(), text.data() + text.size())
         .x;
@@ -119,6 +121,21 @@ std::string fitting(ImFont* font, float size, std::string_view text, float width
     font->CalcTextSizeA(baked_size(font, size), std::max(room, 1.0F), 0, text.data(),
                         text.data() + text.size(), &rest);
     return std::string(text.data(), rest) + "...";
+}
+
+std::vector<std::string> wrapped(ImFont* font, float size, std::string_view text, float width,
+                                 size_t most) {
+    std::vector<std::string> lines;
+    while (!text.empty() && lines.size() + 1 < most && text_width(font, size, text) > width) {
+        size_t end = 0;
+        for (size_t at = text.find(' '); at != text.npos; at = text.find(' ', at + 1))
+            if (text_width(font, size, text.substr(0, at)) <= width) end = at;
+        if (end == 0) break;  // not even a word fits
+        lines.emplace_back(text.substr(0, end));
+        text.remove_prefix(end + 1);
+    }
+    if (!text.empty()) lines.push_back(fitting(font, size, text, width));
+    return lines;
 }
 
 ImVec2 Curve::at(float t) const {

@@ -5,6 +5,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "registry/port_type.h"
 
@@ -31,6 +32,9 @@ void draw_text(ImDrawList& list, ImFont* font, float size, ImVec2 at, ImU32 colo
 float text_width(ImFont* font, float size, std::string_view text);
 // The longest beginning that fits, with "..." when something was cut.
 std::string fitting(ImFont* font, float size, std::string_view text, float width);
+// Broken between words into at most `most` lines; the last one ends with "..." when more follows.
+std::vector<std::string> wrapped(ImFont* font, float size, std::string_view text, float width,
+                                 size_t most);
 
 // A cubic from a to d.
 struct Curve {

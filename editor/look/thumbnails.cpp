@@ -53,11 +53,21 @@ uint32_t texture_of(const std::filesystem::path& file) {
 uint32_t Thumbnails::of(const std::filesystem::path& file) {
     if (!gl_) return 0;
     const auto found = textures_.find(file);
-    if (found != textures_.end()) return found->second;
+    const bool stale = found != textures_.end() && stale_.contains(file);
+    if (found != textures_.end() && !stale) return found->second;
     waiting_ |= read_one_;
-    if (read_one_) return 0;
+    if (read_one_) return stale ? found->second : 0;
     read_one_ = true;
+    stale_.erase(file);
+    if (stale && found->second) glDeleteTextures(1, &found->second);
     return textures_[file] = texture_of(file);
+}
+
+// It may be known under another path that leads to the same file.
+void Thumbnails::forget(const std::filesystem::path& file) {
+    std::error_code error;
+    for (const auto& [known, texture] : textures_)
+        if (known == file || std::filesystem::equivalent(known, file, error)) stale_.insert(known);
 }
 
 }  // namespace wrinkle::editor

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <map>
+#include <set>
 
 namespace wrinkle::editor {
 
@@ -18,11 +19,14 @@ public:
     void begin_frame() { read_one_ = waiting_ = false; }
     // The texture, bottom row first; 0 when there is none, or not yet: ask again.
     uint32_t of(const std::filesystem::path& file);
+    // Read again when it is next asked for; until then the former picture stays.
+    void forget(const std::filesystem::path& file);
     bool waiting() const { return waiting_; }  // some were asked for and not read yet
 
 private:
     bool gl_ = false, read_one_ = false, waiting_ = false;
     std::map<std::filesystem::path, uint32_t> textures_;
+    std::set<std::filesystem::path> stale_;
 };
 
 }  // namespace wrinkle::editor

@@ -1,4 +1,4 @@
-// Menu bar and toolbar, and the small things that all panels share.
+// Menu bar and toolbar.
 #include <algorithm>
 #include <cmath>
 
@@ -13,7 +13,8 @@ namespace wrinkle::editor {
 namespace {
 
 constexpr const char* menus[] = {"File", "Edit", "View", "Node", "Preview", "Bake", "Help"};
-constexpr float wordless = 1100;  // below this width buttons of the toolbar lose their words
+constexpr float wordless = 1100;     // below this width buttons of the toolbar lose their words
+constexpr float least_search = 640;  // and below this one the search in the menu bar
 
 bool is_used(std::string_view menu) {
     return std::any_of(commands().begin(), commands().end(),
@@ -57,11 +58,18 @@ void draw_menu(State& state, const char* menu) {
     ImGui::PopStyleVar(2);
 }
 
+// What the search takes of the menu bar.
+float search_room() {
+    const float window = ImGui::GetWindowSize().x;
+    return window < least_search ? 46.0F : window < wordless ? 168.0F : 272.0F;
+}
+
 // The field at the right of the menu bar: opens the list of commands.
 float draw_command_search(State& state) {
     const Command* search = find_command("commands");
-    const float wide = ImGui::GetWindowSize().x < wordless ? 176.0F : 256.0F;
-    const float left = ImGui::GetWindowSize().x - wide - 8;
+    const float window = ImGui::GetWindowSize().x;
+    const bool words = window >= least_search;
+    const float wide = search_room() - 16, left = window - wide - 8;
     if (!search) return left;
     ImGui::SetCursorPos({left, 3});
     const ImVec2 low = ImGui::GetCursorScreenPos(), high = low + ImVec2(wide, 22);
@@ -72,8 +80,10 @@ float draw_command_search(State& state) {
     list.AddRect(low, high, ImGui::IsItemHovered() ? theme::accent : theme::control, 4);
     draw_icon(list, "find", low + ImVec2(15, 11), theme::text_dim);
     ImFont* font = state.fonts.regular(14);
-    draw_text(list, font, 14, low + ImVec2(30, 4), theme::text_dim, "Search commands");
-    draw_text(list, font, 14, {high.x - 8, low.y + 4}, theme::text_dim, search->keys, true);
+    if (words) draw_text(list, font, 14, low + ImVec2(30, 4), theme::text_dim, "Search commands");
+    if (window >= wordless)
+        draw_text(list, font, 14, {high.x - 8, low.y + 4}, theme::text_dim, search->keys, true);
+    if (ImGui::IsItemHovered() && window < wordless) explain(state, *search);
     if (pressed) search->run(state);
     return left;
 }
@@ -151,34 +161,11 @@ void draw_divider() {
 
 }  // namespace
 
-void name_item(State& state, const std::string& target) {
-    const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
-    state.targets.add(target, {low.x, low.y, high.x, high.y});
-}
-
-std::string counted(size_t number, const char* what) {
-    std::string digits = std::to_string(number);
-    for (size_t i = digits.size(); i > 3; i -= 3)
-        digits.insert(i - 3, ",");
-    return digits + " " + what + (number == 1 ? "" : "s");
-}
-
-bool button(State& state, const char* label, const std::string& target, bool chosen, ImVec2 size) {
-    if (chosen) {
-        ImGui::PushStyleColor(ImGuiCol_Button, theme::accent_soft);
-        ImGui::PushStyleColor(ImGuiCol_Border, theme::accent);
-    }
-    const bool pressed = ImGui::Button(label, size);
-    if (chosen) ImGui::PopStyleColor(2);
-    name_item(state, target);
-    return pressed;
-}
-
 void draw_menu_bar(State& state) {
     ImGui::SetCursorPos({4, 2});
     ImGui::PushStyleVar(ImGuiStyleVar_FrameBorderSize, 0);
     ImGui::PushStyleColor(ImGuiCol_Border, theme::line);
-    ImGui::BeginChild("##bar", {ImGui::GetWindowSize().x - 272, 0}, false,
+    ImGui::BeginChild("##bar", {ImGui::GetWindowSize().x - search_room(), 0}, false,
                       ImGuiWindowFlags_MenuBar | ImGuiWindowFlags_NoScrollbar);
     float end = 0;
     if (ImGui::BeginMenuBar()) {
@@ -203,7 +190,7 @@ void draw_toolbar(State& state) {
                               {"preview-node", "Preview node"},
                               {"delete", "Delete"}};
     constexpr Tool looks[] = {{"find", "Find in graph"}, {"fit", "Show all"}, {"save", "Save"}};
-    constexpr Tool right[] = {{"export-glsl", "Export GLSL", true},
+    constexpr Tool right[] = {{"export-glsl", "Export GLSL...", true},
                               {"bake", "Bake maps...", true, true}};
     const float whole = ImGui::GetWindowSize().x;
     const bool words = whole >= wordless;

@@ -11,6 +11,8 @@
 #include "editor/look/theme.h"
 #include "editor/panels/file_actions.h"
 #include "editor/panels/panels.h"
+#include "editor/panels/preview_parts.h"
+#include "editor/preview/picture_export.h"
 
 namespace wrinkle::editor {
 namespace fs = std::filesystem;
@@ -20,7 +22,8 @@ using Purpose = Browser::Purpose;
 constexpr float row_tall = 28, places_width = 176;
 
 bool saves(const Browser& browser) {
-    return browser.purpose == Purpose::save_graph || browser.purpose == Purpose::export_text;
+    return browser.purpose == Purpose::save_graph || browser.purpose == Purpose::export_text ||
+           browser.purpose == Purpose::export_picture;
 }
 
 std::string title_of(Purpose purpose) {
@@ -31,6 +34,8 @@ std::string title_of(Purpose purpose) {
             return "Save the graph as";
         case Purpose::export_text:
             return "Export GLSL";
+        case Purpose::export_picture:
+            return "Save the picture of the preview";
         case Purpose::picture:
             return "Choose an image";
         case Purpose::none:
@@ -42,6 +47,7 @@ std::string title_of(Purpose purpose) {
 std::vector<std::string> extensions_of(Purpose purpose) {
     if (purpose == Purpose::picture)
         return {".png", ".jpg", ".jpeg", ".tif", ".tiff", ".exr", ".hdr", ".pfm", ".pnm", ".ppm"};
+    if (purpose == Purpose::export_picture) return {".png", ".jpg", ".jpeg", ".tif", ".tiff"};
     if (purpose == Purpose::export_text) return {".glsl", ".frag", ".vert"};
     return {".json"};
 }
@@ -59,11 +65,12 @@ void go_to(Browser& browser, const fs::path& folder) {
 }
 
 std::string with_extension(const Browser& browser, std::string name, const State& state) {
-    const bool one_file =
-        browser.purpose == Purpose::save_graph || state.code.options.form == Form::function;
-    if (saves(browser) && one_file && fs::path(name).extension().empty())
-        name += browser.purpose == Purpose::save_graph ? ".json" : ".glsl";
-    return name;
+    const bool stages =
+        browser.purpose == Purpose::export_text && state.code.options.form == Form::shader;
+    if (!saves(browser) || stages || !fs::path(name).extension().empty()) return name;
+    return name + (browser.purpose == Purpose::save_graph    ? ".json"
+                   : browser.purpose == Purpose::export_text ? ".glsl"
+                                                             : ".png");
 }
 
 // Takes a file; true when the browser is done with.
@@ -77,7 +84,13 @@ bool take(State& state, const fs::path& file) {
             save_chosen(state, file);
             return true;
         case Purpose::export_text:
-            return export_code(state, file);
+            start_code_export(state, file);
+            return true;
+        case Purpose::export_picture: {
+            const std::vector<PictureSize> sizes = picture_sizes(state);
+            start_picture_export(state, file, sizes[std::min(browser.size, sizes.size() - 1)]);
+            return true;
+        }
         case Purpose::picture:
             use_picture(state, browser.node, browser.port, file.string());
             return true;
@@ -260,6 +273,22 @@ bool enter_chosen(State& state) {
     return false;
 }
 
+void draw_sizes(State& state) {
+    Choices choices;
+    for (const PictureSize& size : picture_sizes(state)) {
+        choices.targets.push_back("size:" + std::to_string(choices.labels.size()));
+        choices.labels.push_back(grouped(static_cast<size_t>(size.width)) + " \u00D7 " +
+                                 grouped(static_cast<size_t>(size.height)) + " px");
+    }
+    size_t& chosen = state.browser.size;
+    chosen = std::min(chosen, choices.labels.size() - 1);
+    choices.chosen = static_cast<int>(chosen);
+    const int picked =
+        choose(state, "##size", "browser:size", choices.labels[chosen], choices, 176);
+    if (picked >= 0) chosen = static_cast<size_t>(picked);
+    ImGui::SameLine();
+}
+
 // True when it is done with.
 bool draw_content(State& state) {
     Browser& browser = state.browser;
@@ -273,6 +302,7 @@ bool draw_content(State& state) {
     if (browser.purpose == Purpose::none) return true;
     ImGui::SameLine();
     if (draw_list(state)) done |= enter_chosen(state);
+    if (browser.purpose == Purpose::export_picture) draw_sizes(state);
     const std::string label = saves(browser) ? "Save" : "Open";
     if (button(state, label.c_str(), "browser:take", true, {104, 28})) done |= enter(state);
     name_item(state, saves(browser) ? "answer:save" : "answer:open");

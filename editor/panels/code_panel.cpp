@@ -78,17 +78,22 @@ void follow(State& state) {
         take(code, make_code(job, *state.registry));
 }
 
+// "GLSL 3.30" of "glsl330".
+std::string label_of(const std::string& item) {
+    const std::string_view mark = "glsl";
+    const bool version = item.starts_with(mark) && item.size() == mark.size() + 3;
+    return version ? "GLSL " + item.substr(4, 1) + "." + item.substr(5) : item;
+}
+
 // A list to choose from; `target` names it and, with a colon and the item, its items.
 int draw_choice(State& state, const std::string& target, std::span<const std::string> items,
                 int chosen, float width) {
-    ImGui::SetNextItemWidth(width);
     const std::string& shown = items[static_cast<size_t>(chosen)];
-    const bool open = ImGui::BeginCombo(("##" + target).c_str(), shown.c_str());
-    name_item(state, target);
-    if (!open) return chosen;
+    if (!begin_choice(state, ("##" + target).c_str(), target, label_of(shown), width))
+        return chosen;
     for (size_t i = 0; i < items.size(); ++i) {
         const bool own = static_cast<int>(i) == chosen;
-        if (ImGui::Selectable(items[i].c_str(), own)) chosen = static_cast<int>(i);
+        if (ImGui::Selectable(label_of(items[i]).c_str(), own)) chosen = static_cast<int>(i);
         name_item(state, target + ":" + items[i]);
     }
     ImGui::EndCombo();
@@ -125,21 +130,24 @@ void draw_head(State& state) {
     draw_text(list, state.fonts.regular(14), 14, at + ImVec2(66, 13), theme::text_dim,
               counted(state.code.text.starts.size(), "line"));
     const bool wide = width >= narrow;
-    constexpr float choice = 92, buttons = 128, menu = 36;
+    constexpr float choice = 108, buttons = 60, menu = 32;
     ImGui::SetCursorPos({width - buttons - (wide ? 3 * choice + 8 : menu) - 12, 7});
     if (wide) {
         draw_options(state, choice);
     } else {
-        if (button(state, "...", "code:menu")) ImGui::OpenPopup("##code-options");
+        if (icon_button(state, "more", "code:menu", "Language, form, parameters"))
+            ImGui::OpenPopup("##code-options");
         if (ImGui::BeginPopup("##code-options")) {
             draw_options(state, choice);
             ImGui::EndPopup();
         }
     }
     ImGui::SetCursorPos({width - buttons - 4, 7});
-    if (button(state, "Copy", "code:copy")) ImGui::SetClipboardText(state.code.text.source.c_str());
+    if (icon_button(state, "copy", "code:copy", "Copy the text"))
+        ImGui::SetClipboardText(state.code.text.source.c_str());
     ImGui::SameLine(0, 4);
-    if (button(state, "Export...", "code:export")) run_command(state, "export-glsl");
+    if (icon_button(state, "export-glsl", "code:export", "Export GLSL...  Ctrl+E"))
+        run_command(state, "export-glsl");
     ImGui::SetCursorPosY(head_height);
 }
 
@@ -192,7 +200,7 @@ void draw_problem(State& state) {
     ImFont* font = state.fonts.regular(14);
     const std::string text =
         (state.code.text.starts.empty() ? "No text yet. " : "The last text that could be made. ") +
-        state.code.problem;
+        sentence(state.code.problem);
     draw_text(list, font, 14, at + ImVec2(12, 7), theme::text, fitting(font, 14, text, width - 20));
     ImGui::SetCursorPosY(ImGui::GetCursorPosY() + 28);
 }
@@ -205,7 +213,8 @@ void draw_code(State& state) {
     draw_head(state);
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, 0));
     ImGui::PushStyleColor(ImGuiCol_ChildBg, theme::code);
-    if (!state.code.problem.empty()) draw_problem(state);
+    const bool empty = state.code.text.starts.empty() && holds_nothing(state.document());
+    if (!state.code.problem.empty() && !empty) draw_problem(state);
     const CodeText& text = state.code.text;
     ImGui::BeginChild("##lines", {0, 0}, false,
                       ImGuiWindowFlags_NoNavInputs | ImGuiWindowFlags_HorizontalScrollbar);

@@ -32,7 +32,14 @@ struct Palette {
 
 // The file browser.
 struct Browser {
-    enum class Purpose : uint8_t { none, open_graph, save_graph, export_text, picture };
+    enum class Purpose : uint8_t {
+        none,
+        open_graph,
+        save_graph,
+        export_text,
+        export_picture,
+        picture
+    };
     Purpose purpose = Purpose::none;
     std::filesystem::path folder;
     Listing listing;
@@ -41,6 +48,7 @@ struct Browser {
     std::string text, filtered_by;
     bool focus = false, scroll = false;
     std::string node, port;  // of picture; "" adds a node
+    size_t size = 0;         // of export_picture: one of picture_sizes()
 };
 
 // The page that stands in for a canvas without a graph.

@@ -33,7 +33,7 @@ void accept_number(State& state) {
     char* end = nullptr;
     const double value = std::strtod(state.popup.text.c_str(), &end);
     if (!port || end == state.popup.text.c_str() || *end != 0) {
-        state.status = "'" + state.popup.text + "' is not a number";
+        state.status = "\"" + state.popup.text + "\" is not a number.";
         return;
     }
     state.commit(state.popup.node + ": " + port->name,
@@ -43,9 +43,9 @@ void accept_number(State& state) {
 void accept_name(State& state) {
     const std::string& wanted = state.popup.text;
     if (const std::string problem = id_problem(wanted); !problem.empty()) {
-        state.status = "'" + wanted + "': " + problem;
+        state.status = "\"" + wanted + "\" cannot be the name of a node: " + problem + ".";
     } else if (wanted != state.popup.node && state.document().find(wanted)) {
-        state.status = "there is a node '" + wanted + "' already";
+        state.status = "There is a node " + wanted + " already. Choose another name.";
     } else {
         state.commit("Rename to " + wanted,
                      rename_node(state.document(), state.popup.node, wanted));

@@ -62,18 +62,15 @@ void word(const State& state, const char* text) {
 
 void draw_modes(State& state) {
     CompareView& compare = state.view.compare;
-    constexpr const char* labels[] = {"Off", "Split", "Flip"};
-    constexpr const char* targets[] = {"compare:off", "compare:split", "compare:flip"};
-    for (int i = 0; i < 3; ++i) {
-        const auto mode = static_cast<CompareView::Mode>(i);
-        if (button(state, labels[i], targets[i], compare.mode == mode)) {
-            compare.flipped =
-                mode == CompareView::Mode::flip && (compare.mode != mode || !compare.flipped);
-            compare.mode = mode;
-        }
-        ImGui::SameLine(0, 2);
-    }
+    static const Segment all[] = {{"Off", "compare:off"},
+                                  {"Split", "compare:split", "Side by side  S"},
+                                  {"Flip", "compare:flip", "Turn to the other side  X"}};
+    const int picked = segments(state, all, static_cast<int>(compare.mode), 156);
     ImGui::SameLine(0, 12);
+    if (picked < 0) return;
+    const auto mode = static_cast<CompareView::Mode>(picked);
+    compare.flipped = mode == CompareView::Mode::flip && (compare.mode != mode || !compare.flipped);
+    compare.mode = mode;
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 // The preview: its header, the views, the picture and the comparison.
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <utility>
 
@@ -67,7 +68,8 @@ void edit_path(State& state, const char* label, const char* hint, const char* ta
 
 void draw_more(State& state) {
     PreviewView& view = state.view.preview_view;
-    if (button(state, "...", "preview:more")) ImGui::OpenPopup("preview-more");
+    if (icon_button(state, "more", "preview:more", "Scale, displacement, files"))
+        ImGui::OpenPopup("preview-more");
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(12, 12));
     if (ImGui::BeginPopup("preview-more")) {
         ImGui::SetNextItemWidth(150);
@@ -100,26 +102,43 @@ std::string what_is_shown(const State& state) {
     return node.empty() ? "output: normal" : "node: " + node + ", preview only";
 }
 
+// A command as an icon with its title and key.
+void draw_command(State& state, const char* id, const char* icon, const char* target) {
+    const Command* command = find_command(id);
+    if (!command) return;
+    const std::string why(command->why_not(state));
+    std::string words = std::string(command->title) + "  " + std::string(command->keys);
+    if (!why.empty()) words += "\n" + why;
+    if (icon_button(state, icon, target, words, why.empty())) command->run(state);
+    ImGui::SameLine(0, 4);
+}
+
+void draw_head_icons(State& state) {
+    draw_command(state, "save-picture", "camera", "preview:picture");
+    draw_command(state, "frame-preview", "fit", "preview:frame");
+    Pane& maximised = state.panes.maximised;
+    const bool whole = maximised == Pane::preview;
+    if (icon_button(state, whole ? "restore" : "maximise", "preview:maximise",
+                    whole ? "Back to its place  F11" : "As large as the window  F11"))
+        maximised = whole ? Pane::none : Pane::preview;
+    ImGui::SameLine(0, 4);
+    draw_more(state);
+}
+
 }  // namespace
 
 int choose(State& state, const char* id, const std::string& target, const std::string& shown,
            const Choices& choices, float width) {
     int picked = -1;
-    ImGui::SetNextItemWidth(width);
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(8, 8));
-    const bool open = ImGui::BeginCombo(id, shown.c_str());
-    name_item(state, target);
-    if (open) {
-        for (size_t i = 0; i < choices.labels.size(); ++i) {
-            ImGui::PushID(static_cast<int>(i));
-            if (ImGui::Selectable(choices.labels[i].c_str(), choices.chosen == static_cast<int>(i)))
-                picked = static_cast<int>(i);
-            ImGui::PopID();
-            name_item(state, choices.targets[i]);
-        }
-        ImGui::EndCombo();
+    if (!begin_choice(state, id, target, shown, width)) return picked;
+    for (size_t i = 0; i < choices.labels.size(); ++i) {
+        ImGui::PushID(static_cast<int>(i));
+        if (ImGui::Selectable(choices.labels[i].c_str(), choices.chosen == static_cast<int>(i)))
+            picked = static_cast<int>(i);
+        ImGui::PopID();
+        name_item(state, choices.targets[i]);
     }
-    ImGui::PopStyleVar();
+    ImGui::EndCombo();
     return picked;
 }
 
@@ -128,12 +147,15 @@ void draw_preview_head(State& state) {
     const float width = ImGui::GetWindowWidth();
     ImDrawList& list = *ImGui::GetWindowDrawList();
     draw_text(list, state.fonts.bold(18), 18, at + ImVec2(12, 8), theme::text, "Preview");
-    const float controls = std::min(292.0F, width - 100);
+    constexpr float icons = 4 * 28 + 8;
+    const float controls = std::min(icons + 208, width - 84);
     ImFont* small = state.fonts.regular(14);
-    draw_text(list, small, 14, at + ImVec2(90, 10), theme::text_dim,
-              fitting(small, 14, what_is_shown(state), width - controls - 106));
+    const float free = width - controls - 106;
+    if (free >= 60)
+        draw_text(list, small, 14, at + ImVec2(90, 10), theme::text_dim,
+                  fitting(small, 14, what_is_shown(state), free));
     PreviewView& view = state.view.preview_view;
-    const float room = (controls - 96) / 2;
+    const float room = std::floor((controls - icons - 16) / 2);
     ImGui::SetCursorPos({width - controls, 5});
     const int mesh =
         choose(state, "##mesh", "preview:mesh", mesh_label(view.mesh), meshes(view), room);
@@ -143,50 +165,39 @@ void draw_preview_head(State& state) {
     const int light = choose(state, "##light", "preview:light",
                              all.labels[static_cast<size_t>(all.chosen)], all, room);
     if (light >= 0) choose_light(view, light);
-    ImGui::SameLine(0, 6);
-    if (button(state, "Fit", "preview:frame")) run_command(state, "frame-preview");
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("Show all of the object  Shift+F");
-    ImGui::SameLine(0, 6);
-    draw_more(state);
+    ImGui::SameLine(0, 8);
+    draw_head_icons(state);
 }
 
 void draw_preview_strip(State& state) {
-    struct Segment {
-        const char* label;
-        gpu::View view;
-    };
-    constexpr Segment segments[] = {{"Shaded", gpu::View::shaded},
-                                    {"Normal", gpu::View::normal},
-                                    {"Gradient", gpu::View::gradient},
-                                    {"Height", gpu::View::height},
-                                    {"UV", gpu::View::uv},
-                                    {"Wireframe", gpu::View::wireframe}};
+    constexpr gpu::View views[] = {gpu::View::shaded, gpu::View::normal, gpu::View::gradient,
+                                   gpu::View::height, gpu::View::uv,     gpu::View::wireframe};
     PreviewView& view = state.view.preview_view;
-    const float width = ImGui::GetWindowWidth();
+    const float width = ImGui::GetWindowWidth() - 24;
+    std::vector<Segment> all;
+    int chosen = -1;
+    for (const gpu::View each : views) {
+        const std::string name(gpu::view_names()[static_cast<size_t>(each)]);
+        const std::string label = each == gpu::View::uv ? "UV" : capitalised(name);
+        if (each == view.view) chosen = static_cast<int>(all.size());
+        const std::string key = std::to_string(all.size() + 1);
+        all.push_back({label, "view:" + name, label + "  " + key});
+    }
     ImGui::SetCursorPos({12, head_height + 2});
-    if (width < 440) {  // too narrow for all of them side by side
-        Choices choices;
-        std::string shown = "Difference";
-        for (size_t i = 0; i < std::size(segments); ++i) {
-            choices.labels.push_back(segments[i].label);
-            choices.targets.push_back(
-                "view:" + std::string(gpu::view_names()[static_cast<size_t>(segments[i].view)]));
-            if (segments[i].view == view.view) shown = segments[i].label;
+    int picked = -1;
+    if (width >= 496) {
+        picked = segments(state, all, chosen, width);
+    } else {  // too narrow for all of them side by side
+        Choices choices{{}, {}, chosen};
+        for (const Segment& each : all) {
+            choices.labels.push_back(each.label);
+            choices.targets.push_back(each.target);
         }
-        const int picked = choose(state, "##view", "preview:view", shown, choices, width - 24);
-        if (picked >= 0) view.view = segments[picked].view;
-        return;
+        const std::string shown =
+            chosen < 0 ? "Difference" : all[static_cast<size_t>(chosen)].label;
+        picked = choose(state, "##view", "preview:view", shown, choices, width);
     }
-    int key = 0;
-    for (const Segment& segment : segments) {
-        const std::string name(gpu::view_names()[static_cast<size_t>(segment.view)]);
-        if (button(state, segment.label, "view:" + name, view.view == segment.view))
-            view.view = segment.view;
-        ++key;
-        if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s  %d", segment.label, key);
-        ImGui::SameLine(0, 2);
-    }
-    ImGui::NewLine();
+    if (picked >= 0) view.view = views[picked];
 }
 
 void draw_preview(State& state) {

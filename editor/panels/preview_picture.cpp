@@ -178,8 +178,9 @@ std::string first_reason(const State& state) {
          {&state.built.problems, &state.built.live, &state.preview_problems})
         for (const Diagnostic& problem : list->list())
             if (problem.severity == Severity::error)
-                return (problem.node.empty() ? "" : problem.node + ": ") + problem.message;
-    return {};
+                return sentence((problem.node.empty() ? "" : problem.node + ": ") +
+                                problem.message);
+    return state.document().outputs.empty() ? "The graph has no outputs." : "";
 }
 
 void draw_stale(const State& state, const Area& area, const std::string& text) {
@@ -196,11 +197,12 @@ void draw_notes(const State& state, const Area& area, const PreviewPicture& pict
     const PreviewView& view = state.view.preview_view;
     const std::string mesh = std::filesystem::path(view.mesh).stem().string();
     char text[96];
-    std::snprintf(text, sizeof text, "%.40s %.2f m, frame %.1f ms", mesh.c_str(),
-                  static_cast<double>(view.scale), picture.milliseconds);
+    std::snprintf(text, sizeof text, "%.40s %.2f m", mesh.c_str(), static_cast<double>(view.scale));
     if (text[0] >= 'a' && text[0] <= 'z') text[0] = static_cast<char>(text[0] - 'a' + 'A');
-    if (picture.texture) draw_chip(state, {area.at.x + 12, area.end().y - 38}, text);
+    const std::string time = picture.first ? "" : ", frame " + milliseconds(picture.milliseconds);
+    if (picture.texture) draw_chip(state, {area.at.x + 12, area.end().y - 38}, text + time);
     const std::string reason = first_reason(state);
+    if (!picture.texture && holds_nothing(state.document())) return;
     if (state.preview_stale)
         draw_stale(
             state, area,

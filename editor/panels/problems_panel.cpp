@@ -31,7 +31,7 @@ std::string counts(const Diagnostics& problems) {
 }
 
 std::string evidence(const Diagnostic& problem) {
-    std::string text = problem.expected;
+    std::string text = sentence(problem.expected);
     if (problem.where.line == 0) return text;
     if (!text.empty()) text += "   ";
     return text + problem.where.file + ", line " + std::to_string(problem.where.line) +
@@ -98,7 +98,7 @@ void show_problem(State& state, size_t index) {
     const Diagnostic& problem = shown(state).list()[index];
     state.problems.current = index;
     const std::string id = top_of(problem.node);
-    state.status = problem.message;
+    state.status = sentence(problem.message);
     if (!state.document().find(id)) return;
     state.view.selected = {id};
     fit(state.view, state.layout, true);
@@ -130,6 +130,7 @@ void draw_problem(State& state, const Diagnostic& problem, size_t index) {
     const float width = std::max(ImGui::GetContentRegionAvail().x, 1.0F);
     const ImVec2 size(width, row_tall - 6);
     const Fix fix = fix_of(state, problem);
+    const std::string message = sentence(problem.message);
     ImGui::PushID(static_cast<int>(index));
     const bool clicked = ImGui::InvisibleButton("problem", size, ImGuiButtonFlags_None);
     ImGui::SetItemAllowOverlap();
@@ -146,11 +147,11 @@ void draw_problem(State& state, const Diagnostic& problem, size_t index) {
     const float right = fix.label ? width - 150 : width - 12;
     const float x = draw_chip(state, list, at, problem.node);
     draw_text(list, fonts.regular(16), 16, at + ImVec2(x, 11), theme::text,
-              fitting(fonts.regular(16), 16, problem.message, right - x));
+              fitting(fonts.regular(16), 16, message, right - x));
     draw_text(list, fonts.regular(14), 14, at + ImVec2(44, 35), theme::text_dim,
               fitting(fonts.regular(14), 14, evidence(problem), right - 44));
-    if (ImGui::IsItemHovered() && text_width(fonts.regular(16), 16, problem.message) > right - x)
-        ImGui::SetTooltip("%s", problem.message.c_str());
+    if (ImGui::IsItemHovered() && text_width(fonts.regular(16), 16, message) > right - x)
+        ImGui::SetTooltip("%s", message.c_str());
     bool fixed = false;
     if (fix.label) {
         const ImVec2 next = ImGui::GetCursorPos();

@@ -5,6 +5,7 @@
 
 #include "editor/look/draw.h"
 #include "editor/look/theme.h"
+#include "editor/panels/panels.h"
 
 namespace wrinkle::editor {
 namespace {
@@ -118,14 +119,20 @@ Pane Regions::at(ImVec2 point) const {
     return Pane::none;
 }
 
-Regions find_regions(const Panes& panes, ImVec2 window, float problems) {
+Regions regions_of(const State& state) {
+    return find_regions(state.panes, ImGui::GetIO().DisplaySize, problems_height(state),
+                        state.tasks.shown() ? task_height : 0);
+}
+
+Regions find_regions(const Panes& panes, ImVec2 window, float problems, float task) {
     Regions regions;
     regions.menu = {{0, 0}, {window.x, menu_height}};
     regions.tools = {{0, menu_height}, {window.x, tool_height}};
     const float top = menu_height + tool_height;
-    const float work = std::max(window.y - top - status_height, 1.0F);
+    const float work = std::max(window.y - top - task - status_height, 1.0F);
     regions.work = {{0, top}, {window.x, work}};
-    regions.status = {{0, top + work}, {window.x, status_height}};
+    regions.task = {{0, top + work}, {window.x, task}};
+    regions.status = {{0, top + work + task}, {window.x, status_height}};
     divide(regions, panes, window, problems);
     if (panes.maximised == Pane::none) return regions;
     const auto whole = [&](Pane pane) { return pane == panes.maximised ? regions.work : Rect{}; };

@@ -19,14 +19,19 @@ struct Rect {
 };
 
 struct Regions {
-    Rect menu, tools, work, status;
+    Rect menu, tools, work, task, status;
     Rect canvas, problems, preview, code;  // of no size: not shown
     const Rect& of(Pane pane) const;
     Pane at(ImVec2 point) const;
 };
 
-// `problems` is the height that all rows of the problems would take.
-Regions find_regions(const Panes& panes, ImVec2 window, float problems);
+inline constexpr float task_height = 40;
+
+// `problems` is the height that all rows of the problems would take; `task` that of the strip of
+// what runs in the background.
+Regions find_regions(const Panes& panes, ImVec2 window, float problems, float task = 0);
+// Those of this frame.
+Regions regions_of(const State& state);
 
 // The lines between the parts, to be dragged; a double click gives the rule back.
 void draw_splitters(Panes& panes, const Regions& regions);

@@ -1,51 +1,24 @@
-// The status bar: what came of the last compile, what the hand can do now, what is selected.
+// The status bar: what came of the last compile, what the hand can do now, what is selected; under
+// the side column the preview's time and whether work is kept.
 #include <algorithm>
 #include <cstdio>
 
 #include "editor/commands/commands.h"
+#include "editor/document/recovery.h"
 #include "editor/look/draw.h"
 #include "editor/look/icons.h"
 #include "editor/look/theme.h"
+#include "editor/panels/hints.h"
 #include "editor/panels/panels.h"
+#include "editor/panels/regions.h"
 
 namespace wrinkle::editor {
 namespace {
 
-std::string_view hint_of_gesture(const Gesture& gesture) {
-    switch (gesture.kind) {
-        case Gesture::Kind::wire:
-            return "Drop on a pin, or on empty ground for a node that fits   Esc to drop the wire";
-        case Gesture::Kind::value:
-            return "Ctrl is fine, Shift coarse   Esc gives the value back";
-        case Gesture::Kind::move:
-            return "Esc puts it back";
-        case Gesture::Kind::box:
-            return "Shift adds to the selection";
-        case Gesture::Kind::cut:
-            return "Wires under the stroke are cut when the button is let go   Esc keeps them";
-        case Gesture::Kind::lazy:
-            return "Let go on a node to connect what fits best   Esc to drop the wire";
-        default:
-            return {};
-    }
-}
-
-std::string_view hint_of_place(const State& state) {
-    switch (state.hovered.kind) {
-        case Hit::Kind::pin:
-            return "Drag to connect";
-        case Hit::Kind::field:
-            return "Drag to change   double-click to type";
-        case Hit::Kind::header:
-            return "Drag to move   double-click to rename";
-        case Hit::Kind::card:
-            return "Drag to move";
-        case Hit::Kind::wire:
-            return "Click to select   Delete removes it";
-        default:
-            return "Space adds a node   the wheel zooms   the middle button pans";
-    }
-}
+struct Note {
+    std::string text;
+    ImU32 color = theme::text_dim;
+};
 
 struct Writer {
     const State& state;
@@ -59,19 +32,29 @@ struct Writer {
         draw_text(list, font, 14, {x, y}, color, text);
         return x + width(text);
     }
+    // Ends at `right`; says where it begins.
+    float write_before(float right, const Note& note) const {
+        const float x = right - width(note.text);
+        write(x, note.color, note.text);
+        return x;
+    }
 };
 
 float draw_result(const Writer& w, float x) {
-    const Diagnostics& problems = w.state.built.problems;
-    const size_t errors = problems.error_count(), warnings = problems.list().size() - errors;
-    if (problems.has_errors() || !w.state.built.uniform) {
-        draw_warning(w.list, {x + 7, w.y + 7}, 13, theme::error);
-        x = w.write(x + 18, theme::error, errors ? counted(errors, "error") : "Not compiled");
-    } else {
-        char text[48];
-        std::snprintf(text, sizeof text, "Compiled in %.1f ms", w.state.built.milliseconds);
+    const Build& built = w.state.built;
+    const size_t errors = built.problems.error_count();
+    const size_t warnings = built.problems.list().size() - errors;
+    if (errors > 0) {
+        draw_error(w.list, {x + 7, w.y + 7}, 13, theme::error);
+        x = w.write(x + 18, theme::error, counted(errors, "error"));
+    } else if (built.uniform) {
         draw_icon(w.list, "check", {x + 7, w.y + 7}, theme::ok);
-        x = w.write(x + 18, theme::text, text);
+        x = w.write(x + 18, theme::text, "Compiled in " + milliseconds(built.milliseconds));
+    } else if (holds_nothing(w.state.document())) {
+        x = w.write(x, theme::text_dim, "Empty graph");
+    } else {
+        draw_warning(w.list, {x + 7, w.y + 7}, 13, theme::warn);
+        x = w.write(x + 18, theme::warn, "Nothing to compile");
     }
     if (warnings > 0) x = w.write(x + 16, theme::warn, counted(warnings, "warning"));
     return x;
@@ -104,20 +87,48 @@ std::string sizes(const State& state) {
            counted(state.layout.wires.size(), "wire") + zoom;
 }
 
+Note save_state(const State& state) {
+    const bool unkept = state.dirty() && !state.keeping.unkept.empty();
+    return {kept_words(state), unkept ? theme::warn : theme::text_dim};
+}
+
+// What stands under the side column, from the right: whether work is kept, the preview's time.
+void draw_under_side(State& state, const Writer& w, float left, float right) {
+    const Note saved = save_state(state);
+    float x = right - w.width(saved.text);
+    if (x < left) return;
+    w.write(x, saved.color, saved.text);
+    state.targets.add("status:saved", {x, w.y - 4, right, w.y + 18});
+    const PreviewPicture* picture = state.preview ? &state.preview->shown() : nullptr;
+    if (!picture || !picture->texture || picture->first) return;
+    const std::string time = "Preview " + milliseconds(picture->milliseconds);
+    x -= w.width(time) + (saved.text.empty() ? 0 : 16);
+    if (x < left) return;
+    w.write(x, theme::text_dim, time);
+    state.targets.add("status:preview", {x, w.y - 4, x + w.width(time), w.y + 18});
+}
+
 }  // namespace
 
-void draw_status_bar(State& state) {
+void draw_status_bar(State& state, const Regions& regions) {
     const ImVec2 size = ImGui::GetWindowSize(), at = ImGui::GetWindowPos();
     const Writer w{state, *ImGui::GetWindowDrawList(), state.fonts.regular(14), at.y + 5};
-    const std::string right = fitting(w.font, 14, sizes(state), size.x * 0.4F);
-    const float right_from = size.x - 12 - w.width(right);
-    w.write(right_from, theme::text_dim, right);
+    const bool column = regions.preview.size.x > 0 && regions.canvas.size.x > 0;
+    const float side = column ? regions.preview.at.x : size.x;
+    float end = side - 12;
+    if (column) {
+        w.list.AddLine({side, at.y + 1}, {side, at.y + size.y}, theme::border);
+        draw_under_side(state, w, side + 12, size.x - 12);
+    } else {
+        const Note saved = save_state(state);
+        end = w.write_before(end, saved) - (saved.text.empty() ? 0 : 16);
+    }
+    const float right_from = w.write_before(end, {fitting(w.font, 14, sizes(state), end * 0.4F)});
     float x = draw_result(w, at.x + 12);
     x = draw_action(state, w, x + 24, (right_from - x) * 0.5F);
-    std::string_view hint = hint_of_gesture(state.gesture);
-    if (hint.empty()) hint = hint_of_place(state);
+    const std::string_view hint = hint_of(state, regions);
     const float hint_width = w.width(hint);
-    const float hint_from = std::max(x + 24, (size.x - hint_width) / 2);
+    const float hint_from = std::max(x + 24, (side - hint_width) / 2);
     if (hint_from + hint_width < right_from - 16) w.write(hint_from, theme::text_dim, hint);
 }
 

@@ -55,10 +55,14 @@ void draw_bars(State& state, const Regions& regions) {
         const ImVec2 end = regions.tools.at + regions.tools.size;
         ImGui::GetWindowDrawList()->AddLine({0, end.y - 1}, {end.x, end.y - 1}, theme::border);
     }
+    if (regions.task.size.y > 0) {
+        const Region region("##task", regions.task, theme::bar, {12, 6});
+        draw_task(state);
+    }
     const Region region("##status", regions.status, theme::bar, {12, 4});
     ImGui::GetWindowDrawList()->AddLine(
         regions.status.at, regions.status.at + ImVec2(regions.status.size.x, 0), theme::border);
-    draw_status_bar(state);
+    draw_status_bar(state, regions);
 }
 
 void draw_panes(State& state, const Regions& regions) {
@@ -89,9 +93,9 @@ void draw_ui(State& state) {
     state.targets.clear();
     state.thumbnails.begin_frame();
     run_keys(state);
+    tend_tasks(state);
     refresh(state);
-    const ImVec2 size = ImGui::GetIO().DisplaySize;
-    const Regions regions = find_regions(state.panes, size, problems_height(state));
+    const Regions regions = regions_of(state);
     draw_bars(state, regions);
     draw_panes(state, regions);
     draw_splitters(state.panes, regions);

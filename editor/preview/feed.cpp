@@ -77,6 +77,11 @@ PreviewRequest wanted_request(const State& state) {
     return request;
 }
 
+void forget_images(State& state) {
+    if (state.preview) state.preview->forget_images();
+    ++state.node_feed.images;
+}
+
 bool send_values(State& state) {
     Follow& follow = state.follow;
     const Change difference = change(follow.sent, state.document());

@@ -9,6 +9,9 @@ namespace wrinkle::editor {
 // What the preview is wanted to show of the document now.
 PreviewRequest wanted_request(const State& state);
 
+// Image files are read again, for the picture and for those on cards.
+void forget_images(State& state);
+
 // After a build: the program changes only when more than names and values differ.
 void run_newest(State& state);
 // Sends the values that differ from what the preview shows; false when one of them is no uniform.

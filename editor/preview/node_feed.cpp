@@ -34,13 +34,15 @@ void feed_node_pictures(State& state) {
     std::set<std::string> wanted = wanted_nodes(state);
     const Document& now = state.document();
     if (feed.asked > 0 && wanted == feed.asked_nodes && feed.images == feed.asked_images &&
-        looks_the_same(feed.asked_of, now))
+        state.registry == feed.asked_registry && looks_the_same(feed.asked_of, now))
         return;
     feed.asked_of = now;
     feed.asked_nodes = wanted;
     feed.asked_images = feed.images;
+    feed.asked_registry = state.registry;
     if (!wanted.empty())
-        feed.maker->ask({++feed.asked, state.model, now, std::move(wanted), feed.images});
+        feed.maker->ask(
+            {++feed.asked, state.registry, state.model, now, std::move(wanted), feed.images});
 }
 
 }  // namespace wrinkle::editor

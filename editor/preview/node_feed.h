@@ -21,6 +21,7 @@ struct NodeFeed {
     // What that job was of.
     Document asked_of;
     std::set<std::string> asked_nodes;
+    const Registry* asked_registry = nullptr;
     uint64_t asked_images = 0;
 
     bool idle() const { return !maker || maker->idle(); }

@@ -135,7 +135,7 @@ NodePictures NodePainter::draw(const NodePictureJob& job) {
     options.reached_only = true;
     Diagnostics problems;
     const Compiled compiled =
-        compile_material(project_with(job.model, document), *registry_, options, problems);
+        compile_material(project_with(job.model, document), *job.registry, options, problems);
     if (!compiled.ok) return pictures;
     std::string why;
     const Program program = compile_program(compiled.module, why);

@@ -24,6 +24,7 @@ namespace wrinkle::editor {
 
 struct NodePictureJob {
     uint64_t version = 0;  // grows with every job
+    const Registry* registry = nullptr;
     Model model;
     Document document;
     std::set<std::string> nodes;  // whose pictures are wanted
@@ -41,14 +42,12 @@ struct NodePictures {
 // Keeps the images that it has read.
 class NodePainter {
 public:
-    explicit NodePainter(const Registry& registry) : registry_(&registry) {}
     // No pictures when the graph does not compile.
     NodePictures draw(const NodePictureJob& job);
 
 private:
     std::vector<Texture> textures_of(const Module& module);
 
-    const Registry* registry_;
     uint64_t images_ = 0;
     std::map<std::string, std::shared_ptr<const MipChain>> chains_;
 };
@@ -56,11 +55,11 @@ private:
 // The same on a thread of its own; the newest job wins.
 class NodePictureMaker {
 public:
-    // The registry must stay as it is while this is busy. wake is called on its thread.
-    explicit NodePictureMaker(const Registry& registry, std::function<void()> wake = {})
-        : worker_([painter = NodePainter(registry)](
-                      NodePictureJob&& job) mutable { return painter.draw(job); },
-                  std::move(wake)) {}
+    // wake is called on its thread.
+    explicit NodePictureMaker(std::function<void()> wake = {})
+        : worker_(
+              [painter = NodePainter()](NodePictureJob&& job) mutable { return painter.draw(job); },
+              std::move(wake)) {}
 
     void ask(NodePictureJob job) { worker_.post(std::move(job)); }
     std::optional<NodePictures> take() { return worker_.take(); }

@@ -6,6 +6,7 @@
 #include <chrono>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <tuple>
 #include <utility>
 
 #include "gpu/context.h"
@@ -67,7 +68,10 @@ AngleFigures figures_of(const std::vector<float>& pixels, float end) {
 
 bool PreviewPainter::use_mesh(const PreviewJob& job, Diagnostics& problems) {
     const auto wanted = job.view.displaced ? job.displacement : nullptr;
-    if (job.view.mesh == mesh_ && job.view.scale == scale_ && wanted == displacement_) return true;
+    const uint64_t images = wanted ? job.images : 0;
+    if (job.view.mesh == mesh_ && job.view.scale == scale_ && wanted == displacement_ &&
+        job.meshes == mesh_read_ && images == mesh_images_)
+        return true;
     auto mesh = open_mesh(job.view.mesh, problems);
     if (!mesh || !(job.view.scale > 0)) return !mesh_.empty();
     resize(*mesh, job.view.scale);
@@ -80,11 +84,15 @@ bool PreviewPainter::use_mesh(const PreviewJob& job, Diagnostics& problems) {
     mesh_ = job.view.mesh;
     scale_ = job.view.scale;
     displacement_ = wanted;
+    mesh_read_ = job.meshes;
+    mesh_images_ = images;
     return true;
 }
 
-void PreviewPainter::use_light(const PreviewView& view) {
-    if (view.environment != environment_) {
+void PreviewPainter::use_light(const PreviewJob& job) {
+    const PreviewView& view = job.view;
+    const bool reread = std::exchange(light_read_, job.lights) != job.lights;
+    if (view.environment != environment_ || (reread && !environment_.empty())) {
         environment_ = view.environment;
         relit_ = true;
         renderer_.forget_environment();
@@ -184,7 +192,8 @@ PreviewPicture PreviewPainter::draw(const PreviewJob& job, int held) {
     PreviewPicture picture = last_;
     picture.version = job.version;
     picture.problems = Diagnostics();
-    use_light(job.view);
+    const auto before = std::tuple(renderer_.programs_linked(), images_, mesh_, scale_);
+    use_light(job);
     if (use_material(job) && use_mesh(job, picture.problems) && job.width > 0 && job.height > 0) {
         PreviewPicture next = picture;
         next.slot = 0;
@@ -206,10 +215,23 @@ PreviewPicture PreviewPainter::draw(const PreviewJob& job, int held) {
     problems.append(picture.problems);
     picture.problems = std::move(problems);
     picture.programs = renderer_.programs_linked();
+    picture.first = before != std::tuple(renderer_.programs_linked(), images_, mesh_, scale_);
     const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - start;
     picture.milliseconds = time.count();
     last_ = picture;
+    if (job.still && !job.still->answered()) draw_still(job);
     return picture;
+}
+
+// With what the last picture was drawn with, on a ground without holes.
+void PreviewPainter::draw_still(const PreviewJob& job) {
+    Still& still = *job.still;
+    Diagnostics problems = last_.problems;
+    std::optional<Image> image;
+    if (!still.cancelled && last_.texture && !last_.refused)
+        image = still_picture(renderer_, scene_of(job.view), job, last_.angles.end, problems);
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+    still.answer(std::move(image), std::move(problems));
 }
 
 }  // namespace wrinkle::editor

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "editor/preview/displacement.h"
+#include "editor/preview/still.h"
 #include "editor/preview/view.h"
 #include "gpu/renderer.h"
 
@@ -28,7 +29,9 @@ struct PreviewJob {
     bool difference = false;
     float degrees = 0;  // at the end of the scale; 0 finds it
     int width = 0, height = 0;
-    uint64_t images = 0;  // when it changes, image files are read again
+    // When one of them changes, its files are read again.
+    uint64_t images = 0, meshes = 0, lights = 0;
+    std::shared_ptr<Still> still;  // answered after the picture, once
 };
 
 // Angles between the two normals, over the pixels of the mesh.
@@ -48,8 +51,13 @@ struct PreviewPicture {
     Diagnostics problems;
     AngleFigures angles;
     double milliseconds = 0;  // of the drawing, until its last pixel
+    bool first = false;       // of a program or a mesh: the time has its making in it
     uint64_t programs = 0;    // linked so far
 };
+
+// What `job.still` asks for, from what the renderer holds; nothing, with the reason.
+std::optional<Image> still_picture(gpu::Renderer& renderer, gpu::Scene scene, const PreviewJob& job,
+                                   float heat_degrees, Diagnostics& problems);
 
 class PreviewPainter {
 public:
@@ -62,8 +70,9 @@ private:
     };
     bool use_material(const PreviewJob& job);
     bool use_mesh(const PreviewJob& job, Diagnostics& problems);
-    void use_light(const PreviewView& view);
+    void use_light(const PreviewJob& job);
     bool draw_sides(const PreviewJob& job, PreviewPicture& picture);
+    void draw_still(const PreviewJob& job);
     bool measure(const PreviewJob& job, const gpu::Scene& scene, PreviewPicture& picture);
     gpu::Scene scene_of(const PreviewView& view) const;
 
@@ -78,6 +87,7 @@ private:
     bool has_material_ = false, relit_ = false;
     uint64_t images_ = 0;
     // What the renderer has of the job.
+    uint64_t mesh_read_ = 0, mesh_images_ = 0, light_read_ = 0;
     std::string mesh_, environment_;
     float scale_ = 0;
     std::shared_ptr<const Displacement> displacement_;

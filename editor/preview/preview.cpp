@@ -26,7 +26,10 @@ void Preview::begin() {
     worker_ = std::make_unique<Worker<PreviewJob, PreviewPicture>>(work, wake_, finish);
 }
 
-Preview::~Preview() = default;
+Preview::~Preview() {
+    worker_.reset();
+    if (job_.still) job_.still->answer(std::nullopt, Diagnostics());
+}
 
 void Preview::leave_context() {
     worker_.reset();
@@ -59,11 +62,30 @@ void Preview::forget_images() {
     changed_ = true;
 }
 
+void Preview::forget_mesh() {
+    ++job_.meshes;
+    changed_ = true;
+}
+
+void Preview::forget_light() {
+    ++job_.lights;
+    changed_ = true;
+}
+
+void Preview::draw_still(std::shared_ptr<Still> still) {
+    // Nobody waits for the former one any more.
+    if (job_.still) job_.still->answer(std::nullopt, Diagnostics());
+    job_.still = std::move(still);
+    ask();
+}
+
 void Preview::show(const PreviewView& view, const std::string& against, const CompareView& compare,
                    int width, int height) {
     const bool difference = !against.empty() && compare.difference;
     const float degrees = difference ? compare.degrees : 0;
-    if (!changed_ && view == job_.view && against == job_.against &&
+    // Once more when nothing else is to be drawn, for the time of a picture without its program's.
+    const bool untimed = picture_.first && picture_.version == job_.version;
+    if (!changed_ && !untimed && view == job_.view && against == job_.against &&
         difference == job_.difference && degrees == job_.degrees && width == job_.width &&
         height == job_.height)
         return;

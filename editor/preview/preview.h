@@ -25,7 +25,12 @@ public:
     void set_material(std::shared_ptr<const gpu::Material> material,
                       std::shared_ptr<const Displacement> displacement);
     void set_uniform(const std::string& name, std::span<const float> value);
+    // Their files are read again, by the next picture.
     void forget_images();
+    void forget_mesh();
+    void forget_light();
+    // Drawn once, of what show() has asked for last.
+    void draw_still(std::shared_ptr<Still> still);
     // Of the same material; width and height in pixels.
     void show(const PreviewView& view, const std::string& against, const CompareView& compare,
               int width, int height);

@@ -90,7 +90,7 @@ TEST_F(Headless, TheBrowserGoesUpByBackspaceAndByPath) {
 
 TEST_F(Headless, TheTextIsExportedUnderAName) {
     open(small_graph);
-    play("key Ctrl+E\nkey Ctrl+A\ntype made\nkey Enter\nassert status made.glsl");
+    play("key Ctrl+E\nkey Ctrl+A\ntype made\nkey Enter\nfinish\nassert status made.glsl");
     EXPECT_EQ(text_of(folder.path() / "made.glsl"), program_output("compile " + file.string()));
 }
 

@@ -69,7 +69,10 @@ TEST_F(Headless, ExportsWhatTheProgramWrites) {
                 state.code.options.form = form == "shader" ? Form::shader : Form::function;
                 const fs::path file = folder.path() / "out" / graph.stem();
                 fs::create_directories(file.parent_path());
-                ASSERT_TRUE(export_code(state, file)) << graph << state.status;
+                start_code_export(state, file);
+                const TaskOutcome outcome = state.tasks.running->outcome();
+                ASSERT_TRUE(outcome.good) << graph << outcome.sentence;
+                tend_tasks(state);
                 const auto compare = [&](const std::string& ours, const std::string& theirs) {
                     const std::string text = text_of(ours);
                     EXPECT_FALSE(text.empty());
@@ -184,7 +187,8 @@ TEST_F(Headless, TheLastTextStaysWhenTheGraphBreaks) {
     frame();
     EXPECT_EQ(state.code.text.source, text);
     EXPECT_FALSE(state.code.problem.empty());
-    EXPECT_FALSE(export_code(state, folder.path() / "broken.glsl"));
+    start_code_export(state, folder.path() / "broken.glsl");
+    play("finish\nassert status broken.glsl was not written, because the graph has errors.");
     EXPECT_FALSE(fs::exists(folder.path() / "broken.glsl"));
 }
 

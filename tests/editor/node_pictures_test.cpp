@@ -16,12 +16,13 @@ NodePictures pictures_of(const std::string& nodes, const std::filesystem::path& 
     Diagnostics problems;
     NodePictureJob job;
     job.version = 7;
+    job.registry = &built_in_registry();
     job.document = read_document(R"({ "wrinkle": 1, "nodes": {)" + nodes + R"(}, "outputs": {} })",
                                  "graph.json", problems);
     for (const NodePtr& node : job.document.nodes)
         job.nodes.insert(node->id);
     job.model = make_model(job.document, folder, built_in_registry());
-    return NodePainter(built_in_registry()).draw(job);
+    return NodePainter().draw(job);
 }
 
 struct Texel {
@@ -129,7 +130,7 @@ TEST_F(Headless, ACardShowsWhatItMakesWhereThatIsAnotherKindOfThing) {
 
 TEST_F(Headless, PicturesFollowWhatChangesThemAndNothingElse) {
     open(small_graph);
-    NodePictureMaker maker(built_in_registry());
+    NodePictureMaker maker;
     state.node_feed.maker = &maker;
     const auto newest = [&] {
         frame();

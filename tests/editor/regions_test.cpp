@@ -103,6 +103,23 @@ TEST_F(Headless, APanelIsMaximisedAndTheSideFolded) {
     EXPECT_TRUE(state.targets.find("line:1"));
 }
 
+TEST_F(Headless, TheHeadOfThePreviewHasIcons) {
+    open(small_graph);
+    state.view.preview_view.distance = 3;
+    play("click preview:frame");
+    EXPECT_EQ(state.view.preview_view.distance, 1);
+    play("click preview:maximise");
+    EXPECT_EQ(regions_of(state).preview.size.x, ImGui::GetIO().DisplaySize.x);
+    play("click preview:maximise\nclick preview:picture\nassert no-target browser:name");
+    EXPECT_LT(regions_of(state).preview.size.x, ImGui::GetIO().DisplaySize.x);
+    play("click compare:split\nclick preview:view\nclick view:normal");
+    EXPECT_EQ(state.view.compare.mode, CompareView::Mode::split);
+    EXPECT_EQ(state.view.preview_view.view, gpu::View::normal);
+    state.panes.side = 0.45F;
+    play("click view:uv");
+    EXPECT_EQ(state.view.preview_view.view, gpu::View::uv);
+}
+
 TEST_F(Headless, TheBarsRunCommands) {
     open(small_graph);
     play(R"(

@@ -186,6 +186,21 @@ TEST(Window, AScriptThatIsNotSoFailsAndSavesNothing) {
     EXPECT_EQ(text_of(graph), small_graph);
 }
 
+TEST(Window, IsNeverTooSmallToWorkIn) {
+    const VirtualScreen screen;
+    if (!screen.is_there()) GTEST_SKIP() << "there is no Xvfb here";
+    const TemporaryFolder folder;
+    const auto graph = folder.write("graph.json", small_graph);
+    const auto picture = folder.path() / "window.png";
+    ASSERT_EQ(run(screen.variable(), graph.string() + " --size 300 200 --shot " + picture.string()),
+              0);
+    Diagnostics problems;
+    const auto image = load_image(picture, problems);
+    ASSERT_TRUE(image) << to_text(problems);
+    EXPECT_EQ(image->width, 800U);
+    EXPECT_EQ(image->height, 500U);
+}
+
 TEST(Window, WithoutADisplayItSaysSo) {
     const TemporaryFolder folder;
     const auto graph = folder.write("graph.json", small_graph);

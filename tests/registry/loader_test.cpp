@@ -2,6 +2,7 @@
 
 #include <filesystem>
 
+#include "base/file.h"
 #include "registry/plugin_loader.h"
 #include "support/files.h"
 
@@ -75,6 +76,34 @@ TEST(PluginLoader, LoadsAFileOnceAndEarlierPlacesWin) {
     EXPECT_EQ(loaded.registry.find("small")->origin, folder + "/good.so");
     EXPECT_EQ(loaded.registry.list().size(), 2u);
     EXPECT_EQ(loaded.reports.size(), 6u);
+}
+
+// Two files of one name, one after the other, as when a plugin is built anew.
+TEST(PluginLoader, LoadsCopiesThatMayBeReplaced) {
+    const test::TemporaryFolder temporary;
+    const fs::path file = temporary.path() / "mine.so";
+    const auto nodes_of = [&](const std::string& from) {
+        fs::copy_file(folder + "/" + from, file, fs::copy_options::overwrite_existing);
+        Registry registry;
+        Diagnostics diagnostics;
+        const std::vector<std::string> places{file.string()};
+        load_plugins(registry, places, diagnostics, {.copies = true});
+        EXPECT_EQ(to_text(diagnostics), "");
+        return registry.ids();
+    };
+    EXPECT_EQ(nodes_of("good.so"), std::vector<std::string>{"small"});
+    EXPECT_EQ(nodes_of("second.so"), std::vector<std::string>{"smaller"});
+    EXPECT_EQ(nodes_of("good.so"), std::vector<std::string>{"small"});
+}
+
+TEST(PluginLoader, RefusesAFileThatIsCutShort) {
+    std::string why;
+    const std::string whole = read_file(folder + "/good.so", why).value();
+    const test::TemporaryFolder temporary;
+    for (size_t size = 0; size < whole.size(); size += whole.size() / 64 + 1)
+        EXPECT_EQ(refusal(temporary.put("cut.so", whole.substr(0, size))).substr(0, 19),
+                  "it cannot be loaded")
+            << size;
 }
 
 TEST(PluginLoader, PlacesComeFromOptionsThenEnvironment) {

@@ -1,0 +1,49 @@
+#include "editor/document/plugins.h"
+
+#include <algorithm>
+
+#include "editor/state.h"
+#include "editor/words.h"
+#include "nodes/all.h"
+#include "registry/plugin_loader.h"
+
+namespace wrinkle::editor {
+namespace {
+
+std::string first_refusal(const Diagnostics& problems) {
+    const Diagnostic& problem = problems.list().front();
+    const std::string name = std::filesystem::path(problem.where.file).filename().string();
+    return name.empty() ? sentence(problem.message) : name + " was refused: " + problem.message;
+}
+
+size_t from_plugins(const Registry& registry) {
+    return static_cast<size_t>(
+        std::count_if(registry.list().begin(), registry.list().end(),
+                      [](const NodeType& type) { return type.origin != Registry::built_in; }));
+}
+
+}  // namespace
+
+void load_plugins(State& state, Diagnostics& problems) {
+    auto registry = std::make_shared<Registry>();
+    registry->add_plugin(built_in_nodes(), Registry::built_in, problems);
+    wrinkle::load_plugins(*registry, state.plugins.places, problems, {.copies = true});
+    state.registry = registry.get();
+    state.plugins.registries.push_back(std::move(registry));
+}
+
+void reload_plugins(State& state) {
+    Diagnostics problems;
+    load_plugins(state, problems);
+    if (state.follow.compiler) state.follow.compiler->use(*state.registry);
+    if (state.code.maker) state.code.maker->use(*state.registry);
+    state.offer = {};
+    state.fresh = false;
+    state.status =
+        problems.list().empty()
+            ? "Plugins are loaded anew: " + counted(from_plugins(*state.registry), "node") +
+                  " from them."
+            : first_refusal(problems);
+}
+
+}  // namespace wrinkle::editor

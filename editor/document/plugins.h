@@ -1,0 +1,28 @@
+// The node types that the editor knows, and how plugins are loaded anew while it runs.
+//
+// Each load makes a registry of its own from copies of the files; former ones stay, with the code
+// that they point at, because documents, jobs and cards may still look at their types. What a
+// plugin no longer has is shown and kept as nodes of a missing plugin are.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "registry/registry.h"
+
+namespace wrinkle::editor {
+
+struct State;
+
+struct Plugins {
+    std::vector<std::string> places;                          // files and folders
+    std::vector<std::shared_ptr<const Registry>> registries;  // the newest last
+};
+
+// The built-in nodes and those of the plugins; what was refused, in `problems`.
+void load_plugins(State& state, Diagnostics& problems);
+// The same while the editor runs, with the result in the status.
+void reload_plugins(State& state);
+
+}  // namespace wrinkle::editor

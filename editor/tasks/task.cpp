@@ -1,0 +1,64 @@
+#include "editor/tasks/task.h"
+
+#include <utility>
+
+#include "editor/state.h"
+
+namespace wrinkle::editor {
+
+Task::Task(TaskOrder order, std::function<void()> wake)
+    : order_(std::move(order)), thread_([this, wake = std::move(wake)] {
+          outcome_ = order_.work(progress_);
+          ended_ = true;
+          if (wake) wake();
+      }) {}
+
+Task::~Task() {
+    cancel();
+    if (thread_.joinable()) thread_.join();
+}
+
+TaskOutcome Task::outcome() {
+    if (thread_.joinable()) thread_.join();
+    return outcome_;
+}
+
+bool start_task(State& state, TaskOrder order) {
+    Tasks& tasks = state.tasks;
+    if (tasks.running) {
+        state.status = tasks.running->order().name + " is not done yet.";
+        return false;
+    }
+    tasks.failed.clear();
+    state.status = order.name;
+    tasks.running = std::make_unique<Task>(std::move(order), tasks.wake);
+    return true;
+}
+
+void cancel_task(State& state) {
+    if (state.tasks.running) state.tasks.running->cancel();
+    state.tasks.failed.clear();
+}
+
+void try_task_again(State& state) {
+    const auto again = std::exchange(state.tasks.again, {});
+    state.tasks.failed.clear();
+    if (again) again(state);
+}
+
+void tend_tasks(State& state) {
+    Tasks& tasks = state.tasks;
+    if (!tasks.running || !tasks.running->ended()) return;
+    const TaskOutcome outcome = tasks.running->outcome();
+    const TaskOrder& order = tasks.running->order();
+    if (outcome.good || !tasks.running->cancelled()) {
+        state.status = outcome.sentence;
+        if (!outcome.good) tasks.failed = outcome.sentence;
+    } else {
+        state.status = order.name + " was cancelled. Nothing was written.";
+    }
+    tasks.again = order.again;
+    tasks.running.reset();
+}
+
+}  // namespace wrinkle::editor
