@@ -98,6 +98,7 @@ void drag(State& state) {
     Gesture& g = state.gesture;
     const ImGuiIO& io = ImGui::GetIO();
     pan_at_edges(state);
+    if (!ImGui::IsMousePosValid()) return;  // outside the window
     const ImVec2 delta = io.MousePos - g.start;
     if (!g.moved && std::fabs(delta.x) < threshold && std::fabs(delta.y) < threshold) return;
     if (!g.moved && g.kind == Kind::wire) lift_wire(state);

@@ -198,6 +198,7 @@ void draw_minimap(State& state) {
     ImGui::InvisibleButton("map", map_size);
     name_item(state, "minimap");
     if (!ImGui::IsItemActive() && !ImGui::IsItemDeactivated()) return;
+    if (!ImGui::IsMousePosValid()) return;  // it left the window
     const ImVec2 canvas = (ImGui::GetIO().MousePos - map.origin) * (1 / map.scale);
     view.pan = view.extent * 0.5F - canvas * view.zoom;
 }

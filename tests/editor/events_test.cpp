@@ -124,6 +124,30 @@ private:
     std::mt19937 random_;
 };
 
+TEST_F(Headless, ADragOutOfTheWindowKeepsTheCardWhereItWas) {
+    open(small_graph);
+    state.view.zoom = 0.5F;
+    frame();
+    const auto node = *state.targets.find("node:softer");
+    queue.motion(node.middle_x(), node.middle_y());
+    queue.button(0, true);
+    queue.motion(node.middle_x() + 20, node.middle_y());
+    while (!queue.empty())
+        frame();
+    queue.motion(node.middle_x() + 40, node.middle_y());
+    while (!queue.empty())
+        frame();
+    queue.push({InputEvent::Kind::leave, 0, false, 0, 0});
+    while (!queue.empty())
+        frame();
+    queue.button(0, false);
+    while (!queue.empty())
+        frame();
+    frame();
+    EXPECT_EQ(state.layout.find("softer")->at.x, 272 + 80);
+    EXPECT_EQ(state.layout.find("softer")->at.y, 0);
+}
+
 TEST_F(Headless, AnyEventsAreSurvived) {
     const int count = from_environment("WRINKLE_EVENTS", 3000);
     const fs::path before = fs::current_path();
