@@ -17,8 +17,8 @@ inline constexpr float reroute_width = 32, reroute_height = 16;
 // its node, its type or its readers have changed; a drag moves what it has in its hand.
 void update_layout(State& state);
 
-// Where nodes stand by the document, and where those without a place go.
-std::vector<ImVec2> places_of(const Document& document);
+// Where nodes stand by the document, and where those without a place go; whether there are none.
+std::vector<ImVec2> places_of(const Document& document, bool* all_given = nullptr);
 
 // Where a pin is, in canvas units.
 ImVec2 pin_at(const Card& card, const Pin& pin);

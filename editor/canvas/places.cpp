@@ -42,7 +42,7 @@ std::vector<ImVec2> automatic_places(const Document& document) {
 
 }  // namespace
 
-std::vector<ImVec2> places_of(const Document& document) {
+std::vector<ImVec2> places_of(const Document& document, bool* all_given) {
     std::vector<ImVec2> places;
     std::vector<size_t> without;
     for (size_t i = 0; i < document.nodes.size(); ++i) {
@@ -51,6 +51,7 @@ std::vector<ImVec2> places_of(const Document& document) {
                             : ImVec2(0, 0));
         if (!at) without.push_back(i);
     }
+    if (all_given) *all_given = without.empty();
     if (without.empty()) return places;
     const std::vector<ImVec2> automatic = automatic_places(document);
     for (const size_t i : without)
