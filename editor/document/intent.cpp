@@ -43,7 +43,7 @@ void write_as(State& state, const fs::path& path) {
     state.question.trouble = state.status;
 }
 
-void answer_save_as(State& state) {
+void answer_name(State& state) {
     fs::path path = typed_path(state);
     if (path.extension().empty()) path += ".json";
     std::error_code error;
@@ -90,10 +90,13 @@ void intend(State& state, const Intent& intent) {
 void answer_save(State& state) {
     const Question asked = state.question;
     if (save_file(state)) return done(state);
-    if (state.question.kind == asked.kind)
-        state.question.trouble = state.status;
-    else
-        state.question.then = asked.then;  // another question came first
+    if (state.question.kind == asked.kind) state.question.trouble = state.status;
+    state.question.then = asked.then;  // also of another question that came first
+}
+
+void answer_save_as(State& state) {
+    state.question.kind = Question::Kind::save_as;
+    state.question.trouble.clear();
 }
 
 void answer_path(State& state) {
@@ -104,7 +107,7 @@ void answer_path(State& state) {
     else if (state.question.kind == Question::Kind::open)
         answer_open(state);
     else
-        answer_save_as(state);
+        answer_name(state);
 }
 
 void answer_recover(State& state) {
