@@ -111,6 +111,8 @@ void measure_all(const Registry& registry, const Fonts& fonts, int count, int ti
     state.keeping.folders.state = folder;
     Diagnostics problems;
     state.history = History(read_document(field_graph(count), "bench.json", problems));
+    // From here on the text is canonical; what was read is written back byte by byte.
+    state.commit("first", move_node(state.document(), "n0", 8, 8));
     refresh(state);
     compiler.settle();
     refresh(state);
