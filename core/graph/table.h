@@ -50,6 +50,10 @@ public:
             return Table(std::move(items));
         }
         items[i] = std::move(item);
+        return with_same_keys(std::move(items));
+    }
+    // Other entries with the same keys in the same order: shares the index.
+    Table with_same_keys(std::vector<T> items) const {
         Table changed;
         changed.items_ = std::make_shared<const std::vector<T>>(std::move(items));
         changed.slots_ = slots_;

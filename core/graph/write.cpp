@@ -15,6 +15,9 @@ using json::Value;
 class Block {
 public:
     Block(std::string& out, size_t indent) : out_(out), indent_(indent) { out_ += '{'; }
+    // One that was begun before, perhaps with members in it.
+    Block(std::string& out, size_t indent, bool empty)
+        : out_(out), indent_(indent), empty_(empty) {}
 
     // Begins a member; the caller writes its value.
     std::string& key(std::string_view name) {
@@ -120,18 +123,9 @@ void write_boxes(Block& layout, const char* name, const Table<Box>& boxes, const
     block.close();
 }
 
-void write_layout(Block& top, const Document& document) {
-    if (document.positions.empty() && document.frames.empty() && document.notes.empty() &&
-        document.unknown_layout.empty())
-        return;
-    Block layout(top.key("layout"), 4);
-    for (const Position& position : document.positions)
-        layout.key(position.id) +=
-            one_line(number_array({position.x, position.y}, position.source));
-    write_boxes(layout, "$frames", document.frames, "title");
-    write_boxes(layout, "$notes", document.notes, "text");
-    layout.verbatim(document.unknown_layout);
-    layout.close();
+bool has_layout(const Document& document) {
+    return !document.positions.empty() || !document.frames.empty() || !document.notes.empty() ||
+           !document.unknown_layout.empty();
 }
 
 void write_head(Block& top, const Document& document) {
@@ -159,22 +153,66 @@ std::string write_document(const Document& document) {
 }
 
 std::string canonical_text(const Document& document) {
+    const CanonicalParts parts{document};
+    std::string out = parts.head();
+    if (parts.has_node_parts())
+        for (size_t i = 0; i < document.nodes.size(); ++i)
+            out += CanonicalParts::node(*document.nodes[i], i == 0);
+    out += parts.middle(out.size() == 1);
+    for (size_t i = 0; i < document.positions.size(); ++i)
+        out += CanonicalParts::position(document.positions[i], i == 0);
+    return out + parts.end(out.size() == 1);
+}
+
+bool CanonicalParts::has_node_parts() const {
+    return !has(document.unknown, "nodes");
+}
+
+std::string CanonicalParts::head() const {
     std::string out;
     Block top(out, 2);
     write_head(top, document);
-    if (!has(document.unknown, "nodes")) {
-        Block nodes(top.key("nodes"), 4);
-        for (const NodePtr& node : document.nodes)
-            write_node(nodes.key(node->id), *node);
-        nodes.close();
-    }
+    if (has_node_parts()) top.key("nodes") += '{';
+    return out;
+}
+
+std::string CanonicalParts::node(const Node& node, bool first) {
+    std::string out;
+    write_node(Block(out, 4, first).key(node.id), node);
+    return out;
+}
+
+std::string CanonicalParts::middle(bool first) const {
+    std::string out;
+    if (has_node_parts()) Block(out, 4, document.nodes.empty()).close();
+    Block top(out, 2, first);
     if (!has(document.unknown, "outputs")) {
         Block outputs(top.key("outputs"), 4);
         for (const Output& output : document.outputs)
             outputs.key(output.name) += one_line(output.from.value);
         outputs.close();
     }
-    write_layout(top, document);
+    if (has_layout(document)) top.key("layout") += '{';
+    return out;
+}
+
+std::string CanonicalParts::position(const Position& position, bool first) {
+    std::string out;
+    Block(out, 4, first).key(position.id) +=
+        one_line(number_array({position.x, position.y}, position.source));
+    return out;
+}
+
+std::string CanonicalParts::end(bool first) const {
+    std::string out;
+    if (has_layout(document)) {
+        Block layout(out, 4, document.positions.empty());
+        write_boxes(layout, "$frames", document.frames, "title");
+        write_boxes(layout, "$notes", document.notes, "text");
+        layout.verbatim(document.unknown_layout);
+        layout.close();
+    }
+    Block top(out, 2, first);
     for (const Extra& extra : document.unknown)
         if (extra.key != "$schema") top.verbatim(extra);
     top.close();

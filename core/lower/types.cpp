@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "graph/order.h"
 #include "lower/literal.h"
 
 namespace wrinkle {
@@ -89,16 +88,14 @@ Types::Types(const Project& project, const Registry& registry)
 void Types::type_file(const Project& project, const Registry& registry, size_t file) {
     const Project::File& source = project.files[file];
     const Document& document = source.document;
-    for (const uint32_t i : evaluation_order(document)) {
-        const Node& node = *document.nodes[i];
+    for (size_t i = 0; i < document.nodes.size(); ++i) {
         const uint32_t inner = source.subgraphs[i];
         if (inner != Project::File::none)
             nodes_[file][i] = &graphs_[inner];
-        else if (node.type == reroute_type)
-            nodes_[file][i] = reroute(file, node);
-        else
-            nodes_[file][i] = registry.find(node.type);
+        else if (document.nodes[i]->type != reroute_type)
+            nodes_[file][i] = registry.find(document.nodes[i]->type);
     }
+    type_reroutes(file);
     NodeType& type = graphs_[file];
     type.id = "graph:" + source.path.filename().string();
     type.title = document.name.empty() ? source.path.stem().string() : document.name;
@@ -114,6 +111,23 @@ void Types::type_file(const Project& project, const Registry& registry, size_t f
         if (!found) continue;
         port.type = *found;
         type.ports.push_back(std::move(port));
+    }
+}
+
+// Each after the one that it reads; those that read each other in a circle have none.
+void Types::type_reroutes(size_t file) {
+    const Table<NodePtr>& nodes = project_->files[file].document.nodes;
+    std::vector<bool> seen(nodes.size(), false);
+    std::vector<size_t> chain;
+    for (size_t i = 0; i < nodes.size(); ++i) {
+        for (size_t k = i; k < nodes.size() && nodes[k]->type == reroute_type && !seen[k];) {
+            seen[k] = true;
+            chain.push_back(k);
+            const Input* in = nodes[k]->find("in");
+            k = in && in->link.is_node() ? nodes.index_of(in->link.node) : nodes.npos;
+        }
+        for (; !chain.empty(); chain.pop_back())
+            nodes_[file][chain.back()] = reroute(file, *nodes[chain.back()]);
     }
 }
 

@@ -31,6 +31,7 @@ public:
 
 private:
     void type_file(const Project& project, const Registry& registry, size_t file);
+    void type_reroutes(size_t file);
     const NodeType* reroute(size_t file, const Node& node) const;
 
     const Project* project_;

@@ -4,6 +4,7 @@
 
 #include <imgui.h>
 
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -11,6 +12,10 @@
 #include "graph/document.h"
 #include "lower/conversion.h"
 #include "registry/registry.h"
+
+namespace wrinkle {
+class Types;
+}
 
 namespace wrinkle::editor {
 
@@ -88,6 +93,10 @@ struct Layout {
     uint64_t fonts = 0;                  // Fonts::generation()
     ImVec2 dragged{0, 0};                // how far the selected cards are from their places
     size_t made = 0;                     // cards of nodes made anew by the last change
+    std::shared_ptr<const Types> types;  // of `nodes`
+    size_t links = 0;                    // of the document; `wires` are those with both ends
+    bool placed = false;                 // every node has its place from the document
+    bool patched = false;                // the last change made no more than what differs
 };
 
 // What lies under the pointer.

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <set>
 
+#include "editor/canvas/layout_parts.h"
 #include "editor/canvas/make_card.h"
 #include "editor/document/history.h"
 #include "editor/look/draw.h"
@@ -51,7 +52,7 @@ Readers find_readers(const Document& document) {
         readers.source.push_back(source);
         if (source == none) return;
         ++readers.first[source + 1];
-        readers.key[source] += std::hash<std::string_view>{}(link.port);
+        readers.key[source] += reader_key(link.port);
     });
     for (size_t i = 0; i < document.nodes.size(); ++i)
         readers.first[i + 1] += readers.first[i];
@@ -107,17 +108,6 @@ private:
     const Readers& readers_;
 };
 
-void shape_wire(const Layout& layout, Wire& wire, Extent& box) {
-    const Card &from = layout.cards[wire.from_card], &to = layout.cards[wire.to_card];
-    for (const Pin& pin : from.pins)
-        if (pin.output && pin.port == wire.from.port) wire.start = pin_at(from, pin);
-    for (const Pin& pin : to.pins)
-        if (!pin.output && pin.port == wire.port) wire.end = pin_at(to, pin);
-    const Curve k = wire_curve(wire.start, wire.end, 1);
-    box.low = {std::min(k.a.x, k.c.x) - 4, std::min(k.a.y, k.d.y) - 4};
-    box.high = {std::max(k.d.x, k.b.x) + 4, std::max(k.a.y, k.d.y) + 4};
-}
-
 const Pin* find_pin(const Card& card, std::string_view port, bool output) {
     for (const Pin& pin : card.pins)
         if (pin.output == output && pin.port == port) return &pin;
@@ -126,24 +116,11 @@ const Pin* find_pin(const Card& card, std::string_view port, bool output) {
 
 void add_wire(Layout& layout, const Link& from, uint32_t source, uint32_t reader,
               const std::string& port) {
-    if (source == none || reader == none) return;
-    const Pin* start = find_pin(layout.cards[source], from.port, true);
-    const Pin* end = find_pin(layout.cards[reader], port, false);
-    if (!start || !end) return;
-    Wire wire;
-    wire.from = from;
-    const Card& to = layout.cards[reader];
-    if (to.kind == Card::Kind::node) wire.node = to.id;
-    wire.port = port;
-    wire.from_type = start->type;
-    wire.to_type = end->type;
-    wire.known = start->known && end->known;
-    wire.conversion = wire.known ? conversion(start->type, end->type) : Conversion::same;
-    wire.from_card = source;
-    wire.to_card = reader;
-    layout.wires.push_back(std::move(wire));
+    auto wire = make_wire(layout, from, source, reader, port);
+    if (!wire) return;
+    layout.wires.push_back(std::move(*wire));
     layout.wire_boxes.emplace_back();
-    shape_wire(layout, layout.wires.back(), layout.wire_boxes.back());
+    fit_wire(layout, layout.wires.back(), layout.wire_boxes.back());
 }
 
 uint32_t card_of_kind(const Layout& layout, Card::Kind kind) {
@@ -170,24 +147,6 @@ void add_wires(const Document& document, const Readers& readers, Layout& layout)
     for (const Output& output : document.outputs)
         if (output.from.kind == Input::Kind::link)
             add_wire(layout, output.from.link, source(output.from.link), outputs, output.name);
-}
-
-Extent box_of(const Card& card) {
-    return {card.at - ImVec2(9, 3), card.at + card.size + ImVec2(9, 6)};
-}
-
-void find_bounds(Layout& layout) {
-    layout.low = layout.high = {0, 0};
-    bool first = true;
-    for (const Card& card : layout.cards) {
-        const ImVec2 end = card.at + card.size;
-        layout.low =
-            first ? card.at
-                  : ImVec2(std::min(layout.low.x, card.at.x), std::min(layout.low.y, card.at.y));
-        layout.high =
-            first ? end : ImVec2(std::max(layout.high.x, end.x), std::max(layout.high.y, end.y));
-        first = false;
-    }
 }
 
 // Cards of nodes in the order of the document, then those at the borders; raised ones on top.
@@ -237,6 +196,10 @@ Layout lay_out(State& state) {
     const Document& document = state.document();
     const Readers readers = find_readers(document);
     Layout layout;
+    layout.placed =
+        std::all_of(document.nodes.begin(), document.nodes.end(), [&](const NodePtr& node) {
+            return document.positions.find(node->id) != nullptr;
+        });
     layout.fonts = state.fonts.generation();
     layout.cards.reserve(document.nodes.size() + 3);
     CardTaker taker(state, state.layout, readers);
@@ -252,6 +215,8 @@ Layout lay_out(State& state) {
     layout.made = taker.made;
     layout.nodes = document.nodes;
     layout.readers = readers.key;
+    layout.types = state.model.types;
+    layout.links = readers.source.size();
     add_border_cards(state, layout, readers.used);
     order_cards(state, layout);
     layout.card_boxes.reserve(layout.cards.size());
@@ -280,7 +245,7 @@ void drag_cards(const State& state, Layout& layout) {
     }
     for (size_t i = 0; i < layout.wires.size(); ++i)
         if (moves[layout.wires[i].from_card] || moves[layout.wires[i].to_card])
-            shape_wire(layout, layout.wires[i], layout.wire_boxes[i]);
+            fit_wire(layout, layout.wires[i], layout.wire_boxes[i]);
     find_bounds(layout);
 }
 
@@ -306,13 +271,62 @@ void update_layout(State& state) {
     const Document& now = state.document();
     const bool let_go = state.gesture.kind != Gesture::Kind::move &&
                         (state.layout.dragged.x != 0 || state.layout.dragged.y != 0);
-    if (state.layout_stale || let_go || !same_document(state.layout_of, now) ||
-        state.layout.fonts != state.fonts.generation()) {
-        state.layout = lay_out(state);
+    const bool anew =
+        state.layout_stale || let_go || state.layout.fonts != state.fonts.generation();
+    if (anew || !same_document(state.layout_of, now)) {
+        if (anew || !patch_layout(state)) state.layout = lay_out(state);
         state.layout_of = now;
         state.layout_stale = false;
     }
     drag_cards(state, state.layout);
+}
+
+Extent box_of(const Card& card) {
+    return {card.at - ImVec2(9, 3), card.at + card.size + ImVec2(9, 6)};
+}
+
+void find_bounds(Layout& layout) {
+    layout.low = layout.high = {0, 0};
+    bool first = true;
+    for (const Card& card : layout.cards) {
+        const ImVec2 end = card.at + card.size;
+        layout.low =
+            first ? card.at
+                  : ImVec2(std::min(layout.low.x, card.at.x), std::min(layout.low.y, card.at.y));
+        layout.high =
+            first ? end : ImVec2(std::max(layout.high.x, end.x), std::max(layout.high.y, end.y));
+        first = false;
+    }
+}
+
+std::optional<Wire> make_wire(const Layout& layout, const Link& from, uint32_t source,
+                              uint32_t reader, const std::string& port) {
+    if (source == none || reader == none) return std::nullopt;
+    const Card& to = layout.cards[reader];
+    if (!find_pin(layout.cards[source], from.port, true) || !find_pin(to, port, false))
+        return std::nullopt;
+    Wire wire;
+    wire.from = from;
+    if (to.kind == Card::Kind::node) wire.node = to.id;
+    wire.port = port;
+    wire.from_card = source;
+    wire.to_card = reader;
+    return wire;
+}
+
+void fit_wire(const Layout& layout, Wire& wire, Extent& box) {
+    const Card &from = layout.cards[wire.from_card], &to = layout.cards[wire.to_card];
+    const Pin& start = *find_pin(from, wire.from.port, true);
+    const Pin& end = *find_pin(to, wire.port, false);
+    wire.from_type = start.type;
+    wire.to_type = end.type;
+    wire.known = start.known && end.known;
+    wire.conversion = wire.known ? conversion(start.type, end.type) : Conversion::same;
+    wire.start = pin_at(from, start);
+    wire.end = pin_at(to, end);
+    const Curve k = wire_curve(wire.start, wire.end, 1);
+    box.low = {std::min(k.a.x, k.c.x) - 4, std::min(k.a.y, k.d.y) - 4};
+    box.high = {std::max(k.d.x, k.b.x) + 4, std::max(k.a.y, k.d.y) + 4};
 }
 
 ImVec2 pin_at(const Card& card, const Pin& pin) {

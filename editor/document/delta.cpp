@@ -94,17 +94,22 @@ void apply_to(Table<T>& table, const TableDelta<T>& delta, bool back) {
     items.reserve(table.size() + 1);
     size_t next = 0;       // in the table given
     size_t before_at = 0;  // the same place in the table before the edit
+    bool same_keys = true;
     for (const auto& run : delta.runs) {
         const size_t shared = run.at - before_at;
         items.insert(items.end(), table.begin() + next, table.begin() + next + shared);
         const std::vector<T>& old_items = back ? run.after : run.before;
         const std::vector<T>& new_items = back ? run.before : run.after;
         items.insert(items.end(), new_items.begin(), new_items.end());
+        same_keys = same_keys && std::equal(old_items.begin(), old_items.end(), new_items.begin(),
+                                            new_items.end(), [](const T& a, const T& b) {
+                                                return table_key(a) == table_key(b);
+                                            });
         next += shared + old_items.size();
         before_at = run.at + run.before.size();
     }
     items.insert(items.end(), table.begin() + next, table.end());
-    table = Table<T>(std::move(items));
+    table = same_keys ? table.with_same_keys(std::move(items)) : Table<T>(std::move(items));
 }
 
 }  // namespace

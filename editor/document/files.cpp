@@ -1,11 +1,14 @@
 #include "editor/document/files.h"
 
 #include <imgui.h>
+#include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
 
 #include "base/file.h"
 #include "editor/document/levels.h"
+#include "editor/document/moved_paths.h"
 #include "editor/document/recovery.h"
 #include "graph/read.h"
 #include "graph/write.h"
@@ -34,20 +37,42 @@ Document read_text(const State& state, std::string text) {
     return read_document(std::move(text), state.path.string(), shown_by_the_build);
 }
 
-// Writes without asking.
-bool write_to(State& state, const fs::path& path) {
+// A file is replaced by another, which its folder alone could forbid; who made it read-only meant
+// what is in it.
+bool is_read_only(const fs::path& path) {
+    std::error_code error;
+    const fs::path target = link_target(path);
+    return fs::is_regular_file(target, error) && access(target.c_str(), W_OK) != 0;
+}
+
+// Writes without asking. The document is the present one, or becomes it.
+bool write_to(State& state, const fs::path& path, const Document& document) {
     const bool kept = state.dirty() && keep_edits_now(state);
-    const std::string text = write_document(state.document());
-    if (const std::error_code error = write_file_synced(path, text)) {
-        state.status = name_of(path) + " was not saved: " + disk_words(error) +
+    const std::string text = write_document(document);
+    std::string why;
+    if (is_read_only(path))
+        why = "it is read-only";
+    else if (const std::error_code error = write_file_synced(path, text))
+        why = disk_words(error);
+    if (!why.empty()) {
+        state.status = name_of(path) + " was not saved: " + why +
                        (kept ? ". Your edits are kept in the recovery file."
                              : ". Your edits are still here, in memory alone.");
         return false;
     }
     state.keeping.disk = DiskCopy::of(path, text);
-    state.saved_serial = state.history.serial();
     state.status = "Saved " + name_of(path);
     return true;
+}
+
+std::string words_on_outside(const std::vector<std::string>& names) {
+    if (names.empty()) return {};
+    constexpr size_t most = 3;
+    std::string text = ". Not below its folder, so not read there: ";
+    for (size_t i = 0; i < std::min(names.size(), most); ++i)
+        text += (i ? ", " : "") + names[i];
+    return names.size() > most ? text + " and " + std::to_string(names.size() - most) + " more"
+                               : text;
 }
 
 double seconds_now() {
@@ -69,7 +94,9 @@ void keep_settings(State& state) {
     }
     if (keeping.settings == keeping.written || ImGui::IsAnyMouseDown()) return;
     const std::string why = write_settings(keeping.folders, keeping.settings);
-    if (!why.empty()) state.status = "The settings were not saved: " + why + ".";
+    if (!why.empty() && why != keeping.unsettled)
+        state.status = "The settings were not saved: " + why + ".";
+    keeping.unsettled = why;
     keeping.written = keeping.settings;
 }
 
@@ -128,11 +155,23 @@ bool save_file(State& state) {
         state.question = {.kind = Question::Kind::changed, .saving = true};
         return false;
     }
-    return write_to(state, state.path);
+    if (!write_to(state, state.path, state.document())) {
+        state.question = {.kind = Question::Kind::failed, .trouble = state.status};
+        return false;
+    }
+    state.saved_serial = state.history.serial();
+    return true;
 }
 
 bool save_file_as(State& state, const fs::path& path) {
-    if (!write_to(state, path)) return false;
+    const Model model = make_model(state.document(), state.folder(), *state.registry);
+    MovedPaths moved = move_paths(state.document(), model, state.folder(), path.parent_path());
+    if (!write_to(state, path, moved.document)) return false;
+    const std::string saved = state.status + words_on_outside(moved.outside);
+    state.commit("Name files from " + path.parent_path().string(), std::move(moved.document));
+    state.status = saved;
+    state.saved_serial = state.history.serial();
+    state.keeping.journal.drop();  // it names the other file
     state.path = path;
     state.save_refused.clear();
     state.fresh = false;

@@ -21,9 +21,11 @@ void load_file(State& state, const std::filesystem::path& path);
 void let_go(State& state);
 
 // False when nothing was written, and why in the status; asks for a name where there is none, and
-// what to do where the file is no longer the one that was read.
+// what to do where the file is no longer the one that was read, or cannot be written.
 bool save_file(State& state);
-// Writes under another name, which is the document's from then on. Replaces what is there.
+// Writes under another name, which is the document's from then on. Replaces what is there, unless
+// that is read-only. In another folder pictures and sub-graphs are named from there, as a step that
+// can be undone; the status names those that are not below it.
 bool save_file_as(State& state, const std::filesystem::path& path);
 
 // Compares with the disk now. A changed file is read again when nothing here is unsaved, as a step

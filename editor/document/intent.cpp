@@ -46,7 +46,7 @@ void write_as(State& state, const fs::path& path) {
     state.question.trouble = state.status;
 }
 
-void answer_save_as(State& state) {
+void answer_name(State& state) {
     fs::path path = typed_path(state);
     if (path.extension().empty()) path += ".json";
     std::error_code error;
@@ -109,6 +109,11 @@ void save_and_carry_out(State& state, const Intent& intent) {
     carry_out(state, intent);
 }
 
+void answer_save_as(State& state) {
+    state.question.kind = Question::Kind::save_as;
+    state.question.trouble.clear();
+}
+
 void answer_path(State& state) {
     state.question.trouble.clear();
     state.question.opening = true;
@@ -117,7 +122,7 @@ void answer_path(State& state) {
     else if (state.question.kind == Question::Kind::open)
         answer_open(state);
     else
-        answer_save_as(state);
+        answer_name(state);
 }
 
 void answer_recover(State& state) {

@@ -25,7 +25,8 @@ struct Question {
         changed,  // the file on the disk is another one
         replace,  // save as would write over `file`
         recover,  // the edits in the journal `file`?
-        open,     // which file?
+        failed,   // the file could not be written (`trouble`): another name?
+        open,     // which file? This and the next are asked by the file browser (panels/browser.h)
         save_as,  // under which name?
     };
     Kind kind = Kind::none;
@@ -37,6 +38,7 @@ struct Question {
     bool opening = true;  // drawn for the first time, or again after an answer in vain
 
     bool open() const { return kind != Kind::none; }
+    bool wants_path() const { return kind == Kind::open || kind == Kind::save_as; }
 };
 
 // Does it, or asks about unsaved work first.
@@ -48,7 +50,8 @@ void carry_out(State& state, const Intent& intent);
 
 // The answers. One that fails leaves the question open and says why in it.
 void answer_save(State& state);
-void answer_path(State& state);  // of open and save_as: `text`
+void answer_path(State& state);     // of open and save_as: `text`
+void answer_save_as(State& state);  // under another name than the one that failed
 void answer_replace(State& state);
 void answer_recover(State& state);
 void answer_forget(State& state);

@@ -41,8 +41,11 @@ std::string hex(uint64_t number) {
 
 struct Record {
     std::string_view kind, payload;
-    uint64_t result = 0;
 };
+
+uint64_t chained(uint64_t sum, std::string_view payload) {
+    return checksum(payload) * 31 + sum;
+}
 
 template <class Number>
 bool read_number(std::string_view text, Number& number, int base) {
@@ -52,20 +55,20 @@ bool read_number(std::string_view text, Number& number, int base) {
 }
 
 // From the front; nothing when the rest is torn or damaged.
-std::optional<Record> take_record(std::string_view& bytes) {
+std::optional<Record> take_record(std::string_view& bytes, uint64_t& last) {
     const size_t line = bytes.find('\n');
     if (line == bytes.npos || line > 100) return std::nullopt;
     const auto words = split(bytes.substr(0, line), ' ');
     Record record;
     size_t length = 0;
     uint64_t sum = 0;
-    if (words.size() != 4 || !read_number(words[1], length, 10) ||
-        !read_number(words[2], sum, 16) || !read_number(words[3], record.result, 16) ||
-        length >= bytes.size() - line - 1)
+    if (words.size() != 3 || !read_number(words[1], length, 10) ||
+        !read_number(words[2], sum, 16) || length >= bytes.size() - line - 1)
         return std::nullopt;
     record.kind = words[0];
     record.payload = bytes.substr(line + 1, length);
-    if (checksum(record.payload) != sum || bytes[line + 1 + length] != '\n') return std::nullopt;
+    last = chained(last, record.payload);
+    if (last != sum || bytes[line + 1 + length] != '\n') return std::nullopt;
     bytes.remove_prefix(line + length + 2);
     return record;
 }
@@ -115,41 +118,49 @@ std::error_code Journal::create(const fs::path& state_folder) {
     return error;
 }
 
-std::error_code Journal::append(std::string_view kind, std::string_view payload,
-                                std::string_view text) {
-    std::string record = std::string(kind) + " " + std::to_string(payload.size()) + " " +
-                         hex(checksum(payload)) + " " + hex(checksum(text)) + "\n";
+std::error_code Journal::append(std::string_view kind, std::string_view payload) {
+    const uint64_t sum = chained(sum_, payload);
+    std::string record =
+        std::string(kind) + " " + std::to_string(payload.size()) + " " + hex(sum) + "\n";
     record += payload;
     record += '\n';
     const std::error_code error = write_all(handle_, record);
-    if (!error)
+    if (!error) {
         size_ += record.size();
-    else if (ftruncate(handle_, static_cast<off_t>(size_)) != 0)
+        sum_ = sum;
+    } else if (ftruncate(handle_, static_cast<off_t>(size_)) != 0) {
         close();  // what is torn stays at its end
+    }
     return error;
 }
 
 std::error_code Journal::keep(const fs::path& state_folder, const fs::path& graph,
-                              const std::string& refused, std::string text) {
+                              const std::string& refused, const Document& document) {
     std::error_code error;
+    KeptText after;
     if (handle_ < 0) {
         error = create(state_folder);
         if (error) return error;
+        std::string text;
+        after = KeptText(document, text);
         std::string payload = graph.empty() ? "" : fs::absolute(graph, error).string();
         payload += '\0' + refused + '\0' + text;
-        error = append("graph", payload, text);
+        error = append("graph", payload);
         if (error) drop();
     } else {
-        error = append("edit", text_delta(text_, text), text);
+        std::string delta;
+        after = text_.next(document, delta);
+        error = append("edit", delta);
     }
-    if (!error) text_ = std::move(text);
+    if (!error) text_ = std::move(after);
     return error;
 }
 
 void Journal::swap(Journal& other) noexcept {
     std::swap(handle_, other.handle_);
     file_.swap(other.file_);
-    text_.swap(other.text_);
+    std::swap(text_, other.text_);
+    std::swap(sum_, other.sum_);
     std::swap(size_, other.size_);
     std::swap(synced_, other.synced_);
     syncing_.swap(other.syncing_);
@@ -173,8 +184,8 @@ void Journal::drop() {
 void Journal::close() {
     if (handle_ >= 0) ::close(handle_);
     handle_ = -1;
-    text_.clear();
-    size_ = synced_ = 0;
+    text_ = {};
+    sum_ = size_ = synced_ = 0;
 }
 
 std::optional<Recoverable> read_journal(const fs::path& file) {
@@ -183,15 +194,14 @@ std::optional<Recoverable> read_journal(const fs::path& file) {
     if (!bytes) return std::nullopt;
     std::string_view rest = *bytes;
     Recoverable found;
-    const auto first = take_record(rest);
-    if (!first || first->kind != "graph" || !read_graph(first->payload, found) ||
-        checksum(found.text) != first->result)
-        return std::nullopt;
+    uint64_t sum = 0;
+    const auto first = take_record(rest, sum);
+    if (!first || first->kind != "graph" || !read_graph(first->payload, found)) return std::nullopt;
     found.journal = file;
     found.edits = 1;
-    while (const auto record = take_record(rest)) {
+    while (const auto record = take_record(rest, sum)) {
         auto text = apply_text_delta(found.text, record->payload);
-        if (record->kind != "edit" || !text || checksum(*text) != record->result) break;
+        if (record->kind != "edit" || !text) break;
         found.text = std::move(*text);
         ++found.edits;
     }

@@ -2,11 +2,13 @@
 //
 // One file per document and process in STATE/journal, locked while its program runs. It comes into
 // being with the first unsaved edit and goes when all is saved or given up. It is only appended to:
-// the whole text first, then one delta of the text for each step; a record has its length and the
-// checksums of its bytes and of the text that results. What a dying program wrote half is not read.
+// the whole text first, then one delta of the text for each step, which costs what it changed. What
+// a dying program wrote half is not read.
 //
-// A record is `KIND LENGTH SUM RESULT\n`, LENGTH bytes and "\n"; KIND is `graph` (path, reason why
-// its file must not be written over, text, with zero bytes between) or `edit` (text_delta.h).
+// A record is `KIND LENGTH SUM\n`, LENGTH bytes and "\n"; SUM is the checksum of these bytes and of
+// the sum before it, so a record holds only after those that it follows. KIND is `graph` (path,
+// reason why its file must not be written over, text, with zero bytes between) or `edit`
+// (text_delta.h).
 #pragma once
 
 #include <atomic>
@@ -17,6 +19,8 @@
 #include <string>
 #include <system_error>
 #include <vector>
+
+#include "editor/document/kept_text.h"
 
 namespace wrinkle::editor {
 
@@ -41,11 +45,11 @@ public:
     }
     void swap(Journal& other) noexcept;
 
-    // Brings the file up to `text`. After an error nothing of this text is kept, and what was kept
-    // before still is.
+    // Brings the file up to the text of `document`. After an error nothing of it is kept, and what
+    // was kept before still is.
     std::error_code keep(const std::filesystem::path& state_folder,
                          const std::filesystem::path& graph, const std::string& refused,
-                         std::string text);
+                         const Document& document);
     // All is saved or given up: removes the file.
     void drop();
     bool exists() const { return handle_ >= 0; }
@@ -54,12 +58,13 @@ public:
 
 private:
     std::error_code create(const std::filesystem::path& state_folder);
-    std::error_code append(std::string_view kind, std::string_view payload, std::string_view text);
+    std::error_code append(std::string_view kind, std::string_view payload);
     void close();
 
     int handle_ = -1;
     std::filesystem::path file_;
-    std::string text_;  // as of the last record
+    KeptText text_;     // as of the last record
+    uint64_t sum_ = 0;  // of the last record
     uint64_t size_ = 0, synced_ = 0;
     std::shared_ptr<std::atomic<bool>> syncing_ = std::make_shared<std::atomic<bool>>(false);
 };

@@ -18,6 +18,7 @@ struct Keeping {
     uint64_t journalled = 0;  // the serial of the state that the journal ends with, if there is one
     std::time_t kept_at = 0;  // when the journal last grew
     std::string unkept;       // why edits are not kept for recovery now, "" when they are
+    std::string unsettled;    // why the settings were not written last, "" when they were
     bool try_again = false;
     std::vector<Recoverable> recoverable;  // of programs that died
     double looked = 0;                     // when the file was last compared with the disk, seconds

@@ -4,7 +4,6 @@
 
 #include "editor/document/files.h"
 #include "graph/read.h"
-#include "graph/write.h"
 
 namespace wrinkle::editor {
 namespace fs = std::filesystem;
@@ -30,8 +29,8 @@ bool keep_edits_now(State& state) {
     if (keeping.folders.state.empty()) return false;
     const uint64_t serial = state.history.serial();
     if (keeping.journal.exists() && keeping.journalled == serial) return true;
-    const std::error_code error = keeping.journal.keep(
-        keeping.folders.state, state.path, state.save_refused, write_document(state.document()));
+    const std::error_code error = keeping.journal.keep(keeping.folders.state, state.path,
+                                                       state.save_refused, state.document());
     if (error) {
         say_failure(state, error);
         return false;

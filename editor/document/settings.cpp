@@ -127,7 +127,13 @@ std::string write_settings(const Folders& folders, const Settings& settings) {
 
 void remember_recent(const Folders& folders, Settings& settings, const fs::path& file) {
     std::string ignored;
-    if (!folders.config.empty()) settings.recent = read_settings(folders, ignored).recent;
+    if (!folders.config.empty()) {
+        std::vector<fs::path> all = read_settings(folders, ignored).recent;
+        for (const fs::path& known :
+             settings.recent)  // the disk has none where it cannot be written
+            if (std::find(all.begin(), all.end(), known) == all.end()) all.push_back(known);
+        settings.recent = std::move(all);
+    }
     std::error_code error;
     fs::path absolute = fs::weakly_canonical(fs::absolute(file, error), error);
     if (error) absolute = file;

@@ -12,50 +12,9 @@ std::string_view line_at(std::string_view text, size_t offset) {
     return text.substr(offset, end == text.npos ? end : end - offset + 1);
 }
 
-// Collects copies and new bytes, and joins what follows on each other.
-class Maker {
-public:
-    explicit Maker(std::string_view before) : before_(before) {}
-
-    void copy(size_t offset, size_t length) {
-        if (length == 0) return;
-        if (length_ > 0 && offset == offset_ + length_) {
-            length_ += length;
-            return;
-        }
-        flush();
-        offset_ = offset;
-        length_ = length;
-    }
-    void add(std::string_view bytes) {
-        if (length_ > 0) flush();
-        added_ += bytes;
-    }
-    bool goes_on(std::string_view bytes) const {
-        return length_ > 0 && before_.substr(offset_ + length_, bytes.size()) == bytes;
-    }
-    size_t end_of_copy() const { return offset_ + length_; }
-    std::string take() {
-        flush();
-        return std::move(delta_);
-    }
-
-private:
-    void flush() {
-        if (!added_.empty()) delta_ += "+" + std::to_string(added_.size()) + "\n" + added_;
-        if (length_ > 0)
-            delta_ += "=" + std::to_string(offset_) + "," + std::to_string(length_) + "\n";
-        added_.clear();
-        length_ = 0;
-    }
-
-    std::string_view before_;
-    std::string delta_, added_;
-    size_t offset_ = 0, length_ = 0;
-};
-
 // Lines of `after` that stand in `middle`, which begins at `first`, are copied from there.
-void match_lines(Maker& maker, size_t first, std::string_view middle, std::string_view after) {
+void match_lines(DeltaWriter& maker, size_t first, std::string_view middle,
+                 std::string_view after) {
     std::unordered_map<std::string_view, size_t> places;
     for (size_t at = 0; at < middle.size();) {
         const std::string_view line = line_at(middle, at);
@@ -87,6 +46,38 @@ std::optional<size_t> take_number(std::string_view& text, char end) {
 
 }  // namespace
 
+void DeltaWriter::copy(size_t offset, size_t length) {
+    if (length == 0) return;
+    if (length_ > 0 && offset == offset_ + length_) {
+        length_ += length;
+        return;
+    }
+    flush();
+    offset_ = offset;
+    length_ = length;
+}
+
+void DeltaWriter::add(std::string_view bytes) {
+    if (length_ > 0) flush();
+    added_ += bytes;
+}
+
+bool DeltaWriter::goes_on(std::string_view bytes) const {
+    return length_ > 0 && before_.substr(offset_ + length_, bytes.size()) == bytes;
+}
+
+std::string DeltaWriter::take() {
+    flush();
+    return std::move(delta_);
+}
+
+void DeltaWriter::flush() {
+    if (!added_.empty()) delta_ += "+" + std::to_string(added_.size()) + "\n" + added_;
+    if (length_ > 0) delta_ += "=" + std::to_string(offset_) + "," + std::to_string(length_) + "\n";
+    added_.clear();
+    length_ = 0;
+}
+
 std::string text_delta(std::string_view before, std::string_view after) {
     const size_t most = std::min(before.size(), after.size());
     const auto differs = std::mismatch(before.begin(), before.begin() + most, after.begin());
@@ -98,7 +89,7 @@ std::string text_delta(std::string_view before, std::string_view after) {
     size_t tail = static_cast<size_t>(from_end.first - before.rbegin());
     while (tail > 0 && before.size() != tail && before[before.size() - tail - 1] != '\n')
         --tail;
-    Maker maker(before);
+    DeltaWriter maker(before);
     maker.copy(0, head);
     match_lines(maker, head, before.substr(head, before.size() - head - tail),
                 after.substr(head, after.size() - head - tail));

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <utility>
 
 #include "editor/code/export.h"
 #include "editor/drop/drop.h"
@@ -137,7 +138,14 @@ bool draw_field(State& state) {
     const bool entered = ImGui::InputTextWithHint("##name", hint, &browser.text,
                                                   ImGuiInputTextFlags_EnterReturnsTrue);
     name_item(state, "browser:name");
-    name_item(state, "answer:path");  // as in the question that asks again
+    name_item(state, "answer:path");
+    if (!browser.trouble.empty()) {
+        ImGui::PushTextWrapPos(0);
+        ImGui::PushStyleColor(ImGuiCol_Text, theme::error);
+        ImGui::TextUnformatted(browser.trouble.c_str());
+        ImGui::PopStyleColor();
+        ImGui::PopTextWrapPos();
+    }
     const ImGuiIO& io = ImGui::GetIO();
     if (was_empty && browser.text.empty() &&
         ImGui::IsKeyPressed(io.KeyMap[ImGuiKey_Backspace], false))
@@ -332,7 +340,24 @@ void browse_picture(State& state, const std::string& node, const std::string& po
     state.browser.port = port;
 }
 
+namespace {
+
+// Asked for by a question: which graph, or under which name.
+void take_question(State& state) {
+    const Question asked = std::exchange(state.question, {});
+    const bool saving = asked.kind == Question::Kind::save_as;
+    const fs::path file = asked.text.empty() ? state.folder() / (saving ? state.file_name() : "x")
+                                             : fs::path(asked.text);
+    browse(state, saving ? Purpose::save_graph : Purpose::open_graph, file);
+    if (!saving) state.browser.text = asked.text.empty() ? "" : file.filename().string();
+    state.browser.then = asked.then;
+    state.browser.trouble = asked.trouble;
+}
+
+}  // namespace
+
 void draw_browser(State& state) {
+    if (state.question.wants_path()) take_question(state);
     if (state.browser.purpose == Purpose::none) return;
     if (!ImGui::IsPopupOpen("##browser")) ImGui::OpenPopup("##browser");
     const ImVec2 room = ImGui::GetIO().DisplaySize;

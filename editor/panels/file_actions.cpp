@@ -11,7 +11,8 @@ void open_chosen(State& state, const std::filesystem::path& file) {
 }
 
 void save_chosen(State& state, const std::filesystem::path& file) {
-    state.question = {.kind = Question::Kind::save_as, .text = file.string()};
+    state.question = {
+        .kind = Question::Kind::save_as, .then = state.browser.then, .text = file.string()};
     answer_path(state);
 }
 

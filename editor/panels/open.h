@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "editor/canvas/gesture.h"
+#include "editor/document/intent.h"
 #include "editor/panels/listing.h"
 #include "editor/panels/samples.h"
 #include "registry/registry.h"
@@ -49,6 +50,8 @@ struct Browser {
     bool focus = false, scroll = false;
     std::string node, port;  // of picture; "" adds a node
     size_t size = 0;         // of export_picture: one of picture_sizes()
+    Intent then;             // what follows once the graph is saved
+    std::string trouble;     // why the last answer could not be followed
 };
 
 // The page that stands in for a canvas without a graph.

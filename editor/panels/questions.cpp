@@ -1,6 +1,6 @@
 #include "editor/panels/questions.h"
 
-#include <imgui_stdlib.h>
+#include <imgui.h>
 
 #include <ctime>
 #include <vector>
@@ -24,7 +24,6 @@ struct Answer {
 
 struct Sheet {
     std::string sentence, detail;
-    bool path = false;            // has a field for a path
     std::vector<Answer> answers;  // the first on Enter, the last on Escape
 };
 
@@ -56,7 +55,7 @@ constexpr Answer cancelled{"Cancel", "answer:cancel", cancel};
 
 // Of what a program that died left behind.
 Sheet recovery_sheet(const State& state) {
-    Sheet sheet{"", "", false, {}};
+    Sheet sheet;
     for (const Recoverable& found : state.keeping.recoverable) {
         if (found.journal != state.question.file) continue;
         const std::string file =
@@ -86,32 +85,30 @@ Sheet sheet_of(const State& state) {
                     question.then.kind == Intent::Kind::leave
                         ? "The graph around it shows what is saved."
                         : "",
-                    false,
                     {{"Save", "answer:save", answer_save},
                      {"Discard", "answer:discard", discard},
                      cancelled}};
         case Question::Kind::changed:
             return {file + " was changed by another program.",
                     "Mine keeps what is shown here. Theirs loads the file; undo brings yours back.",
-                    false,
                     {{"Keep mine", "answer:mine", take_mine},
                      {"Load theirs", "answer:theirs", take_theirs},
                      cancelled}};
         case Question::Kind::replace:
             return {question.file.filename().string() + " is there already.",
                     "Its present contents would be lost.",
-                    false,
                     {{"Replace", "answer:replace", answer_replace}, cancelled}};
         case Question::Kind::recover:
             return recovery_sheet(state);
-        case Question::Kind::open:
-            return {
-                "Open which file?", "", true, {{"Open", "answer:open", answer_path}, cancelled}};
-        case Question::Kind::save_as:
-            return {"Save under which name?",
+        case Question::Kind::failed:
+            return {file + " could not be saved.",
                     "",
-                    true,
-                    {{"Save", "answer:save", answer_path}, cancelled}};
+                    {{"Save as...", "answer:save-as", answer_save_as},
+                     {"Try again", "answer:save", answer_save},
+                     cancelled}};
+        case Question::Kind::open:
+        case Question::Kind::save_as:
+            break;  // the file browser's
     }
     return {};
 }
@@ -131,16 +128,6 @@ void draw_words(const State& state, const Sheet& sheet) {
     ImGui::PopTextWrapPos();
 }
 
-const Answer* draw_path(State& state, const Sheet& sheet) {
-    if (state.question.opening) ImGui::SetKeyboardFocusHere();
-    ImGui::SetNextItemWidth(-1);
-    const bool entered =
-        ImGui::InputText("##path", &state.question.text,
-                         ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
-    name_item(state, "answer:path");
-    return entered ? &sheet.answers.front() : nullptr;
-}
-
 const Answer* draw_answers(State& state, const Sheet& sheet) {
     const Answer* taken = nullptr;
     ImGui::Dummy({0, 8});
@@ -155,14 +142,14 @@ const Answer* draw_answers(State& state, const Sheet& sheet) {
         return ImGui::IsKeyPressed(ImGui::GetIO().KeyMap[key]);
     };
     if (pressed(ImGuiKey_Escape)) return &sheet.answers.back();
-    const bool enter = pressed(ImGuiKey_Enter) && !sheet.path && !state.question.opening;
+    const bool enter = pressed(ImGuiKey_Enter) && !state.question.opening;
     return enter ? &sheet.answers.front() : taken;
 }
 
 }  // namespace
 
 void draw_question(State& state) {
-    if (!state.question.open()) return;
+    if (!state.question.open() || state.question.wants_path()) return;
     const Sheet sheet = sheet_of(state);
     if (!ImGui::IsPopupOpen("##question")) ImGui::OpenPopup("##question");
     const ImVec2 size = ImGui::GetIO().DisplaySize;
@@ -175,11 +162,10 @@ void draw_question(State& state) {
                                ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |
                                    ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings)) {
         draw_words(state, sheet);
-        const Answer* entered = sheet.path ? draw_path(state, sheet) : nullptr;
-        const Answer* pressed = draw_answers(state, sheet);
+        const Answer* taken = draw_answers(state, sheet);
         state.question.opening = false;
-        if (const Answer* taken = pressed ? pressed : entered) taken->take(state);
-        if (!state.question.open()) ImGui::CloseCurrentPopup();
+        if (taken) taken->take(state);
+        if (!state.question.open() || state.question.wants_path()) ImGui::CloseCurrentPopup();
         ImGui::EndPopup();
     }
     ImGui::PopStyleVar(3);

@@ -6,7 +6,6 @@
 #include <time.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstdio>
 #include <functional>
 #include <string>
@@ -16,6 +15,7 @@
 #include "editor/canvas/layout.h"
 #include "editor/document/refresh.h"
 #include "editor/look/theme.h"
+#include "field_graph.h"
 #include "graph/edit.h"
 #include "graph/read.h"
 #include "nodes/all.h"
@@ -42,28 +42,6 @@ struct Spread {
 Spread spread(std::vector<double> times) {
     std::sort(times.begin(), times.end());
     return {times[times.size() / 2], times[times.size() * 95 / 100]};
-}
-
-// A field of nodes, each with up to two wires from near ones before it: three wires for two nodes.
-std::string graph_of(int count) {
-    const int columns = std::max(1, static_cast<int>(std::sqrt(count * 0.8)));
-    std::string nodes, layout;
-    for (int i = 0; i < count; ++i) {
-        const std::string id = "\"n" + std::to_string(i) + "\": ";
-        const auto from = [&](int k) {
-            return "{\"from\": \"n" + std::to_string(k) + (k % 4 ? ".gradient\"}" : ".height\"}");
-        };
-        if (i % 4 == 0)
-            nodes += id + R"({"type": "gradient_noise", "in": {"scale": 3.0}})";
-        else
-            nodes += id + R"({"type": "gradient_add", "in": {"a": )" + from(i - 1) +
-                     ", \"b\": " + from(std::max(0, i - 1 - i % 37)) + "}}";
-        layout += id + "[" + std::to_string(i % columns * 256) + ", " +
-                  std::to_string(i / columns * 208) + "]";
-        if (i + 1 < count) nodes += ",\n", layout += ",\n";
-    }
-    return "{\"wrinkle\": 1, \"nodes\": {" + nodes + "}, \"outputs\": {\"normal\": {\"from\": \"n" +
-           std::to_string(count - 1) + ".gradient\"}}, \"layout\": {" + layout + "}}";
 }
 
 double draw(State& state) {
@@ -136,7 +114,7 @@ void measure_edits(State& state) {
 }
 
 void measure(const Registry& registry, const Fonts& fonts, int count) {
-    const std::string text = graph_of(count);
+    const std::string text = field_graph(count);
     State state;
     state.registry = &registry;
     state.fonts = fonts;

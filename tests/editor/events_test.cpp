@@ -1,8 +1,10 @@
 // Any events, in any order, over the real interface: the program's own checks and ImGui's stay
-// quiet. WRINKLE_EVENTS says how many, WRINKLE_SEED which.
+// quiet, most of what is done is an edit, every edit can be undone to the byte, nothing stays open.
+// WRINKLE_EVENTS says how many, WRINKLE_SEED which.
 #include <GLFW/glfw3.h>
 
 #include <cstdlib>
+#include <map>
 #include <random>
 
 #include "editor/commands/commands.h"
@@ -10,6 +12,7 @@
 #include "graph/read.h"
 #include "graph/write.h"
 #include "headless.h"
+#include "random_events.h"
 
 namespace wrinkle::editor {
 namespace {
@@ -21,110 +24,80 @@ int from_environment(const char* name, int otherwise) {
     return text ? std::atoi(text) : otherwise;
 }
 
-// Hands that mostly know where things are, and hold keys and buttons across each other.
-class RandomEvents {
-public:
-    RandomEvents(State& state, InputQueue& queue, unsigned seed)
-        : state_(state), queue_(queue), random_(seed) {}
-
-    void next() {
-        if (state_.question.open() && pick(5) == 0) return void(queue_.chord("Escape"));
-        switch (pick(16)) {
-            case 0:
-            case 1:
-            case 2:
-                return somewhere();
-            case 3:
-                return queue_.button(static_cast<int>(pick(3)), pick(2) == 0);
-            case 4:
-            case 5:
-                somewhere();
-                queue_.button(pick(6) ? 0 : 1, true);
-                return queue_.button(pick(6) ? 0 : 1, false);
-            case 6:
-                return queue_.wheel(pick(4) ? 0.0F : 1.0F, static_cast<float>(pick(7)) - 3);
-            case 7:
-                return queue_.key(any_key(), pick(2) == 0);
-            case 8: {
-                const auto all = commands();
-                const Command& command = all[pick(all.size())];
-                if (!command.keys.empty()) queue_.chord(command.keys);
-                return;
-            }
-            case 9:
-                return queue_.type(any_text());
-            case 11:
-            case 12:
-            case 13:
-                somewhere();
-                queue_.button(0, true);
-                for (size_t n = 1 + pick(4); n > 0; --n)
-                    somewhere();
-                return queue_.button(0, false);
-            case 14: {  // a node from the palette
-                queue_.chord("Space");
-                queue_.type(any_text());
-                queue_.chord("Enter");
-                return;
-            }
-            case 10:
-                queue_.chord(pick(3) ? "Enter" : pick(2) ? "Escape" : "Tab");
-                return;
-            default:
-                if (pick(5) == 0) queue_.push({InputEvent::Kind::leave, 0, false, 0, 0});
+class Events : public Headless {
+protected:
+    // The text of every state that the history was ever in; it comes back when the state does.
+    void look() {
+        if (!state.fresh) return;  // another file, from the next frame on
+        if (state.follow.first != opened_) texts_.clear();
+        opened_ = state.follow.first;
+        state.quit = false;
+        const uint64_t serial = state.history.serial();
+        if (texts_.contains(serial) && serial == serial_) return;
+        serial_ = serial;
+        const std::string text = write_document(state.document());
+        const auto [known, is_new] = texts_.emplace(serial, text);
+        ASSERT_EQ(known->second, text) << "undo or redo led elsewhere";
+        const bool is_step = is_new && state.history.at() != at_;  // a drag is one
+        at_ = state.history.at();
+        edits_ += is_step;
+        if (is_step && edits_ % 16 == 0) expect_round_trip();
+    }
+    void expect_round_trip() {
+        Diagnostics problems;
+        const std::string text = canonical_text(state.document());
+        EXPECT_EQ(canonical_text(read_document(text, "again.json", problems)), text);
+    }
+    void run_frames(std::mt19937& random) {
+        while (!queue.empty() && random() % 30 && !HasFatalFailure()) {  // or the hands are faster
+            frame();
+            look();
         }
     }
-    void let_go() {
-        for (int key = GLFW_KEY_SPACE; key <= GLFW_KEY_LAST; ++key)
-            queue_.key(key, false);
-        for (int button = 0; button < 3; ++button)
-            queue_.button(button, false);
+    void drain() {
+        while (!queue.empty())
+            frame();
     }
+
+    // Escape leads out of everything, whatever it was.
+    void leave_all(RandomEvents& events) {
+        events.let_go();
+        for (int i = 0; i < 8; ++i) {
+            queue.chord("Escape");
+            drain();
+            frame();
+        }
+        EXPECT_FALSE(state.question.open()) << "a question stays";
+        EXPECT_TRUE(state.browser.purpose == Browser::Purpose::none) << "the browser stays";
+        EXPECT_FALSE(state.palette.open) << "the search stays";
+        EXPECT_TRUE(state.popup.kind == Popup::Kind::none) << "a popup stays";
+        EXPECT_FALSE(state.offer.open) << "an offer stays";
+        EXPECT_TRUE(state.gesture.kind == Gesture::Kind::none) << "a gesture stays";
+    }
+
+    // Back to the first state and forth to the last.
+    void undo_and_redo_all() {
+        const std::string last = write_document(state.document());
+        const size_t steps = state.history.at();
+        for (size_t i = 0; i < steps && !HasFatalFailure(); ++i)
+            state.history.undo(), look();
+        frame();
+        EXPECT_FALSE(state.history.can_undo());
+        while (state.history.at() < steps && !HasFatalFailure())
+            state.history.redo(), look();
+        frame();
+        EXPECT_EQ(write_document(state.document()), last);
+    }
+
+    size_t edits_ = 0;
 
 private:
-    size_t pick(size_t count) { return random_() % count; }
-    float part(float whole) { return static_cast<float>(pick(1000)) / 1000 * whole; }
-
-    void somewhere() {
-        const auto& all = state_.targets.all();
-        const ImVec2 size = ImGui::GetIO().DisplaySize;
-        if (all.empty() || pick(4) == 0)
-            return queue_.motion(part(size.x * 1.2F) - 50, part(size.y * 1.2F) - 50);
-        // Mostly things of the graph: there are more lines of code than cards.
-        auto chosen = std::next(all.begin(), static_cast<int>(pick(all.size())));
-        const auto graph = [&] {
-            for (const char* kind : {"pin:", "out:", "node:", "field:", "canvas"})
-                if (chosen->first.starts_with(kind)) return true;
-            return false;
-        };
-        for (int tries = 0; tries < 20 && !graph(); ++tries)
-            chosen = std::next(all.begin(), static_cast<int>(pick(all.size())));
-        const TargetRect rect = chosen->second;
-        queue_.motion(rect.x0 + part(rect.x1 - rect.x0), rect.y0 + part(rect.y1 - rect.y0));
-    }
-    int any_key() {
-        static constexpr int keys[] = {
-            GLFW_KEY_LEFT_CONTROL, GLFW_KEY_LEFT_SHIFT, GLFW_KEY_LEFT_ALT, GLFW_KEY_SPACE,
-            GLFW_KEY_DELETE,       GLFW_KEY_BACKSPACE,  GLFW_KEY_UP,       GLFW_KEY_DOWN,
-            GLFW_KEY_LEFT,         GLFW_KEY_RIGHT,      GLFW_KEY_HOME,     GLFW_KEY_END,
-            GLFW_KEY_F1,           GLFW_KEY_F5,         GLFW_KEY_F11,      GLFW_KEY_KP_ENTER};
-        return pick(2) ? keys[pick(std::size(keys))] : 'A' + static_cast<int>(pick(26));
-    }
-    // No path leads out of the folder that the test stands in.
-    std::string any_text() {
-        static const std::string texts[] = {"0.5",      "-1e300",     "nan", "%s%n",
-                                            "add",      "noise",      "a.b", "\xC3\xA9\xE2\x82\xAC",
-                                            "\xFF\xFE", "graph.json", "x y", std::string(300, 'w'),
-                                            "1e-320",   "$x",         "\"",  "surface"};
-        return texts[pick(std::size(texts))];
-    }
-
-    State& state_;
-    InputQueue& queue_;
-    std::mt19937 random_;
+    std::map<uint64_t, std::string> texts_;  // by serial
+    uint64_t opened_ = 0, serial_ = ~uint64_t{0};
+    size_t at_ = 0;  // in the history
 };
 
-TEST_F(Headless, ADragOutOfTheWindowKeepsTheCardWhereItWas) {
+TEST_F(Events, ADragOutOfTheWindowKeepsTheCardWhereItWas) {
     open(small_graph);
     state.view.zoom = 0.5F;
     frame();
@@ -148,41 +121,37 @@ TEST_F(Headless, ADragOutOfTheWindowKeepsTheCardWhereItWas) {
     EXPECT_EQ(state.layout.find("softer")->at.y, 0);
 }
 
-TEST_F(Headless, AnyEventsAreSurvived) {
-    const int count = from_environment("WRINKLE_EVENTS", 3000);
+TEST_F(Events, AnyAreSurvivedAndUndone) {
+    const auto count = static_cast<size_t>(from_environment("WRINKLE_EVENTS", 3000));
     const fs::path before = fs::current_path();
     fs::current_path(folder.path());
     open(small_graph);
     RandomEvents events(state, queue, static_cast<unsigned>(from_environment("WRINKLE_SEED", 1)));
     std::mt19937 random(1);
-    size_t steps = 0;
-    for (int i = 0; i < count; ++i) {
+    size_t gestures = 0, rounds = 0;
+    while (events.count() < count && !HasFailure()) {
         events.next();
-        while (!queue.empty() && random() % 12)  // now and then the hands are faster
-            frame();
-        if (i % 40 == 0) events.let_go();  // a key that stays down hides the others
-        state.quit = false;
-        if (random() % 500 == 0)
+        run_frames(random);
+        if (++gestures % 6 == 0) events.let_go();  // a key that stays down hides the others
+        if (random() % 300 == 0)
             ImGui::GetIO().DisplaySize = {400.0F + static_cast<float>(random() % 1600),
                                           300.0F + static_cast<float>(random() % 900)};
-        if (state.document().nodes.size() > 300 || i % 2000 == 1999) {
-            steps += state.history.size();
-            state.question = {};
-            open_file(state, folder.write("graph.json", small_graph));
-        }
-    }
-    events.let_go();
-    while (!queue.empty())
+        if (state.document().nodes.size() < 30 && events.count() < (rounds + 1) * 2000) continue;
+        leave_all(events);
+        undo_and_redo_all();
+        expect_round_trip();
+        rounds = events.count() / 2000;
+        open_file(state, folder.write("graph.json", small_graph));
+        ImGui::GetIO().DisplaySize = {1600, 900};
         frame();
-    // What is left is a graph that can be read back.
-    Diagnostics problems;
-    const std::string text = write_document(state.document());
-    EXPECT_EQ(canonical_text(read_document(text, "again.json", problems)),
-              canonical_text(state.document()));
+    }
+    leave_all(events);
+    undo_and_redo_all();
+    expect_round_trip();
     fs::current_path(before);
-    std::printf("%d events, %llu texts generated, %zu steps\n", count,
-                static_cast<unsigned long long>(state.counters.builds),
-                steps + state.history.size());
+    std::printf("%zu events in %zu gestures: %zu edits, %llu texts generated\n", events.count(),
+                gestures, edits_, static_cast<unsigned long long>(state.counters.builds));
+    EXPECT_GE(edits_ * 20, events.count()) << "the hands aim too badly";
 }
 
 }  // namespace

@@ -76,9 +76,9 @@ Left leave_journal(const TemporaryFolder& home, int edits) {
     {
         Journal journal;
         for (int i = 0; i < edits; ++i) {
-            left.texts.push_back("{\n  \"wrinkle\": 1,\n  \"name\": \"" + std::to_string(i) +
-                                 "\"\n}\n");
-            EXPECT_FALSE(journal.keep(home.path(), "/nowhere/graph.json", "", left.texts.back()));
+            const Document document = set_name({}, std::to_string(i));
+            left.texts.push_back(write_document(document));
+            EXPECT_FALSE(journal.keep(home.path(), "/nowhere/graph.json", "", document));
         }
         EXPECT_TRUE(list_recoverable(home.path()).empty()) << "it is in use";
     }
@@ -135,11 +135,12 @@ TEST(Journal, DamagedBytesGiveAnEarlierStateOrNone) {
 
 TEST(Journal, WhatIsSavedIsNotRecoverable) {
     const TemporaryFolder home;
-    const fs::path graph = home.write("graph.json", "text\n");
+    const Document other = set_name({}, "other"), saved = set_name({}, "saved");
+    const fs::path graph = home.write("graph.json", write_document(saved));
     {
         Journal journal;
-        journal.keep(home.path(), graph, "", "other\n");
-        journal.keep(home.path(), graph, "", "text\n");
+        journal.keep(home.path(), graph, "", other);
+        journal.keep(home.path(), graph, "", saved);
     }
     EXPECT_TRUE(list_recoverable(home.path()).empty());
     EXPECT_TRUE(fs::is_empty(home.path() / "journal"));

@@ -57,7 +57,7 @@ protected:
         const bool offers = !state.offer.choices.empty();
         (offers ? tally.offered : tally.explained) += 1;
         if (!offers) {
-            EXPECT_NE(state.status.find("it takes "), std::string::npos) << pair;
+            EXPECT_NE(state.status.find("It takes "), std::string::npos) << pair;
             play("key Escape\nassert clean");
             EXPECT_FALSE(state.offer.open);
             return;

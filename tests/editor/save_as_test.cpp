@@ -1,0 +1,120 @@
+// A graph that is saved in another folder names the same pictures and sub-graphs from there.
+#include "editor/document/files.h"
+#include "editor/document/moved_paths.h"
+#include "graph/edit.h"
+#include "graph/write.h"
+#include "headless.h"
+
+namespace wrinkle::editor {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* with_files = R"({
+  "wrinkle": 1,
+  "inputs": { "picture": { "type": "image", "default": "deep/in/b.png" } },
+  "nodes": {
+    "plain": { "type": "height_map", "in": { "image": "deep/a.png" } },
+    "object": { "type": "height_map", "in": { "image": { "file": "./deep/../deep/a.png", "wrap": "clamp" } } },
+    "outside": { "type": "height_map", "in": { "image": "textures/c.png" } },
+    "absolute": { "type": "height_map", "in": { "image": "/nowhere/d.png" } },
+    "part": { "type": "graph:deep/part.json" },
+    "unknown": { "type": "no_such_node", "in": { "image": "deep/a.png" } },
+    "number": { "type": "add" }
+  }
+})";
+
+std::string image_of(const Document& document, const char* node) {
+    const Input* input = document.find(node)->find("image");
+    const json::Value file =
+        input->value.is(json::Kind::object) ? input->value.find("file") : input->value;
+    return std::string(file.as_string());
+}
+
+class SaveAs : public Headless {
+protected:
+    void open_with_files() {
+        fs::create_directories(folder.path() / "deep" / "in");
+        folder.write("deep/part.json", small_graph);
+        open(with_files);
+    }
+};
+
+TEST_F(SaveAs, InAFolderBelowFilesAreNamedFromThere) {
+    open_with_files();
+    ASSERT_TRUE(save_file_as(state, folder.path() / "deep" / "moved.json")) << state.status;
+    const Document& now = state.document();
+    EXPECT_EQ(image_of(now, "plain"), "a.png");
+    EXPECT_EQ(image_of(now, "object"), "a.png");
+    EXPECT_EQ(now.find("object")->find("image")->value.find("wrap").as_string(), "clamp");
+    EXPECT_EQ(now.inputs.find("picture")->default_value.as_string(), "in/b.png");
+    EXPECT_EQ(image_of(now, "absolute"), "/nowhere/d.png");
+    EXPECT_EQ(image_of(now, "unknown"), "deep/a.png") << "nobody knows that it is one";
+    EXPECT_EQ(now.find("part")->type, "graph:part.json");
+    EXPECT_EQ(text_of(state.path), write_document(now));
+    EXPECT_EQ(text_of(file), with_files);
+    frame();
+    EXPECT_TRUE(state.type_of("part")) << "it is read from its new name";
+    EXPECT_FALSE(state.dirty());
+}
+
+TEST_F(SaveAs, WhatIsNotBelowTheFolderIsNamedAllTheSameAndSaid) {
+    open_with_files();
+    fs::create_directories(folder.path() / "textures");
+    fs::copy_file(fs::path(WRINKLE_SOURCE_DIR) / "graphs/textures/weave_normal.png",
+                  folder.path() / "textures" / "c.png");
+    ASSERT_TRUE(save_file_as(state, folder.path() / "deep" / "moved.json"));
+    EXPECT_EQ(image_of(state.document(), "outside"), "../textures/c.png");
+    EXPECT_NE(state.status.find("Saved moved.json. Not below its folder"), std::string::npos);
+    EXPECT_NE(state.status.find("textures/c.png"), std::string::npos) << state.status;
+    EXPECT_EQ(state.status.find("deep/a.png"), std::string::npos) << state.status;
+    frame();
+    bool said = false;
+    for (const Diagnostic& problem : state.built.problems.list())
+        said |= problem.node == "outside" && problem.message.find("root") != std::string::npos;
+    EXPECT_TRUE(said) << to_text(state.built.problems);
+}
+
+TEST_F(SaveAs, AndBackAgainGivesTheSameNames) {
+    open_with_files();
+    const fs::path other = folder.path() / "elsewhere";
+    fs::create_directories(other);
+    ASSERT_TRUE(save_file_as(state, other / "moved.json"));
+    EXPECT_EQ(image_of(state.document(), "plain"), "../deep/a.png");
+    EXPECT_EQ(state.document().find("part")->type, "graph:../deep/part.json");
+    ASSERT_TRUE(save_file_as(state, folder.path() / "back.json"));
+    EXPECT_EQ(image_of(state.document(), "plain"), "deep/a.png");
+    EXPECT_EQ(image_of(state.document(), "outside"), "textures/c.png");
+    EXPECT_EQ(state.document().find("part")->type, "graph:deep/part.json");
+    EXPECT_EQ(state.status.find("Not below"), std::string::npos) << "absolute: " << state.status;
+}
+
+TEST_F(SaveAs, InTheSameFolderNothingChanges) {
+    open_with_files();
+    ASSERT_TRUE(save_file_as(state, folder.path() / "other.json"));
+    EXPECT_EQ(text_of(state.path), with_files);
+    EXPECT_FALSE(state.history.can_undo());
+    ASSERT_TRUE(save_file_as(state, folder.path() / "deep" / ".." / "third.json"));
+    EXPECT_EQ(text_of(state.path), with_files);
+}
+
+TEST_F(SaveAs, IsOneStepOfUndoAfterTheEditsBeforeIt) {
+    open_with_files();
+    state.commit("Move", move_node(state.document(), "number", 1, 2));
+    const std::string edited = write_document(state.document());
+    ASSERT_TRUE(save_file_as(state, folder.path() / "deep" / "moved.json"));
+    play("assert clean\nkey Ctrl+Z\nassert dirty");
+    EXPECT_EQ(write_document(state.document()), edited);
+    play("key Ctrl+Shift+Z\nassert clean");
+}
+
+TEST_F(SaveAs, ThatFailsChangesNothing) {
+    open_with_files();
+    EXPECT_FALSE(save_file_as(state, folder.path() / "missing" / "moved.json"));
+    EXPECT_EQ(state.path, file);
+    EXPECT_FALSE(state.history.can_undo());
+    EXPECT_EQ(image_of(state.document(), "plain"), "deep/a.png");
+}
+
+}  // namespace
+}  // namespace wrinkle::editor
