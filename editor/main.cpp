@@ -67,7 +67,8 @@ struct Workers {
     Compiler compiler;
     CodeMaker code;
     NodePictureMaker pictures{wake_window};
-    FileLooker looker{[](FileQuestion&& question) { return look_at_files(question); }, wake_window};
+    FileLooker looker{[](FileQuestion&& question) { return look_at_files(question); },
+                      {}};  // heard when the window next looks; to wake it would draw a frame
 
     explicit Workers(State& state)
         : compiler(*state.registry, wake_window), code(*state.registry, wake_window) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
@@ -12,6 +13,7 @@
 #include <vector>
 
 #include "gpu/backdrop.h"
+#include "gpu/draw_state.h"
 #include "gpu/environment.h"
 #include "gpu/mesh_buffers.h"
 #include "gpu/object_space.h"
@@ -37,58 +39,6 @@ std::string in_quotes(std::string_view text) {
 bool same_shader(const Material& a, const Material& b) {
     return a.text == b.text && a.struct_name == b.struct_name && a.members == b.members &&
            a.outputs == b.outputs;
-}
-
-void set_view_uniforms(const Program& program, const Scene& scene, const ViewOptions& options,
-                       const ObjectSpace& space) {
-    program.set("WrView_to_clip", space.to_clip);
-    program.set("WrView_eye", space.eye);
-    program.set("WrView_vector_to_world", space.vector_to_world);
-    program.set("WrView_normal_to_world", space.normal_to_world);
-    program.set("WrView_to_light", glm::normalize(scene.to_light));
-    program.set("WrView_light", scene.light);
-    program.set("WrView_environment", scene.environment);
-    program.set("WrView_environment_turn",
-                glm::vec2(std::cos(scene.environment_turn), std::sin(scene.environment_turn)));
-    program.set("WrView_exposure", scene.exposure);
-    const Phong& phong = scene.phong;
-    program.set("WrView_phong",
-                glm::vec4(phong.ambient, phong.diffuse, phong.specular, phong.shininess));
-    program.set("WrView_raw", options.raw ? 1 : 0);
-    program.set("WrView_heat_degrees", options.heat_degrees);
-    program.set("WrView_height_range", options.height_range);
-}
-
-void clear(const Target& target, const Scene& scene, bool raw) {
-    target.bind();
-    const glm::vec4 color = raw ? glm::vec4(0) : scene.background;
-    glDisable(GL_SCISSOR_TEST);
-    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-    glDepthMask(GL_TRUE);
-    glClearColor(color.r, color.g, color.b, color.a);
-    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-}
-
-void set_raster_state(bool mirrored) {
-    glDisable(GL_BLEND);
-    glDisable(GL_CULL_FACE);
-    glEnable(GL_DEPTH_TEST);
-    glDepthFunc(GL_LESS);
-    glFrontFace(mirrored ? GL_CW : GL_CCW);
-}
-
-// Sees the surroundings as if they had not been turned.
-OrbitCamera turned(const Scene& scene) {
-    OrbitCamera camera = scene.camera;
-    camera.yaw -= scene.environment_turn;
-    return camera;
-}
-
-// Edges in front of the triangles they belong to.
-void set_edges(bool on) {
-    glPolygonMode(GL_FRONT_AND_BACK, on ? GL_LINE : GL_FILL);
-    glPolygonOffset(-1, -1);
-    (on ? glEnable : glDisable)(GL_POLYGON_OFFSET_LINE);
 }
 
 // The same text, read as if another output were the normal.
@@ -136,6 +86,7 @@ struct Renderer::State {
     std::optional<Backdrop> backdrop;
     Shading wanted, shading;  // of the next material, and of the one in use
     uint64_t linked = 0;
+    double strips_took = 0;
 
     bool bring_up_images(const Material& material, Diagnostics& diagnostics);
     bool upload(const std::string& file, const MipChain& chain, bool is_file,
@@ -143,6 +94,7 @@ struct Renderer::State {
     const Program* program_for(const ViewOptions& options, Diagnostics& diagnostics);
     bool can_draw(Diagnostics& diagnostics) const;
     void draw_mesh(const Program& program) const;
+    void draw_strips(const Program& program, const Target& target, double milliseconds);
 };
 
 bool Renderer::State::upload(const std::string& file, const MipChain& chain, bool is_file,
@@ -243,6 +195,28 @@ void Renderer::State::draw_mesh(const Program& program) const {
         glBindSampler(static_cast<GLuint>(i), 0);  // other drawing has its own
 }
 
+// From the bottom. The first strip is a guess; how long it took says how high the next may be.
+void Renderer::State::draw_strips(const Program& program, const Target& target,
+                                  double milliseconds) {
+    if (milliseconds <= 0) return draw_mesh(program);
+    const int height = target.height();
+    glEnable(GL_SCISSOR_TEST);
+    strips_took = 0;
+    for (int low = 0, rows = std::max(height / 8, 1); low < height;) {
+        glScissor(0, low, target.width(), rows);
+        draw_mesh(program);
+        const auto start = std::chrono::steady_clock::now();
+        glFinish();
+        const std::chrono::duration<double, std::milli> took =
+            std::chrono::steady_clock::now() - start;
+        strips_took += took.count();
+        low += rows;
+        const double fit = milliseconds / std::max(took.count(), milliseconds / 4);
+        rows = std::max(static_cast<int>(rows * fit), 1);
+    }
+    glDisable(GL_SCISSOR_TEST);
+}
+
 Renderer::Renderer() : state_(std::make_unique<State>()) {}
 Renderer::Renderer(Renderer&& other) noexcept = default;
 Renderer& Renderer::operator=(Renderer&& other) noexcept = default;
@@ -265,6 +239,10 @@ void Renderer::set_environment(const Image& picture) {
 void Renderer::forget_environment() {
     state_->wanted.environment = false;
     state_->backdrop.reset();
+}
+
+double Renderer::strips_took() const {
+    return state_->strips_took;
 }
 
 uint64_t Renderer::programs_linked() const {
@@ -360,7 +338,7 @@ bool Renderer::draw(const Scene& scene, const ViewOptions& options, const Target
     set_view_uniforms(*program, scene, shown, *space);
     set_raster_state(space->mirrored);
     program->set("WrView_edges", 0.0F);
-    state_->draw_mesh(*program);
+    state_->draw_strips(*program, target, options.strip_milliseconds);
     if (options.view == View::wireframe) {
         program->set("WrView_edges", 1.0F);
         set_edges(true);

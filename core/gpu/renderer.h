@@ -89,6 +89,9 @@ struct ViewOptions {
     float heat_degrees = 45;
     glm::vec2 height_range{0, 0};  // black to white; two equal values: the range that is seen
     bool raw = false;              // the value itself; wants an rgba32f target with one sample
+    // Above 0: drawn in strips that take about this long, each done before the next begins, so that
+    // others who share the driver get a turn between them. The pixels are the same.
+    double strip_milliseconds = 0;
 };
 
 struct AngleStatistics {
@@ -126,6 +129,9 @@ public:
     // Clears the target, draws and resolves it.
     bool draw(const Scene& scene, const ViewOptions& options, const Target& target,
               Diagnostics& diagnostics);
+
+    // How long the last drawing in strips took, the making of its program apart.
+    double strips_took() const;
 
     // The difference view in numbers, at the given size.
     std::optional<AngleStatistics> measure(const Scene& scene, const std::string& against,

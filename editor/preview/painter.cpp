@@ -17,6 +17,10 @@
 namespace wrinkle::editor {
 namespace {
 
+// The interface's frames may wait in the same driver: they come between the strips of a picture
+// that takes longer than this.
+constexpr double slow_milliseconds = 20, strip_milliseconds = 8;
+
 std::optional<Mesh> open_mesh(const std::string& name, Diagnostics& problems) {
     if (auto shape = make_shape(name)) return shape;
     return load_mesh(name, {}, problems);
@@ -114,6 +118,7 @@ bool PreviewPainter::use_material(const PreviewJob& job) {
     if (reread) renderer_.forget_images();
     if (job.material && (job.material != tried_ || reread || relit_)) {
         tried_ = job.material;
+        slow_ = true;  // how long it takes is not known yet
         relit_ = false;
         refusal_ = Diagnostics();
         if (renderer_.set_material(*job.material, refusal_)) has_material_ = true;
@@ -153,6 +158,7 @@ bool PreviewPainter::measure(const PreviewJob& job, const gpu::Scene& scene,
     raw.view = gpu::View::difference;
     raw.against = job.against;
     raw.raw = true;
+    raw.strip_milliseconds = slow_ ? strip_milliseconds : 0;
     if (!renderer_.draw(scene, raw, *numbers_, picture.problems)) return false;
     picture.angles = figures_of(numbers_->read(), job.degrees);
     return true;
@@ -168,6 +174,7 @@ bool PreviewPainter::draw_sides(const PreviewJob& job, PreviewPicture& picture) 
     const gpu::Scene scene = scene_of(job.view);
     gpu::ViewOptions view;
     view.view = job.view.view;
+    view.strip_milliseconds = slow_ ? strip_milliseconds : 0;
     if (!renderer_.draw(scene, view, *slot.a, picture.problems)) return false;
     picture.texture = slot.a->texture();
     picture.other = 0;
@@ -218,6 +225,7 @@ PreviewPicture PreviewPainter::draw(const PreviewJob& job, int held) {
     picture.first = before != std::tuple(renderer_.programs_linked(), images_, mesh_, scale_);
     const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - start;
     picture.milliseconds = time.count();
+    slow_ = (slow_ ? renderer_.strips_took() : time.count()) > slow_milliseconds;
     last_ = picture;
     if (job.still && !job.still->answered()) draw_still(job);
     return picture;

@@ -85,6 +85,7 @@ private:
     Diagnostics refusal_;  // of `tried_`
     Diagnostics dark_;     // of the environment
     bool has_material_ = false, relit_ = false;
+    bool slow_ = true;  // the next picture may be
     uint64_t images_ = 0;
     // What the renderer has of the job.
     uint64_t mesh_read_ = 0, mesh_images_ = 0, light_read_ = 0;

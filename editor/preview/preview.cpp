@@ -83,9 +83,7 @@ void Preview::show(const PreviewView& view, const std::string& against, const Co
                    int width, int height) {
     const bool difference = !against.empty() && compare.difference;
     const float degrees = difference ? compare.degrees : 0;
-    // Once more when nothing else is to be drawn, for the time of a picture without its program's.
-    const bool untimed = picture_.first && picture_.version == job_.version;
-    if (!changed_ && !untimed && view == job_.view && against == job_.against &&
+    if (!changed_ && view == job_.view && against == job_.against &&
         difference == job_.difference && degrees == job_.degrees && width == job_.width &&
         height == job_.height)
         return;

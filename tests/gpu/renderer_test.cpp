@@ -192,6 +192,25 @@ TEST_F(RendererTest, DrawsTheSameBytesTwice) {
     ASSERT_TRUE(context->make_current());
 }
 
+// A time that no strip can keep makes every strip but the first one row.
+TEST_F(RendererTest, DrawsTheSameBytesInStrips) {
+    Renderer fresh;
+    fresh.set_mesh(*make_shape("torus"));
+    ASSERT_TRUE(fresh.set_material(tilted(), diagnostics)) << errors();
+    TargetOptions options{size, size};
+    options.samples = 4;
+    const auto whole = Target::make(options, diagnostics);
+    ASSERT_TRUE(fresh.draw(scene, {}, *whole, diagnostics)) << errors();
+    for (const double milliseconds : {1e-9, 0.5, 1e9}) {
+        const auto strips = Target::make(options, diagnostics);
+        ViewOptions view;
+        view.strip_milliseconds = milliseconds;
+        ASSERT_TRUE(fresh.draw(scene, view, *strips, diagnostics)) << errors();
+        EXPECT_EQ(strips->read(), whole->read()) << milliseconds;
+        EXPECT_GT(fresh.strips_took(), 0);
+    }
+}
+
 // Eye, light and normal in one line: GGX is then 1 / (pi a^4), its visibility 1/4, Fresnel f0.
 TEST_F(RendererTest, ReflectsStraightBackAsTheFormulaSays) {
     show("plane");
