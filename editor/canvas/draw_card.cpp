@@ -208,7 +208,7 @@ void draw_body(const Painter& p, size_t index, ImVec2 low, ImVec2 high, bool hov
             draw_field(p, card, card.fields[i],
                        hovered && hit.kind == Hit::Kind::field && hit.part == i,
                        faulty ? p.fault(card, card.fields[i].port) : nullptr);
-    if (p.details) draw_picture(p, card, low, high);
+    draw_picture(p, card, low, high);
     if (p.details || p.view.heat) draw_cost(p, card, high);
     if (!card.muted) return;
     p.list.AddRectFilled(under + ImVec2(1, 0), high - ImVec2(1, 1),

@@ -36,6 +36,8 @@ void fit(View& view, const Layout& layout, bool selection_only) {
     const ImVec2 room = view.extent - ImVec2(64, 88);
     const float scale = std::min(room.x / std::max(size.x, 1.0F), room.y / std::max(size.y, 1.0F));
     view.zoom = std::clamp(scale, 0.05F, 1.0F);
+    // Fields are worth a little of the margin.
+    if (view.zoom > detail_zoom * 0.95F) view.zoom = std::max(view.zoom, detail_zoom);
     view.pan = view.extent * 0.5F - (low + high) * (0.5F * view.zoom);
     view.pan = {std::round(view.pan.x), std::round(view.pan.y)};
 }

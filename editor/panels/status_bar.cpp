@@ -92,9 +92,15 @@ Note save_state(const State& state) {
     return {kept_words(state), unkept ? theme::warn : theme::text_dim};
 }
 
-// What stands under the side column, from the right: whether work is kept, the preview's time.
+// What stands under the side column: the material's cost; from the right whether work is kept, the
+// preview's time.
 void draw_under_side(State& state, const Writer& w, float left, float right) {
     const Note saved = save_state(state);
+    if (state.built.costs) {
+        const std::string cost = in_words(state.built.costs->total);
+        state.targets.add("status:cost", {left, w.y - 4, left + w.width(cost), w.y + 18});
+        left = w.write(left, theme::text_dim, cost) + 16;
+    }
     float x = right - w.width(saved.text);
     if (x < left) return;
     w.write(x, saved.color, saved.text);

@@ -27,6 +27,14 @@ Cost cost_of(const State& state, std::string_view node) {
     return state.built.costs->nodes.at(state.document().nodes.index_of(node));
 }
 
+TEST_F(Headless, TheStatusSaysWhatTheMaterialCosts) {
+    open(small_graph);
+    frame();
+    ASSERT_TRUE(state.built.costs);
+    EXPECT_GT(state.built.costs->total.ops, 0U);
+    play("assert target status:cost");
+}
+
 TEST_F(Headless, EveryNodeHasItsCost) {
     open(R"({"wrinkle": 1, "nodes": {
         "double": {"type": "vec3_add", "in": {"a": {"from": "surface.position"},

@@ -53,7 +53,7 @@ protected:
     }
     // Until so many edits are kept.
     std::optional<Recoverable> wait_for(size_t edits) const {
-        const auto patience = Clock::now() + std::chrono::seconds(40);
+        const auto patience = Clock::now() + std::chrono::seconds(40 + taps() / 3);
         std::optional<Recoverable> found;
         while (Clock::now() < patience && (!found || found->edits < edits)) {
             std::this_thread::sleep_for(milliseconds(50));
