@@ -196,10 +196,9 @@ Layout lay_out(State& state) {
     const Document& document = state.document();
     const Readers readers = find_readers(document);
     Layout layout;
-    layout.placed =
-        std::all_of(document.nodes.begin(), document.nodes.end(), [&](const NodePtr& node) {
-            return document.positions.find(node->id) != nullptr;
-        });
+    layout.placed = std::all_of(
+        document.nodes.begin(), document.nodes.end(),
+        [&](const NodePtr& node) { return document.positions.find(node->id) != nullptr; });
     layout.fonts = state.fonts.generation();
     layout.cards.reserve(document.nodes.size() + 3);
     CardTaker taker(state, state.layout, readers);
