@@ -79,10 +79,11 @@ void offer_recovery(State& state) {
 
 void recover(State& state, const Recoverable& found) {
     const Recoverable taken = found;  // the list is made anew
+    // The program that died may have saved after this one had read the file.
     const bool is_open = !state.path.empty() && same_file(taken.graph, state.path);
     if (taken.graph.empty())
         new_file(state);
-    else if (!is_open || state.dirty())
+    else if (!is_open || state.dirty() || compare(state.keeping.disk, state.path) != OnDisk::same)
         open_file(state, taken.graph);
     Diagnostics shown_by_the_build;
     state.commit("Recover unsaved edits",
