@@ -1,10 +1,24 @@
 #include "editor/preview/node_feed.h"
 
+#include <algorithm>
+
 #include "editor/document/change.h"
+#include "editor/document/delta.h"
 #include "editor/state.h"
 
 namespace wrinkle::editor {
 namespace {
+
+// Each frame asks this: nothing is built while nothing differs. Pictures are shown or hidden all
+// one way at a time, so another choice of nodes is another number of them.
+bool is_asked(const State& state) {
+    const NodeFeed& feed = state.node_feed;
+    const auto shown = std::count_if(state.layout.cards.begin(), state.layout.cards.end(),
+                                     [](const Card& card) { return card.picture_y >= 0; });
+    return feed.asked > 0 && static_cast<size_t>(shown) == feed.asked_nodes.size() &&
+           feed.images == feed.asked_images && state.registry == feed.asked_registry &&
+           same_document(feed.asked_of, state.document());
+}
 
 std::set<std::string> wanted_nodes(const State& state) {
     std::set<std::string> wanted;
@@ -30,13 +44,14 @@ void feed_node_pictures(State& state) {
     }
     const bool busy = state.follow.building() || (state.preview && !state.preview->idle()) ||
                       state.gesture.kind != Gesture::Kind::none;
-    if (busy || !state.built.running()) return;
+    if (busy || !state.built.running() || is_asked(state)) return;
     std::set<std::string> wanted = wanted_nodes(state);
     const Document& now = state.document();
-    if (feed.asked > 0 && wanted == feed.asked_nodes && feed.images == feed.asked_images &&
-        state.registry == feed.asked_registry && looks_the_same(feed.asked_of, now))
-        return;
+    const bool same = feed.asked > 0 && wanted == feed.asked_nodes &&
+                      feed.images == feed.asked_images && state.registry == feed.asked_registry &&
+                      looks_the_same(feed.asked_of, now);
     feed.asked_of = now;
+    if (same) return;
     feed.asked_nodes = wanted;
     feed.asked_images = feed.images;
     feed.asked_registry = state.registry;
