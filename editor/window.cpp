@@ -18,6 +18,7 @@
 #include "editor/look/theme.h"
 #include "editor/panels/ui.h"
 #include "gpu/context.h"
+#include "gpu/target.h"
 #include "image/load.h"
 
 namespace wrinkle::editor {
@@ -30,6 +31,7 @@ struct Window::Handle {
     std::string title;
     std::array<GLFWcursor*, ImGuiMouseCursor_COUNT> cursors = {};  // nullptr: the usual arrow
     ImGuiMouseCursor cursor = ImGuiMouseCursor_Arrow;
+    int drawn = 0;      // frames, in this context
     int awake = 3;      // frames still to draw
     bool lost = false;  // the driver dropped the context
 };
@@ -132,6 +134,19 @@ void adopt(GLFWwindow* window, InputQueue& queue, bool scripted) {
     if (!scripted) listen(window);
 }
 
+// Some drivers translate a program anew for the first texture of another kind. A drop of one in the
+// second frame has that done while nobody works yet, and not when the first picture appears. What
+// it gives has to last until the frame is drawn.
+std::optional<gpu::Target> rehearse() {
+    Diagnostics ignored;  // without it a later frame takes longer
+    std::optional<gpu::Target> texture = gpu::Target::make({.width = 3, .height = 3}, ignored);
+    if (!texture) return texture;
+    const auto id = reinterpret_cast<ImTextureID>(static_cast<intptr_t>(texture->texture()));
+    ImGui::GetBackgroundDrawList()->AddImage(id, {0, 0}, {1, 1}, {0, 0}, {1, 1},
+                                             IM_COL32(0, 0, 0, 1));
+    return texture;
+}
+
 }  // namespace
 
 void wake_window() {
@@ -199,6 +214,7 @@ bool Window::renew(State& state, std::string& why) {
     glfwDestroyWindow(h.window);
     h.window = window;
     h.title.clear();
+    h.drawn = 0;
     adopt(window, h.queue, h.scripted);
     if (state.preview) state.preview->renew();
     state.status = "The graphics driver was reset; all is drawn anew.";
@@ -231,6 +247,7 @@ void Window::draw_frame(State& state) {
     ImGui_ImplOpenGL3_NewFrame();
     ImGui::NewFrame();
     draw_ui(state);
+    const auto rehearsal = ++handle_->drawn == 2 ? rehearse() : std::nullopt;
     ImGui::Render();
     sharpen(*ImGui::GetDrawData(), io.DisplayFramebufferScale.x);
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
@@ -296,6 +313,7 @@ bool Window::run(State& state, Script* script, const std::string& shot, std::str
     for (int frames = 1; !state.quit; ++frames) {
         // A script that waits for a picture sleeps like a hand that does.
         if (!listen(state, playing && (!script || is_settled(state)))) continue;
+        const Turns::Frame frame = state.preview->frame();
         if (state.timings) state.timings->frame_begins();
         draw_frame(state);
         const auto progress =

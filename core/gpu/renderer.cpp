@@ -94,7 +94,7 @@ struct Renderer::State {
     const Program* program_for(const ViewOptions& options, Diagnostics& diagnostics);
     bool can_draw(Diagnostics& diagnostics) const;
     void draw_mesh(const Program& program) const;
-    void draw_strips(const Program& program, const Target& target, double milliseconds);
+    void draw_strips(const Program& program, const Target& target, const ViewOptions& options);
 };
 
 bool Renderer::State::upload(const std::string& file, const MipChain& chain, bool is_file,
@@ -197,12 +197,14 @@ void Renderer::State::draw_mesh(const Program& program) const {
 
 // From the bottom. The first strip is a guess; how long it took says how high the next may be.
 void Renderer::State::draw_strips(const Program& program, const Target& target,
-                                  double milliseconds) {
+                                  const ViewOptions& options) {
+    const double milliseconds = options.strip_milliseconds;
     if (milliseconds <= 0) return draw_mesh(program);
     const int height = target.height();
     glEnable(GL_SCISSOR_TEST);
     strips_took = 0;
     for (int low = 0, rows = std::max(height / 8, 1); low < height;) {
+        if (options.before_strip) options.before_strip();
         glScissor(0, low, target.width(), rows);
         draw_mesh(program);
         const auto start = std::chrono::steady_clock::now();
@@ -338,7 +340,7 @@ bool Renderer::draw(const Scene& scene, const ViewOptions& options, const Target
     set_view_uniforms(*program, scene, shown, *space);
     set_raster_state(space->mirrored);
     program->set("WrView_edges", 0.0F);
-    state_->draw_strips(*program, target, options.strip_milliseconds);
+    state_->draw_strips(*program, target, options);
     if (options.view == View::wireframe) {
         program->set("WrView_edges", 1.0F);
         set_edges(true);

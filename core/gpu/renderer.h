@@ -31,6 +31,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <glm/mat4x4.hpp>
 #include <memory>
 #include <optional>
@@ -92,6 +93,7 @@ struct ViewOptions {
     // Above 0: drawn in strips that take about this long, each done before the next begins, so that
     // others who share the driver get a turn between them. The pixels are the same.
     double strip_milliseconds = 0;
+    std::function<void()> before_strip;  // may wait until others are done; empty: nothing
 };
 
 struct AngleStatistics {

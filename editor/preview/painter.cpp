@@ -147,6 +147,14 @@ gpu::Scene PreviewPainter::scene_of(const PreviewView& view) const {
     return scene;
 }
 
+// In strips where the picture takes long.
+gpu::ViewOptions PreviewPainter::patient() const {
+    gpu::ViewOptions options;
+    options.strip_milliseconds = slow_ ? strip_milliseconds : 0;
+    options.before_strip = before_strip_;
+    return options;
+}
+
 bool PreviewPainter::measure(const PreviewJob& job, const gpu::Scene& scene,
                              PreviewPicture& picture) {
     gpu::TargetOptions options;
@@ -154,11 +162,10 @@ bool PreviewPainter::measure(const PreviewJob& job, const gpu::Scene& scene,
     options.height = job.height;
     options.format = gpu::PixelFormat::rgba32f;
     if (!fit(numbers_, options, picture.problems)) return false;
-    gpu::ViewOptions raw;
+    gpu::ViewOptions raw = patient();
     raw.view = gpu::View::difference;
     raw.against = job.against;
     raw.raw = true;
-    raw.strip_milliseconds = slow_ ? strip_milliseconds : 0;
     if (!renderer_.draw(scene, raw, *numbers_, picture.problems)) return false;
     picture.angles = figures_of(numbers_->read(), job.degrees);
     return true;
@@ -172,9 +179,8 @@ bool PreviewPainter::draw_sides(const PreviewJob& job, PreviewPicture& picture) 
     options.samples = 4;
     if (!fit(slot.a, options, picture.problems)) return false;
     const gpu::Scene scene = scene_of(job.view);
-    gpu::ViewOptions view;
+    gpu::ViewOptions view = patient();
     view.view = job.view.view;
-    view.strip_milliseconds = slow_ ? strip_milliseconds : 0;
     if (!renderer_.draw(scene, view, *slot.a, picture.problems)) return false;
     picture.texture = slot.a->texture();
     picture.other = 0;

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -61,6 +62,10 @@ std::optional<Image> still_picture(gpu::Renderer& renderer, gpu::Scene scene, co
 
 class PreviewPainter {
 public:
+    // before_strip is called between the strips of a picture that takes long; it may wait.
+    explicit PreviewPainter(std::function<void()> before_strip = {})
+        : before_strip_(std::move(before_strip)) {}
+
     // Textures of slot `held` are being looked at and stay as they are.
     PreviewPicture draw(const PreviewJob& job, int held);
 
@@ -75,7 +80,9 @@ private:
     void draw_still(const PreviewJob& job);
     bool measure(const PreviewJob& job, const gpu::Scene& scene, PreviewPicture& picture);
     gpu::Scene scene_of(const PreviewView& view) const;
+    gpu::ViewOptions patient() const;
 
+    std::function<void()> before_strip_;
     gpu::Renderer renderer_;
     std::array<Slot, 3> slots_;
     std::optional<gpu::Target> numbers_;

@@ -15,7 +15,7 @@ void Preview::begin() {
     const auto work = [this](PreviewJob&& job) {
         if (!painter_) {
             context_->make_current();
-            painter_ = std::make_unique<PreviewPainter>();
+            painter_ = std::make_unique<PreviewPainter>([this] { turns_.give_way(); });
         }
         return painter_->draw(job, held_);
     };

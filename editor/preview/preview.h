@@ -11,6 +11,7 @@
 #include <string>
 
 #include "editor/preview/painter.h"
+#include "editor/preview/turns.h"
 #include "editor/worker.h"
 #include "gpu/context.h"
 
@@ -35,6 +36,9 @@ public:
     void show(const PreviewView& view, const std::string& against, const CompareView& compare,
               int width, int height);
 
+    // While it lives the window draws a frame, and a picture that takes long pauses.
+    Turns::Frame frame() { return Turns::Frame(turns_); }
+
     // Gives up all that was made in the window's context, which goes next; then makes it anew in
     // the one that is current, and draws the same again.
     void leave_context();
@@ -58,6 +62,7 @@ private:
     bool changed_ = false;
     PreviewPicture picture_;
     std::atomic<int> held_ = -1;
+    Turns turns_;
     std::unique_ptr<PreviewPainter> painter_;                     // used by one thread alone
     std::optional<gpu::Context> context_;                         // of the worker
     std::unique_ptr<Worker<PreviewJob, PreviewPicture>> worker_;  // goes first

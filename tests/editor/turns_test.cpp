@@ -1,0 +1,45 @@
+// Pictures give way to frames, and get on all the same.
+#include "editor/preview/turns.h"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <thread>
+
+namespace wrinkle::editor {
+namespace {
+
+TEST(Turns, WithoutAFrameNobodyWaits) {
+    Turns turns;
+    turns.give_way();
+    { const Turns::Frame frame(turns); }
+    turns.give_way();
+}
+
+TEST(Turns, AStripComesAfterTheFrame) {
+    Turns turns;
+    int early = 0;
+    constexpr int rounds = 200;
+    for (int i = 0; i < rounds; ++i) {
+        std::atomic<bool> ended = false;
+        std::optional<Turns::Frame> frame(std::in_place, turns);
+        std::thread other([&] {
+            turns.give_way();
+            early += !ended;
+        });
+        ended = true;
+        frame.reset();
+        other.join();
+    }
+    // One thread that is left standing between two lines of the above is no fault of the turns.
+    EXPECT_LT(early, rounds / 10);
+}
+
+TEST(Turns, AFrameThatNeverEndsHoldsNothingUp) {
+    Turns turns;
+    const Turns::Frame frame(turns);
+    turns.give_way();
+}
+
+}  // namespace
+}  // namespace wrinkle::editor
