@@ -22,10 +22,10 @@ struct EvalCommand {
         const Overrides overrides = parse_overrides(common, diagnostics);
         const std::vector<Point> points = at.empty() ? points_on_mesh(place, common, diagnostics)
                                                      : points_of_option(at, diagnostics);
-        Textures textures;
+        TextureStore textures;
         std::string text = overrides.is_sweep() ? "{\"runs\": [\n" : "{";
         const auto use = [&](size_t i, const MaterialRun& run, Diagnostics& problems) {
-            textures.load(run.compiled, run.project, problems);
+            read_textures(textures, run.compiled, run.project, problems);
             if (!problems.has_errors() && !diagnostics.has_errors())
                 text += result(i, run, overrides, points, textures, problems);
         };
@@ -51,7 +51,7 @@ struct EvalCommand {
     }
 
     std::string result(size_t number, const MaterialRun& run, const Overrides& overrides,
-                       const std::vector<Point>& points, const Textures& textures,
+                       const std::vector<Point>& points, const TextureStore& textures,
                        Diagnostics& diagnostics) const {
         const Precision wanted = precision == "double" ? Precision::full : Precision::single;
         const auto columns = evaluate_at(run, textures, points, wanted, diagnostics);

@@ -34,15 +34,8 @@ std::string number_json(double value, Precision precision) {
 
 }  // namespace
 
-std::vector<Texture> textures_of(const Module& module, const Textures& textures) {
-    std::vector<Texture> result;
-    for (const Resource& resource : module.resources)
-        result.emplace_back(textures.find(resource.file), resource.options);
-    return result;
-}
-
 std::optional<std::vector<OutputColumn>> evaluate_at(const MaterialRun& run,
-                                                     const Textures& textures,
+                                                     const TextureStore& textures,
                                                      const std::vector<Point>& points,
                                                      Precision precision,
                                                      Diagnostics& diagnostics) {
@@ -52,7 +45,7 @@ std::optional<std::vector<OutputColumn>> evaluate_at(const MaterialRun& run,
     if (!why.empty() || !all_given(points, program, diagnostics)) return {};
     if (precision == Precision::single && !within_float(points, program, diagnostics)) return {};
     const PointSet set = point_set(points, program);
-    const std::vector<Texture> images = textures_of(run.compiled.module, textures);
+    const std::vector<Texture> images = textures.textures_of(run.compiled.module.resources);
     Results results = make_results(program, points.size());
     if (precision == Precision::single)
         evaluate<float>(program, set, images, 0, points.size(), results);

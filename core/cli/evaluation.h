@@ -7,12 +7,9 @@
 
 #include "cli/material_run.h"
 #include "cli/points.h"
-#include "cpu/texture.h"
+#include "cpu/texture_store.h"
 
 namespace wrinkle::cli {
-
-// By resource index; a default texture for an image that is not there.
-std::vector<Texture> textures_of(const Module& module, const Textures& textures);
 
 enum class Precision : uint8_t { single, full };
 
@@ -26,7 +23,7 @@ struct OutputColumn {
 // Every output at every point; nothing with a problem reported. The run was compiled with given
 // differentials, and its images are in `textures`.
 std::optional<std::vector<OutputColumn>> evaluate_at(const MaterialRun& run,
-                                                     const Textures& textures,
+                                                     const TextureStore& textures,
                                                      const std::vector<Point>& points,
                                                      Precision precision, Diagnostics& diagnostics);
 

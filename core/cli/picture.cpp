@@ -39,7 +39,7 @@ std::vector<std::string> lighting_names() {
 }
 
 std::optional<Mesh> displaced_mesh(const Mesh& still, const MaterialRun& run,
-                                   const Textures& textures, Diagnostics& diagnostics) {
+                                   const TextureStore& textures, Diagnostics& diagnostics) {
     constexpr float triangles_across = 300;
     Module module = run.compiled.module;
     std::erase_if(module.outputs, [](const ModuleOutput& o) { return o.name != "displacement"; });
@@ -52,7 +52,7 @@ std::optional<Mesh> displaced_mesh(const Mesh& still, const MaterialRun& run,
     Mesh mesh = subdivided(still, glm::distance(bounds.low, bounds.high) / triangles_across);
     std::string why;
     const Program program = compile_program(module, why);
-    if (why.empty()) why = displace(mesh, program, 0, textures_of(module, textures));
+    if (why.empty()) why = displace(mesh, program, 0, textures.textures_of(module.resources));
     if (why.empty()) return mesh;
     diagnostics.error(why);
     return {};
@@ -130,7 +130,7 @@ bool Painter::can_compare(const Shader& shader, Diagnostics& diagnostics) const 
     return true;
 }
 
-bool Painter::set_material(const gpu::Material& material, const Textures& textures,
+bool Painter::set_material(const gpu::Material& material, const TextureStore& textures,
                            Diagnostics& diagnostics) {
     for (const gpu::MaterialSampler& sampler : material.samplers) {
         const auto chain = textures.find(sampler.file);
@@ -139,7 +139,7 @@ bool Painter::set_material(const gpu::Material& material, const Textures& textur
     return renderer_.set_material(material, diagnostics);
 }
 
-std::optional<Picture> Painter::draw(const Shader& shader, const Textures& textures,
+std::optional<Picture> Painter::draw(const Shader& shader, const TextureStore& textures,
                                      Diagnostics& diagnostics) {
     if (!can_compare(shader, diagnostics)) return {};
     if (!set_material(gpu::material_from(shader), textures, diagnostics)) return {};

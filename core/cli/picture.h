@@ -41,7 +41,7 @@ std::optional<Image> load_environment(const std::string& file, Diagnostics& diag
 // The mesh in triangles fine enough to show a displacement, moved by that of the run, which was
 // compiled with given differentials and has its images in `textures`.
 std::optional<Mesh> displaced_mesh(const Mesh& still, const MaterialRun& run,
-                                   const Textures& textures, Diagnostics& diagnostics);
+                                   const TextureStore& textures, Diagnostics& diagnostics);
 
 struct Picture {
     Image image;
@@ -59,14 +59,14 @@ public:
     void show(const Mesh& mesh) { renderer_.set_mesh(mesh); }
 
     // The shader is that of emit_function(). What fails here is the graph's fault.
-    std::optional<Picture> draw(const Shader& shader, const Textures& textures,
+    std::optional<Picture> draw(const Shader& shader, const TextureStore& textures,
                                 Diagnostics& diagnostics);
 
 private:
     Painter(gpu::Context context, gpu::Target target, const PictureOptions& options,
             const Mesh& mesh);
     bool can_compare(const Shader& shader, Diagnostics& diagnostics) const;
-    bool set_material(const gpu::Material& material, const Textures& textures,
+    bool set_material(const gpu::Material& material, const TextureStore& textures,
                       Diagnostics& diagnostics);
 
     gpu::Context context_;  // goes last

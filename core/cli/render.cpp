@@ -39,9 +39,9 @@ struct RenderCommand {
         }
         std::vector<Shader> shaders;
         std::vector<Mesh> meshes;
-        Textures textures;
+        TextureStore textures;
         const auto use = [&](size_t, const MaterialRun& run, Diagnostics& problems) {
-            textures.load(run.compiled, run.project, problems);
+            read_textures(textures, run.compiled, run.project, problems);
             shaders.push_back(emit_function(run, material_name(file), problems));
         };
         compile_runs(file, common, nodes.registry, overrides, false, use, diagnostics);
@@ -54,11 +54,11 @@ struct RenderCommand {
 
     // Of each run.
     std::vector<Mesh> displaced(const Mesh& still, const Nodes& nodes, const Overrides& overrides,
-                                Textures& textures, Diagnostics& diagnostics) const {
+                                TextureStore& textures, Diagnostics& diagnostics) const {
         std::vector<Mesh> meshes;
         const auto use = [&](size_t, const MaterialRun& run, Diagnostics& problems) {
             if (problems.has_errors()) return;
-            textures.load(run.compiled, run.project, problems);
+            read_textures(textures, run.compiled, run.project, problems);
             auto mesh = displaced_mesh(still, run, textures, problems);
             if (mesh) meshes.push_back(std::move(*mesh));
         };
@@ -95,7 +95,7 @@ struct RenderCommand {
 
     // `still` is what the camera sees; with --displace each shader has a mesh of its own.
     int draw(const std::vector<Shader>& shaders, const Mesh& still,
-             const std::vector<Mesh>& displaced, const Textures& textures,
+             const std::vector<Mesh>& displaced, const TextureStore& textures,
              const PictureOptions& options, const Overrides& overrides) const {
         Diagnostics environment, diagnostics;
         auto painter = Painter::make(options, still, environment);

@@ -79,14 +79,15 @@ void TestRun::run(const TestCase& test, Diagnostics& diagnostics) {
         const auto keep = [&](size_t, const MaterialRun& run, Diagnostics&) { result = run; };
         compile_runs(graph, common, registry_, overrides, given_differentials, keep, own);
     };
-    Textures textures;
+    TextureStore textures;
     Shader shader;
     const bool displaced = test.render && test.render->picture.displace;
     if (!own.has_errors() && (!test.points.empty() || displaced)) compile(true, given);
     if (!own.has_errors() && (test.glsl || test.render)) compile(false, screen);
     if (!own.has_errors() && screen) shader = emit_function(*screen, material_name(graph), own);
-    if (!own.has_errors() && given) textures.load(given->compiled, given->project, own);
-    if (!own.has_errors() && test.render) textures.load(screen->compiled, screen->project, own);
+    if (!own.has_errors() && given) read_textures(textures, given->compiled, given->project, own);
+    if (!own.has_errors() && test.render)
+        read_textures(textures, screen->compiled, screen->project, own);
     if (!own.has_errors() && !test.points.empty()) values(test, *given, textures, own);
     if (!own.has_errors() && test.glsl) text(test, shader);
     std::optional<Mesh> still, moved;
@@ -97,7 +98,7 @@ void TestRun::run(const TestCase& test, Diagnostics& diagnostics) {
     append_once(own, diagnostics);
 }
 
-void TestRun::values(const TestCase& test, const MaterialRun& run, const Textures& textures,
+void TestRun::values(const TestCase& test, const MaterialRun& run, const TextureStore& textures,
                      Diagnostics& diagnostics) {
     const auto columns = evaluate_at(run, textures, test.points, precision, diagnostics);
     if (!columns) return;
@@ -150,7 +151,7 @@ void TestRun::text(const TestCase& test, const Shader& shader) {
 }
 
 void TestRun::picture(const TestCase& test, const Shader& shader, const Mesh& still,
-                      const std::optional<Mesh>& moved, const Textures& textures,
+                      const std::optional<Mesh>& moved, const TextureStore& textures,
                       Diagnostics& diagnostics) {
     Diagnostics environment;
     const PictureOptions& options = test.render->picture;

@@ -30,13 +30,13 @@ public:
 
 private:
     void run(const TestCase& test, Diagnostics& diagnostics);
-    void values(const TestCase& test, const MaterialRun& run, const Textures& textures,
+    void values(const TestCase& test, const MaterialRun& run, const TextureStore& textures,
                 Diagnostics& diagnostics);
     void update_values(const TestCase& test, const std::vector<OutputColumn>& columns,
                        const std::vector<bool>& differs);
     void text(const TestCase& test, const Shader& shader);
     void picture(const TestCase& test, const Shader& shader, const Mesh& still,
-                 const std::optional<Mesh>& moved, const Textures& textures,
+                 const std::optional<Mesh>& moved, const TextureStore& textures,
                  Diagnostics& diagnostics);
     bool write(const std::filesystem::path& path, std::string_view bytes);
     bool save(const Image& image, const std::filesystem::path& path);

@@ -1,7 +1,6 @@
 #include "cli/textures.h"
 
 #include "graph/document.h"
-#include "image/load.h"
 
 namespace wrinkle::cli {
 namespace {
@@ -23,22 +22,14 @@ Diagnostic at_reader(const Diagnostic& problem, const Resource& resource, const 
 
 }  // namespace
 
-void Textures::load(const Compiled& compiled, const Project& project, Diagnostics& diagnostics) {
+void read_textures(TextureStore& textures, const Compiled& compiled, const Project& project,
+                   Diagnostics& diagnostics) {
     for (const Resource& resource : compiled.module.resources) {
-        if (chains_.contains(resource.file)) continue;
         Diagnostics own;
-        auto image = load_image(resource.file, own);
+        textures.read(resource.file, own);
         for (const Diagnostic& problem : own.list())
             diagnostics.add(at_reader(problem, resource, compiled, project));
-        auto& chain = chains_[resource.file];
-        if (image && !image->empty())
-            chain = std::make_shared<const MipChain>(build_mips(std::move(*image)));
     }
-}
-
-std::shared_ptr<const MipChain> Textures::find(const std::string& file) const {
-    const auto found = chains_.find(file);
-    return found == chains_.end() ? nullptr : found->second;
 }
 
 }  // namespace wrinkle::cli

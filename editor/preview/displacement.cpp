@@ -1,30 +1,24 @@
 #include "editor/preview/displacement.h"
 
 #include <glm/geometric.hpp>
-#include <map>
 
 #include "bake/displace.h"
-#include "image/load.h"
 #include "mesh/subdivide.h"
 
 namespace wrinkle::editor {
 
 std::optional<Mesh> displaced(const Mesh& still, const Displacement& displacement,
-                              Diagnostics& problems) {
+                              TextureStore& textures, Diagnostics& problems) {
     constexpr float triangles_across = 150;
-    std::map<std::string, MipChain> chains;
-    std::vector<Texture> textures;
-    for (const Resource& image : displacement.images) {
-        if (!chains.contains(image.file)) {
-            auto pixels = load_image(image.file, problems);
-            if (!pixels) return std::nullopt;
-            chains[image.file] = build_mips(std::move(*pixels));
+    for (const Resource& image : displacement.images)
+        if (!textures.read(image.file, problems)) {
+            textures.forget();  // to be tried, and said, again
+            return std::nullopt;
         }
-        textures.emplace_back(chains[image.file], image.options);
-    }
     const Bounds bounds = bounds_of(still);
     Mesh mesh = subdivided(still, glm::distance(bounds.low, bounds.high) / triangles_across);
-    const std::string why = displace(mesh, displacement.program, 0, textures);
+    const std::string why =
+        displace(mesh, displacement.program, 0, textures.textures_of(displacement.images));
     if (why.empty()) return mesh;
     problems.error(why);
     return std::nullopt;

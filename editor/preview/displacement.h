@@ -6,6 +6,7 @@
 
 #include "base/diagnostics.h"
 #include "cpu/evaluate.h"
+#include "cpu/texture_store.h"
 #include "ir/module.h"
 #include "mesh/mesh.h"
 
@@ -16,8 +17,8 @@ struct Displacement {
     std::vector<Resource> images;
 };
 
-// Nothing, with the reason, when it cannot be done.
+// Reads what `textures` lacks. Nothing, with the reason, when it cannot be done.
 std::optional<Mesh> displaced(const Mesh& still, const Displacement& displacement,
-                              Diagnostics& problems);
+                              TextureStore& textures, Diagnostics& problems);
 
 }  // namespace wrinkle::editor

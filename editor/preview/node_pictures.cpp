@@ -9,7 +9,6 @@
 #include "cpu/evaluate.h"
 #include "editor/preview/request.h"
 #include "graph/edit.h"
-#include "image/load.h"
 #include "lower/material.h"
 
 namespace wrinkle::editor {
@@ -103,6 +102,11 @@ glm::dvec3 color_of(PortType type, const double* lane, double low, double range)
     }
 }
 
+// Of linear light, by the curve of sRGB (IEC 61966-2-1), as the preview shows it.
+double displayed(double linear) {
+    return linear < 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1 / 2.4) - 0.055;
+}
+
 void append(std::vector<uint8_t>& texels, PortType type, const std::vector<double>& values) {
     const size_t lanes = values.size() / texel_count;
     const auto [least, most] = std::minmax_element(values.begin(), values.end());
@@ -114,7 +118,7 @@ void append(std::vector<uint8_t>& texels, PortType type, const std::vector<doubl
         if (!std::isfinite(color.x + color.y + color.z)) color = {1, 0, 1};
         if (type == PortType::color_)
             for (int c = 0; c < 3; ++c)
-                color[c] = std::pow(std::clamp(color[c], 0.0, 1.0), 1 / 2.2);
+                color[c] = displayed(std::clamp(color[c], 0.0, 1.0));
         for (int c = 0; c < 3; ++c)
             texels.push_back(static_cast<uint8_t>(std::clamp(color[c], 0.0, 1.0) * 255 + 0.5));
         texels.push_back(255);
@@ -126,7 +130,7 @@ void append(std::vector<uint8_t>& texels, PortType type, const std::vector<doubl
 NodePictures NodePainter::draw(const NodePictureJob& job) {
     NodePictures pictures;
     pictures.version = job.version;
-    if (std::exchange(images_, job.images) != job.images) chains_.clear();
+    if (std::exchange(images_, job.images) != job.images) textures_.forget();
     Document document = job.document;
     const std::vector<Shown> shown = show_nodes(document, job.model, job.nodes);
     if (shown.empty()) return pictures;
@@ -141,7 +145,11 @@ NodePictures NodePainter::draw(const NodePictureJob& job) {
     const Program program = compile_program(compiled.module, why);
     if (!why.empty()) return pictures;
     Results results = make_results(program, texel_count);
-    evaluate<float>(program, patch(program), textures_of(compiled.module), 0, texel_count, results);
+    Diagnostics said_elsewhere;
+    for (const Resource& resource : compiled.module.resources)
+        textures_.read(resource.file, said_elsewhere);
+    evaluate<float>(program, patch(program), textures_.textures_of(compiled.module.resources), 0,
+                    texel_count, results);
     for (size_t i = 0; i < program.outputs.size(); ++i) {
         const auto found = std::find_if(shown.begin(), shown.end(), [&](const Shown& one) {
             return one.output == program.outputs[i].name;
@@ -152,25 +160,6 @@ NodePictures NodePainter::draw(const NodePictureJob& job) {
                results.values[i]);
     }
     return pictures;
-}
-
-std::vector<Texture> NodePainter::textures_of(const Module& module) {
-    std::vector<Texture> textures;
-    for (const Resource& resource : module.resources) {
-        auto found = chains_.find(resource.file);
-        if (found == chains_.end()) {
-            Diagnostics said_elsewhere;
-            auto image = load_image(resource.file, said_elsewhere);
-            found = chains_.emplace(resource.file, nullptr).first;
-            if (image && !image->empty())
-                found->second = std::make_shared<const MipChain>(build_mips(std::move(*image)));
-        }
-        if (found->second)
-            textures.emplace_back(found->second, resource.options);
-        else
-            textures.emplace_back();
-    }
-    return textures;
 }
 
 }  // namespace wrinkle::editor

@@ -2,7 +2,7 @@
 // two units wide and one high, seen from in front, with uvs and positions in units.
 //
 // The numbers come from the CPU evaluator, all nodes at once, so no shader is built for them and
-// they are those of `wrinkle eval`. Shown as: colours and vectors as they are; a gradient, a
+// they are those of `wrinkle eval`. Shown as: colours by the curve of sRGB, vectors as they are; a gradient, a
 // derivative and a normal as the unit normal, 0.5 + 0.5 n; a height and a float as gray over the
 // range that is seen; a point of the plane as its fraction. What is not finite is magenta.
 #pragma once
@@ -15,7 +15,7 @@
 #include <string>
 #include <vector>
 
-#include "cpu/texture.h"
+#include "cpu/texture_store.h"
 #include "editor/document/model.h"
 #include "editor/worker.h"
 #include "ir/module.h"
@@ -46,10 +46,8 @@ public:
     NodePictures draw(const NodePictureJob& job);
 
 private:
-    std::vector<Texture> textures_of(const Module& module);
-
     uint64_t images_ = 0;
-    std::map<std::string, std::shared_ptr<const MipChain>> chains_;
+    TextureStore textures_;
 };
 
 // The same on a thread of its own; the newest job wins.

@@ -73,6 +73,7 @@ AngleFigures figures_of(const std::vector<float>& pixels, float end) {
 bool PreviewPainter::use_mesh(const PreviewJob& job, Diagnostics& problems) {
     const auto wanted = job.view.displaced ? job.displacement : nullptr;
     const uint64_t images = wanted ? job.images : 0;
+    if (images != mesh_images_) textures_.forget();
     if (job.view.mesh == mesh_ && job.view.scale == scale_ && wanted == displacement_ &&
         job.meshes == mesh_read_ && images == mesh_images_)
         return true;
@@ -81,7 +82,7 @@ bool PreviewPainter::use_mesh(const PreviewJob& job, Diagnostics& problems) {
     resize(*mesh, job.view.scale);
     framing_ = gpu::default_camera(*mesh, job.view.mesh);
     if (wanted) {
-        auto moved = displaced(*mesh, *wanted, problems);
+        auto moved = displaced(*mesh, *wanted, textures_, problems);
         if (moved) mesh = std::move(moved);
     }
     renderer_.set_mesh(*mesh);

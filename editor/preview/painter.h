@@ -99,6 +99,7 @@ private:
     std::string mesh_, environment_;
     float scale_ = 0;
     std::shared_ptr<const Displacement> displacement_;
+    TextureStore textures_;  // of the displacement
     gpu::Lighting lighting_ = gpu::Lighting::ggx;
 };
 

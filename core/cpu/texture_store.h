@@ -1,0 +1,33 @@
+// Image files as textures, each read once and shared by all that sample it.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "base/diagnostics.h"
+#include "cpu/texture.h"
+#include "ir/module.h"
+
+namespace wrinkle {
+
+class TextureStore {
+public:
+    // Reads a file that was not asked for before. Why one cannot be read is said that time alone.
+    std::shared_ptr<const MipChain> read(const std::string& file, Diagnostics& problems);
+
+    // Null for one that was not, or could not be, read.
+    std::shared_ptr<const MipChain> find(const std::string& file) const;
+
+    // Textures by resource index; a black one for an image that is not there.
+    std::vector<Texture> textures_of(std::span<const Resource> resources) const;
+
+    void forget() { chains_.clear(); }
+
+private:
+    std::map<std::string, std::shared_ptr<const MipChain>> chains_;
+};
+
+}  // namespace wrinkle
