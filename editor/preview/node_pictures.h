@@ -2,9 +2,9 @@
 // two units wide and one high, seen from in front, with uvs and positions in units.
 //
 // The numbers come from the CPU evaluator, all nodes at once, so no shader is built for them and
-// they are those of `wrinkle eval`. Shown as: colours by the curve of sRGB, vectors as they are; a gradient, a
-// derivative and a normal as the unit normal, 0.5 + 0.5 n; a height and a float as gray over the
-// range that is seen; a point of the plane as its fraction. What is not finite is magenta.
+// they are those of `wrinkle eval`. Shown as: colours by the curve of sRGB, vectors as they are; a
+// gradient, a derivative and a normal as the unit normal, 0.5 + 0.5 n; a height and a float as gray
+// over the range that is seen; a point of the plane as its fraction. What is not finite is magenta.
 #pragma once
 
 #include <cstdint>
