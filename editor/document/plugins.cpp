@@ -27,9 +27,12 @@ size_t from_plugins(const Registry& registry) {
 void load_plugins(State& state, Diagnostics& problems) {
     auto registry = std::make_shared<Registry>();
     registry->add_plugin(built_in_nodes(), Registry::built_in, problems);
-    wrinkle::load_plugins(*registry, state.plugins.places, problems, {.copies = true});
+    Plugins& plugins = state.plugins;
+    PluginOptions options{.copies = true, .cache = plugins.cache};
+    if (!plugins.registries.empty()) options.former = plugins.registries.back().get();
+    wrinkle::load_plugins(*registry, plugins.places, problems, options);
     state.registry = registry.get();
-    state.plugins.registries.push_back(std::move(registry));
+    plugins.registries.push_back(std::move(registry));
 }
 
 void reload_plugins(State& state) {
