@@ -2,8 +2,8 @@
 //
 // In this order: the manifest beside it, FILE.so.json, when it describes these very bytes; what an
 // earlier probe of the same bytes found, from the cache; a probe (registry/probe.h), whose findings
-// go to the cache. A manifest of other bytes, or one that cannot be read, is ignored with a warning;
-// a damaged entry of the cache without one.
+// go to the cache. A manifest of other bytes, or one that cannot be read, is ignored with a
+// warning; a damaged entry of the cache without one.
 #pragma once
 
 #include <chrono>

@@ -10,10 +10,14 @@
 namespace wrinkle::editor {
 namespace {
 
-std::string first_refusal(const Diagnostics& problems) {
-    const Diagnostic& problem = problems.list().front();
-    const std::string name = std::filesystem::path(problem.where.file).filename().string();
-    return name.empty() ? sentence(problem.message) : name + " was refused: " + problem.message;
+// What a user should know first: a plugin that was refused, else any other problem.
+std::string first_trouble(const Plugins& plugins, const Diagnostics& problems) {
+    for (const PluginReport& report : plugins.reports) {
+        if (report.state != PluginReport::State::refused) continue;
+        const std::string name = std::filesystem::path(report.path).filename().string();
+        return (name.empty() ? report.path : name) + " was refused: " + report.why;
+    }
+    return sentence(problems.list().front().message);
 }
 
 size_t from_plugins(const Registry& registry) {
@@ -30,7 +34,7 @@ void load_plugins(State& state, Diagnostics& problems) {
     Plugins& plugins = state.plugins;
     PluginOptions options{.copies = true, .cache = plugins.cache};
     if (!plugins.registries.empty()) options.former = plugins.registries.back().get();
-    wrinkle::load_plugins(*registry, plugins.places, problems, options);
+    plugins.reports = wrinkle::load_plugins(*registry, plugins.places, problems, options);
     state.registry = registry.get();
     plugins.registries.push_back(std::move(registry));
 }
@@ -46,7 +50,7 @@ void reload_plugins(State& state) {
         problems.list().empty()
             ? "Plugins are loaded anew: " + counted(from_plugins(*state.registry), "node") +
                   " from them."
-            : first_refusal(problems);
+            : first_trouble(state.plugins, problems);
 }
 
 }  // namespace wrinkle::editor

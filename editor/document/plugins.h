@@ -2,8 +2,8 @@
 //
 // Each load makes a registry of its own from copies of the files; former ones stay, with the code
 // that they point at, because documents, jobs and cards may still look at their types. What a
-// plugin no longer has is shown and kept as nodes of a missing plugin are; of one that is broken now
-// the last good version stays in use.
+// plugin no longer has is shown and kept as nodes of a missing plugin are; of one that is broken
+// now the last good version stays in use.
 #pragma once
 
 #include <filesystem>
@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "registry/registry.h"
+#include "registry/plugin_loader.h"
 
 namespace wrinkle::editor {
 
@@ -20,6 +20,7 @@ struct State;
 struct Plugins {
     std::vector<std::string> places;                          // files and folders
     std::filesystem::path cache;                              // of what probes found
+    std::vector<PluginReport> reports;                        // of the last load
     std::vector<std::shared_ptr<const Registry>> registries;  // the newest last
 };
 
