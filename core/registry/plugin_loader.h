@@ -42,6 +42,8 @@ struct PluginReport {
     State state = State::refused;
     bool by_manifest = false;  // found without any of its code run
     std::string why;           // of a refused one, in one or more sentences
+
+    bool is_taken() const { return state != State::refused; }
 };
 
 // Places 1 and 2: `options` are the --plugin-path values, `environment` the value of
