@@ -56,5 +56,6 @@ function(wrinkle_test name)
     target_include_directories(test_${name} PRIVATE ${PROJECT_SOURCE_DIR}/tests)
     target_compile_definitions(test_${name} PRIVATE
         WRINKLE_SOURCE_DIR="${PROJECT_SOURCE_DIR}" WRINKLE_BINARY_DIR="${CMAKE_BINARY_DIR}")
+    add_dependencies(test_${name} wrinkle-plugin-probe)  # what loads plugins starts it
     add_test(NAME ${name} COMMAND test_${name} WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
 endfunction()

@@ -6,7 +6,6 @@
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
 #include <cstdio>
-#include <cstdlib>
 
 #include "base/file.h"
 #include "editor/document/files.h"
@@ -46,8 +45,8 @@ void begin(State& state, const Arguments& arguments) {
 
 void add_nodes(State& state, const Arguments& arguments) {
     Diagnostics problems;
-    state.plugins.places =
-        plugin_places(arguments.plugin_paths, std::getenv("WRINKLE_PLUGIN_PATH"));
+    state.plugins.places = plugin_places(arguments.plugin_paths);
+    state.plugins.cache = plugin_cache();
     load_plugins(state, problems);
     if (!problems.list().empty()) std::fputs(to_text(problems).c_str(), stderr);
 }

@@ -1,7 +1,6 @@
 #include "cli/session.h"
 
 #include <cstdio>
-#include <cstdlib>
 
 #include "base/file.h"
 #include "cli/output.h"
@@ -33,7 +32,8 @@ void list_targets() {
 void declare_plugin_path(CLI::App& command, CommonOptions& options) {
     command
         .add_option("--plugin-path", options.plugin_paths,
-                    "A plugin, or a folder of plugins; before those of WRINKLE_PLUGIN_PATH")
+                    "A plugin, or a folder of plugins; comes before WRINKLE_PLUGIN_PATH and the "
+                    "user's and the system's folder")
         ->type_name("DIR")
         ->allow_extra_args(false)  // one a time: what follows may be a file
         ->take_all();
@@ -64,8 +64,8 @@ void declare_common(CLI::App& command, CommonOptions& options, bool with_set) {
 Nodes load_nodes(const CommonOptions& options, Diagnostics& diagnostics) {
     Nodes nodes;
     nodes.registry.add_plugin(built_in_nodes(), Registry::built_in, diagnostics);
-    const auto places = plugin_places(options.plugin_paths, std::getenv("WRINKLE_PLUGIN_PATH"));
-    nodes.plugins = load_plugins(nodes.registry, places, diagnostics);
+    nodes.plugins = load_plugins(nodes.registry, plugin_places(options.plugin_paths), diagnostics,
+                                 {.cache = plugin_cache()});
     return nodes;
 }
 

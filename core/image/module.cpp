@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <vector>
 
+#include "base/folders.h"
 #include "base/text.h"
 
 namespace wrinkle {
@@ -15,10 +16,9 @@ namespace {
 
 std::vector<fs::path> candidates() {
     std::vector<fs::path> paths;
-    std::error_code error;
-    const fs::path program = fs::read_symlink("/proc/self/exe", error);
-    if (!error)
-        paths.push_back(program.parent_path().parent_path() / "lib/wrinkle" / WRINKLE_IMAGE_MODULE);
+    const fs::path program = program_folder();
+    if (!program.empty())
+        paths.push_back(program.parent_path() / "lib/wrinkle" / WRINKLE_IMAGE_MODULE);
     if (const char* folders = std::getenv("WRINKLE_MODULE_PATH"))
         for (const std::string_view folder : split(folders, ':'))
             if (!folder.empty()) paths.push_back(fs::path(folder) / WRINKLE_IMAGE_MODULE);

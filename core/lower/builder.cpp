@@ -67,7 +67,14 @@ public:
 
     void run() {
         module_.current_node = lowering_.graph().nodes[node_].instance;
-        type_.build(&face_);
+        std::string why;
+        const NodeType::Build build = type_.ready(why);
+        if (!build) {
+            module_.problem(why, "`wrinkle plugins` says more");
+            module_.current_node = 0;
+            return;
+        }
+        build(&face_);
         if (module_.depth() > 0) refuse("leaves a loop or a function open");
         const std::array<Id, 1> nothing{poison};
         while (module_.depth() > 0)

@@ -14,6 +14,7 @@ constexpr uint32_t most_nodes = 10'000;
 constexpr uint32_t most_ports = 256;  // also of choices and renames
 constexpr size_t longest_name = 64;   // bytes
 constexpr size_t longest_text = 4096;
+constexpr size_t most_faults = 20;  // of one plugin, before the rest is left unread
 
 template <class T>
 bool read_struct(const T* source, T& copy) {
@@ -40,7 +41,8 @@ public:
     Reader(std::string_view origin, Diagnostics& diagnostics)
         : origin_(origin), diagnostics_(diagnostics) {}
 
-    bool fine() const { return fine_; }
+    bool fine() const { return faults_ == 0; }
+    bool had_enough() const { return faults_ >= most_faults; }
 
     bool plugin(const wr_plugin* source, wr_plugin& copy) {
         if (!source) return fault("its descriptor is null");
@@ -64,7 +66,7 @@ public:
         if (!source) return void(fault("its descriptor is null"));
         if (!read_struct(source, copy)) return void(too_small("its descriptor", source->size));
         if (!name(copy.id, "the id", type.id)) return;
-        node_ = type.id;
+        if (!type.id.empty()) node_ = type.id;
         if (!is_name(type.id))
             fault("its id is not lower_snake_case", "letters a-z, digits and _, at most 64");
         if (type.id == reroute_type) fault("this id is reserved");
@@ -88,7 +90,7 @@ public:
 private:
     // Always false, for the caller to return.
     bool fault(std::string message, std::string expected = {}) {
-        fine_ = false;
+        ++faults_;
         Diagnostic diagnostic;
         diagnostic.where.file = origin_;
         diagnostic.node = node_;
@@ -278,13 +280,24 @@ private:
                       "expected 2 to " + std::to_string(type.version));
             type.renames.push_back(std::move(rename));
         }
+        chains(type);
+    }
+
+    // Renames are followed version by version: within one they would go in a circle, or on.
+    void chains(const NodeType& type) {
+        for (const Rename& first : type.renames)
+            for (const Rename& second : type.renames)
+                if (first.version == second.version && first.new_name == second.old_name)
+                    fault("port '" + first.old_name + "' is renamed to '" + first.new_name +
+                              "', which is renamed in the same version",
+                          "one step a version");
     }
 
     std::string origin_;
     Diagnostics& diagnostics_;
     std::string node_;
     std::string port_;
-    bool fine_ = true;
+    size_t faults_ = 0;
 };
 
 }  // namespace
@@ -298,7 +311,7 @@ bool read_descriptors(const wr_plugin* plugin, std::string_view origin,
     Reader reader(origin, diagnostics);
     wr_plugin copy;
     if (!reader.plugin(plugin, copy)) return false;
-    for (uint32_t i = 0; i < copy.node_count; ++i) {
+    for (uint32_t i = 0; i < copy.node_count && !reader.had_enough(); ++i) {
         NodeType type;
         reader.node(copy.nodes[i], i, type);
         const auto same = [&](const NodeType& other) { return other.id == type.id; };

@@ -1,62 +1,47 @@
 #include "registry/plugin_loader.h"
 
-#include <dlfcn.h>
-#include <elf.h>
 #include <fcntl.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cstdlib>
-#include <cstring>
-#include <filesystem>
+#include <map>
 #include <set>
 
-#include "base/file.h"
+#include "base/folders.h"
 #include "base/text.h"
-#include "registry/descriptor.h"
+#include "registry/describe.h"
+#include "registry/library.h"
+#include "registry/plugin_code.h"
 
 namespace wrinkle {
 namespace fs = std::filesystem;
 
 namespace {
 
-constexpr const char* entry_symbol = "wrinkle_plugin";
-
-// Loading less than a whole file may end the program.
-bool is_cut_short(const std::string& path) {
-    std::string why;
-    const auto bytes = read_file(path, why);
-    Elf64_Ehdr head;
-    if (!bytes || bytes->size() < sizeof head) return false;  // dlopen() says what it is
-    std::memcpy(&head, bytes->data(), sizeof head);
-    if (std::memcmp(head.e_ident, ELFMAG, SELFMAG) != 0 || head.e_ident[EI_CLASS] != ELFCLASS64)
-        return false;
-    const auto ends_after = [&](uint64_t at, uint64_t size) {
-        return at > bytes->size() || size > bytes->size() - at;
-    };
-    if (ends_after(head.e_shoff, uint64_t{head.e_shentsize} * head.e_shnum) ||
-        ends_after(head.e_phoff, sizeof(Elf64_Phdr) * head.e_phnum))
-        return true;
-    for (size_t i = 0; i < head.e_phnum; ++i) {
-        Elf64_Phdr part;
-        std::memcpy(&part, bytes->data() + head.e_phoff + i * sizeof part, sizeof part);
-        if (ends_after(part.p_offset, part.p_filesz)) return true;
+// A temporary file with the same bytes, removed with this.
+class Copy {
+public:
+    explicit Copy(const std::string& path) {
+        std::error_code error;
+        name_ = (fs::temp_directory_path(error) / "wrinkle-plugin-XXXXXX.so").string();
+        const int file = mkostemps(name_.data(), 3, O_CLOEXEC);
+        if (file >= 0) close(file);
+        if (file >= 0) fs::copy_file(path, name_, fs::copy_options::overwrite_existing, error);
+        if (file >= 0 && error) unlink(name_.c_str());
+        if (file < 0 || error) name_.clear();
     }
-    return false;
-}
+    Copy(const Copy&) = delete;
+    Copy& operator=(const Copy&) = delete;
+    ~Copy() {
+        if (!name_.empty()) unlink(name_.c_str());
+    }
 
-// A temporary file with the same bytes; "" when there can be none.
-std::string copy_of(const std::string& path) {
-    std::error_code error;
-    std::string name = (fs::temp_directory_path(error) / "wrinkle-plugin-XXXXXX.so").string();
-    const int file = mkostemps(name.data(), 3, O_CLOEXEC);
-    if (file < 0) return {};
-    close(file);
-    fs::copy_file(path, name, fs::copy_options::overwrite_existing, error);
-    if (!error) return name;
-    unlink(name.c_str());
-    return {};
-}
+    const std::string& name() const { return name_; }  // "" when there can be none
+
+private:
+    std::string name_;
+};
 
 class Loader {
 public:
@@ -67,7 +52,7 @@ public:
         std::error_code error;
         const fs::file_status status = fs::status(name, error);
         if (!fs::exists(status)) {
-            complain(name, "there is no such plugin or folder", Severity::error);
+            complain(name, "there is no such plugin or folder");
         } else if (fs::is_directory(status)) {
             folder(name);
         } else {
@@ -84,8 +69,7 @@ private:
         fs::directory_iterator entry(name, error);
         for (; !error && entry != fs::directory_iterator(); entry.increment(error))
             if (entry->path().extension() == ".so") files.push_back(entry->path().string());
-        if (error)
-            return complain(name, "the folder cannot be read: " + error.message(), Severity::error);
+        if (error) return complain(name, "the folder cannot be read: " + error.message());
         std::sort(files.begin(), files.end());
         for (const std::string& path : files)
             file(path, Severity::warning);
@@ -98,95 +82,104 @@ private:
         PluginReport report;
         report.path = path;
         Diagnostics problems;
-        if (load(error ? path : real.string(), report, problems)) {
-            report.state = PluginReport::State::loaded;
-        } else {
-            for (Diagnostic problem : problems.list()) {
+        if (!take(error ? path : real.string(), report, problems)) {
+            report.state = PluginReport::State::refused;
+            if (keep_former(path))
+                add_fault(problems, path, "what was loaded of it before is kept");
+        }
+        for (Diagnostic problem : problems.list()) {
+            if (problem.severity == Severity::error) {
                 problem.severity = severity;
-                diagnostics_.add(problem);
-                problem.where = {};
-                const std::string text = to_text(problem);
-                report.why += report.why.empty() ? "" : "; ";
-                report.why += text.substr(text.find(": ") + 2);
+                report.why += (report.why.empty() ? "" : "; ") + without_place(problem);
             }
+            diagnostics_.add(std::move(problem));
         }
         reports_.push_back(std::move(report));
     }
 
-    bool load(const std::string& path, PluginReport& report, Diagnostics& problems) {
-        const auto refuse = [&](std::string message, std::string expected = {}) {
-            Diagnostic diagnostic;
-            diagnostic.where.file = report.path;
-            diagnostic.message = std::move(message);
-            diagnostic.expected = std::move(expected);
-            problems.add(std::move(diagnostic));
+    static std::string without_place(Diagnostic problem) {
+        problem.where = {};
+        const std::string text = to_text(problem);
+        return text.substr(text.find(": ") + 2);
+    }
+
+    bool take(const std::string& real, PluginReport& report, Diagnostics& problems) {
+        std::error_code error;
+        if (!fs::is_regular_file(real, error)) {
+            add_fault(problems, report.path, std::string(cannot_be_loaded) + ": it is no file");
             return false;
-        };
-        if (is_cut_short(path)) return refuse("it cannot be loaded: the file is cut short");
-        void* library = open(path);
-        if (!library) return refuse("it cannot be loaded: " + last_error(path));
-        const auto entry = reinterpret_cast<wr_plugin_entry>(dlsym(library, entry_symbol));
-        if (!entry) {
-            dlclose(library);
-            return refuse("it is no plugin of Wrinkle: it does not export wrinkle_plugin",
-                          "declare it extern \"C\" with WR_EXPORT");
         }
-        const wr_plugin* plugin = entry();
-        bool fine = plugin != nullptr;
-        if (!fine) refuse("its wrinkle_plugin() returned null");
-        if (fine) fine = registry_.add_plugin(plugin, report.path, problems);
-        describe(plugin, report);
-        if (!fine) dlclose(library);
-        return fine;
+        const Copy copy(options_.copies ? real : "");
+        if (copy.name().empty()) return take({real, real, report.path}, report, problems);
+        Diagnostics of_the_copy;
+        if (take({copy.name(), real, report.path}, report, of_the_copy)) {
+            problems.append(of_the_copy);
+            return true;
+        }
+        const bool in_its_place = of_the_copy.list().back().message.starts_with(cannot_be_loaded);
+        if (in_its_place) return take({real, real, report.path}, report, problems);
+        problems.append(of_the_copy);
+        return false;
     }
 
-    // dlerror() begins with the path, which the report names already.
-    static std::string last_error(const std::string& path) {
-        const char* text = dlerror();
-        const std::string reason = text ? text : "unknown reason";
-        const std::string prefix = path + ": ";
-        return reason.compare(0, prefix.size(), prefix) == 0 ? reason.substr(prefix.size())
-                                                             : reason;
+    bool take(const PluginFile& file, PluginReport& report, Diagnostics& problems) {
+        auto described = describe_plugin(file, {options_.cache, options_.limit}, problems);
+        if (!described) return false;
+        PluginListing& listing = described->listing;
+        report.id = listing.id;
+        report.version = listing.version;
+        report.by_manifest = described->by == DescribedBy::manifest;
+        report.nodes.clear();
+        for (const NodeType& type : listing.types)
+            report.nodes.push_back(type.id);
+        const auto other = ids_.find(listing.id);
+        if (other != ids_.end()) {
+            add_fault(problems, report.path,
+                      "the plugin id '" + listing.id + "' is taken: " + other->second + " has it",
+                      "remove one of them");
+            return false;
+        }
+        const auto code = std::make_shared<PluginCode>(file.path, report.path, listing,
+                                                       !report.by_manifest, options_.limit);
+        std::string why;
+        if (options_.copies && !code->load(why)) {
+            add_fault(problems, report.path, why);
+            return false;
+        }
+        size_t index = 0;
+        for (NodeType& type : listing.types) {
+            type.code = code;
+            type.code_index = index++;
+        }
+        if (!registry_.add(std::move(listing.types), report.path, problems)) return false;
+        report.state = options_.copies ? PluginReport::State::loaded : PluginReport::State::found;
+        ids_.emplace(report.id, report.path);
+        return true;
     }
 
-    static void describe(const wr_plugin* plugin, PluginReport& report) {
-        wr_plugin copy;
-        if (!plugin || !read_plugin(plugin, copy) || copy.abi != WR_ABI) return;
-        if (copy.id && is_utf8(copy.id)) report.id = copy.id;
-        if (copy.version && is_utf8(copy.version)) report.version = copy.version;
-        Diagnostics ignored;
+    // Of a plugin that is broken now.
+    bool keep_former(const std::string& origin) {
         std::vector<NodeType> types;
-        read_descriptors(plugin, report.path, types, ignored);
-        for (const NodeType& type : types)
-            if (!type.id.empty()) report.nodes.push_back(type.id);
+        if (options_.former)
+            for (const NodeType& type : options_.former->list())
+                if (type.origin == origin) types.push_back(type);
+        Diagnostics ignored;
+        return !types.empty() && registry_.add(std::move(types), origin, ignored);
     }
 
-    void complain(const std::string& path, std::string message, Severity severity) {
+    void complain(const std::string& path, std::string message) {
         PluginReport report;
         report.path = path;
         report.why = message;
         reports_.push_back(std::move(report));
-        Diagnostic diagnostic;
-        diagnostic.severity = severity;
-        diagnostic.where.file = path;
-        diagnostic.message = std::move(message);
-        diagnostics_.add(std::move(diagnostic));
-    }
-
-    void* open(const std::string& path) const {
-        constexpr int mode = RTLD_NOW | RTLD_LOCAL;
-        void* library = nullptr;
-        if (const std::string copy = options_.copies ? copy_of(path) : ""; !copy.empty()) {
-            library = dlopen(copy.c_str(), mode);
-            unlink(copy.c_str());
-        }
-        return library ? library : dlopen(path.c_str(), mode);
+        add_fault(diagnostics_, path, std::move(message));
     }
 
     Registry& registry_;
     Diagnostics& diagnostics_;
     const PluginOptions& options_;
     std::set<fs::path> seen_;
+    std::map<std::string, std::string> ids_;  // of the plugins taken, to their paths
     std::vector<PluginReport> reports_;
 };
 
@@ -195,7 +188,8 @@ std::string line(const PluginReport& report) {
     if (!report.id.empty()) text += "    " + report.id + " " + report.version + "\n";
     if (report.state == PluginReport::State::refused)
         return text + "    refused: " + report.why + "\n";
-    text += "    loaded:";
+    text += report.state == PluginReport::State::loaded ? "    loaded" : "    found";
+    text += report.by_manifest ? " by its manifest:" : ":";
     for (const std::string& node : report.nodes)
         text += " " + node;
     return text + "\n";
@@ -210,6 +204,33 @@ std::vector<std::string> plugin_places(std::span<const std::string> options,
         for (const std::string_view entry : split(environment, ':'))
             if (!entry.empty()) places.emplace_back(entry);
     return places;
+}
+
+std::vector<std::string> default_plugin_folders() {
+    const char* off = std::getenv("WRINKLE_NO_DEFAULT_PLUGINS");
+    if (off && *off) return {};
+    std::vector<std::string> folders;
+    for (const fs::path& base : {user_folder("XDG_DATA_HOME", ".local/share"),
+                                 program_folder().parent_path() / "lib/wrinkle"}) {
+        const fs::path folder = base / "plugins";
+        std::error_code error;
+        if (folder.is_absolute() && fs::is_directory(folder, error) &&
+            access(folder.c_str(), R_OK | X_OK) == 0)
+            folders.push_back(folder.string());
+    }
+    return folders;
+}
+
+std::vector<std::string> plugin_places(std::span<const std::string> options) {
+    std::vector<std::string> places = plugin_places(options, std::getenv("WRINKLE_PLUGIN_PATH"));
+    for (std::string& folder : default_plugin_folders())
+        places.push_back(std::move(folder));
+    return places;
+}
+
+fs::path plugin_cache() {
+    const fs::path folder = user_folder("XDG_CACHE_HOME", ".cache");
+    return folder.empty() ? folder : folder / "plugins";
 }
 
 std::vector<PluginReport> load_plugins(Registry& registry, std::span<const std::string> places,

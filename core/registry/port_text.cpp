@@ -7,24 +7,6 @@
 namespace wrinkle {
 namespace {
 
-std::string_view kind_word(Port::Kind kind) {
-    switch (kind) {
-        case Port::Kind::input:
-            return "input";
-        case Port::Kind::output:
-            return "output";
-        case Port::Kind::choice:
-            return "choice";
-        case Port::Kind::count:
-            return "count";
-        case Port::Kind::flag:
-            return "flag";
-        case Port::Kind::field:
-            return "field";
-    }
-    return "";
-}
-
 void append(std::string& text, const std::string& detail) {
     if (!detail.empty()) text += (text.empty() ? "" : ", ") + detail;
 }
@@ -42,6 +24,24 @@ std::string range_json(double least, double most) {
 }
 
 }  // namespace
+
+std::string_view kind_word(Port::Kind kind) {
+    switch (kind) {
+        case Port::Kind::input:
+            return "input";
+        case Port::Kind::output:
+            return "output";
+        case Port::Kind::choice:
+            return "choice";
+        case Port::Kind::count:
+            return "count";
+        case Port::Kind::flag:
+            return "flag";
+        case Port::Kind::field:
+            return "field";
+    }
+    return "";
+}
 
 std::string kind_text(const Port& port) {
     if (port.is_option()) return std::string(kind_word(port.kind));

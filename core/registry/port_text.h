@@ -7,9 +7,10 @@
 
 namespace wrinkle {
 
-std::string kind_text(const Port& port);     // "float", "choice", "field of height"
-std::string details_text(const Port& port);  // "m, default 0.1, 0 to 1"; may be empty
-std::string default_json(const Port& port);  // "" without one; a surface default is a link
-std::string port_json(const Port& port);     // one object
+std::string_view kind_word(Port::Kind kind);  // "input", "choice"
+std::string kind_text(const Port& port);      // "float", "choice", "field of height"
+std::string details_text(const Port& port);   // "m, default 0.1, 0 to 1"; may be empty
+std::string default_json(const Port& port);   // "" without one; a surface default is a link
+std::string port_json(const Port& port);      // one object
 
 }  // namespace wrinkle

@@ -1,6 +1,7 @@
 #include "registry/registry.h"
 
 #include "registry/descriptor.h"
+#include "registry/plugin_code.h"
 
 namespace wrinkle {
 
@@ -21,14 +22,36 @@ uint32_t NodeType::find_output(std::string_view port) const {
     return none;
 }
 
+NodeType::Build NodeType::ready(std::string& why) const {
+    return code ? code->build_of(code_index, why) : build;
+}
+
 bool Registry::add_plugin(const wr_plugin* plugin, std::string_view origin,
                           Diagnostics& diagnostics) {
     std::vector<NodeType> types;
-    bool fine = read_descriptors(plugin, origin, types, diagnostics);
+    if (!read_descriptors(plugin, origin, types, diagnostics)) {
+        report_taken(types, origin, diagnostics);
+        return false;
+    }
+    return add(std::move(types), origin, diagnostics);
+}
+
+bool Registry::add(std::vector<NodeType> types, std::string_view origin, Diagnostics& diagnostics) {
+    if (report_taken(types, origin, diagnostics)) return false;
+    for (NodeType& type : types) {
+        const NodeType& stored = types_.emplace_back(std::move(type));
+        by_id_.emplace(stored.id, &stored);
+    }
+    return true;
+}
+
+bool Registry::report_taken(const std::vector<NodeType>& types, std::string_view origin,
+                            Diagnostics& diagnostics) const {
+    bool any = false;
     for (const NodeType& type : types) {
         const NodeType* other = find(type.id);
         if (!other) continue;
-        fine = false;
+        any = true;
         Diagnostic diagnostic;
         diagnostic.where.file = origin;
         diagnostic.node = type.id;
@@ -36,12 +59,7 @@ bool Registry::add_plugin(const wr_plugin* plugin, std::string_view origin,
         diagnostic.expected = "give one of them another id";
         diagnostics.add(std::move(diagnostic));
     }
-    if (!fine) return false;
-    for (NodeType& type : types) {
-        const NodeType& stored = types_.emplace_back(std::move(type));
-        by_id_.emplace(stored.id, &stored);
-    }
-    return true;
+    return any;
 }
 
 const NodeType* Registry::find(std::string_view id) const {

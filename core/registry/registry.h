@@ -8,6 +8,7 @@
 
 #include <array>
 #include <deque>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <unordered_map>
@@ -59,7 +60,11 @@ struct Rename {
     std::string new_name;
 };
 
+class PluginCode;  // registry/plugin_code.h
+
 struct NodeType {
+    using Build = void (*)(const wr_builder*);
+
     std::string id;
     std::string title;
     std::string doc;
@@ -67,13 +72,18 @@ struct NodeType {
     uint32_t version = 1;
     std::vector<Port> ports;
     std::vector<Rename> renames;
-    void (*build)(const wr_builder*) = nullptr;
-    std::string origin;  // "built-in" or the plugin's path
+    Build build = nullptr;             // null where `code` has it
+    std::shared_ptr<PluginCode> code;  // of a plugin that is loaded when first needed
+    size_t code_index = 0;             // which node of it this is
+    std::string origin;                // "built-in" or the plugin's path
 
     static constexpr uint32_t none = ~0u;
     // The index of a port: inputs, options and fields share one name space, outputs have their own.
     uint32_t find_input(std::string_view name) const;
     uint32_t find_output(std::string_view name) const;
+    // What builds the node, its plugin loaded now if need be; null with the reason in `why`. Safe
+    // to call from several threads.
+    Build ready(std::string& why) const;
 };
 
 class Registry {
@@ -82,6 +92,8 @@ public:
 
     // Copies the plugin's nodes in their order; false (and nothing added) when anything is wrong.
     bool add_plugin(const wr_plugin* plugin, std::string_view origin, Diagnostics& diagnostics);
+    // The same with nodes that were read before, at `origin`.
+    bool add(std::vector<NodeType> types, std::string_view origin, Diagnostics& diagnostics);
 
     // nullptr for an unknown id. Pointers stay valid while the registry lives.
     const NodeType* find(std::string_view id) const;
@@ -89,6 +101,9 @@ public:
     std::vector<std::string> ids() const;
 
 private:
+    bool report_taken(const std::vector<NodeType>& types, std::string_view origin,
+                      Diagnostics& diagnostics) const;
+
     std::deque<NodeType> types_;
     std::unordered_map<std::string_view, const NodeType*> by_id_;
 };

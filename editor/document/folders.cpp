@@ -1,25 +1,13 @@
 #include "editor/document/folders.h"
 
-#include <cstdlib>
+#include "base/folders.h"
 
 namespace wrinkle::editor {
 namespace fs = std::filesystem;
-namespace {
-
-// The specification takes absolute paths alone.
-fs::path base_folder(const char* variable, const char* below_home) {
-    const char* named = std::getenv(variable);
-    if (named && fs::path(named).is_absolute()) return fs::path(named) / "wrinkle";
-    const char* home = std::getenv("HOME");
-    if (!home || !fs::path(home).is_absolute()) return {};
-    return fs::path(home) / below_home / "wrinkle";
-}
-
-}  // namespace
 
 Folders user_folders() {
-    return {base_folder("XDG_CONFIG_HOME", ".config"),
-            base_folder("XDG_STATE_HOME", ".local/state")};
+    return {user_folder("XDG_CONFIG_HOME", ".config"),
+            user_folder("XDG_STATE_HOME", ".local/state")};
 }
 
 Folders folders_below(const fs::path& folder) {

@@ -10,10 +10,14 @@
 namespace wrinkle::editor {
 namespace {
 
-std::string first_refusal(const Diagnostics& problems) {
-    const Diagnostic& problem = problems.list().front();
-    const std::string name = std::filesystem::path(problem.where.file).filename().string();
-    return name.empty() ? sentence(problem.message) : name + " was refused: " + problem.message;
+// What a user should know first: a plugin that was refused, else any other problem.
+std::string first_trouble(const Plugins& plugins, const Diagnostics& problems) {
+    for (const PluginReport& report : plugins.reports) {
+        if (report.state != PluginReport::State::refused) continue;
+        const std::string name = std::filesystem::path(report.path).filename().string();
+        return (name.empty() ? report.path : name) + " was refused: " + report.why;
+    }
+    return sentence(problems.list().front().message);
 }
 
 size_t from_plugins(const Registry& registry) {
@@ -27,9 +31,12 @@ size_t from_plugins(const Registry& registry) {
 void load_plugins(State& state, Diagnostics& problems) {
     auto registry = std::make_shared<Registry>();
     registry->add_plugin(built_in_nodes(), Registry::built_in, problems);
-    wrinkle::load_plugins(*registry, state.plugins.places, problems, {.copies = true});
+    Plugins& plugins = state.plugins;
+    PluginOptions options{.copies = true, .cache = plugins.cache};
+    if (!plugins.registries.empty()) options.former = plugins.registries.back().get();
+    plugins.reports = wrinkle::load_plugins(*registry, plugins.places, problems, options);
     state.registry = registry.get();
-    state.plugins.registries.push_back(std::move(registry));
+    plugins.registries.push_back(std::move(registry));
 }
 
 void reload_plugins(State& state) {
@@ -43,7 +50,7 @@ void reload_plugins(State& state) {
         problems.list().empty()
             ? "Plugins are loaded anew: " + counted(from_plugins(*state.registry), "node") +
                   " from them."
-            : first_refusal(problems);
+            : first_trouble(state.plugins, problems);
 }
 
 }  // namespace wrinkle::editor

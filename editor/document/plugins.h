@@ -2,14 +2,16 @@
 //
 // Each load makes a registry of its own from copies of the files; former ones stay, with the code
 // that they point at, because documents, jobs and cards may still look at their types. What a
-// plugin no longer has is shown and kept as nodes of a missing plugin are.
+// plugin no longer has is shown and kept as nodes of a missing plugin are; of one that is broken
+// now the last good version stays in use.
 #pragma once
 
+#include <filesystem>
 #include <memory>
 #include <string>
 #include <vector>
 
-#include "registry/registry.h"
+#include "registry/plugin_loader.h"
 
 namespace wrinkle::editor {
 
@@ -17,6 +19,8 @@ struct State;
 
 struct Plugins {
     std::vector<std::string> places;                          // files and folders
+    std::filesystem::path cache;                              // of what probes found
+    std::vector<PluginReport> reports;                        // of the last load
     std::vector<std::shared_ptr<const Registry>> registries;  // the newest last
 };
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/file.h"
+#include "base/folders.h"
 #include "editor/panels/listing.h"
 #include "graph/read.h"
 
@@ -11,10 +12,10 @@ namespace fs = std::filesystem;
 
 fs::path samples_folder() {
     std::error_code error;
-    const fs::path program = fs::read_symlink("/proc/self/exe", error);
-    if (error) return {};
+    const fs::path program = program_folder();
+    if (program.empty()) return {};
     for (const char* place : {"../share/wrinkle/graphs", "../../../graphs"}) {
-        const fs::path folder = (program.parent_path() / place).lexically_normal();
+        const fs::path folder = (program / place).lexically_normal();
         if (fs::exists(folder / "base_and_detail.json", error)) return folder;
     }
     return {};

@@ -20,6 +20,8 @@ RunningEditor::RunningEditor(const VirtualScreen& screen,
         std::string display = screen.variable();
         putenv(display.data());
         unsetenv("WAYLAND_DISPLAY");
+        unsetenv("WRINKLE_PLUGIN_PATH");
+        setenv("WRINKLE_NO_DEFAULT_PLUGINS", "1", 1);
         std::vector<char*> words = {const_cast<char*>(WRINKLE_EDITOR)};
         for (const std::string& argument : arguments)
             words.push_back(const_cast<char*>(argument.c_str()));

@@ -142,6 +142,34 @@ TEST_F(Watching, APluginIsLoadedAnewAndItsLostNodesAreKept) {
     state.fresh = false;
 }
 
+// A rebuild that fails, as a linker that was stopped or a wrong interface leave it.
+TEST_F(Watching, ABrokenRebuildOfAPluginKeepsTheLastGoodOne) {
+    const fs::path plugins = folder.path() / "plugins", built = TEST_PLUGINS;
+    fs::create_directory(plugins);
+    fs::copy_file(built / "good.so", plugins / "mine.so");
+    state.plugins.places = {plugins.string()};
+    Diagnostics problems;
+    load_plugins(state, problems);
+    open(R"({ "wrinkle": 1, "nodes": { "s": { "type": "small" } },
+              "outputs": { "a": { "from": "s.value" } } })");
+    look();
+    for (const char* broken : {"wrong_abi.so", "missing_symbol.so", "null_result.so"}) {
+        replace(plugins / "mine.so", built / broken);
+        look();
+        look();
+        EXPECT_NE(state.status.find("mine.so was refused: "), std::string::npos) << state.status;
+        ASSERT_NE(state.type_of("s"), nullptr) << broken;
+        play("assert node s\nassert errors 0");
+    }
+    replace(plugins / "mine.so", built / "second.so");
+    look();
+    look();
+    EXPECT_EQ(state.type_of("s"), nullptr) << "a good one without that node";
+    EXPECT_NE(state.registry->find("smaller"), nullptr);
+    state.registry = &built_in_registry();
+    state.fresh = false;
+}
+
 TEST_F(Watching, APluginThatIsCutShortIsRefusedAndTheEditorGoesOn) {
     const fs::path plugins = folder.path() / "plugins", built = TEST_PLUGINS;
     fs::create_directory(plugins);

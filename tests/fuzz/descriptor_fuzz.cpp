@@ -12,6 +12,7 @@
 
 #include "fuzz/fuzz.h"
 #include "json/parse.h"
+#include "registry/listing.h"
 #include "registry/reference.h"
 
 namespace wrinkle::fuzz {
@@ -193,6 +194,23 @@ std::string wrong_with(const Registry& registry) {
     return list_text(registry).empty() || list_markdown(registry).empty() ? "an empty page" : "";
 }
 
+// A listing reads back as it was written; one that is spoilt is refused or another right one.
+std::string wrong_with_listing(const Registry& registry, std::string_view bytes) {
+    PluginListing listing{"fuzz", "1", "0", {}};
+    listing.types.assign(registry.list().begin(), registry.list().end());
+    std::string text = to_json(listing);
+    Diagnostics problems;
+    const auto same = read_listing(text, "fuzz.so.json", "fuzz.so", problems);
+    if (!same) return "its listing is refused: " + to_text(problems) + text;
+    if (to_json(*same) != text) return "its listing reads back as " + to_json(*same) + text;
+    for (size_t i = 0; i < bytes.size(); i += 5)
+        text[(i * 31 + static_cast<unsigned char>(bytes[i])) % text.size()] = bytes[i];
+    Diagnostics spoilt;
+    const auto other = read_listing(text, "fuzz.so.json", "fuzz.so", spoilt);
+    if (!other && !spoilt.has_errors()) return "a spoilt listing is refused without a word";
+    return other && other->types.size() > 10'000 ? "too many nodes" : "";
+}
+
 }  // namespace
 
 std::string descriptor(std::string_view bytes) {
@@ -202,7 +220,8 @@ std::string descriptor(std::string_view bytes) {
     const bool taken = registry.add_plugin(plugin.describe(), "fuzz.so", diagnostics);
     if (!taken) return registry.list().empty() ? wrong_with(diagnostics) : "half a plugin";
     if (diagnostics.has_errors()) return "taken with " + to_text(diagnostics);
-    return wrong_with(registry);
+    const std::string wrong = wrong_with(registry);
+    return wrong.empty() ? wrong_with_listing(registry, bytes) : wrong;
 }
 
 }  // namespace wrinkle::fuzz

@@ -17,7 +17,7 @@ const std::map<std::string, Names, std::less<>> allowed = {
     {"core/sdk", {"sdk"}},
     {"core/ir", {"base", "contract"}},
     {"core/graph", {"base", "json"}},
-    {"core/registry", {"base", "contract"}},
+    {"core/registry", {"base", "json", "contract"}},
     {"core/lower", {"base", "json", "ir", "graph", "registry", "contract"}},
     {"core/glsl", {"base", "ir", "contract", "glslang", "spirv"}},
     {"core/cpu", {"base", "ir", "image", "contract"}},

@@ -5,9 +5,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "nodes/all.h"
 #include "nodes/plane.h"
-#include "registry/plugin_loader.h"
 
 namespace wrinkle::test {
 namespace {
@@ -93,23 +91,6 @@ TEST(EveryNode, IsFiniteAtItsDefaults) {
                 for (const double lane : lanes)
                     EXPECT_TRUE(std::isfinite(lane)) << type.id << "." << port.name;
         }
-}
-
-TEST(Plugins, TheNodesAreTheSameThroughTheBorder) {
-    Registry loaded;
-    Diagnostics diagnostics;
-    const std::vector<std::string> places{WRINKLE_NODES_MODULE};
-    const auto reports = load_plugins(loaded, places, diagnostics);
-    EXPECT_EQ(to_text(diagnostics), "");
-    ASSERT_EQ(reports.size(), 1u);
-    const wr_plugin* built_in = built_in_nodes();
-    ASSERT_EQ(loaded.list().size(), built_in->node_count);
-    for (uint32_t i = 0; i < built_in->node_count; ++i) {
-        const NodeType& type = loaded.list()[i];
-        EXPECT_EQ(type.id, built_in->nodes[i]->id);
-        EXPECT_EQ(type.ports.size(), built_in->nodes[i]->port_count);
-        EXPECT_NE(type.build, built_in->nodes[i]->build);  // another copy of the code
-    }
 }
 
 TEST(Plugins, ExportOneSymbol) {

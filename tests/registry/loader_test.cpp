@@ -1,28 +1,20 @@
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <filesystem>
+#include <map>
 
 #include "base/file.h"
-#include "registry/plugin_loader.h"
+#include "registry/loaded.h"
 #include "support/files.h"
 
 namespace wrinkle {
 namespace {
 
 namespace fs = std::filesystem;
-const std::string folder = TEST_PLUGINS;
-
-struct Loaded {
-    Registry registry;
-    Diagnostics diagnostics;
-    std::vector<PluginReport> reports;
-};
-
-Loaded load(const std::vector<std::string>& places) {
-    Loaded loaded;
-    loaded.reports = load_plugins(loaded.registry, places, loaded.diagnostics);
-    return loaded;
-}
+using test::load;
+using test::Loaded;
+const std::string& folder = test::plugin_folder;
 
 std::string refusal(const std::string& path) {
     const Loaded loaded = load({path});
@@ -38,7 +30,7 @@ TEST(PluginLoader, LoadsOne) {
     EXPECT_EQ(to_text(loaded.diagnostics), "");
     ASSERT_NE(loaded.registry.find("small"), nullptr);
     EXPECT_EQ(loaded.registry.find("small")->origin, folder + "/good.so");
-    EXPECT_EQ(to_text(loaded.reports), folder + "/good.so\n    good 1.2\n    loaded: small\n");
+    EXPECT_EQ(to_text(loaded.reports), folder + "/good.so\n    good 1.2\n    found: small\n");
 }
 
 TEST(PluginLoader, SaysWhyItRefuses) {
@@ -50,32 +42,61 @@ TEST(PluginLoader, SaysWhyItRefuses) {
               "it is made for plugin interface 77 (this program has interface 1)");
     EXPECT_EQ(refusal(folder + "/nowhere.so"), "there is no such plugin or folder");
     const test::TemporaryFolder temporary;
-    EXPECT_EQ(refusal(temporary.put("text.so", "no shared object")).substr(0, 25),
-              "it cannot be loaded: file");
+    EXPECT_EQ(refusal(temporary.put("text.so", "no shared object")),
+              "it cannot be loaded: it is no shared object");
 }
 
 TEST(PluginLoader, TriesAFolderByNameAndGoesOn) {
-    const Loaded loaded = load({folder});
+    const test::TemporaryFolder temporary;
+    const std::string here = temporary.path().string();
+    for (const char* name :
+         {"duplicate", "good", "no_symbol", "null_result", "second", "wrong_abi"})
+        fs::copy_file(folder + "/" + name + ".so", here + "/" + name + ".so");
+    const Loaded loaded = load({here});
     std::vector<std::string> names;
     for (const PluginReport& report : loaded.reports)
         names.push_back(fs::path(report.path).stem().string() +
-                        (report.state == PluginReport::State::loaded ? " loaded" : " refused"));
-    EXPECT_EQ(names, (std::vector<std::string>{"duplicate loaded", "good refused",
+                        (report.state == PluginReport::State::found ? " found" : " refused"));
+    EXPECT_EQ(names, (std::vector<std::string>{"duplicate found", "good refused",
                                                "no_symbol refused", "null_result refused",
-                                               "second loaded", "wrong_abi refused"}));
+                                               "second found", "wrong_abi refused"}));
     EXPECT_FALSE(loaded.diagnostics.has_errors()) << "found in a folder: warnings";
     EXPECT_EQ(loaded.diagnostics.list().size(), 4u);
-    EXPECT_EQ(loaded.reports[1].why, "node 'small': this id is taken: " + folder +
+    EXPECT_EQ(loaded.reports[1].why, "node 'small': this id is taken: " + here +
                                          "/duplicate.so has a node of the same id (give one of "
                                          "them another id)");
     EXPECT_EQ(loaded.reports[1].nodes, std::vector<std::string>{"small"});
 }
 
+TEST(PluginLoader, OfTwoPluginsOfOneIdTheFirstIsTaken) {
+    const std::string first = folder + "/same_id.so", second = folder + "/good.so";
+    const Loaded loaded = load({first, second});
+    EXPECT_EQ(loaded.registry.ids(), std::vector<std::string>{"other"});
+    EXPECT_EQ(to_text(loaded.diagnostics), second + ": error: the plugin id 'good' is taken: " +
+                                               first + " has it (remove one of them)\n");
+    EXPECT_EQ(load({second, first}).registry.ids(), std::vector<std::string>{"small"});
+}
+
+TEST(PluginLoader, ABuiltInNodeKeepsItsId) {
+    Loaded loaded;
+    NodeType type;
+    type.id = "small";
+    type.origin = Registry::built_in;
+    ASSERT_TRUE(loaded.registry.add({type}, Registry::built_in, loaded.diagnostics));
+    const std::vector<std::string> places{folder + "/good.so"};
+    load_plugins(loaded.registry, places, loaded.diagnostics);
+    EXPECT_EQ(to_text(loaded.diagnostics),
+              places[0] +
+                  ": error: node 'small': this id is taken: built-in has a node of the "
+                  "same id (give one of them another id)\n");
+}
+
 TEST(PluginLoader, LoadsAFileOnceAndEarlierPlacesWin) {
-    const Loaded loaded = load({folder + "/good.so", folder + "/../plugins/good.so", folder});
-    EXPECT_EQ(loaded.registry.find("small")->origin, folder + "/good.so");
-    EXPECT_EQ(loaded.registry.list().size(), 2u);
-    EXPECT_EQ(loaded.reports.size(), 6u);
+    const std::string good = folder + "/good.so", again = folder + "/../plugins/good.so";
+    const Loaded loaded = load({good, again, folder + "/duplicate.so"});
+    EXPECT_EQ(loaded.registry.find("small")->origin, good);
+    EXPECT_EQ(loaded.registry.list().size(), 1u);
+    EXPECT_EQ(loaded.reports.size(), 2u);
 }
 
 // Two files of one name, one after the other, as when a plugin is built anew.
@@ -106,10 +127,79 @@ TEST(PluginLoader, RefusesAFileThatIsCutShort) {
             << size;
 }
 
+// What a rebuild broke stays as it was; what never was good is refused.
+TEST(PluginLoader, KeepsTheLastGoodVersionOfABrokenOne) {
+    const test::TemporaryFolder temporary;
+    const fs::path file = temporary.path() / "mine.so";
+    fs::copy_file(folder + "/good.so", file);
+    const Loaded before = load({file.string()}, {.copies = true});
+    ASSERT_EQ(before.reports[0].state, PluginReport::State::loaded);
+    for (const char* broken : {"no_symbol", "wrong_abi", "missing_symbol"}) {
+        fs::copy_file(folder + "/" + broken + ".so", file, fs::copy_options::overwrite_existing);
+        PluginOptions options{.copies = true};
+        options.former = &before.registry;
+        const Loaded after = load({file.string(), folder + "/second.so"}, options);
+        EXPECT_EQ(after.registry.ids(), (std::vector<std::string>{"small", "smaller"})) << broken;
+        std::string why;
+        EXPECT_EQ(after.registry.find("small")->ready(why),
+                  before.registry.find("small")->ready(why));
+        EXPECT_TRUE(after.reports[0].why.ends_with("; what was loaded of it before is kept"))
+            << after.reports[0].why;
+        EXPECT_TRUE(load({file.string()}, {.copies = true}).registry.list().empty());
+    }
+    fs::remove(file);
+    PluginOptions options{.copies = true};
+    options.former = &before.registry;
+    EXPECT_TRUE(load({temporary.path().string()}, options).registry.list().empty()) << "it is gone";
+}
+
 TEST(PluginLoader, PlacesComeFromOptionsThenEnvironment) {
     const std::vector<std::string> options = {"b", "a"};
     EXPECT_EQ(plugin_places(options, "/x::/y"), (std::vector<std::string>{"b", "a", "/x", "/y"}));
     EXPECT_EQ(plugin_places({}, nullptr), std::vector<std::string>{});
+}
+
+class DefaultPlaces : public testing::Test {
+protected:
+    void SetUp() override {
+        for (const char* name : names)
+            if (const char* value = getenv(name)) former[name] = value;
+        for (const char* name : names)
+            unsetenv(name);
+    }
+    void TearDown() override {
+        for (const char* name : names)
+            former.contains(name) ? setenv(name, former[name].c_str(), 1) : unsetenv(name);
+    }
+
+    static constexpr const char* names[] = {"HOME", "XDG_DATA_HOME", "WRINKLE_PLUGIN_PATH",
+                                            "WRINKLE_NO_DEFAULT_PLUGINS"};
+    std::map<std::string, std::string> former;
+    const test::TemporaryFolder temporary;
+};
+
+TEST_F(DefaultPlaces, AreTheUsersThenTheSystemsWhereTheyAreThere) {
+    const fs::path system = fs::path(WRINKLE_BINARY_DIR) / "lib/wrinkle/plugins";
+    std::vector<std::string> of_the_system;
+    if (fs::exists(system)) of_the_system.push_back(system.string());
+    EXPECT_EQ(default_plugin_folders(), of_the_system);
+    setenv("HOME", temporary.path().c_str(), 1);
+    EXPECT_EQ(default_plugin_folders(), of_the_system) << "it is not there";
+    fs::create_directories(temporary.path() / ".local/share/wrinkle/plugins");
+    fs::create_directories(temporary.path() / "data/wrinkle/plugins");
+    std::vector<std::string> expected = of_the_system;
+    expected.insert(expected.begin(), temporary.path() / ".local/share/wrinkle/plugins");
+    EXPECT_EQ(default_plugin_folders(), expected);
+    setenv("XDG_DATA_HOME", (temporary.path() / "data").c_str(), 1);
+    expected[0] = temporary.path() / "data/wrinkle/plugins";
+    EXPECT_EQ(default_plugin_folders(), expected);
+    setenv("WRINKLE_PLUGIN_PATH", "/x:/y", 1);
+    expected.insert(expected.begin(), {"option", "/x", "/y"});
+    EXPECT_EQ(plugin_places(std::vector<std::string>{"option"}), expected);
+    setenv("WRINKLE_NO_DEFAULT_PLUGINS", "1", 1);
+    EXPECT_EQ(plugin_places({}), (std::vector<std::string>{"/x", "/y"}));
+    setenv("WRINKLE_NO_DEFAULT_PLUGINS", "", 1);
+    EXPECT_EQ(plugin_places(std::vector<std::string>{"option"}), expected);
 }
 
 }  // namespace

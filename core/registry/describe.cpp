@@ -1,0 +1,105 @@
+#include "registry/describe.h"
+
+#include "base/file.h"
+#include "base/sha256.h"
+#include "registry/elf.h"
+#include "registry/library.h"
+#include "registry/probe.h"
+
+namespace wrinkle {
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr const char* manifest_remedy = "`wrinkle plugins --manifest` writes it anew";
+
+void warn(Diagnostics& diagnostics, const Location& where, std::string message) {
+    Diagnostic warning;
+    warning.severity = Severity::warning;
+    warning.where = where;
+    warning.message = std::move(message);
+    warning.expected = manifest_remedy;
+    diagnostics.add(std::move(warning));
+}
+
+std::optional<PluginListing> from_manifest(const PluginFile& file, const std::string& sum,
+                                           Diagnostics& diagnostics) {
+    const std::string name = manifest_of(file.origin), path = manifest_of(file.place);
+    std::error_code error;
+    if (!fs::exists(path, error)) return std::nullopt;
+    std::string why;
+    auto text = read_file(path, why);
+    if (!text) {
+        warn(diagnostics, {name}, "the manifest is ignored: it " + why);
+        return std::nullopt;
+    }
+    Diagnostics problems;
+    auto listing = read_listing(std::move(*text), name, file.origin, problems);
+    if (!listing) {
+        const Diagnostic& first = problems.list().front();
+        warn(diagnostics, first.where, "the manifest is ignored: " + first.message);
+        return std::nullopt;
+    }
+    if (listing->sha256 == sum) return listing;
+    warn(diagnostics, {name}, "the manifest is ignored: the plugin was built anew since");
+    return std::nullopt;
+}
+
+std::optional<PluginListing> from_cache(const fs::path& file, const std::string& origin,
+                                        const std::string& sum) {
+    std::string why;
+    Diagnostics ignored;
+    auto text = read_file(file, why);
+    if (!text) return std::nullopt;
+    auto listing = read_listing(std::move(*text), file.string(), origin, ignored);
+    if (!listing || listing->sha256 != sum) return std::nullopt;
+    return listing;
+}
+
+// One that cannot be written is done without.
+void keep(const fs::path& file, const PluginListing& listing) {
+    std::error_code error;
+    std::string why;
+    fs::create_directories(file.parent_path(), error);
+    if (!error) write_file(file, to_json(listing), why);
+}
+
+// Of the bytes of a file that may be loaded; nothing, with the reason, of another.
+std::optional<std::string> sum_of(const PluginFile& file, Diagnostics& diagnostics) {
+    std::string why;
+    const auto bytes = read_file(file.path, why);
+    why = bytes ? elf_fault(*bytes) : "it " + why;
+    if (why.empty()) return sha256(*bytes);
+    add_fault(diagnostics, file.origin, std::string(cannot_be_loaded) + ": " + why);
+    return std::nullopt;
+}
+
+}  // namespace
+
+std::string manifest_of(const std::string& path) {
+    return path + ".json";
+}
+
+std::optional<Described> describe_plugin(const PluginFile& file, const DescribeOptions& options,
+                                         Diagnostics& diagnostics) {
+    const auto sum = sum_of(file, diagnostics);
+    if (!sum) return std::nullopt;
+    if (auto listing = from_manifest(file, *sum, diagnostics))
+        return Described{std::move(*listing), DescribedBy::manifest};
+    const fs::path cached = options.cache.empty() ? fs::path() : options.cache / (*sum + ".json");
+    if (!cached.empty())
+        if (auto listing = from_cache(cached, file.origin, *sum))
+            return Described{std::move(*listing), DescribedBy::cache};
+    auto listing = probe_plugin(file.path, *sum, file.origin, options.limit, diagnostics);
+    if (!listing) return std::nullopt;
+    if (!cached.empty()) keep(cached, *listing);
+    return Described{std::move(*listing), DescribedBy::probe};
+}
+
+std::optional<PluginListing> read_from_code(const std::string& path, Diagnostics& diagnostics) {
+    const auto sum = sum_of({path, path, path}, diagnostics);
+    if (!sum) return std::nullopt;
+    return probe_plugin(path, *sum, path, probe_limit, diagnostics);
+}
+
+}  // namespace wrinkle

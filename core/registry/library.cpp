@@ -1,0 +1,85 @@
+#include "registry/library.h"
+
+#include <dlfcn.h>
+
+#include <exception>
+
+#include "registry/descriptor.h"
+
+namespace wrinkle {
+namespace {
+
+constexpr const char* entry_symbol = "wrinkle_plugin";
+
+// dlerror() begins with the path, which the report names already.
+std::string last_error(const std::string& path) {
+    const char* text = dlerror();
+    const std::string reason = text ? text : "unknown reason";
+    const std::string prefix = path + ": ";
+    return reason.starts_with(prefix) ? reason.substr(prefix.size()) : reason;
+}
+
+const wr_plugin* enter(void* library, const std::string& origin, Diagnostics& diagnostics,
+                       OnStage on_stage) {
+    const auto entry = reinterpret_cast<wr_plugin_entry>(dlsym(library, entry_symbol));
+    if (!entry) {
+        add_fault(diagnostics, origin,
+                  "it is no plugin of Wrinkle: it does not export wrinkle_plugin",
+                  "declare it extern \"C\" with WR_EXPORT");
+        return nullptr;
+    }
+    on_stage("enter");
+    const wr_plugin* plugin = nullptr;
+    try {
+        plugin = entry();
+        if (!plugin) add_fault(diagnostics, origin, "its wrinkle_plugin() returned null");
+    } catch (...) {
+        add_fault(diagnostics, origin,
+                  "its wrinkle_plugin() threw an exception: " + words_of_exception());
+    }
+    return plugin;
+}
+
+}  // namespace
+
+std::string words_of_exception() {
+    try {
+        std::rethrow_exception(std::current_exception());
+    } catch (const std::exception& problem) {
+        return problem.what();
+    } catch (...) {
+        return "something that is no std::exception";
+    }
+}
+
+void add_fault(Diagnostics& diagnostics, const std::string& origin, std::string message,
+               std::string expected) {
+    Diagnostic diagnostic;
+    diagnostic.where.file = origin;
+    diagnostic.message = std::move(message);
+    diagnostic.expected = std::move(expected);
+    diagnostics.add(std::move(diagnostic));
+}
+
+std::optional<PluginListing> load_library(const std::string& path, const std::string& origin,
+                                          Diagnostics& diagnostics, OnStage on_stage) {
+    if (!on_stage) on_stage = [](const char*) {};
+    on_stage("load");
+    void* library = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
+    if (!library) {
+        add_fault(diagnostics, origin, std::string(cannot_be_loaded) + ": " + last_error(path));
+        return std::nullopt;
+    }
+    PluginListing listing;
+    const wr_plugin* plugin = enter(library, origin, diagnostics, on_stage);
+    if (plugin) on_stage("read");
+    if (!plugin || !read_descriptors(plugin, origin, listing.types, diagnostics)) {
+        dlclose(library);
+        return std::nullopt;
+    }
+    listing.id = plugin->id;
+    listing.version = plugin->version;
+    return listing;
+}
+
+}  // namespace wrinkle

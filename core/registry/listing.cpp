@@ -1,0 +1,267 @@
+#include "registry/listing.h"
+
+#include <cmath>
+#include <deque>
+#include <limits>
+
+#include "base/text.h"
+#include "json/parse.h"
+#include "json/write.h"
+#include "registry/descriptor.h"
+#include "registry/port_text.h"
+
+namespace wrinkle {
+namespace {
+
+using json::Kind;
+using json::Value;
+
+constexpr double listing_form = 1;  // grows when older programs must not read it
+
+std::string node_json(const NodeType& type) {
+    std::string text =
+        "{\"id\": " + json_quoted(type.id) + ", \"title\": " + json_quoted(type.title) +
+        ", \"doc\": " + json_quoted(type.doc) + ", \"family\": " + json_quoted(type.family) +
+        ", \"version\": " + std::to_string(type.version);
+    const char* separator = ", \"renames\": [";
+    for (const Rename& rename : type.renames) {
+        text += separator + ("{\"version\": " + std::to_string(rename.version)) +
+                ", \"old\": " + json_quoted(rename.old_name) +
+                ", \"new\": " + json_quoted(rename.new_name) + "}";
+        separator = ", ";
+    }
+    if (!type.renames.empty()) text += "]";
+    separator = ", \"ports\": [";
+    for (const Port& port : type.ports) {
+        text += separator + port_json(port);
+        separator = ", ";
+    }
+    return text + "]}";
+}
+
+Value member(const Value& object, std::string_view key) {
+    return object.is(Kind::object) ? object.find(key) : Value();
+}
+
+// JSON back to the structs that a plugin would have given, which live as long as this does.
+class Descriptors {
+public:
+    const wr_plugin* plugin(const Value& root) {
+        plugin_ = {};
+        plugin_.size = sizeof plugin_;
+        plugin_.abi = number(root, "abi");
+        plugin_.id = text(root, "id");
+        plugin_.version = text(root, "version");
+        const Value list = member(root, "nodes");
+        if (!list.is(Kind::array)) wrong(root, "has no list of nodes");
+        for (const json::Member& each : list.children())
+            node_list_.push_back(node(each.value));
+        plugin_.nodes = node_list_.data();
+        plugin_.node_count = static_cast<uint32_t>(node_list_.size());
+        return &plugin_;
+    }
+
+    const std::string& problem() const { return problem_; }
+    const Value& place() const { return place_; }
+
+private:
+    void wrong(const Value& at, std::string message) {
+        if (!problem_.empty()) return;
+        problem_ = std::move(message);
+        place_ = at;
+    }
+
+    // Null when it is absent; another kind is wrong.
+    const char* text(const Value& object, std::string_view key) {
+        const Value value = member(object, key);
+        if (value.is(Kind::null)) return nullptr;
+        if (!value.is(Kind::string)) {
+            wrong(value, "\"" + std::string(key) + "\" is no text");
+            return nullptr;
+        }
+        return texts_.emplace_back(value.as_string()).c_str();
+    }
+
+    uint32_t number(const Value& object, std::string_view key) {
+        const Value value = member(object, key);
+        const double x = value.is(Kind::number) ? value.as_number() : -1;
+        if (x >= 0 && x < 4294967296.0 && x == std::floor(x)) return static_cast<uint32_t>(x);
+        wrong(value.is(Kind::null) ? object : value,
+              "\"" + std::string(key) + "\" is no whole number");
+        return 0;
+    }
+
+    const wr_node* node(const Value& object) {
+        wr_node& node = nodes_.emplace_back();
+        node.size = sizeof node;
+        node.version = number(object, "version");
+        node.id = text(object, "id");
+        node.title = text(object, "title");
+        node.doc = text(object, "doc");
+        node.family = text(object, "family");
+        node.build = [](const wr_builder*) {};
+        auto& ports = port_lists_.emplace_back();
+        for (const json::Member& each : member(object, "ports").children())
+            ports.push_back(port(each.value));
+        node.ports = ports.data();
+        node.port_count = static_cast<uint32_t>(ports.size());
+        auto& renames = rename_lists_.emplace_back();
+        for (const json::Member& each : member(object, "renames").children())
+            renames.push_back(rename(each.value));
+        node.renames = renames.data();
+        node.rename_count = static_cast<uint32_t>(renames.size());
+        return &node;
+    }
+
+    const wr_rename* rename(const Value& object) {
+        wr_rename& rename = renames_.emplace_back();
+        rename.size = sizeof rename;
+        rename.version = number(object, "version");
+        rename.old_name = text(object, "old");
+        rename.new_name = text(object, "new");
+        return &rename;
+    }
+
+    const wr_port* port(const Value& object) {
+        wr_port& port = ports_.emplace_back();
+        port.size = sizeof port;
+        port.kind = kind_number(text(object, "kind"));
+        port.name = text(object, "name");
+        port.doc = text(object, "doc");
+        port.unit = text(object, "unit");
+        port.encoding = text(object, "encoding");
+        if (const char* type = text(object, "type"))
+            if (const auto named = port_type_named(type)) port.type = static_cast<uint32_t>(*named);
+        range(member(object, "slider"), port.soft_min, port.soft_max);
+        range(member(object, "range"), port.hard_min, port.hard_max);
+        auto& choices = choice_lists_.emplace_back();
+        for (const json::Member& each : member(object, "choices").children()) {
+            if (!each.value.is(Kind::string))
+                wrong(each.value, "a choice is no text");
+            else
+                choices.push_back(texts_.emplace_back(each.value.as_string()).c_str());
+        }
+        port.choices = choices.data();
+        port.choice_count = static_cast<uint32_t>(choices.size());
+        if (const char* domain = text(object, "domain")) port.default_surface = surface(domain);
+        default_value(member(object, "default"), port);
+        return &port;
+    }
+
+    static uint32_t kind_number(const char* word) {
+        for (uint32_t kind = WR_KIND_INPUT; word && kind <= WR_KIND_FIELD; ++kind)
+            if (kind_word(static_cast<Port::Kind>(kind)) == word) return kind;
+        return 0;
+    }
+
+    static uint32_t surface(std::string_view link) {
+        constexpr std::string_view prefix = "surface.";
+        if (link.starts_with(prefix)) link.remove_prefix(prefix.size());
+        const auto all = surface_properties();
+        for (uint32_t i = 0; i < all.size(); ++i)
+            if (all[i].name == link) return i;
+        return ~0u;  // the reader of descriptors refuses it
+    }
+
+    // [least, most]; null is an open end.
+    void range(const Value& value, double& least, double& most) {
+        if (value.is(Kind::null)) return;
+        constexpr double infinity = std::numeric_limits<double>::infinity();
+        if (value.size() != 2) return wrong(value, "a range is no pair");
+        const Value first = value.at(0), last = value.at(1);
+        least = first.is(Kind::number) ? first.as_number() : -infinity;
+        most = last.is(Kind::number) ? last.as_number() : infinity;
+    }
+
+    void default_value(const Value& value, wr_port& port) {
+        if (value.is(Kind::null)) return;
+        port.default_kind = WR_DEFAULT_CONSTANT;
+        if (value.is(Kind::number)) {
+            port.default_value[0] = value.as_number();
+        } else if (value.is(Kind::boolean)) {
+            port.default_value[0] = value.as_boolean() ? 1 : 0;
+        } else if (value.is(Kind::string)) {
+            port.default_value[0] = -1;
+            for (uint32_t i = 0; i < port.choice_count; ++i)
+                if (value.as_string() == port.choices[i]) port.default_value[0] = i;
+        } else if (value.is(Kind::array) && value.size() <= 4) {
+            size_t lane = 0;
+            for (const json::Member& each : value.children())
+                if (each.value.is(Kind::number))
+                    port.default_value[lane++] = each.value.as_number();
+                else
+                    wrong(each.value, "a default is no number");
+        } else if (const char* link = value.is(Kind::object) ? text(value, "from") : nullptr) {
+            port.default_kind = WR_DEFAULT_SURFACE;
+            port.default_surface = surface(link);
+        } else {
+            wrong(value, "a default is of no known form");
+        }
+    }
+
+    std::string problem_;
+    Value place_;
+    wr_plugin plugin_{};
+    std::vector<const wr_node*> node_list_;
+    std::deque<std::string> texts_;
+    std::deque<wr_node> nodes_;
+    std::deque<wr_port> ports_;
+    std::deque<wr_rename> renames_;
+    std::deque<std::vector<const wr_port*>> port_lists_;
+    std::deque<std::vector<const wr_rename*>> rename_lists_;
+    std::deque<std::vector<const char*>> choice_lists_;
+};
+
+}  // namespace
+
+std::string to_json(const PluginListing& listing) {
+    std::string text =
+        "{\"wrinkle_plugin\": " + shortest(listing_form) + ", \"abi\": " + std::to_string(WR_ABI) +
+        ", \"sha256\": " + json_quoted(listing.sha256) + ", \"id\": " + json_quoted(listing.id) +
+        ", \"version\": " + json_quoted(listing.version) + ", \"nodes\": [";
+    const char* separator = "";
+    for (const NodeType& type : listing.types) {
+        text += separator + node_json(type);
+        separator = ", ";
+    }
+    Diagnostics none;
+    return json::pretty(json::parse(text + "]}", "", none).root) + "\n";
+}
+
+std::optional<PluginListing> read_listing(std::string text, const std::string& name,
+                                          const std::string& origin, Diagnostics& diagnostics) {
+    const auto refuse = [&](const Value& at, std::string message, std::string expected = {}) {
+        Diagnostic diagnostic;
+        diagnostic.where = at.location();
+        diagnostic.where.file = name;
+        diagnostic.message = std::move(message);
+        diagnostic.expected = std::move(expected);
+        diagnostics.add(std::move(diagnostic));
+        return std::nullopt;
+    };
+    Diagnostics problems;
+    const json::Parsed parsed = json::parse(std::move(text), name, problems);
+    diagnostics.append(problems);
+    if (!parsed.complete || problems.has_errors()) return std::nullopt;
+    const Value form = member(parsed.root, "wrinkle_plugin");
+    if (!form.is(Kind::number) || form.as_number() != listing_form)
+        return refuse(parsed.root, "this is no description of a plugin that this program knows",
+                      "\"wrinkle_plugin\": " + shortest(listing_form));
+    Descriptors descriptors;
+    const wr_plugin* plugin = descriptors.plugin(parsed.root);
+    if (!descriptors.problem().empty()) return refuse(descriptors.place(), descriptors.problem());
+    const Value sum = member(parsed.root, "sha256");
+    if (!sum.is(Kind::string)) return refuse(parsed.root, "\"sha256\" is missing");
+    PluginListing listing;
+    listing.sha256 = sum.as_string();
+    if (!read_descriptors(plugin, name, listing.types, diagnostics)) return std::nullopt;
+    listing.id = plugin->id;
+    listing.version = plugin->version;
+    for (NodeType& type : listing.types) {
+        type.origin = origin;
+        type.build = nullptr;
+    }
+    return listing;
+}
+
+}  // namespace wrinkle

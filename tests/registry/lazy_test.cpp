@@ -1,0 +1,213 @@
+// What a plugin offers is known without its code in this process: by its manifest, by the cache, or
+// by a probe; and the code comes when a node is first built.
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+
+#include "base/sha256.h"
+#include "base/text.h"
+#include "registry/describe.h"
+#include "registry/loaded.h"
+#include "support/files.h"
+
+namespace wrinkle {
+namespace {
+
+namespace fs = std::filesystem;
+using test::bytes_of;
+using test::load;
+using test::Loaded;
+using test::plugin_folder;
+
+class Lazy : public testing::Test {
+protected:
+    void SetUp() override { setenv("WRINKLE_TEST_MARK", mark.c_str(), 1); }
+    void TearDown() override { unsetenv("WRINKLE_TEST_MARK"); }
+
+    // How often the code of marks.so was loaded since the last question: by others, by this one.
+    std::pair<size_t, size_t> runs() const {
+        if (!fs::exists(mark)) return {0, 0};
+        const std::string text = bytes_of(mark);
+        fs::remove(mark);
+        std::pair<size_t, size_t> count{0, 0};
+        for (const std::string_view line : split(text, '\n'))
+            if (!line.empty()) ++(line == std::to_string(getpid()) ? count.second : count.first);
+        return count;
+    }
+
+    fs::path place(const std::string& from, const std::string& name) const {
+        const fs::path file = folder.path() / "plugins" / name;
+        fs::create_directories(file.parent_path());
+        fs::copy_file(plugin_folder + "/" + from, file, fs::copy_options::overwrite_existing);
+        return file;
+    }
+
+    fs::path manifest(const fs::path& file) const {
+        Diagnostics diagnostics;
+        const auto listing = read_from_code(file.string(), diagnostics);
+        EXPECT_EQ(to_text(diagnostics), "");
+        const fs::path json = manifest_of(file.string());
+        std::ofstream(json) << (listing ? to_json(*listing) : "");
+        runs();
+        return json;
+    }
+
+    Loaded list(const fs::path& file) const {
+        PluginOptions options;
+        options.cache = folder.path() / "cache";
+        return load({file.string()}, options);
+    }
+
+    static std::string why_not(const Loaded& loaded, const char* node) {
+        std::string why;
+        const NodeType* type = loaded.registry.find(node);
+        if (!type) return "no such node";
+        const NodeType::Build build = type->ready(why);
+        EXPECT_EQ(build == nullptr, !why.empty());
+        return why;
+    }
+
+    const test::TemporaryFolder folder;
+    const fs::path mark = folder.path() / "mark";
+};
+
+using Runs = std::pair<size_t, size_t>;
+
+TEST_F(Lazy, AProbeReadsOnceAndTheCodeComesWithTheFirstNode) {
+    const fs::path file = place("marks.so", "marks.so");
+    const Loaded first = list(file);
+    EXPECT_EQ(runs(), Runs(1, 0));
+    const Loaded second = list(file);
+    EXPECT_EQ(runs(), Runs(0, 0)) << "it is in the cache";
+    EXPECT_EQ(to_text(second.reports), to_text(first.reports));
+    EXPECT_EQ(second.reports[0].state, PluginReport::State::found);
+    EXPECT_EQ(why_not(second, "marked"), "");
+    EXPECT_EQ(why_not(second, "marked"), "");
+    EXPECT_EQ(runs(), Runs(0, 1));
+}
+
+TEST_F(Lazy, AManifestListsWithoutAnyCodeRun) {
+    const fs::path file = place("marks.so", "with.so");
+    const std::string text = bytes_of(manifest(file));
+    EXPECT_NE(text.find("\"sha256\": \"" + sha256(bytes_of(file)) + "\""), text.npos);
+    const Loaded loaded = list(file);
+    EXPECT_EQ(to_text(loaded.diagnostics), "");
+    EXPECT_EQ(to_text(loaded.reports),
+              file.string() + "\n    marks 1.2\n    found by its manifest: marked\n");
+    EXPECT_EQ(runs(), Runs(0, 0));
+    EXPECT_EQ(why_not(loaded, "marked"), "");
+    EXPECT_EQ(runs(), Runs(1, 1)) << "no probe had tried it";
+}
+
+TEST_F(Lazy, AManifestOfAnotherBuildIsIgnoredWithAWarning) {
+    const fs::path file = place("marks.so", "stale.so");
+    const fs::path json = manifest(file);
+    place("second.so", "stale.so");
+    const Loaded loaded = list(file);
+    EXPECT_EQ(loaded.registry.ids(), std::vector<std::string>{"smaller"});
+    EXPECT_EQ(to_text(loaded.diagnostics),
+              json.string() +
+                  ": warning: the manifest is ignored: the plugin was built anew since "
+                  "(`wrinkle plugins --manifest` writes it anew)\n");
+}
+
+TEST_F(Lazy, ADamagedManifestIsIgnoredWithAWarning) {
+    const fs::path file = place("marks.so", "damaged.so");
+    const fs::path json = manifest(file);
+    const std::string whole = bytes_of(json);
+    for (size_t at = 0; at + 3 < whole.size(); at += 3) {
+        std::string text = whole;
+        text[at] = at % 2 ? '\xFF' : '}';
+        if (at % 5 == 0) text.resize(at);
+        std::ofstream(json, std::ios::binary) << text;
+        const Loaded loaded = list(file);
+        EXPECT_EQ(loaded.registry.list().size(), 1u) << text;
+        EXPECT_FALSE(loaded.diagnostics.has_errors()) << to_text(loaded.diagnostics);
+        EXPECT_TRUE(loaded.reports[0].by_manifest || !loaded.diagnostics.list().empty()) << text;
+    }
+    std::ofstream(json) << R"({"wrinkle_plugin": 2})";
+    EXPECT_EQ(to_text(list(file).diagnostics),
+              json.string() +
+                  ":1:1: warning: the manifest is ignored: this is no description of a "
+                  "plugin that this program knows (`wrinkle plugins --manifest` writes "
+                  "it anew)\n");
+}
+
+// The sum is right, the nodes are not.
+TEST_F(Lazy, AManifestThatLiesIsFoundOutBeforeItsCodeIsUsed) {
+    const fs::path file = place("marks.so", "liar.so");
+    const fs::path json = manifest(file);
+    std::string text = bytes_of(json);
+    text.replace(text.find("Passes a float."), 15, "Breaks a float.");
+    std::ofstream(json) << text;
+    const Loaded loaded = list(file);
+    ASSERT_TRUE(loaded.reports[0].by_manifest);
+    EXPECT_EQ(why_not(loaded, "marked"),
+              "the plugin " + file.string() +
+                  " cannot be used: its nodes are not those that its "
+                  "manifest lists; `wrinkle plugins --manifest` writes it anew");
+}
+
+TEST_F(Lazy, CodeThatCrashesBehindAManifestIsNamed) {
+    const fs::path good = place("broken.so", "good.so");
+    const std::string text = bytes_of(manifest(good));
+    const fs::path file = place("broken.so", "segv_while_loading.so");
+    std::ofstream(file.string() + ".json") << text;
+    const Loaded loaded = list(file);
+    ASSERT_TRUE(loaded.reports[0].by_manifest);
+    EXPECT_EQ(why_not(loaded, "broken"), "the plugin " + file.string() +
+                                             " cannot be used: it crashed while it was loaded: "
+                                             "SIGSEGV (Segmentation fault)");
+}
+
+TEST_F(Lazy, AFileThatChangedSinceIsNotLoaded) {
+    const fs::path file = place("good.so", "changing.so");
+    const Loaded loaded = list(file);
+    place("second.so", "changing.so");
+    EXPECT_EQ(why_not(loaded, "small"), "the plugin " + file.string() +
+                                            " cannot be used: its file was changed since its nodes "
+                                            "were listed");
+    const Loaded gone = list(file);
+    fs::remove(file);
+    EXPECT_EQ(why_not(gone, "smaller"), "the plugin " + file.string() +
+                                            " cannot be used: it cannot be read: No such file or "
+                                            "directory");
+}
+
+TEST_F(Lazy, ADamagedEntryOfTheCacheIsMadeAnew) {
+    const fs::path file = place("marks.so", "cached.so");
+    list(file);
+    const fs::path entry = folder.path() / "cache" / (sha256(bytes_of(file)) + ".json");
+    const std::string whole = bytes_of(entry);
+    runs();
+    std::string other = whole;
+    other.replace(other.find("\"sha256\": \"") + 11, 4, "0000");
+    for (const std::string& text : {whole.substr(0, whole.size() / 2), std::string(), other}) {
+        std::ofstream(entry, std::ios::binary) << text;
+        EXPECT_EQ(to_text(list(file).diagnostics), "");
+        EXPECT_EQ(runs(), Runs(1, 0));
+        EXPECT_EQ(bytes_of(entry), whole);
+    }
+}
+
+TEST_F(Lazy, WhereNothingCanBeCachedAProbeIsMadeEachTime) {
+    const fs::path file = place("marks.so", "uncached.so");
+    folder.put("cache", "a file where the folder would be");
+    for (int i = 0; i < 2; ++i) {
+        EXPECT_EQ(to_text(list(file).diagnostics), "");
+        EXPECT_EQ(runs(), Runs(1, 0));
+    }
+}
+
+// The child of a plugin holds the pipe open and never ends by itself.
+TEST_F(Lazy, WhatAPluginStartsEndsWithItsProbe) {
+    const Loaded loaded = list(place("broken.so", "forks.so"));
+    EXPECT_EQ(to_text(loaded.diagnostics), "");
+    EXPECT_EQ(loaded.registry.ids(), std::vector<std::string>{"broken"});
+}
+
+}  // namespace
+}  // namespace wrinkle

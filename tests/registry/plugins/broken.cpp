@@ -1,0 +1,115 @@
+// Does what its file is called: see broken.h.
+#include "broken.h"
+
+#include <dlfcn.h>
+#include <signal.h>
+#include <unistd.h>
+#include <wrinkle/plugin.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <cstring>
+#include <stdexcept>
+#include <string_view>
+#include <utility>
+
+namespace {
+
+void build(const wr_builder*) {}
+
+// Never terminated, and unmapped memory after it is not read: 5000 bytes.
+const char* const endless = [] {
+    static char text[5000];
+    std::memset(text, 'a', sizeof text);
+    return text;
+}();
+
+template <class T>
+T* nowhere() {
+    static uintptr_t volatile address = 64;
+    return reinterpret_cast<T*>(address);
+}
+
+void touch_nothing() {
+    *nowhere<int volatile>() = 1;
+}
+
+void loop() {
+    for (;;)
+        pause();
+}
+
+// What the program that loads it writes to is among them.
+void close_all() {
+    for (int file = 0; file < 64; ++file)
+        close(file);
+}
+
+void say(const char* text) {
+    if (write(3, text, std::strlen(text)) < 0) _exit(9);
+}
+
+wr_port port(uint32_t kind, uint32_t type, const char* name) {
+    wr_port made{};
+    made.size = sizeof made;
+    made.kind = kind;
+    made.type = type;
+    made.name = name;
+    made.doc = "A port";
+    return made;
+}
+
+const char* choices[] = {"soft", "hard"};
+wr_port input = port(WR_KIND_INPUT, WR_PORT_float, "value");
+wr_port mode = port(WR_KIND_CHOICE, 0, "mode");
+wr_port image = port(WR_KIND_INPUT, WR_PORT_image, "image");
+wr_port field = port(WR_KIND_FIELD, WR_PORT_float, "shape");
+wr_port output = port(WR_KIND_OUTPUT, WR_PORT_float, "value");
+const wr_port* ports[300] = {&input, &mode, &image, &field, &output};
+wr_rename rename_1{sizeof(wr_rename), 2, "size", "value"}, rename_2{};
+const wr_rename* renames[300] = {&rename_1, &rename_2};
+wr_node node{sizeof(wr_node), 3, "broken", "Broken", "A node.", "test",
+             ports,           5, renames,  1,        build};
+const wr_node* nodes[10'001] = {&node};
+wr_plugin plugin{sizeof(wr_plugin), WR_ABI, "broken", "1", nodes, 1, nullptr};
+
+std::string_view variant() {
+    Dl_info info{};
+    dladdr(reinterpret_cast<void*>(&build), &info);
+    std::string_view name = info.dli_fname ? info.dli_fname : "";
+    name.remove_prefix(name.rfind('/') + 1);
+    return name.substr(0, name.rfind('.'));
+}
+
+// After the variables above are made.
+__attribute__((constructor(65535))) void load() {
+    [[maybe_unused]] const std::string_view name = variant();
+#define X(id, change, expected) \
+    if (name == #id) {          \
+        change;                 \
+    }
+    BROKEN_LOADING(X)
+#undef X
+    if (name == "forks" && fork() == 0) loop();
+}
+
+}  // namespace
+
+extern "C" const wr_plugin* wrinkle_plugin(void) {
+    input.default_kind = WR_DEFAULT_CONSTANT;
+    input.hard_max = 1;
+    mode.choices = choices;
+    mode.choice_count = 2;
+    const wr_plugin* result = &plugin;
+    const std::string_view name = variant();
+#define X(id, change, expected) \
+    if (name == #id) {          \
+        change;                 \
+    }
+    BROKEN_ENTRY(X)
+    BROKEN_PLUGIN(X)
+    BROKEN_NODE(X)
+    BROKEN_PORT(X)
+#undef X
+    return result;
+}

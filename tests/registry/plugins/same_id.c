@@ -1,0 +1,2 @@
+#include "small_node.h"
+SMALL_PLUGIN("good", "other", WR_ABI)
