@@ -1,5 +1,6 @@
 // wrinkle new-plugin: what it writes, and what it refuses without writing anything. The guide's test
 // (tests/guide) builds such a folder from an installation and runs its test.
+#include <algorithm>
 #include <cstdlib>
 
 #include "cli/support.h"
@@ -73,6 +74,17 @@ TEST_F(NewPluginTest, NothingIsLeftWhenItCannotBeWritten) {
     EXPECT_EQ(ran.code, 3);
     EXPECT_TRUE(says(ran.err, "locked/a/b: Permission denied"));
     EXPECT_EQ(files(), Names{"locked"});
+}
+
+// The folder can be made, but its files would have paths that are too long.
+TEST_F(NewPluginTest, FoldersOnTheWayAreTakenBack) {
+    std::string deep = folder.string();
+    while (deep.size() < 4088)
+        deep += "/" + std::string(std::min<size_t>(200, 4088 - deep.size() - 1), 'd');
+    const Ran ran = run({"new-plugin", "studs", "--folder", deep});
+    EXPECT_EQ(ran.code, 3);
+    EXPECT_TRUE(says(ran.err, "File name too long"));
+    EXPECT_EQ(files(), Names{});
 }
 
 // The build folder's own package; an installation is tried by the guide.
