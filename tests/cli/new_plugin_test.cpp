@@ -1,5 +1,5 @@
-// wrinkle new-plugin: what it writes, and what it refuses without writing anything. The guide's test
-// (tests/guide) builds such a folder from an installation and runs its test.
+// wrinkle new-plugin: what it writes, and what it refuses without writing anything. The guide's
+// test (tests/guide) builds such a folder from an installation and runs its test.
 #include <algorithm>
 #include <cstdlib>
 

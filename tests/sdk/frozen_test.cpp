@@ -1,4 +1,5 @@
-// Version 1 of the contract holds for good: the present header begins with what the frozen one says.
+// Version 1 of the contract holds for good: the present header begins with what the frozen one
+// says.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,5 +1,5 @@
-// The headers compile with every compiler that is there, under the warnings that their users' projects
-// may have on, as older C and as newer C++.
+// The headers compile with every compiler that is there, under the warnings that their users'
+// projects may have on, as older C and as newer C++.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
