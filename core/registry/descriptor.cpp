@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstring>
 
 #include "base/text.h"
@@ -12,24 +13,31 @@ namespace {
 
 constexpr uint32_t most_nodes = 10'000;
 constexpr uint32_t most_ports = 256;  // also of choices and renames
-constexpr size_t longest_name = 64;   // bytes
 constexpr size_t longest_text = 4096;
 constexpr size_t most_faults = 20;  // of one plugin, before the rest is left unread
 
+// Where a struct of the first version of the ABI ends; later ones have more members.
+template <class T>
+constexpr size_t first_size = 0;
+template <>
+constexpr size_t first_size<wr_plugin> = offsetof(wr_plugin, get_extension) +
+                                         sizeof(wr_plugin::get_extension);
+template <>
+constexpr size_t first_size<wr_node> = offsetof(wr_node, build) + sizeof(wr_node::build);
+template <>
+constexpr size_t first_size<wr_port> = offsetof(wr_port, encoding) + sizeof(wr_port::encoding);
+template <>
+constexpr size_t first_size<wr_rename> = offsetof(wr_rename, new_name) +
+                                         sizeof(wr_rename::new_name);
+
+// Zeros where the plugin's struct ends before ours.
 template <class T>
 bool read_struct(const T* source, T& copy) {
+    static_assert(first_size<T> > 0);
     copy = {};
-    if (source->size < sizeof(T)) return false;  // sizes of ABI 1
-    std::memcpy(&copy, source, sizeof(T));
+    if (source->size < first_size<T>) return false;
+    std::memcpy(&copy, source, std::min<size_t>(source->size, sizeof(T)));
     return true;
-}
-
-// Ids of nodes, names of ports and choices: lower_snake_case.
-bool is_name(std::string_view text) {
-    const auto lower = [](char c) { return c >= 'a' && c <= 'z'; };
-    const auto inside = [&](char c) { return lower(c) || (c >= '0' && c <= '9') || c == '_'; };
-    return !text.empty() && text.size() <= longest_name && lower(text[0]) &&
-           std::all_of(text.begin(), text.end(), inside);
 }
 
 bool is_control(char c) {

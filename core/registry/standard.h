@@ -11,6 +11,10 @@ namespace wrinkle {
 
 inline constexpr std::string_view reroute_type = "reroute";
 
+// Ids of nodes, names of ports and choices: lower_snake_case that begins with a letter.
+inline constexpr size_t longest_name = 64;  // bytes
+bool is_name(std::string_view text);
+
 // An output of a graph: "normal" is a normal, "roughness" a float, ...; nothing for a name of the
 // user's own.
 std::optional<PortType> standard_output(std::string_view name);

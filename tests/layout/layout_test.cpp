@@ -147,6 +147,12 @@ TEST(Rules, DataMayBeWide) {
     EXPECT_EQ(count_of(column_violations, "tests/ir/a.cpp", open + close + wide), 1u);
 }
 
+TEST(Rules, WhatAProgramWritesIsNoIncludeOfItsOwn) {
+    const std::string text = "auto s = R\"(\n#include <wrinkle/node.h>\n)\";\n";
+    EXPECT_EQ(count_of(include_violations, "core/cli/a.cpp", text), 0u);
+    EXPECT_EQ(count_of(include_violations, "core/cli/a.cpp", text + "#include <imgui.h>\n"), 1u);
+}
+
 TEST(Rules, LabelsOfASwitchAreNotCounted) {
     std::string text = "int f(int a) {\n    switch (a) {\n";
     for (int i = 0; i < 30; ++i)

@@ -55,6 +55,7 @@ Recorder::Recorder() {
     give_regions();
     face.error = [](const wr_builder* b, const char* text) { self(b).errors.push_back(text); };
     face.get_extension = [](const wr_builder*, const char*) -> const void* { return nullptr; };
+    face.name = [](const wr_builder*, wr_value, const char*) {};
 }
 
 void Recorder::give_ports() {

@@ -35,7 +35,9 @@ WRINKLE_UNARY(ddy)
     inline Float name(Float a, Float b) { return Float(emit(WR_OP_##name, {a.id, b.id})); } \
     inline Int name(Int a, Int b) { return Int(emit(WR_OP_##name, {a.id, b.id})); } \
     inline Uint name(Uint a, Uint b) { return Uint(emit(WR_OP_##name, {a.id, b.id})); } \
-    template <VectorType V> V name(V a, std::type_identity_t<V> b) { return V(emit(WR_OP_##name, {a.id, b.id})); } \
+    template <VectorType V> V name(V a, std::type_identity_t<V> b) { \
+        return V(emit(WR_OP_##name, {a.id, b.id})); \
+    } \
     template <VectorType V> V name(V a, Float b) { return V(emit(WR_OP_##name, {a.id, b.id})); }
 WRINKLE_BINARY(min)
 WRINKLE_BINARY(max)

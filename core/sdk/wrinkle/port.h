@@ -27,7 +27,10 @@ template <class T>
 struct PortTraits;
 // clang-format off
 #define WRINKLE_PORT(T, name, Body) \
-    template <> struct PortTraits<T> { static constexpr uint32_t type = WR_PORT_##name; using Value = Body; };
+    template <> struct PortTraits<T> { \
+        static constexpr uint32_t type = WR_PORT_##name; \
+        using Value = Body; \
+    };
 WRINKLE_PORT(Float, float, Float)
 WRINKLE_PORT(vec2, vec2, vec2)
 WRINKLE_PORT(vec3, vec3, vec3)

@@ -87,7 +87,8 @@ struct Types;
 template <class... T>
 struct Types<std::tuple<T...>> {
     static constexpr uint32_t count = sizeof...(T);
-    static constexpr uint32_t numbers[count + 1] = {T::type..., 0};
+    // Hidden: gcc makes one of equal names in all libraries of a process, which then stay loaded.
+    [[gnu::visibility("hidden")]] static constexpr uint32_t numbers[count + 1] = {T::type..., 0};
 };
 
 // Result and parameters of a lambda or of a plain function.

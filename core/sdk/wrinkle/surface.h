@@ -12,6 +12,8 @@ struct Property {
     operator T() const { return T(builder ? Raw{builder->surface(builder, input)} : Raw{}); }
 };
 
+// Hidden: gcc makes one of equal names in all libraries of a process, which then stay loaded.
+#pragma GCC visibility push(hidden)
 inline constexpr Property<vec3> position{WR_SURFACE_position};
 inline constexpr Property<vec3> normal{WR_SURFACE_normal};
 // As the front face has it, whatever the graph's rule for back faces; no default of a port.
@@ -24,5 +26,6 @@ inline constexpr Property<vec2> uv3{WR_SURFACE_uv3};
 inline constexpr Property<vec4> color0{WR_SURFACE_color0};
 inline constexpr Property<vec3> view{WR_SURFACE_view};
 inline constexpr Property<Float> facing{WR_SURFACE_facing};
+#pragma GCC visibility pop
 
 }  // namespace wrinkle::sdk::surface

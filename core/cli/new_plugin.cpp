@@ -1,0 +1,209 @@
+// wrinkle new-plugin NAME: a folder with a node that builds, runs and is tested, to begin from.
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+
+#include "base/file.h"
+#include "cli/output.h"
+#include "cli/scaffold.h"
+#include "cli/session.h"
+#include "nodes/all.h"
+#include "registry/standard.h"
+
+namespace wrinkle::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Keywords of C++ that could be names, and targets that CMake keeps for itself.
+constexpr std::string_view reserved[] = {"all",
+                                         "alignas",
+                                         "alignof",
+                                         "and",
+                                         "and_eq",
+                                         "asm",
+                                         "auto",
+                                         "bitand",
+                                         "bitor",
+                                         "bool",
+                                         "break",
+                                         "case",
+                                         "catch",
+                                         "char",
+                                         "class",
+                                         "clean",
+                                         "co_await",
+                                         "co_return",
+                                         "co_yield",
+                                         "compl",
+                                         "concept",
+                                         "const",
+                                         "const_cast",
+                                         "consteval",
+                                         "constexpr",
+                                         "constinit",
+                                         "continue",
+                                         "decltype",
+                                         "default",
+                                         "delete",
+                                         "depend",
+                                         "do",
+                                         "double",
+                                         "dynamic_cast",
+                                         "edit_cache",
+                                         "else",
+                                         "enum",
+                                         "explicit",
+                                         "export",
+                                         "extern",
+                                         "false",
+                                         "float",
+                                         "for",
+                                         "friend",
+                                         "goto",
+                                         "help",
+                                         "if",
+                                         "inline",
+                                         "install",
+                                         "int",
+                                         "long",
+                                         "mutable",
+                                         "namespace",
+                                         "new",
+                                         "noexcept",
+                                         "not",
+                                         "not_eq",
+                                         "nullptr",
+                                         "operator",
+                                         "or",
+                                         "or_eq",
+                                         "package",
+                                         "package_source",
+                                         "preinstall",
+                                         "private",
+                                         "protected",
+                                         "public",
+                                         "rebuild_cache",
+                                         "register",
+                                         "reinterpret_cast",
+                                         "requires",
+                                         "return",
+                                         "short",
+                                         "signed",
+                                         "sizeof",
+                                         "static",
+                                         "static_assert",
+                                         "static_cast",
+                                         "struct",
+                                         "switch",
+                                         "template",
+                                         "test",
+                                         "this",
+                                         "thread_local",
+                                         "throw",
+                                         "true",
+                                         "try",
+                                         "typedef",
+                                         "typeid",
+                                         "typename",
+                                         "union",
+                                         "unsigned",
+                                         "using",
+                                         "virtual",
+                                         "void",
+                                         "volatile",
+                                         "wchar_t",
+                                         "while",
+                                         "xor",
+                                         "xor_eq"};
+
+// "" for a name that a new node may have.
+std::string why_not(const std::string& name) {
+    if (!is_name(name))
+        return "is no name for a node: a letter a-z, then letters, digits and _, at most " +
+               std::to_string(longest_name);
+    if (std::find(std::begin(reserved), std::end(reserved), name) != std::end(reserved))
+        return "is a word of C++ or CMake; the node needs another name";
+    Registry registry;
+    Diagnostics ignored;
+    registry.add_plugin(built_in_nodes(), Registry::built_in, ignored);
+    if (name == reroute_type || registry.find(name))
+        return "is a built-in node; a new one needs another name";
+    return {};
+}
+
+// The folder above that of the running program, if the SDK is there: of an installation or a build.
+std::string sdk_prefix() {
+    std::error_code error;
+    const fs::path program = fs::read_symlink("/proc/self/exe", error);
+    const fs::path prefix = program.parent_path().parent_path();
+    const bool there = fs::exists(prefix / "lib/cmake/WrinkleSDK/WrinkleSDKConfig.cmake", error);
+    return there ? prefix.string() : std::string();
+}
+
+// The highest folder on the way to `path` that is not there yet; empty if `path` is.
+fs::path first_missing(fs::path path) {
+    fs::path missing;
+    std::error_code error;
+    for (; !path.empty() && !fs::exists(path, error); path = path.parent_path())
+        missing = path;
+    return missing;
+}
+
+struct NewPluginCommand {
+    std::string name, folder;
+
+    int run() const {
+        const fs::path place = folder.empty() ? fs::path(name) : fs::path(folder);
+        if (const std::string why = write(place); !why.empty()) {
+            complain(why);
+            return exit_environment;
+        }
+        std::printf("%s\n    cmake -B build . && cmake --build build && ctest --test-dir build\n",
+                    place.c_str());
+        return exit_fine;
+    }
+
+    // All files or none; why not, or "".
+    std::string write(const fs::path& place) const {
+        std::error_code error;
+        if (fs::exists(place, error) && !fs::is_directory(place, error))
+            return place.string() + ": is no folder";
+        if (!error && fs::exists(place, error) && !fs::is_empty(place, error))
+            return place.string() + ": the folder is not empty; --folder names another one";
+        const fs::path whole = fs::absolute(place, error);
+        const fs::path made = first_missing(whole);
+        if (!error) fs::create_directories(whole, error);
+        std::string why = error ? place.string() + ": " + error.message() : "";
+        const auto files = scaffold(name, sdk_prefix());
+        std::vector<FileBytes> bytes;
+        for (const ScaffoldFile& file : files)
+            bytes.push_back({place / file.name, file.text});
+        if (why.empty() && write_files(bytes, why)) return {};
+        if (!made.empty()) fs::remove_all(made, error);
+        return why;
+    }
+};
+
+}  // namespace
+
+void declare_new_plugin(CLI::App& app, Run& run) {
+    auto command = std::make_shared<NewPluginCommand>();
+    CLI::App& sub = *app.add_subcommand(
+        "new-plugin", "Writes a folder with a node of your own, ready to build and to test");
+    sub.add_option("NAME", command->name, "What the node is called in graphs")
+        ->required()
+        ->check(CLI::Validator(
+            [](const std::string& name) {
+                const std::string why = why_not(name);
+                return why.empty() ? why : "'" + name + "' " + why;
+            },
+            ""));
+    sub.add_option("--folder", command->folder,
+                   "Where to write it, a new or empty folder; default: NAME")
+        ->type_name("DIR");
+    sub.callback([command, &run] { run = [command] { return command->run(); }; });
+}
+
+}  // namespace wrinkle::cli
