@@ -2,6 +2,7 @@
 #include <memory>
 
 #include "base/text.h"
+#include "cli/certify.h"
 #include "cli/output.h"
 #include "cli/session.h"
 #include "registry/reference.h"
@@ -52,11 +53,14 @@ void declare_nodes(CLI::App& app, Run& run) {
 
 void declare_plugins(CLI::App& app, Run& run) {
     auto options = std::make_shared<CommonOptions>();
+    auto certify = std::make_shared<CertifyOptions>();
     CLI::App& sub =
         *app.add_subcommand("plugins", "Says which plugins were found, loaded or refused, and why");
     declare_plugin_path(sub, *options);
-    sub.callback([options, &run] {
-        run = [options] {
+    declare_certify(sub, *certify);
+    sub.callback([options, certify, &run] {
+        run = [options, certify] {
+            if (!certify->file.empty()) return certify_plugin(*certify);
             Diagnostics diagnostics;
             const Nodes nodes = load_nodes(*options, diagnostics);
             if (!write_result("-", to_text(nodes.plugins))) return int{exit_environment};
