@@ -29,6 +29,13 @@ std::string findings(const Report& report) {
 
 }  // namespace
 
+std::span<const std::string_view> check_names() {
+    static constexpr std::string_view names[] = {
+        "descriptor", "text",    "deterministic", "round_trip", "derivative",
+        "detach",     "uniform", "finite",        "precision",  "gpu"};
+    return names;
+}
+
 Report certify(const NodeType& type, const Bench& bench) {
     Report report;
     report.node = type.id;

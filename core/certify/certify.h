@@ -2,11 +2,16 @@
 // its author can act on.
 #pragma once
 
+#include <span>
 #include <string>
+#include <string_view>
 
 #include "certify/checks.h"
 
 namespace wrinkle::certify {
+
+// The names of the checks.
+std::span<const std::string_view> check_names();
 
 // Every check of checks.h. A node whose build is not deterministic, or does not compile, is not
 // asked for numbers.

@@ -14,12 +14,13 @@ void check_descriptor(const NodeType& type, Report& report);
 
 // "text": on every target, in both forms, with both kinds of parameters and of differentials.
 // "deterministic": built twice it gives the same text.
-// "round trip": also after its graph went through the file.
+// "round_trip": also after its graph went through the file.
 void check_text(const NodeType& type, const Bench& bench, Report& report);
 
-// "derivative": what the host derived from the body, against central differences in double. Images
+// "derivative": what the host derives from the body, against central differences in double. Images
 // are left out: the derivative of a texture is a filtered one. More than one number in 50 at jumps
-// or kinks is a finding too.
+// or kinks is a finding too. "detach": the same of heights with what is detached as a constant, as
+// bumps are made of them; a node may mean that.
 void check_derivatives(const NodeType& type, const Bench& bench, Report& report);
 
 // "uniform": a number means the same written into the text and in a uniform.

@@ -1,12 +1,16 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "base/text.h"
 #include "certify/checks.h"
 #include "certify/compare.h"
 #include "certify/points.h"
 #include "ir/derive.h"
+#include "ir/expand.h"
+#include "ir/rewrite.h"
+#include "ir/value.h"
 
 namespace wrinkle::certify {
 namespace {
@@ -38,21 +42,34 @@ double rounding_of(const std::vector<double>& values) {
     return 256 * std::numeric_limits<double>::epsilon() * largest(values) / step;
 }
 
-// The numbers among the outputs (a normal is constant under differentiation), each followed by its
-// derived change to the next pixel in x.
-Module with_derivatives(const Module& source) {
-    Module module = source;
-    module.outputs.clear();
-    Direction direction = screen_direction(module, Variant::dx, false);
-    for (const ModuleOutput& output : source.outputs) {
-        const bool number = output.port_type != WR_PORT_normal &&
-                            output.port_type != WR_PORT_gradient &&
-                            output.port_type != WR_PORT_derivative;
-        if (!number) continue;
-        module.outputs.push_back(output);
-        const Id tangent = direction.tangent_or_zero(output.value);
-        module.outputs.push_back({output.name + " derived", output.port_type, tangent});
+bool is_number(const ModuleOutput& output) {
+    return output.port_type != WR_PORT_normal && output.port_type != WR_PORT_gradient &&
+           output.port_type != WR_PORT_derivative;
+}
+
+// Outputs stand in threes.
+enum Column : size_t { value, derived, bump, columns };
+
+// Each number among the outputs (a normal is constant under differentiation) with its change to the
+// next pixel in x: derived from what it is made of, and as bumps have it, where what is detached
+// counts as constant.
+Module with_derivatives(const Subject& subject, const Bench& bench) {
+    Diagnostics diagnostics;
+    Module lowered = lower(subject.project, bench.registry, {}, diagnostics).module;
+    const std::vector<ModuleOutput> outputs = std::exchange(lowered.outputs, {});
+    for (const ModuleOutput& output : outputs) {
+        if (!is_number(output)) continue;
+        lowered.outputs.push_back(output);
+        lowered.outputs.push_back(output);
+        lowered.outputs.push_back(
+            {output.name, output.port_type, op(Op::ddx_, Value{&lowered, output.value}).id});
     }
+    const ExpandOptions options{.back_faces = subject.project.top().back_faces};
+    Module module = explicit_lod(expand(settle_frames(lowered, options), options));
+    Direction direction = screen_direction(module, Variant::dx, false);
+    for (size_t k = 0; k < module.outputs.size(); k += columns)
+        module.outputs[k + derived].value =
+            direction.tangent_or_zero(module.outputs[k + value].value);
     return module;
 }
 
@@ -78,49 +95,68 @@ public:
     void run(Inputs inputs) {
         const Subject subject = compile_around(type_, inputs, 31, bench_);
         if (!subject.compiled.ok || !subject.compiled.module.resources.empty()) return;
-        const Module module = with_derivatives(subject.compiled.module);
+        const Module module = with_derivatives(subject, bench_);
         if (module.outputs.empty()) return;
         std::string why;
         const auto values = around(module, why);
         if (!values)
             return report_.add({"derivative", "", why, "fewer iterations of loops", subject.text});
-        for (size_t pair = 0; pair < module.outputs.size(); pair += 2)
-            compare(module, pair, *values, inputs, subject);
+        for (size_t k = 0; k < module.outputs.size(); k += columns)
+            compare(module, k, *values, inputs, subject);
     }
 
 private:
-    void compare(const Module& module, size_t pair, const Around& values, Inputs inputs,
+    void compare(const Module& module, size_t output, const Around& around, Inputs inputs,
                  const Subject& subject) {
-        const std::vector<double>& derived = values.here[pair + 1];
-        const double scale = largest(derived), rounding = rounding_of(values.here[pair]);
+        const std::string port = port_of(module.outputs[output].name);
+        const std::vector<double>& here = around.here[output + derived];
+        const double scale = largest(here), rounding = rounding_of(around.here[output]);
+        // Where inputs vary, what is detached to filter (a pixel's size) does too.
+        const bool bumps = module.outputs[output].port_type == WR_PORT_height &&
+                           (inputs == Inputs::defaults || inputs == Inputs::numbers);
         size_t kinks = 0;
-        for (size_t k = 0; k < derived.size(); ++k) {
-            const double wide = (values.right[pair][k] - values.left[pair][k]) / (2 * step);
-            const double narrow = (values.near_right[pair][k] - values.near_left[pair][k]) / step;
+        for (size_t k = 0; k < here.size(); ++k) {
+            const double wide = (around.right[output][k] - around.left[output][k]) / (2 * step);
+            const double narrow =
+                (around.near_right[output][k] - around.near_left[output][k]) / step;
             const Slope slope = slope_of(wide, narrow, scale, rounding);
             kinks += slope.smooth ? 0 : 1;
-            report_.kinks += slope.smooth ? 0 : 1;
-            report_.derivatives += slope.smooth ? 1 : 0;
-            const double allowed =
-                1e-4 * std::max(std::fabs(slope.value), 1e-3 * scale) + 1e-9 + rounding;
-            if (slope.smooth && !(std::fabs(derived[k] - slope.value) <= allowed))
-                wrong(port_of(module.outputs[pair].name), k / lanes_of(module, pair), derived[k],
-                      slope.value, allowed, inputs, subject);
+            if (!slope.smooth) continue;
+            const Wrong wrong{
+                k / lanes_of(module, output), slope.value,
+                1e-4 * std::max(std::fabs(slope.value), 1e-3 * scale) + 1e-9 + rounding};
+            if (!wrong.near(here[k]))
+                differs("derivative", port, wrong, here[k], inputs, subject);
+            else if (bumps && !wrong.near(around.here[output + bump][k]))
+                differs("detach", port, wrong, around.here[output + bump][k], inputs, subject);
         }
-        if (least_smooth_share * kinks > derived.size())
-            jumps(port_of(module.outputs[pair].name), kinks, derived.size(), inputs, subject);
+        report_.kinks += kinks;
+        report_.derivatives += here.size() - kinks;
+        if (least_smooth_share * kinks > here.size())
+            jumps(port, kinks, here.size(), inputs, subject);
     }
 
-    void wrong(const std::string& port, size_t point, double derived, double differences,
-               double allowed, Inputs inputs, const Subject& subject) {
-        report_.add({"derivative", port,
-                     std::string(words(inputs)) + ", at point " + std::to_string(point) +
-                         ", it changes by " + shortest(static_cast<float>(differences)) +
-                         " a pixel, its derivative is " + shortest(static_cast<float>(derived)) +
-                         "; " + shortest(static_cast<float>(allowed)) + " apart are allowed",
-                     "floor, ceil, step, integers and detach() have derivative 0: use them on what "
-                     "is constant around a point",
-                     subject.text});
+    struct Wrong {
+        size_t point;
+        double differences;
+        double allowed;
+        bool near(double derived) const { return std::fabs(derived - differences) <= allowed; }
+    };
+    void differs(const std::string& check, const std::string& port, const Wrong& wrong,
+                 double found, Inputs inputs, const Subject& subject) {
+        const auto brief = [](double x) { return shortest(static_cast<float>(x)); };
+        const std::string remedy =
+            check == "detach"
+                ? "a bump leaves out what is detached or given a slope of its own: detach() only "
+                  "what is constant around a point, or say that it is meant: --allow detach"
+                : "floor, ceil, step and integers have derivative 0: use them on what is constant "
+                  "around a point";
+        report_.add({check, port,
+                     std::string(words(inputs)) + ", at point " + std::to_string(wrong.point) +
+                         ", it changes by " + brief(wrong.differences) +
+                         " a pixel, its derivative is " + brief(found) + "; " +
+                         brief(wrong.allowed) + " apart are allowed",
+                     remedy, subject.text});
     }
 
     void jumps(const std::string& port, size_t kinks, size_t all, Inputs inputs,
@@ -143,7 +179,7 @@ private:
 
 void check_derivatives(const NodeType& type, const Bench& bench, Report& report) {
     DerivativeCheck check(type, bench, report);
-    for (const Inputs inputs : {Inputs::defaults, Inputs::wires, Inputs::mixed})
+    for (const Inputs inputs : {Inputs::defaults, Inputs::numbers, Inputs::wires, Inputs::mixed})
         check.run(inputs);
 }
 

@@ -10,7 +10,7 @@
 namespace wrinkle::certify {
 
 struct Finding {
-    std::string check;    // one of those of check_names()
+    std::string check;    // its name, as above the checks of checks.h
     std::string port;     // "" when no port is at fault
     std::string message;  // one sentence without its end
     std::string remedy;

@@ -109,7 +109,7 @@ private:
         if (difference.empty())
             difference = text_difference(text_of(subject.compiled.module), text_of(again.module));
         if (!difference.empty())
-            add("round trip", "read back from its file the graph differs: " + difference, pure,
+            add("round_trip", "read back from its file the graph differs: " + difference, pure,
                 subject);
     }
 

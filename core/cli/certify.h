@@ -8,12 +8,14 @@
 
 #include <CLI/App.hpp>
 #include <string>
+#include <vector>
 
 namespace wrinkle::cli {
 
 struct CertifyOptions {
     std::string file;
     bool no_gpu = false;
+    std::vector<std::string> allow;    // checks whose findings are meant
     std::string diagnostics = "text";  // json: the findings as diagnostics on standard error too
 };
 
