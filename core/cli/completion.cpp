@@ -57,7 +57,7 @@ public:
                    typed.starts_with("--") && equals != typed.npos) {
             offer_after(typed.substr(0, equals + 1), typed.substr(equals + 1));
         } else if (typed.starts_with('-')) {
-            offer_options(typed);
+            offer_options();
         } else {
             offer_positional(typed);
         }
@@ -76,19 +76,24 @@ private:
                 const CLI::Option* option = option_named(word);
                 if (option && takes_value(*option)) awaits_ = option;
             } else if (!command_) {
-                command_ = app_.get_subcommand_no_throw(word);
+                command_ = command_named(word);
             } else {
                 ++positionals_;
             }
         }
     }
 
+    const CLI::App* command_named(const std::string& word) const {
+        const auto named = [&](const CLI::App* sub) { return sub->get_name() == word; };
+        const auto found = app_.get_subcommands(named);
+        return found.empty() ? nullptr : found.front();
+    }
     const CLI::App& current() const { return command_ ? *command_ : app_; }
     const CLI::Option* option_named(const std::string& word) const {
         return current().get_option_no_throw(word);
     }
 
-    void offer_options(const std::string&) {
+    void offer_options() {
         for (const CLI::Option* option : current().get_options()) {
             for (const std::string& name : option->get_lnames())
                 if (!option->get_group().empty()) found_.insert("--" + name);
@@ -165,7 +170,7 @@ private:
     Found found_;
 };
 
-constexpr const char* bash_script = R"(# Completion for bash. Either read it in ~/.bashrc:
+constexpr const char* bash_script = R"sh(# Completion for bash. Either read it in ~/.bashrc:
 #   source <(wrinkle completion bash)
 # or put it where bash-completion looks: share/bash-completion/completions/wrinkle
 _wrinkle() {
@@ -176,29 +181,30 @@ _wrinkle() {
     return 0
 }
 complete -o default -F _wrinkle wrinkle
-)";
+)sh";
 
-constexpr const char* zsh_script = R"(#compdef wrinkle
+constexpr const char* zsh_script = R"sh(#compdef wrinkle
 # Completion for zsh: as _wrinkle in a folder of $fpath, or in ~/.zshrc after compinit:
 #   source <(wrinkle completion zsh)
 _wrinkle() {
     local -a found
-    found=(${(f)" $(${(Q)words[1]} complete-- "${(@Q)words[2,CURRENT]}" 2 > / dev / null) "})
-    if ((!$ #found));
-then _files return fi compadd - S '' --${(M)found : # * / } compadd-- $ {
-found:
-#* /
+    found=(${(f)"$(${(Q)words[1]} complete -- "${(@Q)words[2,CURRENT]}" 2>/dev/null)"})
+    if (( ! $#found )); then
+        _files
+        return
+    fi
+    compadd -S '' -- ${(M)found:#*/}
+    compadd -- ${found:#*/}
 }
-}
-if
-    [[$funcstack [1] == _wrinkle]]; then
+if [[ $funcstack[1] == _wrinkle ]]; then
     _wrinkle "$@"
 else
     compdef _wrinkle wrinkle
 fi
-)";
+)sh";
 
-constexpr const char* fish_script = R"(# Completion for fish: as wrinkle.fish in ~/.config/fish/completions, or
+constexpr const char* fish_script =
+    R"sh(# Completion for fish: as wrinkle.fish in ~/.config/fish/completions, or
 #   wrinkle completion fish | source
 function __wrinkle_complete
     set -l words (commandline -opc) (commandline -ct)
@@ -210,7 +216,7 @@ function __wrinkle_complete
     end
 end
 complete -c wrinkle -f -a '(__wrinkle_complete)'
-)";
+)sh";
 
 struct CompletionCommand {
     std::string shell;
