@@ -22,8 +22,8 @@ std::vector<Texture> textures_of(const Module& module, const ImageOf& images) {
     return textures;
 }
 
-// How far two results are apart, 1 being as far as is allowed. Not finite, or one without a direction:
-// infinitely far.
+// How far two results are apart, 1 being as far as is allowed. Not finite, or one without a
+// direction: infinitely far.
 double distance(const double* a, const double* b, size_t lanes, bool normal, double range) {
     double worst = 0;
     for (size_t i = 0; i < lanes; ++i) {

@@ -26,8 +26,8 @@ double largest(const std::vector<double>& values) {
     return size;
 }
 
-// Central differences at two steps: where they disagree by more than the rounding of the values, there
-// is a jump or a kink.
+// Central differences at two steps: where they disagree by more than the rounding of the values,
+// there is a jump or a kink.
 struct Slope {
     double value;
     bool smooth;

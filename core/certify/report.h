@@ -1,5 +1,5 @@
-// What was found out about one node: each thing that is wrong, where it shows, both numbers, what is
-// allowed, and the remedy.
+// What was found out about one node: each thing that is wrong, where it shows, both numbers, what
+// is allowed, and the remedy.
 #pragma once
 
 #include <string>

@@ -28,8 +28,8 @@ std::vector<Shader> all_texts(const Module& module, bool given) {
     return texts;
 }
 
-// What the driver says to a complete pair; "" when it takes it. Outputs that are no standard ones begin
-// at location 7, and drivers have as little as 8.
+// What the driver says to a complete pair; "" when it takes it. Outputs that are no standard ones
+// begin at location 7, and drivers have as little as 8.
 std::string driver_errors(const Shader& shader) {
     if (shader.fragment.empty() || shader.reflection.functions.size() > 1) return {};
     std::string log;

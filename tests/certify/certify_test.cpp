@@ -1,4 +1,5 @@
-// Certification names what is wrong with a node, where, and by how much; a node that is fine passes.
+// Certification names what is wrong with a node, where, and by how much; a node that is fine
+// passes.
 #include "certify/certify.h"
 
 #include <gtest/gtest.h>

@@ -54,7 +54,8 @@ TEST(Samples, ShowEveryNode) {
             shown.insert(node->type);
     }
     for (const NodeType& type : all_nodes().list())
-        EXPECT_TRUE(shown.count(type.id) || type.origin != Registry::built_in) << type.id << " is in no graph";
+        EXPECT_TRUE(shown.count(type.id) || type.origin != Registry::built_in)
+            << type.id << " is in no graph";
 }
 
 }  // namespace
