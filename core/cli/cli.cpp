@@ -50,9 +50,9 @@ int run_cli(int argc, const char* const* argv) {
     app.require_subcommand(1);
     app.get_formatter()->column_width(34);
     Run run;
-    for (auto declare :
-         {declare_check, declare_compile, declare_eval, declare_render, declare_test,
-          declare_format, declare_upgrade, declare_nodes, declare_plugins, declare_new_plugin})
+    for (auto declare : {declare_check, declare_compile, declare_eval, declare_render, declare_test,
+                         declare_format, declare_upgrade, declare_nodes, declare_plugins,
+                         declare_new_plugin, declare_completion})
         declare(app, run);
     try {
         app.parse(rewritten(argc, argv));

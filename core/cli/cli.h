@@ -33,6 +33,7 @@ void declare_upgrade(CLI::App& app, Run& run);
 void declare_nodes(CLI::App& app, Run& run);
 void declare_plugins(CLI::App& app, Run& run);
 void declare_new_plugin(CLI::App& app, Run& run);
+void declare_completion(CLI::App& app, Run& run);
 
 // The whole program but for main(): parses, runs, returns the exit code.
 int run_cli(int argc, const char* const* argv);

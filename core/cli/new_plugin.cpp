@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <memory>
 
+#include "base/folders.h"
 #include "base/file.h"
 #include "cli/output.h"
 #include "cli/scaffold.h"
@@ -136,8 +137,7 @@ std::string why_not(const std::string& name) {
 // The folder above that of the running program, if the SDK is there: of an installation or a build.
 std::string sdk_prefix() {
     std::error_code error;
-    const fs::path program = fs::read_symlink("/proc/self/exe", error);
-    const fs::path prefix = program.parent_path().parent_path();
+    const fs::path prefix = program_folder().parent_path();
     const bool there = fs::exists(prefix / "lib/cmake/WrinkleSDK/WrinkleSDKConfig.cmake", error);
     return there ? prefix.string() : std::string();
 }

@@ -1,10 +1,9 @@
-// wrinkle nodes and wrinkle plugins: what there is to work with.
+// wrinkle nodes: what there is to work with.
 #include <memory>
 
 #include "base/text.h"
 #include "cli/output.h"
 #include "cli/session.h"
-#include "registry/describe.h"
 #include "registry/reference.h"
 
 namespace wrinkle::cli {
@@ -36,15 +35,6 @@ struct NodesCommand {
     }
 };
 
-int make_manifest(const std::string& plugin) {
-    Diagnostics diagnostics;
-    const auto listing = read_from_code(plugin, diagnostics);
-    if (!listing) return report(diagnostics, "text");
-    const std::string file = manifest_of(plugin);
-    const bool written = write_result(file, to_json(*listing)) && write_result("-", file + "\n");
-    return written ? exit_fine : exit_environment;
-}
-
 }  // namespace
 
 void declare_nodes(CLI::App& app, Run& run) {
@@ -58,26 +48,6 @@ void declare_nodes(CLI::App& app, Run& run) {
     form->require_option(0, 1);
     declare_common(sub, command->common, false);
     sub.callback([command, &run] { run = [command] { return command->run(); }; });
-}
-
-void declare_plugins(CLI::App& app, Run& run) {
-    auto options = std::make_shared<CommonOptions>();
-    CLI::App& sub =
-        *app.add_subcommand("plugins", "Says which plugins were found, loaded or refused, and why");
-    declare_plugin_path(sub, *options);
-    auto manifest = std::make_shared<std::string>();
-    sub.add_option("--manifest", *manifest,
-                   "Writes FILE.json beside a plugin: its nodes are listed without its code")
-        ->type_name("FILE.so");
-    sub.callback([options, manifest, &run] {
-        run = [options, manifest] {
-            if (!manifest->empty()) return make_manifest(*manifest);
-            Diagnostics diagnostics;
-            const Nodes nodes = load_nodes(*options, diagnostics);
-            if (!write_result("-", to_text(nodes.plugins))) return int{exit_environment};
-            return report(diagnostics, options->diagnostics);
-        };
-    });
 }
 
 }  // namespace wrinkle::cli

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "base/angle.h"
 #include "base/text.h"
 #include "json/write.h"
 
@@ -23,17 +24,6 @@ std::optional<Lanes> lanes_of(const json::Value& value, size_t count) {
         }
     if (lanes.size() != count) return {};
     return lanes;
-}
-
-// By atan2: exact where acos of a dot product is not. NaN when either vector has no direction.
-double degrees_between(const Lanes& a, const Lanes& b) {
-    const double x = a[1] * b[2] - a[2] * b[1];
-    const double y = a[2] * b[0] - a[0] * b[2];
-    const double z = a[0] * b[1] - a[1] * b[0];
-    const double sine = std::sqrt(x * x + y * y + z * z);
-    const double cosine = a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-    if (sine == 0 && cosine == 0) return std::nan("");
-    return std::atan2(sine, cosine) * 180 / M_PI;
 }
 
 double largest_distance(const Lanes& a, const Lanes& b) {
@@ -76,10 +66,6 @@ std::string source_of(const Document& document, const std::string& output) {
     return found ? " (" + found->from.link.text() + ")" : "";
 }
 
-std::string line_at(const std::vector<std::string_view>& lines, size_t i) {
-    return i < lines.size() ? "'" + std::string(lines[i]) + "'" : "the end";
-}
-
 }  // namespace
 
 std::vector<std::string> differences(const TestCase& test, const Document& document,
@@ -107,17 +93,6 @@ std::vector<std::string> differences(const TestCase& test, const Document& docum
         if (!difference.empty()) result.push_back(what + difference);
     }
     return result;
-}
-
-std::string text_difference(const std::string& expected, const std::string& got) {
-    if (expected == got) return "";
-    const auto wanted = split(expected, '\n');
-    const auto found = split(got, '\n');
-    size_t i = 0;
-    while (i < wanted.size() && i < found.size() && wanted[i] == found[i])
-        ++i;
-    return "line " + std::to_string(i + 1) + ": expected " + line_at(wanted, i) + ", got " +
-           line_at(found, i);
 }
 
 double picture_difference(const Image& expected, const Image& got) {

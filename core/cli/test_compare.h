@@ -15,9 +15,6 @@ std::vector<std::string> differences(const TestCase& test, const Document& docum
                                      const json::Value& expected,
                                      const std::vector<OutputColumn>& columns, size_t point);
 
-// The first line that differs, in words; "" for equal texts.
-std::string text_difference(const std::string& expected, const std::string& got);
-
 // Root mean square of all channels in 8-bit steps; negative for pictures of different sizes.
 double picture_difference(const Image& expected, const Image& got);
 

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "base/difference.h"
 #include "base/file.h"
 #include "base/text.h"
 #include "cli/meshes.h"

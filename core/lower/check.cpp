@@ -110,8 +110,9 @@ private:
         if (reported_elsewhere || only_count()) return;
         const std::string near = nearest(node.type, ids_);
         report(diagnose(document_, node, "unknown node type " + in_quotes(node.type),
-                        near.empty() ? "a plugin may be missing"
-                                     : "did you mean '" + near + "', or is a plugin missing?"));
+                        near.empty()
+                            ? "a plugin may be missing; 'wrinkle plugins' lists those found"
+                            : "did you mean '" + near + "', or is a plugin missing?"));
     }
 
     void version(const Node& node, const NodeType& type) {

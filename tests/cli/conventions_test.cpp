@@ -7,8 +7,8 @@ namespace {
 using ConventionsTest = CliTest;
 using Names = std::vector<std::string>;
 
-const Names commands = {"check",  "compile", "eval",  "render",  "test",
-                        "format", "upgrade", "nodes", "plugins", "new-plugin"};
+const Names commands = {"check",   "compile", "eval",    "render",     "test",      "format",
+                        "upgrade", "nodes",   "plugins", "new-plugin", "completion"};
 
 TEST_F(ConventionsTest, HelpListsEveryCommand) {
     const Ran ran = run({"--help"});

@@ -39,9 +39,11 @@ TEST(CheckTypes, UnknownOnes) {
     EXPECT_EQ(node_report("numbr", ""),
               "unknown node type 'numbr' (did you mean 'number', or is a plugin missing?)\n");
     EXPECT_EQ(node_report("entirely_other", ""),
-              "unknown node type 'entirely_other' (a plugin may be missing)\n");
+              "unknown node type 'entirely_other' (a plugin may be missing; 'wrinkle plugins' "
+              "lists those found)\n");
     EXPECT_EQ(reports(test::graph("\"x\": {\"type\": \"zzz\"}", "")),
-              "g.json:1:26: error: node 'x': unknown node type 'zzz' (a plugin may be missing)\n");
+              "g.json:1:26: error: node 'x': unknown node type 'zzz' (a plugin may be "
+              "missing; 'wrinkle plugins' lists those found)\n");
 }
 
 TEST(CheckTypes, Versions) {

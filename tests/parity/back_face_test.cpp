@@ -6,9 +6,9 @@
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 
+#include "certify/points.h"
 #include "parity/compare.h"
 #include "parity/node_graph.h"
-#include "parity/points.h"
 
 namespace wrinkle::test {
 namespace {
@@ -86,7 +86,7 @@ void expect_back(const std::string& text, const std::string& port, PointSet poin
 }
 
 TEST(EveryBump, T13_IsMirroredFlippedOrKeptOnBackFaces) {
-    const PointSet points = random_points(40, 5);
+    const PointSet points = certify::random_points(40, 5);
     int bumps = 0;
     for (const NodeType& type : all_nodes().list())
         for (const Port& port : type.ports) {

@@ -1,45 +1,43 @@
-// One material on both back ends, point by point.
+// The back ends of core/certify, as the tests use them: what cannot be made is a test failure.
 #pragma once
 
-#include <functional>
-#include <string>
-#include <vector>
+#include <gtest/gtest.h>
 
-#include "cpu/evaluate.h"
-#include "glsl/emit.h"
-#include "image/mips.h"
+#include "certify/compare.h"
+#include "glslang/validate.h"
 
 namespace wrinkle::test {
 
-using ImageOf = std::function<const MipChain&(const std::string& file)>;
-
-// values[output][point * lanes + lane]
-using Values = std::vector<std::vector<double>>;
+using certify::Comparison;
+using certify::ImageOf;
+using certify::Judge;
+using certify::Values;
 
 template <class T>
-Values on_cpu(const Module& module, const PointSet& points, const ImageOf& images);
+Values on_cpu(const Module& module, const PointSet& points, const ImageOf& images) {
+    std::string why;
+    auto values = certify::on_cpu<T>(module, points, images, why);
+    EXPECT_TRUE(values) << why;
+    return values ? std::move(*values) : Values{};
+}
 
-// Through generated GLSL, by a context that is current. Empty, with a test failure, when the text
-// does not compile.
-Values on_gpu(const Module& module, const PointSet& points, const ImageOf& images);
-Values on_gpu(const Shader& shader, const PointSet& points, const ImageOf& images);
+// Empty, with a test failure, when the text does not compile.
+inline Values on_gpu(const Shader& shader, const PointSet& points, const ImageOf& images) {
+    EXPECT_EQ(compile_errors(shader), "");
+    std::string why;
+    auto values = certify::on_gpu(shader, points, images, why);
+    EXPECT_TRUE(values) << why << shader.source;
+    return values ? std::move(*values) : Values{};
+}
+inline Values on_gpu(const Module& module, const PointSet& points, const ImageOf& images) {
+    return on_gpu(certify::given_text(module), points, images);
+}
 
-struct Comparison {
-    size_t values = 0;    // compared, a vector counts once
-    size_t unstable = 0;  // left out: four ulp of the inputs change the result beyond tolerance
-    size_t different = 0;
-    std::string first;  // the first difference in words
-};
-
-// `a` and `b` by the rules of parity: normals to 0.05 degrees, other values to 1e-4 of their range.
-// `precise` in double says the range, and at `nudged` points which are unstable.
-struct Judge {
-    const Module* module = nullptr;
-    Values precise;
-    std::vector<Values> nudged;
-
-    Comparison compare(const Values& a, const Values& b) const;
-};
-Judge make_judge(const Module& module, const PointSet& points, const ImageOf& images);
+inline Judge make_judge(const Module& module, const PointSet& points, const ImageOf& images) {
+    std::string why;
+    auto judge = certify::make_judge(module, points, images, why);
+    EXPECT_TRUE(judge) << why;
+    return judge ? std::move(*judge) : Judge{};
+}
 
 }  // namespace wrinkle::test

@@ -1,12 +1,21 @@
-#include "parity/points.h"
+#include "certify/points.h"
 
 #include <cmath>
 #include <random>
 
-namespace wrinkle::test {
+namespace wrinkle::certify {
 namespace {
 
 constexpr Variant variants[] = {Variant::value, Variant::dx, Variant::dy};
+
+// In the order in which degenerate_points() spoils them.
+constexpr std::string_view degenerate_names[] = {
+    "no uv changes between pixels",      "the position does not change between pixels",
+    "nothing changes between pixels",    "the tangent is zero",
+    "the tangent's w is zero",           "the view vector is zero",
+    "everything but the normal is zero", "position and uvs are a thousand times as large",
+    "pixels are a millionth in size",
+};
 
 using Numbers = std::array<double, 4>;
 
@@ -135,8 +144,7 @@ PointSet random_points(size_t count, unsigned seed, UvRange uvs) {
 }
 
 PointSet degenerate_points() {
-    constexpr size_t spoilt = 9;
-    PointSet set = random_points(spoilt, 99);
+    PointSet set = random_points(std::size(degenerate_names), 99);
     clear_all_uv_changes(set, 0);
     clear_changes(set, 1, SurfaceInput::position_);
     for (const SurfaceInput input : {SurfaceInput::position_, SurfaceInput::normal_})
@@ -154,6 +162,10 @@ PointSet degenerate_points() {
     for (const Variant variant : {Variant::dx, Variant::dy})
         scale(set, 8, variant, 1e-6);
     return set;
+}
+
+std::string_view degenerate_words(size_t point) {
+    return degenerate_names[point];
 }
 
 PointSet nudged(const PointSet& points, unsigned seed) {
@@ -185,4 +197,4 @@ PointSet moved_in_x(const PointSet& points, double step) {
     return result;
 }
 
-}  // namespace wrinkle::test
+}  // namespace wrinkle::certify

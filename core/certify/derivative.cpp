@@ -1,0 +1,186 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "base/text.h"
+#include "certify/checks.h"
+#include "certify/compare.h"
+#include "certify/points.h"
+#include "ir/derive.h"
+#include "ir/expand.h"
+#include "ir/rewrite.h"
+#include "ir/value.h"
+
+namespace wrinkle::certify {
+namespace {
+
+constexpr double step = 1e-4;  // pixels
+constexpr size_t point_count = 200;
+constexpr size_t least_smooth_share = 50;  // one in so many may be at a jump or a kink
+
+double largest(const std::vector<double>& values) {
+    double size = 0;
+    for (const double each : values)
+        size = std::max(size, std::fabs(each));
+    return size;
+}
+
+// Central differences at two steps: where they disagree by more than the rounding of the values,
+// there is a jump or a kink.
+struct Slope {
+    double value;
+    bool smooth;
+};
+Slope slope_of(double wide, double narrow, double scale, double rounding) {
+    const double size = std::max(std::fabs(narrow), 1e-3 * scale);
+    return {(4 * narrow - wide) / 3, std::fabs(wide - narrow) <= 1e-5 * size + rounding};
+}
+
+// Of a quotient of differences: a few hundred units in the last place of the values.
+double rounding_of(const std::vector<double>& values) {
+    return 256 * std::numeric_limits<double>::epsilon() * largest(values) / step;
+}
+
+bool is_number(const ModuleOutput& output) {
+    return output.port_type != WR_PORT_normal && output.port_type != WR_PORT_gradient &&
+           output.port_type != WR_PORT_derivative;
+}
+
+// Outputs stand in threes.
+enum Column : size_t { value, derived, bump, columns };
+
+// Each number among the outputs (a normal is constant under differentiation) with its change to the
+// next pixel in x: derived from what it is made of, and as bumps have it, where what is detached
+// counts as constant.
+Module with_derivatives(const Subject& subject, const Bench& bench) {
+    Diagnostics diagnostics;
+    Module lowered = lower(subject.project, bench.registry, {}, diagnostics).module;
+    const std::vector<ModuleOutput> outputs = std::exchange(lowered.outputs, {});
+    for (const ModuleOutput& output : outputs) {
+        if (!is_number(output)) continue;
+        lowered.outputs.push_back(output);
+        lowered.outputs.push_back(output);
+        lowered.outputs.push_back(
+            {output.name, output.port_type, op(Op::ddx_, Value{&lowered, output.value}).id});
+    }
+    const ExpandOptions options{.back_faces = subject.project.top().back_faces};
+    Module module = explicit_lod(expand(settle_frames(lowered, options), options));
+    Direction direction = screen_direction(module, Variant::dx, false);
+    for (size_t k = 0; k < module.outputs.size(); k += columns)
+        module.outputs[k + derived].value =
+            direction.tangent_or_zero(module.outputs[k + value].value);
+    return module;
+}
+
+// Values here, and half a step and a whole one to either side.
+struct Around {
+    Values here, right, left, near_right, near_left;
+};
+std::optional<Around> around(const Module& module, std::string& why) {
+    static const PointSet points = random_points(point_count, 23);
+    const auto at = [&](double pixels) {
+        return on_cpu<double>(module, moved_in_x(points, pixels), test_image, why);
+    };
+    auto here = at(0);
+    if (!here) return {};
+    return Around{std::move(*here), *at(step), *at(-step), *at(step / 2), *at(-step / 2)};
+}
+
+class DerivativeCheck {
+public:
+    DerivativeCheck(const NodeType& type, const Bench& bench, Report& report)
+        : type_(type), bench_(bench), report_(report) {}
+
+    void run(Inputs inputs) {
+        const Subject subject = compile_around(type_, inputs, 31, bench_);
+        if (!subject.compiled.ok || !subject.compiled.module.resources.empty()) return;
+        const Module module = with_derivatives(subject, bench_);
+        if (module.outputs.empty()) return;
+        std::string why;
+        const auto values = around(module, why);
+        if (!values)
+            return report_.add({"derivative", "", why, "fewer iterations of loops", subject.text});
+        for (size_t k = 0; k < module.outputs.size(); k += columns)
+            compare(module, k, *values, inputs, subject);
+    }
+
+private:
+    void compare(const Module& module, size_t output, const Around& around, Inputs inputs,
+                 const Subject& subject) {
+        const std::string port = port_of(module.outputs[output].name);
+        const std::vector<double>& here = around.here[output + derived];
+        const double scale = largest(here), rounding = rounding_of(around.here[output]);
+        // Where inputs vary, what is detached to filter (a pixel's size) does too.
+        const bool bumps = module.outputs[output].port_type == WR_PORT_height &&
+                           (inputs == Inputs::defaults || inputs == Inputs::numbers);
+        size_t kinks = 0;
+        for (size_t k = 0; k < here.size(); ++k) {
+            const double wide = (around.right[output][k] - around.left[output][k]) / (2 * step);
+            const double narrow =
+                (around.near_right[output][k] - around.near_left[output][k]) / step;
+            const Slope slope = slope_of(wide, narrow, scale, rounding);
+            kinks += slope.smooth ? 0 : 1;
+            if (!slope.smooth) continue;
+            const Wrong wrong{
+                k / lanes_of(module, output), slope.value,
+                1e-4 * std::max(std::fabs(slope.value), 1e-3 * scale) + 1e-9 + rounding};
+            if (!wrong.near(here[k]))
+                differs("derivative", port, wrong, here[k], inputs, subject);
+            else if (bumps && !wrong.near(around.here[output + bump][k]))
+                differs("detach", port, wrong, around.here[output + bump][k], inputs, subject);
+        }
+        report_.kinks += kinks;
+        report_.derivatives += here.size() - kinks;
+        if (least_smooth_share * kinks > here.size())
+            jumps(port, kinks, here.size(), inputs, subject);
+    }
+
+    struct Wrong {
+        size_t point;
+        double differences;
+        double allowed;
+        bool near(double derived) const { return std::fabs(derived - differences) <= allowed; }
+    };
+    void differs(const std::string& check, const std::string& port, const Wrong& wrong,
+                 double found, Inputs inputs, const Subject& subject) {
+        const auto brief = [](double x) { return shortest(static_cast<float>(x)); };
+        const std::string remedy =
+            check == "detach"
+                ? "a bump leaves out what is detached or given a slope of its own: detach() only "
+                  "what is constant around a point, or say that it is meant: --allow detach"
+                : "floor, ceil, step and integers have derivative 0: use them on what is constant "
+                  "around a point";
+        report_.add({check, port,
+                     std::string(words(inputs)) + ", at point " + std::to_string(wrong.point) +
+                         ", it changes by " + brief(wrong.differences) +
+                         " a pixel, its derivative is " + brief(found) + "; " +
+                         brief(wrong.allowed) + " apart are allowed",
+                     remedy, subject.text});
+    }
+
+    void jumps(const std::string& port, size_t kinks, size_t all, Inputs inputs,
+               const Subject& subject) {
+        report_.add({"derivative", port,
+                     std::string(words(inputs)) + ", " + std::to_string(kinks) + " of " +
+                         std::to_string(all) +
+                         " numbers lie on a jump or a kink, where there is no slope; one in " +
+                         std::to_string(least_smooth_share) + " is allowed",
+                     "make it smooth, or fade it out where it is finer than a pixel: fwidth()",
+                     subject.text});
+    }
+
+    const NodeType& type_;
+    const Bench& bench_;
+    Report& report_;
+};
+
+}  // namespace
+
+void check_derivatives(const NodeType& type, const Bench& bench, Report& report) {
+    DerivativeCheck check(type, bench, report);
+    for (const Inputs inputs : {Inputs::defaults, Inputs::numbers, Inputs::wires, Inputs::mixed})
+        check.run(inputs);
+}
+
+}  // namespace wrinkle::certify

@@ -1,0 +1,85 @@
+#include "certify/checks.h"
+#include "certify/compare.h"
+#include "certify/points.h"
+
+namespace wrinkle::certify {
+namespace {
+
+constexpr size_t point_count = 300;
+constexpr size_t least_stable_share = 10;  // one in so many may hang on the last bits
+
+class ParityCheck {
+public:
+    ParityCheck(const NodeType& type, const Bench& bench, Report& report)
+        : type_(type), bench_(bench), report_(report) {}
+
+    void run(Inputs inputs, unsigned seed) {
+        const Subject subject = compile_around(type_, inputs, seed, bench_);
+        if (!subject.compiled.ok) return;
+        static const PointSet points = random_points(point_count, 7);
+        const Module& module = subject.compiled.module;
+        std::string why;
+        const auto judge = make_judge(module, points, test_image, why);
+        if (!judge)
+            return report_.add({"precision", "", why, "fewer iterations of loops", subject.text});
+        const Values cpu = *on_cpu<float>(module, points, test_image, why);
+        const Comparison comparison = judge->compare(cpu, judge->precise);
+        report_.values += comparison.values;
+        report_.unstable += comparison.unstable;
+        if (comparison.first)
+            differs("precision", "float", "double", *comparison.first, inputs, subject);
+        if (least_stable_share * comparison.unstable > comparison.values)
+            unstable(comparison, inputs, subject);
+        if (bench_.gpu) gpu(*judge, cpu, points, inputs, subject);
+    }
+
+private:
+    void gpu(const Judge& judge, const Values& cpu, const PointSet& points, Inputs inputs,
+             const Subject& subject) {
+        std::string why;
+        const auto gpu = on_gpu(given_text(subject.compiled.module), points, test_image, why);
+        if (!gpu)
+            return report_.add({"gpu", "", "the driver does not run it: " + why, "", subject.text});
+        const Comparison comparison = judge.compare(cpu, *gpu);
+        if (comparison.first)
+            differs("gpu", "the CPU", "the GPU", *comparison.first, inputs, subject);
+    }
+
+    void differs(const char* check, const std::string& a, const std::string& b,
+                 const Difference& first, Inputs inputs, const Subject& subject) {
+        std::string message = std::string(words(inputs)) + ", at point " +
+                              std::to_string(first.point) + ", it is " + first.a + " in " + a +
+                              ", " + first.b + " in " + b;
+        if (first.precise != first.b) message += ", precisely " + first.precise;
+        report_.add({check, port_of(subject.compiled.module.outputs[first.output].name),
+                     message + "; " + first.allowed + " apart are allowed",
+                     "keep numbers small (fract() before a large factor) and away from what "
+                     "plugin.h leaves undefined",
+                     subject.text});
+    }
+
+    void unstable(const Comparison& comparison, Inputs inputs, const Subject& subject) {
+        report_.add({"precision", "",
+                     std::string(words(inputs)) + ", " + std::to_string(comparison.unstable) +
+                         " of " + std::to_string(comparison.values) +
+                         " values hang on the last bits of their inputs; one in " +
+                         std::to_string(least_stable_share) + " is allowed",
+                     "move jumps away from where inputs often are, or make them smooth",
+                     subject.text});
+    }
+
+    const NodeType& type_;
+    const Bench& bench_;
+    Report& report_;
+};
+
+}  // namespace
+
+void check_parity(const NodeType& type, const Bench& bench, Report& report) {
+    ParityCheck check(type, bench, report);
+    unsigned seed = 1;
+    for (const Inputs inputs : {Inputs::defaults, Inputs::numbers, Inputs::wires, Inputs::mixed})
+        check.run(inputs, seed++);
+}
+
+}  // namespace wrinkle::certify

@@ -1,0 +1,129 @@
+#include "base/difference.h"
+#include "certify/checks.h"
+#include "certify/compare.h"
+#include "gpu/program.h"
+#include "graph/write.h"
+#include "ir/print.h"
+
+namespace wrinkle::certify {
+namespace {
+
+constexpr const char* pure =
+    "build() may look at nothing but its ports: no statics that change, no clock, no addresses, no "
+    "files";
+
+// Every text of a module: on each target, in each form that goes with its differentials.
+std::vector<Shader> all_texts(const Module& module, bool given) {
+    std::vector<Shader> texts;
+    for (const Target& target : targets())
+        for (const Form form : {Form::function, Form::shader}) {
+            if (given && form == Form::shader) continue;
+            EmitOptions options;
+            options.target = &target;
+            options.form = form;
+            options.differentials = given ? Differentials::given : Differentials::screen;
+            options.name = "subject";
+            texts.push_back(emit(module, options));
+        }
+    return texts;
+}
+
+// What the driver says to a complete pair; "" when it takes it. Outputs that are no standard ones
+// begin at location 7, and drivers have as little as 8.
+std::string driver_errors(const Shader& shader) {
+    if (shader.fragment.empty() || shader.reflection.functions.size() > 1) return {};
+    std::string log;
+    gpu::Program::link(shader.vertex, shader.fragment, {}, log);
+    return log;
+}
+
+std::string text_of(const Module& module) {
+    return print(module) + given_text(module).source;
+}
+
+class TextCheck {
+public:
+    TextCheck(const NodeType& type, const Bench& bench, Report& report)
+        : type_(type), bench_(bench), report_(report) {}
+
+    void run(Inputs inputs) {
+        const Subject subject = compile_around(type_, inputs, 3, bench_);
+        if (!subject.compiled.ok)
+            return add("text", "no graph around it compiles: " + subject.problem,
+                       "the smallest one is shown; 'wrinkle check' says more", subject);
+        valid(subject);
+        if (deterministic(subject)) round_trip(subject);
+    }
+
+private:
+    void add(const char* check, std::string message, std::string remedy, const Subject& subject) {
+        report_.add({check, "", std::move(message), std::move(remedy), subject.text});
+    }
+
+    void valid(const Subject& subject) {
+        for (const bool uniform : {false, true})
+            for (const bool given : {false, true}) {
+                Diagnostics diagnostics;
+                const Compiled compiled =
+                    compile(subject.project, bench_, {uniform, given}, diagnostics);
+                if (!compiled.ok) {
+                    const std::string why = diagnostics.list().front().message;
+                    add("text", "it does not compile: " + why, "", subject);
+                    continue;
+                }
+                for (const Shader& shader : all_texts(compiled.module, given))
+                    valid(shader, subject);
+            }
+    }
+
+    void valid(const Shader& shader, const Subject& subject) {
+        for (const Problem& problem : shader.problems)
+            add("text", "it has no text: " + problem.message, "", subject);
+        if (!shader.problems.empty()) return;
+        std::string errors = bench_.text_errors ? bench_.text_errors(shader) : "";
+        if (errors.empty() && bench_.gpu) errors = driver_errors(shader);
+        if (!errors.empty())
+            add("text", "the generated text is refused: " + errors,
+                "this is a fault of Wrinkle: please report it with the graph", subject);
+    }
+
+    bool deterministic(const Subject& subject) {
+        Diagnostics diagnostics;
+        const Compiled again = compile(subject.project, bench_, {}, diagnostics);
+        const std::string difference =
+            again.ok ? text_difference(text_of(subject.compiled.module), text_of(again.module))
+                     : diagnostics.list().front().message;
+        if (difference.empty()) return true;
+        add("deterministic", "built a second time it differs: " + difference, pure, subject);
+        return false;
+    }
+
+    void round_trip(const Subject& subject) {
+        Diagnostics diagnostics;
+        const std::string canonical = canonical_text(subject.project.top());
+        const Project project = project_of(canonical, bench_, diagnostics);
+        const std::string written = canonical_text(project.top());
+        const Compiled again = compile(project, bench_, {}, diagnostics);
+        std::string difference = text_difference(canonical, written);
+        if (difference.empty() && !again.ok) difference = diagnostics.list().front().message;
+        if (difference.empty())
+            difference = text_difference(text_of(subject.compiled.module), text_of(again.module));
+        if (!difference.empty())
+            add("round_trip", "read back from its file the graph differs: " + difference, pure,
+                subject);
+    }
+
+    const NodeType& type_;
+    const Bench& bench_;
+    Report& report_;
+};
+
+}  // namespace
+
+void check_text(const NodeType& type, const Bench& bench, Report& report) {
+    TextCheck check(type, bench, report);
+    for (const Inputs inputs : {Inputs::defaults, Inputs::numbers, Inputs::wires, Inputs::mixed})
+        check.run(inputs);
+}
+
+}  // namespace wrinkle::certify

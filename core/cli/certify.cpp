@@ -1,0 +1,231 @@
+#include "cli/certify.h"
+
+#include <poll.h>
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <optional>
+#include <set>
+
+#include "certify/certify.h"
+#include "cli/cli.h"
+#include "cli/output.h"
+#include "gpu/context.h"
+#include "nodes/all.h"
+#include "registry/plugin_loader.h"
+
+namespace wrinkle::cli {
+namespace {
+
+constexpr int longest_node_ms = 300'000;  // a shader compiler on one slow core takes its time
+
+using Types = std::vector<const NodeType*>;
+
+// What stands beside the plugin: the built-in nodes, which drive inputs in the graphs.
+struct Loaded {
+    Registry registry;
+    std::vector<PluginReport> reports;
+    bool fine() const { return !reports.empty() && reports.front().is_taken(); }
+};
+
+void load(const std::string& file, bool built_in, Loaded& loaded, Diagnostics& diagnostics) {
+    if (built_in) loaded.registry.add_plugin(built_in_nodes(), Registry::built_in, diagnostics);
+    const std::vector<std::string> places{file};
+    loaded.reports = load_plugins(loaded.registry, places, diagnostics);
+}
+
+// The built-in nodes may themselves come as a plugin; any other that has one of their ids is
+// refused.
+void load(const std::string& file, Loaded& loaded, Diagnostics& diagnostics) {
+    Diagnostics refused;
+    load(file, true, loaded, refused);
+    if (loaded.fine()) return diagnostics.append(refused);
+    Loaded alone, built_in;
+    Diagnostics ignored;
+    load(file, false, alone, ignored);
+    built_in.registry.add_plugin(built_in_nodes(), Registry::built_in, ignored);
+    const auto ids = built_in.registry.ids();
+    const auto is_there = [&](const std::string& id) { return alone.registry.find(id); };
+    if (alone.fine() && std::all_of(ids.begin(), ids.end(), is_there))
+        std::swap(loaded, alone);
+    else
+        diagnostics.append(refused);
+}
+
+Types types_of(const Loaded& loaded) {
+    Types types;
+    for (const NodeType& type : loaded.registry.list())
+        if (type.origin != Registry::built_in) types.push_back(&type);
+    return types;
+}
+
+// A context for the checks on the GPU, or why there is none.
+struct Gpu {
+    std::optional<gpu::Context> context;
+    std::string missing;  // "" when there is one
+
+    explicit Gpu(bool wanted) {
+        if (!wanted) {
+            missing = "--no-gpu";
+            return;
+        }
+        Diagnostics diagnostics;
+        context = gpu::Context::offscreen(diagnostics);
+        if (context && context->make_current()) return;
+        context.reset();
+        missing = diagnostics.list().empty() ? "the context cannot be used"
+                                             : diagnostics.list().front().message;
+    }
+};
+
+// Tells the parent which node is at work, its name cut short where a pipe would not take it at
+// once.
+void announce(int pipe, const std::string& node) {
+    const std::string line = node.substr(0, 200) + "\n";
+    if (write(pipe, line.data(), line.size()) < 0) return;
+}
+
+int summary(size_t nodes, size_t failed, const Gpu& gpu, bool gpu_wanted) {
+    if (gpu.missing.empty())
+        std::printf("GPU: %s\n", gpu::Context::renderer_name().c_str());
+    else
+        std::printf("GPU: NOT RUN, CPU and GPU were not compared (%s)\n", gpu.missing.c_str());
+    std::printf("%zu ok, %zu failed\n", nodes - failed, failed);
+    if (failed > 0) return exit_input;
+    return gpu.missing.empty() || !gpu_wanted ? exit_fine : exit_environment;
+}
+
+// The whole of it, in the process that may be lost.
+int certify_here(const CertifyOptions& options, int pipe) {
+    Diagnostics diagnostics;
+    Loaded loaded;
+    load(options.file, loaded, diagnostics);
+    if (!loaded.fine()) return report(diagnostics, options.diagnostics);
+    std::string why;
+    const auto pictures = certify::PictureFolder::make(why);
+    if (!pictures) {
+        complain(why);
+        return exit_environment;
+    }
+    const Gpu gpu(!options.no_gpu);
+    const certify::Bench bench{loaded.registry, pictures->path(), gpu.missing.empty(), {}};
+    const Types types = types_of(loaded);
+    const PluginReport& plugin = loaded.reports.front();
+    std::printf("%s\n    %s %s\n", options.file.c_str(), plugin.id.c_str(), plugin.version.c_str());
+    size_t failed = 0;
+    for (const NodeType* type : types) {
+        std::fflush(stdout);
+        announce(pipe, type->id);
+        certify::Report found = certify::certify(*type, bench);
+        const auto meant = [&](const certify::Finding& finding) {
+            return std::find(options.allow.begin(), options.allow.end(), finding.check) !=
+                   options.allow.end();
+        };
+        std::erase_if(found.findings, meant);
+        failed += found.findings.empty() ? 0 : 1;
+        std::fputs(certify::to_text(found, bench.gpu).c_str(), stdout);
+        for (const certify::Finding& finding : found.findings)
+            diagnostics.add(to_diagnostic(finding, found, options.file));
+    }
+    const int code = summary(types.size(), failed, gpu, !options.no_gpu);
+    if (options.diagnostics == "json") report(diagnostics, options.diagnostics);
+    return code;
+}
+
+// The name of the node that was at work when `child` closed the pipe or went silent too long.
+struct Watched {
+    std::string node;
+    bool silent = false;
+};
+Watched watch(int pipe) {
+    Watched watched;
+    char buffer[256];
+    std::string line;
+    for (;;) {
+        pollfd wait{pipe, POLLIN, 0};
+        const int ready = poll(&wait, 1, longest_node_ms);
+        if (ready < 0 && errno == EINTR) continue;
+        watched.silent = ready == 0;
+        const ssize_t count = ready > 0 ? read(pipe, buffer, sizeof buffer) : 0;
+        if (count <= 0) return watched;
+        for (ssize_t i = 0; i < count; ++i) {
+            if (buffer[i] != '\n') {
+                line += buffer[i];
+                continue;
+            }
+            watched.node = std::move(line);
+            line.clear();
+        }
+    }
+}
+
+int lost(const CertifyOptions& options, const Watched& watched, int status) {
+    Diagnostic problem;
+    problem.where.file = options.file;
+    problem.node = watched.node;
+    problem.message = watched.silent
+                          ? "it did not come to an end within 5 minutes"
+                          : "it ended the program: " + std::string(strsignal(WTERMSIG(status)));
+    problem.expected = watched.node.empty() ? "it happened while the plugin was loaded"
+                                            : "build() runs while a graph is compiled";
+    Diagnostics diagnostics;
+    diagnostics.add(std::move(problem));
+    report(diagnostics, options.diagnostics);
+    return exit_input;
+}
+
+}  // namespace
+
+void declare_certify(CLI::App& command, CertifyOptions& options) {
+    CLI::Option* file =
+        command
+            .add_option("--test", options.file,
+                        "Holds the nodes of this plugin to what the built-in ones are held to")
+            ->type_name("FILE");
+    command.add_flag("--no-gpu", options.no_gpu, "Of --test: CPU and GPU are not compared")
+        ->needs(file);
+    const auto names = certify::check_names();
+    command
+        .add_option("--allow", options.allow,
+                    "Of --test: what this check finds is meant, and is not reported")
+        ->check(CLI::IsMember(std::set<std::string>(names.begin(), names.end())))
+        ->allow_extra_args(false)
+        ->take_all()
+        ->needs(file);
+    command
+        .add_option("--diagnostics", options.diagnostics, "How the findings of --test are printed")
+        ->check(CLI::IsMember({"text", "json"}))
+        ->capture_default_str()
+        ->needs(file);
+}
+
+int certify_plugin(const CertifyOptions& options) {
+    int ends[2];
+    std::fflush(nullptr);
+    const pid_t child = pipe(ends) == 0 ? fork() : -1;
+    if (child < 0) {
+        complain(std::string("no process can be started: ") + std::strerror(errno));
+        return exit_environment;
+    }
+    if (child == 0) {
+        close(ends[0]);
+        const int code = certify_here(options, ends[1]);
+        std::fflush(nullptr);
+        _exit(code);
+    }
+    close(ends[1]);
+    const Watched watched = watch(ends[0]);
+    close(ends[0]);
+    if (watched.silent) kill(child, SIGKILL);
+    int status = 0;
+    while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
+    }
+    return WIFEXITED(status) ? WEXITSTATUS(status) : lost(options, watched, status);
+}
+
+}  // namespace wrinkle::cli

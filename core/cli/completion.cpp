@@ -1,0 +1,263 @@
+// wrinkle completion SHELL, and the command behind its scripts.
+#include "cli/completion.h"
+
+#include <filesystem>
+#include <memory>
+#include <set>
+
+#include "base/text.h"
+#include "cli/meshes.h"
+#include "cli/output.h"
+#include "cli/session.h"
+#include "glsl/target.h"
+
+namespace wrinkle::cli {
+namespace fs = std::filesystem;
+namespace {
+
+// In the order in which they are offered.
+using Found = std::set<std::string>;
+
+bool takes_value(const CLI::Option& option) {
+    return option.get_items_expected_max() > 0;
+}
+
+// Below a folder, what begins as `typed` does: folders, and files that end as wanted.
+void offer_files(const std::string& typed, std::string_view end, Found& found) {
+    const size_t slash = typed.rfind('/');
+    const std::string folder = slash == typed.npos ? "" : typed.substr(0, slash + 1);
+    const std::string begin = typed.substr(folder.size());
+    std::error_code error;
+    fs::directory_iterator entry(folder.empty() ? "." : folder, error);
+    for (; !error && entry != fs::directory_iterator(); entry.increment(error)) {
+        const std::string name = entry->path().filename().string();
+        if (!name.starts_with(begin) || (begin.empty() && name[0] == '.')) continue;
+        std::error_code ignored;
+        if (entry->is_directory(ignored))
+            found.insert(folder + name + "/");
+        else if (!end.empty() && name.ends_with(end))
+            found.insert(folder + name);
+    }
+}
+
+// The words as a command line that is not finished.
+class Line {
+public:
+    Line(const CLI::App& app, std::span<const std::string> words) : app_(app), words_(words) {}
+
+    Found found() {
+        if (words_.empty()) return {};
+        std::string typed = words_.back();
+        read_words();
+        // A shell may take --option=value for three words.
+        if (typed == "=" && awaits_) typed.clear();
+        if (awaits_) {
+            offer_values(*awaits_, typed);
+        } else if (const size_t equals = typed.find('=');
+                   typed.starts_with("--") && equals != typed.npos) {
+            offer_after(typed.substr(0, equals + 1), typed.substr(equals + 1));
+        } else if (typed.starts_with('-')) {
+            offer_options();
+        } else {
+            offer_positional(typed);
+        }
+        std::erase_if(found_, [&](const std::string& each) { return !each.starts_with(typed); });
+        return std::move(found_);
+    }
+
+private:
+    void read_words() {
+        for (const std::string& word : words_.first(words_.size() - 1)) {
+            if (word == "=" && awaits_) continue;
+            if (awaits_) {
+                if (awaits_->check_lname("plugin-path")) plugin_paths_.push_back(word);
+                awaits_ = nullptr;
+            } else if (word.starts_with('-') && word != "-") {
+                const CLI::Option* option = option_named(word);
+                if (option && takes_value(*option)) awaits_ = option;
+            } else if (!command_) {
+                command_ = command_named(word);
+            } else {
+                ++positionals_;
+            }
+        }
+    }
+
+    const CLI::App* command_named(const std::string& word) const {
+        const auto named = [&](const CLI::App* sub) { return sub->get_name() == word; };
+        const auto found = app_.get_subcommands(named);
+        return found.empty() ? nullptr : found.front();
+    }
+    const CLI::App& current() const { return command_ ? *command_ : app_; }
+    const CLI::Option* option_named(const std::string& word) const {
+        return current().get_option_no_throw(word);
+    }
+
+    void offer_options() {
+        for (const CLI::Option* option : current().get_options()) {
+            for (const std::string& name : option->get_lnames())
+                if (!option->get_group().empty()) found_.insert("--" + name);
+            for (const std::string& name : option->get_snames())
+                found_.insert("-" + name);
+        }
+    }
+
+    void offer_after(const std::string& prefix, const std::string& typed) {
+        const CLI::Option* option = option_named(prefix.substr(0, prefix.size() - 1));
+        if (!option) return;
+        offer_values(*option, typed);
+        Found with;
+        for (const std::string& each : found_)
+            if (each.starts_with(typed)) with.insert(prefix + each);
+        found_ = std::move(with);
+    }
+
+    void offer_positional(const std::string& typed) {
+        if (!command_) {
+            for (const CLI::App* sub : app_.get_subcommands({}))
+                if (!sub->get_group().empty()) found_.insert(sub->get_name());
+            return;
+        }
+        std::vector<const CLI::Option*> places;
+        for (const CLI::Option* option : command_->get_options())
+            if (option->get_positional()) places.push_back(option);
+        if (!places.empty())
+            offer_values(*places[std::min(positionals_, places.size() - 1)], typed);
+    }
+
+    // By the names that a check lists, else by what the help calls the value.
+    void offer_values(const CLI::Option& option, const std::string& typed) {
+        const std::string kind = option.get_positional() ? option.get_name() : type_of(option);
+        const std::string type = option.get_type_name();
+        if (const size_t open = type.find('{'); open != type.npos) {
+            const std::string names = type.substr(open + 1, type.find('}', open) - open - 1);
+            for (const std::string_view name : split(names, ','))
+                found_.emplace(name);
+        } else if (option.check_lname("target")) {
+            for (const Target& target : targets())
+                found_.emplace(target.name);
+        } else if (kind == "ID") {
+            Diagnostics ignored;
+            CommonOptions options;
+            options.plugin_paths = plugin_paths_;
+            for (const std::string& id : load_nodes(options, ignored).registry.ids())
+                found_.insert(id);
+        } else if (kind == "DIR") {
+            offer_files(typed, option.check_lname("plugin-path") ? ".so" : "", found_);
+        } else if (option.check_lname("test")) {
+            offer_files(typed, ".so", found_);
+        } else if (kind == "NAME|PATH") {
+            for (const std::string& shape : shape_names())
+                found_.insert(shape);
+            for (const char* end : {".obj", ".glb", ".gltf"})
+                offer_files(typed, end, found_);
+        } else if (option.get_positional()) {
+            offer_files(typed, kind == "PATH" ? ".test.json" : ".json", found_);
+        }
+    }
+
+    static std::string type_of(const CLI::Option& option) {
+        const std::string type = option.get_type_name();
+        return type.substr(0, type.find(':'));
+    }
+
+    const CLI::App& app_;
+    std::span<const std::string> words_;
+    const CLI::App* command_ = nullptr;
+    const CLI::Option* awaits_ = nullptr;  // its value is what is being typed
+    size_t positionals_ = 0;               // before what is being typed
+    std::vector<std::string> plugin_paths_;
+    Found found_;
+};
+
+constexpr const char* bash_script = R"sh(# Completion for bash. Either read it in ~/.bashrc:
+#   source <(wrinkle completion bash)
+# or put it where bash-completion looks: share/bash-completion/completions/wrinkle
+_wrinkle() {
+    local i
+    mapfile -t COMPREPLY < <("$1" complete -- "${COMP_WORDS[@]:1:COMP_CWORD}" 2>/dev/null)
+    for i in "${!COMPREPLY[@]}"; do printf -v "COMPREPLY[i]" %q "${COMPREPLY[i]}"; done
+    [[ ${#COMPREPLY[@]} -eq 1 && ${COMPREPLY[0]} == */ ]] && compopt -o nospace 2>/dev/null
+    return 0
+}
+complete -o default -F _wrinkle wrinkle
+)sh";
+
+constexpr const char* zsh_script = R"sh(#compdef wrinkle
+# Completion for zsh: as _wrinkle in a folder of $fpath, or in ~/.zshrc after compinit:
+#   source <(wrinkle completion zsh)
+_wrinkle() {
+    local -a found
+    found=(${(f)"$(${(Q)words[1]} complete -- "${(@Q)words[2,CURRENT]}" 2>/dev/null)"})
+    if (( ! $#found )); then
+        _files
+        return
+    fi
+    compadd -S '' -- ${(M)found:#*/}
+    compadd -- ${found:#*/}
+}
+if [[ $funcstack[1] == _wrinkle ]]; then
+    _wrinkle "$@"
+else
+    compdef _wrinkle wrinkle
+fi
+)sh";
+
+constexpr const char* fish_script =
+    R"sh(# Completion for fish: as wrinkle.fish in ~/.config/fish/completions, or
+#   wrinkle completion fish | source
+function __wrinkle_complete
+    set -l words (commandline -opc) (commandline -ct)
+    set -l found ($words[1] complete -- $words[2..-1] 2>/dev/null)
+    if test (count $found) -gt 0
+        printf '%s\n' $found
+    else
+        __fish_complete_path (commandline -ct)
+    end
+end
+complete -c wrinkle -f -a '(__wrinkle_complete)'
+)sh";
+
+struct CompletionCommand {
+    std::string shell;
+    std::vector<std::string> words;
+};
+
+}  // namespace
+
+std::vector<std::string> completions(const CLI::App& app, std::span<const std::string> words) {
+    const Found found = Line(app, words).found();
+    return {found.begin(), found.end()};
+}
+
+std::string completion_script(std::string_view shell) {
+    return shell == "bash" ? bash_script : shell == "zsh" ? zsh_script : fish_script;
+}
+
+void declare_completion(CLI::App& app, Run& run) {
+    auto command = std::make_shared<CompletionCommand>();
+    CLI::App& sub =
+        *app.add_subcommand("completion", "A script that lets a shell complete these commands");
+    sub.add_option("SHELL", command->shell, "The shell")
+        ->required()
+        ->check(CLI::IsMember({"bash", "zsh", "fish"}));
+    sub.callback([command, &run] {
+        run = [command] {
+            const bool written = write_result("-", completion_script(command->shell));
+            return written ? int{exit_fine} : int{exit_environment};
+        };
+    });
+    CLI::App& complete = *app.add_subcommand("complete", "What a shell offers after WORD...");
+    complete.group("");
+    complete.add_option("WORD", command->words, "After the program's name, the last being typed");
+    complete.callback([command, &app, &run] {
+        run = [command, &app] {
+            std::string text;
+            for (const std::string& each : completions(app, command->words))
+                text += each + "\n";
+            return write_result("-", text) ? int{exit_fine} : int{exit_environment};
+        };
+    });
+}
+
+}  // namespace wrinkle::cli

@@ -1,0 +1,20 @@
+// A node that ends the program it is built in, after one that does not.
+#include <cstdlib>
+
+#include "wrinkle/node.h"
+
+using namespace wrinkle::sdk;
+
+static Node steady = node("steady", "Steady", "Half of what comes in.")
+                         .family("test")
+                         .in<Float>("value", 1, "A number")
+                         .out<Float>("half", "Half of it")
+                         .body([](Float value) { return value * 0.5; });
+
+static Node ending = node("ending", "Ending", "Never comes back.")
+                         .family("test")
+                         .in<Float>("value", 1, "A number")
+                         .out<Float>("half", "Half of it")
+                         .body([](Float) -> Float { std::abort(); });
+
+WRINKLE_PLUGIN("ending", "1.0", steady, ending)
