@@ -31,7 +31,7 @@ struct Loaded {
     Registry registry;
     std::vector<PluginReport> reports;
     bool fine() const {
-        return !reports.empty() && reports.front().state == PluginReport::State::loaded;
+        return !reports.empty() && reports.front().state != PluginReport::State::refused;
     }
 };
 
