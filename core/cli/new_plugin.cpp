@@ -4,8 +4,8 @@
 #include <filesystem>
 #include <memory>
 
-#include "base/folders.h"
 #include "base/file.h"
+#include "base/folders.h"
 #include "cli/output.h"
 #include "cli/scaffold.h"
 #include "cli/session.h"
