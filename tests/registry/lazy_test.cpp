@@ -1,6 +1,7 @@
 // What a plugin offers is known without its code in this process: by its manifest, by the cache, or
 // by a probe; and the code comes when a node is first built.
 #include <gtest/gtest.h>
+#include <signal.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -207,6 +208,18 @@ TEST_F(Lazy, WhatAPluginStartsEndsWithItsProbe) {
     const Loaded loaded = list(place("broken.so", "forks.so"));
     EXPECT_EQ(to_text(loaded.diagnostics), "");
     EXPECT_EQ(loaded.registry.ids(), std::vector<std::string>{"broken"});
+}
+
+TEST_F(Lazy, WhatLeavesItsGroupIsNotWaitedFor) {
+    const Loaded loaded = list(place("broken.so", "escapes.so"));
+    EXPECT_EQ(loaded.registry.ids(), std::vector<std::string>{"broken"});
+    std::string number;
+    for (int i = 0; i < 1000 && number.empty(); ++i) {
+        usleep(10'000);
+        if (fs::exists(mark)) number = bytes_of(mark);
+    }
+    ASSERT_NE(number, "");
+    EXPECT_EQ(kill(std::stoi(number), SIGKILL), 0) << "it was waited for";
 }
 
 }  // namespace

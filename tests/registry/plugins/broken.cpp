@@ -2,6 +2,7 @@
 #include "broken.h"
 
 #include <dlfcn.h>
+#include <fcntl.h>
 #include <signal.h>
 #include <unistd.h>
 #include <wrinkle/plugin.h>
@@ -10,6 +11,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <stdexcept>
+#include <string>
 #include <string_view>
 #include <utility>
 
@@ -37,6 +39,17 @@ void touch_nothing() {
 void loop() {
     for (;;)
         pause();
+}
+
+// Leaves the group of its process, says who it is, and holds what it inherited open for a while.
+void escape() {
+    setsid();
+    const std::string number = std::to_string(getpid());
+    const char* mark = std::getenv("WRINKLE_TEST_MARK");
+    const int file = mark ? open(mark, O_WRONLY | O_CREAT, 0600) : -1;
+    if (write(file, number.data(), number.size()) < 0) _exit(9);
+    sleep(60);
+    _exit(0);
 }
 
 // What the program that loads it writes to is among them.
@@ -91,6 +104,7 @@ __attribute__((constructor(65535))) void load() {
     BROKEN_LOADING(X)
 #undef X
     if (name == "forks" && fork() == 0) loop();
+    if (name == "escapes" && fork() == 0) escape();
 }
 
 }  // namespace
