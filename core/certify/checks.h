@@ -30,7 +30,7 @@ void check_uniforms(const NodeType& type, const Bench& bench, Report& report);
 void check_finite(const NodeType& type, const Bench& bench, Report& report);
 
 // "precision": float against double. "gpu": the CPU against generated GLSL, when there is a GPU.
-// More than one value in 10 that hangs on the last bits of its inputs is a finding too.
+// More than half of the values hanging on the last bits of their inputs is a finding too.
 void check_parity(const NodeType& type, const Bench& bench, Report& report);
 
 }  // namespace wrinkle::certify

@@ -118,7 +118,7 @@ TEST_F(Certify, NamesABuildThatIsNotDeterministic) {
 TEST_F(Certify, NamesAJumpWherePointsAre) {
     expect_one("on_the_edge", {"precision: with default inputs, ",
                                " of 300 values hang on the "
-                               "last bits of their inputs; one in 10 is allowed"});
+                               "last bits of their inputs; one in 2 is allowed"});
 }
 
 TEST_F(Certify, NamesBothNumbersOfCpuAndGpu) {

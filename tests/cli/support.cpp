@@ -37,18 +37,17 @@ Ran CliTest::run(const std::vector<std::string>& args, const std::string& input,
     words.insert(words.end(), args.begin(), args.end());
     const auto argv = pointers(words);
     // The plugins of the user who runs the tests are none of theirs.
-    const std::vector<std::string> apart{"WRINKLE_NO_DEFAULT_PLUGINS=1",
-                                         "XDG_CACHE_HOME=" + (beside / "cache").string()};
-    const auto own = pointers(apart), additions = pointers(environment);
+    std::vector<std::string> all{"WRINKLE_NO_DEFAULT_PLUGINS=1",
+                                 "XDG_CACHE_HOME=" + (beside / "cache").string()};
+    all.insert(all.end(), environment.begin(), environment.end());
+    const auto settings = pointers(all);
     const pid_t child = fork();
     if (child == 0) {
         dup2(in, 0);
         dup2(out, 1);
         dup2(err, 2);
-        for (char* entry : own)
-            if (entry) putenv(entry);
         unsetenv("WRINKLE_PLUGIN_PATH");
-        for (char* entry : additions)
+        for (char* entry : settings)
             if (entry) putenv(entry);
         const rlimit limit{memory, memory};
         if (memory != RLIM_INFINITY) setrlimit(RLIMIT_AS, &limit);

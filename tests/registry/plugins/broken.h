@@ -1,7 +1,7 @@
 // Ways to be no plugin: X(name, what is done, how the refusal begins).
 //
-// One shared object, broken.so, does what its file is called: `loop.so`, a link to it, loops while it
-// is loaded. What is done stands here beside what is to be said of it.
+// One shared object, broken.so, does what its file is called: `loop.so`, a link to it, loops while
+// it is loaded. What is done stands here beside what is to be said of it.
 #pragma once
 
 // clang-format off
