@@ -11,9 +11,9 @@ struct Scales {
     Float density, radius, tilt, variation, amplitude;
 };
 
-// A scale, `way` from its middle: 0 outside, with a bevelled rim, higher towards its tip along -v.
+// A scale, `way` from its middle: 0 outside, with a round rim, higher towards its tip along -v.
 static Float scale_height(vec2 way, Float lift, const Scales& in) {
-    const Float rim = named("rim", saturate(4 - 4 * dot(way, way) / (in.radius * in.radius)));
+    const Float rim = named("rim", saturate(1.5 - 1.5 * dot(way, way) / (in.radius * in.radius)));
     return lift * rim * (0.5 - 0.5 * in.tilt * way.y() / in.radius);
 }
 

@@ -11,9 +11,9 @@ vec3 wrinkle_scales_normal(WrinkleSurface_scales s) {
     vec3 r_x = cross(dFdy(s.position_relative), normal);
     vec3 dpdx = dFdx(s.position_relative);
     float det = dot(dpdx, r_x);
-    vec2 skin_product = s.uv0 * 12.0;  // skin: Scales
+    vec2 skin_product = s.uv0 * 8.0;  // skin: Scales
     float skin_row = floor(2.0 * skin_product.y);
-    vec2 skin_product_2 = dFdx(s.uv0) * 12.0;
+    vec2 skin_product_2 = dFdx(s.uv0) * 8.0;
     float skin_negated = -(skin_product_2.y * 0.4 / 0.75);
     int skin_state = 0;
     float skin_state_2 = 0.0;
@@ -33,12 +33,12 @@ vec3 wrinkle_scales_normal(WrinkleSurface_scales s) {
         float skin_product_7 = 0.3 * skin_product_6;
         float skin_difference_2 = 1.0 - skin_product_7;
         vec2 skin_way = skin_product - vec2(skin_sum + skin_product_3, 0.5 * skin_difference);
-        float skin_difference_3 = 4.0 - 4.0 * dot(skin_way, skin_way) / 0.5625;
+        float skin_difference_3 = 1.5 - 1.5 * dot(skin_way, skin_way) / 0.5625;
         float skin_product_8 = skin_difference_2 * clamp(skin_difference_3, 0.0, 1.0);
         float skin_difference_4 = 0.5 - 0.4 * skin_way.y / 0.75;
         float skin_product_9 = skin_product_8 * skin_difference_4;
         float skin_product_10 = (dot(skin_product_2, skin_way) + dot(skin_way,
-                skin_product_2)) * 4.0;
+                skin_product_2)) * 1.5;
         float skin_choice = skin_difference_3 < 0.0 ? 0.0 : -(skin_product_10 / 0.5625);
         float skin_choice_2 = 1.0 < max(skin_difference_3, 0.0) ? 0.0 : skin_choice;
         float skin_product_11 = skin_choice_2 * skin_difference_2 * skin_difference_4;
@@ -48,7 +48,7 @@ vec3 wrinkle_scales_normal(WrinkleSurface_scales s) {
         skin_state_2 = max(skin_state_2, skin_product_9);
         skin_state_3 = skin_state_3_next;
     }
-    vec2 skin_product_12 = dFdy(s.uv0) * 12.0;
+    vec2 skin_product_12 = dFdy(s.uv0) * 8.0;
     float skin_negated_2 = -(skin_product_12.y * 0.4 / 0.75);
     int skin_state_4 = 0;
     float skin_state_5 = 0.0;
@@ -69,12 +69,12 @@ vec3 wrinkle_scales_normal(WrinkleSurface_scales s) {
         float skin_difference_6 = 1.0 - skin_product_17;
         vec2 skin_way_2 = skin_product - vec2(skin_sum_5 + skin_product_13,
                 0.5 * skin_difference_5);
-        float skin_difference_7 = 4.0 - 4.0 * dot(skin_way_2, skin_way_2) / 0.5625;
+        float skin_difference_7 = 1.5 - 1.5 * dot(skin_way_2, skin_way_2) / 0.5625;
         float skin_product_18 = skin_difference_6 * clamp(skin_difference_7, 0.0, 1.0);
         float skin_difference_8 = 0.5 - 0.4 * skin_way_2.y / 0.75;
         float skin_product_19 = skin_product_18 * skin_difference_8;
         float skin_product_20 = (dot(skin_product_12, skin_way_2) + dot(skin_way_2,
-                skin_product_12)) * 4.0;
+                skin_product_12)) * 1.5;
         float skin_choice_3 = skin_difference_7 < 0.0 ? 0.0 : -(skin_product_20 / 0.5625);
         float skin_choice_4 = 1.0 < max(skin_difference_7, 0.0) ? 0.0 : skin_choice_3;
         float skin_product_21 = skin_choice_4 * skin_difference_6 * skin_difference_8;
@@ -84,13 +84,13 @@ vec3 wrinkle_scales_normal(WrinkleSurface_scales s) {
         skin_state_5 = max(skin_state_5, skin_product_19);
         skin_state_6 = skin_state_6_next;
     }
-    vec3 normal_product = cross(normal, dpdx) * (skin_state_6 * 0.03);  // normal: Resolve
-    vec3 normal_sum = r_x * (skin_state_3 * 0.03) + normal_product;
+    vec3 normal_product = cross(normal, dpdx) * (skin_state_6 * 0.05);  // normal: Resolve
+    vec3 normal_sum = r_x * (skin_state_3 * 0.05) + normal_product;
     return normalize(normal * s.facing - normal_sum * (sign(det) / max(abs(det), 1e-36)));
 }
 
 float wrinkle_scales_height(WrinkleSurface_scales s) {
-    vec2 skin_product = s.uv0 * 12.0;  // skin: Scales
+    vec2 skin_product = s.uv0 * 8.0;  // skin: Scales
     float skin_row = floor(2.0 * skin_product.y);
     int skin_state = 0;
     float skin_state_2 = 0.0;
@@ -108,10 +108,10 @@ float wrinkle_scales_height(WrinkleSurface_scales s) {
                 5.9604645e-08;
         float skin_product_6 = 0.3 * skin_product_5;
         vec2 skin_way = skin_product - vec2(skin_sum + skin_product_2, 0.5 * skin_difference);
-        float skin_rim = clamp(4.0 - 4.0 * dot(skin_way, skin_way) / 0.5625, 0.0, 1.0);
+        float skin_rim = clamp(1.5 - 1.5 * dot(skin_way, skin_way) / 0.5625, 0.0, 1.0);
         skin_state = skin_state + 1;
         skin_state_2 = max(skin_state_2,
                 (1.0 - skin_product_6) * skin_rim * (0.5 - 0.4 * skin_way.y / 0.75));
     }
-    return 0.03 * skin_state_2;
+    return 0.05 * skin_state_2;
 }
