@@ -38,8 +38,10 @@ protected:
             frame();
         editor.emplace(screen, std::vector<std::string>{file.string(), "--size", "1600", "900",
                                                         "--state", home.path().string()});
-        ASSERT_EQ(do_now("search --sync --onlyvisible --name Wrinkle windowfocus --sync"), 0);
-        std::this_thread::sleep_for(milliseconds(500));  // its first frames
+        // The name of the graph is in the title once there was a frame; the next few put the view
+        // in its place.
+        ASSERT_EQ(do_now("search --sync --onlyvisible --name graph.json windowfocus --sync"), 0);
+        std::this_thread::sleep_for(milliseconds(500));
     }
     int do_now(const std::string& steps) const {
         const std::string command = screen.variable() + " xdotool " + steps + " >/dev/null 2>&1";

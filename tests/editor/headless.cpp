@@ -4,12 +4,15 @@
 #include <imgui_internal.h>
 #include <unistd.h>
 
+#include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
 #include <sstream>
+#include <thread>
 
 #include "editor/document/files.h"
+#include "editor/document/refresh.h"
 #include "editor/look/theme.h"
 #include "editor/panels/ui.h"
 #include "nodes/all.h"
@@ -159,9 +162,13 @@ void Headless::frame() {
 }
 
 void Headless::play(const std::string& text) {
+    using Clock = std::chrono::steady_clock;
+    const auto patience = Clock::now() + std::chrono::minutes(5);
     Script script(text);
-    for (int i = 0; i < 100'000; ++i) {
+    while (Clock::now() < patience) {
         frame();
+        // Leaves the processor to what is waited for.
+        if (!is_settled(state)) std::this_thread::sleep_for(std::chrono::milliseconds(1));
         switch (script.step(state, queue, {})) {
             case Script::Progress::done:
                 return;
