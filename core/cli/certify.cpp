@@ -186,7 +186,7 @@ void declare_certify(CLI::App& command, CertifyOptions& options) {
         command
             .add_option("--test", options.file,
                         "Holds the nodes of this plugin to what the built-in ones are held to")
-            ->type_name("FILE");
+            ->type_name("FILE.so");
     command.add_flag("--no-gpu", options.no_gpu, "Of --test: CPU and GPU are not compared")
         ->needs(file);
     const auto names = certify::check_names();

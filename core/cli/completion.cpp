@@ -144,7 +144,7 @@ private:
                 found_.insert(id);
         } else if (kind == "DIR") {
             offer_files(typed, option.check_lname("plugin-path") ? ".so" : "", found_);
-        } else if (option.check_lname("test")) {
+        } else if (kind == "FILE.so") {
             offer_files(typed, ".so", found_);
         } else if (kind == "NAME|PATH") {
             for (const std::string& shape : shape_names())

@@ -71,7 +71,8 @@ TEST_F(CompletionTest, OffersFilesOfTheRightKind) {
     EXPECT_EQ(offered({"check", ""}), (Names{"a.json", "d.test.json", "inner/"}));
     EXPECT_EQ(offered({"check", "a.json", "inner/"}), Names{"inner/e.json"});
     EXPECT_EQ(offered({"test", ""}), (Names{"d.test.json", "inner/"}));
-    EXPECT_EQ(offered({"plugins", "--test", ""}), (Names{"c.so", "inner/"}));
+    for (const char* option : {"--test", "--manifest"})
+        EXPECT_EQ(offered({"plugins", option, ""}), (Names{"c.so", "inner/"})) << option;
     EXPECT_EQ(offered({"nodes", "--plugin-path", ""}), (Names{"c.so", "inner/"}));
     EXPECT_EQ(offered({"check", "--root", ""}), Names{"inner/"});
     EXPECT_EQ(offered({"compile", "a.json", "-o", ""}), Names{});  // the shell's own
