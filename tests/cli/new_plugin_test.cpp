@@ -67,13 +67,11 @@ TEST_F(NewPluginTest, AnotherFolderIsLeftAsItIs) {
 }
 
 TEST_F(NewPluginTest, NothingIsLeftWhenItCannotBeWritten) {
-    fs::create_directories(folder / "locked");
-    fs::permissions(folder / "locked", fs::perms::owner_read | fs::perms::owner_exec);
-    as_nobody = true;
-    const Ran ran = run({"new-plugin", "studs", "--folder", "locked/a/b"});
+    put("file", "no folder");
+    const Ran ran = run({"new-plugin", "studs", "--folder", "file/a/b"});
     EXPECT_EQ(ran.code, 3);
-    EXPECT_TRUE(says(ran.err, "locked/a/b: Permission denied"));
-    EXPECT_EQ(files(), Names{"locked"});
+    EXPECT_TRUE(says(ran.err, "file/a/b: Not a directory"));
+    EXPECT_EQ(files(), Names{"file"});
 }
 
 // The folder can be made, but its files would have paths that are too long.

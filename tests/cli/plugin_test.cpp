@@ -60,10 +60,8 @@ TEST_F(PluginTest, AManifestIsWrittenBesideThePlugin) {
     EXPECT_EQ(refused.code, 1);
     EXPECT_TRUE(says(refused.err, "p/none.so: error: it cannot be loaded: it is no shared object"));
     EXPECT_FALSE(exists("p/none.so.json"));
-    as_nobody = true;
-    fs::permissions(folder / "p", fs::perms::owner_read | fs::perms::owner_exec |
-                                      fs::perms::others_read | fs::perms::others_exec);
     put("q/ripples.so", get("p/ripples.so"));
+    put("q/ripples.so.json/in_the_way", "");
     EXPECT_EQ(run({"plugins", "--manifest", "q/ripples.so"}).code, 3) << "it cannot be written";
 }
 
