@@ -11,6 +11,7 @@
 #include "editor/document/files.h"
 #include "editor/document/recovery.h"
 #include "editor/window.h"
+#include "gpu/context.h"
 #include "registry/plugin_loader.h"
 
 namespace wrinkle::editor {
@@ -135,5 +136,6 @@ int main(int argc, char** argv) {
         return app.exit(error) == 0 ? 0 : 2;
     }
     signal(SIGXFSZ, SIG_IGN);  // writing says what is wrong
+    wrinkle::gpu::Context::prefer_quick_programs();
     return wrinkle::editor::run(arguments);
 }

@@ -2,6 +2,7 @@
 
 #include <epoxy/egl.h>
 #include <epoxy/gl.h>
+#include <stdlib.h>
 
 #include <array>
 #include <utility>
@@ -192,6 +193,10 @@ std::string Context::renderer_name() {
 std::string Context::version_name() {
     return text_of(GL_VERSION);
 }
+void Context::prefer_quick_programs() {
+    setenv("GALLIVM_PERF", "nopt", 0);
+}
+
 bool Context::was_lost() {
     return is_robust_gl() && glGetGraphicsResetStatus() != GL_NO_ERROR;
 }

@@ -41,6 +41,12 @@ public:
     // (GL_KHR_robustness) never say so.
     static bool was_lost();
 
+    // For programs that draw small pictures of ever new materials. Mesa's software driver then
+    // spends half the time on a program's machine code; pictures keep their bits and take about as
+    // long. To be called before the first context and the first thread; a GALLIVM_PERF that the
+    // user has set stands, other drivers do not read it.
+    static void prefer_quick_programs();
+
     // Waits until all that was drawn here can be seen by contexts that share with this one.
     static void finish();
 

@@ -52,6 +52,19 @@ TEST_F(RenderTest, LeavesAnEqualPictureUntouched) {
     EXPECT_EQ(fs::last_write_time(folder / "g.png"), before);
 }
 
+// The editor tells Mesa's software driver to spend less on programs (gpu/context.h).
+TEST_F(RenderTest, QuickProgramsDrawTheSamePicture) {
+    const std::string graph = WRINKLE_SOURCE_DIR "/graphs/woven_strap.json";
+    for (const char* name : {"nopt", ""}) {
+        const Ran ran =
+            run({"render", graph, "-o", std::string("g") + name + ".png", "--size", "200x150"}, "",
+                {std::string("GALLIVM_PERF=") + name,
+                 "MESA_SHADER_CACHE_DIR=" + (folder / ("cache" + std::string(name))).string()});
+        ASSERT_EQ(ran.code, 0) << ran.err;
+    }
+    EXPECT_EQ(get("gnopt.png"), get("g.png"));
+}
+
 TEST_F(RenderTest, MeasuresTheDifference) {
     put("g.json", tilt_graph("0.75"));
     const std::vector<std::string> args = {"render", "g.json", "-o",    "g.png",  "--size",

@@ -90,5 +90,18 @@ TEST(ContextDeathTest, SaysInOneSentenceThatThereIsNoDriver) {
     EXPECT_EXIT(try_without_a_driver(), testing::ExitedWithCode(3), "OpenGL is not available");
 }
 
+void say_wish(const char* of_the_user) {
+    of_the_user ? setenv("GALLIVM_PERF", of_the_user, 1) : unsetenv("GALLIVM_PERF");
+    Context::prefer_quick_programs();
+    std::cerr << std::getenv("GALLIVM_PERF");
+    std::exit(0);
+}
+
+TEST(ContextDeathTest, PrefersQuickProgramsUnlessTheUserSaidOtherwise) {
+    GTEST_FLAG_SET(death_test_style, "threadsafe");
+    EXPECT_EXIT(say_wish(nullptr), testing::ExitedWithCode(0), "nopt");
+    EXPECT_EXIT(say_wish("no_brilinear"), testing::ExitedWithCode(0), "no_brilinear");
+}
+
 }  // namespace
 }  // namespace wrinkle::gpu
