@@ -42,14 +42,29 @@ void loop() {
 }
 
 // Leaves the group of its process, says who it is, and holds what it inherited open for a while.
-void escape() {
-    setsid();
+void live_outside() {
     const std::string number = std::to_string(getpid());
     const char* mark = std::getenv("WRINKLE_TEST_MARK");
     const int file = mark ? open(mark, O_WRONLY | O_CREAT, 0600) : -1;
     if (write(file, number.data(), number.size()) < 0) _exit(9);
     sleep(60);
     _exit(0);
+}
+
+// Starts a process that leaves the group, and waits until it has left.
+void escape() {
+    int ends[2];
+    if (pipe(ends) != 0) _exit(9);
+    if (fork() == 0) {
+        setsid();
+        close(ends[0]);
+        close(ends[1]);
+        live_outside();
+    }
+    close(ends[1]);
+    char none;
+    if (read(ends[0], &none, 1) != 0) _exit(9);
+    close(ends[0]);
 }
 
 // What the program that loads it writes to is among them.
@@ -104,7 +119,7 @@ __attribute__((constructor(65535))) void load() {
     BROKEN_LOADING(X)
 #undef X
     if (name == "forks" && fork() == 0) loop();
-    if (name == "escapes" && fork() == 0) escape();
+    if (name == "escapes") escape();
 }
 
 }  // namespace
