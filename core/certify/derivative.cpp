@@ -16,7 +16,7 @@ namespace wrinkle::certify {
 namespace {
 
 constexpr double step = 1e-4;  // pixels
-constexpr size_t point_count = 200;
+constexpr size_t derivative_points = 200;
 constexpr size_t least_smooth_share = 50;  // one in so many may be at a jump or a kink
 
 double largest(const std::vector<double>& values) {
@@ -78,7 +78,7 @@ struct Around {
     Values here, right, left, near_right, near_left;
 };
 std::optional<Around> around(const Module& module, std::string& why) {
-    static const PointSet points = random_points(point_count, 23);
+    static const PointSet points = random_points(derivative_points, 23);
     const auto at = [&](double pixels) {
         return on_cpu<double>(module, moved_in_x(points, pixels), test_image, why);
     };

@@ -5,7 +5,7 @@
 namespace wrinkle::certify {
 namespace {
 
-constexpr size_t point_count = 300;
+constexpr size_t parity_points = 300;
 // One value in so many may hang on the last bits: steep edges do, and are none the worse for it,
 // but where most values do nothing is proved.
 constexpr size_t least_stable_share = 2;
@@ -18,7 +18,7 @@ public:
     void run(Inputs inputs, unsigned seed) {
         const Subject subject = compile_around(type_, inputs, seed, bench_);
         if (!subject.compiled.ok) return;
-        static const PointSet points = random_points(point_count, 7);
+        static const PointSet points = random_points(parity_points, 7);
         const Module& module = subject.compiled.module;
         std::string why;
         const auto judge = make_judge(module, points, test_image, why);

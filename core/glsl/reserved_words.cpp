@@ -7,7 +7,7 @@ namespace wrinkle {
 namespace {
 
 // GLSL 3.30 and 4.60 (sections 3.6 and 8), GLSL ES 3.00; and `s`, the argument of our functions.
-constexpr std::string_view words =
+constexpr std::string_view reserved =
     "abs acos acosh active all any asin asinh asm atan atanh atomic_uint attribute bool break "
     "buffer bvec2 bvec3 bvec4 case cast ceil centroid clamp class coherent common const "
     "continue cos cosh cross dFdx dFdxCoarse dFdxFine dFdy dFdyCoarse dFdyFine default "
@@ -45,7 +45,7 @@ constexpr std::string_view words =
 
 bool is_reserved(std::string_view word) {
     static const auto table = [] {
-        const auto list = split(words, ' ');
+        const auto list = split(reserved, ' ');
         return std::unordered_set<std::string_view>(list.begin(), list.end());
     }();
     return table.count(word) > 0;

@@ -13,7 +13,7 @@ namespace wrinkle::gpu {
 namespace {
 
 // One triangle over the whole target; its corners' directions are linear across it.
-constexpr const char* vertex_text = R"(#version 330 core
+constexpr const char* backdrop_vertex_text = R"(#version 330 core
 uniform vec3 WrView_forward;
 uniform vec3 WrView_right;
 uniform vec3 WrView_up;
@@ -48,7 +48,7 @@ Backdrop::Backdrop(const MipChain& radiance)
     : texture_(Texture::upload(radiance)), lookup_(Wrap::repeat, Filter::linear) {
     const std::array<std::string, 1> outputs{"WrView_color"};
     std::string log;
-    program_ = Program::link(vertex_text,
+    program_ = Program::link(backdrop_vertex_text,
                              std::string(fragment_head).append(display_text()) + fragment_body,
                              outputs, log);
     glGenVertexArrays(1, &array_);

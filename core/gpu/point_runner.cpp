@@ -15,7 +15,7 @@ namespace {
 // Points lie in rows of this length; attribute k of all points stands in the rows from k * rows on.
 constexpr size_t row_length = 1024;
 
-constexpr const char* vertex_text = R"(#version 330 core
+constexpr const char* point_vertex_text = R"(#version 330 core
 void main() {
     gl_Position = vec4(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0, 0.0, 1.0);
 }
@@ -101,7 +101,8 @@ std::optional<Program> compile(const PointJob& job, Diagnostics& diagnostics) {
     for (int i = 0; i < job.outputs; ++i)
         outputs.push_back("out" + std::to_string(i));
     std::string log;
-    std::optional<Program> program = Program::link(vertex_text, fragment_text(job), outputs, log);
+    std::optional<Program> program =
+        Program::link(point_vertex_text, fragment_text(job), outputs, log);
     if (!program) diagnostics.error("the driver refuses the shader: " + log);
     return program;
 }

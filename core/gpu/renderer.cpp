@@ -25,13 +25,6 @@
 namespace wrinkle::gpu {
 namespace {
 
-struct ProgramKey {
-    View view = View::shaded;
-    std::string normal = "normal", against = {};
-    friend auto operator<=>(const ProgramKey&, const ProgramKey&) = default;
-};
-using Programs = std::map<ProgramKey, Program>;
-
 std::string in_quotes(std::string_view text) {
     return "'" + std::string(text) + "'";
 }
@@ -77,10 +70,15 @@ struct KeptImage {
 };
 
 struct Renderer::State {
+    struct ProgramKey {
+        View view = View::shaded;
+        std::string normal = "normal", against = {};
+        friend auto operator<=>(const ProgramKey&, const ProgramKey&) = default;
+    };
     std::optional<MeshBuffers> mesh;
     std::optional<Material> material;
     std::vector<Lookup> lookups;  // one per sampler of the material
-    Programs programs;
+    std::map<ProgramKey, Program> programs;
     std::map<std::string, KeptImage> images;
     std::optional<EnvironmentTexture> environment;
     std::optional<Backdrop> backdrop;
@@ -262,7 +260,7 @@ bool Renderer::set_material(const Material& material, Diagnostics& diagnostics) 
         ++state_->linked;
         state_->shading = state_->wanted;
         state_->programs.clear();
-        state_->programs.emplace(ProgramKey{}, std::move(*shaded));
+        state_->programs.emplace(State::ProgramKey{}, std::move(*shaded));
     }
     state_->material = material;
     state_->lookups.clear();

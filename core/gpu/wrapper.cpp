@@ -34,7 +34,7 @@ const Property* find_property(std::string_view name) {
     return found == properties.end() ? nullptr : found;
 }
 
-constexpr std::string_view vertex_text = R"(uniform mat4 WrView_to_clip;
+constexpr std::string_view surface_vertex_text = R"(uniform mat4 WrView_to_clip;
 uniform vec3 WrView_eye;
 out vec3 WrView_position;
 out vec3 WrView_position_relative;
@@ -360,7 +360,7 @@ ShaderText wrap_material(const Material& material, View view, const OutputFuncti
     fragment += surface_text;
     fragment += body_of(material, view, against);
     fragment += "    WrView_color = vec4(WrView_raw ? value : clamp(shown, 0.0, 1.0), 1.0);\n}\n";
-    return {vertex_inputs() + std::string(vertex_text), std::move(fragment)};
+    return {vertex_inputs() + std::string(surface_vertex_text), std::move(fragment)};
 }
 
 const OutputFunction* find_output(const Material& material, const std::string& output) {

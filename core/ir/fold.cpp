@@ -8,7 +8,7 @@
 namespace wrinkle {
 namespace {
 
-using Operands = std::span<const Constant>;
+using Constants = std::span<const Constant>;
 
 double wrapped(Type type, int64_t value) {
     if (type == Type::uint_) return static_cast<double>(static_cast<uint32_t>(value));
@@ -236,7 +236,7 @@ bool fold_conversion(Op op, const Constant& from, double& r) {
     return true;
 }
 
-bool fold_lane(Op op, Type type, Operands x, int lane, double& r) {
+bool fold_lane(Op op, Type type, Constants x, int lane, double& r) {
     double v[3] = {};
     for (size_t i = 0; i < x.size() && i < 3; ++i)
         v[i] = x[i].lanes[info(x[i].type).lanes > 1 ? static_cast<size_t>(lane) : 0];
@@ -251,7 +251,7 @@ double dot(const Constant& a, const Constant& b) {
     return sum;
 }
 
-bool fold_vector(Op op, Operands x, Lanes& r) {
+bool fold_vector(Op op, Constants x, Lanes& r) {
     const Lanes& a = x[0].lanes;
     const size_t n = info(x[0].type).lanes;
     switch (op) {
@@ -297,7 +297,7 @@ bool fold_vector(Op op, Operands x, Lanes& r) {
 
 }  // namespace
 
-bool fold(Op op, Type result, uint32_t extra, Operands operands, Lanes& lanes) {
+bool fold(Op op, Type result, uint32_t extra, Constants operands, Lanes& lanes) {
     if (operands.empty()) return false;
     const OpInfo& row = info(op);
     if (row.rule == Rule::compare || row.rule == Rule::logic)

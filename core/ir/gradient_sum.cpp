@@ -19,7 +19,7 @@ bool on_vertex_tangents(const Slopes::Slot& slot) {
     return slot.basis.basis == Basis::vertex;
 }
 
-Value sum(Value a, Value b) {
+Value sum_of(Value a, Value b) {
     if (!a) return b;
     if (!b) return a;
     return a + b;
@@ -49,9 +49,9 @@ GradientSum GradientAlgebra::from_slope(const FrameKey& basis, Value slope, Valu
 
 Slopes GradientAlgebra::add(const Slopes& a, const Slopes& b) {
     Slopes result = a;
-    result.screen = sum(a.screen, b.screen);
-    result.volume = sum(a.volume, b.volume);
-    result.rest = sum(a.rest, b.rest);
+    result.screen = sum_of(a.screen, b.screen);
+    result.volume = sum_of(a.volume, b.volume);
+    result.rest = sum_of(a.rest, b.rest);
     for (const Slopes::Slot& slot : b.slots) {
         const auto same = [&](const Slopes::Slot& other) { return other.basis == slot.basis; };
         const auto found = std::find_if(result.slots.begin(), result.slots.end(), same);
@@ -61,7 +61,7 @@ Slopes GradientAlgebra::add(const Slopes& a, const Slopes& b) {
             result.slots.push_back(slot);
         } else {
             const TangentBasis basis = tangent_basis(*target_, slot.basis, *screen_, false);
-            result.rest = sum(result.rest, basis.t * slot.slope.x() + basis.b * slot.slope.y());
+            result.rest = sum_of(result.rest, basis.t * slot.slope.x() + basis.b * slot.slope.y());
         }
     }
     return result;
@@ -128,16 +128,16 @@ Value GradientAlgebra::vector(const Slopes& slopes, Value on_base, bool raw) {
     Value gamma = slopes.rest;
     for (const Slopes::Slot& slot : slopes.slots) {
         const TangentBasis basis = tangent_basis(*target_, slot.basis, *screen_, raw);
-        gamma = sum(gamma, basis.t * slot.slope.x() + basis.b * slot.slope.y());
+        gamma = sum_of(gamma, basis.t * slot.slope.x() + basis.b * slot.slope.y());
     }
-    if (slopes.screen) gamma = sum(gamma, screen_gradient(slopes.screen));
+    if (slopes.screen) gamma = sum_of(gamma, screen_gradient(slopes.screen));
     const auto projected = [](Value v, Value n) { return v - n * dot(n, v); };
     if (on_base) {
-        gamma = sum(gamma, slopes.volume);
+        gamma = sum_of(gamma, slopes.volume);
         return gamma ? projected(gamma, on_base) : gamma;
     }
     if (slopes.volume)
-        gamma = sum(gamma, projected(slopes.volume, {target_, unit_normal(*target_)}));
+        gamma = sum_of(gamma, projected(slopes.volume, {target_, unit_normal(*target_)}));
     return gamma;
 }
 

@@ -5,15 +5,13 @@
 namespace wrinkle {
 namespace {
 
-constexpr uint32_t none = FlatNode::none;
-
 // One use of a file: the top graph, or a sub-graph node.
 struct Use {
     uint32_t file = 0;
-    uint32_t parent = none;  // the use around it
-    uint32_t node = none;    // the sub-graph node in the parent's document
-    uint32_t instance = 0;   // Module::nodes
-    std::string prefix;      // "outer/"
+    uint32_t parent = FlatNode::none;  // the use around it
+    uint32_t node = FlatNode::none;    // the sub-graph node in the parent's document
+    uint32_t instance = 0;             // Module::nodes
+    std::string prefix;                // "outer/"
     // Flat nodes and uses by node, input and output of the document; none: not met yet.
     std::vector<uint32_t> nodes, uses, inputs, outputs;
 };
@@ -49,10 +47,10 @@ private:
         const Document& document = project_.files[file].document;
         Use use;
         use.file = file;
-        use.nodes.assign(document.nodes.size(), none);
-        use.uses.assign(document.nodes.size(), none);
-        use.inputs.assign(document.inputs.size(), none);
-        use.outputs.assign(document.outputs.size(), none);
+        use.nodes.assign(document.nodes.size(), FlatNode::none);
+        use.uses.assign(document.nodes.size(), FlatNode::none);
+        use.inputs.assign(document.inputs.size(), FlatNode::none);
+        use.outputs.assign(document.outputs.size(), FlatNode::none);
         return use;
     }
 
@@ -64,7 +62,7 @@ private:
     }
 
     uint32_t inner_use(uint32_t use, uint32_t node) {
-        if (uses_[use].uses[node] != none) return uses_[use].uses[node];
+        if (uses_[use].uses[node] != FlatNode::none) return uses_[use].uses[node];
         const uint32_t file = project_.files[uses_[use].file].subgraphs[node];
         Use inner = make_use(file);
         inner.parent = use;
@@ -87,7 +85,7 @@ private:
     }
 
     uint32_t flat_node(uint32_t use, uint32_t node) {
-        if (uses_[use].nodes[node] != none) return uses_[use].nodes[node];
+        if (uses_[use].nodes[node] != FlatNode::none) return uses_[use].nodes[node];
         const Node& source = *document(use).nodes[node];
         FlatNode flat;
         flat.type = types_.of(uses_[use].file, node);
@@ -106,14 +104,14 @@ private:
 
     // Seen from outside, a sub-graph's input is a port of its node.
     uint32_t input_pass(uint32_t use, uint32_t input) {
-        if (uses_[use].inputs[input] != none) return uses_[use].inputs[input];
+        if (uses_[use].inputs[input] != FlatNode::none) return uses_[use].inputs[input];
         FlatNode flat;
         const NodeType& type = types_.subgraph(uses_[use].file);
         flat.pass = &type.ports[type.find_input(document(use).inputs[input].name)];
         flat.node = uses_[use].node;
         flat.instance = uses_[use].instance;
         const uint32_t index = add_node(std::move(flat), 1, uses_[use].parent);
-        pending_input_.resize(index + 1, {none, none});
+        pending_input_.resize(index + 1, {FlatNode::none, FlatNode::none});
         pending_input_[index] = {use, input};
         return uses_[use].inputs[input] = index;
     }
@@ -140,7 +138,7 @@ private:
     Wire input_wire(uint32_t use, const Link& link) {
         const auto index = static_cast<uint32_t>(document(use).inputs.index_of(link.port));
         const auto type = *types_.link(uses_[use].file, link);
-        if (uses_[use].parent != none) return node_wire(input_pass(use, index), type, 0);
+        if (uses_[use].parent != FlatNode::none) return node_wire(input_pass(use, index), type, 0);
         Wire wire;
         wire.kind = Wire::Kind::graph_input;
         wire.type = type;
@@ -172,7 +170,7 @@ private:
 
     // Its wire is followed by run(): following it here would nest calls as deep as sub-graphs nest.
     uint32_t output_pass(uint32_t use, uint32_t output) {
-        if (uses_[use].outputs[output] != none) return uses_[use].outputs[output];
+        if (uses_[use].outputs[output] != FlatNode::none) return uses_[use].outputs[output];
         FlatNode flat;
         const Output& source = document(use).outputs[output];
         Port& port = graph_.output_ports.emplace_back();
@@ -181,7 +179,7 @@ private:
         flat.pass = &port;
         flat.instance = uses_[use].instance;
         const uint32_t index = add_node(std::move(flat), 1, use);
-        pending_output_.resize(index + 1, {none, none});
+        pending_output_.resize(index + 1, {FlatNode::none, FlatNode::none});
         pending_output_[index] = {use, output};
         return uses_[use].outputs[output] = index;
     }
@@ -190,19 +188,19 @@ private:
         uint32_t use, index;
     };
     static Pending at(const std::vector<Pending>& list, uint32_t index) {
-        return index < list.size() ? list[index] : Pending{none, none};
+        return index < list.size() ? list[index] : Pending{FlatNode::none, FlatNode::none};
     }
 
     void fill(uint32_t index) {
         const uint32_t first = graph_.nodes[index].first_wire;
-        if (const Pending output = at(pending_output_, index); output.use != none) {
+        if (const Pending output = at(pending_output_, index); output.use != FlatNode::none) {
             const Output& source = document(output.use).outputs[output.index];
             graph_.wires[first] = follow(output.use, source.from.link);
             return;
         }
         const FlatNode flat = graph_.nodes[index];
-        if (flat.node == none) return;
-        if (const Pending input = at(pending_input_, index); input.use != none) {
+        if (flat.node == FlatNode::none) return;
+        if (const Pending input = at(pending_input_, index); input.use != FlatNode::none) {
             Wire wire = port_wire(use_of_[index], flat.node, flat.pass->name);
             if (wire.kind == Wire::Kind::none) wire = default_wire(input);
             graph_.wires[first] = wire;

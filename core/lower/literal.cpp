@@ -9,18 +9,17 @@ namespace wrinkle {
 namespace {
 
 using json::Kind;
-using json::Value;
 using Problems = std::vector<LiteralProblem>;
 
 constexpr double largest = std::numeric_limits<float>::max();
 
-bool is_integer(const Value& value) {
+bool is_integer(const json::Value& value) {
     if (!value.is(Kind::number)) return false;
     const double number = value.as_number();
     return std::abs(number) <= 1e9 && number == std::floor(number);
 }
 
-std::string found(const Value& value) {
+std::string found(const json::Value& value) {
     if (value.is(Kind::array)) return "holds an array of " + std::to_string(value.size());
     return std::string("holds ") + json::kind_name(value.kind());
 }
@@ -38,7 +37,7 @@ std::string remedy(std::string_view word, std::span<const std::string> names) {
     return did_you_mean(word, names, "expected " + list(names));
 }
 
-void number_problems(const Value& value, const Port& port, Problems& problems) {
+void number_problems(const json::Value& value, const Port& port, Problems& problems) {
     const double number = value.as_number();
     if (std::abs(number) > largest) {
         problems.push_back(
@@ -55,7 +54,7 @@ void number_problems(const Value& value, const Port& port, Problems& problems) {
                         shortest(clamped) + " is used"});
 }
 
-void numbers_problems(const Value& value, const Port& port, Problems& problems) {
+void numbers_problems(const json::Value& value, const Port& port, Problems& problems) {
     std::array<double, 4> ignored{};
     const int lanes = lanes_of(port.type);
     if (!literal_numbers(value, port.type, ignored)) {
@@ -70,7 +69,7 @@ void numbers_problems(const Value& value, const Port& port, Problems& problems) 
     }
 }
 
-void option_problems(const Value& value, const Port& port, Problems& problems) {
+void option_problems(const json::Value& value, const Port& port, Problems& problems) {
     if (literal_option(value, port)) return;
     if (port.kind == Port::Kind::flag) {
         problems.push_back({value, Severity::error, found(value), "expected true or false"});
@@ -109,7 +108,7 @@ void word_problems(const json::Member& member, std::span<const std::string_view>
                             remedy(member.value.as_string(), names)});
 }
 
-void image_problems(const Value& value, Problems& problems) {
+void image_problems(const json::Value& value, Problems& problems) {
     static const std::array<std::string, 4> keys = {"file", "encoding", "wrap", "filter"};
     if (value.is(Kind::string)) {
         if (value.as_string().empty())
@@ -121,7 +120,7 @@ void image_problems(const Value& value, Problems& problems) {
                             "expected a path or {\"file\": ..., \"encoding\": ...}"});
         return;
     }
-    const Value file = value.find("file");
+    const json::Value file = value.find("file");
     if (!file.is(Kind::string) || file.as_string().empty())
         problems.push_back({value.has("file") ? file : value, Severity::error, "names no file",
                             "expected \"file\": a path"});
@@ -141,7 +140,7 @@ void image_problems(const Value& value, Problems& problems) {
 
 }  // namespace
 
-bool literal_numbers(const Value& value, PortType type, std::array<double, 4>& numbers) {
+bool literal_numbers(const json::Value& value, PortType type, std::array<double, 4>& numbers) {
     const auto lanes = static_cast<size_t>(lanes_of(type));
     if (lanes == 1 && value.is(Kind::number)) {
         numbers[0] = value.as_number();
@@ -156,7 +155,7 @@ bool literal_numbers(const Value& value, PortType type, std::array<double, 4>& n
     return true;
 }
 
-std::optional<int32_t> literal_option(const Value& value, const Port& port) {
+std::optional<int32_t> literal_option(const json::Value& value, const Port& port) {
     if (port.kind == Port::Kind::flag) {
         if (!value.is(Kind::boolean)) return {};
         return value.as_boolean() ? 1 : 0;
@@ -173,14 +172,14 @@ std::optional<int32_t> literal_option(const Value& value, const Port& port) {
     return static_cast<int32_t>(number);
 }
 
-ImageLiteral literal_image(const Value& value) {
+ImageLiteral literal_image(const json::Value& value) {
     ImageLiteral image;
     if (value.is(Kind::string)) {
         image.file = value.as_string();
         return image;
     }
     const auto word = [&](std::string_view key) {
-        const Value found = value.is(Kind::object) ? value.find(key) : Value{};
+        const json::Value found = value.is(Kind::object) ? value.find(key) : json::Value{};
         return found.is(Kind::string) ? found.as_string() : std::string_view{};
     };
     image.file = word("file");
@@ -190,7 +189,7 @@ ImageLiteral literal_image(const Value& value) {
     return image;
 }
 
-std::vector<LiteralProblem> literal_problems(const Value& value, const Port& port) {
+std::vector<LiteralProblem> literal_problems(const json::Value& value, const Port& port) {
     Problems problems;
     if (port.is_option()) {
         option_problems(value, port, problems);

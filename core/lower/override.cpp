@@ -14,7 +14,6 @@ namespace wrinkle {
 namespace {
 
 using json::Kind;
-using json::Value;
 
 constexpr uint32_t longest_sweep = 10'000;
 
@@ -24,41 +23,41 @@ bool to_number(std::string_view text, double& number) {
 }
 
 // "A:B:N"; empty when the text is no sweep, one null when it is a wrong one.
-std::vector<Value> sweep(std::string_view text) {
+std::vector<json::Value> sweep(std::string_view text) {
     const std::vector<std::string_view> parts = split(text, ':');
     double first = 0, last = 0, count = 0;
     if (parts.size() != 3 || !to_number(parts[0], first) || !to_number(parts[1], last)) return {};
     if (!to_number(parts[2], count) || count < 2 || count > longest_sweep ||
         count != static_cast<uint32_t>(count))
-        return {Value{}};
-    std::vector<Value> values;
+        return {json::Value{}};
+    std::vector<json::Value> values;
     const auto steps = static_cast<uint32_t>(count) - 1;
     for (uint32_t i = 0; i <= steps; ++i) {
         const double product = (last - first) * i;  // first: 1:2:11 shall hold 1.3, not 1.2999...
         const double value = std::isfinite(product)
                                  ? first + product / steps
                                  : std::lerp(first, last, static_cast<double>(i) / steps);
-        values.push_back(Value::number(i == steps ? last : value));
+        values.push_back(json::Value::number(i == steps ? last : value));
     }
     return values;
 }
 
 // JSON, or a bare word as a string.
-Value parse_value(std::string_view text) {
+json::Value parse_value(std::string_view text) {
     Diagnostics ignored;
     const json::Parsed parsed = json::parse(std::string(text), "--set", ignored);
-    return parsed.complete && !ignored.has_errors() ? parsed.root : Value::string(text);
+    return parsed.complete && !ignored.has_errors() ? parsed.root : json::Value::string(text);
 }
 
 // The same value without the place where it was read: it stands in no file.
-Value detached(const Value& value) {
+json::Value detached(const json::Value& value) {
     switch (value.kind()) {
         case Kind::boolean:
-            return Value::boolean(value.as_boolean());
+            return json::Value::boolean(value.as_boolean());
         case Kind::number:
-            return Value::number(value.as_number());
+            return json::Value::number(value.as_number());
         case Kind::string:
-            return Value::string(value.as_string());
+            return json::Value::string(value.as_string());
         default:
             return value;
     }
@@ -70,7 +69,7 @@ public:
         : project_(std::move(project)), registry_(registry), diagnostics_(diagnostics) {}
 
     void apply(const Override& change, size_t run) {
-        const Value& value = change.values[change.is_sweep() ? run : 0];
+        const json::Value& value = change.values[change.is_sweep() ? run : 0];
         if (change.target.is_input())
             graph_input(change, value);
         else
@@ -86,7 +85,7 @@ private:
         diagnostics_.error("--set " + change.text + ": " + message, std::move(expected));
     }
 
-    bool fits(const Override& change, const Value& value, const Port& port) {
+    bool fits(const Override& change, const json::Value& value, const Port& port) {
         bool fine = true;
         for (const LiteralProblem& problem : literal_problems(value, port)) {
             if (problem.severity == Severity::warning) continue;
@@ -96,7 +95,7 @@ private:
         return fine;
     }
 
-    void graph_input(const Override& change, const Value& value) {
+    void graph_input(const Override& change, const json::Value& value) {
         const GraphInput* input = document().inputs.find(change.target.port);
         if (!input) {
             std::vector<std::string> names;
@@ -113,7 +112,7 @@ private:
         document() = set_graph_input(document(), std::move(changed));
     }
 
-    void port(const Override& change, const Value& value) {
+    void port(const Override& change, const json::Value& value) {
         const Link& target = change.target;
         const size_t index = document().nodes.index_of(target.node);
         if (index == Table<NodePtr>::npos) {

@@ -16,7 +16,7 @@ namespace {
 using glm::dvec2;
 using glm::dvec3;
 
-constexpr uint32_t none = UINT32_MAX;
+constexpr uint32_t absent = UINT32_MAX;
 constexpr double smallest_area = 1.17549435e-38;  // of float's normal numbers, as in the reference
 
 dvec3 in_plane(dvec3 v, dvec3 normal) {
@@ -24,9 +24,9 @@ dvec3 in_plane(dvec3 v, dvec3 normal) {
 }
 
 struct Triangle {
-    std::array<uint32_t, 3> places;                    // welded corners
-    std::array<uint32_t, 3> across{none, none, none};  // over the edge from corner k to k + 1
-    std::array<uint32_t, 3> groups{none, none, none};
+    std::array<uint32_t, 3> places;                          // welded corners
+    std::array<uint32_t, 3> across{absent, absent, absent};  // over the edge from corner k to k + 1
+    std::array<uint32_t, 3> groups{absent, absent, absent};
     dvec3 along_u{0};       // unit, or zero
     float sign = -1;        // of the uv area
     bool joins = true;      // no area in uv: either sign will do
@@ -135,7 +135,7 @@ private:
         for (uint32_t t = 0; t < triangles_.size(); ++t)
             for (size_t k = 0; k < 3; ++k) {
                 const Triangle& triangle = triangles_[t];
-                if (triangle.is_point || triangle.joins || triangle.groups[k] != none) continue;
+                if (triangle.is_point || triangle.joins || triangle.groups[k] != absent) continue;
                 groups_.push_back({triangle.places[k], triangle.sign, {}});
                 grow(t);
             }
@@ -149,11 +149,11 @@ private:
         while (!open.empty()) {
             const uint32_t t = open.back();
             open.pop_back();
-            if (t == none) continue;
+            if (t == absent) continue;
             Triangle& triangle = triangles_[t];
             const size_t k = corner_at(triangle, group.place);
-            if (k == 3 || triangle.groups[k] != none) continue;
-            const bool is_free = triangle.groups == std::array{none, none, none};
+            if (k == 3 || triangle.groups[k] != absent) continue;
+            const bool is_free = triangle.groups == std::array{absent, absent, absent};
             if (triangle.joins && is_free) triangle.sign = group.sign;
             if (triangle.sign != group.sign) continue;
             triangle.groups[k] = number;
@@ -188,15 +188,15 @@ private:
 
     // A triangle that is no area takes the tangent of the first one that has its place.
     void lend_to_points(std::vector<glm::vec4>& corners) const {
-        std::vector<uint32_t> lender(mesh_.vertex_count(), none);
+        std::vector<uint32_t> lender(mesh_.vertex_count(), absent);
         for (uint32_t i = 0; i < corners.size(); ++i) {
             uint32_t& first = lender[triangles_[i / 3].places[i % 3]];
-            if (first == none && corners[i] != glm::vec4(0)) first = i;
+            if (first == absent && corners[i] != glm::vec4(0)) first = i;
         }
         for (uint32_t i = 0; i < corners.size(); ++i) {
             const uint32_t place = triangles_[i / 3].places[i % 3];
             if (corners[i] != glm::vec4(0)) continue;
-            if (triangles_[i / 3].is_point && lender[place] != none)
+            if (triangles_[i / 3].is_point && lender[place] != absent)
                 corners[i] = corners[lender[place]];
             else
                 corners[i] = glm::vec4(any_perpendicular(mesh_.normals[place]), 1);

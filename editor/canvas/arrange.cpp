@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 
+#include "editor/canvas/grid.h"
 #include "editor/look/draw.h"
 #include "graph/edit.h"
 #include "graph/order.h"
@@ -38,10 +39,6 @@ ImVec2 in_line(const Card& card, const Extent& box, Side side) {
     if (side == Side::bottom) at.y = box.high.y - card.size.y;
     if (side == Side::middle_y) at.y = std::round((box.low.y + box.high.y - card.size.y) / 2);
     return at;
-}
-
-float grid_up(float length) {
-    return std::ceil(length / 8) * 8;
 }
 
 // Depth in wires among the given nodes alone.
@@ -102,7 +99,7 @@ Document snapped(const State& state) {
     std::vector<NodePosition> places;
     for (const Card* card : selected_cards(state))
         places.push_back(
-            {card->id, std::round(card->at.x / 8) * 8.0, std::round(card->at.y / 8) * 8.0});
+            {card->id, std::round(card->at.x / grid) * grid, std::round(card->at.y / grid) * grid});
     return move_nodes(state.document(), places);
 }
 

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "editor/canvas/grid.h"
 #include "editor/canvas/layout.h"
 #include "editor/look/draw.h"
 #include "graph/edit.h"
@@ -28,10 +29,6 @@ std::vector<size_t> depths(const Document& document) {
 }
 
 constexpr float row_gap = 32, column_gap = 64;
-
-float grid_up(float length) {
-    return std::ceil(length / 8) * 8;
-}
 
 // Columns by depth, each as wide as its widest card; nodes of one column below each other, from
 // `corner` on. A column without a node takes no room.

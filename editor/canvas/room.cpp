@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "editor/canvas/grid.h"
 #include "editor/document/wiring.h"
 #include "editor/look/draw.h"
 #include "graph/edit.h"
@@ -15,10 +16,6 @@ constexpr float gap = 40, touch = 8;
 bool overlaps(const Card& a, const Card& b) {
     return a.at.x < b.at.x + b.size.x + touch && b.at.x < a.at.x + a.size.x + touch &&
            a.at.y < b.at.y + b.size.y + touch && b.at.y < a.at.y + a.size.y + touch;
-}
-
-float grid_up(float length) {
-    return std::ceil(length / 8) * 8;
 }
 
 struct Side {

@@ -50,7 +50,7 @@ void select_all(State& state) {
     state.view.boxes = {boxes.begin(), boxes.end()};
 }
 
-constexpr Command table[] = {
+constexpr Command edit_table[] = {
     {"undo", "Undo", "Ctrl+Z", "Edit", no_undo, undo},
     {"redo", "Redo", "Ctrl+Shift+Z", "Edit", no_redo, redo},
     {"delete", "Delete", "Delete", "Edit", no_delete, delete_selected},
@@ -73,7 +73,7 @@ constexpr Command table[] = {
 }  // namespace
 
 std::span<const Command> edit_commands() {
-    return table;
+    return edit_table;
 }
 
 }  // namespace wrinkle::editor

@@ -37,7 +37,7 @@ void ask_recover(State& state) {
     intend(state, {Intent::Kind::recover, state.keeping.recoverable.front().journal});
 }
 
-constexpr Command table[] = {
+constexpr Command file_table[] = {
     {"new", "New", "Ctrl+N", "File", always,
      [](State& s) {
          s.start.left = true;
@@ -60,7 +60,7 @@ constexpr Command table[] = {
 }  // namespace
 
 std::span<const Command> file_commands() {
-    return table;
+    return file_table;
 }
 
 }  // namespace wrinkle::editor

@@ -4,7 +4,7 @@
 namespace wrinkle::editor {
 namespace {
 
-constexpr Command table[] = {
+constexpr Command help_table[] = {
     {"help", "Help on the selected node", "F1", "Help", always, show_help},
     {"shortcuts", "Shortcuts", "Shift+F1", "Help", always, show_shortcuts},
 };
@@ -12,7 +12,7 @@ constexpr Command table[] = {
 }  // namespace
 
 std::span<const Command> help_commands() {
-    return table;
+    return help_table;
 }
 
 }  // namespace wrinkle::editor

@@ -74,7 +74,7 @@ void distribute(State& state) {
     state.commit("Distribute", distributed(state, Across));
 }
 
-constexpr Command table[] = {
+constexpr Command node_table[] = {
     {"add-node", "Add node", "Space", "Node", always, add_node},
     {"add-picture", "Add picture", "I", "Node", always, choose_picture},
     {"edit-values", "Edit values, or open the sub-graph", "Enter", "Node", no_values,
@@ -107,7 +107,7 @@ constexpr Command table[] = {
 }  // namespace
 
 std::span<const Command> node_commands() {
-    return table;
+    return node_table;
 }
 
 }  // namespace wrinkle::editor

@@ -79,7 +79,7 @@ void save_picture(State& state) {
     state.browser.size = Large ? 2 : 0;
 }
 
-constexpr Command table[] = {
+constexpr Command preview_table[] = {
     {"preview-node", "Preview node", "P", "Preview", one_node, preview_node,
      [](const State& s) { return !s.view.preview_request.node.empty(); }},
     {"shaded", "Shaded", "1", "Preview", always, show<gpu::View::shaded>, shown<gpu::View::shaded>},
@@ -109,7 +109,7 @@ constexpr Command table[] = {
 }  // namespace
 
 std::span<const Command> preview_commands() {
-    return table;
+    return preview_table;
 }
 
 }  // namespace wrinkle::editor

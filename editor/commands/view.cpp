@@ -62,7 +62,7 @@ bool is_maximised(const State& state) {
     return state.panes.maximised != Pane::none;
 }
 
-constexpr Command table[] = {
+constexpr Command view_table[] = {
     {"commands", "Search commands", "Ctrl+P", "View", always, show_commands},
     {"fit", "Show all", "Home", "View", always, [](State& s) { fit(s.view, s.layout, false); }},
     {"fit-selection", "Show selection", "F", "View", wants_selection,
@@ -94,7 +94,7 @@ constexpr Command table[] = {
 }  // namespace
 
 std::span<const Command> view_commands() {
-    return table;
+    return view_table;
 }
 
 }  // namespace wrinkle::editor

@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 namespace {
 
 using Purpose = Browser::Purpose;
-constexpr float row_tall = 28, places_width = 176;
+constexpr float file_tall = 28, places_width = 176;
 
 bool saves(const Browser& browser) {
     return browser.purpose == Purpose::save_graph || browser.purpose == Purpose::export_text ||
@@ -234,16 +234,16 @@ bool draw_list(State& state) {
         ImGui::TextDisabled("%s", browser.listing.entries.empty() ? "Nothing here can be opened."
                                                                   : "No name matches.");
     }
-    if (browser.scroll) ImGui::SetScrollY(static_cast<float>(browser.chosen - 5) * row_tall);
+    if (browser.scroll) ImGui::SetScrollY(static_cast<float>(browser.chosen - 5) * file_tall);
     browser.scroll = false;
     ImGuiListClipper clipper;
-    clipper.Begin(static_cast<int>(browser.shown.size()), row_tall);
+    clipper.Begin(static_cast<int>(browser.shown.size()), file_tall);
     while (clipper.Step())
         for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
             const Entry& entry = browser.listing.entries[browser.shown[static_cast<size_t>(i)]];
             ImGui::PushID(i);
             const ImVec2 low = ImGui::GetCursorScreenPos();
-            const ImVec2 size(std::max(ImGui::GetContentRegionAvail().x, 1.0F), row_tall);
+            const ImVec2 size(std::max(ImGui::GetContentRegionAvail().x, 1.0F), file_tall);
             if (ImGui::InvisibleButton("entry", size)) {
                 browser.chosen = i;
                 if (saves(browser) && !entry.folder) browser.text = entry.name;
@@ -251,7 +251,7 @@ bool draw_list(State& state) {
             }
             taken |= ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(0);
             state.targets.add("file:" + entry.name,
-                              {low.x, low.y, low.x + size.x, low.y + row_tall});
+                              {low.x, low.y, low.x + size.x, low.y + file_tall});
             draw_entry(state, entry, low, low + size, i == browser.chosen);
             ImGui::PopID();
         }

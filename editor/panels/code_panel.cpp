@@ -13,7 +13,7 @@
 namespace wrinkle::editor {
 namespace {
 
-constexpr float head_height = 38, line_height = 17, number_right = 32, text_left = 44;
+constexpr float code_head = 38, line_height = 17, number_right = 32, text_left = 44;
 constexpr float narrow = 520;  // below it the choices stand in a menu
 
 ImU32 color_of(Token token) {
@@ -125,7 +125,7 @@ void draw_head(State& state) {
     const ImVec2 at = ImGui::GetWindowPos();
     const float width = ImGui::GetWindowWidth();
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    list.AddRectFilled(at, at + ImVec2(width, head_height), theme::panel);
+    list.AddRectFilled(at, at + ImVec2(width, code_head), theme::panel);
     draw_text(list, state.fonts.bold(18), 18, at + ImVec2(12, 10), theme::text, "Code");
     draw_text(list, state.fonts.regular(14), 14, at + ImVec2(66, 13), theme::text_dim,
               counted(state.code.text.starts.size(), "line"));
@@ -148,7 +148,7 @@ void draw_head(State& state) {
     ImGui::SameLine(0, 4);
     if (icon_button(state, "export-glsl", "code:export", "Export GLSL...  Ctrl+E"))
         run_command(state, "export-glsl");
-    ImGui::SetCursorPosY(head_height);
+    ImGui::SetCursorPosY(code_head);
 }
 
 void draw_row(State& state, size_t index, float width) {

@@ -141,7 +141,7 @@ std::string filter_of(const Palette& palette) {
            std::string(name_of(palette.wire.type));
 }
 
-int on_tab(ImGuiInputTextCallbackData* data) {
+int on_query_tab(ImGuiInputTextCallbackData* data) {
     auto& palette = *static_cast<Palette*>(data->UserData);
     palette.all_types = !palette.all_types;
     palette.first = palette.chosen = 0;
@@ -171,7 +171,7 @@ bool draw_query(State& state) {
     const std::string before = palette.query;
     const bool enter = ImGui::InputTextWithHint(
         "##query", palette.commands ? "Search commands" : "Search nodes", &palette.query,
-        ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_CallbackCompletion, on_tab,
+        ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_CallbackCompletion, on_query_tab,
         &palette);
     ImGui::PopStyleVar();
     ImGui::PopStyleColor(2);

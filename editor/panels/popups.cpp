@@ -20,7 +20,7 @@ namespace wrinkle::editor {
 namespace {
 
 constexpr size_t most_without_field = 8;  // choices that need no field to narrow them
-constexpr float row_tall = 24, rows_shown = 10;
+constexpr float choice_tall = 24, choices_shown = 10;
 
 const Port* port_of(const State& state) {
     const NodeType* type = state.type_of(state.popup.node);
@@ -53,7 +53,7 @@ void accept_name(State& state) {
     }
 }
 
-int on_tab(ImGuiInputTextCallbackData* data) {
+int on_entry_tab(ImGuiInputTextCallbackData* data) {
     static_cast<Popup*>(data->UserData)->next = ImGui::GetIO().KeyShift ? -1 : 1;
     return 0;
 }
@@ -70,7 +70,7 @@ bool draw_text_entry(State& state) {
         ImGui::InputText(id.c_str(), &popup.text,
                          ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll |
                              ImGuiInputTextFlags_CallbackCompletion,
-                         on_tab, &popup);
+                         on_entry_tab, &popup);
     if (!entered && popup.next == 0) return false;
     popup.kind == Popup::Kind::text ? accept_number(state) : accept_name(state);
     return true;
@@ -103,7 +103,7 @@ bool draw_query(State& state, bool field) {
     const std::string before = popup.query;
     const bool entered = ImGui::InputTextWithHint(
         "##query", "Type a part of the name", &popup.query,
-        ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_CallbackCompletion, on_tab,
+        ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_CallbackCompletion, on_entry_tab,
         &popup);
     if (popup.query != before) popup.chosen = 0;
     return entered;
@@ -120,19 +120,20 @@ bool draw_list(State& state, const std::vector<std::string>& names, size_t& take
     const int before = popup.chosen;
     popup.chosen += pressed(ImGuiKey_DownArrow) - pressed(ImGuiKey_UpArrow);
     popup.chosen = std::clamp(popup.chosen, 0, std::max(static_cast<int>(shown.size()) - 1, 0));
-    const float rows = std::min(static_cast<float>(std::max<size_t>(shown.size(), 1)), rows_shown);
-    ImGui::BeginChild("##names", {0, rows * row_tall}, false, ImGuiWindowFlags_NoNavInputs);
+    const float rows =
+        std::min(static_cast<float>(std::max<size_t>(shown.size(), 1)), choices_shown);
+    ImGui::BeginChild("##names", {0, rows * choice_tall}, false, ImGuiWindowFlags_NoNavInputs);
     if (popup.chosen != before)
-        ImGui::SetScrollY((static_cast<float>(popup.chosen) - rows / 2) * row_tall);
+        ImGui::SetScrollY((static_cast<float>(popup.chosen) - rows / 2) * choice_tall);
     if (shown.empty()) ImGui::TextDisabled("No name matches.");
     int clicked = -1;
     ImGuiListClipper clipper;
-    clipper.Begin(static_cast<int>(shown.size()), row_tall);
+    clipper.Begin(static_cast<int>(shown.size()), choice_tall);
     while (clipper.Step())
         for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
             const std::string& name = names[shown[static_cast<size_t>(i)]];
             ImGui::PushID(i);
-            if (ImGui::Selectable("##name", i == popup.chosen, 0, {0, row_tall})) clicked = i;
+            if (ImGui::Selectable("##name", i == popup.chosen, 0, {0, choice_tall})) clicked = i;
             ImGui::PopID();
             name_item(state, "choice:" + name);
             const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();

@@ -14,7 +14,7 @@
 namespace wrinkle::editor {
 namespace {
 
-constexpr float head_height = 34, strip_height = 32;
+constexpr float preview_head = 34, strip_height = 32;
 
 std::string capitalised(std::string text) {
     if (!text.empty() && text[0] >= 'a' && text[0] <= 'z')
@@ -183,7 +183,7 @@ void draw_preview_strip(State& state) {
         const std::string key = std::to_string(all.size() + 1);
         all.push_back({label, "view:" + name, label + "  " + key});
     }
-    ImGui::SetCursorPos({12, head_height + 2});
+    ImGui::SetCursorPos({12, preview_head + 2});
     int picked = -1;
     if (width >= 496) {
         picked = segments(state, all, chosen, width);
@@ -206,8 +206,8 @@ void draw_preview(State& state) {
     draw_preview_head(state);
     draw_preview_strip(state);
     const float compare = compare_height(whole.x);
-    const ImVec2 at = corner + ImVec2(0, head_height + strip_height);
-    const ImVec2 size(whole.x, whole.y - head_height - strip_height - compare);
+    const ImVec2 at = corner + ImVec2(0, preview_head + strip_height);
+    const ImVec2 size(whole.x, whole.y - preview_head - strip_height - compare);
     if (size.x >= 1 && size.y >= 1) draw_preview_picture(state, at, size);
     draw_compare(state, corner + ImVec2(0, whole.y - compare), whole.x);
 }

@@ -11,7 +11,7 @@
 namespace wrinkle::editor {
 namespace {
 
-constexpr float closed_height = 28, head_height = 36, row_tall = 62, foot = 6;
+constexpr float closed_height = 28, open_head = 36, problem_tall = 62, foot = 6;
 constexpr float opened = 0.25F;    // of the work area, where it was closed for want of room
 constexpr float low_window = 800;  // there the header stands alone until it is clicked
 
@@ -128,7 +128,7 @@ void draw_problem(State& state, const Diagnostic& problem, size_t index) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const float width = std::max(ImGui::GetContentRegionAvail().x, 1.0F);
-    const ImVec2 size(width, row_tall - 6);
+    const ImVec2 size(width, problem_tall - 6);
     const Fix fix = fix_of(state, problem);
     const std::string message = sentence(problem.message);
     ImGui::PushID(static_cast<int>(index));
@@ -176,7 +176,7 @@ void draw_head(State& state) {
               counts(problems));
     if (problems.list().empty()) return;
     ImGui::SetCursorPos({0, 0});
-    if (ImGui::InvisibleButton("head", {width - 150, is_open(state) ? head_height : closed_height}))
+    if (ImGui::InvisibleButton("head", {width - 150, is_open(state) ? open_head : closed_height}))
         state.panes.problems = state.panes.problems > 0 ? 0 : opened;
     name_item(state, "problems");
     draw_text(list, state.fonts.regular(14), 14, at + ImVec2(width - 14, y + 3), theme::text_dim,
@@ -205,7 +205,7 @@ void next_problem(State& state) {
 
 float problems_height(const State& state) {
     if (!is_open(state)) return closed_height;
-    return head_height + row_tall * static_cast<float>(shown(state).list().size()) + foot;
+    return open_head + problem_tall * static_cast<float>(shown(state).list().size()) + foot;
 }
 
 void draw_problems(State& state) {
@@ -213,14 +213,14 @@ void draw_problems(State& state) {
     draw_head(state);
     if (problems.list().empty()) state.problems = {};
     if (!is_open(state)) return;
-    ImGui::SetCursorPosY(head_height);
+    ImGui::SetCursorPosY(open_head);
     ImGui::BeginChild("##problems", {0, 0}, false, ImGuiWindowFlags_NoNavInputs);
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, 6));
     if (state.problems.scroll)
-        ImGui::SetScrollY(static_cast<float>(state.problems.current) * row_tall);
+        ImGui::SetScrollY(static_cast<float>(state.problems.current) * problem_tall);
     state.problems.scroll = false;
     ImGuiListClipper clipper;
-    clipper.Begin(static_cast<int>(problems.list().size()), row_tall);
+    clipper.Begin(static_cast<int>(problems.list().size()), problem_tall);
     while (clipper.Step())
         for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
             const auto index = static_cast<size_t>(i);

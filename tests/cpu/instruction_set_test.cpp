@@ -12,8 +12,7 @@
 namespace wrinkle::test {
 namespace {
 
-constexpr size_t points = 531;
-constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr size_t wide_points = 531;
 
 constexpr double strange[] = {
     0,     -0.0, 1,    -1,  infinity, -infinity, 1e-320,       1e-40, -1e-40, 1e300,
@@ -26,11 +25,11 @@ double number_at(Numbers& numbers, size_t k) {
 
 template <class T>
 void expect_same(const Application& a, Numbers& numbers) {
-    Scene scene(points);
+    Scene scene(wide_points);
     std::vector<Id> args;
     for (const Type type : a.operands) {
-        std::vector<Lanes> values(points);
-        for (size_t k = 0; k < points; ++k)
+        std::vector<Lanes> values(wide_points);
+        for (size_t k = 0; k < wide_points; ++k)
             for (double& lane : values[k])
                 lane = number_at(numbers, k + args.size() * 7);
         args.push_back(scene.operand(type, values));
@@ -38,9 +37,10 @@ void expect_same(const Application& a, Numbers& numbers) {
     scene.output(scene.m.add(a.op, args, a.extra, a.wanted));
     std::string why;
     const Program program = compile_program(scene.m, why);
-    Results baseline = make_results(program, points), wide = make_results(program, points);
-    evaluate<T>(program, scene.points, {}, 0, points, baseline, InstructionSet::baseline);
-    evaluate<T>(program, scene.points, {}, 0, points, wide, InstructionSet::avx2);
+    Results baseline = make_results(program, wide_points),
+            wide = make_results(program, wide_points);
+    evaluate<T>(program, scene.points, {}, 0, wide_points, baseline, InstructionSet::baseline);
+    evaluate<T>(program, scene.points, {}, 0, wide_points, wide, InstructionSet::avx2);
     for (size_t k = 0; k < baseline.values[0].size(); ++k) {
         const double x = baseline.values[0][k], y = wide.values[0][k];
         if (x != x && y != y) continue;  // which NaN is nobody's business

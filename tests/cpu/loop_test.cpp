@@ -7,7 +7,7 @@
 namespace wrinkle::test {
 namespace {
 
-constexpr size_t points = 300;
+constexpr size_t loop_points = 300;
 
 Id integer(Module& m, int value) {
     return m.literal(Type::int_, value);
@@ -35,14 +35,14 @@ Id repeat(Module& m, Id count, Id start, uint32_t limit, Next next) {
 }
 
 TEST(Loops, EachPointGoesRoundAsOftenAsItShould) {
-    Scene s(points);
+    Scene s(loop_points);
     const Id x = seed(s);
     s.output(repeat(s.m, rounds(s), x, 100, [&](Id, Id state) {
         return s.m.add(Op::add_, {state, x});
     }));
     expect_as_interpreted(s, 1e-13);
     const Results results = evaluate_all<double>(s);
-    for (size_t k = 0; k < points; ++k)
+    for (size_t k = 0; k < loop_points; ++k)
         EXPECT_NEAR(results.values[0][k],
                     (0.25 + 0.01 * static_cast<double>(k)) * static_cast<double>(k % 13 + 1),
                     1e-12);
@@ -50,7 +50,7 @@ TEST(Loops, EachPointGoesRoundAsOftenAsItShould) {
 
 TEST(Loops, TheLimitEndsThem) {
     for (const uint32_t limit : {0u, 1u, 5u}) {
-        Scene s(points);
+        Scene s(loop_points);
         s.output(repeat(s.m, rounds(s), seed(s), limit, [&](Id, Id state) {
             return s.m.add(Op::add_, {state, s.m.number(1)});
         }));
@@ -59,7 +59,7 @@ TEST(Loops, TheLimitEndsThem) {
 }
 
 TEST(Loops, MembersOfTheStateMayTradePlaces) {
-    Scene s(points);
+    Scene s(loop_points);
     Module& m = s.m;
     const Id count = rounds(s), x = seed(s);
     const Type types[] = {Type::int_, Type::float_, Type::float_, Type::vec2_};
@@ -74,7 +74,7 @@ TEST(Loops, MembersOfTheStateMayTradePlaces) {
 }
 
 TEST(Loops, OneInsideTheOther) {
-    Scene s(points);
+    Scene s(loop_points);
     Module& m = s.m;
     const Id count = rounds(s), x = seed(s);
     s.output(repeat(m, count, x, 50, [&](Id i, Id outer) {
@@ -87,7 +87,7 @@ TEST(Loops, OneInsideTheOther) {
 }
 
 TEST(Loops, TwoOfOneShapeFollowEachOther) {
-    Scene s(points);
+    Scene s(loop_points);
     Module& m = s.m;
     const Id count = rounds(s), x = seed(s);
     const auto half = [&](Id, Id state) { return m.add(Op::mul_, {state, m.number(0.5)}); };
@@ -98,7 +98,7 @@ TEST(Loops, TwoOfOneShapeFollowEachOther) {
 }
 
 TEST(Loops, WhatStandsBeforeALoopOutlivesIt) {
-    Scene s(points);
+    Scene s(loop_points);
     Module& m = s.m;
     const Id x = seed(s), before = m.add(Op::cos_, {x});
     const Id looped = repeat(m, rounds(s), x, 9, [&](Id, Id state) {
@@ -121,7 +121,7 @@ RegionUse wave(Module& m, Id captured) {
 }
 
 TEST(Calls, GiveWhatTheirBodyGives) {
-    Scene s(points);
+    Scene s(loop_points);
     Module& m = s.m;
     const Id x = seed(s), y = s.numbers([](size_t k) { return 0.1 * static_cast<double>(k); });
     const RegionUse use = wave(m, y);
@@ -134,7 +134,7 @@ TEST(Calls, GiveWhatTheirBodyGives) {
 }
 
 TEST(Calls, InsideLoopsAndLoopsInsideCalls) {
-    Scene s(points);
+    Scene s(loop_points);
     Module& m = s.m;
     const Id x = seed(s), count = rounds(s);
     const Type types[] = {Type::float_, Type::int_};

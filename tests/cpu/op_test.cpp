@@ -1,4 +1,4 @@
-// Every op of the table on every combination of types it takes, at points with numbers of their
+// Every op of the table on every combination of types it takes, at 40 points with numbers of their
 // own, against the reference interpreter; then the corners that plugin.h writes down.
 #include <gtest/gtest.h>
 
@@ -12,7 +12,7 @@
 namespace wrinkle::test {
 namespace {
 
-constexpr size_t points = 40;
+constexpr size_t op_points = 40;
 
 // Integers stay where a float holds them, when `single`.
 Lanes operand_at(const Application& a, size_t which, Numbers& numbers, bool single) {
@@ -28,11 +28,11 @@ Lanes operand_at(const Application& a, size_t which, Numbers& numbers, bool sing
 template <class T>
 void expect_op(const Application& a, Numbers& numbers, double tolerance) {
     constexpr bool single = std::is_same_v<T, float>;
-    Scene scene(points);
+    Scene scene(op_points);
     std::vector<std::vector<Lanes>> values(a.operands.size());
     std::vector<Id> args;
     for (size_t i = 0; i < a.operands.size(); ++i) {
-        for (size_t k = 0; k < points; ++k)
+        for (size_t k = 0; k < op_points; ++k)
             values[i].push_back(operand_at(a, i, numbers, single));
         args.push_back(scene.operand(a.operands[i], values[i]));
     }
@@ -41,7 +41,7 @@ void expect_op(const Application& a, Numbers& numbers, double tolerance) {
     const Type type = scene.m.type(id);
     scene.output(id);
     const Results results = evaluate_all<T>(scene);
-    for (size_t k = 0; k < points; ++k) {
+    for (size_t k = 0; k < op_points; ++k) {
         std::vector<Lanes> here;
         for (const auto& each : values)
             here.push_back(each[k]);
@@ -79,7 +79,6 @@ double at(Op op, std::initializer_list<double> arguments) {
 }
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 template <class T>
 void expect_corners() {

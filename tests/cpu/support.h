@@ -4,6 +4,7 @@
 // reference interpreter of tests/ir reads the same points.
 #pragma once
 
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -13,6 +14,8 @@
 #include "ir/rewrite.h"
 
 namespace wrinkle::test {
+
+inline constexpr double infinity = std::numeric_limits<double>::infinity();
 
 class Scene {
 public:

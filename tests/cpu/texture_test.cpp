@@ -13,8 +13,6 @@
 namespace wrinkle::test {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
 Image random_image(uint32_t width, uint32_t height, uint32_t channels) {
     std::mt19937 random(width * 31 + height * 7 + channels);
     Image image = make_image(width, height, channels);

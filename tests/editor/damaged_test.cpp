@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::vector<std::string> sample_graphs() {
+std::vector<std::string> sample_texts() {
     std::vector<fs::path> files;
     for (const auto& entry : fs::recursive_directory_iterator(WRINKLE_SOURCE_DIR "/graphs"))
         if (entry.path().extension() == ".json" && entry.file_size() < 20'000)
@@ -151,7 +151,7 @@ TEST_F(Headless, AGraphThatHoldsItselfIsOpened) {
 TEST_F(Headless, DamagedGraphsAreOpenedKeptAndNotOverwritten) {
     const char* wanted = std::getenv("WRINKLE_DAMAGED");
     const int count = wanted ? std::atoi(wanted) : 150;
-    Damage damage(9, sample_graphs());
+    Damage damage(9, sample_texts());
     const fs::path other = folder.path() / "other.json";
     size_t unknown = 0, refused = 0, whole = 0;
     file = folder.path() / "graph.json";

@@ -6,7 +6,7 @@
 namespace wrinkle {
 namespace {
 
-std::string reports(const std::string& text) {
+std::string build_reports(const std::string& text) {
     Diagnostics diagnostics;
     const Project project = test::project(text, diagnostics);
     const Compiled compiled = compile_material(project, test::registry(), {}, diagnostics);
@@ -15,8 +15,8 @@ std::string reports(const std::string& text) {
 }
 
 std::string report_of(const std::string& type) {
-    const std::string text =
-        reports(test::graph("\"n\": {\"type\": \"" + type + "\"}", R"("a": {"from": "n.value"})"));
+    const std::string text = build_reports(
+        test::graph("\"n\": {\"type\": \"" + type + "\"}", R"("a": {"from": "n.value"})"));
     const std::string prefix = "g.json:1:26: error: node 'n': ";
     EXPECT_EQ(text.substr(0, prefix.size()), prefix);
     return text.substr(prefix.size());
@@ -78,7 +78,7 @@ TEST(Build, EveryLieIsFoundOut) {
 }
 
 TEST(Build, PoisonIsSilent) {
-    const std::string text = reports(test::graph(
+    const std::string text = build_reports(test::graph(
         R"("n": {"type": "complains"}, "b": {"type": "bump", "in": {"height": {"from": "n.value"}}},
                        "s": {"type": "scale", "in": {"gradient": {"from": "b.gradient"}}})",
         R"("normal": {"from": "s.gradient"})"));
@@ -107,8 +107,8 @@ TEST(Build, NothingIsCompiledAfterAnError) {
 }
 
 TEST(Build, AWrongFrameIsReportedAtItsNode) {
-    EXPECT_EQ(reports(test::graph(R"("n": {"type": "wrong_frame"})",
-                                  R"("normal": {"from": "n.gradient"})")),
+    EXPECT_EQ(build_reports(test::graph(R"("n": {"type": "wrong_frame"})",
+                                        R"("normal": {"from": "n.gradient"})")),
               "g.json:1:26: error: node 'n': the frame 'exact' goes with the scale 'surface' (set "
               "the frame to 'auto', or change the scale)\n");
 }

@@ -121,9 +121,6 @@ TEST_P(RoundTrip, ComesBackExactly) {
     folder = folder.parent_path();
 }
 
-constexpr auto u8 = PixelType::u8, u16 = PixelType::u16, half = PixelType::half,
-               f32 = PixelType::float32;
-
 INSTANTIATE_TEST_SUITE_P(Formats, RoundTrip,
                          testing::Values(Case{".png", u8, 1, false}, Case{".png", u8, 2, true},
                                          Case{".png", u8, 3, false}, Case{".png", u8, 4, true},

@@ -10,9 +10,6 @@
 namespace wrinkle::test {
 namespace {
 
-constexpr auto u8 = PixelType::u8, u16 = PixelType::u16, half = PixelType::half,
-               f32 = PixelType::float32;
-
 class SaveTest : public ImageTest {
 protected:
     // The one problem of a save that must fail and leave nothing behind.

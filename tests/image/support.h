@@ -30,6 +30,9 @@ protected:
     fs::path folder = temporary.path();
 };
 
+inline constexpr auto u8 = PixelType::u8, u16 = PixelType::u16, half = PixelType::half,
+                      f32 = PixelType::float32;
+
 inline std::string big_endian(uint32_t value) {
     std::string bytes;
     for (int shift = 24; shift >= 0; shift -= 8)

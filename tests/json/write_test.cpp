@@ -7,20 +7,20 @@
 namespace wrinkle::json {
 namespace {
 
-Value read(const std::string& text) {
+Value value_of(const std::string& text) {
     Diagnostics diagnostics;
     return parse(text, "g.json", diagnostics, {1000}).root;
 }
 
 TEST(Write, OneLineKeepsNumbersAndOrder) {
-    EXPECT_EQ(one_line(read("{ \"b\":1.0 ,\"a\":[ 1e2,\"\\u00e9\\/\" ]}")),
+    EXPECT_EQ(one_line(value_of("{ \"b\":1.0 ,\"a\":[ 1e2,\"\\u00e9\\/\" ]}")),
               "{ \"b\": 1.0, \"a\": [1e2, \"\xC3\xA9/\"] }");
     EXPECT_EQ(one_line(Value()), "null");
-    EXPECT_EQ(one_line(read("[false,true,null,[],{}]")), "[false, true, null, [], {}]");
+    EXPECT_EQ(one_line(value_of("[false,true,null,[],{}]")), "[false, true, null, [], {}]");
 }
 
 TEST(Write, PrettyOpensOnlyWhatDoesNotFit) {
-    const Value v = read(R"({"a": [1, 2, 3], "b": {"c": "dddddddd"}, "e": []})");
+    const Value v = value_of(R"({"a": [1, 2, 3], "b": {"c": "dddddddd"}, "e": []})");
     EXPECT_EQ(pretty(v), R"({ "a": [1, 2, 3], "b": { "c": "dddddddd" }, "e": [] })");
     EXPECT_EQ(pretty(v, 2, 0, 30),
               "{\n    \"a\": [1, 2, 3],\n    \"b\": { \"c\": \"dddddddd\" },\n    \"e\": []\n  }");
@@ -31,7 +31,7 @@ TEST(Write, PrettyOpensOnlyWhatDoesNotFit) {
 TEST(Write, WidthIsWhatIsWritten) {
     for (const char* text : {R"({"a": [1, 2, 3], "b": {"c": "d"}})", "[[], {}, [true]]", "\"x\"",
                              R"([{"a": 1}, {"b": {"c": null}}])"}) {
-        const Value v = read(text);
+        const Value v = value_of(text);
         const size_t columns = one_line(v).size();
         EXPECT_EQ(pretty(v, 0, 0, columns + 1), one_line(v));
         if (v.size() > 0) {
@@ -54,18 +54,18 @@ TEST(Build, ValuesMadeByHand) {
 }
 
 TEST(Build, PartsOfAReadValueKeepTheirSpelling) {
-    const Value old = read("[8.0, 8]");
+    const Value old = value_of("[8.0, 8]");
     EXPECT_EQ(one_line(Value::array({Value::number(3), old.at(0)})), "[3, 8.0]");
 }
 
 TEST(Equality, IsOfValuesNotOfSpelling) {
-    EXPECT_TRUE(read("[1.0, {\"a\": \"\\u0041\"}]") == read("[1, {\"a\": \"A\"}]"));
-    EXPECT_FALSE(read("[1]") == read("[2]"));
-    EXPECT_FALSE(read("[[1], 2]") == read("[[1, 2]]"));
-    EXPECT_FALSE(read("[\"1\"]") == read("[1]"));
-    EXPECT_TRUE(read("null") == Value());
-    EXPECT_FALSE(read("0") == Value());
-    EXPECT_FALSE(read("true") == read("false"));
+    EXPECT_TRUE(value_of("[1.0, {\"a\": \"\\u0041\"}]") == value_of("[1, {\"a\": \"A\"}]"));
+    EXPECT_FALSE(value_of("[1]") == value_of("[2]"));
+    EXPECT_FALSE(value_of("[[1], 2]") == value_of("[[1, 2]]"));
+    EXPECT_FALSE(value_of("[\"1\"]") == value_of("[1]"));
+    EXPECT_TRUE(value_of("null") == Value());
+    EXPECT_FALSE(value_of("0") == Value());
+    EXPECT_FALSE(value_of("true") == value_of("false"));
 }
 
 }  // namespace

@@ -10,7 +10,7 @@ namespace {
 
 using test::graph;
 
-Module lowered(const std::string& text, std::string& problems) {
+Module lowered_module(const std::string& text, std::string& problems) {
     Diagnostics diagnostics;
     const Project project = test::project(text, diagnostics);
     check(project, test::registry(), diagnostics);
@@ -22,27 +22,27 @@ Module lowered(const std::string& text, std::string& problems) {
 
 std::string problems(const std::string& text) {
     std::string found;
-    lowered(text, found);
+    lowered_module(text, found);
     return found;
 }
 
-Module lowered(const std::string& text) {
+Module lowered_module(const std::string& text) {
     std::string found;
-    Module module = lowered(text, found);
+    Module module = lowered_module(text, found);
     EXPECT_EQ(found, "");
     return module;
 }
 
 TEST(Bases, AConversionTakesTheBaseItMeets) {
-    const Module m =
-        lowered(graph(R"("h": {"type": "pass_height", "in": {"height": {"from": "surface.facing"}}},
+    const Module m = lowered_module(
+        graph(R"("h": {"type": "pass_height", "in": {"height": {"from": "surface.facing"}}},
                                       "first": {"type": "resolve", "in": {"gradient": {"from": "h.height"}}},
                                       "on": {"type": "layer", "in": {"base": {"from": "first.normal"},
                                                                      "height": {"from": "surface.facing"}}},
                                       "weak": {"type": "scale", "in": {"gradient": {"from": "h.height"}}},
                                       "sum": {"type": "sum", "in": {"a": {"from": "weak.gradient"},
                                                                     "b": {"from": "on.gradient"}}})",
-                      R"("normal": {"from": "sum.gradient"}, "first": {"from": "first.normal"})"));
+              R"("normal": {"from": "sum.gradient"}, "first": {"from": "first.normal"})"));
     const Inst& resolve = m[m.outputs[0].value];
     ASSERT_EQ(resolve.op, Op::resolve_);
     const Id base = m[resolve.arg[0]].extra;
@@ -52,9 +52,9 @@ TEST(Bases, AConversionTakesTheBaseItMeets) {
 }
 
 TEST(Bases, UnconstrainedItIsTheSurface) {
-    const Module m =
-        lowered(graph(R"("on": {"type": "layer", "in": {"height": {"from": "surface.facing"}}})",
-                      R"("normal": {"from": "on.gradient"})"));
+    const Module m = lowered_module(
+        graph(R"("on": {"type": "layer", "in": {"height": {"from": "surface.facing"}}})",
+              R"("normal": {"from": "on.gradient"})"));
     EXPECT_EQ(m[m[m.outputs[0].value].arg[0]].extra, poison);
 }
 

@@ -11,7 +11,7 @@
 namespace wrinkle::test {
 namespace {
 
-void expect_vector(const std::vector<double>& got, std::array<double, 3> expected) {
+void expect_near(const std::vector<double>& got, std::array<double, 3> expected) {
     ASSERT_EQ(got.size(), 3u);
     for (size_t i = 0; i < 3; ++i)
         EXPECT_NEAR(got[i], expected[i], 1e-6) << "lane " << i;
@@ -21,23 +21,23 @@ TEST(TangentFrame, RunsAlongTheUv) {
     for (const char* frame : {"auto", "vertex", "derived"}) {
         const std::string node =
             one("tangent_frame", R"("frame": ")" + std::string(frame) + R"(")");
-        expect_vector(value({node, "n.tangent"}), {1, 0, 0});
-        expect_vector(value({node, "n.bitangent"}), {0, 1, 0});
+        expect_near(value({node, "n.tangent"}), {1, 0, 0});
+        expect_near(value({node, "n.bitangent"}), {0, 1, 0});
     }
     // A quarter turn anticlockwise of the uv: u runs down, v to the right.
     const std::string turned =
         R"("t": {"type": "uv_transform", "in": {"rotation": 90}}, )" +
         one("tangent_frame", R"("uv": {"from": "t.uv"}, "frame": "derived")");
-    expect_vector(value({turned, "n.tangent"}), {0, -1, 0});
-    expect_vector(value({turned, "n.bitangent"}), {1, 0, 0});
+    expect_near(value({turned, "n.tangent"}), {0, -1, 0});
+    expect_near(value({turned, "n.bitangent"}), {1, 0, 0});
 }
 
 TEST(TangentMap, GivesDirectionsAlongTheSurfaceOrInSpace) {
     // (0.6, -0.2, 0.5) before encoding
     const Image map = painted(8, [](double, double) { return std::array{0.8, 0.4, 0.75}; });
-    expect_vector(value({one("tangent_map"), "n.direction", map}), {0.6, -0.2, 0});
+    expect_near(value({one("tangent_map"), "n.direction", map}), {0.6, -0.2, 0});
     const std::string object = one("tangent_map", R"("space": "object")");
-    expect_vector(value({object, "n.direction", map}), {0.6, -0.2, 0.5});
+    expect_near(value({object, "n.direction", map}), {0.6, -0.2, 0.5});
 }
 
 // S4: with the tangent from a rule, B = N x up made unit and T = B x N are what Gram-Schmidt gives.
@@ -52,15 +52,15 @@ TEST(GuessedFrame, IsTheCrossProductMethodToo) {
     // Slopes of (-0.6, 0.2, 0.5): 1.2 along T, -0.4 along B.
     const std::string node =
         one("tangent_normal_map", R"("frame": "guess", "direction": [0.3, 0.8, -0.5])");
-    expect_vector(value({node, "n.gradient", map}),
-                  {1.2 * t[0] - 0.4 * b[0], 1.2 * t[1] - 0.4 * b[1], 0});
+    expect_near(value({node, "n.gradient", map}),
+                {1.2 * t[0] - 0.4 * b[0], 1.2 * t[1] - 0.4 * b[1], 0});
 }
 
 TEST(DerivativeMap, FlipsEitherSlope) {
     const Image slopes = painted(8, [](double, double) { return std::array{0.75, 0.375, 0.0}; });
     const auto map = [](const char* in) { return one("derivative_map", in); };
-    expect_vector(value({map(R"("flip_u": true)"), "n.gradient", slopes}), {-0.5, -0.25, 0});
-    expect_vector(value({map(R"("flip_v": true)"), "n.gradient", slopes}), {0.5, 0.25, 0});
+    expect_near(value({map(R"("flip_u": true)"), "n.gradient", slopes}), {-0.5, -0.25, 0});
+    expect_near(value({map(R"("flip_v": true)"), "n.gradient", slopes}), {0.5, 0.25, 0});
 }
 
 // Points whose tangent is neither unit nor square to a normal of any length, mirrored or not.
@@ -104,7 +104,7 @@ TEST(TangentSpaceNormal, DecodesToTheNormalThatItWasMadeFrom) {
                 const auto got = values(back, leaning_points(back, n, t, w));
                 ASSERT_EQ(got.size(), expected.size());
                 for (size_t i = 0; i < got.size(); ++i)
-                    expect_vector(got[i], {expected[i][0], expected[i][1], expected[i][2]});
+                    expect_near(got[i], {expected[i][0], expected[i][1], expected[i][2]});
             }
         }
 }
@@ -123,7 +123,7 @@ TEST(TangentSpaceNormal, SolvesTheDecodeOfVertexTangents) {
             const glm::dvec3 m =
                 glm::normalize(glm::inverse(glm::dmat3(t, w * glm::cross(n, t), n)) * v);
             EXPECT_LT(m.z, 0.9) << "not flat";
-            expect_vector(got[i], {m.x, m.y, m.z});
+            expect_near(got[i], {m.x, m.y, m.z});
         }
     }
 }
@@ -131,8 +131,8 @@ TEST(TangentSpaceNormal, SolvesTheDecodeOfVertexTangents) {
 TEST(TangentSpaceNormal, IsFlatWhereThereIsNoFrame) {
     const std::string nodes =
         slanted + one("tangent_space_normal", R"("normal": {"from": "r.normal"}, "uv": [1, 2])");
-    expect_vector(value({nodes, "n.normal"}), {0, 0, 1});
-    expect_vector(value({nodes, "n.color"}), {0.5, 0.5, 1});
+    expect_near(value({nodes, "n.normal"}), {0, 0, 1});
+    expect_near(value({nodes, "n.color"}), {0.5, 0.5, 1});
 }
 
 // Pitfall 27: a normal that looks away shades black.
@@ -140,9 +140,9 @@ TEST(FaceViewer, Pitfall27MirrorsNormalsThatLookAway) {
     const auto turned = [](const char* normal) {
         return value({one("face_viewer", R"("normal": )" + std::string(normal)), "n.normal"});
     };
-    expect_vector(turned("[0.6, 0, 0.8]"), {0.6, 0, 0.8});
-    expect_vector(turned("[0.6, 0, -0.8]"), {0.6, 0, 0.8});
-    expect_vector(turned("[1, 0, 0]"), {1, 0, 0});
+    expect_near(turned("[0.6, 0, 0.8]"), {0.6, 0, 0.8});
+    expect_near(turned("[0.6, 0, -0.8]"), {0.6, 0, 0.8});
+    expect_near(turned("[1, 0, 0]"), {1, 0, 0});
 }
 
 }  // namespace

@@ -11,11 +11,11 @@ namespace {
 
 using Vec = std::array<double, 3>;
 
-double dot(const Vec& a, const Vec& b) {
+double dot3(const Vec& a, const Vec& b) {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 Vec unit(const Vec& v) {
-    const double length = std::sqrt(dot(v, v));
+    const double length = std::sqrt(dot3(v, v));
     return {v[0] / length, v[1] / length, v[2] / length};
 }
 

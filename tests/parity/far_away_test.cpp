@@ -20,7 +20,7 @@
 namespace wrinkle::test {
 namespace {
 
-constexpr int side = 96;
+constexpr int far_side = 96;
 
 gpu::Material material_of(const std::filesystem::path& path) {
     Diagnostics diagnostics;
@@ -34,7 +34,8 @@ gpu::Material material_of(const std::filesystem::path& path) {
 
 std::vector<float> normals(gpu::Renderer& renderer, const gpu::Scene& scene) {
     Diagnostics diagnostics;
-    const auto target = gpu::Target::make({side, side, gpu::PixelFormat::rgba32f}, diagnostics);
+    const auto target =
+        gpu::Target::make({far_side, far_side, gpu::PixelFormat::rgba32f}, diagnostics);
     gpu::ViewOptions options;
     options.view = gpu::View::normal;
     options.raw = true;
@@ -82,7 +83,7 @@ void expect_unchanged(const Change& change) {
         const std::vector<float> before = normals(renderer, scene);
         change(scene);
         const Difference changed = difference(before, normals(renderer, scene));
-        EXPECT_GT(changed.pixels, size_t{side * side / 3});
+        EXPECT_GT(changed.pixels, size_t{far_side * far_side / 3});
         EXPECT_LE(changed.edges, 8U);
         EXPECT_LE(changed.mean, 0.05);
     }

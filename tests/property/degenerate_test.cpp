@@ -20,9 +20,6 @@ Value frame_of(Material& m, uint32_t method) {
 Surroundings ordinary() {
     return point_at(sphere(), dvec2(0.4, 0.3), dmat2(0.01, 0.002, -0.001, 0.01));
 }
-dvec3 normal_of(const Surroundings& around) {
-    return to_vec3(around.inputs.at(input_extra(SurfaceInput::normal_, Variant::value)));
-}
 
 double tilt_of(dvec3 m_value, uint32_t method) {
     Material m;

@@ -13,12 +13,6 @@ namespace {
 
 constexpr SurfaceInput texel = SurfaceInput::color0_;
 
-dvec3 normal_of(const Surroundings& around) {
-    return to_vec3(around.inputs.at(input_extra(SurfaceInput::normal_, Variant::value)));
-}
-void set3(Surroundings& around, SurfaceInput input, dvec3 v, Variant variant = Variant::value) {
-    set(around, input, {v.x, v.y, v.z}, variant);
-}
 Value map_in(Material& m, Value uv, uint32_t method) {
     const uint32_t scale = method == WR_FRAME_exact ? WR_SCALE_surface : WR_SCALE_unit;
     return m.from_tangent_normal(m.input(texel).xyz(), m.frame(uv, method, scale));

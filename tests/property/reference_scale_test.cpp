@@ -10,15 +10,6 @@
 namespace wrinkle::test {
 namespace {
 
-constexpr double degrees = 57.29577951308232;
-constexpr SurfaceInput free_vector = SurfaceInput::color0_;
-
-dvec3 normal_of(const Surroundings& around) {
-    return to_vec3(around.inputs.at(input_extra(SurfaceInput::normal_, Variant::value)));
-}
-void set_free(Surroundings& around, dvec3 v) {
-    set(around, free_vector, {v.x, v.y, v.z, 1});
-}
 // Any direction, as often inward as outward.
 dvec3 direction(const Sample& sample) {
     return {std::sin(sample.st.x * 13), std::cos(sample.st.y * 17), std::sin(sample.st.y * 5 + 1)};

@@ -10,20 +10,11 @@
 namespace wrinkle::test {
 namespace {
 
-constexpr double degrees = 57.29577951308232;
-
-dvec3 normal_of(const Surroundings& around) {
-    return to_vec3(around.inputs.at(input_extra(SurfaceInput::normal_, Variant::value)));
-}
 void set_normal(Surroundings& around, dvec3 n) {
     set(around, SurfaceInput::normal_, {n.x, n.y, n.z});
 }
 
 // A free vector of the point, as a map would give it.
-constexpr SurfaceInput free_vector = SurfaceInput::color0_;
-void set_free(Surroundings& around, dvec3 v) {
-    set(around, free_vector, {v.x, v.y, v.z, 1});
-}
 
 TEST(Reference, T1_WhatIsResolvedIsNeverShorterThanTheNormal) {
     Material m;

@@ -27,9 +27,6 @@ const dvec3 plane_u(0.8, 0.36, 0.48), plane_v(-0.6, 0.48, 0.64);
 void set2(Surroundings& around, SurfaceInput input, dvec2 v, Variant variant) {
     set(around, input, {v.x, v.y}, variant);
 }
-void set3(Surroundings& around, SurfaceInput input, dvec3 v, Variant variant) {
-    set(around, input, {v.x, v.y, v.z}, variant);
-}
 
 void set_tangent(Surroundings& around, const Surface& surface, dvec2 st) {
     const auto d = [&](const auto& f, dvec2 axis) { return along(f, st, axis, shape_step); };
@@ -156,6 +153,18 @@ std::vector<Sample> samples(int count, unsigned seed) {
 
 dvec3 to_vec3(const Lanes& lanes) {
     return {lanes[0], lanes[1], lanes[2]};
+}
+
+void set3(Surroundings& around, SurfaceInput input, dvec3 v, Variant variant) {
+    set(around, input, {v.x, v.y, v.z}, variant);
+}
+
+dvec3 normal_of(const Surroundings& around) {
+    return to_vec3(around.inputs.at(input_extra(SurfaceInput::normal_, Variant::value)));
+}
+
+void set_free(Surroundings& around, dvec3 v) {
+    set(around, free_vector, {v.x, v.y, v.z, 1});
 }
 
 }  // namespace wrinkle::test

@@ -62,5 +62,11 @@ std::vector<Sample> samples(int count, unsigned seed);
 dvec3 to_vec3(const Lanes& lanes);
 void set(Surroundings& around, SurfaceInput input, std::initializer_list<double> lanes,
          Variant variant = Variant::value);
+void set3(Surroundings& around, SurfaceInput input, dvec3 v, Variant variant = Variant::value);
+dvec3 normal_of(const Surroundings& around);
+
+// An input that surfaces leave alone, so a test may say what it holds.
+constexpr SurfaceInput free_vector = SurfaceInput::color0_;
+void set_free(Surroundings& around, dvec3 v);
 
 }  // namespace wrinkle::test

@@ -7,7 +7,7 @@
 namespace wrinkle {
 namespace {
 
-void build(const wr_builder*) {}
+void build_nothing(const wr_builder*) {}
 
 wr_port port(uint32_t kind, uint32_t type, const char* name, const char* doc) {
     wr_port p{};
@@ -36,9 +36,8 @@ Registry make_registry() {
     image.encoding = "srgb";
     static wr_port out = port(WR_KIND_OUTPUT, WR_PORT_color, "color", "The colour");
     static const wr_port* const ports[] = {&scale, &uv, &mode, &image, &out};
-    static const wr_node node = {sizeof node,       1,        "picture", "Picture",
-                                 "Reads an image.", "images", ports,     5,
-                                 nullptr,           0,        build};
+    static const wr_node node = {sizeof node, 1, "picture", "Picture", "Reads an image.", "images",
+                                 ports,       5, nullptr,   0,         build_nothing};
     static const wr_node* const nodes[] = {&node};
     static const wr_plugin plugin = {sizeof plugin, WR_ABI, "t", "1", nodes, 1, nullptr};
     Registry registry;
@@ -111,7 +110,7 @@ TEST(Reference, AnOpenRangeIsNoNumberOfTheSchema) {
     octaves.hard_max = std::numeric_limits<double>::infinity();
     const wr_port out = port(WR_KIND_OUTPUT, WR_PORT_float, "value", "The sum");
     const wr_port* const ports[] = {&octaves, &out};
-    const wr_node node = {sizeof node, 1, "n", "N", "N.", "f", ports, 2, nullptr, 0, build};
+    const wr_node node = {sizeof node, 1, "n", "N", "N.", "f", ports, 2, nullptr, 0, build_nothing};
     const wr_node* const nodes[] = {&node};
     const wr_plugin plugin = {sizeof plugin, WR_ABI, "t", "1", nodes, 1, nullptr};
     Registry registry;

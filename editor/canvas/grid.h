@@ -1,0 +1,14 @@
+// The canvas's grid, in its units.
+#pragma once
+
+#include <cmath>
+
+namespace wrinkle::editor {
+
+inline constexpr float grid = 8;
+
+inline float grid_up(float length) {
+    return std::ceil(length / grid) * grid;
+}
+
+}  // namespace wrinkle::editor
