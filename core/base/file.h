@@ -39,6 +39,11 @@ bool replace_file(const std::filesystem::path& written, const std::filesystem::p
 // Where writing to `path` ends: symbolic links are followed, the last may lead nowhere yet.
 std::filesystem::path link_target(const std::filesystem::path& path);
 
+// `path` made absolute with symbolic links resolved as far as it exists.
+std::filesystem::path real_path(const std::filesystem::path& path, std::error_code& error);
+std::filesystem::path real_path(
+    const std::filesystem::path& path);  // where that fails, `path`; "" is "."
+
 // `path` made absolute with symbolic links resolved as far as it exists, if that place is `root`
 // or below it; nothing if it climbs out.
 std::optional<std::filesystem::path> inside(const std::filesystem::path& root,

@@ -152,12 +152,6 @@ private:
     std::vector<size_t> node_counts_;  // of each file with all that it uses
 };
 
-fs::path real_path(const fs::path& path) {
-    std::error_code error;
-    const fs::path real = fs::weakly_canonical(fs::absolute(path, error), error);
-    return error ? path : real;
-}
-
 }  // namespace
 
 const File* Project::subgraph(size_t file, std::string_view node) const {

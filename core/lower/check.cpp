@@ -1,6 +1,7 @@
 #include "lower/check.h"
 
 #include "base/text.h"
+#include "graph/named_files.h"
 #include "graph/order.h"
 #include "lower/conversion.h"
 #include "lower/literal.h"
@@ -224,19 +225,18 @@ private:
 
     template <class Diagnose>
     void image_file(const std::string& name, const std::string& subject, Diagnose here) {
-        const auto path = resolve_file(project_, file_, name);
-        if (!path)
+        const NamedFiles::Found& found = files_.find(file_, name);
+        if (!found.path)
             return report(here(subject + "names " + json_quoted(name) + ", outside the root",
                                "keep it below " + project_.root.string() +
                                    ", or choose another root with --root"));
-        std::error_code error;
-        if (!fs::exists(*path, error))
+        if (!fs::exists(fs::file_status(found.type)))
             report(here(subject + "names " + json_quoted(name) + ", which does not exist",
                         "a path is relative to its graph's folder"));
-        else if (fs::is_directory(*path, error))
+        else if (found.type == fs::file_type::directory)
             report(here(subject + "names " + json_quoted(name) + ", which is a folder",
                         "expected an image file"));
-        else if (!fs::is_regular_file(*path, error))
+        else if (found.type != fs::file_type::regular)
             report(here(subject + "names " + json_quoted(name) + ", which is no regular file",
                         "expected an image file"));
     }
@@ -260,6 +260,7 @@ private:
     const Document& document_;
     Diagnostics& diagnostics_;
     std::vector<std::string> ids_;
+    NamedFiles files_{project_};
 };
 
 }  // namespace

@@ -195,7 +195,7 @@ Id Lowering::image(uint32_t node, uint32_t port) {
     Image image = images_[handle - 1];
     const FlatNode& flat = graph_.nodes[node];
     const Port& described = flat.type->ports[port];
-    const auto path = resolve_file(project_, image.file, image.literal.file);
+    const auto& path = files_.find(image.file, image.literal.file).path;
     if (!path) return poison;
     image.literal.encoding = image.literal.encoding.value_or(described.encoding);
     Resource resource;

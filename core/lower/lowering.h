@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "base/back_faces.h"
+#include "graph/named_files.h"
 #include "lower/conversion.h"
 #include "lower/flat.h"
 #include "lower/literal.h"
@@ -65,6 +66,7 @@ private:
     std::vector<Id> slots_;         // by wire: an input's or an output's value
     std::vector<Id> graph_inputs_;  // of the top graph
     std::vector<Image> images_;     // handle - 1
+    NamedFiles files_{project_};
 };
 
 // Runs the node's build() and takes its outputs; what it did wrong is a problem of the module.

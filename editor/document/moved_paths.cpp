@@ -10,13 +10,6 @@ namespace wrinkle::editor {
 namespace fs = std::filesystem;
 namespace {
 
-fs::path real_path(const fs::path& path) {
-    std::error_code error;
-    const fs::path there = path.empty() ? fs::path(".") : path;
-    const fs::path real = fs::weakly_canonical(fs::absolute(there, error), error);
-    return error ? path : real;
-}
-
 json::Value with_file(const json::Value& value, const std::string& file) {
     if (value.is(json::Kind::string)) return json::Value::string(file);
     std::vector<std::pair<std::string, json::Value>> members;

@@ -1,4 +1,5 @@
 #include "editor/document/recovery.h"
+#include "base/file.h"
 
 #include <imgui.h>
 
@@ -18,8 +19,7 @@ void say_failure(State& state, const std::error_code& error) {
 
 bool same_file(const fs::path& a, const fs::path& b) {
     std::error_code error;
-    return fs::weakly_canonical(fs::absolute(a, error), error) ==
-           fs::weakly_canonical(fs::absolute(b, error), error);
+    return real_path(a, error) == real_path(b, error);
 }
 
 }  // namespace

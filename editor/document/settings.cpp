@@ -135,7 +135,7 @@ void remember_recent(const Folders& folders, Settings& settings, const fs::path&
         settings.recent = std::move(all);
     }
     std::error_code error;
-    fs::path absolute = fs::weakly_canonical(fs::absolute(file, error), error);
+    fs::path absolute = real_path(file, error);
     if (error) absolute = file;
     std::erase(settings.recent, absolute);
     settings.recent.insert(settings.recent.begin(), absolute);
