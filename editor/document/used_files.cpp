@@ -7,7 +7,7 @@
 #include "editor/document/plugins.h"
 #include "editor/preview/feed.h"
 #include "editor/state.h"
-#include "lower/literal.h"
+#include "lower/named_images.h"
 #include "mesh/shapes.h"
 
 namespace wrinkle::editor {
@@ -21,23 +21,6 @@ double seconds_now() {
 
 void add(std::vector<UsedFile>& files, Use use, const fs::path& path) {
     files.push_back({use, path, stamp_of(path)});
-}
-
-void add_images(const Project& project, const Types& types, size_t file,
-                std::vector<UsedFile>& files) {
-    const Document& document = project.files[file].document;
-    for (size_t i = 0; i < document.nodes.size(); ++i) {
-        const NodeType* type = types.of(file, i);
-        if (!type) continue;
-        for (const Input& input : document.nodes[i]->inputs) {
-            const uint32_t port = type->find_input(input.port);
-            if (port == NodeType::none || input.kind != Input::Kind::literal ||
-                type->ports[port].type != PortType::image_ || !type->ports[port].is_value())
-                continue;
-            const auto path = resolve_file(project, file, literal_image(input.value).file);
-            if (path) add(files, Use::image, *path);
-        }
-    }
 }
 
 // A folder's own date changes when a file comes or goes.
@@ -124,7 +107,9 @@ std::vector<UsedFile> look_at_files(const FileQuestion& question) {
                       question.model.project->files[0].document.nodes.size();
     for (size_t i = 0; i < project.files.size(); ++i) {
         if (i > 0) add(files, Use::subgraph, project.files[i].path);
-        if (i > 0 || same) add_images(project, *question.model.types, i, files);
+        if (i == 0 && !same) continue;
+        for (const NamedImage& image : named_images(project, *question.model.types, i))
+            if (image.path) add(files, Use::image, *image.path);
     }
     if (!question.mesh.empty()) add(files, Use::mesh, question.mesh);
     if (!question.light.empty()) add(files, Use::light, question.light);

@@ -1,0 +1,37 @@
+#include "lower/named_images.h"
+
+#include "lower/literal.h"
+
+namespace wrinkle {
+namespace {
+
+bool takes_image(const NodeType& type, const Input& input) {
+    const uint32_t index = type.find_input(input.port);
+    if (index == NodeType::none || input.kind != Input::Kind::literal) return false;
+    const Port& port = type.ports[index];
+    return port.type == PortType::image_ && port.is_value();
+}
+
+}  // namespace
+
+std::vector<NamedImage> named_images(const Project& project, const Types& types, size_t file) {
+    std::vector<NamedImage> images;
+    const auto add = [&](const json::Value& value) {
+        std::string name = literal_image(value).file;
+        if (name.empty()) return;
+        auto path = resolve_file(project, file, name);
+        images.push_back({std::move(name), std::move(path)});
+    };
+    const Document& document = project.files[file].document;
+    for (size_t i = 0; i < document.nodes.size(); ++i) {
+        const NodeType* type = types.of(file, i);
+        if (!type) continue;
+        for (const Input& input : document.nodes[i]->inputs)
+            if (takes_image(*type, input)) add(input.value);
+    }
+    for (const GraphInput& input : document.inputs)
+        if (port_type_named(input.type) == PortType::image_) add(input.default_value);
+    return images;
+}
+
+}  // namespace wrinkle
