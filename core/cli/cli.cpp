@@ -1,30 +1,17 @@
 #include "cli/cli.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <new>
 #include <stdexcept>
 
+#include "cli/arguments.h"
 #include "cli/output.h"
 
 namespace wrinkle::cli {
 namespace {
 
 constexpr const char* version = "wrinkle " WRINKLE_VERSION;
-
-// CLI11 has no long names behind a single dash, as compilers spell these.
-constexpr std::pair<std::string_view, const char*> compiler_flags[] = {
-    {"-MD", "--depfile"}, {"-MF", "--depfile-path"}, {"-MT", "--depfile-target"}};
-
-std::vector<std::string> rewritten(int argc, const char* const* argv) {
-    std::vector<std::string> args;
-    for (int i = argc - 1; i > 0; --i) {  // CLI11 takes them last first
-        std::string arg = argv[i];
-        for (const auto& [flag, name] : compiler_flags)
-            if (arg == flag) arg = name;
-        args.push_back(std::move(arg));
-    }
-    return args;
-}
 
 // What the machine cannot give is said in one sentence, like any other problem.
 int guarded(const Run& run) {
@@ -51,11 +38,18 @@ int run_cli(int argc, const char* const* argv) {
     app.get_formatter()->column_width(34);
     Run run;
     for (auto declare : {declare_check, declare_compile, declare_eval, declare_render, declare_test,
-                         declare_format, declare_upgrade, declare_nodes, declare_plugins,
-                         declare_new_plugin, declare_completion})
+                         declare_format, declare_upgrade, declare_inputs, declare_nodes,
+                         declare_plugins, declare_new_plugin, declare_completion, declare_man})
         declare(app, run);
+    std::string why;
+    auto words = command_words(argc, argv, why);
+    if (!words) {
+        complain(why);
+        return exit_input;
+    }
+    std::reverse(words->begin(), words->end());  // CLI11 takes them last first
     try {
-        app.parse(rewritten(argc, argv));
+        app.parse(std::move(*words));
     } catch (const CLI::ParseError& error) {
         const int code = app.exit(error);
         return code == exit_fine || code == exit_environment ? code : int{exit_usage};

@@ -30,10 +30,12 @@ void declare_render(CLI::App& app, Run& run);
 void declare_test(CLI::App& app, Run& run);
 void declare_format(CLI::App& app, Run& run);
 void declare_upgrade(CLI::App& app, Run& run);
+void declare_inputs(CLI::App& app, Run& run);
 void declare_nodes(CLI::App& app, Run& run);
 void declare_plugins(CLI::App& app, Run& run);
 void declare_new_plugin(CLI::App& app, Run& run);
 void declare_completion(CLI::App& app, Run& run);
+void declare_man(CLI::App& app, Run& run);
 
 // The whole program but for main(): parses, runs, returns the exit code.
 int run_cli(int argc, const char* const* argv);

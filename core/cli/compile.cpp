@@ -1,154 +1,163 @@
-// wrinkle compile FILE...: graphs to GLSL.
+// wrinkle compile FILE...: graphs to shaders.
 #include <algorithm>
+#include <atomic>
+#include <exception>
 #include <filesystem>
 #include <memory>
-#include <set>
+#include <optional>
+#include <thread>
 
-#include "base/text.h"
-#include "cli/depfile.h"
-#include "cli/material_run.h"
+#include "cli/compile_graph.h"
 #include "cli/output.h"
+#include "cli/outputs.h"
+#include "glsl/target.h"
 
 namespace wrinkle::cli {
 namespace fs = std::filesystem;
-
 namespace {
+
+constexpr uint64_t default_cache_size = uint64_t{1} << 30;
+
+// What became of one graph.
+struct Outcome {
+    Diagnostics diagnostics;
+    std::string unwritten;  // why not; "" when its files are there
+    Rule rule;
+};
 
 struct CompileCommand {
     CommonOptions common;
-    std::vector<std::string> files;
-    std::string output = "-";
-    std::string target = std::string(targets().front().name);
-    std::string form = "function", params = "baked", differentials = "screen";
-    std::string name, stage = "fragment", reflect;
-    Depfile depfile;
+    TextOptions text;
+    Outputs outputs;
+    std::string cache_folder;
+    uint64_t cache_size = default_cache_size;
+    unsigned jobs = 0;  // 0: one for each processor
 
     int run() const {
-        if (const int usage = check_usage()) return usage;
+        if (const std::string why = wrong_usage(); !why.empty()) return usage(why);
         Diagnostics diagnostics;
         const Nodes nodes = load_nodes(common, diagnostics);
         const Overrides overrides = parse_overrides(common, diagnostics);
-        if (overrides.is_sweep()) {
-            complain("compile takes no sweep; give --set one value");
-            return exit_usage;
-        }
-        std::vector<Result> results;
-        std::vector<fs::path> inputs;
-        for (const std::string& file : files)
-            compile(file, nodes.registry, overrides, results, inputs, diagnostics);
-        const int code = report(diagnostics, common.diagnostics);
-        if (code != exit_fine) return code;
-        if (depfile.wanted) results.push_back({depfile_path(), depfile_text(results, inputs)});
-        std::error_code ignored;  // writing says why
-        if (files.size() > 1) fs::create_directories(output, ignored);
-        return write_results(results) ? exit_fine : exit_environment;
+        if (overrides.is_sweep()) return usage("compile takes no sweep; give --set one value");
+        if (diagnostics.has_errors()) return report(diagnostics, common.diagnostics);
+        std::optional<Cache> cache;
+        if (!cache_folder.empty()) cache.emplace(cache_folder, cache_size);
+        const Compilation with{common, text, nodes.registry, overrides, cache ? &*cache : nullptr};
+        const std::vector<Outcome> outcomes = compile_all(with);
+        if (cache) cache->prune();
+        return finish(outcomes, diagnostics);
     }
 
-    int usage(const std::string& sentence) const {
+    static int usage(const std::string& sentence) {
         complain(sentence);
         return exit_usage;
     }
 
-    int check_usage() const {
-        if (files.empty()) return usage("compile needs a graph; - reads standard input");
-        if (!find_target(target))
-            return usage("there is no target '" + target + "'; --list-targets lists them");
-        if (form == "shader" && differentials == "given")
-            return usage("the shader form takes its differentials from the screen");
-        if (!depfile.wanted && !(depfile.path + depfile.target).empty())
-            return usage("-MF and -MT go with -MD");
-        if (files.size() == 1) return check_places();
-        if (output == "-") return usage("several graphs need a folder: -o FOLDER");
-        if (!reflect.empty()) return usage("--reflect goes with one graph");
-        std::set<std::string> stems;
-        for (const std::string& file : files)
-            if (!stems.insert(fs::path(file).stem().string()).second)
-                return usage("two graphs have the stem '" + fs::path(file).stem().string() +
-                             "', and would be written to one file");
-        return check_places();
+    std::string wrong_usage() const {
+        const Depfile& depfile = outputs.depfile;
+        if (outputs.files.empty()) return "compile needs a graph; - reads standard input";
+        if (!find_target(text.target))
+            return "there is no target '" + text.target + "'; --list-targets lists them";
+        if (text.form == "shader" && text.differentials == "given")
+            return "the shader form takes its differentials from the screen";
+        if (!depfile.wanted && (depfile.phony || !(depfile.path + depfile.target).empty()))
+            return "-MF, -MT and -MP go with -MD";
+        return outputs.conflict();
     }
 
-    // Each place, a file or standard output, takes one text.
-    int check_places() const {
-        std::vector<std::string> places{output};
-        if (form == "shader" && output != "-") places = {output + ".vert", output + ".frag"};
-        if (!reflect.empty()) places.push_back(reflect);
-        if (depfile.wanted) places.push_back(depfile_path());
-        std::sort(places.begin(), places.end());
-        const auto twice = std::adjacent_find(places.begin(), places.end());
-        if (twice == places.end()) return exit_fine;
-        return usage(*twice == "-" ? "standard output takes one text; name a file for the others"
-                                   : "two texts would be written to " + *twice);
+    // A graph's files come all together or not at all, whatever becomes of the other graphs. Those
+    // of one graph alone wait for its dependency file.
+    std::vector<Outcome> compile_all(const Compilation& with) const {
+        const size_t count = outputs.files.size();
+        std::vector<Outcome> outcomes(count);
+        std::vector<std::exception_ptr> failures(count);
+        std::atomic<size_t> next{0};
+        const auto work = [&] {
+            for (size_t i = next++; i < count; i = next++) {
+                try {
+                    outcomes[i] = compile_one(outputs.files[i], with);
+                } catch (...) {
+                    failures[i] = std::current_exception();
+                }
+            }
+        };
+        const unsigned wanted = jobs ? jobs : std::max(1u, std::thread::hardware_concurrency());
+        std::vector<std::jthread> helpers;
+        for (size_t i = 1; i < std::min<size_t>(wanted, count); ++i)
+            helpers.emplace_back(work);
+        work();
+        helpers.clear();
+        for (const std::exception_ptr& failure : failures)
+            if (failure) std::rethrow_exception(failure);
+        return outcomes;
     }
 
-    void compile(const std::string& file, const Registry& registry, const Overrides& overrides,
-                 std::vector<Result>& results, std::vector<fs::path>& inputs,
-                 Diagnostics& diagnostics) const {
-        Diagnostics own;
-        const Project project = open_project(file, common, own);
-        const Project changed = with_overrides(project, registry, overrides.list, 0, own);
-        MaterialOptions options;
-        options.uniform_parameters = params == "uniform";
-        options.given_differentials = differentials == "given";
-        options.vertex_tangents = !common.no_tangents;
-        const Compiled compiled = compile_or_check(changed, registry, options, own);
-        if (compiled.ok) {
-            EmitOptions emit_options;
-            emit_options.form = form == "shader" ? Form::shader : Form::function;
-            emit_options.differentials =
-                differentials == "given" ? Differentials::given : Differentials::screen;
-            emit_options.name = name.empty() ? material_name(file) : name;
-            emit_options.target = find_target(target);
-            const Shader shader = emit(compiled.module, emit_options);
-            report_emit(shader, compiled, changed, own);
-            add_results(file, shader, results);
-            add_inputs(project, compiled.module, inputs);
+    Outcome compile_one(const std::string& file, const Compilation& with) const {
+        Outcome outcome;
+        CompiledGraph graph = compile_graph(file, with);
+        outcome.diagnostics = std::move(graph.diagnostics);
+        if (outcome.diagnostics.has_errors()) return outcome;
+        std::vector<Result> results;
+        for (Text& each : graph.texts)
+            if (!outputs.is_standard_output() || each.stage.empty() || each.stage == outputs.stage)
+                results.push_back({outputs.place(file, each.suffix), std::move(each.bytes)});
+        if (!outputs.reflect.empty())
+            results.push_back({outputs.reflection_place(file), std::move(graph.reflection)});
+        for (const Result& result : results)
+            outcome.rule.made.push_back(result.path);
+        for (InputFile& input : graph.inputs)
+            outcome.rule.from.push_back(std::move(input.path));
+        if (outputs.depfile.wanted && !outputs.several())
+            results.push_back(
+                {outputs.depfile_place(), make_rules({outcome.rule}, outputs.depfile)});
+        if (outputs.several()) make_folders(results);
+        write_results(results, outcome.unwritten);
+        return outcome;
+    }
+
+    static void make_folders(const std::vector<Result>& results) {
+        std::error_code ignored;  // writing says why
+        for (const Result& result : results)
+            fs::create_directories(fs::path(result.path).parent_path(), ignored);
+    }
+
+    // In the order of the graphs, however they were compiled.
+    int finish(const std::vector<Outcome>& outcomes, Diagnostics& diagnostics) const {
+        std::vector<Rule> rules;
+        for (const Outcome& outcome : outcomes) {
+            diagnostics.append(outcome.diagnostics);
+            rules.push_back(outcome.rule);
         }
-        diagnostics.append(own);
-    }
-
-    // The function form is one file, the shader form two; of standard output one stage.
-    void add_results(const std::string& file, const Shader& shader,
-                     std::vector<Result>& results) const {
-        const bool folder = files.size() > 1;
-        const std::string base =
-            folder ? (fs::path(output) / fs::path(file).stem()).string() : output;
-        if (form == "function") {
-            results.push_back({folder ? base + ".glsl" : base, shader.source});
-        } else if (output == "-") {
-            results.push_back({"-", stage == "vertex" ? shader.vertex : shader.fragment});
-        } else {
-            results.push_back({base + ".vert", shader.vertex});
-            results.push_back({base + ".frag", shader.fragment});
+        const bool fine = !diagnostics.has_errors();
+        bool written = true;
+        const auto unwritten = [&](const std::string& why) {
+            written = written && why.empty();
+            if (!why.empty()) diagnostics.error(why);
+        };
+        for (const Outcome& outcome : outcomes)
+            unwritten(outcome.unwritten);
+        if (outputs.depfile.wanted && outputs.several() && fine && written) {
+            std::string why;
+            write_results({{outputs.depfile_place(), make_rules(rules, outputs.depfile)}}, why);
+            unwritten(why);
         }
-        if (!reflect.empty()) results.push_back({reflect, to_json(shader.reflection)});
-    }
-
-    void add_inputs(const Project& project, const Module& module,
-                    std::vector<fs::path>& inputs) const {
-        std::error_code ignored;
-        for (const Project::File& each : project.files)
-            if (!each.path.empty() && fs::is_regular_file(each.path, ignored))
-                inputs.push_back(each.path);
-        for (const Resource& resource : module.resources)
-            inputs.push_back(resource.file);
-    }
-
-    std::string depfile_path() const {
-        return !depfile.path.empty() ? depfile.path : output == "-" ? "-" : output + ".d";
-    }
-
-    std::string depfile_text(const std::vector<Result>& results,
-                             const std::vector<fs::path>& inputs) const {
-        std::vector<std::string> made;
-        if (!depfile.target.empty())
-            made.push_back(depfile.target);
-        else
-            for (const Result& result : results)
-                made.push_back(result.path);
-        return make_rule(made, inputs);
+        const int code = report(diagnostics, common.diagnostics);
+        return written ? code : int{exit_environment};
     }
 };
+
+void declare_cache(CLI::App& sub, CompileCommand& c) {
+    sub.add_option("-j,--jobs", c.jobs, "How many graphs at a time; default: one a processor")
+        ->type_name("N")
+        ->check(CLI::Range(1, 1024));
+    sub.add_option("--cache", c.cache_folder,
+                   "Keeps what was made in this folder, and takes it from there")
+        ->type_name("DIR");
+    sub.add_option("--cache-size", c.cache_size,
+                   "How much the cache may hold, such as 500MB; default: 1GB")
+        ->type_name("SIZE")
+        ->transform(CLI::AsSizeValue(false));
+}
 
 }  // namespace
 
@@ -156,32 +165,37 @@ void declare_compile(CLI::App& app, Run& run) {
     auto command = std::make_shared<CompileCommand>();
     CompileCommand& c = *command;
     CLI::App& sub = *app.add_subcommand("compile", "Graphs to GLSL");
-    sub.add_option("FILE", c.files, "Graphs; - reads standard input");
-    sub.add_option("-o", c.output,
+    sub.add_option("FILE", c.outputs.files, "Graphs; - reads standard input");
+    sub.add_option("-o", c.outputs.output,
                    "The file; of the shader form OUT.vert and OUT.frag; of several "
                    "graphs a folder")
         ->type_name("OUT")
         ->capture_default_str();
-    sub.add_option("--target", c.target, "The language to write")->capture_default_str();
-    sub.add_option("--form", c.form, "Functions for your shader, or a complete pair")
+    sub.add_option("--target", c.text.target, "The language to write")->capture_default_str();
+    sub.add_option("--form", c.text.form, "Functions for your shader, or a complete pair")
         ->check(CLI::IsMember({"function", "shader"}))
         ->capture_default_str();
-    sub.add_option("--params", c.params, "Numbers as literals or as uniforms")
+    sub.add_option("--params", c.text.params, "Numbers as literals or as uniforms")
         ->check(CLI::IsMember({"baked", "uniform"}))
         ->capture_default_str();
-    sub.add_option("--differentials", c.differentials,
+    sub.add_option("--differentials", c.text.differentials,
                    "Taken from the screen or passed by the caller")
         ->check(CLI::IsMember({"screen", "given"}))
         ->capture_default_str();
-    sub.add_option("--name", c.name, "NAME in the text; default: the file's stem");
-    sub.add_option("--stage", c.stage, "Which stage goes to standard output")
+    sub.add_option("--name", c.text.name, "NAME in the text; default: the file's stem");
+    sub.add_option("--stage", c.outputs.stage, "Which stage goes to standard output")
         ->check(CLI::IsMember({"vertex", "fragment"}))
         ->capture_default_str();
-    sub.add_option("--reflect", c.reflect, "Writes what a caller must know as JSON")
+    sub.add_option("--reflect", c.outputs.reflect,
+                   "Writes what a caller must know as JSON; of several graphs into a folder")
         ->type_name("FILE");
-    declare_depfile(sub, c.depfile);
+    declare_depfile(sub, c.outputs.depfile);
+    declare_cache(sub, c);
     declare_common(sub, c.common);
-    sub.callback([command, &run] { run = [command] { return command->run(); }; });
+    sub.callback([command, &run] {
+        command->outputs.form = command->text.form;
+        run = [command] { return command->run(); };
+    });
 }
 
 }  // namespace wrinkle::cli

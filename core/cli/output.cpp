@@ -12,9 +12,7 @@ namespace {
 
 bool print(std::string_view text) {
     const bool written = std::fwrite(text.data(), 1, text.size(), stdout) == text.size();
-    if (written && std::fflush(stdout) == 0) return true;
-    complain("standard output cannot be written");
-    return false;
+    return written && std::fflush(stdout) == 0;
 }
 
 }  // namespace
@@ -24,16 +22,22 @@ bool write_result(const std::string& path, std::string_view text) {
 }
 
 bool write_results(const std::vector<Result>& results) {
+    std::string why;
+    const bool written = write_results(results, why);
+    if (!written) complain(why);
+    return written;
+}
+
+bool write_results(const std::vector<Result>& results, std::string& why) {
     std::vector<FileBytes> files;
     for (const Result& result : results)
         if (result.path != "-") files.push_back({result.path, result.text});
-    std::string why;
-    if (!write_files(files, why)) {
-        complain(why);
-        return false;
-    }
+    if (!write_files(files, why)) return false;
     for (const Result& result : results)
-        if (result.path == "-" && !print(result.text)) return false;
+        if (result.path == "-" && !print(result.text)) {
+            why = "standard output cannot be written";
+            return false;
+        }
     return true;
 }
 

@@ -18,6 +18,7 @@ struct Result {
     std::string path, text;
 };
 bool write_results(const std::vector<Result>& results);
+bool write_results(const std::vector<Result>& results, std::string& why);  // prints nothing
 
 // Prints the problems to standard error, as text or as JSON, and gives the exit code they mean.
 int report(const Diagnostics& diagnostics, const std::string& format);

@@ -69,13 +69,62 @@ TEST_F(CompileTest, EqualStemsAreRefused) {
     EXPECT_FALSE(exists("out"));
 }
 
-TEST_F(CompileTest, OneBadGraphOfSeveralWritesNothing) {
-    put("a.json", tilt_graph());
+TEST_F(CompileTest, OneBadGraphOfSeveralKeepsTheOthers) {
+    put("a.json", tilt_graph("0.5"));
     put("b.json", "{\"wrinkle\": 1, \"nodes\": 5}");
-    const Ran ran = run({"compile", "a.json", "b.json", "-o", "out"});
+    put("c.json", tilt_graph("0.25"));
+    const Ran ran = run({"compile", "a.json", "b.json", "none.json", "c.json", "-o", "out", "-MD"});
     EXPECT_EQ(ran.code, 1);
     EXPECT_TRUE(says(ran.err, "b.json:1:"));
-    EXPECT_FALSE(exists("out"));
+    EXPECT_TRUE(says(ran.err, "none.json"));
+    EXPECT_EQ(files(), (Names{"a.json", "b.json", "c.json", "out", "out/a.glsl", "out/c.glsl"}));
+}
+
+TEST_F(CompileTest, OneOutputThatCannotBeWrittenKeepsTheOthers) {
+    put("a.json", tilt_graph("0.5"));
+    put("b.json", tilt_graph("0.25"));
+    put("out/a.glsl/in_the_way", "");
+    const Ran ran = run({"compile", "a.json", "b.json", "-o", "out", "--diagnostics", "json"});
+    EXPECT_EQ(ran.code, 3);
+    EXPECT_TRUE(exists("out/b.glsl"));
+    const json::Value said = parsed(ran.err).find("diagnostics").at(0);
+    EXPECT_TRUE(says(std::string(said.find("message").as_string()), "out/a.glsl"));
+}
+
+TEST_F(CompileTest, AnyNumberOfJobsWritesTheSame) {
+    Names args{"compile", "-o"};
+    for (int i = 0; i < 30; ++i) {
+        const std::string name = "g" + std::to_string(i) + ".json";
+        put(name, i % 7 == 3 ? "{" : tilt_graph("0." + std::to_string(i + 1)));
+        args.push_back(name);
+    }
+    Ran before;
+    for (const std::string jobs : {"1", "2", "7"}) {
+        Names call = args;
+        call.insert(call.begin() + 2, "out" + jobs);
+        call.push_back("-j" + jobs);
+        const Ran ran = run(call);
+        EXPECT_EQ(ran.code, 1);
+        if (jobs != "1") {
+            EXPECT_EQ(ran.err, before.err);
+        }
+        before = ran;
+        for (int i = 0; i < 30; ++i) {
+            const std::string name = "/g" + std::to_string(i) + ".glsl";
+            EXPECT_EQ(exists("out" + jobs + name), i % 7 != 3);
+            if (i % 7 != 3) {
+                EXPECT_EQ(get("out" + jobs + name), get("out1" + name));
+            }
+        }
+    }
+}
+
+TEST_F(CompileTest, ReflectionsOfSeveralGraphsGoIntoAFolder) {
+    put("a.json", tilt_graph());
+    put("b.json", tilt_graph());
+    ASSERT_EQ(run({"compile", "a.json", "b.json", "-o", "out", "--reflect", "out"}).code, 0);
+    EXPECT_TRUE(says(get("out/a.json"), "wrinkle_a_normal"));
+    EXPECT_TRUE(says(get("out/b.json"), "wrinkle_b_normal"));
 }
 
 TEST_F(CompileTest, DepfileNamesWhatTheTextDependsOn) {
@@ -91,6 +140,38 @@ TEST_F(CompileTest, DepfileNamesWhatTheTextDependsOn) {
     EXPECT_TRUE(rule.starts_with("some\\ target:")) << rule;
     EXPECT_TRUE(says(rule, "my\\ top.json"));
     EXPECT_TRUE(says(rule, "inner.json"));
+}
+
+TEST_F(CompileTest, DepfileOfSeveralGraphsHasARuleForEach) {
+    put("sub/a.json", tilt_graph());
+    put("b.json", tilt_graph());
+    ASSERT_EQ(run({"compile", "sub/a.json", "b.json", "-o", "out", "-MD", "-MP"}).code, 0);
+    EXPECT_EQ(get("out.d"),
+              "out/a.glsl: \\\n  sub/a.json\nout/b.glsl: \\\n  b.json\n"
+              "\nsub/a.json:\n\nb.json:\n");
+    ASSERT_EQ(run({"compile", "sub/a.json", "b.json", "-o", "out", "-MD", "-MT", "all"}).code, 0);
+    EXPECT_EQ(get("out.d"), "all: \\\n  sub/a.json \\\n  b.json\n");
+}
+
+TEST_F(CompileTest, WordsComeFromAFile) {
+    put("my g.json", tilt_graph());
+    put("flags", "--name 'the \"name\"'\n -o\tout\\ put.glsl");
+    put("all.rsp", "compile\n\"my g.json\" @flags");
+    const Ran ran = run({"@all.rsp"});
+    ASSERT_EQ(ran.code, 0) << ran.err;
+    EXPECT_EQ(get("out put.glsl"), run({"compile", "my g.json", "--name", "the \"name\""}).out);
+}
+
+TEST_F(CompileTest, RefusesAFileOfWordsThatIsNone) {
+    put("open", "compile 'g.json");
+    put("itself", "@itself @itself");
+    for (const auto& [words, fault] : {std::pair{"@none", "none: cannot be read"},
+                                       {"@open", "open: a quote is not closed"},
+                                       {"@itself", "itself: names itself"}}) {
+        const Ran ran = run({words});
+        EXPECT_EQ(ran.code, 1);
+        EXPECT_TRUE(says(ran.err, fault));
+    }
 }
 
 TEST_F(CompileTest, SetChangesAValue) {
@@ -119,6 +200,11 @@ TEST_F(CompileTest, RefusesWrongUsage) {
         {"compile", "g.json", "--form", "shader", "-o", "x", "--reflect", "x.frag"},
         {"compile", "g.json", "-o", "g.glsl", "-MF", "g.d"},
         {"compile", "g.json", "-o", "g.glsl", "-MT", "g"},
+        {"compile", "g.json", "-o", "g.glsl", "-MP"},
+        {"compile", "g.json", "h.json"},
+        {"compile", "g.json", "h.json", "-o", "out", "--reflect", "-"},
+        {"compile", "g.json", "-j", "0"},
+        {"compile", "g.json", "--cache-size", "much"},
     };
     for (const auto& args : cases) {
         const Ran ran = run(args, "x");

@@ -7,8 +7,8 @@ namespace {
 using ConventionsTest = CliTest;
 using Names = std::vector<std::string>;
 
-const Names commands = {"check",   "compile", "eval",    "render",     "test",      "format",
-                        "upgrade", "nodes",   "plugins", "new-plugin", "completion"};
+const Names commands = {"check",   "compile", "eval",  "render",  "test",       "format",
+                        "upgrade", "inputs",  "nodes", "plugins", "new-plugin", "completion"};
 
 TEST_F(ConventionsTest, HelpListsEveryCommand) {
     const Ran ran = run({"--help"});

@@ -9,8 +9,6 @@
 namespace wrinkle::test {
 namespace {
 
-const std::string binary = WRINKLE_BINARY_DIR "/bin/wrinkle";
-
 int open_file(const fs::path& path) {
     return open(path.c_str(), O_RDWR | O_CREAT | O_TRUNC, 0600);
 }
@@ -25,15 +23,11 @@ std::vector<char*> pointers(const std::vector<std::string>& strings) {
 
 }  // namespace
 
-// Standard input is a file whose offset is shared with the process, so what was read shows.
-Ran CliTest::run(const std::vector<std::string>& args, const std::string& input,
-                 const std::vector<std::string>& environment) const {
+// What the three files are is copied into the child.
+pid_t CliTest::start(const std::vector<std::string>& args, int in, int out, int err,
+                     const std::vector<std::string>& environment) const {
     const fs::path beside = folder.parent_path();
-    const int in = open_file(beside / "in"), out = open_file(beside / "out"),
-              err = open_file(beside / "err");
-    EXPECT_EQ(write(in, input.data(), input.size()), static_cast<ssize_t>(input.size()));
-    lseek(in, 0, SEEK_SET);
-    std::vector<std::string> words{binary};
+    std::vector<std::string> words{program};
     words.insert(words.end(), args.begin(), args.end());
     const auto argv = pointers(words);
     // The plugins of the user who runs the tests are none of theirs.
@@ -42,19 +36,36 @@ Ran CliTest::run(const std::vector<std::string>& args, const std::string& input,
     all.insert(all.end(), environment.begin(), environment.end());
     const auto settings = pointers(all);
     const pid_t child = fork();
-    if (child == 0) {
-        dup2(in, 0);
-        dup2(out, 1);
-        dup2(err, 2);
-        unsetenv("WRINKLE_PLUGIN_PATH");
-        for (char* entry : settings)
-            if (entry) putenv(entry);
-        const rlimit limit{memory, memory};
-        if (memory != RLIM_INFINITY) setrlimit(RLIMIT_AS, &limit);
-        const bool changed = !as_nobody || geteuid() != 0 || setuid(65534) == 0;
-        if (chdir(folder.c_str()) == 0 && changed) execv(binary.c_str(), argv.data());
-        _exit(127);
-    }
+    if (child != 0) return child;
+    dup2(in, 0);
+    dup2(out, 1);
+    dup2(err, 2);
+    unsetenv("WRINKLE_PLUGIN_PATH");
+    for (char* entry : settings)
+        if (entry) putenv(entry);
+    const rlimit limit{memory, memory};
+    if (memory != RLIM_INFINITY) setrlimit(RLIMIT_AS, &limit);
+    const bool changed = !as_nobody || geteuid() != 0 || setuid(65534) == 0;
+    if (chdir(folder.c_str()) == 0 && changed) execv(program.c_str(), argv.data());
+    _exit(127);
+}
+
+pid_t CliTest::start(const std::vector<std::string>& args) const {
+    const int nothing = open("/dev/null", O_RDWR);
+    const pid_t child = start(args, nothing, nothing, nothing, {});
+    close(nothing);
+    return child;
+}
+
+// Standard input is a file whose offset is shared with the process, so what was read shows.
+Ran CliTest::run(const std::vector<std::string>& args, const std::string& input,
+                 const std::vector<std::string>& environment) const {
+    const fs::path beside = folder.parent_path();
+    const int in = open_file(beside / "in"), out = open_file(beside / "out"),
+              err = open_file(beside / "err");
+    EXPECT_EQ(write(in, input.data(), input.size()), static_cast<ssize_t>(input.size()));
+    lseek(in, 0, SEEK_SET);
+    const pid_t child = start(args, in, out, err, environment);
     int status = 0;
     waitpid(child, &status, 0);
     Ran ran;

@@ -32,6 +32,9 @@ protected:
     Ran run(const std::vector<std::string>& args, const std::string& input = "",
             const std::vector<std::string>& environment = {}) const;
 
+    // Without waiting for it; what it says is lost.
+    pid_t start(const std::vector<std::string>& args) const;
+
     fs::path put(const std::string& name, std::string_view bytes) const;
     std::string get(const std::string& name) const;
     bool exists(const std::string& name) const { return fs::exists(folder / name); }
@@ -40,8 +43,13 @@ protected:
 
     TemporaryFolder temporary;
     fs::path folder = temporary.path() / "work";
+    std::string program = WRINKLE_BINARY_DIR "/bin/wrinkle";
     rlim_t memory = RLIM_INFINITY;  // bytes of address space that the process may have
     bool as_nobody = false;         // gives up root's rights to read everything
+
+private:
+    pid_t start(const std::vector<std::string>& args, int in, int out, int err,
+                const std::vector<std::string>& environment) const;
 };
 
 // An EGL without drivers.

@@ -1,0 +1,21 @@
+// The words of a command line before the parser sees them.
+//
+// @FILE stands for the words that a file holds: separated by white space, with '...' and "..."
+// round what holds some, and a backslash before a character (not between '...') that stands for
+// itself. Such a file may name others. `--at @FILE` is a file of points, and after `--` every word
+// is itself.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace wrinkle::cli {
+
+// Without the program's name. Nothing, with the reason in `why`, when a file cannot be read, ends
+// inside quotes, or names itself.
+std::optional<std::vector<std::string>> command_words(int argc, const char* const* argv,
+                                                      std::string& why);
+
+}  // namespace wrinkle::cli

@@ -1,0 +1,144 @@
+#include "cli/cache.h"
+
+#include <stdlib.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <charconv>
+#include <chrono>
+#include <cstring>
+#include <vector>
+
+#include "base/file.h"
+#include "base/sha256.h"
+
+namespace wrinkle::cli {
+namespace fs = std::filesystem;
+namespace {
+
+constexpr std::string_view form = "wrinkle cache 1\n";
+constexpr std::string_view temporary = ".tmp";
+constexpr auto temporary_life = std::chrono::hours(1);
+constexpr char digits[] = "0123456789abcdef";
+
+bool write_all(int file, std::string_view bytes) {
+    while (!bytes.empty()) {
+        const ssize_t written = write(file, bytes.data(), bytes.size());
+        if (written < 0 && errno == EINTR) continue;
+        if (written < 0) return false;
+        bytes.remove_prefix(static_cast<size_t>(written));
+    }
+    return true;
+}
+
+struct Kept {
+    fs::path path;
+    fs::file_time_type used;
+    uint64_t size = 0;
+};
+
+// What lies in a folder, but for temporary files: the old ones are removed.
+std::vector<Kept> kept_in(const fs::path& folder) {
+    std::vector<Kept> found;
+    const auto now = fs::file_time_type::clock::now();
+    std::error_code error;
+    fs::directory_iterator entry(folder, error);
+    for (; !error && entry != fs::directory_iterator(); entry.increment(error)) {
+        std::error_code gone;  // another program may prune too
+        Kept kept{entry->path(), entry->last_write_time(gone), 0};
+        if (!gone) kept.size = entry->file_size(gone);
+        if (gone) continue;
+        if (kept.path.filename().string().find(temporary) == std::string::npos)
+            found.push_back(std::move(kept));
+        else if (now - kept.used > temporary_life)
+            fs::remove(kept.path, gone);
+    }
+    return found;
+}
+
+}  // namespace
+
+fs::path Cache::place(const std::string& key) const {
+    return folder_ / key.substr(0, 1) / key;
+}
+
+std::optional<std::string> Cache::find(const std::string& key) const {
+    const fs::path path = place(key);
+    std::string why;
+    auto bytes = read_file(path, why);
+    constexpr size_t head = form.size() + 65;  // with the sum and the end of its line
+    if (!bytes || bytes->size() < head || !bytes->starts_with(form)) return {};
+    const std::string sum = bytes->substr(form.size(), 64);
+    bytes->erase(0, head);
+    if (sha256(*bytes) != sum) return {};
+    std::error_code ignored;
+    fs::last_write_time(path, fs::file_time_type::clock::now(), ignored);
+    return bytes;
+}
+
+bool Cache::store(const std::string& key, std::string_view bytes, std::string& why) {
+    const fs::path path = place(key);
+    const auto failed = [&] {
+        why = path.parent_path().string() + ": " + std::strerror(errno);
+        return false;
+    };
+    std::error_code error;
+    fs::create_directories(path.parent_path(), error);
+    std::string name = path.string() + std::string(temporary) + "XXXXXX";
+    const int file = mkstemp(name.data());
+    if (file < 0) return failed();
+    const bool written = fchmod(file, 0644) == 0 && write_all(file, form) &&
+                         write_all(file, sha256(bytes) + "\n") && write_all(file, bytes);
+    const bool closed = close(file) == 0;
+    if (!written || !closed || rename(name.c_str(), path.c_str()) != 0) {
+        failed();
+        unlink(name.c_str());
+        return false;
+    }
+    grown_[static_cast<size_t>(std::find(digits, digits + parts, key[0]) - digits)] = true;
+    return true;
+}
+
+void Cache::prune() {
+    for (size_t i = 0; i < parts; ++i) {
+        if (!grown_[i].exchange(false)) continue;
+        std::vector<Kept> kept = kept_in(folder_ / std::string(1, digits[i]));
+        std::sort(kept.begin(), kept.end(), [](const Kept& a, const Kept& b) {
+            return a.used != b.used ? a.used < b.used : a.path < b.path;
+        });
+        uint64_t size = 0;
+        for (const Kept& each : kept)
+            size += each.size;
+        for (size_t k = 0; k < kept.size() && size > limit_ / parts; ++k) {
+            std::error_code gone;
+            fs::remove(kept[k].path, gone);
+            size -= kept[k].size;
+        }
+    }
+}
+
+std::string join_fields(const std::vector<std::string>& fields) {
+    std::string bytes;
+    for (const std::string& field : fields)
+        bytes += std::to_string(field.size()) + "\n" + field;
+    return bytes;
+}
+
+std::optional<std::vector<std::string>> split_fields(std::string_view bytes) {
+    std::vector<std::string> fields;
+    while (!bytes.empty()) {
+        size_t size = 0;
+        const char* const end = bytes.data() + bytes.size();
+        const auto [stop, problem] = std::from_chars(bytes.data(), end, size);
+        if (problem != std::errc() || stop == end || *stop != '\n') return {};
+        bytes.remove_prefix(static_cast<size_t>(stop - bytes.data()) + 1);
+        if (size > bytes.size()) return {};
+        fields.emplace_back(bytes.substr(0, size));
+        bytes.remove_prefix(size);
+    }
+    return fields;
+}
+
+}  // namespace wrinkle::cli

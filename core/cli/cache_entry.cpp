@@ -1,0 +1,147 @@
+#include "cli/cache_entry.h"
+
+#include <charconv>
+#include <map>
+
+#include "base/file.h"
+#include "base/sha256.h"
+#include "cli/identity.h"
+#include "graph/write.h"
+#include "lower/named_images.h"
+
+namespace wrinkle::cli {
+namespace fs = std::filesystem;
+namespace {
+
+using Fields = std::vector<std::string>;
+
+void add_images(const Project& project, const Types& types, size_t file,
+                std::map<fs::path, size_t>& known, Fields& fields) {
+    for (const NamedImage& image : named_images(project, types, file)) {
+        std::error_code error;
+        const bool there = image.path && fs::is_regular_file(*image.path, error);
+        const size_t number =
+            there ? known.try_emplace(*image.path, known.size()).first->second : 0;
+        fields.push_back(there ? "image " + std::to_string(number) : "no image");
+    }
+}
+
+// False when the plugin of a node cannot be read.
+bool add_plugins(const Project& project, const Types& types, size_t file,
+                 std::map<std::string, std::string>& known, Fields& fields) {
+    const auto& nodes = project.files[file].document.nodes;
+    for (size_t i = 0; i < nodes.size(); ++i) {
+        const NodeType* type = types.of(file, i);
+        if (!type || !type->code || known.contains(type->origin)) continue;
+        std::string why;
+        const auto bytes = read_file(type->origin, why);
+        if (!bytes) return false;
+        known[type->origin] = sha256(*bytes);
+        fields.push_back("plugin " + known[type->origin]);
+    }
+    return true;
+}
+
+void add_graph(const Project::File& file, Fields& fields) {
+    // A sub-graph without a name of its own is called after its file.
+    fields.push_back(file.path.filename().string());
+    fields.push_back(write_document(file.document));
+    std::string used;
+    for (const uint32_t subgraph : file.subgraphs)
+        if (subgraph != Project::File::none) used += std::to_string(subgraph) + " ";
+    fields.push_back(used);
+}
+
+// Of a warning, in the order of its members; the file by its number, since a name depends on where
+// the project lies.
+constexpr size_t fields_of_warning = 7;
+
+void add_warning(const Diagnostic& warning, const Project& project, Fields& fields) {
+    std::string file = "-";
+    for (size_t i = project.files.size(); i-- > 0;)
+        if (project.files[i].document.file == warning.where.file) file = std::to_string(i);
+    fields.insert(fields.end(),
+                  {file, std::to_string(warning.where.line), std::to_string(warning.where.column),
+                   warning.pointer, warning.node, warning.message, warning.expected});
+}
+
+uint32_t number(const std::string& text) {
+    uint32_t value = 0;
+    std::from_chars(text.data(), text.data() + text.size(), value);
+    return value;
+}
+
+Diagnostic warning_of(const std::string* fields, const Project& project) {
+    Diagnostic warning;
+    warning.severity = Severity::warning;
+    if (fields[0] != "-" && number(fields[0]) < project.files.size())
+        warning.where.file = project.files[number(fields[0])].document.file;
+    warning.where.line = number(fields[1]);
+    warning.where.column = number(fields[2]);
+    warning.pointer = fields[3];
+    warning.node = fields[4];
+    warning.message = fields[5];
+    warning.expected = fields[6];
+    return warning;
+}
+
+}  // namespace
+
+std::string cache_key(const Project& project, const Types& types, const std::string& name,
+                      const Compilation& with) {
+    static const std::string identity = program_identity();
+    const TextOptions& options = with.options;
+    Fields fields = {identity,
+                     options.target,
+                     options.form,
+                     options.params,
+                     options.differentials,
+                     name,
+                     with.common.no_tangents ? "derived" : "vertex"};
+    for (const Override& each : with.overrides.list)
+        fields.push_back("set " + each.text);
+    std::map<fs::path, size_t> images;
+    std::map<std::string, std::string> plugins;
+    for (size_t i = 0; i < project.files.size(); ++i) {
+        add_graph(project.files[i], fields);
+        add_images(project, types, i, images, fields);
+        if (!add_plugins(project, types, i, plugins, fields)) return {};
+    }
+    return identity.empty() ? std::string() : sha256(join_fields(fields));
+}
+
+bool take_entry(const Cache& cache, const std::string& key, const Project& project,
+                CompiledGraph& result) {
+    const auto bytes = cache.find(key);
+    const auto fields = bytes ? split_fields(*bytes) : std::nullopt;
+    if (!fields || fields->size() < 2) return false;
+    const std::string* at = fields->data() + 2;
+    const size_t texts = number((*fields)[0]);
+    const size_t left = fields->size() - 2;
+    if (texts > left / 3 || (left - texts * 3) % fields_of_warning != 0) return false;
+    result.reflection = (*fields)[1];
+    result.diagnostics = Diagnostics();
+    for (size_t i = 0; i < texts; ++i, at += 3)
+        result.texts.push_back({at[0], at[1], at[2]});
+    for (; at != fields->data() + fields->size(); at += fields_of_warning)
+        result.diagnostics.add(warning_of(at, project));
+    return true;
+}
+
+void store_entry(Cache& cache, const std::string& key, const Project& project,
+                 CompiledGraph& result) {
+    if (result.diagnostics.dropped() > 0) return;
+    Fields fields = {std::to_string(result.texts.size()), result.reflection};
+    for (const Text& text : result.texts)
+        fields.insert(fields.end(), {text.stage, text.suffix, text.bytes});
+    for (const Diagnostic& warning : result.diagnostics.list())
+        add_warning(warning, project, fields);
+    std::string why;
+    if (cache.store(key, join_fields(fields), why)) return;
+    Diagnostic warning;
+    warning.severity = Severity::warning;
+    warning.message = "the cache cannot be written: " + why;
+    result.diagnostics.add(std::move(warning));
+}
+
+}  // namespace wrinkle::cli

@@ -1,0 +1,46 @@
+// One graph to the texts that `wrinkle compile` writes, made or taken from the cache: what comes
+// out is the same, down to the warnings.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "cli/cache.h"
+#include "cli/inputs.h"
+#include "cli/session.h"
+#include "glsl/target.h"
+
+namespace wrinkle::cli {
+
+// What decides the texts besides the graph, as the command line spells it.
+struct TextOptions {
+    std::string target = std::string(targets().front().name);
+    std::string form = "function", params = "baked", differentials = "screen";
+    std::string name;  // "": from the file's
+};
+
+struct Text {
+    std::string stage;   // "vertex" or "fragment"; "" of the function form
+    std::string suffix;  // of its file: ".vert"; of the function form ""
+    std::string bytes;
+};
+
+struct CompiledGraph {
+    std::vector<Text> texts;  // none with an error
+    std::string reflection;   // JSON
+    std::vector<InputFile> inputs;
+    Diagnostics diagnostics;
+};
+
+struct Compilation {
+    const CommonOptions& common;
+    const TextOptions& options;
+    const Registry& registry;
+    const Overrides& overrides;  // no sweep
+    Cache* cache = nullptr;      // none: everything is made
+};
+
+// Safe to be called from several threads with one Compilation.
+CompiledGraph compile_graph(const std::string& file, const Compilation& with);
+
+}  // namespace wrinkle::cli

@@ -1,0 +1,195 @@
+// wrinkle man [COMMAND].
+#include "cli/manual.h"
+
+#include <filesystem>
+#include <memory>
+
+#include "cli/cli.h"
+#include "cli/output.h"
+
+namespace wrinkle::cli {
+namespace {
+
+// Text that roff takes as it is: its escapes, hyphens that can be copied, and no line that begins
+// with a request.
+std::string plain(std::string_view text) {
+    std::string result;
+    for (const char c : text) {
+        if (c == '\\')
+            result += "\\e";
+        else if (c == '-')
+            result += "\\-";
+        else
+            result += c == '\n' ? ' ' : c;
+    }
+    return result.starts_with('.') || result.starts_with('\'') ? "\\&" + result : result;
+}
+
+std::string upper(std::string text) {
+    for (char& c : text)
+        if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 'a' + 'A');
+    return text;
+}
+
+std::string head(const std::string& name, const std::string& summary) {
+    return ".TH " + upper(plain(name)) +
+           " 1 \"\" \"Wrinkle " WRINKLE_VERSION "\" \"User Commands\"\n.SH NAME\n" + plain(name) +
+           " \\- " + plain(summary) + "\n";
+}
+
+// What the help calls the value, without the check that stands behind it.
+std::string value_of(const CLI::Option& option) {
+    const std::string type = option.get_type_name();
+    const size_t open = type.find('{');
+    if (open != type.npos) {
+        std::string names = type.substr(open + 1, type.find('}', open) - open - 1);
+        for (char& c : names)
+            if (c == ',') c = '|';
+        return names;
+    }
+    return type.substr(0, type.find(':'));
+}
+
+// The names that the compiler's flags stand for are those of compilers (-MD and so on), which the
+// description begins with.
+std::string term(const CLI::Option& option) {
+    std::string names;
+    for (const std::string& name : option.get_snames())
+        names += (names.empty() ? "" : ", ") + ("\\fB" + plain("-" + name) + "\\fR");
+    for (const std::string& name : option.get_lnames())
+        names += (names.empty() ? "" : ", ") + ("\\fB" + plain("--" + name) + "\\fR");
+    const std::string value = option.get_items_expected_max() > 0 ? value_of(option) : "";
+    return names + (value.empty() ? "" : " \\fI" + plain(value) + "\\fR");
+}
+
+std::string entry(const std::string& term, std::string text) {
+    if (!text.empty() && !text.ends_with('.')) text += '.';
+    return ".TP\n" + term + "\n" + plain(text) + "\n";
+}
+
+std::string options_of(const CLI::App& app) {
+    std::string text;
+    for (const CLI::Option* option : app.get_options()) {
+        if (option->get_positional() || option->get_group().empty()) continue;
+        std::string doc = option->get_description();
+        if (const std::string value = option->get_default_str(); !value.empty())
+            doc += "; default: " + value;
+        text += entry(term(*option), doc);
+    }
+    for (const CLI::App* group : app.get_subcommands({}))
+        if (group->get_name().empty()) text += options_of(*group);
+    return text;
+}
+
+std::string arguments_of(const CLI::App& command) {
+    std::string text;
+    for (const CLI::Option* option : command.get_options())
+        if (option->get_positional())
+            text += entry("\\fI" + plain(option->get_name()) + "\\fR", option->get_description());
+    return text;
+}
+
+std::string synopsis_of(const CLI::App& command) {
+    std::string text = ".B " + plain("wrinkle " + command.get_name()) + "\n[\\fIOPTION\\fR]...";
+    for (const CLI::Option* option : command.get_options()) {
+        if (!option->get_positional()) continue;
+        const std::string dots = option->get_items_expected_max() > 1 ? "..." : "";
+        const std::string name = "\\fI" + plain(option->get_name()) + "\\fR" + dots;
+        text += option->get_required() ? " " + name : " [" + name + "]";
+    }
+    return text + "\n";
+}
+
+std::vector<const CLI::App*> commands_of(const CLI::App& app) {
+    std::vector<const CLI::App*> commands;
+    for (const CLI::App* sub : app.get_subcommands({}))
+        if (!sub->get_group().empty()) commands.push_back(sub);
+    return commands;
+}
+
+constexpr const char* exit_codes = R"(.SH EXIT STATUS
+.TP
+0
+Fine.
+.TP
+1
+An input has errors or cannot be read.
+.TP
+2
+Wrong usage.
+.TP
+3
+The environment failed: an output cannot be written, there is no GL.
+)";
+
+struct ManCommand {
+    std::string name, folder;
+
+    int run(const CLI::App& app) const {
+        if (!folder.empty()) return write_all(app);
+        std::string text = manual_page(app);
+        if (!name.empty()) {
+            const CLI::App* found = nullptr;
+            for (const CLI::App* command : commands_of(app))
+                if (command->get_name() == name) found = command;
+            if (!found) {
+                complain("there is no command '" + name + "'; wrinkle --help lists them");
+                return exit_usage;
+            }
+            text = manual_page(app, *found);
+        }
+        return write_result("-", text) ? exit_fine : exit_environment;
+    }
+
+    int write_all(const CLI::App& app) const {
+        std::vector<Result> pages = {{folder + "/wrinkle.1", manual_page(app)}};
+        for (const CLI::App* command : commands_of(app))
+            pages.push_back(
+                {folder + "/wrinkle-" + command->get_name() + ".1", manual_page(app, *command)});
+        std::error_code ignored;  // writing says why
+        std::filesystem::create_directories(folder, ignored);
+        return write_results(pages) ? exit_fine : exit_environment;
+    }
+};
+
+}  // namespace
+
+std::string manual_page(const CLI::App& app) {
+    std::string text = head("wrinkle", app.get_description()) +
+                       ".SH SYNOPSIS\n.B wrinkle\n\\fICOMMAND\\fR [\\fIOPTION\\fR]... "
+                       "[\\fIFILE\\fR]...\n.SH COMMANDS\n";
+    std::string pages;
+    for (const CLI::App* command : commands_of(app)) {
+        text += entry("\\fB" + plain(command->get_name()) + "\\fR", command->get_description());
+        pages += (pages.empty() ? "" : " ,\n") +
+                 (".BR wrinkle\\-" + plain(command->get_name()) + " (1)");
+    }
+    return text +
+           ".SH ARGUMENTS\n"
+           ".TP\n\\fB@\\fR\\fIFILE\\fR\nStands for the words that a file holds, with '...' and "
+           "\"...\" round those with white space.\n"
+           ".TP\n\\fB\\-\\fR\nIn place of a file is standard input or standard output.\n"
+           ".SH OPTIONS\n" +
+           options_of(app) + exit_codes + ".SH SEE ALSO\n" + pages + "\n";
+}
+
+std::string manual_page(const CLI::App& app, const CLI::App& command) {
+    std::string text = head("wrinkle-" + command.get_name(), command.get_description()) +
+                       ".SH SYNOPSIS\n" + synopsis_of(command);
+    if (const std::string arguments = arguments_of(command); !arguments.empty())
+        text += ".SH ARGUMENTS\n" + arguments;
+    return text + ".SH OPTIONS\n" + options_of(command) + exit_codes + ".SH SEE ALSO\n.BR " +
+           plain(app.get_name()) + " (1)\n";
+}
+
+void declare_man(CLI::App& app, Run& run) {
+    auto command = std::make_shared<ManCommand>();
+    CLI::App& sub = *app.add_subcommand("man", "A manual page, in roff");
+    sub.group("");
+    sub.add_option("COMMAND", command->name, "Of this command; else of the whole program");
+    sub.add_option("--folder", command->folder, "Writes all pages into this folder")
+        ->type_name("DIR");
+    sub.callback([command, &app, &run] { run = [command, &app] { return command->run(app); }; });
+}
+
+}  // namespace wrinkle::cli

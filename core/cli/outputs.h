@@ -1,0 +1,29 @@
+// Which file each text of a compilation goes to.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "cli/depfile.h"
+
+namespace wrinkle::cli {
+
+struct Outputs {
+    std::string output = "-";
+    std::string form = "function";
+    std::string stage = "fragment";  // that goes to standard output
+    std::string reflect;
+    Depfile depfile;
+    std::vector<std::string> files;  // the graphs
+
+    bool several() const { return files.size() > 1; }
+    bool is_standard_output() const { return output == "-"; }
+    // Of one graph OUT, of several OUT/STEM.glsl; with the text's suffix.
+    std::string place(const std::string& file, const std::string& suffix) const;
+    std::string reflection_place(const std::string& file) const;  // "": none is wanted
+    std::string depfile_place() const;
+    // Why two texts would come to one place, or several to standard output; "" when all is well.
+    std::string conflict() const;
+};
+
+}  // namespace wrinkle::cli

@@ -1,0 +1,236 @@
+// wrinkle compile --cache: a hit is a miss in everything but time, and nothing that happens to the
+// folder makes a wrong text.
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <fstream>
+
+#include "cli/support.h"
+
+namespace wrinkle::test {
+namespace {
+
+using Names = std::vector<std::string>;
+
+class CacheTest : public CliTest {
+protected:
+    Ran compile(const Names& more, const std::string& graph = "g.json") const {
+        Names args{"compile", graph, "-o", "out/g", "--cache", "cache"};
+        args.insert(args.end(), more.begin(), more.end());
+        fs::create_directories(folder / "out");
+        return run(args);
+    }
+
+    std::vector<fs::path> entries() const {
+        std::vector<fs::path> found;
+        if (exists("cache"))
+            for (const auto& each : fs::recursive_directory_iterator(folder / "cache"))
+                if (each.is_regular_file()) found.push_back(each.path());
+        return found;
+    }
+
+    // Another byte in every entry.
+    void damage(size_t from_end) const {
+        for (const fs::path& path : entries()) {
+            std::fstream file(path, std::ios::in | std::ios::out | std::ios::binary);
+            file.seekp(-static_cast<std::streamoff>(from_end), std::ios::end);
+            file.put('#');
+        }
+    }
+
+    // Everything below out/ in one text.
+    std::string made() const {
+        std::string all;
+        for (const std::string& name : files())
+            if (name.starts_with("out/")) all += name + "\n" + get(name);
+        return all;
+    }
+};
+
+// Hits are told from misses by an entry: a hit leaves it as it is, a miss writes a new one.
+TEST_F(CacheTest, AHitWritesWhatAMissWrites) {
+    put("g.json", tilt_graph());
+    for (const Names& more : {Names{}, Names{"--form", "shader"}, Names{"--params", "uniform"},
+                              Names{"--differentials", "given"}, Names{"--name", "other"},
+                              Names{"--no-tangents"}, Names{"--set", "tilt.volume=[0.5, 0, 0]"}}) {
+        Names args = more;
+        args.insert(args.end(), {"--reflect", "out/r.json", "-MD"});
+        const size_t before = entries().size();
+        ASSERT_EQ(compile(args).code, 0);
+        const std::string fresh = made();
+        EXPECT_EQ(entries().size(), before + 1) << testing::PrintToString(more);
+        fs::remove_all(folder / "out");
+        ASSERT_EQ(compile(args).code, 0);
+        EXPECT_EQ(made(), fresh);
+        EXPECT_EQ(entries().size(), before + 1);
+        fs::remove_all(folder / "out");
+    }
+}
+
+TEST_F(CacheTest, AHitTakesTheTextFromTheEntry) {
+    put("g.json", tilt_graph());
+    put("h.json", tilt_graph("0.25"));
+    ASSERT_EQ(compile({"--name", "n"}).code, 0);
+    const fs::path entry = entries().at(0);
+    ASSERT_EQ(run({"compile", "h.json", "--name", "n", "--cache", "other"}).code, 0);
+    for (const auto& each : fs::recursive_directory_iterator(folder / "other"))
+        if (each.is_regular_file())
+            fs::copy_file(each.path(), entry, fs::copy_options::overwrite_existing);
+    ASSERT_EQ(compile({"--name", "n"}).code, 0);
+    EXPECT_EQ(get("out/g"), run({"compile", "h.json", "--name", "n"}).out);
+}
+
+TEST_F(CacheTest, WarningsComeFromTheEntryToo) {
+    put("g.json", R"({"wrinkle": 1, "nodes": {
+      "cells": {"type": "worley_noise", "in": {"jitter": 2}}},
+      "outputs": {"height": {"from": "cells.height"}}})");
+    const Ran miss = compile({});
+    const Ran hit = compile({});
+    EXPECT_EQ(miss.code, 0);
+    EXPECT_TRUE(says(miss.err, "g.json:2:")) << miss.err;
+    EXPECT_EQ(hit.err, miss.err);
+    fs::create_directories(folder / "moved");
+    fs::rename(folder / "g.json", folder / "moved/g.json");
+    EXPECT_TRUE(says(compile({}, "moved/g.json").err, "moved/g.json:2:"));
+    EXPECT_EQ(entries().size(), 1u);
+}
+
+TEST_F(CacheTest, WhatATextDependsOnIsInTheKey) {
+    put("inner.json", tilt_graph("0.5"));
+    put("g.json", R"({"wrinkle": 1, "nodes": {"sub": {"type": "graph:inner.json"}},
+        "outputs": {"normal": {"from": "sub.normal"}}})");
+    ASSERT_EQ(compile({}).code, 0);
+    const std::string before = get("out/g");
+    put("inner.json", tilt_graph("0.25"));
+    ASSERT_EQ(compile({}).code, 0);
+    EXPECT_NE(get("out/g"), before);
+    EXPECT_EQ(entries().size(), 2u);
+    put("inner.json", tilt_graph("0.5"));
+    ASSERT_EQ(compile({}).code, 0);
+    EXPECT_EQ(get("out/g"), before);
+    EXPECT_EQ(entries().size(), 2u);
+}
+
+TEST_F(CacheTest, ImagesCountByWhetherTheyAreThere) {
+    put("a.png", "x");
+    put("b.png", "x");
+    put("g.json", R"({"wrinkle": 1, "nodes": {
+        "one": {"type": "image", "in": {"image": "a.png"}},
+        "two": {"type": "image", "in": {"image": "b.png"}},
+        "sum": {"type": "vec3_add", "in": {"a": {"from": "one.color"}, "b": {"from": "two.color"}}}},
+        "outputs": {"color": {"from": "sum.vector"}}})");
+    ASSERT_EQ(compile({}).code, 0) << compile({}).err;
+    const std::string two_samplers = get("out/g");
+    put("a.png", "other pixels");
+    ASSERT_EQ(compile({}).code, 0);
+    EXPECT_EQ(entries().size(), 1u);
+    fs::remove(folder / "b.png");
+    EXPECT_EQ(compile({}).code, 1);
+    fs::create_symlink("a.png", folder / "b.png");
+    ASSERT_EQ(compile({}).code, 0);
+    EXPECT_NE(get("out/g"), two_samplers) << "both names mean one file now";
+}
+
+TEST_F(CacheTest, PluginsCountByTheirBytes) {
+    fs::copy_file(WRINKLE_RIPPLES, folder / "p.so");
+    put("g.json", R"({"wrinkle": 1, "nodes": {"r": {"type": "ripples"}},
+        "outputs": {"height": {"from": "r.height"}}})");
+    ASSERT_EQ(compile({"--plugin-path", "p.so"}).code, 0);
+    ASSERT_EQ(compile({"--plugin-path", "p.so"}).code, 0);
+    EXPECT_EQ(entries().size(), 1u);
+    std::ofstream(folder / "p.so", std::ios::app | std::ios::binary) << "another build";
+    ASSERT_EQ(compile({"--plugin-path", "p.so"}).code, 0);
+    EXPECT_EQ(entries().size(), 2u);
+}
+
+TEST_F(CacheTest, ADamagedEntryIsMadeAnew) {
+    put("g.json", tilt_graph());
+    ASSERT_EQ(compile({}).code, 0);
+    const std::string right = get("out/g"), entry = bytes_of(entries().at(0));
+    const auto put_right = [&](const std::string& what) {
+        const Ran ran = compile({});
+        EXPECT_EQ(ran.code, 0) << what;
+        EXPECT_EQ(ran.err, "") << what;
+        EXPECT_EQ(get("out/g"), right) << what;
+        EXPECT_EQ(bytes_of(entries().at(0)), entry) << what;
+    };
+    for (const size_t from_end : {size_t{1}, size_t{40}, entry.size() - 20, entry.size()}) {
+        damage(from_end);
+        put_right("damaged " + std::to_string(from_end) + " before its end");
+    }
+    for (const size_t left : {size_t{0}, size_t{7}, size_t{81}, entry.size() - 1}) {
+        fs::resize_file(entries().at(0), left);
+        put_right("cut to " + std::to_string(left));
+    }
+}
+
+TEST_F(CacheTest, AFolderThatCannotBeWrittenIsAWarning) {
+    put("g.json", tilt_graph());
+    put("cache", "a file");
+    const Ran ran = compile({});
+    EXPECT_EQ(ran.code, 0);
+    EXPECT_TRUE(says(ran.err, "warning: the cache cannot be written: cache/"));
+    EXPECT_TRUE(exists("out/g"));
+}
+
+TEST_F(CacheTest, WhatWasNotUsedForLongGoesFirst) {
+    put("g.json", tilt_graph());
+    ASSERT_EQ(compile({}).code, 0);
+    const fs::path entry = entries().at(0);
+    const auto now = fs::file_time_type::clock::now();
+    const fs::path old = entry.parent_path() / "old", used = entry.parent_path() / "used";
+    for (const fs::path& path : {old, used}) {
+        std::ofstream(path) << std::string(4000, 'x');
+        fs::last_write_time(path, now - std::chrono::hours(path == old ? 3 : 2));
+    }
+    std::ofstream(entry.parent_path() / "k.tmpabcdef") << "killed";
+    fs::last_write_time(entry.parent_path() / "k.tmpabcdef", now - std::chrono::hours(2));
+    std::ofstream(entry.parent_path() / "l.tmpabcdef") << "at work";
+    fs::remove(entry);
+    ASSERT_EQ(compile({"--cache-size", std::to_string(16 * 7000)}).code, 0);
+    EXPECT_EQ(entries().size(), 3u) << "the entry, `used`, and the temporary file of somebody";
+    EXPECT_FALSE(fs::exists(old));
+    EXPECT_TRUE(fs::exists(used));
+    EXPECT_TRUE(fs::exists(entry));
+}
+
+// Eight programs at a time write the same entries, and half of them are killed in the middle.
+TEST_F(CacheTest, ParallelAndKilledWritersLeaveOnlyWholeEntries) {
+    Names args{"compile", "--cache", "cache", "-j2", "-o"};
+    for (int i = 0; i < 12; ++i)
+        args.push_back(
+            put("g" + std::to_string(i) + ".json", tilt_graph("0." + std::to_string(i + 1)))
+                .string());
+    Names plain = args;
+    plain.erase(plain.begin() + 1, plain.begin() + 3);
+    plain.insert(plain.begin() + 3, "plain");
+    ASSERT_EQ(run(plain).code, 0);
+    for (int round = 0; round < 6; ++round) {
+        std::vector<pid_t> children;
+        for (int i = 0; i < 8; ++i) {
+            Names call = args;
+            call.insert(call.begin() + 5, (folder / ("o" + std::to_string(i))).string());
+            children.push_back(start(call));
+        }
+        usleep(static_cast<useconds_t>(1000 * (3 + 3 * round)));
+        for (size_t i = 0; i < children.size(); i += 2)
+            kill(children[i], SIGKILL);
+        for (const pid_t child : children)
+            waitpid(child, nullptr, 0);
+        for (const auto& each : fs::recursive_directory_iterator(folder)) {
+            if (each.path().extension() != ".glsl") continue;
+            EXPECT_EQ(bytes_of(each.path()), get("plain/" + each.path().filename().string()));
+        }
+    }
+    args.insert(args.begin() + 5, "last");
+    ASSERT_EQ(run(args).code, 0);
+    for (int i = 0; i < 12; ++i) {
+        const std::string name = "/g" + std::to_string(i) + ".glsl";
+        EXPECT_EQ(get("last" + name), get("plain" + name));
+    }
+}
+
+}  // namespace
+}  // namespace wrinkle::test
