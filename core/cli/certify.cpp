@@ -24,7 +24,7 @@ namespace {
 
 constexpr int longest_node_ms = 300'000;  // a shader compiler on one slow core takes its time
 
-using Types = std::vector<const NodeType*>;
+using TypeList = std::vector<const NodeType*>;
 
 // What stands beside the plugin: the built-in nodes, which drive inputs in the graphs.
 struct Loaded {
@@ -57,8 +57,8 @@ void load(const std::string& file, Loaded& loaded, Diagnostics& diagnostics) {
         diagnostics.append(refused);
 }
 
-Types types_of(const Loaded& loaded) {
-    Types types;
+TypeList types_of(const Loaded& loaded) {
+    TypeList types;
     for (const NodeType& type : loaded.registry.list())
         if (type.origin != Registry::built_in) types.push_back(&type);
     return types;
@@ -114,7 +114,7 @@ int certify_here(const CertifyOptions& options, int pipe) {
     }
     const Gpu gpu(!options.no_gpu);
     const certify::Bench bench{loaded.registry, pictures->path(), gpu.missing.empty(), {}};
-    const Types types = types_of(loaded);
+    const TypeList types = types_of(loaded);
     const PluginReport& plugin = loaded.reports.front();
     std::printf("%s\n    %s %s\n", options.file.c_str(), plugin.id.c_str(), plugin.version.c_str());
     size_t failed = 0;
