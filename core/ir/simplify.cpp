@@ -1,6 +1,8 @@
 #include "ir/simplify.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 namespace wrinkle {
 namespace {
@@ -14,22 +16,28 @@ Id widened(Module& m, Id value, Type type) {
     return m.add(Op::construct_, std::span(lanes.data(), info(type).lanes), 0, type);
 }
 
-// Of a scalar: never below `bound`, by the way it is made.
-bool is_at_least(const Module& m, Id id, double bound) {
+// A scalar's least value by the way it is made, as far as one look tells.
+double least_of(const Module& m, Id id, bool under_root = false) {
     const Inst& inst = m[id];
+    const auto literal = [&](Id operand) {
+        return m[operand].op == Op::literal_ ? m[operand].value
+                                             : -std::numeric_limits<double>::infinity();
+    };
     switch (inst.op) {
         case Op::literal_:
-            return inst.value >= bound;
+            return inst.value;
         case Op::max_:
-            return inst.type == Type::float_ &&
-                   (is_at_least(m, inst.arg[0], bound) || is_at_least(m, inst.arg[1], bound));
+            return std::max(literal(inst.arg[0]), literal(inst.arg[1]));
         case Op::sqrt_:
-            return bound <= 0 || is_at_least(m, inst.arg[0], bound * bound);
+            return under_root ? 0 : std::sqrt(std::max(least_of(m, inst.arg[0], true), 0.0));
         case Op::dot_:
         case Op::mul_:
-            return bound <= 0 && inst.arg[0] == inst.arg[1];
+            return inst.arg[0] == inst.arg[1] ? 0 : -std::numeric_limits<double>::infinity();
+        case Op::abs_:
+        case Op::length_:
+            return 0;
         default:
-            return bound <= 0 && (inst.op == Op::abs_ || inst.op == Op::length_);
+            return -std::numeric_limits<double>::infinity();
     }
 }
 
@@ -74,8 +82,8 @@ Id simplify_arithmetic(Module& m, Op op, Args a, Type type) {
             return a[0] == a[1] ? a[0] : poison;
         case Op::max_:
             if (a[0] == a[1]) return a[0];
-            return m[a[1]].op == Op::literal_ && is_at_least(m, a[0], m[a[1]].value) ? a[0]
-                                                                                     : poison;
+            if (!is_float_type(type) || m[a[1]].op != Op::literal_) return poison;
+            return least_of(m, a[0]) >= m[a[1]].value ? a[0] : poison;
         case Op::mix_:
             if (a[0] == a[1] || m.is_literal(a[2], 0)) return widened(m, a[0], type);
             return m.is_literal(a[2], 1) ? widened(m, a[1], type) : poison;
@@ -113,12 +121,17 @@ bool is_facing(const Module& m, Id id) {
     return m[id].op == Op::input_ && input_of(m[id].extra) == SurfaceInput::facing_;
 }
 
-// Of length 1 by the way it is made. A zero vector made unit has no answer anyway.
+// Of length 1 by the way it is made, looking a few ops back. A zero vector made unit has no answer
+// anyway.
 bool is_unit(const Module& m, Id id) {
-    const Inst& inst = m[id];
-    if (inst.op == Op::mul_ && is_facing(m, inst.arg[1])) return is_unit(m, inst.arg[0]);
-    if (inst.op == Op::detach_ || inst.op == Op::neg_) return is_unit(m, inst.arg[0]);
-    return inst.op == Op::normalize_ || inst.op == Op::resolve_;
+    for (int looks = 0; looks < 4; ++looks) {
+        const Inst& inst = m[id];
+        if (inst.op == Op::normalize_ || inst.op == Op::resolve_) return true;
+        const bool turned = inst.op == Op::mul_ && is_facing(m, inst.arg[1]);
+        if (!turned && inst.op != Op::detach_ && inst.op != Op::neg_) return false;
+        id = inst.arg[0];
+    }
+    return false;
 }
 
 // What lengths of 1 and the side that is seen, +1 or -1, make simpler: guards of normals fall away.

@@ -151,6 +151,8 @@ TEST_F(ModuleTest, BoundsThatHoldAnyway) {
                            add(Op::abs_, {f}), add(Op::sqrt_, {least})})
         EXPECT_EQ(add(Op::max_, {found, n(0)}), found);
     EXPECT_EQ(add(Op::max_, {add(Op::sqrt_, {least}), n(1)}), add(Op::sqrt_, {least}));
+    const Id whole = add(Op::to_int_, {f}), none = m.literal(Type::int_, 0);  // squares wrap
+    EXPECT_EQ(m[add(Op::max_, {add(Op::mul_, {whole, whole}), none})].op, Op::max_);
     for (const Id open : {add(Op::dot_, {v, w}), add(Op::mul_, {f, g}), f})
         EXPECT_EQ(m[add(Op::max_, {open, n(0)})].op, Op::max_);
 }
