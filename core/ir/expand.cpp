@@ -256,8 +256,37 @@ Id expand_one(void* context, Module& target, const Module& source, Id id,
     return expander.opaque(source, id, mapped);
 }
 
-Id strip_detach(void*, Module&, const Module& source, Id id, std::span<const Id> mapped) {
-    return source[id].op == Op::detach_ ? mapped[0] : poison;
+// 1/|v| of a vector that is there, or poison.
+Id inverse_length_of(const Module& m, Id id) {
+    if (m[id].op != Op::inversesqrt_) return poison;
+    const Inst& square = m[m[id].arg[0]];
+    return square.op == Op::dot_ && square.arg[0] == square.arg[1] ? square.arg[0] : poison;
+}
+
+// The last rewriting: detach says nothing any more, and a vector that is divided by its length
+// elsewhere too is made unit by that quotient.
+struct Finisher {
+    std::vector<bool> inverse_known;  // by Id of the source: of its length
+
+    explicit Finisher(const Module& source) : inverse_known(source.size(), false) {
+        std::vector<Id> roots;
+        for (const ModuleOutput& output : source.outputs)
+            roots.push_back(output.value);
+        const std::vector<bool> needed = reachable(source, roots);
+        for (Id id = 1; id < source.size(); ++id)
+            if (needed[id] && source[id].level == 0)
+                inverse_known[inverse_length_of(source, id)] = true;
+        inverse_known[poison] = false;
+    }
+};
+
+Id finish(void* context, Module& target, const Module& source, Id id, std::span<const Id> mapped) {
+    if (source[id].op == Op::detach_) return mapped[0];
+    const auto& finisher = *static_cast<const Finisher*>(context);
+    if (source[id].op != Op::normalize_ || !finisher.inverse_known[source[id].arg[0]])
+        return poison;
+    const Value v{&target, mapped[0]};
+    return (v * inversesqrt(dot(v, v))).id;
 }
 
 struct Settler {
@@ -293,7 +322,8 @@ Module expand(const Module& source, const ExpandOptions& options) {
     Expander expander{
         options, jumping(source), input_dependencies(source), nullptr, {}, {}, {}, {}, {}, {}};
     const Module expanded = rebuild(source, expand_one, &expander);
-    return rebuild(expanded, strip_detach, nullptr);
+    Finisher finisher(expanded);
+    return rebuild(expanded, finish, &finisher);
 }
 
 }  // namespace wrinkle

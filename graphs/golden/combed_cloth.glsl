@@ -9,8 +9,8 @@ uniform sampler2D cloth_image;  // textures/weave_normal.png (normal_gl, repeat)
 uniform sampler2D comb_image;   // textures/rivets_normal.png (normal_gl, repeat)
 
 vec3 wrinkle_combed_cloth_normal(WrinkleSurface_combed_cloth s) {
-    vec3 normal = normalize(s.normal);  // the surface point
-    float inverse_normal_length = inversesqrt(dot(s.normal, s.normal));
+    float inverse_normal_length = inversesqrt(dot(s.normal, s.normal));  // the surface point
+    vec3 normal = s.normal * inverse_normal_length;
     vec2 tile_uv = s.uv0 * vec2(10.0, 5.0);  // tile: UV transform
     vec3 cloth_texel = texture(cloth_image, tile_uv).xyz - 0.5;  // cloth: Tangent normal map
     float cloth_least_depth = max(abs(cloth_texel.x), abs(cloth_texel.y)) * 0.0078125;

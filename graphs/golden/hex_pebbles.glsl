@@ -57,8 +57,8 @@ vec2 wrinkle_hex_pebbles_smooth_slope(vec2 a, vec2 b) {
 }
 
 vec3 wrinkle_hex_pebbles_normal(WrinkleSurface_hex_pebbles s) {
-    vec3 normal = normalize(s.normal);  // the surface point
-    float inverse_normal_length = inversesqrt(dot(s.normal, s.normal));
+    float inverse_normal_length = inversesqrt(dot(s.normal, s.normal));  // the surface point
+    vec3 normal = s.normal * inverse_normal_length;
     vec3 dpdx = dFdx(s.position_relative);
     vec3 dpdy = dFdy(s.position_relative);
     float screen_area = dot(normal, cross(dpdx, dpdy));

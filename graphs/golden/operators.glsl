@@ -60,7 +60,7 @@ float wrinkle_operators_tilt(WrinkleSurface_operators s) {
     float inverse_normal_length = inversesqrt(dot(s.normal, s.normal));  // the surface point
     vec3 bitangent = cross(s.normal, s.tangent.xyz);
     float handedness = s.tangent.w > 0.0 ? 1.0 : -1.0;
-    vec3 normal = normalize(s.normal);
+    vec3 normal = s.normal * inverse_normal_length;
     vec2 gentle_slope = rivets_texel.xy * 2.0 * (-1.0 / rivets_depth);  // gentle: Limit slope
     vec3 gentle_along_u = s.tangent.xyz * (gentle_slope.x * inverse_normal_length);
     vec3 gentle_along_v = bitangent * (gentle_slope.y * (handedness * inverse_normal_length));
@@ -89,7 +89,10 @@ float wrinkle_operators_tilt(WrinkleSurface_operators s) {
 }
 
 float wrinkle_operators_angle(WrinkleSurface_operators s) {
-    vec3 pebbles_product = normalize(s.normal) * s.facing;  // pebbles: Derivative map
+    float inverse_normal_length = inversesqrt(dot(s.normal, s.normal));  // the surface point
+    vec3 bitangent = cross(s.normal, s.tangent.xyz);
+    float handedness = s.tangent.w > 0.0 ? 1.0 : -1.0;
+    vec3 pebbles_product = s.normal * inverse_normal_length * s.facing;  // pebbles: Derivative map
     vec2 tile_uv = s.uv0 * 4.0;  // tile: UV transform
     vec3 weave_texel = texture(weave_image, tile_uv).xyz - 0.5;  // weave: Tangent normal map
     float weave_least_depth = max(abs(weave_texel.x), abs(weave_texel.y)) * 0.0078125;
@@ -100,9 +103,6 @@ float wrinkle_operators_angle(WrinkleSurface_operators s) {
     float rivets_depth = max(max(abs(rivets_texel.z), rivets_least_depth), 5e-07);
     // cloth: Bump over bump
     float cloth_least = min(max(texture(patches_image, s.uv0).x, 0.0), 1.0);
-    float inverse_normal_length = inversesqrt(dot(s.normal, s.normal));  // the surface point
-    vec3 bitangent = cross(s.normal, s.tangent.xyz);
-    float handedness = s.tangent.w > 0.0 ? 1.0 : -1.0;
     vec2 gentle_slope = rivets_texel.xy * 2.0 * (-1.0 / rivets_depth);  // gentle: Limit slope
     vec3 gentle_along_u = s.tangent.xyz * (gentle_slope.x * inverse_normal_length);
     vec3 gentle_along_v = bitangent * (gentle_slope.y * (handedness * inverse_normal_length));

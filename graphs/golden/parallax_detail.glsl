@@ -121,13 +121,13 @@ vec3 wrinkle_parallax_detail_noise_octave_slope(vec3 a, float b) {
 }
 
 vec3 wrinkle_parallax_detail_normal(WrinkleSurface_parallax_detail s) {
-    vec3 normal = normalize(s.normal);  // the surface point
+    float inverse_normal_length = inversesqrt(dot(s.normal, s.normal));  // the surface point
+    vec3 normal = s.normal * inverse_normal_length;
     vec3 dpdx = dFdx(s.position_relative);
     vec2 duv0_dx = dFdx(s.uv0);
     vec3 dpdy = dFdy(s.position_relative);
     vec2 duv0_dy = dFdy(s.uv0);
     float screen_area = dot(normal, cross(dpdx, dpdy));
-    float inverse_normal_length = inversesqrt(dot(s.normal, s.normal));
     vec3 point_vector = vec3(s.uv0.x, s.uv0.y, 0.37);  // point: Combine vec3
     vec3 march_product = normal * s.facing;  // march: Parallax occlusion
     float march_dot_product = dot(march_product, s.view);
@@ -266,7 +266,8 @@ float wrinkle_parallax_detail_height(WrinkleSurface_parallax_detail s) {
     vec2 duv0_dy = dFdy(s.uv0);
     vec3 dpdx = dFdx(s.position_relative);
     vec3 point_vector = vec3(s.uv0.x, s.uv0.y, 0.37);  // point: Combine vec3
-    vec3 march_product = normalize(s.normal) * s.facing;  // march: Parallax occlusion
+    // march: Parallax occlusion
+    vec3 march_product = s.normal * inversesqrt(dot(s.normal, s.normal)) * s.facing;
     float march_dot_product = dot(march_product, s.view);
     vec3 march_difference = s.view - march_product * march_dot_product;
     vec3 march_difference_2 = dpdy - march_product * dot(march_product, dpdy);

@@ -12,8 +12,8 @@ uniform sampler2D cloth_image;   // textures/weave_normal.png (normal_gl, repeat
 uniform float input_weave;
 
 vec3 wrinkle_woven_strap_normal(WrinkleSurface_woven_strap s) {
-    vec3 normal = normalize(s.normal);  // the surface point
-    float inverse_normal_length = inversesqrt(dot(s.normal, s.normal));
+    float inverse_normal_length = inversesqrt(dot(s.normal, s.normal));  // the surface point
+    vec3 normal = s.normal * inverse_normal_length;
     vec3 dpdx = dFdx(s.position_relative);
     vec2 duv1_dy = dFdy(s.uv1);
     vec3 dpdy = dFdy(s.position_relative);

@@ -16,8 +16,8 @@ uniform sampler2D base_image;   // base.png (normal_gl, repeat)
 uniform sampler2D weave_image;  // weave.png (normal_gl, repeat)
 
 vec3 wrinkle_strap_normal(WrinkleSurface_strap s) {
-    vec3 normal = normalize(s.normal);  // the surface point
-    float inverse_normal_length = inversesqrt(dot(s.normal, s.normal));
+    float inverse_normal_length = inversesqrt(dot(s.normal, s.normal));  // the surface point
+    vec3 normal = s.normal * inverse_normal_length;
     vec3 uv1_bitangent = cross(normal, s.position_dx * s.uv1_dy.y - s.position_dy * s.uv1_dx.y);
     float uv1_scale = inversesqrt(max(dot(uv1_bitangent, uv1_bitangent), 1e-36));
     vec2 base_size = vec2(textureSize(base_image, 0));  // base: Tangent normal map

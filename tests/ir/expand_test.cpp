@@ -132,6 +132,16 @@ TEST_F(Expand, ProjectsAVolumeInOneProduct) {
     EXPECT_EQ(count(result, Op::sub_), 1U);
 }
 
+// Beside a vertex frame, which is divided by the normal's length, the normal is made unit by that.
+TEST_F(Expand, MeasuresTheNormalOnce) {
+    const Id uv0 = frame(input(SurfaceInput::uv0_), WR_FRAME_vertex, WR_SCALE_unit);
+    const Value volume = gradient(Op::gradient_from_volume_, m.input(SurfaceInput::position_));
+    EXPECT_EQ(count(result_of(resolve(volume)), Op::normalize_), 2U);
+    const Module both = result_of(resolve(add(normal_map(0.1, uv0), volume)));
+    EXPECT_EQ(count(both, Op::normalize_), 1U);
+    EXPECT_EQ(count(both, Op::inversesqrt_), 1U);
+}
+
 // Changes to the next pixels need no uv.
 TEST_F(Expand, TakesSlopesOfPixelsAsTheyAre) {
     const Id pixels = frame(input(SurfaceInput::uv0_), WR_FRAME_pixel, WR_SCALE_surface);

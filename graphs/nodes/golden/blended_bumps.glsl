@@ -76,7 +76,7 @@ vec3 wrinkle_blended_bumps_noise_octave_slope(vec3 a, float b) {
 }
 
 vec3 wrinkle_blended_bumps_normal(WrinkleSurface_blended_bumps s) {
-    vec3 normal = normalize(s.normal);  // the surface point
+    vec3 normal = s.normal * inversesqrt(dot(s.normal, s.normal));  // the surface point
     vec3 dpdx = dFdx(s.position_relative);
     vec3 dpdy = dFdy(s.position_relative);
     float screen_area = dot(normal, cross(dpdx, dpdy));
@@ -143,7 +143,7 @@ vec3 wrinkle_blended_bumps_normal(WrinkleSurface_blended_bumps s) {
 
 vec3 wrinkle_blended_bumps_naive(WrinkleSurface_blended_bumps s) {
     float inverse_normal_length = inversesqrt(dot(s.normal, s.normal));  // the surface point
-    vec3 normal = normalize(s.normal);
+    vec3 normal = s.normal * inverse_normal_length;
     vec3 dpdx = dFdx(s.position_relative);
     vec3 dpdy = dFdy(s.position_relative);
     float screen_area = dot(normal, cross(dpdx, dpdy));

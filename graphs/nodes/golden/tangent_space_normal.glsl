@@ -142,7 +142,7 @@ float wrinkle_tangent_space_normal_thread_change(vec2 a, float b, float c, vec2 
 
 vec3 wrinkle_tangent_space_normal_color(WrinkleSurface_tangent_space_normal s) {
     float inverse_normal_length = inversesqrt(dot(s.normal, s.normal));  // the surface point
-    vec3 normal = normalize(s.normal);
+    vec3 normal = s.normal * inverse_normal_length;
     vec3 dpdx = dFdx(s.position_relative);
     vec3 dpdy = dFdy(s.position_relative);
     float screen_area = dot(normal, cross(dpdx, dpdy));
