@@ -24,20 +24,20 @@ struct Reader {
 };
 
 // What a slope is told by: a uv unit, or a texel of level 0.
-enum class Per { uv, texel };
+enum class Unit { uv, texel };
 
-vec2 three_taps(const Reader& read, vec2 uv, Float texels, Per per) {
+vec2 three_taps(const Reader& read, vec2 uv, Float texels, Unit unit) {
     const vec2 step = texels / read.image.size();
     const Float here = read.at(uv);
     const Float right = read.at(vec2(uv.x() + step.x(), uv.y()));
     const Float above = read.at(vec2(uv.x(), uv.y() + step.y()));
     const vec2 change(right - here, above - here);
-    return per == Per::uv ? change / step : change * (1 / texels);
+    return unit == Unit::uv ? change / step : change * (1 / texels);
 }
 
 // The 4x4 kernel is Sobel's over bilinear reads one texel apart: each read brings (1-t, t) of its
 // two texels, and their weights (1, 2, 1)/4 and (-1, 0, 1)/2 do the rest.
-vec2 smooth_slope(Image image, vec2 uv, Per per) {
+vec2 smooth_slope(Image image, vec2 uv, Unit unit) {
     const auto change = function("smooth_slope", [image](vec2 at, vec2 texel) {
         const auto tap = [&](int i, int j) {
             return image.sample_lod(at + vec2(i, j) * texel, 0).x();
@@ -48,7 +48,7 @@ vec2 smooth_slope(Image image, vec2 uv, Per per) {
         return vec2(along_u, along_v) * 0.125;
     });
     const vec2 size = image.size(), slope = change(uv, 1 / size);
-    return per == Per::uv ? slope * size : slope;
+    return unit == Unit::uv ? slope * size : slope;
 }
 
 vec2 pixel_change(const Reader& read, vec2 uv) {
@@ -66,17 +66,17 @@ vec2 pixel_difference(const Reader& read, vec2 uv) {
 }
 
 // Of the qualities that step by texels.
-vec2 slope_of(const Reader& read, vec2 uv, HeightQuality quality, Per per) {
+vec2 slope_of(const Reader& read, vec2 uv, HeightQuality quality, Unit unit) {
     const Float texels = read.footprint();
-    const vec2 coarse = three_taps(read, uv, texels, per);
+    const vec2 coarse = three_taps(read, uv, texels, unit);
     if (quality == HeightQuality::three_taps) return coarse;
     const Float magnified = saturate((0.5 - log2(texels)) / (0.5 - 0.05));
-    return mix(coarse, smooth_slope(read.image, uv, per), magnified);
+    return mix(coarse, smooth_slope(read.image, uv, unit), magnified);
 }
 
 vec2 height_slope(const Reader& read, vec2 uv, HeightQuality quality) {
     return quality == HeightQuality::pixel ? pixel_difference(read, uv)
-                                           : slope_of(read, uv, quality, Per::uv);
+                                           : slope_of(read, uv, quality, Unit::uv);
 }
 
 Reader implicit(Image image, vec2 uv) {
@@ -102,7 +102,7 @@ Float read_height(Image image, vec2 uv, HeightQuality quality) {
     const Float value = image.sample(uv).x();
     if (quality == HeightQuality::pixel) return with_slope(value, uv, pixel_difference(read, uv));
     // What the footprint is measured in is what uv changes by: one product for both.
-    return with_slope(value, uv * image.size(), slope_of(read, uv, quality, Per::texel));
+    return with_slope(value, uv * image.size(), slope_of(read, uv, quality, Unit::texel));
 }
 
 }  // namespace wrinkle::nodes
