@@ -5,6 +5,7 @@
 #include <set>
 
 #include "base/text.h"
+#include "cli/cost.h"
 #include "cli/depfile.h"
 #include "cli/material_run.h"
 #include "cli/output.h"
@@ -21,6 +22,7 @@ struct CompileCommand {
     std::string target = std::string(targets().front().name);
     std::string form = "function", params = "baked", differentials = "screen";
     std::string name, stage = "fragment", reflect;
+    bool strict = false;
     Depfile depfile;
 
     int run() const {
@@ -101,6 +103,7 @@ struct CompileCommand {
             emit_options.target = find_target(target);
             const Shader shader = emit(compiled.module, emit_options);
             report_emit(shader, compiled, changed, own);
+            judge_texture_units(shader.reflection, file, strict, own);
             add_results(file, shader, results);
             add_inputs(project, compiled.module, inputs);
         }
@@ -179,6 +182,8 @@ void declare_compile(CLI::App& app, Run& run) {
         ->capture_default_str();
     sub.add_option("--reflect", c.reflect, "Writes what a caller must know as JSON")
         ->type_name("FILE");
+    sub.add_flag("--strict", c.strict,
+                 "More images than a shader has texture units for certain are an error");
     declare_depfile(sub, c.depfile);
     declare_common(sub, c.common);
     sub.callback([command, &run] { run = [command] { return command->run(); }; });

@@ -36,13 +36,13 @@ CountedShader counted_shader(const Shader& shader) {
     location = 0;
     for (const FunctionInfo& function : r.functions)
         text += "layout(location = " + std::to_string(location++) + ") out " +
-                std::string(info(function.type).name) + " counted_" + function.output + ";\n";
+                std::string(info(function.type).name) + " counted_" + function.output + "_out;\n";
     result.lines_before = static_cast<uint32_t>(std::count(text.begin(), text.end(), '\n'));
     text += shader.source + "\nvoid main() {\n";
     if (!r.struct_name.empty()) text += "    " + r.struct_name + " surface;\n";
     text += body;
     for (const FunctionInfo& function : r.functions)
-        text += "    counted_" + function.output + " = " + function.function +
+        text += "    counted_" + function.output + "_out = " + function.function +
                 (r.struct_name.empty() ? "();\n" : "(surface);\n");
     text += "}\n";
     return result;
