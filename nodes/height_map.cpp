@@ -40,11 +40,16 @@ Node height_map_node =
             const Float height =
                 (read_height(in.image, in.uv, in.quality) - in.midlevel) * in.amplitude;
             const bool exact = in.frame == FrameMethod::automatic || in.frame == FrameMethod::exact;
-            if (in.scale == Scale::surface && exact)
+            const bool pixels = in.quality == HeightQuality::pixel;
+            const bool on_surface = in.scale == Scale::surface && exact;
+            if (on_surface && !pixels)
                 return std::tuple{height, gradient_from_height(height, Base(in.base))};
-            const Frame basis = frame(in.uv, in.frame, in.scale, in.direction);
-            const vec2 slope = height_slope(in.image, in.uv, in.quality) * in.amplitude;
-            return std::tuple{height, Gradient(Derivative(slope, basis), Base(in.base))};
+            const FrameMethod method = on_surface ? FrameMethod::pixel : in.frame;
+            const Frame basis = frame(in.uv, method, in.scale, in.direction);
+            const vec2 slope = on_surface ? pixel_change(in.image, in.uv)
+                                          : height_slope(in.image, in.uv, in.quality);
+            const Derivative derivative(slope * in.amplitude, basis);
+            return std::tuple{height, Gradient(derivative, Base(in.base))};
         });
 
 }  // namespace wrinkle::nodes

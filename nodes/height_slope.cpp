@@ -16,67 +16,93 @@ struct Reader {
     Float at(vec2 uv) const {
         return (given ? image.sample_grad(uv, changes.x, changes.y) : image.sample(uv)).x();
     }
-    // Texels of level 0 that a pixel covers, along its longer side.
+    // Texels of level 0 that a pixel covers, along its longer side, but at least one.
     Float footprint() const {
-        const vec2 size = image.size();
-        return detach(max(length(changes.x * size), length(changes.y * size)));
+        const vec2 size = image.size(), x = changes.x * size, y = changes.y * size;
+        return detach(sqrt(max(max(dot(x, x), dot(y, y)), 1)));
     }
 };
 
-vec2 three_taps(const Reader& read, vec2 uv, Float texels) {
-    const vec2 texel = max(texels, 1) / read.image.size();
+// What a slope is told by: a uv unit, or a texel of level 0.
+enum class Unit { uv, texel };
+
+vec2 three_taps(const Reader& read, vec2 uv, Float texels, Unit unit) {
+    const vec2 step = texels / read.image.size();
     const Float here = read.at(uv);
-    const Float right = read.at(uv + vec2(texel.x(), 0));
-    const Float above = read.at(uv + vec2(0, texel.y()));
-    return vec2(right - here, above - here) / texel;
+    const Float right = read.at(vec2(uv.x() + step.x(), uv.y()));
+    const Float above = read.at(vec2(uv.x(), uv.y() + step.y()));
+    const vec2 change(right - here, above - here);
+    return unit == Unit::uv ? change / step : change * (1 / texels);
 }
 
 // The 4x4 kernel is Sobel's over bilinear reads one texel apart: each read brings (1-t, t) of its
 // two texels, and their weights (1, 2, 1)/4 and (-1, 0, 1)/2 do the rest.
-vec2 smooth_slope(Image image, vec2 uv) {
-    const auto slope = function("smooth_slope", [image](vec2 at, vec2 texel) {
+vec2 smooth_slope(Image image, vec2 uv, Unit unit) {
+    const auto change = function("smooth_slope", [image](vec2 at, vec2 texel) {
         const auto tap = [&](int i, int j) {
             return image.sample_lod(at + vec2(i, j) * texel, 0).x();
         };
         const Float a = tap(1, 1) - tap(-1, -1), b = tap(1, -1) - tap(-1, 1);
         const Float along_u = a + b + 2 * (tap(1, 0) - tap(-1, 0));
         const Float along_v = a - b + 2 * (tap(0, 1) - tap(0, -1));
-        return vec2(along_u, along_v) / (8 * texel);
+        return vec2(along_u, along_v) * 0.125;
     });
-    return slope(uv, 1 / image.size());
+    const vec2 size = image.size(), slope = change(uv, 1 / size);
+    return unit == Unit::uv ? slope * size : slope;
+}
+
+vec2 pixel_change(const Reader& read, vec2 uv) {
+    const Float here = read.at(uv);
+    return {read.at(uv + detach(read.changes.x)) - here,
+            read.at(uv + detach(read.changes.y)) - here};
 }
 
 vec2 pixel_difference(const Reader& read, vec2 uv) {
     const auto [x, y] = read.changes;
-    const Float here = read.at(uv);
-    const Float change_x = read.at(uv + detach(x)) - here;
-    const Float change_y = read.at(uv + detach(y)) - here;
+    const vec2 change = pixel_change(read, uv);
     const Float det = x.x() * y.y() - x.y() * y.x();
-    return vec2(divide(change_x * y.y() - change_y * x.y(), det),
-                divide(change_y * x.x() - change_x * y.x(), det));
+    return vec2(divide(change.x() * y.y() - change.y() * x.y(), det),
+                divide(change.y() * x.x() - change.x() * y.x(), det));
 }
 
-vec2 slope_of(const Reader& read, vec2 uv, HeightQuality quality) {
-    if (quality == HeightQuality::pixel) return pixel_difference(read, uv);
+// Of the qualities that step by texels.
+vec2 slope_of(const Reader& read, vec2 uv, HeightQuality quality, Unit unit) {
     const Float texels = read.footprint();
-    const vec2 coarse = three_taps(read, uv, texels);
+    const vec2 coarse = three_taps(read, uv, texels, unit);
     if (quality == HeightQuality::three_taps) return coarse;
     const Float magnified = saturate((0.5 - log2(texels)) / (0.5 - 0.05));
-    return mix(coarse, smooth_slope(read.image, uv), magnified);
+    return mix(coarse, smooth_slope(read.image, uv, unit), magnified);
+}
+
+vec2 height_slope(const Reader& read, vec2 uv, HeightQuality quality) {
+    return quality == HeightQuality::pixel ? pixel_difference(read, uv)
+                                           : slope_of(read, uv, quality, Unit::uv);
+}
+
+Reader implicit(Image image, vec2 uv) {
+    return {image, {ddx(uv), ddy(uv)}, false};
 }
 
 }  // namespace
 
 vec2 height_slope(Image image, vec2 uv, HeightQuality quality) {
-    return slope_of({image, {ddx(uv), ddy(uv)}, false}, uv, quality);
+    return height_slope(implicit(image, uv), uv, quality);
 }
 
 vec2 height_slope(Image image, vec2 uv, HeightQuality quality, Changes changes) {
-    return slope_of({image, changes, true}, uv, quality);
+    return height_slope({image, changes, true}, uv, quality);
+}
+
+vec2 pixel_change(Image image, vec2 uv) {
+    return pixel_change(implicit(image, uv), uv);
 }
 
 Float read_height(Image image, vec2 uv, HeightQuality quality) {
-    return with_slope(image.sample(uv).x(), uv, height_slope(image, uv, quality));
+    const Reader read = implicit(image, uv);
+    const Float value = image.sample(uv).x();
+    if (quality == HeightQuality::pixel) return with_slope(value, uv, pixel_difference(read, uv));
+    // What the footprint is measured in is what uv changes by: one product for both.
+    return with_slope(value, uv * image.size(), slope_of(read, uv, quality, Unit::texel));
 }
 
 }  // namespace wrinkle::nodes

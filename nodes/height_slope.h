@@ -30,6 +30,9 @@ struct Changes {
 };
 sdk::vec2 height_slope(sdk::Image image, sdk::vec2 uv, HeightQuality quality, Changes changes);
 
+// The change of the red channel to the next pixels, in x and y, as the quality `pixel` reads it.
+sdk::vec2 pixel_change(sdk::Image image, sdk::vec2 uv);
+
 // The red channel, its derivative the slope of that quality.
 sdk::Float read_height(sdk::Image image, sdk::vec2 uv, HeightQuality quality);
 

@@ -20,16 +20,33 @@ vec3 front_of(vec3 normal) {
     return normal * sign_nonzero(dot(front, surface::normal));
 }
 
-vec3 volume_of(const Planes& slopes, vec3 weights, vec3 side) {
-    const vec2 x = slopes.x * weights.x(), y = slopes.y * weights.y(), z = slopes.z * weights.z();
+vec3 volume_of(const Planes& slopes, vec3 side) {
+    const auto [x, y, z] = slopes;
     return {y.x() + z.x() * side.z(), x.y() + z.y(), -(x.x() * side.x() + y.y() * side.y())};
 }
 
+// Below the sum of powers of a unit normal's; a zero normal has 0 over it.
+static constexpr double least_sum = 1e-36;
+
+// `above` is not negative and the sharpness not 0: no guard of pow's.
+static vec3 shares(vec3 above, Float sharpness) {
+    const vec3 weights(emit(WR_OP_pow, {above.id, vec3(sharpness).id}));
+    return detach(weights / max(weights.x() + weights.y() + weights.z(), least_sum));
+}
+
+static vec3 above_threshold(vec3 normal, Float threshold) {
+    return max(abs(normalize(normal)) - vec3(threshold), vec3(0));
+}
+
 vec3 triplanar_weights(vec3 normal, Float sharpness, Float threshold) {
-    const vec3 above = max(abs(normalize(normal)) - vec3(threshold), vec3(0));
+    const vec3 above = above_threshold(normal, threshold);
+    // Near the threshold high powers of all three would vanish.
     const Float most = max(max(above.x(), above.y()), above.z());
-    const vec3 weights = pow(divide(above, most), sharpness);
-    return detach(divide(weights, dot(weights, vec3(1))));
+    return shares(divide(above, most), sharpness);
+}
+
+vec3 triplanar_weights(vec3 normal, Float sharpness) {
+    return shares(above_threshold(normal, 0.2), sharpness);
 }
 
 CubeFace cube_face(vec3 direction, vec3 point) {

@@ -29,13 +29,15 @@ sdk::vec3 side_of(sdk::vec3 direction);
 // it: a relief is the same from behind.
 sdk::vec3 front_of(sdk::vec3 normal);
 
-// The gradient in space of a height whose slopes on the three planes are given, by their weights.
-// Golubev, eqs. 46-49: weights count as constant.
-sdk::vec3 volume_of(const Planes& slopes, sdk::vec3 weights, sdk::vec3 side);
+// The gradient in space of a height whose slopes on the three planes are given, each times its
+// weight. Golubev, eqs. 46-49: weights count as constant.
+sdk::vec3 volume_of(const Planes& slopes, sdk::vec3 side);
 
 // max(|n| - threshold, 0)^sharpness, of sum 1 (I. Castano); all 0 for a zero normal. Constant under
-// differentiation.
+// differentiation. Sharpness is 1 to 64, the threshold below 1/sqrt(3).
 sdk::vec3 triplanar_weights(sdk::vec3 normal, sdk::Float sharpness, sdk::Float threshold);
+// With the usual threshold, 0.2.
+sdk::vec3 triplanar_weights(sdk::vec3 normal, sdk::Float sharpness);
 
 // The side of a cube round the origin that `direction` meets.
 struct CubeFace {

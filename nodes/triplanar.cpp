@@ -14,15 +14,13 @@ using namespace sdk;
     "The normal that chooses among the axes and that the bump is put on: the surface's, or " \
     "that of a resolve"
 
-static constexpr double usual_threshold = 0.2;
-
 Node triplanar_weights_node =
     node("triplanar_weights", "Triplanar weights",
          "How much each axis counts at a normal, to blend three projections by hand.")
         .family("triplanar")
         .in<Normal>("normal", surface::normal, "Any length")
         .in<Float>("sharpness", 3, SHARPNESS_DOC, slider(1, 8), limits(1, 64))
-        .in<Float>("threshold", usual_threshold, "Axes whose cosine is below this count nothing",
+        .in<Float>("threshold", 0.2, "Axes whose cosine is below this count nothing",
                    slider(0, 0.5), limits(0, 0.57))
         .out<vec3>("weights", "Of x, y and z; their sum is 1; constant under differentiation")
         .out<Float>("x", "The weight of the x axis")
@@ -60,7 +58,7 @@ Node triplanar_color_node =
         .out<Color>("color", "Linear colour")
         .out<Float>("alpha", "Opacity, 0 to 1")
         .body([](TriplanarColor in) {
-            const vec3 weights = triplanar_weights(in.normal, in.sharpness, usual_threshold);
+            const vec3 weights = triplanar_weights(in.normal, in.sharpness);
             const Planes at = tiled(in.point, side_of(front_of(in.normal)), in.tiling);
             const vec4 color = blend(at, weights, [&](vec2 uv) { return in.image.sample(uv); });
             return std::tuple{color.rgb(), color.a()};
@@ -93,7 +91,7 @@ Node triplanar_height_map_node =
         .out<Height>("height", "In length units of object space, positive outward", unit("m"))
         .out<Gradient>("gradient", "Its bump")
         .body([](TriplanarHeightMap in) {
-            const vec3 weights = triplanar_weights(in.base, in.sharpness, usual_threshold);
+            const vec3 weights = triplanar_weights(in.base, in.sharpness);
             const Planes at = tiled(in.point, side_of(front_of(in.base)), in.tiling);
             const Float value =
                 blend(at, weights, [&](vec2 uv) { return read_height(in.image, uv, in.quality); });
@@ -110,15 +108,15 @@ struct TriplanarSlopes {
     vec3 base;
 };
 
-// `read`: the slopes of a map, per uv unit.
+// `read`: the slopes of a map, per uv unit, times a strength.
 template <class Read>
 static auto triplanar_slopes(const TriplanarSlopes& in, Read read) {
-    const vec3 weights = triplanar_weights(in.base, in.sharpness, usual_threshold);
+    const vec3 weights = triplanar_weights(in.base, in.sharpness) * in.strength;
     const vec3 side = side_of(front_of(in.base));
     const Planes at = tiled(in.point, side, in.tiling);
-    const Planes slopes{read(at.x), read(at.y), read(at.z)};
+    const Planes slopes{read(at.x, weights.x()), read(at.y, weights.y()), read(at.z, weights.z())};
     const Float per_length = in.scale == Scale::surface ? in.tiling : Float(1);
-    const vec3 volume = volume_of(slopes, weights, side) * per_length;
+    const vec3 volume = volume_of(slopes, side) * per_length;
     return std::tuple{gradient_from_volume(volume, Base(in.base)), volume};
 }
 
@@ -141,7 +139,7 @@ Node triplanar_derivative_map_node =
         .out<vec3>("volume", VOLUME_DOC)
         .body([](TriplanarSlopes in) {
             return triplanar_slopes(
-                in, [&](vec2 uv) { return in.image.sample(uv).xy() * in.strength; });
+                in, [&](vec2 uv, Float strength) { return in.image.sample(uv).xy() * strength; });
         });
 
 Node triplanar_normal_map_node =
@@ -161,9 +159,9 @@ Node triplanar_normal_map_node =
         .out<Gradient>("gradient", "The bump")
         .out<vec3>("volume", VOLUME_DOC)
         .body([](TriplanarSlopes in) {
-            return triplanar_slopes(in, [&](vec2 uv) {
+            return triplanar_slopes(in, [&](vec2 uv, Float strength) {
                 const vec3 m = in.image.sample(uv).xyz();
-                return normal_derivative(m, in.strength, frame(uv, Scale::surface)).slope();
+                return normal_derivative(m, strength, frame(uv, Scale::surface)).slope();
             });
         });
 
@@ -187,7 +185,7 @@ Node triplanar_height_node =
         .out<Height>("height", "In length units of object space, positive outward", unit("m"))
         .out<Gradient>("gradient", "Its bump")
         .body([](TriplanarHeight in) {
-            const vec3 weights = triplanar_weights(in.base, in.sharpness, usual_threshold);
+            const vec3 weights = triplanar_weights(in.base, in.sharpness);
             const Planes at = tiled(in.point, side_of(front_of(in.base)), in.tiling);
             const Float height = blend(at, weights, [&](vec2 uv) { return in.height(uv); });
             return std::tuple{height, gradient_from_height(height, Base(in.base))};
@@ -215,13 +213,14 @@ Node triplanar_derivative_node =
         .out<Gradient>("gradient", "The bump")
         .out<vec3>("volume", VOLUME_DOC)
         .body([](TriplanarDerivative in) {
-            const vec3 weights = triplanar_weights(in.base, in.sharpness, usual_threshold);
+            const vec3 weights = triplanar_weights(in.base, in.sharpness);
             const vec3 side = side_of(front_of(in.base));
             const Planes at = tiled(in.point, side, in.tiling);
-            const Planes slopes{in.derivative(at.x).slope(), in.derivative(at.y).slope(),
-                                in.derivative(at.z).slope()};
+            const Planes slopes{in.derivative(at.x).slope() * weights.x(),
+                                in.derivative(at.y).slope() * weights.y(),
+                                in.derivative(at.z).slope() * weights.z()};
             const Float per_length = in.scale == Scale::surface ? in.tiling : Float(1);
-            const vec3 volume = volume_of(slopes, weights, side) * per_length;
+            const vec3 volume = volume_of(slopes, side) * per_length;
             return std::tuple{gradient_from_volume(volume, Base(in.base)), volume};
         });
 

@@ -39,8 +39,8 @@ bool replace_file(const std::filesystem::path& written, const std::filesystem::p
 // Where writing to `path` ends: symbolic links are followed, the last may lead nowhere yet.
 std::filesystem::path link_target(const std::filesystem::path& path);
 
-// `path` made absolute with symbolic links resolved as far as it exists. Without an error to tell of,
-// "" is the working folder, and what cannot be resolved stays as it is.
+// `path` made absolute with symbolic links resolved as far as it exists. Without an error to tell
+// of, "" is the working folder, and what cannot be resolved stays as it is.
 std::filesystem::path real_path(const std::filesystem::path& path, std::error_code& error);
 std::filesystem::path real_path(const std::filesystem::path& path);
 

@@ -57,7 +57,7 @@ void add_graph(const Project::File& file, Fields& fields) {
 constexpr size_t fields_of_warning = 7;
 
 void add_warning(const Diagnostic& warning, const Project& project, Fields& fields) {
-    std::string file = "-";
+    std::string file = "=" + warning.where.file;  // of no file of the project
     for (size_t i = project.files.size(); i-- > 0;)
         if (project.files[i].document.file == warning.where.file) file = std::to_string(i);
     fields.insert(fields.end(),
@@ -74,7 +74,9 @@ uint32_t number(const std::string& text) {
 Diagnostic warning_of(const std::string* fields, const Project& project) {
     Diagnostic warning;
     warning.severity = Severity::warning;
-    if (fields[0] != "-" && number(fields[0]) < project.files.size())
+    if (fields[0].starts_with('='))
+        warning.where.file = fields[0].substr(1);
+    else if (number(fields[0]) < project.files.size())
         warning.where.file = project.files[number(fields[0])].document.file;
     warning.where.line = number(fields[1]);
     warning.where.column = number(fields[2]);
@@ -97,7 +99,8 @@ std::string cache_key(const Project& project, const Types& types, const std::str
                      options.params,
                      options.differentials,
                      name,
-                     with.common.no_tangents ? "derived" : "vertex"};
+                     with.common.no_tangents ? "derived" : "vertex",
+                     options.strict ? "strict" : "lenient"};
     for (const Override& each : with.overrides.list)
         fields.push_back("set " + each.text);
     std::map<fs::path, size_t> images;

@@ -189,6 +189,8 @@ void declare_compile(CLI::App& app, Run& run) {
     sub.add_option("--reflect", c.outputs.reflect,
                    "Writes what a caller must know as JSON; of several graphs into a folder")
         ->type_name("FILE");
+    sub.add_flag("--strict", c.text.strict,
+                 "More images than a shader has texture units for certain are an error");
     declare_depfile(sub, c.outputs.depfile);
     declare_cache(sub, c);
     declare_common(sub, c.common);

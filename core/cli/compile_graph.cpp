@@ -1,6 +1,7 @@
 #include "cli/compile_graph.h"
 
 #include "cli/cache_entry.h"
+#include "cli/cost.h"
 #include "cli/material_run.h"
 #include "cli/output.h"
 
@@ -28,6 +29,7 @@ void make_texts(const std::string& file, const Project& project, const Compilati
     emit_options.target = find_target(wanted.target);
     Shader shader = emit(compiled.module, emit_options);
     report_emit(shader, compiled, project, result.diagnostics);
+    judge_texture_units(shader.reflection, file, wanted.strict, result.diagnostics);
     if (result.diagnostics.has_errors()) return;
     if (emit_options.form == Form::function)
         result.texts.push_back({"", "", std::move(shader.source)});

@@ -16,7 +16,8 @@ namespace wrinkle::cli {
 struct TextOptions {
     std::string target = std::string(targets().front().name);
     std::string form = "function", params = "baked", differentials = "screen";
-    std::string name;  // "": from the file's
+    std::string name;     // "": from the file's
+    bool strict = false;  // more images than there are units for certain are an error
 };
 
 struct Text {

@@ -28,26 +28,35 @@ void append_dependencies(const Module& module, Id id, bool into_functions, std::
 }
 
 std::vector<Id> Copier::needed(std::span<const Id> roots) const {
+    if (!into_functions_) return few_needed(roots);
+    const std::vector<bool> reached = reachable(*source_, roots);
+    std::vector<Id> list;
+    for (Id id = 0; id < reached.size(); ++id)
+        if (reached[id] && !written_.has(id)) list.push_back(id);
+    return list;
+}
+
+std::vector<Id> Copier::few_needed(std::span<const Id> roots) const {
     std::unordered_set<Id> seen;
     std::vector<Id> open(roots.begin(), roots.end()), list;
     while (!open.empty()) {
         const Id id = open.back();
         open.pop_back();
-        if (id == poison || mapped_.count(id) || !seen.insert(id).second) continue;
+        if (id == poison || written_.has(id) || !seen.insert(id).second) continue;
         list.push_back(id);
-        append_dependencies(*source_, id, into_functions_, open);
+        append_dependencies(*source_, id, false, open);
     }
     std::sort(list.begin(), list.end());
     return list;
 }
 
 void Copier::run(std::span<const Id> roots) {
-    mapped_[poison] = poison;
+    written_.set(poison, poison);
     const uint32_t node = target_->current_node;
     for (const Id id : needed(roots)) {
         target_->current_node = source_->origin[id];
         const Id written = write(id);
-        mapped_[id] = written;
+        written_.set(id, written);
     }
     target_->current_node = node;
 }
@@ -83,27 +92,27 @@ Id Copier::write_apply(const Inst& inst, std::span<const Id> args) {
     }
     if (inst.op == Op::loop_ || into_functions_)
         for (Id& result : region.results)
-            if ((result = mapped_.at(result)) == poison) return poison;
+            if ((result = written_.at(result)) == poison) return poison;
     return target_->apply_region(target_->intern_region(std::move(region)), args);
 }
 
 Id Copier::write(Id id) {
     const Inst inst = (*source_)[id];
-    std::vector<Id> args;
+    args_.clear();
     bool same = target_ == source_ && shift_ == 0;
-    if (has_base(inst)) same = same && mapped_.at(inst.extra) == inst.extra;
+    if (has_base(inst)) same = same && written_.at(inst.extra) == inst.extra;
     for (const Id operand : source_->operands(id)) {
-        args.push_back(mapped_.at(operand));
-        same = same && args.back() == operand;
+        args_.push_back(written_.at(operand));
+        same = same && args_.back() == operand;
     }
     if (replace_)
-        if (const Id replaced = replace_(context_, *target_, *source_, id, args)) return replaced;
+        if (const Id replaced = replace_(context_, *target_, *source_, id, args_)) return replaced;
     if (info(inst.op).rule == Rule::leaf) return write_leaf(inst);
-    if (inst.op == Op::loop_ || inst.op == Op::call_) return write_apply(inst, args);
+    if (inst.op == Op::loop_ || inst.op == Op::call_) return write_apply(inst, args_);
     if (same) return id;
-    const uint32_t extra = has_base(inst) ? mapped_.at(inst.extra) : inst.extra;
-    if (inst.op == Op::result_) return target_->result(args[0], inst.extra);
-    return target_->add(inst.op, args, extra, inst.type);
+    const uint32_t extra = has_base(inst) ? written_.at(inst.extra) : inst.extra;
+    if (inst.op == Op::result_) return target_->result(args_[0], inst.extra);
+    return target_->add(inst.op, args_, extra, inst.type);
 }
 
 }  // namespace wrinkle

@@ -9,14 +9,31 @@
 
 namespace wrinkle {
 
+// What was written for the ids of a module; `count` of them are kept in a list, 0 keeps few.
+class Written {
+public:
+    explicit Written(size_t count) : all_(count, none) {}
+    bool has(Id id) const { return all_.empty() ? few_.count(id) > 0 : all_[id] != none; }
+    Id at(Id id) const { return all_.empty() ? few_.at(id) : all_[id]; }
+    void set(Id id, Id written) { (all_.empty() ? few_[id] : all_[id]) = written; }
+
+private:
+    static constexpr Id none = ~0U;
+    std::vector<Id> all_;
+    std::unordered_map<Id, Id> few_;
+};
+
 class Copier {
 public:
-    // `into_functions`: the bodies of called functions are rewritten too. They are closed, so
-    // within one module there is no need.
+    // `into_functions`: the bodies of called functions are rewritten too, as when a whole module is
+    // written again. They are closed, so within one module there is no need.
     Copier(Module& target, const Module& source, bool into_functions)
-        : target_(&target), source_(&source), into_functions_(into_functions) {}
+        : target_(&target),
+          source_(&source),
+          into_functions_(into_functions),
+          written_(into_functions ? source.size() : 0) {}
 
-    void map(Id from, Id to) { mapped_[from] = to; }
+    void map(Id from, Id to) { written_.set(from, to); }
     void set_replace(Replace replace, void* context) {
         replace_ = replace;
         context_ = context;
@@ -29,11 +46,12 @@ public:
 
     void run(std::span<const Id> roots);
     // Of something the roots needed.
-    Id operator[](Id id) const { return mapped_.at(id); }
-    bool has(Id id) const { return mapped_.count(id) > 0; }
+    Id operator[](Id id) const { return written_.at(id); }
+    bool has(Id id) const { return written_.has(id); }
 
 private:
     std::vector<Id> needed(std::span<const Id> roots) const;
+    std::vector<Id> few_needed(std::span<const Id> roots) const;
     int shifted(int level) const { return level >= first_level_ ? level + shift_ : level; }
     Id write(Id id);
     Id write_apply(const Inst& inst, std::span<const Id> args);
@@ -46,7 +64,8 @@ private:
     int shift_ = 0;
     Replace replace_ = nullptr;
     void* context_ = nullptr;
-    std::unordered_map<Id, Id> mapped_;
+    Written written_;
+    std::vector<Id> args_;  // of the instruction that is being written
 };
 
 // Stands outside every function in generated code and may be read from anywhere.

@@ -15,9 +15,9 @@ constexpr double smallest_depth = 1e-6;
 constexpr double smallest_cosine = 1.1920929e-7;
 
 struct Derivative {
-    Value slope;  // in the uv; over depth
-    Value depth;  // empty: 1
+    Value slope;  // in the uv; of a normal its xy, and -xy strength / depth is meant
     Frame frame;
+    Value strength, depth;  // of a normal
 };
 
 // Which values may jump from pixel to pixel where their forward derivative does not, so that
@@ -58,6 +58,7 @@ struct Expander {
     void gradient(const Module& source, Id id, std::span<const Id> mapped);
     GradientSum source_gradient(const Module& source, Id id, std::span<const Id> mapped);
     GradientSum solid_gradient(Id height);
+    GradientSum from_derivative(const Derivative& d);
     GradientSum from_normal(Value n, Value v) const;
     Derivative normal_derivative(Value m, Value strength, const Frame& frame) const;
     Id resolve(const Module& source, Id id);
@@ -74,20 +75,43 @@ Value Expander::base_normal(const Module& source, Id gradient) const {
     return base == poison ? Value{} : bases.at(base);
 }
 
-// SurfgradFromPerturbedNormal: (k n - v) / |k|, k = n.v.
+// A normal that may have any length, without the positive number it is a multiple of.
+Value any_length(Value normal, double& factor) {
+    const Module& m = *normal.module;
+    const Inst& inst = m[normal.id];
+    if (inst.op != Op::mul_ || m[inst.arg[1]].op != Op::literal_) return normal;
+    if (m[inst.arg[1]].value <= 0) return normal;
+    factor = m[inst.arg[1]].value;
+    return {normal.module, inst.arg[0]};
+}
+
+// SurfgradFromPerturbedNormal: (k n - v) / |k|, k = n.v, the division left for later.
 GradientSum Expander::from_normal(Value n, Value v) const {
+    double factor = 1;
+    v = any_length(v, factor);
     const Value k = dot(n, v);
     GradientSum result;
-    result.flat.rest = (n * k - v) / max(abs(k), smallest_cosine);
+    GradientSum::Term& term = result.pending.emplace_back();
+    term.over.rest = v;
+    term.over.along = -k;
+    term.depth = max(abs(k), smallest_cosine / factor);
     return result;
 }
 
 // TspaceNormalToDerivative: -xy / max(|z|, max(|x|,|y|)/128), the division left for later.
 Derivative Expander::normal_derivative(Value m, Value strength, const Frame& frame) const {
+    double factor = 1;
+    m = any_length(m, factor);
     const Value widest = max(abs(m.x()), abs(m.y()));
     const Value least = named("least_depth", widest * (1 / steepest_slope));
-    const Value depth = max(max(abs(m.z()), least), smallest_depth);
-    return {named("slope", -m.xy() * strength), named("depth", depth), frame};
+    const Value depth = max(max(abs(m.z()), least), smallest_depth / factor);
+    return {m.xy(), frame, strength, named("depth", depth)};
+}
+
+GradientSum Expander::from_derivative(const Derivative& d) {
+    if (!d.depth) return algebra->from_slope(d.frame.key, slope_in_basis(d.frame, d.slope));
+    const Value downhill = slope_in_basis(d.frame, d.slope * d.strength);
+    return algebra->from_downhill(d.frame.key, downhill, d.depth);
 }
 
 GradientSum Expander::solid_gradient(Id height) {
@@ -104,15 +128,14 @@ GradientSum Expander::source_gradient(const Module& source, Id id, std::span<con
         case Op::gradient_from_derivative_: {
             const auto found = derivatives.find(inst.arg[0]);
             if (found == derivatives.end()) return {};
-            const Derivative& d = found->second;
-            return algebra->from_slope(d.frame.key, slope_in_basis(d.frame, d.slope), d.depth);
+            return from_derivative(found->second);
         }
         case Op::gradient_from_height_: {
             if (is_position_alone(inputs[inst.arg[0]])) return solid_gradient(mapped[0]);
             const Id x = screen->along_surface(Variant::dx, mapped[0]).id;
             const Id y = screen->along_surface(Variant::dy, mapped[0]).id;
             if (target->is_literal(x, 0) && target->is_literal(y, 0)) return {};
-            return algebra->from_slope({}, vec2(value(x), value(y)), {});
+            return algebra->from_slope({}, vec2(value(x), value(y)));
         }
         case Op::gradient_from_volume_: {
             GradientSum result;
@@ -186,7 +209,7 @@ Id Expander::opaque(const Module& source, Id id, std::span<const Id> mapped) {
             break;
         }
         case Op::derivative_:
-            derivatives[id] = {value(mapped[0]), {}, frames.at(inst.arg[1])};
+            derivatives[id] = {value(mapped[0]), frames.at(inst.arg[1]), {}, {}};
             break;
         case Op::normal_derivative_:
             derivatives[id] =
@@ -196,7 +219,7 @@ Id Expander::opaque(const Module& source, Id id, std::span<const Id> mapped) {
             const auto found = derivatives.find(inst.arg[0]);
             if (found == derivatives.end()) return target->zero(Type::vec2_);
             const Derivative& d = found->second;
-            return d.depth ? (d.slope / d.depth).id : d.slope.id;
+            return d.depth ? (d.slope * (-d.strength / d.depth)).id : d.slope.id;
         }
         case Op::gradient_vector_: {
             const Value on_base = base_normal(source, inst.arg[0]);
@@ -233,8 +256,37 @@ Id expand_one(void* context, Module& target, const Module& source, Id id,
     return expander.opaque(source, id, mapped);
 }
 
-Id strip_detach(void*, Module&, const Module& source, Id id, std::span<const Id> mapped) {
-    return source[id].op == Op::detach_ ? mapped[0] : poison;
+// 1/|v| of a vector that is there, or poison.
+Id inverse_length_of(const Module& m, Id id) {
+    if (m[id].op != Op::inversesqrt_) return poison;
+    const Inst& square = m[m[id].arg[0]];
+    return square.op == Op::dot_ && square.arg[0] == square.arg[1] ? square.arg[0] : poison;
+}
+
+// The last rewriting: detach says nothing any more, and a vector that is divided by its length
+// elsewhere too is made unit by that quotient.
+struct Finisher {
+    std::vector<bool> inverse_known;  // by Id of the source: of its length
+
+    explicit Finisher(const Module& source) : inverse_known(source.size(), false) {
+        std::vector<Id> roots;
+        for (const ModuleOutput& output : source.outputs)
+            roots.push_back(output.value);
+        const std::vector<bool> needed = reachable(source, roots);
+        for (Id id = 1; id < source.size(); ++id)
+            if (needed[id] && source[id].level == 0)
+                inverse_known[inverse_length_of(source, id)] = true;
+        inverse_known[poison] = false;
+    }
+};
+
+Id finish(void* context, Module& target, const Module& source, Id id, std::span<const Id> mapped) {
+    if (source[id].op == Op::detach_) return mapped[0];
+    const auto& finisher = *static_cast<const Finisher*>(context);
+    if (source[id].op != Op::normalize_ || !finisher.inverse_known[source[id].arg[0]])
+        return poison;
+    const Value v{&target, mapped[0]};
+    return (v * inversesqrt(dot(v, v))).id;
 }
 
 struct Settler {
@@ -270,7 +322,8 @@ Module expand(const Module& source, const ExpandOptions& options) {
     Expander expander{
         options, jumping(source), input_dependencies(source), nullptr, {}, {}, {}, {}, {}, {}};
     const Module expanded = rebuild(source, expand_one, &expander);
-    return rebuild(expanded, strip_detach, nullptr);
+    Finisher finisher(expanded);
+    return rebuild(expanded, finish, &finisher);
 }
 
 }  // namespace wrinkle

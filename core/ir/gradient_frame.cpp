@@ -18,10 +18,6 @@ constexpr double tiny_square = 1e-36;
 // Of the angle between a guessed tangent and the normal; far above the rounding of floats.
 constexpr double smallest_sine_square = 1e-10;
 
-Value safe_unit(Value v) {
-    return v * inversesqrt(max(dot(v, v), tiny_square));
-}
-
 // The one uv set that these inputs are, if they are one.
 std::optional<SurfaceInput> single_uv_set(uint32_t dependencies) {
     if (std::popcount(dependencies) != 1 || !(dependencies & all_uv_sets)) return {};
@@ -64,9 +60,10 @@ std::optional<SurfaceInput> source_of(uint32_t method, uint32_t dependencies) {
 }
 
 bool fits(Module& target, const Choice& choice, uint32_t dependencies) {
-    const bool exact = choice.method == WR_FRAME_exact;
+    const bool exact = choice.method == WR_FRAME_exact || choice.method == WR_FRAME_pixel;
     if (exact != (choice.scale == WR_SCALE_surface)) {
-        target.problem(exact ? "the frame 'exact' goes with the scale 'surface'"
+        const char* name = choice.method == WR_FRAME_pixel ? "pixel" : "exact";
+        target.problem(exact ? "the frame '" + std::string(name) + "' goes with the scale 'surface'"
                              : "the scale 'surface' goes with the frame 'exact'",
                        "set the frame to 'auto', or change the scale");
         return false;
@@ -87,10 +84,11 @@ TangentBasis vertex_basis(Module& target, bool raw) {
     const Value tangent{&target, target.input(SurfaceInput::tangent_)};
     const Value sign = select(greater(tangent.w(), 0), number(n, 1), number(n, -1));
     const Value t = tangent.xyz();
-    const Value b = surface_named("bitangent", cross(n, t) * sign);
-    if (raw) return {t, b};
+    const Value b = surface_named("bitangent", cross(n, t));
+    surface_named("handedness", sign);
+    if (raw) return {t, b, {}, sign};
     const Value scale = surface_named("inverse_normal_length", inversesqrt(dot(n, n)));
-    return {t * scale, b * scale};
+    return {t, b, scale, sign * scale};
 }
 
 // GenBasisTB of the reference, sign(0) = +1. `call` names its parts.
@@ -102,10 +100,12 @@ TangentBasis derived_basis(Module& target, Id uv, ScreenDerivatives& screen, Cal
     const Value p_y = screen.position(Variant::dy);
     const Value n{&target, unit_normal(target)};
     const Value det = call("det", uv_x.x() * uv_y.y() - uv_y.x() * uv_x.y());
-    const Value det_sign = call("sign", sign_nonzero(det));
-    const Value flip = sign_nonzero(dot(p_y, cross(n, p_x)));
-    const Value t = call("tangent", safe_unit((p_x * uv_y.y() - p_y * uv_x.y()) * det_sign));
-    return {t, call("bitangent", cross(n, t) * (det_sign * flip))};
+    const Value flip = sign_nonzero({&target, screen_area(target)});
+    const Value along = call("direction", p_x * uv_y.y() - p_y * uv_x.y());
+    const Value b = call("bitangent", cross(n, along));
+    const Value t = call("tangent", cross(b, n));
+    const Value scale = call("scale", inversesqrt(max(dot(b, b), tiny_square)));
+    return {t, b, scale * sign_nonzero(det), scale * flip};
 }
 
 TangentBasis guessed_basis(Module& target, Id direction) {
@@ -115,11 +115,17 @@ TangentBasis guessed_basis(Module& target, Id direction) {
     // What rounding leaves of a direction along n is no direction.
     const Value square = dot(part, part);
     const Value seen = greater(square - dot(d, d) * smallest_sine_square, 0);
-    const Value t = part * select(seen, inversesqrt(max(square, tiny_square)), number(n, 0));
-    return {t, cross(n, t)};
+    const Value scale = select(seen, inversesqrt(max(square, tiny_square)), number(n, 0));
+    return {part, cross(n, d), scale, scale};
 }
 
 }  // namespace
+
+Value TangentBasis::along(Value slope) const {
+    const Value x = t_factor ? named("slope_u", slope.x() * t_factor) : slope.x();
+    const Value y = b_factor ? named("slope_v", slope.y() * b_factor) : slope.y();
+    return named("along_u", t * x) + named("along_v", b * y);
+}
 
 Value ScreenDerivatives::change(Variant axis, Id value, bool project) {
     const size_t index = (axis == Variant::dy ? 1u : 0u) + (project ? 2u : 0u);
@@ -136,7 +142,7 @@ Value ScreenDerivatives::on_screen(Variant axis, Id value) {
 }
 
 Value ScreenDerivatives::position(Variant axis) {
-    return {target_, projected_position(*target_, axis)};
+    return {target_, target_->input(SurfaceInput::position_, axis)};
 }
 
 Value ScreenDerivatives::in_space(int axis, Id value) {
@@ -182,6 +188,7 @@ Frame make_frame(Module& target, ScreenDerivatives& screen, Id uv, Id direction,
     const uint32_t method = settled & 0xFF;
     const uint32_t set = settled >> set_shift;
     Frame frame;
+    if (method == WR_FRAME_pixel) return frame;
     if (method == WR_FRAME_exact && set > 1) {
         frame.key = {Basis::space, poison};
         frame.row_u = screen.in_space(0, uv);

@@ -9,11 +9,13 @@
 //             T, B and N share the factor 1/|N|
 //   derived   Mikkelsen 2020, GenBasisTB: T = normalize(sgn(det) (v_y Px - v_x Py)),
 //             B = sgn(det) flip n x T, on the projected screen differentials; orthonormal,
-//             sign-corrected, invariant under n -> -n
+//             sign-corrected, invariant under n -> -n. Here b = n x (v_y Px - v_x Py) comes first,
+//             which drops what is along n, then t = b x n of the same length
 //   guess     T = the direction's part in the tangent plane, B = n x T; flat where the direction
 //             is parallel to n
 //   exact     no basis of its own: a slope goes to screen differentials by the chain rule,
 //             s . d(uv)/dx (eq. 3)
+//   pixel     an exact frame of changes that are screen differentials already
 //   space     the exact frame of a uv that changes with the position alone: a slope goes to a
 //             gradient in space, s.x grad u + s.y grad v, with no differential of the screen
 #pragma once
@@ -37,7 +39,7 @@ public:
     Value along_surface(Variant axis, Id value);
     // Of the value as it stands on the screen: the ops ddx and ddy.
     Value on_screen(Variant axis, Id value);
-    // The position's own, projected on the tangent plane.
+    // The position's own, also along the normal.
     Value position(Variant axis);
     // Along x, y or z, as 0 to 2, of what changes with the position alone.
     Value in_space(int axis, Id value);
@@ -64,8 +66,13 @@ struct Frame {
     Value row_z;         // vec2, the third of a frame in space, whose others are along x and y
 };
 
+// T = t t_factor and B = b b_factor; zero where degenerate. The factors go to the slopes, which are
+// two numbers where the vectors are six.
 struct TangentBasis {
-    Value t, b;  // vec3; zero where degenerate
+    Value t, b;                // vec3
+    Value t_factor, b_factor;  // float; empty: 1
+
+    Value along(Value slope) const;  // T s.x + B s.y
 };
 
 // Which surface inputs each instruction changes with, a bit per SurfaceInput; bits of region bodies

@@ -29,9 +29,18 @@ Value product(Value a, Value factor) {
     return a ? a * factor : a;
 }
 
-}  // namespace
+// Takes out of a vec2 what both its numbers are multiplied by, as an amplitude.
+Value without_factor(Value pair, Value& factor) {
+    Module& m = *pair.module;
+    const Inst inst = m[pair.id];
+    if (inst.op != Op::construct_ || !inst.arg[1]) return pair;
+    const Inst x = m[inst.arg[0]], y = m[inst.arg[1]];
+    if (x.op != Op::mul_ || y.op != Op::mul_ || x.arg[1] != y.arg[1]) return pair;
+    factor = factor * Value{&m, x.arg[1]};
+    return vec2(Value{&m, x.arg[0]}, Value{&m, y.arg[0]});
+}
 
-GradientSum GradientAlgebra::from_slope(const FrameKey& basis, Value slope, Value depth) {
+Slopes slopes_on(const FrameKey& basis, Value slope) {
     Slopes slopes;
     if (basis.basis == Basis::exact)
         slopes.screen = slope;
@@ -39,12 +48,17 @@ GradientSum GradientAlgebra::from_slope(const FrameKey& basis, Value slope, Valu
         slopes.volume = slope;
     else
         slopes.slots.push_back({basis, slope});
-    GradientSum result;
-    if (depth)
-        result.pending.push_back({slopes, depth});
-    else
-        result.flat = slopes;
-    return result;
+    return slopes;
+}
+
+}  // namespace
+
+GradientSum GradientAlgebra::from_slope(const FrameKey& basis, Value slope) {
+    return {slopes_on(basis, slope), {}};
+}
+
+GradientSum GradientAlgebra::from_downhill(const FrameKey& basis, Value slope, Value depth) {
+    return {{}, {{slopes_on(basis, slope), depth}}};
 }
 
 Slopes GradientAlgebra::add(const Slopes& a, const Slopes& b) {
@@ -52,6 +66,7 @@ Slopes GradientAlgebra::add(const Slopes& a, const Slopes& b) {
     result.screen = sum_of(a.screen, b.screen);
     result.volume = sum_of(a.volume, b.volume);
     result.rest = sum_of(a.rest, b.rest);
+    result.along = sum_of(a.along, b.along);
     for (const Slopes::Slot& slot : b.slots) {
         const auto same = [&](const Slopes::Slot& other) { return other.basis == slot.basis; };
         const auto found = std::find_if(result.slots.begin(), result.slots.end(), same);
@@ -61,7 +76,7 @@ Slopes GradientAlgebra::add(const Slopes& a, const Slopes& b) {
             result.slots.push_back(slot);
         } else {
             const TangentBasis basis = tangent_basis(*target_, slot.basis, *screen_, false);
-            result.rest = sum_of(result.rest, basis.t * slot.slope.x() + basis.b * slot.slope.y());
+            result.rest = sum_of(result.rest, basis.along(slot.slope));
         }
     }
     return result;
@@ -74,12 +89,13 @@ Slopes GradientAlgebra::scale(const Slopes& a, Value amount) {
     result.screen = product(a.screen, amount);
     result.volume = product(a.volume, amount);
     result.rest = product(a.rest, amount);
+    result.along = product(a.along, amount);
     return result;
 }
 
 void GradientAlgebra::divide(GradientSum& sum) {
     for (const GradientSum::Term& term : sum.pending) {
-        const Value inverse = number(term.depth, 1) / term.depth;
+        const Value inverse = number(term.depth, -1) / term.depth;
         sum.flat = add(sum.flat, scale(term.over, inverse));
     }
     sum.pending.clear();
@@ -108,84 +124,83 @@ GradientSum GradientAlgebra::scale(const GradientSum& a, Value amount) {
     return result;
 }
 
-// Mikkelsen 2010, eq. 3.
+// Mikkelsen 2010, eq. 3: (hx R1 + hy R2) / det, R1 = Py x n and R2 = n x Px drawn into one product.
 Value GradientAlgebra::screen_gradient(Value slope) {
     const Value n{target_, unit_normal(*target_)};
-    // What they hold along n drops out of both products.
-    const Value p_x{target_, target_->input(SurfaceInput::position_, Variant::dx)};
-    const Value p_y{target_, target_->input(SurfaceInput::position_, Variant::dy)};
-    const Value r_x = surface_named("r_x", cross(p_y, n));
-    const Value r_y = surface_named("r_y", cross(n, p_x));
-    const Value det = surface_named("det", dot(p_x, r_x));
+    const Value area{target_, screen_area(*target_)};
     // A pixel without an area is flat.
     const Value inverse =
-        surface_named("inverse_det", op(Op::sign_, det) / max(abs(det), smallest_area));
-    return (r_x * slope.x() + r_y * slope.y()) * inverse;
+        surface_named("inverse_area", op(Op::sign_, area) / max(abs(area), smallest_area));
+    Value factor = inverse;
+    const Value change = without_factor(slope, factor);
+    const Value per_area = change * factor;
+    const Value p_x = screen_->position(Variant::dx), p_y = screen_->position(Variant::dy);
+    return cross(n, p_x * per_area.y() - p_y * per_area.x());
 }
 
 // A gradient on a resolved base is projected on it as a whole, its volume part straight from space.
-Value GradientAlgebra::vector(const Slopes& slopes, Value on_base, bool raw) {
-    Value gamma = slopes.rest;
-    for (const Slopes::Slot& slot : slopes.slots) {
-        const TangentBasis basis = tangent_basis(*target_, slot.basis, *screen_, raw);
-        gamma = sum_of(gamma, basis.t * slot.slope.x() + basis.b * slot.slope.y());
-    }
-    if (slopes.screen) gamma = sum_of(gamma, screen_gradient(slopes.screen));
-    const auto projected = [](Value v, Value n) { return v - n * dot(n, v); };
-    if (on_base) {
-        gamma = sum_of(gamma, slopes.volume);
-        return gamma ? projected(gamma, on_base) : gamma;
-    }
-    if (slopes.volume)
-        gamma = sum_of(gamma, projected(slopes.volume, {target_, unit_normal(*target_)}));
-    return gamma;
+GradientAlgebra::Parts GradientAlgebra::parts(const Slopes& slopes, Value on_base, bool raw) {
+    Value vec = slopes.rest;
+    for (const Slopes::Slot& slot : slopes.slots)
+        vec = sum_of(vec, tangent_basis(*target_, slot.basis, *screen_, raw).along(slot.slope));
+    if (slopes.screen) vec = sum_of(vec, screen_gradient(slopes.screen));
+    Value along = slopes.along;
+    if (!on_base && slopes.volume)
+        along = sum_of(along, -dot({target_, unit_normal(*target_)}, slopes.volume));
+    vec = sum_of(vec, slopes.volume);
+    if (on_base && vec) along = -dot(on_base, vec);
+    return {vec, along};
 }
 
 Value GradientAlgebra::vector(const GradientSum& sum, Value on_base) {
     GradientSum divided = sum;
     divide(divided);
-    return vector(divided.flat, on_base, false);
+    const auto [vec, along] = parts(divided.flat, on_base, false);
+    if (!vec || !along) return vec;
+    return vec + (on_base ? on_base : Value{target_, unit_normal(*target_)}) * along;
 }
 
-// All terms over one depth, the product of the pending ones (empty where there are none).
-Slopes GradientAlgebra::over_common_depth(const GradientSum& sum, Value& depth) {
+// All terms over one depth, the product of the pending ones, and downhill; where there are none,
+// uphill and without a depth.
+Slopes GradientAlgebra::terms_over_depth(const GradientSum& sum, Value& depth) {
     if (sum.pending.empty()) return sum.flat;
     const GradientSum::Term& first = sum.pending[0];
-    if (sum.pending.size() == 1) {
-        depth = first.depth;
-        return add(scale(sum.flat, depth), first.over);
+    Slopes terms = first.over;
+    depth = first.depth;
+    if (sum.pending.size() == 2) {
+        const GradientSum::Term& second = sum.pending[1];
+        terms = add(scale(first.over, second.depth), scale(second.over, first.depth));
+        depth = first.depth * second.depth;
     }
-    const GradientSum::Term& second = sum.pending[1];
-    depth = first.depth * second.depth;
-    const Slopes terms = add(scale(first.over, second.depth), scale(second.over, first.depth));
-    return sum.flat.empty() ? terms : add(scale(sum.flat, depth), terms);
+    return sum.flat.empty() ? terms : add(terms, scale(sum.flat, -depth));
 }
 
 Value GradientAlgebra::resolve(const GradientSum& sum, Value facing, Value sign, Value on_base) {
     Value depth;
-    const Slopes slopes = over_common_depth(sum, depth);
+    const Slopes slopes = terms_over_depth(sum, depth);
     // T, B and N of a vertex basis share the factor 1/|N|: where nothing else stands beside them it
     // drops out too.
-    const bool raw = !on_base && !slopes.screen && !slopes.volume && !slopes.rest &&
+    const bool raw = !on_base && !slopes.empty() && !slopes.screen && !slopes.volume &&
+                     !slopes.rest &&
                      std::all_of(slopes.slots.begin(), slopes.slots.end(), on_vertex_tangents);
-    const Value gamma = vector(slopes, on_base, raw && !slopes.empty());
-    if (!gamma) {
-        if (on_base) return on_base;
-        const Value n{target_, unit_normal(*target_)};
-        return facing ? n * facing : n;
-    }
-    Value n = on_base;
-    if (!on_base)
-        n = raw ? Value{target_, target_->input(SurfaceInput::normal_)}
-                : Value{target_, unit_normal(*target_)};
+    const Value n = on_base ? on_base
+                            : Value{target_, raw ? target_->input(SurfaceInput::normal_)
+                                                 : unit_normal(*target_)};
     const Value turn = on_base ? Value{} : facing;
-    const Value factor = depth && turn ? depth * turn : depth ? depth : turn;
-    if (factor) n = n * factor;
-    const Value bumped = sign ? n - gamma * sign : n - gamma;
+    Parts gamma = parts(slopes, on_base, raw);
+    if (!gamma.vec) return on_base || !turn ? n : n * turn;
+    if (sign) gamma = {gamma.vec * sign, product(gamma.along, sign)};
+    Value factor = depth && turn ? depth * turn : depth ? depth : turn;
+    if (gamma.along) {
+        if (!factor) factor = number(n, 1);
+        factor = depth ? factor + gamma.along : factor - gamma.along;
+    }
+    const Value raised = factor ? n * factor : n;
+    const Value bumped = depth ? raised + gamma.vec : raised - gamma.vec;
     const bool may_vanish =
         !on_base && std::any_of(slopes.slots.begin(), slopes.slots.end(), on_vertex_tangents);
     if (!may_vanish) return normalize(bumped);
-    named("gradient", gamma);
+    named("gradient", gamma.vec);
     named("bumped", bumped);
     return normalize(vec3(bumped.xy(), bumped.z() + number(bumped, least_normal)));
 }

@@ -1,13 +1,15 @@
 // A surface gradient while it is being composed. Part of the expansion pass.
 //
-// Gamma = sum over bases (T s.x + B s.y)  +  eq. 3 of (hx, hy)  +  (g - n (n.g))  +  rest, held as
-// its parts: a 2-vector of slopes per tangent basis, one of screen differentials, one volume
-// vector, one tangent vector. All parts are linear, so layers add part by part.
+// Gamma = sum over bases (T s.x + B s.y)  +  eq. 3 of (hx, hy)  +  (g - n (n.g))  +  v + n a, held
+// as its parts: a 2-vector of slopes per tangent basis, one of screen differentials, one volume
+// vector, one vector v that n a makes tangent. All parts are linear, so layers add part by part.
+// What is along n is gathered in one number and applied with n itself: n (1 + n.g) - g.
 //
-// A tangent-space normal's slope is a quotient, -xy/z. Up to two such terms wait with their depths
-// z undivided: resolve multiplies n through instead, as positive factors drop out under the final
-// normalize. With a third every term is divided: the product of three small depths overflows, and
-// dividing is then cheaper.
+// The slope of a normal is a quotient, -xy/z of one in tangent space, (k n - v)/|k| of one in
+// object space. Up to two such terms wait with their depths undivided: resolve multiplies n through
+// instead, as positive factors drop out under the final normalize. With a third every term is
+// divided: the product of three small depths overflows, and dividing is then cheaper. They wait
+// without their minus too: n - Gamma becomes a sum.
 #pragma once
 
 #include <vector>
@@ -24,7 +26,8 @@ struct Slopes {
     std::vector<Slot> slots;  // at most max_slots; more go into rest
     Value screen;             // vec2 (dh/dx, dh/dy); an empty Value is zero
     Value volume;             // vec3
-    Value rest;               // vec3, tangent to the base
+    Value rest;               // vec3; with `along` times n tangent to the base
+    Value along;              // float
 
     bool empty() const { return slots.empty() && !screen && !volume && !rest; }
 };
@@ -32,7 +35,7 @@ struct Slopes {
 struct GradientSum {
     Slopes flat;
     struct Term {
-        Slopes over;  // to be divided by depth
+        Slopes over;  // to be divided by -depth: downhill
         Value depth;  // float > 0
     };
     std::vector<Term> pending;  // at most 2
@@ -46,7 +49,9 @@ public:
     GradientAlgebra(Module& target, ScreenDerivatives& screen)
         : target_(&target), screen_(&screen) {}
 
-    GradientSum from_slope(const FrameKey& basis, Value slope, Value depth);
+    GradientSum from_slope(const FrameKey& basis, Value slope);
+    // -slope / depth, which may wait.
+    GradientSum from_downhill(const FrameKey& basis, Value slope, Value depth);
     GradientSum add(const GradientSum& a, const GradientSum& b);
     GradientSum scale(const GradientSum& a, Value amount);
 
@@ -59,11 +64,15 @@ public:
     Value resolve(const GradientSum& sum, Value facing, Value sign, Value on_base);
 
 private:
+    // What Slopes are in space: vec + n along.
+    struct Parts {
+        Value vec, along;
+    };
     Slopes add(const Slopes& a, const Slopes& b);
     Slopes scale(const Slopes& a, Value amount);
-    Value vector(const Slopes& slopes, Value on_base, bool raw);
+    Slopes terms_over_depth(const GradientSum& sum, Value& depth);
+    Parts parts(const Slopes& slopes, Value on_base, bool raw);
     void divide(GradientSum& sum);
-    Slopes over_common_depth(const GradientSum& sum, Value& depth);
     Value screen_gradient(Value slope);
 
     Module* target_;

@@ -1,5 +1,9 @@
 #include "ir/simplify.h"
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
 namespace wrinkle {
 namespace {
 
@@ -10,6 +14,31 @@ Id widened(Module& m, Id value, Type type) {
     if (m.type(value) == type) return value;
     std::array<Id, 4> lanes{value, value, value, value};
     return m.add(Op::construct_, std::span(lanes.data(), info(type).lanes), 0, type);
+}
+
+// A scalar's least value by the way it is made, as far as one look tells.
+double least_of(const Module& m, Id id, bool under_root = false) {
+    const Inst& inst = m[id];
+    const auto literal = [&](Id operand) {
+        return m[operand].op == Op::literal_ ? m[operand].value
+                                             : -std::numeric_limits<double>::infinity();
+    };
+    switch (inst.op) {
+        case Op::literal_:
+            return inst.value;
+        case Op::max_:
+            return std::max(literal(inst.arg[0]), literal(inst.arg[1]));
+        case Op::sqrt_:
+            return under_root ? 0 : std::sqrt(std::max(least_of(m, inst.arg[0], true), 0.0));
+        case Op::dot_:
+        case Op::mul_:
+            return inst.arg[0] == inst.arg[1] ? 0 : -std::numeric_limits<double>::infinity();
+        case Op::abs_:
+        case Op::length_:
+            return 0;
+        default:
+            return -std::numeric_limits<double>::infinity();
+    }
 }
 
 Id simplify_sum(Module& m, Op op, Args a, Type type) {
@@ -50,13 +79,15 @@ Id simplify_arithmetic(Module& m, Op op, Args a, Type type) {
             if (m.is_literal(a[1], 1)) return widened(m, a[0], type);
             return m.is_literal(a[0], 0) ? m.zero(type) : poison;
         case Op::min_:
-        case Op::max_:
             return a[0] == a[1] ? a[0] : poison;
+        case Op::max_:
+            if (a[0] == a[1]) return a[0];
+            if (!is_float_type(type) || m[a[1]].op != Op::literal_) return poison;
+            return least_of(m, a[0]) >= m[a[1]].value ? a[0] : poison;
         case Op::mix_:
             if (a[0] == a[1] || m.is_literal(a[2], 0)) return widened(m, a[0], type);
             return m.is_literal(a[2], 1) ? widened(m, a[1], type) : poison;
         case Op::abs_:
-        case Op::normalize_:
             return m[a[0]].op == op ? a[0] : poison;
         case Op::cross_:
             if (a[0] == a[1]) return m.zero(type);
@@ -84,6 +115,65 @@ Id simplify_arithmetic(Module& m, Op op, Args a, Type type) {
         default:
             return poison;
     }
+}
+
+bool is_facing(const Module& m, Id id) {
+    return m[id].op == Op::input_ && input_of(m[id].extra) == SurfaceInput::facing_;
+}
+
+// Of length 1 by the way it is made, looking a few ops back. A zero vector made unit has no answer
+// anyway.
+bool is_unit(const Module& m, Id id) {
+    for (int looks = 0; looks < 4; ++looks) {
+        const Inst& inst = m[id];
+        if (inst.op == Op::normalize_ || inst.op == Op::resolve_) return true;
+        const bool turned = inst.op == Op::mul_ && is_facing(m, inst.arg[1]);
+        if (!turned && inst.op != Op::detach_ && inst.op != Op::neg_) return false;
+        id = inst.arg[0];
+    }
+    return false;
+}
+
+// What lengths of 1 and the side that is seen, +1 or -1, make simpler: guards of normals fall away.
+Id simplify_unit(Module& m, Op op, Args a) {
+    switch (op) {
+        case Op::normalize_:
+            return is_unit(m, a[0]) ? a[0] : poison;
+        case Op::length_:
+            return is_unit(m, a[0]) ? m.number(1) : poison;
+        case Op::dot_:
+            if (a[0] == a[1]) return is_unit(m, a[0]) ? m.number(1) : poison;
+            for (const size_t i : {0u, 1u}) {
+                const Inst& turned = m[a[i]];
+                if (turned.op == Op::mul_ && turned.arg[0] == a[1 - i] &&
+                    is_facing(m, turned.arg[1]) && is_unit(m, a[1 - i]))
+                    return turned.arg[1];
+            }
+            return poison;
+        case Op::sign_nonzero_:
+            return is_facing(m, a[0]) ? a[0] : poison;
+        case Op::mul_:
+            if (is_facing(m, a[1]) && m[a[0]].op == Op::mul_ && m[a[0]].arg[1] == a[1])
+                return m[a[0]].arg[0];
+            return poison;
+        case Op::abs_:
+            return m[a[0]].op == Op::mul_ && is_facing(m, m[a[0]].arg[1])
+                       ? m.add(Op::abs_, {m[a[0]].arg[0]})
+                       : poison;
+        default:
+            return poison;
+    }
+}
+
+// Small whole powers are products; pow has no answer below 0.
+Id simplify_power(Module& m, Op op, Args a) {
+    if (op != Op::pow_ || m.is_constant(a[0])) return poison;
+    const Id base = a[0];
+    if (m.is_literal(a[1], 1)) return base;
+    const Id square = m.add(Op::mul_, {base, base});
+    if (m.is_literal(a[1], 2)) return square;
+    if (m.is_literal(a[1], 3)) return m.add(Op::mul_, {square, base});
+    return m.is_literal(a[1], 4) ? m.add(Op::mul_, {square, square}) : poison;
 }
 
 int component(uint32_t swizzle, int lane) {
@@ -168,6 +258,43 @@ Id simplify_construct(Module& m, Args parts, Type type) {
     return m.add(Op::swizzle_, {vector}, swizzle_of(std::span(components.data(), lane)));
 }
 
+// A vector made of numbers of which one changes the op by its value: 0, of a factor 1 and -1 too.
+bool is_sparse(const Module& m, Op op, Id id) {
+    if (m[id].op != Op::construct_ || m[id].type == Type::mat3_) return false;
+    bool found = false;
+    for (const Id part : m.operands(id)) {
+        if (m.type(part) != Type::float_) return false;
+        found = found || m.is_literal(part, 0) ||
+                (op == Op::mul_ && (m.is_literal(part, 1) || m.is_literal(part, -1)));
+    }
+    return found;
+}
+
+Id lane_of(Module& m, Id value, int lane) {
+    if (m.type(value) == Type::float_) return value;
+    const std::array<int, 1> one{lane};
+    return m.add(Op::swizzle_, {value}, swizzle_of(one));
+}
+
+// Number by number where that leaves some out: vec2(x, 0) * s is vec2(x * s, 0).
+Id simplify_sparse(Module& m, Op op, Args args, Type type) {
+    if (op != Op::add_ && op != Op::sub_ && op != Op::mul_ && op != Op::dot_) return poison;
+    const Id a = args[0], b = args[1];
+    const Op lane_op = op == Op::dot_ ? Op::mul_ : op;
+    if (info(m.type(a)).lanes < 2 && info(m.type(b)).lanes < 2) return poison;
+    if (!is_sparse(m, lane_op, a) && !is_sparse(m, lane_op, b)) return poison;
+    const int count = std::max(info(m.type(a)).lanes, info(m.type(b)).lanes);
+    std::array<Id, 4> lanes{};
+    for (int i = 0; i < count; ++i)
+        lanes[static_cast<size_t>(i)] = m.add(lane_op, {lane_of(m, a, i), lane_of(m, b, i)});
+    if (op != Op::dot_)
+        return m.add(Op::construct_, std::span(lanes.data(), static_cast<size_t>(count)), 0, type);
+    Id sum = lanes[0];
+    for (int i = 1; i < count; ++i)
+        sum = m.add(Op::add_, {sum, lanes[static_cast<size_t>(i)]});
+    return sum;
+}
+
 Id simplify_gradient(Module& m, Op op, Args a) {
     const auto flat = [&](Id id) { return m[id].op == Op::gradient_zero_; };
     // Flat on any base, or on that of the other: a flat gradient keeps its base, as one scaled by a
@@ -212,8 +339,11 @@ Id simplified(Module& m, Op op, Args args, uint32_t extra, Type result) {
         default:
             break;
     }
-    const Id arithmetic = simplify_arithmetic(m, op, args, result);
-    return arithmetic != poison ? arithmetic : simplify_gradient(m, op, args);
+    Id simpler = simplify_arithmetic(m, op, args, result);
+    if (simpler == poison) simpler = simplify_unit(m, op, args);
+    if (simpler == poison) simpler = simplify_power(m, op, args);
+    if (simpler == poison) simpler = simplify_sparse(m, op, args, result);
+    return simpler != poison ? simpler : simplify_gradient(m, op, args);
 }
 
 }  // namespace wrinkle

@@ -24,4 +24,11 @@ Id projected_position(Module& module, Variant axis) {
     return surface_named(name, change - normal * dot(normal, change)).id;
 }
 
+Id screen_area(Module& module) {
+    const Value normal{&module, unit_normal(module)};
+    const Value p_x{&module, module.input(SurfaceInput::position_, Variant::dx)};
+    const Value p_y{&module, module.input(SurfaceInput::position_, Variant::dy)};
+    return surface_named("screen_area", dot(normal, cross(p_x, p_y))).id;
+}
+
 }  // namespace wrinkle

@@ -17,4 +17,8 @@ Id surface_normal(Module& module, BackFaces back_faces);
 // The position's change to the next pixel, in its tangent plane: P - n (n.P).
 Id projected_position(Module& module, Variant axis);
 
+// n . (Px x Py): what a pixel covers of the tangent plane, negative where the screen's x and y turn
+// the other way round the normal. An area of (pixel size)^2.
+Id screen_area(Module& module);
+
 }  // namespace wrinkle

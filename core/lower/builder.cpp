@@ -227,7 +227,7 @@ private:
         if (o == Op::swizzle_) return extra;
         if (o == Op::column_) return extra < 3 ? std::optional(extra) : std::nullopt;
         if (o == Op::frame_) {
-            const bool known = (extra & 0xFF) <= WR_FRAME_guess && extra >> 8 <= WR_SCALE_unit;
+            const bool known = (extra & 0xFF) <= WR_FRAME_pixel && extra >> 8 <= WR_SCALE_unit;
             return known ? std::optional(extra) : std::nullopt;
         }
         if (!is_gradient_source(o)) return 0;

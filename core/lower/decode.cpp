@@ -12,9 +12,13 @@ Value vec4(Value a, Value b) {
 Value vec4(Value a, Value b, Value c, Value d) {
     return {a.module, a.module->construct(Type::vec4_, {a.id, b.id, c.id, d.id})};
 }
+Value vec4(Value ab, Value c, Value d) {
+    return {ab.module, ab.module->construct(Type::vec4_, {ab.id, c.id, d.id})};
+}
 
+// From 0..1 to -1..1. The factor comes last: of a normal, whose length is nothing, it drops out.
 Value spread(Value t) {
-    return t * 2 - number(t, 1);
+    return (t - number(t, 0.5)) * 2;
 }
 
 // IEC 61966-2-1; negative values of float images stay on the straight part.
@@ -39,11 +43,12 @@ Value decoded(Encoding encoding, Value t) {
         case Encoding::srgb:
             return vec4(linear_from_srgb(t.xyz()), t.w());
         case Encoding::normal_gl:
-        case Encoding::derivative:
             return vec4(spread(t.xyz()), t.w());
+        case Encoding::derivative:  // two numbers, most often
+            return vec4(spread(t.xy()), spread(t.z()), t.w());
         case Encoding::normal_dx: {
-            const Value m = spread(t.xyz());
-            return vec4(m.x(), -m.y(), m.z(), t.w());
+            const Value m = t.xyz() - number(t, 0.5);
+            return vec4(vec3(m.x(), -m.y(), m.z()) * 2, t.w());
         }
         case Encoding::normal_rg:
             return with_depth(spread(t.xy()));

@@ -9,18 +9,17 @@ uniform sampler2D base_image;    // textures/rivets_normal.png (normal_gl, repea
 uniform sampler2D detail_image;  // textures/weave_normal.png (normal_gl, repeat)
 
 vec3 wrinkle_base_and_detail_normal(WrinkleSurface_base_and_detail s) {
-    vec3 base_texel = texture(base_image, s.uv0).xyz * 2.0 - 1.0;  // base: Tangent normal map
+    vec3 base_texel = texture(base_image, s.uv0).xyz - 0.5;  // base: Tangent normal map
     float base_least_depth = max(abs(base_texel.x), abs(base_texel.y)) * 0.0078125;
-    float base_depth = max(max(abs(base_texel.z), base_least_depth), 1e-06);
+    float base_depth = max(max(abs(base_texel.z), base_least_depth), 5e-07);
     vec2 tile_uv = s.uv0 * 8.0;  // tile: UV transform
-    // detail: Tangent normal map
-    vec3 detail_texel = texture(detail_image, tile_uv).xyz * 2.0 - 1.0;
+    vec3 detail_texel = texture(detail_image, tile_uv).xyz - 0.5;  // detail: Tangent normal map
     float detail_least_depth = max(abs(detail_texel.x), abs(detail_texel.y)) * 0.0078125;
-    float detail_depth = max(max(abs(detail_texel.z), detail_least_depth), 1e-06);
-    vec3 bitangent = cross(s.normal, s.tangent.xyz) * (s.tangent.w > 0.0 ? 1.0 : -1.0);
-    vec2 normal_slope = -detail_texel.xy * 0.5 * base_depth;  // normal: Resolve
-    vec2 normal_slope_2 = -base_texel.xy * detail_depth + normal_slope;
-    vec3 normal_gradient = s.tangent.xyz * normal_slope_2.x + bitangent * normal_slope_2.y;
-    vec3 normal_bumped = s.normal * (base_depth * detail_depth * s.facing) - normal_gradient;
+    float detail_depth = max(max(abs(detail_texel.z), detail_least_depth), 5e-07);
+    vec3 normal_product = s.normal * (base_depth * detail_depth * s.facing);  // normal: Resolve
+    vec2 normal_slope = base_texel.xy * detail_depth + detail_texel.xy * 0.5 * base_depth;
+    float normal_slope_v = normal_slope.y * (s.tangent.w > 0.0 ? 1.0 : -1.0);
+    vec3 normal_along_v = cross(s.normal, s.tangent.xyz) * normal_slope_v;
+    vec3 normal_bumped = normal_product + (s.tangent.xyz * normal_slope.x + normal_along_v);
     return normalize(vec3(normal_bumped.xy, normal_bumped.z + 1e-18));
 }

@@ -11,19 +11,17 @@ vec3 wrinkle_box_crate_normal(WrinkleSurface_box_crate s) {
     vec3 normal = normalize(s.normal);  // the surface point
     vec3 dpdx = dFdx(s.position_relative);
     vec3 dpdy = dFdy(s.position_relative);
-    vec3 surface_dpdx = dpdx - normal * dot(normal, dpdx);
     vec3 surface_dpdy = dpdy - normal * dot(normal, dpdy);
-    vec3 sides_product = normal * s.facing;  // sides: Box UV
-    vec3 sides_product_2 = sides_product * (dot(normal, sides_product) < 0.0 ? -1.0 : 1.0);
-    vec3 sides_magnitude = abs(sides_product_2);
+    vec3 surface_dpdx = dpdx - normal * dot(normal, dpdx);
+    vec3 sides_magnitude = abs(normal);  // sides: Box UV
     bool sides_test = sides_magnitude.x >= sides_magnitude.y;
     bool sides_test_2 = sides_test && sides_magnitude.x >= sides_magnitude.z;
-    float sides_negated = -(sides_product_2.x < 0.0 ? -1.0 : 1.0);
+    float sides_negated = -(normal.x < 0.0 ? -1.0 : 1.0);
     vec2 sides_vector = vec2(sides_negated * s.position.z, s.position.y);
     bool sides_test_3 = sides_magnitude.y >= sides_magnitude.z;
-    float sides_negated_2 = -(sides_product_2.y < 0.0 ? -1.0 : 1.0);
+    float sides_negated_2 = -(normal.y < 0.0 ? -1.0 : 1.0);
     vec2 sides_vector_2 = vec2(s.position.x, sides_negated_2 * s.position.z);
-    float sides_sign = sides_product_2.z < 0.0 ? -1.0 : 1.0;
+    float sides_sign = normal.z < 0.0 ? -1.0 : 1.0;
     vec2 sides_vector_3 = vec2(sides_sign * s.position.x, s.position.y);
     vec2 sides_choice = sides_test_2 ? sides_vector : sides_test_3 ? sides_vector_2 :
             sides_vector_3;
@@ -31,38 +29,36 @@ vec3 wrinkle_box_crate_normal(WrinkleSurface_box_crate s) {
     vec2 sides_vector_4 = vec2(dpdx.x, dpdx.z * sides_negated_2);
     vec2 sides_choice_2 = sides_test_3 ? sides_vector_4 : vec2(dpdx.x * sides_sign, dpdx.y);
     vec2 sides_choice_3 = sides_test_2 ? vec2(dpdx.z * sides_negated, dpdx.y) : sides_choice_2;
-    vec2 sides_product_3 = sides_choice_3 * 2.0;
+    vec2 sides_product = sides_choice_3 * 2.0;
     vec2 sides_vector_5 = vec2(dpdy.x, dpdy.z * sides_negated_2);
     vec2 sides_choice_4 = sides_test_3 ? sides_vector_5 : vec2(dpdy.x * sides_sign, dpdy.y);
     vec2 sides_choice_5 = sides_test_2 ? vec2(dpdy.z * sides_negated, dpdy.y) : sides_choice_4;
-    vec2 sides_product_4 = sides_choice_5 * 2.0;
+    vec2 sides_product_2 = sides_choice_5 * 2.0;
     vec2 sides_vector_6 = vec2(surface_dpdy.z * sides_negated, surface_dpdy.y);
     vec2 sides_vector_7 = vec2(surface_dpdy.x, surface_dpdy.z * sides_negated_2);
     vec2 sides_vector_8 = vec2(surface_dpdy.x * sides_sign, surface_dpdy.y);
     vec2 sides_choice_6 = sides_test_2 ? sides_vector_6 : sides_test_3 ? sides_vector_7 :
             sides_vector_8;
-    vec2 sides_product_5 = sides_choice_6 * 2.0;
+    vec2 sides_product_3 = sides_choice_6 * 2.0;
     vec2 sides_vector_9 = vec2(surface_dpdx.z * sides_negated, surface_dpdx.y);
     vec2 sides_vector_10 = vec2(surface_dpdx.x, surface_dpdx.z * sides_negated_2);
     vec2 sides_vector_11 = vec2(surface_dpdx.x * sides_sign, surface_dpdx.y);
     vec2 sides_choice_7 = sides_test_2 ? sides_vector_9 : sides_test_3 ? sides_vector_10 :
             sides_vector_11;
-    vec2 sides_product_6 = sides_choice_7 * 2.0;
+    vec2 sides_product_4 = sides_choice_7 * 2.0;
     // g: Tangent normal map
-    vec4 g_texel = textureGrad(g_image, sides_uv, sides_product_3, sides_product_4);
-    vec3 g_texel_2 = g_texel.xyz * 2.0 - 1.0;
+    vec4 g_texel = textureGrad(g_image, sides_uv, sides_product, sides_product_2);
+    vec3 g_texel_2 = g_texel.xyz - 0.5;
     float g_least_depth = max(abs(g_texel_2.x), abs(g_texel_2.y)) * 0.0078125;
-    vec2 g_slope = -g_texel_2.xy;
     // normal: Resolve
-    float normal_product = max(max(abs(g_texel_2.z), g_least_depth), 1e-06) * s.facing;
-    vec3 normal_difference = surface_dpdx * sides_product_5.y - surface_dpdy * sides_product_6.y;
-    float normal_product_2 = sides_product_6.x * sides_product_5.y;
-    float normal_sign = normal_product_2 - sides_product_5.x * sides_product_6.y < 0.0 ? -1.0 : 1.0;
-    vec3 normal_product_3 = normal_difference * normal_sign;
-    float normal_inverse_root = inversesqrt(max(dot(normal_product_3, normal_product_3), 1e-36));
-    vec3 normal_tangent = normal_product_3 * normal_inverse_root;
-    float normal_sign_2 = dot(surface_dpdy, cross(normal, surface_dpdx)) < 0.0 ? -1.0 : 1.0;
-    vec3 normal_bitangent = cross(normal, normal_tangent) * (normal_sign * normal_sign_2);
-    vec3 normal_gradient = normal_tangent * g_slope.x + normal_bitangent * g_slope.y;
-    return normalize(normal * normal_product - normal_gradient);
+    float normal_product = max(max(abs(g_texel_2.z), g_least_depth), 5e-07) * s.facing;
+    vec3 normal_bitangent = cross(normal, dpdx * sides_product_3.y - dpdy * sides_product_4.y);
+    float normal_scale = inversesqrt(max(dot(normal_bitangent, normal_bitangent), 1e-36));
+    float normal_product_2 = sides_product_4.x * sides_product_3.y;
+    float normal_det = normal_product_2 - sides_product_3.x * sides_product_4.y;
+    float normal_slope_u = g_texel_2.x * (normal_scale * (normal_det < 0.0 ? -1.0 : 1.0));
+    vec3 normal_along_u = cross(normal_bitangent, normal) * normal_slope_u;
+    float normal_product_3 = normal_scale * (dot(normal, cross(dpdx, dpdy)) < 0.0 ? -1.0 : 1.0);
+    vec3 normal_along_v = normal_bitangent * (g_texel_2.y * normal_product_3);
+    return normalize(normal * normal_product + (normal_along_u + normal_along_v));
 }

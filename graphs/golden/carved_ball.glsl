@@ -48,23 +48,26 @@ vec3 wrinkle_carved_ball_gradient_noise_slope(vec3 a) {
     vec3 mixed_5 = mix(noise_direction_7, noise_direction_8, product.x);
     vec3 difference_2 = difference - 1.0;
     vec3 product_2 = 30.0 * difference * difference * difference_2 * difference_2;
-    float dot_product = dot(noise_direction_2, difference - vec3(1.0, 0.0, 0.0));
+    float difference_3 = difference.x - 1.0;
+    float dot_product = dot(noise_direction_2, vec3(difference_3, difference.y, difference.z));
     float dot_product_2 = dot(noise_direction, difference);
-    float dot_product_3 = dot(noise_direction_4, difference - vec3(1.0, 1.0, 0.0));
-    float dot_product_4 = dot(noise_direction_3, difference - vec3(0.0, 1.0, 0.0));
+    float difference_4 = difference.y - 1.0;
+    float dot_product_3 = dot(noise_direction_4, vec3(difference_3, difference_4, difference.z));
+    float dot_product_4 = dot(noise_direction_3, vec3(difference.x, difference_4, difference.z));
     float mixed_6 = mix(dot_product - dot_product_2, dot_product_3 - dot_product_4, product.y);
-    float dot_product_5 = dot(noise_direction_6, difference - vec3(1.0, 0.0, 1.0));
-    float dot_product_6 = dot(noise_direction_5, difference - vec3(0.0, 0.0, 1.0));
+    float difference_5 = difference.z - 1.0;
+    float dot_product_5 = dot(noise_direction_6, vec3(difference_3, difference.y, difference_5));
+    float dot_product_6 = dot(noise_direction_5, vec3(difference.x, difference.y, difference_5));
     float dot_product_7 = dot(noise_direction_8, difference - 1.0);
-    float dot_product_8 = dot(noise_direction_7, difference - vec3(0.0, 1.0, 1.0));
+    float dot_product_8 = dot(noise_direction_7, vec3(difference.x, difference_4, difference_5));
     float mixed_7 = mix(dot_product_5 - dot_product_6, dot_product_7 - dot_product_8, product.y);
     float mixed_8 = mix(dot_product_4, dot_product_3, product.x);
     float mixed_9 = mix(dot_product_2, dot_product, product.x);
     float mixed_10 = mix(dot_product_8, dot_product_7, product.x);
     float mixed_11 = mix(dot_product_6, dot_product_5, product.x);
     float mixed_12 = mix(mixed_8 - mixed_9, mixed_10 - mixed_11, product.z);
-    float difference_3 = mix(mixed_11, mixed_10, product.y) - mix(mixed_9, mixed_8, product.y);
-    vec3 product_3 = product_2 * vec3(mix(mixed_6, mixed_7, product.z), mixed_12, difference_3);
+    float difference_6 = mix(mixed_11, mixed_10, product.y) - mix(mixed_9, mixed_8, product.y);
+    vec3 product_3 = product_2 * vec3(mix(mixed_6, mixed_7, product.z), mixed_12, difference_6);
     return mix(mixed_3, mix(mixed_4, mixed_5, product.y), product.z) + product_3;
 }
 
@@ -74,11 +77,9 @@ vec3 wrinkle_carved_ball_noise_octave_slope(vec3 a, float b) {
 
 vec3 wrinkle_carved_ball_normal(WrinkleSurface_carved_ball s) {
     vec3 normal = normalize(s.normal);
-    // carving: Object normal map
-    vec3 carving_texel = texture(carving_image, s.uv0).xyz * 2.0 - 1.0;
+    vec3 carving_texel = texture(carving_image, s.uv0).xyz - 0.5;  // carving: Object normal map
     float carving_dot_product = dot(normal, carving_texel);
-    vec3 carving_difference = normal * carving_dot_product - carving_texel;
-    vec3 carving_gradient = carving_difference / max(abs(carving_dot_product), 1.1920929e-07);
+    float carving_greatest = max(abs(carving_dot_product), 5.9604645e-08);
     vec3 grain_product = s.position * 24.0;  // grain: Gradient noise
     float grain_extent = length(dFdx(s.position_relative) * 24.0);
     float grain_greatest = max(grain_extent, length(dFdy(s.position_relative) * 24.0));
@@ -89,23 +90,24 @@ vec3 wrinkle_carved_ball_normal(WrinkleSurface_carved_ball s) {
     float grain_product_3 = grain_greatest * 2.0;
     vec3 grain_noise_octave_slope_2 = wrinkle_carved_ball_noise_octave_slope(grain_sum,
             grain_product_3);
-    float grain_product_4 = dot(grain_noise_octave_slope_2, vec3(48.0, 0.0, 0.0)) * 0.5;
-    float grain_sum_2 = dot(grain_noise_octave_slope, vec3(24.0, 0.0, 0.0)) + grain_product_4;
+    float grain_product_4 = grain_noise_octave_slope_2.x * 48.0 * 0.5;
+    float grain_sum_2 = grain_noise_octave_slope.x * 24.0 + grain_product_4;
     vec3 grain_sum_3 = grain_product_2 * 2.0 + vec3(38.38, 14.86, 63.42);
     float grain_product_5 = grain_product_3 * 2.0;
     vec3 grain_noise_octave_slope_3 = wrinkle_carved_ball_noise_octave_slope(grain_sum_3,
             grain_product_5);
-    float grain_sum_4 = grain_sum_2 + dot(grain_noise_octave_slope_3, vec3(96.0, 0.0, 0.0)) * 0.25;
-    float grain_product_6 = grain_sum_4 / 1.75 * 0.004;
-    float grain_product_7 = dot(grain_noise_octave_slope_2, vec3(0.0, 48.0, 0.0)) * 0.5;
-    float grain_sum_5 = dot(grain_noise_octave_slope, vec3(0.0, 24.0, 0.0)) + grain_product_7;
-    float grain_sum_6 = grain_sum_5 + dot(grain_noise_octave_slope_3, vec3(0.0, 96.0, 0.0)) * 0.25;
-    float grain_product_8 = dot(grain_noise_octave_slope_2, vec3(0.0, 0.0, 48.0)) * 0.5;
-    float grain_sum_7 = dot(grain_noise_octave_slope, vec3(0.0, 0.0, 24.0)) + grain_product_8;
-    float grain_sum_8 = grain_sum_7 + dot(grain_noise_octave_slope_3, vec3(0.0, 0.0, 96.0)) * 0.25;
+    float grain_quotient = (grain_sum_2 + grain_noise_octave_slope_3.x * 96.0 * 0.25) / 1.75;
+    float grain_product_6 = grain_quotient * 0.004;
+    float grain_product_7 = grain_noise_octave_slope_2.y * 48.0 * 0.5;
+    float grain_sum_4 = grain_noise_octave_slope.y * 24.0 + grain_product_7;
+    float grain_quotient_2 = (grain_sum_4 + grain_noise_octave_slope_3.y * 96.0 * 0.25) / 1.75;
+    float grain_product_8 = grain_noise_octave_slope_2.z * 48.0 * 0.5;
+    float grain_sum_5 = grain_noise_octave_slope.z * 24.0 + grain_product_8;
+    float grain_quotient_3 = (grain_sum_5 + grain_noise_octave_slope_3.z * 96.0 * 0.25) / 1.75;
     // sum: Add bumps
-    vec3 sum_vector = vec3(grain_product_6, grain_sum_6 / 1.75 * 0.004, grain_sum_8 / 1.75 * 0.004);
-    // normal: Resolve
-    vec3 normal_gradient = carving_gradient + (sum_vector - normal * dot(normal, sum_vector));
-    return normalize(normal * s.facing - normal_gradient);
+    vec3 sum_vector = vec3(grain_product_6, grain_quotient_2 * 0.004, grain_quotient_3 * 0.004);
+    vec3 normal_product = sum_vector * -carving_greatest;  // normal: Resolve
+    float normal_difference = -carving_dot_product - dot(normal, normal_product);
+    vec3 normal_product_2 = normal * (carving_greatest * s.facing + normal_difference);
+    return normalize(normal_product_2 + (carving_texel + normal_product));
 }

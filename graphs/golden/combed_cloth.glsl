@@ -9,26 +9,25 @@ uniform sampler2D cloth_image;  // textures/weave_normal.png (normal_gl, repeat)
 uniform sampler2D comb_image;   // textures/rivets_normal.png (normal_gl, repeat)
 
 vec3 wrinkle_combed_cloth_normal(WrinkleSurface_combed_cloth s) {
-    vec3 normal = normalize(s.normal);  // the surface point
-    float inverse_normal_length = inversesqrt(dot(s.normal, s.normal));
-    vec3 bitangent = cross(s.normal, s.tangent.xyz) * (s.tangent.w > 0.0 ? 1.0 : -1.0);
+    float inverse_normal_length = inversesqrt(dot(s.normal, s.normal));  // the surface point
+    vec3 normal = s.normal * inverse_normal_length;
     vec2 tile_uv = s.uv0 * vec2(10.0, 5.0);  // tile: UV transform
-    vec3 cloth_texel = texture(cloth_image, tile_uv).xyz * 2.0 - 1.0;  // cloth: Tangent normal map
+    vec3 cloth_texel = texture(cloth_image, tile_uv).xyz - 0.5;  // cloth: Tangent normal map
     float cloth_least_depth = max(abs(cloth_texel.x), abs(cloth_texel.y)) * 0.0078125;
-    vec2 cloth_slope = -cloth_texel.xy;
     vec3 vectors_tangent = s.tangent.xyz * inverse_normal_length;  // vectors: Tangent frame
-    vec3 comb_texel = texture(comb_image, s.uv0).xyz * 2.0 - 1.0;  // comb: Tangent map
-    vec3 comb_product = bitangent * inverse_normal_length * comb_texel.y;
-    vec3 comb_direction = vectors_tangent * comb_texel.x + comb_product;
+    float vectors_product = (s.tangent.w > 0.0 ? 1.0 : -1.0) * inverse_normal_length;
+    vec3 comb_texel = (texture(comb_image, s.uv0).xyz - 0.5) * 2.0;  // comb: Tangent map
+    vec3 comb_along_v = cross(s.normal, s.tangent.xyz) * (comb_texel.y * vectors_product);
+    vec3 comb_direction = s.tangent.xyz * (comb_texel.x * inverse_normal_length) + comb_along_v;
     vec3 lean_vector = vectors_tangent + comb_direction;  // lean: Add vec3
     // normal: Resolve
-    float normal_product = max(max(abs(cloth_texel.z), cloth_least_depth), 1e-06) * s.facing;
+    float normal_product = max(max(abs(cloth_texel.z), cloth_least_depth), 5e-07) * s.facing;
     vec3 normal_difference = lean_vector - normal * dot(normal, lean_vector);
     float normal_dot_product = dot(normal_difference, normal_difference);
     bool normal_test = normal_dot_product - dot(lean_vector, lean_vector) * 1e-10 > 0.0;
     float normal_choice = normal_test ? inversesqrt(max(normal_dot_product, 1e-36)) : 0.0;
-    vec3 normal_product_2 = normal_difference * normal_choice;
-    vec3 normal_gradient = cross(normal, normal_product_2) * (cloth_slope.y * 0.70710677);
-    vec3 normal_gradient_2 = normal_product_2 * (cloth_slope.x * 1.4142135) + normal_gradient;
-    return normalize(normal * normal_product - normal_gradient_2);
+    vec3 normal_along_u = normal_difference * (cloth_texel.x * 1.4142135 * normal_choice);
+    float normal_slope_v = cloth_texel.y * 0.70710677 * normal_choice;
+    vec3 normal_sum = normal_along_u + cross(normal, lean_vector) * normal_slope_v;
+    return normalize(normal * normal_product + normal_sum);
 }

@@ -45,18 +45,18 @@ vec3 wrinkle_cube_ball_normal(WrinkleSurface_cube_ball s) {
     float g_greatest_2 = max(g_greatest, 0.5);
     vec2 g_least = min(g_greatest_2 / g_quotient_3, vec2(0.5));
     vec2 g_greatest_3 = max((g_test_3 ? g_quotient : vec2(0.0)) * 0.5 + 0.5, g_least);
+    vec2 g_least_2 = min(g_greatest_3, 1.0 - g_least);
     vec3 g_product_5 = (1.0 - vec3(g_sign, g_sign_2, g_sign_3)) * 0.5;
     float g_choice_10 = g_test_2 ? 2.0 + g_product_5.y : 4.0 + g_product_5.z;
-    vec2 g_vector_4 = vec2(g_test ? g_product_5.x : g_choice_10, 0.0);
-    vec2 g_sum = min(g_greatest_3, 1.0 - g_least) + g_vector_4;
-    vec2 g_quotient_5 = g_sum / vec2(6.0, 1.0);
-    float g_least_2 = min(min(g_quotient_3.x, g_quotient_3.y) / g_greatest_2, 1.0);
-    vec2 g_quotient_6 = g_product_2 * g_least_2 / vec2(6.0, 1.0);
-    vec2 g_quotient_7 = g_product_4 * g_least_2 / vec2(6.0, 1.0);
-    vec4 g_texel = textureGrad(g_image, g_quotient_5, g_quotient_6, g_quotient_7);
-    vec3 g_texel_2 = g_texel.xyz * 2.0 - 1.0;
-    float g_dot_product = dot(normal, g_texel_2);
-    float g_greatest_4 = max(abs(g_dot_product), 1.1920929e-07);
+    vec2 g_vector_4 = vec2(g_least_2.x + (g_test ? g_product_5.x : g_choice_10), g_least_2.y);
+    vec2 g_quotient_5 = g_vector_4 / vec2(6.0, 1.0);
+    float g_least_3 = min(min(g_quotient_3.x, g_quotient_3.y) / g_greatest_2, 1.0);
+    vec2 g_quotient_6 = g_product_2 * g_least_3 / vec2(6.0, 1.0);
+    vec2 g_quotient_7 = g_product_4 * g_least_3 / vec2(6.0, 1.0);
+    vec3 g_texel = textureGrad(g_image, g_quotient_5, g_quotient_6, g_quotient_7).xyz - 0.5;
+    float g_dot_product = dot(normal, g_texel);
     // normal: Resolve
-    return normalize(normal * s.facing - (normal * g_dot_product - g_texel_2) / g_greatest_4);
+    float normal_difference = max(abs(g_dot_product), 5.9604645e-08) * s.facing - g_dot_product;
+    vec3 normal_sum = normal * normal_difference + g_texel;
+    return normalize(normal_sum);
 }

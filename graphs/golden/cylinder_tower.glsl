@@ -10,58 +10,52 @@ uniform sampler2D g_image;  // textures/bricks_height.png (linear, repeat)
 vec2 wrinkle_cylinder_tower_smooth_slope(vec2 a, vec2 b) {
     vec4 texel = textureLod(g_image, a + b, 0.0);
     float difference = texel.x - textureLod(g_image, a - b, 0.0).x;
-    vec4 texel_2 = textureLod(g_image, a + vec2(1.0, -1.0) * b, 0.0);
-    float difference_2 = texel_2.x - textureLod(g_image, a + vec2(-1.0, 1.0) * b, 0.0).x;
-    vec4 texel_3 = textureLod(g_image, a + vec2(1.0, 0.0) * b, 0.0);
-    vec4 texel_4 = textureLod(g_image, a + vec2(-1.0, 0.0) * b, 0.0);
-    float sum = difference + difference_2 + 2.0 * (texel_3.x - texel_4.x);
-    vec4 texel_5 = textureLod(g_image, a + vec2(0.0, 1.0) * b, 0.0);
-    vec4 texel_6 = textureLod(g_image, a + vec2(0.0, -1.0) * b, 0.0);
-    float sum_2 = difference - difference_2 + 2.0 * (texel_5.x - texel_6.x);
-    return vec2(sum, sum_2) / (8.0 * b);
+    vec4 texel_2 = textureLod(g_image, a + vec2(b.x, -b.y), 0.0);
+    float difference_2 = texel_2.x - textureLod(g_image, a + vec2(-b.x, b.y), 0.0).x;
+    vec4 texel_3 = textureLod(g_image, vec2(a.x + b.x, a.y), 0.0);
+    float difference_3 = texel_3.x - textureLod(g_image, vec2(a.x - b.x, a.y), 0.0).x;
+    float sum = difference + difference_2 + 2.0 * difference_3;
+    vec4 texel_4 = textureLod(g_image, vec2(a.x, a.y + b.y), 0.0);
+    float difference_4 = texel_4.x - textureLod(g_image, vec2(a.x, a.y - b.y), 0.0).x;
+    float sum_2 = difference - difference_2 + 2.0 * difference_4;
+    return vec2(sum, sum_2) * 0.125;
 }
 
 vec3 wrinkle_cylinder_tower_normal(WrinkleSurface_cylinder_tower s) {
     vec3 normal = normalize(s.normal);  // the surface point
     vec3 dpdx = dFdx(s.position_relative);
     vec3 dpdy = dFdy(s.position_relative);
-    float round_dot_product = dot(s.position, vec3(0.0, -0.0, 1.0));  // round: Cylinder UV
-    float round_dot_product_2 = dot(s.position, vec3(-1.0, 0.0, 0.0));
-    float round_negated = -round_dot_product_2;
-    bool round_test = abs(round_dot_product) + abs(round_negated) > 0.0;
-    float round_quotient = (round_test ? atan(round_negated, round_dot_product) : 0.0) / 6.2831855;
-    vec2 round_uv = vec2(round_quotient + 0.5, dot(s.position, vec3(0.0, 1.0, 0.0)));
-    float round_product = -dot(dpdx, vec3(-1.0, 0.0, 0.0)) * round_dot_product;
-    float round_difference = round_product - dot(dpdx, vec3(0.0, -0.0, 1.0)) * round_negated;
-    float round_sum = round_negated * round_negated + round_dot_product * round_dot_product;
-    float round_choice = round_sum > 0.0 ? 1.0 / round_sum : 0.0;
-    float round_choice_2 = round_test ? round_difference * round_choice : 0.0;
-    vec2 round_vector = vec2(round_choice_2 / 6.2831855, dot(dpdx, vec3(0.0, 1.0, 0.0)));
-    float round_product_2 = -dot(dpdy, vec3(-1.0, 0.0, 0.0)) * round_dot_product;
-    float round_difference_2 = round_product_2 - dot(dpdy, vec3(0.0, -0.0, 1.0)) * round_negated;
-    float round_choice_3 = round_test ? round_difference_2 * round_choice : 0.0;
-    vec2 round_vector_2 = vec2(round_choice_3 / 6.2831855, dot(dpdy, vec3(0.0, 1.0, 0.0)));
-    float round_quotient_2 = (round_test ? round_dot_product * round_choice : 0.0) / 6.2831855;
-    float round_quotient_3 = (round_test ? round_dot_product_2 * round_choice : 0.0) / 6.2831855;
+    bool round_test = abs(s.position.z) + abs(s.position.x) > 0.0;  // round: Cylinder UV
+    float round_sum = (round_test ? atan(s.position.x, s.position.z) : 0.0) / 6.2831855 + 0.5;
+    vec2 round_uv = vec2(round_sum, s.position.y);
+    float round_sum_2 = s.position.x * s.position.x + s.position.z * s.position.z;
+    float round_choice = round_sum_2 > 0.0 ? 1.0 / round_sum_2 : 0.0;
+    float round_product = (dpdx.x * s.position.z - dpdx.z * s.position.x) * round_choice;
+    vec2 round_vector = vec2((round_test ? round_product : 0.0) / 6.2831855, dpdx.y);
+    float round_product_2 = (dpdy.x * s.position.z - dpdy.z * s.position.x) * round_choice;
+    vec2 round_vector_2 = vec2((round_test ? round_product_2 : 0.0) / 6.2831855, dpdy.y);
     vec2 tile_uv = round_uv * vec2(8.0, 1.2);  // tile: UV transform
     vec2 tile_product = round_vector * vec2(8.0, 1.2);
     vec2 tile_product_2 = round_vector_2 * vec2(8.0, 1.2);
+    float tile_product_3 = (round_test ? s.position.z * round_choice : 0.0) / 6.2831855 * 8.0;
+    float tile_product_4 = (round_test ? -s.position.x * round_choice : 0.0) / 6.2831855 * 8.0;
     vec2 g_size = vec2(textureSize(g_image, 0));  // g: Height map
-    float g_greatest = max(length(tile_product * g_size), length(tile_product_2 * g_size));
-    vec2 g_quotient = max(g_greatest, 1.0) / g_size;
-    vec2 g_sum = tile_uv + vec2(g_quotient.x, 0.0);
-    vec4 g_texel = textureGrad(g_image, g_sum, tile_product, tile_product_2);
+    vec2 g_product = tile_product * g_size;
+    vec2 g_product_2 = tile_product_2 * g_size;
+    float g_root = sqrt(max(max(dot(g_product, g_product), dot(g_product_2, g_product_2)), 1.0));
+    vec2 g_quotient = g_root / g_size;
+    vec2 g_vector = vec2(tile_uv.x + g_quotient.x, tile_uv.y);
+    vec4 g_texel = textureGrad(g_image, g_vector, tile_product, tile_product_2);
     vec4 g_texel_2 = textureGrad(g_image, tile_uv, tile_product, tile_product_2);
-    vec2 g_sum_2 = tile_uv + vec2(0.0, g_quotient.y);
-    vec4 g_texel_3 = textureGrad(g_image, g_sum_2, tile_product, tile_product_2);
-    vec2 g_quotient_2 = vec2(g_texel.x - g_texel_2.x, g_texel_3.x - g_texel_2.x) / g_quotient;
-    float g_clamped = clamp((0.5 - log2(max(g_greatest, 1.1754944e-38))) / 0.45, 0.0, 1.0);
-    vec2 g_mixed = mix(g_quotient_2, wrinkle_cylinder_tower_smooth_slope(tile_uv, 1.0 / g_size),
-            g_clamped);
-    float g_dot_product = dot(g_mixed, vec2(round_quotient_2, 0.0) * vec2(8.0, 1.2));
-    float g_product = dot(g_mixed, vec2(0.0, 1.2)) * 0.03;
-    float g_dot_product_2 = dot(g_mixed, vec2(round_quotient_3, 0.0) * vec2(8.0, 1.2));
-    vec3 g_vector = vec3(g_dot_product * 0.03, g_product, g_dot_product_2 * 0.03);
+    vec2 g_vector_2 = vec2(tile_uv.x, tile_uv.y + g_quotient.y);
+    vec4 g_texel_3 = textureGrad(g_image, g_vector_2, tile_product, tile_product_2);
+    vec2 g_vector_3 = vec2(g_texel.x - g_texel_2.x, g_texel_3.x - g_texel_2.x);
+    vec2 g_product_3 = g_vector_3 * (1.0 / g_root);
+    vec2 g_smooth_slope = wrinkle_cylinder_tower_smooth_slope(tile_uv, 1.0 / g_size);
+    vec2 g_mixed = mix(g_product_3, g_smooth_slope, clamp((0.5 - log2(g_root)) / 0.45, 0.0, 1.0));
+    float g_product_4 = g_mixed.x * (tile_product_3 * g_size.x) * 0.03;
+    float g_product_5 = g_mixed.x * (tile_product_4 * g_size.x) * 0.03;
+    vec3 g_gradient = vec3(g_product_4, g_mixed.y * (1.2 * g_size.y) * 0.03, g_product_5);
     // normal: Resolve
-    return normalize(normal * s.facing - (g_vector - normal * dot(normal, g_vector)));
+    return normalize(normal * (s.facing + dot(normal, g_gradient)) - g_gradient);
 }

@@ -49,23 +49,26 @@ vec3 wrinkle_decals_gradient_noise_slope(vec3 a) {
     vec3 mixed_5 = mix(noise_direction_7, noise_direction_8, product.x);
     vec3 difference_2 = difference - 1.0;
     vec3 product_2 = 30.0 * difference * difference * difference_2 * difference_2;
-    float dot_product = dot(noise_direction_2, difference - vec3(1.0, 0.0, 0.0));
+    float difference_3 = difference.x - 1.0;
+    float dot_product = dot(noise_direction_2, vec3(difference_3, difference.y, difference.z));
     float dot_product_2 = dot(noise_direction, difference);
-    float dot_product_3 = dot(noise_direction_4, difference - vec3(1.0, 1.0, 0.0));
-    float dot_product_4 = dot(noise_direction_3, difference - vec3(0.0, 1.0, 0.0));
+    float difference_4 = difference.y - 1.0;
+    float dot_product_3 = dot(noise_direction_4, vec3(difference_3, difference_4, difference.z));
+    float dot_product_4 = dot(noise_direction_3, vec3(difference.x, difference_4, difference.z));
     float mixed_6 = mix(dot_product - dot_product_2, dot_product_3 - dot_product_4, product.y);
-    float dot_product_5 = dot(noise_direction_6, difference - vec3(1.0, 0.0, 1.0));
-    float dot_product_6 = dot(noise_direction_5, difference - vec3(0.0, 0.0, 1.0));
+    float difference_5 = difference.z - 1.0;
+    float dot_product_5 = dot(noise_direction_6, vec3(difference_3, difference.y, difference_5));
+    float dot_product_6 = dot(noise_direction_5, vec3(difference.x, difference.y, difference_5));
     float dot_product_7 = dot(noise_direction_8, difference - 1.0);
-    float dot_product_8 = dot(noise_direction_7, difference - vec3(0.0, 1.0, 1.0));
+    float dot_product_8 = dot(noise_direction_7, vec3(difference.x, difference_4, difference_5));
     float mixed_7 = mix(dot_product_5 - dot_product_6, dot_product_7 - dot_product_8, product.y);
     float mixed_8 = mix(dot_product_4, dot_product_3, product.x);
     float mixed_9 = mix(dot_product_2, dot_product, product.x);
     float mixed_10 = mix(dot_product_8, dot_product_7, product.x);
     float mixed_11 = mix(dot_product_6, dot_product_5, product.x);
     float mixed_12 = mix(mixed_8 - mixed_9, mixed_10 - mixed_11, product.z);
-    float difference_3 = mix(mixed_11, mixed_10, product.y) - mix(mixed_9, mixed_8, product.y);
-    vec3 product_3 = product_2 * vec3(mix(mixed_6, mixed_7, product.z), mixed_12, difference_3);
+    float difference_6 = mix(mixed_11, mixed_10, product.y) - mix(mixed_9, mixed_8, product.y);
+    vec3 product_3 = product_2 * vec3(mix(mixed_6, mixed_7, product.z), mixed_12, difference_6);
     return mix(mixed_3, mix(mixed_4, mixed_5, product.y), product.z) + product_3;
 }
 
@@ -76,72 +79,35 @@ vec3 wrinkle_decals_noise_octave_slope(vec3 a, float b) {
 vec2 wrinkle_decals_smooth_slope(vec2 a, vec2 b) {
     vec4 texel = textureLod(bricks_image, a + b, 0.0);
     float difference = texel.x - textureLod(bricks_image, a - b, 0.0).x;
-    vec4 texel_2 = textureLod(bricks_image, a + vec2(1.0, -1.0) * b, 0.0);
-    float difference_2 = texel_2.x - textureLod(bricks_image, a + vec2(-1.0, 1.0) * b, 0.0).x;
-    vec4 texel_3 = textureLod(bricks_image, a + vec2(1.0, 0.0) * b, 0.0);
-    vec4 texel_4 = textureLod(bricks_image, a + vec2(-1.0, 0.0) * b, 0.0);
-    float sum = difference + difference_2 + 2.0 * (texel_3.x - texel_4.x);
-    vec4 texel_5 = textureLod(bricks_image, a + vec2(0.0, 1.0) * b, 0.0);
-    vec4 texel_6 = textureLod(bricks_image, a + vec2(0.0, -1.0) * b, 0.0);
-    float sum_2 = difference - difference_2 + 2.0 * (texel_5.x - texel_6.x);
-    return vec2(sum, sum_2) / (8.0 * b);
+    vec4 texel_2 = textureLod(bricks_image, a + vec2(b.x, -b.y), 0.0);
+    float difference_2 = texel_2.x - textureLod(bricks_image, a + vec2(-b.x, b.y), 0.0).x;
+    vec4 texel_3 = textureLod(bricks_image, vec2(a.x + b.x, a.y), 0.0);
+    float difference_3 = texel_3.x - textureLod(bricks_image, vec2(a.x - b.x, a.y), 0.0).x;
+    float sum = difference + difference_2 + 2.0 * difference_3;
+    vec4 texel_4 = textureLod(bricks_image, vec2(a.x, a.y + b.y), 0.0);
+    float difference_4 = texel_4.x - textureLod(bricks_image, vec2(a.x, a.y - b.y), 0.0).x;
+    float sum_2 = difference - difference_2 + 2.0 * difference_4;
+    return vec2(sum, sum_2) * 0.125;
 }
 
 vec2 wrinkle_decals_smooth_slope_2(vec2 a, vec2 b) {
     vec4 texel = textureLod(weave_image, a + b, 0.0);
     float difference = texel.x - textureLod(weave_image, a - b, 0.0).x;
-    vec4 texel_2 = textureLod(weave_image, a + vec2(1.0, -1.0) * b, 0.0);
-    float difference_2 = texel_2.x - textureLod(weave_image, a + vec2(-1.0, 1.0) * b, 0.0).x;
-    vec4 texel_3 = textureLod(weave_image, a + vec2(1.0, 0.0) * b, 0.0);
-    vec4 texel_4 = textureLod(weave_image, a + vec2(-1.0, 0.0) * b, 0.0);
-    float sum = difference + difference_2 + 2.0 * (texel_3.x - texel_4.x);
-    vec4 texel_5 = textureLod(weave_image, a + vec2(0.0, 1.0) * b, 0.0);
-    vec4 texel_6 = textureLod(weave_image, a + vec2(0.0, -1.0) * b, 0.0);
-    float sum_2 = difference - difference_2 + 2.0 * (texel_5.x - texel_6.x);
-    return vec2(sum, sum_2) / (8.0 * b);
+    vec4 texel_2 = textureLod(weave_image, a + vec2(b.x, -b.y), 0.0);
+    float difference_2 = texel_2.x - textureLod(weave_image, a + vec2(-b.x, b.y), 0.0).x;
+    vec4 texel_3 = textureLod(weave_image, vec2(a.x + b.x, a.y), 0.0);
+    float difference_3 = texel_3.x - textureLod(weave_image, vec2(a.x - b.x, a.y), 0.0).x;
+    float sum = difference + difference_2 + 2.0 * difference_3;
+    vec4 texel_4 = textureLod(weave_image, vec2(a.x, a.y + b.y), 0.0);
+    float difference_4 = texel_4.x - textureLod(weave_image, vec2(a.x, a.y - b.y), 0.0).x;
+    float sum_2 = difference - difference_2 + 2.0 * difference_4;
+    return vec2(sum, sum_2) * 0.125;
 }
 
 vec3 wrinkle_decals_normal(WrinkleSurface_decals s) {
     vec3 normal = normalize(s.normal);  // the surface point
     vec3 dpdx = dFdx(s.position_relative);
     vec3 dpdy = dFdy(s.position_relative);
-    vec3 slide_product = normal * s.facing;  // slide: Cone decal
-    vec3 slide_difference = s.position - vec3(-1.2, 1.2, 2.5);
-    float slide_dot_product = dot(slide_difference, vec3(0.9103665, -0.0, 0.41380295));
-    float slide_dot_product_2 = dot(slide_difference, vec3(0.15822151, 0.9240136, -0.3480873));
-    float slide_negated = -dot(slide_difference, vec3(-0.38235956, 0.38235956, 0.84119105));
-    float slide_product_2 = max(slide_negated, 1e-06) * 0.23086819;
-    vec2 slide_quotient = vec2(slide_dot_product, slide_dot_product_2) / slide_product_2;
-    float slide_clamped = clamp((length(slide_quotient) - 0.9) / 0.1, 0.0, 1.0);
-    float slide_difference_2 = 1.0 - slide_clamped * slide_clamped * (3.0 - 2.0 * slide_clamped);
-    float slide_clamped_2 = clamp((slide_negated / 4.0 - 0.9) / 0.1, 0.0, 1.0);
-    float slide_difference_3 = 1.0 - slide_clamped_2 * slide_clamped_2 * (3.0 - 2.0 *
-            slide_clamped_2);
-    float slide_product_3 = slide_difference_2 * slide_difference_3 * step(1e-06, slide_negated);
-    bool slide_test = dot(slide_product, slide_product) > 0.0;
-    vec3 slide_choice = slide_test ? normalize(slide_product) : vec3(0.0);
-    bool slide_test_2 = dot(slide_difference, slide_difference) > 0.0;
-    vec3 slide_negated_2 = -(slide_test_2 ? normalize(slide_difference) : vec3(0.0));
-    float slide_clamped_3 = clamp(dot(slide_choice, slide_negated_2), 0.0, 1.0);
-    float slide_attenuation = slide_product_3 * (slide_clamped_3 > 0.0 ? pow(slide_clamped_3,
-            0.2) : 0.0);
-    vec2 slide_uv = slide_quotient * 0.5 + 0.5;
-    float slide_dot_product_3 = dot(dpdx, vec3(0.15822151, 0.9240136, -0.3480873));
-    vec2 slide_vector = vec2(dot(dpdx, vec3(0.9103665, -0.0, 0.41380295)), slide_dot_product_3);
-    bool slide_test_3 = slide_negated < 1e-06;
-    float slide_negated_3 = -dot(dpdx, vec3(-0.38235956, 0.38235956, 0.84119105));
-    vec2 slide_product_4 = (slide_test_3 ? 0.0 : slide_negated_3) * 0.23086819 * slide_quotient;
-    float slide_dot_product_4 = dot(dpdy, vec3(0.15822151, 0.9240136, -0.3480873));
-    vec2 slide_vector_2 = vec2(dot(dpdy, vec3(0.9103665, -0.0, 0.41380295)), slide_dot_product_4);
-    float slide_negated_4 = -dot(dpdy, vec3(-0.38235956, 0.38235956, 0.84119105));
-    vec2 slide_product_5 = (slide_test_3 ? 0.0 : slide_negated_4) * 0.23086819 * slide_quotient;
-    vec2 slide_product_6 = (slide_test_3 ? 0.0 : 0.38235956) * 0.23086819 * slide_quotient;
-    vec2 slide_product_7 = (vec2(0.9103665, 0.15822151) - slide_product_6) / slide_product_2 * 0.5;
-    vec2 slide_product_8 = (slide_test_3 ? 0.0 : -0.38235956) * 0.23086819 * slide_quotient;
-    vec2 slide_product_9 = (vec2(0.0, 0.9240136) - slide_product_8) / slide_product_2 * 0.5;
-    vec2 slide_product_10 = (slide_test_3 ? 0.0 : -0.84119105) * 0.23086819 * slide_quotient;
-    vec2 slide_product_11 = (vec2(0.41380295,
-            -0.3480873) - slide_product_10) / slide_product_2 * 0.5;
     vec3 ground_product = s.position * 2.0;  // ground: Gradient noise
     float ground_greatest = max(length(dpdx * 2.0), length(dpdy * 2.0));
     vec3 ground_noise_octave_slope = wrinkle_decals_noise_octave_slope(ground_product,
@@ -151,63 +117,96 @@ vec3 wrinkle_decals_normal(WrinkleSurface_decals s) {
     float ground_product_3 = ground_greatest * 2.0;
     vec3 ground_noise_octave_slope_2 = wrinkle_decals_noise_octave_slope(ground_sum,
             ground_product_3);
-    float ground_product_4 = dot(ground_noise_octave_slope_2, vec3(4.0, 0.0, 0.0)) * 0.5;
-    float ground_sum_2 = dot(ground_noise_octave_slope, vec3(2.0, 0.0, 0.0)) + ground_product_4;
+    float ground_product_4 = ground_noise_octave_slope_2.x * 4.0 * 0.5;
+    float ground_sum_2 = ground_noise_octave_slope.x * 2.0 + ground_product_4;
     vec3 ground_sum_3 = ground_product_2 * 2.0 + vec3(38.38, 14.86, 63.42);
     float ground_product_5 = ground_product_3 * 2.0;
     vec3 ground_noise_octave_slope_3 = wrinkle_decals_noise_octave_slope(ground_sum_3,
             ground_product_5);
-    float ground_sum_4 = ground_sum_2 + dot(ground_noise_octave_slope_3, vec3(8.0, 0.0,
-            0.0)) * 0.25;
-    float ground_product_6 = ground_sum_4 / 1.75 * 0.04;
-    float ground_product_7 = dot(ground_noise_octave_slope_2, vec3(0.0, 4.0, 0.0)) * 0.5;
-    float ground_sum_5 = dot(ground_noise_octave_slope, vec3(0.0, 2.0, 0.0)) + ground_product_7;
-    float ground_sum_6 = ground_sum_5 + dot(ground_noise_octave_slope_3, vec3(0.0, 8.0,
-            0.0)) * 0.25;
-    float ground_product_8 = ground_sum_6 / 1.75 * 0.04;
-    float ground_product_9 = dot(ground_noise_octave_slope_2, vec3(0.0, 0.0, 4.0)) * 0.5;
-    float ground_sum_7 = dot(ground_noise_octave_slope, vec3(0.0, 0.0, 2.0)) + ground_product_9;
-    float ground_sum_8 = ground_sum_7 + dot(ground_noise_octave_slope_3, vec3(0.0, 0.0,
-            8.0)) * 0.25;
+    float ground_quotient = (ground_sum_2 + ground_noise_octave_slope_3.x * 8.0 * 0.25) / 1.75;
+    float ground_product_6 = ground_quotient * 0.04;
+    float ground_product_7 = ground_noise_octave_slope_2.y * 4.0 * 0.5;
+    float ground_sum_4 = ground_noise_octave_slope.y * 2.0 + ground_product_7;
+    float ground_quotient_2 = (ground_sum_4 + ground_noise_octave_slope_3.y * 8.0 * 0.25) / 1.75;
+    float ground_product_8 = ground_noise_octave_slope_2.z * 4.0 * 0.5;
+    float ground_sum_5 = ground_noise_octave_slope.z * 2.0 + ground_product_8;
+    float ground_quotient_3 = (ground_sum_5 + ground_noise_octave_slope_3.z * 8.0 * 0.25) / 1.75;
+    vec3 slide_difference = s.position - vec3(-1.2, 1.2, 2.5);  // slide: Cone decal
+    float slide_sum = slide_difference.x * 0.9103665 + slide_difference.z * 0.41380295;
+    float slide_dot_product = dot(slide_difference, vec3(0.15822151, 0.9240136, -0.3480873));
+    float slide_negated = -dot(slide_difference, vec3(-0.38235956, 0.38235956, 0.84119105));
+    float slide_product = max(slide_negated, 1e-06) * 0.23086819;
+    vec2 slide_quotient = vec2(slide_sum, slide_dot_product) / slide_product;
+    float slide_clamped = clamp((length(slide_quotient) - 0.9) / 0.1, 0.0, 1.0);
+    float slide_difference_2 = 1.0 - slide_clamped * slide_clamped * (3.0 - 2.0 * slide_clamped);
+    float slide_clamped_2 = clamp((slide_negated / 4.0 - 0.9) / 0.1, 0.0, 1.0);
+    float slide_difference_3 = 1.0 - slide_clamped_2 * slide_clamped_2 * (3.0 - 2.0 *
+            slide_clamped_2);
+    float slide_product_2 = slide_difference_2 * slide_difference_3 * step(1e-06, slide_negated);
+    vec3 slide_product_3 = normal * s.facing;
+    bool slide_test = dot(slide_difference, slide_difference) > 0.0;
+    vec3 slide_negated_2 = -(slide_test ? normalize(slide_difference) : vec3(0.0));
+    float slide_clamped_3 = clamp(dot(slide_product_3, slide_negated_2), 0.0, 1.0);
+    float slide_attenuation = slide_product_2 * (slide_clamped_3 > 0.0 ? pow(slide_clamped_3,
+            0.2) : 0.0);
+    vec2 slide_uv = slide_quotient * 0.5 + 0.5;
+    float slide_dot_product_2 = dot(dpdx, vec3(0.15822151, 0.9240136, -0.3480873));
+    vec2 slide_vector = vec2(dpdx.x * 0.9103665 + dpdx.z * 0.41380295, slide_dot_product_2);
+    bool slide_test_2 = slide_negated < 1e-06;
+    float slide_negated_3 = -dot(dpdx, vec3(-0.38235956, 0.38235956, 0.84119105));
+    vec2 slide_product_4 = (slide_test_2 ? 0.0 : slide_negated_3) * 0.23086819 * slide_quotient;
+    float slide_dot_product_3 = dot(dpdy, vec3(0.15822151, 0.9240136, -0.3480873));
+    vec2 slide_vector_2 = vec2(dpdy.x * 0.9103665 + dpdy.z * 0.41380295, slide_dot_product_3);
+    float slide_negated_4 = -dot(dpdy, vec3(-0.38235956, 0.38235956, 0.84119105));
+    vec2 slide_product_5 = (slide_test_2 ? 0.0 : slide_negated_4) * 0.23086819 * slide_quotient;
+    vec2 slide_product_6 = (slide_test_2 ? 0.0 : 0.38235956) * 0.23086819 * slide_quotient;
+    vec2 slide_product_7 = (vec2(0.9103665, 0.15822151) - slide_product_6) / slide_product * 0.5;
+    vec2 slide_product_8 = (slide_test_2 ? 0.0 : -0.38235956) * 0.23086819 * slide_quotient;
+    vec2 slide_vector_3 = vec2(-slide_product_8.x, 0.9240136 - slide_product_8.y);
+    vec2 slide_product_9 = (slide_test_2 ? 0.0 : -0.84119105) * 0.23086819 * slide_quotient;
+    vec2 slide_product_10 = (vec2(0.41380295, -0.3480873) - slide_product_9) / slide_product * 0.5;
     vec2 bricks_size = vec2(textureSize(bricks_image, 0));  // bricks: Height map
-    vec2 bricks_product = (slide_vector - slide_product_4) / slide_product_2 * 0.5 * bricks_size;
-    vec2 bricks_product_2 = (slide_vector_2 - slide_product_5) / slide_product_2 * 0.5 *
-            bricks_size;
-    float bricks_greatest = max(length(bricks_product), length(bricks_product_2));
-    vec2 bricks_quotient = max(bricks_greatest, 1.0) / bricks_size;
-    vec4 bricks_texel = texture(bricks_image, slide_uv + vec2(bricks_quotient.x, 0.0));
-    vec4 bricks_texel_2 = texture(bricks_image, slide_uv);
-    float bricks_difference = bricks_texel.x - bricks_texel_2.x;
-    vec4 bricks_texel_3 = texture(bricks_image, slide_uv + vec2(0.0, bricks_quotient.y));
-    vec2 bricks_vector = vec2(bricks_difference, bricks_texel_3.x - bricks_texel_2.x);
-    vec2 bricks_quotient_2 = bricks_vector / bricks_quotient;
+    vec2 bricks_product = (slide_vector - slide_product_4) / slide_product * 0.5 * bricks_size;
+    float bricks_dot_product = dot(bricks_product, bricks_product);
+    vec2 bricks_product_2 = (slide_vector_2 - slide_product_5) / slide_product * 0.5 * bricks_size;
+    float bricks_greatest = max(max(bricks_dot_product, dot(bricks_product_2, bricks_product_2)),
+            1.0);
+    float bricks_root = sqrt(bricks_greatest);
+    vec2 bricks_quotient = bricks_root / bricks_size;
+    vec2 bricks_vector = vec2(slide_uv.x + bricks_quotient.x, slide_uv.y);
+    vec4 bricks_texel = texture(bricks_image, slide_uv);
+    float bricks_difference = texture(bricks_image, bricks_vector).x - bricks_texel.x;
+    vec2 bricks_vector_2 = vec2(slide_uv.x, slide_uv.y + bricks_quotient.y);
+    float bricks_difference_2 = texture(bricks_image, bricks_vector_2).x - bricks_texel.x;
+    vec2 bricks_product_3 = vec2(bricks_difference, bricks_difference_2) * (1.0 / bricks_root);
     vec2 bricks_smooth_slope = wrinkle_decals_smooth_slope(slide_uv, 1.0 / bricks_size);
-    float bricks_quotient_3 = (0.5 - log2(max(bricks_greatest, 1.1754944e-38))) / 0.45;
-    float bricks_clamped = clamp(bricks_quotient_3, 0.0, 1.0);
-    vec2 bricks_mixed = mix(bricks_quotient_2, bricks_smooth_slope, bricks_clamped);
-    float bricks_product_3 = dot(bricks_mixed, slide_product_7) * 0.02;
-    float bricks_product_4 = dot(bricks_mixed, slide_product_9) * 0.02;
-    float bricks_product_5 = dot(bricks_mixed, slide_product_11) * 0.02;
+    float bricks_clamped = clamp((0.5 - log2(bricks_root)) / 0.45, 0.0, 1.0);
+    vec2 bricks_mixed = mix(bricks_product_3, bricks_smooth_slope, bricks_clamped);
+    float bricks_product_4 = dot(bricks_mixed, slide_product_7 * bricks_size) * 0.02;
+    float bricks_dot_product_2 = dot(bricks_mixed,
+            slide_vector_3 / slide_product * 0.5 * bricks_size);
+    float bricks_product_5 = dot(bricks_mixed, slide_product_10 * bricks_size) * 0.02;
+    vec3 bricks_vector_3 = vec3(bricks_product_4, bricks_dot_product_2 * 0.02, bricks_product_5);
     // with_bricks: Masked decal
-    vec3 with_bricks_vector = vec3(ground_product_6, ground_product_8, ground_sum_8 / 1.75 * 0.04);
+    vec3 with_bricks_vector = vec3(ground_product_6, ground_quotient_2 * 0.04,
+            ground_quotient_3 * 0.04);
     vec3 with_bricks_product = with_bricks_vector * (1.0 - slide_attenuation);
-    vec3 with_bricks_product_2 = vec3(bricks_product_3, bricks_product_4,
-            bricks_product_5) * slide_attenuation;
+    vec3 with_bricks_sum = with_bricks_product + bricks_vector_3 * slide_attenuation;
     vec3 stamp_difference = s.position - vec3(0.45, 0.25, 0.75);  // stamp: Box decal
-    float stamp_dot_product = dot(stamp_difference, vec3(0.8944272, 0.0, -0.4472136));
-    float stamp_dot_product_2 = dot(stamp_difference, vec3(-0.115900114, 0.96583426, -0.23180023));
-    float stamp_dot_product_3 = dot(stamp_difference, vec3(0.4319342, 0.25916052, 0.8638684));
-    vec3 stamp_vector = vec3(stamp_dot_product, stamp_dot_product_2, stamp_dot_product_3);
+    float stamp_sum = stamp_difference.x * 0.8944272 + stamp_difference.z * -0.4472136;
+    float stamp_dot_product = dot(stamp_difference, vec3(-0.115900114, 0.96583426, -0.23180023));
+    float stamp_dot_product_2 = dot(stamp_difference, vec3(0.4319342, 0.25916052, 0.8638684));
+    vec3 stamp_vector = vec3(stamp_sum, stamp_dot_product, stamp_dot_product_2);
     vec3 stamp_quotient = stamp_vector / vec3(0.6, 0.6, 1.0);
     vec2 stamp_uv = stamp_quotient.xy + 0.5;
-    float stamp_dot_product_4 = dot(dpdx, vec3(0.8944272, 0.0, -0.4472136));
-    float stamp_dot_product_5 = dot(dpdx, vec3(-0.115900114, 0.96583426, -0.23180023));
-    float stamp_dot_product_6 = dot(dpdx, vec3(0.4319342, 0.25916052, 0.8638684));
-    vec3 stamp_vector_2 = vec3(stamp_dot_product_4, stamp_dot_product_5, stamp_dot_product_6);
-    float stamp_dot_product_7 = dot(dpdy, vec3(0.8944272, 0.0, -0.4472136));
-    float stamp_dot_product_8 = dot(dpdy, vec3(-0.115900114, 0.96583426, -0.23180023));
-    float stamp_dot_product_9 = dot(dpdy, vec3(0.4319342, 0.25916052, 0.8638684));
-    vec3 stamp_vector_3 = vec3(stamp_dot_product_7, stamp_dot_product_8, stamp_dot_product_9);
+    float stamp_sum_2 = dpdx.x * 0.8944272 + dpdx.z * -0.4472136;
+    float stamp_dot_product_3 = dot(dpdx, vec3(-0.115900114, 0.96583426, -0.23180023));
+    float stamp_dot_product_4 = dot(dpdx, vec3(0.4319342, 0.25916052, 0.8638684));
+    vec3 stamp_vector_2 = vec3(stamp_sum_2, stamp_dot_product_3, stamp_dot_product_4);
+    float stamp_sum_3 = dpdy.x * 0.8944272 + dpdy.z * -0.4472136;
+    float stamp_dot_product_5 = dot(dpdy, vec3(-0.115900114, 0.96583426, -0.23180023));
+    float stamp_dot_product_6 = dot(dpdy, vec3(0.4319342, 0.25916052, 0.8638684));
+    vec3 stamp_vector_3 = vec3(stamp_sum_3, stamp_dot_product_5, stamp_dot_product_6);
     vec3 stamp_product = abs(stamp_quotient) * 2.0;
     float stamp_clamped = clamp((stamp_product.x - 0.9) / 0.1, 0.0, 1.0);
     float stamp_difference_2 = 1.0 - stamp_clamped * stamp_clamped * (3.0 - 2.0 * stamp_clamped);
@@ -218,31 +217,33 @@ vec3 wrinkle_decals_normal(WrinkleSurface_decals s) {
     float stamp_difference_4 = 1.0 - stamp_clamped_3 * stamp_clamped_3 * (3.0 - 2.0 *
             stamp_clamped_3);
     float stamp_product_2 = stamp_difference_2 * stamp_difference_3 * stamp_difference_4;
-    float stamp_dot_product_10 = dot(slide_choice, vec3(0.4319342, 0.25916052, 0.8638684));
-    float stamp_clamped_4 = clamp(stamp_dot_product_10, 0.0, 1.0);
+    float stamp_dot_product_7 = dot(slide_product_3, vec3(0.4319342, 0.25916052, 0.8638684));
+    float stamp_clamped_4 = clamp(stamp_dot_product_7, 0.0, 1.0);
     float stamp_attenuation = stamp_product_2 * (stamp_clamped_4 > 0.0 ? pow(stamp_clamped_4,
             0.2) : 0.0);
     vec2 weave_size = vec2(textureSize(weave_image, 0));  // weave: Height map
-    float weave_extent = length((stamp_vector_2 / vec3(0.6, 0.6, 1.0)).xy * weave_size);
-    float weave_extent_2 = length((stamp_vector_3 / vec3(0.6, 0.6, 1.0)).xy * weave_size);
-    float weave_greatest = max(weave_extent, weave_extent_2);
-    vec2 weave_quotient = max(weave_greatest, 1.0) / weave_size;
-    vec4 weave_texel = texture(weave_image, stamp_uv + vec2(weave_quotient.x, 0.0));
-    vec4 weave_texel_2 = texture(weave_image, stamp_uv);
-    float weave_difference = weave_texel.x - weave_texel_2.x;
-    vec4 weave_texel_3 = texture(weave_image, stamp_uv + vec2(0.0, weave_quotient.y));
-    vec2 weave_vector = vec2(weave_difference, weave_texel_3.x - weave_texel_2.x);
-    vec2 weave_quotient_2 = weave_vector / weave_quotient;
+    vec2 weave_product = (stamp_vector_2 / vec3(0.6, 0.6, 1.0)).xy * weave_size;
+    float weave_dot_product = dot(weave_product, weave_product);
+    vec2 weave_product_2 = (stamp_vector_3 / vec3(0.6, 0.6, 1.0)).xy * weave_size;
+    float weave_root = sqrt(max(max(weave_dot_product, dot(weave_product_2, weave_product_2)),
+            1.0));
+    vec2 weave_quotient = weave_root / weave_size;
+    vec2 weave_vector = vec2(stamp_uv.x + weave_quotient.x, stamp_uv.y);
+    vec4 weave_texel = texture(weave_image, stamp_uv);
+    float weave_difference = texture(weave_image, weave_vector).x - weave_texel.x;
+    vec2 weave_vector_2 = vec2(stamp_uv.x, stamp_uv.y + weave_quotient.y);
+    float weave_difference_2 = texture(weave_image, weave_vector_2).x - weave_texel.x;
+    vec2 weave_product_3 = vec2(weave_difference, weave_difference_2) * (1.0 / weave_root);
     vec2 weave_smooth_slope = wrinkle_decals_smooth_slope_2(stamp_uv, 1.0 / weave_size);
-    float weave_clamped = clamp((0.5 - log2(max(weave_greatest, 1.1754944e-38))) / 0.45, 0.0, 1.0);
-    vec2 weave_mixed = mix(weave_quotient_2, weave_smooth_slope, weave_clamped);
-    float weave_product = dot(weave_mixed, vec2(1.4907119, -0.19316685)) * 0.03;
-    float weave_product_2 = dot(weave_mixed, vec2(0.0, 1.6097238)) * 0.03;
-    float weave_product_3 = dot(weave_mixed, vec2(-0.74535596, -0.3863337)) * 0.03;
+    float weave_clamped = clamp((0.5 - log2(weave_root)) / 0.45, 0.0, 1.0);
+    vec2 weave_mixed = mix(weave_product_3, weave_smooth_slope, weave_clamped);
+    float weave_product_4 = dot(weave_mixed, vec2(1.4907119, -0.19316685) * weave_size) * 0.03;
+    float weave_product_5 = weave_mixed.y * (1.6097238 * weave_size.y) * 0.03;
+    float weave_product_6 = dot(weave_mixed, vec2(-0.74535596, -0.3863337) * weave_size) * 0.03;
     // with_weave: Add decal
-    vec3 with_weave_product = vec3(weave_product, weave_product_2,
-            weave_product_3) * stamp_attenuation;
-    vec3 with_weave_sum = with_bricks_product + with_bricks_product_2 + with_weave_product;
+    vec3 with_weave_product = vec3(weave_product_4, weave_product_5,
+            weave_product_6) * stamp_attenuation;
+    vec3 with_weave_sum = with_bricks_sum + with_weave_product;
     vec3 hit_difference = s.position - vec3(0.1, -0.55, 0.9);  // hit: Sphere decal
     float hit_extent = length(hit_difference);
     float hit_clamped = clamp((hit_extent / 0.5 - 0.7) / 0.3, 0.0, 1.0);
@@ -250,7 +251,7 @@ vec3 wrinkle_decals_normal(WrinkleSurface_decals s) {
     bool hit_test = dot(hit_difference, hit_difference) > 0.0;
     vec3 hit_unit = normalize(hit_difference);
     vec3 hit_direction = hit_test ? hit_unit : vec3(0.0);
-    float hit_clamped_2 = clamp(dot(slide_choice, hit_direction), 0.0, 1.0);
+    float hit_clamped_2 = clamp(dot(slide_product_3, hit_direction), 0.0, 1.0);
     float hit_attenuation = hit_difference_2 * (hit_clamped_2 > 0.0 ? pow(hit_clamped_2,
             0.0) : 1.0);
     bool hit_test_2 = hit_extent > 0.0;
@@ -304,23 +305,26 @@ vec3 wrinkle_decals_normal(WrinkleSurface_decals s) {
     vec2 ball_least_2 = min(max(ball_sum, ball_least), 1.0 - ball_least);
     vec3 ball_product_7 = (1.0 - vec3(ball_sign, ball_sign_2, ball_sign_3)) * 0.5;
     float ball_choice_9 = ball_test_4 ? 2.0 + ball_product_7.y : 4.0 + ball_product_7.z;
-    vec2 ball_sum_2 = ball_least_2 + vec2(ball_test_3 ? ball_product_7.x : ball_choice_9, 0.0);
-    vec2 ball_quotient_5 = ball_sum_2 / vec2(6.0, 1.0);
+    float ball_sum_2 = ball_least_2.x + (ball_test_3 ? ball_product_7.x : ball_choice_9);
+    vec2 ball_quotient_5 = vec2(ball_sum_2, ball_least_2.y) / vec2(6.0, 1.0);
     float ball_least_3 = min(min(ball_quotient_3.x, ball_quotient_3.y) / ball_greatest, 1.0);
     vec2 ball_quotient_6 = ball_product_3 * ball_least_3 / vec2(6.0, 1.0);
     vec2 ball_quotient_7 = ball_product_6 * ball_least_3 / vec2(6.0, 1.0);
     vec4 ball_texel = textureGrad(ball_image, ball_quotient_5, ball_quotient_6, ball_quotient_7);
-    vec3 ball_texel_2 = ball_texel.xyz * 2.0 - 1.0;
+    vec3 ball_texel_2 = (ball_texel.xyz - 0.5) * 2.0;
     float ball_dot_product = dot(ball_choice, ball_texel_2);
     float ball_greatest_2 = max(abs(ball_dot_product), max(length(ball_texel_2) / 128.0, 1e-06));
     vec3 ball_volume = (ball_choice * ball_dot_product - ball_texel_2) / ball_greatest_2;
-    vec3 with_dent_product = with_weave_sum * (1.0 - hit_attenuation);  // with_dent: Masked decal
-    vec3 with_dent_sum = with_dent_product + -ball_volume * hit_attenuation;
+    vec3 with_dent_gradient = with_weave_sum * (1.0 - hit_attenuation);  // with_dent: Masked decal
+    vec3 with_dent_gradient_2 = with_dent_gradient + -ball_volume * hit_attenuation;
     vec3 scratch_difference = s.position - vec3(-0.85, -0.35, 0.5);  // scratch: Capsule decal
-    float scratch_quotient = dot(scratch_difference, vec3(0.6, 0.0, 0.45)) / 0.5625;
-    vec3 scratch_gradient = vec3(0.6, 0.0, 0.45) * clamp(scratch_quotient, 0.0, 1.0);
-    vec3 scratch_difference_2 = scratch_difference - scratch_gradient;
-    float scratch_extent = length(scratch_difference_2);
+    float scratch_sum = scratch_difference.x * 0.6 + scratch_difference.z * 0.45;
+    float scratch_quotient = scratch_sum / 0.5625;
+    float scratch_clamped = clamp(scratch_quotient, 0.0, 1.0);
+    float scratch_difference_2 = scratch_difference.x - 0.6 * scratch_clamped;
+    float scratch_difference_3 = scratch_difference.z - 0.45 * scratch_clamped;
+    vec3 scratch_vector = vec3(scratch_difference_2, scratch_difference.y, scratch_difference_3);
+    float scratch_extent = length(scratch_vector);
     float scratch_quotient_2 = (scratch_extent / 0.15 - 0.7) / 0.3;
     bool scratch_test = 1.0 < max(scratch_quotient_2, 0.0);
     bool scratch_test_2 = scratch_quotient_2 < 0.0;
@@ -328,39 +332,42 @@ vec3 wrinkle_decals_normal(WrinkleSurface_decals s) {
     bool scratch_test_4 = 1.0 < max(scratch_quotient, 0.0);
     bool scratch_test_5 = scratch_quotient < 0.0;
     float scratch_choice = scratch_test_4 ? 0.0 : scratch_test_5 ? 0.0 : 1.0666667;
-    vec3 scratch_difference_3 = vec3(1.0, 0.0, 0.0) - scratch_choice * vec3(0.6, 0.0, 0.45);
-    float scratch_quotient_3 = dot(scratch_difference_2, scratch_difference_3) / scratch_extent;
-    float scratch_quotient_4 = (scratch_test_3 ? scratch_quotient_3 : 0.0) / 0.15 / 0.3;
-    float scratch_choice_2 = scratch_test ? 0.0 : scratch_test_2 ? 0.0 : scratch_quotient_4;
-    float scratch_clamped = clamp(scratch_quotient_2, 0.0, 1.0);
-    float scratch_product = scratch_choice_2 * scratch_clamped;
-    float scratch_difference_4 = 3.0 - 2.0 * scratch_clamped;
-    float scratch_product_2 = (scratch_product + scratch_product) * scratch_difference_4;
-    float scratch_product_3 = scratch_clamped * scratch_clamped;
-    float scratch_negated = -(scratch_product_2 + -(scratch_choice_2 * 2.0) * scratch_product_3);
-    bool scratch_test_6 = dot(scratch_difference_2, scratch_difference_2) > 0.0;
-    vec3 scratch_direction = scratch_test_6 ? normalize(scratch_difference_2) : vec3(0.0);
-    float scratch_clamped_2 = clamp(dot(slide_choice, scratch_direction), 0.0, 1.0);
-    float scratch_choice_3 = scratch_clamped_2 > 0.0 ? pow(scratch_clamped_2, 0.0) : 1.0;
-    float scratch_quotient_5 = dot(scratch_difference_2, vec3(0.0, 1.0, 0.0)) / scratch_extent;
-    float scratch_quotient_6 = (scratch_test_3 ? scratch_quotient_5 : 0.0) / 0.15 / 0.3;
-    float scratch_choice_4 = scratch_test ? 0.0 : scratch_test_2 ? 0.0 : scratch_quotient_6;
-    float scratch_product_4 = scratch_choice_4 * scratch_clamped;
-    float scratch_product_5 = (scratch_product_4 + scratch_product_4) * scratch_difference_4;
-    float scratch_negated_2 = -(scratch_product_5 + -(scratch_choice_4 * 2.0) * scratch_product_3);
-    vec3 scratch_product_6 = (scratch_test_4 ? 0.0 : scratch_test_5 ? 0.0 : 0.8) * vec3(0.6, 0.0,
-            0.45);
-    float scratch_dot_product = dot(scratch_difference_2, vec3(0.0, 0.0, 1.0) - scratch_product_6);
-    float scratch_quotient_7 = scratch_dot_product / scratch_extent;
-    float scratch_quotient_8 = (scratch_test_3 ? scratch_quotient_7 : 0.0) / 0.15 / 0.3;
-    float scratch_choice_5 = scratch_test ? 0.0 : scratch_test_2 ? 0.0 : scratch_quotient_8;
-    float scratch_product_7 = scratch_choice_5 * scratch_clamped;
-    float scratch_product_8 = (scratch_product_7 + scratch_product_7) * scratch_difference_4;
-    float scratch_negated_3 = -(scratch_product_8 + -(scratch_choice_5 * 2.0) * scratch_product_3);
-    float groove_product = scratch_negated * scratch_choice_3 * -0.06;  // groove: Scale height
-    float groove_product_2 = scratch_negated_2 * scratch_choice_3 * -0.06;
-    float groove_product_3 = scratch_negated_3 * scratch_choice_3 * -0.06;
+    float scratch_product = scratch_difference_2 * (1.0 - scratch_choice * 0.6);
+    float scratch_sum_2 = scratch_product + scratch_difference_3 * -(scratch_choice * 0.45);
+    float scratch_choice_2 = scratch_test_3 ? scratch_sum_2 / scratch_extent : 0.0;
+    float scratch_choice_3 = scratch_test_2 ? 0.0 : scratch_choice_2 / 0.15 / 0.3;
+    float scratch_choice_4 = scratch_test ? 0.0 : scratch_choice_3;
+    float scratch_clamped_2 = clamp(scratch_quotient_2, 0.0, 1.0);
+    float scratch_product_2 = scratch_choice_4 * scratch_clamped_2;
+    float scratch_difference_4 = 3.0 - 2.0 * scratch_clamped_2;
+    float scratch_product_3 = (scratch_product_2 + scratch_product_2) * scratch_difference_4;
+    float scratch_product_4 = scratch_clamped_2 * scratch_clamped_2;
+    float scratch_negated = -(scratch_product_3 + -(scratch_choice_4 * 2.0) * scratch_product_4);
+    bool scratch_test_6 = dot(scratch_vector, scratch_vector) > 0.0;
+    vec3 scratch_direction = scratch_test_6 ? normalize(scratch_vector) : vec3(0.0);
+    float scratch_clamped_3 = clamp(dot(slide_product_3, scratch_direction), 0.0, 1.0);
+    float scratch_choice_5 = scratch_clamped_3 > 0.0 ? pow(scratch_clamped_3, 0.0) : 1.0;
+    float scratch_quotient_3 = (scratch_test_3 ? scratch_difference.y / scratch_extent : 0.0) /
+            0.15;
+    float scratch_choice_6 = scratch_test ? 0.0 : scratch_test_2 ? 0.0 : scratch_quotient_3 / 0.3;
+    float scratch_product_5 = scratch_choice_6 * scratch_clamped_2;
+    float scratch_product_6 = (scratch_product_5 + scratch_product_5) * scratch_difference_4;
+    float scratch_negated_2 = -(scratch_product_6 + -(scratch_choice_6 * 2.0) * scratch_product_4);
+    float scratch_choice_7 = scratch_test_4 ? 0.0 : scratch_test_5 ? 0.0 : 0.8;
+    float scratch_product_7 = scratch_difference_3 * (1.0 - scratch_choice_7 * 0.45);
+    float scratch_sum_3 = scratch_difference_2 * -(scratch_choice_7 * 0.6) + scratch_product_7;
+    float scratch_choice_8 = scratch_test_3 ? scratch_sum_3 / scratch_extent : 0.0;
+    float scratch_choice_9 = scratch_test_2 ? 0.0 : scratch_choice_8 / 0.15 / 0.3;
+    float scratch_choice_10 = scratch_test ? 0.0 : scratch_choice_9;
+    float scratch_product_8 = scratch_choice_10 * scratch_clamped_2;
+    float scratch_product_9 = (scratch_product_8 + scratch_product_8) * scratch_difference_4;
+    float scratch_negated_3 = -(scratch_product_9 + -(scratch_choice_10 * 2.0) * scratch_product_4);
+    float groove_product = scratch_negated * scratch_choice_5 * -0.06;  // groove: Scale height
+    float groove_product_2 = scratch_negated_2 * scratch_choice_5 * -0.06;
+    float groove_product_3 = scratch_negated_3 * scratch_choice_5 * -0.06;
     // g: Add bumps
-    vec3 g_sum = with_dent_sum + vec3(groove_product, groove_product_2, groove_product_3);
-    return normalize(slide_product - (g_sum - normal * dot(normal, g_sum)));  // normal: Resolve
+    vec3 g_gradient = with_dent_gradient_2 + vec3(groove_product, groove_product_2,
+            groove_product_3);
+    // normal: Resolve
+    return normalize(normal * (s.facing + dot(normal, g_gradient)) - g_gradient);
 }

@@ -46,23 +46,26 @@ vec3 wrinkle_displaced_rock_gradient_noise_slope(vec3 a) {
     vec3 mixed_5 = mix(noise_direction_7, noise_direction_8, product.x);
     vec3 difference_2 = difference - 1.0;
     vec3 product_2 = 30.0 * difference * difference * difference_2 * difference_2;
-    float dot_product = dot(noise_direction_2, difference - vec3(1.0, 0.0, 0.0));
+    float difference_3 = difference.x - 1.0;
+    float dot_product = dot(noise_direction_2, vec3(difference_3, difference.y, difference.z));
     float dot_product_2 = dot(noise_direction, difference);
-    float dot_product_3 = dot(noise_direction_4, difference - vec3(1.0, 1.0, 0.0));
-    float dot_product_4 = dot(noise_direction_3, difference - vec3(0.0, 1.0, 0.0));
+    float difference_4 = difference.y - 1.0;
+    float dot_product_3 = dot(noise_direction_4, vec3(difference_3, difference_4, difference.z));
+    float dot_product_4 = dot(noise_direction_3, vec3(difference.x, difference_4, difference.z));
     float mixed_6 = mix(dot_product - dot_product_2, dot_product_3 - dot_product_4, product.y);
-    float dot_product_5 = dot(noise_direction_6, difference - vec3(1.0, 0.0, 1.0));
-    float dot_product_6 = dot(noise_direction_5, difference - vec3(0.0, 0.0, 1.0));
+    float difference_5 = difference.z - 1.0;
+    float dot_product_5 = dot(noise_direction_6, vec3(difference_3, difference.y, difference_5));
+    float dot_product_6 = dot(noise_direction_5, vec3(difference.x, difference.y, difference_5));
     float dot_product_7 = dot(noise_direction_8, difference - 1.0);
-    float dot_product_8 = dot(noise_direction_7, difference - vec3(0.0, 1.0, 1.0));
+    float dot_product_8 = dot(noise_direction_7, vec3(difference.x, difference_4, difference_5));
     float mixed_7 = mix(dot_product_5 - dot_product_6, dot_product_7 - dot_product_8, product.y);
     float mixed_8 = mix(dot_product_4, dot_product_3, product.x);
     float mixed_9 = mix(dot_product_2, dot_product, product.x);
     float mixed_10 = mix(dot_product_8, dot_product_7, product.x);
     float mixed_11 = mix(dot_product_6, dot_product_5, product.x);
     float mixed_12 = mix(mixed_8 - mixed_9, mixed_10 - mixed_11, product.z);
-    float difference_3 = mix(mixed_11, mixed_10, product.y) - mix(mixed_9, mixed_8, product.y);
-    vec3 product_3 = product_2 * vec3(mix(mixed_6, mixed_7, product.z), mixed_12, difference_3);
+    float difference_6 = mix(mixed_11, mixed_10, product.y) - mix(mixed_9, mixed_8, product.y);
+    vec3 product_3 = product_2 * vec3(mix(mixed_6, mixed_7, product.z), mixed_12, difference_6);
     return mix(mixed_3, mix(mixed_4, mixed_5, product.y), product.z) + product_3;
 }
 
@@ -79,27 +82,33 @@ float wrinkle_displaced_rock_gradient_noise(vec3 a) {
     float dot_product = dot(wrinkle_displaced_rock_noise_direction(whole, whole_2, whole_3),
             difference);
     int sum = whole + 1;
-    vec3 noise_direction = wrinkle_displaced_rock_noise_direction(sum, whole_2, whole_3);
-    float dot_product_2 = dot(noise_direction, difference - vec3(1.0, 0.0, 0.0));
+    float difference_2 = difference.x - 1.0;
+    vec3 vector = vec3(difference_2, difference.y, difference.z);
+    float dot_product_2 = dot(wrinkle_displaced_rock_noise_direction(sum, whole_2, whole_3),
+            vector);
     vec3 sum_2 = difference * (difference * 6.0 - 15.0) + 10.0;
     vec3 product = difference * difference * difference * sum_2;
     float mixed = mix(dot_product, dot_product_2, product.x);
     int sum_3 = whole_2 + 1;
-    vec3 noise_direction_2 = wrinkle_displaced_rock_noise_direction(whole, sum_3, whole_3);
-    float dot_product_3 = dot(noise_direction_2, difference - vec3(0.0, 1.0, 0.0));
-    vec3 noise_direction_3 = wrinkle_displaced_rock_noise_direction(sum, sum_3, whole_3);
-    float dot_product_4 = dot(noise_direction_3, difference - vec3(1.0, 1.0, 0.0));
+    float difference_3 = difference.y - 1.0;
+    vec3 vector_2 = vec3(difference.x, difference_3, difference.z);
+    float dot_product_3 = dot(wrinkle_displaced_rock_noise_direction(whole, sum_3, whole_3),
+            vector_2);
+    vec3 noise_direction = wrinkle_displaced_rock_noise_direction(sum, sum_3, whole_3);
+    float dot_product_4 = dot(noise_direction, vec3(difference_2, difference_3, difference.z));
     float mixed_2 = mix(mixed, mix(dot_product_3, dot_product_4, product.x), product.y);
     int sum_4 = whole_3 + 1;
-    vec3 noise_direction_4 = wrinkle_displaced_rock_noise_direction(whole, whole_2, sum_4);
-    float dot_product_5 = dot(noise_direction_4, difference - vec3(0.0, 0.0, 1.0));
-    vec3 noise_direction_5 = wrinkle_displaced_rock_noise_direction(sum, whole_2, sum_4);
-    float dot_product_6 = dot(noise_direction_5, difference - vec3(1.0, 0.0, 1.0));
+    float difference_4 = difference.z - 1.0;
+    vec3 vector_3 = vec3(difference.x, difference.y, difference_4);
+    float dot_product_5 = dot(wrinkle_displaced_rock_noise_direction(whole, whole_2, sum_4),
+            vector_3);
+    vec3 noise_direction_2 = wrinkle_displaced_rock_noise_direction(sum, whole_2, sum_4);
+    float dot_product_6 = dot(noise_direction_2, vec3(difference_2, difference.y, difference_4));
     float mixed_3 = mix(dot_product_5, dot_product_6, product.x);
-    vec3 noise_direction_6 = wrinkle_displaced_rock_noise_direction(whole, sum_3, sum_4);
-    float dot_product_7 = dot(noise_direction_6, difference - vec3(0.0, 1.0, 1.0));
-    vec3 noise_direction_7 = wrinkle_displaced_rock_noise_direction(sum, sum_3, sum_4);
-    float dot_product_8 = dot(noise_direction_7, difference - 1.0);
+    vec3 noise_direction_3 = wrinkle_displaced_rock_noise_direction(whole, sum_3, sum_4);
+    float dot_product_7 = dot(noise_direction_3, vec3(difference.x, difference_3, difference_4));
+    vec3 noise_direction_4 = wrinkle_displaced_rock_noise_direction(sum, sum_3, sum_4);
+    float dot_product_8 = dot(noise_direction_4, difference - 1.0);
     float mixed_4 = mix(mixed_3, mix(dot_product_7, dot_product_8, product.x), product.y);
     return mix(mixed_2, mixed_4, product.z);
 }
@@ -120,25 +129,23 @@ vec3 wrinkle_displaced_rock_normal(WrinkleSurface_displaced_rock s) {
     float lumps_product_3 = lumps_greatest * 2.0;
     vec3 lumps_noise_octave_slope_2 = wrinkle_displaced_rock_noise_octave_slope(lumps_sum,
             lumps_product_3);
-    float lumps_product_4 = dot(lumps_noise_octave_slope_2, vec3(5.0, 0.0, 0.0)) * 0.5;
-    float lumps_sum_2 = dot(lumps_noise_octave_slope, vec3(2.5, 0.0, 0.0)) + lumps_product_4;
+    float lumps_product_4 = lumps_noise_octave_slope_2.x * 5.0 * 0.5;
+    float lumps_sum_2 = lumps_noise_octave_slope.x * 2.5 + lumps_product_4;
     vec3 lumps_sum_3 = lumps_product_2 * 2.0 + vec3(38.38, 14.86, 63.42);
     float lumps_product_5 = lumps_product_3 * 2.0;
     vec3 lumps_noise_octave_slope_3 = wrinkle_displaced_rock_noise_octave_slope(lumps_sum_3,
             lumps_product_5);
-    float lumps_sum_4 = lumps_sum_2 + dot(lumps_noise_octave_slope_3, vec3(10.0, 0.0, 0.0)) * 0.25;
-    float lumps_product_6 = lumps_sum_4 / 1.75 * 0.15;
-    float lumps_product_7 = dot(lumps_noise_octave_slope_2, vec3(0.0, 5.0, 0.0)) * 0.5;
-    float lumps_sum_5 = dot(lumps_noise_octave_slope, vec3(0.0, 2.5, 0.0)) + lumps_product_7;
-    float lumps_sum_6 = lumps_sum_5 + dot(lumps_noise_octave_slope_3, vec3(0.0, 10.0, 0.0)) * 0.25;
-    float lumps_product_8 = dot(lumps_noise_octave_slope_2, vec3(0.0, 0.0, 5.0)) * 0.5;
-    float lumps_sum_7 = dot(lumps_noise_octave_slope, vec3(0.0, 0.0, 2.5)) + lumps_product_8;
-    float lumps_sum_8 = lumps_sum_7 + dot(lumps_noise_octave_slope_3, vec3(0.0, 0.0, 10.0)) * 0.25;
+    float lumps_quotient = (lumps_sum_2 + lumps_noise_octave_slope_3.x * 10.0 * 0.25) / 1.75;
+    float lumps_product_6 = lumps_quotient * 0.15;
+    float lumps_product_7 = lumps_noise_octave_slope_2.y * 5.0 * 0.5;
+    float lumps_sum_4 = lumps_noise_octave_slope.y * 2.5 + lumps_product_7;
+    float lumps_quotient_2 = (lumps_sum_4 + lumps_noise_octave_slope_3.y * 10.0 * 0.25) / 1.75;
+    float lumps_product_8 = lumps_noise_octave_slope_2.z * 5.0 * 0.5;
+    float lumps_sum_5 = lumps_noise_octave_slope.z * 2.5 + lumps_product_8;
+    float lumps_quotient_3 = (lumps_sum_5 + lumps_noise_octave_slope_3.z * 10.0 * 0.25) / 1.75;
     // normal: Resolve
-    vec3 normal_vector = vec3(lumps_product_6, lumps_sum_6 / 1.75 * 0.15,
-            lumps_sum_8 / 1.75 * 0.15);
-    vec3 normal_gradient = normal_vector - normal * dot(normal, normal_vector);
-    return normalize(normal * s.facing - normal_gradient);
+    vec3 normal_gradient = vec3(lumps_product_6, lumps_quotient_2 * 0.15, lumps_quotient_3 * 0.15);
+    return normalize(normal * (s.facing + dot(normal, normal_gradient)) - normal_gradient);
 }
 
 float wrinkle_displaced_rock_displacement(WrinkleSurface_displaced_rock s) {

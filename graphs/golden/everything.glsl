@@ -7,23 +7,9 @@ struct WrinkleSurface_everything {
     vec2 uv1;                // second uv set
     float facing;            // +1 on front faces, -1 on back faces
 };
-uniform sampler2D cloth_image;    // textures/weave_normal.png (normal_gl, repeat)
 uniform sampler2D carving_image;  // textures/ball_object.png (normal_gl, repeat)
+uniform sampler2D cloth_image;    // textures/weave_normal.png (normal_gl, repeat)
 uniform sampler2D bricks_image;   // textures/bricks_height.png (linear, repeat)
-
-vec2 wrinkle_everything_smooth_slope(vec2 a, vec2 b) {
-    vec4 texel = textureLod(bricks_image, a + b, 0.0);
-    float difference = texel.x - textureLod(bricks_image, a - b, 0.0).x;
-    vec4 texel_2 = textureLod(bricks_image, a + vec2(1.0, -1.0) * b, 0.0);
-    float difference_2 = texel_2.x - textureLod(bricks_image, a + vec2(-1.0, 1.0) * b, 0.0).x;
-    vec4 texel_3 = textureLod(bricks_image, a + vec2(1.0, 0.0) * b, 0.0);
-    vec4 texel_4 = textureLod(bricks_image, a + vec2(-1.0, 0.0) * b, 0.0);
-    float sum = difference + difference_2 + 2.0 * (texel_3.x - texel_4.x);
-    vec4 texel_5 = textureLod(bricks_image, a + vec2(0.0, 1.0) * b, 0.0);
-    vec4 texel_6 = textureLod(bricks_image, a + vec2(0.0, -1.0) * b, 0.0);
-    float sum_2 = difference - difference_2 + 2.0 * (texel_5.x - texel_6.x);
-    return vec2(sum, sum_2) / (8.0 * b);
-}
 
 vec3 wrinkle_everything_noise_direction(int a, int b, int c) {
     uint sum = uint(c) * 747796405u + 2891336453u;
@@ -65,23 +51,26 @@ vec3 wrinkle_everything_gradient_noise_slope(vec3 a) {
     vec3 mixed_5 = mix(noise_direction_7, noise_direction_8, product.x);
     vec3 difference_2 = difference - 1.0;
     vec3 product_2 = 30.0 * difference * difference * difference_2 * difference_2;
-    float dot_product = dot(noise_direction_2, difference - vec3(1.0, 0.0, 0.0));
+    float difference_3 = difference.x - 1.0;
+    float dot_product = dot(noise_direction_2, vec3(difference_3, difference.y, difference.z));
     float dot_product_2 = dot(noise_direction, difference);
-    float dot_product_3 = dot(noise_direction_4, difference - vec3(1.0, 1.0, 0.0));
-    float dot_product_4 = dot(noise_direction_3, difference - vec3(0.0, 1.0, 0.0));
+    float difference_4 = difference.y - 1.0;
+    float dot_product_3 = dot(noise_direction_4, vec3(difference_3, difference_4, difference.z));
+    float dot_product_4 = dot(noise_direction_3, vec3(difference.x, difference_4, difference.z));
     float mixed_6 = mix(dot_product - dot_product_2, dot_product_3 - dot_product_4, product.y);
-    float dot_product_5 = dot(noise_direction_6, difference - vec3(1.0, 0.0, 1.0));
-    float dot_product_6 = dot(noise_direction_5, difference - vec3(0.0, 0.0, 1.0));
+    float difference_5 = difference.z - 1.0;
+    float dot_product_5 = dot(noise_direction_6, vec3(difference_3, difference.y, difference_5));
+    float dot_product_6 = dot(noise_direction_5, vec3(difference.x, difference.y, difference_5));
     float dot_product_7 = dot(noise_direction_8, difference - 1.0);
-    float dot_product_8 = dot(noise_direction_7, difference - vec3(0.0, 1.0, 1.0));
+    float dot_product_8 = dot(noise_direction_7, vec3(difference.x, difference_4, difference_5));
     float mixed_7 = mix(dot_product_5 - dot_product_6, dot_product_7 - dot_product_8, product.y);
     float mixed_8 = mix(dot_product_4, dot_product_3, product.x);
     float mixed_9 = mix(dot_product_2, dot_product, product.x);
     float mixed_10 = mix(dot_product_8, dot_product_7, product.x);
     float mixed_11 = mix(dot_product_6, dot_product_5, product.x);
     float mixed_12 = mix(mixed_8 - mixed_9, mixed_10 - mixed_11, product.z);
-    float difference_3 = mix(mixed_11, mixed_10, product.y) - mix(mixed_9, mixed_8, product.y);
-    vec3 product_3 = product_2 * vec3(mix(mixed_6, mixed_7, product.z), mixed_12, difference_3);
+    float difference_6 = mix(mixed_11, mixed_10, product.y) - mix(mixed_9, mixed_8, product.y);
+    vec3 product_3 = product_2 * vec3(mix(mixed_6, mixed_7, product.z), mixed_12, difference_6);
     return mix(mixed_3, mix(mixed_4, mixed_5, product.y), product.z) + product_3;
 }
 
@@ -89,58 +78,42 @@ vec3 wrinkle_everything_noise_octave_slope(vec3 a, float b) {
     return wrinkle_everything_gradient_noise_slope(a) * (1.0 - smoothstep(0.25, 0.75, b));
 }
 
+vec2 wrinkle_everything_smooth_slope(vec2 a, vec2 b) {
+    vec4 texel = textureLod(bricks_image, a + b, 0.0);
+    float difference = texel.x - textureLod(bricks_image, a - b, 0.0).x;
+    vec4 texel_2 = textureLod(bricks_image, a + vec2(b.x, -b.y), 0.0);
+    float difference_2 = texel_2.x - textureLod(bricks_image, a + vec2(-b.x, b.y), 0.0).x;
+    vec4 texel_3 = textureLod(bricks_image, vec2(a.x + b.x, a.y), 0.0);
+    float difference_3 = texel_3.x - textureLod(bricks_image, vec2(a.x - b.x, a.y), 0.0).x;
+    float sum = difference + difference_2 + 2.0 * difference_3;
+    vec4 texel_4 = textureLod(bricks_image, vec2(a.x, a.y + b.y), 0.0);
+    float difference_4 = texel_4.x - textureLod(bricks_image, vec2(a.x, a.y - b.y), 0.0).x;
+    float sum_2 = difference - difference_2 + 2.0 * difference_4;
+    return vec2(sum, sum_2) * 0.125;
+}
+
 vec3 wrinkle_everything_normal(WrinkleSurface_everything s) {
     vec3 normal = normalize(s.normal);  // the surface point
     vec3 dpdx = dFdx(s.position_relative);
-    vec3 surface_dpdx = dpdx - normal * dot(normal, dpdx);
-    vec2 duv1_dy = dFdy(s.uv1);
     vec3 dpdy = dFdy(s.position_relative);
-    vec3 surface_dpdy = dpdy - normal * dot(normal, dpdy);
+    vec2 duv1_dy = dFdy(s.uv1);
     vec2 duv1_dx = dFdx(s.uv1);
-    float uv1_sign = duv1_dx.x * duv1_dy.y - duv1_dy.x * duv1_dx.y < 0.0 ? -1.0 : 1.0;
-    vec3 surface_product = (surface_dpdx * duv1_dy.y - surface_dpdy * duv1_dx.y) * uv1_sign;
-    float surface_inverse_root = inversesqrt(max(dot(surface_product, surface_product), 1e-36));
-    vec3 uv1_tangent = surface_product * surface_inverse_root;
-    float surface_sign = dot(surface_dpdy, cross(normal, surface_dpdx)) < 0.0 ? -1.0 : 1.0;
-    vec3 uv1_bitangent = cross(normal, uv1_tangent) * (uv1_sign * surface_sign);
-    vec3 r_x = cross(dpdy, normal);
-    float det = dot(dpdx, r_x);
+    vec3 uv1_bitangent = cross(normal, dpdx * duv1_dy.y - dpdy * duv1_dx.y);
+    float uv1_scale = inversesqrt(max(dot(uv1_bitangent, uv1_bitangent), 1e-36));
+    float screen_area = dot(normal, cross(dpdx, dpdy));
+    float inverse_area = sign(screen_area) / max(abs(screen_area), 1e-36);
+    vec3 carving_texel = texture(carving_image, s.uv0).xyz - 0.5;  // carving: Object normal map
+    float carving_dot_product = dot(normal, carving_texel);
+    float carving_greatest = max(abs(carving_dot_product), 5.9604645e-08);
     vec2 cloth_uv_product = s.uv1 * 10.0;  // cloth_uv: UV transform
     float cloth_uv_difference = 0.9396926 * cloth_uv_product.x - 0.34202015 * cloth_uv_product.y;
     float cloth_uv_sum = 0.34202015 * cloth_uv_product.x + 0.9396926 * cloth_uv_product.y;
     vec2 cloth_uv_uv = vec2(cloth_uv_difference, cloth_uv_sum);
-    // cloth: Tangent normal map
-    vec3 cloth_texel = texture(cloth_image, cloth_uv_uv).xyz * 2.0 - 1.0;
+    vec3 cloth_texel = texture(cloth_image, cloth_uv_uv).xyz - 0.5;  // cloth: Tangent normal map
     float cloth_least_depth = max(abs(cloth_texel.x), abs(cloth_texel.y)) * 0.0078125;
-    float cloth_depth = max(max(abs(cloth_texel.z), cloth_least_depth), 1e-06);
-    vec2 cloth_slope = -cloth_texel.xy;
-    float cloth_sum = cloth_slope.x * 0.9396926 + cloth_slope.y * 0.34202015;
-    float cloth_sum_2 = cloth_slope.x * -0.34202015 + cloth_slope.y * 0.9396926;
-    // carving: Object normal map
-    vec3 carving_texel = texture(carving_image, s.uv0).xyz * 2.0 - 1.0;
-    float carving_dot_product = dot(normal, carving_texel);
-    vec3 carving_difference = normal * carving_dot_product - carving_texel;
-    vec3 carving_quotient = carving_difference / max(abs(carving_dot_product), 1.1920929e-07);
-    vec2 softer_slope = vec2(cloth_sum, cloth_sum_2) * 0.3;  // softer: Scale bump
-    vec2 tile_uv = s.uv0 * vec2(8.0, 4.0);  // tile: UV transform
-    vec2 tile_product = dFdx(s.uv0) * vec2(8.0, 4.0);
-    vec2 tile_product_2 = dFdy(s.uv0) * vec2(8.0, 4.0);
-    vec2 bricks_size = vec2(textureSize(bricks_image, 0));  // bricks: Height map
-    float bricks_extent = length(tile_product * bricks_size);
-    float bricks_greatest = max(bricks_extent, length(tile_product_2 * bricks_size));
-    vec2 bricks_quotient = max(bricks_greatest, 1.0) / bricks_size;
-    vec4 bricks_texel = texture(bricks_image, tile_uv + vec2(bricks_quotient.x, 0.0));
-    vec4 bricks_texel_2 = texture(bricks_image, tile_uv);
-    float bricks_difference = bricks_texel.x - bricks_texel_2.x;
-    vec4 bricks_texel_3 = texture(bricks_image, tile_uv + vec2(0.0, bricks_quotient.y));
-    vec2 bricks_vector = vec2(bricks_difference, bricks_texel_3.x - bricks_texel_2.x);
-    vec2 bricks_quotient_2 = bricks_vector / bricks_quotient;
-    vec2 bricks_smooth_slope = wrinkle_everything_smooth_slope(tile_uv, 1.0 / bricks_size);
-    float bricks_quotient_3 = (0.5 - log2(max(bricks_greatest, 1.1754944e-38))) / 0.45;
-    float bricks_clamped = clamp(bricks_quotient_3, 0.0, 1.0);
-    vec2 bricks_mixed = mix(bricks_quotient_2, bricks_smooth_slope, bricks_clamped);
-    float bricks_product = dot(bricks_mixed, tile_product) * 0.015;
-    vec2 bricks_vector_2 = vec2(bricks_product, dot(bricks_mixed, tile_product_2) * 0.015);
+    float cloth_depth = max(max(abs(cloth_texel.z), cloth_least_depth), 5e-07);
+    float cloth_sum = cloth_texel.x * 0.9396926 + cloth_texel.y * 0.34202015;
+    float cloth_sum_2 = cloth_texel.x * -0.34202015 + cloth_texel.y * 0.9396926;
     vec3 grain_product = s.position * 30.0;  // grain: Gradient noise
     float grain_greatest = max(length(dpdx * 30.0), length(dpdy * 30.0));
     vec3 grain_noise_octave_slope = wrinkle_everything_noise_octave_slope(grain_product,
@@ -149,25 +122,48 @@ vec3 wrinkle_everything_normal(WrinkleSurface_everything s) {
     float grain_product_2 = grain_greatest * 2.0;
     vec3 grain_noise_octave_slope_2 = wrinkle_everything_noise_octave_slope(grain_sum,
             grain_product_2);
-    float grain_product_3 = dot(grain_noise_octave_slope_2, vec3(60.0, 0.0, 0.0)) * 0.5;
-    float grain_sum_2 = dot(grain_noise_octave_slope, vec3(30.0, 0.0, 0.0)) + grain_product_3;
-    float grain_product_4 = grain_sum_2 / 1.5 * 0.002;
-    float grain_product_5 = dot(grain_noise_octave_slope_2, vec3(0.0, 60.0, 0.0)) * 0.5;
-    float grain_sum_3 = dot(grain_noise_octave_slope, vec3(0.0, 30.0, 0.0)) + grain_product_5;
-    float grain_product_6 = grain_sum_3 / 1.5 * 0.002;
-    float grain_product_7 = dot(grain_noise_octave_slope_2, vec3(0.0, 0.0, 60.0)) * 0.5;
-    float grain_sum_4 = dot(grain_noise_octave_slope, vec3(0.0, 0.0, 30.0)) + grain_product_7;
-    // all: Add bumps
-    vec3 all_vector = vec3(grain_product_4, grain_product_6, grain_sum_4 / 1.5 * 0.002);
-    // normal: Resolve
-    vec3 normal_gradient = uv1_tangent * softer_slope.x + uv1_bitangent * softer_slope.y;
-    vec3 normal_gradient_2 = carving_quotient * cloth_depth + normal_gradient;
-    vec2 normal_product = bricks_vector_2 * cloth_depth;
-    vec3 normal_sum = r_x * normal_product.x + cross(normal, dpdx) * normal_product.y;
-    vec3 normal_gradient_3 = normal_gradient_2 + normal_sum * (sign(det) / max(abs(det), 1e-36));
-    vec3 normal_product_2 = all_vector * cloth_depth;
-    vec3 normal_gradient_4 = normal_product_2 - normal * dot(normal, normal_product_2);
-    vec3 normal_difference = normal * (cloth_depth * s.facing) - (normal_gradient_3 +
-            normal_gradient_4);
-    return normalize(normal_difference);
+    float grain_product_3 = grain_noise_octave_slope_2.x * 60.0 * 0.5;
+    float grain_product_4 = (grain_noise_octave_slope.x * 30.0 + grain_product_3) / 1.5 * 0.002;
+    float grain_product_5 = grain_noise_octave_slope_2.y * 60.0 * 0.5;
+    float grain_product_6 = (grain_noise_octave_slope.y * 30.0 + grain_product_5) / 1.5 * 0.002;
+    float grain_product_7 = grain_noise_octave_slope_2.z * 60.0 * 0.5;
+    float grain_product_8 = (grain_noise_octave_slope.z * 30.0 + grain_product_7) / 1.5 * 0.002;
+    vec2 tile_uv = s.uv0 * vec2(8.0, 4.0);  // tile: UV transform
+    vec2 bricks_size = vec2(textureSize(bricks_image, 0));  // bricks: Height map
+    vec2 bricks_product = dFdx(s.uv0) * vec2(8.0, 4.0) * bricks_size;
+    float bricks_dot_product = dot(bricks_product, bricks_product);
+    vec2 bricks_product_2 = dFdy(s.uv0) * vec2(8.0, 4.0) * bricks_size;
+    float bricks_greatest = max(max(bricks_dot_product, dot(bricks_product_2, bricks_product_2)),
+            1.0);
+    float bricks_root = sqrt(bricks_greatest);
+    vec2 bricks_quotient = bricks_root / bricks_size;
+    vec2 bricks_vector = vec2(tile_uv.x + bricks_quotient.x, tile_uv.y);
+    vec4 bricks_texel = texture(bricks_image, tile_uv);
+    float bricks_difference = texture(bricks_image, bricks_vector).x - bricks_texel.x;
+    vec2 bricks_vector_2 = vec2(tile_uv.x, tile_uv.y + bricks_quotient.y);
+    float bricks_difference_2 = texture(bricks_image, bricks_vector_2).x - bricks_texel.x;
+    vec2 bricks_product_3 = vec2(bricks_difference, bricks_difference_2) * (1.0 / bricks_root);
+    vec2 bricks_smooth_slope = wrinkle_everything_smooth_slope(tile_uv, 1.0 / bricks_size);
+    float bricks_clamped = clamp((0.5 - log2(bricks_root)) / 0.45, 0.0, 1.0);
+    vec2 bricks_mixed = mix(bricks_product_3, bricks_smooth_slope, bricks_clamped);
+    float bricks_product_4 = dot(bricks_mixed, bricks_product) * 0.015;
+    vec2 bricks_vector_3 = vec2(bricks_product_4, dot(bricks_mixed, bricks_product_2) * 0.015);
+    float normal_product = carving_greatest * cloth_depth;  // normal: Resolve
+    float normal_negated = -normal_product;
+    vec3 normal_product_2 = vec3(grain_product_4, grain_product_6,
+            grain_product_8) * normal_negated;
+    float normal_difference = -carving_dot_product * cloth_depth - dot(normal, normal_product_2);
+    vec2 normal_slope = vec2(cloth_sum, cloth_sum_2) * 0.3 * carving_greatest;
+    float normal_sign = duv1_dx.x * duv1_dy.y - duv1_dy.x * duv1_dx.y < 0.0 ? -1.0 : 1.0;
+    float normal_slope_u = normal_slope.x * (uv1_scale * normal_sign);
+    vec3 normal_along_u = cross(uv1_bitangent, normal) * normal_slope_u;
+    float normal_slope_v = normal_slope.y * (uv1_scale * (screen_area < 0.0 ? -1.0 : 1.0));
+    vec3 normal_sum = normal_along_u + uv1_bitangent * normal_slope_v;
+    vec2 normal_product_3 = bricks_vector_3 * normal_negated * inverse_area;
+    vec3 normal_cross_product = cross(normal,
+            dpdx * normal_product_3.y - dpdy * normal_product_3.x);
+    vec3 normal_sum_2 = carving_texel * cloth_depth + normal_sum + normal_cross_product;
+    vec3 normal_sum_3 = normal_sum_2 + normal_product_2;
+    vec3 normal_sum_4 = normal * (normal_product * s.facing + normal_difference) + normal_sum_3;
+    return normalize(normal_sum_4);
 }

@@ -45,24 +45,23 @@ vec2 wrinkle_hex_pebbles_hex_copy(vec2 a, float b, out vec2 result_2) {
 vec2 wrinkle_hex_pebbles_smooth_slope(vec2 a, vec2 b) {
     vec4 texel = textureLod(pebbles_image, a + b, 0.0);
     float difference = texel.x - textureLod(pebbles_image, a - b, 0.0).x;
-    vec4 texel_2 = textureLod(pebbles_image, a + vec2(1.0, -1.0) * b, 0.0);
-    float difference_2 = texel_2.x - textureLod(pebbles_image, a + vec2(-1.0, 1.0) * b, 0.0).x;
-    vec4 texel_3 = textureLod(pebbles_image, a + vec2(1.0, 0.0) * b, 0.0);
-    vec4 texel_4 = textureLod(pebbles_image, a + vec2(-1.0, 0.0) * b, 0.0);
-    float sum = difference + difference_2 + 2.0 * (texel_3.x - texel_4.x);
-    vec4 texel_5 = textureLod(pebbles_image, a + vec2(0.0, 1.0) * b, 0.0);
-    vec4 texel_6 = textureLod(pebbles_image, a + vec2(0.0, -1.0) * b, 0.0);
-    float sum_2 = difference - difference_2 + 2.0 * (texel_5.x - texel_6.x);
-    return vec2(sum, sum_2) / (8.0 * b);
+    vec4 texel_2 = textureLod(pebbles_image, a + vec2(b.x, -b.y), 0.0);
+    float difference_2 = texel_2.x - textureLod(pebbles_image, a + vec2(-b.x, b.y), 0.0).x;
+    vec4 texel_3 = textureLod(pebbles_image, vec2(a.x + b.x, a.y), 0.0);
+    float difference_3 = texel_3.x - textureLod(pebbles_image, vec2(a.x - b.x, a.y), 0.0).x;
+    float sum = difference + difference_2 + 2.0 * difference_3;
+    vec4 texel_4 = textureLod(pebbles_image, vec2(a.x, a.y + b.y), 0.0);
+    float difference_4 = texel_4.x - textureLod(pebbles_image, vec2(a.x, a.y - b.y), 0.0).x;
+    float sum_2 = difference - difference_2 + 2.0 * difference_4;
+    return vec2(sum, sum_2) * 0.125;
 }
 
 vec3 wrinkle_hex_pebbles_normal(WrinkleSurface_hex_pebbles s) {
-    vec3 normal = normalize(s.normal);  // the surface point
-    float inverse_normal_length = inversesqrt(dot(s.normal, s.normal));
-    vec3 bitangent = cross(s.normal, s.tangent.xyz) * (s.tangent.w > 0.0 ? 1.0 : -1.0);
-    vec3 r_x = cross(dFdy(s.position_relative), normal);
+    float inverse_normal_length = inversesqrt(dot(s.normal, s.normal));  // the surface point
+    vec3 normal = s.normal * inverse_normal_length;
     vec3 dpdx = dFdx(s.position_relative);
-    float det = dot(dpdx, r_x);
+    vec3 dpdy = dFdy(s.position_relative);
+    float screen_area = dot(normal, cross(dpdx, dpdy));
     vec2 tile_uv = s.uv0 * 3.0;  // tile: UV transform
     vec2 tile_product = dFdx(s.uv0) * 3.0;
     vec2 tile_product_2 = dFdy(s.uv0) * 3.0;
@@ -83,12 +82,11 @@ vec3 wrinkle_hex_pebbles_normal(WrinkleSurface_hex_pebbles s) {
     vec2 grain_sum_3 = grain_sum_2 + grain_hex_copy;
     vec2 grain_sum_4 = grain_hex_copy_2 * tile_product.x + grain_vector * tile_product.y;
     vec2 grain_sum_5 = grain_hex_copy_2 * tile_product_2.x + grain_vector * tile_product_2.y;
-    vec3 grain_texel = textureGrad(grain_image, grain_sum_3, grain_sum_4, grain_sum_5).xyz * 2.0;
-    vec3 grain_texel_2 = grain_texel - 1.0;
-    float grain_least_depth = max(abs(grain_texel_2.x), abs(grain_texel_2.y)) * 0.0078125;
-    float grain_depth = max(max(abs(grain_texel_2.z), grain_least_depth), 1e-06);
-    vec2 grain_quotient_2 = -grain_texel_2.xy * 0.4 / grain_depth;
-    vec2 grain_vector_2 = vec2(dot(grain_quotient_2, grain_hex_copy_2), dot(grain_quotient_2,
+    vec3 grain_texel = textureGrad(grain_image, grain_sum_3, grain_sum_4, grain_sum_5).xyz - 0.5;
+    float grain_least_depth = max(abs(grain_texel.x), abs(grain_texel.y)) * 0.0078125;
+    float grain_quotient_2 = -0.4 / max(max(abs(grain_texel.z), grain_least_depth), 5e-07);
+    vec2 grain_product_2 = grain_texel.xy * grain_quotient_2;
+    vec2 grain_vector_2 = vec2(dot(grain_product_2, grain_hex_copy_2), dot(grain_product_2,
             grain_vector));
     float grain_dot_product = dot(grain_vector_2, grain_vector_2);
     vec2 grain_hex_copy_4;
@@ -96,18 +94,17 @@ vec3 wrinkle_hex_pebbles_normal(WrinkleSurface_hex_pebbles s) {
     float grain_sum_6 = grain_hex_grid_3.x + 0.5 * grain_hex_grid_3.y;
     vec2 grain_quotient_3 = vec2(grain_sum_6, grain_hex_grid_3.y * 0.8660254) / 6.928203;
     vec2 grain_difference_2 = tile_uv - grain_quotient_3;
-    vec2 grain_product_2 = grain_hex_copy_4 * grain_difference_2.x;
+    vec2 grain_product_3 = grain_hex_copy_4 * grain_difference_2.x;
     vec2 grain_vector_3 = vec2(-grain_hex_copy_4.y, grain_hex_copy_4.x);
-    vec2 grain_sum_7 = grain_product_2 + grain_vector_3 * grain_difference_2.y + grain_quotient_3;
+    vec2 grain_sum_7 = grain_product_3 + grain_vector_3 * grain_difference_2.y + grain_quotient_3;
     vec2 grain_sum_8 = grain_sum_7 + grain_hex_copy_3;
     vec2 grain_sum_9 = grain_hex_copy_4 * tile_product.x + grain_vector_3 * tile_product.y;
     vec2 grain_sum_10 = grain_hex_copy_4 * tile_product_2.x + grain_vector_3 * tile_product_2.y;
-    vec3 grain_texel_3 = textureGrad(grain_image, grain_sum_8, grain_sum_9, grain_sum_10).xyz * 2.0;
-    vec3 grain_texel_4 = grain_texel_3 - 1.0;
-    float grain_least_depth_2 = max(abs(grain_texel_4.x), abs(grain_texel_4.y)) * 0.0078125;
-    float grain_depth_2 = max(max(abs(grain_texel_4.z), grain_least_depth_2), 1e-06);
-    vec2 grain_quotient_4 = -grain_texel_4.xy * 0.4 / grain_depth_2;
-    vec2 grain_vector_4 = vec2(dot(grain_quotient_4, grain_hex_copy_4), dot(grain_quotient_4,
+    vec3 grain_texel_2 = textureGrad(grain_image, grain_sum_8, grain_sum_9, grain_sum_10).xyz - 0.5;
+    float grain_least_depth_2 = max(abs(grain_texel_2.x), abs(grain_texel_2.y)) * 0.0078125;
+    float grain_quotient_4 = -0.4 / max(max(abs(grain_texel_2.z), grain_least_depth_2), 5e-07);
+    vec2 grain_product_4 = grain_texel_2.xy * grain_quotient_4;
+    vec2 grain_vector_4 = vec2(dot(grain_product_4, grain_hex_copy_4), dot(grain_product_4,
             grain_vector_3));
     float grain_dot_product_2 = dot(grain_vector_4, grain_vector_4);
     vec2 grain_hex_copy_6;
@@ -115,52 +112,49 @@ vec3 wrinkle_hex_pebbles_normal(WrinkleSurface_hex_pebbles s) {
     float grain_sum_11 = grain_hex_grid_4.x + 0.5 * grain_hex_grid_4.y;
     vec2 grain_quotient_5 = vec2(grain_sum_11, grain_hex_grid_4.y * 0.8660254) / 6.928203;
     vec2 grain_difference_3 = tile_uv - grain_quotient_5;
-    vec2 grain_product_3 = grain_hex_copy_6 * grain_difference_3.x;
+    vec2 grain_product_5 = grain_hex_copy_6 * grain_difference_3.x;
     vec2 grain_vector_5 = vec2(-grain_hex_copy_6.y, grain_hex_copy_6.x);
-    vec2 grain_sum_12 = grain_product_3 + grain_vector_5 * grain_difference_3.y + grain_quotient_5;
+    vec2 grain_sum_12 = grain_product_5 + grain_vector_5 * grain_difference_3.y + grain_quotient_5;
     vec2 grain_sum_13 = grain_sum_12 + grain_hex_copy_5;
     vec2 grain_sum_14 = grain_hex_copy_6 * tile_product.x + grain_vector_5 * tile_product.y;
     vec2 grain_sum_15 = grain_hex_copy_6 * tile_product_2.x + grain_vector_5 * tile_product_2.y;
-    vec3 grain_texel_5 = textureGrad(grain_image, grain_sum_13, grain_sum_14,
-            grain_sum_15).xyz * 2.0;
-    vec3 grain_texel_6 = grain_texel_5 - 1.0;
-    float grain_least_depth_3 = max(abs(grain_texel_6.x), abs(grain_texel_6.y)) * 0.0078125;
-    float grain_depth_3 = max(max(abs(grain_texel_6.z), grain_least_depth_3), 1e-06);
-    vec2 grain_quotient_6 = -grain_texel_6.xy * 0.4 / grain_depth_3;
-    vec2 grain_vector_6 = vec2(dot(grain_quotient_6, grain_hex_copy_6), dot(grain_quotient_6,
+    vec3 grain_texel_3 = textureGrad(grain_image, grain_sum_13, grain_sum_14,
+            grain_sum_15).xyz - 0.5;
+    float grain_least_depth_3 = max(abs(grain_texel_3.x), abs(grain_texel_3.y)) * 0.0078125;
+    float grain_quotient_6 = -0.4 / max(max(abs(grain_texel_3.z), grain_least_depth_3), 5e-07);
+    vec2 grain_product_6 = grain_texel_3.xy * grain_quotient_6;
+    vec2 grain_vector_6 = vec2(dot(grain_product_6, grain_hex_copy_6), dot(grain_product_6,
             grain_vector_5));
     float grain_dot_product_3 = dot(grain_vector_6, grain_vector_6);
     vec3 grain_vector_7 = vec3(grain_dot_product, grain_dot_product_2, grain_dot_product_3);
-    vec3 grain_product_4 = 0.6 * sqrt(max(grain_vector_7 / (1.0 + grain_vector_7), 0.0));
-    vec3 grain_sum_16 = 0.4 + grain_product_4;
+    vec3 grain_product_7 = 0.6 * sqrt(max(grain_vector_7 / (1.0 + grain_vector_7), 0.0));
+    vec3 grain_sum_16 = 0.4 + grain_product_7;
     vec3 grain_greatest = max(grain_hex_grid, vec3(1e-04));
     float grain_choice = grain_greatest.x > 0.0 ? pow(grain_greatest.x, 7.0) : 0.0;
     float grain_choice_2 = grain_greatest.y > 0.0 ? pow(grain_greatest.y, 7.0) : 0.0;
     float grain_choice_3 = grain_greatest.z > 0.0 ? pow(grain_greatest.z, 7.0) : 0.0;
-    vec3 grain_product_5 = grain_sum_16 * vec3(grain_choice, grain_choice_2, grain_choice_3);
-    vec3 grain_quotient_7 = grain_product_5 / dot(grain_product_5, vec3(1.0));
-    float grain_product_6 = 2.0 * grain_quotient_7.x;
-    float grain_product_7 = 0.5 * (grain_product_6 > 0.0 ? pow(grain_product_6, 1.0) : 0.0);
-    float grain_difference_4 = 2.0 - grain_product_6;
-    float grain_difference_5 = 1.0 - 0.5 * (grain_difference_4 > 0.0 ? pow(grain_difference_4,
-            1.0) : 0.0);
-    float grain_choice_4 = grain_quotient_7.x < 0.5 ? grain_product_7 : grain_difference_5;
-    float grain_product_8 = 2.0 * grain_quotient_7.y;
-    float grain_product_9 = 0.5 * (grain_product_8 > 0.0 ? pow(grain_product_8, 1.0) : 0.0);
-    float grain_difference_6 = 2.0 - grain_product_8;
-    float grain_difference_7 = 1.0 - 0.5 * (grain_difference_6 > 0.0 ? pow(grain_difference_6,
-            1.0) : 0.0);
-    float grain_choice_5 = grain_quotient_7.y < 0.5 ? grain_product_9 : grain_difference_7;
-    float grain_product_10 = 2.0 * grain_quotient_7.z;
-    float grain_product_11 = 0.5 * (grain_product_10 > 0.0 ? pow(grain_product_10, 1.0) : 0.0);
-    float grain_difference_8 = 2.0 - grain_product_10;
-    float grain_difference_9 = 1.0 - 0.5 * (grain_difference_8 > 0.0 ? pow(grain_difference_8,
-            1.0) : 0.0);
-    float grain_choice_6 = grain_quotient_7.z < 0.5 ? grain_product_11 : grain_difference_9;
+    vec3 grain_product_8 = grain_sum_16 * vec3(grain_choice, grain_choice_2, grain_choice_3);
+    float grain_sum_17 = grain_product_8.x + grain_product_8.y + grain_product_8.z;
+    vec3 grain_quotient_7 = grain_product_8 / grain_sum_17;
+    float grain_product_9 = 2.0 * grain_quotient_7.x;
+    float grain_product_10 = 0.5 * (grain_product_9 > 0.0 ? grain_product_9 : 0.0);
+    float grain_difference_4 = 2.0 - grain_product_9;
+    float grain_difference_5 = 1.0 - 0.5 * (grain_difference_4 > 0.0 ? grain_difference_4 : 0.0);
+    float grain_choice_4 = grain_quotient_7.x < 0.5 ? grain_product_10 : grain_difference_5;
+    float grain_product_11 = 2.0 * grain_quotient_7.y;
+    float grain_product_12 = 0.5 * (grain_product_11 > 0.0 ? grain_product_11 : 0.0);
+    float grain_difference_6 = 2.0 - grain_product_11;
+    float grain_difference_7 = 1.0 - 0.5 * (grain_difference_6 > 0.0 ? grain_difference_6 : 0.0);
+    float grain_choice_5 = grain_quotient_7.y < 0.5 ? grain_product_12 : grain_difference_7;
+    float grain_product_13 = 2.0 * grain_quotient_7.z;
+    float grain_product_14 = 0.5 * (grain_product_13 > 0.0 ? grain_product_13 : 0.0);
+    float grain_difference_8 = 2.0 - grain_product_13;
+    float grain_difference_9 = 1.0 - 0.5 * (grain_difference_8 > 0.0 ? grain_difference_8 : 0.0);
+    float grain_choice_6 = grain_quotient_7.z < 0.5 ? grain_product_14 : grain_difference_9;
     vec3 grain_vector_8 = vec3(grain_choice_4, grain_choice_5, grain_choice_6);
-    vec3 grain_quotient_8 = grain_vector_8 / dot(grain_vector_8, vec3(1.0));
-    vec2 grain_sum_17 = grain_vector_2 * grain_quotient_8.x + grain_vector_4 * grain_quotient_8.y;
-    vec2 grain_sum_18 = grain_sum_17 + grain_vector_6 * grain_quotient_8.z;
+    vec3 grain_quotient_8 = grain_vector_8 / (grain_choice_4 + grain_choice_5 + grain_choice_6);
+    vec2 grain_sum_18 = grain_vector_2 * grain_quotient_8.x + grain_vector_4 * grain_quotient_8.y;
+    vec2 grain_sum_19 = grain_sum_18 + grain_vector_6 * grain_quotient_8.z;
     // pebbles: Hex-tiled height map
     vec2 pebbles_hex_grid_2;
     vec2 pebbles_hex_grid_3;
@@ -179,131 +173,143 @@ vec3 wrinkle_hex_pebbles_normal(WrinkleSurface_hex_pebbles s) {
     vec2 pebbles_sum_3 = pebbles_sum_2 + pebbles_quotient + pebbles_hex_copy;
     vec2 pebbles_sum_4 = pebbles_hex_copy_2 * tile_product.x + pebbles_vector * tile_product.y;
     vec2 pebbles_size = vec2(textureSize(pebbles_image, 0));
-    float pebbles_extent = length(pebbles_sum_4 * pebbles_size);
+    vec2 pebbles_product_2 = pebbles_sum_4 * pebbles_size;
+    float pebbles_dot_product = dot(pebbles_product_2, pebbles_product_2);
     vec2 pebbles_sum_5 = pebbles_hex_copy_2 * tile_product_2.x + pebbles_vector * tile_product_2.y;
-    float pebbles_greatest = max(pebbles_extent, length(pebbles_sum_5 * pebbles_size));
-    vec2 pebbles_quotient_2 = max(pebbles_greatest, 1.0) / pebbles_size;
-    vec2 pebbles_sum_6 = pebbles_sum_3 + vec2(pebbles_quotient_2.x, 0.0);
-    vec4 pebbles_texel = textureGrad(pebbles_image, pebbles_sum_6, pebbles_sum_4, pebbles_sum_5);
+    vec2 pebbles_product_3 = pebbles_sum_5 * pebbles_size;
+    float pebbles_greatest = max(pebbles_dot_product, dot(pebbles_product_3, pebbles_product_3));
+    float pebbles_root = sqrt(max(pebbles_greatest, 1.0));
+    vec2 pebbles_quotient_2 = pebbles_root / pebbles_size;
+    vec2 pebbles_vector_2 = vec2(pebbles_sum_3.x + pebbles_quotient_2.x, pebbles_sum_3.y);
+    vec4 pebbles_texel = textureGrad(pebbles_image, pebbles_vector_2, pebbles_sum_4, pebbles_sum_5);
     vec4 pebbles_texel_2 = textureGrad(pebbles_image, pebbles_sum_3, pebbles_sum_4, pebbles_sum_5);
     float pebbles_difference_2 = pebbles_texel.x - pebbles_texel_2.x;
-    vec2 pebbles_sum_7 = pebbles_sum_3 + vec2(0.0, pebbles_quotient_2.y);
-    vec4 pebbles_texel_3 = textureGrad(pebbles_image, pebbles_sum_7, pebbles_sum_4, pebbles_sum_5);
-    vec2 pebbles_vector_2 = vec2(pebbles_difference_2, pebbles_texel_3.x - pebbles_texel_2.x);
-    vec2 pebbles_quotient_3 = pebbles_vector_2 / pebbles_quotient_2;
+    vec2 pebbles_vector_3 = vec2(pebbles_sum_3.x, pebbles_sum_3.y + pebbles_quotient_2.y);
+    vec4 pebbles_texel_3 = textureGrad(pebbles_image, pebbles_vector_3, pebbles_sum_4,
+            pebbles_sum_5);
+    vec2 pebbles_vector_4 = vec2(pebbles_difference_2, pebbles_texel_3.x - pebbles_texel_2.x);
+    vec2 pebbles_quotient_3 = pebbles_vector_4 / pebbles_quotient_2;
     vec2 pebbles_quotient_4 = 1.0 / pebbles_size;
-    vec2 pebbles_smooth_slope = wrinkle_hex_pebbles_smooth_slope(pebbles_sum_3, pebbles_quotient_4);
-    float pebbles_quotient_5 = (0.5 - log2(max(pebbles_greatest, 1.1754944e-38))) / 0.45;
-    float pebbles_clamped = clamp(pebbles_quotient_5, 0.0, 1.0);
-    vec2 pebbles_mixed = mix(pebbles_quotient_3, pebbles_smooth_slope, pebbles_clamped);
-    float pebbles_dot_product = dot(pebbles_mixed, pebbles_vector);
-    vec2 pebbles_vector_3 = vec2(dot(pebbles_mixed, pebbles_hex_copy_2), pebbles_dot_product);
+    vec2 pebbles_product_4 = wrinkle_hex_pebbles_smooth_slope(pebbles_sum_3,
+            pebbles_quotient_4) * pebbles_size;
+    float pebbles_clamped = clamp((0.5 - log2(pebbles_root)) / 0.45, 0.0, 1.0);
+    vec2 pebbles_mixed = mix(pebbles_quotient_3, pebbles_product_4, pebbles_clamped);
+    float pebbles_dot_product_2 = dot(pebbles_mixed, pebbles_vector);
+    vec2 pebbles_vector_5 = vec2(dot(pebbles_mixed, pebbles_hex_copy_2), pebbles_dot_product_2);
     vec3 pebbles_greatest_2 = max(pebbles_hex_grid, vec3(1e-04));
     float pebbles_choice = pebbles_greatest_2.x > 0.0 ? pow(pebbles_greatest_2.x, 7.0) : 0.0;
     float pebbles_choice_2 = pebbles_greatest_2.y > 0.0 ? pow(pebbles_greatest_2.y, 7.0) : 0.0;
     float pebbles_choice_3 = pebbles_greatest_2.z > 0.0 ? pow(pebbles_greatest_2.z, 7.0) : 0.0;
-    vec3 pebbles_vector_4 = vec3(pebbles_choice, pebbles_choice_2, pebbles_choice_3);
-    vec3 pebbles_quotient_6 = pebbles_vector_4 / dot(pebbles_vector_4, vec3(1.0));
-    float pebbles_product_2 = 2.0 * pebbles_quotient_6.x;
-    float pebbles_product_3 = 0.5 * (pebbles_product_2 > 0.0 ? pow(pebbles_product_2, 1.0) : 0.0);
-    float pebbles_difference_3 = 2.0 - pebbles_product_2;
-    float pebbles_product_4 = 0.5 * (pebbles_difference_3 > 0.0 ? pow(pebbles_difference_3,
-            1.0) : 0.0);
-    float pebbles_choice_4 = pebbles_quotient_6.x < 0.5 ? pebbles_product_3 : 1.0 -
-            pebbles_product_4;
-    float pebbles_product_5 = 2.0 * pebbles_quotient_6.y;
-    float pebbles_product_6 = 0.5 * (pebbles_product_5 > 0.0 ? pow(pebbles_product_5, 1.0) : 0.0);
-    float pebbles_difference_4 = 2.0 - pebbles_product_5;
-    float pebbles_product_7 = 0.5 * (pebbles_difference_4 > 0.0 ? pow(pebbles_difference_4,
-            1.0) : 0.0);
-    float pebbles_choice_5 = pebbles_quotient_6.y < 0.5 ? pebbles_product_6 : 1.0 -
-            pebbles_product_7;
-    float pebbles_product_8 = 2.0 * pebbles_quotient_6.z;
-    float pebbles_product_9 = 0.5 * (pebbles_product_8 > 0.0 ? pow(pebbles_product_8, 1.0) : 0.0);
-    float pebbles_difference_5 = 2.0 - pebbles_product_8;
-    float pebbles_product_10 = 0.5 * (pebbles_difference_5 > 0.0 ? pow(pebbles_difference_5,
-            1.0) : 0.0);
-    float pebbles_choice_6 = pebbles_quotient_6.z < 0.5 ? pebbles_product_9 : 1.0 -
-            pebbles_product_10;
-    vec3 pebbles_vector_5 = vec3(pebbles_choice_4, pebbles_choice_5, pebbles_choice_6);
-    vec3 pebbles_quotient_7 = pebbles_vector_5 / dot(pebbles_vector_5, vec3(1.0));
-    vec2 pebbles_product_11 = pebbles_vector_3 * pebbles_quotient_7.x;
+    vec3 pebbles_vector_6 = vec3(pebbles_choice, pebbles_choice_2, pebbles_choice_3);
+    vec3 pebbles_quotient_5 = pebbles_vector_6 / (pebbles_choice + pebbles_choice_2 +
+            pebbles_choice_3);
+    float pebbles_product_5 = 2.0 * pebbles_quotient_5.x;
+    float pebbles_product_6 = 0.5 * (pebbles_product_5 > 0.0 ? pebbles_product_5 : 0.0);
+    float pebbles_difference_3 = 2.0 - pebbles_product_5;
+    float pebbles_difference_4 = 1.0 - 0.5 * (pebbles_difference_3 > 0.0 ? pebbles_difference_3 :
+            0.0);
+    float pebbles_choice_4 = pebbles_quotient_5.x < 0.5 ? pebbles_product_6 : pebbles_difference_4;
+    float pebbles_product_7 = 2.0 * pebbles_quotient_5.y;
+    float pebbles_product_8 = 0.5 * (pebbles_product_7 > 0.0 ? pebbles_product_7 : 0.0);
+    float pebbles_difference_5 = 2.0 - pebbles_product_7;
+    float pebbles_difference_6 = 1.0 - 0.5 * (pebbles_difference_5 > 0.0 ? pebbles_difference_5 :
+            0.0);
+    float pebbles_choice_5 = pebbles_quotient_5.y < 0.5 ? pebbles_product_8 : pebbles_difference_6;
+    float pebbles_product_9 = 2.0 * pebbles_quotient_5.z;
+    float pebbles_product_10 = 0.5 * (pebbles_product_9 > 0.0 ? pebbles_product_9 : 0.0);
+    float pebbles_difference_7 = 2.0 - pebbles_product_9;
+    float pebbles_difference_8 = 1.0 - 0.5 * (pebbles_difference_7 > 0.0 ? pebbles_difference_7 :
+            0.0);
+    float pebbles_choice_6 = pebbles_quotient_5.z < 0.5 ? pebbles_product_10 : pebbles_difference_8;
+    vec3 pebbles_vector_7 = vec3(pebbles_choice_4, pebbles_choice_5, pebbles_choice_6);
+    vec3 pebbles_quotient_6 = pebbles_vector_7 / (pebbles_choice_4 + pebbles_choice_5 +
+            pebbles_choice_6);
+    vec2 pebbles_product_11 = pebbles_vector_5 * pebbles_quotient_6.x;
     vec2 pebbles_hex_copy_4;
     vec2 pebbles_hex_copy_3 = wrinkle_hex_pebbles_hex_copy(pebbles_hex_grid_3, 1.0,
             pebbles_hex_copy_4);
-    float pebbles_sum_8 = pebbles_hex_grid_3.x + 0.5 * pebbles_hex_grid_3.y;
-    vec2 pebbles_quotient_8 = vec2(pebbles_sum_8, pebbles_hex_grid_3.y * 0.8660254) / 3.4641016;
-    vec2 pebbles_difference_6 = tile_uv - pebbles_quotient_8;
-    vec2 pebbles_vector_6 = vec2(-pebbles_hex_copy_4.y, pebbles_hex_copy_4.x);
-    vec2 pebbles_product_12 = pebbles_vector_6 * pebbles_difference_6.y;
-    vec2 pebbles_sum_9 = pebbles_hex_copy_4 * pebbles_difference_6.x + pebbles_product_12;
-    vec2 pebbles_sum_10 = pebbles_sum_9 + pebbles_quotient_8 + pebbles_hex_copy_3;
-    vec2 pebbles_sum_11 = pebbles_hex_copy_4 * tile_product.x + pebbles_vector_6 * tile_product.y;
-    float pebbles_extent_2 = length(pebbles_sum_11 * pebbles_size);
-    vec2 pebbles_sum_12 = pebbles_hex_copy_4 * tile_product_2.x + pebbles_vector_6 *
+    float pebbles_sum_6 = pebbles_hex_grid_3.x + 0.5 * pebbles_hex_grid_3.y;
+    vec2 pebbles_quotient_7 = vec2(pebbles_sum_6, pebbles_hex_grid_3.y * 0.8660254) / 3.4641016;
+    vec2 pebbles_difference_9 = tile_uv - pebbles_quotient_7;
+    vec2 pebbles_vector_8 = vec2(-pebbles_hex_copy_4.y, pebbles_hex_copy_4.x);
+    vec2 pebbles_product_12 = pebbles_vector_8 * pebbles_difference_9.y;
+    vec2 pebbles_sum_7 = pebbles_hex_copy_4 * pebbles_difference_9.x + pebbles_product_12;
+    vec2 pebbles_sum_8 = pebbles_sum_7 + pebbles_quotient_7 + pebbles_hex_copy_3;
+    vec2 pebbles_sum_9 = pebbles_hex_copy_4 * tile_product.x + pebbles_vector_8 * tile_product.y;
+    vec2 pebbles_product_13 = pebbles_sum_9 * pebbles_size;
+    float pebbles_dot_product_3 = dot(pebbles_product_13, pebbles_product_13);
+    vec2 pebbles_sum_10 = pebbles_hex_copy_4 * tile_product_2.x + pebbles_vector_8 *
             tile_product_2.y;
-    float pebbles_greatest_3 = max(pebbles_extent_2, length(pebbles_sum_12 * pebbles_size));
-    vec2 pebbles_quotient_9 = max(pebbles_greatest_3, 1.0) / pebbles_size;
-    vec2 pebbles_sum_13 = pebbles_sum_10 + vec2(pebbles_quotient_9.x, 0.0);
-    vec4 pebbles_texel_4 = textureGrad(pebbles_image, pebbles_sum_13, pebbles_sum_11,
-            pebbles_sum_12);
-    vec4 pebbles_texel_5 = textureGrad(pebbles_image, pebbles_sum_10, pebbles_sum_11,
-            pebbles_sum_12);
-    float pebbles_difference_7 = pebbles_texel_4.x - pebbles_texel_5.x;
-    vec2 pebbles_sum_14 = pebbles_sum_10 + vec2(0.0, pebbles_quotient_9.y);
-    vec4 pebbles_texel_6 = textureGrad(pebbles_image, pebbles_sum_14, pebbles_sum_11,
-            pebbles_sum_12);
-    vec2 pebbles_vector_7 = vec2(pebbles_difference_7, pebbles_texel_6.x - pebbles_texel_5.x);
-    vec2 pebbles_quotient_10 = pebbles_vector_7 / pebbles_quotient_9;
-    vec2 pebbles_smooth_slope_2 = wrinkle_hex_pebbles_smooth_slope(pebbles_sum_10,
-            pebbles_quotient_4);
-    float pebbles_quotient_11 = (0.5 - log2(max(pebbles_greatest_3, 1.1754944e-38))) / 0.45;
-    float pebbles_clamped_2 = clamp(pebbles_quotient_11, 0.0, 1.0);
-    vec2 pebbles_mixed_2 = mix(pebbles_quotient_10, pebbles_smooth_slope_2, pebbles_clamped_2);
-    float pebbles_dot_product_2 = dot(pebbles_mixed_2, pebbles_vector_6);
-    vec2 pebbles_vector_8 = vec2(dot(pebbles_mixed_2, pebbles_hex_copy_4), pebbles_dot_product_2);
-    vec2 pebbles_sum_15 = pebbles_product_11 + pebbles_vector_8 * pebbles_quotient_7.y;
+    vec2 pebbles_product_14 = pebbles_sum_10 * pebbles_size;
+    float pebbles_greatest_3 = max(pebbles_dot_product_3, dot(pebbles_product_14,
+            pebbles_product_14));
+    float pebbles_root_2 = sqrt(max(pebbles_greatest_3, 1.0));
+    vec2 pebbles_quotient_8 = pebbles_root_2 / pebbles_size;
+    vec2 pebbles_vector_9 = vec2(pebbles_sum_8.x + pebbles_quotient_8.x, pebbles_sum_8.y);
+    vec4 pebbles_texel_4 = textureGrad(pebbles_image, pebbles_vector_9, pebbles_sum_9,
+            pebbles_sum_10);
+    vec4 pebbles_texel_5 = textureGrad(pebbles_image, pebbles_sum_8, pebbles_sum_9, pebbles_sum_10);
+    float pebbles_difference_10 = pebbles_texel_4.x - pebbles_texel_5.x;
+    vec2 pebbles_vector_10 = vec2(pebbles_sum_8.x, pebbles_sum_8.y + pebbles_quotient_8.y);
+    vec4 pebbles_texel_6 = textureGrad(pebbles_image, pebbles_vector_10, pebbles_sum_9,
+            pebbles_sum_10);
+    vec2 pebbles_vector_11 = vec2(pebbles_difference_10, pebbles_texel_6.x - pebbles_texel_5.x);
+    vec2 pebbles_quotient_9 = pebbles_vector_11 / pebbles_quotient_8;
+    vec2 pebbles_product_15 = wrinkle_hex_pebbles_smooth_slope(pebbles_sum_8,
+            pebbles_quotient_4) * pebbles_size;
+    float pebbles_clamped_2 = clamp((0.5 - log2(pebbles_root_2)) / 0.45, 0.0, 1.0);
+    vec2 pebbles_mixed_2 = mix(pebbles_quotient_9, pebbles_product_15, pebbles_clamped_2);
+    float pebbles_dot_product_4 = dot(pebbles_mixed_2, pebbles_vector_8);
+    vec2 pebbles_vector_12 = vec2(dot(pebbles_mixed_2, pebbles_hex_copy_4), pebbles_dot_product_4);
+    vec2 pebbles_sum_11 = pebbles_product_11 + pebbles_vector_12 * pebbles_quotient_6.y;
     vec2 pebbles_hex_copy_6;
     vec2 pebbles_hex_copy_5 = wrinkle_hex_pebbles_hex_copy(pebbles_hex_grid_4, 1.0,
             pebbles_hex_copy_6);
-    float pebbles_sum_16 = pebbles_hex_grid_4.x + 0.5 * pebbles_hex_grid_4.y;
-    vec2 pebbles_quotient_12 = vec2(pebbles_sum_16, pebbles_hex_grid_4.y * 0.8660254) / 3.4641016;
-    vec2 pebbles_difference_8 = tile_uv - pebbles_quotient_12;
-    vec2 pebbles_vector_9 = vec2(-pebbles_hex_copy_6.y, pebbles_hex_copy_6.x);
-    vec2 pebbles_product_13 = pebbles_vector_9 * pebbles_difference_8.y;
-    vec2 pebbles_sum_17 = pebbles_hex_copy_6 * pebbles_difference_8.x + pebbles_product_13;
-    vec2 pebbles_sum_18 = pebbles_sum_17 + pebbles_quotient_12 + pebbles_hex_copy_5;
-    vec2 pebbles_sum_19 = pebbles_hex_copy_6 * tile_product.x + pebbles_vector_9 * tile_product.y;
-    float pebbles_extent_3 = length(pebbles_sum_19 * pebbles_size);
-    vec2 pebbles_sum_20 = pebbles_hex_copy_6 * tile_product_2.x + pebbles_vector_9 *
+    float pebbles_sum_12 = pebbles_hex_grid_4.x + 0.5 * pebbles_hex_grid_4.y;
+    vec2 pebbles_quotient_10 = vec2(pebbles_sum_12, pebbles_hex_grid_4.y * 0.8660254) / 3.4641016;
+    vec2 pebbles_difference_11 = tile_uv - pebbles_quotient_10;
+    vec2 pebbles_vector_13 = vec2(-pebbles_hex_copy_6.y, pebbles_hex_copy_6.x);
+    vec2 pebbles_product_16 = pebbles_vector_13 * pebbles_difference_11.y;
+    vec2 pebbles_sum_13 = pebbles_hex_copy_6 * pebbles_difference_11.x + pebbles_product_16;
+    vec2 pebbles_sum_14 = pebbles_sum_13 + pebbles_quotient_10 + pebbles_hex_copy_5;
+    vec2 pebbles_sum_15 = pebbles_hex_copy_6 * tile_product.x + pebbles_vector_13 * tile_product.y;
+    vec2 pebbles_product_17 = pebbles_sum_15 * pebbles_size;
+    float pebbles_dot_product_5 = dot(pebbles_product_17, pebbles_product_17);
+    vec2 pebbles_sum_16 = pebbles_hex_copy_6 * tile_product_2.x + pebbles_vector_13 *
             tile_product_2.y;
-    float pebbles_greatest_4 = max(pebbles_extent_3, length(pebbles_sum_20 * pebbles_size));
-    vec2 pebbles_quotient_13 = max(pebbles_greatest_4, 1.0) / pebbles_size;
-    vec2 pebbles_sum_21 = pebbles_sum_18 + vec2(pebbles_quotient_13.x, 0.0);
-    vec4 pebbles_texel_7 = textureGrad(pebbles_image, pebbles_sum_21, pebbles_sum_19,
-            pebbles_sum_20);
-    vec4 pebbles_texel_8 = textureGrad(pebbles_image, pebbles_sum_18, pebbles_sum_19,
-            pebbles_sum_20);
-    float pebbles_difference_9 = pebbles_texel_7.x - pebbles_texel_8.x;
-    vec2 pebbles_sum_22 = pebbles_sum_18 + vec2(0.0, pebbles_quotient_13.y);
-    vec4 pebbles_texel_9 = textureGrad(pebbles_image, pebbles_sum_22, pebbles_sum_19,
-            pebbles_sum_20);
-    vec2 pebbles_vector_10 = vec2(pebbles_difference_9, pebbles_texel_9.x - pebbles_texel_8.x);
-    vec2 pebbles_quotient_14 = pebbles_vector_10 / pebbles_quotient_13;
-    vec2 pebbles_smooth_slope_3 = wrinkle_hex_pebbles_smooth_slope(pebbles_sum_18,
-            pebbles_quotient_4);
-    float pebbles_quotient_15 = (0.5 - log2(max(pebbles_greatest_4, 1.1754944e-38))) / 0.45;
-    float pebbles_clamped_3 = clamp(pebbles_quotient_15, 0.0, 1.0);
-    vec2 pebbles_mixed_3 = mix(pebbles_quotient_14, pebbles_smooth_slope_3, pebbles_clamped_3);
-    float pebbles_dot_product_3 = dot(pebbles_mixed_3, pebbles_vector_9);
-    vec2 pebbles_vector_11 = vec2(dot(pebbles_mixed_3, pebbles_hex_copy_6), pebbles_dot_product_3);
-    vec2 pebbles_product_14 = (pebbles_sum_15 + pebbles_vector_11 * pebbles_quotient_7.z) * 0.03;
+    vec2 pebbles_product_18 = pebbles_sum_16 * pebbles_size;
+    float pebbles_greatest_4 = max(pebbles_dot_product_5, dot(pebbles_product_18,
+            pebbles_product_18));
+    float pebbles_root_3 = sqrt(max(pebbles_greatest_4, 1.0));
+    vec2 pebbles_quotient_11 = pebbles_root_3 / pebbles_size;
+    vec2 pebbles_vector_14 = vec2(pebbles_sum_14.x + pebbles_quotient_11.x, pebbles_sum_14.y);
+    vec4 pebbles_texel_7 = textureGrad(pebbles_image, pebbles_vector_14, pebbles_sum_15,
+            pebbles_sum_16);
+    vec4 pebbles_texel_8 = textureGrad(pebbles_image, pebbles_sum_14, pebbles_sum_15,
+            pebbles_sum_16);
+    float pebbles_difference_12 = pebbles_texel_7.x - pebbles_texel_8.x;
+    vec2 pebbles_vector_15 = vec2(pebbles_sum_14.x, pebbles_sum_14.y + pebbles_quotient_11.y);
+    vec4 pebbles_texel_9 = textureGrad(pebbles_image, pebbles_vector_15, pebbles_sum_15,
+            pebbles_sum_16);
+    vec2 pebbles_vector_16 = vec2(pebbles_difference_12, pebbles_texel_9.x - pebbles_texel_8.x);
+    vec2 pebbles_quotient_12 = pebbles_vector_16 / pebbles_quotient_11;
+    vec2 pebbles_product_19 = wrinkle_hex_pebbles_smooth_slope(pebbles_sum_14,
+            pebbles_quotient_4) * pebbles_size;
+    float pebbles_clamped_3 = clamp((0.5 - log2(pebbles_root_3)) / 0.45, 0.0, 1.0);
+    vec2 pebbles_mixed_3 = mix(pebbles_quotient_12, pebbles_product_19, pebbles_clamped_3);
+    float pebbles_dot_product_6 = dot(pebbles_mixed_3, pebbles_vector_13);
+    vec2 pebbles_vector_17 = vec2(dot(pebbles_mixed_3, pebbles_hex_copy_6), pebbles_dot_product_6);
+    vec2 pebbles_product_20 = (pebbles_sum_11 + pebbles_vector_17 * pebbles_quotient_6.z) * 0.03;
+    float pebbles_dot_product_7 = dot(pebbles_product_20, tile_product);
+    vec2 pebbles_vector_18 = vec2(pebbles_dot_product_7, dot(pebbles_product_20, tile_product_2));
     // normal: Resolve
-    vec3 normal_product = s.tangent.xyz * inverse_normal_length * grain_sum_18.x;
-    vec3 normal_sum = normal_product + bitangent * inverse_normal_length * grain_sum_18.y;
-    vec3 normal_product_2 = cross(normal, dpdx) * dot(pebbles_product_14, tile_product_2);
-    vec3 normal_sum_2 = r_x * dot(pebbles_product_14, tile_product) + normal_product_2;
-    vec3 normal_gradient = normal_sum + normal_sum_2 * (sign(det) / max(abs(det), 1e-36));
+    float normal_product = (s.tangent.w > 0.0 ? 1.0 : -1.0) * inverse_normal_length;
+    vec3 normal_along_v = cross(s.normal, s.tangent.xyz) * (grain_sum_19.y * normal_product);
+    vec3 normal_sum = s.tangent.xyz * (grain_sum_19.x * inverse_normal_length) + normal_along_v;
+    vec2 normal_product_2 = pebbles_vector_18 * (sign(screen_area) / max(abs(screen_area), 1e-36));
+    vec3 normal_cross_product = cross(normal,
+            dpdx * normal_product_2.y - dpdy * normal_product_2.x);
+    vec3 normal_gradient = normal_sum + normal_cross_product;
     vec3 normal_bumped = normal * s.facing - normal_gradient;
     return normalize(vec3(normal_bumped.xy, normal_bumped.z + 1e-18));
 }
@@ -371,26 +377,24 @@ vec3 wrinkle_hex_pebbles_color(WrinkleSurface_hex_pebbles s) {
     float tint_dot_product_3 = dot(pebbles_texel_3.xyz, vec3(0.2126, 0.7152, 0.0722));
     vec3 tint_vector = vec3(tint_dot_product, tint_dot_product_2, tint_dot_product_3);
     vec3 tint_product = (0.4 + 0.6 * clamp(tint_vector, 0.0, 1.0)) * pebbles_vector_4;
-    vec3 tint_quotient = tint_product / dot(tint_product, vec3(1.0));
+    vec3 tint_quotient = tint_product / (tint_product.x + tint_product.y + tint_product.z);
     float tint_product_2 = 2.0 * tint_quotient.x;
-    float tint_product_3 = 0.5 * (tint_product_2 > 0.0 ? pow(tint_product_2, 1.0) : 0.0);
+    float tint_product_3 = 0.5 * (tint_product_2 > 0.0 ? tint_product_2 : 0.0);
     float tint_difference = 2.0 - tint_product_2;
-    float tint_difference_2 = 1.0 - 0.5 * (tint_difference > 0.0 ? pow(tint_difference, 1.0) : 0.0);
+    float tint_difference_2 = 1.0 - 0.5 * (tint_difference > 0.0 ? tint_difference : 0.0);
     float tint_choice = tint_quotient.x < 0.5 ? tint_product_3 : tint_difference_2;
     float tint_product_4 = 2.0 * tint_quotient.y;
-    float tint_product_5 = 0.5 * (tint_product_4 > 0.0 ? pow(tint_product_4, 1.0) : 0.0);
+    float tint_product_5 = 0.5 * (tint_product_4 > 0.0 ? tint_product_4 : 0.0);
     float tint_difference_3 = 2.0 - tint_product_4;
-    float tint_difference_4 = 1.0 - 0.5 * (tint_difference_3 > 0.0 ? pow(tint_difference_3,
-            1.0) : 0.0);
+    float tint_difference_4 = 1.0 - 0.5 * (tint_difference_3 > 0.0 ? tint_difference_3 : 0.0);
     float tint_choice_2 = tint_quotient.y < 0.5 ? tint_product_5 : tint_difference_4;
     float tint_product_6 = 2.0 * tint_quotient.z;
-    float tint_product_7 = 0.5 * (tint_product_6 > 0.0 ? pow(tint_product_6, 1.0) : 0.0);
+    float tint_product_7 = 0.5 * (tint_product_6 > 0.0 ? tint_product_6 : 0.0);
     float tint_difference_5 = 2.0 - tint_product_6;
-    float tint_difference_6 = 1.0 - 0.5 * (tint_difference_5 > 0.0 ? pow(tint_difference_5,
-            1.0) : 0.0);
+    float tint_difference_6 = 1.0 - 0.5 * (tint_difference_5 > 0.0 ? tint_difference_5 : 0.0);
     float tint_choice_3 = tint_quotient.z < 0.5 ? tint_product_7 : tint_difference_6;
     vec3 tint_vector_2 = vec3(tint_choice, tint_choice_2, tint_choice_3);
-    vec3 tint_quotient_2 = tint_vector_2 / dot(tint_vector_2, vec3(1.0));
+    vec3 tint_quotient_2 = tint_vector_2 / (tint_choice + tint_choice_2 + tint_choice_3);
     vec3 tint_product_8 = pebbles_texel.xyz * tint_quotient_2.x;
     vec3 tint_sum = tint_product_8 + pebbles_texel_2.xyz * tint_quotient_2.y;
     return tint_sum + pebbles_texel_3.xyz * tint_quotient_2.z;

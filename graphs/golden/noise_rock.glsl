@@ -46,23 +46,26 @@ vec3 wrinkle_noise_rock_gradient_noise_slope(vec3 a) {
     vec3 mixed_5 = mix(noise_direction_7, noise_direction_8, product.x);
     vec3 difference_2 = difference - 1.0;
     vec3 product_2 = 30.0 * difference * difference * difference_2 * difference_2;
-    float dot_product = dot(noise_direction_2, difference - vec3(1.0, 0.0, 0.0));
+    float difference_3 = difference.x - 1.0;
+    float dot_product = dot(noise_direction_2, vec3(difference_3, difference.y, difference.z));
     float dot_product_2 = dot(noise_direction, difference);
-    float dot_product_3 = dot(noise_direction_4, difference - vec3(1.0, 1.0, 0.0));
-    float dot_product_4 = dot(noise_direction_3, difference - vec3(0.0, 1.0, 0.0));
+    float difference_4 = difference.y - 1.0;
+    float dot_product_3 = dot(noise_direction_4, vec3(difference_3, difference_4, difference.z));
+    float dot_product_4 = dot(noise_direction_3, vec3(difference.x, difference_4, difference.z));
     float mixed_6 = mix(dot_product - dot_product_2, dot_product_3 - dot_product_4, product.y);
-    float dot_product_5 = dot(noise_direction_6, difference - vec3(1.0, 0.0, 1.0));
-    float dot_product_6 = dot(noise_direction_5, difference - vec3(0.0, 0.0, 1.0));
+    float difference_5 = difference.z - 1.0;
+    float dot_product_5 = dot(noise_direction_6, vec3(difference_3, difference.y, difference_5));
+    float dot_product_6 = dot(noise_direction_5, vec3(difference.x, difference.y, difference_5));
     float dot_product_7 = dot(noise_direction_8, difference - 1.0);
-    float dot_product_8 = dot(noise_direction_7, difference - vec3(0.0, 1.0, 1.0));
+    float dot_product_8 = dot(noise_direction_7, vec3(difference.x, difference_4, difference_5));
     float mixed_7 = mix(dot_product_5 - dot_product_6, dot_product_7 - dot_product_8, product.y);
     float mixed_8 = mix(dot_product_4, dot_product_3, product.x);
     float mixed_9 = mix(dot_product_2, dot_product, product.x);
     float mixed_10 = mix(dot_product_8, dot_product_7, product.x);
     float mixed_11 = mix(dot_product_6, dot_product_5, product.x);
     float mixed_12 = mix(mixed_8 - mixed_9, mixed_10 - mixed_11, product.z);
-    float difference_3 = mix(mixed_11, mixed_10, product.y) - mix(mixed_9, mixed_8, product.y);
-    vec3 product_3 = product_2 * vec3(mix(mixed_6, mixed_7, product.z), mixed_12, difference_3);
+    float difference_6 = mix(mixed_11, mixed_10, product.y) - mix(mixed_9, mixed_8, product.y);
+    vec3 product_3 = product_2 * vec3(mix(mixed_6, mixed_7, product.z), mixed_12, difference_6);
     return mix(mixed_3, mix(mixed_4, mixed_5, product.y), product.z) + product_3;
 }
 
@@ -79,27 +82,30 @@ float wrinkle_noise_rock_gradient_noise(vec3 a) {
     float dot_product = dot(wrinkle_noise_rock_noise_direction(whole, whole_2, whole_3),
             difference);
     int sum = whole + 1;
-    vec3 noise_direction = wrinkle_noise_rock_noise_direction(sum, whole_2, whole_3);
-    float dot_product_2 = dot(noise_direction, difference - vec3(1.0, 0.0, 0.0));
+    float difference_2 = difference.x - 1.0;
+    vec3 vector = vec3(difference_2, difference.y, difference.z);
+    float dot_product_2 = dot(wrinkle_noise_rock_noise_direction(sum, whole_2, whole_3), vector);
     vec3 sum_2 = difference * (difference * 6.0 - 15.0) + 10.0;
     vec3 product = difference * difference * difference * sum_2;
     float mixed = mix(dot_product, dot_product_2, product.x);
     int sum_3 = whole_2 + 1;
-    vec3 noise_direction_2 = wrinkle_noise_rock_noise_direction(whole, sum_3, whole_3);
-    float dot_product_3 = dot(noise_direction_2, difference - vec3(0.0, 1.0, 0.0));
-    vec3 noise_direction_3 = wrinkle_noise_rock_noise_direction(sum, sum_3, whole_3);
-    float dot_product_4 = dot(noise_direction_3, difference - vec3(1.0, 1.0, 0.0));
+    float difference_3 = difference.y - 1.0;
+    vec3 vector_2 = vec3(difference.x, difference_3, difference.z);
+    float dot_product_3 = dot(wrinkle_noise_rock_noise_direction(whole, sum_3, whole_3), vector_2);
+    vec3 noise_direction = wrinkle_noise_rock_noise_direction(sum, sum_3, whole_3);
+    float dot_product_4 = dot(noise_direction, vec3(difference_2, difference_3, difference.z));
     float mixed_2 = mix(mixed, mix(dot_product_3, dot_product_4, product.x), product.y);
     int sum_4 = whole_3 + 1;
-    vec3 noise_direction_4 = wrinkle_noise_rock_noise_direction(whole, whole_2, sum_4);
-    float dot_product_5 = dot(noise_direction_4, difference - vec3(0.0, 0.0, 1.0));
-    vec3 noise_direction_5 = wrinkle_noise_rock_noise_direction(sum, whole_2, sum_4);
-    float dot_product_6 = dot(noise_direction_5, difference - vec3(1.0, 0.0, 1.0));
+    float difference_4 = difference.z - 1.0;
+    vec3 vector_3 = vec3(difference.x, difference.y, difference_4);
+    float dot_product_5 = dot(wrinkle_noise_rock_noise_direction(whole, whole_2, sum_4), vector_3);
+    vec3 noise_direction_2 = wrinkle_noise_rock_noise_direction(sum, whole_2, sum_4);
+    float dot_product_6 = dot(noise_direction_2, vec3(difference_2, difference.y, difference_4));
     float mixed_3 = mix(dot_product_5, dot_product_6, product.x);
-    vec3 noise_direction_6 = wrinkle_noise_rock_noise_direction(whole, sum_3, sum_4);
-    float dot_product_7 = dot(noise_direction_6, difference - vec3(0.0, 1.0, 1.0));
-    vec3 noise_direction_7 = wrinkle_noise_rock_noise_direction(sum, sum_3, sum_4);
-    float dot_product_8 = dot(noise_direction_7, difference - 1.0);
+    vec3 noise_direction_3 = wrinkle_noise_rock_noise_direction(whole, sum_3, sum_4);
+    float dot_product_7 = dot(noise_direction_3, vec3(difference.x, difference_3, difference_4));
+    vec3 noise_direction_4 = wrinkle_noise_rock_noise_direction(sum, sum_3, sum_4);
+    float dot_product_8 = dot(noise_direction_4, difference - 1.0);
     float mixed_4 = mix(mixed_3, mix(dot_product_7, dot_product_8, product.x), product.y);
     return mix(mixed_2, mixed_4, product.z);
 }
@@ -121,50 +127,45 @@ vec3 wrinkle_noise_rock_normal(WrinkleSurface_noise_rock s) {
     float lumps_product_3 = lumps_greatest * 2.0;
     vec3 lumps_noise_octave_slope_2 = wrinkle_noise_rock_noise_octave_slope(lumps_sum,
             lumps_product_3);
-    float lumps_product_4 = dot(lumps_noise_octave_slope_2, vec3(6.0, 0.0, 0.0)) * 0.5;
-    float lumps_sum_2 = dot(lumps_noise_octave_slope, vec3(3.0, 0.0, 0.0)) + lumps_product_4;
+    float lumps_product_4 = lumps_noise_octave_slope_2.x * 6.0 * 0.5;
+    float lumps_sum_2 = lumps_noise_octave_slope.x * 3.0 + lumps_product_4;
     vec3 lumps_product_5 = lumps_product_2 * 2.0;
     vec3 lumps_sum_3 = lumps_product_5 + vec3(38.38, 14.86, 63.42);
     float lumps_product_6 = lumps_product_3 * 2.0;
     vec3 lumps_noise_octave_slope_3 = wrinkle_noise_rock_noise_octave_slope(lumps_sum_3,
             lumps_product_6);
-    float lumps_sum_4 = lumps_sum_2 + dot(lumps_noise_octave_slope_3, vec3(12.0, 0.0, 0.0)) * 0.25;
+    float lumps_sum_4 = lumps_sum_2 + lumps_noise_octave_slope_3.x * 12.0 * 0.25;
     vec3 lumps_product_7 = lumps_product_5 * 2.0;
     vec3 lumps_sum_5 = lumps_product_7 + vec3(57.57, 22.29, 95.13);
     float lumps_product_8 = lumps_product_6 * 2.0;
     vec3 lumps_noise_octave_slope_4 = wrinkle_noise_rock_noise_octave_slope(lumps_sum_5,
             lumps_product_8);
-    float lumps_sum_6 = lumps_sum_4 + dot(lumps_noise_octave_slope_4, vec3(24.0, 0.0, 0.0)) * 0.125;
+    float lumps_sum_6 = lumps_sum_4 + lumps_noise_octave_slope_4.x * 24.0 * 0.125;
     vec3 lumps_product_9 = lumps_product_7 * 2.0;
     vec3 lumps_sum_7 = lumps_product_9 + vec3(76.76, 29.72, 126.84);
     float lumps_product_10 = lumps_product_8 * 2.0;
     vec3 lumps_noise_octave_slope_5 = wrinkle_noise_rock_noise_octave_slope(lumps_sum_7,
             lumps_product_10);
-    float lumps_sum_8 = lumps_sum_6 + dot(lumps_noise_octave_slope_5, vec3(48.0, 0.0,
-            0.0)) * 0.0625;
+    float lumps_sum_8 = lumps_sum_6 + lumps_noise_octave_slope_5.x * 48.0 * 0.0625;
     vec3 lumps_sum_9 = lumps_product_9 * 2.0 + vec3(95.95, 37.15, 158.55);
     float lumps_product_11 = lumps_product_10 * 2.0;
     vec3 lumps_noise_octave_slope_6 = wrinkle_noise_rock_noise_octave_slope(lumps_sum_9,
             lumps_product_11);
-    float lumps_product_12 = dot(lumps_noise_octave_slope_6, vec3(96.0, 0.0, 0.0)) * 0.03125;
-    float lumps_product_13 = dot(lumps_noise_octave_slope_2, vec3(0.0, 6.0, 0.0)) * 0.5;
-    float lumps_sum_10 = dot(lumps_noise_octave_slope, vec3(0.0, 3.0, 0.0)) + lumps_product_13;
-    float lumps_sum_11 = lumps_sum_10 + dot(lumps_noise_octave_slope_3, vec3(0.0, 12.0,
-            0.0)) * 0.25;
-    float lumps_sum_12 = lumps_sum_11 + dot(lumps_noise_octave_slope_4, vec3(0.0, 24.0,
-            0.0)) * 0.125;
-    float lumps_sum_13 = lumps_sum_12 + dot(lumps_noise_octave_slope_5, vec3(0.0, 48.0,
-            0.0)) * 0.0625;
-    float lumps_product_14 = dot(lumps_noise_octave_slope_6, vec3(0.0, 96.0, 0.0)) * 0.03125;
-    float lumps_product_15 = dot(lumps_noise_octave_slope_2, vec3(0.0, 0.0, 6.0)) * 0.5;
-    float lumps_sum_14 = dot(lumps_noise_octave_slope, vec3(0.0, 0.0, 3.0)) + lumps_product_15;
-    float lumps_sum_15 = lumps_sum_14 + dot(lumps_noise_octave_slope_3, vec3(0.0, 0.0,
-            12.0)) * 0.25;
-    float lumps_sum_16 = lumps_sum_15 + dot(lumps_noise_octave_slope_4, vec3(0.0, 0.0,
-            24.0)) * 0.125;
-    float lumps_sum_17 = lumps_sum_16 + dot(lumps_noise_octave_slope_5, vec3(0.0, 0.0,
-            48.0)) * 0.0625;
-    float lumps_product_16 = dot(lumps_noise_octave_slope_6, vec3(0.0, 0.0, 96.0)) * 0.03125;
+    float lumps_quotient = (lumps_sum_8 + lumps_noise_octave_slope_6.x * 96.0 * 0.03125) / 1.96875;
+    float lumps_product_12 = lumps_noise_octave_slope_2.y * 6.0 * 0.5;
+    float lumps_sum_10 = lumps_noise_octave_slope.y * 3.0 + lumps_product_12;
+    float lumps_sum_11 = lumps_sum_10 + lumps_noise_octave_slope_3.y * 12.0 * 0.25;
+    float lumps_sum_12 = lumps_sum_11 + lumps_noise_octave_slope_4.y * 24.0 * 0.125;
+    float lumps_sum_13 = lumps_sum_12 + lumps_noise_octave_slope_5.y * 48.0 * 0.0625;
+    float lumps_quotient_2 = (lumps_sum_13 + lumps_noise_octave_slope_6.y * 96.0 * 0.03125) /
+            1.96875;
+    float lumps_product_13 = lumps_noise_octave_slope_2.z * 6.0 * 0.5;
+    float lumps_sum_14 = lumps_noise_octave_slope.z * 3.0 + lumps_product_13;
+    float lumps_sum_15 = lumps_sum_14 + lumps_noise_octave_slope_3.z * 12.0 * 0.25;
+    float lumps_sum_16 = lumps_sum_15 + lumps_noise_octave_slope_4.z * 24.0 * 0.125;
+    float lumps_sum_17 = lumps_sum_16 + lumps_noise_octave_slope_5.z * 48.0 * 0.0625;
+    float lumps_quotient_3 = (lumps_sum_17 + lumps_noise_octave_slope_6.z * 96.0 * 0.03125) /
+            1.96875;
     vec3 cracks_product = s.position * 7.0;  // cracks: Gradient noise
     float cracks_greatest = max(length(dpdx * 7.0), length(dpdy * 7.0));
     float cracks_noise_octave = wrinkle_noise_rock_noise_octave(cracks_product, cracks_greatest);
@@ -176,29 +177,29 @@ vec3 wrinkle_noise_rock_normal(WrinkleSurface_noise_rock s) {
             cracks_greatest);
     vec3 cracks_noise_octave_slope_2 = wrinkle_noise_rock_noise_octave_slope(cracks_sum,
             cracks_product_2);
-    float cracks_product_4 = dot(cracks_noise_octave_slope_2, vec3(14.0, 0.0, 0.0)) * 0.5;
-    float cracks_sum_2 = dot(cracks_noise_octave_slope, vec3(7.0, 0.0, 0.0)) + cracks_product_4;
-    float cracks_product_5 = dot(cracks_noise_octave_slope_2, vec3(0.0, 14.0, 0.0)) * 0.5;
-    float cracks_sum_3 = dot(cracks_noise_octave_slope, vec3(0.0, 7.0, 0.0)) + cracks_product_5;
-    float cracks_product_6 = dot(cracks_noise_octave_slope_2, vec3(0.0, 0.0, 14.0)) * 0.5;
-    float cracks_sum_4 = dot(cracks_noise_octave_slope, vec3(0.0, 0.0, 7.0)) + cracks_product_6;
+    float cracks_product_4 = cracks_noise_octave_slope_2.x * 14.0 * 0.5;
+    float cracks_quotient = (cracks_noise_octave_slope.x * 7.0 + cracks_product_4) / 1.5;
+    float cracks_product_5 = cracks_noise_octave_slope_2.y * 14.0 * 0.5;
+    float cracks_quotient_2 = (cracks_noise_octave_slope.y * 7.0 + cracks_product_5) / 1.5;
+    float cracks_product_6 = cracks_noise_octave_slope_2.z * 14.0 * 0.5;
+    float cracks_quotient_3 = (cracks_noise_octave_slope.z * 7.0 + cracks_product_6) / 1.5;
     float depth_result = abs(cracks_value);  // depth: Absolute
     float depth_sign = sign(cracks_value);
     float groove_quotient = depth_result / 0.12;  // groove: Smooth step
     bool groove_test = 1.0 < max(groove_quotient, 0.0);
     bool groove_test_2 = groove_quotient < 0.0;
-    float groove_choice = groove_test_2 ? 0.0 : cracks_sum_2 / 1.5 * depth_sign / 0.12;
+    float groove_choice = groove_test_2 ? 0.0 : cracks_quotient * depth_sign / 0.12;
     float groove_choice_2 = groove_test ? 0.0 : groove_choice;
     float groove_clamped = clamp(groove_quotient, 0.0, 1.0);
     float groove_product = groove_choice_2 * groove_clamped;
     float groove_difference = 3.0 - 2.0 * groove_clamped;
     float groove_product_2 = (groove_product + groove_product) * groove_difference;
     float groove_product_3 = groove_clamped * groove_clamped;
-    float groove_choice_3 = groove_test_2 ? 0.0 : cracks_sum_3 / 1.5 * depth_sign / 0.12;
+    float groove_choice_3 = groove_test_2 ? 0.0 : cracks_quotient_2 * depth_sign / 0.12;
     float groove_choice_4 = groove_test ? 0.0 : groove_choice_3;
     float groove_product_4 = groove_choice_4 * groove_clamped;
     float groove_product_5 = (groove_product_4 + groove_product_4) * groove_difference;
-    float groove_choice_5 = groove_test_2 ? 0.0 : cracks_sum_4 / 1.5 * depth_sign / 0.12;
+    float groove_choice_5 = groove_test_2 ? 0.0 : cracks_quotient_3 * depth_sign / 0.12;
     float groove_choice_6 = groove_test ? 0.0 : groove_choice_5;
     float groove_product_6 = groove_choice_6 * groove_clamped;
     float groove_product_7 = (groove_product_6 + groove_product_6) * groove_difference;
@@ -208,13 +209,11 @@ vec3 wrinkle_noise_rock_normal(WrinkleSurface_noise_rock s) {
             0.015;
     float carve_product_3 = (groove_product_7 + -(groove_choice_6 * 2.0) * groove_product_3) *
             0.015;
-    // rock: Add heights
-    float rock_sum = (lumps_sum_8 + lumps_product_12) / 1.96875 * 0.06 + carve_product;
-    float rock_sum_2 = (lumps_sum_13 + lumps_product_14) / 1.96875 * 0.06 + carve_product_2;
-    float rock_sum_3 = (lumps_sum_17 + lumps_product_16) / 1.96875 * 0.06 + carve_product_3;
-    vec3 normal_vector = vec3(rock_sum, rock_sum_2, rock_sum_3);  // normal: Resolve
-    vec3 normal_gradient = normal_vector - normal * dot(normal, normal_vector);
-    return normalize(normal * s.facing - normal_gradient);
+    float rock_sum = lumps_quotient * 0.06 + carve_product;  // rock: Add heights
+    float rock_sum_2 = lumps_quotient_2 * 0.06 + carve_product_2;
+    float rock_sum_3 = lumps_quotient_3 * 0.06 + carve_product_3;
+    vec3 normal_gradient = vec3(rock_sum, rock_sum_2, rock_sum_3);  // normal: Resolve
+    return normalize(normal * (s.facing + dot(normal, normal_gradient)) - normal_gradient);
 }
 
 float wrinkle_noise_rock_height(WrinkleSurface_noise_rock s) {

@@ -11,25 +11,24 @@ uniform sampler2D bricks_image;  // textures/bricks_height.png (linear, repeat)
 vec2 wrinkle_parallax_bricks_smooth_slope(vec2 a, vec2 b) {
     vec4 texel = textureLod(bricks_image, a + b, 0.0);
     float difference = texel.x - textureLod(bricks_image, a - b, 0.0).x;
-    vec4 texel_2 = textureLod(bricks_image, a + vec2(1.0, -1.0) * b, 0.0);
-    float difference_2 = texel_2.x - textureLod(bricks_image, a + vec2(-1.0, 1.0) * b, 0.0).x;
-    vec4 texel_3 = textureLod(bricks_image, a + vec2(1.0, 0.0) * b, 0.0);
-    vec4 texel_4 = textureLod(bricks_image, a + vec2(-1.0, 0.0) * b, 0.0);
-    float sum = difference + difference_2 + 2.0 * (texel_3.x - texel_4.x);
-    vec4 texel_5 = textureLod(bricks_image, a + vec2(0.0, 1.0) * b, 0.0);
-    vec4 texel_6 = textureLod(bricks_image, a + vec2(0.0, -1.0) * b, 0.0);
-    float sum_2 = difference - difference_2 + 2.0 * (texel_5.x - texel_6.x);
-    return vec2(sum, sum_2) / (8.0 * b);
+    vec4 texel_2 = textureLod(bricks_image, a + vec2(b.x, -b.y), 0.0);
+    float difference_2 = texel_2.x - textureLod(bricks_image, a + vec2(-b.x, b.y), 0.0).x;
+    vec4 texel_3 = textureLod(bricks_image, vec2(a.x + b.x, a.y), 0.0);
+    float difference_3 = texel_3.x - textureLod(bricks_image, vec2(a.x - b.x, a.y), 0.0).x;
+    float sum = difference + difference_2 + 2.0 * difference_3;
+    vec4 texel_4 = textureLod(bricks_image, vec2(a.x, a.y + b.y), 0.0);
+    float difference_4 = texel_4.x - textureLod(bricks_image, vec2(a.x, a.y - b.y), 0.0).x;
+    float sum_2 = difference - difference_2 + 2.0 * difference_4;
+    return vec2(sum, sum_2) * 0.125;
 }
 
 vec3 wrinkle_parallax_bricks_normal(WrinkleSurface_parallax_bricks s) {
     vec3 normal = normalize(s.normal);  // the surface point
-    vec3 dpdy = dFdy(s.position_relative);
-    vec3 r_x = cross(dpdy, normal);
-    vec2 duv0_dx = dFdx(s.uv0);
-    vec2 duv0_dy = dFdy(s.uv0);
     vec3 dpdx = dFdx(s.position_relative);
-    float det = dot(dpdx, r_x);
+    vec2 duv0_dx = dFdx(s.uv0);
+    vec3 dpdy = dFdy(s.position_relative);
+    vec2 duv0_dy = dFdy(s.uv0);
+    float screen_area = dot(normal, cross(dpdx, dpdy));
     vec3 bricks_product = normal * s.facing;  // bricks: Height map
     vec2 bricks_size = vec2(textureSize(bricks_image, 0));
     float march_dot_product = dot(bricks_product, s.view);  // march: Parallax occlusion
@@ -44,16 +43,19 @@ vec3 wrinkle_parallax_bricks_normal(WrinkleSurface_parallax_bricks s) {
     vec2 march_product_2 = march_sum * (march_sign / max(abs(march_dot_product_2), 1e-36));
     vec2 march_product_3 = march_product_2 * (-1.0 / max(abs(march_dot_product), 0.1));
     float march_quotient = 0.03 / max(32.0 * (0.25 + 0.75 * length(march_difference)), 1.0);
-    vec2 tile_uv = s.uv0 * vec2(2.0, 1.0);  // tile: UV transform
-    vec2 tile_product = duv0_dx * vec2(2.0, 1.0);
-    vec2 tile_product_2 = duv0_dy * vec2(2.0, 1.0);
+    vec2 tile_uv = vec2(s.uv0.x * 2.0, s.uv0.y);  // tile: UV transform
+    vec2 tile_vector = vec2(duv0_dx.x * 2.0, duv0_dx.y);
+    vec2 tile_vector_2 = vec2(duv0_dy.x * 2.0, duv0_dy.y);
     // bricks: Height map (continued)
     float bricks_height = (texture(bricks_image, tile_uv).x - 1.0) * 0.03;
-    float bricks_extent = length(tile_product * bricks_size);
-    float bricks_greatest = max(bricks_extent, length(tile_product_2 * bricks_size));
-    vec2 bricks_quotient = max(bricks_greatest, 1.0) / bricks_size;
-    float bricks_quotient_2 = (0.5 - log2(max(bricks_greatest, 1.1754944e-38))) / 0.45;
-    float bricks_clamped = clamp(bricks_quotient_2, 0.0, 1.0);
+    vec2 bricks_product_2 = tile_vector * bricks_size;
+    float bricks_dot_product = dot(bricks_product_2, bricks_product_2);
+    vec2 bricks_product_3 = tile_vector_2 * bricks_size;
+    float bricks_greatest = max(max(bricks_dot_product, dot(bricks_product_3, bricks_product_3)),
+            1.0);
+    float bricks_root = sqrt(bricks_greatest);
+    vec2 bricks_quotient = bricks_root / bricks_size;
+    float bricks_clamped = clamp((0.5 - log2(bricks_root)) / 0.45, 0.0, 1.0);
     // march: Parallax occlusion (continued)
     float march_state = 0.0;
     float march_state_2 = bricks_height;
@@ -62,17 +64,16 @@ vec3 wrinkle_parallax_bricks_normal(WrinkleSurface_parallax_bricks s) {
     for (int i = 0; i < 33; ++i) {
         if (!(march_state_4 < 0.0 && march_state_3 < 0.03)) break;
         float march_least = min(march_state_3 + march_quotient, 0.03);
+        vec2 march_sum_2 = s.uv0 + march_product_3 * march_least;
         // tile: UV transform (continued)
-        vec2 tile_product_3 = (s.uv0 + march_product_3 * march_least) * vec2(2.0, 1.0);
+        vec2 tile_vector_3 = vec2(march_sum_2.x * 2.0, march_sum_2.y);
         // march: Parallax occlusion (continued)
-        vec4 march_texel = textureGrad(bricks_image, tile_product_3, tile_product, tile_product_2);
-        float bricks_texel = (march_texel.x - 1.0) * 0.03;  // bricks: Height map (continued)
+        vec4 march_texel = textureGrad(bricks_image, tile_vector_3, tile_vector, tile_vector_2);
         march_state = march_state_3;
         march_state_2 = march_state_4;
         march_state_3 = march_least;
-        march_state_4 = bricks_texel + march_least;
+        march_state_4 = (march_texel.x - 1.0) * 0.03 + march_least;
     }
-    // march: Parallax occlusion (continued)
     float march_state_5 = march_state;
     float march_state_6 = march_state_2;
     float march_state_7 = march_state_3;
@@ -80,44 +81,46 @@ vec3 wrinkle_parallax_bricks_normal(WrinkleSurface_parallax_bricks s) {
     for (int i_2 = 0; i_2 < 3; ++i_2) {
         if (!(march_state_8 > 0.0)) break;
         float march_difference_4 = march_state_6 - march_state_8;
-        float march_sum_2 = march_state_5 + (march_state_7 - march_state_5) * (march_difference_4
+        float march_sum_3 = march_state_5 + (march_state_7 - march_state_5) * (march_difference_4
                 != 0.0 ? march_state_6 / march_difference_4 : 0.0);
+        vec2 march_sum_4 = s.uv0 + march_product_3 * march_sum_3;
         // tile: UV transform (continued)
-        vec2 tile_product_4 = (s.uv0 + march_product_3 * march_sum_2) * vec2(2.0, 1.0);
+        vec2 tile_vector_4 = vec2(march_sum_4.x * 2.0, march_sum_4.y);
         // march: Parallax occlusion (continued)
-        vec4 march_texel_2 = textureGrad(bricks_image, tile_product_4, tile_product,
-                tile_product_2);
-        float bricks_texel_2 = (march_texel_2.x - 1.0) * 0.03;  // bricks: Height map (continued)
-        float march_sum_3 = bricks_texel_2 + march_sum_2;  // march: Parallax occlusion (continued)
-        bool march_test = march_sum_3 < 0.0;
-        march_state_5 = march_test ? march_sum_2 : march_state_5;
-        march_state_6 = march_test ? march_sum_3 : march_state_6;
-        march_state_7 = march_test ? march_state_7 : march_sum_2;
-        march_state_8 = march_test ? march_state_8 : march_sum_3;
+        vec4 march_texel_2 = textureGrad(bricks_image, tile_vector_4, tile_vector, tile_vector_2);
+        float march_sum_5 = (march_texel_2.x - 1.0) * 0.03 + march_sum_3;
+        bool march_test = march_sum_5 < 0.0;
+        march_state_5 = march_test ? march_sum_3 : march_state_5;
+        march_state_6 = march_test ? march_sum_5 : march_state_6;
+        march_state_7 = march_test ? march_state_7 : march_sum_3;
+        march_state_8 = march_test ? march_state_8 : march_sum_5;
     }
     float march_difference_5 = march_state_6 - march_state_8;
     float march_choice = march_difference_5 != 0.0 ? march_state_6 / march_difference_5 : 0.0;
-    float march_sum_4 = march_state_5 + (march_state_7 - march_state_5) * march_choice;
-    vec2 march_product_4 = march_product_3 * (march_state_8 < 0.0 ? march_state_7 : march_sum_4);
+    float march_sum_6 = march_state_5 + (march_state_7 - march_state_5) * march_choice;
+    vec2 march_product_4 = march_product_3 * (march_state_8 < 0.0 ? march_state_7 : march_sum_6);
     vec2 march_uv = s.uv0 + march_product_4;
-    vec2 tile_product_5 = march_uv * vec2(2.0, 1.0);  // tile: UV transform (continued)
+    float tile_product = march_uv.x * 2.0;  // tile: UV transform (continued)
+    vec2 tile_vector_5 = vec2(tile_product, march_uv.y);
     // bricks: Height map (continued)
-    vec2 bricks_sum = tile_product_5 + vec2(bricks_quotient.x, 0.0);
-    vec4 bricks_texel_3 = textureGrad(bricks_image, bricks_sum, tile_product, tile_product_2);
-    vec4 bricks_texel_4 = textureGrad(bricks_image, tile_product_5, tile_product, tile_product_2);
-    float bricks_difference = bricks_texel_3.x - bricks_texel_4.x;
-    vec2 bricks_sum_2 = tile_product_5 + vec2(0.0, bricks_quotient.y);
-    vec4 bricks_texel_5 = textureGrad(bricks_image, bricks_sum_2, tile_product, tile_product_2);
-    vec2 bricks_vector = vec2(bricks_difference, bricks_texel_5.x - bricks_texel_4.x);
-    vec2 bricks_quotient_3 = bricks_vector / bricks_quotient;
-    vec2 bricks_smooth_slope = wrinkle_parallax_bricks_smooth_slope(tile_product_5,
+    vec2 bricks_vector = vec2(tile_product + bricks_quotient.x, march_uv.y);
+    vec4 bricks_texel = textureGrad(bricks_image, bricks_vector, tile_vector, tile_vector_2);
+    vec4 bricks_texel_2 = textureGrad(bricks_image, tile_vector_5, tile_vector, tile_vector_2);
+    float bricks_difference = bricks_texel.x - bricks_texel_2.x;
+    vec2 bricks_vector_2 = vec2(tile_product, march_uv.y + bricks_quotient.y);
+    vec4 bricks_texel_3 = textureGrad(bricks_image, bricks_vector_2, tile_vector, tile_vector_2);
+    vec2 bricks_vector_3 = vec2(bricks_difference, bricks_texel_3.x - bricks_texel_2.x);
+    vec2 bricks_product_4 = bricks_vector_3 * (1.0 / bricks_root);
+    vec2 bricks_smooth_slope = wrinkle_parallax_bricks_smooth_slope(tile_vector_5,
             1.0 / bricks_size);
-    vec2 bricks_mixed = mix(bricks_quotient_3, bricks_smooth_slope, bricks_clamped);
+    vec2 bricks_mixed = mix(bricks_product_4, bricks_smooth_slope, bricks_clamped);
+    float bricks_dot_product_2 = dot(bricks_mixed, bricks_product_2);
     // normal: Resolve
-    vec3 normal_product = cross(normal, dpdx) * (dot(bricks_mixed, tile_product_2) * 0.03);
-    vec3 normal_sum = r_x * (dot(bricks_mixed, tile_product) * 0.03) + normal_product;
-    vec3 normal_difference = bricks_product - normal_sum * (sign(det) / max(abs(det), 1e-36));
-    return normalize(normal_difference);
+    vec2 normal_vector = vec2(bricks_dot_product_2, dot(bricks_mixed, bricks_product_3));
+    float normal_product = sign(screen_area) / max(abs(screen_area), 1e-36) * 0.03;
+    vec2 normal_product_2 = normal_vector * normal_product;
+    vec3 normal_gradient = cross(normal, dpdx * normal_product_2.y - dpdy * normal_product_2.x);
+    return normalize(bricks_product - normal_gradient);
 }
 
 float wrinkle_parallax_bricks_height(WrinkleSurface_parallax_bricks s) {
@@ -138,9 +141,9 @@ float wrinkle_parallax_bricks_height(WrinkleSurface_parallax_bricks s) {
     vec2 march_product_2 = march_sum * (march_sign / max(abs(march_dot_product_2), 1e-36));
     vec2 march_product_3 = march_product_2 * (-1.0 / max(abs(march_dot_product), 0.1));
     float march_quotient = 0.03 / max(32.0 * (0.25 + 0.75 * length(march_difference)), 1.0);
-    vec2 tile_uv = s.uv0 * vec2(2.0, 1.0);  // tile: UV transform
-    vec2 tile_product = duv0_dx * vec2(2.0, 1.0);
-    vec2 tile_product_2 = duv0_dy * vec2(2.0, 1.0);
+    vec2 tile_uv = vec2(s.uv0.x * 2.0, s.uv0.y);  // tile: UV transform
+    vec2 tile_vector = vec2(duv0_dx.x * 2.0, duv0_dx.y);
+    vec2 tile_vector_2 = vec2(duv0_dy.x * 2.0, duv0_dy.y);
     // bricks: Height map (continued)
     float bricks_height = (texture(bricks_image, tile_uv).x - 1.0) * 0.03;
     // march: Parallax occlusion (continued)
@@ -151,17 +154,16 @@ float wrinkle_parallax_bricks_height(WrinkleSurface_parallax_bricks s) {
     for (int i = 0; i < 33; ++i) {
         if (!(march_state_4 < 0.0 && march_state_3 < 0.03)) break;
         float march_least = min(march_state_3 + march_quotient, 0.03);
+        vec2 march_sum_2 = s.uv0 + march_product_3 * march_least;
         // tile: UV transform (continued)
-        vec2 tile_product_3 = (s.uv0 + march_product_3 * march_least) * vec2(2.0, 1.0);
+        vec2 tile_vector_3 = vec2(march_sum_2.x * 2.0, march_sum_2.y);
         // march: Parallax occlusion (continued)
-        vec4 march_texel = textureGrad(bricks_image, tile_product_3, tile_product, tile_product_2);
-        float bricks_texel = (march_texel.x - 1.0) * 0.03;  // bricks: Height map (continued)
+        vec4 march_texel = textureGrad(bricks_image, tile_vector_3, tile_vector, tile_vector_2);
         march_state = march_state_3;
         march_state_2 = march_state_4;
         march_state_3 = march_least;
-        march_state_4 = bricks_texel + march_least;
+        march_state_4 = (march_texel.x - 1.0) * 0.03 + march_least;
     }
-    // march: Parallax occlusion (continued)
     float march_state_5 = march_state;
     float march_state_6 = march_state_2;
     float march_state_7 = march_state_3;
@@ -169,28 +171,27 @@ float wrinkle_parallax_bricks_height(WrinkleSurface_parallax_bricks s) {
     for (int i_2 = 0; i_2 < 3; ++i_2) {
         if (!(march_state_8 > 0.0)) break;
         float march_difference_4 = march_state_6 - march_state_8;
-        float march_sum_2 = march_state_5 + (march_state_7 - march_state_5) * (march_difference_4
+        float march_sum_3 = march_state_5 + (march_state_7 - march_state_5) * (march_difference_4
                 != 0.0 ? march_state_6 / march_difference_4 : 0.0);
+        vec2 march_sum_4 = s.uv0 + march_product_3 * march_sum_3;
         // tile: UV transform (continued)
-        vec2 tile_product_4 = (s.uv0 + march_product_3 * march_sum_2) * vec2(2.0, 1.0);
+        vec2 tile_vector_4 = vec2(march_sum_4.x * 2.0, march_sum_4.y);
         // march: Parallax occlusion (continued)
-        vec4 march_texel_2 = textureGrad(bricks_image, tile_product_4, tile_product,
-                tile_product_2);
-        float bricks_texel_2 = (march_texel_2.x - 1.0) * 0.03;  // bricks: Height map (continued)
-        float march_sum_3 = bricks_texel_2 + march_sum_2;  // march: Parallax occlusion (continued)
-        bool march_test = march_sum_3 < 0.0;
-        march_state_5 = march_test ? march_sum_2 : march_state_5;
-        march_state_6 = march_test ? march_sum_3 : march_state_6;
-        march_state_7 = march_test ? march_state_7 : march_sum_2;
-        march_state_8 = march_test ? march_state_8 : march_sum_3;
+        vec4 march_texel_2 = textureGrad(bricks_image, tile_vector_4, tile_vector, tile_vector_2);
+        float march_sum_5 = (march_texel_2.x - 1.0) * 0.03 + march_sum_3;
+        bool march_test = march_sum_5 < 0.0;
+        march_state_5 = march_test ? march_sum_3 : march_state_5;
+        march_state_6 = march_test ? march_sum_5 : march_state_6;
+        march_state_7 = march_test ? march_state_7 : march_sum_3;
+        march_state_8 = march_test ? march_state_8 : march_sum_5;
     }
     float march_difference_5 = march_state_6 - march_state_8;
     float march_choice = march_difference_5 != 0.0 ? march_state_6 / march_difference_5 : 0.0;
-    float march_sum_4 = march_state_5 + (march_state_7 - march_state_5) * march_choice;
-    vec2 march_product_4 = march_product_3 * (march_state_8 < 0.0 ? march_state_7 : march_sum_4);
+    float march_sum_6 = march_state_5 + (march_state_7 - march_state_5) * march_choice;
+    vec2 march_product_4 = march_product_3 * (march_state_8 < 0.0 ? march_state_7 : march_sum_6);
     vec2 march_uv = s.uv0 + march_product_4;
-    vec2 tile_product_5 = march_uv * vec2(2.0, 1.0);  // tile: UV transform (continued)
+    vec2 tile_vector_5 = vec2(march_uv.x * 2.0, march_uv.y);  // tile: UV transform (continued)
     // bricks: Height map (continued)
-    vec4 bricks_texel_3 = textureGrad(bricks_image, tile_product_5, tile_product, tile_product_2);
-    return (bricks_texel_3.x - 1.0) * 0.03;  // march: Parallax occlusion (continued)
+    vec4 bricks_texel = textureGrad(bricks_image, tile_vector_5, tile_vector, tile_vector_2);
+    return (bricks_texel.x - 1.0) * 0.03;  // march: Parallax occlusion (continued)
 }

@@ -12,15 +12,15 @@ uniform sampler2D pebbles_image;  // textures/pebbles_height.png (linear, repeat
 vec2 wrinkle_parallax_dents_smooth_slope(vec2 a, vec2 b) {
     vec4 texel = textureLod(pebbles_image, a + b, 0.0);
     float difference = texel.x - textureLod(pebbles_image, a - b, 0.0).x;
-    vec4 texel_2 = textureLod(pebbles_image, a + vec2(1.0, -1.0) * b, 0.0);
-    float difference_2 = texel_2.x - textureLod(pebbles_image, a + vec2(-1.0, 1.0) * b, 0.0).x;
-    vec4 texel_3 = textureLod(pebbles_image, a + vec2(1.0, 0.0) * b, 0.0);
-    vec4 texel_4 = textureLod(pebbles_image, a + vec2(-1.0, 0.0) * b, 0.0);
-    float sum = difference + difference_2 + 2.0 * (texel_3.x - texel_4.x);
-    vec4 texel_5 = textureLod(pebbles_image, a + vec2(0.0, 1.0) * b, 0.0);
-    vec4 texel_6 = textureLod(pebbles_image, a + vec2(0.0, -1.0) * b, 0.0);
-    float sum_2 = difference - difference_2 + 2.0 * (texel_5.x - texel_6.x);
-    return vec2(sum, sum_2) / (8.0 * b);
+    vec4 texel_2 = textureLod(pebbles_image, a + vec2(b.x, -b.y), 0.0);
+    float difference_2 = texel_2.x - textureLod(pebbles_image, a + vec2(-b.x, b.y), 0.0).x;
+    vec4 texel_3 = textureLod(pebbles_image, vec2(a.x + b.x, a.y), 0.0);
+    float difference_3 = texel_3.x - textureLod(pebbles_image, vec2(a.x - b.x, a.y), 0.0).x;
+    float sum = difference + difference_2 + 2.0 * difference_3;
+    vec4 texel_4 = textureLod(pebbles_image, vec2(a.x, a.y + b.y), 0.0);
+    float difference_4 = texel_4.x - textureLod(pebbles_image, vec2(a.x, a.y - b.y), 0.0).x;
+    float sum_2 = difference - difference_2 + 2.0 * difference_4;
+    return vec2(sum, sum_2) * 0.125;
 }
 
 vec3 wrinkle_parallax_dents_noise_direction(int a, int b, int c) {
@@ -63,23 +63,26 @@ vec3 wrinkle_parallax_dents_gradient_noise_slope(vec3 a) {
     vec3 mixed_5 = mix(noise_direction_7, noise_direction_8, product.x);
     vec3 difference_2 = difference - 1.0;
     vec3 product_2 = 30.0 * difference * difference * difference_2 * difference_2;
-    float dot_product = dot(noise_direction_2, difference - vec3(1.0, 0.0, 0.0));
+    float difference_3 = difference.x - 1.0;
+    float dot_product = dot(noise_direction_2, vec3(difference_3, difference.y, difference.z));
     float dot_product_2 = dot(noise_direction, difference);
-    float dot_product_3 = dot(noise_direction_4, difference - vec3(1.0, 1.0, 0.0));
-    float dot_product_4 = dot(noise_direction_3, difference - vec3(0.0, 1.0, 0.0));
+    float difference_4 = difference.y - 1.0;
+    float dot_product_3 = dot(noise_direction_4, vec3(difference_3, difference_4, difference.z));
+    float dot_product_4 = dot(noise_direction_3, vec3(difference.x, difference_4, difference.z));
     float mixed_6 = mix(dot_product - dot_product_2, dot_product_3 - dot_product_4, product.y);
-    float dot_product_5 = dot(noise_direction_6, difference - vec3(1.0, 0.0, 1.0));
-    float dot_product_6 = dot(noise_direction_5, difference - vec3(0.0, 0.0, 1.0));
+    float difference_5 = difference.z - 1.0;
+    float dot_product_5 = dot(noise_direction_6, vec3(difference_3, difference.y, difference_5));
+    float dot_product_6 = dot(noise_direction_5, vec3(difference.x, difference.y, difference_5));
     float dot_product_7 = dot(noise_direction_8, difference - 1.0);
-    float dot_product_8 = dot(noise_direction_7, difference - vec3(0.0, 1.0, 1.0));
+    float dot_product_8 = dot(noise_direction_7, vec3(difference.x, difference_4, difference_5));
     float mixed_7 = mix(dot_product_5 - dot_product_6, dot_product_7 - dot_product_8, product.y);
     float mixed_8 = mix(dot_product_4, dot_product_3, product.x);
     float mixed_9 = mix(dot_product_2, dot_product, product.x);
     float mixed_10 = mix(dot_product_8, dot_product_7, product.x);
     float mixed_11 = mix(dot_product_6, dot_product_5, product.x);
     float mixed_12 = mix(mixed_8 - mixed_9, mixed_10 - mixed_11, product.z);
-    float difference_3 = mix(mixed_11, mixed_10, product.y) - mix(mixed_9, mixed_8, product.y);
-    vec3 product_3 = product_2 * vec3(mix(mixed_6, mixed_7, product.z), mixed_12, difference_3);
+    float difference_6 = mix(mixed_11, mixed_10, product.y) - mix(mixed_9, mixed_8, product.y);
+    vec3 product_3 = product_2 * vec3(mix(mixed_6, mixed_7, product.z), mixed_12, difference_6);
     return mix(mixed_3, mix(mixed_4, mixed_5, product.y), product.z) + product_3;
 }
 
@@ -89,12 +92,11 @@ vec3 wrinkle_parallax_dents_noise_octave_slope(vec3 a, float b) {
 
 vec3 wrinkle_parallax_dents_normal(WrinkleSurface_parallax_dents s) {
     vec3 normal = normalize(s.normal);  // the surface point
-    vec3 dpdy = dFdy(s.position_relative);
-    vec3 r_x = cross(dpdy, normal);
-    vec2 duv0_dx = dFdx(s.uv0);
-    vec2 duv0_dy = dFdy(s.uv0);
     vec3 dpdx = dFdx(s.position_relative);
-    float det = dot(dpdx, r_x);
+    vec2 duv0_dx = dFdx(s.uv0);
+    vec3 dpdy = dFdy(s.position_relative);
+    vec2 duv0_dy = dFdy(s.uv0);
+    float screen_area = dot(normal, cross(dpdx, dpdy));
     vec3 pebbles_product = normal * s.facing;  // pebbles: Height map
     vec2 pebbles_size = vec2(textureSize(pebbles_image, 0));
     float march_dot_product = dot(pebbles_product, s.view);  // march: Parallax occlusion
@@ -116,11 +118,13 @@ vec3 wrinkle_parallax_dents_normal(WrinkleSurface_parallax_dents s) {
     vec2 tile_product_2 = duv0_dy * 2.0;
     // pebbles: Height map (continued)
     float pebbles_height = (texture(pebbles_image, tile_uv).x - 1.0) * 0.03;
-    float pebbles_extent = length(tile_product * pebbles_size);
-    float pebbles_greatest = max(pebbles_extent, length(tile_product_2 * pebbles_size));
-    vec2 pebbles_quotient = max(pebbles_greatest, 1.0) / pebbles_size;
-    float pebbles_quotient_2 = (0.5 - log2(max(pebbles_greatest, 1.1754944e-38))) / 0.45;
-    float pebbles_clamped = clamp(pebbles_quotient_2, 0.0, 1.0);
+    vec2 pebbles_product_2 = tile_product * pebbles_size;
+    float pebbles_dot_product = dot(pebbles_product_2, pebbles_product_2);
+    vec2 pebbles_product_3 = tile_product_2 * pebbles_size;
+    float pebbles_greatest = max(pebbles_dot_product, dot(pebbles_product_3, pebbles_product_3));
+    float pebbles_root = sqrt(max(pebbles_greatest, 1.0));
+    vec2 pebbles_quotient = pebbles_root / pebbles_size;
+    float pebbles_clamped = clamp((0.5 - log2(pebbles_root)) / 0.45, 0.0, 1.0);
     // march: Parallax occlusion (continued)
     float march_state = 0.0;
     float march_state_2 = pebbles_height;
@@ -171,22 +175,25 @@ vec3 wrinkle_parallax_dents_normal(WrinkleSurface_parallax_dents s) {
     vec3 march_position = s.position + march_product_4;
     vec2 tile_product_5 = march_uv * 2.0;  // tile: UV transform (continued)
     // pebbles: Height map (continued)
-    vec2 pebbles_sum = tile_product_5 + vec2(pebbles_quotient.x, 0.0);
-    vec4 pebbles_texel_3 = textureGrad(pebbles_image, pebbles_sum, tile_product, tile_product_2);
+    vec2 pebbles_vector = vec2(tile_product_5.x + pebbles_quotient.x, tile_product_5.y);
+    vec4 pebbles_texel_3 = textureGrad(pebbles_image, pebbles_vector, tile_product, tile_product_2);
     vec4 pebbles_texel_4 = textureGrad(pebbles_image, tile_product_5, tile_product, tile_product_2);
     float pebbles_difference = pebbles_texel_3.x - pebbles_texel_4.x;
-    vec2 pebbles_sum_2 = tile_product_5 + vec2(0.0, pebbles_quotient.y);
-    vec4 pebbles_texel_5 = textureGrad(pebbles_image, pebbles_sum_2, tile_product, tile_product_2);
-    vec2 pebbles_vector = vec2(pebbles_difference, pebbles_texel_5.x - pebbles_texel_4.x);
-    vec2 pebbles_quotient_3 = pebbles_vector / pebbles_quotient;
+    vec2 pebbles_vector_2 = vec2(tile_product_5.x, tile_product_5.y + pebbles_quotient.y);
+    vec4 pebbles_texel_5 = textureGrad(pebbles_image, pebbles_vector_2, tile_product,
+            tile_product_2);
+    vec2 pebbles_vector_3 = vec2(pebbles_difference, pebbles_texel_5.x - pebbles_texel_4.x);
+    vec2 pebbles_product_4 = pebbles_vector_3 * (1.0 / pebbles_root);
     vec2 pebbles_smooth_slope = wrinkle_parallax_dents_smooth_slope(tile_product_5,
             1.0 / pebbles_size);
-    vec2 pebbles_mixed = mix(pebbles_quotient_3, pebbles_smooth_slope, pebbles_clamped);
+    vec2 pebbles_mixed = mix(pebbles_product_4, pebbles_smooth_slope, pebbles_clamped);
+    float pebbles_dot_product_2 = dot(pebbles_mixed, pebbles_product_2);
     // relief: Resolve
-    vec3 relief_product = cross(normal, dpdx) * (dot(pebbles_mixed, tile_product_2) * 0.03);
-    vec3 relief_sum = r_x * (dot(pebbles_mixed, tile_product) * 0.03) + relief_product;
-    vec3 relief_difference = pebbles_product - relief_sum * (sign(det) / max(abs(det), 1e-36));
-    vec3 relief_normal = normalize(relief_difference);
+    vec2 relief_vector = vec2(pebbles_dot_product_2, dot(pebbles_mixed, pebbles_product_3));
+    float relief_product = sign(screen_area) / max(abs(screen_area), 1e-36) * 0.03;
+    vec2 relief_product_2 = relief_vector * relief_product;
+    vec3 relief_gradient = cross(normal, dpdx * relief_product_2.y - dpdy * relief_product_2.x);
+    vec3 relief_normal = normalize(pebbles_product - relief_gradient);
     vec3 dents_product = march_position * 14.0;  // dents: Gradient noise
     float dents_greatest = max(length(dpdx * 14.0), length(dpdy * 14.0));
     vec3 dents_noise_octave_slope = wrinkle_parallax_dents_noise_octave_slope(dents_product,
@@ -195,18 +202,17 @@ vec3 wrinkle_parallax_dents_normal(WrinkleSurface_parallax_dents s) {
     float dents_product_2 = dents_greatest * 2.0;
     vec3 dents_noise_octave_slope_2 = wrinkle_parallax_dents_noise_octave_slope(dents_sum,
             dents_product_2);
-    float dents_product_3 = dot(dents_noise_octave_slope_2, vec3(28.0, 0.0, 0.0)) * 0.5;
-    float dents_sum_2 = dot(dents_noise_octave_slope, vec3(14.0, 0.0, 0.0)) + dents_product_3;
-    float dents_product_4 = dents_sum_2 / 1.5 * 0.004;
-    float dents_product_5 = dot(dents_noise_octave_slope_2, vec3(0.0, 28.0, 0.0)) * 0.5;
-    float dents_sum_3 = dot(dents_noise_octave_slope, vec3(0.0, 14.0, 0.0)) + dents_product_5;
-    float dents_product_6 = dot(dents_noise_octave_slope_2, vec3(0.0, 0.0, 28.0)) * 0.5;
-    float dents_sum_4 = dot(dents_noise_octave_slope, vec3(0.0, 0.0, 14.0)) + dents_product_6;
+    float dents_product_3 = dents_noise_octave_slope_2.x * 28.0 * 0.5;
+    float dents_product_4 = (dents_noise_octave_slope.x * 14.0 + dents_product_3) / 1.5 * 0.004;
+    float dents_product_5 = dents_noise_octave_slope_2.y * 28.0 * 0.5;
+    float dents_product_6 = (dents_noise_octave_slope.y * 14.0 + dents_product_5) / 1.5 * 0.004;
+    float dents_product_7 = dents_noise_octave_slope_2.z * 28.0 * 0.5;
+    float dents_product_8 = (dents_noise_octave_slope.z * 14.0 + dents_product_7) / 1.5 * 0.004;
     // bump: Bump from height
-    vec3 bump_vector = vec3(dents_product_4, dents_sum_3 / 1.5 * 0.004, dents_sum_4 / 1.5 * 0.004);
+    vec3 bump_gradient = vec3(dents_product_4, dents_product_6, dents_product_8);
     // normal: Resolve
-    vec3 normal_gradient = bump_vector - relief_normal * dot(relief_normal, bump_vector);
-    return normalize(relief_normal - normal_gradient);
+    vec3 normal_product = relief_normal * (1.0 + dot(relief_normal, bump_gradient));
+    return normalize(normal_product - bump_gradient);
 }
 
 float wrinkle_parallax_dents_height(WrinkleSurface_parallax_dents s) {

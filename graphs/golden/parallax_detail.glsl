@@ -32,27 +32,33 @@ float wrinkle_parallax_detail_gradient_noise(vec3 a) {
     float dot_product = dot(wrinkle_parallax_detail_noise_direction(whole, whole_2, whole_3),
             difference);
     int sum = whole + 1;
-    vec3 noise_direction = wrinkle_parallax_detail_noise_direction(sum, whole_2, whole_3);
-    float dot_product_2 = dot(noise_direction, difference - vec3(1.0, 0.0, 0.0));
+    float difference_2 = difference.x - 1.0;
+    vec3 vector = vec3(difference_2, difference.y, difference.z);
+    float dot_product_2 = dot(wrinkle_parallax_detail_noise_direction(sum, whole_2, whole_3),
+            vector);
     vec3 sum_2 = difference * (difference * 6.0 - 15.0) + 10.0;
     vec3 product = difference * difference * difference * sum_2;
     float mixed = mix(dot_product, dot_product_2, product.x);
     int sum_3 = whole_2 + 1;
-    vec3 noise_direction_2 = wrinkle_parallax_detail_noise_direction(whole, sum_3, whole_3);
-    float dot_product_3 = dot(noise_direction_2, difference - vec3(0.0, 1.0, 0.0));
-    vec3 noise_direction_3 = wrinkle_parallax_detail_noise_direction(sum, sum_3, whole_3);
-    float dot_product_4 = dot(noise_direction_3, difference - vec3(1.0, 1.0, 0.0));
+    float difference_3 = difference.y - 1.0;
+    vec3 vector_2 = vec3(difference.x, difference_3, difference.z);
+    float dot_product_3 = dot(wrinkle_parallax_detail_noise_direction(whole, sum_3, whole_3),
+            vector_2);
+    vec3 noise_direction = wrinkle_parallax_detail_noise_direction(sum, sum_3, whole_3);
+    float dot_product_4 = dot(noise_direction, vec3(difference_2, difference_3, difference.z));
     float mixed_2 = mix(mixed, mix(dot_product_3, dot_product_4, product.x), product.y);
     int sum_4 = whole_3 + 1;
-    vec3 noise_direction_4 = wrinkle_parallax_detail_noise_direction(whole, whole_2, sum_4);
-    float dot_product_5 = dot(noise_direction_4, difference - vec3(0.0, 0.0, 1.0));
-    vec3 noise_direction_5 = wrinkle_parallax_detail_noise_direction(sum, whole_2, sum_4);
-    float dot_product_6 = dot(noise_direction_5, difference - vec3(1.0, 0.0, 1.0));
+    float difference_4 = difference.z - 1.0;
+    vec3 vector_3 = vec3(difference.x, difference.y, difference_4);
+    float dot_product_5 = dot(wrinkle_parallax_detail_noise_direction(whole, whole_2, sum_4),
+            vector_3);
+    vec3 noise_direction_2 = wrinkle_parallax_detail_noise_direction(sum, whole_2, sum_4);
+    float dot_product_6 = dot(noise_direction_2, vec3(difference_2, difference.y, difference_4));
     float mixed_3 = mix(dot_product_5, dot_product_6, product.x);
-    vec3 noise_direction_6 = wrinkle_parallax_detail_noise_direction(whole, sum_3, sum_4);
-    float dot_product_7 = dot(noise_direction_6, difference - vec3(0.0, 1.0, 1.0));
-    vec3 noise_direction_7 = wrinkle_parallax_detail_noise_direction(sum, sum_3, sum_4);
-    float dot_product_8 = dot(noise_direction_7, difference - 1.0);
+    vec3 noise_direction_3 = wrinkle_parallax_detail_noise_direction(whole, sum_3, sum_4);
+    float dot_product_7 = dot(noise_direction_3, vec3(difference.x, difference_3, difference_4));
+    vec3 noise_direction_4 = wrinkle_parallax_detail_noise_direction(sum, sum_3, sum_4);
+    float dot_product_8 = dot(noise_direction_4, difference - 1.0);
     float mixed_4 = mix(mixed_3, mix(dot_product_7, dot_product_8, product.x), product.y);
     return mix(mixed_2, mixed_4, product.z);
 }
@@ -87,23 +93,26 @@ vec3 wrinkle_parallax_detail_gradient_noise_slope(vec3 a) {
     vec3 mixed_5 = mix(noise_direction_7, noise_direction_8, product.x);
     vec3 difference_2 = difference - 1.0;
     vec3 product_2 = 30.0 * difference * difference * difference_2 * difference_2;
-    float dot_product = dot(noise_direction_2, difference - vec3(1.0, 0.0, 0.0));
+    float difference_3 = difference.x - 1.0;
+    float dot_product = dot(noise_direction_2, vec3(difference_3, difference.y, difference.z));
     float dot_product_2 = dot(noise_direction, difference);
-    float dot_product_3 = dot(noise_direction_4, difference - vec3(1.0, 1.0, 0.0));
-    float dot_product_4 = dot(noise_direction_3, difference - vec3(0.0, 1.0, 0.0));
+    float difference_4 = difference.y - 1.0;
+    float dot_product_3 = dot(noise_direction_4, vec3(difference_3, difference_4, difference.z));
+    float dot_product_4 = dot(noise_direction_3, vec3(difference.x, difference_4, difference.z));
     float mixed_6 = mix(dot_product - dot_product_2, dot_product_3 - dot_product_4, product.y);
-    float dot_product_5 = dot(noise_direction_6, difference - vec3(1.0, 0.0, 1.0));
-    float dot_product_6 = dot(noise_direction_5, difference - vec3(0.0, 0.0, 1.0));
+    float difference_5 = difference.z - 1.0;
+    float dot_product_5 = dot(noise_direction_6, vec3(difference_3, difference.y, difference_5));
+    float dot_product_6 = dot(noise_direction_5, vec3(difference.x, difference.y, difference_5));
     float dot_product_7 = dot(noise_direction_8, difference - 1.0);
-    float dot_product_8 = dot(noise_direction_7, difference - vec3(0.0, 1.0, 1.0));
+    float dot_product_8 = dot(noise_direction_7, vec3(difference.x, difference_4, difference_5));
     float mixed_7 = mix(dot_product_5 - dot_product_6, dot_product_7 - dot_product_8, product.y);
     float mixed_8 = mix(dot_product_4, dot_product_3, product.x);
     float mixed_9 = mix(dot_product_2, dot_product, product.x);
     float mixed_10 = mix(dot_product_8, dot_product_7, product.x);
     float mixed_11 = mix(dot_product_6, dot_product_5, product.x);
     float mixed_12 = mix(mixed_8 - mixed_9, mixed_10 - mixed_11, product.z);
-    float difference_3 = mix(mixed_11, mixed_10, product.y) - mix(mixed_9, mixed_8, product.y);
-    vec3 product_3 = product_2 * vec3(mix(mixed_6, mixed_7, product.z), mixed_12, difference_3);
+    float difference_6 = mix(mixed_11, mixed_10, product.y) - mix(mixed_9, mixed_8, product.y);
+    vec3 product_3 = product_2 * vec3(mix(mixed_6, mixed_7, product.z), mixed_12, difference_6);
     return mix(mixed_3, mix(mixed_4, mixed_5, product.y), product.z) + product_3;
 }
 
@@ -112,15 +121,13 @@ vec3 wrinkle_parallax_detail_noise_octave_slope(vec3 a, float b) {
 }
 
 vec3 wrinkle_parallax_detail_normal(WrinkleSurface_parallax_detail s) {
-    vec3 normal = normalize(s.normal);  // the surface point
-    vec3 dpdy = dFdy(s.position_relative);
-    vec3 r_x = cross(dpdy, normal);
-    vec2 duv0_dx = dFdx(s.uv0);
-    vec2 duv0_dy = dFdy(s.uv0);
+    float inverse_normal_length = inversesqrt(dot(s.normal, s.normal));  // the surface point
+    vec3 normal = s.normal * inverse_normal_length;
     vec3 dpdx = dFdx(s.position_relative);
-    float det = dot(dpdx, r_x);
-    float inverse_normal_length = inversesqrt(dot(s.normal, s.normal));
-    vec3 bitangent = cross(s.normal, s.tangent.xyz) * (s.tangent.w > 0.0 ? 1.0 : -1.0);
+    vec2 duv0_dx = dFdx(s.uv0);
+    vec3 dpdy = dFdy(s.position_relative);
+    vec2 duv0_dy = dFdy(s.uv0);
+    float screen_area = dot(normal, cross(dpdx, dpdy));
     vec3 point_vector = vec3(s.uv0.x, s.uv0.y, 0.37);  // point: Combine vec3
     vec3 march_product = normal * s.facing;  // march: Parallax occlusion
     float march_dot_product = dot(march_product, s.view);
@@ -137,15 +144,19 @@ vec3 wrinkle_parallax_detail_normal(WrinkleSurface_parallax_detail s) {
     float march_magnitude = abs(march_dot_product);
     vec2 march_product_4 = march_product_3 * (-1.0 / max(march_magnitude, 0.1));
     float march_quotient = 0.08 / max(32.0 * (0.25 + 0.75 * length(march_difference)), 1.0);
+    float march_product_5 = sign(screen_area) / max(abs(screen_area), 1e-36) * 0.08;
     vec3 dunes_product = point_vector * 7.0;  // dunes: Gradient noise
-    vec3 dunes_product_2 = vec3(duv0_dx.x, duv0_dx.y, 0.0) * 7.0;
-    vec3 dunes_product_3 = vec3(duv0_dy.x, duv0_dy.y, 0.0) * 7.0;
-    float dunes_greatest = max(length(dunes_product_2), length(dunes_product_3));
+    float dunes_product_2 = duv0_dx.x * 7.0;
+    float dunes_product_3 = duv0_dx.y * 7.0;
+    float dunes_extent = length(vec3(dunes_product_2, dunes_product_3, 0.0));
+    float dunes_product_4 = duv0_dy.x * 7.0;
+    float dunes_product_5 = duv0_dy.y * 7.0;
+    float dunes_greatest = max(dunes_extent, length(vec3(dunes_product_4, dunes_product_5, 0.0)));
     float dunes_noise_octave = wrinkle_parallax_detail_noise_octave(dunes_product, dunes_greatest);
     vec3 dunes_sum = dunes_product * 2.0 + vec3(19.19, 7.43, 31.71);
-    float dunes_product_4 = dunes_greatest * 2.0;
-    float dunes_product_5 = wrinkle_parallax_detail_noise_octave(dunes_sum, dunes_product_4) * 0.5;
-    float dunes_value = (dunes_noise_octave + dunes_product_5) / 1.5;
+    float dunes_product_6 = dunes_greatest * 2.0;
+    float dunes_product_7 = wrinkle_parallax_detail_noise_octave(dunes_sum, dunes_product_6) * 0.5;
+    float dunes_value = (dunes_noise_octave + dunes_product_7) / 1.5;
     float dunes_height = dunes_value * 0.08;
     float march_difference_4 = dunes_height - 0.04;  // march: Parallax occlusion (continued)
     float march_state = 0.0;
@@ -157,17 +168,17 @@ vec3 wrinkle_parallax_detail_normal(WrinkleSurface_parallax_detail s) {
         float march_least = min(march_state_3 + march_quotient, 0.08);
         vec2 march_sum_2 = s.uv0 + march_product_4 * march_least;
         // dunes: Gradient noise (continued)
-        vec3 dunes_product_6 = vec3(march_sum_2.x, march_sum_2.y, 0.37) * 7.0;
-        float dunes_noise_octave_2 = wrinkle_parallax_detail_noise_octave(dunes_product_6,
+        vec3 dunes_product_8 = vec3(march_sum_2.x, march_sum_2.y, 0.37) * 7.0;
+        float dunes_noise_octave_2 = wrinkle_parallax_detail_noise_octave(dunes_product_8,
                 dunes_greatest);
-        vec3 dunes_sum_2 = dunes_product_6 * 2.0 + vec3(19.19, 7.43, 31.71);
-        float dunes_product_7 = wrinkle_parallax_detail_noise_octave(dunes_sum_2,
-                dunes_product_4) * 0.5;
-        float dunes_product_8 = (dunes_noise_octave_2 + dunes_product_7) / 1.5 * 0.08;
+        vec3 dunes_sum_2 = dunes_product_8 * 2.0 + vec3(19.19, 7.43, 31.71);
+        float dunes_product_9 = wrinkle_parallax_detail_noise_octave(dunes_sum_2,
+                dunes_product_6) * 0.5;
+        float dunes_product_10 = (dunes_noise_octave_2 + dunes_product_9) / 1.5 * 0.08;
         march_state = march_state_3;
         march_state_2 = march_state_4;
         march_state_3 = march_least;
-        march_state_4 = dunes_product_8 - 0.04 + march_least;
+        march_state_4 = dunes_product_10 - 0.04 + march_least;
     }
     // march: Parallax occlusion (continued)
     float march_state_5 = march_state;
@@ -181,15 +192,15 @@ vec3 wrinkle_parallax_detail_normal(WrinkleSurface_parallax_detail s) {
                 != 0.0 ? march_state_6 / march_difference_5 : 0.0);
         vec2 march_sum_4 = s.uv0 + march_product_4 * march_sum_3;
         // dunes: Gradient noise (continued)
-        vec3 dunes_product_9 = vec3(march_sum_4.x, march_sum_4.y, 0.37) * 7.0;
-        float dunes_noise_octave_3 = wrinkle_parallax_detail_noise_octave(dunes_product_9,
+        vec3 dunes_product_11 = vec3(march_sum_4.x, march_sum_4.y, 0.37) * 7.0;
+        float dunes_noise_octave_3 = wrinkle_parallax_detail_noise_octave(dunes_product_11,
                 dunes_greatest);
-        vec3 dunes_sum_3 = dunes_product_9 * 2.0 + vec3(19.19, 7.43, 31.71);
-        float dunes_product_10 = wrinkle_parallax_detail_noise_octave(dunes_sum_3,
-                dunes_product_4) * 0.5;
-        float dunes_product_11 = (dunes_noise_octave_3 + dunes_product_10) / 1.5 * 0.08;
+        vec3 dunes_sum_3 = dunes_product_11 * 2.0 + vec3(19.19, 7.43, 31.71);
+        float dunes_product_12 = wrinkle_parallax_detail_noise_octave(dunes_sum_3,
+                dunes_product_6) * 0.5;
+        float dunes_product_13 = (dunes_noise_octave_3 + dunes_product_12) / 1.5 * 0.08;
         // march: Parallax occlusion (continued)
-        float march_sum_5 = dunes_product_11 - 0.04 + march_sum_3;
+        float march_sum_5 = dunes_product_13 - 0.04 + march_sum_3;
         bool march_test = march_sum_5 < 0.0;
         march_state_5 = march_test ? march_sum_3 : march_state_5;
         march_state_6 = march_test ? march_sum_5 : march_state_6;
@@ -199,53 +210,54 @@ vec3 wrinkle_parallax_detail_normal(WrinkleSurface_parallax_detail s) {
     float march_difference_6 = march_state_6 - march_state_8;
     float march_choice = march_difference_6 != 0.0 ? march_state_6 / march_difference_6 : 0.0;
     float march_sum_6 = march_state_5 + (march_state_7 - march_state_5) * march_choice;
-    vec2 march_product_5 = march_product_4 * (march_state_8 < 0.0 ? march_state_7 : march_sum_6);
-    vec2 march_uv = s.uv0 + march_product_5;
+    vec2 march_product_6 = march_product_4 * (march_state_8 < 0.0 ? march_state_7 : march_sum_6);
+    vec2 march_uv = s.uv0 + march_product_6;
     // dunes: Gradient noise (continued)
-    vec3 dunes_product_12 = vec3(march_uv.x, march_uv.y, 0.37) * 7.0;
-    vec3 dunes_noise_octave_slope = wrinkle_parallax_detail_noise_octave_slope(dunes_product_12,
+    vec3 dunes_product_14 = vec3(march_uv.x, march_uv.y, 0.37) * 7.0;
+    vec3 dunes_noise_octave_slope = wrinkle_parallax_detail_noise_octave_slope(dunes_product_14,
             dunes_greatest);
-    vec3 dunes_sum_4 = dunes_product_12 * 2.0 + vec3(19.19, 7.43, 31.71);
-    vec3 dunes_noise_octave_slope_2 = wrinkle_parallax_detail_noise_octave_slope(dunes_sum_4,
-            dunes_product_4);
-    float dunes_product_13 = dot(dunes_noise_octave_slope_2, dunes_product_2 * 2.0) * 0.5;
-    float dunes_quotient = (dot(dunes_noise_octave_slope,
-            dunes_product_2) + dunes_product_13) / 1.5;
-    float dunes_product_14 = dot(dunes_noise_octave_slope_2, dunes_product_3 * 2.0) * 0.5;
-    float dunes_quotient_2 = (dot(dunes_noise_octave_slope,
-            dunes_product_3) + dunes_product_14) / 1.5;
-    vec3 march_product_6 = r_x * (dunes_quotient * 0.08);  // march: Parallax occlusion (continued)
-    vec3 march_product_7 = cross(normal, dpdx) * (dunes_quotient_2 * 0.08);
-    vec3 march_gradient = (march_product_6 + march_product_7) * (sign(det) / max(abs(det), 1e-36));
+    float dunes_product_15 = dunes_noise_octave_slope.x * dunes_product_2;
+    float dunes_sum_4 = dunes_product_15 + dunes_noise_octave_slope.y * dunes_product_3;
+    vec3 dunes_sum_5 = dunes_product_14 * 2.0 + vec3(19.19, 7.43, 31.71);
+    vec3 dunes_noise_octave_slope_2 = wrinkle_parallax_detail_noise_octave_slope(dunes_sum_5,
+            dunes_product_6);
+    float dunes_product_16 = dunes_noise_octave_slope_2.x * (dunes_product_2 * 2.0);
+    float dunes_sum_6 = dunes_product_16 + dunes_noise_octave_slope_2.y * (dunes_product_3 * 2.0);
+    float dunes_quotient = (dunes_sum_4 + dunes_sum_6 * 0.5) / 1.5;
+    float dunes_product_17 = dunes_noise_octave_slope.x * dunes_product_4;
+    float dunes_sum_7 = dunes_product_17 + dunes_noise_octave_slope.y * dunes_product_5;
+    float dunes_product_18 = dunes_noise_octave_slope_2.x * (dunes_product_4 * 2.0);
+    float dunes_sum_8 = dunes_product_18 + dunes_noise_octave_slope_2.y * (dunes_product_5 * 2.0);
+    float dunes_quotient_2 = (dunes_sum_7 + dunes_sum_8 * 0.5) / 1.5;
+    // march: Parallax occlusion (continued)
+    vec2 march_product_7 = vec2(dunes_quotient, dunes_quotient_2) * march_product_5;
+    vec3 march_gradient = cross(normal, dpdx * march_product_7.y - dpdy * march_product_7.x);
     vec3 relief_normal = normalize(march_product - march_gradient);  // relief: Resolve
     // march: Parallax occlusion (continued)
     float march_quotient_2 = march_magnitude / max(abs(dot(relief_normal, s.view)), 1.19e-15);
-    float march_greatest = max(max(march_quotient_2, 9.536743e-07), 1.1754944e-38);
-    float march_lod = 0.5 * log2(march_greatest);
+    float march_logarithm = log2(max(march_quotient_2, 9.536743e-07));
+    float march_lod = 0.5 * march_logarithm;
     float march_exponential = exp2(march_lod);
     vec2 tile_uv = march_uv * 4.0;  // tile: UV transform
     vec2 tile_product = duv0_dx * march_exponential * 4.0;
     vec2 tile_product_2 = duv0_dy * march_exponential * 4.0;
-    vec2 tile_product_3 = vec2(1.0, 0.0) * march_exponential * 4.0;
-    vec2 tile_product_4 = vec2(0.0, 1.0) * march_exponential * 4.0;
+    float tile_product_3 = march_exponential * 4.0;
     // weave: Tangent normal map
-    vec4 weave_texel = textureGrad(weave_image, tile_uv, tile_product, tile_product_2);
-    vec3 weave_texel_2 = weave_texel.xyz * 2.0 - 1.0;
-    float weave_least_depth = max(abs(weave_texel_2.x), abs(weave_texel_2.y)) * 0.0078125;
-    vec2 weave_slope = -weave_texel_2.xy * 0.5;
-    float weave_product = tile_product_3.x * tile_product_4.y;
-    float weave_magnitude = abs(weave_product - tile_product_3.y * tile_product_4.x);
+    vec3 weave_texel = textureGrad(weave_image, tile_uv, tile_product, tile_product_2).xyz - 0.5;
+    float weave_least_depth = max(abs(weave_texel.x), abs(weave_texel.y)) * 0.0078125;
+    float weave_depth = max(max(abs(weave_texel.z), weave_least_depth), 5e-07);
+    vec2 weave_texel_2 = weave_texel.xy * 0.5;
+    float weave_magnitude = abs(tile_product_3 * tile_product_3);
     float weave_choice = weave_magnitude > 0.0 ? inversesqrt(max(weave_magnitude, 1e-36)) : 0.0;
-    float weave_product_2 = weave_slope.x * (tile_product_3.x * weave_choice);
-    float weave_sum = weave_product_2 + weave_slope.y * (tile_product_3.y * weave_choice);
-    float weave_product_3 = weave_slope.x * (tile_product_4.x * weave_choice);
-    float weave_sum_2 = weave_product_3 + weave_slope.y * (tile_product_4.y * weave_choice);
+    float weave_product = tile_product_3 * weave_choice;
     // normal: Resolve
-    vec3 normal_product = relief_normal * max(max(abs(weave_texel_2.z), weave_least_depth), 1e-06);
-    vec3 normal_product_2 = s.tangent.xyz * inverse_normal_length * weave_sum;
-    vec3 normal_sum = normal_product_2 + bitangent * inverse_normal_length * weave_sum_2;
-    vec3 normal_gradient = normal_sum - relief_normal * dot(relief_normal, normal_sum);
-    return normalize(normal_product - normal_gradient);
+    float normal_slope_u = weave_texel_2.x * weave_product * inverse_normal_length;
+    float normal_product = (s.tangent.w > 0.0 ? 1.0 : -1.0) * inverse_normal_length;
+    float normal_slope_v = weave_texel_2.y * weave_product * normal_product;
+    vec3 normal_along_v = cross(s.normal, s.tangent.xyz) * normal_slope_v;
+    vec3 normal_sum = s.tangent.xyz * normal_slope_u + normal_along_v;
+    float normal_difference = weave_depth - dot(relief_normal, normal_sum);
+    return normalize(relief_normal * normal_difference + normal_sum);
 }
 
 float wrinkle_parallax_detail_height(WrinkleSurface_parallax_detail s) {
@@ -254,7 +266,8 @@ float wrinkle_parallax_detail_height(WrinkleSurface_parallax_detail s) {
     vec2 duv0_dy = dFdy(s.uv0);
     vec3 dpdx = dFdx(s.position_relative);
     vec3 point_vector = vec3(s.uv0.x, s.uv0.y, 0.37);  // point: Combine vec3
-    vec3 march_product = normalize(s.normal) * s.facing;  // march: Parallax occlusion
+    // march: Parallax occlusion
+    vec3 march_product = s.normal * inversesqrt(dot(s.normal, s.normal)) * s.facing;
     float march_dot_product = dot(march_product, s.view);
     vec3 march_difference = s.view - march_product * march_dot_product;
     vec3 march_difference_2 = dpdy - march_product * dot(march_product, dpdy);
@@ -269,8 +282,9 @@ float wrinkle_parallax_detail_height(WrinkleSurface_parallax_detail s) {
     vec2 march_product_4 = march_product_3 * (-1.0 / max(abs(march_dot_product), 0.1));
     float march_quotient = 0.08 / max(32.0 * (0.25 + 0.75 * length(march_difference)), 1.0);
     vec3 dunes_product = point_vector * 7.0;  // dunes: Gradient noise
-    float dunes_extent = length(vec3(duv0_dx.x, duv0_dx.y, 0.0) * 7.0);
-    float dunes_greatest = max(dunes_extent, length(vec3(duv0_dy.x, duv0_dy.y, 0.0) * 7.0));
+    float dunes_extent = length(vec3(duv0_dx.x * 7.0, duv0_dx.y * 7.0, 0.0));
+    float dunes_extent_2 = length(vec3(duv0_dy.x * 7.0, duv0_dy.y * 7.0, 0.0));
+    float dunes_greatest = max(dunes_extent, dunes_extent_2);
     float dunes_noise_octave = wrinkle_parallax_detail_noise_octave(dunes_product, dunes_greatest);
     vec3 dunes_sum = dunes_product * 2.0 + vec3(19.19, 7.43, 31.71);
     float dunes_product_2 = dunes_greatest * 2.0;

@@ -11,25 +11,24 @@ uniform sampler2D pebbles_image;  // textures/pebbles_height.png (linear, repeat
 vec2 wrinkle_parallax_offset_smooth_slope(vec2 a, vec2 b) {
     vec4 texel = textureLod(pebbles_image, a + b, 0.0);
     float difference = texel.x - textureLod(pebbles_image, a - b, 0.0).x;
-    vec4 texel_2 = textureLod(pebbles_image, a + vec2(1.0, -1.0) * b, 0.0);
-    float difference_2 = texel_2.x - textureLod(pebbles_image, a + vec2(-1.0, 1.0) * b, 0.0).x;
-    vec4 texel_3 = textureLod(pebbles_image, a + vec2(1.0, 0.0) * b, 0.0);
-    vec4 texel_4 = textureLod(pebbles_image, a + vec2(-1.0, 0.0) * b, 0.0);
-    float sum = difference + difference_2 + 2.0 * (texel_3.x - texel_4.x);
-    vec4 texel_5 = textureLod(pebbles_image, a + vec2(0.0, 1.0) * b, 0.0);
-    vec4 texel_6 = textureLod(pebbles_image, a + vec2(0.0, -1.0) * b, 0.0);
-    float sum_2 = difference - difference_2 + 2.0 * (texel_5.x - texel_6.x);
-    return vec2(sum, sum_2) / (8.0 * b);
+    vec4 texel_2 = textureLod(pebbles_image, a + vec2(b.x, -b.y), 0.0);
+    float difference_2 = texel_2.x - textureLod(pebbles_image, a + vec2(-b.x, b.y), 0.0).x;
+    vec4 texel_3 = textureLod(pebbles_image, vec2(a.x + b.x, a.y), 0.0);
+    float difference_3 = texel_3.x - textureLod(pebbles_image, vec2(a.x - b.x, a.y), 0.0).x;
+    float sum = difference + difference_2 + 2.0 * difference_3;
+    vec4 texel_4 = textureLod(pebbles_image, vec2(a.x, a.y + b.y), 0.0);
+    float difference_4 = texel_4.x - textureLod(pebbles_image, vec2(a.x, a.y - b.y), 0.0).x;
+    float sum_2 = difference - difference_2 + 2.0 * difference_4;
+    return vec2(sum, sum_2) * 0.125;
 }
 
 vec3 wrinkle_parallax_offset_normal(WrinkleSurface_parallax_offset s) {
     vec3 normal = normalize(s.normal);  // the surface point
-    vec3 dpdy = dFdy(s.position_relative);
-    vec3 r_x = cross(dpdy, normal);
-    vec2 duv0_dx = dFdx(s.uv0);
-    vec2 duv0_dy = dFdy(s.uv0);
     vec3 dpdx = dFdx(s.position_relative);
-    float det = dot(dpdx, r_x);
+    vec2 duv0_dx = dFdx(s.uv0);
+    vec3 dpdy = dFdy(s.position_relative);
+    vec2 duv0_dy = dFdy(s.uv0);
+    float screen_area = dot(normal, cross(dpdx, dpdy));
     vec3 pebbles_product = normal * s.facing;  // pebbles: Height map
     vec2 pebbles_size = vec2(textureSize(pebbles_image, 0));
     // shift: Parallax offset
@@ -46,30 +45,35 @@ vec3 wrinkle_parallax_offset_normal(WrinkleSurface_parallax_offset s) {
     vec2 tile_product_2 = duv0_dy * 2.0;
     // pebbles: Height map (continued)
     float pebbles_height = (texture(pebbles_image, tile_uv).x - 0.5) * 0.03;
-    float pebbles_extent = length(tile_product * pebbles_size);
-    float pebbles_greatest = max(pebbles_extent, length(tile_product_2 * pebbles_size));
-    vec2 pebbles_quotient = max(pebbles_greatest, 1.0) / pebbles_size;
-    float pebbles_quotient_2 = (0.5 - log2(max(pebbles_greatest, 1.1754944e-38))) / 0.45;
-    float pebbles_clamped = clamp(pebbles_quotient_2, 0.0, 1.0);
+    vec2 pebbles_product_2 = tile_product * pebbles_size;
+    float pebbles_dot_product = dot(pebbles_product_2, pebbles_product_2);
+    vec2 pebbles_product_3 = tile_product_2 * pebbles_size;
+    float pebbles_greatest = max(pebbles_dot_product, dot(pebbles_product_3, pebbles_product_3));
+    float pebbles_root = sqrt(max(pebbles_greatest, 1.0));
+    vec2 pebbles_quotient = pebbles_root / pebbles_size;
+    float pebbles_clamped = clamp((0.5 - log2(pebbles_root)) / 0.45, 0.0, 1.0);
     vec2 shift_uv = s.uv0 + shift_negated * -pebbles_height;  // shift: Parallax offset (continued)
     vec2 tile_product_3 = shift_uv * 2.0;  // tile: UV transform (continued)
     // pebbles: Height map (continued)
-    vec2 pebbles_sum = tile_product_3 + vec2(pebbles_quotient.x, 0.0);
-    vec4 pebbles_texel = textureGrad(pebbles_image, pebbles_sum, tile_product, tile_product_2);
+    vec2 pebbles_vector = vec2(tile_product_3.x + pebbles_quotient.x, tile_product_3.y);
+    vec4 pebbles_texel = textureGrad(pebbles_image, pebbles_vector, tile_product, tile_product_2);
     vec4 pebbles_texel_2 = textureGrad(pebbles_image, tile_product_3, tile_product, tile_product_2);
     float pebbles_difference = pebbles_texel.x - pebbles_texel_2.x;
-    vec2 pebbles_sum_2 = tile_product_3 + vec2(0.0, pebbles_quotient.y);
-    vec4 pebbles_texel_3 = textureGrad(pebbles_image, pebbles_sum_2, tile_product, tile_product_2);
-    vec2 pebbles_vector = vec2(pebbles_difference, pebbles_texel_3.x - pebbles_texel_2.x);
-    vec2 pebbles_quotient_3 = pebbles_vector / pebbles_quotient;
+    vec2 pebbles_vector_2 = vec2(tile_product_3.x, tile_product_3.y + pebbles_quotient.y);
+    vec4 pebbles_texel_3 = textureGrad(pebbles_image, pebbles_vector_2, tile_product,
+            tile_product_2);
+    vec2 pebbles_vector_3 = vec2(pebbles_difference, pebbles_texel_3.x - pebbles_texel_2.x);
+    vec2 pebbles_product_4 = pebbles_vector_3 * (1.0 / pebbles_root);
     vec2 pebbles_smooth_slope = wrinkle_parallax_offset_smooth_slope(tile_product_3,
             1.0 / pebbles_size);
-    vec2 pebbles_mixed = mix(pebbles_quotient_3, pebbles_smooth_slope, pebbles_clamped);
+    vec2 pebbles_mixed = mix(pebbles_product_4, pebbles_smooth_slope, pebbles_clamped);
+    float pebbles_dot_product_2 = dot(pebbles_mixed, pebbles_product_2);
     // normal: Resolve
-    vec3 normal_product = cross(normal, dpdx) * (dot(pebbles_mixed, tile_product_2) * 0.03);
-    vec3 normal_sum = r_x * (dot(pebbles_mixed, tile_product) * 0.03) + normal_product;
-    vec3 normal_difference = pebbles_product - normal_sum * (sign(det) / max(abs(det), 1e-36));
-    return normalize(normal_difference);
+    vec2 normal_vector = vec2(pebbles_dot_product_2, dot(pebbles_mixed, pebbles_product_3));
+    float normal_product = sign(screen_area) / max(abs(screen_area), 1e-36) * 0.03;
+    vec2 normal_product_2 = normal_vector * normal_product;
+    vec3 normal_gradient = cross(normal, dpdx * normal_product_2.y - dpdy * normal_product_2.x);
+    return normalize(pebbles_product - normal_gradient);
 }
 
 float wrinkle_parallax_offset_height(WrinkleSurface_parallax_offset s) {

@@ -10,50 +10,51 @@ uniform sampler2D pebbles_image;  // textures/pebbles_height.png (linear, repeat
 vec2 wrinkle_planar_dust_smooth_slope(vec2 a, vec2 b) {
     vec4 texel = textureLod(pebbles_image, a + b, 0.0);
     float difference = texel.x - textureLod(pebbles_image, a - b, 0.0).x;
-    vec4 texel_2 = textureLod(pebbles_image, a + vec2(1.0, -1.0) * b, 0.0);
-    float difference_2 = texel_2.x - textureLod(pebbles_image, a + vec2(-1.0, 1.0) * b, 0.0).x;
-    vec4 texel_3 = textureLod(pebbles_image, a + vec2(1.0, 0.0) * b, 0.0);
-    vec4 texel_4 = textureLod(pebbles_image, a + vec2(-1.0, 0.0) * b, 0.0);
-    float sum = difference + difference_2 + 2.0 * (texel_3.x - texel_4.x);
-    vec4 texel_5 = textureLod(pebbles_image, a + vec2(0.0, 1.0) * b, 0.0);
-    vec4 texel_6 = textureLod(pebbles_image, a + vec2(0.0, -1.0) * b, 0.0);
-    float sum_2 = difference - difference_2 + 2.0 * (texel_5.x - texel_6.x);
-    return vec2(sum, sum_2) / (8.0 * b);
+    vec4 texel_2 = textureLod(pebbles_image, a + vec2(b.x, -b.y), 0.0);
+    float difference_2 = texel_2.x - textureLod(pebbles_image, a + vec2(-b.x, b.y), 0.0).x;
+    vec4 texel_3 = textureLod(pebbles_image, vec2(a.x + b.x, a.y), 0.0);
+    float difference_3 = texel_3.x - textureLod(pebbles_image, vec2(a.x - b.x, a.y), 0.0).x;
+    float sum = difference + difference_2 + 2.0 * difference_3;
+    vec4 texel_4 = textureLod(pebbles_image, vec2(a.x, a.y + b.y), 0.0);
+    float difference_4 = texel_4.x - textureLod(pebbles_image, vec2(a.x, a.y - b.y), 0.0).x;
+    float sum_2 = difference - difference_2 + 2.0 * difference_4;
+    return vec2(sum, sum_2) * 0.125;
 }
 
 vec3 wrinkle_planar_dust_normal(WrinkleSurface_planar_dust s) {
     vec3 normal = normalize(s.normal);  // the surface point
     vec3 dpdx = dFdx(s.position_relative);
     vec3 dpdy = dFdy(s.position_relative);
-    vec3 from_above_product = normal * s.facing;  // from_above: Planar UV
-    float from_above_sign = dot(normal, from_above_product) < 0.0 ? -1.0 : 1.0;
-    vec3 from_above_product_2 = from_above_product * from_above_sign;
-    float from_above_negated = -(from_above_product_2.y < 0.0 ? -1.0 : 1.0);
+    float from_above_negated = -(normal.y < 0.0 ? -1.0 : 1.0);  // from_above: Planar UV
     vec2 from_above_uv = vec2(s.position.x, from_above_negated * s.position.z) * 1.5;
-    vec2 from_above_product_3 = vec2(dpdx.x, dpdx.z * from_above_negated) * 1.5;
-    vec2 from_above_product_4 = vec2(dpdy.x, dpdy.z * from_above_negated) * 1.5;
-    bool from_above_test = dot(from_above_product_2, from_above_product_2) > 0.0;
-    vec3 from_above_choice = from_above_test ? normalize(from_above_product_2) : vec3(0.0);
-    float from_above_clamped = clamp((from_above_choice.y - 0.2) / 0.3, 0.0, 1.0);
-    float from_above_product_5 = from_above_clamped * from_above_clamped;
-    float from_above_weight = from_above_product_5 * (3.0 - 2.0 * from_above_clamped);
+    vec2 from_above_product = vec2(dpdx.x, dpdx.z * from_above_negated) * 1.5;
+    vec2 from_above_product_2 = vec2(dpdy.x, dpdy.z * from_above_negated) * 1.5;
+    float from_above_clamped = clamp((normal.y - 0.2) / 0.3, 0.0, 1.0);
+    float from_above_product_3 = from_above_clamped * from_above_clamped;
+    float from_above_weight = from_above_product_3 * (3.0 - 2.0 * from_above_clamped);
     vec2 pebbles_size = vec2(textureSize(pebbles_image, 0));  // pebbles: Height map
-    float pebbles_extent = length(from_above_product_3 * pebbles_size);
-    float pebbles_greatest = max(pebbles_extent, length(from_above_product_4 * pebbles_size));
-    vec2 pebbles_quotient = max(pebbles_greatest, 1.0) / pebbles_size;
-    vec4 pebbles_texel = texture(pebbles_image, from_above_uv + vec2(pebbles_quotient.x, 0.0));
-    vec4 pebbles_texel_2 = texture(pebbles_image, from_above_uv);
-    float pebbles_difference = pebbles_texel.x - pebbles_texel_2.x;
-    vec4 pebbles_texel_3 = texture(pebbles_image, from_above_uv + vec2(0.0, pebbles_quotient.y));
-    vec2 pebbles_vector = vec2(pebbles_difference, pebbles_texel_3.x - pebbles_texel_2.x);
-    vec2 pebbles_quotient_2 = pebbles_vector / pebbles_quotient;
+    vec2 pebbles_product = from_above_product * pebbles_size;
+    float pebbles_dot_product = dot(pebbles_product, pebbles_product);
+    vec2 pebbles_product_2 = from_above_product_2 * pebbles_size;
+    float pebbles_greatest = max(pebbles_dot_product, dot(pebbles_product_2, pebbles_product_2));
+    float pebbles_root = sqrt(max(pebbles_greatest, 1.0));
+    vec2 pebbles_quotient = pebbles_root / pebbles_size;
+    vec2 pebbles_vector = vec2(from_above_uv.x + pebbles_quotient.x, from_above_uv.y);
+    vec4 pebbles_texel = texture(pebbles_image, from_above_uv);
+    float pebbles_difference = texture(pebbles_image, pebbles_vector).x - pebbles_texel.x;
+    vec2 pebbles_vector_2 = vec2(from_above_uv.x, from_above_uv.y + pebbles_quotient.y);
+    float pebbles_difference_2 = texture(pebbles_image, pebbles_vector_2).x - pebbles_texel.x;
+    vec2 pebbles_product_3 = vec2(pebbles_difference, pebbles_difference_2) * (1.0 / pebbles_root);
     vec2 pebbles_smooth_slope = wrinkle_planar_dust_smooth_slope(from_above_uv, 1.0 / pebbles_size);
-    float pebbles_quotient_3 = (0.5 - log2(max(pebbles_greatest, 1.1754944e-38))) / 0.45;
-    float pebbles_clamped = clamp(pebbles_quotient_3, 0.0, 1.0);
-    vec2 pebbles_mixed = mix(pebbles_quotient_2, pebbles_smooth_slope, pebbles_clamped);
-    float pebbles_product = dot(pebbles_mixed, vec2(0.0, from_above_negated) * 1.5) * 0.06;
-    vec3 pebbles_vector_2 = vec3(dot(pebbles_mixed, vec2(1.5, 0.0)) * 0.06, 0.0, pebbles_product);
-    vec3 g_product = pebbles_vector_2 * from_above_weight;  // g: Scale bump
+    float pebbles_clamped = clamp((0.5 - log2(pebbles_root)) / 0.45, 0.0, 1.0);
+    vec2 pebbles_mixed = mix(pebbles_product_3, pebbles_smooth_slope, pebbles_clamped);
+    float pebbles_product_4 = pebbles_mixed.y * (from_above_negated * 1.5 * pebbles_size.y);
+    // g: Scale bump
+    float g_product = pebbles_mixed.x * (1.5 * pebbles_size.x) * 0.06 * from_above_weight;
+    float g_product_2 = pebbles_product_4 * 0.06 * from_above_weight;
     // normal: Resolve
-    return normalize(from_above_product - (g_product - normal * dot(normal, g_product)));
+    vec3 normal_product = normal * (s.facing + (normal.x * g_product + normal.z * g_product_2));
+    float normal_difference = normal_product.x - g_product;
+    float normal_difference_2 = normal_product.z - g_product_2;
+    return normalize(vec3(normal_difference, normal_product.y, normal_difference_2));
 }

@@ -10,42 +10,44 @@ uniform sampler2D g_image;  // textures/bricks_height.png (linear, repeat)
 vec2 wrinkle_plane_bricks_smooth_slope(vec2 a, vec2 b) {
     vec4 texel = textureLod(g_image, a + b, 0.0);
     float difference = texel.x - textureLod(g_image, a - b, 0.0).x;
-    vec4 texel_2 = textureLod(g_image, a + vec2(1.0, -1.0) * b, 0.0);
-    float difference_2 = texel_2.x - textureLod(g_image, a + vec2(-1.0, 1.0) * b, 0.0).x;
-    vec4 texel_3 = textureLod(g_image, a + vec2(1.0, 0.0) * b, 0.0);
-    vec4 texel_4 = textureLod(g_image, a + vec2(-1.0, 0.0) * b, 0.0);
-    float sum = difference + difference_2 + 2.0 * (texel_3.x - texel_4.x);
-    vec4 texel_5 = textureLod(g_image, a + vec2(0.0, 1.0) * b, 0.0);
-    vec4 texel_6 = textureLod(g_image, a + vec2(0.0, -1.0) * b, 0.0);
-    float sum_2 = difference - difference_2 + 2.0 * (texel_5.x - texel_6.x);
-    return vec2(sum, sum_2) / (8.0 * b);
+    vec4 texel_2 = textureLod(g_image, a + vec2(b.x, -b.y), 0.0);
+    float difference_2 = texel_2.x - textureLod(g_image, a + vec2(-b.x, b.y), 0.0).x;
+    vec4 texel_3 = textureLod(g_image, vec2(a.x + b.x, a.y), 0.0);
+    float difference_3 = texel_3.x - textureLod(g_image, vec2(a.x - b.x, a.y), 0.0).x;
+    float sum = difference + difference_2 + 2.0 * difference_3;
+    vec4 texel_4 = textureLod(g_image, vec2(a.x, a.y + b.y), 0.0);
+    float difference_4 = texel_4.x - textureLod(g_image, vec2(a.x, a.y - b.y), 0.0).x;
+    float sum_2 = difference - difference_2 + 2.0 * difference_4;
+    return vec2(sum, sum_2) * 0.125;
 }
 
 vec3 wrinkle_plane_bricks_normal(WrinkleSurface_plane_bricks s) {
     vec3 normal = normalize(s.normal);  // the surface point
     vec3 dpdx = dFdx(s.position_relative);
     vec3 dpdy = dFdy(s.position_relative);
-    float slant_dot_product = dot(s.position, vec3(0.8944272, 0.0, -0.4472136));  // slant: Plane UV
-    float slant_dot_product_2 = dot(s.position, vec3(-0.18257418, 0.91287094, -0.36514837));
-    vec2 slant_uv = vec2(slant_dot_product, slant_dot_product_2) * 1.5;
-    float slant_dot_product_3 = dot(dpdx, vec3(-0.18257418, 0.91287094, -0.36514837));
-    vec2 slant_vector = vec2(dot(dpdx, vec3(0.8944272, 0.0, -0.4472136)), slant_dot_product_3);
-    float slant_dot_product_4 = dot(dpdy, vec3(-0.18257418, 0.91287094, -0.36514837));
-    vec2 slant_vector_2 = vec2(dot(dpdy, vec3(0.8944272, 0.0, -0.4472136)), slant_dot_product_4);
+    float slant_sum = s.position.x * 0.8944272 + s.position.z * -0.4472136;  // slant: Plane UV
+    float slant_dot_product = dot(s.position, vec3(-0.18257418, 0.91287094, -0.36514837));
+    vec2 slant_uv = vec2(slant_sum, slant_dot_product) * 1.5;
+    float slant_dot_product_2 = dot(dpdx, vec3(-0.18257418, 0.91287094, -0.36514837));
+    vec2 slant_vector = vec2(dpdx.x * 0.8944272 + dpdx.z * -0.4472136, slant_dot_product_2);
+    float slant_dot_product_3 = dot(dpdy, vec3(-0.18257418, 0.91287094, -0.36514837));
+    vec2 slant_vector_2 = vec2(dpdy.x * 0.8944272 + dpdy.z * -0.4472136, slant_dot_product_3);
     vec2 g_size = vec2(textureSize(g_image, 0));  // g: Height map
-    float g_extent = length(slant_vector * 1.5 * g_size);
-    float g_greatest = max(g_extent, length(slant_vector_2 * 1.5 * g_size));
-    vec2 g_quotient = max(g_greatest, 1.0) / g_size;
-    vec4 g_texel = texture(g_image, slant_uv + vec2(g_quotient.x, 0.0));
-    vec4 g_texel_2 = texture(g_image, slant_uv);
-    vec4 g_texel_3 = texture(g_image, slant_uv + vec2(0.0, g_quotient.y));
-    vec2 g_quotient_2 = vec2(g_texel.x - g_texel_2.x, g_texel_3.x - g_texel_2.x) / g_quotient;
-    float g_clamped = clamp((0.5 - log2(max(g_greatest, 1.1754944e-38))) / 0.45, 0.0, 1.0);
-    vec2 g_mixed = mix(g_quotient_2, wrinkle_plane_bricks_smooth_slope(slant_uv, 1.0 / g_size),
-            g_clamped);
-    float g_product = dot(g_mixed, vec2(1.3416408, -0.2738613)) * 0.03;
-    float g_product_2 = dot(g_mixed, vec2(-0.6708204, -0.5477226)) * 0.03;
-    vec3 g_vector = vec3(g_product, dot(g_mixed, vec2(0.0, 1.3693064)) * 0.03, g_product_2);
+    vec2 g_product = slant_vector * 1.5 * g_size;
+    vec2 g_product_2 = slant_vector_2 * 1.5 * g_size;
+    float g_root = sqrt(max(max(dot(g_product, g_product), dot(g_product_2, g_product_2)), 1.0));
+    vec2 g_quotient = g_root / g_size;
+    vec2 g_vector = vec2(slant_uv.x + g_quotient.x, slant_uv.y);
+    vec4 g_texel = texture(g_image, slant_uv);
+    float g_difference = texture(g_image, g_vector).x - g_texel.x;
+    vec2 g_vector_2 = vec2(slant_uv.x, slant_uv.y + g_quotient.y);
+    vec2 g_vector_3 = vec2(g_difference, texture(g_image, g_vector_2).x - g_texel.x);
+    vec2 g_product_3 = g_vector_3 * (1.0 / g_root);
+    vec2 g_smooth_slope = wrinkle_plane_bricks_smooth_slope(slant_uv, 1.0 / g_size);
+    vec2 g_mixed = mix(g_product_3, g_smooth_slope, clamp((0.5 - log2(g_root)) / 0.45, 0.0, 1.0));
+    float g_product_4 = dot(g_mixed, vec2(1.3416408, -0.2738613) * g_size) * 0.03;
+    float g_product_5 = dot(g_mixed, vec2(-0.6708204, -0.5477226) * g_size) * 0.03;
+    vec3 g_gradient = vec3(g_product_4, g_mixed.y * (1.3693064 * g_size.y) * 0.03, g_product_5);
     // normal: Resolve
-    return normalize(normal * s.facing - (g_vector - normal * dot(normal, g_vector)));
+    return normalize(normal * (s.facing + dot(normal, g_gradient)) - g_gradient);
 }

@@ -9,55 +9,57 @@ struct WrinkleSurface_rings {
 
 vec3 wrinkle_rings_normal(WrinkleSurface_rings s) {
     vec3 normal = normalize(s.normal);  // the surface point
-    vec3 r_x = cross(dFdy(s.position_relative), normal);
     vec3 dpdx = dFdx(s.position_relative);
-    float det = dot(dpdx, r_x);
+    vec3 dpdy = dFdy(s.position_relative);
+    float screen_area = dot(normal, cross(dpdx, dpdy));
     vec2 place_vector = s.uv0 + -0.5;  // place: Add vec2
     vec2 lengths_vector = place_vector * 2.0;  // lengths: Scale vec2
     vec2 lengths_product = dFdx(s.uv0) * 2.0;
     vec2 lengths_product_2 = dFdy(s.uv0) * 2.0;
     // flat_place: Combine vec3
     vec3 flat_place_vector = vec3(lengths_vector.x, lengths_vector.y, 0.0);
-    vec3 flat_place_vector_2 = vec3(lengths_product.x, lengths_product.y, 0.0);
-    vec3 flat_place_vector_3 = vec3(lengths_product_2.x, lengths_product_2.y, 0.0);
-    vec3 shifted_vector = flat_place_vector - vec3(0.05, 0.0, 0.0);  // shifted: Subtract vec3
+    // shifted: Subtract vec3
+    vec3 shifted_vector = vec3(lengths_vector.x - 0.05, lengths_vector.y, 0.0);
     vec3 blended_vector = mix(flat_place_vector, shifted_vector, 0.5);  // blended: Mix vec3
     float radius_result = length(blended_vector);  // radius: Length
-    float radius_dot_product = dot(blended_vector, flat_place_vector_2);
+    float radius_product = blended_vector.x * lengths_product.x;
+    float radius_sum = radius_product + blended_vector.y * lengths_product.y;
     bool radius_test = radius_result > 0.0;
-    float radius_choice = radius_test ? radius_dot_product / radius_result : 0.0;
-    float radius_dot_product_2 = dot(blended_vector, flat_place_vector_3);
-    float radius_choice_2 = radius_test ? radius_dot_product_2 / radius_result : 0.0;
+    float radius_choice = radius_test ? radius_sum / radius_result : 0.0;
+    float radius_product_2 = blended_vector.x * lengths_product_2.x;
+    float radius_sum_2 = radius_product_2 + blended_vector.y * lengths_product_2.y;
+    float radius_choice_2 = radius_test ? radius_sum_2 / radius_result : 0.0;
     float squared_result = dot(blended_vector, blended_vector);  // squared: Dot product
-    float squared_sum = dot(flat_place_vector_2, blended_vector) + radius_dot_product;
-    float squared_sum_2 = dot(flat_place_vector_3, blended_vector) + radius_dot_product_2;
-    float root_result = sqrt(max(squared_result, 0.0));  // root: Square root
-    bool root_test = squared_result < 0.0;
+    float squared_product = lengths_product.x * blended_vector.x;
+    float squared_sum = squared_product + lengths_product.y * blended_vector.y;
+    float squared_product_2 = lengths_product_2.x * blended_vector.x;
+    float squared_sum_2 = squared_product_2 + lengths_product_2.y * blended_vector.y;
+    float root_result = sqrt(squared_result);  // root: Square root
     float root_choice = root_result > 0.0 ? 0.5 / root_result : 0.0;
-    float root_product = (root_test ? 0.0 : squared_sum) * root_choice;
-    float root_product_2 = (root_test ? 0.0 : squared_sum_2) * root_choice;
     float least_result = min(radius_result, root_result);  // least: Minimum
     bool least_test = root_result < radius_result;
+    float least_choice = least_test ? (squared_sum + radius_sum) * root_choice : radius_choice;
+    float least_choice_2 = least_test ? (squared_sum_2 + radius_sum_2) * root_choice :
+            radius_choice_2;
     float most_result = max(least_result, 0.1);  // most: Maximum
     bool most_test = least_result < 0.1;
-    float most_choice = most_test ? 0.0 : least_test ? root_product : radius_choice;
-    float most_choice_2 = most_test ? 0.0 : least_test ? root_product_2 : radius_choice_2;
     float inside_result = clamp(most_result, 0.1, 0.9);  // inside: Clamp
-    bool inside_test = 0.9 < max(most_result, 0.1);
+    bool inside_test = 0.9 < most_result;
     bool inside_test_2 = most_result < 0.1;
+    float inside_choice = inside_test_2 ? 0.0 : most_test ? 0.0 : least_choice;
+    float inside_choice_2 = inside_test_2 ? 0.0 : most_test ? 0.0 : least_choice_2;
     bool curve_test = inside_result > 0.0;  // curve: Power
     float curve_power = pow(inside_result, 1.5);
     float curve_choice = curve_test ? 1.5 * curve_power / inside_result : 0.0;
-    float curve_product = (inside_test ? 0.0 : inside_test_2 ? 0.0 : most_choice) * curve_choice;
+    float curve_choice_2 = curve_test ? (inside_test ? 0.0 : inside_choice) * curve_choice : 0.0;
     float curve_result = curve_test ? curve_power : 0.0;
-    float curve_product_2 = (inside_test ? 0.0 : inside_test_2 ? 0.0 : most_choice_2) *
-            curve_choice;
+    float curve_choice_3 = curve_test ? (inside_test ? 0.0 : inside_choice_2) * curve_choice : 0.0;
     float phase_result = curve_result * 40.0;  // phase: Multiply
     float waves_cosine = cos(phase_result);  // waves: Sine
-    // relief: Multiply
-    float relief_product = (curve_test ? curve_product : 0.0) * 40.0 * waves_cosine * 0.01;
-    float relief_product_2 = (curve_test ? curve_product_2 : 0.0) * 40.0 * waves_cosine * 0.01;
     float edge_result = step(0.15, inside_result);  // edge: Step
+    // ringed: Multiply
+    float ringed_product = curve_choice_2 * 40.0 * waves_cosine * 0.01 * edge_result;
+    float ringed_product_2 = curve_choice_3 * 40.0 * waves_cosine * 0.01 * edge_result;
     // angle: Arctangent of y, x
     bool angle_test = abs(lengths_vector.x) + abs(lengths_vector.y) > 0.0;
     float angle_product = lengths_product.y * lengths_vector.x;
@@ -84,10 +86,11 @@ vec3 wrinkle_rings_normal(WrinkleSurface_rings s) {
     // spoked: Multiply
     float spoked_product = from_middle_negated * bend_sum * spokes_difference * 0.01;
     float spoked_product_2 = from_middle_negated_2 * bend_sum * spokes_difference * 0.01;
-    float sum_sum = relief_product * edge_result + spoked_product;  // sum: Add heights
-    float sum_sum_2 = relief_product_2 * edge_result + spoked_product_2;
-    vec3 normal_sum = r_x * sum_sum + cross(normal, dpdx) * sum_sum_2;  // normal: Resolve
-    return normalize(normal * s.facing - normal_sum * (sign(det) / max(abs(det), 1e-36)));
+    // normal: Resolve
+    vec2 normal_vector = vec2(ringed_product + spoked_product, ringed_product_2 + spoked_product_2);
+    vec2 normal_product = normal_vector * (sign(screen_area) / max(abs(screen_area), 1e-36));
+    vec3 normal_gradient = cross(normal, dpdx * normal_product.y - dpdy * normal_product.x);
+    return normalize(normal * s.facing - normal_gradient);
 }
 
 float wrinkle_rings_height(WrinkleSurface_rings s) {
@@ -95,11 +98,12 @@ float wrinkle_rings_height(WrinkleSurface_rings s) {
     vec2 lengths_vector = place_vector * 2.0;  // lengths: Scale vec2
     // flat_place: Combine vec3
     vec3 flat_place_vector = vec3(lengths_vector.x, lengths_vector.y, 0.0);
-    vec3 shifted_vector = flat_place_vector - vec3(0.05, 0.0, 0.0);  // shifted: Subtract vec3
+    // shifted: Subtract vec3
+    vec3 shifted_vector = vec3(lengths_vector.x - 0.05, lengths_vector.y, 0.0);
     vec3 blended_vector = mix(flat_place_vector, shifted_vector, 0.5);  // blended: Mix vec3
     float radius_result = length(blended_vector);  // radius: Length
     float squared_result = dot(blended_vector, blended_vector);  // squared: Dot product
-    float root_result = sqrt(max(squared_result, 0.0));  // root: Square root
+    float root_result = sqrt(squared_result);  // root: Square root
     float least_result = min(radius_result, root_result);  // least: Minimum
     float most_result = max(least_result, 0.1);  // most: Maximum
     float inside_result = clamp(most_result, 0.1, 0.9);  // inside: Clamp
@@ -125,5 +129,5 @@ float wrinkle_rings_height(WrinkleSurface_rings s) {
 }
 
 float wrinkle_rings_front(WrinkleSurface_rings s) {
-    return dot(vec3(0.0, 0.0, 1.0), s.position);  // lit: Dot product
+    return s.position.z;
 }

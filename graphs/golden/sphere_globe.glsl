@@ -11,94 +11,77 @@ vec3 wrinkle_sphere_globe_normal(WrinkleSurface_sphere_globe s) {
     vec3 normal = normalize(s.normal);  // the surface point
     vec3 dpdx = dFdx(s.position_relative);
     vec3 dpdy = dFdy(s.position_relative);
-    vec3 surface_dpdx = dpdx - normal * dot(normal, dpdx);
     vec3 surface_dpdy = dpdy - normal * dot(normal, dpdy);
-    float globe_dot_product = dot(s.position, vec3(0.0, -0.0, 1.0));  // globe: Sphere UV
-    float globe_negated = -dot(s.position, vec3(-0.70710677, 0.70710677, 0.0));
-    bool globe_test = abs(globe_dot_product) + abs(globe_negated) > 0.0;
-    float globe_quotient = (globe_test ? atan(globe_negated, globe_dot_product) : 0.0) / 6.2831855;
-    vec2 globe_vector = vec2(globe_negated, globe_dot_product);
+    vec3 surface_dpdx = dpdx - normal * dot(normal, dpdx);
+    // globe: Sphere UV
+    float globe_negated = -(s.position.x * -0.70710677 + s.position.y * 0.70710677);
+    bool globe_test = abs(s.position.z) + abs(globe_negated) > 0.0;
+    float globe_sum = (globe_test ? atan(globe_negated, s.position.z) : 0.0) / 6.2831855 + 0.5;
+    vec2 globe_vector = vec2(globe_negated, s.position.z);
     float globe_extent = length(globe_vector);
-    float globe_dot_product_2 = dot(s.position, vec3(0.70710677, 0.70710677, 0.0));
-    bool globe_test_2 = abs(globe_extent) + abs(globe_dot_product_2) > 0.0;
-    float globe_quotient_2 = (globe_test_2 ? atan(globe_dot_product_2,
-            globe_extent) : 0.0) / 3.1415927;
-    vec2 globe_uv = vec2(globe_quotient + 0.5, globe_quotient_2 + 0.5);
-    float globe_negated_2 = -dot(dpdx, vec3(-0.70710677, 0.70710677, 0.0));
-    float globe_dot_product_3 = dot(dpdx, vec3(0.0, -0.0, 1.0));
-    float globe_difference = globe_negated_2 * globe_dot_product - globe_dot_product_3 *
-            globe_negated;
-    float globe_sum = globe_negated * globe_negated + globe_dot_product * globe_dot_product;
-    float globe_choice = globe_sum > 0.0 ? 1.0 / globe_sum : 0.0;
-    float globe_quotient_3 = (globe_test ? globe_difference * globe_choice : 0.0) / 6.2831855;
-    float globe_product = dot(dpdx, vec3(0.70710677, 0.70710677, 0.0)) * globe_extent;
+    float globe_sum_2 = s.position.x * 0.70710677 + s.position.y * 0.70710677;
+    bool globe_test_2 = abs(globe_extent) + abs(globe_sum_2) > 0.0;
+    float globe_sum_3 = (globe_test_2 ? atan(globe_sum_2, globe_extent) : 0.0) / 3.1415927 + 0.5;
+    vec2 globe_uv = vec2(globe_sum, globe_sum_3);
+    float globe_negated_2 = -(dpdx.x * -0.70710677 + dpdx.y * 0.70710677);
+    float globe_sum_4 = globe_negated * globe_negated + s.position.z * s.position.z;
+    float globe_choice = globe_sum_4 > 0.0 ? 1.0 / globe_sum_4 : 0.0;
+    float globe_product = (globe_negated_2 * s.position.z - dpdx.z * globe_negated) * globe_choice;
+    float globe_product_2 = (dpdx.x * 0.70710677 + dpdx.y * 0.70710677) * globe_extent;
     bool globe_test_3 = globe_extent > 0.0;
-    float globe_quotient_4 = dot(globe_vector, vec2(globe_negated_2,
-            globe_dot_product_3)) / globe_extent;
-    float globe_difference_2 = globe_product - (globe_test_3 ? globe_quotient_4 : 0.0) *
-            globe_dot_product_2;
-    float globe_sum_2 = globe_dot_product_2 * globe_dot_product_2 + globe_extent * globe_extent;
-    float globe_choice_2 = globe_sum_2 > 0.0 ? 1.0 / globe_sum_2 : 0.0;
-    float globe_quotient_5 = (globe_test_2 ? globe_difference_2 * globe_choice_2 : 0.0) / 3.1415927;
-    vec2 globe_vector_2 = vec2(globe_quotient_3, globe_quotient_5);
-    float globe_negated_3 = -dot(dpdy, vec3(-0.70710677, 0.70710677, 0.0));
-    float globe_dot_product_4 = dot(dpdy, vec3(0.0, -0.0, 1.0));
-    float globe_difference_3 = globe_negated_3 * globe_dot_product - globe_dot_product_4 *
-            globe_negated;
-    float globe_quotient_6 = (globe_test ? globe_difference_3 * globe_choice : 0.0) / 6.2831855;
-    float globe_product_2 = dot(dpdy, vec3(0.70710677, 0.70710677, 0.0)) * globe_extent;
-    float globe_quotient_7 = dot(globe_vector, vec2(globe_negated_3,
-            globe_dot_product_4)) / globe_extent;
-    float globe_difference_4 = globe_product_2 - (globe_test_3 ? globe_quotient_7 : 0.0) *
-            globe_dot_product_2;
-    float globe_quotient_8 = (globe_test_2 ? globe_difference_4 * globe_choice_2 : 0.0) / 3.1415927;
-    vec2 globe_vector_3 = vec2(globe_quotient_6, globe_quotient_8);
-    float globe_negated_4 = -dot(surface_dpdy, vec3(-0.70710677, 0.70710677, 0.0));
-    float globe_dot_product_5 = dot(surface_dpdy, vec3(0.0, -0.0, 1.0));
-    float globe_difference_5 = globe_negated_4 * globe_dot_product - globe_dot_product_5 *
-            globe_negated;
-    float globe_quotient_9 = (globe_test ? globe_difference_5 * globe_choice : 0.0) / 6.2831855;
-    float globe_product_3 = dot(surface_dpdy, vec3(0.70710677, 0.70710677, 0.0)) * globe_extent;
-    float globe_quotient_10 = dot(globe_vector, vec2(globe_negated_4,
-            globe_dot_product_5)) / globe_extent;
-    float globe_difference_6 = globe_product_3 - (globe_test_3 ? globe_quotient_10 : 0.0) *
-            globe_dot_product_2;
-    float globe_quotient_11 = (globe_test_2 ? globe_difference_6 * globe_choice_2 : 0.0) /
+    float globe_quotient = dot(globe_vector, vec2(globe_negated_2, dpdx.z)) / globe_extent;
+    float globe_difference = globe_product_2 - (globe_test_3 ? globe_quotient : 0.0) * globe_sum_2;
+    float globe_sum_5 = globe_sum_2 * globe_sum_2 + globe_extent * globe_extent;
+    float globe_choice_2 = globe_sum_5 > 0.0 ? 1.0 / globe_sum_5 : 0.0;
+    float globe_quotient_2 = (globe_test_2 ? globe_difference * globe_choice_2 : 0.0) / 3.1415927;
+    vec2 globe_vector_2 = vec2((globe_test ? globe_product : 0.0) / 6.2831855, globe_quotient_2);
+    float globe_negated_3 = -(dpdy.x * -0.70710677 + dpdy.y * 0.70710677);
+    float globe_product_3 = (globe_negated_3 * s.position.z - dpdy.z * globe_negated) *
+            globe_choice;
+    float globe_product_4 = (dpdy.x * 0.70710677 + dpdy.y * 0.70710677) * globe_extent;
+    float globe_quotient_3 = dot(globe_vector, vec2(globe_negated_3, dpdy.z)) / globe_extent;
+    float globe_difference_2 = globe_product_4 - (globe_test_3 ? globe_quotient_3 : 0.0) *
+            globe_sum_2;
+    float globe_quotient_4 = (globe_test_2 ? globe_difference_2 * globe_choice_2 : 0.0) / 3.1415927;
+    vec2 globe_vector_3 = vec2((globe_test ? globe_product_3 : 0.0) / 6.2831855, globe_quotient_4);
+    float globe_negated_4 = -(surface_dpdy.x * -0.70710677 + surface_dpdy.y * 0.70710677);
+    float globe_difference_3 = globe_negated_4 * s.position.z - surface_dpdy.z * globe_negated;
+    float globe_quotient_5 = (globe_test ? globe_difference_3 * globe_choice : 0.0) / 6.2831855;
+    float globe_sum_6 = surface_dpdy.x * 0.70710677 + surface_dpdy.y * 0.70710677;
+    float globe_quotient_6 = dot(globe_vector, vec2(globe_negated_4,
+            surface_dpdy.z)) / globe_extent;
+    float globe_product_5 = (globe_test_3 ? globe_quotient_6 : 0.0) * globe_sum_2;
+    float globe_difference_4 = globe_sum_6 * globe_extent - globe_product_5;
+    float globe_quotient_7 = (globe_test_2 ? globe_difference_4 * globe_choice_2 : 0.0) / 3.1415927;
+    vec2 globe_vector_4 = vec2(globe_quotient_5, globe_quotient_7);
+    float globe_negated_5 = -(surface_dpdx.x * -0.70710677 + surface_dpdx.y * 0.70710677);
+    float globe_difference_5 = globe_negated_5 * s.position.z - surface_dpdx.z * globe_negated;
+    float globe_quotient_8 = (globe_test ? globe_difference_5 * globe_choice : 0.0) / 6.2831855;
+    float globe_sum_7 = surface_dpdx.x * 0.70710677 + surface_dpdx.y * 0.70710677;
+    float globe_quotient_9 = dot(globe_vector, vec2(globe_negated_5,
+            surface_dpdx.z)) / globe_extent;
+    float globe_product_6 = (globe_test_3 ? globe_quotient_9 : 0.0) * globe_sum_2;
+    float globe_difference_6 = globe_sum_7 * globe_extent - globe_product_6;
+    float globe_quotient_10 = (globe_test_2 ? globe_difference_6 * globe_choice_2 : 0.0) /
             3.1415927;
-    vec2 globe_vector_4 = vec2(globe_quotient_9, globe_quotient_11);
-    float globe_negated_5 = -dot(surface_dpdx, vec3(-0.70710677, 0.70710677, 0.0));
-    float globe_dot_product_6 = dot(surface_dpdx, vec3(0.0, -0.0, 1.0));
-    float globe_difference_7 = globe_negated_5 * globe_dot_product - globe_dot_product_6 *
-            globe_negated;
-    float globe_quotient_12 = (globe_test ? globe_difference_7 * globe_choice : 0.0) / 6.2831855;
-    float globe_product_4 = dot(surface_dpdx, vec3(0.70710677, 0.70710677, 0.0)) * globe_extent;
-    float globe_quotient_13 = dot(globe_vector, vec2(globe_negated_5,
-            globe_dot_product_6)) / globe_extent;
-    float globe_difference_8 = globe_product_4 - (globe_test_3 ? globe_quotient_13 : 0.0) *
-            globe_dot_product_2;
-    float globe_quotient_14 = (globe_test_2 ? globe_difference_8 * globe_choice_2 : 0.0) /
-            3.1415927;
-    vec2 globe_vector_5 = vec2(globe_quotient_12, globe_quotient_14);
+    vec2 globe_vector_5 = vec2(globe_quotient_8, globe_quotient_10);
     vec2 tile_uv = globe_uv * vec2(8.0, 4.0);  // tile: UV transform
     vec2 tile_product = globe_vector_2 * vec2(8.0, 4.0);
     vec2 tile_product_2 = globe_vector_3 * vec2(8.0, 4.0);
     vec2 tile_product_3 = globe_vector_4 * vec2(8.0, 4.0);
     vec2 tile_product_4 = globe_vector_5 * vec2(8.0, 4.0);
     // g: Tangent normal map
-    vec4 g_texel = textureGrad(g_image, tile_uv, tile_product, tile_product_2);
-    vec3 g_texel_2 = g_texel.xyz * 2.0 - 1.0;
-    float g_least_depth = max(abs(g_texel_2.x), abs(g_texel_2.y)) * 0.0078125;
-    vec2 g_slope = -g_texel_2.xy;
+    vec3 g_texel = textureGrad(g_image, tile_uv, tile_product, tile_product_2).xyz - 0.5;
+    float g_least_depth = max(abs(g_texel.x), abs(g_texel.y)) * 0.0078125;
     // normal: Resolve
-    float normal_product = max(max(abs(g_texel_2.z), g_least_depth), 1e-06) * s.facing;
-    vec3 normal_difference = surface_dpdx * tile_product_3.y - surface_dpdy * tile_product_4.y;
+    float normal_product = max(max(abs(g_texel.z), g_least_depth), 5e-07) * s.facing;
+    vec3 normal_bitangent = cross(normal, dpdx * tile_product_3.y - dpdy * tile_product_4.y);
+    float normal_scale = inversesqrt(max(dot(normal_bitangent, normal_bitangent), 1e-36));
     float normal_product_2 = tile_product_4.x * tile_product_3.y;
     float normal_sign = normal_product_2 - tile_product_3.x * tile_product_4.y < 0.0 ? -1.0 : 1.0;
-    vec3 normal_product_3 = normal_difference * normal_sign;
-    float normal_inverse_root = inversesqrt(max(dot(normal_product_3, normal_product_3), 1e-36));
-    vec3 normal_tangent = normal_product_3 * normal_inverse_root;
-    float normal_sign_2 = dot(surface_dpdy, cross(normal, surface_dpdx)) < 0.0 ? -1.0 : 1.0;
-    vec3 normal_bitangent = cross(normal, normal_tangent) * (normal_sign * normal_sign_2);
-    vec3 normal_gradient = normal_tangent * g_slope.x + normal_bitangent * g_slope.y;
-    return normalize(normal * normal_product - normal_gradient);
+    float normal_slope_u = g_texel.x * (normal_scale * normal_sign);
+    vec3 normal_along_u = cross(normal_bitangent, normal) * normal_slope_u;
+    float normal_product_3 = normal_scale * (dot(normal, cross(dpdx, dpdy)) < 0.0 ? -1.0 : 1.0);
+    vec3 normal_along_v = normal_bitangent * (g_texel.y * normal_product_3);
+    return normalize(normal * normal_product + (normal_along_u + normal_along_v));
 }

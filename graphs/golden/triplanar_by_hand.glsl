@@ -12,81 +12,75 @@ uniform sampler2D bricks_image;  // textures/bricks_height.png (linear, repeat)
 vec2 wrinkle_triplanar_by_hand_smooth_slope(vec2 a, vec2 b) {
     vec4 texel = textureLod(bricks_image, a + b, 0.0);
     float difference = texel.x - textureLod(bricks_image, a - b, 0.0).x;
-    vec4 texel_2 = textureLod(bricks_image, a + vec2(1.0, -1.0) * b, 0.0);
-    float difference_2 = texel_2.x - textureLod(bricks_image, a + vec2(-1.0, 1.0) * b, 0.0).x;
-    vec4 texel_3 = textureLod(bricks_image, a + vec2(1.0, 0.0) * b, 0.0);
-    vec4 texel_4 = textureLod(bricks_image, a + vec2(-1.0, 0.0) * b, 0.0);
-    float sum = difference + difference_2 + 2.0 * (texel_3.x - texel_4.x);
-    vec4 texel_5 = textureLod(bricks_image, a + vec2(0.0, 1.0) * b, 0.0);
-    vec4 texel_6 = textureLod(bricks_image, a + vec2(0.0, -1.0) * b, 0.0);
-    float sum_2 = difference - difference_2 + 2.0 * (texel_5.x - texel_6.x);
-    return vec2(sum, sum_2) / (8.0 * b);
+    vec4 texel_2 = textureLod(bricks_image, a + vec2(b.x, -b.y), 0.0);
+    float difference_2 = texel_2.x - textureLod(bricks_image, a + vec2(-b.x, b.y), 0.0).x;
+    vec4 texel_3 = textureLod(bricks_image, vec2(a.x + b.x, a.y), 0.0);
+    float difference_3 = texel_3.x - textureLod(bricks_image, vec2(a.x - b.x, a.y), 0.0).x;
+    float sum = difference + difference_2 + 2.0 * difference_3;
+    vec4 texel_4 = textureLod(bricks_image, vec2(a.x, a.y + b.y), 0.0);
+    float difference_4 = texel_4.x - textureLod(bricks_image, vec2(a.x, a.y - b.y), 0.0).x;
+    float sum_2 = difference - difference_2 + 2.0 * difference_4;
+    return vec2(sum, sum_2) * 0.125;
 }
 
 vec3 wrinkle_triplanar_by_hand_normal(WrinkleSurface_triplanar_by_hand s) {
     vec3 normal = normalize(s.normal);  // the surface point
     vec3 dpdx = dFdx(s.position_relative);
     vec3 dpdy = dFdy(s.position_relative);
-    vec3 side_product = normal * s.facing;  // side: Planar UV
-    vec3 side_product_2 = side_product * (dot(normal, side_product) < 0.0 ? -1.0 : 1.0);
-    float side_negated = -(side_product_2.x < 0.0 ? -1.0 : 1.0);
+    float side_negated = -(normal.x < 0.0 ? -1.0 : 1.0);  // side: Planar UV
     vec2 side_uv = vec2(side_negated * s.position.z, s.position.y) * 2.0;
-    float side_negated_2 = -(side_product_2.y < 0.0 ? -1.0 : 1.0);
-    float side_sign = side_product_2.z < 0.0 ? -1.0 : 1.0;
-    vec2 side_product_3 = vec2(side_negated, 0.0) * 2.0;
-    // rivets: Tangent normal map
-    vec3 rivets_texel = texture(rivets_image, side_uv).xyz * 2.0 - 1.0;
+    float side_negated_2 = -(normal.y < 0.0 ? -1.0 : 1.0);
+    float side_sign = normal.z < 0.0 ? -1.0 : 1.0;
+    vec3 rivets_texel = texture(rivets_image, side_uv).xyz - 0.5;  // rivets: Tangent normal map
     float rivets_least_depth = max(abs(rivets_texel.x), abs(rivets_texel.y)) * 0.0078125;
-    float rivets_depth = max(max(abs(rivets_texel.z), rivets_least_depth), 1e-06);
-    vec2 rivets_slope = -rivets_texel.xy * 0.5;
-    float rivets_product = rivets_slope.x * side_product_3.x;
-    float rivets_sum = rivets_product + rivets_slope.y * side_product_3.y;
+    float rivets_depth = max(max(abs(rivets_texel.z), rivets_least_depth), 5e-07);
+    vec2 rivets_texel_2 = rivets_texel.xy * 0.5;
     vec2 top_uv = vec2(s.position.x, side_negated_2 * s.position.z) * 4.0;  // top: Planar UV
-    vec2 top_product = vec2(0.0, side_negated_2) * 4.0;
-    vec3 weave_texel = texture(weave_image, top_uv).xyz * 2.0 - 1.0;  // weave: Tangent normal map
+    vec3 weave_texel = texture(weave_image, top_uv).xyz - 0.5;  // weave: Tangent normal map
     float weave_least_depth = max(abs(weave_texel.x), abs(weave_texel.y)) * 0.0078125;
-    float weave_depth = max(max(abs(weave_texel.z), weave_least_depth), 1e-06);
-    vec2 weave_slope = -weave_texel.xy * 0.25;
-    float weave_sum = weave_slope.x * top_product.x + weave_slope.y * top_product.y;
-    vec2 front_uv = vec2(side_sign * s.position.x, s.position.y) * 2.0;  // front: Planar UV
-    vec2 bricks_size = vec2(textureSize(bricks_image, 0));  // bricks: Height map
-    vec2 bricks_product = vec2(dpdx.x * side_sign, dpdx.y) * 2.0 * bricks_size;
-    vec2 bricks_product_2 = vec2(dpdy.x * side_sign, dpdy.y) * 2.0 * bricks_size;
-    float bricks_greatest = max(length(bricks_product), length(bricks_product_2));
-    vec2 bricks_quotient = max(bricks_greatest, 1.0) / bricks_size;
-    vec4 bricks_texel = texture(bricks_image, front_uv + vec2(bricks_quotient.x, 0.0));
-    vec4 bricks_texel_2 = texture(bricks_image, front_uv);
-    float bricks_difference = bricks_texel.x - bricks_texel_2.x;
-    vec4 bricks_texel_3 = texture(bricks_image, front_uv + vec2(0.0, bricks_quotient.y));
-    vec2 bricks_vector = vec2(bricks_difference, bricks_texel_3.x - bricks_texel_2.x);
-    vec2 bricks_quotient_2 = bricks_vector / bricks_quotient;
-    vec2 bricks_smooth_slope = wrinkle_triplanar_by_hand_smooth_slope(front_uv, 1.0 / bricks_size);
-    float bricks_quotient_3 = (0.5 - log2(max(bricks_greatest, 1.1754944e-38))) / 0.45;
-    float bricks_clamped = clamp(bricks_quotient_3, 0.0, 1.0);
-    vec2 bricks_mixed = mix(bricks_quotient_2, bricks_smooth_slope, bricks_clamped);
-    float bricks_product_3 = dot(bricks_mixed, vec2(side_sign, 0.0) * 2.0) * 0.02;
-    vec3 bricks_vector_2 = vec3(bricks_product_3, dot(bricks_mixed, vec2(0.0, 2.0)) * 0.02, 0.0);
-    bool weights_test = dot(side_product, side_product) > 0.0;  // weights: Triplanar weights
-    vec3 weights_magnitude = abs(weights_test ? normalize(side_product) : vec3(0.0));
-    vec3 weights_greatest = max(weights_magnitude - 0.2, vec3(0.0));
+    float weave_depth = max(max(abs(weave_texel.z), weave_least_depth), 5e-07);
+    vec2 weave_texel_2 = weave_texel.xy * 0.25;
+    vec3 weights_greatest = max(abs(normal) - 0.2, vec3(0.0));  // weights: Triplanar weights
     float weights_greatest_2 = max(weights_greatest.x, weights_greatest.y);
     float weights_greatest_3 = max(weights_greatest_2, weights_greatest.z);
     vec3 weights_quotient = weights_greatest / weights_greatest_3;
     vec3 weights_choice = weights_greatest_3 != 0.0 ? weights_quotient : vec3(0.0);
-    float weights_choice_2 = weights_choice.x > 0.0 ? pow(weights_choice.x, 4.0) : 0.0;
-    float weights_choice_3 = weights_choice.y > 0.0 ? pow(weights_choice.y, 4.0) : 0.0;
-    float weights_choice_4 = weights_choice.z > 0.0 ? pow(weights_choice.z, 4.0) : 0.0;
-    vec3 weights_vector = vec3(weights_choice_2, weights_choice_3, weights_choice_4);
-    float weights_dot_product = dot(weights_vector, vec3(1.0));
-    vec3 weights_quotient_2 = weights_vector / weights_dot_product;
-    vec3 weights_weights = weights_dot_product != 0.0 ? weights_quotient_2 : vec3(0.0);
+    vec3 weights_product = weights_choice * weights_choice;
+    vec3 weights_product_2 = weights_product * weights_product;
+    float weights_sum = weights_product_2.x + weights_product_2.y + weights_product_2.z;
+    vec3 weights_weights = weights_product_2 / max(weights_sum, 1e-36);
+    vec2 front_uv = vec2(side_sign * s.position.x, s.position.y) * 2.0;  // front: Planar UV
+    vec2 bricks_size = vec2(textureSize(bricks_image, 0));  // bricks: Height map
+    vec2 bricks_product = vec2(dpdx.x * side_sign, dpdx.y) * 2.0 * bricks_size;
+    float bricks_dot_product = dot(bricks_product, bricks_product);
+    vec2 bricks_product_2 = vec2(dpdy.x * side_sign, dpdy.y) * 2.0 * bricks_size;
+    float bricks_greatest = max(max(bricks_dot_product, dot(bricks_product_2, bricks_product_2)),
+            1.0);
+    float bricks_root = sqrt(bricks_greatest);
+    vec2 bricks_quotient = bricks_root / bricks_size;
+    vec2 bricks_vector = vec2(front_uv.x + bricks_quotient.x, front_uv.y);
+    vec4 bricks_texel = texture(bricks_image, front_uv);
+    float bricks_difference = texture(bricks_image, bricks_vector).x - bricks_texel.x;
+    vec2 bricks_vector_2 = vec2(front_uv.x, front_uv.y + bricks_quotient.y);
+    float bricks_difference_2 = texture(bricks_image, bricks_vector_2).x - bricks_texel.x;
+    vec2 bricks_product_3 = vec2(bricks_difference, bricks_difference_2) * (1.0 / bricks_root);
+    vec2 bricks_smooth_slope = wrinkle_triplanar_by_hand_smooth_slope(front_uv, 1.0 / bricks_size);
+    float bricks_clamped = clamp((0.5 - log2(bricks_root)) / 0.45, 0.0, 1.0);
+    vec2 bricks_mixed = mix(bricks_product_3, bricks_smooth_slope, bricks_clamped);
+    float bricks_product_4 = bricks_mixed.x * (side_sign * 2.0 * bricks_size.x) * 0.02;
+    float bricks_product_5 = bricks_mixed.y * (2.0 * bricks_size.y) * 0.02;
     // of_x: Scale bump
-    vec3 of_x_product = vec3(0.0, rivets_slope.y * 2.0, rivets_sum) * weights_weights.x;
+    float of_x_product = rivets_texel_2.x * (side_negated * 2.0) * weights_weights.x;
     // of_y: Scale bump
-    vec3 of_y_product = vec3(weave_slope.x * 4.0, 0.0, weave_sum) * weights_weights.y;
+    float of_y_product = weave_texel_2.y * (side_negated_2 * 4.0) * weights_weights.y;
     float normal_product = rivets_depth * weave_depth;  // normal: Resolve
-    vec3 normal_product_2 = bricks_vector_2 * weights_weights.z * normal_product;
-    vec3 normal_sum = normal_product_2 + (of_x_product * weave_depth + of_y_product * rivets_depth);
-    vec3 normal_gradient = normal_sum - normal * dot(normal, normal_sum);
-    return normalize(normal * (normal_product * s.facing) - normal_gradient);
+    float normal_product_2 = weave_texel_2.x * 4.0 * weights_weights.y * rivets_depth;
+    float normal_negated = -normal_product;
+    float normal_sum = normal_product_2 + bricks_product_4 * weights_weights.z * normal_negated;
+    float normal_product_3 = rivets_texel_2.y * 2.0 * weights_weights.x * weave_depth;
+    float normal_sum_2 = normal_product_3 + bricks_product_5 * weights_weights.z * normal_negated;
+    float normal_sum_3 = of_x_product * weave_depth + of_y_product * rivets_depth;
+    vec3 normal_vector = vec3(normal_sum, normal_sum_2, normal_sum_3);
+    vec3 normal_product_4 = normal * (normal_product * s.facing - dot(normal, normal_vector));
+    return normalize(normal_product_4 + normal_vector);
 }

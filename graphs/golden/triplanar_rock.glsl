@@ -14,285 +14,279 @@ uniform sampler2D tint_image;     // textures/patches_mask.png (srgb, repeat)
 vec2 wrinkle_triplanar_rock_smooth_slope(vec2 a, vec2 b) {
     vec4 texel = textureLod(pebbles_image, a + b, 0.0);
     float difference = texel.x - textureLod(pebbles_image, a - b, 0.0).x;
-    vec4 texel_2 = textureLod(pebbles_image, a + vec2(1.0, -1.0) * b, 0.0);
-    float difference_2 = texel_2.x - textureLod(pebbles_image, a + vec2(-1.0, 1.0) * b, 0.0).x;
-    vec4 texel_3 = textureLod(pebbles_image, a + vec2(1.0, 0.0) * b, 0.0);
-    vec4 texel_4 = textureLod(pebbles_image, a + vec2(-1.0, 0.0) * b, 0.0);
-    float sum = difference + difference_2 + 2.0 * (texel_3.x - texel_4.x);
-    vec4 texel_5 = textureLod(pebbles_image, a + vec2(0.0, 1.0) * b, 0.0);
-    vec4 texel_6 = textureLod(pebbles_image, a + vec2(0.0, -1.0) * b, 0.0);
-    float sum_2 = difference - difference_2 + 2.0 * (texel_5.x - texel_6.x);
-    return vec2(sum, sum_2) / (8.0 * b);
+    vec4 texel_2 = textureLod(pebbles_image, a + vec2(b.x, -b.y), 0.0);
+    float difference_2 = texel_2.x - textureLod(pebbles_image, a + vec2(-b.x, b.y), 0.0).x;
+    vec4 texel_3 = textureLod(pebbles_image, vec2(a.x + b.x, a.y), 0.0);
+    float difference_3 = texel_3.x - textureLod(pebbles_image, vec2(a.x - b.x, a.y), 0.0).x;
+    float sum = difference + difference_2 + 2.0 * difference_3;
+    vec4 texel_4 = textureLod(pebbles_image, vec2(a.x, a.y + b.y), 0.0);
+    float difference_4 = texel_4.x - textureLod(pebbles_image, vec2(a.x, a.y - b.y), 0.0).x;
+    float sum_2 = difference - difference_2 + 2.0 * difference_4;
+    return vec2(sum, sum_2) * 0.125;
 }
 
 vec2 wrinkle_triplanar_rock_smooth_slope_2(vec2 a, vec2 b) {
     vec4 texel = textureLod(bricks_image, a + b, 0.0);
     float difference = texel.x - textureLod(bricks_image, a - b, 0.0).x;
-    vec4 texel_2 = textureLod(bricks_image, a + vec2(1.0, -1.0) * b, 0.0);
-    float difference_2 = texel_2.x - textureLod(bricks_image, a + vec2(-1.0, 1.0) * b, 0.0).x;
-    vec4 texel_3 = textureLod(bricks_image, a + vec2(1.0, 0.0) * b, 0.0);
-    vec4 texel_4 = textureLod(bricks_image, a + vec2(-1.0, 0.0) * b, 0.0);
-    float sum = difference + difference_2 + 2.0 * (texel_3.x - texel_4.x);
-    vec4 texel_5 = textureLod(bricks_image, a + vec2(0.0, 1.0) * b, 0.0);
-    vec4 texel_6 = textureLod(bricks_image, a + vec2(0.0, -1.0) * b, 0.0);
-    float sum_2 = difference - difference_2 + 2.0 * (texel_5.x - texel_6.x);
-    return vec2(sum, sum_2) / (8.0 * b);
+    vec4 texel_2 = textureLod(bricks_image, a + vec2(b.x, -b.y), 0.0);
+    float difference_2 = texel_2.x - textureLod(bricks_image, a + vec2(-b.x, b.y), 0.0).x;
+    vec4 texel_3 = textureLod(bricks_image, vec2(a.x + b.x, a.y), 0.0);
+    float difference_3 = texel_3.x - textureLod(bricks_image, vec2(a.x - b.x, a.y), 0.0).x;
+    float sum = difference + difference_2 + 2.0 * difference_3;
+    vec4 texel_4 = textureLod(bricks_image, vec2(a.x, a.y + b.y), 0.0);
+    float difference_4 = texel_4.x - textureLod(bricks_image, vec2(a.x, a.y - b.y), 0.0).x;
+    float sum_2 = difference - difference_2 + 2.0 * difference_4;
+    return vec2(sum, sum_2) * 0.125;
 }
 
 vec3 wrinkle_triplanar_rock_normal(WrinkleSurface_triplanar_rock s) {
     vec3 normal = normalize(s.normal);  // the surface point
     vec3 dpdx = dFdx(s.position_relative);
     vec3 dpdy = dFdy(s.position_relative);
-    vec3 pebbles_product = normal * s.facing;  // pebbles: Triplanar height map
-    vec3 pebbles_product_2 = s.position * 1.5;
-    vec3 pebbles_product_3 = pebbles_product * (dot(normal, pebbles_product) < 0.0 ? -1.0 : 1.0);
-    float pebbles_sign = pebbles_product_3.y < 0.0 ? -1.0 : 1.0;
+    vec3 pebbles_product = s.position * 1.5;  // pebbles: Triplanar height map
+    vec3 pebbles_product_2 = dpdx * 1.5;
+    float pebbles_sign = normal.y < 0.0 ? -1.0 : 1.0;
     float pebbles_negated = -pebbles_sign;
-    vec2 pebbles_vector = vec2(pebbles_product_2.x, pebbles_negated * pebbles_product_2.z);
-    vec3 pebbles_product_4 = dpdx * 1.5;
-    vec2 pebbles_vector_2 = vec2(pebbles_product_4.x, pebbles_product_4.z * pebbles_negated);
+    vec2 pebbles_vector = vec2(pebbles_product_2.x, pebbles_product_2.z * pebbles_negated);
     vec2 pebbles_size = vec2(textureSize(pebbles_image, 0));
-    float pebbles_extent = length(pebbles_vector_2 * pebbles_size);
-    vec3 pebbles_product_5 = dpdy * 1.5;
-    vec2 pebbles_vector_3 = vec2(pebbles_product_5.x, pebbles_product_5.z * pebbles_negated);
-    float pebbles_greatest = max(pebbles_extent, length(pebbles_vector_3 * pebbles_size));
-    vec2 pebbles_quotient = max(pebbles_greatest, 1.0) / pebbles_size;
-    vec2 pebbles_sum = pebbles_vector + vec2(pebbles_quotient.x, 0.0);
-    vec4 pebbles_texel = texture(pebbles_image, pebbles_vector);
-    float pebbles_difference = texture(pebbles_image, pebbles_sum).x - pebbles_texel.x;
-    vec2 pebbles_sum_2 = pebbles_vector + vec2(0.0, pebbles_quotient.y);
-    float pebbles_difference_2 = texture(pebbles_image, pebbles_sum_2).x - pebbles_texel.x;
-    vec2 pebbles_quotient_2 = vec2(pebbles_difference, pebbles_difference_2) / pebbles_quotient;
-    vec2 pebbles_quotient_3 = 1.0 / pebbles_size;
-    vec2 pebbles_smooth_slope = wrinkle_triplanar_rock_smooth_slope(pebbles_vector,
-            pebbles_quotient_3);
-    float pebbles_quotient_4 = (0.5 - log2(max(pebbles_greatest, 1.1754944e-38))) / 0.45;
-    float pebbles_clamped = clamp(pebbles_quotient_4, 0.0, 1.0);
-    vec2 pebbles_mixed = mix(pebbles_quotient_2, pebbles_smooth_slope, pebbles_clamped);
-    bool pebbles_test = dot(pebbles_product, pebbles_product) > 0.0;
-    vec3 pebbles_magnitude = abs(pebbles_test ? normalize(pebbles_product) : vec3(0.0));
-    vec3 pebbles_greatest_2 = max(pebbles_magnitude - 0.2, vec3(0.0));
-    float pebbles_greatest_3 = max(pebbles_greatest_2.x, pebbles_greatest_2.y);
-    float pebbles_greatest_4 = max(pebbles_greatest_3, pebbles_greatest_2.z);
-    vec3 pebbles_quotient_5 = pebbles_greatest_2 / pebbles_greatest_4;
-    vec3 pebbles_choice = pebbles_greatest_4 != 0.0 ? pebbles_quotient_5 : vec3(0.0);
-    bool pebbles_test_2 = pebbles_choice.x > 0.0;
-    float pebbles_choice_2 = pebbles_test_2 ? pow(pebbles_choice.x, 3.0) : 0.0;
-    bool pebbles_test_3 = pebbles_choice.y > 0.0;
-    float pebbles_choice_3 = pebbles_test_3 ? pow(pebbles_choice.y, 3.0) : 0.0;
-    bool pebbles_test_4 = pebbles_choice.z > 0.0;
-    float pebbles_choice_4 = pebbles_test_4 ? pow(pebbles_choice.z, 3.0) : 0.0;
-    vec3 pebbles_vector_4 = vec3(pebbles_choice_2, pebbles_choice_3, pebbles_choice_4);
-    float pebbles_dot_product = dot(pebbles_vector_4, vec3(1.0));
-    vec3 pebbles_quotient_6 = pebbles_vector_4 / pebbles_dot_product;
-    vec3 pebbles_choice_5 = pebbles_dot_product != 0.0 ? pebbles_quotient_6 : vec3(0.0);
-    float pebbles_product_6 = dot(pebbles_mixed, vec2(1.5, 0.0)) * pebbles_choice_5.y;
-    float pebbles_sign_2 = pebbles_product_3.z < 0.0 ? -1.0 : 1.0;
-    vec2 pebbles_vector_5 = vec2(pebbles_sign_2 * pebbles_product_2.x, pebbles_product_2.y);
-    vec2 pebbles_vector_6 = vec2(pebbles_product_4.x * pebbles_sign_2, pebbles_product_4.y);
-    float pebbles_extent_2 = length(pebbles_vector_6 * pebbles_size);
-    vec2 pebbles_vector_7 = vec2(pebbles_product_5.x * pebbles_sign_2, pebbles_product_5.y);
-    float pebbles_greatest_5 = max(pebbles_extent_2, length(pebbles_vector_7 * pebbles_size));
-    vec2 pebbles_quotient_7 = max(pebbles_greatest_5, 1.0) / pebbles_size;
-    vec2 pebbles_sum_3 = pebbles_vector_5 + vec2(pebbles_quotient_7.x, 0.0);
-    vec4 pebbles_texel_2 = texture(pebbles_image, pebbles_vector_5);
-    float pebbles_difference_3 = texture(pebbles_image, pebbles_sum_3).x - pebbles_texel_2.x;
-    vec2 pebbles_sum_4 = pebbles_vector_5 + vec2(0.0, pebbles_quotient_7.y);
-    float pebbles_difference_4 = texture(pebbles_image, pebbles_sum_4).x - pebbles_texel_2.x;
-    vec2 pebbles_quotient_8 = vec2(pebbles_difference_3, pebbles_difference_4) / pebbles_quotient_7;
-    vec2 pebbles_smooth_slope_2 = wrinkle_triplanar_rock_smooth_slope(pebbles_vector_5,
-            pebbles_quotient_3);
-    float pebbles_quotient_9 = (0.5 - log2(max(pebbles_greatest_5, 1.1754944e-38))) / 0.45;
-    float pebbles_clamped_2 = clamp(pebbles_quotient_9, 0.0, 1.0);
-    vec2 pebbles_mixed_2 = mix(pebbles_quotient_8, pebbles_smooth_slope_2, pebbles_clamped_2);
-    float pebbles_product_7 = dot(pebbles_mixed_2, vec2(1.5 * pebbles_sign_2,
-            0.0)) * pebbles_choice_5.z;
-    float pebbles_product_8 = (pebbles_product_6 + pebbles_product_7) * 0.05;
-    float pebbles_sign_3 = pebbles_product_3.x < 0.0 ? -1.0 : 1.0;
+    vec2 pebbles_product_3 = pebbles_vector * pebbles_size;
+    float pebbles_dot_product = dot(pebbles_product_3, pebbles_product_3);
+    vec3 pebbles_product_4 = dpdy * 1.5;
+    vec2 pebbles_vector_2 = vec2(pebbles_product_4.x, pebbles_product_4.z * pebbles_negated);
+    vec2 pebbles_product_5 = pebbles_vector_2 * pebbles_size;
+    float pebbles_greatest = max(pebbles_dot_product, dot(pebbles_product_5, pebbles_product_5));
+    float pebbles_root = sqrt(max(pebbles_greatest, 1.0));
+    vec2 pebbles_quotient = pebbles_root / pebbles_size;
+    float pebbles_product_6 = pebbles_negated * pebbles_product.z;
+    vec2 pebbles_vector_3 = vec2(pebbles_product.x + pebbles_quotient.x, pebbles_product_6);
+    vec2 pebbles_vector_4 = vec2(pebbles_product.x, pebbles_product_6);
+    vec4 pebbles_texel = texture(pebbles_image, pebbles_vector_4);
+    float pebbles_difference = texture(pebbles_image, pebbles_vector_3).x - pebbles_texel.x;
+    vec2 pebbles_vector_5 = vec2(pebbles_product.x, pebbles_product_6 + pebbles_quotient.y);
+    float pebbles_difference_2 = texture(pebbles_image, pebbles_vector_5).x - pebbles_texel.x;
+    vec2 pebbles_product_7 = vec2(pebbles_difference, pebbles_difference_2) * (1.0 / pebbles_root);
+    vec2 pebbles_quotient_2 = 1.0 / pebbles_size;
+    vec2 pebbles_smooth_slope = wrinkle_triplanar_rock_smooth_slope(pebbles_vector_4,
+            pebbles_quotient_2);
+    float pebbles_clamped = clamp((0.5 - log2(pebbles_root)) / 0.45, 0.0, 1.0);
+    vec2 pebbles_mixed = mix(pebbles_product_7, pebbles_smooth_slope, pebbles_clamped);
+    vec3 pebbles_greatest_2 = max(abs(normal) - 0.2, vec3(0.0));
+    vec3 pebbles_product_8 = pebbles_greatest_2 * pebbles_greatest_2 * pebbles_greatest_2;
+    float pebbles_sum = pebbles_product_8.x + pebbles_product_8.y + pebbles_product_8.z;
+    vec3 pebbles_quotient_3 = pebbles_product_8 / max(pebbles_sum, 1e-36);
+    float pebbles_product_9 = pebbles_mixed.x * (1.5 * pebbles_size.x) * pebbles_quotient_3.y;
+    float pebbles_sign_2 = normal.z < 0.0 ? -1.0 : 1.0;
+    float pebbles_product_10 = pebbles_sign_2 * pebbles_product.x;
+    vec2 pebbles_vector_6 = vec2(pebbles_product_2.x * pebbles_sign_2, pebbles_product_2.y);
+    vec2 pebbles_product_11 = pebbles_vector_6 * pebbles_size;
+    float pebbles_dot_product_2 = dot(pebbles_product_11, pebbles_product_11);
+    vec2 pebbles_vector_7 = vec2(pebbles_product_4.x * pebbles_sign_2, pebbles_product_4.y);
+    vec2 pebbles_product_12 = pebbles_vector_7 * pebbles_size;
+    float pebbles_greatest_3 = max(pebbles_dot_product_2, dot(pebbles_product_12,
+            pebbles_product_12));
+    float pebbles_root_2 = sqrt(max(pebbles_greatest_3, 1.0));
+    vec2 pebbles_quotient_4 = pebbles_root_2 / pebbles_size;
+    vec2 pebbles_vector_8 = vec2(pebbles_product_10 + pebbles_quotient_4.x, pebbles_product.y);
+    vec2 pebbles_vector_9 = vec2(pebbles_product_10, pebbles_product.y);
+    vec4 pebbles_texel_2 = texture(pebbles_image, pebbles_vector_9);
+    float pebbles_difference_3 = texture(pebbles_image, pebbles_vector_8).x - pebbles_texel_2.x;
+    vec2 pebbles_vector_10 = vec2(pebbles_product_10, pebbles_product.y + pebbles_quotient_4.y);
+    float pebbles_difference_4 = texture(pebbles_image, pebbles_vector_10).x - pebbles_texel_2.x;
+    vec2 pebbles_product_13 = vec2(pebbles_difference_3,
+            pebbles_difference_4) * (1.0 / pebbles_root_2);
+    vec2 pebbles_smooth_slope_2 = wrinkle_triplanar_rock_smooth_slope(pebbles_vector_9,
+            pebbles_quotient_2);
+    float pebbles_clamped_2 = clamp((0.5 - log2(pebbles_root_2)) / 0.45, 0.0, 1.0);
+    vec2 pebbles_mixed_2 = mix(pebbles_product_13, pebbles_smooth_slope_2, pebbles_clamped_2);
+    float pebbles_product_14 = pebbles_mixed_2.x * (1.5 * pebbles_sign_2 * pebbles_size.x);
+    float pebbles_product_15 = (pebbles_product_9 + pebbles_product_14 * pebbles_quotient_3.z) *
+            0.05;
+    float pebbles_sign_3 = normal.x < 0.0 ? -1.0 : 1.0;
     float pebbles_negated_2 = -pebbles_sign_3;
-    vec2 pebbles_vector_8 = vec2(pebbles_negated_2 * pebbles_product_2.z, pebbles_product_2.y);
-    vec2 pebbles_vector_9 = vec2(pebbles_product_4.z * pebbles_negated_2, pebbles_product_4.y);
-    float pebbles_extent_3 = length(pebbles_vector_9 * pebbles_size);
-    vec2 pebbles_vector_10 = vec2(pebbles_product_5.z * pebbles_negated_2, pebbles_product_5.y);
-    float pebbles_greatest_6 = max(pebbles_extent_3, length(pebbles_vector_10 * pebbles_size));
-    vec2 pebbles_quotient_10 = max(pebbles_greatest_6, 1.0) / pebbles_size;
-    vec2 pebbles_sum_5 = pebbles_vector_8 + vec2(pebbles_quotient_10.x, 0.0);
-    vec4 pebbles_texel_3 = texture(pebbles_image, pebbles_vector_8);
-    float pebbles_difference_5 = texture(pebbles_image, pebbles_sum_5).x - pebbles_texel_3.x;
-    vec2 pebbles_sum_6 = pebbles_vector_8 + vec2(0.0, pebbles_quotient_10.y);
-    float pebbles_difference_6 = texture(pebbles_image, pebbles_sum_6).x - pebbles_texel_3.x;
-    vec2 pebbles_quotient_11 = vec2(pebbles_difference_5,
-            pebbles_difference_6) / pebbles_quotient_10;
-    vec2 pebbles_smooth_slope_3 = wrinkle_triplanar_rock_smooth_slope(pebbles_vector_8,
-            pebbles_quotient_3);
-    float pebbles_quotient_12 = (0.5 - log2(max(pebbles_greatest_6, 1.1754944e-38))) / 0.45;
-    float pebbles_clamped_3 = clamp(pebbles_quotient_12, 0.0, 1.0);
-    vec2 pebbles_mixed_3 = mix(pebbles_quotient_11, pebbles_smooth_slope_3, pebbles_clamped_3);
-    float pebbles_product_9 = dot(pebbles_mixed_3, vec2(0.0, 1.5)) * pebbles_choice_5.x;
-    float pebbles_product_10 = dot(pebbles_mixed_2, vec2(0.0, 1.5)) * pebbles_choice_5.z;
-    float pebbles_product_11 = (pebbles_product_9 + pebbles_product_10) * 0.05;
-    float pebbles_dot_product_2 = dot(pebbles_mixed_3, vec2(1.5 * pebbles_negated_2, 0.0));
-    float pebbles_product_12 = pebbles_dot_product_2 * pebbles_choice_5.x;
-    float pebbles_dot_product_3 = dot(pebbles_mixed, vec2(0.0, 1.5 * pebbles_negated));
-    float pebbles_product_13 = (pebbles_product_12 + pebbles_dot_product_3 * pebbles_choice_5.y) *
+    float pebbles_product_16 = pebbles_negated_2 * pebbles_product.z;
+    vec2 pebbles_vector_11 = vec2(pebbles_product_2.z * pebbles_negated_2, pebbles_product_2.y);
+    vec2 pebbles_product_17 = pebbles_vector_11 * pebbles_size;
+    float pebbles_dot_product_3 = dot(pebbles_product_17, pebbles_product_17);
+    vec2 pebbles_vector_12 = vec2(pebbles_product_4.z * pebbles_negated_2, pebbles_product_4.y);
+    vec2 pebbles_product_18 = pebbles_vector_12 * pebbles_size;
+    float pebbles_greatest_4 = max(pebbles_dot_product_3, dot(pebbles_product_18,
+            pebbles_product_18));
+    float pebbles_root_3 = sqrt(max(pebbles_greatest_4, 1.0));
+    vec2 pebbles_quotient_5 = pebbles_root_3 / pebbles_size;
+    vec2 pebbles_vector_13 = vec2(pebbles_product_16 + pebbles_quotient_5.x, pebbles_product.y);
+    vec2 pebbles_vector_14 = vec2(pebbles_product_16, pebbles_product.y);
+    vec4 pebbles_texel_3 = texture(pebbles_image, pebbles_vector_14);
+    float pebbles_difference_5 = texture(pebbles_image, pebbles_vector_13).x - pebbles_texel_3.x;
+    vec2 pebbles_vector_15 = vec2(pebbles_product_16, pebbles_product.y + pebbles_quotient_5.y);
+    float pebbles_difference_6 = texture(pebbles_image, pebbles_vector_15).x - pebbles_texel_3.x;
+    vec2 pebbles_product_19 = vec2(pebbles_difference_5,
+            pebbles_difference_6) * (1.0 / pebbles_root_3);
+    vec2 pebbles_smooth_slope_3 = wrinkle_triplanar_rock_smooth_slope(pebbles_vector_14,
+            pebbles_quotient_2);
+    float pebbles_clamped_3 = clamp((0.5 - log2(pebbles_root_3)) / 0.45, 0.0, 1.0);
+    vec2 pebbles_mixed_3 = mix(pebbles_product_19, pebbles_smooth_slope_3, pebbles_clamped_3);
+    float pebbles_product_20 = 1.5 * pebbles_size.y;
+    float pebbles_product_21 = pebbles_mixed_3.y * pebbles_product_20 * pebbles_quotient_3.x;
+    float pebbles_product_22 = pebbles_mixed_2.y * pebbles_product_20 * pebbles_quotient_3.z;
+    float pebbles_product_23 = (pebbles_product_21 + pebbles_product_22) * 0.05;
+    float pebbles_product_24 = pebbles_mixed_3.x * (1.5 * pebbles_negated_2 * pebbles_size.x);
+    float pebbles_product_25 = pebbles_product_24 * pebbles_quotient_3.x;
+    float pebbles_product_26 = pebbles_mixed.y * (1.5 * pebbles_negated * pebbles_size.y);
+    float pebbles_product_27 = (pebbles_product_25 + pebbles_product_26 * pebbles_quotient_3.y) *
             0.05;
     vec3 weave_product = s.position * 6.0;  // weave: Triplanar normal map
     vec2 weave_vector = vec2(weave_product.x, pebbles_negated * weave_product.z);
-    vec3 weave_texel = texture(weave_image, weave_vector).xyz * 2.0 - 1.0;
+    vec3 weave_texel = texture(weave_image, weave_vector).xyz - 0.5;
+    vec3 weave_power = pow(pebbles_greatest_2, vec3(8.0));
+    float weave_greatest = max(weave_power.x + weave_power.y + weave_power.z, 1e-36);
+    vec3 weave_product_2 = weave_power / weave_greatest * 0.5;
     float weave_least_depth = max(abs(weave_texel.x), abs(weave_texel.y)) * 0.0078125;
-    float weave_depth = max(max(abs(weave_texel.z), weave_least_depth), 1e-06);
-    float weave_choice = pebbles_test_2 ? pow(pebbles_choice.x, 8.0) : 0.0;
-    float weave_choice_2 = pebbles_test_3 ? pow(pebbles_choice.y, 8.0) : 0.0;
-    float weave_choice_3 = pebbles_test_4 ? pow(pebbles_choice.z, 8.0) : 0.0;
-    vec3 weave_vector_2 = vec3(weave_choice, weave_choice_2, weave_choice_3);
-    float weave_dot_product = dot(weave_vector_2, vec3(1.0));
-    vec3 weave_quotient = weave_vector_2 / weave_dot_product;
-    vec3 weave_choice_4 = weave_dot_product != 0.0 ? weave_quotient : vec3(0.0);
-    vec2 weave_product_2 = -weave_texel.xy * 0.5 / weave_depth * weave_choice_4.y;
-    vec2 weave_vector_3 = vec2(pebbles_sign_2 * weave_product.x, weave_product.y);
-    vec3 weave_texel_2 = texture(weave_image, weave_vector_3).xyz * 2.0 - 1.0;
+    float weave_depth = max(max(abs(weave_texel.z), weave_least_depth), 5e-07);
+    float weave_quotient = -weave_product_2.y / weave_depth;
+    vec2 weave_product_3 = weave_texel.xy * weave_quotient;
+    vec2 weave_vector_2 = vec2(pebbles_sign_2 * weave_product.x, weave_product.y);
+    vec3 weave_texel_2 = texture(weave_image, weave_vector_2).xyz - 0.5;
     float weave_least_depth_2 = max(abs(weave_texel_2.x), abs(weave_texel_2.y)) * 0.0078125;
-    float weave_depth_2 = max(max(abs(weave_texel_2.z), weave_least_depth_2), 1e-06);
-    vec2 weave_product_3 = -weave_texel_2.xy * 0.5 / weave_depth_2 * weave_choice_4.z;
-    float weave_sum = weave_product_2.x + weave_product_3.x * pebbles_sign_2;
-    vec2 weave_vector_4 = vec2(pebbles_negated_2 * weave_product.z, weave_product.y);
-    vec3 weave_texel_3 = texture(weave_image, weave_vector_4).xyz * 2.0 - 1.0;
+    float weave_depth_2 = max(max(abs(weave_texel_2.z), weave_least_depth_2), 5e-07);
+    float weave_quotient_2 = -weave_product_2.z / weave_depth_2;
+    vec2 weave_product_4 = weave_texel_2.xy * weave_quotient_2;
+    float weave_sum = weave_product_3.x + weave_product_4.x * pebbles_sign_2;
+    vec2 weave_vector_3 = vec2(pebbles_negated_2 * weave_product.z, weave_product.y);
+    vec3 weave_texel_3 = texture(weave_image, weave_vector_3).xyz - 0.5;
     float weave_least_depth_3 = max(abs(weave_texel_3.x), abs(weave_texel_3.y)) * 0.0078125;
-    float weave_depth_3 = max(max(abs(weave_texel_3.z), weave_least_depth_3), 1e-06);
-    vec2 weave_product_4 = -weave_texel_3.xy * 0.5 / weave_depth_3 * weave_choice_4.x;
-    float weave_negated = -(weave_product_4.x * pebbles_sign_3 + weave_product_2.y * pebbles_sign);
-    vec3 weave_volume = vec3(weave_sum, weave_product_4.y + weave_product_3.y, weave_negated);
+    float weave_depth_3 = max(max(abs(weave_texel_3.z), weave_least_depth_3), 5e-07);
+    float weave_quotient_3 = -weave_product_2.x / weave_depth_3;
+    vec2 weave_product_5 = weave_texel_3.xy * weave_quotient_3;
+    float weave_negated = -(weave_product_5.x * pebbles_sign_3 + weave_product_3.y * pebbles_sign);
+    vec3 weave_volume = vec3(weave_sum, weave_product_5.y + weave_product_4.y, weave_negated);
     // a: Add bumps
-    vec3 a_sum = vec3(pebbles_product_8, pebbles_product_11, pebbles_product_13) + weave_volume;
+    vec3 a_sum = vec3(pebbles_product_15, pebbles_product_23, pebbles_product_27) + weave_volume;
     vec3 slopes_product = s.position * 2.0;  // slopes: Triplanar slopes
     vec2 slopes_vector = vec2(slopes_product.x, pebbles_negated * slopes_product.z);
     vec2 slopes_vector_2 = vec2(pebbles_sign_2 * slopes_product.x, slopes_product.y);
     vec2 slopes_vector_3 = vec2(pebbles_negated_2 * slopes_product.z, slopes_product.y);
     // rivets: Tangent normal map
-    vec3 rivets_texel = texture(rivets_image, slopes_vector).xyz * 2.0 - 1.0;
+    vec3 rivets_texel = texture(rivets_image, slopes_vector).xyz - 0.5;
     float rivets_least_depth = max(abs(rivets_texel.x), abs(rivets_texel.y)) * 0.0078125;
-    float rivets_depth = max(max(abs(rivets_texel.z), rivets_least_depth), 1e-06);
-    vec3 rivets_texel_2 = texture(rivets_image, slopes_vector_2).xyz * 2.0 - 1.0;
+    vec3 rivets_texel_2 = texture(rivets_image, slopes_vector_2).xyz - 0.5;
     float rivets_least_depth_2 = max(abs(rivets_texel_2.x), abs(rivets_texel_2.y)) * 0.0078125;
-    float rivets_depth_2 = max(max(abs(rivets_texel_2.z), rivets_least_depth_2), 1e-06);
-    vec3 rivets_texel_3 = texture(rivets_image, slopes_vector_3).xyz * 2.0 - 1.0;
+    vec3 rivets_texel_3 = texture(rivets_image, slopes_vector_3).xyz - 0.5;
     float rivets_least_depth_3 = max(abs(rivets_texel_3.x), abs(rivets_texel_3.y)) * 0.0078125;
-    float rivets_depth_3 = max(max(abs(rivets_texel_3.z), rivets_least_depth_3), 1e-06);
     // slopes: Triplanar slopes (continued)
-    vec2 slopes_product_2 = -rivets_texel.xy / rivets_depth * pebbles_choice_5.y;
-    vec2 slopes_product_3 = -rivets_texel_2.xy / rivets_depth_2 * pebbles_choice_5.z;
+    float slopes_quotient = -1.0 / max(max(abs(rivets_texel.z), rivets_least_depth), 5e-07);
+    vec2 slopes_product_2 = rivets_texel.xy * slopes_quotient * pebbles_quotient_3.y;
+    float slopes_quotient_2 = -1.0 / max(max(abs(rivets_texel_2.z), rivets_least_depth_2), 5e-07);
+    vec2 slopes_product_3 = rivets_texel_2.xy * slopes_quotient_2 * pebbles_quotient_3.z;
     float slopes_sum = slopes_product_2.x + slopes_product_3.x * pebbles_sign_2;
-    vec2 slopes_product_4 = -rivets_texel_3.xy / rivets_depth_3 * pebbles_choice_5.x;
+    float slopes_quotient_3 = -1.0 / max(max(abs(rivets_texel_3.z), rivets_least_depth_3), 5e-07);
+    vec2 slopes_product_4 = rivets_texel_3.xy * slopes_quotient_3 * pebbles_quotient_3.x;
     float slopes_sum_2 = slopes_product_4.x * pebbles_sign_3 + slopes_product_2.y * pebbles_sign;
     vec3 slopes_volume = vec3(slopes_sum, slopes_product_4.y + slopes_product_3.y, -slopes_sum_2);
-    // relief: Triplanar height
-    vec2 relief_vector = vec2(s.position.x, pebbles_negated * s.position.z);
-    vec2 relief_vector_2 = vec2(pebbles_sign_2 * s.position.x, s.position.y);
-    vec2 relief_vector_3 = vec2(pebbles_negated_2 * s.position.z, s.position.y);
     vec2 bricks_size = vec2(textureSize(bricks_image, 0));  // bricks: Height map
-    float bricks_extent = length(vec2(dpdx.x, dpdx.z * pebbles_negated) * bricks_size);
-    float bricks_extent_2 = length(vec2(dpdy.x, dpdy.z * pebbles_negated) * bricks_size);
-    float bricks_greatest = max(bricks_extent, bricks_extent_2);
-    vec2 bricks_quotient = max(bricks_greatest, 1.0) / bricks_size;
-    vec4 bricks_texel = texture(bricks_image, relief_vector + vec2(bricks_quotient.x, 0.0));
-    vec4 bricks_texel_2 = texture(bricks_image, relief_vector);
-    float bricks_difference = bricks_texel.x - bricks_texel_2.x;
-    vec4 bricks_texel_3 = texture(bricks_image, relief_vector + vec2(0.0, bricks_quotient.y));
-    vec2 bricks_vector = vec2(bricks_difference, bricks_texel_3.x - bricks_texel_2.x);
-    vec2 bricks_quotient_2 = bricks_vector / bricks_quotient;
-    vec2 bricks_quotient_3 = 1.0 / bricks_size;
+    vec2 bricks_product = vec2(dpdx.x, dpdx.z * pebbles_negated) * bricks_size;
+    float bricks_dot_product = dot(bricks_product, bricks_product);
+    vec2 bricks_product_2 = vec2(dpdy.x, dpdy.z * pebbles_negated) * bricks_size;
+    float bricks_greatest = max(max(bricks_dot_product, dot(bricks_product_2, bricks_product_2)),
+            1.0);
+    float bricks_root = sqrt(bricks_greatest);
+    vec2 bricks_quotient = bricks_root / bricks_size;
+    vec2 bricks_quotient_2 = 1.0 / bricks_size;
+    float bricks_clamped = clamp((0.5 - log2(bricks_root)) / 0.45, 0.0, 1.0);
+    vec2 bricks_product_3 = vec2(dpdx.x * pebbles_sign_2, dpdx.y) * bricks_size;
+    float bricks_dot_product_2 = dot(bricks_product_3, bricks_product_3);
+    vec2 bricks_product_4 = vec2(dpdy.x * pebbles_sign_2, dpdy.y) * bricks_size;
+    float bricks_greatest_2 = max(max(bricks_dot_product_2, dot(bricks_product_4,
+            bricks_product_4)), 1.0);
+    float bricks_root_2 = sqrt(bricks_greatest_2);
+    vec2 bricks_quotient_3 = bricks_root_2 / bricks_size;
+    float bricks_clamped_2 = clamp((0.5 - log2(bricks_root_2)) / 0.45, 0.0, 1.0);
+    vec2 bricks_product_5 = vec2(dpdx.z * pebbles_negated_2, dpdx.y) * bricks_size;
+    float bricks_dot_product_3 = dot(bricks_product_5, bricks_product_5);
+    vec2 bricks_product_6 = vec2(dpdy.z * pebbles_negated_2, dpdy.y) * bricks_size;
+    float bricks_greatest_3 = max(max(bricks_dot_product_3, dot(bricks_product_6,
+            bricks_product_6)), 1.0);
+    float bricks_root_3 = sqrt(bricks_greatest_3);
+    vec2 bricks_quotient_4 = bricks_root_3 / bricks_size;
+    float bricks_clamped_3 = clamp((0.5 - log2(bricks_root_3)) / 0.45, 0.0, 1.0);
+    float relief_product = pebbles_negated * s.position.z;  // relief: Triplanar height
+    vec2 relief_vector = vec2(s.position.x, relief_product);
+    float relief_product_2 = pebbles_sign_2 * s.position.x;
+    vec2 relief_vector_2 = vec2(relief_product_2, s.position.y);
+    float relief_product_3 = pebbles_negated_2 * s.position.z;
+    vec2 relief_vector_3 = vec2(relief_product_3, s.position.y);
+    // bricks: Height map (continued)
+    vec2 bricks_vector = vec2(s.position.x + bricks_quotient.x, relief_product);
+    vec4 bricks_texel = texture(bricks_image, relief_vector);
+    float bricks_difference = texture(bricks_image, bricks_vector).x - bricks_texel.x;
+    vec2 bricks_vector_2 = vec2(s.position.x, relief_product + bricks_quotient.y);
+    float bricks_difference_2 = texture(bricks_image, bricks_vector_2).x - bricks_texel.x;
+    vec2 bricks_product_7 = vec2(bricks_difference, bricks_difference_2) * (1.0 / bricks_root);
     vec2 bricks_smooth_slope = wrinkle_triplanar_rock_smooth_slope_2(relief_vector,
-            bricks_quotient_3);
-    float bricks_quotient_4 = (0.5 - log2(max(bricks_greatest, 1.1754944e-38))) / 0.45;
-    float bricks_clamped = clamp(bricks_quotient_4, 0.0, 1.0);
-    vec2 bricks_mixed = mix(bricks_quotient_2, bricks_smooth_slope, bricks_clamped);
-    float bricks_extent_3 = length(vec2(dpdx.x * pebbles_sign_2, dpdx.y) * bricks_size);
-    float bricks_extent_4 = length(vec2(dpdy.x * pebbles_sign_2, dpdy.y) * bricks_size);
-    float bricks_greatest_2 = max(bricks_extent_3, bricks_extent_4);
-    vec2 bricks_quotient_5 = max(bricks_greatest_2, 1.0) / bricks_size;
-    vec4 bricks_texel_4 = texture(bricks_image, relief_vector_2 + vec2(bricks_quotient_5.x, 0.0));
-    vec4 bricks_texel_5 = texture(bricks_image, relief_vector_2);
-    float bricks_difference_2 = bricks_texel_4.x - bricks_texel_5.x;
-    vec4 bricks_texel_6 = texture(bricks_image, relief_vector_2 + vec2(0.0, bricks_quotient_5.y));
-    vec2 bricks_vector_2 = vec2(bricks_difference_2, bricks_texel_6.x - bricks_texel_5.x);
-    vec2 bricks_quotient_6 = bricks_vector_2 / bricks_quotient_5;
+            bricks_quotient_2);
+    vec2 bricks_mixed = mix(bricks_product_7, bricks_smooth_slope, bricks_clamped);
+    vec2 bricks_vector_3 = vec2(relief_product_2 + bricks_quotient_3.x, s.position.y);
+    vec4 bricks_texel_2 = texture(bricks_image, relief_vector_2);
+    float bricks_difference_3 = texture(bricks_image, bricks_vector_3).x - bricks_texel_2.x;
+    vec2 bricks_vector_4 = vec2(relief_product_2, s.position.y + bricks_quotient_3.y);
+    float bricks_difference_4 = texture(bricks_image, bricks_vector_4).x - bricks_texel_2.x;
+    vec2 bricks_product_8 = vec2(bricks_difference_3, bricks_difference_4) * (1.0 / bricks_root_2);
     vec2 bricks_smooth_slope_2 = wrinkle_triplanar_rock_smooth_slope_2(relief_vector_2,
-            bricks_quotient_3);
-    float bricks_quotient_7 = (0.5 - log2(max(bricks_greatest_2, 1.1754944e-38))) / 0.45;
-    float bricks_clamped_2 = clamp(bricks_quotient_7, 0.0, 1.0);
-    vec2 bricks_mixed_2 = mix(bricks_quotient_6, bricks_smooth_slope_2, bricks_clamped_2);
-    float bricks_extent_5 = length(vec2(dpdx.z * pebbles_negated_2, dpdx.y) * bricks_size);
-    float bricks_extent_6 = length(vec2(dpdy.z * pebbles_negated_2, dpdy.y) * bricks_size);
-    float bricks_greatest_3 = max(bricks_extent_5, bricks_extent_6);
-    vec2 bricks_quotient_8 = max(bricks_greatest_3, 1.0) / bricks_size;
-    vec4 bricks_texel_7 = texture(bricks_image, relief_vector_3 + vec2(bricks_quotient_8.x, 0.0));
-    vec4 bricks_texel_8 = texture(bricks_image, relief_vector_3);
-    float bricks_difference_3 = bricks_texel_7.x - bricks_texel_8.x;
-    vec4 bricks_texel_9 = texture(bricks_image, relief_vector_3 + vec2(0.0, bricks_quotient_8.y));
-    vec2 bricks_vector_3 = vec2(bricks_difference_3, bricks_texel_9.x - bricks_texel_8.x);
-    vec2 bricks_quotient_9 = bricks_vector_3 / bricks_quotient_8;
+            bricks_quotient_2);
+    vec2 bricks_mixed_2 = mix(bricks_product_8, bricks_smooth_slope_2, bricks_clamped_2);
+    float bricks_product_9 = bricks_mixed_2.x * (pebbles_sign_2 * bricks_size.x) * 0.02;
+    vec2 bricks_vector_5 = vec2(relief_product_3 + bricks_quotient_4.x, s.position.y);
+    vec4 bricks_texel_3 = texture(bricks_image, relief_vector_3);
+    float bricks_difference_5 = texture(bricks_image, bricks_vector_5).x - bricks_texel_3.x;
+    vec2 bricks_vector_6 = vec2(relief_product_3, s.position.y + bricks_quotient_4.y);
+    float bricks_difference_6 = texture(bricks_image, bricks_vector_6).x - bricks_texel_3.x;
+    vec2 bricks_product_10 = vec2(bricks_difference_5, bricks_difference_6) * (1.0 / bricks_root_3);
     vec2 bricks_smooth_slope_3 = wrinkle_triplanar_rock_smooth_slope_2(relief_vector_3,
-            bricks_quotient_3);
-    float bricks_quotient_10 = (0.5 - log2(max(bricks_greatest_3, 1.1754944e-38))) / 0.45;
-    float bricks_clamped_3 = clamp(bricks_quotient_10, 0.0, 1.0);
-    vec2 bricks_mixed_3 = mix(bricks_quotient_9, bricks_smooth_slope_3, bricks_clamped_3);
-    float bricks_product = dot(bricks_mixed_3, vec2(pebbles_negated_2, 0.0)) * 0.02;
-    float bricks_product_2 = dot(bricks_mixed, vec2(0.0, pebbles_negated)) * 0.02;
+            bricks_quotient_2);
+    vec2 bricks_mixed_3 = mix(bricks_product_10, bricks_smooth_slope_3, bricks_clamped_3);
+    float bricks_product_11 = bricks_mixed_3.x * (pebbles_negated_2 * bricks_size.x) * 0.02;
+    float bricks_product_12 = bricks_mixed.y * (pebbles_negated * bricks_size.y) * 0.02;
     // relief: Triplanar height (continued)
-    float relief_product = dot(bricks_mixed, vec2(1.0, 0.0)) * 0.02 * pebbles_choice_5.y;
-    float relief_product_2 = dot(bricks_mixed_2, vec2(pebbles_sign_2,
-            0.0)) * 0.02 * pebbles_choice_5.z;
-    float relief_sum = relief_product + relief_product_2;
-    float relief_product_3 = dot(bricks_mixed_3, vec2(0.0, 1.0)) * 0.02 * pebbles_choice_5.x;
-    float relief_product_4 = dot(bricks_mixed_2, vec2(0.0, 1.0)) * 0.02 * pebbles_choice_5.z;
-    float relief_product_5 = bricks_product * pebbles_choice_5.x;
-    float relief_sum_2 = relief_product_5 + bricks_product_2 * pebbles_choice_5.y;
-    vec3 relief_vector_4 = vec3(relief_sum, relief_product_3 + relief_product_4, relief_sum_2);
-    vec3 b_sum = slopes_volume + relief_vector_4;  // b: Add bumps
-    vec3 g_sum = a_sum * 0.7 + b_sum * 0.3;  // g: Mix bumps
-    return normalize(pebbles_product - (g_sum - normal * dot(normal, g_sum)));  // normal: Resolve
+    float relief_product_4 = bricks_mixed.x * bricks_size.x * 0.02 * pebbles_quotient_3.y;
+    float relief_sum = relief_product_4 + bricks_product_9 * pebbles_quotient_3.z;
+    float relief_product_5 = bricks_mixed_3.y * bricks_size.y * 0.02 * pebbles_quotient_3.x;
+    float relief_product_6 = bricks_mixed_2.y * bricks_size.y * 0.02 * pebbles_quotient_3.z;
+    float relief_product_7 = bricks_product_11 * pebbles_quotient_3.x;
+    float relief_sum_2 = relief_product_7 + bricks_product_12 * pebbles_quotient_3.y;
+    vec3 relief_vector_4 = vec3(relief_sum, relief_product_5 + relief_product_6, relief_sum_2);
+    vec3 g_gradient = (slopes_volume + relief_vector_4) * 0.3;  // g: Mix bumps
+    vec3 g_gradient_2 = a_sum * 0.7 + g_gradient;
+    // normal: Resolve
+    return normalize(normal * (s.facing + dot(normal, g_gradient_2)) - g_gradient_2);
 }
 
 vec3 wrinkle_triplanar_rock_color(WrinkleSurface_triplanar_rock s) {
     vec3 normal = normalize(s.normal);
-    vec3 pebbles_product = normal * s.facing;  // pebbles: Triplanar height map
-    vec3 pebbles_product_2 = pebbles_product * (dot(normal, pebbles_product) < 0.0 ? -1.0 : 1.0);
-    bool pebbles_test = dot(pebbles_product, pebbles_product) > 0.0;
-    vec3 pebbles_magnitude = abs(pebbles_test ? normalize(pebbles_product) : vec3(0.0));
-    vec3 pebbles_greatest = max(pebbles_magnitude - 0.2, vec3(0.0));
-    float pebbles_greatest_2 = max(pebbles_greatest.x, pebbles_greatest.y);
-    float pebbles_greatest_3 = max(pebbles_greatest_2, pebbles_greatest.z);
-    vec3 pebbles_quotient = pebbles_greatest / pebbles_greatest_3;
-    vec3 pebbles_choice = pebbles_greatest_3 != 0.0 ? pebbles_quotient : vec3(0.0);
-    float pebbles_choice_2 = pebbles_choice.x > 0.0 ? pow(pebbles_choice.x, 3.0) : 0.0;
-    float pebbles_choice_3 = pebbles_choice.y > 0.0 ? pow(pebbles_choice.y, 3.0) : 0.0;
-    float pebbles_choice_4 = pebbles_choice.z > 0.0 ? pow(pebbles_choice.z, 3.0) : 0.0;
-    vec3 pebbles_vector = vec3(pebbles_choice_2, pebbles_choice_3, pebbles_choice_4);
-    float pebbles_dot_product = dot(pebbles_vector, vec3(1.0));
-    vec3 pebbles_quotient_2 = pebbles_vector / pebbles_dot_product;
-    vec3 pebbles_choice_5 = pebbles_dot_product != 0.0 ? pebbles_quotient_2 : vec3(0.0);
+    vec3 pebbles_greatest = max(abs(normal) - 0.2, vec3(0.0));  // pebbles: Triplanar height map
+    vec3 pebbles_product = pebbles_greatest * pebbles_greatest * pebbles_greatest;
+    float pebbles_sum = pebbles_product.x + pebbles_product.y + pebbles_product.z;
+    vec3 pebbles_quotient = pebbles_product / max(pebbles_sum, 1e-36);
     vec3 tint_product = s.position * 0.7;  // tint: Triplanar colour
-    float tint_product_2 = -(pebbles_product_2.x < 0.0 ? -1.0 : 1.0) * tint_product.z;
+    float tint_product_2 = -(normal.x < 0.0 ? -1.0 : 1.0) * tint_product.z;
     vec4 tint_texel = texture(tint_image, vec2(tint_product_2, tint_product.y));
     vec3 tint_quotient = (max(tint_texel.xyz, 0.0) + 0.055) / 1.055;
     vec3 tint_power = pow(tint_quotient, vec3(2.4));
     vec3 tint_edge = step(vec3(0.04045), tint_texel.xyz);
     vec3 tint_mixed = mix(tint_texel.xyz / 12.92, tint_power, tint_edge);
     vec4 tint_vector = vec4(tint_mixed, tint_texel.w);
-    float tint_product_3 = -(pebbles_product_2.y < 0.0 ? -1.0 : 1.0) * tint_product.z;
+    float tint_product_3 = -(normal.y < 0.0 ? -1.0 : 1.0) * tint_product.z;
     vec4 tint_texel_2 = texture(tint_image, vec2(tint_product.x, tint_product_3));
     vec3 tint_quotient_2 = (max(tint_texel_2.xyz, 0.0) + 0.055) / 1.055;
     vec3 tint_power_2 = pow(tint_quotient_2, vec3(2.4));
     vec3 tint_edge_2 = step(vec3(0.04045), tint_texel_2.xyz);
     vec3 tint_mixed_2 = mix(tint_texel_2.xyz / 12.92, tint_power_2, tint_edge_2);
     vec4 tint_vector_2 = vec4(tint_mixed_2, tint_texel_2.w);
-    vec4 tint_sum = tint_vector * pebbles_choice_5.x + tint_vector_2 * pebbles_choice_5.y;
-    float tint_product_4 = (pebbles_product_2.z < 0.0 ? -1.0 : 1.0) * tint_product.x;
+    vec4 tint_sum = tint_vector * pebbles_quotient.x + tint_vector_2 * pebbles_quotient.y;
+    float tint_product_4 = (normal.z < 0.0 ? -1.0 : 1.0) * tint_product.x;
     vec4 tint_texel_3 = texture(tint_image, vec2(tint_product_4, tint_product.y));
     vec3 tint_quotient_3 = (max(tint_texel_3.xyz, 0.0) + 0.055) / 1.055;
     vec3 tint_power_3 = pow(tint_quotient_3, vec3(2.4));
     vec3 tint_edge_3 = step(vec3(0.04045), tint_texel_3.xyz);
     vec3 tint_mixed_3 = mix(tint_texel_3.xyz / 12.92, tint_power_3, tint_edge_3);
     vec4 tint_vector_3 = vec4(tint_mixed_3, tint_texel_3.w);
-    return (tint_sum + tint_vector_3 * pebbles_choice_5.z).xyz;
+    return (tint_sum + tint_vector_3 * pebbles_quotient.z).xyz;
 }

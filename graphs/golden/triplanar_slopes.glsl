@@ -47,23 +47,26 @@ vec3 wrinkle_triplanar_slopes_gradient_noise_slope(vec3 a) {
     vec3 mixed_5 = mix(noise_direction_7, noise_direction_8, product.x);
     vec3 difference_2 = difference - 1.0;
     vec3 product_2 = 30.0 * difference * difference * difference_2 * difference_2;
-    float dot_product = dot(noise_direction_2, difference - vec3(1.0, 0.0, 0.0));
+    float difference_3 = difference.x - 1.0;
+    float dot_product = dot(noise_direction_2, vec3(difference_3, difference.y, difference.z));
     float dot_product_2 = dot(noise_direction, difference);
-    float dot_product_3 = dot(noise_direction_4, difference - vec3(1.0, 1.0, 0.0));
-    float dot_product_4 = dot(noise_direction_3, difference - vec3(0.0, 1.0, 0.0));
+    float difference_4 = difference.y - 1.0;
+    float dot_product_3 = dot(noise_direction_4, vec3(difference_3, difference_4, difference.z));
+    float dot_product_4 = dot(noise_direction_3, vec3(difference.x, difference_4, difference.z));
     float mixed_6 = mix(dot_product - dot_product_2, dot_product_3 - dot_product_4, product.y);
-    float dot_product_5 = dot(noise_direction_6, difference - vec3(1.0, 0.0, 1.0));
-    float dot_product_6 = dot(noise_direction_5, difference - vec3(0.0, 0.0, 1.0));
+    float difference_5 = difference.z - 1.0;
+    float dot_product_5 = dot(noise_direction_6, vec3(difference_3, difference.y, difference_5));
+    float dot_product_6 = dot(noise_direction_5, vec3(difference.x, difference.y, difference_5));
     float dot_product_7 = dot(noise_direction_8, difference - 1.0);
-    float dot_product_8 = dot(noise_direction_7, difference - vec3(0.0, 1.0, 1.0));
+    float dot_product_8 = dot(noise_direction_7, vec3(difference.x, difference_4, difference_5));
     float mixed_7 = mix(dot_product_5 - dot_product_6, dot_product_7 - dot_product_8, product.y);
     float mixed_8 = mix(dot_product_4, dot_product_3, product.x);
     float mixed_9 = mix(dot_product_2, dot_product, product.x);
     float mixed_10 = mix(dot_product_8, dot_product_7, product.x);
     float mixed_11 = mix(dot_product_6, dot_product_5, product.x);
     float mixed_12 = mix(mixed_8 - mixed_9, mixed_10 - mixed_11, product.z);
-    float difference_3 = mix(mixed_11, mixed_10, product.y) - mix(mixed_9, mixed_8, product.y);
-    vec3 product_3 = product_2 * vec3(mix(mixed_6, mixed_7, product.z), mixed_12, difference_3);
+    float difference_6 = mix(mixed_11, mixed_10, product.y) - mix(mixed_9, mixed_8, product.y);
+    vec3 product_3 = product_2 * vec3(mix(mixed_6, mixed_7, product.z), mixed_12, difference_6);
     return mix(mixed_3, mix(mixed_4, mixed_5, product.y), product.z) + product_3;
 }
 
@@ -78,37 +81,29 @@ vec3 wrinkle_triplanar_slopes_normal(WrinkleSurface_triplanar_slopes s) {
     float noise_greatest = max(noise_extent, length(dFdy(s.position_relative) * 2.0));
     vec3 noise_noise_octave_slope = wrinkle_triplanar_slopes_noise_octave_slope(noise_product,
             noise_greatest);
-    float noise_product_2 = dot(noise_noise_octave_slope, vec3(2.0, 0.0, 0.0)) * 0.2;
-    float noise_product_3 = dot(noise_noise_octave_slope, vec3(0.0, 2.0, 0.0)) * 0.2;
-    float noise_product_4 = dot(noise_noise_octave_slope, vec3(0.0, 0.0, 2.0)) * 0.2;
-    vec3 base_product = normal * s.facing;  // base: Resolve
-    vec3 base_vector = vec3(noise_product_2, noise_product_3, noise_product_4);
-    vec3 base_normal = normalize(base_product - (base_vector - normal * dot(normal, base_vector)));
+    float noise_product_2 = noise_noise_octave_slope.x * 2.0 * 0.2;
+    float noise_product_3 = noise_noise_octave_slope.y * 2.0 * 0.2;
+    float noise_product_4 = noise_noise_octave_slope.z * 2.0 * 0.2;
+    vec3 base_gradient = vec3(noise_product_2, noise_product_3, noise_product_4);  // base: Resolve
+    vec3 base_normal = normalize(normal * (s.facing + dot(normal, base_gradient)) - base_gradient);
     vec3 g_product = s.position * 3.0;  // g: Triplanar derivative map
-    vec3 g_product_2 = base_normal * (dot(normal, base_product) < 0.0 ? -1.0 : 1.0);
+    vec3 g_product_2 = base_normal * s.facing;
     float g_sign = g_product_2.y < 0.0 ? -1.0 : 1.0;
     vec4 g_texel = texture(g_image, vec2(g_product.x, -g_sign * g_product.z));
-    vec3 g_texel_2 = g_texel.xyz * 2.0 - 1.0;
-    vec3 g_magnitude = abs(dot(base_normal, base_normal) > 0.0 ? base_normal : vec3(0.0));
-    vec3 g_greatest = max(g_magnitude - 0.2, vec3(0.0));
-    float g_greatest_2 = max(max(g_greatest.x, g_greatest.y), g_greatest.z);
-    vec3 g_choice = g_greatest_2 != 0.0 ? g_greatest / g_greatest_2 : vec3(0.0);
-    float g_choice_2 = g_choice.x > 0.0 ? pow(g_choice.x, 3.0) : 0.0;
-    float g_choice_3 = g_choice.y > 0.0 ? pow(g_choice.y, 3.0) : 0.0;
-    vec3 g_vector = vec3(g_choice_2, g_choice_3, g_choice.z > 0.0 ? pow(g_choice.z, 3.0) : 0.0);
-    float g_dot_product = dot(g_vector, vec3(1.0));
-    vec3 g_choice_4 = g_dot_product != 0.0 ? g_vector / g_dot_product : vec3(0.0);
-    vec2 g_product_3 = g_texel_2.xy * 0.1 * g_choice_4.y;
+    vec3 g_greatest = max(abs(base_normal) - 0.2, vec3(0.0));
+    vec3 g_product_3 = g_greatest * g_greatest * g_greatest;
+    vec3 g_quotient = g_product_3 / max(g_product_3.x + g_product_3.y + g_product_3.z, 1e-36);
+    vec3 g_product_4 = g_quotient * 0.1;
+    vec2 g_product_5 = (g_texel.xy - 0.5) * 2.0 * g_product_4.y;
     float g_sign_2 = g_product_2.z < 0.0 ? -1.0 : 1.0;
-    vec4 g_texel_3 = texture(g_image, vec2(g_sign_2 * g_product.x, g_product.y));
-    vec2 g_product_4 = (g_texel_3.xyz * 2.0 - 1.0).xy * 0.1 * g_choice_4.z;
-    float g_sum = g_product_3.x + g_product_4.x * g_sign_2;
+    vec4 g_texel_2 = texture(g_image, vec2(g_sign_2 * g_product.x, g_product.y));
+    vec2 g_product_6 = (g_texel_2.xy - 0.5) * 2.0 * g_product_4.z;
+    float g_sum = g_product_5.x + g_product_6.x * g_sign_2;
     float g_sign_3 = g_product_2.x < 0.0 ? -1.0 : 1.0;
-    vec4 g_texel_4 = texture(g_image, vec2(-g_sign_3 * g_product.z, g_product.y));
-    vec3 g_texel_5 = g_texel_4.xyz * 2.0 - 1.0;
-    vec2 g_product_5 = g_texel_5.xy * 0.1 * g_choice_4.x;
-    float g_negated = -(g_product_5.x * g_sign_3 + g_product_3.y * g_sign);
-    vec3 g_volume = vec3(g_sum, g_product_5.y + g_product_4.y, g_negated) * 3.0;
+    vec4 g_texel_3 = texture(g_image, vec2(-g_sign_3 * g_product.z, g_product.y));
+    vec2 g_product_7 = (g_texel_3.xy - 0.5) * 2.0 * g_product_4.x;
+    float g_negated = -(g_product_7.x * g_sign_3 + g_product_5.y * g_sign);
+    vec3 g_volume = vec3(g_sum, g_product_7.y + g_product_6.y, g_negated) * 3.0;
     // normal: Resolve
-    return normalize(base_normal - (g_volume - base_normal * dot(base_normal, g_volume)));
+    return normalize(base_normal * (1.0 + dot(base_normal, g_volume)) - g_volume);
 }

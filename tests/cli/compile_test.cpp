@@ -183,6 +183,44 @@ TEST_F(CompileTest, SetChangesAValue) {
     EXPECT_EQ(get("g.json"), tilt_graph("0.5"));
 }
 
+// `count` normal maps of as many pictures, added up.
+std::string layered_graph(int count) {
+    std::string nodes, sum = "m0";
+    for (int i = 0; i < count; ++i) {
+        const std::string n = std::to_string(i);
+        nodes += R"("m)" + n + R"(": {"type": "tangent_normal_map", "in": {"image": "i)" + n +
+                 R"(.png"}}, )";
+        if (i == 0) continue;
+        nodes += R"("s)" + n + R"(": {"type": "gradient_add", "in": {"a": {"from": ")" + sum +
+                 R"(.gradient"}, "b": {"from": "m)" + n + R"(.gradient"}}}, )";
+        sum = "s" + n;
+    }
+    return R"({"wrinkle": 1, "nodes": {)" + nodes +
+           R"("r": {"type": "resolve", "in": {"gradient": {"from": ")" + sum +
+           R"(.gradient"}}}}, "outputs": {"normal": {"from": "r.normal"}}})";
+}
+
+TEST_F(CompileTest, MoreImagesThanTextureUnitsAreNamed) {
+    for (int i = 0; i < 17; ++i)
+        put("i" + std::to_string(i) + ".png", "");
+    put("most.json", layered_graph(16));
+    const Ran most = run({"compile", "most.json", "--strict"});
+    EXPECT_EQ(most.code, 0) << most.err;
+    EXPECT_EQ(most.err, "");
+    put("more.json", layered_graph(17));
+    const Ran warned = run({"compile", "more.json", "-o", "more.glsl"});
+    EXPECT_EQ(warned.code, 0) << warned.err;
+    EXPECT_TRUE(exists("more.glsl"));
+    EXPECT_TRUE(says(warned.err, "warning: it reads 17 images")) << warned.err;
+    for (int i = 0; i < 17; ++i)
+        EXPECT_TRUE(says(warned.err, "i" + std::to_string(i) + ".png (m" + std::to_string(i) + ")"))
+            << warned.err;
+    const Ran refused = run({"compile", "more.json", "-o", "none.glsl", "--strict"});
+    EXPECT_EQ(refused.code, 1);
+    EXPECT_TRUE(says(refused.err, "error: it reads 17 images")) << refused.err;
+    EXPECT_FALSE(exists("none.glsl"));
+}
+
 TEST_F(CompileTest, RefusesWrongUsage) {
     put("g.json", tilt_graph());
     const std::vector<Names> cases = {

@@ -16,17 +16,10 @@ uniform sampler2D base_image;   // base.png (normal_gl, repeat)
 uniform sampler2D weave_image;  // weave.png (normal_gl, repeat)
 
 vec3 wrinkle_strap_normal(WrinkleSurface_strap s) {
-    vec3 normal = normalize(s.normal);  // the surface point
-    float inverse_normal_length = inversesqrt(dot(s.normal, s.normal));
-    vec3 bitangent = cross(s.normal, s.tangent.xyz) * (s.tangent.w > 0.0 ? 1.0 : -1.0);
-    vec3 surface_dpdx = s.position_dx - normal * dot(normal, s.position_dx);
-    vec3 surface_dpdy = s.position_dy - normal * dot(normal, s.position_dy);
-    float uv1_sign = s.uv1_dx.x * s.uv1_dy.y - s.uv1_dy.x * s.uv1_dx.y < 0.0 ? -1.0 : 1.0;
-    vec3 surface_product = (surface_dpdx * s.uv1_dy.y - surface_dpdy * s.uv1_dx.y) * uv1_sign;
-    float surface_inverse_root = inversesqrt(max(dot(surface_product, surface_product), 1e-36));
-    vec3 uv1_tangent = surface_product * surface_inverse_root;
-    float surface_sign = dot(surface_dpdy, cross(normal, surface_dpdx)) < 0.0 ? -1.0 : 1.0;
-    vec3 uv1_bitangent = cross(normal, uv1_tangent) * (uv1_sign * surface_sign);
+    float inverse_normal_length = inversesqrt(dot(s.normal, s.normal));  // the surface point
+    vec3 normal = s.normal * inverse_normal_length;
+    vec3 uv1_bitangent = cross(normal, s.position_dx * s.uv1_dy.y - s.position_dy * s.uv1_dx.y);
+    float uv1_scale = inversesqrt(max(dot(uv1_bitangent, uv1_bitangent), 1e-36));
     vec2 base_size = vec2(textureSize(base_image, 0));  // base: Tangent normal map
     vec2 base_product = base_size * s.uv0_dx;
     vec2 base_product_2 = base_size * s.uv0_dy;
@@ -47,12 +40,17 @@ vec3 wrinkle_strap_normal(WrinkleSurface_strap s) {
     vec3 weave_texel_2 = weave_texel.xyz * 2.0 - 1.0;
     float weave_least_depth = max(abs(weave_texel_2.x), abs(weave_texel_2.y)) * 0.0078125;
     float weave_depth = max(max(abs(weave_texel_2.z), weave_least_depth), 1e-06);
-    vec3 normal_product = normal * (base_depth * weave_depth * s.facing);  // normal: Resolve
-    vec2 normal_slope = -base_texel_2.xy * weave_depth;
-    vec3 normal_product_2 = s.tangent.xyz * inverse_normal_length * normal_slope.x;
-    vec3 normal_sum = normal_product_2 + bitangent * inverse_normal_length * normal_slope.y;
-    vec2 normal_slope_2 = -weave_texel_2.xy * 0.6 * base_depth;
-    vec3 normal_sum_2 = uv1_tangent * normal_slope_2.x + uv1_bitangent * normal_slope_2.y;
-    vec3 normal_bumped = normal_product - (normal_sum + normal_sum_2);
+    vec2 normal_slope = base_texel_2.xy * weave_depth;  // normal: Resolve
+    vec3 normal_along_u = s.tangent.xyz * (normal_slope.x * inverse_normal_length);
+    float normal_product = (s.tangent.w > 0.0 ? 1.0 : -1.0) * inverse_normal_length;
+    vec3 normal_along_v = cross(s.normal, s.tangent.xyz) * (normal_slope.y * normal_product);
+    vec2 normal_slope_2 = weave_texel_2.xy * 0.6 * base_depth;
+    float normal_product_2 = uv1_scale * (s.uv1_dx.x * s.uv1_dy.y - s.uv1_dy.x * s.uv1_dx.y < 0.0 ?
+            -1.0 : 1.0);
+    vec3 normal_along_u_2 = cross(uv1_bitangent, normal) * (normal_slope_2.x * normal_product_2);
+    float normal_sign = dot(normal, cross(s.position_dx, s.position_dy)) < 0.0 ? -1.0 : 1.0;
+    vec3 normal_along_v_2 = uv1_bitangent * (normal_slope_2.y * (uv1_scale * normal_sign));
+    vec3 normal_gradient = normal_along_u + normal_along_v + (normal_along_u_2 + normal_along_v_2);
+    vec3 normal_bumped = normal * (base_depth * weave_depth * s.facing) + normal_gradient;
     return normalize(vec3(normal_bumped.xy, normal_bumped.z + 1e-18));
 }

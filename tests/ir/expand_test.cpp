@@ -98,6 +98,66 @@ TEST_F(Expand, DividesNothingWhileTwoDepthsMeet) {
     EXPECT_GT(count(result_of(resolve(sum)), Op::div_), 0U);
 }
 
+// A positive factor of a normal is dropped, and the divisor's floor with it.
+TEST_F(Expand, LeavesOutTheLengthOfANormal) {
+    const Id uv0 = frame(input(SurfaceInput::uv0_), WR_FRAME_vertex, WR_SCALE_unit);
+    const auto resolved = [&](double factor) {
+        const Value normal = tilt(0.1) * factor;
+        const Id d = m.add(Op::normal_derivative_, {normal.id, m.number(1), uv0});
+        Value sum = gradient(Op::gradient_from_derivative_, d);
+        return result_of(resolve(add(sum, gradient(Op::gradient_from_normal_, normal.id))));
+    };
+    const Module plain = resolved(1), doubled = resolved(2), turned = resolved(-2);
+    EXPECT_EQ(count(doubled, Op::mul_), count(plain, Op::mul_));
+    EXPECT_GT(count(turned, Op::mul_), count(plain, Op::mul_));
+    Surroundings around;
+    around.inputs[input_extra(SurfaceInput::normal_, Variant::value)] = {0, 0, 1};
+    around.inputs[input_extra(SurfaceInput::tangent_, Variant::value)] = {1, 0, 0, 1};
+    around.inputs[input_extra(SurfaceInput::uv1_, Variant::value)] = {0.2, 0};
+    around.inputs[input_extra(SurfaceInput::facing_, Variant::value)] = {1};
+    // The same normal twice: slopes (0.2, 0.1) / 0.8 from each.
+    for (const Module* module : {&plain, &doubled}) {
+        const Lanes n = interpret(*module, module->outputs[0].value, around);
+        EXPECT_NEAR(n[0] / n[2], 0.5, 1e-12);
+        EXPECT_NEAR(n[1] / n[2], 0.25, 1e-12);
+    }
+}
+
+// n (1 + n.g) - g: what is along the normal is one number.
+TEST_F(Expand, ProjectsAVolumeInOneProduct) {
+    const Module result =
+        result_of(resolve(gradient(Op::gradient_from_volume_, m.input(SurfaceInput::position_))),
+                  {true, BackFaces::none});
+    EXPECT_EQ(count(result, Op::mul_), 1U);
+    EXPECT_EQ(count(result, Op::sub_), 1U);
+}
+
+// Beside a vertex frame, which is divided by the normal's length, the normal is made unit by that.
+TEST_F(Expand, MeasuresTheNormalOnce) {
+    const Id uv0 = frame(input(SurfaceInput::uv0_), WR_FRAME_vertex, WR_SCALE_unit);
+    const Value volume = gradient(Op::gradient_from_volume_, m.input(SurfaceInput::position_));
+    EXPECT_EQ(count(result_of(resolve(volume)), Op::normalize_), 2U);
+    const Module both = result_of(resolve(add(normal_map(0.1, uv0), volume)));
+    EXPECT_EQ(count(both, Op::normalize_), 1U);
+    EXPECT_EQ(count(both, Op::inversesqrt_), 1U);
+}
+
+// Changes to the next pixels need no uv.
+TEST_F(Expand, TakesSlopesOfPixelsAsTheyAre) {
+    const Id pixels = frame(input(SurfaceInput::uv0_), WR_FRAME_pixel, WR_SCALE_surface);
+    const Id d = m.add(Op::derivative_, {vec2(number(0.3), number(-0.2)).id, pixels});
+    const Module result = result_of(resolve(gradient(Op::gradient_from_derivative_, d)));
+    EXPECT_TRUE(result.problems.empty());
+    Surroundings around;
+    around.inputs[input_extra(SurfaceInput::normal_, Variant::value)] = {0, 0, 1};
+    around.inputs[input_extra(SurfaceInput::facing_, Variant::value)] = {1};
+    around.inputs[input_extra(SurfaceInput::position_, Variant::dx)] = {2, 0, 0};
+    around.inputs[input_extra(SurfaceInput::position_, Variant::dy)] = {0, 0.5, 0};
+    const Lanes n = interpret(result, result.outputs[0].value, around);
+    EXPECT_NEAR(n[0] / n[2], -0.3 / 2, 1e-12);
+    EXPECT_NEAR(n[1] / n[2], 0.2 / 0.5, 1e-12);
+}
+
 TEST_F(Expand, HoldsMoreFramesThanItHasSlots) {
     Value sum = gradient(Op::gradient_from_height_, m.number(0));
     for (int i = 0; i < 20; ++i) {
@@ -149,6 +209,7 @@ struct Misfit {
 TEST_F(Expand, RefusesFramesThatDoNotFit) {
     const Misfit misfits[] = {
         {WR_FRAME_exact, WR_SCALE_unit, SurfaceInput::uv0_, "'exact'"},
+        {WR_FRAME_pixel, WR_SCALE_unit, SurfaceInput::uv0_, "'pixel'"},
         {WR_FRAME_vertex, WR_SCALE_surface, SurfaceInput::uv0_, "'surface'"},
         {WR_FRAME_derived, WR_SCALE_surface, SurfaceInput::uv1_, "'surface'"},
         {WR_FRAME_vertex, WR_SCALE_unit, SurfaceInput::uv1_, "'vertex'"},

@@ -100,6 +100,63 @@ TEST_F(ModuleTest, VectorsThatAreZero) {
     EXPECT_EQ(add(Op::detach_, {detached}), detached);
 }
 
+TEST_F(ModuleTest, WhatIsUnitNeedsNoGuard) {
+    const Id unit = add(Op::normalize_, {v}), facing = m.input(SurfaceInput::facing_);
+    const Id turned = add(Op::mul_, {unit, facing});
+    for (const Id normal : {unit, turned, add(Op::neg_, {unit}), add(Op::detach_, {turned})}) {
+        EXPECT_EQ(add(Op::dot_, {normal, normal}), n(1));
+        EXPECT_EQ(add(Op::length_, {normal}), n(1));
+        EXPECT_EQ(add(Op::normalize_, {normal}), normal);
+    }
+    EXPECT_EQ(add(Op::dot_, {unit, turned}), facing);
+    EXPECT_EQ(add(Op::dot_, {turned, unit}), facing);
+    EXPECT_EQ(add(Op::sign_nonzero_, {facing}), facing);
+    EXPECT_EQ(add(Op::mul_, {turned, facing}), unit);
+    EXPECT_EQ(add(Op::abs_, {turned}), add(Op::abs_, {unit}));
+    EXPECT_EQ(m[add(Op::dot_, {v, v})].op, Op::dot_);
+    EXPECT_EQ(m[add(Op::dot_, {unit, v})].op, Op::dot_);
+    const Id stretched = add(Op::mul_, {unit, f});
+    EXPECT_EQ(m[add(Op::normalize_, {stretched})].op, Op::normalize_);
+}
+
+TEST_F(ModuleTest, VectorsWithZerosGoNumberByNumber) {
+    const Id along_x = m.construct(Type::vec2_, {f, n(0)});
+    const Id x = m.swizzle(uv, "x"), y = m.swizzle(uv, "y");
+    EXPECT_EQ(add(Op::dot_, {uv, along_x}), add(Op::mul_, {x, f}));
+    EXPECT_EQ(add(Op::mul_, {along_x, g}), m.construct(Type::vec2_, {add(Op::mul_, {f, g}), n(0)}));
+    EXPECT_EQ(add(Op::add_, {uv, along_x}), m.construct(Type::vec2_, {add(Op::add_, {x, f}), y}));
+    EXPECT_EQ(add(Op::sub_, {uv, along_x}), m.construct(Type::vec2_, {add(Op::sub_, {x, f}), y}));
+    const Id mirror = m.construct(Type::vec2_, {n(1), n(-1)});
+    EXPECT_EQ(add(Op::mul_, {uv, mirror}), m.construct(Type::vec2_, {x, add(Op::neg_, {y})}));
+    EXPECT_EQ(m[add(Op::add_, {uv, mirror})].op, Op::add_);
+    EXPECT_EQ(m[add(Op::mul_, {uv, m.construct(Type::vec2_, {f, g})})].op, Op::mul_);
+}
+
+TEST_F(ModuleTest, SmallPowersAreProducts) {
+    const Id square = add(Op::mul_, {f, f});
+    EXPECT_EQ(add(Op::pow_, {f, n(1)}), f);
+    EXPECT_EQ(add(Op::pow_, {f, n(2)}), square);
+    EXPECT_EQ(add(Op::pow_, {f, n(3)}), add(Op::mul_, {square, f}));
+    EXPECT_EQ(add(Op::pow_, {f, n(4)}), add(Op::mul_, {square, square}));
+    EXPECT_EQ(m[add(Op::pow_, {v, vec3(3)})].op, Op::mul_);
+    EXPECT_EQ(m[add(Op::pow_, {f, n(5)})].op, Op::pow_);
+}
+
+TEST_F(ModuleTest, BoundsThatHoldAnyway) {
+    const Id least = add(Op::max_, {f, n(1)});
+    EXPECT_EQ(add(Op::max_, {least, n(0.5)}), least);
+    EXPECT_EQ(m[add(Op::max_, {least, n(2)})].op, Op::max_);
+    EXPECT_NE(add(Op::max_, {least, n(2)}), least);
+    for (const Id found : {add(Op::dot_, {v, v}), add(Op::mul_, {f, f}), add(Op::length_, {v}),
+                           add(Op::abs_, {f}), add(Op::sqrt_, {least})})
+        EXPECT_EQ(add(Op::max_, {found, n(0)}), found);
+    EXPECT_EQ(add(Op::max_, {add(Op::sqrt_, {least}), n(1)}), add(Op::sqrt_, {least}));
+    const Id whole = add(Op::to_int_, {f}), none = m.literal(Type::int_, 0);  // squares wrap
+    EXPECT_EQ(m[add(Op::max_, {add(Op::mul_, {whole, whole}), none})].op, Op::max_);
+    for (const Id open : {add(Op::dot_, {v, w}), add(Op::mul_, {f, g}), f})
+        EXPECT_EQ(m[add(Op::max_, {open, n(0)})].op, Op::max_);
+}
+
 TEST_F(ModuleTest, ComponentsOfComponents) {
     EXPECT_EQ(m.swizzle(v, "xyz"), v);
     EXPECT_EQ(m.swizzle(m.swizzle(v, "zyx"), "x"), m.swizzle(v, "z"));

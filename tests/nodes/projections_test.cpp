@@ -250,7 +250,8 @@ TEST(Triplanar, WeightsAreThoseOfTheNormal) {
             for (size_t i = 0; i < 3; ++i)
                 EXPECT_NEAR(got[i], expected[i], 1e-9);
         }
-    const auto none = value_on({one("triplanar_weights"), "n.weights"}, {{1, 0, 0}, {}});
+    const std::string zero = R"("normal": [0, 0, 0])";
+    const auto none = value_on({one("triplanar_weights", zero), "n.weights"}, {{1, 0, 0}, {}});
     EXPECT_EQ(none, (std::vector<double>{0, 0, 0}));
 }
 

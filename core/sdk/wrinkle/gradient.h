@@ -5,8 +5,8 @@
 //             order.
 // Derivative  dh/d(u,v) with its frame; it becomes a Gradient when used as one.
 // Frame       what turns a slope in a uv set into a gradient: method and scale must fit (the scale
-//             `surface` goes with automatic and exact, `unit` with automatic, vertex, derived and
-//             guess).
+//             `surface` goes with automatic, exact and pixel, `unit` with automatic, vertex,
+//             derived and guess).
 #pragma once
 
 #include "wrinkle/math.h"
@@ -14,7 +14,7 @@
 namespace wrinkle::sdk {
 
 // In the order of WR_FRAME_* and WR_SCALE_*.
-enum class FrameMethod { automatic, vertex, derived, exact, guess };
+enum class FrameMethod { automatic, vertex, derived, exact, guess, pixel };
 enum class Scale { surface, unit };
 
 class Frame {

@@ -271,7 +271,8 @@ extern "C" {
     X(vertex,  1) /* MikkTSpace: the vertex tangent of uv0 */ \
     X(derived, 2) /* orthonormal, from the uv's own differentials */ \
     X(exact,   3) /* inverse transpose of the uv's differentials: keeps stretch and skew */ \
-    X(guess,   4) /* tangent = a given direction */
+    X(guess,   4) /* tangent = a given direction */ \
+    X(pixel,   5) /* slopes are the changes to the next pixels in x and y themselves */
 #define WR_SCALES(X) \
     X(surface, 0) /* heights are lengths of object space */ \
     X(unit,    1) /* slopes are dh/d(uv) in an orthonormal frame, independent of size */

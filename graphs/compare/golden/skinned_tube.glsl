@@ -10,42 +10,41 @@ uniform sampler2D map_image;  // textures/rivets_normal.png (normal_gl, repeat)
 
 vec3 wrinkle_skinned_tube_normal(WrinkleSurface_skinned_tube s) {
     vec2 tile_uv = s.uv0 * 3.0;  // tile: UV transform
-    vec3 map_color = texture(map_image, tile_uv).xyz * 2.0 - 1.0;  // map: Image
+    vec3 map_texel = texture(map_image, tile_uv).xyz - 0.5;  // map: Image
     // vertex: Bump from tangent-space normal
-    float vertex_least_depth = max(abs(map_color.x), abs(map_color.y)) * 0.0078125;
-    vec2 vertex_slope = -map_color.xy;
-    vec3 bitangent = cross(s.normal, s.tangent.xyz) * (s.tangent.w > 0.0 ? 1.0 : -1.0);
+    float vertex_least_depth = max(abs(map_texel.x), abs(map_texel.y)) * 0.0078125;
     // resolved: Resolve
-    float resolved_product = max(max(abs(map_color.z), vertex_least_depth), 1e-06) * s.facing;
-    vec3 resolved_gradient = s.tangent.xyz * vertex_slope.x + bitangent * vertex_slope.y;
-    vec3 resolved_bumped = s.normal * resolved_product - resolved_gradient;
+    float resolved_product = max(max(abs(map_texel.z), vertex_least_depth), 5e-07) * s.facing;
+    float resolved_slope_v = map_texel.y * (s.tangent.w > 0.0 ? 1.0 : -1.0);
+    vec3 resolved_along_v = cross(s.normal, s.tangent.xyz) * resolved_slope_v;
+    vec3 resolved_gradient = s.tangent.xyz * map_texel.x + resolved_along_v;
+    vec3 resolved_bumped = s.normal * resolved_product + resolved_gradient;
     return normalize(vec3(resolved_bumped.xy, resolved_bumped.z + 1e-18));
 }
 
 vec3 wrinkle_skinned_tube_derived(WrinkleSurface_skinned_tube s) {
     vec3 normal = normalize(s.normal);  // the surface point
     vec3 dpdx = dFdx(s.position_relative);
-    vec3 surface_dpdx = dpdx - normal * dot(normal, dpdx);
     vec2 duv0_dy = dFdy(s.uv0);
     vec3 dpdy = dFdy(s.position_relative);
-    vec3 surface_dpdy = dpdy - normal * dot(normal, dpdy);
     vec2 duv0_dx = dFdx(s.uv0);
-    float uv0_sign = duv0_dx.x * duv0_dy.y - duv0_dy.x * duv0_dx.y < 0.0 ? -1.0 : 1.0;
-    vec3 surface_product = (surface_dpdx * duv0_dy.y - surface_dpdy * duv0_dx.y) * uv0_sign;
-    float surface_inverse_root = inversesqrt(max(dot(surface_product, surface_product), 1e-36));
-    vec3 uv0_tangent = surface_product * surface_inverse_root;
-    float surface_sign = dot(surface_dpdy, cross(normal, surface_dpdx)) < 0.0 ? -1.0 : 1.0;
-    vec3 uv0_bitangent = cross(normal, uv0_tangent) * (uv0_sign * surface_sign);
+    vec3 uv0_bitangent = cross(normal, dpdx * duv0_dy.y - dpdy * duv0_dx.y);
+    float uv0_scale = inversesqrt(max(dot(uv0_bitangent, uv0_bitangent), 1e-36));
     vec2 tile_uv = s.uv0 * 3.0;  // tile: UV transform
-    vec3 map_color = texture(map_image, tile_uv).xyz * 2.0 - 1.0;  // map: Image
+    vec3 map_texel = texture(map_image, tile_uv).xyz - 0.5;  // map: Image
     // vertex: Bump from tangent-space normal
-    float vertex_least_depth = max(abs(map_color.x), abs(map_color.y)) * 0.0078125;
-    vec2 vertex_slope = -map_color.xy;
+    float vertex_least_depth = max(abs(map_texel.x), abs(map_texel.y)) * 0.0078125;
     // resolved: Resolve
-    float resolved_product = max(max(abs(map_color.z), vertex_least_depth), 1e-06) * s.facing;
+    float resolved_product = max(max(abs(map_texel.z), vertex_least_depth), 5e-07) * s.facing;
     // derived_resolved: Resolve
-    vec3 derived_resolved_gradient = uv0_tangent * vertex_slope.x + uv0_bitangent * vertex_slope.y;
-    return normalize(normal * resolved_product - derived_resolved_gradient);
+    float derived_resolved_sign = duv0_dx.x * duv0_dy.y - duv0_dy.x * duv0_dx.y < 0.0 ? -1.0 : 1.0;
+    float derived_resolved_slope_u = map_texel.x * (uv0_scale * derived_resolved_sign);
+    vec3 derived_resolved_along_u = cross(uv0_bitangent, normal) * derived_resolved_slope_u;
+    float derived_resolved_product = uv0_scale * (dot(normal, cross(dpdx,
+            dpdy)) < 0.0 ? -1.0 : 1.0);
+    vec3 derived_resolved_along_v = uv0_bitangent * (map_texel.y * derived_resolved_product);
+    vec3 derived_resolved_sum = derived_resolved_along_u + derived_resolved_along_v;
+    return normalize(normal * resolved_product + derived_resolved_sum);
 }
 
 vec3 wrinkle_skinned_tube_naive(WrinkleSurface_skinned_tube s) {
@@ -54,7 +53,7 @@ vec3 wrinkle_skinned_tube_naive(WrinkleSurface_skinned_tube s) {
     vec2 tile_product = dFdy(s.uv0) * 3.0;  // tile: UV transform
     vec2 tile_product_2 = dFdx(s.uv0) * 3.0;
     vec2 tile_uv = s.uv0 * 3.0;
-    vec3 map_color = texture(map_image, tile_uv).xyz * 2.0 - 1.0;  // map: Image
+    vec3 map_color = (texture(map_image, tile_uv).xyz - 0.5) * 2.0;  // map: Image
     // naive: Wrong: unprojected derived basis
     vec3 naive_difference = dpdx * tile_product.y - dpdy * tile_product_2.y;
     bool naive_test = dot(naive_difference, naive_difference) > 0.0;

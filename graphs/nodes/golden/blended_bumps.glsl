@@ -48,23 +48,26 @@ vec3 wrinkle_blended_bumps_gradient_noise_slope(vec3 a) {
     vec3 mixed_5 = mix(noise_direction_7, noise_direction_8, product.x);
     vec3 difference_2 = difference - 1.0;
     vec3 product_2 = 30.0 * difference * difference * difference_2 * difference_2;
-    float dot_product = dot(noise_direction_2, difference - vec3(1.0, 0.0, 0.0));
+    float difference_3 = difference.x - 1.0;
+    float dot_product = dot(noise_direction_2, vec3(difference_3, difference.y, difference.z));
     float dot_product_2 = dot(noise_direction, difference);
-    float dot_product_3 = dot(noise_direction_4, difference - vec3(1.0, 1.0, 0.0));
-    float dot_product_4 = dot(noise_direction_3, difference - vec3(0.0, 1.0, 0.0));
+    float difference_4 = difference.y - 1.0;
+    float dot_product_3 = dot(noise_direction_4, vec3(difference_3, difference_4, difference.z));
+    float dot_product_4 = dot(noise_direction_3, vec3(difference.x, difference_4, difference.z));
     float mixed_6 = mix(dot_product - dot_product_2, dot_product_3 - dot_product_4, product.y);
-    float dot_product_5 = dot(noise_direction_6, difference - vec3(1.0, 0.0, 1.0));
-    float dot_product_6 = dot(noise_direction_5, difference - vec3(0.0, 0.0, 1.0));
+    float difference_5 = difference.z - 1.0;
+    float dot_product_5 = dot(noise_direction_6, vec3(difference_3, difference.y, difference_5));
+    float dot_product_6 = dot(noise_direction_5, vec3(difference.x, difference.y, difference_5));
     float dot_product_7 = dot(noise_direction_8, difference - 1.0);
-    float dot_product_8 = dot(noise_direction_7, difference - vec3(0.0, 1.0, 1.0));
+    float dot_product_8 = dot(noise_direction_7, vec3(difference.x, difference_4, difference_5));
     float mixed_7 = mix(dot_product_5 - dot_product_6, dot_product_7 - dot_product_8, product.y);
     float mixed_8 = mix(dot_product_4, dot_product_3, product.x);
     float mixed_9 = mix(dot_product_2, dot_product, product.x);
     float mixed_10 = mix(dot_product_8, dot_product_7, product.x);
     float mixed_11 = mix(dot_product_6, dot_product_5, product.x);
     float mixed_12 = mix(mixed_8 - mixed_9, mixed_10 - mixed_11, product.z);
-    float difference_3 = mix(mixed_11, mixed_10, product.y) - mix(mixed_9, mixed_8, product.y);
-    vec3 product_3 = product_2 * vec3(mix(mixed_6, mixed_7, product.z), mixed_12, difference_3);
+    float difference_6 = mix(mixed_11, mixed_10, product.y) - mix(mixed_9, mixed_8, product.y);
+    vec3 product_3 = product_2 * vec3(mix(mixed_6, mixed_7, product.z), mixed_12, difference_6);
     return mix(mixed_3, mix(mixed_4, mixed_5, product.y), product.z) + product_3;
 }
 
@@ -73,11 +76,43 @@ vec3 wrinkle_blended_bumps_noise_octave_slope(vec3 a, float b) {
 }
 
 vec3 wrinkle_blended_bumps_normal(WrinkleSurface_blended_bumps s) {
-    vec3 normal = normalize(s.normal);  // the surface point
-    vec3 dpdy = dFdy(s.position_relative);
-    vec3 r_x = cross(dpdy, normal);
+    vec3 normal = s.normal * inversesqrt(dot(s.normal, s.normal));  // the surface point
     vec3 dpdx = dFdx(s.position_relative);
-    float det = dot(dpdx, r_x);
+    vec3 dpdy = dFdy(s.position_relative);
+    float screen_area = dot(normal, cross(dpdx, dpdy));
+    vec3 grain_product = s.position * 14.0;  // grain: Gradient noise
+    float grain_greatest = max(length(dpdx * 14.0), length(dpdy * 14.0));
+    vec3 grain_noise_octave_slope = wrinkle_blended_bumps_noise_octave_slope(grain_product,
+            grain_greatest);
+    vec3 grain_product_2 = grain_product * 2.0;
+    vec3 grain_sum = grain_product_2 + vec3(19.19, 7.43, 31.71);
+    float grain_product_3 = grain_greatest * 2.0;
+    vec3 grain_noise_octave_slope_2 = wrinkle_blended_bumps_noise_octave_slope(grain_sum,
+            grain_product_3);
+    float grain_product_4 = grain_noise_octave_slope_2.x * 28.0 * 0.5;
+    float grain_sum_2 = grain_noise_octave_slope.x * 14.0 + grain_product_4;
+    vec3 grain_product_5 = grain_product_2 * 2.0;
+    vec3 grain_sum_3 = grain_product_5 + vec3(38.38, 14.86, 63.42);
+    float grain_product_6 = grain_product_3 * 2.0;
+    vec3 grain_noise_octave_slope_3 = wrinkle_blended_bumps_noise_octave_slope(grain_sum_3,
+            grain_product_6);
+    float grain_sum_4 = grain_sum_2 + grain_noise_octave_slope_3.x * 56.0 * 0.25;
+    vec3 grain_sum_5 = grain_product_5 * 2.0 + vec3(57.57, 22.29, 95.13);
+    float grain_product_7 = grain_product_6 * 2.0;
+    vec3 grain_noise_octave_slope_4 = wrinkle_blended_bumps_noise_octave_slope(grain_sum_5,
+            grain_product_7);
+    float grain_quotient = (grain_sum_4 + grain_noise_octave_slope_4.x * 112.0 * 0.125) / 1.875;
+    float grain_product_8 = grain_noise_octave_slope_2.y * 28.0 * 0.5;
+    float grain_sum_6 = grain_noise_octave_slope.y * 14.0 + grain_product_8;
+    float grain_sum_7 = grain_sum_6 + grain_noise_octave_slope_3.y * 56.0 * 0.25;
+    float grain_quotient_2 = (grain_sum_7 + grain_noise_octave_slope_4.y * 112.0 * 0.125) / 1.875;
+    float grain_product_9 = grain_noise_octave_slope_2.z * 28.0 * 0.5;
+    float grain_sum_8 = grain_noise_octave_slope.z * 14.0 + grain_product_9;
+    float grain_sum_9 = grain_sum_8 + grain_noise_octave_slope_3.z * 56.0 * 0.25;
+    float grain_quotient_3 = (grain_sum_9 + grain_noise_octave_slope_4.z * 112.0 * 0.125) / 1.875;
+    // sum: Add bumps
+    vec3 sum_gradient = vec3(grain_quotient * 0.03, grain_quotient_2 * 0.03,
+            grain_quotient_3 * 0.03);
     vec2 knobs_product = s.uv0 * 6.0;  // knobs: Domes
     float knobs_difference = knobs_product.y - floor(knobs_product.y) - 0.5;
     vec2 knobs_vector = vec2(fract(knobs_product.x) - 0.5, knobs_difference);
@@ -94,63 +129,26 @@ vec3 wrinkle_blended_bumps_normal(WrinkleSurface_blended_bumps s) {
     vec2 knobs_product_3 = dFdy(s.uv0) * 6.0;
     float knobs_greatest = max(length(knobs_product_2), length(knobs_product_3));
     float knobs_difference_3 = 1.0 - smoothstep(0.25, 0.75, knobs_greatest);
+    float knobs_product_4 = knobs_quotient_2 * knobs_difference_3;
     float knobs_sum_2 = dot(knobs_product_3, knobs_vector) + dot(knobs_vector, knobs_product_3);
     float knobs_negated_2 = -((knobs_test_2 ? 0.0 : knobs_sum_2 / 0.1225) * 0.64);
     float knobs_quotient_3 = (knobs_test ? 0.0 : knobs_negated_2) * knobs_choice / 0.4;
-    vec3 grain_product = s.position * 14.0;  // grain: Gradient noise
-    float grain_greatest = max(length(dpdx * 14.0), length(dpdy * 14.0));
-    vec3 grain_noise_octave_slope = wrinkle_blended_bumps_noise_octave_slope(grain_product,
-            grain_greatest);
-    vec3 grain_product_2 = grain_product * 2.0;
-    vec3 grain_sum = grain_product_2 + vec3(19.19, 7.43, 31.71);
-    float grain_product_3 = grain_greatest * 2.0;
-    vec3 grain_noise_octave_slope_2 = wrinkle_blended_bumps_noise_octave_slope(grain_sum,
-            grain_product_3);
-    float grain_product_4 = dot(grain_noise_octave_slope_2, vec3(28.0, 0.0, 0.0)) * 0.5;
-    float grain_sum_2 = dot(grain_noise_octave_slope, vec3(14.0, 0.0, 0.0)) + grain_product_4;
-    vec3 grain_product_5 = grain_product_2 * 2.0;
-    vec3 grain_sum_3 = grain_product_5 + vec3(38.38, 14.86, 63.42);
-    float grain_product_6 = grain_product_3 * 2.0;
-    vec3 grain_noise_octave_slope_3 = wrinkle_blended_bumps_noise_octave_slope(grain_sum_3,
-            grain_product_6);
-    float grain_sum_4 = grain_sum_2 + dot(grain_noise_octave_slope_3, vec3(56.0, 0.0, 0.0)) * 0.25;
-    vec3 grain_sum_5 = grain_product_5 * 2.0 + vec3(57.57, 22.29, 95.13);
-    float grain_product_7 = grain_product_6 * 2.0;
-    vec3 grain_noise_octave_slope_4 = wrinkle_blended_bumps_noise_octave_slope(grain_sum_5,
-            grain_product_7);
-    float grain_sum_6 = grain_sum_4 + dot(grain_noise_octave_slope_4, vec3(112.0, 0.0,
-            0.0)) * 0.125;
-    float grain_product_8 = grain_sum_6 / 1.875 * 0.03;
-    float grain_product_9 = dot(grain_noise_octave_slope_2, vec3(0.0, 28.0, 0.0)) * 0.5;
-    float grain_sum_7 = dot(grain_noise_octave_slope, vec3(0.0, 14.0, 0.0)) + grain_product_9;
-    float grain_sum_8 = grain_sum_7 + dot(grain_noise_octave_slope_3, vec3(0.0, 56.0, 0.0)) * 0.25;
-    float grain_sum_9 = grain_sum_8 + dot(grain_noise_octave_slope_4, vec3(0.0, 112.0,
-            0.0)) * 0.125;
-    float grain_product_10 = dot(grain_noise_octave_slope_2, vec3(0.0, 0.0, 28.0)) * 0.5;
-    float grain_sum_10 = dot(grain_noise_octave_slope, vec3(0.0, 0.0, 14.0)) + grain_product_10;
-    float grain_sum_11 = grain_sum_10 + dot(grain_noise_octave_slope_3, vec3(0.0, 0.0,
-            56.0)) * 0.25;
-    float grain_sum_12 = grain_sum_11 + dot(grain_noise_octave_slope_4, vec3(0.0, 0.0,
-            112.0)) * 0.125;
-    // sum: Add bumps
-    vec3 sum_vector = vec3(grain_product_8, grain_sum_9 / 1.875 * 0.03,
-            grain_sum_12 / 1.875 * 0.03);
-    // normal: Resolve
-    vec3 normal_product = cross(normal, dpdx) * (knobs_quotient_3 * knobs_difference_3 * 0.08);
-    vec3 normal_sum = r_x * (knobs_quotient_2 * knobs_difference_3 * 0.08) + normal_product;
-    vec3 normal_gradient = normal_sum * (sign(det) / max(abs(det), 1e-36));
-    vec3 normal_gradient_2 = normal_gradient + (sum_vector - normal * dot(normal, sum_vector));
-    return normalize(normal * s.facing - normal_gradient_2);
+    vec3 normal_product = normal * (s.facing + dot(normal, sum_gradient));  // normal: Resolve
+    float normal_product_2 = sign(screen_area) / max(abs(screen_area), 1e-36) * 0.08;
+    vec2 normal_product_3 = vec2(knobs_product_4,
+            knobs_quotient_3 * knobs_difference_3) * normal_product_2;
+    vec3 normal_gradient = cross(normal, dpdx * normal_product_3.y - dpdy * normal_product_3.x);
+    return normalize(normal_product - (normal_gradient + sum_gradient));
 }
 
 vec3 wrinkle_blended_bumps_naive(WrinkleSurface_blended_bumps s) {
     float inverse_normal_length = inversesqrt(dot(s.normal, s.normal));  // the surface point
-    vec3 dpdy = dFdy(s.position_relative);
-    vec3 normal = normalize(s.normal);
-    vec3 r_x = cross(dpdy, normal);
+    vec3 normal = s.normal * inverse_normal_length;
     vec3 dpdx = dFdx(s.position_relative);
-    float det = dot(dpdx, r_x);
-    vec3 bitangent = cross(s.normal, s.tangent.xyz) * (s.tangent.w > 0.0 ? 1.0 : -1.0);
+    vec3 dpdy = dFdy(s.position_relative);
+    float screen_area = dot(normal, cross(dpdx, dpdy));
+    vec3 bitangent = cross(s.normal, s.tangent.xyz);
+    float handedness = s.tangent.w > 0.0 ? 1.0 : -1.0;
     vec2 knobs_product = s.uv0 * 6.0;  // knobs: Domes
     float knobs_difference = knobs_product.y - floor(knobs_product.y) - 0.5;
     vec2 knobs_vector = vec2(fract(knobs_product.x) - 0.5, knobs_difference);
@@ -167,9 +165,15 @@ vec3 wrinkle_blended_bumps_naive(WrinkleSurface_blended_bumps s) {
     vec2 knobs_product_3 = dFdy(s.uv0) * 6.0;
     float knobs_greatest = max(length(knobs_product_2), length(knobs_product_3));
     float knobs_difference_3 = 1.0 - smoothstep(0.25, 0.75, knobs_greatest);
+    float knobs_product_4 = knobs_quotient_2 * knobs_difference_3;
     float knobs_sum_2 = dot(knobs_product_3, knobs_vector) + dot(knobs_vector, knobs_product_3);
     float knobs_negated_2 = -((knobs_test_2 ? 0.0 : knobs_sum_2 / 0.1225) * 0.64);
     float knobs_quotient_3 = (knobs_test ? 0.0 : knobs_negated_2) * knobs_choice / 0.4;
+    // normal: Resolve
+    float normal_product = sign(screen_area) / max(abs(screen_area), 1e-36) * 0.08;
+    vec2 normal_product_2 = vec2(knobs_product_4,
+            knobs_quotient_3 * knobs_difference_3) * normal_product;
+    vec3 normal_gradient = cross(normal, dpdx * normal_product_2.y - dpdy * normal_product_2.x);
     vec3 grain_product = s.position * 14.0;  // grain: Gradient noise
     float grain_greatest = max(length(dpdx * 14.0), length(dpdy * 14.0));
     vec3 grain_noise_octave_slope = wrinkle_blended_bumps_noise_octave_slope(grain_product,
@@ -179,59 +183,52 @@ vec3 wrinkle_blended_bumps_naive(WrinkleSurface_blended_bumps s) {
     float grain_product_3 = grain_greatest * 2.0;
     vec3 grain_noise_octave_slope_2 = wrinkle_blended_bumps_noise_octave_slope(grain_sum,
             grain_product_3);
-    float grain_product_4 = dot(grain_noise_octave_slope_2, vec3(28.0, 0.0, 0.0)) * 0.5;
-    float grain_sum_2 = dot(grain_noise_octave_slope, vec3(14.0, 0.0, 0.0)) + grain_product_4;
+    float grain_product_4 = grain_noise_octave_slope_2.x * 28.0 * 0.5;
+    float grain_sum_2 = grain_noise_octave_slope.x * 14.0 + grain_product_4;
     vec3 grain_product_5 = grain_product_2 * 2.0;
     vec3 grain_sum_3 = grain_product_5 + vec3(38.38, 14.86, 63.42);
     float grain_product_6 = grain_product_3 * 2.0;
     vec3 grain_noise_octave_slope_3 = wrinkle_blended_bumps_noise_octave_slope(grain_sum_3,
             grain_product_6);
-    float grain_sum_4 = grain_sum_2 + dot(grain_noise_octave_slope_3, vec3(56.0, 0.0, 0.0)) * 0.25;
+    float grain_sum_4 = grain_sum_2 + grain_noise_octave_slope_3.x * 56.0 * 0.25;
     vec3 grain_sum_5 = grain_product_5 * 2.0 + vec3(57.57, 22.29, 95.13);
     float grain_product_7 = grain_product_6 * 2.0;
     vec3 grain_noise_octave_slope_4 = wrinkle_blended_bumps_noise_octave_slope(grain_sum_5,
             grain_product_7);
-    float grain_sum_6 = grain_sum_4 + dot(grain_noise_octave_slope_4, vec3(112.0, 0.0,
-            0.0)) * 0.125;
-    float grain_product_8 = grain_sum_6 / 1.875 * 0.03;
-    float grain_product_9 = dot(grain_noise_octave_slope_2, vec3(0.0, 28.0, 0.0)) * 0.5;
-    float grain_sum_7 = dot(grain_noise_octave_slope, vec3(0.0, 14.0, 0.0)) + grain_product_9;
-    float grain_sum_8 = grain_sum_7 + dot(grain_noise_octave_slope_3, vec3(0.0, 56.0, 0.0)) * 0.25;
-    float grain_sum_9 = grain_sum_8 + dot(grain_noise_octave_slope_4, vec3(0.0, 112.0,
-            0.0)) * 0.125;
-    float grain_product_10 = dot(grain_noise_octave_slope_2, vec3(0.0, 0.0, 28.0)) * 0.5;
-    float grain_sum_10 = dot(grain_noise_octave_slope, vec3(0.0, 0.0, 14.0)) + grain_product_10;
-    float grain_sum_11 = grain_sum_10 + dot(grain_noise_octave_slope_3, vec3(0.0, 0.0,
-            56.0)) * 0.25;
-    float grain_sum_12 = grain_sum_11 + dot(grain_noise_octave_slope_4, vec3(0.0, 0.0,
-            112.0)) * 0.125;
+    float grain_quotient = (grain_sum_4 + grain_noise_octave_slope_4.x * 112.0 * 0.125) / 1.875;
+    float grain_product_8 = grain_noise_octave_slope_2.y * 28.0 * 0.5;
+    float grain_sum_6 = grain_noise_octave_slope.y * 14.0 + grain_product_8;
+    float grain_sum_7 = grain_sum_6 + grain_noise_octave_slope_3.y * 56.0 * 0.25;
+    float grain_quotient_2 = (grain_sum_7 + grain_noise_octave_slope_4.y * 112.0 * 0.125) / 1.875;
+    float grain_product_9 = grain_noise_octave_slope_2.z * 28.0 * 0.5;
+    float grain_sum_8 = grain_noise_octave_slope.z * 14.0 + grain_product_9;
+    float grain_sum_9 = grain_sum_8 + grain_noise_octave_slope_3.z * 56.0 * 0.25;
+    float grain_quotient_3 = (grain_sum_9 + grain_noise_octave_slope_4.z * 112.0 * 0.125) / 1.875;
     // sum: Add bumps
-    vec3 sum_vector = vec3(grain_product_8, grain_sum_9 / 1.875 * 0.03,
-            grain_sum_12 / 1.875 * 0.03);
-    // normal: Resolve
-    vec3 normal_product = cross(normal, dpdx) * (knobs_quotient_3 * knobs_difference_3 * 0.08);
-    vec3 normal_sum = r_x * (knobs_quotient_2 * knobs_difference_3 * 0.08) + normal_product;
-    vec3 normal_gradient = normal_sum * (sign(det) / max(abs(det), 1e-36));
-    vec3 normal_gradient_2 = sum_vector - normal * dot(normal, sum_vector);
+    vec3 sum_gradient = vec3(grain_quotient * 0.03, grain_quotient_2 * 0.03,
+            grain_quotient_3 * 0.03);
     // blend: Wrong: bumps blended as normals
-    vec3 blend_product = s.tangent.xyz * inverse_normal_length;
-    float blend_negated = -dot(blend_product, normal_gradient);
-    vec3 blend_product_2 = bitangent * inverse_normal_length;
-    vec3 blend_vector = vec3(blend_negated, -dot(blend_product_2, normal_gradient), 1.0);
+    vec3 blend_along_u = s.tangent.xyz * inverse_normal_length;
+    float blend_negated = -dot(blend_along_u, normal_gradient);
+    vec3 blend_along_v = bitangent * (handedness * inverse_normal_length);
+    float blend_negated_2 = -dot(blend_along_v, normal_gradient);
+    float blend_sum = blend_negated * blend_negated + blend_negated_2 * blend_negated_2 + 1.0;
+    vec3 blend_unit = normalize(vec3(blend_negated, blend_negated_2, 1.0));
+    vec3 blend_choice = blend_sum > 0.0 ? blend_unit : vec3(0.0);
+    vec3 blend_sum_2 = sum_gradient + normal * -dot(normal, sum_gradient);
+    float blend_negated_3 = -dot(blend_along_u, blend_sum_2);
+    float blend_negated_4 = -dot(blend_along_v, blend_sum_2);
+    float blend_sum_3 = blend_negated_3 * blend_negated_3 + blend_negated_4 * blend_negated_4 + 1.0;
+    vec3 blend_unit_2 = normalize(vec3(blend_negated_3, blend_negated_4, 1.0));
+    vec2 blend_sum_4 = blend_choice.xy + (blend_sum_3 > 0.0 ? blend_unit_2 : vec3(0.0)).xy;
+    vec3 blend_vector = vec3(blend_sum_4, blend_choice.z);
     bool blend_test = dot(blend_vector, blend_vector) > 0.0;
-    vec3 blend_choice = blend_test ? normalize(blend_vector) : vec3(0.0);
-    float blend_negated_2 = -dot(blend_product, normal_gradient_2);
-    vec3 blend_vector_2 = vec3(blend_negated_2, -dot(blend_product_2, normal_gradient_2), 1.0);
-    bool blend_test_2 = dot(blend_vector_2, blend_vector_2) > 0.0;
-    vec3 blend_choice_2 = blend_test_2 ? normalize(blend_vector_2) : vec3(0.0);
-    vec3 blend_vector_3 = vec3(blend_choice.xy + blend_choice_2.xy, blend_choice.z);
-    bool blend_test_3 = dot(blend_vector_3, blend_vector_3) > 0.0;
-    vec3 blend_choice_3 = blend_test_3 ? normalize(blend_vector_3) : vec3(0.0);
-    float blend_least_depth = max(abs(blend_choice_3.x), abs(blend_choice_3.y)) * 0.0078125;
-    vec2 blend_slope = -blend_choice_3.xy;
+    vec3 blend_choice_2 = blend_test ? normalize(blend_vector) : vec3(0.0);
+    float blend_least_depth = max(abs(blend_choice_2.x), abs(blend_choice_2.y)) * 0.0078125;
     // blended: Resolve
-    float blended_product = max(max(abs(blend_choice_3.z), blend_least_depth), 1e-06) * s.facing;
-    vec3 blended_gradient = s.tangent.xyz * blend_slope.x + bitangent * blend_slope.y;
-    vec3 blended_bumped = s.normal * blended_product - blended_gradient;
+    float blended_product = max(max(abs(blend_choice_2.z), blend_least_depth), 1e-06) * s.facing;
+    vec3 blended_along_v = bitangent * (blend_choice_2.y * handedness);
+    vec3 blended_gradient = s.tangent.xyz * blend_choice_2.x + blended_along_v;
+    vec3 blended_bumped = s.normal * blended_product + blended_gradient;
     return normalize(vec3(blended_bumped.xy, blended_bumped.z + 1e-18));
 }

@@ -8,9 +8,9 @@ struct WrinkleSurface_brick {
 
 vec3 wrinkle_brick_normal(WrinkleSurface_brick s) {
     vec3 normal = normalize(s.normal);  // the surface point
-    vec3 r_x = cross(dFdy(s.position_relative), normal);
     vec3 dpdx = dFdx(s.position_relative);
-    float det = dot(dpdx, r_x);
+    vec3 dpdy = dFdy(s.position_relative);
+    float screen_area = dot(normal, cross(dpdx, dpdy));
     vec2 relief_product = dFdx(s.uv0) * 6.0;  // relief: Bricks
     vec2 relief_product_2 = dFdy(s.uv0) * 6.0;
     float relief_greatest = max(length(relief_product), length(relief_product_2));
@@ -34,14 +34,17 @@ vec3 wrinkle_brick_normal(WrinkleSurface_brick s) {
     float relief_quotient_2 = -relief_choice / relief_greatest_2;
     float relief_negated = -(relief_test ? 0.0 : relief_test_2 ? 0.0 : relief_quotient_2);
     float relief_difference_5 = 1.0 - smoothstep(0.25, 0.75, relief_greatest);
-    float relief_product_6 = -(relief_product_2.x / 2.5 * relief_sign_2) * 2.5;
-    float relief_choice_2 = relief_test_3 ? -(relief_product_2.y * relief_sign) : relief_product_6;
+    float relief_product_6 = relief_negated * relief_difference_5;
+    float relief_product_7 = -(relief_product_2.x / 2.5 * relief_sign_2) * 2.5;
+    float relief_choice_2 = relief_test_3 ? -(relief_product_2.y * relief_sign) : relief_product_7;
     float relief_quotient_3 = -relief_choice_2 / relief_greatest_2;
     float relief_negated_2 = -(relief_test ? 0.0 : relief_test_2 ? 0.0 : relief_quotient_3);
     // normal: Resolve
-    vec3 normal_product = cross(normal, dpdx) * (relief_negated_2 * relief_difference_5 * 0.02);
-    vec3 normal_sum = r_x * (relief_negated * relief_difference_5 * 0.02) + normal_product;
-    return normalize(normal * s.facing - normal_sum * (sign(det) / max(abs(det), 1e-36)));
+    vec2 normal_vector = vec2(relief_product_6, relief_negated_2 * relief_difference_5);
+    float normal_product = sign(screen_area) / max(abs(screen_area), 1e-36) * 0.02;
+    vec2 normal_product_2 = normal_vector * normal_product;
+    vec3 normal_gradient = cross(normal, dpdx * normal_product_2.y - dpdy * normal_product_2.x);
+    return normalize(normal * s.facing - normal_gradient);
 }
 
 float wrinkle_brick_height(WrinkleSurface_brick s) {

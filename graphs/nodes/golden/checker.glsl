@@ -8,9 +8,9 @@ struct WrinkleSurface_checker {
 
 vec3 wrinkle_checker_normal(WrinkleSurface_checker s) {
     vec3 normal = normalize(s.normal);  // the surface point
-    vec3 r_x = cross(dFdy(s.position_relative), normal);
     vec3 dpdx = dFdx(s.position_relative);
-    float det = dot(dpdx, r_x);
+    vec3 dpdy = dFdy(s.position_relative);
+    float screen_area = dot(normal, cross(dpdx, dpdy));
     vec2 relief_product = dFdx(s.uv0) * 6.0;  // relief: Checker
     vec2 relief_product_2 = relief_product * 0.5 * 2.0;
     vec2 relief_product_3 = s.uv0 * 6.0;
@@ -28,15 +28,17 @@ vec3 wrinkle_checker_normal(WrinkleSurface_checker s) {
     vec2 relief_quotient_2 = (abs(relief_difference) - abs(relief_difference_2)) / relief_greatest;
     float relief_product_8 = relief_quotient.x * 0.5 * relief_quotient_2.y;
     float relief_product_9 = 0.5 * relief_quotient_2.x;
+    float relief_sum = relief_product_8 + relief_quotient.y * relief_product_9;
     vec2 relief_product_10 = relief_product_4 * 0.5 * 2.0;
     vec2 relief_difference_4 = relief_product_10 * relief_sign - relief_product_10 * relief_sign_2;
     vec2 relief_quotient_3 = relief_difference_4 / relief_greatest;
     float relief_product_11 = relief_quotient_3.x * 0.5 * relief_quotient_2.y;
-    float relief_product_12 = (relief_product_11 + relief_quotient_3.y * relief_product_9) * 0.02;
     // normal: Resolve
-    vec3 normal_product = r_x * ((relief_product_8 + relief_quotient.y * relief_product_9) * 0.02);
-    vec3 normal_sum = normal_product + cross(normal, dpdx) * relief_product_12;
-    vec3 normal_gradient = normal_sum * (sign(det) / max(abs(det), 1e-36));
+    vec2 normal_vector = vec2(relief_sum,
+            relief_product_11 + relief_quotient_3.y * relief_product_9);
+    float normal_product = sign(screen_area) / max(abs(screen_area), 1e-36) * 0.02;
+    vec2 normal_product_2 = normal_vector * normal_product;
+    vec3 normal_gradient = cross(normal, dpdx * normal_product_2.y - dpdy * normal_product_2.x);
     return normalize(normal * s.facing - normal_gradient);
 }
 

@@ -28,27 +28,30 @@ float wrinkle_dents_gradient_noise(vec3 a) {
     vec3 difference = a - floored;
     float dot_product = dot(wrinkle_dents_noise_direction(whole, whole_2, whole_3), difference);
     int sum = whole + 1;
-    vec3 noise_direction = wrinkle_dents_noise_direction(sum, whole_2, whole_3);
-    float dot_product_2 = dot(noise_direction, difference - vec3(1.0, 0.0, 0.0));
+    float difference_2 = difference.x - 1.0;
+    vec3 vector = vec3(difference_2, difference.y, difference.z);
+    float dot_product_2 = dot(wrinkle_dents_noise_direction(sum, whole_2, whole_3), vector);
     vec3 sum_2 = difference * (difference * 6.0 - 15.0) + 10.0;
     vec3 product = difference * difference * difference * sum_2;
     float mixed = mix(dot_product, dot_product_2, product.x);
     int sum_3 = whole_2 + 1;
-    vec3 noise_direction_2 = wrinkle_dents_noise_direction(whole, sum_3, whole_3);
-    float dot_product_3 = dot(noise_direction_2, difference - vec3(0.0, 1.0, 0.0));
-    vec3 noise_direction_3 = wrinkle_dents_noise_direction(sum, sum_3, whole_3);
-    float dot_product_4 = dot(noise_direction_3, difference - vec3(1.0, 1.0, 0.0));
+    float difference_3 = difference.y - 1.0;
+    vec3 vector_2 = vec3(difference.x, difference_3, difference.z);
+    float dot_product_3 = dot(wrinkle_dents_noise_direction(whole, sum_3, whole_3), vector_2);
+    vec3 noise_direction = wrinkle_dents_noise_direction(sum, sum_3, whole_3);
+    float dot_product_4 = dot(noise_direction, vec3(difference_2, difference_3, difference.z));
     float mixed_2 = mix(mixed, mix(dot_product_3, dot_product_4, product.x), product.y);
     int sum_4 = whole_3 + 1;
-    vec3 noise_direction_4 = wrinkle_dents_noise_direction(whole, whole_2, sum_4);
-    float dot_product_5 = dot(noise_direction_4, difference - vec3(0.0, 0.0, 1.0));
-    vec3 noise_direction_5 = wrinkle_dents_noise_direction(sum, whole_2, sum_4);
-    float dot_product_6 = dot(noise_direction_5, difference - vec3(1.0, 0.0, 1.0));
+    float difference_4 = difference.z - 1.0;
+    vec3 vector_3 = vec3(difference.x, difference.y, difference_4);
+    float dot_product_5 = dot(wrinkle_dents_noise_direction(whole, whole_2, sum_4), vector_3);
+    vec3 noise_direction_2 = wrinkle_dents_noise_direction(sum, whole_2, sum_4);
+    float dot_product_6 = dot(noise_direction_2, vec3(difference_2, difference.y, difference_4));
     float mixed_3 = mix(dot_product_5, dot_product_6, product.x);
-    vec3 noise_direction_6 = wrinkle_dents_noise_direction(whole, sum_3, sum_4);
-    float dot_product_7 = dot(noise_direction_6, difference - vec3(0.0, 1.0, 1.0));
-    vec3 noise_direction_7 = wrinkle_dents_noise_direction(sum, sum_3, sum_4);
-    float dot_product_8 = dot(noise_direction_7, difference - 1.0);
+    vec3 noise_direction_3 = wrinkle_dents_noise_direction(whole, sum_3, sum_4);
+    float dot_product_7 = dot(noise_direction_3, vec3(difference.x, difference_3, difference_4));
+    vec3 noise_direction_4 = wrinkle_dents_noise_direction(sum, sum_3, sum_4);
+    float dot_product_8 = dot(noise_direction_4, difference - 1.0);
     float mixed_4 = mix(mixed_3, mix(dot_product_7, dot_product_8, product.x), product.y);
     return mix(mixed_2, mixed_4, product.z);
 }
@@ -83,23 +86,26 @@ vec3 wrinkle_dents_gradient_noise_slope(vec3 a) {
     vec3 mixed_5 = mix(noise_direction_7, noise_direction_8, product.x);
     vec3 difference_2 = difference - 1.0;
     vec3 product_2 = 30.0 * difference * difference * difference_2 * difference_2;
-    float dot_product = dot(noise_direction_2, difference - vec3(1.0, 0.0, 0.0));
+    float difference_3 = difference.x - 1.0;
+    float dot_product = dot(noise_direction_2, vec3(difference_3, difference.y, difference.z));
     float dot_product_2 = dot(noise_direction, difference);
-    float dot_product_3 = dot(noise_direction_4, difference - vec3(1.0, 1.0, 0.0));
-    float dot_product_4 = dot(noise_direction_3, difference - vec3(0.0, 1.0, 0.0));
+    float difference_4 = difference.y - 1.0;
+    float dot_product_3 = dot(noise_direction_4, vec3(difference_3, difference_4, difference.z));
+    float dot_product_4 = dot(noise_direction_3, vec3(difference.x, difference_4, difference.z));
     float mixed_6 = mix(dot_product - dot_product_2, dot_product_3 - dot_product_4, product.y);
-    float dot_product_5 = dot(noise_direction_6, difference - vec3(1.0, 0.0, 1.0));
-    float dot_product_6 = dot(noise_direction_5, difference - vec3(0.0, 0.0, 1.0));
+    float difference_5 = difference.z - 1.0;
+    float dot_product_5 = dot(noise_direction_6, vec3(difference_3, difference.y, difference_5));
+    float dot_product_6 = dot(noise_direction_5, vec3(difference.x, difference.y, difference_5));
     float dot_product_7 = dot(noise_direction_8, difference - 1.0);
-    float dot_product_8 = dot(noise_direction_7, difference - vec3(0.0, 1.0, 1.0));
+    float dot_product_8 = dot(noise_direction_7, vec3(difference.x, difference_4, difference_5));
     float mixed_7 = mix(dot_product_5 - dot_product_6, dot_product_7 - dot_product_8, product.y);
     float mixed_8 = mix(dot_product_4, dot_product_3, product.x);
     float mixed_9 = mix(dot_product_2, dot_product, product.x);
     float mixed_10 = mix(dot_product_8, dot_product_7, product.x);
     float mixed_11 = mix(dot_product_6, dot_product_5, product.x);
     float mixed_12 = mix(mixed_8 - mixed_9, mixed_10 - mixed_11, product.z);
-    float difference_3 = mix(mixed_11, mixed_10, product.y) - mix(mixed_9, mixed_8, product.y);
-    vec3 product_3 = product_2 * vec3(mix(mixed_6, mixed_7, product.z), mixed_12, difference_3);
+    float difference_6 = mix(mixed_11, mixed_10, product.y) - mix(mixed_9, mixed_8, product.y);
+    vec3 product_3 = product_2 * vec3(mix(mixed_6, mixed_7, product.z), mixed_12, difference_6);
     return mix(mixed_3, mix(mixed_4, mixed_5, product.y), product.z) + product_3;
 }
 
@@ -125,26 +131,22 @@ vec3 wrinkle_dents_normal(WrinkleSurface_dents s) {
     bool relief_test_3 = relief_quotient < 0.0;
     vec3 relief_billow_slope = wrinkle_dents_billow_slope(relief_product, relief_greatest);
     vec3 relief_billow_slope_2 = wrinkle_dents_billow_slope(relief_sum, relief_product_2);
-    float relief_product_4 = dot(relief_billow_slope_2, vec3(10.0, 0.0, 0.0)) * 0.5;
-    float relief_quotient_2 = (dot(relief_billow_slope, vec3(5.0, 0.0,
-            0.0)) + relief_product_4) / 1.5;
-    float relief_choice = relief_test_2 ? 0.0 : relief_test_3 ? 0.0 : relief_quotient_2 / 0.85;
+    float relief_sum_3 = relief_billow_slope.x * 5.0 + relief_billow_slope_2.x * 10.0 * 0.5;
+    float relief_choice = relief_test_2 ? 0.0 : relief_test_3 ? 0.0 : relief_sum_3 / 1.5 / 0.85;
     float relief_choice_2 = relief_test ? 1.5 * pow(relief_clamped, 1.5) / relief_clamped : 0.0;
-    float relief_product_5 = -(relief_test ? relief_choice * relief_choice_2 : 0.0) * 0.08;
-    float relief_product_6 = dot(relief_billow_slope_2, vec3(0.0, 10.0, 0.0)) * 0.5;
-    float relief_quotient_3 = (dot(relief_billow_slope, vec3(0.0, 5.0,
-            0.0)) + relief_product_6) / 1.5;
-    float relief_choice_3 = relief_test_2 ? 0.0 : relief_test_3 ? 0.0 : relief_quotient_3 / 0.85;
-    float relief_product_7 = -(relief_test ? relief_choice_3 * relief_choice_2 : 0.0) * 0.08;
-    float relief_product_8 = dot(relief_billow_slope_2, vec3(0.0, 0.0, 10.0)) * 0.5;
-    float relief_quotient_4 = (dot(relief_billow_slope, vec3(0.0, 0.0,
-            5.0)) + relief_product_8) / 1.5;
-    float relief_choice_4 = relief_test_2 ? 0.0 : relief_test_3 ? 0.0 : relief_quotient_4 / 0.85;
-    float relief_product_9 = -(relief_test ? relief_choice_4 * relief_choice_2 : 0.0) * 0.08;
+    float relief_product_4 = relief_choice * relief_choice_2;
+    float relief_product_5 = -(relief_test ? relief_product_4 : 0.0) * 0.08;
+    float relief_sum_4 = relief_billow_slope.y * 5.0 + relief_billow_slope_2.y * 10.0 * 0.5;
+    float relief_choice_3 = relief_test_2 ? 0.0 : relief_test_3 ? 0.0 : relief_sum_4 / 1.5 / 0.85;
+    float relief_product_6 = relief_choice_3 * relief_choice_2;
+    float relief_product_7 = -(relief_test ? relief_product_6 : 0.0) * 0.08;
+    float relief_sum_5 = relief_billow_slope.z * 5.0 + relief_billow_slope_2.z * 10.0 * 0.5;
+    float relief_choice_4 = relief_test_2 ? 0.0 : relief_test_3 ? 0.0 : relief_sum_5 / 1.5 / 0.85;
+    float relief_product_8 = relief_choice_4 * relief_choice_2;
+    float relief_product_9 = -(relief_test ? relief_product_8 : 0.0) * 0.08;
     // normal: Resolve
-    vec3 normal_vector = vec3(relief_product_5, relief_product_7, relief_product_9);
-    vec3 normal_gradient = normal_vector - normal * dot(normal, normal_vector);
-    return normalize(normal * s.facing - normal_gradient);
+    vec3 normal_gradient = vec3(relief_product_5, relief_product_7, relief_product_9);
+    return normalize(normal * (s.facing + dot(normal, normal_gradient)) - normal_gradient);
 }
 
 float wrinkle_dents_height(WrinkleSurface_dents s) {

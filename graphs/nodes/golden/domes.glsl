@@ -8,9 +8,9 @@ struct WrinkleSurface_domes {
 
 vec3 wrinkle_domes_normal(WrinkleSurface_domes s) {
     vec3 normal = normalize(s.normal);  // the surface point
-    vec3 r_x = cross(dFdy(s.position_relative), normal);
     vec3 dpdx = dFdx(s.position_relative);
-    float det = dot(dpdx, r_x);
+    vec3 dpdy = dFdy(s.position_relative);
+    float screen_area = dot(normal, cross(dpdx, dpdy));
     vec2 relief_product = s.uv0 * 6.0;  // relief: Domes
     float relief_floored = floor(relief_product.y);
     float relief_difference = fract(relief_product.x - relief_floored * 0.5) - 0.5;
@@ -28,15 +28,17 @@ vec3 wrinkle_domes_normal(WrinkleSurface_domes s) {
     vec2 relief_product_3 = dFdy(s.uv0) * 6.0;
     float relief_greatest = max(length(relief_product_2), length(relief_product_3));
     float relief_difference_3 = 1.0 - smoothstep(0.25, 0.75, relief_greatest);
+    float relief_product_4 = relief_quotient_2 * relief_difference_3;
     float relief_sum_2 = dot(relief_product_3, relief_vector) + dot(relief_vector,
             relief_product_3);
     float relief_negated_2 = -((relief_test_2 ? 0.0 : relief_sum_2 / 0.1225) * 0.64);
     float relief_quotient_3 = (relief_test ? 0.0 : relief_negated_2) * relief_choice / 0.4;
     // normal: Resolve
-    vec3 normal_product = cross(normal, dpdx) * (relief_quotient_3 * relief_difference_3 * 0.05);
-    vec3 normal_sum = r_x * (relief_quotient_2 * relief_difference_3 * 0.05) + normal_product;
-    vec3 normal_difference = normal * s.facing - normal_sum * (sign(det) / max(abs(det), 1e-36));
-    return normalize(normal_difference);
+    vec2 normal_vector = vec2(relief_product_4, relief_quotient_3 * relief_difference_3);
+    float normal_product = sign(screen_area) / max(abs(screen_area), 1e-36) * 0.05;
+    vec2 normal_product_2 = normal_vector * normal_product;
+    vec3 normal_gradient = cross(normal, dpdx * normal_product_2.y - dpdy * normal_product_2.x);
+    return normalize(normal * s.facing - normal_gradient);
 }
 
 float wrinkle_domes_height(WrinkleSurface_domes s) {

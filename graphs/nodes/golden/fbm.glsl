@@ -21,16 +21,17 @@ vec3 wrinkle_fbm_noise_direction(int a, int b, int c) {
 }
 
 vec3 wrinkle_fbm_simplex_noise_slope(vec3 a) {
-    vec3 sum = a + dot(a, vec3(1.0)) * 0.33333334;
+    vec3 sum = a + (a.x + a.y + a.z) * 0.33333334;
     vec3 floored = floor(sum);
     vec3 difference = sum - floored;
-    vec3 difference_2 = difference - dot(difference, vec3(1.0)) * 0.16666667;
+    float product = (difference.x + difference.y + difference.z) * 0.16666667;
+    vec3 difference_2 = difference - product;
     float greatest = max(0.5 - dot(difference_2, difference_2), 0.0);
     int whole = int(floored.x);
     vec3 noise_direction = wrinkle_fbm_noise_direction(whole, int(floored.y), int(floored.z));
-    vec3 product = 8.0 * dot(noise_direction, difference_2) * difference_2;
-    vec3 difference_3 = greatest * noise_direction - product;
-    vec3 product_2 = greatest * greatest * greatest * difference_3;
+    vec3 product_2 = 8.0 * dot(noise_direction, difference_2) * difference_2;
+    vec3 difference_3 = greatest * noise_direction - product_2;
+    vec3 product_3 = greatest * greatest * greatest * difference_3;
     float number = float(difference.x >= difference.y);
     float number_2 = float(difference.x >= difference.z);
     float number_3 = float(difference.y >= difference.z);
@@ -42,7 +43,7 @@ vec3 wrinkle_fbm_simplex_noise_slope(vec3 a) {
     vec3 noise_direction_2 = wrinkle_fbm_noise_direction(int(sum_3.x), int(sum_3.y), int(sum_3.z));
     vec3 difference_4 = greatest_2 * noise_direction_2 - 8.0 * dot(noise_direction_2,
             sum_2) * sum_2;
-    vec3 sum_4 = product_2 + greatest_2 * greatest_2 * greatest_2 * difference_4;
+    vec3 sum_4 = product_3 + greatest_2 * greatest_2 * greatest_2 * difference_4;
     vec3 clamped_2 = clamp(vector, 0.0, 1.0);
     vec3 sum_5 = difference_2 - clamped_2 + 0.33333334;
     float greatest_3 = max(0.5 - dot(sum_5, sum_5), 0.0);
@@ -55,8 +56,8 @@ vec3 wrinkle_fbm_simplex_noise_slope(vec3 a) {
     float greatest_4 = max(0.5 - dot(difference_6, difference_6), 0.0);
     vec3 sum_8 = floored + 1.0;
     vec3 noise_direction_4 = wrinkle_fbm_noise_direction(int(sum_8.x), int(sum_8.y), int(sum_8.z));
-    vec3 product_3 = 8.0 * dot(noise_direction_4, difference_6) * difference_6;
-    vec3 difference_7 = greatest_4 * noise_direction_4 - product_3;
+    vec3 product_4 = 8.0 * dot(noise_direction_4, difference_6) * difference_6;
+    vec3 difference_7 = greatest_4 * noise_direction_4 - product_4;
     return (sum_7 + greatest_4 * greatest_4 * greatest_4 * difference_7) * 76.0;
 }
 
@@ -65,15 +66,16 @@ vec3 wrinkle_fbm_noise_octave_slope(vec3 a, float b) {
 }
 
 float wrinkle_fbm_simplex_noise(vec3 a) {
-    vec3 sum = a + dot(a, vec3(1.0)) * 0.33333334;
+    vec3 sum = a + (a.x + a.y + a.z) * 0.33333334;
     vec3 floored = floor(sum);
     vec3 difference = sum - floored;
-    vec3 difference_2 = difference - dot(difference, vec3(1.0)) * 0.16666667;
+    float product = (difference.x + difference.y + difference.z) * 0.16666667;
+    vec3 difference_2 = difference - product;
     float greatest = max(0.5 - dot(difference_2, difference_2), 0.0);
-    float product = greatest * greatest * greatest * greatest;
+    float product_2 = greatest * greatest * greatest * greatest;
     int whole = int(floored.x);
     vec3 noise_direction = wrinkle_fbm_noise_direction(whole, int(floored.y), int(floored.z));
-    float product_2 = product * dot(noise_direction, difference_2);
+    float product_3 = product_2 * dot(noise_direction, difference_2);
     float number = float(difference.x >= difference.y);
     float number_2 = float(difference.x >= difference.z);
     float number_3 = float(difference.y >= difference.z);
@@ -81,23 +83,23 @@ float wrinkle_fbm_simplex_noise(vec3 a) {
     vec3 clamped = clamp(vector - 1.0, 0.0, 1.0);
     vec3 sum_2 = difference_2 - clamped + 0.16666667;
     float greatest_2 = max(0.5 - dot(sum_2, sum_2), 0.0);
-    float product_3 = greatest_2 * greatest_2 * greatest_2 * greatest_2;
+    float product_4 = greatest_2 * greatest_2 * greatest_2 * greatest_2;
     vec3 sum_3 = floored + clamped;
     vec3 noise_direction_2 = wrinkle_fbm_noise_direction(int(sum_3.x), int(sum_3.y), int(sum_3.z));
-    float sum_4 = product_2 + product_3 * dot(noise_direction_2, sum_2);
+    float sum_4 = product_3 + product_4 * dot(noise_direction_2, sum_2);
     vec3 clamped_2 = clamp(vector, 0.0, 1.0);
     vec3 sum_5 = difference_2 - clamped_2 + 0.33333334;
     float greatest_3 = max(0.5 - dot(sum_5, sum_5), 0.0);
-    float product_4 = greatest_3 * greatest_3 * greatest_3 * greatest_3;
+    float product_5 = greatest_3 * greatest_3 * greatest_3 * greatest_3;
     vec3 sum_6 = floored + clamped_2;
     vec3 noise_direction_3 = wrinkle_fbm_noise_direction(int(sum_6.x), int(sum_6.y), int(sum_6.z));
     vec3 difference_3 = difference_2 - 0.5;
     float greatest_4 = max(0.5 - dot(difference_3, difference_3), 0.0);
-    float product_5 = greatest_4 * greatest_4 * greatest_4 * greatest_4;
+    float product_6 = greatest_4 * greatest_4 * greatest_4 * greatest_4;
     vec3 sum_7 = floored + 1.0;
     vec3 noise_direction_4 = wrinkle_fbm_noise_direction(int(sum_7.x), int(sum_7.y), int(sum_7.z));
-    float product_6 = product_5 * dot(noise_direction_4, difference_3);
-    return (sum_4 + product_4 * dot(noise_direction_3, sum_5) + product_6) * 76.0;
+    float product_7 = product_6 * dot(noise_direction_4, difference_3);
+    return (sum_4 + product_5 * dot(noise_direction_3, sum_5) + product_7) * 76.0;
 }
 
 float wrinkle_fbm_noise_octave(vec3 a, float b) {
@@ -115,55 +117,49 @@ vec3 wrinkle_fbm_normal(WrinkleSurface_fbm s) {
     vec3 relief_sum = relief_product_2 + vec3(19.19, 7.43, 31.71);
     float relief_product_3 = relief_greatest * 2.0;
     vec3 relief_noise_octave_slope_2 = wrinkle_fbm_noise_octave_slope(relief_sum, relief_product_3);
-    float relief_product_4 = dot(relief_noise_octave_slope_2, vec3(6.0, 0.0, 0.0)) * 0.5;
-    float relief_sum_2 = dot(relief_noise_octave_slope, vec3(3.0, 0.0, 0.0)) + relief_product_4;
+    float relief_product_4 = relief_noise_octave_slope_2.x * 6.0 * 0.5;
+    float relief_sum_2 = relief_noise_octave_slope.x * 3.0 + relief_product_4;
     vec3 relief_product_5 = relief_product_2 * 2.0;
     vec3 relief_sum_3 = relief_product_5 + vec3(38.38, 14.86, 63.42);
     float relief_product_6 = relief_product_3 * 2.0;
     vec3 relief_noise_octave_slope_3 = wrinkle_fbm_noise_octave_slope(relief_sum_3,
             relief_product_6);
-    float relief_sum_4 = relief_sum_2 + dot(relief_noise_octave_slope_3, vec3(12.0, 0.0,
-            0.0)) * 0.25;
+    float relief_sum_4 = relief_sum_2 + relief_noise_octave_slope_3.x * 12.0 * 0.25;
     vec3 relief_product_7 = relief_product_5 * 2.0;
     vec3 relief_sum_5 = relief_product_7 + vec3(57.57, 22.29, 95.13);
     float relief_product_8 = relief_product_6 * 2.0;
     vec3 relief_noise_octave_slope_4 = wrinkle_fbm_noise_octave_slope(relief_sum_5,
             relief_product_8);
-    float relief_product_9 = dot(relief_noise_octave_slope_4, vec3(24.0, 0.0, 0.0)) * 0.125;
-    vec3 relief_product_10 = relief_product_7 * 2.0;
-    vec3 relief_sum_6 = relief_product_10 + vec3(76.76, 29.72, 126.84);
-    float relief_product_11 = relief_product_8 * 2.0;
-    vec3 relief_noise_octave_slope_5 = wrinkle_fbm_noise_octave_slope(relief_sum_6,
+    float relief_sum_6 = relief_sum_4 + relief_noise_octave_slope_4.x * 24.0 * 0.125;
+    vec3 relief_product_9 = relief_product_7 * 2.0;
+    vec3 relief_sum_7 = relief_product_9 + vec3(76.76, 29.72, 126.84);
+    float relief_product_10 = relief_product_8 * 2.0;
+    vec3 relief_noise_octave_slope_5 = wrinkle_fbm_noise_octave_slope(relief_sum_7,
+            relief_product_10);
+    float relief_sum_8 = relief_sum_6 + relief_noise_octave_slope_5.x * 48.0 * 0.0625;
+    vec3 relief_sum_9 = relief_product_9 * 2.0 + vec3(95.95, 37.15, 158.55);
+    float relief_product_11 = relief_product_10 * 2.0;
+    vec3 relief_noise_octave_slope_6 = wrinkle_fbm_noise_octave_slope(relief_sum_9,
             relief_product_11);
-    float relief_product_12 = dot(relief_noise_octave_slope_5, vec3(48.0, 0.0, 0.0)) * 0.0625;
-    vec3 relief_sum_7 = relief_product_10 * 2.0 + vec3(95.95, 37.15, 158.55);
-    float relief_product_13 = relief_product_11 * 2.0;
-    vec3 relief_noise_octave_slope_6 = wrinkle_fbm_noise_octave_slope(relief_sum_7,
-            relief_product_13);
-    float relief_product_14 = dot(relief_noise_octave_slope_6, vec3(96.0, 0.0, 0.0)) * 0.03125;
-    float relief_sum_8 = relief_sum_4 + relief_product_9 + relief_product_12 + relief_product_14;
-    float relief_product_15 = relief_sum_8 / 1.96875 * 0.06;
-    float relief_product_16 = dot(relief_noise_octave_slope_2, vec3(0.0, 6.0, 0.0)) * 0.5;
-    float relief_sum_9 = dot(relief_noise_octave_slope, vec3(0.0, 3.0, 0.0)) + relief_product_16;
-    float relief_sum_10 = relief_sum_9 + dot(relief_noise_octave_slope_3, vec3(0.0, 12.0,
-            0.0)) * 0.25;
-    float relief_product_17 = dot(relief_noise_octave_slope_4, vec3(0.0, 24.0, 0.0)) * 0.125;
-    float relief_product_18 = dot(relief_noise_octave_slope_5, vec3(0.0, 48.0, 0.0)) * 0.0625;
-    float relief_product_19 = dot(relief_noise_octave_slope_6, vec3(0.0, 96.0, 0.0)) * 0.03125;
-    float relief_sum_11 = relief_sum_10 + relief_product_17 + relief_product_18 + relief_product_19;
-    float relief_product_20 = relief_sum_11 / 1.96875 * 0.06;
-    float relief_product_21 = dot(relief_noise_octave_slope_2, vec3(0.0, 0.0, 6.0)) * 0.5;
-    float relief_sum_12 = dot(relief_noise_octave_slope, vec3(0.0, 0.0, 3.0)) + relief_product_21;
-    float relief_sum_13 = relief_sum_12 + dot(relief_noise_octave_slope_3, vec3(0.0, 0.0,
-            12.0)) * 0.25;
-    float relief_product_22 = dot(relief_noise_octave_slope_4, vec3(0.0, 0.0, 24.0)) * 0.125;
-    float relief_product_23 = dot(relief_noise_octave_slope_5, vec3(0.0, 0.0, 48.0)) * 0.0625;
-    float relief_product_24 = dot(relief_noise_octave_slope_6, vec3(0.0, 0.0, 96.0)) * 0.03125;
-    float relief_sum_14 = relief_sum_13 + relief_product_22 + relief_product_23 + relief_product_24;
+    float relief_sum_10 = relief_sum_8 + relief_noise_octave_slope_6.x * 96.0 * 0.03125;
+    float relief_product_12 = relief_sum_10 / 1.96875 * 0.06;
+    float relief_product_13 = relief_noise_octave_slope_2.y * 6.0 * 0.5;
+    float relief_sum_11 = relief_noise_octave_slope.y * 3.0 + relief_product_13;
+    float relief_sum_12 = relief_sum_11 + relief_noise_octave_slope_3.y * 12.0 * 0.25;
+    float relief_sum_13 = relief_sum_12 + relief_noise_octave_slope_4.y * 24.0 * 0.125;
+    float relief_sum_14 = relief_sum_13 + relief_noise_octave_slope_5.y * 48.0 * 0.0625;
+    float relief_sum_15 = relief_sum_14 + relief_noise_octave_slope_6.y * 96.0 * 0.03125;
+    float relief_product_14 = relief_sum_15 / 1.96875 * 0.06;
+    float relief_product_15 = relief_noise_octave_slope_2.z * 6.0 * 0.5;
+    float relief_sum_16 = relief_noise_octave_slope.z * 3.0 + relief_product_15;
+    float relief_sum_17 = relief_sum_16 + relief_noise_octave_slope_3.z * 12.0 * 0.25;
+    float relief_sum_18 = relief_sum_17 + relief_noise_octave_slope_4.z * 24.0 * 0.125;
+    float relief_sum_19 = relief_sum_18 + relief_noise_octave_slope_5.z * 48.0 * 0.0625;
+    float relief_sum_20 = relief_sum_19 + relief_noise_octave_slope_6.z * 96.0 * 0.03125;
     // normal: Resolve
-    vec3 normal_vector = vec3(relief_product_15, relief_product_20, relief_sum_14 / 1.96875 * 0.06);
-    vec3 normal_gradient = normal_vector - normal * dot(normal, normal_vector);
-    return normalize(normal * s.facing - normal_gradient);
+    vec3 normal_gradient = vec3(relief_product_12, relief_product_14,
+            relief_sum_20 / 1.96875 * 0.06);
+    return normalize(normal * (s.facing + dot(normal, normal_gradient)) - normal_gradient);
 }
 
 float wrinkle_fbm_height(WrinkleSurface_fbm s) {

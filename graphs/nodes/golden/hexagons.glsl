@@ -8,19 +8,21 @@ struct WrinkleSurface_hexagons {
 
 vec3 wrinkle_hexagons_normal(WrinkleSurface_hexagons s) {
     vec3 normal = normalize(s.normal);  // the surface point
-    vec3 r_x = cross(dFdy(s.position_relative), normal);
     vec3 dpdx = dFdx(s.position_relative);
-    float det = dot(dpdx, r_x);
+    vec3 dpdy = dFdy(s.position_relative);
+    float screen_area = dot(normal, cross(dpdx, dpdy));
     vec2 relief_product = dFdx(s.uv0) * 5.0;  // relief: Hexagons
     vec2 relief_product_2 = dFdy(s.uv0) * 5.0;
     float relief_greatest = max(length(relief_product), length(relief_product_2));
     float relief_greatest_2 = max(0.15, relief_greatest);
     vec2 relief_product_3 = s.uv0 * 5.0;
     vec2 relief_quotient = relief_product_3 / vec2(1.0, 1.7320508);
-    vec2 relief_difference = relief_product_3 - vec2(1.0, 1.7320508) * floor(relief_quotient + 0.5);
+    vec2 relief_floored = floor(relief_quotient + 0.5);
+    vec2 relief_vector = vec2(relief_floored.x, 1.7320508 * relief_floored.y);
+    vec2 relief_difference = relief_product_3 - relief_vector;
     float relief_dot_product = dot(relief_difference, relief_difference);
-    vec2 relief_product_4 = vec2(1.0, 1.7320508) * (floor(relief_quotient) + 0.5);
-    vec2 relief_difference_2 = relief_product_3 - relief_product_4;
+    vec2 relief_sum = floor(relief_quotient) + 0.5;
+    vec2 relief_difference_2 = relief_product_3 - vec2(relief_sum.x, 1.7320508 * relief_sum.y);
     bool relief_test = relief_dot_product < dot(relief_difference_2, relief_difference_2);
     vec2 relief_choice = relief_test ? relief_difference : relief_difference_2;
     vec2 relief_magnitude = abs(relief_choice);
@@ -32,21 +34,24 @@ vec3 wrinkle_hexagons_normal(WrinkleSurface_hexagons s) {
     bool relief_test_3 = relief_quotient_2 < 0.0;
     bool relief_test_4 = relief_magnitude.x < relief_dot_product_2;
     vec2 relief_sign = sign(relief_choice);
-    vec2 relief_product_5 = relief_product * relief_sign;
-    float relief_dot_product_3 = dot(relief_product_5, vec2(0.5, 0.8660254));
-    float relief_choice_2 = relief_test_4 ? relief_dot_product_3 : relief_product_5.x;
+    vec2 relief_product_4 = relief_product * relief_sign;
+    float relief_dot_product_3 = dot(relief_product_4, vec2(0.5, 0.8660254));
+    float relief_choice_2 = relief_test_4 ? relief_dot_product_3 : relief_product_4.x;
     float relief_choice_3 = relief_test_3 ? 0.0 : relief_choice_2 / relief_greatest_2;
     float relief_negated = -(relief_test_2 ? 0.0 : relief_choice_3);
     float relief_difference_4 = 1.0 - smoothstep(0.25, 0.75, relief_greatest);
+    float relief_product_5 = relief_negated * relief_difference_4;
     vec2 relief_product_6 = relief_product_2 * relief_sign;
     float relief_dot_product_4 = dot(relief_product_6, vec2(0.5, 0.8660254));
     float relief_choice_4 = relief_test_4 ? relief_dot_product_4 : relief_product_6.x;
     float relief_choice_5 = relief_test_3 ? 0.0 : relief_choice_4 / relief_greatest_2;
     float relief_negated_2 = -(relief_test_2 ? 0.0 : relief_choice_5);
     // normal: Resolve
-    vec3 normal_product = cross(normal, dpdx) * (relief_negated_2 * relief_difference_4 * 0.02);
-    vec3 normal_sum = r_x * (relief_negated * relief_difference_4 * 0.02) + normal_product;
-    return normalize(normal * s.facing - normal_sum * (sign(det) / max(abs(det), 1e-36)));
+    vec2 normal_vector = vec2(relief_product_5, relief_negated_2 * relief_difference_4);
+    float normal_product = sign(screen_area) / max(abs(screen_area), 1e-36) * 0.02;
+    vec2 normal_product_2 = normal_vector * normal_product;
+    vec3 normal_gradient = cross(normal, dpdx * normal_product_2.y - dpdy * normal_product_2.x);
+    return normalize(normal * s.facing - normal_gradient);
 }
 
 float wrinkle_hexagons_height(WrinkleSurface_hexagons s) {
@@ -55,10 +60,12 @@ float wrinkle_hexagons_height(WrinkleSurface_hexagons s) {
     float relief_greatest_2 = max(0.15, relief_greatest);
     vec2 relief_product = s.uv0 * 5.0;
     vec2 relief_quotient = relief_product / vec2(1.0, 1.7320508);
-    vec2 relief_difference = relief_product - vec2(1.0, 1.7320508) * floor(relief_quotient + 0.5);
+    vec2 relief_floored = floor(relief_quotient + 0.5);
+    vec2 relief_vector = vec2(relief_floored.x, 1.7320508 * relief_floored.y);
+    vec2 relief_difference = relief_product - relief_vector;
     float relief_dot_product = dot(relief_difference, relief_difference);
-    vec2 relief_product_2 = vec2(1.0, 1.7320508) * (floor(relief_quotient) + 0.5);
-    vec2 relief_difference_2 = relief_product - relief_product_2;
+    vec2 relief_sum = floor(relief_quotient) + 0.5;
+    vec2 relief_difference_2 = relief_product - vec2(relief_sum.x, 1.7320508 * relief_sum.y);
     bool relief_test = relief_dot_product < dot(relief_difference_2, relief_difference_2);
     vec2 relief_magnitude = abs(relief_test ? relief_difference : relief_difference_2);
     float relief_greatest_3 = max(relief_magnitude.x, dot(relief_magnitude, vec2(0.5, 0.8660254)));

@@ -8,9 +8,9 @@ struct WrinkleSurface_pyramids {
 
 vec3 wrinkle_pyramids_normal(WrinkleSurface_pyramids s) {
     vec3 normal = normalize(s.normal);  // the surface point
-    vec3 r_x = cross(dFdy(s.position_relative), normal);
     vec3 dpdx = dFdx(s.position_relative);
-    float det = dot(dpdx, r_x);
+    vec3 dpdy = dFdy(s.position_relative);
+    float screen_area = dot(normal, cross(dpdx, dpdy));
     vec2 relief_product = s.uv0 * 6.0;  // relief: Pyramids
     vec2 relief_difference = relief_product - floor(relief_product) - 0.5;
     vec2 relief_magnitude = abs(relief_difference);
@@ -26,14 +26,16 @@ vec3 wrinkle_pyramids_normal(WrinkleSurface_pyramids s) {
     vec2 relief_product_4 = dFdy(s.uv0) * 6.0;
     float relief_greatest = max(length(relief_product_2), length(relief_product_4));
     float relief_difference_3 = 1.0 - smoothstep(0.25, 0.75, relief_greatest);
-    float relief_product_5 = relief_choice * relief_difference_3 * 0.05;
+    float relief_product_5 = relief_choice * relief_difference_3;
     vec2 relief_product_6 = relief_product_4 * relief_sign;
     float relief_quotient_2 = (relief_test_3 ? relief_product_6.y : relief_product_6.x) * 2.0 / 0.5;
     float relief_choice_2 = relief_test ? 0.0 : relief_test_2 ? 0.0 : -relief_quotient_2;
-    float relief_product_7 = relief_choice_2 * relief_difference_3 * 0.05;
+    float relief_product_7 = relief_choice_2 * relief_difference_3;
     // normal: Resolve
-    vec3 normal_sum = r_x * relief_product_5 + cross(normal, dpdx) * relief_product_7;
-    return normalize(normal * s.facing - normal_sum * (sign(det) / max(abs(det), 1e-36)));
+    float normal_product = sign(screen_area) / max(abs(screen_area), 1e-36) * 0.05;
+    vec2 normal_product_2 = vec2(relief_product_5, relief_product_7) * normal_product;
+    vec3 normal_gradient = cross(normal, dpdx * normal_product_2.y - dpdy * normal_product_2.x);
+    return normalize(normal * s.facing - normal_gradient);
 }
 
 float wrinkle_pyramids_height(WrinkleSurface_pyramids s) {

@@ -108,9 +108,9 @@ float wrinkle_scratches_scratch_change(vec2 a, vec2 b, int c, float d, float e, 
 
 vec3 wrinkle_scratches_normal(WrinkleSurface_scratches s) {
     vec3 normal = normalize(s.normal);  // the surface point
-    vec3 r_x = cross(dFdy(s.position_relative), normal);
     vec3 dpdx = dFdx(s.position_relative);
-    float det = dot(dpdx, r_x);
+    vec3 dpdy = dFdy(s.position_relative);
+    float screen_area = dot(normal, cross(dpdx, dpdy));
     vec2 relief_product = s.uv0 * 5.0;  // relief: Scratches
     vec2 relief_floored = floor(relief_product);
     vec2 relief_difference = relief_product - relief_floored;
@@ -166,9 +166,11 @@ vec3 wrinkle_scratches_normal(WrinkleSurface_scratches s) {
     float relief_choice_5 = relief_test_2 ? relief_scratch_change_5 : relief_choice_4;
     float relief_choice_6 = relief_test ? relief_scratch_change_4 : relief_choice_5;
     float relief_negated_2 = -(relief_choice_6 * relief_difference_7);
-    vec3 normal_product = cross(normal, dpdx) * (relief_negated_2 * 0.006);  // normal: Resolve
-    vec3 normal_sum = r_x * (relief_negated * 0.006) + normal_product;
-    return normalize(normal * s.facing - normal_sum * (sign(det) / max(abs(det), 1e-36)));
+    // normal: Resolve
+    float normal_product = sign(screen_area) / max(abs(screen_area), 1e-36) * 0.006;
+    vec2 normal_product_2 = vec2(relief_negated, relief_negated_2) * normal_product;
+    vec3 normal_gradient = cross(normal, dpdx * normal_product_2.y - dpdy * normal_product_2.x);
+    return normalize(normal * s.facing - normal_gradient);
 }
 
 float wrinkle_scratches_height(WrinkleSurface_scratches s) {

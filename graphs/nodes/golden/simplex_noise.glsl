@@ -21,17 +21,18 @@ vec3 wrinkle_simplex_noise_noise_direction(int a, int b, int c) {
 }
 
 vec3 wrinkle_simplex_noise_simplex_noise_slope(vec3 a) {
-    vec3 sum = a + dot(a, vec3(1.0)) * 0.33333334;
+    vec3 sum = a + (a.x + a.y + a.z) * 0.33333334;
     vec3 floored = floor(sum);
     vec3 difference = sum - floored;
-    vec3 difference_2 = difference - dot(difference, vec3(1.0)) * 0.16666667;
+    float product = (difference.x + difference.y + difference.z) * 0.16666667;
+    vec3 difference_2 = difference - product;
     float greatest = max(0.5 - dot(difference_2, difference_2), 0.0);
     int whole = int(floored.x);
     vec3 noise_direction = wrinkle_simplex_noise_noise_direction(whole, int(floored.y),
             int(floored.z));
-    vec3 product = 8.0 * dot(noise_direction, difference_2) * difference_2;
-    vec3 difference_3 = greatest * noise_direction - product;
-    vec3 product_2 = greatest * greatest * greatest * difference_3;
+    vec3 product_2 = 8.0 * dot(noise_direction, difference_2) * difference_2;
+    vec3 difference_3 = greatest * noise_direction - product_2;
+    vec3 product_3 = greatest * greatest * greatest * difference_3;
     float number = float(difference.x >= difference.y);
     float number_2 = float(difference.x >= difference.z);
     float number_3 = float(difference.y >= difference.z);
@@ -44,7 +45,7 @@ vec3 wrinkle_simplex_noise_simplex_noise_slope(vec3 a) {
             int(sum_3.z));
     vec3 difference_4 = greatest_2 * noise_direction_2 - 8.0 * dot(noise_direction_2,
             sum_2) * sum_2;
-    vec3 sum_4 = product_2 + greatest_2 * greatest_2 * greatest_2 * difference_4;
+    vec3 sum_4 = product_3 + greatest_2 * greatest_2 * greatest_2 * difference_4;
     vec3 clamped_2 = clamp(vector, 0.0, 1.0);
     vec3 sum_5 = difference_2 - clamped_2 + 0.33333334;
     float greatest_3 = max(0.5 - dot(sum_5, sum_5), 0.0);
@@ -59,22 +60,23 @@ vec3 wrinkle_simplex_noise_simplex_noise_slope(vec3 a) {
     vec3 sum_8 = floored + 1.0;
     vec3 noise_direction_4 = wrinkle_simplex_noise_noise_direction(int(sum_8.x), int(sum_8.y),
             int(sum_8.z));
-    vec3 product_3 = 8.0 * dot(noise_direction_4, difference_6) * difference_6;
-    vec3 difference_7 = greatest_4 * noise_direction_4 - product_3;
+    vec3 product_4 = 8.0 * dot(noise_direction_4, difference_6) * difference_6;
+    vec3 difference_7 = greatest_4 * noise_direction_4 - product_4;
     return (sum_7 + greatest_4 * greatest_4 * greatest_4 * difference_7) * 76.0;
 }
 
 float wrinkle_simplex_noise_simplex_noise(vec3 a) {
-    vec3 sum = a + dot(a, vec3(1.0)) * 0.33333334;
+    vec3 sum = a + (a.x + a.y + a.z) * 0.33333334;
     vec3 floored = floor(sum);
     vec3 difference = sum - floored;
-    vec3 difference_2 = difference - dot(difference, vec3(1.0)) * 0.16666667;
+    float product = (difference.x + difference.y + difference.z) * 0.16666667;
+    vec3 difference_2 = difference - product;
     float greatest = max(0.5 - dot(difference_2, difference_2), 0.0);
-    float product = greatest * greatest * greatest * greatest;
+    float product_2 = greatest * greatest * greatest * greatest;
     int whole = int(floored.x);
     vec3 noise_direction = wrinkle_simplex_noise_noise_direction(whole, int(floored.y),
             int(floored.z));
-    float product_2 = product * dot(noise_direction, difference_2);
+    float product_3 = product_2 * dot(noise_direction, difference_2);
     float number = float(difference.x >= difference.y);
     float number_2 = float(difference.x >= difference.z);
     float number_3 = float(difference.y >= difference.z);
@@ -82,26 +84,26 @@ float wrinkle_simplex_noise_simplex_noise(vec3 a) {
     vec3 clamped = clamp(vector - 1.0, 0.0, 1.0);
     vec3 sum_2 = difference_2 - clamped + 0.16666667;
     float greatest_2 = max(0.5 - dot(sum_2, sum_2), 0.0);
-    float product_3 = greatest_2 * greatest_2 * greatest_2 * greatest_2;
+    float product_4 = greatest_2 * greatest_2 * greatest_2 * greatest_2;
     vec3 sum_3 = floored + clamped;
     vec3 noise_direction_2 = wrinkle_simplex_noise_noise_direction(int(sum_3.x), int(sum_3.y),
             int(sum_3.z));
-    float sum_4 = product_2 + product_3 * dot(noise_direction_2, sum_2);
+    float sum_4 = product_3 + product_4 * dot(noise_direction_2, sum_2);
     vec3 clamped_2 = clamp(vector, 0.0, 1.0);
     vec3 sum_5 = difference_2 - clamped_2 + 0.33333334;
     float greatest_3 = max(0.5 - dot(sum_5, sum_5), 0.0);
-    float product_4 = greatest_3 * greatest_3 * greatest_3 * greatest_3;
+    float product_5 = greatest_3 * greatest_3 * greatest_3 * greatest_3;
     vec3 sum_6 = floored + clamped_2;
     vec3 noise_direction_3 = wrinkle_simplex_noise_noise_direction(int(sum_6.x), int(sum_6.y),
             int(sum_6.z));
     vec3 difference_3 = difference_2 - 0.5;
     float greatest_4 = max(0.5 - dot(difference_3, difference_3), 0.0);
-    float product_5 = greatest_4 * greatest_4 * greatest_4 * greatest_4;
+    float product_6 = greatest_4 * greatest_4 * greatest_4 * greatest_4;
     vec3 sum_7 = floored + 1.0;
     vec3 noise_direction_4 = wrinkle_simplex_noise_noise_direction(int(sum_7.x), int(sum_7.y),
             int(sum_7.z));
-    float product_6 = product_5 * dot(noise_direction_4, difference_3);
-    return (sum_4 + product_4 * dot(noise_direction_3, sum_5) + product_6) * 76.0;
+    float product_7 = product_6 * dot(noise_direction_4, difference_3);
+    return (sum_4 + product_5 * dot(noise_direction_3, sum_5) + product_7) * 76.0;
 }
 
 vec3 wrinkle_simplex_noise_normal(WrinkleSurface_simplex_noise s) {
@@ -111,16 +113,12 @@ vec3 wrinkle_simplex_noise_normal(WrinkleSurface_simplex_noise s) {
     float relief_extent = length(dFdx(s.position_relative) * 8.0);
     float relief_greatest = max(relief_extent, length(dFdy(s.position_relative) * 8.0));
     float relief_difference = 1.0 - smoothstep(0.25, 0.75, relief_greatest);
-    float relief_product = dot(relief_simplex_noise_slope, vec3(8.0, 0.0, 0.0)) * relief_difference;
-    float relief_product_2 = dot(relief_simplex_noise_slope, vec3(0.0, 8.0,
-            0.0)) * relief_difference;
-    float relief_product_3 = dot(relief_simplex_noise_slope, vec3(0.0, 0.0,
-            8.0)) * relief_difference;
+    float relief_product = relief_simplex_noise_slope.x * 8.0 * relief_difference * 0.02;
+    float relief_product_2 = relief_simplex_noise_slope.y * 8.0 * relief_difference * 0.02;
+    float relief_product_3 = relief_simplex_noise_slope.z * 8.0 * relief_difference * 0.02;
     // normal: Resolve
-    vec3 normal_vector = vec3(relief_product * 0.02, relief_product_2 * 0.02,
-            relief_product_3 * 0.02);
-    vec3 normal_gradient = normal_vector - normal * dot(normal, normal_vector);
-    return normalize(normal * s.facing - normal_gradient);
+    vec3 normal_gradient = vec3(relief_product, relief_product_2, relief_product_3);
+    return normalize(normal * (s.facing + dot(normal, normal_gradient)) - normal_gradient);
 }
 
 float wrinkle_simplex_noise_height(WrinkleSurface_simplex_noise s) {

@@ -31,27 +31,33 @@ float wrinkle_tangent_space_normal_gradient_noise(vec3 a) {
     float dot_product = dot(wrinkle_tangent_space_normal_noise_direction(whole, whole_2, whole_3),
             difference);
     int sum = whole + 1;
-    vec3 noise_direction = wrinkle_tangent_space_normal_noise_direction(sum, whole_2, whole_3);
-    float dot_product_2 = dot(noise_direction, difference - vec3(1.0, 0.0, 0.0));
+    float difference_2 = difference.x - 1.0;
+    vec3 vector = vec3(difference_2, difference.y, difference.z);
+    float dot_product_2 = dot(wrinkle_tangent_space_normal_noise_direction(sum, whole_2, whole_3),
+            vector);
     vec3 sum_2 = difference * (difference * 6.0 - 15.0) + 10.0;
     vec3 product = difference * difference * difference * sum_2;
     float mixed = mix(dot_product, dot_product_2, product.x);
     int sum_3 = whole_2 + 1;
-    vec3 noise_direction_2 = wrinkle_tangent_space_normal_noise_direction(whole, sum_3, whole_3);
-    float dot_product_3 = dot(noise_direction_2, difference - vec3(0.0, 1.0, 0.0));
-    vec3 noise_direction_3 = wrinkle_tangent_space_normal_noise_direction(sum, sum_3, whole_3);
-    float dot_product_4 = dot(noise_direction_3, difference - vec3(1.0, 1.0, 0.0));
+    float difference_3 = difference.y - 1.0;
+    vec3 vector_2 = vec3(difference.x, difference_3, difference.z);
+    float dot_product_3 = dot(wrinkle_tangent_space_normal_noise_direction(whole, sum_3, whole_3),
+            vector_2);
+    vec3 noise_direction = wrinkle_tangent_space_normal_noise_direction(sum, sum_3, whole_3);
+    float dot_product_4 = dot(noise_direction, vec3(difference_2, difference_3, difference.z));
     float mixed_2 = mix(mixed, mix(dot_product_3, dot_product_4, product.x), product.y);
     int sum_4 = whole_3 + 1;
-    vec3 noise_direction_4 = wrinkle_tangent_space_normal_noise_direction(whole, whole_2, sum_4);
-    float dot_product_5 = dot(noise_direction_4, difference - vec3(0.0, 0.0, 1.0));
-    vec3 noise_direction_5 = wrinkle_tangent_space_normal_noise_direction(sum, whole_2, sum_4);
-    float dot_product_6 = dot(noise_direction_5, difference - vec3(1.0, 0.0, 1.0));
+    float difference_4 = difference.z - 1.0;
+    vec3 vector_3 = vec3(difference.x, difference.y, difference_4);
+    float dot_product_5 = dot(wrinkle_tangent_space_normal_noise_direction(whole, whole_2, sum_4),
+            vector_3);
+    vec3 noise_direction_2 = wrinkle_tangent_space_normal_noise_direction(sum, whole_2, sum_4);
+    float dot_product_6 = dot(noise_direction_2, vec3(difference_2, difference.y, difference_4));
     float mixed_3 = mix(dot_product_5, dot_product_6, product.x);
-    vec3 noise_direction_6 = wrinkle_tangent_space_normal_noise_direction(whole, sum_3, sum_4);
-    float dot_product_7 = dot(noise_direction_6, difference - vec3(0.0, 1.0, 1.0));
-    vec3 noise_direction_7 = wrinkle_tangent_space_normal_noise_direction(sum, sum_3, sum_4);
-    float dot_product_8 = dot(noise_direction_7, difference - 1.0);
+    vec3 noise_direction_3 = wrinkle_tangent_space_normal_noise_direction(whole, sum_3, sum_4);
+    float dot_product_7 = dot(noise_direction_3, vec3(difference.x, difference_3, difference_4));
+    vec3 noise_direction_4 = wrinkle_tangent_space_normal_noise_direction(sum, sum_3, sum_4);
+    float dot_product_8 = dot(noise_direction_4, difference - 1.0);
     float mixed_4 = mix(mixed_3, mix(dot_product_7, dot_product_8, product.x), product.y);
     return mix(mixed_2, mixed_4, product.z);
 }
@@ -87,23 +93,26 @@ vec3 wrinkle_tangent_space_normal_gradient_noise_slope(vec3 a) {
     vec3 mixed_5 = mix(noise_direction_7, noise_direction_8, product.x);
     vec3 difference_2 = difference - 1.0;
     vec3 product_2 = 30.0 * difference * difference * difference_2 * difference_2;
-    float dot_product = dot(noise_direction_2, difference - vec3(1.0, 0.0, 0.0));
+    float difference_3 = difference.x - 1.0;
+    float dot_product = dot(noise_direction_2, vec3(difference_3, difference.y, difference.z));
     float dot_product_2 = dot(noise_direction, difference);
-    float dot_product_3 = dot(noise_direction_4, difference - vec3(1.0, 1.0, 0.0));
-    float dot_product_4 = dot(noise_direction_3, difference - vec3(0.0, 1.0, 0.0));
+    float difference_4 = difference.y - 1.0;
+    float dot_product_3 = dot(noise_direction_4, vec3(difference_3, difference_4, difference.z));
+    float dot_product_4 = dot(noise_direction_3, vec3(difference.x, difference_4, difference.z));
     float mixed_6 = mix(dot_product - dot_product_2, dot_product_3 - dot_product_4, product.y);
-    float dot_product_5 = dot(noise_direction_6, difference - vec3(1.0, 0.0, 1.0));
-    float dot_product_6 = dot(noise_direction_5, difference - vec3(0.0, 0.0, 1.0));
+    float difference_5 = difference.z - 1.0;
+    float dot_product_5 = dot(noise_direction_6, vec3(difference_3, difference.y, difference_5));
+    float dot_product_6 = dot(noise_direction_5, vec3(difference.x, difference.y, difference_5));
     float dot_product_7 = dot(noise_direction_8, difference - 1.0);
-    float dot_product_8 = dot(noise_direction_7, difference - vec3(0.0, 1.0, 1.0));
+    float dot_product_8 = dot(noise_direction_7, vec3(difference.x, difference_4, difference_5));
     float mixed_7 = mix(dot_product_5 - dot_product_6, dot_product_7 - dot_product_8, product.y);
     float mixed_8 = mix(dot_product_4, dot_product_3, product.x);
     float mixed_9 = mix(dot_product_2, dot_product, product.x);
     float mixed_10 = mix(dot_product_8, dot_product_7, product.x);
     float mixed_11 = mix(dot_product_6, dot_product_5, product.x);
     float mixed_12 = mix(mixed_8 - mixed_9, mixed_10 - mixed_11, product.z);
-    float difference_3 = mix(mixed_11, mixed_10, product.y) - mix(mixed_9, mixed_8, product.y);
-    vec3 product_3 = product_2 * vec3(mix(mixed_6, mixed_7, product.z), mixed_12, difference_3);
+    float difference_6 = mix(mixed_11, mixed_10, product.y) - mix(mixed_9, mixed_8, product.y);
+    vec3 product_3 = product_2 * vec3(mix(mixed_6, mixed_7, product.z), mixed_12, difference_6);
     return mix(mixed_3, mix(mixed_4, mixed_5, product.y), product.z) + product_3;
 }
 
@@ -132,14 +141,12 @@ float wrinkle_tangent_space_normal_thread_change(vec2 a, float b, float c, vec2 
 }
 
 vec3 wrinkle_tangent_space_normal_color(WrinkleSurface_tangent_space_normal s) {
-    // the surface point
-    vec3 bitangent = cross(s.normal, s.tangent.xyz) * (s.tangent.w > 0.0 ? 1.0 : -1.0);
-    float inverse_normal_length = inversesqrt(dot(s.normal, s.normal));
-    vec3 normal = normalize(s.normal);
-    vec3 dpdy = dFdy(s.position_relative);
-    vec3 r_x = cross(dpdy, normal);
+    float inverse_normal_length = inversesqrt(dot(s.normal, s.normal));  // the surface point
+    vec3 normal = s.normal * inverse_normal_length;
     vec3 dpdx = dFdx(s.position_relative);
-    float det = dot(dpdx, r_x);
+    vec3 dpdy = dFdy(s.position_relative);
+    float screen_area = dot(normal, cross(dpdx, dpdy));
+    float inverse_area = sign(screen_area) / max(abs(screen_area), 1e-36);
     vec3 dents_product = s.position * 3.0;  // dents: Dents
     float dents_greatest = max(length(dpdx * 3.0), length(dpdy * 3.0));
     vec3 dents_sum = dents_product * 2.0 + vec3(19.19, 7.43, 31.71);
@@ -192,19 +199,22 @@ vec3 wrinkle_tangent_space_normal_color(WrinkleSurface_tangent_space_normal s) {
     float sum_sum = dents_negated * 0.15 + cloth_choice * cloth_difference * 0.02;
     float sum_sum_2 = dents_negated_2 * 0.15 + cloth_choice_2 * cloth_difference * 0.02;
     vec3 resolved_product = normal * s.facing;  // resolved: Resolve
-    vec3 resolved_sum = r_x * sum_sum + cross(normal, dpdx) * sum_sum_2;
-    vec3 resolved_difference = resolved_product - resolved_sum * (sign(det) / max(abs(det), 1e-36));
-    vec3 resolved_normal = normalize(resolved_difference);
-    vec3 map_product = bitangent * inverse_normal_length;  // map: Normal in tangent space
-    float map_dot_product = dot(cross(map_product, resolved_product), resolved_normal);
-    vec3 map_product_2 = s.tangent.xyz * inverse_normal_length;
-    float map_dot_product_2 = dot(cross(resolved_product, map_product_2), resolved_normal);
-    vec3 map_cross_product = cross(map_product_2, map_product);
+    vec2 resolved_product_2 = vec2(sum_sum, sum_sum_2) * inverse_area;
+    vec3 resolved_gradient = cross(normal,
+            dpdx * resolved_product_2.y - dpdy * resolved_product_2.x);
+    vec3 resolved_normal = normalize(resolved_product - resolved_gradient);
+    // map: Normal in tangent space
+    float map_slope_v = (s.tangent.w > 0.0 ? 1.0 : -1.0) * inverse_normal_length;
+    vec3 map_along_v = cross(s.normal, s.tangent.xyz) * map_slope_v;
+    float map_dot_product = dot(cross(map_along_v, resolved_product), resolved_normal);
+    vec3 map_along_u = s.tangent.xyz * inverse_normal_length;
+    float map_dot_product_2 = dot(cross(resolved_product, map_along_u), resolved_normal);
+    vec3 map_cross_product = cross(map_along_u, map_along_v);
     float map_dot_product_3 = dot(map_cross_product, resolved_normal);
     float map_sign = dot(map_cross_product, resolved_product) < 0.0 ? -1.0 : 1.0;
-    vec3 map_product_3 = vec3(map_dot_product, map_dot_product_2, map_dot_product_3) * map_sign;
-    bool map_test = dot(map_product_3, map_product_3) > 0.0;
-    vec3 map_choice = map_test ? normalize(map_product_3) : vec3(0.0);
+    vec3 map_product = vec3(map_dot_product, map_dot_product_2, map_dot_product_3) * map_sign;
+    bool map_test = dot(map_product, map_product) > 0.0;
+    vec3 map_choice = map_test ? normalize(map_product) : vec3(0.0);
     vec3 map_normal = map_test ? map_choice : vec3(0.0, 0.0, 1.0);
     return 0.5 + 0.5 * map_normal;
 }

@@ -83,16 +83,12 @@ vec3 wrinkle_value_noise_normal(WrinkleSurface_value_noise s) {
     float relief_extent = length(dFdx(s.position_relative) * 10.0);
     float relief_greatest = max(relief_extent, length(dFdy(s.position_relative) * 10.0));
     float relief_difference = 1.0 - smoothstep(0.25, 0.75, relief_greatest);
-    float relief_product = dot(relief_value_noise_slope, vec3(10.0, 0.0, 0.0)) * relief_difference;
-    float relief_product_2 = relief_product * 0.015;
-    float relief_product_3 = dot(relief_value_noise_slope, vec3(0.0, 10.0,
-            0.0)) * relief_difference;
-    float relief_product_4 = dot(relief_value_noise_slope, vec3(0.0, 0.0,
-            10.0)) * relief_difference;
+    float relief_product = relief_value_noise_slope.x * 10.0 * relief_difference * 0.015;
+    float relief_product_2 = relief_value_noise_slope.y * 10.0 * relief_difference * 0.015;
+    float relief_product_3 = relief_value_noise_slope.z * 10.0 * relief_difference * 0.015;
     // normal: Resolve
-    vec3 normal_vector = vec3(relief_product_2, relief_product_3 * 0.015, relief_product_4 * 0.015);
-    vec3 normal_gradient = normal_vector - normal * dot(normal, normal_vector);
-    return normalize(normal * s.facing - normal_gradient);
+    vec3 normal_gradient = vec3(relief_product, relief_product_2, relief_product_3);
+    return normalize(normal * (s.facing + dot(normal, normal_gradient)) - normal_gradient);
 }
 
 float wrinkle_value_noise_height(WrinkleSurface_value_noise s) {

@@ -8,11 +8,11 @@ struct WrinkleSurface_waves {
 
 vec3 wrinkle_waves_normal(WrinkleSurface_waves s) {
     vec3 normal = normalize(s.normal);  // the surface point
-    vec3 r_x = cross(dFdy(s.position_relative), normal);
+    vec3 dpdx = dFdx(s.position_relative);
     vec2 duv0_dx = dFdx(s.uv0);
     vec2 duv0_dy = dFdy(s.uv0);
-    vec3 dpdx = dFdx(s.position_relative);
-    float det = dot(dpdx, r_x);
+    vec3 dpdy = dFdy(s.position_relative);
+    float screen_area = dot(normal, cross(dpdx, dpdy));
     vec2 relief_product = duv0_dx * 3.0;  // relief: Waves
     float relief_product_2 = dot(relief_product, vec2(0.68911254, -0.7246543)) * 6.2831855;
     float relief_fraction = fract(dot(s.uv0 * 3.0, vec2(0.68911254, -0.7246543)) + 0.91080195);
@@ -75,9 +75,10 @@ vec3 wrinkle_waves_normal(WrinkleSurface_waves s) {
     float relief_product_31 = dot(relief_product_23, vec2(0.5233983, 0.85208815)) * 6.2831855;
     float relief_sum_10 = relief_sum_9 + relief_product_31 * relief_cosine_6 * relief_product_24;
     // normal: Resolve
-    vec3 normal_product = cross(normal, dpdx) * (relief_sum_10 / 3.68928 * 0.02);
-    vec3 normal_sum = r_x * (relief_sum_5 / 3.68928 * 0.02) + normal_product;
-    return normalize(normal * s.facing - normal_sum * (sign(det) / max(abs(det), 1e-36)));
+    float normal_product = sign(screen_area) / max(abs(screen_area), 1e-36) * 0.02;
+    vec2 normal_product_2 = vec2(relief_sum_5 / 3.68928, relief_sum_10 / 3.68928) * normal_product;
+    vec3 normal_gradient = cross(normal, dpdx * normal_product_2.y - dpdy * normal_product_2.x);
+    return normalize(normal * s.facing - normal_gradient);
 }
 
 float wrinkle_waves_height(WrinkleSurface_waves s) {

@@ -26,9 +26,9 @@ float wrinkle_weave_thread_change(vec2 a, float b, float c, vec2 d) {
 
 vec3 wrinkle_weave_normal(WrinkleSurface_weave s) {
     vec3 normal = normalize(s.normal);  // the surface point
-    vec3 r_x = cross(dFdy(s.position_relative), normal);
     vec3 dpdx = dFdx(s.position_relative);
-    float det = dot(dpdx, r_x);
+    vec3 dpdy = dFdy(s.position_relative);
+    float screen_area = dot(normal, cross(dpdx, dpdy));
     vec2 relief_product = s.uv0 * 8.0;  // relief: Weave
     float relief_thread = wrinkle_weave_thread(relief_product.yx, -1.0, 0.9);
     bool relief_test = wrinkle_weave_thread(relief_product, 1.0, 0.9) < relief_thread;
@@ -41,15 +41,17 @@ vec3 wrinkle_weave_normal(WrinkleSurface_weave s) {
     vec2 relief_product_3 = dFdy(s.uv0) * 8.0;
     float relief_greatest = max(length(relief_product_2), length(relief_product_3));
     float relief_difference = 1.0 - smoothstep(0.25, 0.75, relief_greatest);
+    float relief_product_4 = relief_choice * relief_difference;
     float relief_thread_change_3 = wrinkle_weave_thread_change(relief_product.yx, -1.0, 0.9,
             relief_product_3.yx);
     float relief_thread_change_4 = wrinkle_weave_thread_change(relief_product, 1.0, 0.9,
             relief_product_3);
     float relief_choice_2 = relief_test ? relief_thread_change_3 : relief_thread_change_4;
     // normal: Resolve
-    vec3 normal_product = cross(normal, dpdx) * (relief_choice_2 * relief_difference * 0.05);
-    vec3 normal_sum = r_x * (relief_choice * relief_difference * 0.05) + normal_product;
-    vec3 normal_gradient = normal_sum * (sign(det) / max(abs(det), 1e-36));
+    float normal_product = sign(screen_area) / max(abs(screen_area), 1e-36) * 0.05;
+    vec2 normal_product_2 = vec2(relief_product_4,
+            relief_choice_2 * relief_difference) * normal_product;
+    vec3 normal_gradient = cross(normal, dpdx * normal_product_2.y - dpdy * normal_product_2.x);
     return normalize(normal * s.facing - normal_gradient);
 }
 

@@ -68,33 +68,26 @@ vec3 wrinkle_worley_noise_normal(WrinkleSurface_worley_noise s) {
     vec3 relief_difference_2 = relief_nearest_cells_2 + relief_feature_point - relief_difference;
     float relief_extent = length(relief_difference_2);
     bool relief_test = relief_extent > 0.0;
-    float relief_quotient = dot(relief_difference_2, vec3(-5.0, -0.0, -0.0)) / relief_extent;
-    float relief_choice = relief_test ? relief_quotient : 0.0;
+    float relief_choice = relief_test ? relief_difference_2.x * -5.0 / relief_extent : 0.0;
     vec3 relief_feature_point_2 = wrinkle_worley_noise_feature_point(relief_floored +
             relief_nearest_cells, 1.0);
     vec3 relief_difference_3 = relief_nearest_cells + relief_feature_point_2 - relief_difference;
     float relief_extent_2 = length(relief_difference_3);
     bool relief_test_2 = relief_extent_2 > 0.0;
-    float relief_quotient_2 = dot(relief_difference_3, vec3(-5.0, -0.0, -0.0)) / relief_extent_2;
-    float relief_difference_4 = relief_choice - (relief_test_2 ? relief_quotient_2 : 0.0);
+    float relief_choice_2 = relief_test_2 ? relief_difference_3.x * -5.0 / relief_extent_2 : 0.0;
     float relief_extent_3 = length(dFdx(s.position_relative) * 5.0);
     float relief_greatest = max(relief_extent_3, length(dFdy(s.position_relative) * 5.0));
-    float relief_difference_5 = 1.0 - smoothstep(0.25, 0.75, relief_greatest);
-    float relief_product_2 = relief_difference_4 * relief_difference_5 * 0.05;
-    float relief_quotient_3 = dot(relief_difference_2, vec3(-0.0, -5.0, -0.0)) / relief_extent;
-    float relief_choice_2 = relief_test ? relief_quotient_3 : 0.0;
-    float relief_quotient_4 = dot(relief_difference_3, vec3(-0.0, -5.0, -0.0)) / relief_extent_2;
-    float relief_difference_6 = relief_choice_2 - (relief_test_2 ? relief_quotient_4 : 0.0);
-    float relief_product_3 = relief_difference_6 * relief_difference_5 * 0.05;
-    float relief_quotient_5 = dot(relief_difference_2, vec3(-0.0, -0.0, -5.0)) / relief_extent;
-    float relief_choice_3 = relief_test ? relief_quotient_5 : 0.0;
-    float relief_quotient_6 = dot(relief_difference_3, vec3(-0.0, -0.0, -5.0)) / relief_extent_2;
-    float relief_difference_7 = relief_choice_3 - (relief_test_2 ? relief_quotient_6 : 0.0);
-    float relief_product_4 = relief_difference_7 * relief_difference_5 * 0.05;
+    float relief_difference_4 = 1.0 - smoothstep(0.25, 0.75, relief_greatest);
+    float relief_product_2 = (relief_choice - relief_choice_2) * relief_difference_4 * 0.05;
+    float relief_choice_3 = relief_test ? relief_difference_2.y * -5.0 / relief_extent : 0.0;
+    float relief_choice_4 = relief_test_2 ? relief_difference_3.y * -5.0 / relief_extent_2 : 0.0;
+    float relief_product_3 = (relief_choice_3 - relief_choice_4) * relief_difference_4 * 0.05;
+    float relief_choice_5 = relief_test ? relief_difference_2.z * -5.0 / relief_extent : 0.0;
+    float relief_choice_6 = relief_test_2 ? relief_difference_3.z * -5.0 / relief_extent_2 : 0.0;
+    float relief_product_4 = (relief_choice_5 - relief_choice_6) * relief_difference_4 * 0.05;
     // normal: Resolve
-    vec3 normal_vector = vec3(relief_product_2, relief_product_3, relief_product_4);
-    vec3 normal_gradient = normal_vector - normal * dot(normal, normal_vector);
-    return normalize(normal * s.facing - normal_gradient);
+    vec3 normal_gradient = vec3(relief_product_2, relief_product_3, relief_product_4);
+    return normalize(normal * (s.facing + dot(normal, normal_gradient)) - normal_gradient);
 }
 
 float wrinkle_worley_noise_height(WrinkleSurface_worley_noise s) {

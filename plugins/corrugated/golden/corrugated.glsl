@@ -8,15 +8,17 @@ struct WrinkleSurface_corrugated {
 
 vec3 wrinkle_corrugated_normal(WrinkleSurface_corrugated s) {
     vec3 normal = normalize(s.normal);  // the surface point
-    vec3 r_x = cross(dFdy(s.position_relative), normal);
     vec3 dpdx = dFdx(s.position_relative);
-    float det = dot(dpdx, r_x);
+    vec3 dpdy = dFdy(s.position_relative);
+    float screen_area = dot(normal, cross(dpdx, dpdy));
     float iron_sine = sin(s.uv0.x * 16.0 * 6.2831855);  // iron: Corrugated
     float iron_negated = -(dFdx(s.uv0).x * 16.0 * 6.2831855 * iron_sine);
     float iron_negated_2 = -(dFdy(s.uv0).x * 16.0 * 6.2831855 * iron_sine);
-    vec3 normal_product = cross(normal, dpdx) * (iron_negated_2 * 0.02);  // normal: Resolve
-    vec3 normal_sum = r_x * (iron_negated * 0.02) + normal_product;
-    return normalize(normal * s.facing - normal_sum * (sign(det) / max(abs(det), 1e-36)));
+    // normal: Resolve
+    float normal_product = sign(screen_area) / max(abs(screen_area), 1e-36) * 0.02;
+    vec2 normal_product_2 = vec2(iron_negated, iron_negated_2) * normal_product;
+    vec3 normal_gradient = cross(normal, dpdx * normal_product_2.y - dpdy * normal_product_2.x);
+    return normalize(normal * s.facing - normal_gradient);
 }
 
 float wrinkle_corrugated_height(WrinkleSurface_corrugated s) {

@@ -21,44 +21,6 @@ vec3 wrinkle_height_blend_noise_direction(int a, int b, int c) {
     return vec3(number, float(677154u >> product_4 & 3u), number_2) - 1.0;
 }
 
-float wrinkle_height_blend_gradient_noise(vec3 a) {
-    vec3 floored = floor(a);
-    int whole = int(floored.x);
-    int whole_2 = int(floored.y);
-    int whole_3 = int(floored.z);
-    vec3 difference = a - floored;
-    float dot_product = dot(wrinkle_height_blend_noise_direction(whole, whole_2, whole_3),
-            difference);
-    int sum = whole + 1;
-    vec3 noise_direction = wrinkle_height_blend_noise_direction(sum, whole_2, whole_3);
-    float dot_product_2 = dot(noise_direction, difference - vec3(1.0, 0.0, 0.0));
-    vec3 sum_2 = difference * (difference * 6.0 - 15.0) + 10.0;
-    vec3 product = difference * difference * difference * sum_2;
-    float mixed = mix(dot_product, dot_product_2, product.x);
-    int sum_3 = whole_2 + 1;
-    vec3 noise_direction_2 = wrinkle_height_blend_noise_direction(whole, sum_3, whole_3);
-    float dot_product_3 = dot(noise_direction_2, difference - vec3(0.0, 1.0, 0.0));
-    vec3 noise_direction_3 = wrinkle_height_blend_noise_direction(sum, sum_3, whole_3);
-    float dot_product_4 = dot(noise_direction_3, difference - vec3(1.0, 1.0, 0.0));
-    float mixed_2 = mix(mixed, mix(dot_product_3, dot_product_4, product.x), product.y);
-    int sum_4 = whole_3 + 1;
-    vec3 noise_direction_4 = wrinkle_height_blend_noise_direction(whole, whole_2, sum_4);
-    float dot_product_5 = dot(noise_direction_4, difference - vec3(0.0, 0.0, 1.0));
-    vec3 noise_direction_5 = wrinkle_height_blend_noise_direction(sum, whole_2, sum_4);
-    float dot_product_6 = dot(noise_direction_5, difference - vec3(1.0, 0.0, 1.0));
-    float mixed_3 = mix(dot_product_5, dot_product_6, product.x);
-    vec3 noise_direction_6 = wrinkle_height_blend_noise_direction(whole, sum_3, sum_4);
-    float dot_product_7 = dot(noise_direction_6, difference - vec3(0.0, 1.0, 1.0));
-    vec3 noise_direction_7 = wrinkle_height_blend_noise_direction(sum, sum_3, sum_4);
-    float dot_product_8 = dot(noise_direction_7, difference - 1.0);
-    float mixed_4 = mix(mixed_3, mix(dot_product_7, dot_product_8, product.x), product.y);
-    return mix(mixed_2, mixed_4, product.z);
-}
-
-float wrinkle_height_blend_noise_octave(vec3 a, float b) {
-    return wrinkle_height_blend_gradient_noise(a) * (1.0 - smoothstep(0.25, 0.75, b));
-}
-
 vec3 wrinkle_height_blend_gradient_noise_slope(vec3 a) {
     vec3 floored = floor(a);
     int whole = int(floored.x);
@@ -85,23 +47,26 @@ vec3 wrinkle_height_blend_gradient_noise_slope(vec3 a) {
     vec3 mixed_5 = mix(noise_direction_7, noise_direction_8, product.x);
     vec3 difference_2 = difference - 1.0;
     vec3 product_2 = 30.0 * difference * difference * difference_2 * difference_2;
-    float dot_product = dot(noise_direction_2, difference - vec3(1.0, 0.0, 0.0));
+    float difference_3 = difference.x - 1.0;
+    float dot_product = dot(noise_direction_2, vec3(difference_3, difference.y, difference.z));
     float dot_product_2 = dot(noise_direction, difference);
-    float dot_product_3 = dot(noise_direction_4, difference - vec3(1.0, 1.0, 0.0));
-    float dot_product_4 = dot(noise_direction_3, difference - vec3(0.0, 1.0, 0.0));
+    float difference_4 = difference.y - 1.0;
+    float dot_product_3 = dot(noise_direction_4, vec3(difference_3, difference_4, difference.z));
+    float dot_product_4 = dot(noise_direction_3, vec3(difference.x, difference_4, difference.z));
     float mixed_6 = mix(dot_product - dot_product_2, dot_product_3 - dot_product_4, product.y);
-    float dot_product_5 = dot(noise_direction_6, difference - vec3(1.0, 0.0, 1.0));
-    float dot_product_6 = dot(noise_direction_5, difference - vec3(0.0, 0.0, 1.0));
+    float difference_5 = difference.z - 1.0;
+    float dot_product_5 = dot(noise_direction_6, vec3(difference_3, difference.y, difference_5));
+    float dot_product_6 = dot(noise_direction_5, vec3(difference.x, difference.y, difference_5));
     float dot_product_7 = dot(noise_direction_8, difference - 1.0);
-    float dot_product_8 = dot(noise_direction_7, difference - vec3(0.0, 1.0, 1.0));
+    float dot_product_8 = dot(noise_direction_7, vec3(difference.x, difference_4, difference_5));
     float mixed_7 = mix(dot_product_5 - dot_product_6, dot_product_7 - dot_product_8, product.y);
     float mixed_8 = mix(dot_product_4, dot_product_3, product.x);
     float mixed_9 = mix(dot_product_2, dot_product, product.x);
     float mixed_10 = mix(dot_product_8, dot_product_7, product.x);
     float mixed_11 = mix(dot_product_6, dot_product_5, product.x);
     float mixed_12 = mix(mixed_8 - mixed_9, mixed_10 - mixed_11, product.z);
-    float difference_3 = mix(mixed_11, mixed_10, product.y) - mix(mixed_9, mixed_8, product.y);
-    vec3 product_3 = product_2 * vec3(mix(mixed_6, mixed_7, product.z), mixed_12, difference_3);
+    float difference_6 = mix(mixed_11, mixed_10, product.y) - mix(mixed_9, mixed_8, product.y);
+    vec3 product_3 = product_2 * vec3(mix(mixed_6, mixed_7, product.z), mixed_12, difference_6);
     return mix(mixed_3, mix(mixed_4, mixed_5, product.y), product.z) + product_3;
 }
 
@@ -109,23 +74,105 @@ vec3 wrinkle_height_blend_noise_octave_slope(vec3 a, float b) {
     return wrinkle_height_blend_gradient_noise_slope(a) * (1.0 - smoothstep(0.25, 0.75, b));
 }
 
+float wrinkle_height_blend_gradient_noise(vec3 a) {
+    vec3 floored = floor(a);
+    int whole = int(floored.x);
+    int whole_2 = int(floored.y);
+    int whole_3 = int(floored.z);
+    vec3 difference = a - floored;
+    float dot_product = dot(wrinkle_height_blend_noise_direction(whole, whole_2, whole_3),
+            difference);
+    int sum = whole + 1;
+    float difference_2 = difference.x - 1.0;
+    vec3 vector = vec3(difference_2, difference.y, difference.z);
+    float dot_product_2 = dot(wrinkle_height_blend_noise_direction(sum, whole_2, whole_3), vector);
+    vec3 sum_2 = difference * (difference * 6.0 - 15.0) + 10.0;
+    vec3 product = difference * difference * difference * sum_2;
+    float mixed = mix(dot_product, dot_product_2, product.x);
+    int sum_3 = whole_2 + 1;
+    float difference_3 = difference.y - 1.0;
+    vec3 vector_2 = vec3(difference.x, difference_3, difference.z);
+    float dot_product_3 = dot(wrinkle_height_blend_noise_direction(whole, sum_3, whole_3),
+            vector_2);
+    vec3 noise_direction = wrinkle_height_blend_noise_direction(sum, sum_3, whole_3);
+    float dot_product_4 = dot(noise_direction, vec3(difference_2, difference_3, difference.z));
+    float mixed_2 = mix(mixed, mix(dot_product_3, dot_product_4, product.x), product.y);
+    int sum_4 = whole_3 + 1;
+    float difference_4 = difference.z - 1.0;
+    vec3 vector_3 = vec3(difference.x, difference.y, difference_4);
+    float dot_product_5 = dot(wrinkle_height_blend_noise_direction(whole, whole_2, sum_4),
+            vector_3);
+    vec3 noise_direction_2 = wrinkle_height_blend_noise_direction(sum, whole_2, sum_4);
+    float dot_product_6 = dot(noise_direction_2, vec3(difference_2, difference.y, difference_4));
+    float mixed_3 = mix(dot_product_5, dot_product_6, product.x);
+    vec3 noise_direction_3 = wrinkle_height_blend_noise_direction(whole, sum_3, sum_4);
+    float dot_product_7 = dot(noise_direction_3, vec3(difference.x, difference_3, difference_4));
+    vec3 noise_direction_4 = wrinkle_height_blend_noise_direction(sum, sum_3, sum_4);
+    float dot_product_8 = dot(noise_direction_4, difference - 1.0);
+    float mixed_4 = mix(mixed_3, mix(dot_product_7, dot_product_8, product.x), product.y);
+    return mix(mixed_2, mixed_4, product.z);
+}
+
+float wrinkle_height_blend_noise_octave(vec3 a, float b) {
+    return wrinkle_height_blend_gradient_noise(a) * (1.0 - smoothstep(0.25, 0.75, b));
+}
+
 vec3 wrinkle_height_blend_normal(WrinkleSurface_height_blend s) {
     vec3 normal = normalize(s.normal);  // the surface point
-    vec3 dpdy = dFdy(s.position_relative);
-    vec3 r_x = cross(dpdy, normal);
     vec3 dpdx = dFdx(s.position_relative);
-    float det = dot(dpdx, r_x);
+    vec3 dpdy = dFdy(s.position_relative);
+    float screen_area = dot(normal, cross(dpdx, dpdy));
+    float inverse_area = sign(screen_area) / max(abs(screen_area), 1e-36);
+    vec3 dunes_product = s.position * 2.5;  // dunes: Fractal noise
+    float dunes_greatest = max(length(dpdx * 2.5), length(dpdy * 2.5));
+    vec3 dunes_noise_octave_slope = wrinkle_height_blend_noise_octave_slope(dunes_product,
+            dunes_greatest);
+    vec3 dunes_product_2 = dunes_product * 2.0;
+    vec3 dunes_sum = dunes_product_2 + vec3(19.19, 7.43, 31.71);
+    float dunes_product_3 = dunes_greatest * 2.0;
+    vec3 dunes_noise_octave_slope_2 = wrinkle_height_blend_noise_octave_slope(dunes_sum,
+            dunes_product_3);
+    float dunes_product_4 = dunes_noise_octave_slope_2.x * 5.0 * 0.5;
+    float dunes_sum_2 = dunes_noise_octave_slope.x * 2.5 + dunes_product_4;
+    vec3 dunes_sum_3 = dunes_product_2 * 2.0 + vec3(38.38, 14.86, 63.42);
+    float dunes_product_5 = dunes_product_3 * 2.0;
+    vec3 dunes_noise_octave_slope_3 = wrinkle_height_blend_noise_octave_slope(dunes_sum_3,
+            dunes_product_5);
+    float dunes_quotient = (dunes_sum_2 + dunes_noise_octave_slope_3.x * 10.0 * 0.25) / 1.75;
+    float dunes_product_6 = dunes_noise_octave_slope_2.y * 5.0 * 0.5;
+    float dunes_sum_4 = dunes_noise_octave_slope.y * 2.5 + dunes_product_6;
+    float dunes_quotient_2 = (dunes_sum_4 + dunes_noise_octave_slope_3.y * 10.0 * 0.25) / 1.75;
+    float dunes_product_7 = dunes_noise_octave_slope_2.z * 5.0 * 0.5;
+    float dunes_sum_5 = dunes_noise_octave_slope.z * 2.5 + dunes_product_7;
+    float dunes_quotient_3 = (dunes_sum_5 + dunes_noise_octave_slope_3.z * 10.0 * 0.25) / 1.75;
+    float dunes_noise_octave = wrinkle_height_blend_noise_octave(dunes_product, dunes_greatest);
+    float dunes_product_8 = wrinkle_height_blend_noise_octave(dunes_sum, dunes_product_3) * 0.5;
+    float dunes_product_9 = wrinkle_height_blend_noise_octave(dunes_sum_3, dunes_product_5) * 0.25;
+    float dunes_value = (dunes_noise_octave + dunes_product_8 + dunes_product_9) / 1.75;
+    float dunes_height = dunes_value * 0.03;
+    vec3 grain_product = s.position * 60.0;  // grain: Gradient noise
+    float grain_greatest = max(length(dpdx * 60.0), length(dpdy * 60.0));
+    vec3 grain_noise_octave_slope = wrinkle_height_blend_noise_octave_slope(grain_product,
+            grain_greatest);
+    float grain_value = wrinkle_height_blend_noise_octave(grain_product, grain_greatest);
+    float grain_height = grain_value * 0.0015;
+    // sand: Add heights
+    float sand_sum = dunes_quotient * 0.03 + grain_noise_octave_slope.x * 60.0 * 0.0015;
+    float sand_sum_2 = dunes_quotient_2 * 0.03 + grain_noise_octave_slope.y * 60.0 * 0.0015;
+    float sand_sum_3 = dunes_quotient_3 * 0.03 + grain_noise_octave_slope.z * 60.0 * 0.0015;
+    float sand_height = dunes_height + grain_height;
     vec2 stones_product = dFdx(s.uv0) * 7.0;  // stones: Hexagons
     vec2 stones_product_2 = dFdy(s.uv0) * 7.0;
     float stones_greatest = max(length(stones_product), length(stones_product_2));
     float stones_greatest_2 = max(0.25, stones_greatest);
-    float stones_least = min(1.0, 0.31 / stones_greatest_2);
     vec2 stones_product_3 = s.uv0 * 7.0;
     vec2 stones_quotient = stones_product_3 / vec2(1.0, 1.7320508);
-    vec2 stones_difference = stones_product_3 - vec2(1.0, 1.7320508) * floor(stones_quotient + 0.5);
+    vec2 stones_floored = floor(stones_quotient + 0.5);
+    vec2 stones_vector = vec2(stones_floored.x, 1.7320508 * stones_floored.y);
+    vec2 stones_difference = stones_product_3 - stones_vector;
     float stones_dot_product = dot(stones_difference, stones_difference);
-    vec2 stones_product_4 = vec2(1.0, 1.7320508) * (floor(stones_quotient) + 0.5);
-    vec2 stones_difference_2 = stones_product_3 - stones_product_4;
+    vec2 stones_sum = floor(stones_quotient) + 0.5;
+    vec2 stones_difference_2 = stones_product_3 - vec2(stones_sum.x, 1.7320508 * stones_sum.y);
     bool stones_test = stones_dot_product < dot(stones_difference_2, stones_difference_2);
     vec2 stones_choice = stones_test ? stones_difference : stones_difference_2;
     vec2 stones_magnitude = abs(stones_choice);
@@ -133,76 +180,34 @@ vec3 wrinkle_height_blend_normal(WrinkleSurface_height_blend s) {
     float stones_difference_3 = 0.5 - max(stones_magnitude.x, stones_dot_product_2);
     float stones_quotient_2 = (0.5 * (stones_greatest_2 + 0.31) - stones_difference_3) /
             stones_greatest_2;
+    float stones_least = min(1.0, 0.31 / stones_greatest_2);
+    float stones_difference_4 = 1.0 - clamp(stones_quotient_2, 0.0, stones_least);
+    float stones_difference_5 = 1.0 - smoothstep(0.25, 0.75, stones_greatest);
+    float stones_value = mix(0.4761, stones_difference_4, stones_difference_5);
+    float stones_height = stones_value * 0.05;
     bool stones_test_2 = stones_least < max(stones_quotient_2, 0.0);
     bool stones_test_3 = stones_quotient_2 < 0.0;
     bool stones_test_4 = stones_magnitude.x < stones_dot_product_2;
     vec2 stones_sign = sign(stones_choice);
-    vec2 stones_product_5 = stones_product * stones_sign;
-    float stones_dot_product_3 = dot(stones_product_5, vec2(0.5, 0.8660254));
-    float stones_choice_2 = stones_test_4 ? stones_dot_product_3 : stones_product_5.x;
+    vec2 stones_product_4 = stones_product * stones_sign;
+    float stones_dot_product_3 = dot(stones_product_4, vec2(0.5, 0.8660254));
+    float stones_choice_2 = stones_test_4 ? stones_dot_product_3 : stones_product_4.x;
     float stones_choice_3 = stones_test_3 ? 0.0 : stones_choice_2 / stones_greatest_2;
     float stones_negated = -(stones_test_2 ? 0.0 : stones_choice_3);
-    float stones_difference_4 = 1.0 - smoothstep(0.25, 0.75, stones_greatest);
-    float stones_product_6 = stones_negated * stones_difference_4 * 0.05;
-    vec2 stones_product_7 = stones_product_2 * stones_sign;
-    float stones_dot_product_4 = dot(stones_product_7, vec2(0.5, 0.8660254));
-    float stones_choice_4 = stones_test_4 ? stones_dot_product_4 : stones_product_7.x;
+    float stones_product_5 = stones_negated * stones_difference_5 * 0.05;
+    vec2 stones_product_6 = stones_product_2 * stones_sign;
+    float stones_dot_product_4 = dot(stones_product_6, vec2(0.5, 0.8660254));
+    float stones_choice_4 = stones_test_4 ? stones_dot_product_4 : stones_product_6.x;
     float stones_choice_5 = stones_test_3 ? 0.0 : stones_choice_4 / stones_greatest_2;
     float stones_negated_2 = -(stones_test_2 ? 0.0 : stones_choice_5);
-    float stones_difference_5 = 1.0 - clamp(stones_quotient_2, 0.0, stones_least);
-    float stones_value = mix(0.4761, stones_difference_5, stones_difference_4);
-    float stones_height = stones_value * 0.05;
-    vec3 dunes_product = s.position * 2.5;  // dunes: Fractal noise
-    float dunes_greatest = max(length(dpdx * 2.5), length(dpdy * 2.5));
-    float dunes_noise_octave = wrinkle_height_blend_noise_octave(dunes_product, dunes_greatest);
-    vec3 dunes_product_2 = dunes_product * 2.0;
-    vec3 dunes_sum = dunes_product_2 + vec3(19.19, 7.43, 31.71);
-    float dunes_product_3 = dunes_greatest * 2.0;
-    float dunes_product_4 = wrinkle_height_blend_noise_octave(dunes_sum, dunes_product_3) * 0.5;
-    vec3 dunes_sum_2 = dunes_product_2 * 2.0 + vec3(38.38, 14.86, 63.42);
-    float dunes_product_5 = dunes_product_3 * 2.0;
-    float dunes_product_6 = wrinkle_height_blend_noise_octave(dunes_sum_2, dunes_product_5) * 0.25;
-    float dunes_value = (dunes_noise_octave + dunes_product_4 + dunes_product_6) / 1.75;
-    float dunes_height = dunes_value * 0.03;
-    vec3 dunes_noise_octave_slope = wrinkle_height_blend_noise_octave_slope(dunes_product,
-            dunes_greatest);
-    vec3 dunes_noise_octave_slope_2 = wrinkle_height_blend_noise_octave_slope(dunes_sum,
-            dunes_product_3);
-    float dunes_product_7 = dot(dunes_noise_octave_slope_2, vec3(5.0, 0.0, 0.0)) * 0.5;
-    float dunes_sum_3 = dot(dunes_noise_octave_slope, vec3(2.5, 0.0, 0.0)) + dunes_product_7;
-    vec3 dunes_noise_octave_slope_3 = wrinkle_height_blend_noise_octave_slope(dunes_sum_2,
-            dunes_product_5);
-    float dunes_sum_4 = dunes_sum_3 + dot(dunes_noise_octave_slope_3, vec3(10.0, 0.0, 0.0)) * 0.25;
-    float dunes_product_8 = dot(dunes_noise_octave_slope_2, vec3(0.0, 5.0, 0.0)) * 0.5;
-    float dunes_sum_5 = dot(dunes_noise_octave_slope, vec3(0.0, 2.5, 0.0)) + dunes_product_8;
-    float dunes_sum_6 = dunes_sum_5 + dot(dunes_noise_octave_slope_3, vec3(0.0, 10.0, 0.0)) * 0.25;
-    float dunes_product_9 = dot(dunes_noise_octave_slope_2, vec3(0.0, 0.0, 5.0)) * 0.5;
-    float dunes_sum_7 = dot(dunes_noise_octave_slope, vec3(0.0, 0.0, 2.5)) + dunes_product_9;
-    float dunes_sum_8 = dunes_sum_7 + dot(dunes_noise_octave_slope_3, vec3(0.0, 0.0, 10.0)) * 0.25;
-    vec3 grain_product = s.position * 60.0;  // grain: Gradient noise
-    float grain_greatest = max(length(dpdx * 60.0), length(dpdy * 60.0));
-    float grain_value = wrinkle_height_blend_noise_octave(grain_product, grain_greatest);
-    float grain_height = grain_value * 0.0015;
-    vec3 grain_noise_octave_slope = wrinkle_height_blend_noise_octave_slope(grain_product,
-            grain_greatest);
-    float grain_product_2 = dot(grain_noise_octave_slope, vec3(60.0, 0.0, 0.0)) * 0.0015;
-    float grain_product_3 = dot(grain_noise_octave_slope, vec3(0.0, 60.0, 0.0)) * 0.0015;
-    float grain_product_4 = dot(grain_noise_octave_slope, vec3(0.0, 0.0, 60.0)) * 0.0015;
-    float sand_height = dunes_height + grain_height;  // sand: Add heights
-    float sand_sum = dunes_sum_4 / 1.75 * 0.03 + grain_product_2;
-    float sand_sum_2 = dunes_sum_6 / 1.75 * 0.03 + grain_product_3;
     // both: Height blend
-    vec2 both_vector = vec2(stones_product_6, stones_negated_2 * stones_difference_4 * 0.05);
     float both_weight = clamp(0.5 + (sand_height + 0.025 - stones_height) / 0.008, 0.0, 1.0);
-    vec2 both_product = both_vector * (1.0 - both_weight);
-    vec3 both_vector_2 = vec3(sand_sum, sand_sum_2, dunes_sum_8 / 1.75 * 0.03 + grain_product_4);
-    vec3 both_product_2 = both_vector_2 * both_weight;
-    // normal: Resolve
-    vec3 normal_sum = r_x * both_product.x + cross(normal, dpdx) * both_product.y;
-    vec3 normal_gradient = both_product_2 - normal * dot(normal, both_product_2);
-    vec3 normal_gradient_2 = normal_sum * (sign(det) / max(abs(det), 1e-36)) + normal_gradient;
-    vec3 normal_difference = normal * s.facing - normal_gradient_2;
-    return normalize(normal_difference);
+    vec3 both_gradient = vec3(sand_sum, sand_sum_2, sand_sum_3) * both_weight;
+    vec2 both_vector = vec2(stones_product_5, stones_negated_2 * stones_difference_5 * 0.05);
+    vec3 normal_product = normal * (s.facing + dot(normal, both_gradient));  // normal: Resolve
+    vec2 normal_product_2 = both_vector * (1.0 - both_weight) * inverse_area;
+    vec3 normal_gradient = cross(normal, dpdx * normal_product_2.y - dpdy * normal_product_2.x);
+    return normalize(normal_product - (normal_gradient + both_gradient));
 }
 
 vec3 wrinkle_height_blend_color(WrinkleSurface_height_blend s) {
@@ -229,10 +234,12 @@ vec3 wrinkle_height_blend_color(WrinkleSurface_height_blend s) {
     float stones_greatest_2 = max(0.25, stones_greatest);
     vec2 stones_product = s.uv0 * 7.0;
     vec2 stones_quotient = stones_product / vec2(1.0, 1.7320508);
-    vec2 stones_difference = stones_product - vec2(1.0, 1.7320508) * floor(stones_quotient + 0.5);
+    vec2 stones_floored = floor(stones_quotient + 0.5);
+    vec2 stones_vector = vec2(stones_floored.x, 1.7320508 * stones_floored.y);
+    vec2 stones_difference = stones_product - stones_vector;
     float stones_dot_product = dot(stones_difference, stones_difference);
-    vec2 stones_product_2 = vec2(1.0, 1.7320508) * (floor(stones_quotient) + 0.5);
-    vec2 stones_difference_2 = stones_product - stones_product_2;
+    vec2 stones_sum = floor(stones_quotient) + 0.5;
+    vec2 stones_difference_2 = stones_product - vec2(stones_sum.x, 1.7320508 * stones_sum.y);
     bool stones_test = stones_dot_product < dot(stones_difference_2, stones_difference_2);
     vec2 stones_magnitude = abs(stones_test ? stones_difference : stones_difference_2);
     float stones_greatest_3 = max(stones_magnitude.x, dot(stones_magnitude, vec2(0.5, 0.8660254)));

@@ -7,24 +7,23 @@ struct WrinkleSurface_ripples {
 
 vec3 wrinkle_ripples_normal(WrinkleSurface_ripples s) {
     vec3 normal = normalize(s.normal);
-    vec3 rings_difference = s.position - vec3(0.0, 1.0, 0.0);  // rings: Ripples
-    float rings_extent = length(rings_difference);
+    float rings_difference = s.position.y - 1.0;  // rings: Ripples
+    float rings_extent = length(vec3(s.position.x, rings_difference, s.position.z));
     bool rings_test = rings_extent > 0.0;
-    float rings_quotient = dot(rings_difference, vec3(1.0, 0.0, 0.0)) / rings_extent;
+    float rings_product = (rings_test ? s.position.x / rings_extent : 0.0) * 31.415926;
     float rings_sine = sin(31.415926 * rings_extent);
-    float rings_negated = -((rings_test ? rings_quotient : 0.0) * 31.415926 * rings_sine);
-    float rings_product = rings_negated * 0.01;
-    float rings_quotient_2 = dot(rings_difference, vec3(0.0, 1.0, 0.0)) / rings_extent;
-    float rings_negated_2 = -((rings_test ? rings_quotient_2 : 0.0) * 31.415926 * rings_sine);
-    float rings_product_2 = rings_negated_2 * 0.01;
-    float rings_quotient_3 = dot(rings_difference, vec3(0.0, 0.0, 1.0)) / rings_extent;
-    float rings_negated_3 = -((rings_test ? rings_quotient_3 : 0.0) * 31.415926 * rings_sine);
-    float rings_product_3 = rings_negated_3 * 0.01;
-    vec3 normal_vector = vec3(rings_product, rings_product_2, rings_product_3);  // normal: Resolve
-    vec3 normal_gradient = normal_vector - normal * dot(normal, normal_vector);
-    return normalize(normal * s.facing - normal_gradient);
+    float rings_product_2 = -(rings_product * rings_sine) * 0.01;
+    float rings_product_3 = (rings_test ? rings_difference / rings_extent : 0.0) * 31.415926;
+    float rings_product_4 = -(rings_product_3 * rings_sine) * 0.01;
+    float rings_product_5 = (rings_test ? s.position.z / rings_extent : 0.0) * 31.415926;
+    float rings_product_6 = -(rings_product_5 * rings_sine) * 0.01;
+    // normal: Resolve
+    vec3 normal_gradient = vec3(rings_product_2, rings_product_4, rings_product_6);
+    return normalize(normal * (s.facing + dot(normal, normal_gradient)) - normal_gradient);
 }
 
 float wrinkle_ripples_height(WrinkleSurface_ripples s) {
-    return 0.01 * cos(31.415926 * length(s.position - vec3(0.0, 1.0, 0.0)));  // rings: Ripples
+    // rings: Ripples
+    float rings_product = 31.415926 * length(vec3(s.position.x, s.position.y - 1.0, s.position.z));
+    return 0.01 * cos(rings_product);
 }

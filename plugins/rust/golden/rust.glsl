@@ -46,23 +46,26 @@ vec3 wrinkle_rust_gradient_noise_slope(vec3 a) {
     vec3 mixed_5 = mix(noise_direction_7, noise_direction_8, product.x);
     vec3 difference_2 = difference - 1.0;
     vec3 product_2 = 30.0 * difference * difference * difference_2 * difference_2;
-    float dot_product = dot(noise_direction_2, difference - vec3(1.0, 0.0, 0.0));
+    float difference_3 = difference.x - 1.0;
+    float dot_product = dot(noise_direction_2, vec3(difference_3, difference.y, difference.z));
     float dot_product_2 = dot(noise_direction, difference);
-    float dot_product_3 = dot(noise_direction_4, difference - vec3(1.0, 1.0, 0.0));
-    float dot_product_4 = dot(noise_direction_3, difference - vec3(0.0, 1.0, 0.0));
+    float difference_4 = difference.y - 1.0;
+    float dot_product_3 = dot(noise_direction_4, vec3(difference_3, difference_4, difference.z));
+    float dot_product_4 = dot(noise_direction_3, vec3(difference.x, difference_4, difference.z));
     float mixed_6 = mix(dot_product - dot_product_2, dot_product_3 - dot_product_4, product.y);
-    float dot_product_5 = dot(noise_direction_6, difference - vec3(1.0, 0.0, 1.0));
-    float dot_product_6 = dot(noise_direction_5, difference - vec3(0.0, 0.0, 1.0));
+    float difference_5 = difference.z - 1.0;
+    float dot_product_5 = dot(noise_direction_6, vec3(difference_3, difference.y, difference_5));
+    float dot_product_6 = dot(noise_direction_5, vec3(difference.x, difference.y, difference_5));
     float dot_product_7 = dot(noise_direction_8, difference - 1.0);
-    float dot_product_8 = dot(noise_direction_7, difference - vec3(0.0, 1.0, 1.0));
+    float dot_product_8 = dot(noise_direction_7, vec3(difference.x, difference_4, difference_5));
     float mixed_7 = mix(dot_product_5 - dot_product_6, dot_product_7 - dot_product_8, product.y);
     float mixed_8 = mix(dot_product_4, dot_product_3, product.x);
     float mixed_9 = mix(dot_product_2, dot_product, product.x);
     float mixed_10 = mix(dot_product_8, dot_product_7, product.x);
     float mixed_11 = mix(dot_product_6, dot_product_5, product.x);
     float mixed_12 = mix(mixed_8 - mixed_9, mixed_10 - mixed_11, product.z);
-    float difference_3 = mix(mixed_11, mixed_10, product.y) - mix(mixed_9, mixed_8, product.y);
-    vec3 product_3 = product_2 * vec3(mix(mixed_6, mixed_7, product.z), mixed_12, difference_3);
+    float difference_6 = mix(mixed_11, mixed_10, product.y) - mix(mixed_9, mixed_8, product.y);
+    vec3 product_3 = product_2 * vec3(mix(mixed_6, mixed_7, product.z), mixed_12, difference_6);
     return mix(mixed_3, mix(mixed_4, mixed_5, product.y), product.z) + product_3;
 }
 
@@ -78,27 +81,30 @@ float wrinkle_rust_gradient_noise(vec3 a) {
     vec3 difference = a - floored;
     float dot_product = dot(wrinkle_rust_noise_direction(whole, whole_2, whole_3), difference);
     int sum = whole + 1;
-    vec3 noise_direction = wrinkle_rust_noise_direction(sum, whole_2, whole_3);
-    float dot_product_2 = dot(noise_direction, difference - vec3(1.0, 0.0, 0.0));
+    float difference_2 = difference.x - 1.0;
+    vec3 vector = vec3(difference_2, difference.y, difference.z);
+    float dot_product_2 = dot(wrinkle_rust_noise_direction(sum, whole_2, whole_3), vector);
     vec3 sum_2 = difference * (difference * 6.0 - 15.0) + 10.0;
     vec3 product = difference * difference * difference * sum_2;
     float mixed = mix(dot_product, dot_product_2, product.x);
     int sum_3 = whole_2 + 1;
-    vec3 noise_direction_2 = wrinkle_rust_noise_direction(whole, sum_3, whole_3);
-    float dot_product_3 = dot(noise_direction_2, difference - vec3(0.0, 1.0, 0.0));
-    vec3 noise_direction_3 = wrinkle_rust_noise_direction(sum, sum_3, whole_3);
-    float dot_product_4 = dot(noise_direction_3, difference - vec3(1.0, 1.0, 0.0));
+    float difference_3 = difference.y - 1.0;
+    vec3 vector_2 = vec3(difference.x, difference_3, difference.z);
+    float dot_product_3 = dot(wrinkle_rust_noise_direction(whole, sum_3, whole_3), vector_2);
+    vec3 noise_direction = wrinkle_rust_noise_direction(sum, sum_3, whole_3);
+    float dot_product_4 = dot(noise_direction, vec3(difference_2, difference_3, difference.z));
     float mixed_2 = mix(mixed, mix(dot_product_3, dot_product_4, product.x), product.y);
     int sum_4 = whole_3 + 1;
-    vec3 noise_direction_4 = wrinkle_rust_noise_direction(whole, whole_2, sum_4);
-    float dot_product_5 = dot(noise_direction_4, difference - vec3(0.0, 0.0, 1.0));
-    vec3 noise_direction_5 = wrinkle_rust_noise_direction(sum, whole_2, sum_4);
-    float dot_product_6 = dot(noise_direction_5, difference - vec3(1.0, 0.0, 1.0));
+    float difference_4 = difference.z - 1.0;
+    vec3 vector_3 = vec3(difference.x, difference.y, difference_4);
+    float dot_product_5 = dot(wrinkle_rust_noise_direction(whole, whole_2, sum_4), vector_3);
+    vec3 noise_direction_2 = wrinkle_rust_noise_direction(sum, whole_2, sum_4);
+    float dot_product_6 = dot(noise_direction_2, vec3(difference_2, difference.y, difference_4));
     float mixed_3 = mix(dot_product_5, dot_product_6, product.x);
-    vec3 noise_direction_6 = wrinkle_rust_noise_direction(whole, sum_3, sum_4);
-    float dot_product_7 = dot(noise_direction_6, difference - vec3(0.0, 1.0, 1.0));
-    vec3 noise_direction_7 = wrinkle_rust_noise_direction(sum, sum_3, sum_4);
-    float dot_product_8 = dot(noise_direction_7, difference - 1.0);
+    vec3 noise_direction_3 = wrinkle_rust_noise_direction(whole, sum_3, sum_4);
+    float dot_product_7 = dot(noise_direction_3, vec3(difference.x, difference_3, difference_4));
+    vec3 noise_direction_4 = wrinkle_rust_noise_direction(sum, sum_3, sum_4);
+    float dot_product_8 = dot(noise_direction_4, difference - 1.0);
     float mixed_4 = mix(mixed_3, mix(dot_product_7, dot_product_8, product.x), product.y);
     return mix(mixed_2, mixed_4, product.z);
 }
@@ -125,17 +131,14 @@ vec3 wrinkle_rust_normal(WrinkleSurface_rust s) {
     float hammered_product_2 = hammered_greatest * 2.0;
     vec3 hammered_noise_octave_slope_2 = wrinkle_rust_noise_octave_slope(hammered_sum,
             hammered_product_2);
-    float hammered_product_3 = dot(hammered_noise_octave_slope_2, vec3(10.0, 0.0, 0.0)) * 0.5;
-    float hammered_sum_2 = dot(hammered_noise_octave_slope, vec3(5.0, 0.0,
-            0.0)) + hammered_product_3;
-    float hammered_product_4 = hammered_sum_2 / 1.5 * 0.04;
-    float hammered_product_5 = dot(hammered_noise_octave_slope_2, vec3(0.0, 10.0, 0.0)) * 0.5;
-    float hammered_sum_3 = dot(hammered_noise_octave_slope, vec3(0.0, 5.0,
-            0.0)) + hammered_product_5;
-    float hammered_product_6 = hammered_sum_3 / 1.5 * 0.04;
-    float hammered_product_7 = dot(hammered_noise_octave_slope_2, vec3(0.0, 0.0, 10.0)) * 0.5;
-    float hammered_sum_4 = dot(hammered_noise_octave_slope, vec3(0.0, 0.0,
-            5.0)) + hammered_product_7;
+    float hammered_product_3 = hammered_noise_octave_slope_2.x * 10.0 * 0.5;
+    float hammered_quotient = (hammered_noise_octave_slope.x * 5.0 + hammered_product_3) / 1.5;
+    float hammered_product_4 = hammered_quotient * 0.04;
+    float hammered_product_5 = hammered_noise_octave_slope_2.y * 10.0 * 0.5;
+    float hammered_quotient_2 = (hammered_noise_octave_slope.y * 5.0 + hammered_product_5) / 1.5;
+    float hammered_product_6 = hammered_quotient_2 * 0.04;
+    float hammered_product_7 = hammered_noise_octave_slope_2.z * 10.0 * 0.5;
+    float hammered_quotient_3 = (hammered_noise_octave_slope.z * 5.0 + hammered_product_7) / 1.5;
     float hammered_noise_octave = wrinkle_rust_noise_octave(hammered_product, hammered_greatest);
     float hammered_product_8 = wrinkle_rust_noise_octave(hammered_sum, hammered_product_2) * 0.5;
     float hammered_value = (hammered_noise_octave + hammered_product_8) / 1.5;
@@ -147,28 +150,21 @@ vec3 wrinkle_rust_normal(WrinkleSurface_rust s) {
     vec3 flakes_sum = flakes_product_2 + vec3(19.19, 7.43, 31.71);
     float flakes_product_3 = flakes_greatest * 2.0;
     vec3 flakes_billow_slope_2 = wrinkle_rust_billow_slope(flakes_sum, flakes_product_3);
-    float flakes_product_4 = dot(flakes_billow_slope_2, vec3(36.0, 0.0, 0.0)) * 0.5;
-    float flakes_sum_2 = dot(flakes_billow_slope, vec3(18.0, 0.0, 0.0)) + flakes_product_4;
+    float flakes_sum_2 = flakes_billow_slope.x * 18.0 + flakes_billow_slope_2.x * 36.0 * 0.5;
     vec3 flakes_sum_3 = flakes_product_2 * 2.0 + vec3(38.38, 14.86, 63.42);
     vec3 flakes_billow_slope_3 = wrinkle_rust_billow_slope(flakes_sum_3, flakes_product_3 * 2.0);
-    float flakes_sum_4 = flakes_sum_2 + dot(flakes_billow_slope_3, vec3(72.0, 0.0, 0.0)) * 0.25;
-    float flakes_product_5 = flakes_sum_4 / 1.75 * 0.02;
-    float flakes_product_6 = dot(flakes_billow_slope_2, vec3(0.0, 36.0, 0.0)) * 0.5;
-    float flakes_sum_5 = dot(flakes_billow_slope, vec3(0.0, 18.0, 0.0)) + flakes_product_6;
-    float flakes_sum_6 = flakes_sum_5 + dot(flakes_billow_slope_3, vec3(0.0, 72.0, 0.0)) * 0.25;
-    float flakes_product_7 = flakes_sum_6 / 1.75 * 0.02;
-    float flakes_product_8 = dot(flakes_billow_slope_2, vec3(0.0, 0.0, 36.0)) * 0.5;
-    float flakes_sum_7 = dot(flakes_billow_slope, vec3(0.0, 0.0, 18.0)) + flakes_product_8;
-    float flakes_sum_8 = flakes_sum_7 + dot(flakes_billow_slope_3, vec3(0.0, 0.0, 72.0)) * 0.25;
+    float flakes_product_4 = (flakes_sum_2 + flakes_billow_slope_3.x * 72.0 * 0.25) / 1.75 * 0.02;
+    float flakes_sum_4 = flakes_billow_slope.y * 18.0 + flakes_billow_slope_2.y * 36.0 * 0.5;
+    float flakes_product_5 = (flakes_sum_4 + flakes_billow_slope_3.y * 72.0 * 0.25) / 1.75 * 0.02;
+    float flakes_sum_5 = flakes_billow_slope.z * 18.0 + flakes_billow_slope_2.z * 36.0 * 0.5;
+    float flakes_product_6 = (flakes_sum_5 + flakes_billow_slope_3.z * 72.0 * 0.25) / 1.75 * 0.02;
     // old: Rust
-    vec3 old_vector = vec3(hammered_product_4, hammered_product_6, hammered_sum_4 / 1.5 * 0.04);
+    vec3 old_vector = vec3(hammered_product_4, hammered_product_6, hammered_quotient_3 * 0.04);
     float old_mask = clamp((0.5 - hammered_height / 0.06 + 0.45 - 1.0) * 8.0 + 0.45, 0.0, 1.0);
-    vec3 old_product = old_vector * (1.0 - old_mask);
-    vec3 old_vector_2 = vec3(flakes_product_5, flakes_product_7, flakes_sum_8 / 1.75 * 0.02);
-    vec3 old_product_2 = old_vector_2 * old_mask;
-    vec3 old_sum = old_product + old_product_2;
+    vec3 old_gradient = vec3(flakes_product_4, flakes_product_5, flakes_product_6) * old_mask;
+    vec3 old_gradient_2 = old_vector * (1.0 - old_mask) + old_gradient;
     // normal: Resolve
-    return normalize(normal * s.facing - (old_sum - normal * dot(normal, old_sum)));
+    return normalize(normal * (s.facing + dot(normal, old_gradient_2)) - old_gradient_2);
 }
 
 vec3 wrinkle_rust_color(WrinkleSurface_rust s) {

@@ -8,9 +8,9 @@ struct WrinkleSurface_scales {
 
 vec3 wrinkle_scales_normal(WrinkleSurface_scales s) {
     vec3 normal = normalize(s.normal);  // the surface point
-    vec3 r_x = cross(dFdy(s.position_relative), normal);
     vec3 dpdx = dFdx(s.position_relative);
-    float det = dot(dpdx, r_x);
+    vec3 dpdy = dFdy(s.position_relative);
+    float screen_area = dot(normal, cross(dpdx, dpdy));
     vec2 skin_product = s.uv0 * 8.0;  // skin: Scales
     float skin_row = floor(2.0 * skin_product.y);
     vec2 skin_product_2 = dFdx(s.uv0) * 8.0;
@@ -84,9 +84,11 @@ vec3 wrinkle_scales_normal(WrinkleSurface_scales s) {
         skin_state_5 = max(skin_state_5, skin_product_19);
         skin_state_6 = skin_state_6_next;
     }
-    vec3 normal_product = cross(normal, dpdx) * (skin_state_6 * 0.05);  // normal: Resolve
-    vec3 normal_sum = r_x * (skin_state_3 * 0.05) + normal_product;
-    return normalize(normal * s.facing - normal_sum * (sign(det) / max(abs(det), 1e-36)));
+    // normal: Resolve
+    float normal_product = sign(screen_area) / max(abs(screen_area), 1e-36) * 0.05;
+    vec2 normal_product_2 = vec2(skin_state_3, skin_state_6) * normal_product;
+    vec3 normal_gradient = cross(normal, dpdx * normal_product_2.y - dpdy * normal_product_2.x);
+    return normalize(normal * s.facing - normal_gradient);
 }
 
 float wrinkle_scales_height(WrinkleSurface_scales s) {

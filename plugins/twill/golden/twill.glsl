@@ -28,27 +28,30 @@ float wrinkle_twill_gradient_noise(vec3 a) {
     vec3 difference = a - floored;
     float dot_product = dot(wrinkle_twill_noise_direction(whole, whole_2, whole_3), difference);
     int sum = whole + 1;
-    vec3 noise_direction = wrinkle_twill_noise_direction(sum, whole_2, whole_3);
-    float dot_product_2 = dot(noise_direction, difference - vec3(1.0, 0.0, 0.0));
+    float difference_2 = difference.x - 1.0;
+    vec3 vector = vec3(difference_2, difference.y, difference.z);
+    float dot_product_2 = dot(wrinkle_twill_noise_direction(sum, whole_2, whole_3), vector);
     vec3 sum_2 = difference * (difference * 6.0 - 15.0) + 10.0;
     vec3 product = difference * difference * difference * sum_2;
     float mixed = mix(dot_product, dot_product_2, product.x);
     int sum_3 = whole_2 + 1;
-    vec3 noise_direction_2 = wrinkle_twill_noise_direction(whole, sum_3, whole_3);
-    float dot_product_3 = dot(noise_direction_2, difference - vec3(0.0, 1.0, 0.0));
-    vec3 noise_direction_3 = wrinkle_twill_noise_direction(sum, sum_3, whole_3);
-    float dot_product_4 = dot(noise_direction_3, difference - vec3(1.0, 1.0, 0.0));
+    float difference_3 = difference.y - 1.0;
+    vec3 vector_2 = vec3(difference.x, difference_3, difference.z);
+    float dot_product_3 = dot(wrinkle_twill_noise_direction(whole, sum_3, whole_3), vector_2);
+    vec3 noise_direction = wrinkle_twill_noise_direction(sum, sum_3, whole_3);
+    float dot_product_4 = dot(noise_direction, vec3(difference_2, difference_3, difference.z));
     float mixed_2 = mix(mixed, mix(dot_product_3, dot_product_4, product.x), product.y);
     int sum_4 = whole_3 + 1;
-    vec3 noise_direction_4 = wrinkle_twill_noise_direction(whole, whole_2, sum_4);
-    float dot_product_5 = dot(noise_direction_4, difference - vec3(0.0, 0.0, 1.0));
-    vec3 noise_direction_5 = wrinkle_twill_noise_direction(sum, whole_2, sum_4);
-    float dot_product_6 = dot(noise_direction_5, difference - vec3(1.0, 0.0, 1.0));
+    float difference_4 = difference.z - 1.0;
+    vec3 vector_3 = vec3(difference.x, difference.y, difference_4);
+    float dot_product_5 = dot(wrinkle_twill_noise_direction(whole, whole_2, sum_4), vector_3);
+    vec3 noise_direction_2 = wrinkle_twill_noise_direction(sum, whole_2, sum_4);
+    float dot_product_6 = dot(noise_direction_2, vec3(difference_2, difference.y, difference_4));
     float mixed_3 = mix(dot_product_5, dot_product_6, product.x);
-    vec3 noise_direction_6 = wrinkle_twill_noise_direction(whole, sum_3, sum_4);
-    float dot_product_7 = dot(noise_direction_6, difference - vec3(0.0, 1.0, 1.0));
-    vec3 noise_direction_7 = wrinkle_twill_noise_direction(sum, sum_3, sum_4);
-    float dot_product_8 = dot(noise_direction_7, difference - 1.0);
+    vec3 noise_direction_3 = wrinkle_twill_noise_direction(whole, sum_3, sum_4);
+    float dot_product_7 = dot(noise_direction_3, vec3(difference.x, difference_3, difference_4));
+    vec3 noise_direction_4 = wrinkle_twill_noise_direction(sum, sum_3, sum_4);
+    float dot_product_8 = dot(noise_direction_4, difference - 1.0);
     float mixed_4 = mix(mixed_3, mix(dot_product_7, dot_product_8, product.x), product.y);
     return mix(mixed_2, mixed_4, product.z);
 }
@@ -83,23 +86,26 @@ vec3 wrinkle_twill_gradient_noise_slope(vec3 a) {
     vec3 mixed_5 = mix(noise_direction_7, noise_direction_8, product.x);
     vec3 difference_2 = difference - 1.0;
     vec3 product_2 = 30.0 * difference * difference * difference_2 * difference_2;
-    float dot_product = dot(noise_direction_2, difference - vec3(1.0, 0.0, 0.0));
+    float difference_3 = difference.x - 1.0;
+    float dot_product = dot(noise_direction_2, vec3(difference_3, difference.y, difference.z));
     float dot_product_2 = dot(noise_direction, difference);
-    float dot_product_3 = dot(noise_direction_4, difference - vec3(1.0, 1.0, 0.0));
-    float dot_product_4 = dot(noise_direction_3, difference - vec3(0.0, 1.0, 0.0));
+    float difference_4 = difference.y - 1.0;
+    float dot_product_3 = dot(noise_direction_4, vec3(difference_3, difference_4, difference.z));
+    float dot_product_4 = dot(noise_direction_3, vec3(difference.x, difference_4, difference.z));
     float mixed_6 = mix(dot_product - dot_product_2, dot_product_3 - dot_product_4, product.y);
-    float dot_product_5 = dot(noise_direction_6, difference - vec3(1.0, 0.0, 1.0));
-    float dot_product_6 = dot(noise_direction_5, difference - vec3(0.0, 0.0, 1.0));
+    float difference_5 = difference.z - 1.0;
+    float dot_product_5 = dot(noise_direction_6, vec3(difference_3, difference.y, difference_5));
+    float dot_product_6 = dot(noise_direction_5, vec3(difference.x, difference.y, difference_5));
     float dot_product_7 = dot(noise_direction_8, difference - 1.0);
-    float dot_product_8 = dot(noise_direction_7, difference - vec3(0.0, 1.0, 1.0));
+    float dot_product_8 = dot(noise_direction_7, vec3(difference.x, difference_4, difference_5));
     float mixed_7 = mix(dot_product_5 - dot_product_6, dot_product_7 - dot_product_8, product.y);
     float mixed_8 = mix(dot_product_4, dot_product_3, product.x);
     float mixed_9 = mix(dot_product_2, dot_product, product.x);
     float mixed_10 = mix(dot_product_8, dot_product_7, product.x);
     float mixed_11 = mix(dot_product_6, dot_product_5, product.x);
     float mixed_12 = mix(mixed_8 - mixed_9, mixed_10 - mixed_11, product.z);
-    float difference_3 = mix(mixed_11, mixed_10, product.y) - mix(mixed_9, mixed_8, product.y);
-    vec3 product_3 = product_2 * vec3(mix(mixed_6, mixed_7, product.z), mixed_12, difference_3);
+    float difference_6 = mix(mixed_11, mixed_10, product.y) - mix(mixed_9, mixed_8, product.y);
+    vec3 product_3 = product_2 * vec3(mix(mixed_6, mixed_7, product.z), mixed_12, difference_6);
     return mix(mixed_3, mix(mixed_4, mixed_5, product.y), product.z) + product_3;
 }
 
@@ -109,52 +115,77 @@ vec3 wrinkle_twill_noise_octave_slope(vec3 a, float b) {
 
 vec3 wrinkle_twill_normal(WrinkleSurface_twill s) {
     vec3 normal = normalize(s.normal);  // the surface point
-    vec3 r_x = cross(dFdy(s.position_relative), normal);
+    vec3 dpdx = dFdx(s.position_relative);
     vec2 duv0_dx = dFdx(s.uv0);
     vec2 duv0_dy = dFdy(s.uv0);
-    vec3 dpdx = dFdx(s.position_relative);
-    float det = dot(dpdx, r_x);
+    vec3 dpdy = dFdy(s.position_relative);
+    float screen_area = dot(normal, cross(dpdx, dpdy));
+    float inverse_area = sign(screen_area) / max(abs(screen_area), 1e-36);
     float along_result = s.uv0.y * 0.2;  // along: Multiply
-    vec3 place_vector = vec3(s.uv0.x, along_result, 0.0);  // place: Combine vec3
-    vec3 fibres_product = place_vector * 220.0;  // fibres: Fractal noise
-    vec3 fibres_product_2 = vec3(duv0_dx.x, duv0_dx.y * 0.2, 0.0) * 220.0;
-    vec3 fibres_product_3 = vec3(duv0_dy.x, duv0_dy.y * 0.2, 0.0) * 220.0;
-    float fibres_greatest = max(length(fibres_product_2), length(fibres_product_3));
-    float fibres_noise_octave = wrinkle_twill_noise_octave(fibres_product, fibres_greatest);
-    vec3 fibres_sum = fibres_product * 2.0 + vec3(19.19, 7.43, 31.71);
-    float fibres_product_4 = fibres_greatest * 2.0;
-    float fibres_product_5 = wrinkle_twill_noise_octave(fibres_sum, fibres_product_4) * 0.5;
-    float fibres_value = (fibres_noise_octave + fibres_product_5) / 1.5;
+    float fibres_product = s.uv0.x * 220.0;  // fibres: Fractal noise
+    float fibres_product_2 = along_result * 220.0;
+    vec3 fibres_vector = vec3(fibres_product, fibres_product_2, 0.0);
+    float fibres_product_3 = duv0_dx.x * 220.0;
+    float fibres_product_4 = duv0_dx.y * 0.2 * 220.0;
+    float fibres_extent = length(vec3(fibres_product_3, fibres_product_4, 0.0));
+    float fibres_product_5 = duv0_dy.x * 220.0;
+    float fibres_product_6 = duv0_dy.y * 0.2 * 220.0;
+    float fibres_greatest = max(fibres_extent, length(vec3(fibres_product_5, fibres_product_6,
+            0.0)));
+    float fibres_noise_octave = wrinkle_twill_noise_octave(fibres_vector, fibres_greatest);
+    vec3 fibres_vector_2 = vec3(fibres_product * 2.0 + 19.19, fibres_product_2 * 2.0 + 7.43, 31.71);
+    float fibres_product_7 = fibres_greatest * 2.0;
+    float fibres_product_8 = wrinkle_twill_noise_octave(fibres_vector_2, fibres_product_7) * 0.5;
+    float fibres_value = (fibres_noise_octave + fibres_product_8) / 1.5;
     float fibres_height = fibres_value * 8e-04;
-    vec3 fibres_product_6 = vec3(s.uv0.y, s.uv0.x * 0.2, 0.0) * 220.0;
-    vec3 fibres_product_7 = vec3(duv0_dx.y, duv0_dx.x * 0.2, 0.0) * 220.0;
-    vec3 fibres_product_8 = vec3(duv0_dy.y, duv0_dy.x * 0.2, 0.0) * 220.0;
-    float fibres_greatest_2 = max(length(fibres_product_7), length(fibres_product_8));
-    float fibres_noise_octave_2 = wrinkle_twill_noise_octave(fibres_product_6, fibres_greatest_2);
-    vec3 fibres_sum_2 = fibres_product_6 * 2.0 + vec3(19.19, 7.43, 31.71);
-    float fibres_product_9 = fibres_greatest_2 * 2.0;
-    float fibres_product_10 = wrinkle_twill_noise_octave(fibres_sum_2, fibres_product_9) * 0.5;
-    float fibres_product_11 = (fibres_noise_octave_2 + fibres_product_10) / 1.5 * 8e-04;
-    vec3 fibres_noise_octave_slope = wrinkle_twill_noise_octave_slope(fibres_product_6,
+    float fibres_product_9 = s.uv0.y * 220.0;
+    float fibres_product_10 = s.uv0.x * 0.2 * 220.0;
+    vec3 fibres_vector_3 = vec3(fibres_product_9, fibres_product_10, 0.0);
+    float fibres_product_11 = duv0_dx.y * 220.0;
+    float fibres_product_12 = duv0_dx.x * 0.2 * 220.0;
+    float fibres_extent_2 = length(vec3(fibres_product_11, fibres_product_12, 0.0));
+    float fibres_product_13 = duv0_dy.y * 220.0;
+    float fibres_product_14 = duv0_dy.x * 0.2 * 220.0;
+    float fibres_greatest_2 = max(fibres_extent_2, length(vec3(fibres_product_13, fibres_product_14,
+            0.0)));
+    float fibres_noise_octave_2 = wrinkle_twill_noise_octave(fibres_vector_3, fibres_greatest_2);
+    vec3 fibres_vector_4 = vec3(fibres_product_9 * 2.0 + 19.19, fibres_product_10 * 2.0 + 7.43,
+            31.71);
+    float fibres_product_15 = fibres_greatest_2 * 2.0;
+    float fibres_product_16 = wrinkle_twill_noise_octave(fibres_vector_4, fibres_product_15) * 0.5;
+    float fibres_product_17 = (fibres_noise_octave_2 + fibres_product_16) / 1.5 * 8e-04;
+    vec3 fibres_noise_octave_slope = wrinkle_twill_noise_octave_slope(fibres_vector_3,
             fibres_greatest_2);
-    vec3 fibres_noise_octave_slope_2 = wrinkle_twill_noise_octave_slope(fibres_sum_2,
-            fibres_product_9);
-    float fibres_product_12 = dot(fibres_noise_octave_slope_2, fibres_product_7 * 2.0) * 0.5;
-    float fibres_quotient = (dot(fibres_noise_octave_slope,
-            fibres_product_7) + fibres_product_12) / 1.5;
-    vec3 fibres_noise_octave_slope_3 = wrinkle_twill_noise_octave_slope(fibres_product,
+    float fibres_product_18 = fibres_noise_octave_slope.x * fibres_product_11;
+    float fibres_sum = fibres_product_18 + fibres_noise_octave_slope.y * fibres_product_12;
+    vec3 fibres_noise_octave_slope_2 = wrinkle_twill_noise_octave_slope(fibres_vector_4,
+            fibres_product_15);
+    float fibres_product_19 = fibres_noise_octave_slope_2.x * (fibres_product_11 * 2.0);
+    float fibres_sum_2 = fibres_product_19 + fibres_noise_octave_slope_2.y * (fibres_product_12 *
+            2.0);
+    float fibres_product_20 = (fibres_sum + fibres_sum_2 * 0.5) / 1.5 * 8e-04;
+    vec3 fibres_noise_octave_slope_3 = wrinkle_twill_noise_octave_slope(fibres_vector,
             fibres_greatest);
-    vec3 fibres_noise_octave_slope_4 = wrinkle_twill_noise_octave_slope(fibres_sum,
-            fibres_product_4);
-    float fibres_product_13 = dot(fibres_noise_octave_slope_4, fibres_product_2 * 2.0) * 0.5;
-    float fibres_quotient_2 = (dot(fibres_noise_octave_slope_3,
-            fibres_product_2) + fibres_product_13) / 1.5;
-    float fibres_product_14 = dot(fibres_noise_octave_slope_2, fibres_product_8 * 2.0) * 0.5;
-    float fibres_quotient_3 = (dot(fibres_noise_octave_slope,
-            fibres_product_8) + fibres_product_14) / 1.5;
-    float fibres_product_15 = dot(fibres_noise_octave_slope_4, fibres_product_3 * 2.0) * 0.5;
-    float fibres_quotient_4 = (dot(fibres_noise_octave_slope_3,
-            fibres_product_3) + fibres_product_15) / 1.5;
+    float fibres_product_21 = fibres_noise_octave_slope_3.x * fibres_product_3;
+    float fibres_sum_3 = fibres_product_21 + fibres_noise_octave_slope_3.y * fibres_product_4;
+    vec3 fibres_noise_octave_slope_4 = wrinkle_twill_noise_octave_slope(fibres_vector_2,
+            fibres_product_7);
+    float fibres_product_22 = fibres_noise_octave_slope_4.x * (fibres_product_3 * 2.0);
+    float fibres_sum_4 = fibres_product_22 + fibres_noise_octave_slope_4.y * (fibres_product_4 *
+            2.0);
+    float fibres_product_23 = (fibres_sum_3 + fibres_sum_4 * 0.5) / 1.5 * 8e-04;
+    float fibres_product_24 = fibres_noise_octave_slope.x * fibres_product_13;
+    float fibres_sum_5 = fibres_product_24 + fibres_noise_octave_slope.y * fibres_product_14;
+    float fibres_product_25 = fibres_noise_octave_slope_2.x * (fibres_product_13 * 2.0);
+    float fibres_sum_6 = fibres_product_25 + fibres_noise_octave_slope_2.y * (fibres_product_14 *
+            2.0);
+    float fibres_product_26 = (fibres_sum_5 + fibres_sum_6 * 0.5) / 1.5 * 8e-04;
+    float fibres_product_27 = fibres_noise_octave_slope_3.x * fibres_product_5;
+    float fibres_sum_7 = fibres_product_27 + fibres_noise_octave_slope_3.y * fibres_product_6;
+    float fibres_product_28 = fibres_noise_octave_slope_4.x * (fibres_product_5 * 2.0);
+    float fibres_sum_8 = fibres_product_28 + fibres_noise_octave_slope_4.y * (fibres_product_6 *
+            2.0);
+    float fibres_product_29 = (fibres_sum_7 + fibres_sum_8 * 0.5) / 1.5 * 8e-04;
     vec2 cloth_product = s.uv0 * 32.0;  // cloth: Twill
     float cloth_floored = floor(cloth_product.x);
     float cloth_quotient = (2.0 * (cloth_product.x - cloth_floored) - 1.0) / 0.9;
@@ -168,7 +199,7 @@ vec3 wrinkle_twill_normal(WrinkleSurface_twill s) {
     float cloth_greatest_2 = max(cloth_difference_2, 0.0);
     float cloth_product_3 = (cloth_product.x - cloth_floored_2 + 1.0) * 1.5707964;
     float cloth_sum_2 = 0.65 + 0.35 * cos(cloth_product_3);
-    float cloth_sum_3 = 0.012 * (cloth_greatest_2 * cloth_sum_2) + fibres_product_11;
+    float cloth_sum_3 = 0.012 * (cloth_greatest_2 * cloth_sum_2) + fibres_product_17;
     bool cloth_test = 0.012 * (cloth_greatest * cloth_sum) + fibres_height < cloth_sum_3;
     bool cloth_test_2 = cloth_difference_2 < 0.0;
     vec2 cloth_product_4 = duv0_dx * 32.0;
@@ -178,7 +209,7 @@ vec3 wrinkle_twill_normal(WrinkleSurface_twill s) {
     float cloth_sine = sin(cloth_product_3);
     float cloth_product_7 = -(cloth_product_4.x * 1.5707964 * cloth_sine) * 0.35;
     float cloth_product_8 = (cloth_product_6 + cloth_product_7 * cloth_greatest_2) * 0.012;
-    float cloth_sum_4 = cloth_product_8 + fibres_quotient * 8e-04;
+    float cloth_sum_4 = cloth_product_8 + fibres_product_20;
     bool cloth_test_3 = cloth_difference < 0.0;
     float cloth_product_9 = cloth_product_4.x * 2.0 / 0.9 * cloth_quotient;
     float cloth_product_10 = (cloth_test_3 ? 0.0 : -(cloth_product_9 + cloth_product_9)) *
@@ -186,53 +217,57 @@ vec3 wrinkle_twill_normal(WrinkleSurface_twill s) {
     float cloth_sine_2 = sin(cloth_product_2);
     float cloth_product_11 = -(cloth_product_4.y * 1.5707964 * cloth_sine_2) * 0.35;
     float cloth_product_12 = (cloth_product_10 + cloth_product_11 * cloth_greatest) * 0.012;
-    float cloth_sum_5 = cloth_product_12 + fibres_quotient_2 * 8e-04;
+    float cloth_choice = cloth_test ? cloth_sum_4 : cloth_product_12 + fibres_product_23;
     vec2 cloth_product_13 = duv0_dy * 32.0;
-    float cloth_pixel = max(length(cloth_product_4), length(cloth_product_13));
-    float cloth_difference_3 = 1.0 - smoothstep(0.25, 0.75, cloth_pixel);
     float cloth_product_14 = cloth_product_13.y * 2.0 / 0.9 * cloth_quotient_2;
     float cloth_product_15 = (cloth_test_2 ? 0.0 : -(cloth_product_14 + cloth_product_14)) *
             cloth_sum_2;
     float cloth_product_16 = -(cloth_product_13.x * 1.5707964 * cloth_sine) * 0.35;
     float cloth_product_17 = (cloth_product_15 + cloth_product_16 * cloth_greatest_2) * 0.012;
-    float cloth_sum_6 = cloth_product_17 + fibres_quotient_3 * 8e-04;
+    float cloth_sum_5 = cloth_product_17 + fibres_product_26;
     float cloth_product_18 = cloth_product_13.x * 2.0 / 0.9 * cloth_quotient;
     float cloth_product_19 = (cloth_test_3 ? 0.0 : -(cloth_product_18 + cloth_product_18)) *
             cloth_sum;
     float cloth_product_20 = -(cloth_product_13.y * 1.5707964 * cloth_sine_2) * 0.35;
     float cloth_product_21 = (cloth_product_19 + cloth_product_20 * cloth_greatest) * 0.012;
-    float cloth_sum_7 = cloth_product_21 + fibres_quotient_4 * 8e-04;
-    float cloth_product_22 = (cloth_test ? cloth_sum_6 : cloth_sum_7) * cloth_difference_3;
+    float cloth_choice_2 = cloth_test ? cloth_sum_5 : cloth_product_21 + fibres_product_29;
+    float cloth_pixel = max(length(cloth_product_4), length(cloth_product_13));
     // normal: Resolve
-    vec3 normal_product = r_x * ((cloth_test ? cloth_sum_4 : cloth_sum_5) * cloth_difference_3);
-    vec3 normal_sum = normal_product + cross(normal, dpdx) * cloth_product_22;
-    vec3 normal_difference = normal * s.facing - normal_sum * (sign(det) / max(abs(det), 1e-36));
-    return normalize(normal_difference);
+    float normal_product = inverse_area * (1.0 - smoothstep(0.25, 0.75, cloth_pixel));
+    vec2 normal_product_2 = vec2(cloth_choice, cloth_choice_2) * normal_product;
+    vec3 normal_gradient = cross(normal, dpdx * normal_product_2.y - dpdy * normal_product_2.x);
+    return normalize(normal * s.facing - normal_gradient);
 }
 
 float wrinkle_twill_height(WrinkleSurface_twill s) {
     float along_result = s.uv0.y * 0.2;  // along: Multiply
-    vec3 place_vector = vec3(s.uv0.x, along_result, 0.0);  // place: Combine vec3
     vec2 duv0_dx = dFdx(s.uv0);  // the surface point
     vec2 duv0_dy = dFdy(s.uv0);
-    vec3 fibres_product = place_vector * 220.0;  // fibres: Fractal noise
-    float fibres_extent = length(vec3(duv0_dx.x, duv0_dx.y * 0.2, 0.0) * 220.0);
-    float fibres_extent_2 = length(vec3(duv0_dy.x, duv0_dy.y * 0.2, 0.0) * 220.0);
+    float fibres_product = s.uv0.x * 220.0;  // fibres: Fractal noise
+    float fibres_product_2 = along_result * 220.0;
+    vec3 fibres_vector = vec3(fibres_product, fibres_product_2, 0.0);
+    float fibres_extent = length(vec3(duv0_dx.x * 220.0, duv0_dx.y * 0.2 * 220.0, 0.0));
+    float fibres_extent_2 = length(vec3(duv0_dy.x * 220.0, duv0_dy.y * 0.2 * 220.0, 0.0));
     float fibres_greatest = max(fibres_extent, fibres_extent_2);
-    float fibres_noise_octave = wrinkle_twill_noise_octave(fibres_product, fibres_greatest);
-    vec3 fibres_sum = fibres_product * 2.0 + vec3(19.19, 7.43, 31.71);
-    float fibres_product_2 = wrinkle_twill_noise_octave(fibres_sum, fibres_greatest * 2.0) * 0.5;
-    float fibres_value = (fibres_noise_octave + fibres_product_2) / 1.5;
+    float fibres_noise_octave = wrinkle_twill_noise_octave(fibres_vector, fibres_greatest);
+    vec3 fibres_vector_2 = vec3(fibres_product * 2.0 + 19.19, fibres_product_2 * 2.0 + 7.43, 31.71);
+    float fibres_product_3 = wrinkle_twill_noise_octave(fibres_vector_2,
+            fibres_greatest * 2.0) * 0.5;
+    float fibres_sum = fibres_noise_octave + fibres_product_3;
+    float fibres_value = fibres_sum / 1.5;
     float fibres_height = fibres_value * 8e-04;
-    vec3 fibres_product_3 = vec3(s.uv0.y, s.uv0.x * 0.2, 0.0) * 220.0;
-    float fibres_extent_3 = length(vec3(duv0_dx.y, duv0_dx.x * 0.2, 0.0) * 220.0);
-    float fibres_extent_4 = length(vec3(duv0_dy.y, duv0_dy.x * 0.2, 0.0) * 220.0);
+    float fibres_product_4 = s.uv0.y * 220.0;
+    float fibres_product_5 = s.uv0.x * 0.2 * 220.0;
+    vec3 fibres_vector_3 = vec3(fibres_product_4, fibres_product_5, 0.0);
+    float fibres_extent_3 = length(vec3(duv0_dx.y * 220.0, duv0_dx.x * 0.2 * 220.0, 0.0));
+    float fibres_extent_4 = length(vec3(duv0_dy.y * 220.0, duv0_dy.x * 0.2 * 220.0, 0.0));
     float fibres_greatest_2 = max(fibres_extent_3, fibres_extent_4);
-    float fibres_noise_octave_2 = wrinkle_twill_noise_octave(fibres_product_3, fibres_greatest_2);
-    vec3 fibres_sum_2 = fibres_product_3 * 2.0 + vec3(19.19, 7.43, 31.71);
-    float fibres_product_4 = wrinkle_twill_noise_octave(fibres_sum_2,
+    float fibres_noise_octave_2 = wrinkle_twill_noise_octave(fibres_vector_3, fibres_greatest_2);
+    vec3 fibres_vector_4 = vec3(fibres_product_4 * 2.0 + 19.19, fibres_product_5 * 2.0 + 7.43,
+            31.71);
+    float fibres_product_6 = wrinkle_twill_noise_octave(fibres_vector_4,
             fibres_greatest_2 * 2.0) * 0.5;
-    float fibres_product_5 = (fibres_noise_octave_2 + fibres_product_4) / 1.5 * 8e-04;
+    float fibres_sum_2 = fibres_noise_octave_2 + fibres_product_6;
     vec2 cloth_product = s.uv0 * 32.0;  // cloth: Twill
     float cloth_floored = floor(cloth_product.x);
     float cloth_quotient = (2.0 * (cloth_product.x - cloth_floored) - 1.0) / 0.9;
@@ -243,7 +278,7 @@ float wrinkle_twill_height(WrinkleSurface_twill s) {
     float cloth_product_3 = 0.35 * cos((cloth_product.x - cloth_floored_2 + 1.0) * 1.5707964);
     float cloth_product_4 = max(1.0 - cloth_quotient_2 * cloth_quotient_2,
             0.0) * (0.65 + cloth_product_3);
-    float cloth_sum_2 = 0.012 * cloth_product_4 + fibres_product_5;
+    float cloth_sum_2 = 0.012 * cloth_product_4 + fibres_sum_2 / 1.5 * 8e-04;
     float cloth_greatest = max(0.012 * cloth_product_2 + fibres_height, cloth_sum_2);
     float cloth_pixel = max(length(duv0_dx * 32.0), length(duv0_dy * 32.0));
     return mix(cloth_greatest, 0.0066, smoothstep(0.25, 0.75, cloth_pixel));

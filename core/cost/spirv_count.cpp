@@ -1,0 +1,211 @@
+#include "cost/spirv_count.h"
+
+#include <algorithm>
+
+namespace wrinkle {
+namespace {
+
+constexpr uint32_t magic = 0x07230203;
+constexpr size_t header_words = 5;
+constexpr uint32_t greatest_bound = 4'194'303;  // universal limits of the specification
+
+// Numbers of the SPIR-V specification, section 3.49, and of GLSL.std.450.
+enum : uint32_t {
+    op_line = 8,
+    op_ext_inst = 12,
+    op_type_bool = 20,
+    op_type_float = 22,
+    op_type_vector = 23,
+    op_type_matrix = 24,
+    op_function = 54,
+    op_function_call = 57,
+    op_f_div = 136,
+    op_vector_times_matrix = 144,
+    op_matrix_times_vector = 145,
+    op_matrix_times_matrix = 146,
+    op_dot = 148,
+    op_any = 154,
+    op_all = 155,
+    op_loop_merge = 246,
+    op_branch_conditional = 250,
+    op_switch = 251,
+    op_no_line = 317,
+};
+
+struct Range {
+    uint32_t first, last;
+    bool holds(uint32_t op) const { return first <= op && op <= last; }
+};
+
+bool any_holds(std::span<const Range> ranges, uint32_t op) {
+    return std::any_of(ranges.begin(), ranges.end(), [op](Range r) { return r.holds(op); });
+}
+
+// The lanes of their result: conversions, arithmetic, products with a scalar, tests, choices and
+// comparisons, bits.
+constexpr Range one_a_lane[] = {{109, 115}, {124, 124}, {126, 143}, {147, 147},
+                                {156, 157}, {164, 191}, {194, 205}};
+constexpr Range image_reads[] = {{87, 98}, {305, 315}, {320, 320}};
+constexpr Range image_queries[] = {{101, 107}};
+constexpr Range screen_derivatives[] = {{207, 215}};
+constexpr Range block_ends[] = {{249, 255}};
+
+struct Shape {
+    uint32_t rows = 0, columns = 0;  // a scalar 1, 1; a vector n, 1; 0: none
+    uint32_t lanes() const { return rows * columns; }
+};
+
+class Counter {
+public:
+    explicit Counter(uint32_t bound) : type_shape_(bound), type_(bound, 0) {}
+
+    // False for what the rule does not cover.
+    bool take(uint32_t op, std::span<const uint32_t> operands, std::string& why) {
+        declare(op, operands);
+        if (op == op_line) line_ = at(operands, 1);
+        if (op == op_no_line) line_ = 0;
+        inside_ = inside_ || op == op_function;
+        if (op == op_function_call) {
+            why = "a call is left";
+            return false;
+        }
+        if (!inside_) return true;
+        const ShaderCost cost = cost_of(op, operands);
+        if (!(cost == ShaderCost{})) add(cost);
+        if (any_holds(block_ends, op)) line_ = 0;
+        return true;
+    }
+
+    SpirvCount count;
+
+private:
+    static uint32_t at(std::span<const uint32_t> operands, size_t index) {
+        return index < operands.size() ? operands[index] : 0;
+    }
+    Shape shape_of_type(uint32_t id) const {
+        return id < type_shape_.size() ? type_shape_[id] : Shape{};
+    }
+    Shape shape(uint32_t value) const {
+        const Shape found = value < type_.size() ? shape_of_type(type_[value]) : Shape{};
+        return found.rows ? found : Shape{1, 1};
+    }
+
+    // Where the first operand is a type of numbers, the second is a result of it.
+    void declare(uint32_t op, std::span<const uint32_t> operands) {
+        const uint32_t first = at(operands, 0);
+        if (first >= type_shape_.size()) return;
+        if (op_type_bool <= op && op <= op_type_float)
+            type_shape_[first] = {1, 1};
+        else if (op == op_type_vector)
+            type_shape_[first] = {at(operands, 2), 1};
+        else if (op == op_type_matrix)
+            type_shape_[first] = {shape_of_type(at(operands, 1)).rows, at(operands, 2)};
+        else if (operands.size() > 1 && type_shape_[first].rows && operands[1] < type_.size())
+            type_[operands[1]] = first;
+    }
+
+    void add(const ShaderCost& cost) {
+        count.total += cost;
+        if (count.lines.size() <= line_) count.lines.resize(line_ + size_t{1});
+        count.lines[line_] += cost;
+    }
+
+    uint32_t product(uint32_t op, std::span<const uint32_t> operands) const {
+        const Shape left = shape(at(operands, 2)), right = shape(at(operands, 3));
+        if (op == op_vector_times_matrix) return (2 * right.rows - 1) * right.columns;
+        return (2 * left.columns - 1) * left.rows * right.columns;
+    }
+
+    ShaderCost cost_of(uint32_t op, std::span<const uint32_t> operands) const {
+        ShaderCost cost;
+        const uint32_t lanes = shape(at(operands, 1)).lanes();
+        cost.reads = any_holds(image_reads, op) ? 1 : 0;
+        cost.queries = any_holds(image_queries, op) ? 1 : 0;
+        cost.branches = op == op_branch_conditional || op == op_switch ? 1 : 0;
+        cost.loops = op == op_loop_merge ? 1 : 0;
+        if (any_holds(screen_derivatives, op)) {
+            cost.derivatives = 1;
+            cost.derivative_lanes = lanes;
+        } else if (op == op_dot) {
+            cost.alu = 2 * shape(at(operands, 2)).lanes() - 1;
+        } else if (op == op_any || op == op_all) {
+            cost.alu = shape(at(operands, 2)).lanes();
+        } else if (op_vector_times_matrix <= op && op <= op_matrix_times_matrix) {
+            cost.alu = product(op, operands);
+        } else if (op == op_ext_inst) {
+            extended(at(operands, 3), lanes, shape(at(operands, 4)).lanes(), cost);
+        } else if (any_holds(one_a_lane, op)) {
+            cost.alu = lanes;
+            cost.divisions = op == op_f_div ? lanes : 0;
+        }
+        return cost;
+    }
+
+    static void extended(uint32_t function, uint32_t lanes, uint32_t operand_lanes,
+                         ShaderCost& cost) {
+        constexpr Range clamps{43, 45}, transcendental{13, 18}, roots_and_powers{27, 32};
+        cost.alu = lanes;
+        if (clamps.holds(function) || function == 50 || function == 81) cost.alu = 2 * lanes;
+        if (transcendental.holds(function) || roots_and_powers.holds(function) || function == 25)
+            cost.transcendental = lanes;
+        switch (function) {
+            case 26:  // Pow
+                cost.alu = 3 * lanes;
+                cost.transcendental = 2 * lanes;
+                break;
+            case 46:  // FMix
+                cost.alu = 3 * lanes;
+                break;
+            case 49:  // SmoothStep
+                cost.alu = 7 * lanes;
+                break;
+            case 66:  // Length
+            case 67:  // Distance
+            case 69:  // Normalize
+                cost.alu = (function == 66 ? 2 : 3) * operand_lanes;
+                cost.transcendental = 1;
+                break;
+            case 68:  // Cross
+                cost.alu = 9;
+                break;
+            default:
+                break;
+        }
+    }
+
+    std::vector<Shape> type_shape_;  // by id of a type
+    std::vector<uint32_t> type_;     // by id of a value: its type
+    uint32_t line_ = 0;
+    bool inside_ = false;
+};
+
+}  // namespace
+
+ShaderCost& ShaderCost::operator+=(const ShaderCost& other) {
+    alu += other.alu;
+    transcendental += other.transcendental;
+    divisions += other.divisions;
+    reads += other.reads;
+    queries += other.queries;
+    derivatives += other.derivatives;
+    derivative_lanes += other.derivative_lanes;
+    branches += other.branches;
+    loops += other.loops;
+    return *this;
+}
+
+std::optional<SpirvCount> count_spirv(std::span<const uint32_t> words, std::string& why) {
+    why = "it is no SPIR-V";
+    if (words.size() < header_words || words[0] != magic || words[3] > greatest_bound) return {};
+    Counter counter(words[3]);
+    for (size_t i = header_words; i < words.size();) {
+        const size_t length = words[i] >> 16;
+        if (length == 0 || i + length > words.size()) return {};
+        if (!counter.take(words[i] & 0xFFFF, words.subspan(i + 1, length - 1), why)) return {};
+        i += length;
+    }
+    why.clear();
+    return std::move(counter.count);
+}
+
+}  // namespace wrinkle
