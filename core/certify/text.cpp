@@ -12,12 +12,14 @@ constexpr const char* pure =
     "build() may look at nothing but its ports: no statics that change, no clock, no addresses, no "
     "files";
 
-// Every text of a module: on each target, in each form that goes with its differentials.
+// Every text of a module that is made here: in each GLSL, in each form that goes with its
+// differentials.
 std::vector<Shader> all_texts(const Module& module, bool given) {
     std::vector<Shader> texts;
     for (const Target& target : targets())
         for (const Form form : {Form::function, Form::shader}) {
             if (given && form == Form::shader) continue;
+            if (is_translated(target)) continue;
             EmitOptions options;
             options.target = &target;
             options.form = form;
@@ -28,10 +30,11 @@ std::vector<Shader> all_texts(const Module& module, bool given) {
     return texts;
 }
 
-// What the driver says to a complete pair; "" when it takes it. Outputs that are no standard ones
-// begin at location 7, and drivers have as little as 8.
+// What the driver of a desktop says to a complete pair of its own language; "" when it takes it.
+// Drivers draw to 8 outputs at least.
 std::string driver_errors(const Shader& shader) {
-    if (shader.fragment.empty() || shader.reflection.functions.size() > 1) return {};
+    if (shader.fragment.empty() || shader.reflection.functions.size() > 8) return {};
+    if (shader.reflection.target != targets().front().name) return {};
     std::string log;
     gpu::Program::link(shader.vertex, shader.fragment, {}, log);
     return log;

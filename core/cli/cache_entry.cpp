@@ -91,8 +91,9 @@ Diagnostic warning_of(const std::string* fields, const Project& project) {
 
 std::string cache_key(const Project& project, const Types& types, const std::string& name,
                       const Compilation& with) {
-    static const std::string identity = program_identity();
     const TextOptions& options = with.options;
+    const std::string identity =
+        program_identity() + (is_translated(*find_target(options.target)) ? loaded_identity() : "");
     Fields fields = {identity,
                      options.target,
                      options.form,
@@ -100,6 +101,8 @@ std::string cache_key(const Project& project, const Types& types, const std::str
                      options.differentials,
                      name,
                      with.common.no_tangents ? "derived" : "vertex",
+                     std::to_string(options.set),
+                     std::to_string(options.first_binding),
                      options.strict ? "strict" : "lenient"};
     for (const Override& each : with.overrides.list)
         fields.push_back("set " + each.text);

@@ -7,10 +7,12 @@
 #include <optional>
 #include <thread>
 
+#include "base/companion.h"
 #include "cli/compile_graph.h"
 #include "cli/output.h"
 #include "cli/outputs.h"
 #include "glsl/target.h"
+#include "spirv/spirv.h"
 
 namespace wrinkle::cli {
 namespace fs = std::filesystem;
@@ -35,6 +37,10 @@ struct CompileCommand {
 
     int run() const {
         if (const std::string why = wrong_usage(); !why.empty()) return usage(why);
+        if (std::string why; is_translated(*find_target(text.target)) && !have_spirv_tools(why)) {
+            complain(why + "; " + companion_remedy);
+            return exit_environment;
+        }
         Diagnostics diagnostics;
         const Nodes nodes = load_nodes(common, diagnostics);
         const Overrides overrides = parse_overrides(common, diagnostics);
@@ -58,7 +64,9 @@ struct CompileCommand {
         if (outputs.files.empty()) return "compile needs a graph; - reads standard input";
         if (!find_target(text.target))
             return "there is no target '" + text.target + "'; --list-targets lists them";
-        if (text.form == "shader" && text.differentials == "given")
+        if (text.form == "function" && is_translated(*find_target(text.target)))
+            return "the target '" + text.target + "' is written as a complete pair; --form shader";
+        if (form_of(text) == Form::shader && text.differentials == "given")
             return "the shader form takes its differentials from the screen";
         if (!depfile.wanted && (depfile.phony || !(depfile.path + depfile.target).empty()))
             return "-MF, -MT and -MP go with -MD";
@@ -164,7 +172,7 @@ void declare_cache(CLI::App& sub, CompileCommand& c) {
 void declare_compile(CLI::App& app, Run& run) {
     auto command = std::make_shared<CompileCommand>();
     CompileCommand& c = *command;
-    CLI::App& sub = *app.add_subcommand("compile", "Graphs to GLSL");
+    CLI::App& sub = *app.add_subcommand("compile", "Graphs to GLSL, SPIR-V, HLSL or Metal");
     sub.add_option("FILE", c.outputs.files, "Graphs; - reads standard input");
     sub.add_option("-o", c.outputs.output,
                    "The file; of the shader form OUT.vert and OUT.frag; of several "
@@ -172,15 +180,21 @@ void declare_compile(CLI::App& app, Run& run) {
         ->type_name("OUT")
         ->capture_default_str();
     sub.add_option("--target", c.text.target, "The language to write")->capture_default_str();
-    sub.add_option("--form", c.text.form, "Functions for your shader, or a complete pair")
-        ->check(CLI::IsMember({"function", "shader"}))
-        ->capture_default_str();
+    sub.add_option("--form", c.text.form,
+                   "Functions for your shader (the default of GLSL), or a complete pair")
+        ->check(CLI::IsMember({"function", "shader"}));
     sub.add_option("--params", c.text.params, "Numbers as literals or as uniforms")
         ->check(CLI::IsMember({"baked", "uniform"}))
         ->capture_default_str();
     sub.add_option("--differentials", c.text.differentials,
                    "Taken from the screen or passed by the caller")
         ->check(CLI::IsMember({"screen", "given"}))
+        ->capture_default_str();
+    sub.add_option("--descriptor-set", c.text.set, "The descriptor set of the blocks and images")
+        ->check(CLI::Range(0, 31))
+        ->capture_default_str();
+    sub.add_option("--first-binding", c.text.first_binding, "The binding of the first of them")
+        ->check(CLI::Range(0, 4095))
         ->capture_default_str();
     sub.add_option("--name", c.text.name, "NAME in the text; default: the file's stem");
     sub.add_option("--stage", c.outputs.stage, "Which stage goes to standard output")
@@ -195,7 +209,10 @@ void declare_compile(CLI::App& app, Run& run) {
     declare_cache(sub, c);
     declare_common(sub, c.common);
     sub.callback([command, &run] {
-        command->outputs.form = command->text.form;
+        if (const Target* target = find_target(command->text.target)) {
+            command->outputs.form = form_of(command->text);
+            command->outputs.suffix = target->suffix;
+        }
         run = [command] { return command->run(); };
     });
 }

@@ -4,6 +4,8 @@
 #include "cli/cost.h"
 #include "cli/material_run.h"
 #include "cli/output.h"
+#include "cli/outputs.h"
+#include "spirv/spirv.h"
 
 namespace wrinkle::cli {
 namespace {
@@ -22,24 +24,33 @@ void make_texts(const std::string& file, const Project& project, const Compilati
     const Compiled compiled = compile_or_check(project, with.registry, options, result.diagnostics);
     if (!compiled.ok) return;
     EmitOptions emit_options;
-    emit_options.form = wanted.form == "shader" ? Form::shader : Form::function;
+    emit_options.form = form_of(wanted);
     emit_options.differentials =
         options.given_differentials ? Differentials::given : Differentials::screen;
     emit_options.name = name_for(file, wanted);
     emit_options.target = find_target(wanted.target);
-    Shader shader = emit(compiled.module, emit_options);
+    emit_options.set = wanted.set;
+    emit_options.first_binding = wanted.first_binding;
+    Shader shader = write_shader(compiled.module, emit_options);
     report_emit(shader, compiled, project, result.diagnostics);
     judge_texture_units(shader.reflection, file, wanted.strict, result.diagnostics);
     if (result.diagnostics.has_errors()) return;
+    const std::string suffix(emit_options.target->suffix);
     if (emit_options.form == Form::function)
         result.texts.push_back({"", "", std::move(shader.source)});
     else
-        result.texts = {{"vertex", ".vert", std::move(shader.vertex)},
-                        {"fragment", ".frag", std::move(shader.fragment)}};
+        result.texts = {{"vertex", vertex_suffix + suffix, std::move(shader.vertex)},
+                        {"fragment", fragment_suffix + suffix, std::move(shader.fragment)}};
     result.reflection = to_json(shader.reflection);
 }
 
 }  // namespace
+
+Form form_of(const TextOptions& options) {
+    const bool pair = options.form.empty() ? is_translated(*find_target(options.target))
+                                           : options.form == "shader";
+    return pair ? Form::shader : Form::function;
+}
 
 CompiledGraph compile_graph(const std::string& file, const Compilation& with) {
     CompiledGraph result;

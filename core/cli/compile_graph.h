@@ -8,6 +8,7 @@
 #include "cli/cache.h"
 #include "cli/inputs.h"
 #include "cli/session.h"
+#include "glsl/emit.h"
 #include "glsl/target.h"
 
 namespace wrinkle::cli {
@@ -15,14 +16,17 @@ namespace wrinkle::cli {
 // What decides the texts besides the graph, as the command line spells it.
 struct TextOptions {
     std::string target = std::string(targets().front().name);
-    std::string form = "function", params = "baked", differentials = "screen";
-    std::string name;     // "": from the file's
+    std::string form, params = "baked", differentials = "screen";  // form "": the target's own
+    std::string name;                                              // "": from the file's
+    int set = 0, first_binding = 0;
     bool strict = false;  // more images than there are units for certain are an error
 };
 
+Form form_of(const TextOptions& options);  // of a target that exists
+
 struct Text {
     std::string stage;   // "vertex" or "fragment"; "" of the function form
-    std::string suffix;  // of its file: ".vert"; of the function form ""
+    std::string suffix;  // of its file: ".vert", ".frag.spv"; of the function form ""
     std::string bytes;
 };
 

@@ -31,30 +31,45 @@ std::string build_id_in(const char* at, size_t left) {
     return {};
 }
 
-int take_build_id(dl_phdr_info* info, size_t, void* result) {
+void append_build_id(const dl_phdr_info* info, std::string& result) {
     for (int i = 0; i < info->dlpi_phnum; ++i) {
         const ElfW(Phdr)& header = info->dlpi_phdr[i];
         if (header.p_type != PT_NOTE) continue;
         const auto* const notes = reinterpret_cast<const char*>(info->dlpi_addr + header.p_vaddr);
-        std::string id = build_id_in(notes, header.p_memsz);
+        const std::string id = build_id_in(notes, header.p_memsz);
         if (id.empty()) continue;
-        *static_cast<std::string*>(result) = std::move(id);
+        result += id;
         break;
     }
-    return 1;  // the program itself comes first, and its libraries are not asked
+}
+
+int take_first(dl_phdr_info* info, size_t, void* result) {
+    append_build_id(info, *static_cast<std::string*>(result));
+    return 1;  // the program itself comes first
+}
+
+int take_each(dl_phdr_info* info, size_t, void* result) {
+    append_build_id(info, *static_cast<std::string*>(result));
+    return 0;
 }
 
 }  // namespace
 
 std::string program_identity() {
     std::string id, why;
-    dl_iterate_phdr(take_build_id, &id);
+    dl_iterate_phdr(take_first, &id);
     if (id.empty()) {
         const auto bytes = read_file("/proc/self/exe", why);
         if (!bytes) return {};
         id = sha256(*bytes);
     }
     return WRINKLE_VERSION " " + id;
+}
+
+std::string loaded_identity() {
+    std::string ids;
+    dl_iterate_phdr(take_each, &ids);
+    return ids;
 }
 
 }  // namespace wrinkle::cli

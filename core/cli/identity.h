@@ -9,4 +9,8 @@ namespace wrinkle::cli {
 // the sum of the program's file, "" when that cannot be read either.
 std::string program_identity();
 
+// The build ids of all that the program has loaded, its compilers of other languages among them
+// once they are.
+std::string loaded_identity();
+
 }  // namespace wrinkle::cli

@@ -34,9 +34,9 @@ std::string Outputs::conflict() const {
     std::vector<std::string> places;
     std::vector<std::string> stems;
     for (const std::string& file : files) {
-        const bool pair = form == "shader" && !is_standard_output();
-        places.push_back(place(file, pair ? ".vert" : ""));
-        if (pair) places.push_back(place(file, ".frag"));
+        const bool pair = form == Form::shader && !is_standard_output();
+        places.push_back(place(file, pair ? vertex_suffix + suffix : ""));
+        if (pair) places.push_back(place(file, fragment_suffix + suffix));
         if (!reflect.empty()) places.push_back(reflection_place(file));
         stems.push_back(stem_of(file));
     }

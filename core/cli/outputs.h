@@ -5,12 +5,16 @@
 #include <vector>
 
 #include "cli/depfile.h"
+#include "glsl/emit.h"
 
 namespace wrinkle::cli {
 
+inline const std::string vertex_suffix = ".vert", fragment_suffix = ".frag";
+
 struct Outputs {
     std::string output = "-";
-    std::string form = "function";
+    Form form = Form::function;
+    std::string suffix;              // of the target's files, behind the stage's
     std::string stage = "fragment";  // that goes to standard output
     std::string reflect;
     Depfile depfile;

@@ -1,6 +1,7 @@
 #include "glsl/emit.h"
 
 #include "base/text.h"
+#include "glsl/blocks.h"
 #include "glsl/interface.h"
 
 namespace wrinkle {
@@ -8,10 +9,12 @@ namespace {
 
 void write_function_form(const Plan& plan, const EmitOptions& options, Interface& face,
                          Shader& shader) {
+    assign_bindings(options, face.reflection);
     Text text;
     std::string title = title_of(plan.module(), face.reflection.name);
     if (plan.implicit) title += " Call in uniform control flow.";
     text.line(0, title);
+    text.append(precision_text(*options.target));
     text.append(struct_text(face.reflection));
     text.append(uniforms_text(face.reflection));
     text.append(functions_text(plan, face, *options.target));
@@ -20,6 +23,10 @@ void write_function_form(const Plan& plan, const EmitOptions& options, Interface
 }
 
 bool refused(const Module& module, const EmitOptions& options, Shader& shader) {
+    if (options.form == Form::function && is_translated(*options.target))
+        shader.problems.push_back(
+            {0, std::string(options.target->label) + " is written as a complete pair alone",
+             "the form 'shader'"});
     if (options.form == Form::shader && options.differentials == Differentials::given)
         shader.problems.push_back({0, "the shader form takes its differentials from the screen",
                                    "differentials 'screen', or the form 'function'"});

@@ -5,20 +5,26 @@
 // function   wrinkle_NAME_OUTPUT(WrinkleSurface_NAME s), for an engine's own shader. The struct,
 //            uniforms and helper functions hold only what is used; there is no struct and no
 //            argument when no output depends on the surface. Object space in, object space out.
-// shader     `#version 330 core`. Attributes position, normal, tangent, uv0 ... color0 (locations
-//            in glsl/reflection.h). Uniforms, where used:
-//              wrinkle_object_to_clip   mat4
+// shader     Attributes position, normal, tangent, uv0 ... color0 (locations in glsl/attributes.h).
+//            Uniforms, where used:
+//              wrinkle_object_to_clip   mat4, into the clip space of the target's own API
 //              wrinkle_object_to_world  mat4, for outputs of type normal, which leave as unit
 //                                       vectors of the world: cof(M) times the sign of det(M)
 //              wrinkle_eye              vec3, the eye in object space
-//            One fragment output out_NAME per graph output, of its own type, at the location
-//            normal 0, color 1, roughness 2, metalness 3, occlusion 4, height 5, displacement 6,
-//            others from 7 in graph order. gl_FrontFacing must be true where the surface is seen
-//            from the side its normal points to: turn glFrontFace for a mirrored matrix.
+//            One fragment output out_NAME per graph output, of its own type, at the locations 0, 1,
+//            ... without gaps: normal, color, roughness, metalness, occlusion, height and
+//            displacement, those that the graph has, then others in graph order. Drivers draw to 8
+//            at least, those of ES to 4. gl_FrontFacing must be true where the surface is seen from
+//            the side its normal points to: turn glFrontFace for a mirrored matrix.
 //
 // Differentials: screen takes dFdx and dFdy of the struct's members; given expects members uv0_dx,
 // uv0_dy, ... beside them, and a module in which samples have an explicit lod (explicit_lod() in
 // ir/rewrite.h). The shader form with given differentials is refused: there is nobody to give them.
+//
+// A target that numbers its resources has the shader form's own uniforms in the block WrinkleFrame,
+// the others in WrinkleParameters_NAME. Blocks and then images are numbered from `first_binding` on
+// in the set `set`; where kinds are numbered for themselves, images begin at `first_binding` too.
+// The texts of a target that is no GLSL are the GLSL 4.50 that core/spirv translates.
 //
 // A `parameter` that remains in the module is a uniform NODE_PORT, of a graph input input_NAME.
 #pragma once
@@ -41,6 +47,7 @@ struct EmitOptions {
     Differentials differentials = Differentials::screen;
     std::string name = "material";  // NAME; made an identifier where it is none
     const Target* target = &targets().front();
+    int set = 0, first_binding = 0;
 };
 
 struct Shader {

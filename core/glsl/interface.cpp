@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/text.h"
+#include "glsl/blocks.h"
 
 namespace wrinkle {
 namespace {
@@ -111,9 +112,11 @@ std::string member_doc(const MemberInfo& member) {
     return doc;
 }
 
-// Declarations with their comments in one column.
-Text with_comments(int indent, const std::vector<std::pair<std::string, std::string>>& lines) {
-    constexpr size_t farthest = 48;
+constexpr size_t farthest_comment = 48;
+
+// Declarations with their comments in one column, unless that is too far.
+Text with_comments(int indent, const std::vector<std::pair<std::string, std::string>>& lines,
+                   size_t farthest) {
     size_t column = 0;
     for (const auto& [code, doc] : lines)
         if (code.size() <= farthest) column = std::max(column, code.size());
@@ -127,8 +130,9 @@ Text with_comments(int indent, const std::vector<std::pair<std::string, std::str
 
 // The shader form's own names. Taken in both forms, so that a uniform is called the same in both.
 void take_fixed_names(NameSet& globals) {
-    for (const char* name :
-         {"object_to_clip", "object_to_world", "normal_to_world", "eye", "position_relative"})
+    globals.unique("WrinkleFrame");
+    for (const char* name : {"object_to_clip", "object_to_world", "normal_to_world", "eye",
+                             "position_relative", "frame", "parameters"})
         globals.unique(std::string("wrinkle_") + name);
     for (int i = 0; i < surface_input_count; ++i)
         globals.unique("wrinkle_" + std::string(info(static_cast<SurfaceInput>(i)).name));
@@ -140,8 +144,10 @@ Interface make_interface(const Plan& plan, const EmitOptions& options) {
     Interface face;
     const Module& m = plan.module();
     NameSet plain;
+    face.reflection.target = options.target->name;
     face.reflection.name = plain.unique(options.name);
     face.globals.unique("WrinkleSurface_" + face.reflection.name);
+    face.globals.unique("WrinkleParameters_" + face.reflection.name);
     take_fixed_names(face.globals);
     add_functions(plan, face);
     add_samplers(plan, face);
@@ -161,7 +167,7 @@ Text struct_text(const Reflection& reflection) {
     for (const MemberInfo& member : reflection.members)
         lines.emplace_back(std::string(info(member.type).name) + " " + member.name + ";",
                            member_doc(member));
-    text.append(with_comments(1, lines));
+    text.append(with_comments(1, lines, farthest_comment));
     text.line(0, "};");
     return text;
 }
@@ -169,12 +175,23 @@ Text struct_text(const Reflection& reflection) {
 Text uniforms_text(const Reflection& reflection) {
     std::vector<std::pair<std::string, std::string>> lines;
     for (const SamplerInfo& sampler : reflection.samplers)
-        lines.emplace_back("uniform sampler2D " + sampler.name + ";",
-                           sampler.written + " (" + std::string(name_of(sampler.options.encoding)) +
-                               ", " + std::string(name_of(sampler.options.wrap)) + ")");
-    Text text = with_comments(0, lines);
+        lines.emplace_back(
+            binding_text(sampler.binding) + "uniform sampler2D " + sampler.name + ";",
+            sampler.written + " (" + std::string(name_of(sampler.options.encoding)) + ", " +
+                std::string(name_of(sampler.options.wrap)) + ")");
+    const bool numbered = !reflection.samplers.empty() && reflection.samplers[0].binding.set >= 0;
+    Text text = with_comments(0, lines, farthest_comment + (numbered ? 32 : 0));
+    std::vector<Declaration> numbers;
     for (const UniformInfo& uniform : reflection.uniforms)
-        text.line(0, "uniform " + std::string(info(uniform.type).name) + " " + uniform.name + ";");
+        numbers.push_back({std::string(info(uniform.type).name), uniform.name, ""});
+    text.append(block_text(reflection.parameter_block, numbers));
+    return text;
+}
+
+Text precision_text(const Target& target) {
+    Text text;
+    for (const std::string_view line : split(target.precision, '\n'))
+        if (!line.empty()) text.line(0, line);
     return text;
 }
 

@@ -17,6 +17,7 @@ Interface make_interface(const Plan& plan, const EmitOptions& options);
 
 Text struct_text(const Reflection& reflection);
 Text uniforms_text(const Reflection& reflection);
+Text precision_text(const Target& target);  // before fragment code
 
 // "WrinkleSurface_NAME s", or "" where there is no struct.
 std::string argument_text(const Reflection& reflection);

@@ -15,7 +15,9 @@ std::string legal(std::string_view wanted) {
     std::string name = identifier(wanted);
     while (name.size() > 1 && name.back() == '_')
         name.pop_back();
-    if (name.starts_with("gl_") || name.starts_with("GL_") || name == "_") name.insert(0, "n");
+    constexpr std::string_view kept[] = {"gl_", "GL_", "webgl_", "_webgl_"};
+    const auto begins = [&](std::string_view prefix) { return name.starts_with(prefix); };
+    if (std::any_of(std::begin(kept), std::end(kept), begins) || name == "_") name.insert(0, "n");
     if (name.size() > longest_name) name.resize(longest_name);
     while (name.size() > 1 && name.back() == '_')
         name.pop_back();

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "base/text.h"
+#include "glsl/target.h"
 
 namespace wrinkle {
 namespace {
@@ -45,26 +46,39 @@ std::string value_text(const UniformInfo& uniform) {
     return text + "]";
 }
 
-std::string uniform_text(const UniformInfo& u) {
-    return object({{"name", json_quoted(u.name)},
-                   {"type", quoted_type(u.type)},
-                   {"value", value_text(u)},
-                   {"node", json_quoted(u.node)},
-                   {"port", json_quoted(u.port)},
-                   {"graph_input", u.graph_input ? "true" : "false"}});
+// Nothing where resources are found by name; of a target that numbers by kind the number alone.
+void add_binding(const Binding& binding, bool sets, Fields& fields) {
+    if (binding.set < 0) return;
+    if (sets) fields.emplace_back("set", std::to_string(binding.set));
+    fields.emplace_back("binding", std::to_string(binding.binding));
 }
 
-std::string sampler_text(const SamplerInfo& s) {
+void add_offset(int offset, Fields& fields) {
+    if (offset >= 0) fields.emplace_back("offset", std::to_string(offset));
+}
+
+std::string uniform_text(const UniformInfo& u) {
+    Fields fields = {
+        {"name", json_quoted(u.name)}, {"type", quoted_type(u.type)},
+        {"value", value_text(u)},      {"node", json_quoted(u.node)},
+        {"port", json_quoted(u.port)}, {"graph_input", u.graph_input ? "true" : "false"}};
+    add_offset(u.offset, fields);
+    return object(fields);
+}
+
+std::string sampler_text(const SamplerInfo& s, bool sets) {
     std::string readers = "[";
     for (const SamplerInfo::Reader& reader : s.readers)
         readers += (readers.size() > 1 ? ", " : "") +
                    object({{"node", json_quoted(reader.node)}, {"port", json_quoted(reader.port)}});
-    return object({{"name", json_quoted(s.name)},
-                   {"file", json_quoted(s.written)},
-                   {"encoding", json_quoted(name_of(s.options.encoding))},
-                   {"wrap", json_quoted(name_of(s.options.wrap))},
-                   {"filter", json_quoted(name_of(s.options.filter))},
-                   {"readers", readers + "]"}});
+    Fields fields = {{"name", json_quoted(s.name)},
+                     {"file", json_quoted(s.written)},
+                     {"encoding", json_quoted(name_of(s.options.encoding))},
+                     {"wrap", json_quoted(name_of(s.options.wrap))},
+                     {"filter", json_quoted(name_of(s.options.filter))},
+                     {"readers", readers + "]"}};
+    add_binding(s.binding, sets, fields);
+    return object(fields);
 }
 
 std::string member_text(const MemberInfo& m) {
@@ -88,10 +102,38 @@ std::string function_text(const FunctionInfo& f) {
 }
 
 std::string attribute_text(const AttributeInfo& a) {
-    return object({{"name", json_quoted(a.name)},
-                   {"type", quoted_type(a.type)},
-                   {"location", std::to_string(a.location)},
-                   {"surface", json_quoted(info(a.input).name)}});
+    Fields fields = {{"name", json_quoted(a.name)},
+                     {"type", quoted_type(a.type)},
+                     {"location", std::to_string(a.location)},
+                     {"surface", json_quoted(info(a.input).name)}};
+    if (!a.semantic.empty()) fields.emplace_back("semantic", json_quoted(a.semantic));
+    return object(fields);
+}
+
+std::string frame_text(const FrameUniform& u) {
+    Fields fields = {
+        {"name", json_quoted(u.name)}, {"type", json_quoted(u.type)}, {"doc", json_quoted(u.doc)}};
+    add_offset(u.offset, fields);
+    return object(fields);
+}
+
+std::string block_text(const Block& block, bool sets) {
+    Fields fields = {{"name", json_quoted(block.name)}, {"variable", json_quoted(block.variable)}};
+    add_binding(block.binding, sets, fields);
+    fields.emplace_back("size", std::to_string(block.size));
+    return object(fields);
+}
+
+std::vector<Block> blocks_of(const Reflection& r) {
+    std::vector<Block> blocks;
+    for (const auto& block : {r.frame_block, r.parameter_block})
+        if (block) blocks.push_back(*block);
+    return blocks;
+}
+
+bool uses_sets(const Reflection& r) {
+    const Target* target = find_target(r.target);
+    return target && target->bindings == Bindings::by_set;
 }
 
 struct LineRange {
@@ -119,22 +161,24 @@ std::string to_json(const Reflection& r) {
                        {"last", std::to_string(range.last)},
                        {"node", json_quoted(r.node_paths[range.node])}});
     };
-    const auto frame_text = [](const FrameUniform& u) {
-        return object({{"name", json_quoted(u.name)},
-                       {"type", json_quoted(u.type)},
-                       {"doc", json_quoted(u.doc)}});
-    };
-    std::string text = "{\n  \"version\": 1,\n  \"name\": " + json_quoted(r.name);
+    const bool sets = uses_sets(r);
+    std::string text = "{\n  \"version\": 1,\n  \"target\": " + json_quoted(r.target);
     const auto field = [&](std::string_view name, const std::string& value) {
         text += ",\n  " + json_quoted(name) + ": " + value;
     };
+    field("name", json_quoted(r.name));
     field("struct", json_quoted(r.struct_name));
     field("uniform_control_flow", r.uniform_control_flow ? "true" : "false");
     field("functions", list(r.functions, function_text));
     field("members", list(r.members, member_text));
     field("uniforms", list(r.uniforms, uniform_text));
-    field("samplers", list(r.samplers, sampler_text));
+    field("samplers", list(r.samplers, [&](const auto& s) { return sampler_text(s, sets); }));
+    if (const std::vector<Block> blocks = blocks_of(r); !blocks.empty())
+        field("blocks", list(blocks, [&](const auto& b) { return block_text(b, sets); }));
     field("attributes", list(r.attributes, attribute_text));
+    if (!r.attributes.empty())
+        field("entry_points", object({{"vertex", json_quoted(r.vertex_entry)},
+                                      {"fragment", json_quoted(r.fragment_entry)}}));
     field("varyings", list(r.varyings, json_quoted));
     field("frame_uniforms", list(r.frame_uniforms, frame_text));
     field("lines", list(ranges(r.lines), line_text));

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -12,6 +13,20 @@
 #include "ir/module.h"
 
 namespace wrinkle {
+
+// The number of a resource, where the target numbers them (Bindings in glsl/target.h).
+struct Binding {
+    int set = -1;      // -1: it is found by its name
+    int binding = -1;  // of HLSL and Metal the register or index, by kind
+};
+
+// A block of uniforms, laid out by std140.
+struct Block {
+    std::string name;      // "WrinkleParameters_NAME"
+    std::string variable;  // what HLSL puts before the names of its members, and Metal's argument
+    Binding binding;
+    int size = 0;  // bytes
+};
 
 // A number that stayed a parameter.
 struct UniformInfo {
@@ -22,6 +37,7 @@ struct UniformInfo {
     std::string port;
     bool graph_input = false;
     uint32_t parameter = 0;  // index in Module::parameters
+    int offset = -1;         // in the block of parameters, bytes
 };
 
 struct SamplerInfo {
@@ -35,6 +51,7 @@ struct SamplerInfo {
     TextureOptions options;
     std::vector<Reader> readers;
     uint32_t resource = 0;  // index in Module::resources
+    Binding binding;
 };
 
 // A member of the struct that the functions take. With differentials from the screen the position's
@@ -63,6 +80,7 @@ struct AttributeInfo {
     Type type = Type::vec3_;
     int location = 0;
     SurfaceInput input = SurfaceInput::position_;
+    std::string semantic;  // HLSL: "POSITION", "TEXCOORD0"
 };
 
 // A uniform of the shader form that the caller sets per object (see glsl/emit.h).
@@ -70,11 +88,13 @@ struct FrameUniform {
     std::string name;
     std::string type;  // GLSL
     std::string doc;
+    int offset = -1;  // in the block of frame uniforms, bytes
 };
 
 inline constexpr uint32_t no_node = ~0U;
 
 struct Reflection {
+    std::string target;       // "glsl330"
     std::string name;         // NAME
     std::string struct_name;  // "WrinkleSurface_NAME"; "" when the functions take no argument
     std::vector<UniformInfo> uniforms;
@@ -84,10 +104,12 @@ struct Reflection {
     std::vector<AttributeInfo> attributes;     // shader form
     std::vector<std::string> varyings;         // shader form
     std::vector<FrameUniform> frame_uniforms;  // shader form
-    bool uniform_control_flow = false;         // the functions take screen derivatives
+    std::optional<Block> frame_block, parameter_block;
+    std::string vertex_entry = "main", fragment_entry = "main";  // shader form
+    bool uniform_control_flow = false;  // the functions take screen derivatives
 
     // lines[i] is the index in Module::nodes that line i + 1 came from, or no_node; of the fragment
-    // stage in the shader form.
+    // stage in the shader form. Empty for SPIR-V, which has no lines.
     std::vector<uint32_t> lines;
     std::vector<std::string> node_paths;  // by index in Module::nodes
 };

@@ -6,14 +6,15 @@
 namespace wrinkle {
 namespace {
 
-// GLSL 3.30 and 4.60 (sections 3.6 and 8), GLSL ES 3.00; and `s`, the argument of our functions.
+// GLSL 3.30 and 4.60 (sections 3.6 and 8), GLSL ES 3.00, GL_KHR_vulkan_glsl; and `s`, the argument
+// of our functions.
 constexpr std::string_view reserved =
-    "abs acos acosh active all any asin asinh asm atan atanh atomic_uint attribute bool break "
-    "buffer bvec2 bvec3 bvec4 case cast ceil centroid clamp class coherent common const "
-    "continue cos cosh cross dFdx dFdxCoarse dFdxFine dFdy dFdyCoarse dFdyFine default "
-    "degrees determinant discard distance dmat2 dmat2x2 dmat2x3 dmat2x4 dmat3 dmat3x2 dmat3x3 "
-    "dmat3x4 dmat4 dmat4x2 dmat4x3 dmat4x4 do dot double dvec2 dvec3 dvec4 else enum equal "
-    "exp exp2 extern external faceforward false filter fixed flat float floatBitsToInt "
+    "abs acos acosh active all any asin asinh asm atan atanh atomic_uint attribute bool "
+    "break buffer bvec2 bvec3 bvec4 case cast ceil centroid clamp class coherent common "
+    "const continue cos cosh cross default degrees determinant dFdx dFdxCoarse dFdxFine dFdy "
+    "dFdyCoarse dFdyFine discard distance dmat2 dmat2x2 dmat2x3 dmat2x4 dmat3 dmat3x2 "
+    "dmat3x3 dmat3x4 dmat4 dmat4x2 dmat4x3 dmat4x4 do dot double dvec2 dvec3 dvec4 else enum "
+    "equal exp exp2 extern external faceforward false filter fixed flat float floatBitsToInt "
     "floatBitsToUint floor fma for fract fvec2 fvec3 fvec4 fwidth goto greaterThan "
     "greaterThanEqual half highp hvec2 hvec3 hvec4 if iimage1D iimage1DArray iimage2D "
     "iimage2DArray iimage2DMS iimage2DMSArray iimage2DRect iimage3D iimageBuffer iimageCube "
@@ -22,24 +23,30 @@ constexpr std::string_view reserved =
     "intBitsToFloat interface invariant inverse inversesqrt isampler1D isampler1DArray "
     "isampler2D isampler2DArray isampler2DMS isampler2DMSArray isampler2DRect isampler3D "
     "isamplerBuffer isamplerCube isamplerCubeArray isinf isnan isubpass isubpassInput "
-    "itexture2D ivec2 ivec3 ivec4 layout length lessThan lessThanEqual log log2 long lowp "
-    "main mat2 mat2x2 mat2x3 mat2x4 mat3 mat3x2 mat3x3 mat3x4 mat4 mat4x2 mat4x3 mat4x4 "
+    "isubpassInputMS itexture1D itexture1DArray itexture2D itexture2DArray itexture2DMS "
+    "itexture2DMSArray itexture2DRect itexture3D itextureBuffer itextureCube "
+    "itextureCubeArray ivec2 ivec3 ivec4 layout length lessThan lessThanEqual log log2 long "
+    "lowp main mat2 mat2x2 mat2x3 mat2x4 mat3 mat3x2 mat3x3 mat3x4 mat4 mat4x2 mat4x3 mat4x4 "
     "matrixCompMult max mediump min mix mod modf namespace noinline noise1 noise2 noise3 "
     "noise4 noperspective normalize not notEqual out outerProduct output partition patch pow "
-    "precise precision public radians readonly reflect refract resource restrict return round "
-    "roundEven s sample sampler sampler1D sampler1DArray sampler1DArrayShadow sampler1DShadow "
-    "sampler2D sampler2DArray sampler2DArrayShadow sampler2DMS sampler2DMSArray sampler2DRect "
-    "sampler2DRectShadow sampler2DShadow sampler3D sampler3DRect samplerBuffer samplerCube "
-    "samplerCubeArray samplerCubeArrayShadow samplerCubeShadow samplerShadow shared short "
-    "sign sin sinh sizeof smooth smoothstep sqrt static step struct subpassInput "
-    "subpassInputMS subroutine superp switch tan tanh template texelFetch texture texture1D "
-    "texture2D texture2DArray texture3D textureCube textureGather textureGrad textureLod "
-    "textureProj textureSize this transpose true trunc typedef uimage1D uimage1DArray "
-    "uimage2D uimage2DArray uimage2DMS uimage2DMSArray uimage2DRect uimage3D uimageBuffer "
-    "uimageCube uimageCubeArray uint uintBitsToFloat uniform union unsigned usampler1D "
-    "usampler1DArray usampler2D usampler2DArray usampler2DMS usampler2DMSArray usampler2DRect "
-    "usampler3D usamplerBuffer usamplerCube usamplerCubeArray using uvec2 uvec3 uvec4 varying "
-    "vec2 vec3 vec4 void volatile while writeonly ";
+    "precise precision public radians readonly reflect refract resource restrict return "
+    "round roundEven s sample sampler sampler1D sampler1DArray sampler1DArrayShadow "
+    "sampler1DShadow sampler2D sampler2DArray sampler2DArrayShadow sampler2DMS "
+    "sampler2DMSArray sampler2DRect sampler2DRectShadow sampler2DShadow sampler3D "
+    "sampler3DRect samplerBuffer samplerCube samplerCubeArray samplerCubeArrayShadow "
+    "samplerCubeShadow samplerShadow shared short sign sin sinh sizeof smooth smoothstep "
+    "sqrt static step struct subpassInput subpassInputMS subroutine superp switch tan tanh "
+    "template texelFetch texture texture1D texture1DArray texture2D texture2DArray "
+    "texture2DMS texture2DMSArray texture2DRect texture3D textureBuffer textureCube "
+    "textureCubeArray textureGather textureGrad textureLod textureProj textureSize this "
+    "transpose true trunc typedef uimage1D uimage1DArray uimage2D uimage2DArray uimage2DMS "
+    "uimage2DMSArray uimage2DRect uimage3D uimageBuffer uimageCube uimageCubeArray uint "
+    "uintBitsToFloat uniform union unsigned usampler1D usampler1DArray usampler2D "
+    "usampler2DArray usampler2DMS usampler2DMSArray usampler2DRect usampler3D usamplerBuffer "
+    "usamplerCube usamplerCubeArray using usubpassInput usubpassInputMS utexture1D "
+    "utexture1DArray utexture2D utexture2DArray utexture2DMS utexture2DMSArray "
+    "utexture2DRect utexture3D utextureBuffer utextureCube utextureCubeArray uvec2 uvec3 "
+    "uvec4 varying vec2 vec3 vec4 void volatile while writeonly ";
 
 }  // namespace
 

@@ -3,12 +3,13 @@
 #include <array>
 
 #include "glsl/attributes.h"
+#include "glsl/blocks.h"
 #include "glsl/interface.h"
 
 namespace wrinkle {
 namespace {
 
-// Of a fragment output; others follow in graph order.
+// First among fragment outputs, in this order; others follow in graph order.
 constexpr std::array<std::string_view, 7> standard_outputs = {
     "normal", "color", "roughness", "metalness", "occlusion", "height", "displacement"};
 
@@ -24,27 +25,35 @@ std::string at(int location) {
     return "layout(location = " + std::to_string(location) + ") ";
 }
 
+// Drivers refuse locations beyond their number of draw buffers, so there are no gaps.
 void assign_locations(Interface& face) {
-    int next = static_cast<int>(standard_outputs.size());
+    std::vector<FunctionInfo*> order;
     for (FunctionInfo& function : face.reflection.functions) {
-        const auto* found =
-            std::find(standard_outputs.begin(), standard_outputs.end(), function.output);
-        const bool standard = found != standard_outputs.end();
-        function.location = standard ? static_cast<int>(found - standard_outputs.begin()) : next++;
+        order.push_back(&function);
         function.variable = face.globals.unique("out_" + function.output);
     }
+    const auto rank = [](const FunctionInfo* function) {
+        return std::find(standard_outputs.begin(), standard_outputs.end(), function->output);
+    };
+    std::stable_sort(order.begin(), order.end(),
+                     [&](const auto* one, const auto* other) { return rank(one) < rank(other); });
+    for (size_t i = 0; i < order.size(); ++i)
+        order[i]->location = static_cast<int>(i);
 }
 
 void find_varyings(Stage& stage) {
     Reflection& r = stage.face.reflection;
-    r.attributes.push_back(
-        {"position", Type::vec3_, location_of(SurfaceInput::position_), SurfaceInput::position_});
+    r.attributes.push_back({"position",
+                            Type::vec3_,
+                            location_of(SurfaceInput::position_),
+                            SurfaceInput::position_,
+                            {}});
     for (const MemberInfo& member : r.members) {
         const int location = location_of(member.input);
         stage.relative = stage.relative || member.relative || member.input == SurfaceInput::view_;
         if (location >= 0 && member.input != SurfaceInput::position_)
             r.attributes.push_back(
-                {std::string(info(member.input).name), member.type, location, member.input});
+                {std::string(info(member.input).name), member.type, location, member.input, {}});
         if (location >= 0 && !member.relative) r.varyings.push_back("wrinkle_" + member.name);
     }
     if (stage.relative) r.varyings.push_back("wrinkle_position_relative");
@@ -64,6 +73,23 @@ std::string varying_type(const Reflection& r, const std::string& varying) {
     return "vec3";
 }
 
+// "layout(location = 2) " where stages are matched by numbers.
+std::string at_varying(const Stage& stage, size_t index) {
+    return stage.options.target->bindings == Bindings::by_name ? "" : at(static_cast<int>(index));
+}
+
+Text frame_text(const Stage& stage, bool vertex) {
+    const Reflection& r = stage.face.reflection;
+    std::vector<Declaration> members;
+    for (const FrameUniform& uniform : r.frame_uniforms) {
+        const bool own = (uniform.name == "wrinkle_object_to_world") != vertex;
+        if (own || r.frame_block)
+            members.push_back({uniform.type, uniform.name,
+                               uniform.name == "wrinkle_eye" ? "in object space" : ""});
+    }
+    return block_text(r.frame_block, members);
+}
+
 std::string vertex_text(const Stage& stage) {
     const Reflection& r = stage.face.reflection;
     Text text;
@@ -72,10 +98,10 @@ std::string vertex_text(const Stage& stage) {
     for (const AttributeInfo& attribute : r.attributes)
         text.line(0, at(attribute.location) + "in " + std::string(info(attribute.type).name) + " " +
                          attribute.name + ";");
-    text.line(0, "uniform mat4 wrinkle_object_to_clip;");
-    if (stage.relative) text.line(0, "uniform vec3 wrinkle_eye;  // in object space");
-    for (const std::string& varying : r.varyings)
-        text.line(0, "out " + varying_type(r, varying) + " " + varying + ";");
+    text.append(frame_text(stage, true));
+    for (size_t i = 0; i < r.varyings.size(); ++i)
+        text.line(0, at_varying(stage, i) + "out " + varying_type(r, r.varyings[i]) + " " +
+                         r.varyings[i] + ";");
     text.line(0, "");
     text.line(0, "void main() {");
     for (const std::string& varying : r.varyings)
@@ -129,12 +155,14 @@ Text fragment_text(const Stage& stage) {
     Text text;
     text.line(0, stage.options.target->version);
     text.line(0, title_of(stage.plan.module(), r.name));
-    for (const std::string& varying : r.varyings)
-        text.line(0, "in " + varying_type(r, varying) + " " + varying + ";");
+    text.append(precision_text(*stage.options.target));
+    for (size_t i = 0; i < r.varyings.size(); ++i)
+        text.line(0, at_varying(stage, i) + "in " + varying_type(r, r.varyings[i]) + " " +
+                         r.varyings[i] + ";");
     for (const FunctionInfo& function : r.functions)
         text.line(0, at(function.location) + "out " + std::string(info(function.type).name) + " " +
                          function.variable + ";");
-    if (stage.world) text.line(0, "uniform mat4 wrinkle_object_to_world;");
+    if (stage.world) text.append(frame_text(stage, false));
     text.append(struct_text(r));
     text.append(uniforms_text(r));
     text.append(functions_text(stage.plan, stage.face, *stage.options.target));
@@ -150,6 +178,7 @@ void write_shader_form(const Plan& plan, const EmitOptions& options, Interface& 
     Stage stage{plan, options, face};
     assign_locations(face);
     find_varyings(stage);
+    assign_bindings(options, face.reflection);
     shader.vertex = vertex_text(stage);
     Text fragment = fragment_text(stage);
     shader.fragment = std::move(fragment.text);

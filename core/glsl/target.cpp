@@ -5,8 +5,25 @@
 namespace wrinkle {
 namespace {
 
-constexpr std::array<Target, 1> table{{
-    {"glsl330", "#version 330 core", "dFdx", "dFdy", "OpenGL 3.3 and later"},
+constexpr std::string_view vulkan = "#version 450";
+
+// What ES leaves at medium or low precision: bumps, positions and float images need more.
+constexpr std::string_view es_precision =
+    "precision highp float;\nprecision highp int;\nprecision highp sampler2D;\n";
+
+constexpr std::array<Target, 6> table{{
+    {"glsl330", "GLSL 3.30", "", "#version 330 core", "", "dFdx", "dFdy", Bindings::by_name,
+     "OpenGL 3.3 and later"},
+    {"glsl450", "GLSL 4.50", "", vulkan, "", "dFdxFine", "dFdyFine", Bindings::by_set,
+     "Vulkan: uniforms in blocks, sets, bindings and locations"},
+    {"essl300", "GLSL ES 3.00", "", "#version 300 es", es_precision, "dFdx", "dFdy",
+     Bindings::by_name, "WebGL 2 and OpenGL ES 3.0"},
+    {"spirv", "SPIR-V", ".spv", vulkan, "", "dFdxFine", "dFdyFine", Bindings::by_set,
+     "SPIR-V 1.0 for Vulkan 1.0, optimised; complete pairs only"},
+    {"hlsl", "HLSL", ".hlsl", vulkan, "", "dFdxFine", "dFdyFine", Bindings::by_kind,
+     "Direct3D, shader model 5.0; complete pairs only"},
+    {"msl", "Metal", ".msl", vulkan, "", "dFdxFine", "dFdyFine", Bindings::by_kind,
+     "Metal 2.0; complete pairs only"},
 }};
 
 }  // namespace

@@ -53,6 +53,8 @@ Material material_from(const Shader& shader) {
     const Reflection& reflection = shader.reflection;
     Material material;
     material.text = shader.source;
+    for (const uint32_t node : reflection.lines)
+        material.nodes.push_back(node == no_node ? "" : reflection.node_paths[node]);
     material.struct_name = reflection.struct_name;
     for (const MemberInfo& member : reflection.members)
         material.members.push_back(member_from(member));

@@ -52,8 +52,9 @@ struct MaterialUniform {
 
 struct Material {
     std::string text;
-    std::string struct_name;      // "" when the functions take no argument
-    std::vector<Member> members;  // in the order of the struct
+    std::vector<std::string> nodes;  // by line of the text the node it came from, "" for none
+    std::string struct_name;         // "" when the functions take no argument
+    std::vector<Member> members;     // in the order of the struct
     std::vector<OutputFunction> outputs;
     std::vector<MaterialSampler> samplers;
     std::vector<MaterialUniform> uniforms;

@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "glsl/log.h"
 #include "gpu/backdrop.h"
 #include "gpu/draw_state.h"
 #include "gpu/environment.h"
@@ -41,13 +42,22 @@ Material with_normal(Material material, const OutputFunction& normal) {
     return material;
 }
 
+// The text's lines count from 1 in what is compiled (wrapper.h).
+Diagnostic refusal(const Material& material, const std::string& log) {
+    Diagnostic problem;
+    problem.message = "the driver refuses the material's shader: " + log;
+    const size_t line = line_in(log);
+    if (line > 0 && line <= material.nodes.size()) problem.node = material.nodes[line - 1];
+    return problem;
+}
+
 std::optional<Program> compile(const Material& material, View view, const OutputFunction* against,
                                const Shading& shading, Diagnostics& diagnostics) {
     const ShaderText text = wrap_material(material, view, against, shading);
     const std::array<std::string, 1> outputs{"WrView_color"};
     std::string log;
     std::optional<Program> program = Program::link(text.vertex, text.fragment, outputs, log);
-    if (!program) diagnostics.error("the driver refuses the material's shader: " + log);
+    if (!program) diagnostics.add(refusal(material, log));
     return program;
 }
 

@@ -39,7 +39,7 @@ Opened open_reader(const fs::path& path, Diagnostics& diagnostics) {
     }
     const WrinkleImageModule* module = image_module(why);
     if (!module) {
-        diagnostics.error(quoted(path) + "cannot be read: " + why, image_module_remedy);
+        diagnostics.error(quoted(path) + "cannot be read: " + why, companion_remedy);
         return opened;
     }
     char text[512] = "";

@@ -173,7 +173,7 @@ bool save_image(const Image& image, const fs::path& path, const SaveOptions& opt
     const WrinkleImageModule* module = image_module(why);
     if (module && write_whole(*module, image, path, *format, options, why)) return true;
     diagnostics.error(name + "cannot be written: " + why,
-                      module ? "a folder that can be written to" : image_module_remedy);
+                      module ? "a folder that can be written to" : companion_remedy);
     return false;
 }
 

@@ -4,6 +4,7 @@
 
 #include "graph/order.h"
 #include "lower/material.h"
+#include "spirv/spirv.h"
 
 namespace wrinkle::editor {
 namespace {
@@ -29,6 +30,11 @@ std::string top_of(const std::string& path) {
     return path.substr(0, path.find('/'));
 }
 
+const Target& target_of(const CodeOptions& options) {
+    const Target* target = find_target(options.target);
+    return target ? *target : targets().front();
+}
+
 Shader shader_of(const CodeJob& job, const Registry& registry, Diagnostics& problems) {
     const Project project = project_with(job.model, job.document);
     check_links(job.document, problems);
@@ -40,10 +46,9 @@ Shader shader_of(const CodeJob& job, const Registry& registry, Diagnostics& prob
     if (!compiled.ok) return {};
     EmitOptions emit_options;
     emit_options.name = job.name;
-    emit_options.form = job.options.form;
-    emit_options.target = find_target(job.options.target);
-    if (!emit_options.target) emit_options.target = &targets().front();
-    Shader shader = emit(compiled.module, emit_options);
+    emit_options.form = form_of(job.options);
+    emit_options.target = &target_of(job.options);
+    Shader shader = write_shader(compiled.module, emit_options);
     report_problems(shader.problems, compiled.module, project, compiled.places, problems);
     return shader;
 }
@@ -62,6 +67,10 @@ const std::string& CodeText::node(size_t line) const {
     return line < nodes.size() ? nodes[line] : none;
 }
 
+Form form_of(const CodeOptions& options) {
+    return is_translated(target_of(options)) ? Form::shader : options.form;
+}
+
 CodeText lines_of(std::string text) {
     CodeText result;
     result.source = std::move(text);
@@ -78,12 +87,13 @@ CodeText make_code(const CodeJob& job, const Registry& registry) {
         text.problem = first_error(problems);
         return text;
     }
-    const bool whole = job.options.form == Form::shader;
+    const bool whole = form_of(job.options) == Form::shader;
     text.vertex = std::move(shader.vertex);
     text.fragment = std::move(shader.fragment);
     text.source = !whole               ? std::move(shader.source)
                   : job.options.vertex ? text.vertex
                                        : text.fragment;
+    if (target_of(job.options).name == "spirv") text.source = disassembly(text.source);
     cut_lines(text);
     if (whole && job.options.vertex) return text;
     for (const uint32_t index : shader.reflection.lines)

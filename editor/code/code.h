@@ -1,5 +1,6 @@
-// The text that `wrinkle compile` writes for the document, in every form that it can, byte for
-// byte, and the node that each line came from. Made on a thread of its own where there is one.
+// The text that `wrinkle compile` writes for the document, for every target in every form, byte for
+// byte, and the node that each line came from; SPIR-V, which is no text, is shown disassembled.
+// Made on a thread of its own where there is one.
 #pragma once
 
 #include <atomic>
@@ -25,7 +26,7 @@ struct CodeOptions {
 struct CodeText {
     CodeOptions options;
     std::string source;              // function form, or the stage that is shown
-    std::string vertex, fragment;    // shader form
+    std::string vertex, fragment;    // shader form, as files hold them
     std::vector<size_t> starts;      // of each line in `source`
     std::vector<std::string> nodes;  // by line the node of the top graph, "" for none
     size_t longest = 0;              // bytes of the longest line
@@ -43,6 +44,9 @@ struct CodeJob {
 };
 
 CodeText make_code(const CodeJob& job, const Registry& registry);
+
+// The shader form where the target has no other.
+Form form_of(const CodeOptions& options);
 
 // The lines of any text, without nodes.
 CodeText lines_of(std::string text);

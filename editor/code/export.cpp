@@ -14,7 +14,13 @@ CodeJob job_of(const State& state) {
 }
 
 bool has_stages(const CodeOptions& options) {
-    return options.form == Form::shader;
+    return form_of(options) == Form::shader;
+}
+
+// What a stage's file is called behind the name: ".frag", ".frag.spv".
+std::string end_of(const char* stage, const CodeOptions& options) {
+    const Target* target = find_target(options.target);
+    return stage + std::string(target ? target->suffix : "");
 }
 
 }  // namespace
@@ -26,12 +32,15 @@ TaskOutcome export_code(const CodeJob& job, const Registry& registry, const fs::
         return {false,
                 name + " was not written, because the graph has errors. " + sentence(text.problem)};
     std::vector<FileBytes> files{{file, text.source}};
+    const std::string vertex = end_of(".vert", job.options);
+    const std::string fragment = end_of(".frag", job.options);
     if (has_stages(job.options))
-        files = {{file.string() + ".vert", text.vertex}, {file.string() + ".frag", text.fragment}};
+        files = {{file.string() + vertex, text.vertex}, {file.string() + fragment, text.fragment}};
     std::string why;
     if (!write_files(files, why))
         return {false, name + " was not written: " + disk_words(why) + "."};
-    return {true, "Wrote " + name + (has_stages(job.options) ? ".vert and .frag." : ".")};
+    const std::string stages = vertex + " and " + fragment;
+    return {true, "Wrote " + name + (has_stages(job.options) ? stages : "") + "."};
 }
 
 void start_code_export(State& state, const fs::path& file) {

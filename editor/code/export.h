@@ -7,7 +7,8 @@
 
 namespace wrinkle::editor {
 
-// In the form that the code panel shows: one file, or of the shader form FILE.vert and FILE.frag.
+// In the form that the code panel shows: one file, or of the shader form FILE.vert and FILE.frag
+// (FILE.frag.spv, FILE.frag.hlsl, ...).
 // All of them are written or none is.
 TaskOutcome export_code(const CodeJob& job, const Registry& registry,
                         const std::filesystem::path& file);

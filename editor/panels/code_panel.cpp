@@ -80,9 +80,8 @@ void follow(State& state) {
 
 // "GLSL 3.30" of "glsl330".
 std::string label_of(const std::string& item) {
-    const std::string_view mark = "glsl";
-    const bool version = item.starts_with(mark) && item.size() == mark.size() + 3;
-    return version ? "GLSL " + item.substr(4, 1) + "." + item.substr(5) : item;
+    const Target* target = find_target(item);
+    return target ? std::string(target->label) : item;
 }
 
 // A list to choose from; `target` names it and, with a colon and the item, its items.
@@ -100,6 +99,20 @@ int draw_choice(State& state, const std::string& target, std::span<const std::st
     return chosen;
 }
 
+// A target that is translated has no functions to show.
+void draw_forms(State& state, float width) {
+    CodeOptions& options = state.code.options;
+    static const std::string all[] = {"Function", "Vertex", "Fragment"};
+    const Target* target = find_target(options.target);
+    const int first = target && is_translated(*target) ? 1 : 0;
+    const bool functions = first == 0 && options.form == Form::function;
+    const int form = functions ? 0 : options.vertex ? 1 : 2;
+    const auto forms = std::span(all).subspan(static_cast<size_t>(first));
+    const int wanted = first + draw_choice(state, "code:form", forms, form - first, width);
+    options.form = wanted == 0 ? Form::function : Form::shader;
+    options.vertex = wanted == 1;
+}
+
 void draw_options(State& state, float width) {
     CodeOptions& options = state.code.options;
     std::vector<std::string> names;
@@ -111,11 +124,7 @@ void draw_options(State& state, float width) {
     target = draw_choice(state, "code:target", names, target, width);
     options.target = names[static_cast<size_t>(target)];
     ImGui::SameLine(0, 4);
-    static const std::string forms[] = {"Function", "Vertex", "Fragment"};
-    const int form = options.form == Form::function ? 0 : options.vertex ? 1 : 2;
-    const int wanted = draw_choice(state, "code:form", forms, form, width);
-    options.form = wanted == 0 ? Form::function : Form::shader;
-    options.vertex = wanted == 1;
+    draw_forms(state, width);
     ImGui::SameLine(0, 4);
     static const std::string values[] = {"Baked", "Uniforms"};
     options.uniforms = draw_choice(state, "code:parameters", values, options.uniforms, width) == 1;

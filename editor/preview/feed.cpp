@@ -1,10 +1,9 @@
 #include "editor/preview/feed.h"
 
 #include <algorithm>
-#include <cctype>
-#include <charconv>
 
 #include "editor/canvas/field.h"
+#include "glsl/log.h"
 #include "gpu/from_glsl.h"
 
 namespace wrinkle::editor {
@@ -49,19 +48,6 @@ void send(State& state, const Change::Place& place) {
     for (const UniformInfo* uniform : uniforms_at(state.follow, place))
         state.preview->set_uniform(uniform->name, {values, lanes});
     if (state.timings) state.timings->values(state.preview->asked() + 1);
-}
-
-// The first "0:38(" or "0(38)" of a log; 0 for none.
-size_t line_in(const std::string& log) {
-    for (size_t at = 0; at + 2 < log.size(); ++at) {
-        if (log[at] != '0' || (log[at + 1] != ':' && log[at + 1] != '(')) continue;
-        if (at > 0 && std::isalnum(static_cast<unsigned char>(log[at - 1]))) continue;
-        size_t line = 0;
-        const char* begin = log.data() + at + 2;
-        const auto [end, problem] = std::from_chars(begin, log.data() + log.size(), line);
-        if (problem == std::errc{} && end != begin) return line;
-    }
-    return 0;
 }
 
 }  // namespace
@@ -129,7 +115,7 @@ Diagnostic at_node(const Diagnostic& refusal, const Reflection& reflection,
                    const std::map<std::string, std::string>& copied) {
     const size_t line = line_in(refusal.message);
     if (line == 0 || line > reflection.lines.size()) return refusal;
-    const uint32_t index = reflection.lines[line - 1];
+    const uint32_t index = node_of_line(reflection, line);
     Diagnostic result;
     if (index < reflection.node_paths.size()) {
         const std::string& path = reflection.node_paths[index];

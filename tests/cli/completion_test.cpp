@@ -54,6 +54,8 @@ TEST_F(CompletionTest, OffersOptionsAndTheirValues) {
     EXPECT_EQ(offered({"eval", "--precision=f"}), Names{"--precision=float"});
     EXPECT_EQ(offered({"eval", "--precision", "=", "d"}), Names{"double"});
     EXPECT_TRUE(has(offered({"compile", "--target", "g"}), "glsl330"));
+    EXPECT_TRUE(has(offered({"compile", "--target", "h"}), "hlsl"));
+    EXPECT_TRUE(has(offered({"compile", "--target", ""}), "essl300"));
     EXPECT_TRUE(has(offered({"render", "--mesh", "to"}), "torus"));
     EXPECT_EQ(offered({"completion", "z"}), Names{"zsh"});
 }

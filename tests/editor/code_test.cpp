@@ -90,6 +90,33 @@ TEST_F(Headless, ExportsWhatTheProgramWrites) {
         }
 }
 
+TEST_F(Headless, ExportsEveryTargetAsTheProgramDoes) {
+    const fs::path graph = fs::path(WRINKLE_SOURCE_DIR) / "graphs/base_and_detail.json";
+    open_file(state, graph);
+    for (const Target& target : targets()) {
+        const std::string name(target.name), end(target.suffix);
+        const std::string made = (folder.path() / ("made-" + name)).string();
+        const std::string file = (folder.path() / name).string();
+        const std::string command = "compile --form shader --target " + name + " -o ";
+        EXPECT_EQ(program_output(command + made + " " + graph.string()), "");
+        state.code.options.target = name;
+        state.code.options.form = is_translated(target) ? Form::function : Form::shader;
+        start_code_export(state, file);
+        const TaskOutcome outcome = state.tasks.running->outcome();
+        ASSERT_TRUE(outcome.good) << outcome.sentence;
+        EXPECT_NE(outcome.sentence.find(".frag" + end + "."), std::string::npos);
+        tend_tasks(state);
+        for (const char* stage : {".vert", ".frag"})
+            EXPECT_EQ(text_of(file + stage + end), text_of(made + stage + end)) << name;
+        frame();
+        EXPECT_EQ(state.code.problem, "");
+        if (name == "spirv")
+            EXPECT_NE(state.code.text.source.find("OpEntryPoint Fragment"), std::string::npos);
+        else
+            EXPECT_EQ(state.code.text.source, text_of(file + ".frag" + end));
+    }
+}
+
 size_t indent_of(std::string_view line) {
     return std::min(line.find_first_not_of(' '), line.size());
 }

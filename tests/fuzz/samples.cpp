@@ -4,7 +4,7 @@
 
 #include "image/support.h"
 #include "mesh/files.h"
-#include "parity/samples.h"
+#include "support/samples.h"
 
 namespace wrinkle::fuzz {
 

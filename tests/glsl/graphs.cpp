@@ -19,11 +19,12 @@ Id image(Module& module, const std::string& port, const std::string& file, Id uv
     return module.add(Op::sample_, {uv}, module.add_resource(resource));
 }
 
-Id parameter(Module& module, const std::string& port, double value) {
+Id parameter(Module& module, const std::string& port, double value, Type type) {
     Parameter parameter;
     parameter.node = module.current_node;
     parameter.port = port;
-    parameter.value[0] = value;
+    parameter.type = type;
+    parameter.value.fill(value);
     return module.parameter(module.add_parameter(parameter));
 }
 

@@ -12,7 +12,7 @@ uint32_t node(Module& module, const std::string& path, const std::string& title)
 
 Id image(Module& module, const std::string& port, const std::string& file, Id uv,
          Encoding encoding = Encoding::linear);
-Id parameter(Module& module, const std::string& port, double value);
+Id parameter(Module& module, const std::string& port, double value, Type type = Type::float_);
 void name(Module& module, const std::string& port, Id value);
 void output(Module& module, const std::string& name, Id value, uint32_t port_type = WR_PORT_float);
 

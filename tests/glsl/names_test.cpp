@@ -39,9 +39,12 @@ TEST(Names, comments_cannot_be_left) {
 TEST(Names, hostile_graphs_still_compile) {
     Module m;
     m.nodes[0].title = "Title\n#error broken \\";
-    const std::vector<std::string> bad = {"texture", "sample", "input",  "gl_x", "a__b",  "a..b",
-                                          "s",       "main",   "normal", "ä",    "1",     "_",
-                                          "mix",     "float",  "vec3",   "i",    "result"};
+    const std::vector<std::string> bad = {
+        "texture",  "sample",    "input",      "gl_x",         "a__b",
+        "a..b",     "s",         "main",       "normal",       "ä",
+        "1",        "_",         "mix",        "float",        "vec3",
+        "i",        "result",    "utexture2D", "subpassInput", "webgl_x",
+        "_webgl_y", "precision", "highp",      "WrinkleFrame"};
     Id sum = m.number(0);
     for (const std::string& word : bad) {
         node(m, word, "T\\");
@@ -54,13 +57,15 @@ TEST(Names, hostile_graphs_still_compile) {
         output(m, word, value);
     }
     output(m, "sum", sum);
-    for (const std::string& word : bad)
-        for (const Form form : {Form::function, Form::shader}) {
-            EmitOptions options;
-            options.name = word;
-            options.form = form;
-            EXPECT_EQ(compile_errors(emit(m, options)), "");
-        }
+    for (const char* target : {"glsl330", "glsl450", "essl300"})
+        for (const std::string& word : bad)
+            for (const Form form : {Form::function, Form::shader}) {
+                EmitOptions options;
+                options.name = word;
+                options.form = form;
+                options.target = find_target(target);
+                EXPECT_EQ(compile_errors(emit(m, options)), "");
+            }
 }
 
 // Uniforms of a node called "wrinkle" beside the shader form's own names.
@@ -68,15 +73,18 @@ TEST(Names, of_the_shader_form_are_taken) {
     Module m;
     node(m, "wrinkle", "");
     Id sum = m.swizzle(m.input(SurfaceInput::normal_), "x");
-    for (const char* port : {"normal", "uv0", "eye", "object_to_clip", "object_to_world",
-                             "normal_to_world", "position_relative", "position"})
+    for (const char* port :
+         {"normal", "uv0", "eye", "object_to_clip", "object_to_world", "normal_to_world",
+          "position_relative", "position", "frame", "parameters"})
         sum = m.add(Op::add_, {sum, parameter(m, port, 2)});
     output(m, "height", sum);
-    for (const Form form : {Form::function, Form::shader}) {
-        EmitOptions options;
-        options.form = form;
-        EXPECT_EQ(compile_errors(emit(m, options)), "");
-    }
+    for (const char* target : {"glsl330", "glsl450", "essl300"})
+        for (const Form form : {Form::function, Form::shader}) {
+            EmitOptions options;
+            options.form = form;
+            options.target = find_target(target);
+            EXPECT_EQ(compile_errors(emit(m, options)), "");
+        }
 }
 
 TEST(Names, equal_after_cleaning_follow_graph_order) {

@@ -1,28 +1,12 @@
 #include "glslang/validate.h"
 
-#include <glslang/Include/ResourceLimits.h>
+#include <glslang/Public/ResourceLimits.h>
 #include <glslang/Public/ShaderLang.h>
 
 #include <sstream>
 
 namespace wrinkle::test {
 namespace {
-
-// Default limits of a desktop; only what a fragment shader of ours can meet matters.
-TBuiltInResource limits() {
-    TBuiltInResource r{};
-    r.maxDrawBuffers = 32;
-    r.maxVertexAttribs = 64;
-    r.maxVertexUniformComponents = r.maxFragmentUniformComponents = 4096;
-    r.maxTextureImageUnits = r.maxCombinedTextureImageUnits = 80;
-    r.maxVaryingFloats = r.maxVaryingComponents = 64;
-    r.maxClipDistances = 8;
-    r.limits.nonInductiveForLoops = r.limits.whileLoops = r.limits.doWhileLoops = true;
-    r.limits.generalUniformIndexing = r.limits.generalSamplerIndexing = true;
-    r.limits.generalVariableIndexing = r.limits.generalConstantMatrixVectorIndexing = true;
-    r.limits.generalAttributeMatrixVectorIndexing = r.limits.generalVaryingIndexing = true;
-    return r;
-}
 
 struct Process {
     Process() { glslang::InitializeProcess(); }
@@ -37,28 +21,89 @@ std::string numbered(const std::string& text) {
     return result;
 }
 
+// Parsed and linked, by the rules of Vulkan where the text is of version 450.
+struct Compilation {
+    Compilation(const std::string& text, Stage stage);
+
+    EShLanguage language;
+    glslang::TShader shader;
+    glslang::TProgram program;
+    bool fine = false;
+};
+
+Compilation::Compilation(const std::string& text, Stage stage)
+    : language(stage == Stage::vertex ? EShLangVertex : EShLangFragment), shader(language) {
+    static const Process process;
+    const char* source = text.c_str();
+    shader.setStrings(&source, 1);
+    const bool vulkan = text.starts_with("#version 450");
+    const auto rules =
+        static_cast<EShMessages>(vulkan ? EShMsgSpvRules | EShMsgVulkanRules : EShMsgDefault);
+    if (vulkan) {
+        shader.setEnvInput(glslang::EShSourceGlsl, language, glslang::EShClientVulkan, 100);
+        shader.setEnvClient(glslang::EShClientVulkan, glslang::EShTargetVulkan_1_0);
+        shader.setEnvTarget(glslang::EShTargetSpv, glslang::EShTargetSpv_1_0);
+    }
+    const bool parsed = shader.parse(GetDefaultResources(), 330, ECoreProfile, false, false, rules);
+    program.addShader(&shader);
+    fine = parsed && program.link(rules);
+}
+
 }  // namespace
 
 std::string compile_errors(const std::string& text, Stage stage) {
+    Compilation compiled(text, stage);
+    if (compiled.fine) return {};
+    return std::string(compiled.shader.getInfoLog()) + compiled.program.getInfoLog() + "\n" +
+           numbered(text);
+}
+
+std::string hlsl_errors(const std::string& text, Stage stage) {
     static const Process process;
-    const TBuiltInResource resources = limits();
     const EShLanguage language = stage == Stage::vertex ? EShLangVertex : EShLangFragment;
+    constexpr auto rules =
+        static_cast<EShMessages>(EShMsgReadHlsl | EShMsgSpvRules | EShMsgVulkanRules);
     glslang::TShader shader(language);
     const char* source = text.c_str();
     shader.setStrings(&source, 1);
-    const bool parsed = shader.parse(&resources, 330, ECoreProfile, false, false, EShMsgDefault);
+    shader.setEntryPoint("main");
+    shader.setEnvInput(glslang::EShSourceHlsl, language, glslang::EShClientVulkan, 100);
+    shader.setEnvClient(glslang::EShClientVulkan, glslang::EShTargetVulkan_1_0);
+    shader.setEnvTarget(glslang::EShTargetSpv, glslang::EShTargetSpv_1_0);
+    const bool parsed = shader.parse(GetDefaultResources(), 500, false, rules);
     glslang::TProgram program;
     program.addShader(&shader);
-    if (parsed && program.link(EShMsgDefault)) return {};
+    if (parsed && program.link(rules)) return {};
     return std::string(shader.getInfoLog()) + program.getInfoLog() + "\n" + numbered(text);
 }
 
+std::map<std::string, Place> places(const std::string& text, Stage stage) {
+    std::map<std::string, Place> found;
+    Compilation compiled(text, stage);
+    if (!compiled.fine || !compiled.program.buildReflection(EShReflectionAllBlockVariables))
+        return found;
+    for (int i = 0; i < compiled.program.getNumUniformBlocks(); ++i) {
+        const glslang::TObjectReflection& block = compiled.program.getUniformBlock(i);
+        found[block.name] = {block.getBinding(), -1, block.size};
+    }
+    for (int i = 0; i < compiled.program.getNumUniformVariables(); ++i) {
+        const glslang::TObjectReflection& uniform = compiled.program.getUniform(i);
+        found[uniform.name] = {uniform.getBinding(), uniform.offset, -1};
+    }
+    return found;
+}
+
 std::string wrapped(const Shader& shader) {
-    std::string text = "#version 330 core\n#line 1\n" + shader.source;
     const Reflection& r = shader.reflection;
+    const Target& target = *find_target(r.target);
+    std::string text = std::string(target.version) + "\n#line 1\n" + shader.source;
     std::string sum = "    result = vec4(0.0);\n";
-    for (const MemberInfo& member : r.members)
+    size_t location = 0;
+    for (const MemberInfo& member : r.members) {
+        if (target.bindings != Bindings::by_name)
+            text += "layout(location = " + std::to_string(location++) + ") ";
         text += "in " + std::string(info(member.type).name) + " WrTest_" + member.name + ";\n";
+    }
     for (const FunctionInfo& function : r.functions)
         sum += "    result += vec4(" + function.function + (r.struct_name.empty() ? "()" : "(s)") +
                (function.type == Type::float_  ? ")"
@@ -66,7 +111,7 @@ std::string wrapped(const Shader& shader) {
                 : function.type == Type::vec3_ ? ", 0.0)"
                                                : ")") +
                ";\n";
-    text += "out vec4 result;\nvoid main() {\n";
+    text += "layout(location = 0) out vec4 result;\nvoid main() {\n";
     if (!r.struct_name.empty()) text += "    " + r.struct_name + " s;\n";
     for (const MemberInfo& member : r.members)
         text += "    s." + member.name + " = WrTest_" + member.name + ";\n";

@@ -55,6 +55,23 @@ TEST_F(FromGlslTest, DrawsAGeneratedShader) {
     }
 }
 
+TEST_F(FromGlslTest, SaysWhichNodeADriverRefuses) {
+    Shader shader = written_by_hand();
+    shader.reflection.node_paths = {"", "bump"};
+    shader.reflection.lines.assign(100, no_node);
+    const size_t at = shader.source.rfind("return");
+    ASSERT_NE(at, std::string::npos);
+    shader.source.insert(at, "nonsense; ");
+    const auto line = std::count(shader.source.begin(), shader.source.begin() + at, '\n');
+    shader.reflection.lines[static_cast<size_t>(line)] = 1;
+    Image image = make_image(1, 1, 1);
+    image.data = {8};
+    ASSERT_TRUE(renderer->add_image("two", build_mips(image), diagnostics)) << errors();
+    EXPECT_FALSE(renderer->set_material(material_from(shader), diagnostics));
+    ASSERT_FALSE(diagnostics.list().empty());
+    EXPECT_EQ(diagnostics.list()[0].node, "bump") << diagnostics.list()[0].message;
+}
+
 TEST_F(FromGlslTest, RunsAGeneratedShaderOnPoints) {
     Shader shader = written_by_hand();
     shader.source =

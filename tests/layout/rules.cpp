@@ -19,7 +19,8 @@ const std::map<std::string, Names, std::less<>> allowed = {
     {"core/graph", {"base", "json"}},
     {"core/registry", {"base", "json", "contract"}},
     {"core/lower", {"base", "json", "ir", "graph", "registry", "contract"}},
-    {"core/glsl", {"base", "ir", "contract", "glslang", "spirv"}},
+    {"core/glsl", {"base", "ir", "contract"}},
+    {"core/spirv", {"base", "ir", "glsl", "contract", "glslang", "spirv tools"}},
     {"core/cpu", {"base", "ir", "image", "contract"}},
     {"core/image", {"base", "oiio"}},
     {"core/mesh", {"base", "glm", "mesh files"}},
@@ -29,13 +30,13 @@ const std::map<std::string, Names, std::less<>> allowed = {
      {"base", "ir", "graph", "registry", "lower", "glsl", "cpu", "image", "gpu", "contract"}},
     {"core/cost", {"base", "ir", "glsl"}},
     {"core/cli",
-     {"base", "json", "ir", "graph", "registry", "lower", "glsl", "cpu", "image", "mesh", "gpu",
-      "bake", "certify", "cost", "contract", "list of nodes", "cli11", "glm", "tbb"}},
+     {"base", "json", "ir", "graph", "registry", "lower", "glsl", "spirv", "cpu", "image", "mesh",
+      "gpu", "bake", "certify", "cost", "contract", "list of nodes", "cli11", "glm", "tbb"}},
     {"nodes", {"sdk"}},
     {"plugins", {"sdk"}},
     {"editor",
-     {"base", "json", "ir", "graph", "registry", "lower", "glsl", "cpu", "image", "mesh", "gpu",
-      "bake", "contract", "list of nodes", "glm", "gl", "imgui", "cli11"}},
+     {"base", "json", "ir", "graph", "registry", "lower", "glsl", "spirv", "cpu", "image", "mesh",
+      "gpu", "bake", "contract", "list of nodes", "glm", "gl", "imgui", "cli11"}},
 };
 
 // Libraries by how their headers are spelled.
@@ -54,8 +55,8 @@ const std::map<std::string, std::string, std::less<>> library_of_folder = {
     {"tbb", "tbb"},
     {"oneapi", "tbb"},
     {"glslang", "glslang"},
-    {"spirv-tools", "spirv"},
-    {"spirv_cross", "spirv"},
+    {"spirv-tools", "spirv tools"},
+    {"spirv_cross", "spirv tools"},
     {"sys", ""},
     {"sanitizer", ""},
 };

@@ -12,7 +12,7 @@
 #include "parity/compare.h"
 #include "parity/context.h"
 #include "parity/node_graph.h"
-#include "parity/samples.h"
+#include "support/samples.h"
 
 namespace wrinkle::test {
 namespace {

@@ -1,0 +1,28 @@
+// The module of compilers, and calls to it with values of C++.
+#pragma once
+
+#include <string>
+
+#include "spirv/module/spirv_module.h"
+#include "spirv/spirv.h"
+
+namespace wrinkle {
+
+// The table of functions, or null with the reason in `why`; the first answer is kept.
+const WrinkleSpirvModule* spirv_module(std::string& why);
+
+inline WrinkleSpirvSink sink_of(std::string& text) {
+    return {&text, [](void* user, const void* bytes, uint64_t size) {
+                static_cast<std::string*>(user)->append(static_cast<const char*>(bytes), size);
+            }};
+}
+
+inline WrinkleSpirvWords view_of(const SpirvWords& words) {
+    return {words.data(), words.size()};
+}
+
+// `lines`: with the line of everything, for texts that are made from the words.
+std::optional<SpirvWords> compile_to_spirv(std::string_view glsl450, ShaderStage stage, bool lines,
+                                           std::string& log);
+
+}  // namespace wrinkle

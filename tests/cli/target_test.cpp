@@ -1,0 +1,107 @@
+// wrinkle compile --target: what is written for each, and where.
+#include "cli/support.h"
+
+namespace wrinkle::test {
+namespace {
+
+using TargetTest = CliTest;
+using Names = std::vector<std::string>;
+
+TEST_F(TargetTest, EveryOneIsListed) {
+    const std::string list = run({"compile", "--list-targets"}).out;
+    for (const char* name : {"glsl330", "glsl450", "essl300", "spirv", "hlsl", "msl"})
+        EXPECT_TRUE(says(list, std::string(name) + "  "));
+}
+
+TEST_F(TargetTest, FilesAreCalledAfterStageAndLanguage) {
+    put("g.json", tilt_graph());
+    for (const auto& [target, end] : {std::pair{"glsl450", ""},
+                                      {"essl300", ""},
+                                      {"spirv", ".spv"},
+                                      {"hlsl", ".hlsl"},
+                                      {"msl", ".msl"}}) {
+        const std::string out = std::string("out-") + target + "/g";
+        fs::create_directories(folder / fs::path(out).parent_path());
+        const Ran ran = run({"compile", "g.json", "--form", "shader", "--target", target, "-o", out,
+                             "--reflect", out + ".reflect", "-MD", "-MF", out + ".d"});
+        ASSERT_EQ(ran.code, 0) << ran.err;
+        for (const char* stage : {".vert", ".frag"}) {
+            const std::string file = out + stage + end;
+            EXPECT_NE(get(file), "") << file;
+            EXPECT_TRUE(says(get(out + ".d"), file)) << get(out + ".d");
+            EXPECT_EQ(run({"compile", "g.json", "--form", "shader", "--target", target, "--stage",
+                           stage == std::string(".vert") ? "vertex" : "fragment"})
+                          .out,
+                      get(file));
+        }
+        const json::Value reflection = parsed(get(out + ".reflect"));
+        EXPECT_EQ(reflection.find("target").as_string(), target);
+        EXPECT_TRUE(says(get(out + ".d"), "g.json"));
+    }
+    EXPECT_TRUE(get("out-spirv/g.frag.spv").starts_with("\x03\x02\x23\x07"));
+    EXPECT_TRUE(get("out-essl300/g.frag").starts_with("#version 300 es\n"));
+    EXPECT_TRUE(get("out-glsl450/g.frag").starts_with("#version 450\n"));
+    EXPECT_TRUE(says(get("out-hlsl/g.frag.hlsl"), "SV_Target0"));
+    EXPECT_TRUE(says(get("out-msl/g.frag.msl"), "fragment g_fragment_out g_fragment("));
+}
+
+TEST_F(TargetTest, SeveralGraphsGoIntoAFolder) {
+    put("a.json", tilt_graph("0.5"));
+    put("b.json", tilt_graph("0.25"));
+    ASSERT_EQ(run({"compile", "a.json", "b.json", "--target", "spirv", "-o", "out"}).code, 0);
+    EXPECT_EQ(files(), (Names{"a.json", "b.json", "out/a.frag.spv", "out/a.vert.spv",
+                              "out/b.frag.spv", "out/b.vert.spv"}));
+}
+
+TEST_F(TargetTest, WithoutAFunctionFormIsWrongUsage) {
+    put("g.json", tilt_graph());
+    for (const char* target : {"spirv", "hlsl", "msl"}) {
+        const Ran ran = run({"compile", "g.json", "--target", target, "--form", "function"});
+        EXPECT_EQ(ran.code, 2);
+        EXPECT_TRUE(says(ran.err, "--form shader"));
+        EXPECT_EQ(run({"compile", "g.json", "--target", target, "--differentials", "given"}).code,
+                  2);
+        EXPECT_EQ(run({"compile", "g.json", "--target", target}).code, 0);
+    }
+    EXPECT_EQ(files(), Names{"g.json"});
+}
+
+TEST_F(TargetTest, BindingsBeginWhereAsked) {
+    put("g.json", ramp_graph());
+    const Ran ran = run({"compile", "g.json", "--target", "glsl450", "--params", "uniform",
+                         "--descriptor-set", "2", "--first-binding", "7"});
+    ASSERT_EQ(ran.code, 0) << ran.err;
+    EXPECT_TRUE(says(ran.out, "layout(std140, set = 2, binding = 7) uniform WrinkleParameters_g"));
+    EXPECT_EQ(run({"compile", "g.json", "--first-binding", "-1"}).code, 2);
+}
+
+// The compilers are opened for the targets that need them, and by nothing else.
+TEST_F(TargetTest, AMissingModuleIsTheEnvironmentsFault) {
+    put("g.json", tilt_graph());
+    fs::create_directories(folder / "alone/bin");
+    fs::copy(WRINKLE_BINARY_DIR "/bin/wrinkle", folder / "alone/bin/wrinkle");
+    const auto alone = [&](const std::string& arguments) {
+        const std::string command = "cd '" + folder.string() + "' && env -u WRINKLE_MODULE_PATH " +
+                                    "alone/bin/wrinkle compile g.json " + arguments + " 2>err";
+        const int status = std::system(command.c_str());
+        return WEXITSTATUS(status);
+    };
+    EXPECT_EQ(alone("-o g.glsl"), 0) << get("err");
+    EXPECT_EQ(alone("--target glsl450 --form shader -o g"), 0) << get("err");
+    EXPECT_EQ(alone("--target spirv -o x"), 3);
+    EXPECT_TRUE(says(get("err"), "WRINKLE_MODULE_PATH"));
+    EXPECT_FALSE(exists("x.frag.spv"));
+}
+
+TEST_F(TargetTest, OutputIsTheSameInEveryLocale) {
+    put("g.json", ramp_graph("0.5"));
+    for (const char* target : {"spirv", "hlsl", "msl"}) {
+        const Names arguments{"compile", "g.json", "--target", target};
+        const Ran plain = run(arguments);
+        ASSERT_EQ(plain.code, 0) << plain.err;
+        EXPECT_EQ(run(arguments, "", {"LC_ALL=de_DE.UTF-8", "LANG=de_DE.UTF-8"}).out, plain.out);
+    }
+}
+
+}  // namespace
+}  // namespace wrinkle::test
