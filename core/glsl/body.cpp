@@ -8,7 +8,7 @@
 namespace wrinkle {
 namespace {
 
-constexpr size_t widest_line = 100;
+constexpr size_t widest_code = 100;
 
 // Parameters of a region are known by their place alone: a, b, c, ...
 std::string letter(size_t index) {
@@ -127,7 +127,7 @@ void Body::commented_line(int indent, const std::string& line, uint32_t group, b
     const bool plain = single && group == surface_group && !surface_commented_;
     const std::string beside = plain ? "" : comment_of(group);
     const size_t width = 4 * static_cast<size_t>(indent) + line.size() + 2 + beside.size();
-    if (beside.empty() || width > widest_line) {
+    if (beside.empty() || width > widest_code) {
         if (!beside.empty()) text_.line(indent, beside, node_of(group));
         code(indent, line, node_of(group));
     } else {
@@ -139,7 +139,7 @@ void Body::commented_line(int indent, const std::string& line, uint32_t group, b
 void Body::code(int indent, std::string line, uint32_t node) {
     constexpr int deeper = 2;
     for (int level = indent;; level = indent + deeper) {
-        const size_t room = widest_line - std::min<size_t>(4 * static_cast<size_t>(level), 60);
+        const size_t room = widest_code - std::min<size_t>(4 * static_cast<size_t>(level), 60);
         if (line.size() <= room) return text_.line(level, line, node);
         const size_t comma = line.rfind(", ", room - 1);
         const bool late = comma != std::string::npos && comma > room / 3;

@@ -49,7 +49,7 @@ TEST_F(TargetTest, SeveralGraphsGoIntoAFolder) {
     put("a.json", tilt_graph("0.5"));
     put("b.json", tilt_graph("0.25"));
     ASSERT_EQ(run({"compile", "a.json", "b.json", "--target", "spirv", "-o", "out"}).code, 0);
-    EXPECT_EQ(files(), (Names{"a.json", "b.json", "out/a.frag.spv", "out/a.vert.spv",
+    EXPECT_EQ(files(), (Names{"a.json", "b.json", "out", "out/a.frag.spv", "out/a.vert.spv",
                               "out/b.frag.spv", "out/b.vert.spv"}));
 }
 
