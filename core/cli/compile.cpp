@@ -167,6 +167,29 @@ void declare_cache(CLI::App& sub, CompileCommand& c) {
         ->transform(CLI::AsSizeValue(false));
 }
 
+void declare_text(CLI::App& sub, TextOptions& text) {
+    sub.add_option("--target", text.target, "The language to write")->capture_default_str();
+    sub.add_option("--form", text.form,
+                   "Functions for your shader (the default of GLSL), or a complete pair")
+        ->check(CLI::IsMember({"function", "shader"}));
+    sub.add_option("--params", text.params, "Numbers as literals or as uniforms")
+        ->check(CLI::IsMember({"baked", "uniform"}))
+        ->capture_default_str();
+    sub.add_option("--differentials", text.differentials,
+                   "Taken from the screen or passed by the caller")
+        ->check(CLI::IsMember({"screen", "given"}))
+        ->capture_default_str();
+    sub.add_option("--descriptor-set", text.set, "The descriptor set of the blocks and images")
+        ->check(CLI::Range(0, 31))
+        ->capture_default_str();
+    sub.add_option("--first-binding", text.first_binding, "The binding of the first of them")
+        ->check(CLI::Range(0, 4095))
+        ->capture_default_str();
+    sub.add_option("--name", text.name, "NAME in the text; default: the file's stem");
+    sub.add_flag("--strict", text.strict,
+                 "More images than a shader has texture units for certain are an error");
+}
+
 }  // namespace
 
 void declare_compile(CLI::App& app, Run& run) {
@@ -179,32 +202,13 @@ void declare_compile(CLI::App& app, Run& run) {
                    "graphs a folder")
         ->type_name("OUT")
         ->capture_default_str();
-    sub.add_option("--target", c.text.target, "The language to write")->capture_default_str();
-    sub.add_option("--form", c.text.form,
-                   "Functions for your shader (the default of GLSL), or a complete pair")
-        ->check(CLI::IsMember({"function", "shader"}));
-    sub.add_option("--params", c.text.params, "Numbers as literals or as uniforms")
-        ->check(CLI::IsMember({"baked", "uniform"}))
-        ->capture_default_str();
-    sub.add_option("--differentials", c.text.differentials,
-                   "Taken from the screen or passed by the caller")
-        ->check(CLI::IsMember({"screen", "given"}))
-        ->capture_default_str();
-    sub.add_option("--descriptor-set", c.text.set, "The descriptor set of the blocks and images")
-        ->check(CLI::Range(0, 31))
-        ->capture_default_str();
-    sub.add_option("--first-binding", c.text.first_binding, "The binding of the first of them")
-        ->check(CLI::Range(0, 4095))
-        ->capture_default_str();
-    sub.add_option("--name", c.text.name, "NAME in the text; default: the file's stem");
+    declare_text(sub, c.text);
     sub.add_option("--stage", c.outputs.stage, "Which stage goes to standard output")
         ->check(CLI::IsMember({"vertex", "fragment"}))
         ->capture_default_str();
     sub.add_option("--reflect", c.outputs.reflect,
                    "Writes what a caller must know as JSON; of several graphs into a folder")
         ->type_name("FILE");
-    sub.add_flag("--strict", c.text.strict,
-                 "More images than a shader has texture units for certain are an error");
     declare_depfile(sub, c.outputs.depfile);
     declare_cache(sub, c);
     declare_common(sub, c.common);

@@ -37,7 +37,7 @@ TEST_F(ManualTest, NamesEveryOptionOfTheHelp) {
     }
     EXPECT_GE(options, 20u);
     EXPECT_TRUE(says(page, "function|shader"));
-    EXPECT_TRUE(says(page, "default: function"));
+    EXPECT_TRUE(says(page, "default: baked"));
 }
 
 TEST_F(ManualTest, AnUnknownCommandIsWrongUsage) {

@@ -93,6 +93,7 @@ TEST_F(Headless, ExportsWhatTheProgramWrites) {
 TEST_F(Headless, ExportsEveryTargetAsTheProgramDoes) {
     const fs::path graph = fs::path(WRINKLE_SOURCE_DIR) / "graphs/base_and_detail.json";
     open_file(state, graph);
+    frame();
     for (const Target& target : targets()) {
         const std::string name(target.name), end(target.suffix);
         const std::string made = (folder.path() / ("made-" + name)).string();

@@ -23,21 +23,14 @@ uniform sampler2D weave_image;  // weave.png (normal_gl, repeat)
 uniform float softer_amount;
 
 vec3 wrinkle_strap_normal(WrinkleSurface_strap s) {
-    vec3 normal = normalize(s.normal);  // the surface point
-    float inverse_normal_length = inversesqrt(dot(s.normal, s.normal));
-    vec3 bitangent = cross(s.normal, s.tangent.xyz) * (s.tangent.w > 0.0 ? 1.0 : -1.0);
+    float inverse_normal_length = inversesqrt(dot(s.normal, s.normal));  // the surface point
+    vec3 normal = s.normal * inverse_normal_length;
     vec3 dpdx = dFdx(s.position_relative);
-    vec3 surface_dpdx = dpdx - normal * dot(normal, dpdx);
     vec2 duv1_dy = dFdy(s.uv1);
     vec3 dpdy = dFdy(s.position_relative);
-    vec3 surface_dpdy = dpdy - normal * dot(normal, dpdy);
     vec2 duv1_dx = dFdx(s.uv1);
-    float uv1_sign = duv1_dx.x * duv1_dy.y - duv1_dy.x * duv1_dx.y < 0.0 ? -1.0 : 1.0;
-    vec3 surface_product = (surface_dpdx * duv1_dy.y - surface_dpdy * duv1_dx.y) * uv1_sign;
-    float surface_inverse_root = inversesqrt(max(dot(surface_product, surface_product), 1e-36));
-    vec3 uv1_tangent = surface_product * surface_inverse_root;
-    float surface_sign = dot(surface_dpdy, cross(normal, surface_dpdx)) < 0.0 ? -1.0 : 1.0;
-    vec3 uv1_bitangent = cross(normal, uv1_tangent) * (uv1_sign * surface_sign);
+    vec3 uv1_bitangent = cross(normal, dpdx * duv1_dy.y - dpdy * duv1_dx.y);
+    float uv1_scale = inversesqrt(max(dot(uv1_bitangent, uv1_bitangent), 1e-36));
     vec3 base_texel = texture(base_image, s.uv0).xyz * 2.0 - 1.0;  // base: Tangent normal map
     float base_least_depth = max(abs(base_texel.x), abs(base_texel.y)) * 0.0078125;
     float base_depth = max(max(abs(base_texel.z), base_least_depth), 1e-06);
@@ -45,13 +38,18 @@ vec3 wrinkle_strap_normal(WrinkleSurface_strap s) {
     vec3 weave_texel = texture(weave_image, tile_uv).xyz * 2.0 - 1.0;  // weave: Tangent normal map
     float weave_least_depth = max(abs(weave_texel.x), abs(weave_texel.y)) * 0.0078125;
     float weave_depth = max(max(abs(weave_texel.z), weave_least_depth), 1e-06);
-    vec3 normal_product = normal * (base_depth * weave_depth * s.facing);  // normal: Resolve
-    vec2 normal_slope = -base_texel.xy * weave_depth;
-    vec3 normal_product_2 = s.tangent.xyz * inverse_normal_length * normal_slope.x;
-    vec3 normal_sum = normal_product_2 + bitangent * inverse_normal_length * normal_slope.y;
-    vec2 normal_slope_2 = -weave_texel.xy * softer_amount * base_depth;
-    vec3 normal_sum_2 = uv1_tangent * normal_slope_2.x + uv1_bitangent * normal_slope_2.y;
-    vec3 normal_bumped = normal_product - (normal_sum + normal_sum_2);
+    vec2 normal_slope = base_texel.xy * weave_depth;  // normal: Resolve
+    vec3 normal_along_u = s.tangent.xyz * (normal_slope.x * inverse_normal_length);
+    float normal_product = (s.tangent.w > 0.0 ? 1.0 : -1.0) * inverse_normal_length;
+    vec3 normal_along_v = cross(s.normal, s.tangent.xyz) * (normal_slope.y * normal_product);
+    vec2 normal_slope_2 = weave_texel.xy * softer_amount * base_depth;
+    float normal_sign = duv1_dx.x * duv1_dy.y - duv1_dy.x * duv1_dx.y < 0.0 ? -1.0 : 1.0;
+    float normal_slope_u = normal_slope_2.x * (uv1_scale * normal_sign);
+    vec3 normal_along_u_2 = cross(uv1_bitangent, normal) * normal_slope_u;
+    float normal_product_2 = uv1_scale * (dot(normal, cross(dpdx, dpdy)) < 0.0 ? -1.0 : 1.0);
+    vec3 normal_along_v_2 = uv1_bitangent * (normal_slope_2.y * normal_product_2);
+    vec3 normal_gradient = normal_along_u + normal_along_v + (normal_along_u_2 + normal_along_v_2);
+    vec3 normal_bumped = normal * (base_depth * weave_depth * s.facing) + normal_gradient;
     return normalize(vec3(normal_bumped.xy, normal_bumped.z + 1e-18));
 }
 
