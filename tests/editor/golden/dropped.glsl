@@ -10,23 +10,23 @@ uniform sampler2D weave_normal_image;   // textures/weave_normal.png (normal_gl,
 
 vec3 wrinkle_graph_normal(WrinkleSurface_graph s) {
     // rivets_normal: Tangent normal map
-    vec3 rivets_normal_texel = texture(rivets_normal_image, s.uv0).xyz * 2.0 - 1.0;
+    vec3 rivets_normal_texel = texture(rivets_normal_image, s.uv0).xyz - 0.5;
     float rivets_normal_greatest = max(abs(rivets_normal_texel.x), abs(rivets_normal_texel.y));
     float rivets_normal_greatest_2 = max(abs(rivets_normal_texel.z),
             rivets_normal_greatest * 0.0078125);
-    float rivets_normal_depth = max(rivets_normal_greatest_2, 1e-06);
+    float rivets_normal_depth = max(rivets_normal_greatest_2, 5e-07);
     // weave_normal: Tangent normal map
-    vec3 weave_normal_texel = texture(weave_normal_image, s.uv0).xyz * 2.0 - 1.0;
+    vec3 weave_normal_texel = texture(weave_normal_image, s.uv0).xyz - 0.5;
     float weave_normal_greatest = max(abs(weave_normal_texel.x), abs(weave_normal_texel.y));
     float weave_normal_greatest_2 = max(abs(weave_normal_texel.z),
             weave_normal_greatest * 0.0078125);
-    float weave_normal_depth = max(weave_normal_greatest_2, 1e-06);
-    vec3 bitangent = cross(s.normal, s.tangent.xyz) * (s.tangent.w > 0.0 ? 1.0 : -1.0);
+    float weave_normal_depth = max(weave_normal_greatest_2, 5e-07);
     // resolve: Resolve
     vec3 resolve_product = s.normal * (rivets_normal_depth * weave_normal_depth * s.facing);
-    vec2 resolve_slope = -weave_normal_texel.xy * AMOUNT * rivets_normal_depth;
-    vec2 resolve_slope_2 = -rivets_normal_texel.xy * weave_normal_depth + resolve_slope;
-    vec3 resolve_gradient = s.tangent.xyz * resolve_slope_2.x + bitangent * resolve_slope_2.y;
-    vec3 resolve_bumped = resolve_product - resolve_gradient;
+    vec2 resolve_slope = weave_normal_texel.xy * AMOUNT * rivets_normal_depth;
+    vec2 resolve_slope_2 = rivets_normal_texel.xy * weave_normal_depth + resolve_slope;
+    float resolve_slope_v = resolve_slope_2.y * (s.tangent.w > 0.0 ? 1.0 : -1.0);
+    vec3 resolve_along_v = cross(s.normal, s.tangent.xyz) * resolve_slope_v;
+    vec3 resolve_bumped = resolve_product + (s.tangent.xyz * resolve_slope_2.x + resolve_along_v);
     return normalize(vec3(resolve_bumped.xy, resolve_bumped.z + 1e-18));
 }
