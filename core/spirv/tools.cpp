@@ -85,13 +85,13 @@ std::string disassembly(std::string_view bytes) {
 
 std::string bytes_of(const SpirvWords& words) {
     std::string bytes(words.size() * sizeof(uint32_t), '\0');
-    std::memcpy(bytes.data(), words.data(), bytes.size());
+    if (!words.empty()) std::memcpy(bytes.data(), words.data(), bytes.size());
     return bytes;
 }
 
 SpirvWords words_of(std::string_view bytes) {
     SpirvWords words(bytes.size() / sizeof(uint32_t));
-    std::memcpy(words.data(), bytes.data(), words.size() * sizeof(uint32_t));
+    if (!words.empty()) std::memcpy(words.data(), bytes.data(), words.size() * sizeof(uint32_t));
     return words;
 }
 
