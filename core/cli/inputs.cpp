@@ -94,8 +94,9 @@ std::vector<InputFile> inputs_of(const Project& project, const Types& types) {
             found.add(InputFile::Kind::graph, spelled(file.document.file, file.path));
     for (size_t f = 0; f < project.files.size(); ++f) {
         const fs::path folder = fs::path(project.files[f].document.file).parent_path();
+        std::set<std::string> names;  // many nodes may read one image
         for (const NamedImage& image : named_images(project, types, f))
-            if (image.path)
+            if (image.path && names.insert(image.name).second)
                 found.add(InputFile::Kind::image, spelled(folder / image.name, *image.path));
     }
     for (size_t f = 0; f < project.files.size(); ++f)

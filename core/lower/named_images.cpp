@@ -1,5 +1,6 @@
 #include "lower/named_images.h"
 
+#include "graph/named_files.h"
 #include "lower/literal.h"
 
 namespace wrinkle {
@@ -16,11 +17,11 @@ bool takes_image(const NodeType& type, const Input& input) {
 
 std::vector<NamedImage> named_images(const Project& project, const Types& types, size_t file) {
     std::vector<NamedImage> images;
+    NamedFiles files(project);
     const auto add = [&](const json::Value& value) {
-        std::string name = literal_image(value).file;
+        const std::string name = literal_image(value).file;
         if (name.empty()) return;
-        auto path = resolve_file(project, file, name);
-        images.push_back({std::move(name), std::move(path)});
+        images.push_back({name, files.find(file, name).path});
     };
     const Document& document = project.files[file].document;
     for (size_t i = 0; i < document.nodes.size(); ++i) {
