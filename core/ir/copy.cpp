@@ -100,19 +100,29 @@ Id Copier::write(Id id) {
     const Inst inst = (*source_)[id];
     args_.clear();
     bool same = target_ == source_ && shift_ == 0;
-    if (has_base(inst)) same = same && written_.at(inst.extra) == inst.extra;
+    bool as_it_was = !renamed_.empty() && shift_ == 0;
+    const uint32_t extra = has_base(inst) ? written_.at(inst.extra) : inst.extra;
+    if (has_base(inst)) {
+        same = same && extra == inst.extra;
+        as_it_was = as_it_was && renamed_[inst.extra];
+    }
     for (const Id operand : source_->operands(id)) {
         args_.push_back(written_.at(operand));
         same = same && args_.back() == operand;
+        as_it_was = as_it_was && renamed_[operand];
     }
     if (replace_)
         if (const Id replaced = replace_(context_, *target_, *source_, id, args_)) return replaced;
-    if (info(inst.op).rule == Rule::leaf) return write_leaf(inst);
     if (inst.op == Op::loop_ || inst.op == Op::call_) return write_apply(inst, args_);
+    if (as_it_was) renamed_[id] = true;
+    if (info(inst.op).rule == Rule::leaf) return write_leaf(inst);
     if (same) return id;
-    const uint32_t extra = has_base(inst) ? written_.at(inst.extra) : inst.extra;
     if (inst.op == Op::result_) return target_->result(args_[0], inst.extra);
-    return target_->add(inst.op, args_, extra, inst.type);
+    if (!as_it_was) return target_->add(inst.op, args_, extra, inst.type);
+    Inst known = inst;
+    known.extra = extra;
+    std::copy(args_.begin(), args_.end(), known.arg.begin());
+    return target_->add_known(known);
 }
 
 }  // namespace wrinkle

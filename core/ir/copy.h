@@ -31,7 +31,8 @@ public:
         : target_(&target),
           source_(&source),
           into_functions_(into_functions),
-          written_(into_functions ? source.size() : 0) {}
+          written_(into_functions ? source.size() : 0),
+          renamed_(into_functions ? source.size() : 0, false) {}
 
     void map(Id from, Id to) { written_.set(from, to); }
     void set_replace(Replace replace, void* context) {
@@ -65,7 +66,8 @@ private:
     Replace replace_ = nullptr;
     void* context_ = nullptr;
     Written written_;
-    std::vector<Id> args_;  // of the instruction that is being written
+    std::vector<bool> renamed_;  // of a whole module: written as it was, and so all below it
+    std::vector<Id> args_;       // of the instruction that is being written
 };
 
 // Stands outside every function in generated code and may be read from anywhere.

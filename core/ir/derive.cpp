@@ -1,7 +1,6 @@
 #include "ir/derive.h"
 
 #include <algorithm>
-#include <unordered_set>
 
 #include "ir/derive_rules.h"
 #include "ir/rewrite.h"
@@ -23,12 +22,26 @@ bool never_changes(const Inst& inst) {
 }
 
 Id Direction::tangent(Id value) {
-    std::unordered_set<Id> seen;
+    if (value == poison || memo_.has(value)) return memo_.at(value);
+    const std::vector<Id> list = unknown_below(value);
+    const uint32_t node = module_->current_node;
+    for (const Id id : list) {
+        module_->current_node = module_->origin[id];
+        const Id change = compute(id);
+        memo_.set(id, change);
+        log_.push_back(id);
+    }
+    module_->current_node = node;
+    return memo_.at(value);
+}
+
+// What the tangent of a value needs, in the order of ids; all of it is marked.
+std::vector<Id> Direction::unknown_below(Id value) {
     std::vector<Id> open{value}, list;
     while (!open.empty()) {
         const Id id = open.back();
         open.pop_back();
-        if (id == poison || memo_.count(id) || !seen.insert(id).second) continue;
+        if (id == poison || !memo_.mark(id)) continue;
         list.push_back(id);
         const Inst& inst = (*module_)[id];
         if (never_changes(inst)) continue;
@@ -40,15 +53,7 @@ Id Direction::tangent(Id value) {
                 open.push_back(captured);
     }
     std::sort(list.begin(), list.end());
-    const uint32_t node = module_->current_node;
-    for (const Id id : list) {
-        module_->current_node = module_->origin[id];
-        const Id change = compute(id);
-        memo_[id] = change;
-        log_.push_back(id);
-    }
-    module_->current_node = node;
-    return memo_[value];
+    return list;
 }
 
 Id Direction::tangent_or_zero(Id value) {
@@ -69,7 +74,7 @@ Id Direction::compute(Id id) {
     size_t count = 0;
     bool any = false;
     for (const Id operand : module_->operands(id)) {
-        changes[count] = memo_[operand];
+        changes[count] = memo_.at(operand);
         any = any || changes[count];
         ++count;
     }
@@ -84,7 +89,7 @@ Id Direction::texture(Id sample, Id read) {
     Module& m = *module_;
     const Inst inst = m[sample];
     const Inst reader = m[read];
-    const Value change{&m, memo_[inst.arg[0]]};
+    const Value change{&m, memo_.at(inst.arg[0])};
     if (!change) return poison;
     Id lod = inst.arg[1];
     if (inst.op == Op::sample_) {
@@ -122,7 +127,7 @@ Id Direction::call_member(const Inst& result) {
     std::vector<bool> changing;
     std::vector<Id> changes;
     for (const Id arg : operands) {
-        const Id change = memo_[arg];
+        const Id change = memo_.at(arg);
         changing.push_back(change != poison);
         if (change) changes.push_back(change);
     }
@@ -176,7 +181,7 @@ Id Direction::loop_member(const Inst& result) {
 
 void Direction::forget(size_t first) {
     for (size_t i = first; i < log_.size(); ++i) {
-        memo_.erase(log_[i]);
+        memo_.forget(log_[i]);
         loops_.erase(log_[i]);
     }
     log_.resize(first);
@@ -198,7 +203,8 @@ void Direction::seed_state(const Region& region, const std::vector<bool>& changi
     for (uint32_t k = 0; k < changing.size(); ++k) {
         const Type type = region.params[k];
         const Id param = module_->region_parameter(region.level, k, type);
-        memo_[param] = changing[k] ? module_->region_parameter(region.level, next++, type) : poison;
+        memo_.set(param,
+                  changing[k] ? module_->region_parameter(region.level, next++, type) : poison);
         log_.push_back(param);
     }
 }
@@ -213,7 +219,7 @@ std::vector<Id> Direction::widened_loop(Id loop) {
     const size_t own = args.size();
     std::vector<bool> changing;
     for (const Id arg : args)
-        changing.push_back(memo_[arg] != poison);
+        changing.push_back(memo_.at(arg) != poison);
     const size_t before = log_.size();
     do {
         forget(before);
@@ -223,7 +229,7 @@ std::vector<Id> Direction::widened_loop(Id loop) {
     const std::vector<Type> types = region.params;
     for (size_t k = 0; k < own; ++k) {
         if (!changing[k]) continue;
-        const Id start = memo_[args[k]];
+        const Id start = memo_.at(args[k]);
         args.push_back(start ? start : module_->zero(types[k]));
         region.params.push_back(types[k]);
         region.results.push_back(tangent_or_zero(region.results[k + 1]));

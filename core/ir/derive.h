@@ -27,19 +27,43 @@ bool never_changes(const Inst& inst);
 class Direction {
 public:
     explicit Direction(Module& module) : module_(&module) {}
-    void seed(Id leaf, Id tangent) { memo_[leaf] = tangent; }
+    void seed(Id leaf, Id tangent) { memo_.set(leaf, tangent); }
 
     // The tangent of `value`; poison stands for zero (see tangent_or_zero). Memoised.
     Id tangent(Id value);
     Id tangent_or_zero(Id value);
 
 private:
+    // The tangents that are known, in a list as long as the module has become.
+    class Memo {
+    public:
+        bool has(Id id) const { return id < tangents_.size() && tangents_[id] < marked; }
+        Id at(Id id) const { return has(id) ? tangents_[id] : poison; }
+        void set(Id id, Id tangent) { (*this)[id] = tangent; }
+        void forget(Id id) { (*this)[id] = unknown; }
+        // Between the first sight of a value and its tangent. False: seen or known before.
+        bool mark(Id id) {
+            if (id < tangents_.size() && tangents_[id] != unknown) return false;
+            (*this)[id] = marked;
+            return true;
+        }
+
+    private:
+        static constexpr Id unknown = ~0U, marked = ~0U - 1;
+        Id& operator[](Id id) {
+            if (id >= tangents_.size()) tangents_.resize(id + size_t{1}, unknown);
+            return tangents_[id];
+        }
+        std::vector<Id> tangents_;
+    };
+
     // A function's derivative for some of its arguments changing.
     struct DerivedFunction {
         uint32_t region = 0;
         std::vector<int> member;  // of each result, in the derived function's; -1: zero
     };
 
+    std::vector<Id> unknown_below(Id value);
     Id compute(Id id);
     Id call_member(const Inst& result);
     Id loop_member(const Inst& result);
@@ -51,7 +75,7 @@ private:
     Id texture(Id sample, Id read);
 
     Module* module_;
-    std::unordered_map<Id, Id> memo_;
+    Memo memo_;
     std::vector<Id> log_;  // what was memoised, in order
     std::map<std::pair<uint32_t, std::vector<bool>>, DerivedFunction> functions_;
     std::unordered_map<Id, std::vector<Id>> loops_;

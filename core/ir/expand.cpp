@@ -1,7 +1,5 @@
 #include "ir/expand.h"
 
-#include <unordered_map>
-
 #include "ir/gradient_sum.h"
 #include "ir/rewrite.h"
 
@@ -39,7 +37,33 @@ std::vector<bool> jumping(const Module& module) {
     return jumps;
 }
 
+// Values beside some ids of a module.
+template <class T>
+class ById {
+public:
+    explicit ById(size_t count) : place_(count, 0) {}
+    void set(Id id, T value) {
+        items_.push_back(std::move(value));
+        place_[id] = static_cast<uint32_t>(items_.size());
+    }
+    const T& at(Id id) const { return items_.at(place_[id] - size_t{1}); }
+    const T* find(Id id) const { return place_[id] ? &items_[place_[id] - size_t{1}] : nullptr; }
+
+private:
+    std::vector<uint32_t> place_;  // one more than the index
+    std::vector<T> items_;
+};
+
 struct Expander {
+    Expander(const ExpandOptions& o, const Module& source)
+        : options(o),
+          jumps(jumping(source)),
+          inputs(input_dependencies(source)),
+          frames(source.size()),
+          derivatives(source.size()),
+          gradients(source.size()),
+          bases(source.size()) {}
+
     const ExpandOptions& options;
     const std::vector<bool> jumps;
     const std::vector<uint32_t> inputs;  // that each value changes with
@@ -47,10 +71,10 @@ struct Expander {
     std::optional<ScreenDerivatives> screen;
     std::optional<GradientAlgebra> algebra;
     // By source Id.
-    std::unordered_map<Id, Frame> frames;
-    std::unordered_map<Id, Derivative> derivatives;
-    std::unordered_map<Id, GradientSum> gradients;
-    std::unordered_map<Id, Value> bases;  // the resolved normal; empty for the surface
+    ById<Frame> frames;
+    ById<Derivative> derivatives;
+    ById<GradientSum> gradients;
+    ById<Value> bases;  // the resolved normal; empty for the surface
 
     Value value(Id id) const { return {target, id}; }
     Value base_normal(const Module& source, Id gradient) const;
@@ -126,9 +150,8 @@ GradientSum Expander::source_gradient(const Module& source, Id id, std::span<con
     const Inst& inst = source[id];
     switch (inst.op) {
         case Op::gradient_from_derivative_: {
-            const auto found = derivatives.find(inst.arg[0]);
-            if (found == derivatives.end()) return {};
-            return from_derivative(found->second);
+            const Derivative* found = derivatives.find(inst.arg[0]);
+            return found ? from_derivative(*found) : GradientSum{};
         }
         case Op::gradient_from_height_: {
             if (is_position_alone(inputs[inst.arg[0]])) return solid_gradient(mapped[0]);
@@ -159,21 +182,21 @@ void Expander::gradient(const Module& source, Id id, std::span<const Id> mapped)
     const Inst& inst = source[id];
     GradientSum result;
     if (inst.op == Op::gradient_add_) {
-        result = algebra->add(gradients[inst.arg[0]], gradients[inst.arg[1]]);
+        result = algebra->add(gradients.at(inst.arg[0]), gradients.at(inst.arg[1]));
     } else if (inst.op == Op::gradient_scale_) {
-        result = algebra->scale(gradients[inst.arg[0]], value(mapped[1]));
+        result = algebra->scale(gradients.at(inst.arg[0]), value(mapped[1]));
     } else if (inst.op == Op::gradient_mix_) {
         const Value t = value(mapped[2]);
-        result = algebra->add(algebra->scale(gradients[inst.arg[0]], number(t, 1) - t),
-                              algebra->scale(gradients[inst.arg[1]], t));
+        result = algebra->add(algebra->scale(gradients.at(inst.arg[0]), number(t, 1) - t),
+                              algebra->scale(gradients.at(inst.arg[1]), t));
     } else {
         result = source_gradient(source, id, mapped);
     }
-    gradients[id] = std::move(result);
+    gradients.set(id, std::move(result));
 }
 
 Id Expander::resolve(const Module& source, Id id) {
-    const GradientSum& sum = gradients[source[id].arg[0]];
+    const GradientSum& sum = gradients.at(source[id].arg[0]);
     Value facing;
     if (options.back_faces != BackFaces::none) facing = value(target->input(SurfaceInput::facing_));
     const Value sign = options.back_faces == BackFaces::flip ? facing : Value{};
@@ -183,10 +206,10 @@ Id Expander::resolve(const Module& source, Id id) {
 void Expander::base(const Module& source, Id id, std::span<const Id> mapped) {
     const Inst& inst = source[id];
     if (source[inst.arg[0]].op == Op::resolve_) {
-        bases[id] = value(mapped[0]);
+        bases.set(id, value(mapped[0]));
         return;
     }
-    bases[id] = {};
+    bases.set(id, {});
     if (mapped[0] != surface_normal(*target, options.back_faces) &&
         mapped[0] != unit_normal(*target))
         target->problem("the base is neither the surface's normal nor the output of a resolve",
@@ -205,25 +228,24 @@ Id Expander::opaque(const Module& source, Id id, std::span<const Id> mapped) {
             break;
         case Op::frame_: {
             const Id direction = mapped.size() > 1 ? mapped[1] : poison;
-            frames.emplace(id, make_frame(*target, *screen, mapped[0], direction, inst.extra));
+            frames.set(id, make_frame(*target, *screen, mapped[0], direction, inst.extra));
             break;
         }
         case Op::derivative_:
-            derivatives[id] = {value(mapped[0]), frames.at(inst.arg[1]), {}, {}};
+            derivatives.set(id, {value(mapped[0]), frames.at(inst.arg[1]), {}, {}});
             break;
         case Op::normal_derivative_:
-            derivatives[id] =
-                normal_derivative(value(mapped[0]), value(mapped[1]), frames.at(inst.arg[2]));
+            derivatives.set(
+                id, normal_derivative(value(mapped[0]), value(mapped[1]), frames.at(inst.arg[2])));
             break;
         case Op::slope_: {
-            const auto found = derivatives.find(inst.arg[0]);
-            if (found == derivatives.end()) return target->zero(Type::vec2_);
-            const Derivative& d = found->second;
-            return d.depth ? (d.slope * (-d.strength / d.depth)).id : d.slope.id;
+            const Derivative* d = derivatives.find(inst.arg[0]);
+            if (!d) return target->zero(Type::vec2_);
+            return d->depth ? (d->slope * (-d->strength / d->depth)).id : d->slope.id;
         }
         case Op::gradient_vector_: {
             const Value on_base = base_normal(source, inst.arg[0]);
-            const Value gamma = algebra->vector(gradients[inst.arg[0]], on_base);
+            const Value gamma = algebra->vector(gradients.at(inst.arg[0]), on_base);
             return gamma ? gamma.id : target->zero(Type::vec3_);
         }
         case Op::resolve_:
@@ -312,18 +334,17 @@ bool all_settled(const Module& module) {
 
 }  // namespace
 
-Module settle_frames(const Module& source, const ExpandOptions& options) {
+Module settle_frames(Module source, const ExpandOptions& options) {
     Settler settler{options, input_dependencies(source)};
-    return rebuild(source, settle_one, &settler);
+    return rebuild(std::move(source), settle_one, &settler);
 }
 
-Module expand(const Module& source, const ExpandOptions& options) {
-    if (!all_settled(source)) return expand(settle_frames(source, options), options);
-    Expander expander{
-        options, jumping(source), input_dependencies(source), nullptr, {}, {}, {}, {}, {}, {}};
-    const Module expanded = rebuild(source, expand_one, &expander);
+Module expand(Module source, const ExpandOptions& options) {
+    if (!all_settled(source)) source = settle_frames(std::move(source), options);
+    Expander expander(options, source);
+    Module expanded = rebuild(std::move(source), expand_one, &expander);
     Finisher finisher(expanded);
-    return rebuild(expanded, finish, &finisher);
+    return rebuild(std::move(expanded), finish, &finisher);
 }
 
 }  // namespace wrinkle

@@ -20,12 +20,12 @@ struct ExpandOptions {
 
 // Decides the method of every frame and the uv set it belongs to, and reports a method that does
 // not fit its scale. Done before parameters are baked: frames and errors never depend on a value.
-Module settle_frames(const Module& source, const ExpandOptions& options);
+Module settle_frames(Module source, const ExpandOptions& options);
 
 // A module without opaque ops, ddx and ddy; frames are settled first where they are not. A sample
 // whose uv jumps between pixels (floor, select, an angle, a march, a read shift) becomes a
 // sample_grad with the uv's forward derivative, so that no seam of levels shows where it jumps.
 // What cannot be expanded (a bump inside a loop, say) is a problem in the result.
-Module expand(const Module& source, const ExpandOptions& options);
+Module expand(Module source, const ExpandOptions& options);
 
 }  // namespace wrinkle

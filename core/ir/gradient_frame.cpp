@@ -25,10 +25,11 @@ std::optional<SurfaceInput> single_uv_set(uint32_t dependencies) {
 }
 
 // The rows of J^T / sqrt|det J|, J = d(uv)/d(set); nothing is stored where J is the identity.
-void bring_to_set(Module& target, Id uv, SurfaceInput set, Frame& frame) {
+void bring_to_set(Module& target, ScreenDerivatives& changes, Id uv, SurfaceInput set,
+                  Frame& frame) {
     if (uv == target.input(set)) return;
-    const Value u{&target, uv_direction(target, set, 0).tangent_or_zero(uv)};
-    const Value v{&target, uv_direction(target, set, 1).tangent_or_zero(uv)};
+    const Value u = changes.in_uv_set(set, 0, uv);
+    const Value v = changes.in_uv_set(set, 1, uv);
     const Value det = abs(u.x() * v.y() - u.y() * v.x());
     const Value scale = select(greater(det, 0), inversesqrt(max(det, tiny_square)), number(u, 0));
     frame.row_u = vec2(u.x() * scale, u.y() * scale);
@@ -151,6 +152,12 @@ Value ScreenDerivatives::in_space(int axis, Id value) {
     return {target_, direction->tangent_or_zero(value)};
 }
 
+Value ScreenDerivatives::in_uv_set(SurfaceInput set, int axis, Id value) {
+    auto& direction = uv_sets_[2 * static_cast<size_t>(set) + static_cast<size_t>(axis)];
+    if (!direction) direction = uv_direction(*target_, set, axis);
+    return {target_, direction->tangent_or_zero(value)};
+}
+
 std::vector<uint32_t> input_dependencies(const Module& module) {
     std::vector<uint32_t> inputs(module.size(), 0);
     for (Id id = 1; id < module.size(); ++id) {
@@ -201,7 +208,7 @@ Frame make_frame(Module& target, ScreenDerivatives& screen, Id uv, Id direction,
         frame.row_v = screen.along_surface(Variant::dy, uv);
         return frame;
     }
-    if (set > 1) bring_to_set(target, uv, static_cast<SurfaceInput>(set - 2), frame);
+    if (set > 1) bring_to_set(target, screen, uv, static_cast<SurfaceInput>(set - 2), frame);
     if (method == WR_FRAME_guess)
         frame.key = {Basis::guess, direction};
     else if (method == WR_FRAME_vertex)

@@ -30,7 +30,8 @@
 
 namespace wrinkle {
 
-// The changes of values to the next pixel, each direction made when first asked for.
+// The changes of values to the next pixel or along something, each direction made when first asked
+// for.
 class ScreenDerivatives {
 public:
     explicit ScreenDerivatives(Module& target) : target_(&target) {}
@@ -43,12 +44,15 @@ public:
     Value position(Variant axis);
     // Along x, y or z, as 0 to 2, of what changes with the position alone.
     Value in_space(int axis, Id value);
+    // Along u or v of a uv set, as 0 and 1.
+    Value in_uv_set(SurfaceInput set, int axis, Id value);
 
 private:
     Value change(Variant axis, Id value, bool project);
     Module* target_;
     std::array<std::optional<Direction>, 4> directions_;
     std::array<std::optional<Direction>, 3> space_;
+    std::array<std::optional<Direction>, 2 * surface_input_count> uv_sets_;
 };
 
 enum class Basis : uint8_t { vertex, derived_set, derived_uv, guess, exact, space };

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <cstring>
 
 #include "ir/fold.h"
 #include "ir/simplify.h"
@@ -11,27 +12,29 @@
 namespace wrinkle {
 namespace {
 
-constexpr size_t first_capacity = 1024;
-
-uint64_t mixed(uint64_t h, uint64_t value) {
-    h = (h ^ value) * 0x9E3779B97F4A7C15u;
-    return h ^ h >> 32;
+// At most half of the table is taken.
+size_t slots_for(size_t expected) {
+    return std::bit_ceil(std::max<size_t>(expected, 128) * 2);
 }
 
+// Multilinear, then mixed downwards: literals differ in the highest bits of their value alone, and
+// a slot is taken from the lowest bits.
 uint64_t hash_of(const Inst& inst) {
-    uint64_t h = static_cast<uint64_t>(inst.op) | static_cast<uint64_t>(inst.type) << 16 |
-                 static_cast<uint64_t>(inst.level) << 24 | static_cast<uint64_t>(inst.extra) << 32;
-    h = mixed(0x243F6A8885A308D3u, h);
-    h = mixed(h, inst.arg[0] | static_cast<uint64_t>(inst.arg[1]) << 32);
-    h = mixed(h, inst.arg[2] | static_cast<uint64_t>(inst.arg[3]) << 32);
-    return mixed(h, std::bit_cast<uint64_t>(inst.value));
+    const uint64_t head = static_cast<uint64_t>(inst.op) | static_cast<uint64_t>(inst.type) << 16 |
+                          static_cast<uint64_t>(inst.level) << 24 |
+                          static_cast<uint64_t>(inst.extra) << 32;
+    uint64_t h = head * 0x9E3779B97F4A7C15U;
+    h += (inst.arg[0] | static_cast<uint64_t>(inst.arg[1]) << 32) * 0xC2B2AE3D27D4EB4FU;
+    h += (inst.arg[2] | static_cast<uint64_t>(inst.arg[3]) << 32) * 0x165667B19E3779F9U;
+    h += std::rotl(std::bit_cast<uint64_t>(inst.value), 32) * 0xD6E8FEB86659FD93U;
+    h = (h ^ h >> 32) * 0xFF51AFD7ED558CCDU;
+    return h ^ h >> 29;
 }
 
 // Literals are told apart by their bits: -0 and 0 are two values.
 bool identical(const Inst& a, const Inst& b) {
-    return a.op == b.op && a.type == b.type && a.level == b.level && a.arg == b.arg &&
-           a.extra == b.extra &&
-           std::bit_cast<uint64_t>(a.value) == std::bit_cast<uint64_t>(b.value);
+    static_assert(sizeof(Inst) == 32, "an instruction has no padding");
+    return std::memcmp(&a, &b, sizeof(Inst)) == 0;
 }
 
 bool is_variadic_list(Op op) {
@@ -77,7 +80,9 @@ std::string base_in_words(const Module& m, Id base) {
 
 }  // namespace
 
-Module::Module() : slots_(first_capacity, poison) {
+Module::Module(size_t expected) : slots_(slots_for(expected), poison) {
+    inst_.reserve(expected);
+    origin.reserve(expected);
     inst_.push_back({});
     origin.push_back(0);
     regions_.push_back({});
@@ -118,12 +123,10 @@ uint32_t Module::intern_list(std::span<const Id> ids) {
     return entry->second;
 }
 
-std::span<const Id> Module::operands(Id id) const {
-    const Inst& inst = inst_[id];
+std::span<const Id> Module::listed_operands(const Inst& inst) const {
     if (is_variadic_list(inst.op)) return lists_[inst.arg[0]];
-    const int arity = info(inst.op).arity;
-    size_t count = arity >= 0 ? static_cast<size_t>(arity) : inst.arg.size();
-    while (arity < 0 && count > 0 && inst.arg[count - 1] == poison)
+    size_t count = inst.arg.size();
+    while (count > 0 && inst.arg[count - 1] == poison)
         --count;
     return std::span(inst.arg.data(), count);
 }
@@ -147,24 +150,41 @@ Id Module::add(Op op, std::span<const Id> args, uint32_t extra, Type type) {
     return intern(inst);
 }
 
+Id Module::add_known(const Inst& known) {
+    Inst inst = known;
+    inst.level = 0;
+    for (const Id arg : inst.arg)
+        inst.level = std::max(inst.level, inst_[arg].level);
+    return intern(inst);
+}
+
 // Numbers of ops and of operands come from plugins as well. False for poison among the operands.
 bool Module::may_be_written(Op op, std::span<const Id> args) {
+    const OpInfo& row = info(op);
+    const bool plain = row.rule != Rule::leaf && op != Op::loop_ && op != Op::call_ &&
+                       op != Op::result_ && args.size() <= Inst{}.arg.size();
+    const auto exists = [&](Id arg) { return arg != poison && arg < size(); };
+    if (plain && std::all_of(args.begin(), args.end(), exists)) return true;
+    say_why_not(op, args);
+    return false;
+}
+
+void Module::say_why_not(Op op, std::span<const Id> args) {
     const OpInfo& row = info(op);
     if (row.rule == Rule::leaf || op == Op::loop_ || op == Op::call_ || op == Op::result_) {
         problem(row.name.empty() ? "there is no op " + std::to_string(static_cast<int>(op))
                                  : "'" + std::string(row.name) + "' is not written as an op");
-        return false;
+        return;
     }
     if (args.size() > Inst{}.arg.size()) {
         problem(std::string(row.name) + " takes at most 4 operands");
-        return false;
+        return;
     }
     for (const Id arg : args)
         if (arg >= size()) {
             problem(std::string(row.name) + " is given a value that does not exist");
-            return false;
+            return;
         }
-    return std::find(args.begin(), args.end(), poison) == args.end();
 }
 
 Type Module::typed(Op op, std::span<const Type> types, uint32_t extra, Type wanted) {
@@ -186,11 +206,11 @@ Type Module::typed(Op op, std::span<const Type> types, uint32_t extra, Type want
 Id Module::folded_constant(Op op, std::span<const Id> args, uint32_t extra, Type type) {
     if (args.empty() || info(type).lanes == 0) return poison;
     if (op == Op::construct_ || op == Op::swizzle_ || op == Op::select_) return poison;
+    for (const Id arg : args)
+        if (!is_constant(arg)) return poison;
     std::array<Constant, 4> constants;
-    for (size_t i = 0; i < args.size(); ++i) {
-        if (!is_constant(args[i])) return poison;
+    for (size_t i = 0; i < args.size(); ++i)
         constants[i] = {this->type(args[i]), lanes_of(args[i])};
-    }
     Lanes lanes{};
     if (!fold(op, type, extra, std::span(constants.data(), args.size()), lanes)) return poison;
     return constant(type, std::span(lanes.data(), info(type).lanes));
@@ -284,6 +304,10 @@ Id Module::region_parameter(int level, uint32_t index, Type type) {
 
 Id Module::construct(Type type, std::initializer_list<Id> parts) {
     return add(Op::construct_, parts, 0, type);
+}
+
+Id Module::component(Id vector, uint32_t lane) {
+    return add(Op::swizzle_, {vector}, 1 | lane << 4);
 }
 
 Id Module::swizzle(Id vector, std::string_view components) {

@@ -151,7 +151,7 @@ struct Problem {
 
 class Module {
 public:
-    Module();
+    explicit Module(size_t expected = 0);  // instructions, to make room for
 
     // The general form. `type` is used by construct, result and region_param only; elsewhere the
     // type follows from the operands. Poison (and a problem, unless an operand is poison) when they
@@ -169,6 +169,7 @@ public:
     Id parameter(uint32_t index);
     Id construct(Type type, std::initializer_list<Id> parts);
     Id swizzle(Id vector, std::string_view components);  // "xy", "z"
+    Id component(Id vector, uint32_t lane);
     // Gradient sources: as add(), on the given base (0: the surface).
     Id gradient(Op op, Id operand, Id base);
 
@@ -192,7 +193,12 @@ public:
     const Inst& operator[](Id id) const { return inst_[id]; }  // not to be held across add()
     Id size() const { return static_cast<Id>(inst_.size()); }
     Type type(Id id) const { return inst_[id].type; }
-    std::span<const Id> operands(Id id) const;
+    std::span<const Id> operands(Id id) const {
+        const Inst& inst = inst_[id];
+        const int arity = info(inst.op).arity;
+        if (arity < 0) return listed_operands(inst);
+        return std::span(inst.arg.data(), static_cast<size_t>(arity));
+    }
     const Region& region(uint32_t index) const { return regions_[index]; }
     uint32_t region_count() const { return static_cast<uint32_t>(regions_.size()); }
 
@@ -217,6 +223,9 @@ public:
     std::vector<uint32_t> origin;  // by Id
     uint32_t current_node = 0;     // the origin of what is added now
 
+    // An instruction that add() gave before, of another module too, with its operands renamed
+    // alike: it is checked, folded and simplified already. Neither a loop nor a call.
+    Id add_known(const Inst& known);
     // A parameter of the region at this level, as passes that rebuild regions need it.
     Id region_parameter(int level, uint32_t index, Type type);
     std::array<double, 9> lanes_of(Id constant) const;
@@ -233,6 +242,8 @@ private:
     Type typed(Op op, std::span<const Type> types, uint32_t extra, Type wanted);
     Id folded_constant(Op op, std::span<const Id> args, uint32_t extra, Type type);
     bool may_be_written(Op op, std::span<const Id> args);
+    void say_why_not(Op op, std::span<const Id> args);
+    std::span<const Id> listed_operands(const Inst& inst) const;
     bool set_base(Inst& inst);
     bool fits(const OpenRegion& open, std::span<const Id> results);
     bool fits(const RegionBody& body);

@@ -4,6 +4,7 @@
 
 #include <wrinkle/plugin.h>
 
+#include <array>
 #include <cstdint>
 #include <string_view>
 
@@ -41,17 +42,54 @@ struct SurfaceInfo {
     std::string_view doc;
 };
 
-const TypeInfo& info(Type type);
-const OpInfo& info(Op op);  // an op that the table lacks has an empty name
-const SurfaceInfo& info(SurfaceInput input);
+// The tables, read through info(): every pass asks them for every instruction.
+namespace tables {
+
+inline constexpr TypeInfo types[] = {
+#define X(name, number, glsl, lanes) {#name, lanes},
+    WR_TYPES(X)
+#undef X
+};
+
+inline constexpr SurfaceInfo surface_inputs[] = {
+#define X(name, number, type, doc) {#name, Type::type##_, doc},
+    WR_SURFACE_INPUTS(X)
+#undef X
+};
+
+inline constexpr size_t op_count = 256;
+inline constexpr auto ops = [] {
+    std::array<OpInfo, op_count + 1> table{};  // the last: an op that there is not
+#define X(name, number, arity, rule, glsl, precedence, flags) \
+    table[number] = {#name, arity, Rule::rule, glsl, precedence, flags};
+    WR_OPS(X)
+#undef X
+    return table;
+}();
+
+}  // namespace tables
+
+constexpr const TypeInfo& info(Type type) {
+    return tables::types[static_cast<size_t>(type)];
+}
+// An op that the table lacks has an empty name.
+constexpr const OpInfo& info(Op op) {
+    const auto number = static_cast<size_t>(op);
+    return tables::ops[number < tables::op_count ? number : tables::op_count];
+}
+constexpr const SurfaceInfo& info(SurfaceInput input) {
+    return tables::surface_inputs[static_cast<size_t>(input)];
+}
 constexpr int surface_input_count = 10;
 
-inline bool is_opaque(Op op) {
+constexpr bool is_opaque(Op op) {
     return info(op).flags & WR_FLAG_OPAQUE;
 }
-inline bool is_float_type(Type t) {
+constexpr bool is_float_type(Type t) {
     return t >= Type::float_ && t <= Type::vec4_;
 }
-Type vector_of(int lanes);  // 1: float, 2-4: vecN
+constexpr Type vector_of(int lanes) {  // 1: float, 2-4: vecN
+    return static_cast<Type>(lanes);
+}
 
 }  // namespace wrinkle

@@ -14,7 +14,7 @@ namespace {
 
 Id bake(void*, Module& target, const Module& source, Id id, std::span<const Id>) {
     if (source[id].op != Op::parameter_) return poison;
-    const Parameter& parameter = source.parameters[source[id].extra];
+    const Parameter& parameter = target.parameters[source[id].extra];
     if (parameter.graph_input) return poison;
     return target.constant(parameter.type,
                            std::span(parameter.value.data(), info(parameter.type).lanes));
@@ -106,35 +106,40 @@ Id substitute(Module& module, Id root, std::span<const Id> from, std::span<const
     return copier[root];
 }
 
-Module rebuild(const Module& source, Replace replace, void* context) {
-    Module target;
-    target.nodes = source.nodes;
-    target.parameters = source.parameters;
-    target.resources = source.resources;
-    target.problems = source.problems;
+Module rebuild(Module&& source, Replace replace, void* context) {
+    Module target(source.size());
+    target.nodes = std::move(source.nodes);
+    target.parameters = std::move(source.parameters);
+    target.resources = std::move(source.resources);
+    target.problems = std::move(source.problems);
     Copier copier(target, source, true);
     copier.set_replace(replace, context);
     std::vector<Id> roots;
     for (const ModuleOutput& output : source.outputs)
         roots.push_back(output.value);
     copier.run(roots);
-    for (const Named& named : source.named)
-        if (copier.has(named.value) && info(source.type(named.value)).lanes > 0)
-            target.named.push_back({copier[named.value], named.node, named.name, named.output});
-    for (ModuleOutput output : source.outputs) {
-        output.value = copier[output.value];
-        target.outputs.push_back(std::move(output));
+    for (Named& named : source.named) {
+        if (!copier.has(named.value) || info(source.type(named.value)).lanes == 0) continue;
+        named.value = copier[named.value];
+        target.named.push_back(std::move(named));
     }
+    target.outputs = std::move(source.outputs);
+    for (ModuleOutput& output : target.outputs)
+        output.value = copier[output.value];
     return target;
 }
 
-Module bake_parameters(const Module& source) {
-    return rebuild(source, bake, nullptr);
+Module rebuild(const Module& source, Replace replace, void* context) {
+    return rebuild(Module(source), replace, context);
 }
 
-Module explicit_lod(const Module& source) {
+Module bake_parameters(Module source) {
+    return rebuild(std::move(source), bake, nullptr);
+}
+
+Module explicit_lod(Module source) {
     LodWriter writer;
-    return rebuild(source, write_lod, &writer);
+    return rebuild(std::move(source), write_lod, &writer);
 }
 
 }  // namespace wrinkle

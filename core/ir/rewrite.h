@@ -23,13 +23,15 @@ Id substitute(Module& module, Id root, std::span<const Id> from, std::span<const
 // Rebuilds a module from its outputs with one callback: `replace(target, source, id, mapped)`
 // returns the new id of source instruction `id`, or poison to write it again as it is; mapped[]
 // holds the new ids of its operands. Side tables (nodes, parameters, resources, named values that
-// are still needed, origins) come along.
+// are still needed, origins) come along; those of a source that is given away are the target's
+// when `replace` is called.
 using Replace = Id (*)(void* context, Module& target, const Module& source, Id id,
                        std::span<const Id> mapped);
+Module rebuild(Module&& source, Replace replace, void* context);
 Module rebuild(const Module& source, Replace replace, void* context);
 
 // Parameters (but graph inputs) become literals of their value.
-Module bake_parameters(const Module& source);
+Module bake_parameters(Module source);
 
 // lod = 0.5 log2(max(|size*duv/dx|^2, |size*duv/dy|^2, 2^-40)) of a resource, from the uv's change
 // to the next pixels.
@@ -37,6 +39,6 @@ Id sample_lod_of(Module& module, uint32_t resource, Id uv_dx, Id uv_dy);
 
 // Each `sample` and `sample_grad` becomes sample_lod with the lod above, from the uv's forward
 // derivative or from the given one. The CPU and shaders with given differentials use this form.
-Module explicit_lod(const Module& source);
+Module explicit_lod(Module source);
 
 }  // namespace wrinkle

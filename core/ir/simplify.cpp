@@ -204,6 +204,11 @@ bool lane_of_construct(const Module& m, Id construct, int lane, Id& part, int& w
     return false;
 }
 
+Id lane_of(Module& m, Id value, int lane) {
+    if (m.type(value) == Type::float_) return value;
+    return m.component(value, static_cast<uint32_t>(lane));
+}
+
 Id simplify_swizzle(Module& m, Id vector, uint32_t extra, Type type) {
     const int count = component_count(extra);
     bool whole = m.type(vector) == type;
@@ -224,9 +229,7 @@ Id simplify_swizzle(Module& m, Id vector, uint32_t extra, Type type) {
         Id part = poison;
         int within = 0;
         if (!lane_of_construct(m, vector, component(extra, i), part, within)) return poison;
-        const std::array<int, 1> one{within};
-        lanes[static_cast<size_t>(i)] =
-            m.type(part) == Type::float_ ? part : m.add(Op::swizzle_, {part}, swizzle_of(one));
+        lanes[static_cast<size_t>(i)] = lane_of(m, part, within);
     }
     if (count == 1) return lanes[0];
     return m.add(Op::construct_, std::span(lanes.data(), static_cast<size_t>(count)), 0, type);
@@ -236,15 +239,16 @@ Id simplify_swizzle(Module& m, Id vector, uint32_t extra, Type type) {
 Id simplify_construct(Module& m, Args parts, Type type) {
     if (type == Type::mat3_) return poison;
     if (parts.size() == 1) return parts[0];
-    std::vector<Id> flat;
+    std::array<Id, 4> flat{};
+    size_t count = 0;
     for (const Id part : parts) {
         if (m[part].op == Op::construct_)
             for (const Id inner : m.operands(part))
-                flat.push_back(inner);
+                flat[count++] = inner;
         else
-            flat.push_back(part);
+            flat[count++] = part;
     }
-    if (flat.size() > parts.size()) return m.add(Op::construct_, flat, 0, type);
+    if (count > parts.size()) return m.add(Op::construct_, std::span(flat.data(), count), 0, type);
     Id vector = poison;
     std::array<int, 4> components{};
     size_t lane = 0;
@@ -268,12 +272,6 @@ bool is_sparse(const Module& m, Op op, Id id) {
                 (op == Op::mul_ && (m.is_literal(part, 1) || m.is_literal(part, -1)));
     }
     return found;
-}
-
-Id lane_of(Module& m, Id value, int lane) {
-    if (m.type(value) == Type::float_) return value;
-    const std::array<int, 1> one{lane};
-    return m.add(Op::swizzle_, {value}, swizzle_of(one));
 }
 
 // Number by number where that leaves some out: vec2(x, 0) * s is vec2(x * s, 0).

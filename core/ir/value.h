@@ -11,10 +11,10 @@ struct Value {
     Module* module = nullptr;
     Id id = poison;
 
-    Value x() const { return {module, module->swizzle(id, "x")}; }
-    Value y() const { return {module, module->swizzle(id, "y")}; }
-    Value z() const { return {module, module->swizzle(id, "z")}; }
-    Value w() const { return {module, module->swizzle(id, "w")}; }
+    Value x() const { return {module, module->component(id, 0)}; }
+    Value y() const { return {module, module->component(id, 1)}; }
+    Value z() const { return {module, module->component(id, 2)}; }
+    Value w() const { return {module, module->component(id, 3)}; }
     Value xy() const { return {module, module->swizzle(id, "xy")}; }
     Value xyz() const { return {module, module->swizzle(id, "xyz")}; }
     explicit operator bool() const { return id != poison; }

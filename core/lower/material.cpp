@@ -48,12 +48,12 @@ Compiled compile_material(const Project& project, const Registry& registry,
     if (diagnostics.has_errors()) return compiled;
     assert(verify(lowered.module).empty());
     const ExpandOptions frames{options.vertex_tangents, project.top().back_faces};
-    Module module = settle_frames(lowered.module, frames);
-    if (!options.uniform_parameters) module = bake_parameters(module);
-    module = expand(module, frames);
+    Module module = settle_frames(std::move(lowered.module), frames);
+    if (!options.uniform_parameters) module = bake_parameters(std::move(module));
+    module = expand(std::move(module), frames);
     report_problems(module, project, lowered.places, diagnostics);
     if (diagnostics.has_errors()) return compiled;
-    if (options.given_differentials) module = explicit_lod(module);
+    if (options.given_differentials) module = explicit_lod(std::move(module));
     assert(verify(module).empty());
     compiled.module = std::move(module);
     compiled.places = std::move(lowered.places);
