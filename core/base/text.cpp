@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <cstdint>
 
 namespace wrinkle {
@@ -44,6 +45,18 @@ std::string shortest(float value) {
     return spelled(value);
 }
 
+// Small whole numbers, which most constants are, need no search for the fewest digits.
+void append_shortest(std::string& text, float value) {
+    constexpr float no_shorter_exponent = 10000;
+    char buffer[64];
+    const auto whole = static_cast<int>(std::clamp(value, 0.0F, no_shorter_exponent));
+    const bool small =
+        static_cast<float>(whole) == value && whole < no_shorter_exponent && !std::signbit(value);
+    const auto end = small ? std::to_chars(buffer, buffer + sizeof buffer, whole).ptr
+                           : std::to_chars(buffer, buffer + sizeof buffer, value).ptr;
+    text.append(buffer, end);
+}
+
 std::string json_quoted(std::string_view text) {
     static constexpr char hex[] = "0123456789abcdef";
     std::string quoted = "\"";
@@ -70,13 +83,14 @@ std::string json_quoted(std::string_view text) {
 }
 
 std::string identifier(std::string_view text) {
-    std::string name;
-    for (const char c : text) {
+    std::string name(text.size(), '_');
+    size_t end = 0;
+    for (const char c : text)
         if (is_word(c))
-            name += c;
-        else if (name.empty() || name.back() != '_')
-            name += '_';
-    }
+            name[end++] = c;
+        else if (end == 0 || name[end - 1] != '_')
+            name[end++] = '_';
+    name.resize(end);
     if (name.empty() || (name[0] >= '0' && name[0] <= '9')) name.insert(0, "n");
     return name;
 }

@@ -11,6 +11,7 @@ namespace wrinkle {
 // The shortest spelling that reads back as the same value ("0.1", "1e-07", "-0").
 std::string shortest(double value);
 std::string shortest(float value);
+void append_shortest(std::string& text, float value);
 
 // A quoted JSON string with the escapes that JSON demands; UTF-8 passes unchanged.
 std::string json_quoted(std::string_view text);

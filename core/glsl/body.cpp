@@ -36,7 +36,7 @@ Text Body::output_function(Id value, const std::string& name, const std::string&
                            : ids.empty() ? no_node
                                          : group_of(plan_, values_, ids.back());
     statements(ids, 1, group);
-    const std::string line = "return " + read(context_, root).text + ";";
+    const std::string line = "return " + text_of(context_, root) + ";";
     if (folded)
         commented_line(1, line, group, true);
     else
@@ -84,8 +84,8 @@ Text Body::region_function(uint32_t index, const std::string& name) {
     code(0, signature(region, name, parameters, outs), no_node);
     statements(schedule(plan_, values_, scope, scope.order), 1);
     for (size_t k = 1; k < roots.size(); ++k)
-        code(1, outs[k - 1] + " = " + read(context_, roots[k]).text + ";", node_of(group_));
-    code(1, "return " + read(context_, roots[0]).text + ";", node_of(group_));
+        code(1, outs[k - 1] + " = " + text_of(context_, roots[k]) + ";", node_of(group_));
+    code(1, "return " + text_of(context_, roots[0]) + ";", node_of(group_));
     values_.anonymous = false;
     text_.line(0, "}");
     return std::move(text_);
@@ -118,7 +118,7 @@ void Body::comment(int indent, uint32_t group) {
 
 // A group has its comment beside its first line where that fits; one line of the surface point
 // needs none.
-void Body::commented_line(int indent, const std::string& line, uint32_t group, bool single) {
+void Body::commented_line(int indent, std::string_view line, uint32_t group, bool single) {
     if (group == group_) {
         code(indent, line, node_of(group));
         return;
@@ -131,22 +131,22 @@ void Body::commented_line(int indent, const std::string& line, uint32_t group, b
         if (!beside.empty()) text_.line(indent, beside, node_of(group));
         code(indent, line, node_of(group));
     } else {
-        text_.line(indent, line + "  " + beside, node_of(group));
+        text_.line(indent, std::string(line) + "  " + beside, node_of(group));
     }
 }
 
 // A line that is too long goes on after a comma, or after a space.
-void Body::code(int indent, std::string line, uint32_t node) {
+void Body::code(int indent, std::string_view line, uint32_t node) {
     constexpr int deeper = 2;
     for (int level = indent;; level = indent + deeper) {
         const size_t room = widest_code - std::min<size_t>(4 * static_cast<size_t>(level), 60);
         if (line.size() <= room) return text_.line(level, line, node);
         const size_t comma = line.rfind(", ", room - 1);
-        const bool late = comma != std::string::npos && comma > room / 3;
+        const bool late = comma != std::string_view::npos && comma > room / 3;
         const size_t end = late ? comma + 1 : line.rfind(' ', room - 1);
-        if (end == std::string::npos) return text_.line(level, line, node);
+        if (end == std::string_view::npos) return text_.line(level, line, node);
         text_.line(level, line.substr(0, end), node);
-        line.erase(0, end + 1);
+        line.remove_prefix(end + 1);
     }
 }
 
@@ -171,11 +171,12 @@ void Body::statements(std::span<const Id> ids, int indent, uint32_t next) {
 }
 
 void Body::assign(Id id, int indent, bool single) {
-    const std::string text = define(context_, id).text;
     ValueState& state = values_.state[id];
     state.name = locals_.unique(state.name);
-    commented_line(indent, type_name(m_.type(id)) + " " + state.name + " = " + text + ";",
-                   group_of(plan_, values_, id), single);
+    line_.assign(info(m_.type(id)).name).append(" ").append(state.name).append(" = ");
+    write_definition(context_, id, line_);
+    line_ += ';';
+    commented_line(indent, line_, group_of(plan_, values_, id), single);
 }
 
 std::vector<std::string> Body::name_members(Id tuple) {
@@ -193,11 +194,9 @@ std::vector<std::string> Body::name_members(Id tuple) {
 // Several results: the first is returned, the others are handed out.
 void Body::call(Id id, int indent) {
     const Region& region = m_.region(m_[id].extra);
-    std::vector<Id> arguments;
-    plan_.operands(id, arguments);
     std::string text;
-    for (const Id argument : arguments)
-        text += (text.empty() ? "" : ", ") + read(context_, argument).text;
+    for (const Id argument : plan_.operands(id))
+        text += (text.empty() ? "" : ", ") + text_of(context_, argument);
     const std::vector<std::string> names = name_members(id);
     for (size_t k = 1; k < names.size(); ++k) {
         code(indent, type_name(m_.type(region.results[k])) + " " + names[k] + ";", node_of(group_));
@@ -214,7 +213,7 @@ void Body::loop(Id id, int indent) {
     const auto initial = m_.operands(id);
     std::vector<std::string> texts;
     for (const Id value : initial)
-        texts.push_back(read(context_, plan_.plain(value)).text);
+        texts.push_back(text_of(context_, plan_.plain(value)));
     const std::vector<std::string> state = name_members(id);
     const uint32_t node = node_of(group_);
     for (size_t k = 0; k < state.size(); ++k)
@@ -248,25 +247,24 @@ void Body::go_on(Id condition, int indent, uint32_t node) {
     const bool folded = plan_.role(condition) == Role::value && !values_.state[condition].statement;
     if (folded && m_[condition].op == Op::not_) {
         const Id inner = plan_.plain(m_[condition].arg[0]);
-        code(indent, "if (" + read(context_, inner).text + ") break;", node);
+        code(indent, "if (" + text_of(context_, inner) + ") break;", node);
         return;
     }
-    const Piece piece = read(context_, condition);
-    const bool simple = piece.precedence >= 17;
-    code(indent, "if (!" + (simple ? piece.text : "(" + piece.text + ")") + ") break;", node);
+    constexpr int postfix = 17;
+    code(indent, "if (!" + text_of(context_, condition, postfix) + ") break;", node);
 }
 
 // Members of the state that a value's text reads.
 std::vector<uint32_t> Body::state_read(Id value, uint8_t level) {
     std::vector<uint32_t> result;
-    std::vector<Id> open{value}, operands;
+    std::vector<Id> open{value};
     while (!open.empty()) {
         const Id id = open.back();
         open.pop_back();
         if (m_[id].op == Op::region_param_ && m_[id].level == level) result.push_back(m_[id].extra);
         if (plan_.role(id) == Role::value && values_.state[id].statement) continue;
         if (m_[id].op == Op::result_ && plan_.role(id) == Role::view) continue;
-        plan_.operands(id, operands);
+        const auto operands = plan_.operands(id);
         open.insert(open.end(), operands.begin(), operands.end());
     }
     return result;
@@ -284,7 +282,7 @@ void Body::next_state(Id loop, std::span<const Id> next, const std::vector<std::
             m_[next[k]].extra == k)
             continue;
         const auto reads = state_read(next[k], level);
-        std::string text = read(context_, next[k]).text;
+        std::string text = text_of(context_, next[k]);
         if (std::any_of(reads.begin(), reads.end(), [&](uint32_t j) { return assigned[j]; })) {
             const std::string name = locals_.unique(state[k] + "_next");
             code(indent, type_name(m_.type(next[k])) + " " + name + " = " + text + ";", node);

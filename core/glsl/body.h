@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include "glsl/expression.h"
 #include "glsl/names.h"
@@ -33,11 +34,11 @@ private:
 
     std::string comment_of(uint32_t group);
     void comment(int indent, uint32_t group);
-    void commented_line(int indent, const std::string& line, uint32_t group, bool single);
+    void commented_line(int indent, std::string_view line, uint32_t group, bool single);
     uint32_t node_of(uint32_t group) const {
         return group == surface_group || group == 0 ? no_node : group;
     }
-    void code(int indent, std::string line, uint32_t node);
+    void code(int indent, std::string_view line, uint32_t node);
     // `next`: the group of what follows; no_node: unknown.
     void statements(std::span<const Id> ids, int indent, uint32_t next = no_node);
     void assign(Id id, int indent, bool single);
@@ -56,6 +57,7 @@ private:
     NameSet locals_;
     ExpressionContext context_;
     Text text_;
+    std::string line_;             // that is being written
     uint32_t group_ = no_node;     // whose comment stands above
     std::vector<bool> commented_;  // by node
     bool surface_commented_ = false;

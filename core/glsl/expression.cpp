@@ -1,32 +1,14 @@
 #include "glsl/expression.h"
 
 #include <algorithm>
-#include <cmath>
 
-#include "base/text.h"
+#include "glsl/literal.h"
 
 namespace wrinkle {
 namespace {
 
 constexpr int name_precedence = 20, call_precedence = 18, postfix = 17, prefix = 16;
 constexpr int relational = 12, conditional = 3;
-
-std::string float_text(double value) {
-    const auto narrow = static_cast<float>(value);
-    if (std::isnan(narrow)) return "uintBitsToFloat(0x7fc00000u)";
-    if (std::isinf(narrow))
-        return narrow > 0 ? "uintBitsToFloat(0x7f800000u)" : "uintBitsToFloat(0xff800000u)";
-    std::string text = shortest(narrow);
-    return text.find_first_of(".e") == std::string::npos ? text + ".0" : text;
-}
-
-std::string call(std::string_view name, const std::vector<std::string>& arguments) {
-    std::string text(name);
-    text += '(';
-    for (size_t i = 0; i < arguments.size(); ++i)
-        text += (i ? ", " : "") + arguments[i];
-    return text + ")";
-}
 
 // Operands of built-in functions where GLSL takes a float beside vectors.
 bool takes_float(Op op, size_t operand, bool others_float) {
@@ -50,188 +32,243 @@ bool takes_float(Op op, size_t operand, bool others_float) {
 
 class Writer {
 public:
-    explicit Writer(const ExpressionContext& context)
-        : context_(context), plan_(context.plan), m_(context.plan.module()) {}
+    Writer(const ExpressionContext& context, std::string& text)
+        : context_(context), plan_(context.plan), m_(context.plan.module()), text_(text) {}
 
-    Piece read(Id id) const;
-    Piece define(Id id) const;
+    void read(Id id, int least);
+    void define(Id id);
 
 private:
-    std::string at_least(Id id, int precedence) const;
-    std::vector<std::string> texts(Id id) const;
-    std::string operand(Id id, const std::vector<Id>& operands, size_t k, int precedence) const;
-    Piece leaf(Id id) const;
-    Piece input(Id id) const;
-    Piece view(Id id) const;
-    Piece construct(Id id) const;
-    Piece builtin(Id id) const;
-    Piece operation(Id id) const;
-    Piece sample(Id id) const;
+    int binding(Id id) const;
+    int leaf_binding(Id id) const;
+    int definition_binding(Id id) const;
+    void plainly(Id id);
+    void leaf(Id id);
+    void input(Id id);
+    void view(Id id);
+    void list(std::span<const Id> ids);
+    void builtin(Id id);
+    void operand(Id id, size_t k, int least);
+    void operation(Id id);
+    void sample(Id id);
 
     const ExpressionContext& context_;
     const Plan& plan_;
     const Module& m_;
+    std::string& text_;
 };
 
-std::string Writer::at_least(Id id, int precedence) const {
-    Piece piece = read(id);
-    return piece.precedence >= precedence ? piece.text : "(" + piece.text + ")";
-}
-
-std::vector<std::string> Writer::texts(Id id) const {
-    std::vector<Id> operands;
-    plan_.operands(id, operands);
-    std::vector<std::string> result;
-    for (const Id operand : operands)
-        result.push_back(read(operand).text);
-    return result;
-}
-
-Piece Writer::input(Id id) const {
-    const SurfaceInput which = input_of(m_[id].extra);
-    const Variant variant = variant_of(m_[id].extra);
-    if (plan_.role(id) == Role::leaf) return {"s." + member_name(which, variant), postfix};
-    const std::string_view change =
-        variant == Variant::dx ? context_.target.change_x : context_.target.change_y;
-    const std::string member =
-        which == SurfaceInput::position_ ? "position_relative" : std::string(info(which).name);
-    return {call(change, {"s." + member}), call_precedence};
-}
-
-Piece Writer::leaf(Id id) const {
+int Writer::leaf_binding(Id id) const {
     const Inst& inst = m_[id];
     switch (inst.op) {
-        case Op::literal_: {
-            std::string text = literal_text(inst.type, inst.value);
-            const int precedence = text[0] == '-' ? prefix : name_precedence;
-            return {std::move(text), precedence};
-        }
+        case Op::literal_:
+            return is_negative_literal(inst.type, inst.value) ? prefix : name_precedence;
         case Op::input_:
-            return input(id);
-        case Op::parameter_:
-            return {context_.symbols.parameters[inst.extra]};
-        case Op::region_param_:
-            return {context_.parameters[inst.level][inst.extra]};
-        case Op::construct_:
-            return construct(id);
         case Op::swizzle_:
-            return view(id);
+            return postfix;
+        case Op::construct_:
+            return call_precedence;
         default:
-            return {"0.0"};
+            return name_precedence;
     }
 }
 
-Piece Writer::view(Id id) const {
+int Writer::definition_binding(Id id) const {
     const Inst& inst = m_[id];
-    if (inst.op == Op::result_) return {context_.values.state[id].name};
-    const std::string whole = at_least(plan_.plain(inst.arg[0]), postfix);
-    if (inst.op == Op::column_) return {whole + "[" + std::to_string(inst.extra) + "]", postfix};
-    std::string text = whole + ".";
+    switch (inst.op) {
+        case Op::sign_nonzero_:
+        case Op::select_:
+            return conditional;
+        case Op::construct_:
+            return call_precedence;
+        default:
+            break;
+    }
+    if (info(inst.op).precedence == 0) return call_precedence;
+    return plan_.operands(id).size() == 1 ? prefix : info(inst.op).precedence;
+}
+
+int Writer::binding(Id id) const {
+    if (plan_.role(id) == Role::leaf) return leaf_binding(id);
+    if (plan_.role(id) == Role::view) return m_[id].op == Op::result_ ? name_precedence : postfix;
+    return context_.values.state[id].statement ? name_precedence : definition_binding(id);
+}
+
+void Writer::read(Id id, int least) {
+    const bool enclosed = binding(id) < least;
+    if (enclosed) text_ += '(';
+    plainly(id);
+    if (enclosed) text_ += ')';
+}
+
+void Writer::plainly(Id id) {
+    if (plan_.role(id) == Role::leaf) return leaf(id);
+    if (plan_.role(id) == Role::view) return view(id);
+    const ValueState& state = context_.values.state[id];
+    if (state.statement)
+        text_ += state.name;
+    else
+        define(id);
+}
+
+void Writer::list(std::span<const Id> ids) {
+    text_ += '(';
+    for (size_t i = 0; i < ids.size(); ++i) {
+        if (i > 0) text_ += ", ";
+        read(ids[i], 0);
+    }
+    text_ += ')';
+}
+
+void Writer::input(Id id) {
+    const SurfaceInput which = input_of(m_[id].extra);
+    const Variant variant = variant_of(m_[id].extra);
+    const bool change = plan_.role(id) != Role::leaf;
+    if (change)
+        text_.append(variant == Variant::dx ? context_.target.change_x : context_.target.change_y)
+            .append("(");
+    text_ += "s.";
+    if (!change)
+        text_ += member_name(which, variant);
+    else if (which == SurfaceInput::position_)
+        text_ += "position_relative";
+    else
+        text_ += info(which).name;
+    if (change) text_ += ')';
+}
+
+void Writer::leaf(Id id) {
+    const Inst& inst = m_[id];
+    switch (inst.op) {
+        case Op::literal_:
+            text_ += plan_.literal(id);
+            break;
+        case Op::input_:
+            input(id);
+            break;
+        case Op::parameter_:
+            text_ += context_.symbols.parameters[inst.extra];
+            break;
+        case Op::region_param_:
+            text_ += context_.parameters[inst.level][inst.extra];
+            break;
+        case Op::construct_:
+            define(id);
+            break;
+        case Op::swizzle_:
+            view(id);
+            break;
+        default:
+            text_ += "0.0";
+    }
+}
+
+void Writer::view(Id id) {
+    const Inst& inst = m_[id];
+    if (inst.op == Op::result_) {
+        text_ += context_.values.state[id].name;
+        return;
+    }
+    read(plan_.plain(inst.arg[0]), postfix);
+    if (inst.op == Op::column_) {
+        text_ += "[" + std::to_string(inst.extra) + "]";
+        return;
+    }
+    text_ += '.';
     for (uint32_t i = 0; i < (inst.extra & 0xF); ++i)
-        text += "xyzw"[inst.extra >> (4 + 4 * i) & 0xF];
-    return {std::move(text), postfix};
+        text_ += "xyzw"[inst.extra >> (4 + 4 * i) & 0xF];
 }
 
-Piece Writer::construct(Id id) const {
-    return {call(info(m_.type(id)).name, texts(id)), call_precedence};
-}
-
-Piece Writer::sample(Id id) const {
-    std::vector<std::string> arguments = texts(id);
-    arguments.insert(arguments.begin(), context_.symbols.resources[m_[id].extra]);
-    if (m_[id].op == Op::image_size_)
-        return {"vec2(textureSize(" + arguments[0] + ", 0))", call_precedence};
-    return {call(info(m_[id].op).glsl, arguments), call_precedence};
-}
-
-Piece Writer::builtin(Id id) const {
-    std::vector<std::string> arguments = texts(id);
-    const Inst& inst = m_[id];
-    const auto operands = m_.operands(id);
-    if (info(inst.op).rule == Rule::floats || info(inst.op).rule == Rule::broadcast) {
-        const auto is_float = [&](Id operand) { return m_.type(operand) == Type::float_; };
-        const size_t floats =
-            static_cast<size_t>(std::count_if(operands.begin(), operands.end(), is_float));
-        for (size_t k = 0; k < operands.size(); ++k)
-            if (is_float(operands[k]) && floats < operands.size() &&
-                !takes_float(inst.op, k, floats == 2))
-                arguments[k] = call(info(inst.type).name, {arguments[k]});
+void Writer::sample(Id id) {
+    const std::string& image = context_.symbols.resources[m_[id].extra];
+    if (m_[id].op == Op::image_size_) {
+        text_.append("vec2(textureSize(").append(image).append(", 0))");
+        return;
     }
-    return {call(info(inst.op).glsl, arguments), call_precedence};
+    text_.append(info(m_[id].op).glsl).append("(").append(image);
+    for (const Id operand : plan_.operands(id)) {
+        text_ += ", ";
+        read(operand, 0);
+    }
+    text_ += ')';
+}
+
+void Writer::builtin(Id id) {
+    const Inst& inst = m_[id];
+    const auto operands = plan_.operands(id);
+    const auto is_float = [&](Id operand) { return m_.type(operand) == Type::float_; };
+    const bool broadcasts =
+        info(inst.op).rule == Rule::floats || info(inst.op).rule == Rule::broadcast;
+    const auto floats =
+        static_cast<size_t>(std::count_if(operands.begin(), operands.end(), is_float));
+    text_.append(info(inst.op).glsl).append("(");
+    for (size_t k = 0; k < operands.size(); ++k) {
+        const bool widened = broadcasts && is_float(operands[k]) && floats < operands.size() &&
+                             !takes_float(inst.op, k, floats == 2);
+        if (k > 0) text_ += ", ";
+        if (widened) text_.append(info(inst.type).name).append("(");
+        read(operands[k], 0);
+        if (widened) text_ += ')';
+    }
+    text_ += ')';
 }
 
 // A constant of equal lanes is a plain number beside a vector.
-std::string Writer::operand(Id id, const std::vector<Id>& operands, size_t k,
-                            int precedence) const {
+void Writer::operand(Id id, size_t k, int least) {
+    const auto operands = plan_.operands(id);
     const Id own = operands[k], other = operands[1 - k];
     const bool broadcast = info(m_[id].op).rule == Rule::broadcast || m_[id].op == Op::div_;
-    const bool splat = plan_.role(own) == Role::leaf && m_[own].op == Op::construct_ &&
+    const bool splat = broadcast && plan_.role(own) == Role::leaf && m_[own].op == Op::construct_ &&
                        plan_.is_splat(own) && m_.type(other) == m_.type(own) &&
                        !m_.is_constant(other);
-    return at_least(broadcast && splat ? m_[own].arg[0] : own, precedence);
+    read(splat ? m_[own].arg[0] : own, least);
 }
 
-Piece Writer::operation(Id id) const {
-    std::vector<Id> operands;
-    plan_.operands(id, operands);
-    const int precedence = info(m_[id].op).precedence;
-    const std::string spelling(info(m_[id].op).glsl);
-    if (operands.size() == 1) return {spelling + at_least(operands[0], prefix + 1), prefix};
-    return {operand(id, operands, 0, precedence) + " " + spelling + " " +
-                operand(id, operands, 1, precedence + 1),
-            precedence};
+void Writer::operation(Id id) {
+    const OpInfo& op = info(m_[id].op);
+    const auto operands = plan_.operands(id);
+    if (operands.size() == 1) {
+        text_ += op.glsl;
+        read(operands[0], prefix + 1);
+        return;
+    }
+    operand(id, 0, op.precedence);
+    text_.append(" ").append(op.glsl).append(" ");
+    operand(id, 1, op.precedence + 1);
 }
 
-Piece Writer::define(Id id) const {
+void Writer::define(Id id) {
     const Inst& inst = m_[id];
     switch (inst.op) {
         case Op::input_:
             return input(id);
         case Op::construct_:
-            return construct(id);
+            text_ += info(inst.type).name;
+            return list(plan_.operands(id));
         case Op::sample_:
         case Op::sample_lod_:
         case Op::sample_grad_:
         case Op::image_size_:
             return sample(id);
         case Op::sign_nonzero_:
-            return {at_least(plan_.plain(inst.arg[0]), relational + 1) + " < 0.0 ? -1.0 : 1.0",
-                    conditional};
+            read(plan_.plain(inst.arg[0]), relational + 1);
+            text_ += " < 0.0 ? -1.0 : 1.0";
+            return;
         case Op::select_:
-            return {at_least(plan_.plain(inst.arg[0]), conditional + 1) + " ? " +
-                        at_least(plan_.plain(inst.arg[1]), conditional + 1) + " : " +
-                        at_least(plan_.plain(inst.arg[2]), conditional),
-                    conditional};
+            read(plan_.plain(inst.arg[0]), conditional + 1);
+            text_ += " ? ";
+            read(plan_.plain(inst.arg[1]), conditional + 1);
+            text_ += " : ";
+            return read(plan_.plain(inst.arg[2]), conditional);
         case Op::result_:
-            return {call(context_.symbols.functions[m_[inst.arg[0]].extra], texts(id)),
-                    call_precedence};
+            text_ += context_.symbols.functions[m_[inst.arg[0]].extra];
+            return list(plan_.operands(id));
         default:
             return info(inst.op).precedence ? operation(id) : builtin(id);
     }
 }
 
-Piece Writer::read(Id id) const {
-    if (plan_.role(id) == Role::leaf) return leaf(id);
-    if (plan_.role(id) == Role::view) return view(id);
-    const ValueState& state = context_.values.state[id];
-    return state.statement ? Piece{state.name} : define(id);
-}
-
 }  // namespace
-
-std::string literal_text(Type type, double value) {
-    switch (type) {
-        case Type::int_:
-            if (value <= -2147483648.0) return "int(0x80000000u)";
-            return std::to_string(static_cast<int64_t>(value));
-        case Type::uint_:
-            return std::to_string(static_cast<int64_t>(value)) + "u";
-        case Type::bool_:
-            return value != 0 ? "true" : "false";
-        default:
-            return float_text(value);
-    }
-}
 
 std::string member_name(SurfaceInput input, Variant variant) {
     std::string name(info(input).name);
@@ -240,12 +277,18 @@ std::string member_name(SurfaceInput input, Variant variant) {
     return name;
 }
 
-Piece read(const ExpressionContext& context, Id id) {
-    return Writer(context).read(id);
+void write(const ExpressionContext& context, Id id, std::string& text, int least) {
+    Writer(context, text).read(id, least);
 }
 
-Piece define(const ExpressionContext& context, Id id) {
-    return Writer(context).define(id);
+std::string text_of(const ExpressionContext& context, Id id, int least) {
+    std::string text;
+    write(context, id, text, least);
+    return text;
+}
+
+void write_definition(const ExpressionContext& context, Id id, std::string& text) {
+    Writer(context, text).define(id);
 }
 
 uint32_t leaf_width(const Plan& plan, Id leaf) {
@@ -253,7 +296,7 @@ uint32_t leaf_width(const Plan& plan, Id leaf) {
     const Inst& inst = m[leaf];
     switch (inst.op) {
         case Op::literal_:
-            return static_cast<uint32_t>(literal_text(inst.type, inst.value).size());
+            return static_cast<uint32_t>(plan.literal(leaf).size());
         case Op::parameter_: {
             const Parameter& parameter = m.parameters[inst.extra];
             return static_cast<uint32_t>(m.nodes[parameter.node].path.size() + 1 +
@@ -262,10 +305,8 @@ uint32_t leaf_width(const Plan& plan, Id leaf) {
         case Op::input_:
             return static_cast<uint32_t>(info(input_of(inst.extra)).name.size() + 2);
         case Op::construct_: {
-            std::vector<Id> parts;
-            plan.operands(leaf, parts);
             uint32_t width = own_width(plan, leaf);
-            for (const Id part : parts)
+            for (const Id part : plan.operands(leaf))
                 width += leaf_width(plan, part);
             return width;
         }

@@ -17,15 +17,6 @@ struct Symbols {
     std::vector<std::string> functions;   // by region
 };
 
-// Literals with a type that shows: 1.0, 3, 3u, true; what has no spelling by its bits.
-std::string literal_text(Type type, double value);
-
-// How the text of an operation binds: 20 names, 18 calls, 17 postfix, ... as in the op table.
-struct Piece {
-    std::string text;
-    int precedence = 20;
-};
-
 struct ExpressionContext {
     const Plan& plan;
     const Values& values;
@@ -38,8 +29,12 @@ struct ExpressionContext {
 // The member of the function's struct that holds an input.
 std::string member_name(SurfaceInput input, Variant variant);
 
-Piece read(const ExpressionContext& context, Id id);    // a temporary's name, or its text
-Piece define(const ExpressionContext& context, Id id);  // its text, even of a temporary
+// Appends what stands where a value is read: a temporary's name, or its text, in parentheses where
+// it binds less than `least` (20 names, 18 calls, 17 postfix, ... as in the op table).
+void write(const ExpressionContext& context, Id id, std::string& text, int least = 0);
+std::string text_of(const ExpressionContext& context, Id id, int least = 0);
+// Appends its text, even of a temporary.
+void write_definition(const ExpressionContext& context, Id id, std::string& text);
 
 // Widths for folding decisions: of a leaf, and of an operation without its operands.
 uint32_t leaf_width(const Plan& plan, Id leaf);

@@ -1,6 +1,7 @@
 #include "glsl/names.h"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 #include "base/text.h"
@@ -100,16 +101,19 @@ constexpr std::pair<Op, std::string_view> op_words[] = {{Op::image_size_, "size"
 }  // namespace
 
 bool NameSet::taken(const std::string& name) const {
-    return names_.count(name) || (outer_ && outer_->taken(name));
+    return next_.contains(name) || (outer_ && outer_->taken(name));
 }
 
 std::string NameSet::unique(std::string_view wanted) {
-    const std::string base = legal(wanted);
-    std::string name = base;
-    uint32_t& next = next_.try_emplace(base, 2).first->second;
-    while (taken(name) || is_reserved(name))
-        name = base + "_" + std::to_string(next++);
-    names_.insert(name);
+    std::string name = legal(wanted);
+    const bool free = (!outer_ || !outer_->taken(name)) && !is_reserved(name);
+    const auto [base, added] = next_.try_emplace(name, 2);
+    if (added && free) return name;
+    const std::string stem = std::move(name);
+    do
+        name = stem + "_" + std::to_string(base->second++);
+    while (taken(name) || is_reserved(name));
+    next_.try_emplace(name, 2);
     return name;
 }
 
@@ -123,9 +127,12 @@ std::string change_name(uint32_t input_extra) {
 }
 
 std::string comment_text(std::string_view text) {
-    std::string result;
-    for (const char c : text.substr(0, longest_comment))
-        result += static_cast<unsigned char>(c) < 0x20 || c == '\x7F' ? ' ' : c == '\\' ? '/' : c;
+    std::string result(text.substr(0, longest_comment));
+    for (char& c : result)
+        if (static_cast<unsigned char>(c) < 0x20 || c == '\x7F')
+            c = ' ';
+        else if (c == '\\')
+            c = '/';
     while (!result.empty() && (static_cast<unsigned char>(result.back()) & 0xC0) == 0x80 &&
            text.size() > longest_comment)
         result.pop_back();
@@ -139,9 +146,14 @@ std::string_view word_for(const Module& module, Id id) {
         const Region& region = module.region(module[module[id].arg[0]].extra);
         return region.kind == RegionKind::loop ? "state" : std::string_view(region.name);
     }
-    for (const auto& [known, word] : op_words)
-        if (known == op) return word;
-    return info(op).name;
+    static constexpr auto words = [] {
+        std::array<std::string_view, tables::op_count> table{};
+        for (const auto& [known, word] : op_words)
+            table[static_cast<size_t>(known)] = word;
+        return table;
+    }();
+    const std::string_view word = words[static_cast<size_t>(op)];
+    return word.empty() ? info(op).name : word;
 }
 
 }  // namespace wrinkle

@@ -4,7 +4,6 @@
 #include <string>
 #include <string_view>
 #include <unordered_map>
-#include <unordered_set>
 
 #include "ir/module.h"
 
@@ -25,8 +24,7 @@ private:
     bool taken(const std::string& name) const;
 
     const NameSet* outer_;
-    std::unordered_set<std::string> names_;
-    std::unordered_map<std::string, uint32_t> next_;
+    std::unordered_map<std::string, uint32_t> next_;  // by taken name: the number to try next
 };
 
 // The name of a surface input's change: "dpdx", "duv0_dy"; of the input itself its own.

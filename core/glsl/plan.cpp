@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <unordered_set>
 
+#include "glsl/literal.h"
+
 namespace wrinkle {
 
 Plan::Plan(const Module& module, bool given)
@@ -24,8 +26,34 @@ Plan::Plan(const Module& module, bool given)
         }
     for (uint32_t region = 1; region < module.region_count(); ++region)
         if (module.region(region).kind == RegionKind::loop) find_captures(region);
+    list_operands();
+    write_literals();
     walk();
     find_gradients();
+}
+
+void Plan::list_operands() {
+    first_operand_.reserve(module_->size() + size_t{1});
+    operands_.reserve(module_->size() * size_t{2});
+    for (Id id = 0; id < module_->size(); ++id) {
+        first_operand_.push_back(static_cast<uint32_t>(operands_.size()));
+        gather_operands(id, operands_);
+    }
+    first_operand_.push_back(static_cast<uint32_t>(operands_.size()));
+}
+
+void Plan::write_literals() {
+    literal_end_.resize(module_->size(), 0);
+    for (Id id = 1; id < module_->size(); ++id) {
+        const Inst& inst = (*module_)[id];
+        if (inst.op == Op::literal_) append_literal(literals_, inst.type, inst.value);
+        literal_end_[id] = static_cast<uint32_t>(literals_.size());
+    }
+}
+
+std::string_view Plan::literal(Id id) const {
+    const uint32_t begin = literal_end_[id - 1];
+    return std::string_view(literals_).substr(begin, literal_end_[id] - begin);
 }
 
 void Plan::find_aliases() {
@@ -90,9 +118,9 @@ bool Plan::is_splat(Id construct) const {
            std::all_of(parts.begin(), parts.end(), [&](Id part) { return part == parts[0]; });
 }
 
-void Plan::operands(Id id, std::vector<Id>& result) const {
+// Appends them.
+void Plan::gather_operands(Id id, std::vector<Id>& result) const {
     const Module& m = *module_;
-    result.clear();
     if (m[id].op == Op::construct_ && is_splat(id)) {
         result.push_back(alias_[m[id].arg[0]]);
         return;
@@ -119,7 +147,8 @@ void Plan::find_captures(uint32_t region) {
             captures_[region].push_back(id);
             continue;
         }
-        operands(id, parts);
+        parts.clear();
+        gather_operands(id, parts);
         open.insert(open.end(), parts.rbegin(), parts.rend());
     }
 }
@@ -138,19 +167,14 @@ void Plan::find_gradients() {
     }
 }
 
-void Plan::dependencies(Id id, std::vector<Id>& result) const {
-    const Module& m = *module_;
-    const auto operands = m.operands(id);
-    result.assign(operands.begin(), operands.end());
-    if (m[id].op != Op::loop_ && m[id].op != Op::call_) return;
-    const auto& results = m.region(m[id].extra).results;
-    result.insert(result.end(), results.begin(), results.end());
-}
-
 void Plan::walk() {
     const Module& m = *module_;
     std::vector<uint8_t> state(m.size(), 0);  // 1: open, 2: done
-    std::vector<Id> stack, below;
+    std::vector<Id> stack;
+    const auto open = [&](std::span<const Id> ids) {
+        for (size_t i = ids.size(); i-- > 0;)
+            if (state[ids[i]] == 0) stack.push_back(ids[i]);
+    };
     for (const ModuleOutput& output : m.outputs) {
         stack.push_back(output.value);
         while (!stack.empty()) {
@@ -162,9 +186,8 @@ void Plan::walk() {
                 continue;
             }
             state[id] = 1;
-            dependencies(id, below);
-            for (size_t i = below.size(); i-- > 0;)
-                if (state[below[i]] == 0) stack.push_back(below[i]);
+            if (m[id].op == Op::loop_ || m[id].op == Op::call_) open(m.region(m[id].extra).results);
+            open(m.operands(id));
         }
     }
 }

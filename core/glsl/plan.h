@@ -11,6 +11,9 @@
 // with one result.
 #pragma once
 
+#include <span>
+#include <string>
+#include <string_view>
 #include <unordered_map>
 #include <vector>
 
@@ -30,9 +33,13 @@ public:
     Role role(Id id) const { return role_[id]; }
 
     // Operands as text needs them. Of a loop: its initial state, then what its body captures.
-    void operands(Id id, std::vector<Id>& result) const;
-    bool single_call(Id result) const;  // the member of a call that has one
-    bool is_splat(Id construct) const;  // one scalar in every lane
+    std::span<const Id> operands(Id id) const {
+        return std::span(operands_).subspan(first_operand_[id],
+                                            first_operand_[id + 1] - first_operand_[id]);
+    }
+    std::string_view literal(Id id) const;  // its text
+    bool single_call(Id result) const;      // the member of a call that has one
+    bool is_splat(Id construct) const;      // one scalar in every lane
     // The members of a loop's or call's tuple, by index; poison where nothing reads one.
     const std::vector<Id>& members(Id tuple) const { return members_.at(tuple); }
     const std::vector<Id>& captures(uint32_t region) const { return captures_[region]; }
@@ -60,8 +67,10 @@ private:
     void find_aliases();
     void find_members();
     void find_captures(uint32_t region);
+    void gather_operands(Id id, std::vector<Id>& result) const;
+    void list_operands();
+    void write_literals();
     void walk();
-    void dependencies(Id id, std::vector<Id>& result) const;
     void use(Id id);
     void find_gradients();
 
@@ -70,6 +79,10 @@ private:
     std::vector<Id> alias_;
     std::vector<Role> role_;
     std::vector<std::vector<Id>> captures_;
+    std::vector<Id> operands_;             // of all
+    std::vector<uint32_t> first_operand_;  // by Id, and the end of the last
+    std::string literals_;                 // the texts of all
+    std::vector<uint32_t> literal_end_;    // by Id: in literals_
     std::unordered_map<Id, std::vector<Id>> members_;
     std::vector<bool> seen_function_, seen_resource_;
 };

@@ -61,15 +61,15 @@ void Scheduler::find_groups() {
 
 // Through what is folded into a statement to the statements it reads.
 void Scheduler::find_needs() {
-    std::vector<Id> open, operands;
+    std::vector<Id> open;
     needs_.resize(statements_.size());
     users_.resize(statements_.size());
     for (uint32_t i = 0; i < statements_.size(); ++i) {
         open.assign(1, statements_[i]);
         while (!open.empty()) {
-            plan_.operands(open.back(), operands);
+            const Id reader = open.back();
             open.pop_back();
-            for (const Id operand : operands) {
+            for (const Id operand : plan_.operands(reader)) {
                 const ValueState& s = values_.state[operand];
                 if (plan_.role(operand) == Role::leaf || s.epoch != scope_.epoch) continue;
                 if (!s.statement) {

@@ -47,16 +47,13 @@ private:
     const Plan& plan_;
     Values& values_;
     const Scope& scope_;
-    std::vector<Id> operands_;
+    std::span<const Id> operands_;  // of the value at hand
 };
 
 // What a view looks at.
 Id Folder::base(Id id) {
-    std::vector<Id> below;
-    while (plan_.role(id) == Role::view && plan_.module()[id].op != Op::result_) {
-        plan_.operands(id, below);
-        id = below[0];
-    }
+    while (plan_.role(id) == Role::view && plan_.module()[id].op != Op::result_)
+        id = plan_.operands(id)[0];
     return id;
 }
 
@@ -87,7 +84,7 @@ void Folder::count_uses(std::span<const Id> roots) {
     for (size_t i = scope_.order.size(); i-- > 0;) {
         const Id id = scope_.order[i];
         const bool view = plan_.role(id) == Role::view;
-        plan_.operands(id, operands_);
+        operands_ = plan_.operands(id);
         const bool shared = group_of(plan_, values_, id) == surface_group;
         const bool loop = plan_.module()[id].op == Op::loop_;
         const size_t own = loop ? plan_.module().operands(id).size() : operands_.size();
@@ -174,7 +171,7 @@ bool Folder::must_name(Id id, bool is_root) {
 }
 
 void Folder::visit(Id id, bool is_root) {
-    plan_.operands(id, operands_);
+    operands_ = plan_.operands(id);
     hoist_implicit(id);
     const Op op = plan_.module()[id].op;
     if (plan_.role(id) == Role::value && op != Op::loop_) {
@@ -194,7 +191,6 @@ Scope collect(const Plan& plan, Values& values, std::span<const Id> roots, int l
     Scope scope;
     scope.epoch = ++values.epoch;
     std::vector<std::pair<Id, bool>> stack;
-    std::vector<Id> operands;
     const auto push = [&](Id id) {
         if (plan.role(id) == Role::leaf || plan.module()[id].level < level) return;
         if (values.state[id].epoch != scope.epoch) stack.push_back({id, false});
@@ -211,7 +207,7 @@ Scope collect(const Plan& plan, Values& values, std::span<const Id> roots, int l
             if (values.state[id].epoch == scope.epoch) continue;
             values.state[id] = ValueState{.epoch = scope.epoch, .shared = true, .name = {}};
             stack.push_back({id, true});
-            plan.operands(id, operands);
+            const auto operands = plan.operands(id);
             for (size_t k = operands.size(); k-- > 0;)
                 push(operands[k]);
         }

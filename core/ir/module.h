@@ -151,7 +151,8 @@ struct Problem {
 
 class Module {
 public:
-    explicit Module(size_t expected = 0);  // instructions, to make room for
+    Module() : Module(0) {}
+    explicit Module(size_t expected);  // instructions, to make room for
 
     // The general form. `type` is used by construct, result and region_param only; elsewhere the
     // type follows from the operands. Poison (and a problem, unless an operand is poison) when they

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "glsl/literal.h"
 #include "glslang/validate.h"
 #include "graphs.h"
 
@@ -20,6 +21,12 @@ protected:
     Id z = parameter(m, "z", 0.5);
     Id uv = m.input(SurfaceInput::uv0_);
     Id p = m.input(SurfaceInput::position_);
+
+    static std::string literal_text(Type type, double value) {
+        std::string text;
+        append_literal(text, type, value);
+        return text;
+    }
 
     // The function's lines between its braces.
     std::string body(Id value) {
@@ -115,6 +122,11 @@ TEST_F(Expressions, of_vectors_and_matrices) {
 TEST_F(Expressions, spell_every_number) {
     EXPECT_EQ(literal_text(Type::float_, 1), "1.0");
     EXPECT_EQ(literal_text(Type::float_, 0.1), "0.1");
+    EXPECT_EQ(literal_text(Type::float_, 9999), "9999.0");
+    EXPECT_EQ(literal_text(Type::float_, 10000), "10000.0");
+    EXPECT_EQ(literal_text(Type::float_, 100000), "1e+05");
+    EXPECT_EQ(literal_text(Type::float_, 0.0), "0.0");
+    EXPECT_EQ(literal_text(Type::int_, -3), "-3");
     EXPECT_EQ(literal_text(Type::float_, -0.0), "-0.0");
     EXPECT_EQ(literal_text(Type::float_, 1e-7), "1e-07");
     EXPECT_EQ(literal_text(Type::float_, 1e30), "1e+30");

@@ -1,0 +1,49 @@
+#include "glsl/literal.h"
+
+#include <cmath>
+
+#include "base/text.h"
+
+namespace wrinkle {
+namespace {
+
+constexpr double least_int = -2147483648.0;
+
+void append_float(std::string& text, double value) {
+    const auto narrow = static_cast<float>(value);
+    if (std::isnan(narrow)) {
+        text += "uintBitsToFloat(0x7fc00000u)";
+    } else if (std::isinf(narrow)) {
+        text += narrow > 0 ? "uintBitsToFloat(0x7f800000u)" : "uintBitsToFloat(0xff800000u)";
+    } else {
+        const size_t begin = text.size();
+        append_shortest(text, narrow);
+        if (text.find_first_of(".e", begin) == std::string::npos) text += ".0";
+    }
+}
+
+}  // namespace
+
+void append_literal(std::string& text, Type type, double value) {
+    switch (type) {
+        case Type::int_:
+            text += value <= least_int ? "int(0x80000000u)"
+                                       : std::to_string(static_cast<int64_t>(value));
+            break;
+        case Type::uint_:
+            text += std::to_string(static_cast<int64_t>(value)) + "u";
+            break;
+        case Type::bool_:
+            text += value != 0 ? "true" : "false";
+            break;
+        default:
+            append_float(text, value);
+    }
+}
+
+bool is_negative_literal(Type type, double value) {
+    if (type == Type::int_) return value < 0 && value > least_int;
+    return type == Type::float_ && std::signbit(value) && std::isfinite(static_cast<float>(value));
+}
+
+}  // namespace wrinkle
