@@ -19,12 +19,12 @@ bool is_global(const Module& module, Id id) {
 
 void append_dependencies(const Module& module, Id id, bool into_functions, std::vector<Id>& out) {
     const Inst& inst = module[id];
-    for (const Id operand : module.operands(id))
-        out.push_back(operand);
+    const auto operands = module.operands(id);
+    out.insert(out.end(), operands.begin(), operands.end());
     if (has_base(inst)) out.push_back(inst.extra);
-    if (inst.op == Op::loop_ || (inst.op == Op::call_ && into_functions))
-        for (const Id result : module.region(inst.extra).results)
-            out.push_back(result);
+    if (inst.op != Op::loop_ && !(inst.op == Op::call_ && into_functions)) return;
+    const std::vector<Id>& results = module.region(inst.extra).results;
+    out.insert(out.end(), results.begin(), results.end());
 }
 
 std::vector<Id> Copier::needed(std::span<const Id> roots) const {

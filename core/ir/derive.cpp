@@ -1,6 +1,7 @@
 #include "ir/derive.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "ir/derive_rules.h"
 #include "ir/rewrite.h"
@@ -23,7 +24,9 @@ bool never_changes(const Inst& inst) {
 
 Id Direction::tangent(Id value) {
     if (value == poison || memo_.has(value)) return memo_.at(value);
-    const std::vector<Id> list = unknown_below(value);
+    // A loop's body asks again meanwhile, with lists of its own.
+    std::vector<Id> list = std::exchange(spare_list_, {});
+    unknown_below(value, list);
     const uint32_t node = module_->current_node;
     for (const Id id : list) {
         module_->current_node = module_->origin[id];
@@ -32,28 +35,29 @@ Id Direction::tangent(Id value) {
         log_.push_back(id);
     }
     module_->current_node = node;
+    spare_list_ = std::move(list);
     return memo_.at(value);
 }
 
 // What the tangent of a value needs, in the order of ids; all of it is marked.
-std::vector<Id> Direction::unknown_below(Id value) {
-    std::vector<Id> open{value}, list;
-    while (!open.empty()) {
-        const Id id = open.back();
-        open.pop_back();
+void Direction::unknown_below(Id value, std::vector<Id>& list) {
+    list.clear();
+    open_.assign(1, value);
+    while (!open_.empty()) {
+        const Id id = open_.back();
+        open_.pop_back();
         if (id == poison || !memo_.mark(id)) continue;
         list.push_back(id);
         const Inst& inst = (*module_)[id];
         if (never_changes(inst)) continue;
         for (const Id operand : module_->operands(id))
-            open.push_back(operand);
+            open_.push_back(operand);
         // What a loop captures is differentiated once, outside, whatever stands inside.
         if (inst.op == Op::loop_)
             for (const Id captured : region_body(*module_, module_->region(inst.extra)).captured)
-                open.push_back(captured);
+                open_.push_back(captured);
     }
     std::sort(list.begin(), list.end());
-    return list;
 }
 
 Id Direction::tangent_or_zero(Id value) {

@@ -63,7 +63,7 @@ private:
         std::vector<int> member;  // of each result, in the derived function's; -1: zero
     };
 
-    std::vector<Id> unknown_below(Id value);
+    void unknown_below(Id value, std::vector<Id>& list);
     Id compute(Id id);
     Id call_member(const Inst& result);
     Id loop_member(const Inst& result);
@@ -76,7 +76,8 @@ private:
 
     Module* module_;
     Memo memo_;
-    std::vector<Id> log_;  // what was memoised, in order
+    std::vector<Id> log_;                // what was memoised, in order
+    std::vector<Id> open_, spare_list_;  // memory of tangent()
     std::map<std::pair<uint32_t, std::vector<bool>>, DerivedFunction> functions_;
     std::unordered_map<Id, std::vector<Id>> loops_;
     std::unique_ptr<Direction> screen_x_, screen_y_;  // for the level of textures

@@ -313,14 +313,17 @@ Id finish(void* context, Module& target, const Module& source, Id id, std::span<
 
 struct Settler {
     const ExpandOptions& options;
+    const Parameters parameters;
     const std::vector<uint32_t> dependencies;  // of the source
 };
 
 Id settle_one(void* context, Module& target, const Module& source, Id id,
               std::span<const Id> mapped) {
     const Inst& inst = source[id];
-    if (inst.op != Op::frame_) return poison;
     const auto& settler = *static_cast<const Settler*>(context);
+    if (inst.op == Op::parameter_ && settler.parameters == Parameters::baked)
+        return baked_parameter(target, inst.extra);
+    if (inst.op != Op::frame_) return poison;
     return target.add(
         Op::frame_, mapped,
         settled_frame(target, inst.extra, settler.dependencies[inst.arg[0]], settler.options));
@@ -334,8 +337,8 @@ bool all_settled(const Module& module) {
 
 }  // namespace
 
-Module settle_frames(Module source, const ExpandOptions& options) {
-    Settler settler{options, input_dependencies(source)};
+Module settle_frames(Module source, const ExpandOptions& options, Parameters parameters) {
+    Settler settler{options, parameters, input_dependencies(source)};
     return rebuild(std::move(source), settle_one, &settler);
 }
 

@@ -19,8 +19,11 @@ struct ExpandOptions {
 };
 
 // Decides the method of every frame and the uv set it belongs to, and reports a method that does
-// not fit its scale. Done before parameters are baked: frames and errors never depend on a value.
-Module settle_frames(Module source, const ExpandOptions& options);
+// not fit its scale. Parameters may be baked in the same pass, and not before: frames and errors
+// never depend on a value.
+enum class Parameters : uint8_t { kept, baked };
+Module settle_frames(Module source, const ExpandOptions& options,
+                     Parameters parameters = Parameters::kept);
 
 // A module without opaque ops, ddx and ddy; frames are settled first where they are not. A sample
 // whose uv jumps between pixels (floor, select, an angle, a march, a read shift) becomes a

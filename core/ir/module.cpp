@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <cstring>
 
 #include "ir/fold.h"
 #include "ir/simplify.h"
@@ -17,24 +16,23 @@ size_t slots_for(size_t expected) {
     return std::bit_ceil(std::max<size_t>(expected, 128) * 2);
 }
 
-// Multilinear, then mixed downwards: literals differ in the highest bits of their value alone, and
-// a slot is taken from the lowest bits.
-uint64_t hash_of(const Inst& inst) {
-    const uint64_t head = static_cast<uint64_t>(inst.op) | static_cast<uint64_t>(inst.type) << 16 |
-                          static_cast<uint64_t>(inst.level) << 24 |
-                          static_cast<uint64_t>(inst.extra) << 32;
-    uint64_t h = head * 0x9E3779B97F4A7C15U;
-    h += (inst.arg[0] | static_cast<uint64_t>(inst.arg[1]) << 32) * 0xC2B2AE3D27D4EB4FU;
-    h += (inst.arg[2] | static_cast<uint64_t>(inst.arg[3]) << 32) * 0x165667B19E3779F9U;
-    h += std::rotl(std::bit_cast<uint64_t>(inst.value), 32) * 0xD6E8FEB86659FD93U;
-    h = (h ^ h >> 32) * 0xFF51AFD7ED558CCDU;
-    return h ^ h >> 29;
-}
+using Words = std::array<uint64_t, 4>;
+static_assert(sizeof(Inst) == sizeof(Words), "an instruction has no padding");
 
 // Literals are told apart by their bits: -0 and 0 are two values.
 bool identical(const Inst& a, const Inst& b) {
-    static_assert(sizeof(Inst) == 32, "an instruction has no padding");
-    return std::memcmp(&a, &b, sizeof(Inst)) == 0;
+    const auto x = std::bit_cast<Words>(a), y = std::bit_cast<Words>(b);
+    return ((x[0] ^ y[0]) | (x[1] ^ y[1]) | (x[2] ^ y[2]) | (x[3] ^ y[3])) == 0;
+}
+
+// Multilinear, then mixed downwards: literals differ in the highest bits of their value alone, and
+// a slot is taken from the lowest bits.
+uint64_t hash_of(const Inst& inst) {
+    const auto words = std::bit_cast<Words>(inst);
+    uint64_t h = words[0] * 0x9E3779B97F4A7C15U + words[1] * 0xC2B2AE3D27D4EB4FU +
+                 words[2] * 0x165667B19E3779F9U + std::rotl(words[3], 32) * 0xD6E8FEB86659FD93U;
+    h = (h ^ h >> 32) * 0xFF51AFD7ED558CCDU;
+    return h ^ h >> 29;
 }
 
 bool is_variadic_list(Op op) {
@@ -144,7 +142,8 @@ Id Module::add(Op op, std::span<const Id> args, uint32_t extra, Type type) {
     }
     inst.type = typed(op, std::span(types.data(), args.size()), extra, type);
     if (inst.type == Type::poison_) return poison;
-    if (const Id folded = folded_constant(op, args, extra, inst.type)) return folded;
+    if (may_fold(op, args, inst.type))
+        if (const Id folded = folded_constant(op, args, extra, inst.type)) return folded;
     if (const Id simpler = simplified(*this, op, args, extra, inst.type)) return simpler;
     if (inst.type == Type::gradient_ && !set_base(inst)) return poison;
     return intern(inst);
@@ -188,26 +187,32 @@ void Module::say_why_not(Op op, std::span<const Id> args) {
 }
 
 Type Module::typed(Op op, std::span<const Type> types, uint32_t extra, Type wanted) {
-    std::string why;
     if (op == Op::swizzle_ && types.size() == 1) wanted = swizzled_type(types[0], extra);
-    Type result = result_type(op, types, wanted, why);
-    if (op == Op::column_ && extra > 2) {
-        why = "a mat3 has no column " + std::to_string(extra);
-        result = Type::poison_;
-    }
-    if (reads_image(op) && extra >= resources.size()) {
+    const Type result = result_type(op, types, wanted, nullptr);
+    if (result == Type::poison_) return refused(op, types, wanted);
+    std::string why;
+    if (op == Op::column_ && extra > 2) why = "a mat3 has no column " + std::to_string(extra);
+    if (reads_image(op) && extra >= resources.size())
         why = std::string(info(op).name) + " is given an image that does not exist";
-        result = Type::poison_;
-    }
-    if (result == Type::poison_) problem(why);
-    return result;
+    if (why.empty()) return result;
+    problem(why);
+    return Type::poison_;
+}
+
+Type Module::refused(Op op, std::span<const Type> types, Type wanted) {
+    std::string why;
+    result_type(op, types, wanted, &why);
+    problem(why);
+    return Type::poison_;
+}
+
+bool Module::may_fold(Op op, std::span<const Id> args, Type type) const {
+    return std::all_of(args.begin(), args.end(), [&](Id arg) { return is_constant(arg); }) &&
+           !args.empty() && info(type).lanes > 0 && op != Op::construct_ && op != Op::swizzle_ &&
+           op != Op::select_;
 }
 
 Id Module::folded_constant(Op op, std::span<const Id> args, uint32_t extra, Type type) {
-    if (args.empty() || info(type).lanes == 0) return poison;
-    if (op == Op::construct_ || op == Op::swizzle_ || op == Op::select_) return poison;
-    for (const Id arg : args)
-        if (!is_constant(arg)) return poison;
     std::array<Constant, 4> constants;
     for (size_t i = 0; i < args.size(); ++i)
         constants[i] = {this->type(args[i]), lanes_of(args[i])};
@@ -307,6 +312,11 @@ Id Module::construct(Type type, std::initializer_list<Id> parts) {
 }
 
 Id Module::component(Id vector, uint32_t lane) {
+    const Inst& inst = inst_[vector];
+    if (inst.op == Op::construct_ && lane < inst.arg.size() &&
+        std::all_of(inst.arg.begin(), inst.arg.begin() + lane + 1,
+                    [&](Id part) { return type(part) == Type::float_; }))
+        return inst.arg[lane];
     return add(Op::swizzle_, {vector}, 1 | lane << 4);
 }
 
@@ -321,22 +331,18 @@ Id Module::gradient(Op op, Id operand, Id base) {
     return add(op, {operand}, base);
 }
 
-bool Module::is_literal(Id id, double value) const {
-    const Inst& inst = inst_[id];
-    if (inst.op == Op::literal_) return inst.value == value;
-    if (inst.op != Op::construct_ || inst.type == Type::mat3_) return false;
-    const auto parts = operands(id);
-    return std::all_of(parts.begin(), parts.end(), [&](Id part) {
-        return inst_[part].op == Op::literal_ && inst_[part].value == value;
-    });
+bool Module::has_literal_parts(Id construct, double value) const {
+    const auto parts = operands(construct);
+    return inst_[construct].type != Type::mat3_ &&
+           std::all_of(parts.begin(), parts.end(), [&](Id part) {
+               return inst_[part].op == Op::literal_ && inst_[part].value == value;
+           });
 }
 
-bool Module::is_constant(Id id) const {
-    if (inst_[id].op == Op::literal_) return true;
-    if (inst_[id].op != Op::construct_) return false;
-    for (const Id part : operands(id)) {
+bool Module::has_constant_parts(Id construct) const {
+    for (const Id part : operands(construct)) {
         if (inst_[part].op == Op::literal_) continue;
-        if (inst_[id].type != Type::mat3_ || inst_[part].op != Op::construct_) return false;
+        if (inst_[construct].type != Type::mat3_ || inst_[part].op != Op::construct_) return false;
         for (const Id scalar : operands(part))
             if (inst_[scalar].op != Op::literal_) return false;
     }
@@ -361,7 +367,10 @@ uint32_t Module::add_resource(const Resource& resource) {
 }
 
 void Module::name(Id value, uint32_t node, std::string_view name) {
-    if (called_.insert(value).second) named.push_back({value, node, std::string(name), false});
+    if (value >= called_.size()) called_.resize(value + size_t{1});
+    if (called_[value]) return;
+    called_[value] = true;
+    named.push_back({value, node, std::string(name), false});
 }
 
 void Module::problem(std::string message, std::string expected) {

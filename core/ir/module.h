@@ -40,7 +40,6 @@
 #include <span>
 #include <string>
 #include <string_view>
-#include <unordered_set>
 #include <vector>
 
 #include "base/texture_options.h"
@@ -203,9 +202,16 @@ public:
     const Region& region(uint32_t index) const { return regions_[index]; }
     uint32_t region_count() const { return static_cast<uint32_t>(regions_.size()); }
 
-    bool is_literal(Id id,
-                    double value) const;  // a scalar literal, or a construct of such, of this value
-    bool is_constant(Id id) const;        // a literal or a construct of literals
+    // A scalar literal, or a construct of such, of this value.
+    bool is_literal(Id id, double value) const {
+        const Inst& inst = inst_[id];
+        if (inst.op == Op::literal_) return inst.value == value;
+        return inst.op == Op::construct_ && has_literal_parts(id, value);
+    }
+    bool is_constant(Id id) const {  // a literal or a construct of literals
+        const Op op = inst_[id].op;
+        return op == Op::literal_ || (op == Op::construct_ && has_constant_parts(id));
+    }
 
     uint32_t add_parameter(Parameter parameter);
     uint32_t add_resource(const Resource& resource);  // merges with an equal one
@@ -239,8 +245,12 @@ private:
     };
     Id intern(const Inst& inst);
     void grow_table();
+    bool has_constant_parts(Id construct) const;
+    bool has_literal_parts(Id construct, double value) const;
     uint32_t intern_list(std::span<const Id> ids);
     Type typed(Op op, std::span<const Type> types, uint32_t extra, Type wanted);
+    Type refused(Op op, std::span<const Type> types, Type wanted);
+    bool may_fold(Op op, std::span<const Id> args, Type type) const;
     Id folded_constant(Op op, std::span<const Id> args, uint32_t extra, Type type);
     bool may_be_written(Op op, std::span<const Id> args);
     void say_why_not(Op op, std::span<const Id> args);
@@ -261,7 +271,7 @@ private:
     std::vector<uint8_t> free_levels_;  // by region: the greatest level that a loop's body captures
     std::vector<int> call_depths_;      // by region: how many calls stand inside each other
     std::vector<OpenRegion> open_;
-    std::unordered_set<Id> called_;  // by name()
+    std::vector<bool> called_;  // by Id: by name()
 };
 
 RegionBody region_body(const Module& module, const Region& region);

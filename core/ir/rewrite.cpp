@@ -13,11 +13,7 @@ namespace wrinkle {
 namespace {
 
 Id bake(void*, Module& target, const Module& source, Id id, std::span<const Id>) {
-    if (source[id].op != Op::parameter_) return poison;
-    const Parameter& parameter = target.parameters[source[id].extra];
-    if (parameter.graph_input) return poison;
-    return target.constant(parameter.type,
-                           std::span(parameter.value.data(), info(parameter.type).lanes));
+    return source[id].op == Op::parameter_ ? baked_parameter(target, source[id].extra) : poison;
 }
 
 // Smaller footprints than a millionth of a texel are the finest level too.
@@ -79,16 +75,20 @@ Id sample_lod_of(Module& module, uint32_t resource, Id uv_dx, Id uv_dy) {
     return (op(Op::log2_, square) * 0.5).id;
 }
 
+// What a value reads has a smaller id, so one walk downwards meets every reader first.
 std::vector<bool> reachable(const Module& module, std::span<const Id> roots) {
     std::vector<bool> needed(module.size(), false);
-    std::vector<Id> open(roots.begin(), roots.end());
-    while (!open.empty()) {
-        const Id id = open.back();
-        open.pop_back();
-        if (id == poison || needed[id]) continue;
-        needed[id] = true;
-        append_dependencies(module, id, true, open);
+    for (const Id root : roots)
+        needed[root] = true;
+    std::vector<Id> below;
+    for (Id id = module.size(); id-- > 1;) {
+        if (!needed[id]) continue;
+        below.clear();
+        append_dependencies(module, id, true, below);
+        for (const Id operand : below)
+            needed[operand] = true;
     }
+    needed[poison] = false;
     return needed;
 }
 
@@ -131,6 +131,13 @@ Module rebuild(Module&& source, Replace replace, void* context) {
 
 Module rebuild(const Module& source, Replace replace, void* context) {
     return rebuild(Module(source), replace, context);
+}
+
+Id baked_parameter(Module& module, uint32_t index) {
+    const Parameter& parameter = module.parameters[index];
+    if (parameter.graph_input) return poison;
+    return module.constant(parameter.type,
+                           std::span(parameter.value.data(), info(parameter.type).lanes));
 }
 
 Module bake_parameters(Module source) {

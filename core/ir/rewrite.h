@@ -32,6 +32,7 @@ Module rebuild(const Module& source, Replace replace, void* context);
 
 // Parameters (but graph inputs) become literals of their value.
 Module bake_parameters(Module source);
+Id baked_parameter(Module& module, uint32_t index);  // poison of a graph input
 
 // lod = 0.5 log2(max(|size*duv/dx|^2, |size*duv/dy|^2, 2^-40)) of a resource, from the uv's change
 // to the next pixels.

@@ -20,12 +20,13 @@ bool is_scalar(Type t) {
     return t == Type::float_ || is_integer(t) || t == Type::bool_;
 }
 
-Type refuse(std::string& why, Op op, Types operands, const char* expected) {
-    why = std::string(info(op).name) + " of (";
+Type refuse(std::string* why, Op op, Types operands, const char* expected) {
+    if (!why) return Type::poison_;
+    *why = std::string(info(op).name) + " of (";
     for (size_t i = 0; i < operands.size(); ++i)
-        why += (i ? ", " : "") + std::string(info(operands[i]).name);
-    why += ") makes no sense: it takes ";
-    why += expected;
+        *why += (i ? ", " : "") + std::string(info(operands[i]).name);
+    *why += ") makes no sense: it takes ";
+    *why += expected;
     return Type::poison_;
 }
 
@@ -39,13 +40,13 @@ Type widest(Types operands) {
     return wide;
 }
 
-Type broadcast(Op op, Types operands, bool integers, std::string& why) {
+Type broadcast(Op op, Types operands, bool integers, std::string* why) {
     const Type wide = widest(operands);
     if (is_float_type(wide) || (integers && is_integer(wide))) return wide;
     return refuse(why, op, operands, "floats or vectors of one size");
 }
 
-Type construct(Types operands, Type wanted, std::string& why) {
+Type construct(Types operands, Type wanted, std::string* why) {
     if (wanted == Type::mat3_) {
         const bool columns =
             operands.size() == 3 &&
@@ -62,22 +63,23 @@ Type construct(Types operands, Type wanted, std::string& why) {
     return refuse(why, Op::construct_, operands, "as many lanes as the vector has");
 }
 
-Type vectors(Op op, Types operands, bool to_float, std::string& why) {
+Type vectors(Op op, Types operands, bool to_float, std::string* why) {
     const bool fit = is_vector(operands[0]) && (operands.size() < 2 || operands[0] == operands[1]);
     if (!fit) return refuse(why, op, operands, "vectors of one size");
     return to_float ? Type::float_ : operands[0];
 }
 
 Type exactly(Op op, Types operands, std::initializer_list<Type> wanted, Type result,
-             std::string& why) {
+             std::string* why) {
     if (std::equal(operands.begin(), operands.end(), wanted.begin(), wanted.end())) return result;
+    if (!why) return Type::poison_;
     std::string list;
     for (const Type t : wanted)
         list += (list.empty() ? "" : ", ") + std::string(info(t).name);
     return refuse(why, op, operands, list.c_str());
 }
 
-Type gradient_type(Op op, Types operands, std::string& why) {
+Type gradient_type(Op op, Types operands, std::string* why) {
     using T = Type;
     switch (op) {
         case Op::base_:
@@ -117,7 +119,7 @@ Type gradient_type(Op op, Types operands, std::string& why) {
     }
 }
 
-Type special(Op op, Types operands, Type wanted, std::string& why) {
+Type special(Op op, Types operands, Type wanted, std::string* why) {
     using T = Type;
     const Type first = operands.empty() ? T::poison_ : operands[0];
     switch (op) {
@@ -184,11 +186,12 @@ Type special(Op op, Types operands, Type wanted, std::string& why) {
 
 }  // namespace
 
-Type result_type(Op op, std::span<const Type> operands, Type wanted, std::string& why) {
+Type result_type(Op op, std::span<const Type> operands, Type wanted, std::string* why) {
     const OpInfo& row = info(op);
     if (row.arity >= 0 && operands.size() != static_cast<size_t>(row.arity)) {
-        why = std::string(row.name) + " takes " + std::to_string(row.arity) + " operands, not " +
-              std::to_string(operands.size());
+        if (why)
+            *why = std::string(row.name) + " takes " + std::to_string(row.arity) +
+                   " operands, not " + std::to_string(operands.size());
         return Type::poison_;
     }
     switch (row.rule) {

@@ -8,9 +8,9 @@
 
 namespace wrinkle {
 
-// The result's type, or poison with the reason in `why` ("mul takes float or vector types, not
-// bool"). `wanted` is the type that construct and result are told to make; of a
+// The result's type, or poison with the reason in `why`, if it is asked for ("mul takes float or
+// vector types, not bool"). `wanted` is the type that construct and result are told to make; of a
 // swizzle it is the caller's reading of its components.
-Type result_type(Op op, std::span<const Type> operands, Type wanted, std::string& why);
+Type result_type(Op op, std::span<const Type> operands, Type wanted, std::string* why);
 
 }  // namespace wrinkle

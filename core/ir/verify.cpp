@@ -23,7 +23,7 @@ std::string check_types(const Module& m, Id id) {
     for (const Id operand : m.operands(id))
         types.push_back(m.type(operand));
     std::string why;
-    return result_type(inst.op, types, inst.type, why) == inst.type ? "" : at(id, "type: " + why);
+    return result_type(inst.op, types, inst.type, &why) == inst.type ? "" : at(id, "type: " + why);
 }
 
 std::string check_region(const Module& m, Id id) {

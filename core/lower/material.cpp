@@ -48,8 +48,9 @@ Compiled compile_material(const Project& project, const Registry& registry,
     if (diagnostics.has_errors()) return compiled;
     assert(verify(lowered.module).empty());
     const ExpandOptions frames{options.vertex_tangents, project.top().back_faces};
-    Module module = settle_frames(std::move(lowered.module), frames);
-    if (!options.uniform_parameters) module = bake_parameters(std::move(module));
+    Module module =
+        settle_frames(std::move(lowered.module), frames,
+                      options.uniform_parameters ? Parameters::kept : Parameters::baked);
     module = expand(std::move(module), frames);
     report_problems(module, project, lowered.places, diagnostics);
     if (diagnostics.has_errors()) return compiled;

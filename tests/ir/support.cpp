@@ -37,7 +37,7 @@ void add_fitting(std::vector<Application>& list, Op op, const std::vector<Type>&
     if (op == Op::swizzle_ && !vector) return;
     std::string why;
     for (const auto& [extra, wanted] : variants(op))
-        if (result_type(op, operands, wanted, why) != Type::poison_)
+        if (result_type(op, operands, wanted, &why) != Type::poison_)
             list.push_back({op, operands, extra, wanted});
 }
 
