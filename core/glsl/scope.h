@@ -31,8 +31,10 @@ struct ValueState {
 
 // The values of a module; a scope overwrites the states of what it computes, and of nothing else.
 struct Values {
-    explicit Values(const Plan& plan) : state(plan.module().size()) {}
-    std::vector<ValueState> state;  // by Id
+    explicit Values(const Plan& plan)
+        : state(plan.module().size()), group_numbers(plan.module().nodes.size() + 1) {}
+    std::vector<ValueState> state;        // by Id
+    std::vector<uint32_t> group_numbers;  // zeros: memory of schedule()
     uint32_t epoch = 0;
     bool anonymous = false;  // a helper function, shared by nodes: no node's names or comments
 };

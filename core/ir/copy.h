@@ -66,8 +66,8 @@ private:
     Replace replace_ = nullptr;
     void* context_ = nullptr;
     Written written_;
-    std::vector<bool> renamed_;  // of a whole module: written as it was, and so all below it
-    std::vector<Id> args_;       // of the instruction that is being written
+    std::vector<uint8_t> renamed_;  // of a whole module: written as it was, and so all below it
+    std::vector<Id> args_;          // of the instruction that is being written
 };
 
 // Stands outside every function in generated code and may be read from anywhere.

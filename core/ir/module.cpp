@@ -190,13 +190,15 @@ Type Module::typed(Op op, std::span<const Type> types, uint32_t extra, Type want
     if (op == Op::swizzle_ && types.size() == 1) wanted = swizzled_type(types[0], extra);
     const Type result = result_type(op, types, wanted, nullptr);
     if (result == Type::poison_) return refused(op, types, wanted);
-    std::string why;
-    if (op == Op::column_ && extra > 2) why = "a mat3 has no column " + std::to_string(extra);
-    if (reads_image(op) && extra >= resources.size())
-        why = std::string(info(op).name) + " is given an image that does not exist";
-    if (why.empty()) return result;
-    problem(why);
-    return Type::poison_;
+    if (op == Op::column_ && extra > 2) {
+        problem("a mat3 has no column " + std::to_string(extra));
+        return Type::poison_;
+    }
+    if (reads_image(op) && extra >= resources.size()) {
+        problem(std::string(info(op).name) + " is given an image that does not exist");
+        return Type::poison_;
+    }
+    return result;
 }
 
 Type Module::refused(Op op, std::span<const Type> types, Type wanted) {

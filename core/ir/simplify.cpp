@@ -337,11 +337,11 @@ Id simplified(Module& m, Op op, Args args, uint32_t extra, Type result) {
         default:
             break;
     }
+    if (result == Type::gradient_) return simplify_gradient(m, op, args);
     Id simpler = simplify_arithmetic(m, op, args, result);
     if (simpler == poison) simpler = simplify_unit(m, op, args);
     if (simpler == poison) simpler = simplify_power(m, op, args);
-    if (simpler == poison) simpler = simplify_sparse(m, op, args, result);
-    return simpler != poison ? simpler : simplify_gradient(m, op, args);
+    return simpler != poison ? simpler : simplify_sparse(m, op, args, result);
 }
 
 }  // namespace wrinkle
