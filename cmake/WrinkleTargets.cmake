@@ -28,6 +28,8 @@ endif()
 
 # Equal bits on every machine and compiler: no fused multiply-add behind our back.
 add_compile_options(-Wall -Wextra -Wpedantic -ffp-contract=off -fno-math-errno)
+# Nobody replaces a function of ours at load time, so calls within a library may be inlined.
+add_compile_options(-fno-semantic-interposition)
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
     add_compile_options(-Wno-restrict)  # false alarms in std::string, gcc bug 105651
 endif()

@@ -70,6 +70,20 @@ bool carries_base(Op op) {
            op == Op::gradient_from_outward_normal_;
 }
 
+// By add(): leaves and what stands for regions are made in ways of their own.
+bool is_written(Op op, const OpInfo& row) {
+    return row.rule != Rule::leaf && op != Op::loop_ && op != Op::call_ && op != Op::result_;
+}
+
+// Of one float type, and gives it: what most instructions are.
+bool takes_alike(const OpInfo& row) {
+    return row.rule == Rule::broadcast || row.rule == Rule::floats;
+}
+
+bool may_fold(Op op, Type type) {
+    return info(type).lanes > 0 && op != Op::construct_ && op != Op::swizzle_ && op != Op::select_;
+}
+
 std::string base_in_words(const Module& m, Id base) {
     if (base == poison) return "the surface";
     const uint32_t node = m.origin[m[base].arg[0]];
@@ -129,20 +143,29 @@ std::span<const Id> Module::listed_operands(const Inst& inst) const {
     return std::span(inst.arg.data(), count);
 }
 
+// Numbers of ops and of operands come from plugins as well.
 Id Module::add(Op op, std::span<const Id> args, uint32_t extra, Type type) {
-    if (!may_be_written(op, args)) return poison;
+    const OpInfo& row = info(op);
+    if (!is_written(op, row) || args.size() > Inst{}.arg.size()) return not_written(op, args);
     std::array<Type, 4> types{};
     Inst inst;
     inst.op = op;
     inst.extra = extra;
+    bool constant = !args.empty(), alike = true;
     for (size_t i = 0; i < args.size(); ++i) {
-        inst.arg[i] = args[i];
-        types[i] = this->type(args[i]);
-        inst.level = std::max(inst.level, inst_[args[i]].level);
+        const Id arg = args[i];
+        if (arg == poison || arg >= size()) return not_written(op, args);
+        inst.arg[i] = arg;
+        types[i] = inst_[arg].type;
+        inst.level = std::max(inst.level, inst_[arg].level);
+        constant = constant && is_constant(arg);
+        alike = alike && types[i] == types[0];
     }
-    inst.type = typed(op, std::span(types.data(), args.size()), extra, type);
+    const bool plain = alike && takes_alike(row) && is_float_type(types[0]) &&
+                       args.size() == static_cast<size_t>(row.arity);
+    inst.type = plain ? types[0] : typed(op, std::span(types.data(), args.size()), extra, type);
     if (inst.type == Type::poison_) return poison;
-    if (may_fold(op, args, inst.type))
+    if (constant && may_fold(op, inst.type))
         if (const Id folded = folded_constant(op, args, extra, inst.type)) return folded;
     if (const Id simpler = simplified(*this, op, args, extra, inst.type)) return simpler;
     if (inst.type == Type::gradient_ && !set_base(inst)) return poison;
@@ -157,33 +180,24 @@ Id Module::add_known(const Inst& known) {
     return intern(inst);
 }
 
-// Numbers of ops and of operands come from plugins as well. False for poison among the operands.
-bool Module::may_be_written(Op op, std::span<const Id> args) {
+// Why it is not; of poison among the operands nothing is said.
+Id Module::not_written(Op op, std::span<const Id> args) {
     const OpInfo& row = info(op);
-    const bool plain = row.rule != Rule::leaf && op != Op::loop_ && op != Op::call_ &&
-                       op != Op::result_ && args.size() <= Inst{}.arg.size();
-    const auto exists = [&](Id arg) { return arg != poison && arg < size(); };
-    if (plain && std::all_of(args.begin(), args.end(), exists)) return true;
-    say_why_not(op, args);
-    return false;
-}
-
-void Module::say_why_not(Op op, std::span<const Id> args) {
-    const OpInfo& row = info(op);
-    if (row.rule == Rule::leaf || op == Op::loop_ || op == Op::call_ || op == Op::result_) {
+    if (!is_written(op, row)) {
         problem(row.name.empty() ? "there is no op " + std::to_string(static_cast<int>(op))
                                  : "'" + std::string(row.name) + "' is not written as an op");
-        return;
+        return poison;
     }
     if (args.size() > Inst{}.arg.size()) {
         problem(std::string(row.name) + " takes at most 4 operands");
-        return;
+        return poison;
     }
     for (const Id arg : args)
         if (arg >= size()) {
             problem(std::string(row.name) + " is given a value that does not exist");
-            return;
+            return poison;
         }
+    return poison;
 }
 
 Type Module::typed(Op op, std::span<const Type> types, uint32_t extra, Type wanted) {
@@ -206,12 +220,6 @@ Type Module::refused(Op op, std::span<const Type> types, Type wanted) {
     result_type(op, types, wanted, &why);
     problem(why);
     return Type::poison_;
-}
-
-bool Module::may_fold(Op op, std::span<const Id> args, Type type) const {
-    return std::all_of(args.begin(), args.end(), [&](Id arg) { return is_constant(arg); }) &&
-           !args.empty() && info(type).lanes > 0 && op != Op::construct_ && op != Op::swizzle_ &&
-           op != Op::select_;
 }
 
 Id Module::folded_constant(Op op, std::span<const Id> args, uint32_t extra, Type type) {

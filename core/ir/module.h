@@ -250,10 +250,8 @@ private:
     uint32_t intern_list(std::span<const Id> ids);
     Type typed(Op op, std::span<const Type> types, uint32_t extra, Type wanted);
     Type refused(Op op, std::span<const Type> types, Type wanted);
-    bool may_fold(Op op, std::span<const Id> args, Type type) const;
     Id folded_constant(Op op, std::span<const Id> args, uint32_t extra, Type type);
-    bool may_be_written(Op op, std::span<const Id> args);
-    void say_why_not(Op op, std::span<const Id> args);
+    Id not_written(Op op, std::span<const Id> args);
     std::span<const Id> listed_operands(const Inst& inst) const;
     bool set_base(Inst& inst);
     bool fits(const OpenRegion& open, std::span<const Id> results);

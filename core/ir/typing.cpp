@@ -194,9 +194,6 @@ Type result_type(Op op, std::span<const Type> operands, Type wanted, std::string
                    " operands, not " + std::to_string(operands.size());
         return Type::poison_;
     }
-    if ((row.rule == Rule::broadcast || row.rule == Rule::floats) && is_float_type(operands[0]) &&
-        std::all_of(operands.begin(), operands.end(), [&](Type t) { return t == operands[0]; }))
-        return operands[0];
     switch (row.rule) {
         case Rule::same: {
             const Type t = operands[0];
