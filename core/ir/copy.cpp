@@ -119,10 +119,7 @@ Id Copier::write(Id id) {
     if (same) return id;
     if (inst.op == Op::result_) return target_->result(args_[0], inst.extra);
     if (!as_it_was) return target_->add(inst.op, args_, extra, inst.type);
-    Inst known = inst;
-    known.extra = extra;
-    std::copy(args_.begin(), args_.end(), known.arg.begin());
-    return target_->add_known(known);
+    return target_->add_known(inst, args_, extra);
 }
 
 }  // namespace wrinkle

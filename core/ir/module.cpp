@@ -16,21 +16,37 @@ size_t slots_for(size_t expected) {
     return std::bit_ceil(std::max<size_t>(expected, 128) * 2);
 }
 
-using Words = std::array<uint64_t, 4>;
-static_assert(sizeof(Inst) == sizeof(Words), "an instruction has no padding");
+// From values at hand: read back from an Inst that was just written field by field, a word would
+// have to wait for those writes.
+PackedInst packed(Op op, Type type, uint8_t level, uint32_t extra, Id a, Id b, Id c, Id d,
+                  double value) {
+    return {static_cast<uint64_t>(op) | static_cast<uint64_t>(type) << 16 |
+                static_cast<uint64_t>(level) << 24 | static_cast<uint64_t>(extra) << 32,
+            a | static_cast<uint64_t>(b) << 32, c | static_cast<uint64_t>(d) << 32,
+            std::bit_cast<uint64_t>(value)};
+}
 
-// Literals are told apart by their bits: -0 and 0 are two values.
-bool identical(const Inst& a, const Inst& b) {
-    const auto x = std::bit_cast<Words>(a), y = std::bit_cast<Words>(b);
-    return ((x[0] ^ y[0]) | (x[1] ^ y[1]) | (x[2] ^ y[2]) | (x[3] ^ y[3])) == 0;
+PackedInst packed(const Inst& inst) {
+    return packed(inst.op, inst.type, inst.level, inst.extra, inst.arg[0], inst.arg[1], inst.arg[2],
+                  inst.arg[3], inst.value);
+}
+
+Inst unpacked(const PackedInst& p) {
+    const auto low = [](uint64_t word) { return static_cast<uint32_t>(word); };
+    const auto high = [](uint64_t word) { return static_cast<uint32_t>(word >> 32); };
+    return {static_cast<Op>(p.head & 0xFFFF),
+            static_cast<Type>(p.head >> 16 & 0xFF),
+            static_cast<uint8_t>(p.head >> 24 & 0xFF),
+            {low(p.args), high(p.args), low(p.more_args), high(p.more_args)},
+            high(p.head),
+            std::bit_cast<double>(p.value)};
 }
 
 // Multilinear, then mixed downwards: literals differ in the highest bits of their value alone, and
 // a slot is taken from the lowest bits.
-uint64_t hash_of(const Inst& inst) {
-    const auto words = std::bit_cast<Words>(inst);
-    uint64_t h = words[0] * 0x9E3779B97F4A7C15U + words[1] * 0xC2B2AE3D27D4EB4FU +
-                 words[2] * 0x165667B19E3779F9U + std::rotl(words[3], 32) * 0xD6E8FEB86659FD93U;
+uint64_t hash_of(const PackedInst& p) {
+    uint64_t h = p.head * 0x9E3779B97F4A7C15U + p.args * 0xC2B2AE3D27D4EB4FU +
+                 p.more_args * 0x165667B19E3779F9U + std::rotl(p.value, 32) * 0xD6E8FEB86659FD93U;
     h = (h ^ h >> 32) * 0xFF51AFD7ED558CCDU;
     return h ^ h >> 29;
 }
@@ -105,13 +121,17 @@ Module::Module(size_t expected) : slots_(slots_for(expected), poison) {
 }
 
 Id Module::intern(const Inst& inst) {
+    return intern(packed(inst));
+}
+
+Id Module::intern(PackedInst inst) {
     const size_t mask = slots_.size() - 1;
     size_t slot = hash_of(inst) & mask;
     for (; slots_[slot] != poison; slot = (slot + 1) & mask)
-        if (identical(inst_[slots_[slot]], inst)) return slots_[slot];
+        if (packed(inst_[slots_[slot]]) == inst) return slots_[slot];
     const Id id = size();
     slots_[slot] = id;
-    inst_.push_back(inst);
+    inst_.push_back(unpacked(inst));
     origin.push_back(current_node);
     if (inst_.size() * 2 > slots_.size()) grow_table();
     return id;
@@ -121,7 +141,7 @@ void Module::grow_table() {
     slots_.assign(slots_.size() * 2, poison);
     const size_t mask = slots_.size() - 1;
     for (Id id = 1; id < size(); ++id) {
-        size_t slot = hash_of(inst_[id]) & mask;
+        size_t slot = hash_of(packed(inst_[id])) & mask;
         while (slots_[slot] != poison)
             slot = (slot + 1) & mask;
         slots_[slot] = id;
@@ -148,36 +168,34 @@ Id Module::add(Op op, std::span<const Id> args, uint32_t extra, Type type) {
     const OpInfo& row = info(op);
     if (!is_written(op, row) || args.size() > Inst{}.arg.size()) return not_written(op, args);
     std::array<Type, 4> types{};
-    Inst inst;
-    inst.op = op;
-    inst.extra = extra;
+    uint8_t level = 0;
     bool constant = !args.empty(), alike = true;
     for (size_t i = 0; i < args.size(); ++i) {
-        const Id arg = args[i];
-        if (arg == poison || arg >= size()) return not_written(op, args);
-        inst.arg[i] = arg;
-        types[i] = inst_[arg].type;
-        inst.level = std::max(inst.level, inst_[arg].level);
-        constant = constant && is_constant(arg);
+        if (args[i] == poison || args[i] >= size()) return not_written(op, args);
+        const Inst& operand = inst_[args[i]];
+        types[i] = operand.type;
+        level = std::max(level, operand.level);
+        constant = constant && is_constant(args[i]);
         alike = alike && types[i] == types[0];
     }
     const bool plain = alike && takes_alike(row) && is_float_type(types[0]) &&
                        args.size() == static_cast<size_t>(row.arity);
-    inst.type = plain ? types[0] : typed(op, std::span(types.data(), args.size()), extra, type);
-    if (inst.type == Type::poison_) return poison;
-    if (constant && may_fold(op, inst.type))
-        if (const Id folded = folded_constant(op, args, extra, inst.type)) return folded;
-    if (const Id simpler = simplified(*this, op, args, extra, inst.type)) return simpler;
-    if (inst.type == Type::gradient_ && !set_base(inst)) return poison;
-    return intern(inst);
+    type = plain ? types[0] : typed(op, std::span(types.data(), args.size()), extra, type);
+    if (type == Type::poison_) return poison;
+    if (constant && may_fold(op, type))
+        if (const Id folded = folded_constant(op, args, extra, type)) return folded;
+    if (const Id simpler = simplified(*this, op, args, extra, type)) return simpler;
+    if (type == Type::gradient_ && !set_base(op, args, extra)) return poison;
+    const auto arg = [&](size_t i) { return i < args.size() ? args[i] : poison; };
+    return intern(packed(op, type, level, extra, arg(0), arg(1), arg(2), arg(3), 0));
 }
 
-Id Module::add_known(const Inst& known) {
-    Inst inst = known;
-    inst.level = 0;
-    for (const Id arg : inst.arg)
-        inst.level = std::max(inst.level, inst_[arg].level);
-    return intern(inst);
+Id Module::add_known(const Inst& known, std::span<const Id> args, uint32_t extra) {
+    const auto arg = [&](size_t i) { return i < args.size() ? args[i] : poison; };
+    const std::array<uint8_t, 4> levels{inst_[arg(0)].level, inst_[arg(1)].level,
+                                        inst_[arg(2)].level, inst_[arg(3)].level};
+    const uint8_t level = *std::max_element(levels.begin(), levels.end());
+    return intern(packed(known.op, known.type, level, extra, arg(0), arg(1), arg(2), arg(3), 0));
 }
 
 // Why it is not; of poison among the operands nothing is said.
@@ -250,31 +268,27 @@ std::array<double, 9> Module::lanes_of(Id id) const {
 }
 
 // The base of a sum is that of both terms.
-bool Module::set_base(Inst& inst) {
-    if (carries_base(inst.op)) {
-        if (inst.extra == poison || (inst.extra < size() && type(inst.extra) == Type::base_))
-            return true;
-        problem(std::string(info(inst.op).name) + " is given a base that is none");
+bool Module::set_base(Op op, std::span<const Id> args, uint32_t& extra) {
+    if (carries_base(op)) {
+        if (extra == poison || (extra < size() && type(extra) == Type::base_)) return true;
+        problem(std::string(info(op).name) + " is given a base that is none");
         return false;
     }
-    if (inst.op == Op::gradient_zero_) return true;
-    inst.extra = inst_[inst.arg[0]].extra;
-    if (inst.op == Op::gradient_scale_) return true;
-    const Id other = inst_[inst.arg[1]].extra;
-    if (inst.extra == other) return true;
-    problem(std::string(inst.op == Op::gradient_add_ ? "adds" : "mixes") +
-                " gradients of different bases: one on " + base_in_words(*this, inst.extra) +
+    if (op == Op::gradient_zero_) return true;
+    extra = inst_[args[0]].extra;
+    if (op == Op::gradient_scale_) return true;
+    const Id other = inst_[args[1]].extra;
+    if (extra == other) return true;
+    problem(std::string(op == Op::gradient_add_ ? "adds" : "mixes") +
+                " gradients of different bases: one on " + base_in_words(*this, extra) +
                 ", one on " + base_in_words(*this, other),
             "resolve them one after the other");
     return false;
 }
 
 Id Module::literal(Type scalar, double value) {
-    Inst inst;
-    inst.op = Op::literal_;
-    inst.type = scalar;
-    inst.value = representable(scalar, value);
-    return intern(inst);
+    return intern(packed(Op::literal_, scalar, 0, 0, poison, poison, poison, poison,
+                         representable(scalar, value)));
 }
 
 Id Module::constant(Type type, std::span<const double> lanes) {

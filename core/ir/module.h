@@ -60,6 +60,12 @@ struct Inst {
     bool operator==(const Inst&) const = default;
 };
 
+// An instruction in the four words that tell it apart: literals by their bits, -0 and 0 are two.
+struct PackedInst {
+    uint64_t head = 0, args = 0, more_args = 0, value = 0;
+    bool operator==(const PackedInst&) const = default;
+};
+
 // `extra` of an input: which surface input, and the value itself or its change to the next pixel.
 // The change of `position` in shaders is taken from a camera-relative position in object axes, for
 // precision.
@@ -232,7 +238,7 @@ public:
 
     // An instruction that add() gave before, of another module too, with its operands renamed
     // alike: it is checked, folded and simplified already. Neither a loop nor a call.
-    Id add_known(const Inst& known);
+    Id add_known(const Inst& known, std::span<const Id> args, uint32_t extra);
     // A parameter of the region at this level, as passes that rebuild regions need it.
     Id region_parameter(int level, uint32_t index, Type type);
     std::array<double, 9> lanes_of(Id constant) const;
@@ -243,6 +249,7 @@ private:
         std::string name;
         std::vector<Type> params;
     };
+    Id intern(PackedInst inst);
     Id intern(const Inst& inst);
     void grow_table();
     bool has_constant_parts(Id construct) const;
@@ -253,7 +260,7 @@ private:
     Id folded_constant(Op op, std::span<const Id> args, uint32_t extra, Type type);
     Id not_written(Op op, std::span<const Id> args);
     std::span<const Id> listed_operands(const Inst& inst) const;
-    bool set_base(Inst& inst);
+    bool set_base(Op op, std::span<const Id> args, uint32_t& extra);
     bool fits(const OpenRegion& open, std::span<const Id> results);
     bool fits(const RegionBody& body);
     int calls_below(const RegionBody& body) const;
