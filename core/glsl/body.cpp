@@ -36,11 +36,11 @@ Text Body::output_function(Id value, const std::string& name, const std::string&
                            : ids.empty() ? no_node
                                          : group_of(plan_, values_, ids.back());
     statements(ids, 1, group);
-    const std::string line = "return " + text_of(context_, root) + ";";
+    line_ = "return " + text_of(context_, root) + ";";
     if (folded)
-        commented_line(1, line, group, true);
+        commented_line(1, line_, group, true);
     else
-        code(1, line, group == no_node ? no_node : node_of(group));
+        code(1, line_, group == no_node ? no_node : node_of(group));
     text_.line(0, "}");
     return std::move(text_);
 }
@@ -91,48 +91,51 @@ Text Body::region_function(uint32_t index, const std::string& name) {
     return std::move(text_);
 }
 
-// "// weave: Tangent normal map"; "" where a group has none.
-std::string Body::comment_of(uint32_t group) {
+// "// weave: Tangent normal map"; nothing where a group has none.
+void Body::append_comment_of(std::string& line, uint32_t group) {
     commented_.resize(m_.nodes.size());
     if (group == surface_group) {
         const bool again = std::exchange(surface_commented_, true);
-        return again ? "// the surface point (continued)" : "// the surface point";
+        line += again ? "// the surface point (continued)" : "// the surface point";
+        return;
     }
     const NodeInstance& node = m_.nodes[group];
-    if (group == 0 || node.path.empty()) return {};
-    std::string line = "// " + comment_text(node.path);
-    if (!node.title.empty()) line += ": " + comment_text(node.title);
-    if (commented_[group])
+    if (group == 0 || node.path.empty()) return;
+    line += "// ";
+    append_comment_text(line, node.path);
+    if (!node.title.empty()) line += ": ";
+    append_comment_text(line, node.title);
+    if (commented_[group]) {
         line += " (continued)";
-    else if (!node.note.empty())
-        line += ". " + comment_text(node.note);
+    } else if (!node.note.empty()) {
+        line += ". ";
+        append_comment_text(line, node.note);
+    }
     commented_[group] = true;
-    return line;
 }
 
 void Body::comment(int indent, uint32_t group) {
     if (std::exchange(group_, group) == group) return;
-    const std::string line = comment_of(group);
+    std::string line;
+    append_comment_of(line, group);
     if (!line.empty()) text_.line(indent, line, node_of(group));
 }
 
 // A group has its comment beside its first line where that fits; one line of the surface point
-// needs none.
-void Body::commented_line(int indent, std::string_view line, uint32_t group, bool single) {
-    if (group == group_) {
-        code(indent, line, node_of(group));
-        return;
-    }
+// needs none. The comment is appended to the line.
+void Body::commented_line(int indent, std::string& line, uint32_t group, bool single) {
+    if (group == group_) return code(indent, line, node_of(group));
     group_ = group;
-    const bool plain = single && group == surface_group && !surface_commented_;
-    const std::string beside = plain ? "" : comment_of(group);
-    const size_t width = 4 * static_cast<size_t>(indent) + line.size() + 2 + beside.size();
-    if (beside.empty() || width > widest_code) {
-        if (!beside.empty()) text_.line(indent, beside, node_of(group));
-        code(indent, line, node_of(group));
-    } else {
-        text_.line(indent, std::string(line) + "  " + beside, node_of(group));
-    }
+    const size_t code_end = line.size();
+    line += "  ";
+    const size_t begin = line.size();
+    if (!single || group != surface_group || surface_commented_) append_comment_of(line, group);
+    const bool none = line.size() == begin;
+    if (!none && 4 * static_cast<size_t>(indent) + line.size() <= widest_code)
+        return text_.line(indent, line, node_of(group));
+    const std::string_view whole(line);
+    if (!none) text_.line(indent, whole.substr(begin), node_of(group));
+    code(indent, whole.substr(0, code_end), node_of(group));
 }
 
 // A line that is too long goes on after a comma, or after a space.

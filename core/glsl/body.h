@@ -32,9 +32,9 @@ private:
                           const std::vector<std::string>& parameters,
                           const std::vector<std::string>& outs) const;
 
-    std::string comment_of(uint32_t group);
+    void append_comment_of(std::string& line, uint32_t group);
     void comment(int indent, uint32_t group);
-    void commented_line(int indent, std::string_view line, uint32_t group, bool single);
+    void commented_line(int indent, std::string& line, uint32_t group, bool single);
     uint32_t node_of(uint32_t group) const {
         return group == surface_group || group == 0 ? no_node : group;
     }

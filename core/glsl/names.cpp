@@ -100,20 +100,55 @@ constexpr std::pair<Op, std::string_view> op_words[] = {{Op::image_size_, "size"
 
 }  // namespace
 
-bool NameSet::taken(const std::string& name) const {
-    return next_.contains(name) || (outer_ && outer_->taken(name));
+size_t NameSet::place_of(std::string_view name) const {
+    const size_t mask = entries_.size() - 1;
+    size_t place = std::hash<std::string_view>{}(name)&mask;
+    const auto is_other = [&](const Entry& entry) {
+        return entry.length > 0 &&
+               std::string_view(pool_).substr(entry.begin, entry.length) != name;
+    };
+    while (is_other(entries_[place]))
+        place = (place + 1) & mask;
+    return place;
+}
+
+bool NameSet::taken(std::string_view name) const {
+    const bool own = !entries_.empty() && entries_[place_of(name)].length > 0;
+    return own || (outer_ && outer_->taken(name));
+}
+
+NameSet::Entry& NameSet::entry_of(std::string_view name) {
+    if ((count_ + 1) * 2 > entries_.size()) grow();
+    Entry& entry = entries_[place_of(name)];
+    if (entry.length > 0) return entry;
+    ++count_;
+    entry.begin = static_cast<uint32_t>(pool_.size());
+    entry.length = static_cast<uint32_t>(name.size());
+    pool_ += name;
+    return entry;
+}
+
+void NameSet::grow() {
+    const std::vector<Entry> before =
+        std::exchange(entries_, std::vector<Entry>(std::max<size_t>(2 * entries_.size(), 32)));
+    for (const Entry& entry : before)
+        if (entry.length > 0)
+            entries_[place_of(std::string_view(pool_).substr(entry.begin, entry.length))] = entry;
 }
 
 std::string NameSet::unique(std::string_view wanted) {
     std::string name = legal(wanted);
-    const bool free = (!outer_ || !outer_->taken(name)) && !is_reserved(name);
-    const auto [base, added] = next_.try_emplace(name, 2);
-    if (added && free) return name;
+    if (!taken(name) && !is_reserved(name)) {
+        entry_of(name);
+        return name;
+    }
     const std::string stem = std::move(name);
+    uint32_t number = entry_of(stem).next;
     do
-        name = stem + "_" + std::to_string(base->second++);
+        name = stem + "_" + std::to_string(number++);
     while (taken(name) || is_reserved(name));
-    next_.try_emplace(name, 2);
+    entry_of(stem).next = number;
+    entry_of(name);
     return name;
 }
 
@@ -126,16 +161,22 @@ std::string change_name(uint32_t input_extra) {
                                                             : "d" + input + "_" + axis;
 }
 
-std::string comment_text(std::string_view text) {
-    std::string result(text.substr(0, longest_comment));
-    for (char& c : result)
-        if (static_cast<unsigned char>(c) < 0x20 || c == '\x7F')
-            c = ' ';
-        else if (c == '\\')
-            c = '/';
-    while (!result.empty() && (static_cast<unsigned char>(result.back()) & 0xC0) == 0x80 &&
+void append_comment_text(std::string& line, std::string_view text) {
+    const size_t begin = line.size();
+    line += text.substr(0, longest_comment);
+    for (size_t i = begin; i < line.size(); ++i)
+        if (static_cast<unsigned char>(line[i]) < 0x20 || line[i] == '\x7F')
+            line[i] = ' ';
+        else if (line[i] == '\\')
+            line[i] = '/';
+    while (line.size() > begin && (static_cast<unsigned char>(line.back()) & 0xC0) == 0x80 &&
            text.size() > longest_comment)
-        result.pop_back();
+        line.pop_back();
+}
+
+std::string comment_text(std::string_view text) {
+    std::string result;
+    append_comment_text(result, text);
     return result;
 }
 

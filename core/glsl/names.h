@@ -3,7 +3,7 @@
 
 #include <string>
 #include <string_view>
-#include <unordered_map>
+#include <vector>
 
 #include "ir/module.h"
 
@@ -21,10 +21,20 @@ public:
     std::string unique(std::string_view wanted);
 
 private:
-    bool taken(const std::string& name) const;
+    struct Entry {
+        uint32_t begin = 0, length = 0;  // in pool_; length 0 is free
+        uint32_t next = 2;               // the number to try behind it
+    };
+    // Of a name that is there or of the free place for it.
+    size_t place_of(std::string_view name) const;
+    bool taken(std::string_view name) const;
+    Entry& entry_of(std::string_view name);
+    void grow();
 
     const NameSet* outer_;
-    std::unordered_map<std::string, uint32_t> next_;  // by taken name: the number to try next
+    std::string pool_;            // all names
+    std::vector<Entry> entries_;  // open addressing, at most half full
+    size_t count_ = 0;
 };
 
 // The name of a surface input's change: "dpdx", "duv0_dy"; of the input itself its own.
@@ -35,5 +45,6 @@ std::string_view word_for(const Module& module, Id id);
 
 // The name as it may stand in a line comment: no control characters, no backslash, not too long.
 std::string comment_text(std::string_view text);
+void append_comment_text(std::string& line, std::string_view text);
 
 }  // namespace wrinkle

@@ -38,6 +38,7 @@ private:
     uint32_t width_of(Id id);
     uint8_t depth_of(Id id);
     void make_statement(Id id);
+    const std::string& name_of(Id id);
     void hoist_implicit(Id id);
     uint32_t room_for(Id id, bool is_root);
     void narrow(Id id, bool is_root);
@@ -101,7 +102,14 @@ void Folder::make_statement(Id id) {
     ValueState& s = state(id);
     if (s.statement) return;
     s.statement = true;
-    s.name = wanted_name(plan_, values_, id);
+    name_of(id);
+}
+
+// Decided once: what it is shared by, and so its name, is known before.
+const std::string& Folder::name_of(Id id) {
+    std::string& name = state(id).name;
+    if (name.empty()) name = wanted_name(plan_, values_, id);
+    return name;
 }
 
 // GLSL evaluates one branch of ?: only, and && and || may skip their right side; there an implicit
@@ -118,7 +126,7 @@ void Folder::hoist_implicit(Id id) {
 uint32_t Folder::room_for(Id id, bool is_root) {
     if (is_root && state(id).uses == 1) return widest_result;
     if (!must_name(id, false)) return widest_expression;
-    const uint32_t declaration = 12 + static_cast<uint32_t>(wanted_name(plan_, values_, id).size());
+    const uint32_t declaration = 12 + static_cast<uint32_t>(name_of(id).size());
     return widest_line - std::min(declaration, widest_line / 2);
 }
 
