@@ -92,8 +92,8 @@ Diagnostic warning_of(const std::string* fields, const Project& project) {
 std::string cache_key(const Project& project, const Types& types, const std::string& name,
                       const Compilation& with) {
     const TextOptions& options = with.options;
-    const std::string identity =
-        program_identity() + (is_translated(*find_target(options.target)) ? loaded_identity() : "");
+    const bool compilers = options.cost || is_translated(*find_target(options.target));
+    const std::string identity = program_identity() + (compilers ? loaded_identity() : "");
     Fields fields = {identity,
                      options.target,
                      options.form,
@@ -103,7 +103,10 @@ std::string cache_key(const Project& project, const Types& types, const std::str
                      with.common.no_tangents ? "derived" : "vertex",
                      std::to_string(options.set),
                      std::to_string(options.first_binding),
-                     options.strict ? "strict" : "lenient"};
+                     options.strict ? "strict" : "lenient",
+                     !options.cost  ? "no cost"
+                     : options.json ? "cost as JSON"
+                                    : "cost"};
     for (const Override& each : with.overrides.list)
         fields.push_back("set " + each.text);
     std::map<fs::path, size_t> images;
@@ -120,12 +123,13 @@ bool take_entry(const Cache& cache, const std::string& key, const Project& proje
                 CompiledGraph& result) {
     const auto bytes = cache.find(key);
     const auto fields = bytes ? split_fields(*bytes) : std::nullopt;
-    if (!fields || fields->size() < 2) return false;
-    const std::string* at = fields->data() + 2;
+    if (!fields || fields->size() < 3) return false;
+    const std::string* at = fields->data() + 3;
     const size_t texts = number((*fields)[0]);
-    const size_t left = fields->size() - 2;
+    const size_t left = fields->size() - 3;
     if (texts > left / 3 || (left - texts * 3) % fields_of_warning != 0) return false;
     result.reflection = (*fields)[1];
+    result.cost = (*fields)[2];
     result.diagnostics = Diagnostics();
     for (size_t i = 0; i < texts; ++i, at += 3)
         result.texts.push_back({at[0], at[1], at[2]});
@@ -137,7 +141,7 @@ bool take_entry(const Cache& cache, const std::string& key, const Project& proje
 void store_entry(Cache& cache, const std::string& key, const Project& project,
                  CompiledGraph& result) {
     if (result.diagnostics.dropped() > 0) return;
-    Fields fields = {std::to_string(result.texts.size()), result.reflection};
+    Fields fields = {std::to_string(result.texts.size()), result.reflection, result.cost};
     for (const Text& text : result.texts)
         fields.insert(fields.end(), {text.stage, text.suffix, text.bytes});
     for (const Diagnostic& warning : result.diagnostics.list())

@@ -9,6 +9,7 @@
 
 #include "base/companion.h"
 #include "cli/compile_graph.h"
+#include "cli/cost.h"
 #include "cli/output.h"
 #include "cli/outputs.h"
 #include "glsl/target.h"
@@ -24,6 +25,7 @@ constexpr uint64_t default_cache_size = uint64_t{1} << 30;
 struct Outcome {
     Diagnostics diagnostics;
     std::string unwritten;  // why not; "" when its files are there
+    std::string cost;
     Rule rule;
 };
 
@@ -37,7 +39,7 @@ struct CompileCommand {
 
     int run() const {
         if (const std::string why = wrong_usage(); !why.empty()) return usage(why);
-        if (std::string why; is_translated(*find_target(text.target)) && !have_spirv_tools(why)) {
+        if (std::string why; needs_compilers() && !have_spirv_tools(why)) {
             complain(why + "; " + companion_remedy);
             return exit_environment;
         }
@@ -53,6 +55,8 @@ struct CompileCommand {
         if (cache) cache->prune();
         return finish(outcomes, diagnostics);
     }
+
+    bool needs_compilers() const { return text.cost || is_translated(*find_target(text.target)); }
 
     static int usage(const std::string& sentence) {
         complain(sentence);
@@ -70,6 +74,7 @@ struct CompileCommand {
             return "the shader form takes its differentials from the screen";
         if (!depfile.wanted && (depfile.phony || !(depfile.path + depfile.target).empty()))
             return "-MF, -MT and -MP go with -MD";
+        if (text.json && !text.cost) return "--json goes with --cost";
         return outputs.conflict();
     }
 
@@ -105,7 +110,9 @@ struct CompileCommand {
         CompiledGraph graph = compile_graph(file, with);
         outcome.diagnostics = std::move(graph.diagnostics);
         if (outcome.diagnostics.has_errors()) return outcome;
+        outcome.cost = std::move(graph.cost);
         std::vector<Result> results;
+        if (!outputs.texts) graph.texts.clear();
         for (Text& each : graph.texts)
             if (!outputs.is_standard_output() || each.stage.empty() || each.stage == outputs.stage)
                 results.push_back({outputs.place(file, each.suffix), std::move(each.bytes)});
@@ -150,7 +157,15 @@ struct CompileCommand {
             unwritten(why);
         }
         const int code = report(diagnostics, common.diagnostics);
-        return written ? code : int{exit_environment};
+        return print_costs(outcomes) && written ? code : int{exit_environment};
+    }
+
+    bool print_costs(const std::vector<Outcome>& outcomes) const {
+        std::vector<GraphCost> costs;
+        for (size_t i = 0; i < outcomes.size(); ++i)
+            if (!outcomes[i].cost.empty()) costs.push_back({outputs.files[i], outcomes[i].cost});
+        return costs.empty() ||
+               write_result("-", printed_costs(costs, outputs.several(), text.json));
     }
 };
 
@@ -187,7 +202,10 @@ void declare_text(CLI::App& sub, TextOptions& text) {
         ->capture_default_str();
     sub.add_option("--name", text.name, "NAME in the text; default: the file's stem");
     sub.add_flag("--strict", text.strict,
-                 "More images than a shader has texture units for certain are an error");
+                 "More images or outputs than every machine has room for are an error");
+    sub.add_flag("--cost", text.cost,
+                 "Prints what the graph and each of its nodes cost; without -o nothing else");
+    sub.add_flag("--json", text.json, "The costs as JSON");
 }
 
 }  // namespace
@@ -212,11 +230,13 @@ void declare_compile(CLI::App& app, Run& run) {
     declare_depfile(sub, c.outputs.depfile);
     declare_cache(sub, c);
     declare_common(sub, c.common);
-    sub.callback([command, &run] {
+    sub.callback([command, &run, &sub] {
         if (const Target* target = find_target(command->text.target)) {
             command->outputs.form = form_of(command->text);
             command->outputs.suffix = target->suffix;
         }
+        command->outputs.costs = command->text.cost;
+        command->outputs.texts = !command->text.cost || sub.count("-o") > 0;
         run = [command] { return command->run(); };
     });
 }

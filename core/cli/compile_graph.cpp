@@ -33,7 +33,10 @@ void make_texts(const std::string& file, const Project& project, const Compilati
     emit_options.first_binding = wanted.first_binding;
     Shader shader = write_shader(compiled.module, emit_options);
     report_emit(shader, compiled, project, result.diagnostics);
-    judge_texture_units(shader.reflection, file, wanted.strict, result.diagnostics);
+    judge_limits(shader.reflection, file, wanted.strict, result.diagnostics);
+    if (wanted.cost && !result.diagnostics.has_errors())
+        result.cost = cost_of(compiled.module, emit_options.differentials, wanted.json, file,
+                              result.diagnostics);
     if (result.diagnostics.has_errors()) return;
     const std::string suffix(emit_options.target->suffix);
     if (emit_options.form == Form::function)

@@ -1,4 +1,4 @@
-// One graph to the texts that `wrinkle compile` writes, made or taken from the cache: what comes
+// One graph to what `wrinkle compile` writes and prints, made or taken from the cache: what comes
 // out is the same, down to the warnings.
 #pragma once
 
@@ -19,7 +19,8 @@ struct TextOptions {
     std::string form, params = "baked", differentials = "screen";  // form "": the target's own
     std::string name;                                              // "": from the file's
     int set = 0, first_binding = 0;
-    bool strict = false;  // more images than there are units for certain are an error
+    bool strict = false;              // what not every machine has is an error
+    bool cost = false, json = false;  // what it costs is counted, as JSON
 };
 
 Form form_of(const TextOptions& options);  // of a target that exists
@@ -33,6 +34,7 @@ struct Text {
 struct CompiledGraph {
     std::vector<Text> texts;  // none with an error
     std::string reflection;   // JSON
+    std::string cost;         // as --cost prints it
     std::vector<InputFile> inputs;
     Diagnostics diagnostics;
 };

@@ -1,19 +1,45 @@
 #include "cli/cost.h"
 
-#include "cost/report.h"
+#include "base/text.h"
+#include "cost/limits.h"
 
 namespace wrinkle::cli {
 
-void judge_texture_units(const Reflection& reflection, const std::string& file, bool strict,
-                         Diagnostics& diagnostics) {
-    const std::string problem = texture_unit_problem(reflection);
-    if (problem.empty()) return;
-    Diagnostic found;
-    found.severity = strict ? Severity::error : Severity::warning;
-    found.where.file = file;
-    found.message = problem;
-    found.expected = "put several masks into the channels of one picture, or fewer layers";
-    diagnostics.add(found);
+void judge_limits(const Reflection& reflection, const std::string& file, bool strict,
+                  Diagnostics& diagnostics) {
+    for (const Excess& excess : {texture_unit_excess(reflection), draw_buffer_excess(reflection)}) {
+        if (excess.problem.empty()) continue;
+        Diagnostic found;
+        found.severity = strict ? Severity::error : Severity::warning;
+        found.where.file = file;
+        found.message = excess.problem;
+        found.expected = excess.remedy;
+        diagnostics.add(found);
+    }
+}
+
+std::string cost_of(const Module& module, Differentials differentials, bool json,
+                    const std::string& file, Diagnostics& diagnostics) {
+    std::string why;
+    const auto report = measure_cost(module, differentials, why);
+    if (report) return json ? to_json(*report) : to_text(*report);
+    Diagnostic problem;
+    problem.where.file = file;
+    problem.message = "its cost cannot be counted: " + why;
+    diagnostics.add(problem);
+    return {};
+}
+
+std::string printed_costs(std::span<const GraphCost> costs, bool several, bool json) {
+    std::string text;
+    for (const GraphCost& each : costs) {
+        if (json)
+            text += (text.empty() ? "\n" : ",\n") + ("{\"file\": " + json_quoted(each.file)) +
+                    ", \"cost\":\n" + each.report + "}";
+        else
+            text += (text.empty() ? "" : "\n") + (several ? each.file + "\n" : "") + each.report;
+    }
+    return json ? "{\"version\": 1, \"graphs\": [" + text + "\n]}\n" : text;
 }
 
 }  // namespace wrinkle::cli

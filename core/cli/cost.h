@@ -1,16 +1,28 @@
-// What `wrinkle compile` says of a shader's cost.
+// What `wrinkle compile` says of a shader's cost, and of what not every machine has for it.
 #pragma once
 
+#include <span>
 #include <string>
 
 #include "base/diagnostics.h"
-#include "glsl/reflection.h"
+#include "cost/measure.h"
 
 namespace wrinkle::cli {
 
-// More images than every machine of the targets has units for: a warning that names them, with
-// `strict` an error.
-void judge_texture_units(const Reflection& reflection, const std::string& file, bool strict,
-                         Diagnostics& diagnostics);
+// More images or outputs than every machine of the target has room for: warnings that name them,
+// with `strict` errors.
+void judge_limits(const Reflection& reflection, const std::string& file, bool strict,
+                  Diagnostics& diagnostics);
+
+// The report of --cost, as a table or as JSON; "" with an error.
+std::string cost_of(const Module& module, Differentials differentials, bool json,
+                    const std::string& file, Diagnostics& diagnostics);
+
+// What is printed: of one graph its table, of several each below the name of its file. With `json`
+// {"version": 1, "graphs": [{"file", "cost": to_json(CostReport)}]}.
+struct GraphCost {
+    std::string file, report;
+};
+std::string printed_costs(std::span<const GraphCost> costs, bool several, bool json);
 
 }  // namespace wrinkle::cli

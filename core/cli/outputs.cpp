@@ -28,17 +28,19 @@ std::string Outputs::depfile_place() const {
 }
 
 std::string Outputs::conflict() const {
-    if (several() && (is_standard_output() || reflect == "-"))
+    if (!texts && depfile.wanted) return "-MD goes with -o: it says what the output depends on";
+    if (several() && ((texts && is_standard_output()) || reflect == "-"))
         return "several graphs need a folder: " +
-               std::string(is_standard_output() ? "-o FOLDER" : "--reflect FOLDER");
+               std::string(reflect == "-" ? "--reflect FOLDER" : "-o FOLDER");
     std::vector<std::string> places;
     std::vector<std::string> stems;
+    if (costs) places.emplace_back("-");
     for (const std::string& file : files) {
         const bool pair = form == Form::shader && !is_standard_output();
-        places.push_back(place(file, pair ? vertex_suffix + suffix : ""));
-        if (pair) places.push_back(place(file, fragment_suffix + suffix));
+        if (texts) places.push_back(place(file, pair ? vertex_suffix + suffix : ""));
+        if (texts && pair) places.push_back(place(file, fragment_suffix + suffix));
         if (!reflect.empty()) places.push_back(reflection_place(file));
-        stems.push_back(stem_of(file));
+        if (texts || !reflect.empty()) stems.push_back(stem_of(file));
     }
     if (depfile.wanted) places.push_back(depfile_place());
     const auto twice = [](std::vector<std::string>& list) {

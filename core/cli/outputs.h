@@ -19,6 +19,8 @@ struct Outputs {
     std::string reflect;
     Depfile depfile;
     std::vector<std::string> files;  // the graphs
+    bool texts = true;               // they are written; --cost alone writes none
+    bool costs = false;              // to standard output
 
     bool several() const { return files.size() > 1; }
     bool is_standard_output() const { return output == "-"; }

@@ -2,92 +2,99 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <map>
+#include <set>
+#include <string_view>
 
-#include "ir/op.h"
+#include "base/text.h"
+#include "cost/counted_shader.h"
+#include "cost/limits.h"
 
 namespace wrinkle {
 namespace {
 
-std::string cells(const ShaderCost& cost) {
+std::string cells(const ShaderCost& cost, size_t units) {
     char text[96];
-    std::snprintf(text, sizeof text, "%8u %4u %6u %7u  ", cost.alu, cost.divisions, cost.reads,
-                  cost.derivative_lanes);
+    std::snprintf(text, sizeof text, "%6u %4u %6u %7u %6zu  ", cost.alu, cost.divisions, cost.reads,
+                  cost.derivative_lanes, units);
     return text;
 }
 
-std::string counted(size_t count, const char* one, const char* many) {
-    return std::to_string(count) + " " + (count == 1 ? one : many);
+std::string members(const ShaderCost& cost) {
+    const std::pair<const char*, uint32_t> all[] = {{"alu", cost.alu},
+                                                    {"transcendental", cost.transcendental},
+                                                    {"divisions", cost.divisions},
+                                                    {"texture_reads", cost.reads},
+                                                    {"texture_queries", cost.queries},
+                                                    {"derivatives", cost.derivatives},
+                                                    {"derivative_numbers", cost.derivative_lanes},
+                                                    {"branches", cost.branches},
+                                                    {"loops", cost.loops}};
+    std::string text;
+    for (const auto& [name, value] : all)
+        text += (text.empty() ? "\"" : ", \"") + std::string(name) + "\": " + std::to_string(value);
+    return text;
+}
+
+std::string members(const ShaderCost& cost, size_t units) {
+    return members(cost) + ", \"texture_units\": " + std::to_string(units);
+}
+
+std::map<std::string_view, size_t> units_by_node(const Reflection& reflection) {
+    std::map<std::string_view, size_t> units;
+    for (const SamplerInfo& sampler : reflection.samplers) {
+        std::set<std::string_view> nodes;
+        for (const SamplerInfo::Reader& reader : sampler.readers)
+            if (nodes.insert(reader.node).second) ++units[reader.node];
+    }
+    return units;
 }
 
 }  // namespace
 
-CountedShader counted_shader(const Shader& shader) {
-    const Reflection& r = shader.reflection;
-    CountedShader result;
-    std::string& text = result.text;
-    text = "#version 450\n";
-    std::string body;
-    int location = 0;
-    for (const MemberInfo& member : r.members) {
-        text += "layout(location = " + std::to_string(location++) + ") in " +
-                std::string(info(member.type).name) + " counted_" + member.name + ";\n";
-        body += "    surface." + member.name + " = counted_" + member.name + ";\n";
-    }
-    location = 0;
-    for (const FunctionInfo& function : r.functions)
-        text += "layout(location = " + std::to_string(location++) + ") out " +
-                std::string(info(function.type).name) + " counted_" + function.output + "_out;\n";
-    result.lines_before = static_cast<uint32_t>(std::count(text.begin(), text.end(), '\n'));
-    text += shader.source + "\nvoid main() {\n";
-    if (!r.struct_name.empty()) text += "    " + r.struct_name + " surface;\n";
-    text += body;
-    for (const FunctionInfo& function : r.functions)
-        text += "    counted_" + function.output + "_out = " + function.function +
-                (r.struct_name.empty() ? "();\n" : "(surface);\n");
-    text += "}\n";
-    return result;
-}
-
-CostReport cost_report(const Shader& shader, const CountedShader& counted,
-                       const SpirvCount& count) {
+CostReport cost_report(const Shader& shader, const SpirvCount& count) {
     const Reflection& r = shader.reflection;
     CostReport report;
     report.total = count.total;
     report.texture_units = r.samplers.size();
-    std::vector<ShaderCost> nodes(r.node_paths.size());
-    for (size_t line = 0; line < count.lines.size(); ++line) {
-        const size_t index = line - counted.lines_before - 1;  // wraps before the text
-        const uint32_t node = index < r.lines.size() ? r.lines[index] : no_node;
-        (node != 0 && node < nodes.size() ? nodes[node] : report.shared) += count.lines[line];
+    const auto units = units_by_node(r);
+    for (uint32_t line = 0; line < count.lines.size(); ++line) {
+        const ShaderCost& cost = count.lines[line];
+        const uint32_t node = counted_node(line);
+        if (node == no_node || node >= r.node_paths.size()) {
+            report.shared += cost;
+        } else if (!(cost == ShaderCost{})) {
+            const auto found = units.find(r.node_paths[node]);
+            report.nodes.push_back(
+                {r.node_paths[node], cost, found == units.end() ? 0 : found->second});
+        }
     }
-    for (uint32_t node = 0; node < nodes.size(); ++node)
-        if (!(nodes[node] == ShaderCost{})) report.nodes.push_back({node, nodes[node]});
     std::stable_sort(report.nodes.begin(), report.nodes.end(),
                      [](const NodeCost& a, const NodeCost& b) { return a.cost.alu > b.cost.alu; });
     return report;
 }
 
-std::string to_text(const CostReport& report, const Reflection& reflection) {
-    std::string text = " numbers  div  reads  derivs  node\n" + cells(report.total) + "in all, " +
+std::string to_text(const CostReport& report) {
+    std::string text = "   ALU  div  reads  derivs  units  node\n" +
+                       cells(report.total, report.texture_units) + "in all, " +
                        std::to_string(report.texture_units) + " of " +
-                       counted(guaranteed_texture_units, "texture unit", "texture units") + "\n";
+                       std::to_string(guaranteed_texture_units) + " texture units\n";
     for (const NodeCost& each : report.nodes)
-        text += cells(each.cost) + reflection.node_paths[each.node] + "\n";
-    if (!(report.shared == ShaderCost{})) text += cells(report.shared) + "(the surface point)\n";
+        text += cells(each.cost, each.texture_units) + each.node + "\n";
+    if (!(report.shared == ShaderCost{})) text += cells(report.shared, 0) + "(the surface point)\n";
     return text;
 }
 
-std::string texture_unit_problem(const Reflection& reflection) {
-    const size_t used = reflection.samplers.size();
-    if (used <= guaranteed_texture_units) return "";
-    std::string text = "it reads " + std::to_string(used) + " images, and a shader has " +
-                       std::to_string(guaranteed_texture_units) + " texture units for certain: ";
-    for (size_t i = 0; i < used; ++i) {
-        const SamplerInfo& sampler = reflection.samplers[i];
-        text += (i ? ", " : "") + sampler.written;
-        if (!sampler.readers.empty()) text += " (" + sampler.readers[0].node + ")";
+std::string to_json(const CostReport& report) {
+    std::string text =
+        "{\"total\": {" + members(report.total, report.texture_units) + "},\n \"nodes\": [";
+    const char* separator = "\n  ";
+    for (const NodeCost& each : report.nodes) {
+        text += separator + ("{\"node\": " + json_quoted(each.node)) + ", " +
+                members(each.cost, each.texture_units) + "}";
+        separator = ",\n  ";
     }
-    return text;
+    return text + "],\n \"surface_point\": {" + members(report.shared) + "}}";
 }
 
 }  // namespace wrinkle

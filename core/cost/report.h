@@ -15,36 +15,28 @@
 
 namespace wrinkle {
 
-// Units for images that each target gives a fragment shader at least: GL_MAX_TEXTURE_IMAGE_UNITS of
-// OpenGL 3.3 and ES 3.0, maxPerStageDescriptorSampledImages of Vulkan, sampler states of shader
-// model 5.0 and of Metal.
-inline constexpr size_t guaranteed_texture_units = 16;
-
-// A fragment shader of GLSL 4.50 around the function form.
-struct CountedShader {
-    std::string text;
-    uint32_t lines_before = 0;  // the function form's
-};
-CountedShader counted_shader(const Shader& shader);
-
 struct NodeCost {
-    uint32_t node = 0;  // Module::nodes
+    std::string node;  // path
     ShaderCost cost;
+    size_t texture_units = 0;  // of the images that it reads; others may read them too
 };
 
 struct CostReport {
     ShaderCost total;
     std::vector<NodeCost> nodes;  // that cost something, the most numbers first
     ShaderCost shared;            // of the surface point, and of no line
-    size_t texture_units = 0;
+    size_t texture_units = 0;     // in all
 };
-CostReport cost_report(const Shader& shader, const CountedShader& counted, const SpirvCount& count);
+// Of the function form that counted_shader() was made from.
+CostReport cost_report(const Shader& shader, const SpirvCount& count);
 
 // The report for people: totals, then a line for each node.
-//   numbers div reads derivs  node
-std::string to_text(const CostReport& report, const Reflection& reflection);
+//   ALU div reads derivs units  node
+std::string to_text(const CostReport& report);
 
-// What is wrong with the number of images, naming them; "" when every target has units enough.
-std::string texture_unit_problem(const Reflection& reflection);
+// {"total": {"alu", "transcendental", "divisions", "texture_reads", "texture_queries",
+//  "derivatives", "derivative_numbers", "branches", "loops", "texture_units"},
+//  "nodes": [{"node", and as above}], "surface_point": {as above, no units}}, on several lines.
+std::string to_json(const CostReport& report);
 
 }  // namespace wrinkle

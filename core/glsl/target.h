@@ -26,6 +26,7 @@ struct Target {
     std::string_view change_x;   // the functions that give the change to the next pixel
     std::string_view change_y;
     Bindings bindings;
+    uint32_t draw_buffers;  // that every machine has for the outputs of a fragment shader
     std::string_view doc;
 };
 

@@ -34,10 +34,11 @@ Shader write_shader(const Module& module, const EmitOptions& options);
 
 using SpirvWords = std::vector<uint32_t>;
 enum class ShaderStage : uint8_t { vertex, fragment };
+enum class Lines : uint8_t { forget, keep };  // keep: which line each instruction came from
 enum class Inlining : uint8_t { none, all };  // all: as `spirv-opt -O`
 
 // The steps by themselves. Empty, with the compiler's log, when they fail.
-std::optional<SpirvWords> compile_to_spirv(std::string_view glsl450, ShaderStage stage,
+std::optional<SpirvWords> compile_to_spirv(std::string_view glsl450, ShaderStage stage, Lines lines,
                                            std::string& log);
 std::optional<SpirvWords> optimised(const SpirvWords& words, Inlining inlining, std::string& log);
 bool is_valid(const SpirvWords& words, std::string& log);  // by the rules of Vulkan 1.0

@@ -46,19 +46,14 @@ bool have_spirv_tools(std::string& why) {
     return spirv_module(why) != nullptr;
 }
 
-std::optional<SpirvWords> compile_to_spirv(std::string_view glsl450, ShaderStage stage, bool lines,
+std::optional<SpirvWords> compile_to_spirv(std::string_view glsl450, ShaderStage stage, Lines lines,
                                            std::string& log) {
     const WrinkleSpirvModule* module = spirv_module(log);
     if (!module) return {};
     std::string bytes;
-    const bool good = module->compile({glsl450.data(), glsl450.size()}, number_of(stage), lines,
-                                      sink_of(bytes), sink_of(log));
+    const bool good = module->compile({glsl450.data(), glsl450.size()}, number_of(stage),
+                                      lines == Lines::keep, sink_of(bytes), sink_of(log));
     return made(good, bytes);
-}
-
-std::optional<SpirvWords> compile_to_spirv(std::string_view glsl450, ShaderStage stage,
-                                           std::string& log) {
-    return compile_to_spirv(glsl450, stage, false, log);
 }
 
 std::optional<SpirvWords> optimised(const SpirvWords& words, Inlining inlining, std::string& log) {

@@ -21,8 +21,4 @@ inline WrinkleSpirvWords view_of(const SpirvWords& words) {
     return {words.data(), words.size()};
 }
 
-// `lines`: with the line of everything, for texts that are made from the words.
-std::optional<SpirvWords> compile_to_spirv(std::string_view glsl450, ShaderStage stage, bool lines,
-                                           std::string& log);
-
 }  // namespace wrinkle

@@ -105,7 +105,7 @@ bool Translator::refuse(const std::string& log) {
 
 bool Translator::to_binary(ShaderStage stage, std::string& text) {
     std::string log;
-    const auto words = compile_to_spirv(text, stage, false, log);
+    const auto words = compile_to_spirv(text, stage, Lines::forget, log);
     const auto smaller = words ? optimised(*words, Inlining::none, log) : std::nullopt;
     if (!smaller) return refuse(log);
     text = bytes_of(*smaller);
@@ -115,7 +115,7 @@ bool Translator::to_binary(ShaderStage stage, std::string& text) {
 
 bool Translator::to_text(ShaderStage stage, std::string& text, std::vector<uint32_t> lines) {
     std::string log;
-    const auto words = compile_to_spirv(text, stage, true, log);
+    const auto words = compile_to_spirv(text, stage, Lines::keep, log);
     if (!words) return refuse(log);
     std::vector<WrinkleSpirvName> names;
     for (const auto* block : {&r_.frame_block, &r_.parameter_block})

@@ -89,6 +89,7 @@ TEST_F(TargetTest, AMissingModuleIsTheEnvironmentsFault) {
     EXPECT_EQ(alone("-o g.glsl"), 0) << get("err");
     EXPECT_EQ(alone("--target glsl450 --form shader -o g"), 0) << get("err");
     EXPECT_EQ(alone("--target spirv -o x"), 3);
+    EXPECT_EQ(alone("--cost"), 3);
     EXPECT_TRUE(says(get("err"), "WRINKLE_MODULE_PATH"));
     EXPECT_FALSE(exists("x.frag.spv"));
 }

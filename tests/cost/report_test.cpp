@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "json/parse.h"
+
 namespace wrinkle::test {
 namespace {
 
@@ -21,85 +23,69 @@ Shader small_shader() {
     return shader;
 }
 
-TEST(CostReport, TheShaderCallsEveryFunctionOnInterpolants) {
-    const CountedShader counted = counted_shader(small_shader());
-    EXPECT_EQ(counted.text, R"(#version 450
-layout(location = 0) in vec3 counted_normal;
-layout(location = 0) out vec3 counted_normal_out;
-struct S {
-    vec3 normal;
-};
-vec3 f(S s) {
-    return s.normal;
-}
-
-void main() {
-    S surface;
-    surface.normal = counted_normal;
-    counted_normal_out = f(surface);
-}
-)");
-    EXPECT_EQ(counted.lines_before, 3U);
-}
-
-TEST(CostReport, AFunctionWithoutArguments) {
-    Shader shader = small_shader();
-    shader.source = "vec3 f() {\n    return vec3(1.0);\n}\n";
-    shader.reflection.struct_name = "";
-    shader.reflection.members.clear();
-    EXPECT_NE(counted_shader(shader).text.find("counted_normal_out = f();"), std::string::npos);
-}
-
 TEST(CostReport, LinesBelongToTheirNodes) {
-    const Shader shader = small_shader();
-    const CountedShader counted = counted_shader(shader);
     SpirvCount count;
-    count.lines.resize(3 + 6 + 2 + 1);  // no line, before, the text's six, main's first two
     uint32_t numbers = 1;
-    for (ShaderCost& line : count.lines) {
+    for (ShaderCost& line : count.lines = std::vector<ShaderCost>(5)) {
         line.alu = numbers;
         count.total += line;
         numbers *= 2;
     }
-    const CostReport report = cost_report(shader, counted, count);
-    // Line 4 of the whole is line 1 of the text.
+    const CostReport report = cost_report(small_shader(), count);
     ASSERT_EQ(report.nodes.size(), 2U);
-    EXPECT_EQ(report.nodes[0].node, 2U);
-    EXPECT_EQ(report.nodes[0].cost.alu, (1U << 7) + (1U << 8));
-    EXPECT_EQ(report.nodes[1].node, 1U);
-    EXPECT_EQ(report.nodes[1].cost.alu, 1U << 6);
-    uint32_t sum = report.shared.alu;
-    for (const NodeCost& node : report.nodes)
-        sum += node.cost.alu;
-    EXPECT_EQ(sum, report.total.alu);
+    EXPECT_EQ(report.nodes[0].node, "strap/tilt");
+    EXPECT_EQ(report.nodes[0].cost.alu, 8U);
+    EXPECT_EQ(report.nodes[1].node, "weave");
+    EXPECT_EQ(report.nodes[1].cost.alu, 4U);
+    EXPECT_EQ(report.shared.alu, 1U + 2U + 16U);
+    EXPECT_EQ(report.total.alu, 31U);
+}
+
+CostReport small_report() {
+    CostReport report;
+    report.total = {.alu = 64, .transcendental = 1, .divisions = 2, .reads = 3};
+    report.nodes = {{"strap/tilt", {.alu = 60, .divisions = 2, .reads = 3}, 2},
+                    {"weave", {.alu = 3}, 0}};
+    report.shared = {.alu = 1};
+    report.texture_units = 2;
+    return report;
 }
 
 TEST(CostReport, IsATable) {
-    CostReport report;
-    report.total = {.alu = 64, .transcendental = 1, .divisions = 2, .reads = 3};
-    report.nodes = {{2, {.alu = 60, .divisions = 2, .reads = 3}}, {1, {.alu = 3}}};
-    report.shared = {.alu = 1};
-    report.texture_units = 2;
-    EXPECT_EQ(to_text(report, small_shader().reflection),
-              R"( numbers  div  reads  derivs  node
-      64    2      3       0  in all, 2 of 16 texture units
-      60    2      3       0  strap/tilt
-       3    0      0       0  weave
-       1    0      0       0  (the surface point)
+    EXPECT_EQ(to_text(small_report()),
+              R"(   ALU  div  reads  derivs  units  node
+    64    2      3       0      2  in all, 2 of 16 texture units
+    60    2      3       0      2  strap/tilt
+     3    0      0       0      0  weave
+     1    0      0       0      0  (the surface point)
 )");
 }
 
-TEST(CostReport, NamesImagesBeyondTheUnits) {
-    Reflection reflection;
-    for (int i = 0; i < 16; ++i)
-        reflection.samplers.emplace_back().written = std::to_string(i) + ".png";
-    EXPECT_EQ(texture_unit_problem(reflection), "");
-    SamplerInfo& last = reflection.samplers.emplace_back();
-    last.written = "last.png";
-    last.readers = {{"weave", "image"}};
-    const std::string problem = texture_unit_problem(reflection);
-    EXPECT_NE(problem.find("17 images"), std::string::npos);
-    EXPECT_NE(problem.find("15.png, last.png (weave)"), std::string::npos) << problem;
+TEST(CostReport, IsJson) {
+    Diagnostics problems;
+    const json::Value report = json::parse(to_json(small_report()), "cost", problems).root;
+    ASSERT_FALSE(problems.has_errors()) << to_json(small_report());
+    EXPECT_EQ(report.find("total").find("alu").as_number(), 64);
+    EXPECT_EQ(report.find("total").find("transcendental").as_number(), 1);
+    EXPECT_EQ(report.find("total").find("texture_units").as_number(), 2);
+    ASSERT_EQ(report.find("nodes").size(), 2u);
+    EXPECT_EQ(report.find("nodes").at(0).find("node").as_string(), "strap/tilt");
+    EXPECT_EQ(report.find("nodes").at(0).find("texture_reads").as_number(), 3);
+    EXPECT_EQ(report.find("surface_point").find("alu").as_number(), 1);
+}
+
+TEST(CostReport, AnImageIsAUnitOfEachNodeThatReadsIt) {
+    Shader shader = small_shader();
+    SamplerInfo& first = shader.reflection.samplers.emplace_back();
+    first.readers = {{"weave", "image"}, {"weave", "mask"}, {"strap/tilt", "image"}};
+    shader.reflection.samplers.emplace_back().readers = {{"weave", "image"}};
+    SpirvCount count;
+    count.lines = {{}, {}, {.alu = 1}, {.alu = 2}};
+    const CostReport report = cost_report(shader, count);
+    ASSERT_EQ(report.nodes.size(), 2U);
+    EXPECT_EQ(report.nodes[0].texture_units, 1U);
+    EXPECT_EQ(report.nodes[1].texture_units, 2U);
+    EXPECT_EQ(report.texture_units, 2U);
 }
 
 }  // namespace

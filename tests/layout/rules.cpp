@@ -28,7 +28,7 @@ const std::map<std::string, Names, std::less<>> allowed = {
     {"core/bake", {"base", "ir", "cpu", "image", "mesh", "glm", "tbb"}},
     {"core/certify",
      {"base", "ir", "graph", "registry", "lower", "glsl", "cpu", "image", "gpu", "contract"}},
-    {"core/cost", {"base", "ir", "glsl"}},
+    {"core/cost", {"base", "ir", "glsl", "spirv"}},
     {"core/cli",
      {"base",          "json",  "ir",   "graph", "registry", "lower",   "glsl", "spirv",
       "cpu",           "image", "mesh", "gpu",   "bake",     "certify", "cost", "contract",
@@ -37,7 +37,7 @@ const std::map<std::string, Names, std::less<>> allowed = {
     {"plugins", {"sdk"}},
     {"editor",
      {"base", "json", "ir", "graph", "registry", "lower", "glsl", "spirv", "cpu", "image", "mesh",
-      "gpu", "bake", "contract", "list of nodes", "glm", "gl", "imgui", "cli11"}},
+      "gpu", "bake", "cost", "contract", "list of nodes", "glm", "gl", "imgui", "cli11"}},
 };
 
 // Libraries by how their headers are spelled.

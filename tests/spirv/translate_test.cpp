@@ -139,7 +139,7 @@ TEST(Spirv, BadBytesAreNoneAndSayWhy) {
 TEST(Spirv, RefusedTextsNameTheLineAndTheNode) {
     std::string log;
     const char* text = "#version 450\nvoid main() {\n    float a = b;\n}\n";
-    EXPECT_FALSE(compile_to_spirv(text, ShaderStage::fragment, log));
+    EXPECT_FALSE(compile_to_spirv(text, ShaderStage::fragment, Lines::forget, log));
     EXPECT_EQ(line_in(log), 3U) << log;
     Reflection reflection;
     reflection.lines = {no_node, no_node, 7, no_node};
@@ -156,7 +156,7 @@ TEST(Spirv, OptimisingWithAndWithoutInlining) {
     const char* text =
         "#version 450\nlayout(location = 0) out float o;\nlayout(location = 0) in float i;\n"
         "float f(float x) { return x * x + 1.0; }\nvoid main() { o = f(i) + f(i * 2.0); }\n";
-    const auto words = compile_to_spirv(text, ShaderStage::fragment, log);
+    const auto words = compile_to_spirv(text, ShaderStage::fragment, Lines::forget, log);
     ASSERT_TRUE(words) << log;
     const auto calls = [&](Inlining inlining) {
         const auto made = optimised(*words, inlining, log);
