@@ -47,6 +47,8 @@
 
 namespace wrinkle {
 
+struct PackedInst;
+
 using Id = uint32_t;
 inline constexpr Id poison = 0;
 
@@ -58,12 +60,6 @@ struct Inst {
     uint32_t extra = 0;       // see the comments of the op table
     double value = 0;         // of a literal
     bool operator==(const Inst&) const = default;
-};
-
-// An instruction in the four words that tell it apart: literals by their bits, -0 and 0 are two.
-struct PackedInst {
-    uint64_t head = 0, args = 0, more_args = 0, value = 0;
-    bool operator==(const PackedInst&) const = default;
 };
 
 // `extra` of an input: which surface input, and the value itself or its change to the next pixel.
@@ -249,7 +245,7 @@ private:
         std::string name;
         std::vector<Type> params;
     };
-    Id intern(PackedInst inst);
+    Id intern(const PackedInst& inst);
     Id intern(const Inst& inst);
     void grow_table();
     bool has_constant_parts(Id construct) const;
