@@ -1,3 +1,15 @@
-# find_package(Wrinkle) gives the program as the target Wrinkle::wrinkle, and wrinkle_compile().
+# find_package(Wrinkle [COMPONENTS programs library]) gives what is installed: the program as the
+# target Wrinkle::wrinkle, wrinkle_compile(), and the library as Wrinkle::library.
+set(Wrinkle_programs_FOUND TRUE)
 include(${CMAKE_CURRENT_LIST_DIR}/WrinkleTargets.cmake)
 include(${CMAKE_CURRENT_LIST_DIR}/WrinkleCompile.cmake)
+include(${CMAKE_CURRENT_LIST_DIR}/WrinkleLibraryTargets.cmake OPTIONAL)
+if(TARGET Wrinkle::library)
+    set(Wrinkle_library_FOUND TRUE)
+endif()
+foreach(component ${Wrinkle_FIND_COMPONENTS})
+    if(Wrinkle_FIND_REQUIRED_${component} AND NOT Wrinkle_${component}_FOUND)
+        set(Wrinkle_FOUND FALSE)
+        set(Wrinkle_NOT_FOUND_MESSAGE "Wrinkle is installed without its component '${component}'")
+    endif()
+endforeach()

@@ -16,8 +16,8 @@ namespace {
 
 std::vector<fs::path> candidates(const std::string& file) {
     std::vector<fs::path> paths;
-    const fs::path program = program_folder();
-    if (!program.empty()) paths.push_back(program.parent_path() / "lib/wrinkle" / file);
+    const fs::path installation = installation_folder();
+    if (!installation.empty()) paths.push_back(installation / "lib/wrinkle" / file);
     if (const char* folders = std::getenv("WRINKLE_MODULE_PATH"))
         for (const std::string_view folder : split(folders, ':'))
             if (!folder.empty()) paths.push_back(fs::path(folder) / file);

@@ -1,7 +1,7 @@
 // The modules that lie beside the programs: shared objects that a program opens on first need, so
 // that a start does not pay for what they pull in.
 //
-// Looked for as <folder of the running program>/../lib/wrinkle/FILE, then in each folder of the
+// Looked for as lib/wrinkle/FILE of the installation (base/folders.h), then in each folder of the
 // environment variable WRINKLE_MODULE_PATH (separated by ':'). The first that exists is taken.
 #pragma once
 

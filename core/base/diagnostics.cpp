@@ -1,5 +1,10 @@
 #include "base/diagnostics.h"
 
+#include <filesystem>
+#include <new>
+#include <set>
+#include <stdexcept>
+
 #include "base/text.h"
 
 namespace wrinkle {
@@ -27,6 +32,13 @@ void Diagnostics::append(const Diagnostics& other) {
     dropped_ += other.dropped_;
 }
 
+void Diagnostics::append_once(const Diagnostics& other) {
+    if (other.dropped_ > 0) return append(other);  // with the count of those it left out
+    std::set<std::string> seen;
+    for (const Diagnostic& diagnostic : other.list_)
+        if (seen.insert(to_text(diagnostic)).second) add(diagnostic);
+}
+
 std::string to_text(const Diagnostic& diagnostic) {
     std::string text;
     const Location& where = diagnostic.where;
@@ -47,9 +59,29 @@ std::string to_text(const Diagnostics& diagnostics) {
     std::string text;
     for (const Diagnostic& diagnostic : diagnostics.list())
         text += to_text(diagnostic) + "\n";
-    if (diagnostics.dropped() > 0)
-        text += "and " + std::to_string(diagnostics.dropped()) + " more problems\n";
+    if (diagnostics.dropped() > 0) text += dropped_text(diagnostics) + "\n";
     return text;
+}
+
+std::string dropped_text(const Diagnostics& diagnostics) {
+    return "and " + std::to_string(diagnostics.dropped()) + " more problems";
+}
+
+// What the machine cannot give is said in one sentence, like any other problem.
+std::string exception_text() {
+    try {
+        throw;
+    } catch (const std::bad_alloc&) {
+        return "out of memory";
+    } catch (const std::length_error&) {
+        return "out of memory";
+    } catch (const std::filesystem::filesystem_error& error) {
+        return error.path1().string() + ": " + error.code().message();
+    } catch (const std::exception& error) {
+        return error.what();
+    } catch (...) {
+        return "an unknown exception";
+    }
 }
 
 std::string to_json(const Diagnostics& diagnostics) {

@@ -40,6 +40,8 @@ public:
     void add(Diagnostic diagnostic);
     void error(std::string message, std::string expected = {});
     void append(const Diagnostics& other);
+    // Each once: several compilations of one graph have most problems in common.
+    void append_once(const Diagnostics& other);
 
     const std::vector<Diagnostic>& list() const { return list_; }
     bool has_errors() const { return error_count_ > 0; }
@@ -57,6 +59,9 @@ private:
 std::string to_text(const Diagnostic& diagnostic);
 // One line per problem and, when some were dropped, a last line with their count.
 std::string to_text(const Diagnostics& diagnostics);
+std::string dropped_text(const Diagnostics& diagnostics);  // "and 12 more problems"
+// In a catch block: the exception under way, in a few words for people.
+std::string exception_text();
 // {"version": 1, "diagnostics": [{"severity", "file", "line", "column", "pointer", "node",
 //  "message", "expected"}], "dropped": n}
 std::string to_json(const Diagnostics& diagnostics);

@@ -1,5 +1,8 @@
 #include "base/folders.h"
 
+#include <dlfcn.h>
+#include <link.h>
+
 #include <cstdlib>
 
 namespace wrinkle {
@@ -13,9 +16,30 @@ fs::path user_folder(const char* variable, const char* below_home) {
     return fs::path(home) / below_home / "wrinkle";
 }
 
+namespace {
+
+// "" where the code is the program's.
+fs::path own_library() {
+    static const char inside = 0;
+    Dl_info ignored;
+    void* found = nullptr;
+    if (!dladdr1(&inside, &ignored, &found, RTLD_DL_LINKMAP) || !found) return {};
+    std::error_code error;
+    const char* const name = static_cast<const link_map*>(found)->l_name;
+    return name && *name ? fs::canonical(name, error) : fs::path();
+}
+
+}  // namespace
+
 fs::path program_folder() {
     std::error_code error;
     return fs::read_symlink("/proc/self/exe", error).parent_path();
+}
+
+// Asked once: a library may be known by a path that the working folder gives a meaning.
+fs::path installation_folder() {
+    static const fs::path library = own_library();
+    return (library.empty() ? program_folder() : library.parent_path()).parent_path();
 }
 
 }  // namespace wrinkle

@@ -13,4 +13,9 @@ std::filesystem::path user_folder(const char* variable, const char* below_home);
 // Where the running program's file lies, symbolic links followed; empty when that is not known.
 std::filesystem::path program_folder();
 
+// The folder above the bin or lib that this code runs from: of the running program or, where it is
+// in a shared library, of that library. What is installed with it lies below. Symbolic links
+// followed; empty when it is not known.
+std::filesystem::path installation_folder();
+
 }  // namespace wrinkle

@@ -32,7 +32,7 @@ struct CheckCommand {
             compile_or_check(changed, registry, options, own);
             if (own.has_errors()) break;
         }
-        append_once(own, diagnostics);
+        diagnostics.append_once(own);
     }
 };
 

@@ -1,10 +1,8 @@
 #include "cli/cli.h"
 
 #include <algorithm>
-#include <filesystem>
-#include <new>
-#include <stdexcept>
 
+#include "base/diagnostics.h"
 #include "cli/arguments.h"
 #include "cli/output.h"
 
@@ -13,18 +11,11 @@ namespace {
 
 constexpr const char* version = "wrinkle " WRINKLE_VERSION;
 
-// What the machine cannot give is said in one sentence, like any other problem.
 int guarded(const Run& run) {
     try {
         return run();
-    } catch (const std::bad_alloc&) {
-        complain("out of memory");
-    } catch (const std::length_error&) {
-        complain("out of memory");
-    } catch (const std::filesystem::filesystem_error& error) {
-        complain(error.path1().string() + ": " + error.code().message());
-    } catch (const std::exception& error) {
-        complain(error.what());
+    } catch (...) {
+        complain(exception_text());
     }
     return exit_environment;
 }

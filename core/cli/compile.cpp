@@ -12,6 +12,7 @@
 #include "cli/cost.h"
 #include "cli/output.h"
 #include "cli/outputs.h"
+#include "compile/shader.h"
 #include "glsl/target.h"
 #include "spirv/spirv.h"
 
@@ -68,10 +69,11 @@ struct CompileCommand {
         if (outputs.files.empty()) return "compile needs a graph; - reads standard input";
         if (!find_target(text.target))
             return "there is no target '" + text.target + "'; --list-targets lists them";
-        if (text.form == "function" && is_translated(*find_target(text.target)))
-            return "the target '" + text.target + "' is written as a complete pair; --form shader";
-        if (form_of(text) == Form::shader && text.differentials == "given")
-            return "the shader form takes its differentials from the screen";
+        const Form form = form_of(text);
+        const auto differentials =
+            text.differentials == "given" ? Differentials::given : Differentials::screen;
+        const std::string why = form_conflict(*find_target(text.target), form, differentials);
+        if (!why.empty()) return form == Form::function ? why + "; --form shader" : why;
         if (!depfile.wanted && (depfile.phony || !(depfile.path + depfile.target).empty()))
             return "-MF, -MT and -MP go with -MD";
         if (text.json && !text.cost) return "--json goes with --cost";
@@ -195,10 +197,10 @@ void declare_text(CLI::App& sub, TextOptions& text) {
         ->check(CLI::IsMember({"screen", "given"}))
         ->capture_default_str();
     sub.add_option("--descriptor-set", text.set, "The descriptor set of the blocks and images")
-        ->check(CLI::Range(0, 31))
+        ->check(CLI::Range(0, max_descriptor_set))
         ->capture_default_str();
     sub.add_option("--first-binding", text.first_binding, "The binding of the first of them")
-        ->check(CLI::Range(0, 4095))
+        ->check(CLI::Range(0, max_first_binding))
         ->capture_default_str();
     sub.add_option("--name", text.name, "NAME in the text; default: the file's stem");
     sub.add_flag("--strict", text.strict,

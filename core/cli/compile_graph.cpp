@@ -2,10 +2,9 @@
 
 #include "cli/cache_entry.h"
 #include "cli/cost.h"
-#include "cli/material_run.h"
 #include "cli/output.h"
 #include "cli/outputs.h"
-#include "spirv/spirv.h"
+#include "compile/shader.h"
 
 namespace wrinkle::cli {
 namespace {
@@ -17,29 +16,25 @@ std::string name_for(const std::string& file, const TextOptions& options) {
 void make_texts(const std::string& file, const Project& project, const Compilation& with,
                 CompiledGraph& result) {
     const TextOptions& wanted = with.options;
-    MaterialOptions options;
-    options.uniform_parameters = wanted.params == "uniform";
-    options.given_differentials = wanted.differentials == "given";
-    options.vertex_tangents = !with.common.no_tangents;
-    const Compiled compiled = compile_or_check(project, with.registry, options, result.diagnostics);
-    if (!compiled.ok) return;
-    EmitOptions emit_options;
-    emit_options.form = form_of(wanted);
-    emit_options.differentials =
-        options.given_differentials ? Differentials::given : Differentials::screen;
-    emit_options.name = name_for(file, wanted);
-    emit_options.target = find_target(wanted.target);
-    emit_options.set = wanted.set;
-    emit_options.first_binding = wanted.first_binding;
-    Shader shader = write_shader(compiled.module, emit_options);
-    report_emit(shader, compiled, project, result.diagnostics);
-    judge_limits(shader.reflection, file, wanted.strict, result.diagnostics);
+    ShaderOptions options;
+    options.material.uniform_parameters = wanted.params == "uniform";
+    options.material.vertex_tangents = !with.common.no_tangents;
+    options.emit.form = form_of(wanted);
+    options.emit.differentials =
+        wanted.differentials == "given" ? Differentials::given : Differentials::screen;
+    options.emit.name = name_for(file, wanted);
+    options.emit.target = find_target(wanted.target);
+    options.emit.set = wanted.set;
+    options.emit.first_binding = wanted.first_binding;
+    options.strict = wanted.strict;
+    MadeShader made = make_shader(project, with.registry, options, result.diagnostics);
+    Shader& shader = made.shader;
     if (wanted.cost && !result.diagnostics.has_errors())
-        result.cost = cost_of(compiled.module, emit_options.differentials, wanted.json, file,
+        result.cost = cost_of(made.compiled.module, options.emit.differentials, wanted.json, file,
                               result.diagnostics);
     if (result.diagnostics.has_errors()) return;
-    const std::string suffix(emit_options.target->suffix);
-    if (emit_options.form == Form::function)
+    const std::string suffix(options.emit.target->suffix);
+    if (options.emit.form == Form::function)
         result.texts.push_back({"", "", std::move(shader.source)});
     else
         result.texts = {{"vertex", vertex_suffix + suffix, std::move(shader.vertex)},
@@ -50,9 +45,8 @@ void make_texts(const std::string& file, const Project& project, const Compilati
 }  // namespace
 
 Form form_of(const TextOptions& options) {
-    const bool pair = options.form.empty() ? is_translated(*find_target(options.target))
-                                           : options.form == "shader";
-    return pair ? Form::shader : Form::function;
+    if (options.form.empty()) return default_form(*find_target(options.target));
+    return options.form == "shader" ? Form::shader : Form::function;
 }
 
 CompiledGraph compile_graph(const std::string& file, const Compilation& with) {

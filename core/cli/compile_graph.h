@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "cli/cache.h"
-#include "cli/inputs.h"
 #include "cli/session.h"
+#include "compile/inputs.h"
 #include "glsl/emit.h"
 #include "glsl/target.h"
 

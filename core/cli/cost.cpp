@@ -1,22 +1,8 @@
 #include "cli/cost.h"
 
 #include "base/text.h"
-#include "cost/limits.h"
 
 namespace wrinkle::cli {
-
-void judge_limits(const Reflection& reflection, const std::string& file, bool strict,
-                  Diagnostics& diagnostics) {
-    for (const Excess& excess : {texture_unit_excess(reflection), draw_buffer_excess(reflection)}) {
-        if (excess.problem.empty()) continue;
-        Diagnostic found;
-        found.severity = strict ? Severity::error : Severity::warning;
-        found.where.file = file;
-        found.message = excess.problem;
-        found.expected = excess.remedy;
-        diagnostics.add(found);
-    }
-}
 
 std::string cost_of(const Module& module, Differentials differentials, bool json,
                     const std::string& file, Diagnostics& diagnostics) {

@@ -1,4 +1,4 @@
-// What `wrinkle compile` says of a shader's cost, and of what not every machine has for it.
+// What `wrinkle compile` says of a shader's cost.
 #pragma once
 
 #include <span>
@@ -8,11 +8,6 @@
 #include "cost/measure.h"
 
 namespace wrinkle::cli {
-
-// More images or outputs than every machine of the target has room for: warnings that name them,
-// with `strict` errors.
-void judge_limits(const Reflection& reflection, const std::string& file, bool strict,
-                  Diagnostics& diagnostics);
 
 // The report of --cost, as a table or as JSON; "" with an error.
 std::string cost_of(const Module& module, Differentials differentials, bool json,

@@ -7,18 +7,10 @@
 
 #include "cli/material_run.h"
 #include "cli/points.h"
+#include "cpu/columns.h"
 #include "cpu/texture_store.h"
 
 namespace wrinkle::cli {
-
-enum class Precision : uint8_t { single, full };
-
-struct OutputColumn {
-    std::string name;
-    uint32_t port_type = 0;  // WR_PORT_*
-    size_t lanes = 1;
-    std::vector<double> values;  // [point * lanes + lane]; of single precision exact floats
-};
 
 // Every output at every point; nothing with a problem reported. The run was compiled with given
 // differentials, and its images are in `textures`.

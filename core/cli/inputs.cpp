@@ -1,37 +1,14 @@
 // wrinkle inputs FILE...: what a build system must watch.
-#include "cli/inputs.h"
-
 #include <memory>
 #include <set>
 
 #include "base/text.h"
 #include "cli/output.h"
 #include "cli/session.h"
-#include "lower/named_images.h"
+#include "compile/inputs.h"
 
 namespace wrinkle::cli {
-namespace fs = std::filesystem;
 namespace {
-
-// A path made short is another place where a folder on the way is a link.
-std::string spelled(const fs::path& wanted, const fs::path& real) {
-    const fs::path shorter = wanted.lexically_normal();
-    std::error_code error;
-    const bool same = !fs::exists(real, error) || fs::equivalent(shorter, real, error);
-    return same && !error ? shorter.string() : real.string();
-}
-
-class Collector {
-public:
-    void add(InputFile::Kind kind, std::string path) {
-        if (seen_.insert(path).second) files.push_back({kind, std::move(path)});
-    }
-
-    std::vector<InputFile> files;
-
-private:
-    std::set<std::string> seen_;
-};
 
 struct InputsCommand {
     CommonOptions common;
@@ -42,7 +19,8 @@ struct InputsCommand {
         Diagnostics diagnostics;
         const Nodes nodes = load_nodes(common, diagnostics);
         std::string entries;
-        Collector all;
+        std::vector<std::string> all;
+        std::set<std::string> seen;
         for (const std::string& file : files) {
             Diagnostics own;
             const Project project = open_project(file, common, own);
@@ -50,12 +28,12 @@ struct InputsCommand {
             const auto inputs = inputs_of(project, Types(project, nodes.registry));
             entries += (entries.empty() ? "\n  " : ",\n  ") + entry(file, inputs);
             for (const InputFile& input : inputs)
-                all.add(input.kind, input.path);
+                if (seen.insert(input.path).second) all.push_back(input.path);
         }
         const int code = report(diagnostics, common.diagnostics);
         if (code != exit_fine) return code;
         const std::string text =
-            json ? "{\"version\": 1, \"graphs\": [" + entries + "\n]}\n" : lines(all.files);
+            json ? "{\"version\": 1, \"graphs\": [" + entries + "\n]}\n" : lines(all);
         return write_result("-", text) ? exit_fine : exit_environment;
     }
 
@@ -70,42 +48,15 @@ struct InputsCommand {
         return text + "]}";
     }
 
-    static std::string lines(const std::vector<InputFile>& inputs) {
+    static std::string lines(const std::vector<std::string>& paths) {
         std::string text;
-        for (const InputFile& input : inputs)
-            text += input.path + "\n";
+        for (const std::string& path : paths)
+            text += path + "\n";
         return text;
     }
 };
 
 }  // namespace
-
-std::string_view name_of(InputFile::Kind kind) {
-    return kind == InputFile::Kind::graph   ? "graph"
-           : kind == InputFile::Kind::image ? "image"
-                                            : "plugin";
-}
-
-std::vector<InputFile> inputs_of(const Project& project, const Types& types) {
-    Collector found;
-    std::error_code ignored;
-    for (const Project::File& file : project.files)
-        if (&file != project.files.data() || fs::is_regular_file(file.path, ignored))
-            found.add(InputFile::Kind::graph, spelled(file.document.file, file.path));
-    for (size_t f = 0; f < project.files.size(); ++f) {
-        const fs::path folder = fs::path(project.files[f].document.file).parent_path();
-        std::set<std::string> names;  // many nodes may read one image
-        for (const NamedImage& image : named_images(project, types, f))
-            if (image.path && names.insert(image.name).second)
-                found.add(InputFile::Kind::image, spelled(folder / image.name, *image.path));
-    }
-    for (size_t f = 0; f < project.files.size(); ++f)
-        for (size_t i = 0; i < project.files[f].document.nodes.size(); ++i) {
-            const NodeType* type = types.of(f, i);
-            if (type && type->code) found.add(InputFile::Kind::plugin, type->origin);
-        }
-    return std::move(found.files);
-}
 
 void declare_inputs(CLI::App& app, Run& run) {
     auto command = std::make_shared<InputsCommand>();

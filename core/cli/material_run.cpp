@@ -1,25 +1,6 @@
 #include "cli/material_run.h"
 
-#include <filesystem>
-
-#include "base/text.h"
-#include "cli/output.h"
-#include "lower/check.h"
-
 namespace wrinkle::cli {
-namespace fs = std::filesystem;
-
-Compiled compile_or_check(const Project& project, const Registry& registry,
-                          const MaterialOptions& options, Diagnostics& diagnostics) {
-    if (!diagnostics.has_errors()) return compile_material(project, registry, options, diagnostics);
-    check(project, registry, diagnostics);
-    return {};
-}
-
-void report_emit(const Shader& shader, const Compiled& compiled, const Project& project,
-                 Diagnostics& diagnostics) {
-    report_problems(shader.problems, compiled.module, project, compiled.places, diagnostics);
-}
 
 void compile_runs(const std::string& file, const CommonOptions& common, const Registry& registry,
                   const Overrides& overrides, bool given_differentials, const UseRun& use,
@@ -35,7 +16,7 @@ void compile_runs(const std::string& file, const CommonOptions& common, const Re
         run.compiled = compile_or_check(run.project, registry, options, own);
         if (run.compiled.ok) use(i, run, own);
     }
-    append_once(own, diagnostics);
+    diagnostics.append_once(own);
 }
 
 Shader emit_function(const MaterialRun& run, const std::string& name, Diagnostics& diagnostics) {

@@ -6,20 +6,10 @@
 #include <string>
 
 #include "cli/session.h"
-#include "cli/textures.h"
-#include "glsl/emit.h"
-#include "lower/material.h"
+#include "compile/shader.h"
+#include "compile/textures.h"
 
 namespace wrinkle::cli {
-
-// Compiles. Where the project has errors already the rest of it is checked as well, so that every
-// problem is reported in one go.
-Compiled compile_or_check(const Project& project, const Registry& registry,
-                          const MaterialOptions& options, Diagnostics& diagnostics);
-
-// A problem of the emitter, at the node it names.
-void report_emit(const Shader& shader, const Compiled& compiled, const Project& project,
-                 Diagnostics& diagnostics);
 
 struct MaterialRun {
     Project project;    // with the values of --set

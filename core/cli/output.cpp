@@ -1,7 +1,6 @@
 #include "cli/output.h"
 
 #include <cstdio>
-#include <set>
 
 #include "base/file.h"
 #include "cli/cli.h"
@@ -47,13 +46,6 @@ int report(const Diagnostics& diagnostics, const std::string& format) {
         std::fwrite(text.data(), 1, text.size(), stderr);
     }
     return diagnostics.has_errors() ? exit_input : exit_fine;
-}
-
-void append_once(const Diagnostics& from, Diagnostics& to) {
-    if (from.dropped() > 0) return to.append(from);  // with the count of those it left out
-    std::set<std::string> seen;
-    for (const Diagnostic& problem : from.list())
-        if (seen.insert(to_text(problem)).second) to.add(problem);
 }
 
 void complain(std::string_view sentence) {

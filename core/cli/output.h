@@ -23,9 +23,6 @@ bool write_results(const std::vector<Result>& results, std::string& why);  // pr
 // Prints the problems to standard error, as text or as JSON, and gives the exit code they mean.
 int report(const Diagnostics& diagnostics, const std::string& format);
 
-// Adds the problems, each once: several compilations of one graph have most in common.
-void append_once(const Diagnostics& from, Diagnostics& to);
-
 // One sentence to standard error.
 void complain(std::string_view sentence);
 

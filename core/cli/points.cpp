@@ -13,21 +13,6 @@
 namespace wrinkle::cli {
 namespace {
 
-constexpr std::array<const char*, 3> variant_names = {"", "dx", "dy"};
-
-std::optional<SurfaceInput> input_named(std::string_view name) {
-    for (int i = 0; i < surface_input_count; ++i)
-        if (info(static_cast<SurfaceInput>(i)).name == name) return static_cast<SurfaceInput>(i);
-    return {};
-}
-
-std::vector<std::string> input_names() {
-    std::vector<std::string> names;
-    for (int i = 0; i < surface_input_count; ++i)
-        names.emplace_back(info(static_cast<SurfaceInput>(i)).name);
-    return names;
-}
-
 // Reads one point; problems are reported at the values they concern.
 class PointReader {
 public:
@@ -40,17 +25,16 @@ public:
                          "a point is an object such as {\"uv0\": [0.5, 0.5]}");
         for (const json::Member& member : value.children()) {
             if (member.key == "dx")
-                read_group(member.value, Variant::dx);
+                read_group(member.value, Variant::dx, "dx");
             else if (member.key == "dy")
-                read_group(member.value, Variant::dy);
+                read_group(member.value, Variant::dy, "dy");
             else
                 read_slot(member, Variant::value);
         }
     }
 
 private:
-    void read_group(const json::Value& value, Variant variant) {
-        const std::string name = variant_names[static_cast<size_t>(variant)];
+    void read_group(const json::Value& value, Variant variant, const std::string& name) {
         if (!value.is(json::Kind::object))
             return error(value, name + " is " + json::kind_name(value.kind()),
                          name + " is an object such as {\"uv0\": [0.001, 0]}");
@@ -59,20 +43,20 @@ private:
     }
 
     void read_slot(const json::Member& member, Variant variant) {
-        const auto input = input_named(member.key);
-        if (!input) {
-            std::vector<std::string> names = input_names();
+        const auto input = find_input(member.key);
+        if (!input || input->variant != Variant::value) {
+            std::vector<std::string> names = surface_input_names();
             if (variant == Variant::value) names.insert(names.end(), {"dx", "dy"});
             return error(member.value, "there is no '" + std::string(member.key) + "'",
                          did_you_mean(member.key, names,
                                       "position, normal, tangent, uv0 ... uv3, color0, view, "
                                       "facing, dx, dy"));
         }
-        const PointKey key{*input, variant};
-        if (*input == SurfaceInput::facing_ && variant != Variant::value)
-            return error(member.value, key.name() + " has no meaning", "facing does not change");
+        const InputNeed key{input->input, variant};
+        if (key.input == SurfaceInput::facing_ && variant != Variant::value)
+            return error(member.value, name_of(key) + " has no meaning", "facing does not change");
         point_[key].given = read_lanes(key, member.value, point_[key].lanes);
-        if (*input == SurfaceInput::normal_ && variant == Variant::value && point_[key].given &&
+        if (key.input == SurfaceInput::normal_ && variant == Variant::value && point_[key].given &&
             is_zero(point_[key]))
             error(member.value, "normal is zero", "a direction of any length but zero");
     }
@@ -81,8 +65,8 @@ private:
         return std::all_of(slot.lanes.begin(), slot.lanes.end(), [](double x) { return x == 0; });
     }
 
-    bool read_lanes(PointKey key, const json::Value& value, std::array<double, 4>& lanes) {
-        const size_t count = info(info(key.input).type).lanes;
+    bool read_lanes(const InputNeed& key, const json::Value& value, std::array<double, 4>& lanes) {
+        const size_t count = lanes_of(key);
         const bool fits = count == 1 ? value.is(json::Kind::number)
                                      : value.is(json::Kind::array) && value.size() == count;
         bool fine = fits;
@@ -94,7 +78,7 @@ private:
                 if (fine) lanes[lane++] = member.value.as_number();
             }
         if (!fine)
-            error(value, key.name() + " does not fit",
+            error(value, name_of(key) + " does not fit",
                   count == 1 ? "a number" : "an array of " + std::to_string(count) + " numbers");
         return fine;
     }
@@ -151,11 +135,6 @@ void set_attributes(Point& point, Variant variant, const SurfaceAttributes& valu
 
 }  // namespace
 
-std::string PointKey::name() const {
-    const std::string prefix = variant_names[static_cast<size_t>(variant)];
-    return (prefix.empty() ? "" : prefix + ".") + std::string(info(input).name);
-}
-
 std::vector<Point> read_points(const json::Value& value, Diagnostics& diagnostics) {
     std::vector<Point> points;
     if (!value.is(json::Kind::array)) {
@@ -207,9 +186,8 @@ bool all_given(const std::vector<Point>& points, const Program& program, Diagnos
     const std::vector<InputNeed> needs = needed_inputs(program);
     for (const Point& point : points)
         for (const InputNeed& need : needs) {
-            const PointKey key{need.input, need.variant};
-            if (point[key].given) continue;
-            report_at(point.source, point.name + " lacks '" + key.name() + "'",
+            if (point[need].given) continue;
+            report_at(point.source, point.name + " lacks '" + name_of(need) + "'",
                       "the graph needs it", diagnostics);
             fine = false;
         }
@@ -220,10 +198,10 @@ PointSet point_set(const std::vector<Point>& points, const Program& program) {
     PointSet set;
     set.count = points.size();
     for (const InputNeed& need : needed_inputs(program)) {
-        const size_t count = info(info(need.input).type).lanes;
+        const size_t count = lanes_of(need);
         std::vector<double>& values = set.at(need.input, need.variant);
         for (const Point& point : points) {
-            const auto& lanes = point[{need.input, need.variant}].lanes;
+            const auto& lanes = point[need].lanes;
             values.insert(values.end(), lanes.begin(), lanes.begin() + static_cast<long>(count));
         }
     }

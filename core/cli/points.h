@@ -14,19 +14,10 @@
 
 #include "base/diagnostics.h"
 #include "cli/session.h"
-#include "cpu/evaluate.h"
+#include "cpu/columns.h"
 #include "json/value.h"
 
 namespace wrinkle::cli {
-
-// One number group of a point: an input of the surface, or its change along x or y.
-struct PointKey {
-    SurfaceInput input = SurfaceInput::position_;
-    Variant variant = Variant::value;
-
-    size_t index() const { return static_cast<size_t>(input) * 3 + static_cast<size_t>(variant); }
-    std::string name() const;  // "uv0", "dx.uv0"
-};
 
 struct Point {
     struct Slot {
@@ -37,8 +28,13 @@ struct Point {
     std::string name;    // "point 3", for messages
     json::Value source;  // where it was read; null when it comes from a mesh
 
-    Slot& operator[](PointKey key) { return slots[key.index()]; }
-    const Slot& operator[](PointKey key) const { return slots[key.index()]; }
+    Slot& operator[](const InputNeed& input) { return slots[index(input)]; }
+    const Slot& operator[](const InputNeed& input) const { return slots[index(input)]; }
+
+private:
+    static size_t index(const InputNeed& input) {
+        return static_cast<size_t>(input.input) * 3 + static_cast<size_t>(input.variant);
+    }
 };
 
 // A point, or an array of them.

@@ -96,7 +96,7 @@ void TestRun::run(const TestCase& test, Diagnostics& diagnostics) {
         still = mesh_of(*test.render, screen->project, common, own);
     if (still && displaced) moved = displaced_mesh(*still, *given, textures, own);
     if (still && !own.has_errors()) picture(test, shader, *still, moved, textures, own);
-    append_once(own, diagnostics);
+    diagnostics.append_once(own);
 }
 
 void TestRun::values(const TestCase& test, const MaterialRun& run, const TextureStore& textures,

@@ -97,8 +97,8 @@ Program compile_program(const Module& module, std::string& why,
 
 // The values a program reads, each once, in the order of the enumerators.
 struct InputNeed {
-    SurfaceInput input;
-    Variant variant;
+    SurfaceInput input = SurfaceInput::position_;
+    Variant variant = Variant::value;
 };
 std::vector<InputNeed> needed_inputs(const Program& program);
 

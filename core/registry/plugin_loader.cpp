@@ -210,8 +210,8 @@ std::vector<std::string> default_plugin_folders() {
     const char* off = std::getenv("WRINKLE_NO_DEFAULT_PLUGINS");
     if (off && *off) return {};
     std::vector<std::string> folders;
-    for (const fs::path& base : {user_folder("XDG_DATA_HOME", ".local/share"),
-                                 program_folder().parent_path() / "lib/wrinkle"}) {
+    for (const fs::path& base :
+         {user_folder("XDG_DATA_HOME", ".local/share"), installation_folder() / "lib/wrinkle"}) {
         const fs::path folder = base / "plugins";
         std::error_code error;
         if (folder.is_absolute() && fs::is_directory(folder, error) &&

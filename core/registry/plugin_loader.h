@@ -4,7 +4,7 @@
 //   1. every --plugin-path, as given
 //   2. the entries of WRINKLE_PLUGIN_PATH, separated by ':'
 //   3. the user's folder, $XDG_DATA_HOME/wrinkle/plugins (~/.local/share/wrinkle/plugins)
-//   4. the system's folder, lib/wrinkle/plugins beside the folder of the running program
+//   4. the system's folder, lib/wrinkle/plugins of the installation
 // 3 and 4 are left out where they are missing, and where WRINKLE_NO_DEFAULT_PLUGINS is set to
 // anything but "". A graph names no place and loads no code.
 //

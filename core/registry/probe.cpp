@@ -24,7 +24,7 @@ constexpr size_t most_output = 64 << 20;  // bytes
 constexpr auto short_while = std::chrono::milliseconds(10);
 
 std::string probe_program() {
-    return (program_folder().parent_path() / "lib/wrinkle/wrinkle-plugin-probe").string();
+    return (installation_folder() / "lib/wrinkle/wrinkle-plugin-probe").string();
 }
 
 // What a probe said and how it ended.

@@ -10,7 +10,8 @@ namespace {
 using Names = std::set<std::string, std::less<>>;
 
 // What each folder may include besides the standard library and itself. "sdk" is the plugin
-// author's whole face, "contract" its C header alone.
+// author's whole face, "contract" its C header alone;
+// "library" the header of programs that embed us.
 const std::map<std::string, Names, std::less<>> allowed = {
     {"core/base", {}},
     {"core/json", {"base", "nlohmann"}},
@@ -29,10 +30,13 @@ const std::map<std::string, Names, std::less<>> allowed = {
     {"core/certify",
      {"base", "ir", "graph", "registry", "lower", "glsl", "cpu", "image", "gpu", "contract"}},
     {"core/cost", {"base", "ir", "glsl", "spirv"}},
+    {"core/compile", {"base", "ir", "graph", "registry", "lower", "glsl", "spirv", "cpu", "cost"}},
+    {"core/api",
+     {"base", "graph", "registry", "lower", "glsl", "cpu", "compile", "library", "list of nodes"}},
     {"core/cli",
      {"base",          "json",  "ir",   "graph", "registry", "lower",   "glsl", "spirv",
-      "cpu",           "image", "mesh", "gpu",   "bake",     "certify", "cost", "contract",
-      "list of nodes", "cli11", "glm",  "tbb"}},
+      "cpu",           "image", "mesh", "gpu",   "bake",     "certify", "cost", "compile",
+      "list of nodes", "cli11", "glm",  "tbb",   "contract"}},
     {"nodes", {"sdk"}},
     {"plugins", {"sdk"}},
     {"editor",
@@ -121,6 +125,7 @@ std::string wanted_by(const Include& include, std::string_view folder) {
     const std::string_view first = include.path.substr(0, slash);
     if (include.path == "wrinkle/plugin.h")
         return allowed.at(std::string(folder)).contains("sdk") ? "sdk" : "contract";
+    if (include.path == "wrinkle/wrinkle.h") return "library";
     if (first == "wrinkle") return "sdk";
     if (first == folder || (folder.starts_with(core_prefix) && first == folder.substr(5)))
         return {};

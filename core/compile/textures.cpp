@@ -1,8 +1,8 @@
-#include "cli/textures.h"
+#include "compile/textures.h"
 
 #include "graph/document.h"
 
-namespace wrinkle::cli {
+namespace wrinkle {
 namespace {
 
 // The image's problem said at the port that names the file.
@@ -32,4 +32,4 @@ void read_textures(TextureStore& textures, const Compiled& compiled, const Proje
     }
 }
 
-}  // namespace wrinkle::cli
+}  // namespace wrinkle

@@ -1,0 +1,188 @@
+#include "api/parts.h"
+#include "base/text.h"
+#include "compile/inputs.h"
+#include "compile/shader.h"
+
+namespace wrinkle::api {
+namespace {
+
+// The emitter's options; a wrong one is the caller's problem.
+EmitOptions emit_options(const CompileOptions& wanted, const std::string& file,
+                         Diagnostics& diagnostics) {
+    EmitOptions options;
+    options.target = find_target(wanted.target);
+    if (!options.target) {
+        const std::vector<std::string> names = targets();
+        std::string all;
+        for (const std::string& name : names)
+            all += (all.empty() ? "" : ", ") + name;
+        diagnostics.error("there is no target '" + wanted.target + "'",
+                          did_you_mean(wanted.target, names, all));
+        return options;
+    }
+    if (wanted.form == CompileOptions::Form::of_target)
+        options.form = default_form(*options.target);
+    else
+        options.form = wanted.form == CompileOptions::Form::shader ? Form::shader : Form::function;
+    options.differentials = wanted.differentials == CompileOptions::Differentials::given
+                                ? Differentials::given
+                                : Differentials::screen;
+    options.name = wanted.name.empty() ? material_name(file) : wanted.name;
+    options.set = wanted.descriptor_set;
+    options.first_binding = wanted.first_binding;
+    const auto within = [&](const char* what, int value, int most) {
+        if (value < 0 || value > most)
+            diagnostics.error(std::string(what) + " is " + std::to_string(value),
+                              "0 to " + std::to_string(most));
+    };
+    within("descriptor_set", options.set, max_descriptor_set);
+    within("first_binding", options.first_binding, max_first_binding);
+    const std::string conflict =
+        form_conflict(*options.target, options.form, options.differentials);
+    if (!conflict.empty()) diagnostics.error(conflict);
+    return options;
+}
+
+std::shared_ptr<const Prepared> prepare(const Graph::Parts& parts, bool vertex_tangents) {
+    auto prepared = std::make_shared<Prepared>();
+    Diagnostics& problems = prepared->problems;
+    problems = parts.problems;
+    MaterialOptions options;
+    options.given_differentials = true;
+    options.vertex_tangents = vertex_tangents;
+    const Compiled compiled =
+        compile_or_check(parts.project, parts.library->registry, options, problems);
+    if (!compiled.ok) return prepared;
+    TextureStore textures;
+    read_textures(textures, compiled, parts.project, problems);
+    std::string why;
+    if (!problems.has_errors()) prepared->program = compile_program(compiled.module, why);
+    if (!why.empty()) problems.error(why);
+    prepared->textures = textures.textures_of(compiled.module.resources);
+    return prepared;
+}
+
+std::shared_ptr<const Prepared> prepared_once(const Graph::Parts& parts, bool vertex_tangents) {
+    const std::lock_guard lock(parts.mutex);
+    auto& prepared = parts.prepared[vertex_tangents ? 1 : 0];
+    if (!prepared) prepared = prepare(parts, vertex_tangents);
+    return prepared;
+}
+
+// Work on the parts of a graph, or why there is none to do.
+template <class Result, class Work>
+Result guarded(const std::shared_ptr<const Graph::Parts>& parts, Work work) noexcept {
+    Result result;
+    try {
+        if (parts && parts->whole)
+            work(*parts, result);
+        else
+            result.problems = parts ? parts->unusable : no_graph();
+    } catch (...) {
+        result = Result();
+        result.problems = caught();
+    }
+    return result;
+}
+
+}  // namespace
+
+Graph::Graph() noexcept = default;
+Graph::Graph(const Graph&) noexcept = default;
+Graph::Graph(Graph&&) noexcept = default;
+Graph& Graph::operator=(const Graph&) noexcept = default;
+Graph& Graph::operator=(Graph&&) noexcept = default;
+Graph::~Graph() = default;
+Graph::Graph(std::shared_ptr<const Parts> parts) noexcept : parts_(std::move(parts)) {}
+
+Problems Graph::check(bool vertex_tangents) const noexcept {
+    struct Checked {
+        Problems problems;
+    };
+    return guarded<Checked>(parts_,
+                            [&](const Parts& parts, Checked& checked) {
+                                Diagnostics all = parts.problems, each_once;
+                                MaterialOptions options;
+                                options.vertex_tangents = vertex_tangents;
+                                compile_or_check(parts.project, parts.library->registry, options,
+                                                 all);
+                                each_once.append_once(all);
+                                checked.problems = problems_of(each_once);
+                            })
+        .problems;
+}
+
+namespace {
+
+InputFile::Kind kind_of(const wrinkle::InputFile& file) {
+    switch (file.kind) {
+        case wrinkle::InputFile::Kind::image:
+            return InputFile::Kind::image;
+        case wrinkle::InputFile::Kind::plugin:
+            return InputFile::Kind::plugin;
+        default:
+            return InputFile::Kind::graph;
+    }
+}
+
+}  // namespace
+
+std::vector<InputFile> Graph::inputs() const noexcept {
+    struct Listed {
+        std::vector<InputFile> files;
+        Problems problems;
+    };
+    return guarded<Listed>(parts_,
+                           [&](const Parts& parts, Listed& listed) {
+                               const Types types(parts.project, parts.library->registry);
+                               for (wrinkle::InputFile& file : inputs_of(parts.project, types))
+                                   listed.files.push_back({kind_of(file), std::move(file.path)});
+                           })
+        .files;
+}
+
+Shader Graph::compile(const CompileOptions& wanted) const noexcept {
+    return guarded<Shader>(parts_, [&](const Parts& parts, Shader& result) {
+        Diagnostics problems;
+        ShaderOptions options;
+        options.emit = emit_options(wanted, parts.project.top().file, problems);
+        options.material.uniform_parameters =
+            wanted.parameters == CompileOptions::Parameters::uniform;
+        options.material.vertex_tangents = wanted.vertex_tangents;
+        options.strict = wanted.strict;
+        if (!problems.has_errors()) {
+            problems = parts.problems;
+            wrinkle::Shader made =
+                make_shader(parts.project, parts.library->registry, options, problems).shader;
+            result.ok = !problems.has_errors();
+            if (result.ok) {
+                result.source = std::move(made.source);
+                result.vertex = std::move(made.vertex);
+                result.fragment = std::move(made.fragment);
+                result.reflection = to_json(made.reflection);
+            }
+        }
+        result.problems = problems_of(problems);
+    });
+}
+
+Evaluated Graph::evaluate(const Points& points, const EvaluateOptions& options) const noexcept {
+    return guarded<Evaluated>(parts_, [&](const Parts& parts, Evaluated& result) {
+        const auto prepared = prepared_once(parts, options.vertex_tangents);
+        Diagnostics problems = prepared->problems;
+        const bool single = !options.double_precision;
+        if (!problems.has_errors()) {
+            const PointSet set = point_set(points, prepared->program, single, problems);
+            result.ok = !problems.has_errors();
+            if (result.ok)
+                for (OutputColumn& column :
+                     evaluate_columns(prepared->program, set, prepared->textures,
+                                      single ? Precision::single : Precision::full))
+                    result.outputs.push_back(
+                        {std::move(column.name), column.lanes, std::move(column.values)});
+        }
+        result.problems = problems_of(problems);
+    });
+}
+
+}  // namespace wrinkle::api

@@ -1,0 +1,16 @@
+#!/usr/bin/env bash
+# run_embedding.sh PAGE BUILD: carries docs/embedding.md out (carry_out.sh), and sees that the library
+# shows nothing but its face.
+set -euo pipefail
+. "$(dirname "$0")/carry_out.sh"
+library=$(realpath "$2")/lib/libwrinkle.so
+# A library with sanitizers wants a program that has them.
+export CXXFLAGS=""
+! readelf -d "$library" | grep -q 'NEEDED.*libasan' || CXXFLAGS="-fsanitize=address,undefined"
+carry_out "$@"
+
+readelf -d "$library" | grep -qF "soname: [libwrinkle.so.0.1]" || fail "the soname is another"
+nm -D -C --defined-only "$library" | grep -q ' T wrinkle::api::Graph::check' || fail "nm says nothing"
+foreign=$(nm -D -C --defined-only "$library" | grep -v ' [TW] wrinkle::api::' || true)
+[ -z "$foreign" ] || fail "the library shows more than its face:" "$foreign"
+echo "$(wc -l <"$here/order") blocks"
