@@ -1,40 +1,23 @@
-// JSON text in, GLSL text out: chains of N normal maps that cycle through two images, each with
-// its own tiling so that no read merges.
+// JSON text in, GLSL text out: chains of layers, nested sub-graphs, and the samples. Sub-graphs are
+// read from their files; whether images are there is looked up, as `wrinkle compile` does.
 #include <benchmark/benchmark.h>
+#include <stdlib.h>
 
+#include <filesystem>
 #include <string>
 
-#include "glsl/emit.h"
-#include "graph/subgraph.h"
-#include "lower/material.h"
+#include "base/file.h"
+#include "bench/graphs.h"
+#include "compile/shader.h"
 #include "nodes/all.h"
+#include "support/samples.h"
 
 namespace {
 
 using namespace wrinkle;
+namespace fs = std::filesystem;
 
-std::string id(const char* stem, int64_t i) {
-    return stem + std::to_string(i);
-}
-
-std::string normal_chain(int64_t layers) {
-    static constexpr const char* images[] = {"weave_normal", "rivets_normal"};
-    std::string nodes, previous;
-    for (int64_t i = 0; i < layers; ++i) {
-        const std::string tile = id("tile", i), map = id("map", i), sum = id("sum", i);
-        nodes += "\"" + tile + "\": {\"type\": \"uv_transform\", \"in\": {\"scale\": [" +
-                 std::to_string(i + 2) + ", " + std::to_string(i + 3) + "]}},\n\"" + map +
-                 "\": {\"type\": \"tangent_normal_map\", \"in\": {\"image\": \"textures/" +
-                 images[i % 2] + ".png\", \"uv\": {\"from\": \"" + tile + ".uv\"}}},\n";
-        if (i > 0)
-            nodes += "\"" + sum + "\": {\"type\": \"gradient_add\", \"in\": {\"a\": {\"from\": \"" +
-                     previous + "\"}, \"b\": {\"from\": \"" + map + ".gradient\"}}},\n";
-        previous = (i > 0 ? sum : map) + ".gradient";
-    }
-    return "{\"wrinkle\": 1, \"nodes\": {" + nodes +
-           "\"end\": {\"type\": \"resolve\", \"in\": {\"gradient\": {\"from\": \"" + previous +
-           "\"}}}}, \"outputs\": {\"normal\": {\"from\": \"end.normal\"}}}";
-}
+const fs::path graphs = WRINKLE_SOURCE_DIR "/graphs";
 
 const Registry& registry() {
     static const Registry* nodes = [] {
@@ -46,32 +29,92 @@ const Registry& registry() {
     return *nodes;
 }
 
-size_t compiled_bytes(const std::string& text, Diagnostics& diagnostics) {
-    Document top = read_document(text, "bench.json", diagnostics);
-    const Project project =
-        load_project(std::move(top), WRINKLE_SOURCE_DIR "/graphs", {}, diagnostics);
-    const Compiled compiled = compile_material(project, registry(), {}, diagnostics);
-    return compiled.ok ? emit(compiled.module, {}).source.size() : 0;
+std::string glsl_of(const std::string& text, const fs::path& file, Diagnostics& diagnostics) {
+    Document top = read_document(text, file.string(), diagnostics);
+    const Project project = load_project(std::move(top), file.parent_path(), {}, diagnostics);
+    return make_shader(project, registry(), {}, diagnostics).shader.source;
 }
 
-void normal_maps(benchmark::State& state) {
-    const std::string text = normal_chain(state.range(0));
-    size_t bytes = 0;
+size_t reads_in(const std::string& glsl) {
+    size_t count = 0;
+    for (size_t at = 0; (at = glsl.find("texture", at)) != glsl.npos; ++at) {
+        const std::string_view rest = std::string_view(glsl).substr(at + 7);
+        count += rest.starts_with("(") || rest.starts_with("Grad(") || rest.starts_with("Lod(");
+    }
+    return count;
+}
+
+// The text that comes out; "" with an error reported.
+std::string measure(benchmark::State& state, const std::string& text, const fs::path& file) {
+    std::string glsl;
     for (auto _ : state) {
         Diagnostics diagnostics;
-        bytes = compiled_bytes(text, diagnostics);
-        if (bytes == 0) state.SkipWithError(to_text(diagnostics).c_str());
+        glsl = glsl_of(text, file, diagnostics);
+        if (!diagnostics.has_errors()) continue;
+        state.SkipWithError(to_text(diagnostics).substr(0, 200).c_str());
+        return "";
     }
-    state.counters["glsl_bytes"] = static_cast<double>(bytes);
+    state.counters["glsl_bytes"] = static_cast<double>(glsl.size());
     state.counters["json_bytes"] = static_cast<double>(text.size());
+    state.counters["reads"] = static_cast<double>(reads_in(glsl));
+    return glsl;
 }
+
+// Each layer is read as often as one layer by itself, or something merged.
+void layers(benchmark::State& state, const bench::Layering& layering) {
+    Diagnostics ignored;
+    const fs::path file = graphs / "bench.json";
+    const size_t of_one = reads_in(glsl_of(bench::chain(layering, 1), file, ignored));
+    const std::string glsl = measure(state, bench::chain(layering, state.range(0)), file);
+    const size_t wanted = of_one * static_cast<size_t>(state.range(0));
+    if (!glsl.empty() && (of_one == 0 || reads_in(glsl) != wanted))
+        state.SkipWithError(("reads merge: " + std::to_string(reads_in(glsl)) + " in place of " +
+                             std::to_string(wanted))
+                                .c_str());
+}
+void normal_maps(benchmark::State& state) {
+    layers(state, bench::normal_maps);
+}
+void heights(benchmark::State& state) {
+    layers(state, bench::heights);
+}
+
+void nested(benchmark::State& state) {
+    std::string name = (fs::temp_directory_path() / "wrinkle_bench_XXXXXX").string(), why;
+    const fs::path folder = mkdtemp(name.data()) ? name : "";
+    for (int64_t level = 0; level <= state.range(0); ++level)
+        write_file(folder / ("level_" + std::to_string(level) + ".json"),
+                   bench::nested_level(level), why);
+    if (why.empty())
+        measure(state, bench::nested_top(state.range(0)), folder / "top.json");
+    else
+        state.SkipWithError(why.c_str());
+    fs::remove_all(folder);
+}
+
+void sample(benchmark::State& state, const fs::path& file) {
+    std::string why;
+    const auto text = read_file(file, why);
+    if (text)
+        measure(state, *text, file);
+    else
+        state.SkipWithError(why.c_str());
+}
+
+constexpr auto milliseconds = benchmark::kMillisecond;
+BENCHMARK(normal_maps)->Arg(2)->Arg(10)->Arg(100)->Arg(1000)->Arg(10000)->Unit(milliseconds);
+BENCHMARK(heights)->Arg(2)->Arg(10)->Arg(100)->Arg(1000)->Arg(10000)->Unit(milliseconds);
+BENCHMARK(nested)->Arg(10)->Arg(20)->Arg(30)->Unit(milliseconds);
 
 }  // namespace
 
-BENCHMARK(normal_maps)
-    ->Arg(2)
-    ->Arg(10)
-    ->Arg(100)
-    ->Arg(1000)
-    ->Arg(10000)
-    ->Unit(benchmark::kMillisecond);
+int main(int argc, char** argv) {
+    for (const fs::path& file : test::sample_graphs())
+        benchmark::RegisterBenchmark(
+            ("sample/" + fs::relative(file, graphs).replace_extension().string()).c_str(), sample,
+            file)
+            ->Unit(milliseconds);
+    benchmark::Initialize(&argc, argv);
+    if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
+    benchmark::RunSpecifiedBenchmarks();
+}

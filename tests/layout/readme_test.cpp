@@ -19,6 +19,19 @@ TEST(Readme, ShowsTheGeneratedTextOfBaseAndDetail) {
         << "put graphs/golden/base_and_detail.glsl into README.md";
 }
 
+// A block of C++ in the README stands in the program of docs/embedding.md, which a test builds.
+TEST(Readme, ShowsAProgramThatIsBuilt) {
+    const std::string readme = bytes_of(repository / "README.md");
+    const std::string open = "```cpp\n", page = bytes_of(repository / "docs/embedding.md");
+    const size_t from = readme.find(open);
+    ASSERT_NE(from, std::string::npos);
+    const size_t begin = from + open.size(), end = readme.find("```", begin);
+    const size_t program = page.find("```cpp materials.cpp\n");
+    const size_t found = page.find("\n" + readme.substr(begin, end - begin), program);
+    ASSERT_NE(program, std::string::npos);
+    EXPECT_LT(found, page.find("\n```\n", program));
+}
+
 // Base and detail in function form are at most 26 lines.
 TEST(Readme, BaseAndDetailStayShort) {
     const std::string golden = bytes_of(repository / "graphs/golden/base_and_detail.glsl");
