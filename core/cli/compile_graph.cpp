@@ -27,9 +27,10 @@ void make_texts(const std::string& file, const Project& project, const Compilati
     options.emit.set = wanted.set;
     options.emit.first_binding = wanted.first_binding;
     options.strict = wanted.strict;
-    auto [compiled, shader] = make_shader(project, with.registry, options, result.diagnostics);
+    MadeShader made = make_shader(project, with.registry, options, result.diagnostics);
+    Shader& shader = made.shader;
     if (wanted.cost && !result.diagnostics.has_errors())
-        result.cost = cost_of(compiled.module, options.emit.differentials, wanted.json, file,
+        result.cost = cost_of(made.compiled.module, options.emit.differentials, wanted.json, file,
                               result.diagnostics);
     if (result.diagnostics.has_errors()) return;
     const std::string suffix(options.emit.target->suffix);

@@ -35,7 +35,7 @@ void judge_limits(const Reflection& reflection, const std::string& file, bool st
 struct ShaderOptions {
     MaterialOptions material;  // given differentials follow `emit`
     EmitOptions emit;          // without a conflict
-    bool strict = false;       // what not every machine has room for is an error
+    bool strict = false;       // what not every machine has is an error
 };
 
 // What the shader is good for only as long as `diagnostics` has no error.

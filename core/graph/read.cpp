@@ -144,6 +144,7 @@ constexpr std::string_view graph_input_keys[] = {"type", "default", "doc"};
 
 void report_keys(const std::vector<Extra>& extras, std::span<const std::string_view> known,
                  const std::string& node, Report& report) {
+    if (extras.empty()) return;
     const std::vector<std::string> names(known.begin(), known.end());
     for (const Extra& extra : extras) {
         if (std::find(known.begin(), known.end(), extra.key) != known.end()) continue;

@@ -19,6 +19,7 @@ bool parse_link(std::string_view text, Link& link) {
 }
 
 void read_inputs(const Value& in, Node& node, Report& report) {
+    node.inputs.reserve(in.size());
     for (const json::Member& member : in.children())
         node.inputs.push_back(read_input(member.key, member.value, node.id, report));
 }

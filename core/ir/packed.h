@@ -1,5 +1,5 @@
-// An instruction as the module's table tells it apart: in four words, literals by their bits (-0 and
-// 0 are two). For core/ir/module.cpp alone.
+// An instruction as the table of a module tells it apart: in four words, literals by their bits (-0
+// and 0 are two). For core/ir/module.cpp alone.
 #pragma once
 
 #include <bit>

@@ -70,7 +70,7 @@ struct CompileOptions {
     Differentials differentials = Differentials::screen;
     std::string name;             // NAME in the text; "": the stem of the graph's file
     bool vertex_tangents = true;  // false: frames of uv0 are derived
-    bool strict = false;          // more images than units for certain are an error
+    bool strict = false;          // what not every machine has room for is an error
     int descriptor_set = 0;       // 0 to 31
     int first_binding = 0;        // 0 to 4095
 };
