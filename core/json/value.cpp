@@ -105,8 +105,9 @@ Children Value::children() const {
 
 Value Value::find(std::string_view key) const {
     if (!is(Kind::object)) return {};
-    for (const Member& member : children())
-        if (member.key == key) return member.value;
+    const std::vector<Entry>& entries = tree_->entries;
+    for (uint32_t i = index_ + 1; i < entries[index_].next; i = entries[i + 1].next)
+        if (!entries[i].duplicate && tree_->text(entries[i]) == key) return {tree_, i + 1};
     return {};
 }
 
@@ -213,11 +214,12 @@ Children::Iterator Children::end() const {
     return {&parent_, container ? tree->entries[index_of(parent_)].next + object : 0};
 }
 
-Member Children::Iterator::operator*() const {
+const Member& Children::Iterator::operator*() {
     const std::shared_ptr<const Tree>& tree = parent_->tree();
-    const bool object = parent_->is(Kind::object);
-    return {object ? tree->text(tree->entries[index_ - 1]) : std::string_view(),
-            Value(tree, index_)};
+    if (!current_.value.tree_) current_.value.tree_ = tree;
+    current_.value.index_ = index_;
+    if (parent_->is(Kind::object)) current_.key = tree->text(tree->entries[index_ - 1]);
+    return current_;
 }
 
 Children::Iterator& Children::Iterator::operator++() {

@@ -75,6 +75,7 @@ public:
     friend bool operator==(const Value&, const Value&);  // equal values; numbers by value
 
 private:
+    friend class Children;
     friend const Tree* tree_of(const Value& value);
     friend uint32_t index_of(const Value& value);
     std::shared_ptr<const Tree> tree_;
@@ -92,13 +93,14 @@ public:
     class Iterator {
     public:
         Iterator(const Value* parent, uint32_t index) : parent_(parent), index_(index) {}
-        Member operator*() const;
+        const Member& operator*();  // until the next step
         Iterator& operator++();
         bool operator==(const Iterator& other) const { return index_ == other.index_; }
 
     private:
         const Value* parent_;
         uint32_t index_;  // of the child's value
+        Member current_;  // shares the tree once for all children
     };
 
     explicit Children(Value parent) : parent_(std::move(parent)) {}
