@@ -10,6 +10,7 @@ void compile_runs(const std::string& file, const CommonOptions& common, const Re
     MaterialOptions options;
     options.given_differentials = given_differentials;
     options.vertex_tangents = !common.no_tangents;
+    options.runs_calls = given_differentials ? "eval" : "render";
     for (size_t i = 0; i == 0 || (i < overrides.runs && !own.has_errors()); ++i) {
         MaterialRun run;
         run.project = with_overrides(project, registry, overrides.list, i, own);

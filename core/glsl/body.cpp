@@ -10,9 +10,24 @@ namespace {
 
 constexpr size_t widest_code = 100;
 
-// Parameters of a region are known by their place alone: a, b, c, ...
-std::string letter(size_t index) {
+// Parameters of a region that has no names for them are known by their place: a, b, c, ...
+std::string parameter_name(const Region& region, size_t index) {
+    if (index < region.param_names.size() && !region.param_names[index].empty())
+        return region.param_names[index];
     return std::string(1, static_cast<char>('a' + index % 26));
+}
+
+std::string result_name(const Region& region, size_t index) {
+    if (index < region.result_names.size()) return "out_" + region.result_names[index];
+    return "result_" + std::to_string(index + 1);
+}
+
+// "// weave gives height, normal": of a sub-graph.
+std::string comment_on(const Region& region) {
+    std::string text;
+    for (const std::string& name : region.result_names)
+        text += (text.empty() ? "" : ", ") + name;
+    return text.empty() ? "" : "// " + comment_text(region.name + " gives " + text);
 }
 
 std::vector<Id> plain_all(const Plan& plan, std::span<const Id> ids) {
@@ -48,7 +63,7 @@ Text Body::output_function(Id value, const std::string& name, const std::string&
 std::vector<std::string> Body::name_parameters(const Region& region) {
     std::vector<std::string> names;
     for (size_t k = 0; k < region.params.size(); ++k)
-        names.push_back(locals_.unique(letter(k)));
+        names.push_back(locals_.unique(parameter_name(region, k)));
     if (context_.parameters.size() <= region.level) context_.parameters.resize(region.level + 1u);
     context_.parameters[region.level] = names;
     return names;
@@ -77,10 +92,12 @@ Text Body::region_function(uint32_t index, const std::string& name) {
     const std::vector<std::string> parameters = name_parameters(region);
     std::vector<std::string> outs;
     for (size_t k = 1; k < region.results.size(); ++k)
-        outs.push_back(locals_.unique("result_" + std::to_string(k + 1)));
+        outs.push_back(locals_.unique(result_name(region, k)));
     const std::vector<Id> roots = plain_all(plan_, region.results);
     const Scope scope = collect(plan_, values_, roots, 0);
     decide(plan_, values_, scope, roots);
+    if (const std::string comment = comment_on(region); !comment.empty())
+        text_.line(0, comment, no_node);
     code(0, signature(region, name, parameters, outs), no_node);
     statements(schedule(plan_, values_, scope, scope.order), 1);
     for (size_t k = 1; k < roots.size(); ++k)

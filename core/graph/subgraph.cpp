@@ -86,14 +86,12 @@ private:
         enum class State : uint8_t { unseen, open, done };
         std::vector<State> state(project_.files.size(), State::unseen);
         std::vector<Frame> stack{{0, 0}};
-        node_counts_.assign(project_.files.size(), 0);
         state[0] = State::open;
         while (!stack.empty()) {
             Frame& frame = stack.back();
             File& file = project_.files[frame.file];
             if (frame.next_node == file.subgraphs.size()) {
                 state[frame.file] = State::done;
-                count_nodes(frame.file);
                 stack.pop_back();
                 continue;
             }
@@ -108,28 +106,6 @@ private:
                 stack.push_back({target, 0});
             }
         }
-    }
-
-    // Every use of a file counts, so a few small files cannot stand for a billion nodes: the use
-    // that goes over the limit is reported and taken away. All sub-graphs are counted already.
-    void count_nodes(uint32_t f) {
-        File& file = project_.files[f];
-        size_t count = 0;
-        for (size_t i = 0; i < file.subgraphs.size(); ++i) {
-            uint32_t& subgraph = file.subgraphs[i];
-            const size_t more = 1 + (subgraph == File::none ? 0 : node_counts_[subgraph]);
-            if (count + more > limits_.nodes && subgraph != File::none) {
-                diagnostics_.add(
-                    diagnose(file.document, *file.document.nodes[i],
-                             "with this sub-graph the graph has more nodes than are allowed",
-                             "the limit is " + std::to_string(limits_.nodes)));
-                subgraph = File::none;
-                count += 1;
-            } else {
-                count += more;
-            }
-        }
-        node_counts_[f] = count;
     }
 
     void report_cycle(const File& file, size_t node, const std::vector<Frame>& stack,
@@ -149,7 +125,6 @@ private:
     ReadLimits limits_;
     Diagnostics& diagnostics_;
     std::map<fs::path, uint32_t> known_;
-    std::vector<size_t> node_counts_;  // of each file with all that it uses
 };
 
 }  // namespace

@@ -111,8 +111,14 @@ Id Copier::write(Id id) {
         same = same && args_.back() == operand;
         as_it_was = as_it_was && renamed_[operand];
     }
-    if (replace_)
+    const size_t operands = args_.size();
+    if (replace_) {
+        if (inst.op == Op::call_ && source_->region(inst.extra).is_open())
+            for (const Id result : source_->region(inst.extra).results)
+                args_.push_back(written_.at(result));
         if (const Id replaced = replace_(context_, *target_, *source_, id, args_)) return replaced;
+        args_.resize(operands);
+    }
     if (inst.op == Op::loop_ || inst.op == Op::call_) return write_apply(inst, args_);
     if (as_it_was) renamed_[id] = true;
     if (info(inst.op).rule == Rule::leaf) return write_leaf(inst);

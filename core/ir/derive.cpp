@@ -15,6 +15,20 @@ bool is_sample(const Inst& inst) {
     return inst.op == Op::sample_ || inst.op == Op::sample_lod_ || inst.op == Op::sample_grad_;
 }
 
+// The inputs that change along it.
+uint32_t changing_inputs(Change change) {
+    const auto bit = [](SurfaceInput input) { return 1U << static_cast<uint32_t>(input); };
+    if (change == Change::none) return 0;
+    if (change >= Change::uv0_u) {
+        const int set = (static_cast<int>(change) - static_cast<int>(Change::uv0_u)) / 2;
+        return bit(SurfaceInput::uv0_) << set;
+    }
+    if (change >= Change::space_x) return bit(SurfaceInput::position_);
+    return bit(SurfaceInput::position_) | bit(SurfaceInput::normal_) | bit(SurfaceInput::uv0_) |
+           bit(SurfaceInput::uv1_) | bit(SurfaceInput::uv2_) | bit(SurfaceInput::uv3_) |
+           bit(SurfaceInput::color0_);
+}
+
 }  // namespace
 
 bool never_changes(const Inst& inst) {
@@ -65,8 +79,33 @@ Id Direction::tangent_or_zero(Id value) {
     return change ? change : module_->zero(module_->type(value));
 }
 
+Id Direction::change_of_input(uint32_t index) {
+    const OpenInput input = module_->open_inputs[index];
+    if (!is_float_type(input.type) || !(input.dependencies & changing_inputs(change_)))
+        return poison;
+    const uint32_t known = input.changes[static_cast<size_t>(change_)];
+    if (known) return module_->region_parameter(0, known, input.type);
+    OpenInput changed = input;
+    changed.tangent = false;
+    changed.change = change_;
+    changed.of = index;
+    changed.changes = {};
+    const Id id = module_->add_open_input(std::move(changed));
+    module_->open_inputs[index].changes[static_cast<size_t>(change_)] = (*module_)[id].extra;
+    return id;
+}
+
+// Before expansion: as an op, which expand() replaces.
+Id Direction::change_of_open_result(Id result) {
+    if (change_ == Change::screen_x) return module_->add(Op::ddx_, {result});
+    if (change_ == Change::screen_y) return module_->add(Op::ddy_, {result});
+    return poison;
+}
+
 Id Direction::compute(Id id) {
     const Inst inst = (*module_)[id];
+    if (module_->is_open_input(id)) return change_of_input(inst.extra);
+    if (is_float_type(inst.type) && module_->open_result(id)) return change_of_open_result(id);
     if (never_changes(inst) || inst.type == Type::tuple_) return poison;
     if (inst.op == Op::result_)
         return (*module_)[inst.arg[0]].op == Op::loop_ ? loop_member(inst) : call_member(inst);
@@ -159,17 +198,23 @@ const Direction::DerivedFunction& Direction::derived(uint32_t index,
             module_->region_parameter(1, k, type),
             module_->region_parameter(1, static_cast<uint32_t>(region.params.size()), type));
         region.params.push_back(type);
+        if (k < region.param_names.size())
+            region.param_names.push_back(region.param_names[k] + "_change");
     }
     DerivedFunction function;
     std::vector<Id> results;
-    for (const Id value : region.results) {
-        const Id change = inside.tangent(value);
+    std::vector<std::string> names;
+    for (size_t k = 0; k < region.results.size(); ++k) {
+        const Id change = inside.tangent(region.results[k]);
         function.member.push_back(change ? static_cast<int>(results.size()) : -1);
         if (change) results.push_back(change);
+        if (change && k < region.result_names.size())
+            names.push_back(region.result_names[k] + "_change");
     }
     functions_ = std::move(inside.functions_);
     region.results = std::move(results);
     region.name += "_change";
+    region.result_names = std::move(names);
     if (!region.results.empty()) function.region = module_->intern_region(std::move(region));
     return functions_[{index, changing}] = std::move(function);
 }
@@ -251,7 +296,10 @@ Direction screen_direction(Module& module, Variant axis, bool project_position) 
     constexpr SurfaceInput changing[] = {SurfaceInput::normal_, SurfaceInput::uv0_,
                                          SurfaceInput::uv1_,    SurfaceInput::uv2_,
                                          SurfaceInput::uv3_,    SurfaceInput::color0_};
-    Direction direction(module);
+    const bool y = axis == Variant::dy;
+    const Change change = project_position ? (y ? Change::surface_y : Change::surface_x)
+                                           : (y ? Change::screen_y : Change::screen_x);
+    Direction direction(module, change);
     const uint32_t node = module.current_node;
     module.current_node = 0;
     for (const SurfaceInput input : changing)
@@ -264,7 +312,8 @@ Direction screen_direction(Module& module, Variant axis, bool project_position) 
 }
 
 Direction space_direction(Module& module, int axis) {
-    Direction direction(module);
+    const auto change = static_cast<Change>(static_cast<int>(Change::space_x) + axis);
+    Direction direction(module, change);
     std::array<double, 3> along{};
     along[static_cast<size_t>(axis)] = 1;
     direction.seed(module.input(SurfaceInput::position_), module.constant(Type::vec3_, along));
@@ -272,7 +321,7 @@ Direction space_direction(Module& module, int axis) {
 }
 
 Direction uv_direction(Module& module, SurfaceInput uv_set, int axis) {
-    Direction direction(module);
+    Direction direction(module, change_of_uv(uv_set, axis));
     const std::array<double, 2> along{axis == 0 ? 1.0 : 0.0, axis == 0 ? 0.0 : 1.0};
     direction.seed(module.input(uv_set), module.constant(Type::vec2_, along));
     return direction;

@@ -6,7 +6,8 @@
 // stay sparse. Rules at singular points stand above the op table. Opaque values have no derivative
 // here: expand first.
 //
-// The derivative of a call is a call of the derived function; of a loop, a loop whose state is
+// The derivative of an open function's input is an input of its own (ir/open_input.h), passed by the
+// callers. The derivative of a call is a call of the derived function; of a loop, a loop whose state is
 // wider, along the path that the loop takes (that a step is the last is not differentiated). The
 // derivative of a texture is the reference's filtered one: forward differences over one texel of
 // the level in use (Mikkelsen's DerivFromHeightMap, three taps), times the change of uv.
@@ -26,7 +27,9 @@ bool never_changes(const Inst& inst);
 
 class Direction {
 public:
-    explicit Direction(Module& module) : module_(&module) {}
+    // `change`: what it is, where inputs of open functions shall have derivatives too.
+    explicit Direction(Module& module, Change change = Change::none)
+        : module_(&module), change_(change) {}
     void seed(Id leaf, Id tangent) { memo_.set(leaf, tangent); }
 
     // The tangent of `value`; poison stands for zero (see tangent_or_zero). Memoised.
@@ -65,6 +68,8 @@ private:
 
     void unknown_below(Id value, std::vector<Id>& list);
     Id compute(Id id);
+    Id change_of_input(uint32_t index);
+    Id change_of_open_result(Id result);
     Id call_member(const Inst& result);
     Id loop_member(const Inst& result);
     const DerivedFunction& derived(uint32_t region, const std::vector<bool>& changing);
@@ -75,6 +80,7 @@ private:
     Id texture(Id sample, Id read);
 
     Module* module_;
+    Change change_;
     Memo memo_;
     std::vector<Id> log_;                // what was memoised, in order
     std::vector<Id> open_, spare_list_;  // memory of tangent()

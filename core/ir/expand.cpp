@@ -1,6 +1,7 @@
 #include "ir/expand.h"
 
 #include "ir/gradient_sum.h"
+#include "ir/open_function.h"
 #include "ir/rewrite.h"
 
 namespace wrinkle {
@@ -17,25 +18,6 @@ struct Derivative {
     Frame frame;
     Value strength, depth;  // of a normal
 };
-
-// Which values may jump from pixel to pixel where their forward derivative does not, so that
-// hardware differences of them are no footprint: what goes in steps, is chosen, goes once around,
-// is found by a loop, or is read from a texture and then detached.
-std::vector<bool> jumping(const Module& module) {
-    std::vector<bool> jumps(module.size(), false), reads(module.size(), false);
-    for (Id id = 1; id < module.size(); ++id) {
-        const Op op = module[id].op;
-        if (op == Op::resolve_) continue;
-        reads[id] = op == Op::sample_ || op == Op::sample_lod_ || op == Op::sample_grad_;
-        jumps[id] = op == Op::floor_ || op == Op::ceil_ || op == Op::fract_ || op == Op::mod_ ||
-                    op == Op::select_ || op == Op::atan2_ || op == Op::loop_;
-        for (const Id operand : module.operands(id)) {
-            reads[id] = reads[id] || reads[operand];
-            jumps[id] = jumps[id] || jumps[operand] || (op == Op::detach_ && reads[operand]);
-        }
-    }
-    return jumps;
-}
 
 // Values beside some ids of a module.
 template <class T>
@@ -57,17 +39,16 @@ private:
 struct Expander {
     Expander(const ExpandOptions& o, const Module& source)
         : options(o),
-          jumps(jumping(source)),
-          inputs(input_dependencies(source)),
+          facts(source),
           frames(source.size()),
           derivatives(source.size()),
           gradients(source.size()),
           bases(source.size()) {}
 
     const ExpandOptions& options;
-    const std::vector<bool> jumps;
-    const std::vector<uint32_t> inputs;  // that each value changes with
+    const ValueFacts facts;  // of the source
     Module* target = nullptr;
+    std::optional<OpenFunctions> functions;
     std::optional<ScreenDerivatives> screen;
     std::optional<GradientAlgebra> algebra;
     // By source Id.
@@ -87,6 +68,7 @@ struct Expander {
     Derivative normal_derivative(Value m, Value strength, const Frame& frame) const;
     Id resolve(const Module& source, Id id);
     void base(const Module& source, Id id, std::span<const Id> mapped);
+    Id sample(const Module& source, Id id, std::span<const Id> mapped);
 };
 
 // What an opaque value maps to: never read, as every reader is opaque too.
@@ -154,7 +136,8 @@ GradientSum Expander::source_gradient(const Module& source, Id id, std::span<con
             return found ? from_derivative(*found) : GradientSum{};
         }
         case Op::gradient_from_height_: {
-            if (is_position_alone(inputs[inst.arg[0]])) return solid_gradient(mapped[0]);
+            if (is_position_alone(facts.dependencies(inst.arg[0])))
+                return solid_gradient(mapped[0]);
             const Id x = screen->along_surface(Variant::dx, mapped[0]).id;
             const Id y = screen->along_surface(Variant::dy, mapped[0]).id;
             if (target->is_literal(x, 0) && target->is_literal(y, 0)) return {};
@@ -162,7 +145,10 @@ GradientSum Expander::source_gradient(const Module& source, Id id, std::span<con
         }
         case Op::gradient_from_volume_: {
             GradientSum result;
-            result.flat.volume = value(mapped[0]);
+            if (!is_tangent(source, *target, inst.arg[0]))
+                result.flat.volume = value(mapped[0]);
+            else if (!target->is_literal(mapped[0], 0))
+                result.flat.rest = value(mapped[0]);
             return result;
         }
         case Op::gradient_from_normal_:
@@ -256,6 +242,13 @@ Id Expander::opaque(const Module& source, Id id, std::span<const Id> mapped) {
     return stand_in(*target);
 }
 
+Id Expander::sample(const Module& source, Id id, std::span<const Id> mapped) {
+    if (!facts.jumps(source[id].arg[0]) && !functions->in_function(mapped[0])) return poison;
+    const Id dx = screen->on_screen(Variant::dx, mapped[0]).id;
+    const Id dy = screen->on_screen(Variant::dy, mapped[0]).id;
+    return target->add(Op::sample_grad_, {mapped[0], dx, dy}, source[id].extra);
+}
+
 Id expand_one(void* context, Module& target, const Module& source, Id id,
               std::span<const Id> mapped) {
     auto& expander = *static_cast<Expander*>(context);
@@ -263,12 +256,12 @@ Id expand_one(void* context, Module& target, const Module& source, Id id,
         expander.target = &target;
         expander.screen.emplace(target);
         expander.algebra.emplace(target, *expander.screen);
+        expander.functions.emplace(target, *expander.screen, source);
     }
-    if (source[id].op == Op::sample_ && expander.jumps[source[id].arg[0]]) {
-        const Id dx = expander.screen->on_screen(Variant::dx, mapped[0]).id;
-        const Id dy = expander.screen->on_screen(Variant::dy, mapped[0]).id;
-        return target.add(Op::sample_grad_, {mapped[0], dx, dy}, source[id].extra);
-    }
+    const Op op = source[id].op;
+    if (op == Op::sample_) return expander.sample(source, id, mapped);
+    if (op == Op::call_) return expander.functions->call(source, id, mapped);
+    if (op == Op::result_) return expander.functions->result(source, id, mapped[0]);
     if (!is_opaque(source[id].op)) return poison;
     if (source[id].level > 0) {
         target.problem("a bump cannot be made inside a loop or a function",
@@ -314,7 +307,7 @@ Id finish(void* context, Module& target, const Module& source, Id id, std::span<
 struct Settler {
     const ExpandOptions& options;
     const Parameters parameters;
-    const std::vector<uint32_t> dependencies;  // of the source
+    const ValueFacts facts;  // of the source
 };
 
 Id settle_one(void* context, Module& target, const Module& source, Id id,
@@ -324,9 +317,9 @@ Id settle_one(void* context, Module& target, const Module& source, Id id,
     if (inst.op == Op::parameter_ && settler.parameters == Parameters::baked)
         return baked_parameter(target, inst.extra);
     if (inst.op != Op::frame_) return poison;
-    return target.add(
-        Op::frame_, mapped,
-        settled_frame(target, inst.extra, settler.dependencies[inst.arg[0]], settler.options));
+    return target.add(Op::frame_, mapped,
+                      settled_frame(target, inst.extra, settler.facts.dependencies(inst.arg[0]),
+                                    settler.options));
 }
 
 bool all_settled(const Module& module) {
@@ -338,7 +331,7 @@ bool all_settled(const Module& module) {
 }  // namespace
 
 Module settle_frames(Module source, const ExpandOptions& options, Parameters parameters) {
-    Settler settler{options, parameters, input_dependencies(source)};
+    Settler settler{options, parameters, ValueFacts(source)};
     return rebuild(std::move(source), settle_one, &settler);
 }
 
@@ -346,6 +339,7 @@ Module expand(Module source, const ExpandOptions& options) {
     if (!all_settled(source)) source = settle_frames(std::move(source), options);
     Expander expander(options, source);
     Module expanded = rebuild(std::move(source), expand_one, &expander);
+    if (expander.functions) expander.functions->finish(expanded);
     Finisher finisher(expanded);
     return rebuild(std::move(expanded), finish, &finisher);
 }

@@ -128,18 +128,33 @@ Value TangentBasis::along(Value slope) const {
     return named("along_u", t * x) + named("along_v", b * y);
 }
 
-Value ScreenDerivatives::change(Variant axis, Id value, bool project) {
-    const size_t index = (axis == Variant::dy ? 1u : 0u) + (project ? 2u : 0u);
-    auto& direction = directions_[index];
-    if (!direction) direction = screen_direction(*target_, axis, project);
-    return {target_, direction->tangent_or_zero(value)};
+Direction& ScreenDerivatives::direction(Change change) {
+    auto& known = directions_[static_cast<size_t>(change)];
+    if (known) return *known;
+    const auto axis_from = [&](Change first) {
+        return static_cast<int>(change) - static_cast<int>(first);
+    };
+    if (change <= Change::surface_y) {
+        const bool y = change == Change::screen_y || change == Change::surface_y;
+        const bool project = change >= Change::surface_x;
+        known = screen_direction(*target_, y ? Variant::dy : Variant::dx, project);
+    } else if (change <= Change::space_z) {
+        known = space_direction(*target_, axis_from(Change::space_x));
+    } else {
+        const int axis = axis_from(Change::uv0_u);
+        const int set = static_cast<int>(SurfaceInput::uv0_) + axis / 2;
+        known = uv_direction(*target_, static_cast<SurfaceInput>(set), axis % 2);
+    }
+    return *known;
 }
 
 Value ScreenDerivatives::along_surface(Variant axis, Id value) {
-    return change(axis, value, true);
+    const Change change = axis == Variant::dy ? Change::surface_y : Change::surface_x;
+    return {target_, direction(change).tangent_or_zero(value)};
 }
 Value ScreenDerivatives::on_screen(Variant axis, Id value) {
-    return change(axis, value, false);
+    const Change change = axis == Variant::dy ? Change::screen_y : Change::screen_x;
+    return {target_, direction(change).tangent_or_zero(value)};
 }
 
 Value ScreenDerivatives::position(Variant axis) {
@@ -147,34 +162,16 @@ Value ScreenDerivatives::position(Variant axis) {
 }
 
 Value ScreenDerivatives::in_space(int axis, Id value) {
-    auto& direction = space_[static_cast<size_t>(axis)];
-    if (!direction) direction = space_direction(*target_, axis);
-    return {target_, direction->tangent_or_zero(value)};
+    const auto change = static_cast<Change>(static_cast<int>(Change::space_x) + axis);
+    return {target_, direction(change).tangent_or_zero(value)};
 }
 
 Value ScreenDerivatives::in_uv_set(SurfaceInput set, int axis, Id value) {
-    auto& direction = uv_sets_[2 * static_cast<size_t>(set) + static_cast<size_t>(axis)];
-    if (!direction) direction = uv_direction(*target_, set, axis);
-    return {target_, direction->tangent_or_zero(value)};
+    return {target_, direction(change_of_uv(set, axis)).tangent_or_zero(value)};
 }
 
-std::vector<uint32_t> input_dependencies(const Module& module) {
-    std::vector<uint32_t> inputs(module.size(), 0);
-    for (Id id = 1; id < module.size(); ++id) {
-        const Inst& inst = module[id];
-        if (inst.op == Op::input_) inputs[id] = bit(input_of(inst.extra));
-        if (inst.op == Op::resolve_ || never_changes(inst)) continue;
-        for (const Id operand : module.operands(id))
-            inputs[id] |= inputs[operand];
-        if (inst.op == Op::loop_ || inst.op == Op::call_)
-            for (const Id result : module.region(inst.extra).results)
-                inputs[id] |= inputs[result];
-    }
-    return inputs;
-}
-
-bool is_position_alone(uint32_t dependencies) {
-    return dependencies == bit(SurfaceInput::position_);
+Id ScreenDerivatives::along(Change change, Id value) {
+    return direction(change).tangent(value);
 }
 
 uint32_t settled_frame(Module& target, uint32_t extra, uint32_t dependencies,

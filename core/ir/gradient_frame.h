@@ -27,6 +27,7 @@
 #include "ir/derive.h"
 #include "ir/expand.h"
 #include "ir/value.h"
+#include "ir/value_facts.h"
 
 namespace wrinkle {
 
@@ -46,13 +47,13 @@ public:
     Value in_space(int axis, Id value);
     // Along u or v of a uv set, as 0 and 1.
     Value in_uv_set(SurfaceInput set, int axis, Id value);
+    // Along any of these; poison for zero.
+    Id along(Change change, Id value);
 
 private:
-    Value change(Variant axis, Id value, bool project);
+    Direction& direction(Change change);
     Module* target_;
-    std::array<std::optional<Direction>, 4> directions_;
-    std::array<std::optional<Direction>, 3> space_;
-    std::array<std::optional<Direction>, 2 * surface_input_count> uv_sets_;
+    std::array<std::optional<Direction>, static_cast<size_t>(Change::end)> directions_;
 };
 
 enum class Basis : uint8_t { vertex, derived_set, derived_uv, guess, exact, space };
@@ -78,11 +79,6 @@ struct TangentBasis {
 
     Value along(Value slope) const;  // T s.x + B s.y
 };
-
-// Which surface inputs each instruction changes with, a bit per SurfaceInput; bits of region bodies
-// count, those of a detached value and of what goes in steps do not.
-std::vector<uint32_t> input_dependencies(const Module& module);
-bool is_position_alone(uint32_t dependencies);
 
 // `extra` of a frame op once settled: WR_FRAME with the method decided, and the uv set that its uv
 // is a function of. `dependencies` are those of the uv. Where method and scale do not fit, a

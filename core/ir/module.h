@@ -44,6 +44,7 @@
 
 #include "base/texture_options.h"
 #include "ir/op.h"
+#include "ir/open_input.h"
 
 namespace wrinkle {
 
@@ -83,7 +84,14 @@ struct Region {
     uint32_t max_iterations = 0;
     std::vector<Type> params;
     std::vector<Id> results;
-    std::string name;  // of a function; no part of its identity
+    // Of an open function its first parameter in Module::open_inputs; its results stand at level 0.
+    static constexpr uint32_t closed = ~0U;
+    uint32_t first_input = closed;
+    // No part of its identity. Names of parameters and results: of a sub-graph's, else empty.
+    std::string name;
+    std::vector<std::string> param_names, result_names;
+
+    bool is_open() const { return first_input != closed; }
 };
 
 // What a region's body is made of, but for what every region may read (literals, parameters of the
@@ -187,6 +195,13 @@ public:
     // it.
     Id apply_region(uint32_t region, std::span<const Id> args);
     Id result(Id tuple, uint32_t member);
+    // A parameter of an open function (ir/open_input.h).
+    Id add_open_input(OpenInput input);
+    bool is_open_input(Id id) const {
+        return inst_[id].op == Op::region_param_ && inst_[id].level == 0;
+    }
+    // What the function gives for this result of a call of an open one; poison of anything else.
+    Id open_result(Id id) const;
     // Derivatives of nested loops cost more with every level, and so do their runs.
     static constexpr int deepest_region = 16;
     static constexpr int deepest_call = 48;  // passes over called functions recurse
@@ -226,6 +241,7 @@ public:
     std::vector<NodeInstance> nodes;
     std::vector<Parameter> parameters;
     std::vector<Resource> resources;
+    std::vector<OpenInput> open_inputs;
     std::vector<Named> named;
     std::vector<ModuleOutput> outputs;
     std::vector<Problem> problems;

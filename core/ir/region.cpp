@@ -13,6 +13,7 @@ namespace {
 uint64_t hash_of(const Region& region) {
     uint64_t h = static_cast<uint64_t>(region.kind) * 31 + region.level;
     h = h * 1000003 + region.max_iterations;
+    h = h * 1000003 + region.first_input;
     for (const Type type : region.params)
         h = h * 1000003 + static_cast<uint64_t>(type);
     for (const Id id : region.results)
@@ -22,7 +23,7 @@ uint64_t hash_of(const Region& region) {
 
 bool identical(const Region& a, const Region& b) {
     return a.kind == b.kind && a.level == b.level && a.max_iterations == b.max_iterations &&
-           a.params == b.params && a.results == b.results;
+           a.first_input == b.first_input && a.params == b.params && a.results == b.results;
 }
 
 }  // namespace
@@ -133,7 +134,7 @@ uint32_t Module::interned_region(uint64_t hash, const Region& region) const {
 
 uint32_t Module::intern_region(Region region) {
     if (const uint32_t index = interned_region(hash_of(region), region)) return index;
-    const RegionBody body = region_body(*this, region);
+    const RegionBody body = region.is_open() ? RegionBody{} : region_body(*this, region);
     return intern_region(std::move(region), body);
 }
 
@@ -185,7 +186,8 @@ Id Module::result(Id tuple, uint32_t k) {
     if (!loop) {
         const Inst& value = inst_[region.results[k]];
         if (is_global(*this, region.results[k])) return region.results[k];
-        if (value.op == Op::region_param_) return lists_[applied.arg[0]][value.extra];
+        const uint32_t first = region.is_open() ? region.first_input : 0;
+        if (value.op == Op::region_param_) return lists_[applied.arg[0]][value.extra - first];
     }
     Inst inst;
     inst.op = Op::result_;
@@ -194,6 +196,18 @@ Id Module::result(Id tuple, uint32_t k) {
     inst.arg[0] = tuple;
     inst.extra = k;
     return intern(inst);
+}
+
+Id Module::add_open_input(OpenInput input) {
+    const Type type = input.type;
+    open_inputs.push_back(std::move(input));
+    return region_parameter(0, static_cast<uint32_t>(open_inputs.size() - 1), type);
+}
+
+Id Module::open_result(Id id) const {
+    if (inst_[id].op != Op::result_ || inst_[inst_[id].arg[0]].op != Op::call_) return poison;
+    const Region& region = regions_[inst_[inst_[id].arg[0]].extra];
+    return region.is_open() ? region.results[inst_[id].extra] : poison;
 }
 
 std::vector<Id> Module::apply(const RegionUse& use, std::span<const Id> args) {

@@ -111,6 +111,7 @@ Module rebuild(Module&& source, Replace replace, void* context) {
     target.nodes = std::move(source.nodes);
     target.parameters = std::move(source.parameters);
     target.resources = std::move(source.resources);
+    target.open_inputs = std::move(source.open_inputs);
     target.problems = std::move(source.problems);
     Copier copier(target, source, true);
     copier.set_replace(replace, context);

@@ -22,9 +22,10 @@ Id substitute(Module& module, Id root, std::span<const Id> from, std::span<const
 
 // Rebuilds a module from its outputs with one callback: `replace(target, source, id, mapped)`
 // returns the new id of source instruction `id`, or poison to write it again as it is; mapped[]
-// holds the new ids of its operands. Side tables (nodes, parameters, resources, named values that
-// are still needed, origins) come along; those of a source that is given away are the target's
-// when `replace` is called.
+// holds the new ids of its operands, and after those of a call of an open function what the
+// function gives. Side tables (nodes, parameters, resources, named values that are still needed,
+// origins) come along; those of a source that is given away are the target's when `replace` is
+// called.
 using Replace = Id (*)(void* context, Module& target, const Module& source, Id id,
                        std::span<const Id> mapped);
 Module rebuild(Module&& source, Replace replace, void* context);

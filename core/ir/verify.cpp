@@ -43,7 +43,10 @@ std::string check_region(const Module& m, Id id) {
 
 std::string check_level(const Module& m, Id id) {
     const Inst& inst = m[id];
-    if (inst.op == Op::region_param_) return inst.level > 0 ? "" : at(id, "parameter of no region");
+    if (inst.op == Op::region_param_)
+        return inst.level > 0 || inst.extra < m.open_inputs.size()
+                   ? ""
+                   : at(id, "parameter of no region");
     int level = 0;
     for (const Id operand : m.operands(id))
         level = std::max<int>(level, m[operand].level);
@@ -57,6 +60,7 @@ std::string check_level(const Module& m, Id id) {
 // Inside a region: its own parameters and, in a function, nothing of outside but what is global.
 std::string check_body(const Module& m, uint32_t index) {
     const Region& region = m.region(index);
+    if (region.is_open()) return {};
     const RegionBody body = region_body(m, region);
     if (region.kind == RegionKind::function && !body.captured.empty())
         return at(body.captured[0], "a function reads a value of outside");

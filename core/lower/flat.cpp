@@ -18,11 +18,18 @@ struct Use {
 
 class Flattener {
 public:
-    Flattener(const Project& project, const Types& types, uint32_t max_nodes)
-        : project_(project), types_(types), max_nodes_(max_nodes) {
+    Flattener(const Project& project, const Types& types, const FunctionPlan& functions,
+              const FlatRoot& root, size_t max_nodes)
+        : project_(project), types_(types), functions_(functions), max_nodes_(max_nodes) {
+        graph_.first_instance = root.first_instance;
+        uses_.push_back(make_use(root.file));
+        if (root.instance != 0) {
+            uses_[0].instance = root.instance;
+            uses_[0].prefix = root.path + "/";
+            return;
+        }
         graph_.instances.push_back({"", project.top().name, ""});
         graph_.places.push_back({});
-        uses_.push_back(make_use(0));
     }
 
     uint32_t output(uint32_t index) { return output_pass(0, index); }
@@ -58,7 +65,7 @@ private:
         graph_.instances.push_back(
             {uses_[use].prefix + document(use).nodes[node]->id, std::move(title), ""});
         graph_.places.push_back({uses_[use].file, node});
-        return static_cast<uint32_t>(graph_.instances.size() - 1);
+        return graph_.first_instance + static_cast<uint32_t>(graph_.instances.size() - 1);
     }
 
     uint32_t inner_use(uint32_t use, uint32_t node) {
@@ -92,6 +99,8 @@ private:
         flat.node = node;
         flat.muted = source.muted;
         flat.instance = add_instance(use, node, flat.type->title);
+        const uint32_t inner = project_.files[uses_[use].file].subgraphs[node];
+        if (inner != Project::File::none && !source.muted) flat.function = inner;
         const bool reroute = source.type == reroute_type;
         if (reroute) {
             flat.pass = &flat.type->ports[0];
@@ -157,7 +166,8 @@ private:
             const NodeType& type = *types_.of(uses_[use].file, node);
             const PortType carried = type.ports[type.find_output(link.port)].type;
             const bool muted = document(use).nodes[node]->muted;
-            if (muted || project_.files[uses_[use].file].subgraphs[node] == Project::File::none)
+            const uint32_t inner = project_.files[uses_[use].file].subgraphs[node];
+            if (muted || inner == Project::File::none || functions_.files[inner].function)
                 return node_wire(flat_node(use, node), carried, type.find_output(link.port));
             use = inner_use(use, node);
             const auto output = static_cast<uint32_t>(document(use).outputs.index_of(link.port));
@@ -202,10 +212,13 @@ private:
         if (flat.node == FlatNode::none) return;
         if (const Pending input = at(pending_input_, index); input.use != FlatNode::none) {
             Wire wire = port_wire(use_of_[index], flat.node, flat.pass->name);
-            if (wire.kind == Wire::Kind::none) wire = default_wire(input);
+            if (wire.kind == Wire::Kind::none)
+                wire = default_wire(uses_[input.use].file, input.index);
             graph_.wires[first] = wire;
         } else if (flat.is_pass()) {
             graph_.wires[first] = port_wire(use_of_[index], flat.node, flat.pass->name);
+        } else if (flat.function != FlatNode::none) {
+            fill_call(index, flat);
         } else {
             fill_ports(index, flat);
         }
@@ -224,6 +237,17 @@ private:
                     port_wire(use_of_[index], flat.node, ports[p].name);
     }
 
+    // A graph's inputs are the first ports of its type, in order.
+    void fill_call(uint32_t index, const FlatNode& flat) {
+        const std::vector<bool>& needed = functions_.files[flat.function].inputs;
+        for (uint32_t p = 0; p < needed.size(); ++p) {
+            if (!needed[p]) continue;
+            Wire wire = port_wire(use_of_[index], flat.node, flat.type->ports[p].name);
+            if (wire.kind == Wire::Kind::none) wire = default_wire(flat.function, p);
+            graph_.wires[flat.first_wire + p] = wire;
+        }
+    }
+
     Wire port_wire(uint32_t use, uint32_t node, std::string_view port) {
         const Input* input = document(use).nodes[node]->find(port);
         if (!input) return {};
@@ -231,10 +255,10 @@ private:
         return literal_wire(uses_[use].file, input->value);
     }
 
-    Wire default_wire(const Pending& input) const {
-        const json::Value& value = document(input.use).inputs[input.index].default_value;
+    Wire default_wire(uint32_t file, uint32_t input) const {
+        const json::Value& value = project_.files[file].document.inputs[input].default_value;
         if (value.is(json::Kind::null)) return {};
-        return literal_wire(uses_[input.use].file, value);
+        return literal_wire(file, value);
     }
 
     static Wire literal_wire(uint32_t file, const json::Value& value) {
@@ -247,7 +271,8 @@ private:
 
     const Project& project_;
     const Types& types_;
-    const uint32_t max_nodes_;
+    const FunctionPlan& functions_;
+    const size_t max_nodes_;
     FlatGraph graph_;
     std::vector<Use> uses_;
     std::vector<uint32_t> use_of_;         // by flat node: the use whose document has its wires
@@ -255,9 +280,12 @@ private:
     std::vector<Pending> pending_output_;  // by flat node
 };
 
-void choose_outputs(const Document& document, const LowerOptions& options,
-                    std::vector<uint32_t>& chosen, Diagnostics& diagnostics) {
+}  // namespace
+
+std::vector<uint32_t> chosen_outputs(const Document& document, const LowerOptions& options,
+                                     Diagnostics& diagnostics) {
     std::vector<std::string> names;
+    std::vector<uint32_t> chosen;
     for (const Output& output : document.outputs)
         names.push_back(output.name);
     if (options.outputs.empty())
@@ -272,9 +300,8 @@ void choose_outputs(const Document& document, const LowerOptions& options,
         diagnostics.add(diagnose(document, "the graph has no output '" + name + "'",
                                  did_you_mean(name, names)));
     }
+    return chosen;
 }
-
-}  // namespace
 
 uint32_t passed_input(const NodeType& type, uint32_t output) {
     for (uint32_t i = 0; i < type.ports.size(); ++i)
@@ -282,23 +309,17 @@ uint32_t passed_input(const NodeType& type, uint32_t output) {
     return NodeType::none;
 }
 
-FlatGraph flatten(const Project& project, const Types& types, const LowerOptions& options,
-                  Diagnostics& diagnostics) {
-    std::vector<uint32_t> chosen;
-    choose_outputs(project.top(), options, chosen, diagnostics);
-    Flattener flattener(project, types, options.max_nodes);
+std::optional<FlatGraph> flatten(const Project& project, const Types& types,
+                                 const FunctionPlan& functions, const FlatRoot& root,
+                                 size_t max_nodes) {
+    Flattener flattener(project, types, functions, root, max_nodes);
     std::vector<uint32_t> outputs;
-    for (const uint32_t index : chosen)
+    for (const uint32_t index : root.outputs)
         outputs.push_back(flattener.output(index));
-    const bool fine = flattener.run();
+    if (!flattener.run()) return {};
     FlatGraph graph = flattener.take();
     graph.outputs = std::move(outputs);
-    graph.output_index = std::move(chosen);
-    if (!fine)
-        diagnostics.add(
-            diagnose(project.top(),
-                     "the graph needs more than " + std::to_string(options.max_nodes) + " nodes",
-                     "each use of a sub-graph counts by itself"));
+    graph.output_index = root.outputs;
     return graph;
 }
 

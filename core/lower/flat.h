@@ -7,11 +7,12 @@
 #pragma once
 
 #include <deque>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "ir/module.h"
-#include "lower/lower.h"
+#include "lower/functions.h"
 
 namespace wrinkle {
 
@@ -20,7 +21,7 @@ struct Wire {
         none,         // the port's default
         node,         // an output of a flat node
         surface,      // WR_SURFACE_*
-        graph_input,  // of the top graph
+        graph_input,  // of the graph that is flattened
         literal,
     };
     Kind kind = Kind::none;
@@ -41,6 +42,7 @@ struct FlatNode {
     uint32_t node = none;       // in its document
     uint32_t first_wire = 0;    // in FlatGraph::wires; as many as the type has ports, of a pass one
     uint32_t base_node = none;  // the node whose input `base` holds for this node's conversions
+    uint32_t function = none;   // of a call: the file that is called
 
     bool is_pass() const { return type == nullptr; }
 };
@@ -54,6 +56,7 @@ struct FlatGraph {
     std::deque<Port> output_ports;       // of passes
     std::vector<NodeInstance> instances;
     std::vector<NodePlace> places;
+    uint32_t first_instance = 0;  // where these begin in Module::nodes
 
     const Port& port(const FlatNode& node, uint32_t index) const {
         return node.is_pass() ? *node.pass : node.type->ports[index];
@@ -66,13 +69,26 @@ struct FlatGraph {
     }
 };
 
+// What is flattened: the top graph, or the body of a function as its first use sees it.
+struct FlatRoot {
+    uint32_t file = 0;
+    uint32_t instance = 0;          // of that use, in Module::nodes; 0: the top graph
+    std::string path;               // of that use
+    uint32_t first_instance = 0;    // of what is met, in Module::nodes
+    std::vector<uint32_t> outputs;  // of the file
+};
+
+// The outputs of the top graph that are asked for. Errors: an unknown name in options.outputs.
+std::vector<uint32_t> chosen_outputs(const Document& document, const LowerOptions& options,
+                                     Diagnostics& diagnostics);
+
 // Of a muted node: the input that its output passes on, or NodeType::none.
 uint32_t passed_input(const NodeType& type, uint32_t output);
 
-// The nodes and wires; `order` is left empty. Errors: an unknown name in options.outputs, too many
-// nodes.
-FlatGraph flatten(const Project& project, const Types& types, const LowerOptions& options,
-                  Diagnostics& diagnostics);
+// The nodes and wires; `order` is left empty. Nothing: more nodes than these.
+std::optional<FlatGraph> flatten(const Project& project, const Types& types,
+                                 const FunctionPlan& functions, const FlatRoot& root,
+                                 size_t max_nodes);
 
 // Whether the node says a base of its own: a wire that is not the surface's at its input `base`, a
 // normal. Its gradients stand on it.

@@ -1,6 +1,10 @@
 #include "lower/lower.h"
 
-#include "lower/lowering.h"
+#include <algorithm>
+#include <map>
+#include <memory>
+
+#include "lower/call.h"
 
 namespace wrinkle {
 namespace {
@@ -35,30 +39,180 @@ void pass_through(Lowering& lowering, uint32_t node) {
     }
 }
 
+// The top graph, and on top of it the functions whose bodies are needed before it goes on.
+class Lowerer {
+public:
+    Lowerer(const Project& project, const Types& types, const LowerOptions& options,
+            Diagnostics& diagnostics)
+        : project_(project),
+          types_(types),
+          options_(options),
+          diagnostics_(diagnostics),
+          nodes_left_(options.max_nodes),
+          facts_(result_.module) {}
+
+    Lowered run() {
+        FlatRoot top;
+        top.outputs = chosen_outputs(project_.top(), options_, diagnostics_);
+        functions_ = plan_functions(project_, types_, options_, top.outputs);
+        if (diagnostics_.has_errors() || !open(top, nullptr)) return std::move(result_);
+        while (!frames_.empty())
+            step();
+        report_problems(result_.module, project_, result_.places, diagnostics_);
+        return std::move(result_);
+    }
+
+private:
+    struct Frame {
+        FlatGraph graph;
+        std::optional<Lowering> lowering;
+        size_t next = 0;  // in graph.order
+        uint32_t file = 0;
+        uint32_t first_input = 0;
+        std::vector<OpenInput> leaves;
+        uint32_t* region = nullptr;  // of a function: where its region is wanted
+    };
+    using Variant = std::pair<uint32_t, std::string>;  // file and kinds of arguments
+
+    bool open(FlatRoot root, CallInputs* inputs) {
+        root.first_instance = static_cast<uint32_t>(result_.places.size());
+        auto graph = flatten(project_, types_, functions_, root, nodes_left_);
+        if (!graph) return refuse_size();
+        nodes_left_ -= std::min(nodes_left_, graph->nodes.size());
+        infer_bases(*graph);
+        order_nodes(*graph, project_, diagnostics_);
+        Module& m = result_.module;
+        m.nodes.resize(root.first_instance);
+        m.nodes.insert(m.nodes.end(), graph->instances.begin(), graph->instances.end());
+        result_.places.insert(result_.places.end(), graph->places.begin(), graph->places.end());
+        auto frame = std::make_unique<Frame>();
+        frame->graph = std::move(*graph);
+        frame->file = root.file;
+        if (inputs) {
+            frame->first_input = add_leaves(m, *inputs);
+            frame->leaves = inputs->leaves;
+            frame->lowering.emplace(m, frame->graph, project_, inputs->bound);
+        } else {
+            frame->lowering.emplace(m, frame->graph, project_);
+        }
+        frames_.push_back(std::move(frame));
+        return true;
+    }
+
+    bool refuse_size() {
+        diagnostics_.add(
+            diagnose(project_.top(),
+                     "the graph needs more than " + std::to_string(options_.max_nodes) + " nodes",
+                     "each use of a sub-graph counts by itself"));
+        frames_.clear();
+        return false;
+    }
+
+    void step() {
+        Frame& frame = *frames_.back();
+        if (frame.next == frame.graph.order.size()) return close();
+        const uint32_t node = frame.graph.order[frame.next];
+        const FlatNode& flat = frame.graph.nodes[node];
+        if (flat.function != FlatNode::none) {
+            if (!call(frame, node)) return;
+        } else if (flat.is_pass()) {
+            frame.lowering->input(node, 0);
+        } else if (flat.muted) {
+            pass_through(*frame.lowering, node);
+        } else {
+            build_node(*frame.lowering, node);
+        }
+        ++frame.next;
+    }
+
+    // False when the function has to be lowered first.
+    bool call(Frame& frame, uint32_t node) {
+        Module& m = result_.module;
+        const FlatNode& flat = frame.graph.nodes[node];
+        m.current_node = flat.instance;
+        CallInputs inputs =
+            call_inputs(*frame.lowering, node, functions_.files[flat.function].inputs, facts_);
+        const auto [variant, added] =
+            variants_.try_emplace({flat.function, std::move(inputs.key)}, 0);
+        if (added) {
+            FlatRoot root{flat.function, flat.instance, m.nodes[flat.instance].path, 0,
+                          needed_outputs(flat.function)};
+            if (open(std::move(root), &inputs)) frames_.back()->region = &variant->second;
+            return false;
+        }
+        const Id tuple = m.apply_region(variant->second, inputs.arguments);
+        const std::vector<uint32_t> outputs = needed_outputs(flat.function);
+        for (uint32_t k = 0; k < outputs.size(); ++k)
+            take_result(frame, node, outputs[k], m.result(tuple, k));
+        m.current_node = 0;
+        return true;
+    }
+
+    void take_result(Frame& frame, uint32_t node, uint32_t output, Id value) {
+        Module& m = result_.module;
+        const FlatNode& flat = frame.graph.nodes[node];
+        const std::string& name = project_.files[flat.function].document.outputs[output].name;
+        const uint32_t port = flat.type->find_output(name);
+        if (value != poison) m.named.push_back({value, flat.instance, name, true});
+        if (flat.type->ports[port].type == PortType::gradient_)
+            value = m.gradient(Op::gradient_from_volume_, value, poison);
+        frame.lowering->set_output(node, port, value);
+    }
+
+    std::vector<uint32_t> needed_outputs(uint32_t file) const {
+        const std::vector<bool>& needed = functions_.files[file].outputs;
+        std::vector<uint32_t> outputs;
+        for (uint32_t i = 0; i < needed.size(); ++i)
+            if (needed[i]) outputs.push_back(i);
+        return outputs;
+    }
+
+    void close() {
+        Frame& frame = *frames_.back();
+        if (frame.region)
+            *frame.region = make_function(frame);
+        else
+            write_outputs(*frame.lowering, project_);
+        frames_.pop_back();
+    }
+
+    uint32_t make_function(Frame& frame) {
+        Module& m = result_.module;
+        const Project::File& file = project_.files[frame.file];
+        Region region;
+        region.first_input = frame.first_input;
+        region.name = file.path.stem().string();
+        for (const OpenInput& leaf : frame.leaves)
+            region.params.push_back(leaf.type);
+        for (size_t i = 0; i < frame.graph.outputs.size(); ++i) {
+            const uint32_t pass = frame.graph.outputs[i];
+            const PortType type = frame.graph.nodes[pass].pass->type;
+            const Id value = as_number(m, type, frame.lowering->input(pass, 0));
+            region.results.push_back(
+                value ? value
+                      : m.zero(type == PortType::gradient_ ? Type::vec3_ : value_type(type)));
+            region.result_names.push_back(file.document.outputs[frame.graph.output_index[i]].name);
+        }
+        return m.intern_region(std::move(region));
+    }
+
+    const Project& project_;
+    const Types& types_;
+    const LowerOptions& options_;
+    Diagnostics& diagnostics_;
+    size_t nodes_left_;
+    Lowered result_;
+    ValueFacts facts_;
+    FunctionPlan functions_;
+    std::map<Variant, uint32_t> variants_;  // the open function of each
+    std::vector<std::unique_ptr<Frame>> frames_;
+};
+
 }  // namespace
 
 Lowered lower(const Project& project, const Types& types, const LowerOptions& options,
               Diagnostics& diagnostics) {
-    Lowered result;
-    FlatGraph graph = flatten(project, types, options, diagnostics);
-    if (diagnostics.has_errors()) return result;
-    infer_bases(graph);
-    order_nodes(graph, project, diagnostics);
-    result.module.nodes = graph.instances;
-    result.places = graph.places;
-    Lowering lowering(result.module, graph, project);
-    for (const uint32_t node : graph.order) {
-        const FlatNode& flat = graph.nodes[node];
-        if (flat.is_pass())
-            lowering.input(node, 0);
-        else if (flat.muted)
-            pass_through(lowering, node);
-        else
-            build_node(lowering, node);
-    }
-    write_outputs(lowering, project);
-    report_problems(result.module, project, result.places, diagnostics);
-    return result;
+    return Lowerer(project, types, options, diagnostics).run();
 }
 
 Lowered lower(const Project& project, const Registry& registry, const LowerOptions& options,

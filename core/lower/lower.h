@@ -1,6 +1,10 @@
-// Graph to module: every node that the outputs need is built once, sub-graphs are inlined, and the
-// result is a module with opaque gradients, to be expanded (ir/expand.h).
+// Graph to module: every node that the outputs need is built once, and the result is a module with
+// opaque gradients, to be expanded (ir/expand.h).
 //
+// * Sub-graphs are written out at each use; in a large graph those that are used more than once are
+//   functions instead, each lowered once for each kind of arguments (lower/functions.h,
+//   ir/open_input.h). Calls with equal arguments are one value. A node in a function is the instance
+//   below its first use, and its unconnected numbers are parameters of that instance, for all uses.
 // * An unconnected number is a parameter, also at its default; its value is clamped to the port's
 //   hard range. A wire into a port with a hard range is clamped by an instruction.
 // * A node in a sub-graph is the instance "outer/inner". The top graph's inputs are parameters with
@@ -13,7 +17,8 @@
 // * Outputs of standard names are converted to their type. A gradient as output is its vector in
 //   object space, a derivative its slope.
 //
-// Precondition: check() found no error. Constant stack; linear in the nodes that are built.
+// Precondition: check() found no error. Constant stack; linear in the nodes that are built, however
+// often functions are called.
 #pragma once
 
 #include <string>
@@ -26,7 +31,9 @@
 namespace wrinkle {
 
 struct LowerOptions {
-    uint32_t max_nodes = 1'000'000;    // built, with each use of a sub-graph counted by itself
+    uint32_t max_nodes = 1'000'000;  // built, with each use that is written out counted by itself
+    // A graph of so many nodes, every use counted, has no functions.
+    uint64_t inline_up_to = 256;
     std::vector<std::string> outputs;  // only these; empty: all
 };
 

@@ -22,6 +22,15 @@ Lowering::Lowering(Module& module, const FlatGraph& graph, const Project& projec
       slots_(graph.wires.size(), unset),
       graph_inputs_(project.top().inputs.size(), unset) {}
 
+Lowering::Lowering(Module& module, const FlatGraph& graph, const Project& project,
+                   std::span<const BoundInput> inputs)
+    : Lowering(module, graph, project) {
+    graph_inputs_.clear();
+    for (const BoundInput& input : inputs)
+        graph_inputs_.push_back(input.image ? add_image(input.image->literal, input.image->file)
+                                            : input.value);
+}
+
 Id Lowering::input(uint32_t node, uint32_t port) {
     if (slot(node, port) == unset) {
         const uint32_t before = module_.current_node;
@@ -58,7 +67,8 @@ Id Lowering::compute(uint32_t node, uint32_t port) {
     const Wire& wire = graph_.wire(flat, port);
     if (wire.kind == Wire::Kind::none) return default_of(node, described);
     if (wire.kind == Wire::Kind::literal) {
-        if (described.type == PortType::image_) return add_image(*wire.value, wire.file);
+        if (described.type == PortType::image_)
+            return add_image(literal_image(*wire.value), wire.file);
         std::array<double, 4> value{};
         literal_numbers(*wire.value, described.type, value);
         return number(node, described, value);
@@ -99,7 +109,7 @@ Id Lowering::graph_input(uint32_t index, PortType type) {
     const GraphInput& input = project_.top().inputs[index];
     std::array<double, 4> numbers{};
     const bool given = literal_numbers(input.default_value, type, numbers);
-    if (type == PortType::image_) return value = add_image(input.default_value, 0);
+    if (type == PortType::image_) return value = add_image(literal_image(input.default_value), 0);
     if (lanes_of(type) == 0 || (type == PortType::normal_ && !given)) return value = zero(type);
     Parameter parameter;
     parameter.port = input.name;
@@ -181,9 +191,9 @@ Id Lowering::convert(Id value, Conversion conversion, uint32_t node) {
     return poison;
 }
 
-Id Lowering::add_image(const json::Value& value, uint32_t file) {
+Id Lowering::add_image(ImageLiteral literal, uint32_t file) {
     Image image;
-    image.literal = literal_image(value);
+    image.literal = std::move(literal);
     image.file = file;
     images_.push_back(std::move(image));
     return static_cast<Id>(images_.size());
@@ -207,6 +217,11 @@ Id Lowering::image(uint32_t node, uint32_t port) {
     image.ready = true;
     images_.push_back(std::move(image));
     return static_cast<Id>(images_.size());
+}
+
+std::optional<BoundImage> Lowering::bound_image(Id handle) const {
+    if (handle == poison || handle > images_.size()) return {};
+    return BoundImage{images_[handle - 1].literal, images_[handle - 1].file};
 }
 
 const Lowering::Image* Lowering::ready_image(Id handle) const {

@@ -2,6 +2,8 @@
 // For core/lower alone.
 #pragma once
 
+#include <optional>
+#include <span>
 #include <vector>
 
 #include "base/back_faces.h"
@@ -14,9 +16,24 @@ namespace wrinkle {
 
 Type value_type(PortType type);  // poison of an image
 
+// An image as a graph names it.
+struct BoundImage {
+    ImageLiteral literal;
+    uint32_t file = 0;  // that names it
+};
+
+// What an input of a function's body is.
+struct BoundInput {
+    Id value = poison;  // of an image unused
+    std::optional<BoundImage> image;
+};
+
 class Lowering {
 public:
     Lowering(Module& module, const FlatGraph& graph, const Project& project);
+    // Of a function's body: its inputs are these, in the order of the file's.
+    Lowering(Module& module, const FlatGraph& graph, const Project& project,
+             std::span<const BoundInput> inputs);
 
     Module& module() { return module_; }
     const FlatGraph& graph() const { return graph_; }
@@ -46,6 +63,7 @@ public:
     };
     Id image(uint32_t node, uint32_t port);
     const Image* ready_image(Id handle) const;
+    std::optional<BoundImage> bound_image(Id handle) const;
 
 private:
     static constexpr Id unset = ~0u;
@@ -57,14 +75,14 @@ private:
     Id graph_input(uint32_t index, PortType type);
     Id clamped(Id value, const Port& port);
     Id base_of(uint32_t node);
-    Id add_image(const json::Value& value, uint32_t file);
+    Id add_image(ImageLiteral literal, uint32_t file);
 
     Module& module_;
     const FlatGraph& graph_;
     const Project& project_;
     const BackFaces back_faces_;
     std::vector<Id> slots_;         // by wire: an input's or an output's value
-    std::vector<Id> graph_inputs_;  // of the top graph
+    std::vector<Id> graph_inputs_;  // of the graph
     std::vector<Image> images_;     // handle - 1
     NamedFiles files_{project_};
 };

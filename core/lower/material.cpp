@@ -7,6 +7,7 @@
 #include "ir/rewrite.h"
 #include "ir/verify.h"
 #include "lower/check.h"
+#include "lower/expanded_calls.h"
 
 namespace wrinkle {
 namespace {
@@ -44,6 +45,8 @@ Compiled compile_material(const Project& project, const Registry& registry,
     const Types types(project, registry);
     check(project, registry, types, diagnostics, {options.reached_only});
     if (diagnostics.has_errors()) return compiled;
+    if (!options.runs_calls.empty() && !may_expand(project, options.runs_calls, diagnostics))
+        return compiled;
     Lowered lowered = lower(project, types, options.lower, diagnostics);
     if (diagnostics.has_errors()) return compiled;
     assert(verify(lowered.module).empty());

@@ -49,7 +49,8 @@ Port input_port(const GraphInput& input) {
     return port;
 }
 
-// Each file after those of its sub-graphs.
+}  // namespace
+
 std::vector<uint32_t> files_in_order(const Project& project) {
     struct Frame {
         uint32_t file;
@@ -74,8 +75,6 @@ std::vector<uint32_t> files_in_order(const Project& project) {
     }
     return order;
 }
-
-}  // namespace
 
 Types::Types(const Project& project, const Registry& registry)
     : project_(&project), nodes_(project.files.size()), graphs_(project.files.size()) {

@@ -17,6 +17,9 @@
 
 namespace wrinkle {
 
+// Each file after those of its sub-graphs, the top graph last.
+std::vector<uint32_t> files_in_order(const Project& project);
+
 class Types {
 public:
     Types(const Project& project, const Registry& registry);

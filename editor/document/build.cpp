@@ -15,6 +15,7 @@ std::optional<Shader> emit_text(const Project& project, const Registry& registry
     MaterialOptions options;
     options.uniform_parameters = true;
     options.reached_only = true;
+    options.runs_calls = "the preview";
     const Compiled compiled = compile_material(project, registry, options, problems);
     if (!compiled.ok) return std::nullopt;
     EmitOptions emit_options;
@@ -79,6 +80,7 @@ void build_displacement(const Project& project, const Registry& registry, Build&
     MaterialOptions options;
     options.given_differentials = true;
     options.reached_only = true;
+    options.runs_calls = "the displacement";
     options.lower.outputs = {"displacement"};
     Diagnostics problems;
     const Compiled compiled = compile_material(project, registry, options, problems);

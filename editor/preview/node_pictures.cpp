@@ -137,6 +137,7 @@ NodePictures NodePainter::draw(const NodePictureJob& job) {
     MaterialOptions options;
     options.given_differentials = true;
     options.reached_only = true;
+    options.runs_calls = "the pictures";
     Diagnostics problems;
     const Compiled compiled =
         compile_material(project_with(job.model, document), *job.registry, options, problems);

@@ -370,6 +370,7 @@ TEST(Lower, ManyNodesAreRefusedByALimit) {
     const Project project = load_project(written.folder / "g0.json", {}, diagnostics);
     LowerOptions options;
     options.max_nodes = 1000;
+    options.inline_up_to = 1'000'000;
     lower(project, test::registry(), options, diagnostics);
     EXPECT_EQ(to_text(diagnostics),
               (written.folder / "g0.json").string() +

@@ -1,0 +1,54 @@
+// Inputs of functions that are still open.
+//
+// A sub-graph's body is lowered once, as ordinary instructions at level 0 over leaves of its own:
+// region_param(0, k), k an index into Module::open_inputs. So bumps, frames and surface inputs may
+// stand in it as in any graph, and passes over the module treat it like the rest. A Region names
+// the function (`first_input`), and calls of it are ordinary calls. expand() closes it
+// (ir/open_function.h); no open function is left in what it gives.
+//
+// What passes ask of a leaf is known of every call: a function is lowered once for each kind of
+// arguments.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+
+#include "ir/op.h"
+
+namespace wrinkle {
+
+// What a derivative is taken along: the next pixel (of the value as it stands on the screen, or
+// along the surface's tangent plane), an axis of space, or an axis of a uv set.
+enum class Change : uint8_t {
+    none,
+    screen_x,
+    screen_y,
+    surface_x,
+    surface_y,
+    space_x,
+    space_y,
+    space_z,
+    uv0_u,  // then uv0_v, uv1_u, ... uv3_v
+    end = uv0_u + 8,
+};
+constexpr Change change_of_uv(SurfaceInput set, int axis) {
+    const int sets = static_cast<int>(set) - static_cast<int>(SurfaceInput::uv0_);
+    return static_cast<Change>(static_cast<int>(Change::uv0_u) + 2 * sets + axis);
+}
+
+struct OpenInput {
+    Type type = Type::float_;
+    std::string name;
+    uint32_t dependencies = 0;  // of the arguments: a bit per SurfaceInput they change with
+    bool jumps = false;         // as ir/value_facts.h says of them
+    bool reads = false;
+    bool tangent = false;  // of a vec3: a gradient, tangent to the surface
+    // Of a derivative of another one: which (in Module::open_inputs), and along what.
+    Change change = Change::none;
+    uint32_t of = 0;
+    // Its own derivatives, by Change: where they stand in Module::open_inputs; 0: not asked for.
+    std::array<uint32_t, static_cast<size_t>(Change::end)> changes{};
+};
+
+}  // namespace wrinkle

@@ -1,0 +1,19 @@
+// How often sub-graphs are called, all in all.
+#pragma once
+
+#include "graph/subgraph.h"
+
+namespace wrinkle {
+
+// Every use of a file counts, and every use inside of it once for each use of that file: what a
+// program does that has no functions. Of what the top graph's outputs need; the greatest uint64_t
+// stands for more. Linear in the files.
+uint64_t expanded_calls(const Project& project);
+
+// Above it programs that run without functions are refused.
+inline constexpr uint64_t most_expanded_calls = 100'000;
+
+// An error that names the count where it is above that. False then. `doing`: "eval", "render".
+bool may_expand(const Project& project, const std::string& doing, Diagnostics& diagnostics);
+
+}  // namespace wrinkle

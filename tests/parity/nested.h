@@ -1,0 +1,45 @@
+// Projects of several files for the tests of functions, compiled with every use written out and
+// with functions.
+#pragma once
+
+#include <map>
+#include <string>
+
+#include "lower/material.h"
+#include "support/files.h"
+
+namespace wrinkle::test {
+
+// Texts by file name; "main" is the top. IMAGE_A and IMAGE_B stand for pictures.
+using Texts = std::map<std::string, std::string>;
+
+// {"wrinkle": 1, "inputs": {INPUTS}, "nodes": {NODES}, "outputs": {OUTPUTS}}, where ' stands for "
+// and a word a.b after '<' for a wire: 'x': <a.b.
+std::string graph_text(const std::string& inputs, const std::string& nodes,
+                       const std::string& outputs);
+
+class Nested {
+public:
+    explicit Nested(const Texts& texts);
+
+    struct Options {
+        bool functions = true;
+        bool uniform = true;
+        bool given = true;
+        bool vertex_tangents = true;
+    };
+    // A failure, and an empty module, when it does not compile.
+    Compiled compile(const Options& options) const;
+    const Project& project() const { return project_; }
+
+private:
+    TemporaryFolder folder_;
+    Project project_;
+};
+
+uint32_t function_count(const Module& module);
+
+// How many projects there are; a project of five files with random nodes and wires between them.
+Texts random_texts(unsigned seed);
+
+}  // namespace wrinkle::test
