@@ -13,7 +13,7 @@
 // literals, parameters of the user, resources) into further parameters, and renames their
 // parameters to level 1 so that equal functions are one region wherever they were recorded. A
 // loop's region has its parameters at the level where it stands.
-//   function: results are its outputs.
+//   function: results are its outputs. A sub-graph's is open until expand() (ir/open_input.h).
 //   loop:     parameters are the state; results[0] is a bool "go on", results[1..] the next state.
 //             It runs while "go on" holds for the state at hand, at most `max_iterations` times;
 //             its value is the last state. (The results are computed first; where "go on" is false

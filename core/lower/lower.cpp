@@ -103,7 +103,7 @@ private:
         diagnostics_.add(
             diagnose(project_.top(),
                      "the graph needs more than " + std::to_string(options_.max_nodes) + " nodes",
-                     "each use of a sub-graph counts by itself"));
+                     "each use of a sub-graph that is written out counts by itself"));
         frames_.clear();
         return false;
     }

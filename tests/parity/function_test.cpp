@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "certify/points.h"
+#include "glsl/golden.h"
 #include "ir/verify.h"
 #include "parity/compare.h"
 #include "parity/context.h"
@@ -230,6 +231,24 @@ TEST(Functions, WithEqualArgumentsAreOneCall) {
                     .outputs = "'a': <p.y, 'b': <q.y"};
     const Module module = Nested(pair.texts()).compile({}).module;
     EXPECT_EQ(module.outputs[0].value, module.outputs[1].value);
+}
+
+TEST(Functions, OfThirtyLevelsAreAGoldenText) {
+    const Nested nested(tower_texts(30));
+    EmitOptions options;
+    options.name = "tower";
+    const Module module = nested.compile({true, false, false, true}).module;
+    EXPECT_EQ(function_count(module), 60U);  // and their derivatives
+    for (const Form form : {Form::function, Form::shader}) {
+        options.form = form;
+        EXPECT_EQ(compile_errors(emit(module, options)), "");
+    }
+    options.form = Form::function;
+    EXPECT_TRUE(equals_golden(emit(module, options).source, "thirty_levels.glsl"));
+}
+
+TEST(Functions, OfFiveLevelsChangeNoNumber) {
+    EXPECT_GE(expect_same(Nested(tower_texts(5)), 1e-12), 20U);
 }
 
 class FunctionParity : public WithGpu {};

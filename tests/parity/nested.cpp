@@ -217,6 +217,30 @@ uint32_t function_count(const Module& module) {
     return count;
 }
 
+Texts tower_texts(int levels) {
+    Texts texts;
+    for (int level = 0; level < levels; ++level) {
+        const std::string file = "{'type': 'graph:" + std::to_string(level + 1) + ".json', 'in': ";
+        const std::string from = level == 0 ? "<waves.height" : "<input.relief";
+        const std::string nodes =
+            "'low': {'type': 'height_scale', 'in': {'height': " + from + ", 'amount': 0.5}}, " +
+            "'left': " + file + "{'relief': <low.height}}, 'high': {'type': 'height_scale', " +
+            "'in': {'height': " + from + ", 'amount': 0.75}}, 'right': " + file +
+            "{'relief': <high.height}}, 'both': {'type': 'height_add', 'in': {'a': " +
+            "<left.relief, 'b': <right.relief}}";
+        texts[level == 0 ? "main" : std::to_string(level)] =
+            level == 0
+                ? graph_text("", nodes + ", 'waves': {'type': 'waves'}",
+                             "'height': <both.height, 'normal': <both.height")
+                : graph_text("'relief': {'type': 'height'}", nodes, "'relief': <both.height");
+    }
+    texts[std::to_string(levels)] =
+        graph_text("'relief': {'type': 'height'}",
+                   "'least': {'type': 'height_min', 'in': {'a': <input.relief, 'b': 0.001}}",
+                   "'relief': <least.height");
+    return texts;
+}
+
 Texts random_texts(unsigned seed) {
     std::mt19937 random(seed);
     constexpr int deepest = 3;

@@ -37,6 +37,9 @@ private:
     Project project_;
 };
 
+// So many files below the top, each of which uses the next twice, with other heights.
+Texts tower_texts(int levels);
+
 uint32_t function_count(const Module& module);
 
 // How many projects there are; a project of five files with random nodes and wires between them.
