@@ -6,8 +6,8 @@
 // stay sparse. Rules at singular points stand above the op table. Opaque values have no derivative
 // here: expand first.
 //
-// The derivative of an open function's input is an input of its own (ir/open_input.h), passed by the
-// callers. The derivative of a call is a call of the derived function; of a loop, a loop whose state is
+// The derivative of an open function's input is an input too (ir/open_input.h), which callers pass;
+// that of a call is a call of the derived function; of a loop, a loop whose state is
 // wider, along the path that the loop takes (that a step is the last is not differentiated). The
 // derivative of a texture is the reference's filtered one: forward differences over one texel of
 // the level in use (Mikkelsen's DerivFromHeightMap, three taps), times the change of uv.

@@ -1,4 +1,4 @@
-// Closing the functions that lowering left open (ir/open_input.h). Part of the expansion pass, which
+// Closing the functions that lowering left open (ir/open_input.h). Part of expand(), which
 // meets a function's body before the first call of it: what the body gives has become ordinary
 // arithmetic over the function's inputs and their derivatives.
 //

@@ -194,6 +194,7 @@ private:
 
 FunctionPlan plan_functions(const Project& project, const Types& types, const LowerOptions& options,
                             const std::vector<uint32_t>& outputs) {
+    if (project.files.size() == 1) return {{FunctionPlan::File{}}};
     return Planner(project, types, Needs(project).run(outputs)).run(options.inline_up_to);
 }
 

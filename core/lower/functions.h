@@ -1,5 +1,5 @@
 // Which files of a project are compiled once, as functions, and which are written out at each use.
-// For core/lower alone, but expanded_calls().
+// For core/lower alone.
 //
 // A graph that is small with everything written out is written out: shaders are at their best so
 // (layers on one frame add as 2-vectors, constants fold through), and drivers inline anyway. In a

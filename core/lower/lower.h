@@ -2,8 +2,8 @@
 // opaque gradients, to be expanded (ir/expand.h).
 //
 // * Sub-graphs are written out at each use; in a large graph those that are used more than once are
-//   functions instead, each lowered once for each kind of arguments (lower/functions.h,
-//   ir/open_input.h). Calls with equal arguments are one value. A node in a function is the instance
+//   functions instead, each lowered once for each kind of arguments (lower/functions.h, and
+//   ir/open_input.h). Calls with equal arguments are one value. A node in one is the instance
 //   below its first use, and its unconnected numbers are parameters of that instance, for all uses.
 // * An unconnected number is a parameter, also at its default; its value is clamped to the port's
 //   hard range. A wire into a port with a hard range is clamped by an instruction.

@@ -11,7 +11,7 @@ struct MaterialOptions {
     bool given_differentials = false;  // dx, dy come with the point, samples have an explicit lod
     bool vertex_tangents = true;       // false: --no-tangents
     bool reached_only = false;         // judge only what the outputs need (live preview)
-    // Who runs the module with every call of a sub-graph on its own ("eval", "render"): refused where
+    // Who runs the module, every call of a sub-graph on its own ("eval", "render"): refused where
     // there are too many (lower/expanded_calls.h). "": nobody, as for a text.
     std::string runs_calls = {};
     LowerOptions lower;

@@ -35,7 +35,7 @@ std::map<std::string, std::string> tower(int levels, int uses) {
         files[level_file(level)] = test::graph(nodes, "\"y\": " + sum, level == 0 ? "" : input);
     }
     files[level_file(levels)] =
-        test::graph(R"("p": {"type": "pass_height", "in": {"height": {"from": "input.x"}}})",
+        test::graph(R"("p": {"type": "many", "in": {"height": {"from": "input.x"}}})",
                     R"("y": {"from": "p.height"})", input);
     return files;
 }
