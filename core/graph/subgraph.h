@@ -1,8 +1,8 @@
 // A top graph and the files of its sub-graphs, each read once.
 //
 // "type": "graph:weave.json" names a file relative to the one that says so; after canonicalisation
-// it must stay inside the root. Files that are missing, climb out or contain themselves are errors at the
-// node that names them; such a node has no sub-graph here, so walking the project ends. How often a
+// it must stay inside the root. Files that are missing, climb out or contain themselves are errors
+// at the node that names them; it has no sub-graph here, so walking the project ends. How often a
 // file is used does not matter: walk files, not uses.
 #pragma once
 
