@@ -1,20 +1,24 @@
 # wrinkle_compile(TARGET name GRAPHS file...
-#                 [OUTPUT folder] [FORM function|shader] [REFLECT] [OUTPUTS variable]
-#                 [OPTIONS option...])
+#                 [LANGUAGE language] [FORM function|shader] [OUTPUT folder] [REFLECT]
+#                 [OUTPUTS variable] [OPTIONS option...])
 #
 # Compiles graphs with `wrinkle compile` while the project is built: each by itself and only when it,
 # a sub-graph, an image it names, a plugin or the program changed.
 #
 # TARGET   is made and built by default; a target that is there already gets the texts before its
-#          own sources are compiled
+#          own sources are compiled, from any number of calls
 # GRAPHS   relative to the current source folder
+# LANGUAGE what `wrinkle compile --target` takes: glsl330 (default), glsl450, essl300, spirv, hlsl,
+#          msl; the last three have the form shader alone, which is their default
 # OUTPUT   default: TARGET in the current build folder; STEM.glsl, of the form shader STEM.vert and
-#          STEM.frag, with REFLECT also STEM.reflection.json
-# OPTIONS  others of `wrinkle compile`, such as --params uniform or --cache DIR
+#          STEM.frag, behind which stands .spv, .hlsl or .msl; with REFLECT also
+#          STEM.reflection.json
+# OPTIONS  others of `wrinkle compile`, such as --params uniform or --cache DIR; --target and --form
+#          have words of their own here
 # OUTPUTS  this variable gets the list of the files
 
 function(wrinkle_compile)
-    cmake_parse_arguments(ARG "REFLECT" "TARGET;OUTPUT;FORM;OUTPUTS" "GRAPHS;OPTIONS" ${ARGN})
+    cmake_parse_arguments(ARG "REFLECT" "TARGET;OUTPUT;LANGUAGE;FORM;OUTPUTS" "GRAPHS;OPTIONS" ${ARGN})
     foreach(needed TARGET GRAPHS)
         if(NOT ARG_${needed})
             message(FATAL_ERROR "wrinkle_compile needs ${needed}")
@@ -27,13 +31,37 @@ function(wrinkle_compile)
     if(ARG_OUTPUT)
         get_filename_component(folder ${ARG_OUTPUT} ABSOLUTE BASE_DIR ${CMAKE_CURRENT_BINARY_DIR})
     endif()
-    set(suffixes .glsl)
-    if(ARG_FORM STREQUAL "shader")
-        set(suffixes .vert .frag)
-        list(APPEND ARG_OPTIONS --form shader)
-    elseif(ARG_FORM AND NOT ARG_FORM STREQUAL "function")
-        message(FATAL_ERROR "wrinkle_compile knows FORM function and shader, not '${ARG_FORM}'")
+    foreach(option ${ARG_OPTIONS})
+        if(option MATCHES "^--(target|form)(=|$)")
+            message(FATAL_ERROR "wrinkle_compile takes LANGUAGE and FORM in place of '${option}'")
+        endif()
+    endforeach()
+    if(NOT ARG_LANGUAGE)
+        set(ARG_LANGUAGE glsl330)
     endif()
+    set(form function)
+    set(behind)
+    if(ARG_LANGUAGE STREQUAL "spirv")
+        set(form shader)
+        set(behind .spv)
+    elseif(ARG_LANGUAGE MATCHES "^(hlsl|msl)$")
+        set(form shader)
+        set(behind .${ARG_LANGUAGE})
+    elseif(NOT ARG_LANGUAGE MATCHES "^(glsl330|glsl450|essl300)$")
+        message(FATAL_ERROR "wrinkle_compile knows no LANGUAGE '${ARG_LANGUAGE}'")
+    endif()
+    if(ARG_FORM AND NOT ARG_FORM MATCHES "^(function|shader)$")
+        message(FATAL_ERROR "wrinkle_compile knows FORM function and shader, not '${ARG_FORM}'")
+    elseif(behind AND ARG_FORM STREQUAL "function")
+        message(FATAL_ERROR "wrinkle_compile has no FORM function of LANGUAGE ${ARG_LANGUAGE}")
+    elseif(ARG_FORM)
+        set(form ${ARG_FORM})
+    endif()
+    set(suffixes .glsl)
+    if(form STREQUAL "shader")
+        set(suffixes .vert${behind} .frag${behind})
+    endif()
+    list(APPEND ARG_OPTIONS --target ${ARG_LANGUAGE} --form ${form})
     file(MAKE_DIRECTORY ${folder})
     set(all)
     foreach(graph ${ARG_GRAPHS})
@@ -42,7 +70,7 @@ function(wrinkle_compile)
         set(output ${folder}/${stem})
         list(TRANSFORM suffixes PREPEND ${output} OUTPUT_VARIABLE made)
         set(options ${ARG_OPTIONS})
-        if(NOT ARG_FORM STREQUAL "shader")
+        if(form STREQUAL "function")
             string(APPEND output .glsl)
         endif()
         if(ARG_REFLECT)
@@ -52,14 +80,18 @@ function(wrinkle_compile)
         list(GET made 0 first)
         add_custom_command(OUTPUT ${made}
             COMMAND Wrinkle::wrinkle compile ${graph} -o ${output} ${options}
-                -MD -MF ${folder}/${stem}.d -MT ${first}
-            DEPENDS ${graph} Wrinkle::wrinkle DEPFILE ${folder}/${stem}.d
+                -MD -MF ${first}.d -MT ${first}
+            DEPENDS ${graph} Wrinkle::wrinkle DEPFILE ${first}.d
             COMMENT "Compiling ${stem} with Wrinkle" VERBATIM)
         list(APPEND all ${made})
     endforeach()
     if(TARGET ${ARG_TARGET})
-        add_custom_target(${ARG_TARGET}_graphs DEPENDS ${all})
-        add_dependencies(${ARG_TARGET} ${ARG_TARGET}_graphs)
+        set(graphs ${ARG_TARGET}_graphs)
+        while(TARGET ${graphs})  # of an earlier call
+            string(APPEND graphs _)
+        endwhile()
+        add_custom_target(${graphs} DEPENDS ${all})
+        add_dependencies(${ARG_TARGET} ${graphs})
     else()
         add_custom_target(${ARG_TARGET} ALL DEPENDS ${all})
     endif()

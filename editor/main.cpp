@@ -65,6 +65,7 @@ bool write_timings(const State& state, const std::string& file) {
 struct Workers {
     Preview preview{wake_window};
     Compiler compiler;
+    CostCounter counter{count, wake_window};
     CodeMaker code;
     NodePictureMaker pictures{wake_window};
     FileLooker looker{[](FileQuestion&& question) { return look_at_files(question); },
@@ -74,6 +75,7 @@ struct Workers {
         : compiler(*state.registry, wake_window), code(*state.registry, wake_window) {
         state.preview = &preview;
         state.follow.compiler = &compiler;
+        state.follow.counter = &counter;
         state.code.maker = &code;
         state.node_feed.maker = &pictures;
         state.used.looker = &looker;

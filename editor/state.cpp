@@ -34,6 +34,16 @@ std::string State::title() const {
     return file_name() + (dirty() ? " *" : "") + " - Wrinkle";
 }
 
+const Costs* State::costs() const {
+    if (follow.came < follow.first || !built.uniform) return nullptr;
+    if (follow.is_counted()) return &follow.counted->costs;
+    return built.costs ? &*built.costs : nullptr;
+}
+
+const Document& State::costs_of() const {
+    return follow.is_counted() ? follow.counted->document : follow.built_of;
+}
+
 void State::commit(std::string name, Document document, const std::string& merge) {
     if (history.commit(name, std::move(document), merge)) status = std::move(name);
 }

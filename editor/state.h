@@ -97,6 +97,10 @@ struct State {
     Targets targets;
 
     const Document& document() const { return history.now(); }
+    // What is known of the newest text's costs, and the document whose nodes they are of; nullptr:
+    // there is no text, or none of this file yet.
+    const Costs* costs() const;
+    const Document& costs_of() const;
     bool dirty() const { return history.serial() != saved_serial; }
     std::filesystem::path folder() const;
     std::string title() const;      // of the window

@@ -34,6 +34,7 @@ void declare_inputs(CLI::App& app, Run& run);
 void declare_nodes(CLI::App& app, Run& run);
 void declare_plugins(CLI::App& app, Run& run);
 void declare_new_plugin(CLI::App& app, Run& run);
+void declare_explain_log(CLI::App& app, Run& run);
 void declare_completion(CLI::App& app, Run& run);
 void declare_man(CLI::App& app, Run& run);
 

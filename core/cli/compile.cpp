@@ -67,13 +67,7 @@ struct CompileCommand {
     std::string wrong_usage() const {
         const Depfile& depfile = outputs.depfile;
         if (outputs.files.empty()) return "compile needs a graph; - reads standard input";
-        if (!find_target(text.target))
-            return "there is no target '" + text.target + "'; --list-targets lists them";
-        const Form form = form_of(text);
-        const auto differentials =
-            text.differentials == "given" ? Differentials::given : Differentials::screen;
-        const std::string why = form_conflict(*find_target(text.target), form, differentials);
-        if (!why.empty()) return form == Form::function ? why + "; --form shader" : why;
+        if (const std::string why = wrong_text(text); !why.empty()) return why;
         if (!depfile.wanted && (depfile.phony || !(depfile.path + depfile.target).empty()))
             return "-MF, -MT and -MP go with -MD";
         if (text.json && !text.cost) return "--json goes with --cost";
@@ -184,25 +178,7 @@ void declare_cache(CLI::App& sub, CompileCommand& c) {
         ->transform(CLI::AsSizeValue(false));
 }
 
-void declare_text(CLI::App& sub, TextOptions& text) {
-    sub.add_option("--target", text.target, "The language to write")->capture_default_str();
-    sub.add_option("--form", text.form,
-                   "Functions for your shader (the default of GLSL), or a complete pair")
-        ->check(CLI::IsMember({"function", "shader"}));
-    sub.add_option("--params", text.params, "Numbers as literals or as uniforms")
-        ->check(CLI::IsMember({"baked", "uniform"}))
-        ->capture_default_str();
-    sub.add_option("--differentials", text.differentials,
-                   "Taken from the screen or passed by the caller")
-        ->check(CLI::IsMember({"screen", "given"}))
-        ->capture_default_str();
-    sub.add_option("--descriptor-set", text.set, "The descriptor set of the blocks and images")
-        ->check(CLI::Range(0, max_descriptor_set))
-        ->capture_default_str();
-    sub.add_option("--first-binding", text.first_binding, "The binding of the first of them")
-        ->check(CLI::Range(0, max_first_binding))
-        ->capture_default_str();
-    sub.add_option("--name", text.name, "NAME in the text; default: the file's stem");
+void declare_judgement(CLI::App& sub, TextOptions& text) {
     sub.add_flag("--strict", text.strict,
                  "More images or outputs than every machine has room for are an error");
     sub.add_flag("--cost", text.cost,
@@ -223,6 +199,7 @@ void declare_compile(CLI::App& app, Run& run) {
         ->type_name("OUT")
         ->capture_default_str();
     declare_text(sub, c.text);
+    declare_judgement(sub, c.text);
     sub.add_option("--stage", c.outputs.stage, "Which stage goes to standard output")
         ->check(CLI::IsMember({"vertex", "fragment"}))
         ->capture_default_str();

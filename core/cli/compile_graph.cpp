@@ -16,17 +16,7 @@ std::string name_for(const std::string& file, const TextOptions& options) {
 void make_texts(const std::string& file, const Project& project, const Compilation& with,
                 CompiledGraph& result) {
     const TextOptions& wanted = with.options;
-    ShaderOptions options;
-    options.material.uniform_parameters = wanted.params == "uniform";
-    options.material.vertex_tangents = !with.common.no_tangents;
-    options.emit.form = form_of(wanted);
-    options.emit.differentials =
-        wanted.differentials == "given" ? Differentials::given : Differentials::screen;
-    options.emit.name = name_for(file, wanted);
-    options.emit.target = find_target(wanted.target);
-    options.emit.set = wanted.set;
-    options.emit.first_binding = wanted.first_binding;
-    options.strict = wanted.strict;
+    const ShaderOptions options = shader_options(file, with);
     MadeShader made = make_shader(project, with.registry, options, result.diagnostics);
     Shader& shader = made.shader;
     if (wanted.cost && !result.diagnostics.has_errors())
@@ -42,7 +32,56 @@ void make_texts(const std::string& file, const Project& project, const Compilati
     result.reflection = to_json(shader.reflection);
 }
 
+Differentials differentials_of(const TextOptions& options) {
+    return options.differentials == "given" ? Differentials::given : Differentials::screen;
+}
+
 }  // namespace
+
+void declare_text(CLI::App& sub, TextOptions& text) {
+    sub.add_option("--target", text.target, "The language to write")->capture_default_str();
+    sub.add_option("--form", text.form,
+                   "Functions for your shader (the default of GLSL), or a complete pair")
+        ->check(CLI::IsMember({"function", "shader"}));
+    sub.add_option("--params", text.params, "Numbers as literals or as uniforms")
+        ->check(CLI::IsMember({"baked", "uniform"}))
+        ->capture_default_str();
+    sub.add_option("--differentials", text.differentials,
+                   "Taken from the screen or passed by the caller")
+        ->check(CLI::IsMember({"screen", "given"}))
+        ->capture_default_str();
+    sub.add_option("--descriptor-set", text.set, "The descriptor set of the blocks and images")
+        ->check(CLI::Range(0, max_descriptor_set))
+        ->capture_default_str();
+    sub.add_option("--first-binding", text.first_binding, "The binding of the first of them")
+        ->check(CLI::Range(0, max_first_binding))
+        ->capture_default_str();
+    sub.add_option("--name", text.name, "NAME in the text; default: the file's stem");
+}
+
+std::string wrong_text(const TextOptions& text) {
+    const Target* target = find_target(text.target);
+    if (!target) return "there is no target '" + text.target + "'; --list-targets lists them";
+    const Form form = form_of(text);
+    const std::string why = form_conflict(*target, form, differentials_of(text));
+    return why.empty() || form == Form::shader ? why : why + "; --form shader";
+}
+
+ShaderOptions shader_options(const std::string& file, const Compilation& with) {
+    const TextOptions& wanted = with.options;
+    ShaderOptions options;
+    options.material.uniform_parameters = wanted.params == "uniform";
+    options.material.vertex_tangents = !with.common.no_tangents;
+    if (wanted.cost) options.material.runs_calls = "--cost";
+    options.emit.form = form_of(wanted);
+    options.emit.differentials = differentials_of(wanted);
+    options.emit.name = name_for(file, wanted);
+    options.emit.target = find_target(wanted.target);
+    options.emit.set = wanted.set;
+    options.emit.first_binding = wanted.first_binding;
+    options.strict = wanted.strict;
+    return options;
+}
 
 Form form_of(const TextOptions& options) {
     if (options.form.empty()) return default_form(*find_target(options.target));

@@ -8,6 +8,7 @@
 #include "cli/cache.h"
 #include "cli/session.h"
 #include "compile/inputs.h"
+#include "compile/shader.h"
 #include "glsl/emit.h"
 #include "glsl/target.h"
 
@@ -23,6 +24,9 @@ struct TextOptions {
     bool cost = false, json = false;  // what it costs is counted, as JSON
 };
 
+void declare_text(CLI::App& command, TextOptions& text);
+// Why these cannot go together, or what does not exist; "" when all is well.
+std::string wrong_text(const TextOptions& text);
 Form form_of(const TextOptions& options);  // of a target that exists
 
 struct Text {
@@ -46,6 +50,8 @@ struct Compilation {
     const Overrides& overrides;  // no sweep
     Cache* cache = nullptr;      // none: everything is made
 };
+
+ShaderOptions shader_options(const std::string& file, const Compilation& with);
 
 // Safe to be called from several threads with one Compilation.
 CompiledGraph compile_graph(const std::string& file, const Compilation& with);

@@ -151,7 +151,7 @@ private:
                 found_.insert(shape);
             for (const char* end : {".obj", ".glb", ".gltf"})
                 offer_files(typed, end, found_);
-        } else if (option.get_positional()) {
+        } else if (option.get_positional() && kind != "LOG") {
             offer_files(typed, kind == "PATH" ? ".test.json" : ".json", found_);
         }
     }

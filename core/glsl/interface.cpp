@@ -138,6 +138,11 @@ void take_fixed_names(NameSet& globals) {
         globals.unique("wrinkle_" + std::string(info(static_cast<SurfaceInput>(i)).name));
 }
 
+// NAME follows an underscore wherever it stands, and two are reserved.
+std::string behind_underscores(const std::string& name) {
+    return name.substr(std::min(name.find_first_not_of('_'), name.size()));
+}
+
 }  // namespace
 
 Interface make_interface(const Plan& plan, const EmitOptions& options) {
@@ -145,7 +150,7 @@ Interface make_interface(const Plan& plan, const EmitOptions& options) {
     const Module& m = plan.module();
     NameSet plain;
     face.reflection.target = options.target->name;
-    face.reflection.name = plain.unique(options.name);
+    face.reflection.name = plain.unique(behind_underscores(identifier(options.name)));
     face.globals.unique("WrinkleSurface_" + face.reflection.name);
     face.globals.unique("WrinkleParameters_" + face.reflection.name);
     take_fixed_names(face.globals);

@@ -1,7 +1,10 @@
 #include "glsl/log.h"
 
+#include <algorithm>
 #include <cctype>
 #include <charconv>
+
+#include "base/text.h"
 
 namespace wrinkle {
 namespace {
@@ -12,17 +15,72 @@ std::string_view first_line(std::string_view log) {
     return log.substr(0, log.find('\n'));
 }
 
+bool is_digit(char c) {
+    return c >= '0' && c <= '9';
+}
+
+// What stands before a line's number: a string of the source, a file, Metal's name for a string.
+bool is_source(std::string_view word) {
+    if (word.size() == 1) return is_digit(word[0]);
+    const size_t dot = word.rfind('.');
+    const bool file = dot != word.npos && dot + 1 < word.size() && !is_digit(word[dot + 1]);
+    return file || word == "program_source";
+}
+
+// The word that ends before `end`.
+std::string_view word_before(std::string_view text, size_t end) {
+    size_t begin = end;
+    while (begin > 0 && text[begin - 1] > ' ' && text[begin - 1] != ':' && text[begin - 1] != '(')
+        --begin;
+    return text.substr(begin, end - begin);
+}
+
+// Where a place ends whose number ends at `at`: behind a column and what closes it.
+size_t place_end(std::string_view text, size_t at, bool parenthesis) {
+    if (parenthesis || text[at] == '(')
+        at = std::min(text.find(')', at), text.size() - 1) + 1;
+    else if (at + 1 < text.size() && is_digit(text[at + 1]))
+        for (++at; at < text.size() && is_digit(text[at]);)
+            ++at;
+    return std::min(text.find_first_not_of(" :", at), text.size());
+}
+
+bool take_word(std::string_view& text, std::string_view word) {
+    if (!text.starts_with(word)) return false;
+    text.remove_prefix(word.size());
+    text.remove_prefix(std::min(text.find_first_not_of(" :"), text.size()));
+    return true;
+}
+
 }  // namespace
 
-size_t line_in(std::string_view log) {
-    for (size_t at = 0; at + 2 < log.size(); ++at) {
-        if (log[at] != '0' || (log[at + 1] != ':' && log[at + 1] != '(')) continue;
-        if (at > 0 && std::isalnum(static_cast<unsigned char>(log[at - 1]))) continue;
+LogLine read_log_line(std::string_view text) {
+    LogLine result;
+    result.message = text;
+    result.warning = text.starts_with("WARNING") || text.starts_with("warning");
+    for (size_t at = 1; at + 1 < text.size(); ++at) {
+        const bool parenthesis = text[at] == '(';
+        if ((text[at] != ':' && !parenthesis) || !is_digit(text[at + 1])) continue;
+        if (!is_source(word_before(text, at))) continue;
         size_t line = 0;
-        const char* begin = log.data() + at + 2;
-        const auto [end, problem] = std::from_chars(begin, log.data() + log.size(), line);
-        if (problem == std::errc{} && end != begin) return line;
+        const char* const last = text.data() + text.size();
+        const auto [end, problem] = std::from_chars(text.data() + at + 1, last, line);
+        const std::string_view closing = parenthesis ? "),-" : ":(";
+        if (problem != std::errc{} || end == last || closing.find(*end) == closing.npos) continue;
+        result.line = line;
+        result.message.remove_prefix(
+            place_end(text, static_cast<size_t>(end - text.data()), parenthesis));
+        if (take_word(result.message, "warning:")) result.warning = true;
+        if (result.message.starts_with("warning")) result.warning = true;
+        take_word(result.message, "error:");
+        break;
     }
+    return result;
+}
+
+size_t line_in(std::string_view log) {
+    for (const std::string_view text : split(log, '\n'))
+        if (const size_t line = read_log_line(text).line) return line;
     return 0;
 }
 

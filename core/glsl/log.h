@@ -8,8 +8,18 @@
 
 namespace wrinkle {
 
-// The first line that a log names, as in "0:38(12): ...", "0(38) : ..." or "ERROR: 0:38: ...";
-// 0 for none.
+// A line of a log. The place is spelled as drivers and compilers do:
+//   "0:38(12): error: ..."  "0(38) : error C1008: ..."  "ERROR: 0:38: ..."   a string of the source
+//   "ERROR: a.frag:38: ..." "a.frag:38:5: error: ..."   "a.hlsl(38,5-9): error X3004: ..."  a file
+//   "program_source:38:5: error: ..."                                         Metal
+struct LogLine {
+    size_t line = 0;  // of the text, from 1; 0: it names none
+    bool warning = false;
+    std::string_view message;  // behind the place; all of it where there is none
+};
+LogLine read_log_line(std::string_view text);
+
+// The first line that a log names; 0 for none.
 size_t line_in(std::string_view log);
 
 // The node that a line of the text came from, counted from 1; no_node where it came from none.

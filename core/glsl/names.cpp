@@ -98,6 +98,22 @@ constexpr std::pair<Op, std::string_view> op_words[] = {{Op::image_size_, "size"
                                                         {Op::reflect_, "reflected"},
                                                         {Op::transpose_, "transposed"}};
 
+bool is_continuation(char c) {
+    return (static_cast<unsigned char>(c) & 0xC0) == 0x80;
+}
+
+// How many bytes the text's first character has if it ends a line, turns the direction of writing
+// or is another control character; else 0.
+size_t unseen_at(std::string_view text) {
+    const auto byte = [&](size_t i) { return static_cast<unsigned char>(text[i]); };
+    if (byte(0) < 0x20 || byte(0) == 0x7F) return 1;
+    if (byte(0) == 0xC2 && text.size() > 1 && byte(1) < 0xA0) return 2;  // U+0080 to U+009F
+    if (byte(0) != 0xE2 || text.size() < 3) return 0;
+    const unsigned low = (byte(1) & 0x3FU) << 6 | (byte(2) & 0x3FU);  // behind U+2000
+    const bool line_or_turn = 0x28 <= low && low <= 0x2E;
+    return line_or_turn || low == 0x0E || low == 0x0F || (0x66 <= low && low <= 0x69) ? 3 : 0;
+}
+
 }  // namespace
 
 size_t NameSet::place_of(std::string_view name) const {
@@ -162,16 +178,22 @@ std::string change_name(uint32_t input_extra) {
 }
 
 void append_comment_text(std::string& line, std::string_view text) {
+    const auto plain = [](char c) { return 0x20 <= c && c < 0x7F && c != '\\' && c != '?'; };
+    if (text.size() <= longest_comment && std::all_of(text.begin(), text.end(), plain)) {
+        line += text;
+        return;
+    }
     const size_t begin = line.size();
-    line += text.substr(0, longest_comment);
-    for (size_t i = begin; i < line.size(); ++i)
-        if (static_cast<unsigned char>(line[i]) < 0x20 || line[i] == '\x7F')
-            line[i] = ' ';
-        else if (line[i] == '\\')
-            line[i] = '/';
-    while (line.size() > begin && (static_cast<unsigned char>(line.back()) & 0xC0) == 0x80 &&
-           text.size() > longest_comment)
-        line.pop_back();
+    size_t end = std::min(text.size(), longest_comment);
+    while (end > 0 && end < text.size() && is_continuation(text[end]))
+        --end;
+    for (size_t at = 0; at < end;) {
+        const size_t unseen = std::min(unseen_at(text.substr(at)), end - at);
+        line += unseen > 0 ? ' ' : text[at] == '\\' ? '/' : text[at];
+        at += std::max(unseen, size_t{1});
+        // A backslash to old compilers.
+        if (line.size() >= begin + 3 && line.ends_with("?\?/")) line.back() = ' ';
+    }
 }
 
 std::string comment_text(std::string_view text) {

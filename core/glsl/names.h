@@ -43,7 +43,8 @@ std::string change_name(uint32_t input_extra);
 // What a value is, in one word, for temporaries that are no node's output: "texel", "sum", ...
 std::string_view word_for(const Module& module, Id id);
 
-// The name as it may stand in a line comment: no control characters, no backslash, not too long.
+// The name as it may stand in a line comment: one line, that reads as it is written. No control
+// characters, Unicode's ends of lines and turns of direction included, no backslash, not too long.
 std::string comment_text(std::string_view text);
 void append_comment_text(std::string& line, std::string_view text);
 

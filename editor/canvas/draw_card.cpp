@@ -113,8 +113,8 @@ void draw_header(const Painter& p, size_t index, ImVec2 low, ImVec2 high) {
 }
 
 ImU32 plain_color(const Painter& p, const Card& card) {
-    const Cost* cost = p.view.heat ? p.cost(card) : nullptr;
-    return cost ? heat_color(p.heat(*cost)).ground : theme::header;
+    const Price* price = p.view.heat ? p.price(card) : nullptr;
+    return price ? heat_color(p.heat(*price)).ground : theme::header;
 }
 
 // What the node makes, cut to the card's width; half as strong while it is of a former graph.
@@ -138,18 +138,21 @@ void draw_picture(const Painter& p, const Card& card, ImVec2 low, ImVec2 high) {
 }
 
 // The last row: what the node costs, while the graph compiles.
-void draw_cost(const Painter& p, const Card& card, ImVec2 high) {
-    const Cost* cost = p.cost(card);
-    if (!cost) return;
-    const std::string words = in_words(*cost);
+void draw_cost(const Painter& p, const Card& card, ImVec2 high, bool hovered) {
+    const Price* price = p.price(card);
+    if (!price) return;
+    const Costs& costs = *p.state.costs();
+    const std::string words = in_words(*price, costs.estimated);
     const float z = p.zoom;
     const ImVec2 end = high - ImVec2(10, 17) * z;
+    const float width = hovered || p.view.heat ? magnified_width(p.state.fonts, small, words) : 0;
+    const ImVec2 low = end - ImVec2(width + 6, 1) * z, edge = end + ImVec2(5, 15) * z;
+    if (hovered && ImGui::IsMouseHoveringRect(low, edge))
+        show_tooltip(p.state.fonts.bold(16), words, in_full(*price, costs));
     ImU32 color = theme::text_dim;
     if (p.view.heat) {
-        const float width = magnified_width(p.state.fonts, small, words);
-        const HeatColor heat = heat_color(p.heat(*cost));
-        p.list.AddRectFilled(end - ImVec2(width + 6, 1) * z, end + ImVec2(5, 15) * z, heat.ground,
-                             4 * z);
+        const HeatColor heat = heat_color(p.heat(*price));
+        p.list.AddRectFilled(low, edge, heat.ground, 4 * z);
         color = heat.text;
     }
     p.text(end, small_right, color, words);
@@ -209,7 +212,7 @@ void draw_body(const Painter& p, size_t index, ImVec2 low, ImVec2 high, bool hov
                        hovered && hit.kind == Hit::Kind::field && hit.part == i,
                        faulty ? p.fault(card, card.fields[i].port) : nullptr);
     draw_picture(p, card, low, high);
-    if (p.details || p.view.heat) draw_cost(p, card, high);
+    if (p.details || p.view.heat) draw_cost(p, card, high, hovered);
     if (!card.muted) return;
     p.list.AddRectFilled(under + ImVec2(1, 0), high - ImVec2(1, 1),
                          theme::with_alpha(theme::node, 0.55F), 5 * p.zoom,

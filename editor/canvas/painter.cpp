@@ -16,7 +16,7 @@ Painter::Painter(const State& state, ImDrawList& list)
     find_selected();
     find_troubles();
     if (view.tracing && !view.selected.empty()) find_related();
-    if (view.heat && state.built.costs) find_dearest();
+    if (view.heat && state.costs()) find_dearest();
 }
 
 void Painter::find_selected() {
@@ -70,30 +70,28 @@ void Painter::find_related() {
 }
 
 void Painter::find_dearest() {
-    for (const Cost& cost : state.built.costs->nodes) {
-        dearest_.reads = std::max(dearest_.reads, cost.reads);
-        dearest_.ops = std::max(dearest_.ops, cost.ops);
+    for (const Price& price : state.costs()->nodes) {
+        dearest_.reads = std::max(dearest_.reads, price.cost.reads);
+        dearest_.alu = std::max(dearest_.alu, price.cost.alu);
     }
 }
 
-// The costs are of the document that was compiled last; a node renamed since stands where it did.
-const Cost* Painter::cost(const Card& card) const {
-    const bool of_another = state.follow.came < state.follow.first;
-    if (of_another || !state.built.costs || card.kind != Card::Kind::node || card.reroute)
-        return nullptr;
-    const Table<NodePtr>& before = state.follow.built_of.nodes;
+// The costs are of a document of before; a node renamed since stands where it did.
+const Price* Painter::price(const Card& card) const {
+    const Costs* costs = state.costs();
+    if (!costs || card.kind != Card::Kind::node || card.reroute) return nullptr;
+    const Table<NodePtr>& before = state.costs_of().nodes;
     const Table<NodePtr>& now = state.document().nodes;
     size_t index = before.index_of(card.id);
     if (index == before.npos && before.size() == now.size()) index = now.index_of(card.id);
-    const std::vector<Cost>& costs = state.built.costs->nodes;
-    return index < costs.size() ? &costs[index] : nullptr;
+    return index < costs->nodes.size() ? &costs->nodes[index] : nullptr;
 }
 
-float Painter::heat(const Cost& cost) const {
+float Painter::heat(const Price& price) const {
     const auto part = [](uint32_t of, uint32_t whole) {
         return whole == 0 ? 0.0F : static_cast<float>(of) / static_cast<float>(whole);
     };
-    return std::max(part(cost.reads, dearest_.reads), part(cost.ops, dearest_.ops));
+    return std::max(part(price.cost.reads, dearest_.reads), part(price.cost.alu, dearest_.alu));
 }
 
 void fade(ImDrawList& list, int first) {

@@ -42,9 +42,9 @@ public:
     // While tracing: on no way through the selection.
     bool fades(size_t card) const { return !related_.empty() && !related_[card]; }
     bool fades_wire(size_t wire) const { return !related_.empty() && !related_wires_[wire]; }
-    const Cost* cost(const Card& card) const;  // nullptr: not known
+    const Price* price(const Card& card) const;  // nullptr: not known
     // How dear a card is beside the dearest, 0 to 1: by its reads or by its ops.
-    float heat(const Cost& cost) const;
+    float heat(const Price& price) const;
 
 private:
     void find_selected();
@@ -57,7 +57,7 @@ private:
     std::vector<bool> selected_;                 // by card; empty: none
     std::vector<Trouble> troubles_;              // by card; empty: none
     std::vector<bool> related_, related_wires_;  // by card, by wire; empty: nothing fades
-    Cost dearest_;                               // the most reads and the most ops of a card
+    ShaderCost dearest_;                         // the most reads and the most ops of a card
     const Card* primary_ = nullptr;              // of several that are selected the one chosen last
 };
 

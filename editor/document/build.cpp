@@ -11,18 +11,21 @@ namespace {
 
 std::optional<Shader> emit_text(const Project& project, const Registry& registry,
                                 const std::string& name, Diagnostics& problems,
-                                std::optional<Costs>* costs = nullptr) {
+                                Build* result = nullptr) {
     MaterialOptions options;
     options.uniform_parameters = true;
     options.reached_only = true;
     options.runs_calls = "the preview";
-    const Compiled compiled = compile_material(project, registry, options, problems);
+    Compiled compiled = compile_material(project, registry, options, problems);
     if (!compiled.ok) return std::nullopt;
     EmitOptions emit_options;
     emit_options.name = name;
     Shader shader = emit(compiled.module, emit_options);
     if (shader.problems.empty()) {
-        if (costs) *costs = count_costs(compiled.module, project.top());
+        if (result) {
+            result->costs = estimate_costs(compiled.module, project.top());
+            result->module = std::make_shared<const Module>(std::move(compiled.module));
+        }
         return shader;
     }
     report_problems(shader.problems, compiled.module, project, compiled.places, problems);
@@ -112,7 +115,7 @@ Build build(const Model& model, const Document& document, const Registry& regist
     if (linked) {
         // Without outputs check() has said that nothing is made.
         if (!document.outputs.empty())
-            result.uniform = emit_text(project, registry, name, result.live, &result.costs);
+            result.uniform = emit_text(project, registry, name, result.live, &result);
         build_shown(model, document, registry, name, result);
         build_displacement(project, registry, result);
     }

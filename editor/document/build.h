@@ -20,7 +20,8 @@ struct Build {
     Diagnostics problems;  // of the whole document
     Diagnostics live;      // why `uniform` is empty
     std::optional<Shader> uniform;
-    std::optional<Costs> costs;  // of `uniform`
+    std::shared_ptr<const Module> module;  // that `uniform` was made from
+    std::optional<Costs> costs;            // of `uniform`, estimated
     double milliseconds = 0;
 
     // What the preview runs in place of `uniform` when it was asked for something else.

@@ -23,7 +23,16 @@ struct Follow {
     PreviewRequest running_for;
     std::map<std::string, std::string> copied;  // Build::copied of it
     std::shared_ptr<const Displacement> displacement;
-    Document sent;       // whose values it has
+    Document sent;  // whose values it has
+
+    // The costs of the newest text that was counted. nullptr: they are only estimated.
+    CostCounter* counter = nullptr;
+    std::string counting;      // the text that was given to it
+    uint64_t counting_of = 0;  // its version
+    std::optional<CountedCosts> counted;
+    bool is_counting() const { return counter && !counter->idle(); }
+    bool is_counted() const { return counted && counted->version >= first; }
+
     uint64_t heard = 0;  // the newest picture's version whose problems are known
 
     bool building() const { return came < asked; }

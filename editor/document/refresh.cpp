@@ -7,6 +7,22 @@
 namespace wrinkle::editor {
 namespace {
 
+// A value that changed makes no other text.
+void ask_costs(State& state) {
+    Follow& follow = state.follow;
+    if (!follow.counter || !state.built.uniform) return;
+    const std::string& text = state.built.uniform->source;
+    if (follow.counting_of >= follow.first && follow.counting == text) return;
+    follow.counting = text;
+    follow.counting_of = follow.came;
+    follow.counter->post({follow.came, state.built.module, follow.built_of});
+}
+
+void hear_costs(Follow& follow) {
+    if (!follow.counter) return;
+    if (auto counted = follow.counter->take()) follow.counted = std::move(*counted);
+}
+
 void take(State& state, Compilation compilation) {
     Follow& follow = state.follow;
     if (compilation.version < follow.first || compilation.version <= follow.came) return;
@@ -14,6 +30,7 @@ void take(State& state, Compilation compilation) {
     ++state.counters.builds;
     state.built = std::move(compilation.build);
     follow.built_of = std::move(compilation.document);
+    ask_costs(state);
     run_newest(state);
 }
 
@@ -85,6 +102,7 @@ void refresh(State& state) {
     }
     if (follow.compiler)
         if (auto result = follow.compiler->take()) take(state, std::move(*result));
+    hear_costs(follow);
     hear_preview(state);
     update_layout(state);
     feed_node_pictures(state);

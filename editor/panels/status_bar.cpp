@@ -96,9 +96,12 @@ Note save_state(const State& state) {
 // preview's time.
 void draw_under_side(State& state, const Writer& w, float left, float right) {
     const Note saved = save_state(state);
-    if (state.built.costs) {
-        const std::string cost = in_words(state.built.costs->total);
-        state.targets.add("status:cost", {left, w.y - 4, left + w.width(cost), w.y + 18});
+    if (const Costs* costs = state.costs()) {
+        const std::string cost = in_words(costs->total, costs->estimated);
+        const ImVec2 low(left, w.y - 4), high(left + w.width(cost), w.y + 18);
+        state.targets.add("status:cost", {low.x, low.y, high.x, high.y});
+        if (ImGui::IsMouseHoveringRect(low, high))
+            show_tooltip(state.fonts.bold(16), cost, in_full(costs->total, *costs));
         left = w.write(left, theme::text_dim, cost) + 16;
     }
     float x = right - w.width(saved.text);

@@ -78,6 +78,8 @@ TEST_F(CompletionTest, OffersFilesOfTheRightKind) {
     EXPECT_EQ(offered({"nodes", "--plugin-path", ""}), (Names{"c.so", "inner/"}));
     EXPECT_EQ(offered({"check", "--root", ""}), Names{"inner/"});
     EXPECT_EQ(offered({"compile", "a.json", "-o", ""}), Names{});  // the shell's own
+    EXPECT_EQ(offered({"explain-log", ""}), (Names{"a.json", "d.test.json", "inner/"}));
+    EXPECT_EQ(offered({"explain-log", "a.json", ""}), Names{});  // a log may be called anything
 }
 
 TEST_F(CompletionTest, WorksInBash) {

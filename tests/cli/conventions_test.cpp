@@ -7,8 +7,9 @@ namespace {
 using ConventionsTest = CliTest;
 using Names = std::vector<std::string>;
 
-const Names commands = {"check",   "compile", "eval",  "render",  "test",       "format",
-                        "upgrade", "inputs",  "nodes", "plugins", "new-plugin", "completion"};
+const Names commands = {"check",      "compile",    "eval",       "render", "test",
+                        "format",     "upgrade",    "inputs",     "nodes",  "plugins",
+                        "new-plugin", "completion", "explain-log"};
 
 TEST_F(ConventionsTest, HelpListsEveryCommand) {
     const Ran ran = run({"--help"});

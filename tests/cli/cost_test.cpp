@@ -166,5 +166,26 @@ TEST_F(CostTest, MoreOutputsThanDrawBuffersAreNamed) {
         << "what functions give is drawn by the caller";
 }
 
+// Twenty levels that each use the one below twice: a text has a function for each, but all is
+// inlined before it is counted.
+TEST_F(CostTest, RefusesMoreCallsThanCanBeInlined) {
+    put("l0.json", R"({"wrinkle": 1, "inputs": {"x": {"type": "float"}}, "nodes": {
+        "y": {"type": "add", "in": {"a": {"from": "input.x"}, "b": 1}}},
+        "outputs": {"y": {"from": "y.result"}}})");
+    for (int i = 1; i <= 20; ++i)
+        put("l" + std::to_string(i) + ".json",
+            R"({"wrinkle": 1, "inputs": {"x": {"type": "float"}}, "nodes": {
+            "a": {"type": "graph:l)" +
+                std::to_string(i - 1) + R"(.json", "in": {"x": {"from": "input.x"}}},
+            "b": {"type": "graph:l)" +
+                std::to_string(i - 1) + R"(.json", "in": {"x": {"from": "a.y"}}}},
+            "outputs": {"y": {"from": "b.y"}}})");
+    EXPECT_EQ(run({"compile", "l20.json", "-o", "out"}).code, 0);
+    const Ran ran = run({"compile", "l20.json", "--cost"});
+    EXPECT_EQ(ran.code, 1);
+    EXPECT_EQ(ran.out, "");
+    EXPECT_TRUE(says(ran.err, "--cost would make 2097150 calls of sub-graphs"));
+}
+
 }  // namespace
 }  // namespace wrinkle::test

@@ -1,14 +1,19 @@
 // What the material costs, per card.
 #include "editor/document/cost.h"
 
+#include <imgui_internal.h>
+
 #include <cmath>
 
 #include "editor/canvas/canvas.h"
 #include "editor/canvas/painter.h"
+#include "editor/document/files.h"
 #include "editor/look/heat.h"
 #include "graph/edit.h"
 #include "graph/read.h"
 #include "headless.h"
+#include "ir/cost.h"
+#include "json/parse.h"
 
 namespace wrinkle::editor {
 namespace {
@@ -24,14 +29,19 @@ size_t count_of(const std::string& text, std::string_view word) {
 
 Cost cost_of(const State& state, std::string_view node) {
     if (!state.built.costs) return {~0U, ~0U};
-    return state.built.costs->nodes.at(state.document().nodes.index_of(node));
+    const ShaderCost& cost =
+        state.built.costs->nodes.at(state.document().nodes.index_of(node)).cost;
+    return {cost.reads, cost.alu};
+}
+Cost estimate(const Build& built) {
+    return {built.costs->total.cost.reads, built.costs->total.cost.alu};
 }
 
 TEST_F(Headless, TheStatusSaysWhatTheMaterialCosts) {
     open(small_graph);
     frame();
     ASSERT_TRUE(state.built.costs);
-    EXPECT_GT(state.built.costs->total.ops, 0U);
+    EXPECT_GT(estimate(state.built).ops, 0U);
     play("assert target status:cost");
 }
 
@@ -43,10 +53,14 @@ TEST_F(Headless, EveryNodeHasItsCost) {
         "outputs": {"sum": {"from": "double.vector"}}})");
     EXPECT_EQ(cost_of(state, "double"), (Cost{0, 3}));
     EXPECT_EQ(cost_of(state, "unread"), Cost());
-    EXPECT_EQ(state.built.costs->total, (Cost{0, 3}));
-    EXPECT_EQ(in_words({1, 14}), "1 read · 14 ops");
-    EXPECT_EQ(in_words({0, 1}), "1 op");
-    EXPECT_EQ(in_words({2, 1234567}), "2 reads · 1,234,567 ops");
+    EXPECT_EQ(estimate(state.built), (Cost{0, 3}));
+    const auto words = [](uint32_t reads, uint32_t numbers, bool estimated) {
+        return in_words({{.alu = numbers, .reads = reads}, 0}, estimated);
+    };
+    EXPECT_EQ(words(1, 14, false), "1 read · 14 ops");
+    EXPECT_EQ(words(1, 14, true), "~1 read · ~14 ops");
+    EXPECT_EQ(words(0, 1, false), "1 op");
+    EXPECT_EQ(words(2, 1234567, false), "2 reads · 1,234,567 ops");
 }
 
 TEST_F(Headless, AGraphThatDoesNotCompileHasNoCost) {
@@ -61,7 +75,7 @@ TEST_F(Headless, AGraphThatDoesNotCompileHasNoCost) {
 
 // The reads of the text that is generated, in all graphs of one function; nodes and what the
 // outputs need sum up to the total in all.
-TEST_F(Headless, CostsAreThoseOfTheText) {
+TEST_F(Headless, EstimatesAreThoseOfTheText) {
     size_t compared = 0;
     for (const auto& entry :
          fs::recursive_directory_iterator(fs::path(WRINKLE_SOURCE_DIR) / "graphs")) {
@@ -75,11 +89,12 @@ TEST_F(Headless, CostsAreThoseOfTheText) {
         if (!built.uniform) continue;
         ASSERT_TRUE(built.costs) << name;
         Cost sum;
-        for (const Cost& cost : built.costs->nodes)
-            sum += cost;
-        EXPECT_LE(sum.ops, built.costs->total.ops) << name;
-        EXPECT_EQ(sum.reads, built.costs->total.reads) << name;
-        EXPECT_GT(sum.ops * 10, built.costs->total.ops * 5) << name;
+        for (const Price& price : built.costs->nodes)
+            sum += {price.cost.reads, price.cost.alu};
+        const Cost total = estimate(built);
+        EXPECT_LE(sum.ops, total.ops) << name;
+        EXPECT_EQ(sum.reads, total.reads) << name;
+        EXPECT_GT(sum.ops * 10, total.ops * 5) << name;
         const std::string& source = built.uniform->source;
         const size_t functions =
             count_of(source, "\nfloat ") + count_of(source, "\nvec") + count_of(source, "\nvoid ");
@@ -87,7 +102,7 @@ TEST_F(Headless, CostsAreThoseOfTheText) {
         ++compared;
         EXPECT_EQ(count_of(source, "texture(") + count_of(source, "textureLod(") +
                       count_of(source, "textureGrad("),
-                  built.costs->total.reads)
+                  total.reads)
             << name;
     }
     EXPECT_GT(compared, 4U);
@@ -171,21 +186,141 @@ TEST_F(Headless, ARenamedNodeKeepsItsCost) {
     frame();
     ImDrawList list(ImGui::GetDrawListSharedData());
     const Painter painter(state, list);
-    const Cost* cost = painter.cost(*state.layout.find("sound"));
-    ASSERT_TRUE(cost);
-    EXPECT_EQ(*cost, before);
+    const Price* price = painter.price(*state.layout.find("sound"));
+    ASSERT_TRUE(price);
+    EXPECT_EQ(price->cost.alu, before.ops);
 }
 
 TEST_F(Headless, ASubGraphCostsWhatItsNodesDo) {
     open(small_graph);
-    const Cost total = state.built.costs->total;
+    const Cost total = estimate(state.built);
     const Cost noise = cost_of(state, "noise"), softer = cost_of(state, "softer");
     state.view.selected = {"noise", "softer"};
     play("key Ctrl+G\nassert errors 0");
-    EXPECT_EQ(state.built.costs->total, total);
+    EXPECT_EQ(estimate(state.built), total);
     Cost both = noise;
     both += softer;
     EXPECT_EQ(cost_of(state, "group"), both);
+}
+
+// With the thread that counts, as in the window.
+class Counted : public Headless {
+protected:
+    Counted() { state.follow.counter = &counter; }
+    ~Counted() override { state.follow.counter = nullptr; }
+    void settle() {
+        counter.settle();
+        frame();
+    }
+    Price price_of(std::string_view node) const {
+        return state.costs()->nodes.at(state.costs_of().nodes.index_of(node));
+    }
+    static bool has_tooltip() {
+        for (const ImGuiWindow* window : ImGui::GetCurrentContext()->Windows)
+            if (window->Active && (window->Flags & ImGuiWindowFlags_Tooltip)) return true;
+        return false;
+    }
+    CostCounter counter{count, {}};
+};
+
+// The same numbers as the program prints, the sum of each node's.
+TEST_F(Counted, CostsAreThoseOfTheProgram) {
+    for (const char* name : {"base_and_detail", "everything", "decals", "noise_rock"}) {
+        const std::string sample = std::string(WRINKLE_SOURCE_DIR "/graphs/") + name + ".json";
+        open_file(state, sample);
+        frame();
+        settle();
+        ASSERT_TRUE(state.costs()) << name;
+        ASSERT_FALSE(state.costs()->estimated) << name << state.costs()->why;
+        Diagnostics problems;
+        const json::Value cost =
+            json::parse(program_output("compile --cost --json --params uniform " + sample), "cost",
+                        problems)
+                .root.find("graphs")
+                .at(0)
+                .find("cost");
+        const Price& total = state.costs()->total;
+        EXPECT_EQ(total.cost.alu, cost.find("total").find("alu").as_number()) << name;
+        EXPECT_EQ(total.cost.reads, cost.find("total").find("texture_reads").as_number());
+        EXPECT_EQ(total.texture_units, cost.find("total").find("texture_units").as_number());
+        const json::Value nodes = cost.find("nodes");
+        ASSERT_GT(nodes.size(), 2u);
+        for (size_t i = 0; i < nodes.size(); ++i) {
+            const Price price = price_of(nodes.at(i).find("node").as_string());
+            EXPECT_EQ(price.cost.alu, nodes.at(i).find("alu").as_number()) << name;
+            EXPECT_EQ(price.texture_units, nodes.at(i).find("texture_units").as_number());
+        }
+    }
+}
+
+// No frame waits: a text has its estimate at once, and the count of the one before until its own.
+TEST_F(Counted, FollowTheTextWithoutHoldingItUp) {
+    open(small_graph);
+    ASSERT_TRUE(state.costs());
+    settle();
+    const uint32_t counted = price_of("noise").cost.alu;
+    EXPECT_FALSE(state.costs()->estimated);
+    state.commit("Less", set_value(state.document(), "noise", "octaves", json::Value::number(1)));
+    frame();
+    ASSERT_TRUE(state.costs());
+    EXPECT_FALSE(state.costs()->estimated);
+    settle();
+    EXPECT_LT(price_of("noise").cost.alu, counted / 2);
+    open(R"({"wrinkle": 1, "nodes": {"x": {"type": "nonsense"}},
+        "outputs": {"normal": {"from": "x.normal"}}})");
+    EXPECT_FALSE(state.costs());
+    settle();
+    EXPECT_FALSE(state.costs());
+}
+
+// Another file's costs are never shown for this one.
+TEST_F(Counted, ANewFileBeginsWithItsEstimate) {
+    open(small_graph);
+    settle();
+    open(R"({"wrinkle": 1, "nodes": {
+        "noise": {"type": "vec3_add", "in": {"a": {"from": "surface.position"},
+                                         "b": {"from": "surface.position"}}}},
+        "outputs": {"sum": {"from": "noise.vector"}}})");
+    EXPECT_EQ(price_of("noise").cost.alu, 3U);
+    settle();
+    EXPECT_EQ(price_of("noise").cost.alu, 3U);
+    EXPECT_FALSE(state.costs()->estimated);
+}
+
+// What would take the compilers many seconds is not given to them; so it is with no compilers.
+TEST_F(Counted, AGraphThatCannotBeCountedKeepsItsEstimateAndSaysWhy) {
+    std::string nodes = R"("n0": {"type": "gradient_noise", "in": {"octaves": 8}})",
+                sum = "n0.height";
+    for (int i = 1; i < 12; ++i) {
+        const std::string n = std::to_string(i);
+        nodes += R"(, "n)" + n + R"(": {"type": "gradient_noise", "in": {"octaves": 8, "scale": )" +
+                 std::to_string(i + 1) + R"(}}, "s)" + n +
+                 R"(": {"type": "gradient_add", "in": {"a": {"from": ")" + sum +
+                 R"("}, "b": {"from": "n)" + n + R"(.height"}}})";
+        sum = "s" + n + ".gradient";
+    }
+    open(R"({"wrinkle": 1, "nodes": {)" + nodes +
+         R"(, "r": {"type": "resolve", "in": {"gradient": {"from": ")" + sum +
+         R"("}}}}, "outputs": {"normal": {"from": "r.normal"}}})");
+    ASSERT_GT(estimate(state.built).ops, most_counted);
+    settle();
+    ASSERT_TRUE(state.costs());
+    EXPECT_TRUE(state.costs()->estimated);
+    EXPECT_EQ(state.costs()->total.cost.alu, estimate(state.built).ops);
+    const std::string text = in_full(state.costs()->total, *state.costs());
+    EXPECT_NE(text.find("an estimate. It is too large"), std::string::npos) << text;
+}
+
+TEST_F(Counted, TheTooltipSaysAllOfIt) {
+    open(small_graph);
+    settle();
+    const std::string text = in_full(state.costs()->total, *state.costs());
+    EXPECT_NE(text.find(" numbers computed, of these 3 divisions and "), std::string::npos) << text;
+    EXPECT_NE(text.find("every machine has 16"), std::string::npos) << text;
+    EXPECT_EQ(in_full(price_of("noise"), *state.costs()).find("every machine"), std::string::npos);
+    EXPECT_FALSE(has_tooltip());
+    play("wheel status:cost 0");
+    EXPECT_TRUE(has_tooltip());
 }
 
 }  // namespace

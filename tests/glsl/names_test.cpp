@@ -32,6 +32,15 @@ TEST(Names, of_inner_scopes_differ_from_outer_ones) {
 
 TEST(Names, comments_cannot_be_left) {
     EXPECT_EQ(comment_text("a\nfloat x;\r\\"), "a float x; /");
+    EXPECT_EQ(comment_text("a\u0085b\u2028c\u2029d"), "a b c d");
+    EXPECT_EQ(comment_text("a\u202Eb\u2066c\u200Ed"), "a b c d");
+    EXPECT_EQ(comment_text("\u00E4 \u2030 \u2067 \u00A0"), "\u00E4 \u2030   \u00A0");
+    EXPECT_EQ(comment_text("ends?\?/"), "ends?? ");
+    EXPECT_EQ(comment_text("ends?\?\\"), "ends?? ");
+    EXPECT_EQ(comment_text("\xC2"), "\xC2");
+    const std::string long_text(158, 'n');
+    EXPECT_EQ(comment_text(long_text + "\U0001F600"), long_text);
+    EXPECT_EQ(comment_text(long_text + "\u00E4\u00E4"), long_text + "\u00E4");
     EXPECT_LE(comment_text(std::string(1000, 'x')).size(), 200u);
 }
 

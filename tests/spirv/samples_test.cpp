@@ -1,52 +1,22 @@
 // Every sample graph in every language: on each target, in each form that it has, with both kinds
-// of parameters. GLSL is judged by glslang by the rules of each target, SPIR-V by spirv-val, HLSL
-// by glslang's front end for it, Metal by what the reflection says.
+// of parameters.
 #include <gtest/gtest.h>
 
-#include "glslang/validate.h"
 #include "graph/subgraph.h"
 #include "lower/material.h"
-#include "nodes/all.h"
-#include "spirv/metal.h"
+#include "spirv/judge.h"
 #include "spirv/spirv.h"
 #include "support/samples.h"
 
 namespace wrinkle::test {
 namespace {
 
-const Registry& nodes() {
-    static const Registry registry = [] {
-        Registry made;
-        Diagnostics ignored;
-        made.add_plugin(built_in_nodes(), Registry::built_in, ignored);
-        return made;
-    }();
-    return registry;
-}
-
-std::string spirv_errors(const std::string& bytes) {
-    std::string log;
-    if (bytes.size() % 4 != 0 || !bytes.starts_with("\x03\x02\x23\x07")) return "no SPIR-V";
-    return is_valid(words_of(bytes), log) ? "" : log + disassembly(bytes);
-}
-
-std::string errors_of(const Shader& shader) {
-    const std::string& target = shader.reflection.target;
-    if (!shader.problems.empty()) return shader.problems[0].message;
-    if (target == "spirv") return spirv_errors(shader.vertex) + spirv_errors(shader.fragment);
-    if (target == "hlsl")
-        return hlsl_errors(shader.vertex, Stage::vertex) +
-               hlsl_errors(shader.fragment, Stage::fragment);
-    if (target == "msl") return metal_errors(shader);
-    return compile_errors(shader);
-}
-
 Module module_of(const std::filesystem::path& graph, bool uniforms) {
     Diagnostics diagnostics;
     const Project project = load_project(graph, {}, diagnostics);
     MaterialOptions options;
     options.uniform_parameters = uniforms;
-    Compiled compiled = compile_material(project, nodes(), options, diagnostics);
+    Compiled compiled = compile_material(project, built_in_registry(), options, diagnostics);
     EXPECT_TRUE(compiled.ok) << graph << to_text(diagnostics);
     return std::move(compiled.module);
 }

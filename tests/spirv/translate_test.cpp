@@ -116,7 +116,7 @@ TEST(Spirv, IsValidKeepsNamesAndHasNoLines) {
     for (const std::string* bytes : {&shader.vertex, &shader.fragment}) {
         std::string log;
         EXPECT_TRUE(is_valid(words_of(*bytes), log)) << log;
-        EXPECT_EQ(bytes_of(words_of(*bytes)), *bytes);
+        EXPECT_EQ(wrinkle::bytes_of(words_of(*bytes)), *bytes);
     }
     const std::string text = disassembly(shader.fragment);
     EXPECT_TRUE(has(text, "OpName %out_normal \"out_normal\"")) << text;
@@ -160,8 +160,9 @@ TEST(Spirv, OptimisingWithAndWithoutInlining) {
     ASSERT_TRUE(words) << log;
     const auto calls = [&](Inlining inlining) {
         const auto made = optimised(*words, inlining, log);
-        return made && is_valid(*made, log) ? has(disassembly(bytes_of(*made)), "OpFunctionCall")
-                                            : -1;
+        return made && is_valid(*made, log)
+                   ? has(disassembly(wrinkle::bytes_of(*made)), "OpFunctionCall")
+                   : -1;
     };
     EXPECT_EQ(calls(Inlining::none), 1) << log;
     EXPECT_EQ(calls(Inlining::all), 0) << log;

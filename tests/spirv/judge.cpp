@@ -1,0 +1,40 @@
+#include "spirv/judge.h"
+
+#include "glslang/validate.h"
+#include "nodes/all.h"
+#include "spirv/metal.h"
+#include "spirv/spirv.h"
+
+namespace wrinkle::test {
+namespace {
+
+std::string spirv_errors(const std::string& bytes) {
+    std::string log;
+    if (bytes.size() % 4 != 0 || !bytes.starts_with("\x03\x02\x23\x07")) return "no SPIR-V";
+    return is_valid(words_of(bytes), log) ? "" : log + disassembly(bytes);
+}
+
+}  // namespace
+
+const Registry& built_in_registry() {
+    static const Registry registry = [] {
+        Registry made;
+        Diagnostics ignored;
+        made.add_plugin(built_in_nodes(), Registry::built_in, ignored);
+        return made;
+    }();
+    return registry;
+}
+
+std::string errors_of(const Shader& shader) {
+    const std::string& target = shader.reflection.target;
+    if (!shader.problems.empty()) return shader.problems[0].message;
+    if (target == "spirv") return spirv_errors(shader.vertex) + spirv_errors(shader.fragment);
+    if (target == "hlsl")
+        return hlsl_errors(shader.vertex, Stage::vertex) +
+               hlsl_errors(shader.fragment, Stage::fragment);
+    if (target == "msl") return metal_errors(shader);
+    return compile_errors(shader);
+}
+
+}  // namespace wrinkle::test
