@@ -50,7 +50,7 @@ def print_sizes(family, title, entries):
     print(f"\n{title:38} {'Wrinkle':>9} {'MaterialX':>10} {'ratio':>7} {'reads':>7} {'KB':>7}")
     for size, entry in entries.get(family, {}).items():
         if "error_occurred" in entry:
-            print(f"{size:>38,} {entry['error_message'].strip()}")
+            print(f"{size:>38,} {entry['error_message'].splitlines()[0]}")
             continue
         peer = MATERIALX[family].get(size)
         beside = f"{peer:10,g} {peer / entry['real_time']:6,.0f}x" if peer else " " * 18
@@ -110,7 +110,9 @@ def peers(entries):
                 sys.exit(f"{script}: {line['layers']} layers are read {line['reads']} times")
         title = f"{lines[0]['peer']} {lines[0]['version']}"
         cells = [f"{line['ms']:9.2f} {line['ms'] / t:6.1f}x " for line, t in zip(lines, ours)]
+        least = [f"{line['least']:9.2f} {'':7} " for line in lines]
         print(f"{title:38}" + "".join(f"{cell:>18}" for cell in cells))
+        print(f"{'  the least of its times':38}" + "".join(f"{cell:>18}" for cell in least))
 
 
 def main():

@@ -10,7 +10,8 @@ export CXXFLAGS=""
 carry_out "$@"
 
 readelf -d "$library" | grep -qF "soname: [libwrinkle.so.0.1]" || fail "the soname is another"
-nm -D -C --defined-only "$library" | grep -q ' T wrinkle::api::Graph::check' || fail "nm says nothing"
-foreign=$(nm -D -C --defined-only "$library" | grep -v ' [TW] wrinkle::api::' || true)
+shown=$(nm -D -C --defined-only "$library")
+[[ $shown == *" T wrinkle::api::Graph::check("* ]] || fail "nm does not show the face:" "$shown"
+foreign=$(grep -v ' [TW] wrinkle::api::' <<<"$shown" || true)
 [ -z "$foreign" ] || fail "the library shows more than its face:" "$foreign"
 echo "$(wc -l <"$here/order") blocks"
