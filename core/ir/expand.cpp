@@ -284,6 +284,10 @@ struct Finisher {
     std::vector<bool> inverse_known;  // by Id of the source: of its length
 
     explicit Finisher(const Module& source) : inverse_known(source.size(), false) {
+        bool any = false;
+        for (Id id = 1; id < source.size() && !any; ++id)
+            any = inverse_length_of(source, id) != poison;
+        if (!any) return;
         std::vector<Id> roots;
         for (const ModuleOutput& output : source.outputs)
             roots.push_back(output.value);

@@ -24,6 +24,7 @@ OpenFunctions::OpenFunctions(Module& target, ScreenDerivatives& screen, const Mo
 
 bool OpenFunctions::in_function(Id wanted) {
     const Module& m = *target_;
+    if (m.open_inputs.empty()) return false;
     std::vector<Id> below;
     for (auto id = static_cast<Id>(dependent_.size()); id < m.size(); ++id) {
         below.clear();
