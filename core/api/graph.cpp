@@ -49,6 +49,7 @@ std::shared_ptr<const Prepared> prepare(const Graph::Parts& parts, bool vertex_t
     problems = parts.problems;
     MaterialOptions options;
     options.given_differentials = true;
+    options.runs_calls = "evaluate";
     options.vertex_tangents = vertex_tangents;
     const Compiled compiled =
         compile_or_check(parts.project, parts.library->registry, options, problems);

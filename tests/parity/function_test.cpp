@@ -161,6 +161,18 @@ TEST(Functions, AreToldWhichUvSetTheyGet) {
                  .outputs = "'normal': <p.g, 'other': <q.g, 'third': <r.g"});
 }
 
+TEST(Functions, HaveThePicturesOfTheirOwnInputs) {
+    expect_same({.inputs = "'uv': {'type': 'vec2'}, 'image': {'type': 'image', 'default': "
+                           "'IMAGE_B'}",
+                 .part = "'m': {'type': 'tangent_normal_map', 'in': {'image': <input.image, 'uv': "
+                         "<input.uv}}",
+                 .part_outputs = "'g': <m.gradient",
+                 .p = "'uv': <t.uv, 'image': 'IMAGE_A'",
+                 .q = "'uv': <t.uv",
+                 .nodes = ", 't': {'type': 'uv_transform', 'in': {'scale': [3, 2]}}",
+                 .outputs = "'normal': <p.g, 'other': <q.g"});
+}
+
 TEST(Functions, OfRandomProjectsChangeNoNumber) {
     uint32_t functions = 0;
     for (unsigned seed = 1; seed <= 60; ++seed) {
