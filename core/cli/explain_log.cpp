@@ -1,4 +1,5 @@
 // wrinkle explain-log GRAPH LOG: what a driver says of a text, at the nodes it came from.
+#include <algorithm>
 #include <memory>
 
 #include "base/companion.h"
@@ -21,11 +22,9 @@ std::string_view trimmed(std::string_view text) {
 // One text that was given to a driver.
 class Explained {
 public:
-    Explained(const MadeShader& made, const Project& project, const std::string& graph,
-              size_t first)
+    Explained(const MadeShader& made, const Project& project, size_t first)
         : made_(made),
           project_(project),
-          graph_(graph),
           first_(first),
           lines_(split(made.shader.source.empty() ? made.shader.fragment : made.shader.source,
                        '\n')) {}
@@ -35,7 +34,7 @@ public:
         const size_t line = said.line < first_ ? 0 : said.line - first_ + 1;
         const uint32_t node = node_of_line(reflection, line);
         Diagnostic found;
-        found.where.file = graph_;
+        found.where.file = project_.top().file;
         if (node != no_node && node != 0)
             found = diagnose(project_, made_.compiled.places[node], reflection.node_paths[node], "",
                              "");
@@ -51,7 +50,6 @@ public:
 private:
     const MadeShader& made_;
     const Project& project_;
-    const std::string& graph_;
     size_t first_;
     std::vector<std::string_view> lines_;
 };
@@ -87,7 +85,7 @@ struct ExplainCommand {
         const auto said = read_text(log, diagnostics);
         if (diagnostics.has_errors() || !said) return report(diagnostics, common.diagnostics);
         report(diagnostics, "text");  // what the graph itself is warned of
-        return print(Explained(made, project, graph, first), *said);
+        return print(Explained(made, project, first), *said);
     }
 
     std::string wrong_usage() const {

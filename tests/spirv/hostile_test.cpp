@@ -152,7 +152,8 @@ bool is_code_of_names(const std::string& text) {
             return true;
         for (size_t at = code.find(mark); at != code.npos; at = code.find(mark, at + 1)) {
             const auto word = [&](size_t i) {
-                return i < code.size() && (std::isalnum(code[i]) || code[i] == '_');
+                return i < code.size() &&
+                       (std::isalnum(static_cast<unsigned char>(code[i])) || code[i] == '_');
             };
             if ((at == 0 || !word(at - 1)) && !word(at + mark.size())) return true;
         }
