@@ -50,6 +50,7 @@ std::shared_ptr<const Prepared> prepare(const Graph::Parts& parts, bool vertex_t
     MaterialOptions options;
     options.given_differentials = true;
     options.vertex_tangents = vertex_tangents;
+    options.runs_calls = "eval";
     const Compiled compiled =
         compile_or_check(parts.project, parts.library->registry, options, problems);
     if (!compiled.ok) return prepared;
