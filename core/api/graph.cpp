@@ -51,6 +51,7 @@ std::shared_ptr<const Prepared> prepare(const Graph::Parts& parts, bool vertex_t
     options.given_differentials = true;
     options.runs_calls = "evaluate";
     options.vertex_tangents = vertex_tangents;
+    options.runs_calls = "eval";
     const Compiled compiled =
         compile_or_check(parts.project, parts.library->registry, options, problems);
     if (!compiled.ok) return prepared;

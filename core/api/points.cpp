@@ -66,7 +66,7 @@ PointSet point_set(const Points& points, const Program& program, bool single,
     }
     if (single && !diagnostics.has_errors())
         for (const BeyondFloat& each : beyond_float(program, set))
-            diagnostics.error(at_point(each.point, each.message), "double precision does");
+            diagnostics.error(at_point(each.point, each.message()), "double precision does");
     return set;
 }
 

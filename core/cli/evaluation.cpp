@@ -11,7 +11,7 @@ bool within_float(const std::vector<Point>& points, const PointSet& set, const P
                   Diagnostics& diagnostics) {
     const std::vector<BeyondFloat> beyond = beyond_float(program, set);
     for (const BeyondFloat& each : beyond)
-        report_at(points[each.point].source, points[each.point].name + ": " + each.message,
+        report_at(points[each.point].source, points[each.point].name + ": " + each.message(),
                   "--precision double does", diagnostics);
     return beyond.empty();
 }

@@ -50,15 +50,18 @@ std::vector<OutputColumn> evaluate_columns(const Program& program, const PointSe
     return columns;
 }
 
+std::string BeyondFloat::message() const {
+    return "'" + name_of(input) + "' holds " + shortest(value) +
+           ", which single precision does not";
+}
+
 std::vector<BeyondFloat> beyond_float(const Program& program, const PointSet& points) {
     std::vector<BeyondFloat> found;
     for (const InputNeed& need : needed_inputs(program)) {
         const std::vector<double>& values = points.at(need.input, need.variant);
         for (size_t i = 0; i < values.size(); ++i)
             if (!std::isfinite(static_cast<float>(values[i])))
-                found.push_back({i / lanes_of(need), "'" + name_of(need) + "' holds " +
-                                                         shortest(values[i]) +
-                                                         ", which single precision does not"});
+                found.push_back({i / lanes_of(need), need, values[i]});
     }
     return found;
 }

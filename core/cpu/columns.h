@@ -35,7 +35,10 @@ std::vector<OutputColumn> evaluate_columns(const Program& program, const PointSe
 // A needed number beyond float: in single precision it is infinite, which no surface has.
 struct BeyondFloat {
     size_t point = 0;
-    std::string message;  // "'uv0' holds 1e+40, which single precision does not"
+    InputNeed input;
+    double value = 0;
+
+    std::string message() const;  // "'uv0' holds 1e+40, which single precision does not"
 };
 std::vector<BeyondFloat> beyond_float(const Program& program, const PointSet& points);
 

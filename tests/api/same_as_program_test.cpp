@@ -3,6 +3,7 @@
 #include <map>
 
 #include "api/support.h"
+#include "bench/graphs.h"
 #include "json/parse.h"
 #include "json/write.h"
 #include "support/samples.h"
@@ -179,6 +180,20 @@ TEST(SameProblems, OfCompilingToo) {
     EXPECT_FALSE(refused.ok);
     EXPECT_EQ(refused.source, "");
     EXPECT_EQ(to_text(refused.problems), run_wrinkle({"compile", file, "--strict"}).err);
+}
+
+// Thirty levels of sub-graphs are a text, and more calls than numbers can be made with.
+TEST(SameProblems, OfTooManyCalls) {
+    const TemporaryFolder folder;
+    for (int level = 0; level <= 30; ++level)
+        folder.put("level_" + std::to_string(level) + ".json", bench::nested_level(level));
+    const std::string file = folder.put("top.json", bench::nested_top(30));
+    const Graph graph = library().load(file);
+    EXPECT_EQ(graph.compile({}).source, run_wrinkle({"compile", file}).out);
+    const Evaluated refused = graph.evaluate({1, {}});
+    EXPECT_FALSE(refused.ok);
+    EXPECT_TRUE(says(refused.problems, "2147483647 calls")) << to_text(refused.problems);
+    EXPECT_EQ(to_text(refused.problems), run_wrinkle({"eval", file, "--at", "{}"}).err);
 }
 
 // Surface points as `eval --at` takes them.

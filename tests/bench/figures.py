@@ -33,16 +33,18 @@ MATERIALX = {
 }
 
 
-def bench(folder, arguments):
-    """{family: {size or name: its entry}} and whether nothing failed."""
+def bench(folder, arguments, run_type=None):
+    """{family: {size or name: its entry}}, medians where there are several; with "iteration" all."""
     out = subprocess.run([os.path.join(folder, "wrinkle_bench"), "--benchmark_format=json",
                           *arguments], check=True, capture_output=True, text=True).stdout
     entries = {}
     for entry in json.loads(out)["benchmarks"]:
-        if entry["run_type"] == "aggregate" and entry["aggregate_name"] != "median":
-            continue
         family, rest = entry["run_name"].split("/", 1)
-        entries.setdefault(family, {})[int(rest) if rest.isdigit() else rest] = entry
+        sizes, size = entries.setdefault(family, {}), int(rest) if rest.isdigit() else rest
+        if run_type == entry["run_type"]:
+            sizes.setdefault(size, []).append(entry)
+        elif not run_type and entry.get("aggregate_name", "median") == "median":
+            sizes[size] = entry
     return entries
 
 
@@ -90,29 +92,44 @@ def whole_process(folder, rounds):
           f"(at most 10); MaterialX {MATERIALX['process'][2]}")
 
 
-def peers(entries):
-    """{peer: {layers: entry}}, measured now; what npm installs is kept in build/peers."""
+def script_times(script, work):
+    """A name, and {layers: milliseconds} as median and least."""
+    out = subprocess.run(["node", script], cwd=work, check=True, capture_output=True,
+                         text=True).stdout
+    lines = [json.loads(line) for line in out.splitlines() if line.startswith("{")]
+    for line in lines:
+        if line["reads"] < line["layers"]:
+            sys.exit(f"{script}: {line['layers']} layers are read {line['reads']} times")
+    return f"{lines[0]['peer']} {lines[0]['version']}", {
+        line["layers"]: (line["ms"], line["least"]) for line in lines}
+
+
+def our_times(folder):
+    out = bench(folder, ["--benchmark_filter=normal_maps/(2|10|100)$", "--benchmark_min_time=0.05",
+                         "--benchmark_repetitions=9"], "iteration")["normal_maps"]
+    times = {size: [entry["real_time"] for entry in entries] for size, entries in out.items()}
+    return "Wrinkle", {size: (statistics.median(t), min(t)) for size, t in times.items()}
+
+
+def peers(folder):
+    """By turns, so that what else the machine does meets all; npm installs into build/peers."""
     work = os.path.join(HERE, "../../build/peers")
     os.makedirs(work, exist_ok=True)
     for name in os.listdir(os.path.join(HERE, "peers")):
         shutil.copy(os.path.join(HERE, "peers", name), work)
     subprocess.run(["npm", "ci", "--no-audit", "--no-fund", "--silent"], cwd=work, check=True)
-    sizes = (2, 10, 100)
-    print(f"\n{'beside, in this run':38}" + "".join(f"{size:>18,}" for size in sizes) + "  layers")
-    ours = [entries["normal_maps"][size]["real_time"] for size in sizes]
-    print(f"{'Wrinkle':38}" + "".join(f"{t:12.3f}      " for t in ours))
-    for script in ("three.mjs", "babylon.mjs"):
-        out = subprocess.run(["node", script], cwd=work, check=True, capture_output=True,
-                             text=True).stdout
-        lines = [json.loads(line) for line in out.splitlines() if line.startswith("{")]
-        for line in lines:
-            if line["reads"] < line["layers"]:
-                sys.exit(f"{script}: {line['layers']} layers are read {line['reads']} times")
-        title = f"{lines[0]['peer']} {lines[0]['version']}"
-        cells = [f"{line['ms']:9.2f} {line['ms'] / t:6.1f}x " for line, t in zip(lines, ours)]
-        least = [f"{line['least']:9.2f} {'':7} " for line in lines]
-        print(f"{title:38}" + "".join(f"{cell:>18}" for cell in cells))
-        print(f"{'  the least of its times':38}" + "".join(f"{cell:>18}" for cell in least))
+    rounds = {}
+    for _ in range(3):
+        for name, times in (our_times(folder), script_times("three.mjs", work),
+                            script_times("babylon.mjs", work)):
+            rounds.setdefault(name, []).append(times)
+    for which, title in ((0, "by turns in this run, medians"), (1, "the least times")):
+        print(f"\n{title:38}" + "".join(f"{size:>18,}" for size in (2, 10, 100)) + "  layers")
+        best = {name: {size: (min if which else statistics.median)(t[size][which] for t in turns)
+                       for size in (2, 10, 100)} for name, turns in rounds.items()}
+        for name, times in best.items():
+            cells = (f"{t:9.3f} {t / best['Wrinkle'][size]:6.1f}x" for size, t in times.items())
+            print(f"{name:38}" + "".join(f"{cell:>18}" for cell in cells))
 
 
 def main():
@@ -134,7 +151,7 @@ def main():
     print_samples(entries)
     whole_process(folder, 3 if quick else 100)
     if "--peers" in sys.argv:
-        peers(entries)
+        peers(folder)
     failed = [entry["error_message"] for family in entries.values() for entry in family.values()
               if "error_occurred" in entry]
     if failed and quick:
