@@ -5,22 +5,11 @@
 #include <cmath>
 
 #include "ir/fold.h"
-#include "ir/packed.h"
 #include "ir/simplify.h"
 #include "ir/typing.h"
 
 namespace wrinkle {
 namespace {
-
-// At most three quarters of the table are taken: a larger one is out of reach of the caches sooner.
-bool is_full(size_t taken, size_t slots) {
-    return taken * 4 > slots * 3;
-}
-
-size_t slots_for(size_t expected) {
-    const size_t slots = std::bit_ceil(std::max<size_t>(expected, 128));
-    return is_full(expected, slots) ? slots * 2 : slots;
-}
 
 bool is_variadic_list(Op op) {
     return op == Op::loop_ || op == Op::call_;
@@ -79,7 +68,7 @@ std::string base_in_words(const Module& m, Id base) {
 
 }  // namespace
 
-Module::Module(size_t expected) : slots_(slots_for(expected), poison) {
+Module::Module(size_t expected) : table_(expected) {
     inst_.reserve(expected);
     origin.reserve(expected);
     inst_.push_back({});
@@ -96,27 +85,11 @@ Id Module::intern(const Inst& inst) {
 }
 
 Id Module::intern(const PackedInst& inst) {
-    const size_t mask = slots_.size() - 1;
-    size_t slot = hash_of(inst) & mask;
-    for (; slots_[slot] != poison; slot = (slot + 1) & mask)
-        if (packed(inst_[slots_[slot]]) == inst) return slots_[slot];
-    const Id id = size();
-    slots_[slot] = id;
+    if (const Id known = table_.find(inst, inst_)) return known;
     inst_.push_back(unpacked(inst));
     origin.push_back(current_node);
-    if (is_full(inst_.size(), slots_.size())) grow_table();
-    return id;
-}
-
-void Module::grow_table() {
-    slots_.assign(slots_.size() * 2, poison);
-    const size_t mask = slots_.size() - 1;
-    for (Id id = 1; id < size(); ++id) {
-        size_t slot = hash_of(packed(inst_[id])) & mask;
-        while (slots_[slot] != poison)
-            slot = (slot + 1) & mask;
-        slots_[slot] = id;
-    }
+    table_.add(inst, inst_);
+    return size() - 1;
 }
 
 uint32_t Module::intern_list(std::span<const Id> ids) {

@@ -43,25 +43,10 @@
 #include <vector>
 
 #include "base/texture_options.h"
-#include "ir/op.h"
+#include "ir/intern_table.h"
 #include "ir/open_input.h"
 
 namespace wrinkle {
-
-struct PackedInst;
-
-using Id = uint32_t;
-inline constexpr Id poison = 0;
-
-struct Inst {
-    Op op = Op::poison_;
-    Type type = Type::poison_;
-    uint8_t level = 0;
-    std::array<Id, 4> arg{};  // unused ones 0; of loop and call: arg[0] is an index into lists
-    uint32_t extra = 0;       // see the comments of the op table
-    double value = 0;         // of a literal
-    bool operator==(const Inst&) const = default;
-};
 
 // `extra` of an input: which surface input, and the value itself or its change to the next pixel.
 // The change of `position` in shaders is taken from a camera-relative position in object axes, for
@@ -263,7 +248,6 @@ private:
     };
     Id intern(const PackedInst& inst);
     Id intern(const Inst& inst);
-    void grow_table();
     bool has_constant_parts(Id construct) const;
     bool has_literal_parts(Id construct, double value) const;
     uint32_t intern_list(std::span<const Id> ids);
@@ -280,7 +264,7 @@ private:
     uint32_t intern_region(Region region, const RegionBody& body);
 
     std::vector<Inst> inst_;
-    std::vector<Id> slots_;  // open addressing; poison is free
+    InternTable table_;
     std::vector<std::vector<Id>> lists_;
     std::map<std::vector<Id>, uint32_t> list_table_;
     std::vector<Region> regions_;  // [0] is none

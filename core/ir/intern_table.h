@@ -1,14 +1,19 @@
-// An instruction as the table of a module tells it apart: in four words, literals by their bits (-0
-// and 0 are two). For core/ir/module.cpp alone.
+// Which instruction of a module is equal to one at hand.
+//
+// An instruction is found by the newest of its operands: a few that read a value stand in a chain
+// of that value. Mostly it was made just now, and its chain with it, so what is looked at is in the
+// nearest cache, however large the module. Leaves, loops, calls and the many readers of one value
+// stand in a hash table.
 #pragma once
 
 #include <bit>
-#include <cstdint>
+#include <vector>
 
-#include "ir/module.h"
+#include "ir/inst.h"
 
 namespace wrinkle {
 
+// An instruction in the four words that tell it apart: literals by their bits, -0 and 0 are two.
 struct PackedInst {
     uint64_t head = 0, args = 0, more_args = 0, value = 0;
     bool operator==(const PackedInst&) const = default;
@@ -40,13 +45,26 @@ inline Inst unpacked(const PackedInst& p) {
             std::bit_cast<double>(p.value)};
 }
 
-// Multilinear, then mixed downwards: literals differ in the highest bits of their value alone, and
-// a slot is taken from the lowest bits.
-inline uint64_t hash_of(const PackedInst& p) {
-    uint64_t h = p.head * 0x9E3779B97F4A7C15U + p.args * 0xC2B2AE3D27D4EB4FU +
-                 p.more_args * 0x165667B19E3779F9U + std::rotl(p.value, 32) * 0xD6E8FEB86659FD93U;
-    h = (h ^ h >> 32) * 0xFF51AFD7ED558CCDU;
-    return h ^ h >> 29;
-}
+class InternTable {
+public:
+    explicit InternTable(size_t expected);  // instructions, to make room for
+
+    // The equal one among `inst`, all of which are in here; poison where there is none.
+    Id find(const PackedInst& wanted, const std::vector<Inst>& inst) const;
+    // The last of `inst`, which find() did not find.
+    void add(const PackedInst& added, const std::vector<Inst>& inst);
+
+private:
+    struct Readers {
+        Id newest = poison;  // of those that have this value as their newest operand
+        Id next = poison;    // in the chain that this one stands in
+    };
+    void add_to_slots(const PackedInst& added, Id id);
+    void grow(const std::vector<Inst>& inst);
+
+    std::vector<Readers> readers_;  // by Id
+    std::vector<Id> slots_;         // open addressing; poison is free
+    size_t taken_ = 0;
+};
 
 }  // namespace wrinkle

@@ -1,0 +1,24 @@
+// One instruction; what it means stands on top of ir/module.h.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "ir/op.h"
+
+namespace wrinkle {
+
+using Id = uint32_t;
+inline constexpr Id poison = 0;
+
+struct Inst {
+    Op op = Op::poison_;
+    Type type = Type::poison_;
+    uint8_t level = 0;
+    std::array<Id, 4> arg{};  // unused ones 0; of loop and call: arg[0] is an index into lists
+    uint32_t extra = 0;       // see the comments of the op table
+    double value = 0;         // of a literal
+    bool operator==(const Inst&) const = default;
+};
+
+}  // namespace wrinkle
