@@ -191,9 +191,9 @@ void Body::statements(std::span<const Id> ids, int indent, uint32_t next) {
 }
 
 void Body::assign(Id id, int indent, bool single) {
-    ValueState& state = values_.state[id];
-    state.name = locals_.unique(state.name);
-    line_.assign(info(m_.type(id)).name).append(" ").append(state.name).append(" = ");
+    std::string& name = values_.name(id);
+    name = locals_.unique(name);
+    line_.assign(info(m_.type(id)).name).append(" ").append(name).append(" = ");
     write_definition(context_, id, line_);
     line_ += ';';
     commented_line(indent, line_, group_of(plan_, values_, id), single);
@@ -206,7 +206,7 @@ std::vector<std::string> Body::name_members(Id tuple) {
         const std::string nobody = path.empty() ? "state" : path + "_state";
         names.push_back(
             locals_.unique(member == poison ? nobody : wanted_name(plan_, values_, member)));
-        values_.state[member].name = names.back();
+        values_.name(member) = names.back();
     }
     return names;
 }

@@ -106,7 +106,7 @@ void Writer::plainly(Id id) {
     if (plan_.role(id) == Role::view) return view(id);
     const ValueState& state = context_.values.state[id];
     if (state.statement)
-        text_ += state.name;
+        text_ += context_.values.name(id);
     else
         define(id);
 }
@@ -166,7 +166,7 @@ void Writer::leaf(Id id) {
 void Writer::view(Id id) {
     const Inst& inst = m_[id];
     if (inst.op == Op::result_) {
-        text_ += context_.values.state[id].name;
+        text_ += context_.values.name(id);
         return;
     }
     read(plan_.plain(inst.arg[0]), postfix);

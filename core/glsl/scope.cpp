@@ -69,7 +69,7 @@ uint32_t Folder::width_of(Id id) {
     if (plan_.role(target) == Role::leaf) return leaf_width(plan_, target) + suffix;
     if (plan_.role(target) == Role::view) return loop_state_width + suffix;
     const ValueState& s = state(target);
-    return (s.statement ? static_cast<uint32_t>(s.name.size()) : s.width) + suffix;
+    return (s.statement ? static_cast<uint32_t>(name_of(target).size()) : s.width) + suffix;
 }
 
 uint8_t Folder::depth_of(Id id) {
@@ -107,7 +107,7 @@ void Folder::make_statement(Id id) {
 
 // Decided once: what it is shared by, and so its name, is known before.
 const std::string& Folder::name_of(Id id) {
-    std::string& name = state(id).name;
+    std::string& name = values_.name(id);
     if (name.empty()) name = wanted_name(plan_, values_, id);
     return name;
 }
@@ -213,7 +213,7 @@ Scope collect(const Plan& plan, Values& values, std::span<const Id> roots, int l
                 continue;
             }
             if (values.state[id].epoch == scope.epoch) continue;
-            values.state[id] = ValueState{.epoch = scope.epoch, .shared = true, .name = {}};
+            values.state[id] = ValueState{.epoch = scope.epoch, .shared = true};
             stack.push_back({id, true});
             const auto operands = plan.operands(id);
             for (size_t k = operands.size(); k-- > 0;)

@@ -26,14 +26,26 @@ struct ValueState {
     bool captured = false;   // by a loop
     bool implicit = false;   // its folded text takes implicit derivatives
     bool shared = false;     // read by temporaries of the surface point only
-    std::string name;        // of a temporary: wanted, then final
+    uint32_t name = 0;       // in Values::names; 0: none yet
 };
 
 // The values of a module; a scope overwrites the states of what it computes, and of nothing else.
 struct Values {
     explicit Values(const Plan& plan)
         : state(plan.module().size()), group_numbers(plan.module().nodes.size() + 1) {}
+    // Of a temporary: wanted, then final.
+    std::string& name(Id id) {
+        uint32_t& place = state[id].name;
+        if (place == 0) {
+            place = static_cast<uint32_t>(names.size());
+            names.emplace_back();
+        }
+        return names[place];
+    }
+    const std::string& name(Id id) const { return names[state[id].name]; }
+
     std::vector<ValueState> state;        // by Id
+    std::vector<std::string> names{1};    // of the few that have one
     std::vector<uint32_t> group_numbers;  // zeros: memory of schedule()
     uint32_t epoch = 0;
     bool anonymous = false;  // a helper function, shared by nodes: no node's names or comments
