@@ -15,10 +15,10 @@
 namespace wrinkle::test {
 namespace {
 
-constexpr size_t point_count = 200;
+constexpr size_t points_of_a_project = 200;
 
 const PointSet& points() {
-    static const PointSet set = certify::random_points(point_count, 5, {0, 1});
+    static const PointSet set = certify::random_points(points_of_a_project, 5, {0, 1});
     return set;
 }
 
@@ -285,7 +285,7 @@ TEST_F(FunctionParity, OfRandomProjects) {
                 "");
         }
     }
-    EXPECT_GE(values, 12 * point_count);
+    EXPECT_GE(values, 12 * points_of_a_project);
 }
 
 }  // namespace
