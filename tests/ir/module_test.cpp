@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <limits>
+#include <set>
 
 #include "ir/support.h"
 
@@ -39,6 +40,24 @@ TEST_F(ModuleTest, EqualExpressionsAreOneValue) {
     EXPECT_EQ(m.size(), size);
     EXPECT_NE(add(Op::sub_, {f, g}), once);
     EXPECT_NE(m.input(SurfaceInput::uv0_, Variant::dx), uv);
+}
+
+// More readers than a chain holds go into the hash table, which grows meanwhile.
+TEST_F(ModuleTest, EqualOnesAreFoundAmongManyReadersOfOneValue) {
+    constexpr size_t readers = 5000;
+    std::vector<Id> numbers, sums;
+    for (size_t i = 0; i < readers; ++i)
+        numbers.push_back(m.number(static_cast<double>(i) + 2));
+    const Id x = m.component(m.input(SurfaceInput::uv0_), 0);
+    for (const Id number : numbers)
+        sums.push_back(m.add(Op::add_, {x, number}));
+    const uint32_t size = m.size();
+    EXPECT_EQ(std::set<Id>(sums.begin(), sums.end()).size(), readers);
+    for (size_t i = 0; i < readers; ++i) {
+        EXPECT_EQ(m.add(Op::add_, {x, numbers[i]}), sums[i]);
+        EXPECT_EQ(m.number(static_cast<double>(i) + 2), numbers[i]);
+    }
+    EXPECT_EQ(m.size(), size);
 }
 
 TEST_F(ModuleTest, WrittenOrderIsKept) {
