@@ -39,9 +39,9 @@ const std::map<std::string, Names, std::less<>> allowed = {
       "list of nodes", "cli11", "glm",  "tbb",   "contract"}},
     {"nodes", {"sdk"}},
     {"plugins", {"sdk"}},
-    {"editor",
-     {"base", "json", "ir", "graph", "registry", "lower", "glsl", "spirv", "cpu", "image", "mesh",
-      "gpu", "bake", "cost", "contract", "list of nodes", "glm", "gl", "imgui", "cli11"}},
+    {"editor", {"base",     "json",          "ir",    "graph", "registry", "lower", "glsl",
+                "spirv",    "cpu",           "image", "mesh",  "gpu",      "bake",  "cost",
+                "contract", "list of nodes", "glm",   "gl",    "imgui",    "cli11"}},
 };
 
 // Libraries by how their headers are spelled.
