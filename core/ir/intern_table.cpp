@@ -1,6 +1,7 @@
 #include "ir/intern_table.h"
 
 #include <algorithm>
+#include <bit>
 #include <utility>
 
 namespace wrinkle {
@@ -8,81 +9,78 @@ namespace {
 
 constexpr int longest_chain = 8;
 
+bool identical(const Inst& a, const Inst& b) {
+    return a.op == b.op && a.type == b.type && a.level == b.level && a.extra == b.extra &&
+           a.arg == b.arg && std::bit_cast<uint64_t>(a.value) == std::bit_cast<uint64_t>(b.value);
+}
+
 // Multilinear, then mixed downwards: literals differ in the highest bits of their value alone, and
 // a slot is taken from the lowest bits.
-uint64_t hash_of(const PackedInst& p) {
-    uint64_t h = p.head * 0x9E3779B97F4A7C15U + p.args * 0xC2B2AE3D27D4EB4FU +
-                 p.more_args * 0x165667B19E3779F9U + std::rotl(p.value, 32) * 0xD6E8FEB86659FD93U;
+uint64_t hash_of(const Inst& inst) {
+    const uint64_t head = static_cast<uint64_t>(inst.op) | static_cast<uint64_t>(inst.type) << 16 |
+                          static_cast<uint64_t>(inst.level) << 24 |
+                          static_cast<uint64_t>(inst.extra) << 32;
+    const uint64_t args = inst.arg[0] | static_cast<uint64_t>(inst.arg[1]) << 32;
+    const uint64_t more_args = inst.arg[2] | static_cast<uint64_t>(inst.arg[3]) << 32;
+    uint64_t h = head * 0x9E3779B97F4A7C15U + args * 0xC2B2AE3D27D4EB4FU +
+                 more_args * 0x165667B19E3779F9U +
+                 std::rotl(std::bit_cast<uint64_t>(inst.value), 32) * 0xD6E8FEB86659FD93U;
     h = (h ^ h >> 32) * 0xFF51AFD7ED558CCDU;
     return h ^ h >> 29;
 }
 
-// Half of the table is taken at most.
-bool is_full(size_t taken, size_t slots) {
-    return taken * 2 > slots;
-}
-
 // Poison where there is none: operands of loops and calls stand in a list.
-Id newest_operand(const PackedInst& inst) {
-    const Op op = unpacked(inst).op;
-    if (op == Op::loop_ || op == Op::call_) return poison;
-    const auto newest = [](uint64_t pair) {
-        return std::max(static_cast<Id>(pair), static_cast<Id>(pair >> 32));
-    };
-    return std::max(newest(inst.args), newest(inst.more_args));
+Id newest_operand(const Inst& inst) {
+    if (inst.op == Op::loop_ || inst.op == Op::call_) return poison;
+    return std::max(std::max(inst.arg[0], inst.arg[1]), std::max(inst.arg[2], inst.arg[3]));
 }
 
 }  // namespace
 
-// A quarter of what there is are leaves, about.
+// A quarter of what there is are leaves, about, and half of the slots are taken at most.
 InternTable::InternTable(size_t expected)
     : slots_(std::bit_ceil(std::max<size_t>(expected / 2, 128)), poison) {
     readers_.reserve(expected);
 }
 
-Id InternTable::find(const PackedInst& wanted, const std::vector<Inst>& inst) const {
+Id InternTable::intern(const Inst& wanted, std::vector<Inst>& inst) {
     if (const Id operand = newest_operand(wanted)) {
         int looks = 0;
         for (Id id = readers_[operand].newest; id != poison; id = readers_[id].next, ++looks)
-            if (packed(inst[id]) == wanted) return id;
-        if (looks < longest_chain) return poison;
-    }
-    const size_t mask = slots_.size() - 1;
-    for (size_t slot = hash_of(wanted) & mask; slots_[slot] != poison; slot = (slot + 1) & mask)
-        if (packed(inst[slots_[slot]]) == wanted) return slots_[slot];
-    return poison;
-}
-
-void InternTable::add(const PackedInst& added, const std::vector<Inst>& inst) {
-    const auto id = static_cast<Id>(inst.size() - 1);
-    readers_.resize(inst.size());
-    if (const Id operand = newest_operand(added)) {
-        int length = 0;
-        for (Id reader = readers_[operand].newest; reader != poison; reader = readers_[reader].next)
-            ++length;
-        if (length < longest_chain) {
-            readers_[id].next = readers_[operand].newest;
-            readers_[operand].newest = id;
-            return;
+            if (identical(inst[id], wanted)) return id;
+        if (looks < longest_chain) {
+            const Id id = append(wanted, inst);
+            readers_[id].next = std::exchange(readers_[operand].newest, id);
+            return id;
         }
     }
-    add_to_slots(added, id);
-    if (is_full(++taken_, slots_.size())) grow(inst);
+    Id& slot = slot_of(wanted, inst);
+    if (slot != poison) return slot;
+    const Id id = slot = append(wanted, inst);
+    if (++taken_ * 2 > slots_.size()) grow(inst);
+    return id;
 }
 
-void InternTable::add_to_slots(const PackedInst& added, Id id) {
+Id InternTable::append(const Inst& added, std::vector<Inst>& inst) {
+    inst.push_back(added);
+    readers_.push_back({});
+    return static_cast<Id>(inst.size() - 1);
+}
+
+// That of an equal one, or the free one for it.
+Id& InternTable::slot_of(const Inst& wanted, const std::vector<Inst>& inst) {
     const size_t mask = slots_.size() - 1;
-    size_t slot = hash_of(added) & mask;
-    while (slots_[slot] != poison)
+    size_t slot = hash_of(wanted) & mask;
+    while (slots_[slot] != poison && !identical(inst[slots_[slot]], wanted))
         slot = (slot + 1) & mask;
-    slots_[slot] = id;
+    return slots_[slot];
 }
 
 void InternTable::grow(const std::vector<Inst>& inst) {
     const std::vector<Id> before =
         std::exchange(slots_, std::vector<Id>(slots_.size() * 2, poison));
     for (const Id id : before)
-        if (id != poison) add_to_slots(packed(inst[id]), id);
+        if (id != poison) slot_of(inst[id], inst) = id;
 }
 
 }  // namespace wrinkle

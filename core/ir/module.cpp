@@ -1,7 +1,6 @@
 #include "ir/module.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 
 #include "ir/fold.h"
@@ -81,15 +80,9 @@ Module::Module(size_t expected) : table_(expected) {
 }
 
 Id Module::intern(const Inst& inst) {
-    return intern(packed(inst));
-}
-
-Id Module::intern(const PackedInst& inst) {
-    if (const Id known = table_.find(inst, inst_)) return known;
-    inst_.push_back(unpacked(inst));
-    origin.push_back(current_node);
-    table_.add(inst, inst_);
-    return size() - 1;
+    const Id id = table_.intern(inst, inst_);
+    if (id == origin.size()) origin.push_back(current_node);
+    return id;
 }
 
 uint32_t Module::intern_list(std::span<const Id> ids) {
@@ -131,7 +124,7 @@ Id Module::add(Op op, std::span<const Id> args, uint32_t extra, Type type) {
     if (const Id simpler = simplified(*this, op, args, extra, type)) return simpler;
     if (type == Type::gradient_ && !set_base(op, args, extra)) return poison;
     const auto arg = [&](size_t i) { return i < args.size() ? args[i] : poison; };
-    return intern(packed(op, type, level, extra, arg(0), arg(1), arg(2), arg(3), 0));
+    return intern({op, type, level, {arg(0), arg(1), arg(2), arg(3)}, extra, 0});
 }
 
 Id Module::add_known(const Inst& known, std::span<const Id> args, uint32_t extra) {
@@ -139,7 +132,7 @@ Id Module::add_known(const Inst& known, std::span<const Id> args, uint32_t extra
     const std::array<uint8_t, 4> levels{inst_[arg(0)].level, inst_[arg(1)].level,
                                         inst_[arg(2)].level, inst_[arg(3)].level};
     const uint8_t level = *std::max_element(levels.begin(), levels.end());
-    return intern(packed(known.op, known.type, level, extra, arg(0), arg(1), arg(2), arg(3), 0));
+    return intern({known.op, known.type, level, {arg(0), arg(1), arg(2), arg(3)}, extra, 0});
 }
 
 // Why it is not; of poison among the operands nothing is said.
@@ -231,8 +224,11 @@ bool Module::set_base(Op op, std::span<const Id> args, uint32_t& extra) {
 }
 
 Id Module::literal(Type scalar, double value) {
-    return intern(packed(Op::literal_, scalar, 0, 0, poison, poison, poison, poison,
-                         representable(scalar, value)));
+    Inst inst;
+    inst.op = Op::literal_;
+    inst.type = scalar;
+    inst.value = representable(scalar, value);
+    return intern(inst);
 }
 
 Id Module::constant(Type type, std::span<const double> lanes) {

@@ -246,7 +246,6 @@ private:
         std::string name;
         std::vector<Type> params;
     };
-    Id intern(const PackedInst& inst);
     Id intern(const Inst& inst);
     bool has_constant_parts(Id construct) const;
     bool has_literal_parts(Id construct, double value) const;
