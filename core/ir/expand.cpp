@@ -308,6 +308,13 @@ Id finish(void* context, Module& target, const Module& source, Id id, std::span<
     return (v * inversesqrt(dot(v, v))).id;
 }
 
+// A number as a literal of its value; poison of a graph input, which stays.
+Id baked(Module& target, const Parameter& parameter) {
+    if (parameter.graph_input) return poison;
+    return target.constant(parameter.type,
+                           std::span(parameter.value.data(), info(parameter.type).lanes));
+}
+
 struct Settler {
     const ExpandOptions& options;
     const Parameters parameters;
@@ -319,7 +326,7 @@ Id settle_one(void* context, Module& target, const Module& source, Id id,
     const Inst& inst = source[id];
     const auto& settler = *static_cast<const Settler*>(context);
     if (inst.op == Op::parameter_ && settler.parameters == Parameters::baked)
-        return baked_parameter(target, inst.extra);
+        return baked(target, target.parameters[inst.extra]);
     if (inst.op != Op::frame_) return poison;
     return target.add(Op::frame_, mapped,
                       settled_frame(target, inst.extra, settler.facts.dependencies(inst.arg[0]),

@@ -19,8 +19,8 @@ struct ExpandOptions {
 };
 
 // Decides the method of every frame and the uv set it belongs to, and reports a method that does
-// not fit its scale. Parameters may be baked in the same pass, and not before: frames and errors
-// never depend on a value.
+// not fit its scale. Parameters, but graph inputs, may be baked into literals in the same pass and
+// not before: frames and errors never depend on a value.
 enum class Parameters : uint8_t { kept, baked };
 Module settle_frames(Module source, const ExpandOptions& options,
                      Parameters parameters = Parameters::kept);

@@ -12,10 +12,6 @@
 namespace wrinkle {
 namespace {
 
-Id bake(void*, Module& target, const Module& source, Id id, std::span<const Id>) {
-    return source[id].op == Op::parameter_ ? baked_parameter(target, source[id].extra) : poison;
-}
-
 // Smaller footprints than a millionth of a texel are the finest level too.
 constexpr double smallest_footprint = 9.094947017729282e-13;  // 2^-40
 
@@ -132,17 +128,6 @@ Module rebuild(Module&& source, Replace replace, void* context) {
 
 Module rebuild(const Module& source, Replace replace, void* context) {
     return rebuild(Module(source), replace, context);
-}
-
-Id baked_parameter(Module& module, uint32_t index) {
-    const Parameter& parameter = module.parameters[index];
-    if (parameter.graph_input) return poison;
-    return module.constant(parameter.type,
-                           std::span(parameter.value.data(), info(parameter.type).lanes));
-}
-
-Module bake_parameters(Module source) {
-    return rebuild(std::move(source), bake, nullptr);
 }
 
 Module explicit_lod(Module source) {

@@ -31,10 +31,6 @@ using Replace = Id (*)(void* context, Module& target, const Module& source, Id i
 Module rebuild(Module&& source, Replace replace, void* context);
 Module rebuild(const Module& source, Replace replace, void* context);
 
-// Parameters (but graph inputs) become literals of their value.
-Module bake_parameters(Module source);
-Id baked_parameter(Module& module, uint32_t index);  // poison of a graph input
-
 // lod = 0.5 log2(max(|size*duv/dx|^2, |size*duv/dy|^2, 2^-40)) of a resource, from the uv's change
 // to the next pixels.
 Id sample_lod_of(Module& module, uint32_t resource, Id uv_dx, Id uv_dy);

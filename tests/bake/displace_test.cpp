@@ -9,23 +9,13 @@
 #include "lower/material.h"
 #include "mesh/shapes.h"
 #include "mesh/subdivide.h"
-#include "nodes/all.h"
 #include "support/angle.h"
+#include "support/linked_nodes.h"
 
 namespace wrinkle::test {
 namespace {
 
 using glm::dvec3;
-
-const Registry& registry() {
-    static const Registry made = [] {
-        Registry nodes;
-        Diagnostics diagnostics;
-        EXPECT_TRUE(nodes.add_plugin(built_in_nodes(), Registry::built_in, diagnostics));
-        return nodes;
-    }();
-    return made;
-}
 
 // Outputs "displacement" and "normal", of one height "h.height" that these nodes make.
 Module module_of(const std::string& nodes) {
@@ -38,7 +28,7 @@ Module module_of(const std::string& nodes) {
                                          WRINKLE_SOURCE_DIR "/graphs", {}, diagnostics);
     MaterialOptions options;
     options.given_differentials = true;
-    const Compiled compiled = compile_material(project, registry(), options, diagnostics);
+    const Compiled compiled = compile_material(project, linked_nodes(), options, diagnostics);
     EXPECT_TRUE(compiled.ok) << to_text(diagnostics);
     return compiled.module;
 }

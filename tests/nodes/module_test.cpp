@@ -7,26 +7,16 @@
 #include "glsl/emit.h"
 #include "graph/subgraph.h"
 #include "lower/material.h"
-#include "nodes/all.h"
 #include "nodes/plane.h"
 #include "registry/plugin_loader.h"
 #include "registry/reference.h"
+#include "support/linked_nodes.h"
 
 namespace wrinkle::test {
 namespace {
 
 namespace fs = std::filesystem;
 const fs::path graphs = fs::path(WRINKLE_SOURCE_DIR) / "graphs";
-
-const Registry& linked() {
-    static const Registry registry = [] {
-        Registry made;
-        Diagnostics diagnostics;
-        EXPECT_TRUE(made.add_plugin(built_in_nodes(), Registry::built_in, diagnostics));
-        return made;
-    }();
-    return registry;
-}
 
 const Registry& loaded() {
     static const Registry registry = [] {
@@ -55,27 +45,27 @@ std::string glsl(const Project& project, const Registry& registry, bool uniform,
 void expect_same(const Project& project, const std::string& name) {
     for (const bool uniform : {false, true})
         for (const bool given : {false, true}) {
-            const std::string text = glsl(project, linked(), uniform, given);
+            const std::string text = glsl(project, linked_nodes(), uniform, given);
             EXPECT_NE(text, "") << name;
             EXPECT_EQ(glsl(project, loaded(), uniform, given), text) << name;
         }
 }
 
 TEST(NodesAsAPlugin, HaveTheSameDescriptors) {
-    EXPECT_EQ(loaded().ids(), linked().ids());
-    EXPECT_EQ(graph_schema(loaded()), graph_schema(linked()));
-    EXPECT_EQ(list_markdown(loaded()), list_markdown(linked()));
+    EXPECT_EQ(loaded().ids(), linked_nodes().ids());
+    EXPECT_EQ(graph_schema(loaded()), graph_schema(linked_nodes()));
+    EXPECT_EQ(list_markdown(loaded()), list_markdown(linked_nodes()));
     std::string with_origins = list_json(loaded());
     const std::string path = WRINKLE_NODES_MODULE;
     for (size_t at = 0; (at = with_origins.find(path)) != with_origins.npos;)
         with_origins.replace(at, path.size(), Registry::built_in);
-    EXPECT_EQ(with_origins, list_json(linked()));
+    EXPECT_EQ(with_origins, list_json(linked_nodes()));
 }
 
 TEST(NodesAsAPlugin, AreOtherCode) {
     std::string why;
     for (const NodeType& type : loaded().list())
-        EXPECT_NE(type.ready(why), linked().find(type.id)->build) << type.id;
+        EXPECT_NE(type.ready(why), linked_nodes().find(type.id)->build) << type.id;
     EXPECT_EQ(why, "");
 }
 
@@ -98,7 +88,7 @@ TEST(NodesAsAPlugin, WriteTheSameGlslOfEverySample) {
 }
 
 TEST(NodesAsAPlugin, WriteTheSameGlslOfEveryNodeAndChoice) {
-    for (const NodeType& type : linked().list())
+    for (const NodeType& type : linked_nodes().list())
         for (const Port& port : type.ports) {
             if (port.kind != Port::Kind::choice && port.kind != Port::Kind::output) continue;
             const std::vector<std::string> none{""};

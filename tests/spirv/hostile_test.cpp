@@ -12,6 +12,7 @@
 #include "spirv/judge.h"
 #include "spirv/spirv.h"
 #include "support/files.h"
+#include "support/linked_nodes.h"
 
 namespace wrinkle::test {
 namespace {
@@ -235,7 +236,7 @@ TEST_P(HostileNames, StayInTheirPlace) {
             MaterialOptions options;
             options.uniform_parameters = uniforms;
             const Compiled compiled =
-                compile_material(project, built_in_registry(), options, diagnostics);
+                compile_material(project, linked_nodes(), options, diagnostics);
             const bool expected = !GetParam().is_id || is_id(text);
             EXPECT_EQ(compiled.ok, expected) << short_form(text) << to_text(diagnostics);
             if (!compiled.ok) break;

@@ -1,7 +1,6 @@
 #include "spirv/judge.h"
 
 #include "glslang/validate.h"
-#include "nodes/all.h"
 #include "spirv/metal.h"
 #include "spirv/spirv.h"
 
@@ -15,16 +14,6 @@ std::string spirv_errors(const std::string& bytes) {
 }
 
 }  // namespace
-
-const Registry& built_in_registry() {
-    static const Registry registry = [] {
-        Registry made;
-        Diagnostics ignored;
-        made.add_plugin(built_in_nodes(), Registry::built_in, ignored);
-        return made;
-    }();
-    return registry;
-}
 
 std::string errors_of(const Shader& shader) {
     const std::string& target = shader.reflection.target;

@@ -6,11 +6,8 @@
 #include <string>
 
 #include "glsl/emit.h"
-#include "registry/registry.h"
 
 namespace wrinkle::test {
-
-const Registry& built_in_registry();
 
 std::string errors_of(const Shader& shader);  // "" of none
 

@@ -6,6 +6,7 @@
 #include "lower/material.h"
 #include "spirv/judge.h"
 #include "spirv/spirv.h"
+#include "support/linked_nodes.h"
 #include "support/samples.h"
 
 namespace wrinkle::test {
@@ -16,7 +17,7 @@ Module module_of(const std::filesystem::path& graph, bool uniforms) {
     const Project project = load_project(graph, {}, diagnostics);
     MaterialOptions options;
     options.uniform_parameters = uniforms;
-    Compiled compiled = compile_material(project, built_in_registry(), options, diagnostics);
+    Compiled compiled = compile_material(project, linked_nodes(), options, diagnostics);
     EXPECT_TRUE(compiled.ok) << graph << to_text(diagnostics);
     return std::move(compiled.module);
 }

@@ -11,8 +11,8 @@
 #include "gpu/texture.h"
 #include "graph/subgraph.h"
 #include "lower/material.h"
-#include "nodes/all.h"
 #include "support/files.h"
+#include "support/linked_nodes.h"
 #include "support/samples.h"
 #include "webgl/browser.h"
 #include "webgl/pass.h"
@@ -23,16 +23,6 @@ namespace fs = std::filesystem;
 
 const Target& es = *find_target("essl300");
 
-const Registry& nodes() {
-    static const Registry registry = [] {
-        Registry made;
-        Diagnostics ignored;
-        made.add_plugin(built_in_nodes(), Registry::built_in, ignored);
-        return made;
-    }();
-    return registry;
-}
-
 std::string name_for(const fs::path& graph) {
     return material_name(fs::relative(graph, WRINKLE_SOURCE_DIR "/graphs").replace_extension());
 }
@@ -41,8 +31,8 @@ Shader shader_of(const fs::path& graph, const Target& target, Form form) {
     Diagnostics diagnostics;
     MaterialOptions material;
     material.given_differentials = form == Form::function;
-    const Compiled compiled =
-        compile_material(load_project(graph, {}, diagnostics), nodes(), material, diagnostics);
+    const Compiled compiled = compile_material(load_project(graph, {}, diagnostics), linked_nodes(),
+                                               material, diagnostics);
     EXPECT_TRUE(compiled.ok) << to_text(diagnostics);
     EmitOptions options;
     options.target = &target;
