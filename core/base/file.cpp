@@ -64,6 +64,51 @@ bool holds(const fs::path& path, std::string_view bytes) {
     return old && *old == bytes;
 }
 
+// Files may be larger than memory.
+template <typename Use>
+std::error_code each_block(const fs::path& path, Use use) {
+    std::FILE* file = std::fopen(path.c_str(), "rb");
+    if (!file) return last_error();
+    std::vector<char> block(size_t{1} << 20);
+    std::error_code error;
+    while (!error) {
+        const size_t count = std::fread(block.data(), 1, block.size(), file);
+        if (count == 0) break;
+        error = use(std::string_view(block.data(), count));
+    }
+    if (std::ferror(file) && !error) error = last_error();
+    std::fclose(file);
+    return error;
+}
+
+bool hold_the_same(const fs::path& one, const fs::path& other) {
+    std::error_code error;
+    if (!fs::is_regular_file(other, error)) return false;
+    if (fs::file_size(one, error) != fs::file_size(other, error) || error) return false;
+    std::FILE* file = std::fopen(other.c_str(), "rb");
+    if (!file) return false;
+    std::vector<char> block;
+    error = each_block(one, [&](std::string_view bytes) {
+        block.resize(bytes.size());
+        const size_t count = std::fread(block.data(), 1, block.size(), file);
+        const bool same = count == bytes.size() && bytes == std::string_view(block.data(), count);
+        return same ? std::error_code() : make_error_code(std::errc::invalid_argument);
+    });
+    std::fclose(file);
+    return !error;
+}
+
+std::error_code copy_into(const fs::path& from, const fs::path& to) {
+    std::FILE* file = std::fopen(to.c_str(), "wb");
+    if (!file) return last_error();
+    std::error_code error = each_block(from, [&](std::string_view bytes) {
+        const size_t count = std::fwrite(bytes.data(), 1, bytes.size(), file);
+        return count == bytes.size() ? std::error_code() : last_error();
+    });
+    if (std::fclose(file) != 0 && !error) error = last_error();
+    return error;
+}
+
 // One file on its way: written under a temporary name, then put in its place.
 class Replacement {
 public:
@@ -168,16 +213,15 @@ bool write_files(std::span<const FileBytes> files, std::string& why) {
 
 bool replace_file(const fs::path& written, const fs::path& path, std::string& why) {
     const fs::path target = link_target(path);
-    const auto bytes = read_file(written, why);
-    const bool in_place = bytes && (is_special(target) || holds(target, *bytes));
-    if (bytes && !in_place) {
-        const std::error_code error = Replacement::put(written, target);
-        if (error) why = sentence(error);
-        return !error;
+    std::error_code error, ignored;
+    if (!is_special(target) && !hold_the_same(written, target)) {
+        error = Replacement::put(written, target);
+    } else {
+        if (is_special(target)) error = copy_into(written, target);
+        fs::remove(written, ignored);
     }
-    std::error_code ignored;
-    fs::remove(written, ignored);
-    return in_place && write_file(path, *bytes, why);
+    if (error) why = sentence(error);
+    return !error;
 }
 
 fs::path link_target(const fs::path& path) {

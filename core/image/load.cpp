@@ -3,11 +3,10 @@
 #include <cmath>
 #include <memory>
 #include <new>
-#include <span>
 
 #include "image/format.h"
-#include "image/half.h"
 #include "image/module.h"
+#include "image/stored.h"
 
 namespace wrinkle {
 namespace fs = std::filesystem;
@@ -94,26 +93,6 @@ Opened open_within(const fs::path& path, const ImageLimits& limits, Diagnostics&
     return opened;
 }
 
-template <typename Stored, typename Convert>
-void convert_row(const std::byte* row, std::span<float> out, Convert convert) {
-    const Stored* in = reinterpret_cast<const Stored*>(row);
-    for (float& value : out)
-        value = convert(*in++);
-}
-
-void row_to_float(PixelType type, const std::byte* row, std::span<float> out) {
-    switch (type) {
-        case PixelType::u8:
-            return convert_row<uint8_t>(row, out, [](uint8_t v) { return v / 255.0f; });
-        case PixelType::u16:
-            return convert_row<uint16_t>(row, out, [](uint16_t v) { return v / 65535.0f; });
-        case PixelType::half:
-            return convert_row<uint16_t>(row, out, float_from_half);
-        case PixelType::float32:
-            return convert_row<float>(row, out, [](float v) { return v; });
-    }
-}
-
 // The file's first row is the top one, the image's first row the bottom one.
 Image image_from(const ImageInfo& info, const std::vector<std::byte>& stored) {
     Image image = make_image(info.width, info.height, info.channels, info.source);
@@ -121,8 +100,8 @@ Image image_from(const ImageInfo& info, const std::vector<std::byte>& stored) {
     const size_t count = size_t{info.width} * info.channels;
     const size_t stride = count * bytes_of(info.source);
     for (uint32_t y = 0; y < info.height; ++y)
-        row_to_float(info.source, stored.data() + (info.height - 1 - y) * stride,
-                     {image.texel(0, y), count});
+        values_from(info.source, stored.data() + (info.height - 1 - y) * stride,
+                    {image.texel(0, y), count});
     return image;
 }
 
@@ -165,6 +144,16 @@ std::optional<ImageInfo> read_image_info(const fs::path& path, const ImageLimits
     const Opened opened = open_within(path, limits, diagnostics);
     if (!opened.reader) return {};
     return opened.info;
+}
+
+std::optional<float> read_image_number(const fs::path& path, const std::string& name) {
+    std::string why;
+    const ImageFormat format = sniff_format(path, why);
+    const WrinkleImageModule* module = image_module(why);
+    float value = 0;
+    if (format.name.empty() || !module) return {};
+    if (!module->number(path.c_str(), format.plugin.c_str(), name.c_str(), &value)) return {};
+    return value;
 }
 
 std::optional<Image> load_image(const fs::path& path, const ImageLimits& limits,

@@ -7,7 +7,7 @@
 // as float.
 //
 // OpenImageIO does the work in a module of its own (lib/wrinkle/wrinkle_image_oiio.so) that is
-// loaded on the first call that needs it; see module.h. Both functions may be called from several
+// loaded on the first call that needs it; see module.h. All functions may be called from several
 // threads.
 #pragma once
 
@@ -53,6 +53,9 @@ std::optional<Image> load_image(const std::filesystem::path& path, const ImageLi
 // With the limits of the environment.
 std::optional<Image> load_image(const std::filesystem::path& path, Diagnostics& diagnostics);
 
+// A number that an ImageWriter put beside the pixels, or nothing, silently.
+std::optional<float> read_image_number(const std::filesystem::path& path, const std::string& name);
+
 struct SaveOptions {
     PixelType type = PixelType::u8;
     std::string compression = {};  // "" is the format's default; exr: none rle zip zips piz; tiff:
@@ -60,10 +63,9 @@ struct SaveOptions {
     int quality = 95;              // jpeg, 1 to 100
 };
 
-// Writes by the extension: .png (u8, u16), .jpg .jpeg (u8), .tif .tiff (u8, u16, half, float), .exr
-// (half, float), .hdr (float). Integer types clamp to [0, 1] and round to nearest; NaN becomes 0
-// there. What a format cannot hold is refused, never converted. The file appears whole, by rename,
-// or not at all; equal images give equal bytes, and a file that already holds them is untouched.
+// A whole picture at once; writer.h says what each format holds and how values become integers. The
+// file appears whole, by rename, or not at all; equal images give equal bytes, and a file that
+// already holds them is untouched.
 bool save_image(const Image& image, const std::filesystem::path& path, const SaveOptions& options,
                 Diagnostics& diagnostics);
 

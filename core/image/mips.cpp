@@ -14,10 +14,6 @@ struct Cover {
     double weight[3] = {};
 };
 
-uint32_t next_size(uint32_t size) {
-    return std::max(1u, size / 2);
-}
-
 Cover cover(uint32_t size, uint32_t index) {
     if (size == 1) return {0, 1, {1}};
     if (size % 2 == 0) return {2 * index, 2, {1, 1}};
@@ -47,14 +43,18 @@ void mean_texel(const Image& from, const Cover& across, const Cover& up, double 
 
 }  // namespace
 
+uint32_t next_mip_size(uint32_t size) {
+    return std::max(1u, size / 2);
+}
+
 uint32_t mip_count(uint32_t width, uint32_t height) {
     if (width == 0 || height == 0) return 0;
     return static_cast<uint32_t>(std::bit_width(std::max(width, height)));
 }
 
 Image half_size(const Image& image) {
-    Image half =
-        make_image(next_size(image.width), next_size(image.height), image.channels, image.source);
+    Image half = make_image(next_mip_size(image.width), next_mip_size(image.height), image.channels,
+                            image.source);
     half.has_alpha = image.has_alpha;
     const double divisor = weight_sum(image.width) * weight_sum(image.height);
     for (uint32_t y = 0; y < half.height; ++y) {

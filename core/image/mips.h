@@ -23,6 +23,7 @@ struct MipChain {
     uint32_t count() const { return static_cast<uint32_t>(levels.size()); }
 };
 
+uint32_t next_mip_size(uint32_t size);                // of one direction
 uint32_t mip_count(uint32_t width, uint32_t height);  // 1 + floor(log2(max)); 0 for no texels
 Image half_size(const Image& image);                  // the next level
 MipChain build_mips(Image base);

@@ -5,17 +5,12 @@
 #include <OpenImageIO/imageio.h>
 
 #include <algorithm>
-#include <array>
-#include <cstring>
-#include <exception>
 #include <memory>
-#include <mutex>
-#include <stdexcept>
 #include <string>
-#include <string_view>
 #include <vector>
 
-#include "image/oiio/quiet.h"
+#include "image/oiio/guard.h"
+#include "image/oiio/image_writer.h"
 
 struct WrinkleImageReader {
     std::unique_ptr<OIIO::ImageInput> input;
@@ -23,59 +18,13 @@ struct WrinkleImageReader {
     int channels = 0;
 };
 
+namespace wrinkle::oiio {
+
 namespace {
 
 using OIIO::ImageInput;
-using OIIO::ImageOutput;
 using OIIO::ImageSpec;
 using OIIO::TypeDesc;
-
-constexpr std::array<TypeDesc::BASETYPE, 4> types = {TypeDesc::UINT8, TypeDesc::UINT16,
-                                                     TypeDesc::HALF, TypeDesc::FLOAT};
-
-struct Failure : std::runtime_error {
-    using runtime_error::runtime_error;
-};
-
-// One line: OpenImageIO's messages may be several.
-std::string sentence(std::string text) {
-    while (!text.empty() && (text.back() == '\n' || text.back() == ' '))
-        text.pop_back();
-    std::replace(text.begin(), text.end(), '\n', ' ');
-    return text.empty() ? "it ends early or holds impossible values" : text;
-}
-
-void tell(WrinkleImageText why, const std::string& text) {
-    if (why.capacity == 0) return;
-    const size_t count = std::min<size_t>(text.size(), why.capacity - 1);
-    std::memcpy(why.text, text.data(), count);
-    why.text[count] = 0;
-}
-
-// Runs `work` so that neither an exception nor a library's printing leaves the module.
-template <typename Work>
-auto guarded(WrinkleImageText why, Work work) -> decltype(work()) {
-    const wrinkle::Quiet quiet;
-    try {
-        return work();
-    } catch (const std::exception& error) {
-        tell(why, sentence(error.what()));
-    } catch (...) {
-        tell(why, "an unknown failure in OpenImageIO");
-    }
-    return {};
-}
-
-// The caller has its own limits and its own threads.
-void set_up_once() {
-    static std::once_flag once;
-    std::call_once(once, [] {
-        OIIO::attribute("threads", 1);
-        OIIO::attribute("exr_threads", -1);
-        OIIO::attribute("tiff:half", 1);
-        OIIO::attribute("limits:imagesize_MB", 0);
-    });
-}
 
 TypeDesc::BASETYPE readable_type(const ImageSpec& spec) {
     const auto type = static_cast<TypeDesc::BASETYPE>(spec.format.basetype);
@@ -153,40 +102,13 @@ void close_image(WrinkleImageReader* reader) {
     guarded({ignored, 1}, [&]() -> int32_t { return owned->input->close(); });
 }
 
-void name_channels(ImageSpec& spec, const WrinkleImageHeader& header) {
-    spec.alpha_channel = header.has_alpha ? spec.nchannels - 1 : -1;
-    if (spec.nchannels != 2) return;
-    spec.channelnames = {header.has_alpha ? "Y" : "R", header.has_alpha ? "A" : "G"};
-}
-
-ImageSpec spec_to_write(const WrinkleImageWrite& what) {
-    const WrinkleImageHeader& header = what.header;
-    ImageSpec spec(static_cast<int>(header.width), static_cast<int>(header.height),
-                   static_cast<int>(header.channels), types.at(header.type));
-    name_channels(spec, header);
-    spec.attribute("oiio:UnassociatedAlpha", 1);
-    const std::string_view format = what.format;
-    if (format == "png") spec.attribute("png:filter", 0xF8);  // all row filters: smaller by far
-    if (format == "openexr" || format == "tiff")
-        spec.attribute("DateTime", "");  // else it would be now
-    if (format == "jpeg") {
-        spec.attribute("jpeg:subsampling", "4:4:4");
-        spec.attribute("compression", "jpeg:" + std::to_string(what.quality));
-    }
-    if (*what.compression) spec.attribute("compression", what.compression);
-    return spec;
-}
-
-int32_t write_image(const char* path, const WrinkleImageWrite* what, WrinkleImageText why) {
-    return guarded(why, [&]() -> int32_t {
+int32_t read_number(const char* path, const char* format, const char* name, float* value) {
+    char ignored[1];
+    return guarded({ignored, 1}, [&]() -> int32_t {
         set_up_once();
-        const auto output = ImageOutput::create(what->format);
-        if (!output) throw Failure(OIIO::geterror());
-        const ImageSpec spec = spec_to_write(*what);
-        const bool written =
-            output->open(path, spec) && output->write_image(spec.format, what->pixels);
-        if (!written || !output->close()) throw Failure(output->geterror());
-        return 1;
+        const auto input = ImageInput::create(format);
+        ImageSpec spec;
+        return input && input->open(path, spec) && find_number(spec, name, *value);
     });
 }
 
@@ -195,10 +117,17 @@ constexpr WrinkleImageModule table = {sizeof(WrinkleImageModule),
                                       open_image,
                                       read_image,
                                       close_image,
-                                      write_image};
+                                      read_number,
+                                      begin_image,
+                                      write_rows,
+                                      begin_level,
+                                      end_image,
+                                      drop_image};
 
 }  // namespace
 
+}  // namespace wrinkle::oiio
+
 extern "C" __attribute__((visibility("default"))) const WrinkleImageModule* wrinkle_image_module() {
-    return &table;
+    return &wrinkle::oiio::table;
 }

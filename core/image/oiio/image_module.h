@@ -3,14 +3,14 @@
  * The module exports one symbol, wrinkle_image_module, which returns a table of functions. Only
  * plain data crosses: rows run top to bottom as in files, values keep the file's own type, texts
  * are written into the caller's buffer, and no exception leaves. Everything may be called from
- * several threads; one reader belongs to one thread at a time.
+ * several threads; one reader or writer belongs to one thread at a time.
  */
 #ifndef WRINKLE_IMAGE_MODULE_H
 #define WRINKLE_IMAGE_MODULE_H
 
 #include <stdint.h>
 
-#define WRINKLE_IMAGE_MODULE_VERSION 1u
+#define WRINKLE_IMAGE_MODULE_VERSION 2u
 #define WRINKLE_IMAGE_MODULE_SYMBOL "wrinkle_image_module"
 
 #ifdef __cplusplus
@@ -18,6 +18,7 @@ extern "C" {
 #endif
 
 typedef struct WrinkleImageReader WrinkleImageReader; /* the module's own */
+typedef struct WrinkleImageWriter WrinkleImageWriter;
 
 typedef struct WrinkleImageHeader {
     uint32_t width;
@@ -27,12 +28,22 @@ typedef struct WrinkleImageHeader {
     uint32_t type;      /* PixelType: 0 u8, 1 u16, 2 half, 3 float */
 } WrinkleImageHeader;
 
+typedef struct WrinkleImageNumber {
+    const char* name;
+    float value;
+} WrinkleImageNumber;
+
 typedef struct WrinkleImageWrite {
-    const char* format;      /* "png", "jpeg", "tiff", "openexr", "hdr" */
-    const char* compression; /* OpenImageIO's name, "" for the format's own default */
-    int32_t quality;         /* jpeg */
-    WrinkleImageHeader header;
-    const void* pixels; /* interleaved, of header.type */
+    const char* format;        /* "png", "jpeg", "tiff", "openexr", "hdr" */
+    const char* compression;   /* OpenImageIO's name, "" for the format's own default */
+    int32_t quality;           /* jpeg */
+    WrinkleImageHeader header; /* any number of channels */
+    const char* const* channel_names;
+    uint32_t tile;   /* its side; 0: scan lines */
+    uint32_t levels; /* 1: no mips */
+    const WrinkleImageNumber* numbers;
+    uint32_t number_count;
+    uint32_t threads; /* that compress; 0 is one for each core */
 } WrinkleImageWrite;
 
 /* One sentence of what went wrong, cut at `capacity`, always terminated. */
@@ -50,8 +61,22 @@ typedef struct WrinkleImageModule {
     /* Decodes width * height * channels values of header.type; 0 with the reason. */
     int32_t (*read)(WrinkleImageReader* reader, void* pixels, WrinkleImageText why);
     void (*close)(WrinkleImageReader* reader);
-    /* Writes a whole file; 0 with the reason, and then the file is to be removed. */
-    int32_t (*write)(const char* path, const WrinkleImageWrite* what, WrinkleImageText why);
+    /* A number that the writer below has put beside the pixels of a file; 0 when there is none. */
+    int32_t (*number)(const char* path, const char* format, const char* name, float* value);
+    /* Opens a file for writing; NULL with the reason. Whoever gets a reason from this or from what
+     * follows removes the file. */
+    WrinkleImageWriter* (*begin)(const char* path, const WrinkleImageWrite* what,
+                                 WrinkleImageText why);
+    /* `count` rows from row `first` on, in order; interleaved, of header.type. With tiles, `count`
+     * is a multiple of their side or reaches the last row. */
+    int32_t (*rows)(WrinkleImageWriter* writer, const void* pixels, uint32_t first, uint32_t count,
+                    WrinkleImageText why);
+    /* The next mip level, when all rows of the one before are there. */
+    int32_t (*level)(WrinkleImageWriter* writer, uint32_t width, uint32_t height,
+                     WrinkleImageText why);
+    /* Writes what is left; the writer is gone afterwards. */
+    int32_t (*end)(WrinkleImageWriter* writer, WrinkleImageText why);
+    void (*drop)(WrinkleImageWriter* writer); /* in place of end() */
 } WrinkleImageModule;
 
 typedef const WrinkleImageModule* (*WrinkleImageModuleEntry)(void);

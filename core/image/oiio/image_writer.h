@@ -1,0 +1,22 @@
+// The module's functions that write; image_module.h says what they do.
+#pragma once
+
+#include <OpenImageIO/imageio.h>
+
+#include "image/oiio/image_module.h"
+
+namespace wrinkle::oiio {
+
+WrinkleImageWriter* begin_image(const char* path, const WrinkleImageWrite* what,
+                                WrinkleImageText why);
+int32_t write_rows(WrinkleImageWriter* writer, const void* pixels, uint32_t first, uint32_t count,
+                   WrinkleImageText why);
+int32_t begin_level(WrinkleImageWriter* writer, uint32_t width, uint32_t height,
+                    WrinkleImageText why);
+int32_t end_image(WrinkleImageWriter* writer, WrinkleImageText why);
+void drop_image(WrinkleImageWriter* writer);
+
+// A number that begin_image() has put into the file.
+bool find_number(const OIIO::ImageSpec& spec, const char* name, float& value);
+
+}  // namespace wrinkle::oiio

@@ -1,0 +1,104 @@
+#include "image/oiio/output_file.h"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+
+namespace wrinkle::oiio {
+
+namespace {
+
+constexpr size_t gather_limit = size_t{1} << 20;
+
+}  // namespace
+
+OutputFile::OutputFile(const char* path)
+    : IOProxy(path, Write), handle_(::open(path, O_RDWR | O_CREAT | O_TRUNC | O_CLOEXEC, 0666)) {
+    if (handle_ < 0) error_ = errno;
+}
+
+OutputFile::~OutputFile() {
+    close();
+}
+
+void OutputFile::close() {
+    if (handle_ < 0) return;
+    drain();
+    if (::close(handle_) != 0 && error_ == 0) error_ = errno;
+    handle_ = -1;
+    m_mode = Closed;
+}
+
+bool OutputFile::put(const char* bytes, size_t size, int64_t offset) const {
+    while (size > 0 && error_ == 0) {
+        const ssize_t count = ::pwrite(handle_, bytes, size, offset);
+        if (count < 0 && errno == EINTR) continue;
+        if (count <= 0) {
+            error_ = count < 0 ? errno : ENOSPC;
+            break;
+        }
+        bytes += count;
+        size -= static_cast<size_t>(count);
+        offset += count;
+    }
+    return error_ == 0;
+}
+
+bool OutputFile::drain() const {
+    const bool written = put(gathered_.data(), gathered_.size(), gathered_at_);
+    gathered_.clear();
+    return written;
+}
+
+bool OutputFile::seek(int64_t offset) {
+    m_pos = offset;
+    return offset >= 0;
+}
+
+size_t OutputFile::read(void* bytes, size_t size) {
+    const size_t count = pread(bytes, size, m_pos);
+    m_pos += static_cast<int64_t>(count);
+    return count;
+}
+
+size_t OutputFile::write(const void* bytes, size_t size) {
+    const size_t count = pwrite(bytes, size, m_pos);
+    m_pos += static_cast<int64_t>(count);
+    return count;
+}
+
+size_t OutputFile::pread(void* bytes, size_t size, int64_t offset) {
+    if (!drain()) return 0;
+    const ssize_t count = ::pread(handle_, bytes, size, offset);
+    return count < 0 ? 0 : static_cast<size_t>(count);
+}
+
+size_t OutputFile::pwrite(const void* bytes, size_t size, int64_t offset) {
+    if (error_ != 0 || handle_ < 0) return 0;
+    const bool follows =
+        !gathered_.empty() && offset == gathered_at_ + static_cast<int64_t>(gathered_.size());
+    if ((!follows || gathered_.size() + size > gather_limit) && !drain()) return 0;
+    const char* first = static_cast<const char*>(bytes);
+    end_ = std::max(end_, offset + static_cast<int64_t>(size));
+    if (size > gather_limit) return put(first, size, offset) ? size : 0;
+    if (gathered_.empty()) gathered_at_ = offset;
+    gathered_.insert(gathered_.end(), first, first + size);
+    return size;
+}
+
+size_t OutputFile::size() const {
+    return static_cast<size_t>(end_);
+}
+
+void OutputFile::flush() const {
+    drain();
+}
+
+std::string OutputFile::failure() const {
+    return error_ ? std::strerror(error_) : "";
+}
+
+}  // namespace wrinkle::oiio

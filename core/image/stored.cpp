@@ -1,0 +1,65 @@
+#include "image/stored.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <cstring>
+
+#include "image/half.h"
+
+namespace wrinkle {
+
+namespace {
+
+// Not clamp: NaN must land on 0. Without branches, so that loops of it are vectorised.
+template <int max>
+int rounded(float value) {
+    const double positive = value > 0 ? value : 0;
+    return static_cast<int>(std::min(positive, 1.0) * max + 0.5);
+}
+
+template <typename Stored, typename Convert>
+void store_each(std::span<const float> values, std::byte* out, Convert convert) {
+    for (size_t i = 0; i < values.size(); ++i) {
+        const Stored stored = static_cast<Stored>(convert(values[i]));
+        std::memcpy(out + i * sizeof stored, &stored, sizeof stored);
+    }
+}
+
+template <typename Stored, typename Convert>
+void convert_each(const std::byte* in, std::span<float> out, Convert convert) {
+    for (size_t i = 0; i < out.size(); ++i) {
+        Stored stored;
+        std::memcpy(&stored, in + i * sizeof stored, sizeof stored);
+        out[i] = convert(stored);
+    }
+}
+
+}  // namespace
+
+void store_values(PixelType type, std::span<const float> values, std::byte* out) {
+    switch (type) {
+        case PixelType::u8:
+            return store_each<uint8_t>(values, out, rounded<255>);
+        case PixelType::u16:
+            return store_each<uint16_t>(values, out, rounded<65535>);
+        case PixelType::half:
+            return store_each<uint16_t>(values, out, half_from_float);
+        case PixelType::float32:
+            std::memcpy(out, values.data(), values.size_bytes());
+    }
+}
+
+void values_from(PixelType type, const std::byte* stored, std::span<float> out) {
+    switch (type) {
+        case PixelType::u8:
+            return convert_each<uint8_t>(stored, out, [](uint8_t v) { return v / 255.0f; });
+        case PixelType::u16:
+            return convert_each<uint16_t>(stored, out, [](uint16_t v) { return v / 65535.0f; });
+        case PixelType::half:
+            return convert_each<uint16_t>(stored, out, float_from_half);
+        case PixelType::float32:
+            std::memcpy(out.data(), stored, out.size_bytes());
+    }
+}
+
+}  // namespace wrinkle

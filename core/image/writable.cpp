@@ -1,0 +1,70 @@
+#include "image/writable.h"
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+namespace wrinkle {
+
+namespace {
+
+constexpr std::array writables = {
+    Writable{".png", "png", "u8 u16", "1 2 3 4", "", "", false, false, true},
+    Writable{".jpg .jpeg", "jpeg", "u8", "1 3", "", "", false, false, true},
+    Writable{".tif .tiff", "tiff", "u8 u16 half float", "", "none lzw zip", "zip", true, false,
+             true},
+    Writable{".exr", "openexr", "half float", "", "none rle zip zips piz", "zip", true, true, true},
+    Writable{".hdr", "hdr", "float", "3", "", "", false, false, false},
+};
+
+bool has_word(std::string_view words, std::string_view word) {
+    const std::string padded = " " + std::string(words) + " ";
+    return padded.find(" " + std::string(word) + " ") != padded.npos;
+}
+
+WriteProblem find_layout_problem(const Writable& format, const WriterOptions& options) {
+    if (options.mips && !format.mips) return {"cannot hold mip levels", "an .exr file"};
+    if (options.tile > 0 && !format.tiles) return {"cannot hold tiles", "a .tif or .exr file"};
+    if (options.tile % 16 != 0)
+        return {"cannot have tiles of side " + std::to_string(options.tile), "a multiple of 16"};
+    if (options.mips && options.tile == 0)
+        return {"cannot hold mip levels without tiles", "tiles of 64, say"};
+    if (options.quality < 1 || options.quality > 100)
+        return {"cannot have quality " + std::to_string(options.quality), "1 to 100"};
+    return {};
+}
+
+}  // namespace
+
+const Writable* format_to_write(const std::filesystem::path& path) {
+    std::string extension = path.extension().string();
+    std::transform(extension.begin(), extension.end(), extension.begin(),
+                   [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
+    for (const Writable& format : writables)
+        if (!extension.empty() && has_word(format.extensions, extension)) return &format;
+    return nullptr;
+}
+
+WriteProblem find_write_problem(const Writable* format, const WriterOptions& options) {
+    const size_t channels = options.channels.size();
+    if (options.width == 0 || options.height == 0 || channels == 0)
+        return {"has no pixels", "at least one pixel"};
+    if (!format)
+        return {"has an extension that is no image format to write",
+                ".png, .jpg, .tif, .exr or .hdr"};
+    if (!has_word(format->types, name_of(options.type)))
+        return {"cannot hold values of type " + std::string(name_of(options.type)),
+                "one of: " + std::string(format->types)};
+    if (*format->channels && !has_word(format->channels, std::to_string(channels)))
+        return {"cannot hold " + std::to_string(channels) + " channels",
+                "one of: " + std::string(format->channels)};
+    if (channels == 2 && !options.has_alpha && std::string_view(format->plugin) == "png")
+        return {"cannot hold red and green alone", "three channels, or a .tif or .exr file"};
+    if (!options.compression.empty() && !has_word(format->compressions, options.compression))
+        return {"has no compression '" + options.compression + "'",
+                *format->compressions ? "one of: " + std::string(format->compressions)
+                                      : "no compression named: the format has one of its own"};
+    return find_layout_problem(*format, options);
+}
+
+}  // namespace wrinkle

@@ -1,0 +1,34 @@
+// What each image format that is written can hold.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "image/writer.h"
+
+namespace wrinkle {
+
+// Lists are words separated by blanks.
+struct Writable {
+    const char* extensions;
+    const char* plugin;  // OpenImageIO's name
+    const char* types;
+    const char* channels;  // "" is any number
+    const char* compressions;
+    const char* compression;  // the default
+    bool tiles;
+    bool mips;
+    bool numbers;
+};
+
+const Writable* format_to_write(const std::filesystem::path& path);  // by the extension; or null
+
+struct WriteProblem {
+    std::string message;  // "" when there is none
+    std::string expected;
+};
+
+// Why a file of this format cannot be what the options ask for.
+WriteProblem find_write_problem(const Writable* format, const WriterOptions& options);
+
+}  // namespace wrinkle

@@ -1,0 +1,227 @@
+#include "image/writer.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <cassert>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <utility>
+
+#include "base/file.h"
+#include "image/mips.h"
+#include "image/module.h"
+#include "image/stored.h"
+#include "image/writable.h"
+
+namespace wrinkle {
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr uint32_t scan_lines_at_once = 64;  // whole blocks of OpenEXR, whole strips of TIFF
+
+std::string named(const fs::path& path) {
+    return "image '" + path.string() + "' ";
+}
+
+// Asked of the system first: its reason is better than OpenImageIO's.
+bool can_create(const fs::path& path, std::string& why) {
+    std::FILE* file = std::fopen(path.c_str(), "wb");
+    if (!file) why = std::strerror(errno);
+    return file && std::fclose(file) == 0;
+}
+
+fs::path temporary_beside(const fs::path& path) {
+    fs::path temporary = link_target(path);
+    return temporary.replace_filename("." + path.stem().string() + ".tmp" +
+                                      std::to_string(getpid()) + path.extension().string());
+}
+
+}  // namespace
+
+struct ImageWriter::State {
+    fs::path path, temporary;
+    PixelType type = PixelType::u8;
+    size_t texel_bytes = 0;
+    uint32_t granule = 0;                         // rows that go to the file at once
+    uint32_t width = 0, height = 0, written = 0;  // of the present level; rows
+    uint32_t levels_left = 0;                     // the present one included
+    std::vector<std::byte> waiting;               // rows that are no granule yet
+    std::vector<std::byte> converted;             // of one call
+    const WrinkleImageModule* module = nullptr;
+    WrinkleImageWriter* file = nullptr;
+    bool failed = false;
+
+    ~State() {
+        if (file) module->drop(file);
+        std::error_code ignored;
+        if (!temporary.empty()) fs::remove(temporary, ignored);
+    }
+
+    size_t row_bytes() const { return width * texel_bytes; }
+    uint32_t waiting_rows() const { return static_cast<uint32_t>(waiting.size() / row_bytes()); }
+    uint32_t rows_left() const { return levels_left ? height - written - waiting_rows() : 0; }
+
+    bool fail(const std::string& why, Diagnostics& diagnostics) {
+        failed = true;
+        diagnostics.error(
+            named(path) + "cannot be written: " + why,
+            module ? "a folder that can be written to and has room" : companion_remedy);
+        return false;
+    }
+
+    bool begin(const Writable& format, const WriterOptions& options, Diagnostics& diagnostics);
+    bool add(std::span<const std::byte> rows, Diagnostics& diagnostics);
+    bool send(const std::byte* rows, uint32_t count, Diagnostics& diagnostics);
+    bool next_level(Diagnostics& diagnostics);
+};
+
+bool ImageWriter::State::begin(const Writable& format, const WriterOptions& options,
+                               Diagnostics& diagnostics) {
+    std::vector<const char*> names;
+    for (const std::string& name : options.channels)
+        names.push_back(name.c_str());
+    std::vector<WrinkleImageNumber> numbers;
+    for (const ImageNumber& number : options.numbers)
+        numbers.push_back({number.name.c_str(), number.value});
+    WrinkleImageWrite what = {};
+    what.format = format.plugin;
+    what.compression =
+        options.compression.empty() ? format.compression : options.compression.c_str();
+    what.quality = options.quality;
+    what.header = {width, height, static_cast<uint32_t>(names.size()), options.has_alpha,
+                   static_cast<uint32_t>(type)};
+    what.channel_names = names.data();
+    what.tile = options.tile;
+    what.levels = levels_left;
+    what.numbers = numbers.data();
+    what.number_count = static_cast<uint32_t>(numbers.size());
+    what.threads = options.threads;
+    char text[512] = "";
+    file = module->begin(temporary.c_str(), &what, {text, sizeof text});
+    return file || fail(text, diagnostics);
+}
+
+bool ImageWriter::State::send(const std::byte* rows, uint32_t count, Diagnostics& diagnostics) {
+    char text[512] = "";
+    if (!module->rows(file, rows, written, count, {text, sizeof text}))
+        return fail(text, diagnostics);
+    written += count;
+    return true;
+}
+
+bool ImageWriter::State::next_level(Diagnostics& diagnostics) {
+    written = 0;
+    if (--levels_left == 0) return true;
+    width = next_mip_size(width);
+    height = next_mip_size(height);
+    char text[512] = "";
+    return module->level(file, width, height, {text, sizeof text}) || fail(text, diagnostics);
+}
+
+// Whole granules go straight from the caller's memory, what is left over waits.
+bool ImageWriter::State::add(std::span<const std::byte> rows, Diagnostics& diagnostics) {
+    while (!rows.empty()) {
+        const auto count = static_cast<uint32_t>(rows.size() / row_bytes());
+        const uint32_t level_rows = height - written;
+        uint32_t taken = 0;
+        if (waiting.empty() && (count >= granule || count >= level_rows)) {
+            taken = count >= level_rows ? level_rows : count - count % granule;
+            if (!send(rows.data(), taken, diagnostics)) return false;
+        } else {
+            const uint32_t full = std::min(granule, level_rows);
+            taken = std::min(count, full - waiting_rows());
+            waiting.insert(waiting.end(), rows.begin(), rows.begin() + taken * row_bytes());
+            if (waiting_rows() == full) {
+                if (!send(waiting.data(), full, diagnostics)) return false;
+                waiting.clear();
+            }
+        }
+        rows = rows.subspan(taken * row_bytes());
+        if (written == height && !next_level(diagnostics)) return false;
+    }
+    return true;
+}
+
+std::vector<std::string> channel_names(uint32_t channels, bool has_alpha) {
+    if (channels == 1) return {"Y"};
+    if (channels == 2 && has_alpha) return {"Y", "A"};
+    const std::vector<std::string> all = {"R", "G", "B", "A"};
+    return {all.begin(), all.begin() + std::min(channels, 4u)};
+}
+
+bool keeps_numbers(const fs::path& path) {
+    const Writable* format = format_to_write(path);
+    return format && format->numbers;
+}
+
+std::optional<ImageWriter> ImageWriter::open(const fs::path& path, const WriterOptions& options,
+                                             Diagnostics& diagnostics) {
+    const Writable* format = format_to_write(path);
+    const WriteProblem problem = find_write_problem(format, options);
+    if (!problem.message.empty()) {
+        diagnostics.error(named(path) + problem.message, problem.expected);
+        return {};
+    }
+    auto state = std::make_unique<State>();
+    state->path = path;
+    state->type = options.type;
+    state->texel_bytes = options.channels.size() * bytes_of(options.type);
+    state->granule = options.tile > 0 ? options.tile : scan_lines_at_once;
+    state->width = options.width;
+    state->height = options.height;
+    state->levels_left = options.mips ? mip_count(options.width, options.height) : 1;
+    std::string why;
+    state->module = image_module(why);
+    const fs::path temporary = temporary_beside(path);
+    if (!state->module || !can_create(temporary, why)) {
+        state->fail(why, diagnostics);
+        return {};
+    }
+    state->temporary = temporary;
+    if (!state->begin(*format, options, diagnostics)) return {};
+    return ImageWriter(std::move(state));
+}
+
+ImageWriter::ImageWriter(std::unique_ptr<State> state) : state_(std::move(state)) {}
+ImageWriter::ImageWriter(ImageWriter&&) noexcept = default;
+ImageWriter& ImageWriter::operator=(ImageWriter&&) noexcept = default;
+ImageWriter::~ImageWriter() = default;
+
+uint32_t ImageWriter::width() const {
+    return state_->levels_left ? state_->width : 0;
+}
+
+uint32_t ImageWriter::rows_left() const {
+    return state_->rows_left();
+}
+
+bool ImageWriter::write(std::span<const float> rows, Diagnostics& diagnostics) {
+    State& state = *state_;
+    state.converted.resize(rows.size() * bytes_of(state.type));
+    store_values(state.type, rows, state.converted.data());
+    return write_stored(state.converted, diagnostics);
+}
+
+bool ImageWriter::write_stored(std::span<const std::byte> rows, Diagnostics& diagnostics) {
+    if (state_->failed) return false;
+    assert(rows.size() % state_->row_bytes() == 0);
+    assert(rows.size() / state_->row_bytes() <= state_->rows_left());
+    return state_->add(rows, diagnostics);
+}
+
+bool ImageWriter::finish(Diagnostics& diagnostics) {
+    State& state = *state_;
+    if (state.failed) return false;
+    assert(state.levels_left == 0);
+    char text[512] = "";
+    const bool ended = state.module->end(std::exchange(state.file, nullptr), {text, sizeof text});
+    if (!ended) return state.fail(text, diagnostics);
+    std::string why;
+    const fs::path temporary = std::exchange(state.temporary, {});
+    return replace_file(temporary, state.path, why) || state.fail(why, diagnostics);
+}
+
+}  // namespace wrinkle
