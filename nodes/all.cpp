@@ -25,6 +25,8 @@
     X(gradient_add) X(gradient_subtract) X(gradient_scale) X(gradient_invert) X(gradient_mix) \
     X(gradient_over) X(gradient_clamp_slope) X(gradient_tilt) X(normal_angle) X(gradient_from_height) \
     X(gradient_from_volume) X(gradient_from_normal) X(gradient_from_tangent_normal) X(resolve) \
+    /* roughness.cpp */ \
+    X(bump_roughness) X(slope_moments_map) \
     /* frame.cpp */ \
     X(tangent_frame) X(tangent_map) X(tangent_space_normal) X(face_viewer) \
     /* compositor.cpp */ \

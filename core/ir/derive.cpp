@@ -63,7 +63,7 @@ void Direction::unknown_below(Id value, std::vector<Id>& list) {
         if (id == poison || !memo_.mark(id)) continue;
         list.push_back(id);
         const Inst& inst = (*module_)[id];
-        if (never_changes(inst)) continue;
+        if (is_constant(inst)) continue;
         for (const Id operand : module_->operands(id))
             open_.push_back(operand);
         // What a loop captures is differentiated once, outside, whatever stands inside.
@@ -106,7 +106,8 @@ Id Direction::compute(Id id) {
     const Inst inst = (*module_)[id];
     if (module_->is_open_input(id)) return change_of_input(inst.extra);
     if (is_float_type(inst.type) && module_->open_result(id)) return change_of_open_result(id);
-    if (never_changes(inst) || inst.type == Type::tuple_) return poison;
+    if (is_constant(inst) || inst.type == Type::tuple_) return poison;
+    if (inst.op == Op::detach_ || inst.op == Op::with_covariance_) return memo_.at(inst.arg[0]);
     if (inst.op == Op::result_)
         return (*module_)[inst.arg[0]].op == Op::loop_ ? loop_member(inst) : call_member(inst);
     if (is_sample(inst)) return texture(id, id);

@@ -31,6 +31,8 @@ public:
     explicit Direction(Module& module, Change change = Change::none)
         : module_(&module), change_(change) {}
     void seed(Id leaf, Id tangent) { memo_.set(leaf, tangent); }
+    // What is detached changes too: along something that is no place on the surface.
+    void see_through_detach() { through_detach_ = true; }
 
     // The tangent of `value`; poison stands for zero (see tangent_or_zero). Memoised.
     Id tangent(Id value);
@@ -79,8 +81,13 @@ private:
     void forget(size_t first);
     Id texture(Id sample, Id read);
 
+    bool is_constant(const Inst& inst) const {
+        return never_changes(inst) && !(through_detach_ && inst.op == Op::detach_);
+    }
+
     Module* module_;
     Change change_;
+    bool through_detach_ = false;
     Memo memo_;
     std::vector<Id> log_;                // what was memoised, in order
     std::vector<Id> open_, spare_list_;  // memory of tangent()

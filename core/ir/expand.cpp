@@ -1,6 +1,7 @@
 #include "ir/expand.h"
 
 #include "ir/gradient_sum.h"
+#include "ir/normal_variance.h"
 #include "ir/open_function.h"
 #include "ir/rewrite.h"
 
@@ -51,6 +52,7 @@ struct Expander {
     std::optional<OpenFunctions> functions;
     std::optional<ScreenDerivatives> screen;
     std::optional<GradientAlgebra> algebra;
+    std::optional<NormalVariance> variance;  // where something asks for it
     // By source Id.
     ById<Frame> frames;
     ById<Derivative> derivatives;
@@ -59,14 +61,14 @@ struct Expander {
 
     Value value(Id id) const { return {target, id}; }
     Value base_normal(const Module& source, Id gradient) const;
+    Value resolved(const Module& source, Id gradient);
     Id opaque(const Module& source, Id id, std::span<const Id> mapped);
     void gradient(const Module& source, Id id, std::span<const Id> mapped);
     GradientSum source_gradient(const Module& source, Id id, std::span<const Id> mapped);
     GradientSum solid_gradient(Id height);
     GradientSum from_derivative(const Derivative& d);
-    GradientSum from_normal(Value n, Value v) const;
-    Derivative normal_derivative(Value m, Value strength, const Frame& frame) const;
-    Id resolve(const Module& source, Id id);
+    GradientSum from_normal(Value n, Value v);
+    Derivative normal_derivative(Value m, Value strength, const Frame& frame);
     void base(const Module& source, Id id, std::span<const Id> mapped);
     Id sample(const Module& source, Id id, std::span<const Id> mapped);
 };
@@ -92,9 +94,10 @@ Value any_length(Value normal, double& factor) {
 }
 
 // SurfgradFromPerturbedNormal: (k n - v) / |k|, k = n.v, the division left for later.
-GradientSum Expander::from_normal(Value n, Value v) const {
+GradientSum Expander::from_normal(Value n, Value v) {
     double factor = 1;
     v = any_length(v, factor);
+    if (variance) v = variance->object_normal(v, factor);
     const Value k = dot(n, v);
     GradientSum result;
     GradientSum::Term& term = result.pending.emplace_back();
@@ -105,13 +108,14 @@ GradientSum Expander::from_normal(Value n, Value v) const {
 }
 
 // TspaceNormalToDerivative: -xy / max(|z|, max(|x|,|y|)/128), the division left for later.
-Derivative Expander::normal_derivative(Value m, Value strength, const Frame& frame) const {
+Derivative Expander::normal_derivative(Value m, Value strength, const Frame& frame) {
     double factor = 1;
     m = any_length(m, factor);
     const Value widest = max(abs(m.x()), abs(m.y()));
     const Value least = named("least_depth", widest * (1 / steepest_slope));
     const Value depth = max(max(abs(m.z()), least), smallest_depth / factor);
-    return {m.xy(), frame, strength, named("depth", depth)};
+    const Value xy = variance ? variance->tangent_normal(m, depth, factor) : m.xy();
+    return {xy, frame, strength, named("depth", depth)};
 }
 
 GradientSum Expander::from_derivative(const Derivative& d) {
@@ -181,12 +185,11 @@ void Expander::gradient(const Module& source, Id id, std::span<const Id> mapped)
     gradients.set(id, std::move(result));
 }
 
-Id Expander::resolve(const Module& source, Id id) {
-    const GradientSum& sum = gradients.at(source[id].arg[0]);
+Value Expander::resolved(const Module& source, Id gradient) {
     Value facing;
     if (options.back_faces != BackFaces::none) facing = value(target->input(SurfaceInput::facing_));
     const Value sign = options.back_faces == BackFaces::flip ? facing : Value{};
-    return detach(algebra->resolve(sum, facing, sign, base_normal(source, source[id].arg[0]))).id;
+    return algebra->resolve(gradients.at(gradient), facing, sign, base_normal(source, gradient));
 }
 
 void Expander::base(const Module& source, Id id, std::span<const Id> mapped) {
@@ -235,7 +238,11 @@ Id Expander::opaque(const Module& source, Id id, std::span<const Id> mapped) {
             return gamma ? gamma.id : target->zero(Type::vec3_);
         }
         case Op::resolve_:
-            return resolve(source, id);
+            return detach(resolved(source, inst.arg[0])).id;
+        case Op::normal_variance_:
+            return variance->of(resolved(source, inst.arg[0])).id;
+        case Op::with_covariance_:
+            return variance ? variance->varying(value(mapped[0]), value(mapped[1])).id : mapped[0];
         default:
             gradient(source, id, mapped);
     }
@@ -256,6 +263,7 @@ Id expand_one(void* context, Module& target, const Module& source, Id id,
         expander.target = &target;
         expander.screen.emplace(target);
         expander.algebra.emplace(target, *expander.screen);
+        if (wants_normal_variance(source)) expander.variance.emplace(target, *expander.screen);
         expander.functions.emplace(target, *expander.screen, source);
     }
     const Op op = source[id].op;
@@ -278,7 +286,7 @@ Id inverse_length_of(const Module& m, Id id) {
     return square.op == Op::dot_ && square.arg[0] == square.arg[1] ? square.arg[0] : poison;
 }
 
-// The last rewriting: detach says nothing any more, and a vector that is divided by its length
+// The last rewriting: detach and covariances say nothing any more, and a vector that is divided by its length
 // elsewhere too is made unit by that quotient.
 struct Finisher {
     std::vector<bool> inverse_known;  // by Id of the source: of its length
@@ -300,7 +308,7 @@ struct Finisher {
 };
 
 Id finish(void* context, Module& target, const Module& source, Id id, std::span<const Id> mapped) {
-    if (source[id].op == Op::detach_) return mapped[0];
+    if (source[id].op == Op::detach_ || source[id].op == Op::with_covariance_) return mapped[0];
     const auto& finisher = *static_cast<const Finisher*>(context);
     if (source[id].op != Op::normalize_ || !finisher.inverse_known[source[id].arg[0]])
         return poison;

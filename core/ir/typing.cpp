@@ -114,6 +114,8 @@ Type gradient_type(Op op, Types operands, std::string* why) {
         case Op::gradient_vector_:
         case Op::resolve_:
             return exactly(op, operands, {T::gradient_}, T::vec3_, why);
+        case Op::normal_variance_:
+            return exactly(op, operands, {T::gradient_}, T::float_, why);
         default:
             return T::poison_;
     }
@@ -163,6 +165,9 @@ Type special(Op op, Types operands, Type wanted, std::string* why) {
             return exactly(op, operands, {T::int_}, T::uint_, why);
         case Op::detach_:
             return info(first).lanes > 0 ? first : refuse(why, op, operands, "a number");
+        case Op::with_covariance_:
+            return first == T::vec3_ ? exactly(op, operands, {first, T::float_}, first, why)
+                                     : exactly(op, operands, {T::vec2_, T::vec3_}, T::vec2_, why);
         case Op::ddx_:
         case Op::ddy_:
             return is_float_type(first) ? first : refuse(why, op, operands, "a float or vector");

@@ -1,9 +1,11 @@
 #include "lower/lower.h"
 
 #include <algorithm>
+#include <limits>
 #include <map>
 #include <memory>
 
+#include "ir/normal_variance.h"
 #include "lower/call.h"
 
 namespace wrinkle {
@@ -58,6 +60,7 @@ public:
         if (diagnostics_.has_errors() || !open(top, nullptr)) return std::move(result_);
         while (!frames_.empty())
             step();
+        if (may_miss_variance()) return with_all_written_out();
         report_problems(result_.module, project_, result_.places, diagnostics_);
         return std::move(result_);
     }
@@ -97,6 +100,19 @@ private:
         }
         frames_.push_back(std::move(frame));
         return true;
+    }
+
+    // What varies inside a function is not known outside of it.
+    bool may_miss_variance() const {
+        const auto is_function = [](const FunctionPlan::File& file) { return file.function; };
+        return std::any_of(functions_.files.begin(), functions_.files.end(), is_function) &&
+               wants_normal_variance(result_.module) && !diagnostics_.has_errors();
+    }
+
+    Lowered with_all_written_out() const {
+        LowerOptions options = options_;
+        options.inline_up_to = std::numeric_limits<uint64_t>::max();
+        return Lowerer(project_, types_, options, diagnostics_).run();
     }
 
     bool refuse_size() {

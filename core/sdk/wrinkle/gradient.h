@@ -86,6 +86,19 @@ inline Gradient gradient_from_normal(vec3 normal, Base base = {}) {
 inline Gradient gradient_from_outward_normal(vec3 normal, Base base = {}) {
     return Gradient(emit(WR_OP_gradient_from_outward_normal, {normal.id}, base.id));
 }
+// The value itself, said to vary within a pixel: a vec2 with the covariances (xx, yy, xy), or a
+// vec3 whose lanes all have one variance. normal_variance() counts it.
+inline vec2 with_covariance(vec2 value, vec3 covariance) {
+    return vec2(emit(WR_OP_with_covariance, {value.id, covariance.id}));
+}
+inline vec3 with_covariance(vec3 value, Float variance) {
+    return vec3(emit(WR_OP_with_covariance, {value.id, variance.id}));
+}
+// How much the unit normal of a bump varies within a pixel: the trace of its covariance, from the
+// pictures that the bump is read from and from with_covariance().
+inline Float normal_variance(Gradient gradient) {
+    return Float(emit(WR_OP_normal_variance, {gradient.id}));
+}
 // The unit normal in object space.
 inline vec3 resolve(Gradient gradient) {
     return vec3(emit(WR_OP_resolve, {gradient.id}));

@@ -222,6 +222,9 @@ extern "C" {
     /* ddx, ddy: float types; the change to the next pixel in x, in y */ \
     X(ddx,            91,  1, special,   "",            0,  10) \
     X(ddy,            92,  1, special,   "",            0,  10) \
+    /* vec2, vec3 of covariances (xx, yy, xy); or vec3, float variance of each lane: the value \
+     * itself, which varies so within a pixel. Zero, or a second one on it, adds nothing. */ \
+    X(with_covariance, 93, 2, special,   "",            0,  2) \
     /* vec2 uv -> vec4; extra: resource */ \
     X(sample,         100, 1, special,   "texture",     0,  4) \
     X(sample_lod,     101, 2, special,   "textureLod",  0,  0) /* uv, float lod -> vec4 */ \
@@ -261,7 +264,10 @@ extern "C" {
     /* gradient -> vec3 unit normal, object space */ \
     X(resolve,                  139, 1, special, "",    0,  2) \
     /* as from_normal; one that points inward is reversed */ \
-    X(gradient_from_outward_normal, 140, 1, special, "", 0, 2)
+    X(gradient_from_outward_normal, 140, 1, special, "", 0, 2) \
+    /* gradient -> float: the trace of the covariance of its unit normal within a pixel, from the \
+     * pictures that its slopes are read from and from with_covariance */ \
+    X(normal_variance,          141, 1, special, "",    0,  2)
 
 /* Methods of a frame, and the scale that goes with them (reference: Mikkelsen 2020 and 2010):
  * X(name, number) */

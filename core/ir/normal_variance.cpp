@@ -1,0 +1,188 @@
+#include "ir/normal_variance.h"
+
+#include <algorithm>
+
+#include "ir/rewrite.h"
+
+namespace wrinkle {
+namespace {
+
+bool reads_picture(Op op) {
+    return op == Op::sample_ || op == Op::sample_lod_ || op == Op::sample_grad_;
+}
+
+bool is_arrangement(Op op) {
+    return op == Op::swizzle_ || op == Op::construct_ || op == Op::neg_ || op == Op::add_ ||
+           op == Op::sub_;
+}
+
+// The one read that the value is a sum and multiple of, as decoding makes it; poison if it is
+// anything else. A mean stays a mean under these alone.
+Id picture_of(const Module& m, Id value) {
+    std::vector<Id> open{value}, seen;
+    Id read = poison;
+    while (!open.empty()) {
+        const Id id = open.back();
+        open.pop_back();
+        if (m.is_constant(id) || std::find(seen.begin(), seen.end(), id) != seen.end()) continue;
+        seen.push_back(id);
+        const Inst& inst = m[id];
+        const bool scaled =
+            inst.op == Op::mul_ && (m.is_constant(inst.arg[0]) || m.is_constant(inst.arg[1]));
+        if (reads_picture(inst.op)) {
+            if (read != poison && read != id) return poison;
+            read = id;
+        } else if (is_arrangement(inst.op) || scaled) {
+            for (const Id operand : m.operands(id))
+                open.push_back(operand);
+        } else {
+            return poison;
+        }
+    }
+    return read;
+}
+
+Value level_in_use(Module& m, ScreenDerivatives& screen, Id read) {
+    const Inst inst = m[read];
+    if (inst.op == Op::sample_lod_) return {&m, inst.arg[1]};
+    if (inst.op == Op::sample_grad_)
+        return {&m, sample_lod_of(m, inst.extra, inst.arg[1], inst.arg[2])};
+    const Value x = screen.on_screen(Variant::dx, inst.arg[0]);
+    const Value y = screen.on_screen(Variant::dy, inst.arg[0]);
+    return {&m, sample_lod_of(m, inst.extra, x.id, y.id)};
+}
+
+Value unit_of(Module& m, Type type, uint32_t lane) {
+    std::array<double, 4> lanes{};
+    lanes[lane] = 1;
+    return {&m, m.constant(type, std::span(lanes.data(), info(type).lanes))};
+}
+
+Value product(Value a, Value b) {
+    return b ? a * b : a;
+}
+
+// vector * factor; an empty factor is 1, an empty vector none at all.
+struct Scaled {
+    Value vector, factor;
+};
+
+// Changes of layers on one frame are multiples of the same vectors.
+Scaled without_factors(Value change) {
+    Scaled result{change, {}};
+    while (result.vector) {
+        Module& m = *change.module;
+        const Inst inst = m[result.vector.id];
+        if (inst.op != Op::mul_) break;
+        const size_t scalar = m.type(inst.arg[0]) == Type::float_ ? 0 : 1;
+        if (m.type(inst.arg[scalar]) != Type::float_) break;
+        const Value factor{&m, inst.arg[scalar]};
+        result = {{&m, inst.arg[1 - scalar]}, product(factor, result.factor)};
+    }
+    return result;
+}
+
+// weight * the product of what a and b change across the normal.
+struct Term {
+    Value a, b, weight;
+};
+
+void add_term(const Term& term, std::vector<Term>& terms) {
+    for (Term& other : terms) {
+        if (other.a.id != term.a.id || other.b.id != term.b.id) continue;
+        other.weight = other.weight + term.weight;
+        return;
+    }
+    terms.push_back(term);
+}
+
+// What a source adds to `terms`, by its change of the normal before that is made unit.
+void add_source(Id source, Value bumped, std::vector<Term>& terms) {
+    Module& m = *bumped.module;
+    const Inst inst = m[source];
+    const Value covariance{&m, inst.arg[1]};
+    std::array<Scaled, 3> changes;
+    for (uint32_t lane = 0; lane < info(inst.type).lanes; ++lane) {
+        Direction direction(m);
+        direction.see_through_detach();
+        direction.seed(source, unit_of(m, inst.type, lane).id);
+        changes[lane] = without_factors({&m, direction.tangent(bumped.id)});
+    }
+    const auto add = [&](size_t i, size_t j, Value weight) {
+        if (!changes[i].vector || !changes[j].vector) return;
+        weight = product(product(weight, changes[i].factor), changes[j].factor);
+        add_term({changes[i].vector, changes[j].vector, weight}, terms);
+    };
+    if (inst.type == Type::vec3_) {
+        for (size_t i = 0; i < 3; ++i)
+            add(i, i, covariance);
+        return;
+    }
+    add(0, 0, covariance.x());
+    add(1, 1, covariance.y());
+    add(0, 1, covariance.z() * 2);
+}
+
+}  // namespace
+
+// The variance along each direction across the mean, half of 1 - |mean|^2, in the units of
+// `normal`.
+std::optional<Value> NormalVariance::lost_by_reading(Value normal, double factor) {
+    const Id read = picture_of(*target_, normal.id);
+    if (read == poison) return {};
+    const Value none = number(normal, 0), one = number(normal, 1);
+    const Value level = level_in_use(*target_, *screen_, read);
+    const Value minified = named("minified", op(Op::clamp_, level, none, one));
+    const double unit = factor * factor;
+    const Value lost = max(one - dot(normal, normal) * unit, 0);
+    return named("lost", lost * minified * (0.5 / unit));
+}
+
+// Directions across a unit mean vary alike: I - m m^T. Of -xy/z that is (I + s s^T) / z^2 with the
+// slopes s, and of xy with z held, as it is written here, I + s s^T.
+Value NormalVariance::tangent_normal(Value normal, Value depth, double factor) {
+    const std::optional<Value> lost = lost_by_reading(normal, factor);
+    if (!lost) return normal.xy();
+    const Value s = named("slope", normal.xy() / depth);
+    const Value one = number(s, 1);
+    const Value across = vec3(s.x() * s.x() + one, s.y() * s.y() + one, s.x() * s.y());
+    return varying(normal.xy(), named("covariance", across * *lost));
+}
+
+Value NormalVariance::object_normal(Value normal, double factor) {
+    const std::optional<Value> lost = lost_by_reading(normal, factor);
+    return lost ? varying(normal, *lost) : normal;
+}
+
+Value NormalVariance::varying(Value value, Value covariance) {
+    const Value result = op(Op::with_covariance_, value, covariance);
+    if (std::find(sources_.begin(), sources_.end(), result.id) == sources_.end())
+        sources_.push_back(result.id);
+    return result;
+}
+
+// Only what is across the normal turns it: dot(a, b) - dot(n, a) dot(n, b), over |bumped|^2.
+Value NormalVariance::of(Value normal) {
+    Module& m = *target_;
+    const Inst unit = m[normal.id];
+    std::vector<Term> terms;
+    const Value bumped{&m, unit.op == Op::normalize_ ? unit.arg[0] : poison};
+    if (bumped)
+        for (const Id source : sources_)
+            add_source(source, bumped, terms);
+    Value sum;
+    for (const Term& term : terms) {
+        const Value across = dot(term.a, term.b) - dot(normal, term.a) * dot(normal, term.b);
+        const Value part = across * term.weight;
+        sum = sum ? sum + part : part;
+    }
+    return sum ? named("variance", max(sum / dot(bumped, bumped), 0)) : number(normal, 0);
+}
+
+bool wants_normal_variance(const Module& source) {
+    for (Id id = 1; id < source.size(); ++id)
+        if (source[id].op == Op::normal_variance_) return true;
+    return false;
+}
+
+}  // namespace wrinkle

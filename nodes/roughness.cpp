@@ -1,0 +1,85 @@
+// What bumps too fine for the picture leave behind: roughness.
+#include "nodes/footprint.h"
+#include "nodes/ports.h"
+#include "wrinkle/node.h"
+
+namespace wrinkle::nodes {
+using namespace sdk;
+
+// A GGX lobe of width alpha spreads its microfacets' slopes like a variance of alpha^2 / 2 each
+// way; variances add, here both ways at once.
+Node bump_roughness_node =
+    node("bump_roughness", "Roughness of bump",
+         "Keeps a highlight as wide as the bump makes it where the bump is too fine for the "
+         "picture: the slopes that mips leave out become roughness. Of normal maps read in three "
+         "channels, and of slope moments maps; heights and noises leave out nothing.")
+        .family("gradient")
+        .in<Gradient>("gradient", "The bump that is resolved, all of it")
+        .in<Float>("roughness", 0.5, "Of the surface by itself, perceptual: its square is alpha",
+                   slider(0, 1), limits(0, 1))
+        .in<Float>("amount", 1, "Factor of the variance: 0 leaves the roughness unchanged",
+                   slider(0, 2), limits(0, 4), unit("x"))
+        .out<Float>("roughness", "Perceptual roughness, 0 to 1")
+        .out<Float>("variance", "Of the unit normal within a pixel, both ways added")
+        .body([](Gradient g, Float roughness, Float amount) {
+            const Float variance = normal_variance(g);
+            const Float alpha = roughness * roughness;
+            const Float wider = min(alpha * alpha + variance * amount, 1);
+            return std::tuple{sqrt(sqrt(wider)), variance};
+        });
+
+enum class PerLength { uv, texel };
+struct SlopeMomentsMap {
+    Image slopes, moments;
+    vec2 uv;
+    Float strength;
+    PerLength per;
+    bool flip_u, flip_v;
+    Scale scale;
+    FrameMethod frame;
+    vec3 direction, base;
+};
+
+// LEAN mapping: covariance = second moments - products of the means.
+static vec2 slope_with_moments(const SlopeMomentsMap& in) {
+    const vec2 mean = in.slopes.sample(in.uv).xy();
+    const vec3 moments = in.moments.sample(in.uv).xyz();
+    const Float texels = footprint(in.uv * in.slopes.size());
+    const Float minified = clamp(log2(max(texels, 1)), 0, 1);
+    const vec3 covariance(max(moments.x() - mean.x() * mean.x(), 0),
+                          max(moments.y() - mean.y() * mean.y(), 0),
+                          moments.z() - mean.x() * mean.y());
+    return with_covariance(mean, covariance * minified);
+}
+
+Node slope_moments_map_node =
+    node("slope_moments_map", "Slope moments map",
+         "A bump from a picture of slopes, with a second picture of their squares and product, so "
+         "that `bump_roughness` knows exactly what the mips leave out (LEAN mapping).")
+        .family("image")
+        .in<Image>("slopes", "Slopes dh/du in red and dh/dv in green", encoding("linear"))
+        .in<Image>("moments", "Of the same slopes: dh/du squared, dh/dv squared, and their product",
+                   encoding("linear"))
+        .in<vec2>("uv", surface::uv0, "Where to read both")
+        .in<Float>("strength", 1,
+                   "Factor of the slopes; for the scale `surface` a length of object space",
+                   slider(-2, 2), unit("x"))
+        .choice("per", {"uv", "texel"},
+                "Whether the pictures hold the change per uv unit or per texel")
+        .flag("flip_u", false, "Turns the slopes along u about: for maps whose red points down")
+        .flag("flip_v", false, "Turns the slopes along v about: for maps with v pointing down")
+        .choice("scale", SCALES, SCALE_DOC)
+        .choice("frame", FRAME_METHODS, FRAME_DOC)
+        .in<vec3>("direction", {0, 1, 0}, DIRECTION_DOC)
+        .in<Normal>("base", surface::normal, BASE_DOC)
+        .out<Gradient>("gradient", "The bump")
+        .out<Derivative>("derivative", "The slopes with their frame")
+        .body([](SlopeMomentsMap in) {
+            const vec2 flip(in.flip_u ? -1 : 1, in.flip_v ? -1 : 1);
+            const vec2 slope = slope_with_moments(in) * flip * in.strength;
+            const Derivative d(in.per == PerLength::texel ? slope * in.slopes.size() : slope,
+                               frame(in.uv, in.frame, in.scale, in.direction));
+            return std::tuple{Gradient(d, Base(in.base)), d};
+        });
+
+}  // namespace wrinkle::nodes
