@@ -286,8 +286,8 @@ Id inverse_length_of(const Module& m, Id id) {
     return square.op == Op::dot_ && square.arg[0] == square.arg[1] ? square.arg[0] : poison;
 }
 
-// The last rewriting: detach and covariances say nothing any more, and a vector that is divided by its length
-// elsewhere too is made unit by that quotient.
+// The last rewriting: detach and covariances say nothing any more, and a vector that is divided by
+// its length elsewhere too is made unit by that quotient.
 struct Finisher {
     std::vector<bool> inverse_known;  // by Id of the source: of its length
 

@@ -11,6 +11,9 @@
 //   * files in which functions stand more than `deepest` deep,
 //   * everything in a project where a node says a base of its own, or reads a field: both look
 //     through a sub-graph's border.
+//
+// lower() has no functions either where the variance of a normal is asked for
+// (ir/normal_variance.h).
 #pragma once
 
 #include <vector>

@@ -5,6 +5,7 @@
 //   *_height.png  one channel, 0 to 1; the samples give it its depth
 //   *_normal.png  tangent space, green = +v, for the depth (in tiles) that the table below states
 //   *_slopes.png  dh/du and dh/dv, 0.5 is flat, for the depth that the table below states
+//   *_moments.png the squares of those slopes and their product; 0.5 is 0
 //   *_object.png  object space, 2t - 1 = x, y, z
 //   *_cube.png    the same in six faces, +x -x +y -y +z -z
 //   *_mask.png    one channel, 0 to 1
@@ -72,6 +73,21 @@ Image derivative_map(Pattern pattern, double depth, uint32_t size) {
     return image;
 }
 
+// Of the slopes of derivative_map().
+Image moments_map(Pattern pattern, double depth, uint32_t size) {
+    Image image = make_image(size, size, 3, PixelType::u16);
+    for (uint32_t y = 0; y < size; ++y)
+        for (uint32_t x = 0; x < size; ++x) {
+            const Dual height = at_texel(image, pattern, x, y);
+            const double du = depth * height.du, dv = depth * height.dv;
+            float* texel = image.texel(x, y);
+            texel[0] = static_cast<float>(0.5 + 0.5 * (du * du));
+            texel[1] = static_cast<float>(0.5 + 0.5 * (dv * dv));
+            texel[2] = static_cast<float>(0.5 + 0.5 * (du * dv));
+        }
+    return image;
+}
+
 Image object_normal_map(uint32_t width) {
     Image image = make_image(width, width / 2, 3, PixelType::u16);
     for (uint32_t y = 0; y < image.height; ++y)
@@ -116,6 +132,7 @@ bool write_all(const std::filesystem::path& folder) {
         Texture{"rivets_normal.png", [] { return normal_map(rivets, 0.1, 256); }},
         Texture{"pebbles_height.png", [] { return height_map(pebbles, 256); }},
         Texture{"pebbles_slopes.png", [] { return derivative_map(pebbles, 0.02, 256); }},
+        Texture{"pebbles_moments.png", [] { return moments_map(pebbles, 0.02, 256); }},
         Texture{"patches_mask.png", [] { return height_map(patches, 256); }},
         Texture{"ball_object.png", [] { return object_normal_map(512); }},
         Texture{"ball_cube.png", [] { return cube_normal_map(128); }},

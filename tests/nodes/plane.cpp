@@ -57,13 +57,14 @@ std::vector<Property> properties(double x, double y, const Scene& scene) {
     return all;
 }
 
-Texture texture_of(const Scene& scene, const TextureOptions& options) {
-    Image image = scene.texture;
+Texture texture_of(const Scene& scene, const Resource& resource) {
+    const auto found = scene.pictures.find(resource.name);
+    Image image = found == scene.pictures.end() ? scene.texture : found->second;
     if (image.empty()) {
         image = make_image(1, 1, 3);
         image.data.assign(3, 0.5f);
     }
-    return Texture(build_mips(std::move(image)), options);
+    return Texture(build_mips(std::move(image)), resource.options);
 }
 
 }  // namespace
@@ -102,7 +103,7 @@ std::vector<std::vector<double>> values(const Scene& scene, const PointSet& poin
     EXPECT_EQ(why, "");
     std::vector<Texture> textures;
     for (const Resource& resource : material.module.resources)
-        textures.push_back(texture_of(scene, resource.options));
+        textures.push_back(texture_of(scene, resource));
     Results results = make_results(program, points.count);
     evaluate<double>(program, points, textures, 0, points.count, results);
     const size_t lanes = program.outputs.at(0).regs.size();

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -24,6 +25,7 @@ struct Scene {
     Image texture = {};                     // stands for every image; empty: one grey texel of 0.5
     std::array<double, 3> normal{0, 0, 1};  // not of the plane: for maps that look at it
     std::array<double, 3> view{0, 0, 1};
+    std::map<std::string, Image> pictures = {};  // by file; for those, instead of `texture`
 };
 
 // The output's lanes at each (x, y); a failure of the test and nothing when it does not compile.

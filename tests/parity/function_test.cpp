@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "certify/points.h"
+#include "glsl/emit.h"
 #include "glsl/golden.h"
 #include "ir/verify.h"
 #include "parity/compare.h"
@@ -143,6 +144,25 @@ TEST(Functions, TakeAndGiveNormals) {
                  .nodes = ", 'r': {'type': 'resolve', 'in': {'gradient': <f.height}}, 'f': "
                           "{'type': 'fbm'}",
                  .outputs = "'normal': <p.normal, 'other': <q.normal"});
+}
+
+// What varies inside a function would not be known outside.
+TEST(Functions, AreNoneWhereAVarianceIsAskedFor) {
+    const Pair pair{.inputs = "'uv': {'type': 'vec2'}",
+                    .part =
+                        "'m': {'type': 'tangent_normal_map', 'in': {'image': 'IMAGE_A', "
+                        "'uv': <input.uv}}",
+                    .part_outputs = "'g': <m.gradient",
+                    .p = "",
+                    .q = "'uv': <surface.uv1",
+                    .nodes =
+                        ", 'a': {'type': 'gradient_add', 'in': {'a': <p.g, 'b': <q.g}}, 'r': "
+                        "{'type': 'bump_roughness', 'in': {'gradient': <a.gradient}}",
+                    .outputs = "'normal': <a.gradient, 'roughness': <r.roughness"};
+    const Nested nested(pair.texts());
+    const Compiled with = nested.compile({}), without = nested.compile({.functions = false});
+    EXPECT_EQ(function_count(with.module), 0U);
+    EXPECT_EQ(emit(with.module, {}).source, emit(without.module, {}).source);
 }
 
 // Frames: uv0 has vertex tangents, uv1 none, a uv of both is exact or derived of its own.
