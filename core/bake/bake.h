@@ -45,7 +45,7 @@ struct BakeFindings {
     uint64_t covered = 0;     // texels that hold a surface
     uint64_t not_finite = 0;  // of them, with a number that is not finite
     uint64_t overlapped = 0;  // with more than one triangle at their centre
-    // The first of these from the top, as a place in texels, and a triangle that owns nothing there.
+    // One of these, as a place in texels, and a triangle that owns nothing there.
     uint32_t overlap_x = 0, overlap_y = 0;
     uint32_t overlap_triangle = Coverage::none;
 

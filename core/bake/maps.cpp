@@ -38,7 +38,8 @@ public:
 
     std::optional<BakePlan> plan(const std::vector<MapRequest>& requests) {
         for (const MapRequest& request : requests)
-            plan_.maps.push_back(request.pack.empty() ? map_of(request.name) : packed(request));
+            plan_.maps.push_back(request.pack.empty() ? map_of(request.name, request.integers)
+                                                      : packed(request));
         std::string why;
         plan_.program = compile_program(module_, why);
         if (!why.empty()) diagnostics_.error(why);
@@ -59,20 +60,20 @@ private:
         return first;
     }
 
-    BakedMap map_of(const std::string& name) {
+    BakedMap map_of(const std::string& name, bool integers) {
         const bool made = name == "derivative" || name == "slopes";
         const ModuleOutput* output = output_named(source_, made ? "normal" : name);
         BakedMap map{name, {}, false};
         if (!output)
             complain(name);
         else if (name == "derivative")
-            add_derivative(map, {&module_, output->value});
+            add_derivative(map, {&module_, output->value}, integers);
         else if (name == "slopes")
-            add_slopes(map, {&module_, output->value});
+            add_slopes(map, {&module_, output->value}, integers);
         else if (output->port_type == WR_PORT_normal)
             add_normal(map, {&module_, output->value});
         else
-            add_values(map, *output);
+            add_values(map, *output, integers);
         return map;
     }
 
@@ -95,10 +96,10 @@ private:
         }
     }
 
-    void add_derivative(BakedMap& map, Value normal) {
+    void add_derivative(BakedMap& map, Value normal, bool integers) {
         const uint32_t lane = lane_of(slope_of_normal(module_, normal));
-        const double code = options_.integer_files ? 0.5 : 1;
-        const float offset = options_.integer_files ? 0.5F : 0.0F;
+        const double code = integers ? 0.5 : 1;
+        const float offset = integers ? 0.5F : 0.0F;
         const std::array<double, 2> texels = {static_cast<double>(options_.width),
                                               static_cast<double>(options_.height)};
         for (uint32_t i = 0; i < 2; ++i) {
@@ -107,13 +108,13 @@ private:
         }
     }
 
-    void add_slopes(BakedMap& map, Value normal) {
+    void add_slopes(BakedMap& map, Value normal, bool integers) {
         const Value slope = slope_of_normal(module_, normal);
         const Value s = slope.x(), t = -slope.y();
         const ModuleOutput* height = output_named(source_, "height");
         const std::array<Value, 6> values = {
             height ? Value{&module_, height->value} : number(s, -1), s, t, s * s, t * t, s * t};
-        if (options_.integer_files)
+        if (integers)
             diagnostics_.error("the map 'slopes' holds numbers that integers do not",
                                "--type half or float, in OpenEXR or TIFF");
         for (uint32_t i = 0; i < 6; ++i) {
@@ -125,13 +126,13 @@ private:
         }
     }
 
-    void add_values(BakedMap& map, const ModuleOutput& output) {
+    void add_values(BakedMap& map, const ModuleOutput& output, bool integers) {
         const uint32_t lane = lane_of({&module_, output.value});
         const uint32_t count = info(module_.type(output.value)).lanes;
         const bool is_length =
             output.port_type == WR_PORT_height || output.port_type == WR_PORT_derivative;
         const float gain = is_length ? static_cast<float>(1 / options_.scale) : 1.0F;
-        const bool srgb = output.port_type == WR_PORT_color && options_.integer_files;
+        const bool srgb = output.port_type == WR_PORT_color && integers;
         for (uint32_t i = 0; i < count; ++i)
             map.channels.push_back(
                 {count == 1 ? "Y" : color_channels[i], lane + i, gain, 0, srgb && i < 3, 0});
@@ -143,7 +144,7 @@ private:
         for (const PackedChannel& from : request.pack) {
             const size_t to = std::string_view("rgba").find(from.to);
             if (map.channels.size() <= to) map.channels.resize(to + 1, {"", 0, 0, 0, false, 0});
-            const BakedMap whole = map_of(from.map);
+            const BakedMap whole = map_of(from.map, request.integers);
             if (from.channel >= whole.channels.size()) {
                 if (!whole.channels.empty())
                     diagnostics_.error("the map '" + from.map + "' has " +

@@ -37,6 +37,7 @@ struct PackedChannel {
 struct MapRequest {
     std::string name;
     std::vector<PackedChannel> pack;  // empty: the map of that name
+    bool integers = true;             // of the file
 };
 std::optional<MapRequest> parse_pack(const std::string& text, Diagnostics& diagnostics);
 
@@ -44,7 +45,6 @@ struct MapOptions {
     bool tangent_space = true;  // else object space
     bool vertex_tangents = true;
     bool green_down = false;
-    bool integer_files = true;
     double scale = 1;
     uint32_t width = 1024, height = 1024;  // of the layout
 };

@@ -32,7 +32,7 @@ std::optional<PackedChannel> parse_channel(std::string_view word) {
 }  // namespace
 
 std::optional<MapRequest> parse_pack(const std::string& text, Diagnostics& diagnostics) {
-    MapRequest request{"packed", {}};
+    MapRequest request{"packed", {}, true};
     std::string_view rest = text;
     const size_t colon = rest.find(':');
     if (colon != rest.npos) {

@@ -121,10 +121,10 @@ TEST(BakedMaps, AFlatSurfaceIsStraightUpWithAndWithoutTangents) {
 // The plane is 2 across: du = 1 is two units of length.
 TEST(BakedMaps, AWaveHasItsAnalyticNormalDerivativeAndSlopes) {
     MapOptions options;
-    options.integer_files = false;
     options.width = 200;
     options.height = 100;
-    const BakePlan plan = plan_of(wave(), {"normal", "derivative", "slopes", "height"}, options);
+    const BakePlan plan =
+        plan_of(wave(), {"normal", "derivative", "slopes", "height"}, options, false);
     const BakeHow how = {.width = 200, .height = 100};
     const Mesh plane = *make_shape("plane");
     const Stored normal = stored(plane, plan, 0, how), derivative = stored(plane, plan, 1, how),
@@ -152,9 +152,8 @@ TEST(BakedMaps, SlopesRunDownTheMap) {
            "n": {"type": "resolve", "in": {"gradient": {"from": "s.y"}}})",
         R"("normal": {"from": "n.normal"})");
     MapOptions options;
-    options.integer_files = false;
     options.width = options.height = 128;
-    const Stored map = stored(*make_shape("plane"), plan_of(module, {"slopes"}, options), 0);
+    const Stored map = stored(*make_shape("plane"), plan_of(module, {"slopes"}, options, false), 0);
     const double expected[] = {-1, 0, -1 / 128.0, 0, 1 / 128.0 / 128, 0};
     for (size_t c = 0; c < 6; ++c)
         EXPECT_NEAR(map.at(5, 9)[c], expected[c], 1e-6) << c;
@@ -175,14 +174,12 @@ TEST(BakedMaps, GreenDownScaleAndIntegersChangeTheCode) {
     }
     EXPECT_TRUE(differs);
     const Mesh plane = *make_shape("plane");
-    MapOptions raw, coded, scaled;
-    raw.integer_files = false;
-    scaled.integer_files = false;
-    coded.scale = scaled.scale = 4;
-    const Stored d = stored(plane, plan_of(wave(), {"derivative"}, raw), 0);
-    const Stored c = stored(plane, plan_of(wave(), {"derivative"}, coded), 0);
-    const Stored s = stored(plane, plan_of(wave(), {"slopes"}, scaled), 0);
-    const Stored one = stored(plane, plan_of(wave(), {"slopes"}, raw), 0);
+    MapOptions scaled;
+    scaled.scale = 4;
+    const Stored d = stored(plane, plan_of(wave(), {"derivative"}, {}, false), 0);
+    const Stored c = stored(plane, plan_of(wave(), {"derivative"}, scaled), 0);
+    const Stored s = stored(plane, plan_of(wave(), {"slopes"}, scaled, false), 0);
+    const Stored one = stored(plane, plan_of(wave(), {"slopes"}, {}, false), 0);
     for (uint32_t x = 0; x < 128; x += 3) {
         EXPECT_NEAR(d.at(x, 1)[0], (2 * c.at(x, 1)[0] - 1) * 4, 1e-5);
         EXPECT_NEAR(one.at(x, 1)[0], s.at(x, 1)[0] * 4, 1e-6);
@@ -196,10 +193,8 @@ TEST(BakedMaps, ColorsAreCodedForIntegersAlone) {
         bake_module(R"("c": {"type": "combine_vec3", "in": {"x": 0.5, "y": 0.002, "z": 1}})",
                     R"("color": {"from": "c.vector"})");
     const Mesh plane = *make_shape("plane");
-    MapOptions linear;
-    linear.integer_files = false;
     const Stored coded = stored(plane, plan_of(module, {"color"}), 0);
-    const Stored raw = stored(plane, plan_of(module, {"color"}, linear), 0);
+    const Stored raw = stored(plane, plan_of(module, {"color"}, {}, false), 0);
     const float codes[] = {0.735357F, 0.02584F, 1}, numbers[] = {0.5F, 0.002F, 1};
     for (size_t c = 0; c < 3; ++c) {
         EXPECT_NEAR(coded.at(9, 9)[c], codes[c], 1e-5);
@@ -216,10 +211,10 @@ TEST(BakedMaps, UnknownMapsAndChannelsAreErrors) {
     const auto has = [](const std::string& text, const char* words) {
         return text.find(words) != text.npos;
     };
-    EXPECT_TRUE(has(refused({{"normla", {}}}, {}), "did you mean 'normal'?"));
-    EXPECT_TRUE(has(refused({{"color", {}}}, {}), "normal, height, derivative, slopes"));
-    EXPECT_TRUE(has(refused({{"slopes", {}}}, {}), "--type half or float"));
-    EXPECT_TRUE(has(refused({{"p", {{'r', "height", 1}}}}, {}), "has 1 channels"));
+    EXPECT_TRUE(has(refused({{"normla", {}, true}}, {}), "did you mean 'normal'?"));
+    EXPECT_TRUE(has(refused({{"color", {}, true}}, {}), "normal, height, derivative, slopes"));
+    EXPECT_TRUE(has(refused({{"slopes", {}, true}}, {}), "--type half or float"));
+    EXPECT_TRUE(has(refused({{"p", {{'r', "height", 1}}, true}}, {}), "has 1 channels"));
 }
 
 TEST(BakedMaps, PacksAreReadAsTheyAreWritten) {
@@ -242,8 +237,9 @@ TEST(BakedMaps, PacksAreReadAsTheyAreWritten) {
 
 TEST(BakedMaps, APackHoldsTheChannelsOfOthers) {
     Diagnostics diagnostics;
-    const MapRequest pack{"p", {{'a', "height", 0}, {'r', "normal", 2}}};
-    const auto plan = plan_maps(wave(), {{"normal", {}}, {"height", {}}, pack}, {}, diagnostics);
+    const MapRequest pack{"p", {{'a', "height", 0}, {'r', "normal", 2}}, true};
+    const auto plan =
+        plan_maps(wave(), {{"normal", {}, true}, {"height", {}, true}, pack}, {}, diagnostics);
     ASSERT_TRUE(plan) << to_text(diagnostics);
     const Mesh plane = *make_shape("plane");
     const Stored normal = stored(plane, *plan, 0), height = stored(plane, *plan, 1),

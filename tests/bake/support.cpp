@@ -22,11 +22,11 @@ Module bake_module(const std::string& nodes, const std::string& outputs, bool ta
 }
 
 BakePlan plan_of(const Module& module, const std::vector<std::string>& maps,
-                 const MapOptions& options) {
+                 const MapOptions& options, bool integers) {
     Diagnostics diagnostics;
     std::vector<MapRequest> requests;
     for (const std::string& name : maps)
-        requests.push_back({name, {}});
+        requests.push_back({name, {}, integers});
     auto plan = plan_maps(module, requests, options, diagnostics);
     EXPECT_TRUE(plan) << to_text(diagnostics);
     return plan ? std::move(*plan) : BakePlan{};

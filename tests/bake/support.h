@@ -17,7 +17,7 @@ Module bake_module(const std::string& nodes, const std::string& outputs, bool ta
 Module bake_module_of(const std::string& text, bool tangents = true);
 
 BakePlan plan_of(const Module& module, const std::vector<std::string>& maps,
-                 const MapOptions& options = {});
+                 const MapOptions& options = {}, bool integers = true);
 
 // Rows of a bake, from the top.
 struct LanePicture {
