@@ -41,7 +41,7 @@ public:
           last_(last),
           low_((first - std::min(first, input.dilate)) / bake_tile * bake_tile),
           high_(std::min(last + input.dilate, layout_.height)),
-          window_(layout_.width, std::min(2 * (bake_tile + input.dilate), layout_.height),
+          window_(layout_.width, std::min(3 * bake_tile + 2 * input.dilate, layout_.height),
                   lanes_of_outputs(*input.program)) {}
 
     bool run(const TakeRows& take, BakeFindings& findings) {
@@ -51,7 +51,8 @@ public:
         for (uint32_t row = low_; row < high_; row += bake_tile) {
             const uint32_t end = std::min(row + bake_tile, high_);
             bake_band(row, end, findings);
-            const uint32_t ready = end == high_ ? last_ : end - std::min(end, input_.dilate);
+            const uint32_t seen = end - std::min(end, input_.dilate);
+            const uint32_t ready = end == high_ ? last_ : seen / bake_tile * bake_tile;
             if (ready <= given) continue;
             give_[1].resize(window_, ready - given);
             dilate(window_, given, ready, low_, end, input_.dilate, give_[1].values.data(),

@@ -74,6 +74,8 @@ private:
             add_normal(map, {&module_, output->value});
         else
             add_values(map, *output, integers);
+        if (integers && map.channels.size() == 2)
+            map.channels.push_back({"B", map.channels[0].lane, 0, 0, false, 0});
         return map;
     }
 

@@ -12,6 +12,8 @@
 //               output "height", or -1 where there is none
 //   others      as the output says; a color in an integer file is sRGB-coded
 //
+// Two channels get a third, of zeros, in an integer file: there they would be gray and alpha.
+//
 // A bump steeper than 128 (of the surface normal) counts as that steep. Heights and slopes are
 // divided by `scale`, slopes' products by its square; a derivative in an integer file is
 // (d / scale + 1) / 2. A packed map holds channels of the others, a color's linear.
