@@ -31,7 +31,8 @@ struct BakeInput {
     uint32_t dilate = 16;               // texels, up to most_dilation
 };
 
-// Rows as they come, whole rows of tiles: `lanes` floats a texel, and whether there is something to see.
+// Rows as they come, whole rows of tiles: `lanes` floats a texel, and whether there is something to
+// see.
 struct BakedRows {
     uint32_t first = 0;  // from the top
     uint32_t count = 0;

@@ -38,8 +38,7 @@ public:
 
     std::optional<BakePlan> plan(const std::vector<MapRequest>& requests) {
         for (const MapRequest& request : requests)
-            plan_.maps.push_back(request.pack.empty() ? map_of(request.name, request.integers)
-                                                      : packed(request));
+            add(request);
         std::string why;
         plan_.program = compile_program(module_, why);
         if (!why.empty()) diagnostics_.error(why);
@@ -49,6 +48,14 @@ public:
     }
 
 private:
+    void add(const MapRequest& request) {
+        BakedMap map =
+            request.pack.empty() ? map_of(request.name, request.integers) : packed(request);
+        if (request.integers && map.channels.size() == 2)
+            map.channels.push_back({"B", map.channels[0].lane, 0, 0, false, 0});
+        plan_.maps.push_back(std::move(map));
+    }
+
     // The first lane of a value that the program gives.
     uint32_t lane_of(Value value) {
         const auto known = lanes_.find(value.id);
@@ -74,8 +81,6 @@ private:
             add_normal(map, {&module_, output->value});
         else
             add_values(map, *output, integers);
-        if (integers && map.channels.size() == 2)
-            map.channels.push_back({"B", map.channels[0].lane, 0, 0, false, 0});
         return map;
     }
 

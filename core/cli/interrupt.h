@@ -1,4 +1,5 @@
-// Ctrl-C and the request to end, noticed instead of obeyed: what is half done is cleared away first.
+// Ctrl-C and the request to end, noticed instead of obeyed: what is half done is cleared away
+// first.
 #pragma once
 
 namespace wrinkle::cli {
