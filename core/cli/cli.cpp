@@ -29,7 +29,7 @@ int run_cli(int argc, const char* const* argv) {
     app.get_formatter()->column_width(34);
     Run run;
     for (auto declare :
-         {declare_check, declare_compile, declare_eval, declare_render, declare_test,
+         {declare_check, declare_compile, declare_eval, declare_render, declare_bake, declare_test,
           declare_format, declare_upgrade, declare_inputs, declare_nodes, declare_plugins,
           declare_new_plugin, declare_explain_log, declare_completion, declare_man})
         declare(app, run);

@@ -29,7 +29,7 @@ struct EvalCommand {
             if (!problems.has_errors() && !diagnostics.has_errors())
                 text += result(i, run, overrides, points, textures, problems);
         };
-        compile_runs(file, common, nodes.registry, overrides, true, use, diagnostics);
+        compile_runs(file, common, nodes.registry, overrides, Purpose::eval, use, diagnostics);
         text += overrides.is_sweep() ? "\n]}\n" : "}\n";
         const int code = report(diagnostics, common.diagnostics);
         if (code != exit_fine) return code;

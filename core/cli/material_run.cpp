@@ -1,16 +1,23 @@
 #include "cli/material_run.h"
 
+#include <array>
+
 namespace wrinkle::cli {
+namespace {
+
+constexpr std::array<const char*, 3> purpose_names = {"eval", "render", "bake"};
+
+}  // namespace
 
 void compile_runs(const std::string& file, const CommonOptions& common, const Registry& registry,
-                  const Overrides& overrides, bool given_differentials, const UseRun& use,
+                  const Overrides& overrides, Purpose purpose, const UseRun& use,
                   Diagnostics& diagnostics) {
     Diagnostics own;
     const Project project = open_project(file, common, own);
     MaterialOptions options;
-    options.given_differentials = given_differentials;
+    options.given_differentials = purpose != Purpose::render;
     options.vertex_tangents = !common.no_tangents;
-    options.runs_calls = given_differentials ? "eval" : "render";
+    options.runs_calls = purpose_names[static_cast<size_t>(purpose)];
     for (size_t i = 0; i == 0 || (i < overrides.runs && !own.has_errors()); ++i) {
         MaterialRun run;
         run.project = with_overrides(project, registry, overrides.list, i, own);

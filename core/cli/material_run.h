@@ -19,10 +19,13 @@ struct MaterialRun {
 // What is done with a run that compiled, its number from 0; it is gone afterwards.
 using UseRun = std::function<void(size_t, const MaterialRun&, Diagnostics&)>;
 
+// What a run computes: with differentials that come with the points, but on the screen.
+enum class Purpose : uint8_t { eval, render, bake };
+
 // Reads the file once, compiles it for every run and uses each before the next, so that a long
 // sweep takes the memory of one; up to the first run with an error.
 void compile_runs(const std::string& file, const CommonOptions& common, const Registry& registry,
-                  const Overrides& overrides, bool given_differentials, const UseRun& use,
+                  const Overrides& overrides, Purpose purpose, const UseRun& use,
                   Diagnostics& diagnostics);
 
 // The function form with differentials from the screen, as `wrinkle compile` writes it by default.

@@ -44,7 +44,7 @@ struct RenderCommand {
             read_textures(textures, run.compiled, run.project, problems);
             shaders.push_back(emit_function(run, material_name(file), problems));
         };
-        compile_runs(file, common, nodes.registry, overrides, false, use, diagnostics);
+        compile_runs(file, common, nodes.registry, overrides, Purpose::render, use, diagnostics);
         if (displace && !diagnostics.has_errors())
             meshes = displaced(*drawn_on, nodes, overrides, textures, diagnostics);
         const int code = report(diagnostics, common.diagnostics);
@@ -62,7 +62,7 @@ struct RenderCommand {
             auto mesh = displaced_mesh(still, run, textures, problems);
             if (mesh) meshes.push_back(std::move(*mesh));
         };
-        compile_runs(file, common, nodes.registry, overrides, true, use, diagnostics);
+        compile_runs(file, common, nodes.registry, overrides, Purpose::eval, use, diagnostics);
         return meshes;
     }
 

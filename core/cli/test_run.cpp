@@ -78,7 +78,8 @@ void TestRun::run(const TestCase& test, Diagnostics& diagnostics) {
     std::optional<MaterialRun> given, screen;
     const auto compile = [&](bool given_differentials, std::optional<MaterialRun>& result) {
         const auto keep = [&](size_t, const MaterialRun& run, Diagnostics&) { result = run; };
-        compile_runs(graph, common, registry_, overrides, given_differentials, keep, own);
+        compile_runs(graph, common, registry_, overrides,
+                     given_differentials ? Purpose::eval : Purpose::render, keep, own);
     };
     TextureStore textures;
     Shader shader;

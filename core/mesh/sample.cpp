@@ -4,36 +4,13 @@
 #include <cmath>
 
 #include "base/text.h"
+#include "mesh/uv_triangle.h"
 
 namespace wrinkle {
 namespace {
 
 using glm::dvec2;
 using glm::dvec3;
-
-// A point of a triangle by its weights; `du` and `dv` are their change per unit of u and v.
-struct Weights {
-    dvec3 value;
-    dvec3 du;
-    dvec3 dv;
-};
-
-std::optional<Weights> weights_at(const Mesh& mesh, size_t triangle, dvec2 uv) {
-    const auto corner = [&](size_t k) {
-        return dvec2(mesh.uvs[0][mesh.indices[3 * triangle + k]]);
-    };
-    const dvec2 a = corner(1) - corner(0);
-    const dvec2 b = corner(2) - corner(0);
-    const double determinant = a.x * b.y - b.x * a.y;
-    if (determinant == 0 || !std::isfinite(determinant)) return std::nullopt;
-    const dvec2 p = uv - corner(0);
-    const dvec2 second = dvec2(b.y, -b.x) / determinant;  // the gradient of each weight
-    const dvec2 third = dvec2(-a.y, a.x) / determinant;
-    const double s = second.x * p.x + second.y * p.y;
-    const double t = third.x * p.x + third.y * p.y;
-    return Weights{dvec3(1 - s - t, s, t), dvec3(-second.x - third.x, second.x, third.x),
-                   dvec3(-second.y - third.y, second.y, third.y)};
-}
 
 // Away from the uv box of the triangle by more than the slack of find_cover could bridge.
 bool is_far(const Mesh& mesh, size_t triangle, dvec2 uv) {
@@ -57,7 +34,7 @@ double smallest(dvec3 v) {
 
 struct Cover {
     size_t triangle = 0;
-    Weights weights;
+    UvTriangle map;
 };
 
 // Rounding may leave a sliver between two triangles, so the nearest one counts when it is this
@@ -69,33 +46,32 @@ std::optional<Cover> find_cover(const Mesh& mesh, dvec2 uv) {
     double best = -slack;
     for (size_t t = 0; t < mesh.triangle_count(); ++t) {
         if (is_far(mesh, t, uv)) continue;
-        const std::optional<Weights> weights = weights_at(mesh, t, uv);
-        if (!weights) continue;
-        const double inside = smallest(weights->value);
-        if (inside >= 0) return Cover{t, *weights};
+        const std::optional<UvTriangle> map = uv_triangle(mesh, t);
+        if (!map) continue;
+        const double inside = smallest(map->weights(uv));
+        if (inside >= 0) return Cover{t, *map};
         if (inside > best) {
             best = inside;
-            near = Cover{t, *weights};
+            near = Cover{t, *map};
         }
     }
     return near;
 }
 
 template <typename Result, typename T>
-Result blend(const std::vector<T>& values, const uint32_t* corners, dvec3 weights) {
+Result blend_corners(const std::vector<T>& values, const uint32_t* corners, dvec3 weights) {
     if (values.empty()) return Result(0);
-    return Result(values[corners[0]]) * weights.x + Result(values[corners[1]]) * weights.y +
-           Result(values[corners[2]]) * weights.z;
+    return blend<Result>(values[corners[0]], values[corners[1]], values[corners[2]], weights);
 }
 
 SurfaceAttributes blend_all(const Mesh& mesh, const uint32_t* corners, dvec3 weights) {
     SurfaceAttributes result;
-    result.position = blend<dvec3>(mesh.positions, corners, weights);
-    result.normal = blend<dvec3>(mesh.normals, corners, weights);
-    result.tangent = blend<glm::dvec4>(mesh.tangents, corners, weights);
+    result.position = blend_corners<dvec3>(mesh.positions, corners, weights);
+    result.normal = blend_corners<dvec3>(mesh.normals, corners, weights);
+    result.tangent = blend_corners<glm::dvec4>(mesh.tangents, corners, weights);
     for (size_t set = 0; set < max_uv_sets; ++set)
-        result.uv[set] = blend<dvec2>(mesh.uvs[set], corners, weights);
-    result.color = blend<glm::dvec4>(mesh.colors, corners, weights);
+        result.uv[set] = blend_corners<dvec2>(mesh.uvs[set], corners, weights);
+    result.color = blend_corners<glm::dvec4>(mesh.colors, corners, weights);
     return result;
 }
 
@@ -130,9 +106,9 @@ std::optional<SurfacePoint> sample_mesh(const Mesh& mesh, dvec2 uv, uint32_t siz
     }
     const uint32_t* corners = mesh.indices.data() + 3 * cover->triangle;
     SurfacePoint point;
-    point.value = blend_all(mesh, corners, cover->weights.value);
-    point.dx = blend_all(mesh, corners, cover->weights.du / static_cast<double>(size));
-    point.dy = blend_all(mesh, corners, cover->weights.dv / static_cast<double>(size));
+    point.value = blend_all(mesh, corners, cover->map.weights(uv));
+    point.dx = blend_all(mesh, corners, cover->map.du() / static_cast<double>(size));
+    point.dy = blend_all(mesh, corners, cover->map.dv() / static_cast<double>(size));
     point.has = presence_of(mesh);
     point.triangle = static_cast<uint32_t>(cover->triangle);
     return point;

@@ -9,7 +9,7 @@ using Names = std::vector<std::string>;
 
 const Names commands = {"check",      "compile",    "eval",       "render", "test",
                         "format",     "upgrade",    "inputs",     "nodes",  "plugins",
-                        "new-plugin", "completion", "explain-log"};
+                        "new-plugin", "completion", "explain-log", "bake"};
 
 TEST_F(ConventionsTest, HelpListsEveryCommand) {
     const Ran ran = run({"--help"});

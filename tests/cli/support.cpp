@@ -1,6 +1,7 @@
 #include "cli/support.h"
 
 #include <fcntl.h>
+#include <signal.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -45,6 +46,8 @@ pid_t CliTest::start(const std::vector<std::string>& args, int in, int out, int 
         if (entry) putenv(entry);
     const rlimit limit{memory, memory};
     if (memory != RLIM_INFINITY) setrlimit(RLIMIT_AS, &limit);
+    const rlimit full{file_size, file_size};
+    if (file_size != RLIM_INFINITY && setrlimit(RLIMIT_FSIZE, &full) == 0) signal(SIGXFSZ, SIG_IGN);
     const bool changed = !as_nobody || geteuid() != 0 || setuid(65534) == 0;
     if (chdir(folder.c_str()) == 0 && changed) execv(program.c_str(), argv.data());
     _exit(127);

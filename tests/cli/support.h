@@ -44,8 +44,9 @@ protected:
     TemporaryFolder temporary;
     fs::path folder = temporary.path() / "work";
     std::string program = WRINKLE_BINARY_DIR "/bin/wrinkle";
-    rlim_t memory = RLIM_INFINITY;  // bytes of address space that the process may have
-    bool as_nobody = false;         // gives up root's rights to read everything
+    rlim_t memory = RLIM_INFINITY;     // bytes of address space that the process may have
+    rlim_t file_size = RLIM_INFINITY;  // bytes of a file that it writes, as if the disk were full
+    bool as_nobody = false;            // gives up root's rights to read everything
 
 private:
     pid_t start(const std::vector<std::string>& args, int in, int out, int err,

@@ -1,0 +1,77 @@
+#include "bake/map_files.h"
+
+#include <tbb/combinable.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+
+#include "image/stored.h"
+
+namespace wrinkle {
+namespace {
+
+bool is_integer(PixelType type) {
+    return type == PixelType::u8 || type == PixelType::u16;
+}
+
+// Less than half a step of 16 bits is no loss.
+constexpr float rounding = 0.5F / 65535;
+
+void note_clamped(std::span<const float> values, Clamped& clamped) {
+    for (const float value : values) {
+        if (!(value < -rounding || value > 1 + rounding)) continue;
+        ++clamped.numbers;
+        clamped.least = std::min(clamped.least, value);
+        clamped.greatest = std::max(clamped.greatest, value);
+    }
+}
+
+}  // namespace
+
+void Clamped::add(const Clamped& other) {
+    numbers += other.numbers;
+    least = std::min(least, other.least);
+    greatest = std::max(greatest, other.greatest);
+}
+
+std::vector<std::byte> stored_rows(const BakedMap& map, PixelType type, const BakedRows& rows,
+                                   uint32_t width, size_t lanes, Clamped& clamped) {
+    const size_t numbers = size_t{width} * map.channels.size();
+    std::vector<std::byte> bytes(numbers * rows.count * bytes_of(type));
+    tbb::combinable<Clamped> found;
+    tbb::parallel_for(uint32_t{0}, rows.count, [&](uint32_t row) {
+        std::vector<float> values(numbers);
+        const size_t first = size_t{row} * width;
+        store_map(map, rows.values + first * lanes, lanes, rows.covered + first, width,
+                  values.data());
+        if (is_integer(type)) note_clamped(values, found.local());
+        store_values(type, values, bytes.data() + row * numbers * bytes_of(type));
+    });
+    found.combine_each([&](const Clamped& each) { clamped.add(each); });
+    return bytes;
+}
+
+std::optional<MapFiles> MapFiles::open(const std::vector<MapFile>& files,
+                                       Diagnostics& diagnostics) {
+    MapFiles result;
+    for (const MapFile& file : files) {
+        std::error_code error;
+        const std::filesystem::path folder = file.path.parent_path();
+        if (!folder.empty()) std::filesystem::create_directories(folder, error);
+        auto writer = ImageWriter::open(file.path, file.options, diagnostics);
+        if (!writer) return {};
+        result.writers_.push_back(std::move(*writer));
+    }
+    return result;
+}
+
+bool MapFiles::write(size_t file, std::span<const std::byte> rows, Diagnostics& diagnostics) {
+    return writers_[file].write_stored(rows, diagnostics);
+}
+
+bool MapFiles::finish(Diagnostics& diagnostics) {
+    return std::all_of(writers_.begin(), writers_.end(),
+                       [&](ImageWriter& writer) { return writer.finish(diagnostics); });
+}
+
+}  // namespace wrinkle

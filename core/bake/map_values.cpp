@@ -1,0 +1,51 @@
+#include "bake/map_values.h"
+
+#include "ir/gradient_frame.h"
+#include "ir/surface.h"
+
+namespace wrinkle {
+namespace {
+
+// As in the decoding of normal maps.
+constexpr double steepest = 128;
+constexpr double smallest_depth = 1e-6;
+constexpr double tiny_volume = 1e-30;
+
+Value times(Value vector, Value factor) {
+    return factor ? vector * factor : vector;
+}
+
+}  // namespace
+
+Value in_tangent_space(Module& module, Value normal, bool vertex_tangents) {
+    ScreenDerivatives screen(module);
+    FrameKey key{Basis::derived_set, static_cast<Id>(SurfaceInput::uv0_)};
+    if (vertex_tangents) key = {Basis::vertex, poison};
+    const TangentBasis basis = tangent_basis(module, key, screen, true);
+    const Value t = times(basis.t, basis.t_factor);
+    const Value b = times(basis.b, basis.b_factor);
+    const Value n = vertex_tangents ? Value{&module, module.input(SurfaceInput::normal_)}
+                                    : Value{&module, unit_normal(module)};
+    // Cramer's rule; the size of the volume drops out when the result is made unit.
+    const Value volume = dot(t, cross(b, n));
+    const Value side = sign_nonzero(volume);
+    const Value m = vec3(dot(normal, cross(b, n)) * side, dot(normal, cross(n, t)) * side,
+                         dot(normal, cross(t, b)) * side);
+    const Value up = vec3(number(m, 0), number(m, 0), number(m, 1));
+    return select(greater(abs(volume), tiny_volume), normalize(m), up);
+}
+
+Value slope_of_normal(Module& module, Value normal) {
+    const Value n{&module, unit_normal(module)};
+    const Value depth = dot(n, normal);
+    const Value side = normal - n * depth;
+    const Value least = op(Op::sqrt_, dot(side, side)) * (1 / steepest);
+    const Value divisor = max(max(depth, least), smallest_depth);
+    const auto along = [&](Variant axis) {
+        const Value change{&module, module.input(SurfaceInput::position_, axis)};
+        return -(dot(side, change) / divisor);
+    };
+    return vec2(along(Variant::dx), along(Variant::dy));
+}
+
+}  // namespace wrinkle

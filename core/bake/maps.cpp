@@ -1,0 +1,215 @@
+#include "bake/maps.h"
+
+#include <algorithm>
+#include <array>
+#include <map>
+
+#include "bake/map_values.h"
+#include "base/text.h"
+#include "base/transcendental.h"
+
+namespace wrinkle {
+namespace {
+
+constexpr std::array<const char*, 4> color_channels = {"R", "G", "B", "A"};
+constexpr std::array<const char*, 6> slope_channels = {"b0_h",     "b1_dhds",  "b2_dhdt",
+                                                       "b3_dhds2", "b4_dhdt2", "b5_dh2dsdt"};
+
+const ModuleOutput* output_named(const Module& module, const std::string& name) {
+    const auto found =
+        std::find_if(module.outputs.begin(), module.outputs.end(),
+                     [&](const ModuleOutput& output) { return output.name == name; });
+    return found == module.outputs.end() ? nullptr : &*found;
+}
+
+std::string listed(const std::vector<std::string>& names) {
+    std::string text;
+    for (const std::string& name : names)
+        text += (text.empty() ? "" : ", ") + name;
+    return text;
+}
+
+class MapPlanner {
+public:
+    MapPlanner(const Module& module, const MapOptions& options, Diagnostics& diagnostics)
+        : source_(module), module_(module), options_(options), diagnostics_(diagnostics) {
+        module_.outputs.clear();
+    }
+
+    std::optional<BakePlan> plan(const std::vector<MapRequest>& requests) {
+        for (const MapRequest& request : requests)
+            add(request);
+        std::string why;
+        plan_.program = compile_program(module_, why);
+        if (!why.empty()) diagnostics_.error(why);
+        if (diagnostics_.has_errors()) return {};
+        plan_.resources = module_.resources;
+        return std::move(plan_);
+    }
+
+private:
+    void add(const MapRequest& request) {
+        BakedMap map =
+            request.pack.empty() ? map_of(request.name, request.integers) : packed(request);
+        if (request.integers && map.channels.size() == 2)
+            map.channels.push_back({"B", map.channels[0].lane, 0, 0, false, 0});
+        plan_.maps.push_back(std::move(map));
+    }
+
+    // The first lane of a value that the program gives.
+    uint32_t lane_of(Value value) {
+        const auto known = lanes_.find(value.id);
+        if (known != lanes_.end()) return known->second;
+        const auto first = static_cast<uint32_t>(plan_.lanes);
+        module_.outputs.push_back({std::to_string(first), WR_PORT_float, value.id});
+        plan_.lanes += info(module_.type(value.id)).lanes;
+        lanes_.emplace(value.id, first);
+        return first;
+    }
+
+    BakedMap map_of(const std::string& name, bool integers) {
+        const bool made = name == "derivative" || name == "slopes";
+        const ModuleOutput* output = output_named(source_, made ? "normal" : name);
+        BakedMap map{name, {}, false};
+        if (!output)
+            complain(name);
+        else if (name == "derivative")
+            add_derivative(map, {&module_, output->value}, integers);
+        else if (name == "slopes")
+            add_slopes(map, {&module_, output->value}, integers);
+        else if (output->port_type == WR_PORT_normal)
+            add_normal(map, {&module_, output->value});
+        else
+            add_values(map, *output, integers);
+        return map;
+    }
+
+    void complain(const std::string& name) {
+        const std::vector<std::string> names = map_names(source_);
+        diagnostics_.error("the graph makes no map '" + name + "'",
+                           did_you_mean(name, names, "it makes " + listed(names)));
+    }
+
+    void add_normal(BakedMap& map, Value normal) {
+        const bool tangent = options_.tangent_space;
+        if (tangent) normal = in_tangent_space(module_, normal, options_.vertex_tangents);
+        const uint32_t lane = lane_of(normal);
+        if (std::find(plan_.unit.begin(), plan_.unit.end(), lane) == plan_.unit.end())
+            plan_.unit.push_back(lane);
+        for (uint32_t i = 0; i < 3; ++i) {
+            const float sign = i == 1 && options_.green_down ? -1.0F : 1.0F;
+            const float empty = tangent && i == 2 ? 1.0F : 0.5F;
+            map.channels.push_back({color_channels[i], lane + i, 0.5F * sign, 0.5F, false, empty});
+        }
+    }
+
+    void add_derivative(BakedMap& map, Value normal, bool integers) {
+        const uint32_t lane = lane_of(slope_of_normal(module_, normal));
+        const double code = integers ? 0.5 : 1;
+        const float offset = integers ? 0.5F : 0.0F;
+        const std::array<double, 2> texels = {static_cast<double>(options_.width),
+                                              static_cast<double>(options_.height)};
+        for (uint32_t i = 0; i < 2; ++i) {
+            const auto gain = static_cast<float>(texels[i] * code / options_.scale);
+            map.channels.push_back({color_channels[i], lane + i, gain, offset, false, offset});
+        }
+    }
+
+    void add_slopes(BakedMap& map, Value normal, bool integers) {
+        const Value slope = slope_of_normal(module_, normal);
+        const Value s = slope.x(), t = -slope.y();
+        const ModuleOutput* height = output_named(source_, "height");
+        const std::array<Value, 6> values = {
+            height ? Value{&module_, height->value} : number(s, -1), s, t, s * s, t * t, s * t};
+        if (integers)
+            diagnostics_.error("the map 'slopes' holds numbers that integers do not",
+                               "--type half or float, in OpenEXR or TIFF");
+        for (uint32_t i = 0; i < 6; ++i) {
+            double gain = i >= 3 ? 1 / (options_.scale * options_.scale) : 1 / options_.scale;
+            if (i == 0 && !height) gain = 1;
+            const float empty = i == 0 && !height ? -1.0F : 0.0F;
+            map.channels.push_back(
+                {slope_channels[i], lane_of(values[i]), static_cast<float>(gain), 0, false, empty});
+        }
+    }
+
+    void add_values(BakedMap& map, const ModuleOutput& output, bool integers) {
+        const uint32_t lane = lane_of({&module_, output.value});
+        const uint32_t count = info(module_.type(output.value)).lanes;
+        const bool is_length =
+            output.port_type == WR_PORT_height || output.port_type == WR_PORT_derivative;
+        const float gain = is_length ? static_cast<float>(1 / options_.scale) : 1.0F;
+        const bool srgb = output.port_type == WR_PORT_color && integers;
+        for (uint32_t i = 0; i < count; ++i)
+            map.channels.push_back(
+                {count == 1 ? "Y" : color_channels[i], lane + i, gain, 0, srgb && i < 3, 0});
+        map.has_alpha = count == 4;
+    }
+
+    BakedMap packed(const MapRequest& request) {
+        BakedMap map{request.name, {}, false};
+        for (const PackedChannel& from : request.pack) {
+            const size_t to = std::string_view("rgba").find(from.to);
+            if (map.channels.size() <= to) map.channels.resize(to + 1, {"", 0, 0, 0, false, 0});
+            const BakedMap whole = map_of(from.map, request.integers);
+            if (from.channel >= whole.channels.size()) {
+                if (!whole.channels.empty())
+                    diagnostics_.error("the map '" + from.map + "' has " +
+                                           std::to_string(whole.channels.size()) + " channels",
+                                       "one of them, such as " + from.map + ".r");
+                continue;
+            }
+            map.channels[to] = whole.channels[from.channel];
+            map.channels[to].srgb = false;
+        }
+        for (size_t i = 0; i < map.channels.size(); ++i)
+            map.channels[i].name = color_channels[i];
+        map.has_alpha = map.channels.size() == 4;
+        return map;
+    }
+
+    const Module& source_;
+    Module module_;
+    const MapOptions& options_;
+    Diagnostics& diagnostics_;
+    BakePlan plan_;
+    std::map<Id, uint32_t> lanes_;
+};
+
+float srgb_coded(float linear) {
+    if (!(linear > 0.0031308F)) return linear * 12.92F;
+    return 1.055F * math::pow(linear, 1 / 2.4F) - 0.055F;
+}
+
+}  // namespace
+
+std::vector<std::string> map_names(const Module& module) {
+    std::vector<std::string> names;
+    for (const ModuleOutput& output : module.outputs)
+        names.push_back(output.name);
+    if (output_named(module, "normal"))
+        for (const char* made : {"derivative", "slopes"})
+            if (!output_named(module, made)) names.emplace_back(made);
+    return names;
+}
+
+std::optional<BakePlan> plan_maps(const Module& module, const std::vector<MapRequest>& requests,
+                                  const MapOptions& options, Diagnostics& diagnostics) {
+    return MapPlanner(module, options, diagnostics).plan(requests);
+}
+
+void store_map(const BakedMap& map, const float* texels, size_t lanes, const uint8_t* covered,
+               size_t count, float* stored) {
+    const size_t channels = map.channels.size();
+    for (size_t c = 0; c < channels; ++c) {
+        const MapChannel& channel = map.channels[c];
+        const float* from = texels + channel.lane;
+        for (size_t i = 0; i < count; ++i) {
+            const float value = from[i * lanes] * channel.gain + channel.offset;
+            float& to = stored[i * channels + c];
+            to = !covered[i] ? channel.empty : channel.srgb ? srgb_coded(value) : value;
+        }
+    }
+}
+
+}  // namespace wrinkle

@@ -1,0 +1,125 @@
+// wrinkle bake FILE --mesh NAME|PATH -o OUT: a graph's maps on the uv layout of a mesh.
+#include <memory>
+
+#include "base/text.h"
+#include "cli/bake_run.h"
+#include "cli/interrupt.h"
+#include "cli/output.h"
+#include "image/writable.h"
+
+namespace wrinkle::cli {
+namespace fs = std::filesystem;
+namespace {
+
+struct BakeCommand {
+    BakeOptions options;
+
+    int run() const {
+        const Interruption interruption;
+        if (!options.merge.empty()) return merge();
+        BakeWishes wishes;
+        std::string why;
+        if (!read_wishes(options, wishes, why)) return usage(why);
+        Diagnostics diagnostics;
+        auto job = make_bake_job(options, wishes, diagnostics);
+        if (!job) return report(diagnostics, options.common.diagnostics);
+        const PartHeader header = header_of(*job);
+        if (!wishes.is_shard() && !can_be_written(header, why)) return usage(why);
+        BakeOutcome outcome = carry_out(*job, header);
+        diagnostics.append(outcome.warnings);
+        const int code = report(diagnostics, options.common.diagnostics);
+        return code != exit_fine ? code : finish(outcome);
+    }
+
+    static int usage(const std::string& sentence) {
+        complain(sentence);
+        return exit_usage;
+    }
+
+    // What a format cannot hold is said before hours of work.
+    bool can_be_written(const PartHeader& header, std::string& why) const {
+        for (const MapFile& file : header.files(options.output, 0, options.threads)) {
+            const WriteProblem problem =
+                find_write_problem(format_to_write(file.path), file.options);
+            if (problem.message.empty()) continue;
+            why = file.path.string() + " " + problem.message +
+                  (problem.expected.empty() ? "" : " (" + problem.expected + ")");
+            return false;
+        }
+        return true;
+    }
+
+    BakeOutcome carry_out(const BakeJob& job, const PartHeader& header) const {
+        uint64_t texels = 0;
+        for (uint64_t band = header.first; band < header.last; ++band)
+            texels += uint64_t{header.rows_of(band)} * header.width();
+        Progress progress(Progress::form_for(options.json), "texels", texels);
+        if (header.shards > 1) return bake_part(job, options.output, header, progress);
+        if (!options.resume) return bake_files(job, header, progress);
+        const fs::path folder = options.output + ".part";
+        BakeOutcome outcome = bake_part(job, folder, header, progress);
+        if (outcome.end != BakeEnd::done) return outcome;
+        std::vector<fs::path> folders = {folder};
+        const auto headers = read_parts(folders, outcome.environment);
+        Progress quiet(Progress::Form::none, "", 0);
+        BakeOutcome joined = join(folders, headers, outcome.environment, quiet);
+        joined.warnings = std::move(outcome.warnings);
+        std::error_code ignored;
+        if (joined.end == BakeEnd::done) fs::remove_all(folder, ignored);
+        return joined;
+    }
+
+    BakeOutcome join(const std::vector<fs::path>& folders, const std::vector<PartHeader>& headers,
+                     const Diagnostics& problems, Progress& progress) const {
+        if (!headers.empty())
+            return join_parts(folders, headers, options.output, options.threads, progress);
+        BakeOutcome outcome;
+        outcome.end = BakeEnd::failed;
+        outcome.environment = problems;
+        return outcome;
+    }
+
+    int merge() const {
+        if (!options.file.empty() || !options.mesh.empty() || !options.shard.empty() ||
+            options.resume)
+            return usage("--merge joins what was baked; it takes folders and -o OUT alone");
+        Diagnostics diagnostics;
+        std::vector<fs::path> folders(options.merge.begin(), options.merge.end());
+        const auto headers = read_parts(folders, diagnostics);
+        if (headers.empty()) return report(diagnostics, options.common.diagnostics);
+        std::string why;
+        if (!can_be_written(headers[0], why)) return usage(why);
+        const uint64_t pictures = headers[0].pictures.size();
+        BakeOutcome outcome;
+        {
+            Progress progress(Progress::form_for(options.json), "texels",
+                              pictures * headers[0].width() * headers[0].height());
+            outcome = join(folders, headers, diagnostics, progress);
+        }
+        return finish(outcome);
+    }
+
+    int finish(const BakeOutcome& outcome) const {
+        if (outcome.end == BakeEnd::interrupted) Interruption::obey();
+        if (outcome.end == BakeEnd::failed) {
+            report(outcome.environment, options.common.diagnostics);
+            return exit_environment;
+        }
+        if (!options.json) return exit_fine;
+        std::string files;
+        for (const std::string& file : outcome.files)
+            files += (files.empty() ? "" : ", ") + json_quoted(file);
+        return write_result("-", "{\"files\": [" + files + "]}\n") ? exit_fine : exit_environment;
+    }
+};
+
+}  // namespace
+
+void declare_bake(CLI::App& app, Run& run) {
+    auto command = std::make_shared<BakeCommand>();
+    CLI::App& sub = *app.add_subcommand("bake", "A graph's maps on the uv layout of a mesh");
+    declare_bake_options(sub, command->options);
+    sub.callback([command, &run] { run = [command] { return command->run(); }; });
+}
+
+}  // namespace wrinkle::cli

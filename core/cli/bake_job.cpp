@@ -1,0 +1,190 @@
+#include "cli/bake_job.h"
+
+#include <algorithm>
+
+#include "bake/texel_points.h"
+#include "base/file.h"
+#include "base/sha256.h"
+#include "cli/cache.h"
+#include "cli/identity.h"
+#include "cli/meshes.h"
+#include "compile/inputs.h"
+#include "mesh/uv_survey.h"
+
+namespace wrinkle::cli {
+namespace {
+
+void bake_warning(const std::string& file, std::string message, std::string expected,
+                  Diagnostics& diagnostics) {
+    Diagnostic problem;
+    problem.severity = Severity::warning;
+    problem.where.file = file;
+    problem.message = std::move(message);
+    problem.expected = std::move(expected);
+    diagnostics.add(std::move(problem));
+}
+
+void bake_error(const std::string& file, std::string message, std::string expected,
+                Diagnostics& diagnostics) {
+    Diagnostic problem;
+    problem.where.file = file;
+    problem.message = std::move(message);
+    problem.expected = std::move(expected);
+    diagnostics.add(std::move(problem));
+}
+
+// "3 of 12 triangles"
+std::string share(size_t count, size_t all) {
+    return std::to_string(count) + " of " + std::to_string(all) + " triangles";
+}
+
+// False where nothing can be baked.
+bool judge_uvs(const BakeOptions& options, const UvSurvey& uvs, Diagnostics& diagnostics) {
+    const std::string& mesh = options.mesh;
+    const size_t area = uvs.triangles - uvs.without_area;
+    const size_t inside = options.udim ? (uvs.squares.empty() ? 0 : area) : uvs.first_square;
+    if (area == 0)
+        bake_error(mesh, "no triangle has an area in uv", "a mesh with a uv layout", diagnostics);
+    else if (inside == 0)
+        bake_error(
+            mesh, "no triangle lies in the uv square from (0, 0) to (1, 1)",
+            options.udim ? "uvs in the tiles 1001 to 1100" : "--udim bakes the other squares",
+            diagnostics);
+    if (diagnostics.has_errors()) return false;
+    if (uvs.without_area > 0)
+        bake_warning(mesh,
+                     share(uvs.without_area, uvs.triangles) + " have no area in uv and no texel",
+                     "", diagnostics);
+    if (!options.udim && inside < area)
+        bake_warning(mesh, share(area - inside, uvs.triangles) + " lie outside of the uv square",
+                     "--udim bakes the other squares", diagnostics);
+    if (options.udim && uvs.beyond_udim > 0)
+        bake_warning(mesh,
+                     share(uvs.beyond_udim, uvs.triangles) +
+                         " reach out of the tiles 1001 "
+                         "to 1100 and are cut off there",
+                     "", diagnostics);
+    if (uvs.mirrored > 0)
+        bake_warning(mesh, share(uvs.mirrored, uvs.triangles) + " are mirrored in uv",
+                     "their tangents' w is -1; engines must read it", diagnostics);
+    return true;
+}
+
+bool mesh_fits(const BakeOptions& options, const Mesh& mesh, const std::vector<BakePlan>& plans,
+               Diagnostics& diagnostics) {
+    for (const BakePlan& plan : plans) {
+        const std::string missing = missing_input(mesh, plan.program);
+        if (missing.empty()) continue;
+        bake_error(options.mesh, "the mesh lacks '" + missing + "'", "the graph reads it",
+                   diagnostics);
+        return false;
+    }
+    return true;
+}
+
+std::vector<BakePicture> pictures_of(const BakeJob& job, const UvSurvey& uvs,
+                                     const Overrides& overrides) {
+    std::vector<BakePicture> pictures;
+    const std::vector<glm::ivec2> first = {glm::ivec2(0)};
+    for (size_t run = 0; run < job.plans.size(); ++run)
+        for (const glm::ivec2 square : job.options.udim ? uvs.squares : first) {
+            std::string suffix = path_of_run("", overrides, run);
+            if (job.options.udim) suffix += "." + std::to_string(udim_number(square));
+            pictures.push_back({run, square, suffix});
+        }
+    return pictures;
+}
+
+template <class T>
+std::string sum_of(const std::vector<T>& values) {
+    return sha256({reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T)});
+}
+
+std::string sum_of(const Mesh& mesh) {
+    std::vector<std::string> sums = {sum_of(mesh.positions), sum_of(mesh.normals),
+                                     sum_of(mesh.tangents), sum_of(mesh.colors),
+                                     sum_of(mesh.indices)};
+    for (const auto& uvs : mesh.uvs)
+        sums.push_back(sum_of(uvs));
+    return sha256(join_fields(sums));
+}
+
+// The files are read again, as they were a moment ago.
+std::string identity_of(const BakeJob& job, const Project& project, const Types& types) {
+    const BakeOptions& o = job.options;
+    std::vector<std::string> fields = {
+        program_identity(), sum_of(job.mesh), o.size, o.space, o.maps, o.type,
+        o.format,           o.compression};
+    fields.push_back(join_fields(o.packs));
+    fields.push_back(join_fields(o.common.set));
+    for (const double number :
+         {o.scale, double(o.samples), double(o.dilate), double(o.tile), double(o.dx),
+          double(o.udim), double(o.common.no_tangents), double(job.wishes.one_file)})
+        fields.push_back(std::to_string(number));
+    for (const InputFile& input : inputs_of(project, types)) {
+        std::string why;
+        const auto bytes = read_file(input.path, why);
+        fields.push_back(input.path);
+        fields.push_back(bytes ? sha256(*bytes) : why);
+    }
+    return sha256(join_fields(fields));
+}
+
+MapOptions map_options(const BakeOptions& options, const BakeWishes& wishes, const Mesh& mesh) {
+    MapOptions maps;
+    maps.tangent_space = options.space == "tangent";
+    maps.vertex_tangents = !mesh.tangents.empty();
+    maps.green_down = options.dx;
+    maps.scale = options.scale;
+    maps.width = wishes.width;
+    maps.height = wishes.height;
+    return maps;
+}
+
+// Compiles every run of the sweep and plans its maps.
+void plan_runs(BakeJob& job, const Overrides& overrides, Diagnostics& diagnostics) {
+    const Nodes nodes = load_nodes(job.options.common, diagnostics);
+    std::vector<MapRequest> requests;
+    for (const WantedMap& map : job.wishes.maps)
+        requests.push_back(map.request);
+    const MapOptions maps = map_options(job.options, job.wishes, job.mesh);
+    const auto use = [&](size_t, const MaterialRun& run, Diagnostics& problems) {
+        read_textures(job.textures, run.compiled, run.project, problems);
+        Diagnostics own;
+        auto plan = plan_maps(run.compiled.module, requests, maps, own);
+        for (Diagnostic problem : own.list()) {
+            problem.where.file = job.options.file;
+            problems.add(std::move(problem));
+        }
+        if (plan) job.plans.push_back(std::move(*plan));
+        if (plan && job.identity.empty() && (job.wishes.is_shard() || job.options.resume))
+            job.identity = identity_of(job, run.project, Types(run.project, nodes.registry));
+    };
+    compile_runs(job.options.file, job.options.common, nodes.registry, overrides, Purpose::bake,
+                 use, diagnostics);
+}
+
+}  // namespace
+
+std::optional<BakeJob> make_bake_job(const BakeOptions& options, const BakeWishes& wishes,
+                                     Diagnostics& diagnostics) {
+    BakeJob job;
+    job.options = options;
+    job.wishes = wishes;
+    auto mesh = open_mesh(options.mesh, options.common, diagnostics);
+    if (mesh && !mesh->has_uv(0))
+        bake_error(options.mesh, "the mesh has no uvs (set 0)", "a mesh with a uv layout",
+                   diagnostics);
+    if (mesh) job.mesh = std::move(*mesh);
+    const Overrides overrides = parse_overrides(options.common, diagnostics);
+    plan_runs(job, overrides, diagnostics);
+    if (diagnostics.has_errors()) return {};
+    const UvSurvey uvs = survey_uvs(job.mesh);
+    if (!judge_uvs(options, uvs, diagnostics) ||
+        !mesh_fits(options, job.mesh, job.plans, diagnostics))
+        return {};
+    job.pictures = pictures_of(job, uvs, overrides);
+    return job;
+}
+
+}  // namespace wrinkle::cli

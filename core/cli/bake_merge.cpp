@@ -1,0 +1,173 @@
+// Parts of a bake joined to its files.
+#include <algorithm>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <memory>
+
+#include "cli/bake_run.h"
+#include "cli/interrupt.h"
+
+namespace wrinkle::cli {
+namespace fs = std::filesystem;
+namespace {
+
+void merge_error(const fs::path& file, std::string message, std::string expected,
+                 Diagnostics& diagnostics) {
+    Diagnostic problem;
+    problem.where.file = file.string();
+    problem.message = std::move(message);
+    problem.expected = std::move(expected);
+    diagnostics.add(std::move(problem));
+}
+
+std::string shard_text(uint64_t shard, const PartHeader& header) {
+    return "shard " + std::to_string(shard) + " of " + std::to_string(header.shards);
+}
+
+// Rows that the part holds of a picture, before `band`, a row of tiles of all pictures.
+uint64_t rows_before(const PartHeader& header, size_t picture, uint64_t band) {
+    uint64_t rows = 0;
+    for (uint64_t b = std::max(header.first, picture * uint64_t{header.bands()}); b < band; ++b)
+        rows += header.rows_of(b);
+    return rows;
+}
+
+// A part whose files are not as long as bake.json says is no part.
+bool has_its_rows(const fs::path& folder, const PartHeader& header, Diagnostics& diagnostics) {
+    for (size_t picture = 0; picture < header.pictures.size(); ++picture) {
+        const uint64_t end = std::min<uint64_t>(header.last, (picture + 1) * header.bands());
+        const uint64_t rows = rows_before(header, picture, end);
+        for (size_t map = 0; rows > 0 && map < header.maps.size(); ++map) {
+            const fs::path file = rows_file(folder, picture, map);
+            std::error_code error;
+            const uint64_t size = fs::file_size(file, error);
+            if (!error && size >= rows * header.row_bytes(map)) continue;
+            merge_error(file, error ? "cannot be read: " + error.message() : "ends early",
+                        "bake " + shard_text(header.shard, header) + " again", diagnostics);
+            return false;
+        }
+    }
+    return true;
+}
+
+bool check_parts(const std::vector<fs::path>& folders, const std::vector<PartHeader>& headers,
+                 Diagnostics& diagnostics) {
+    for (size_t i = 0; i < headers.size(); ++i) {
+        const PartHeader& header = headers[i];
+        if (header.identity != headers[0].identity || header.shards != headers[0].shards)
+            merge_error(folders[i], "is a part of another bake than " + folders[0].string(),
+                        "shards of one graph, mesh, program and set of options", diagnostics);
+        else if (header.done < header.last)
+            merge_error(folders[i], shard_text(header.shard, header) + " is not finished",
+                        "bake it again, or with --resume", diagnostics);
+        else if (header.shard != i + 1)
+            merge_error(folders[i],
+                        header.shard > i + 1 ? shard_text(i + 1, header) + " is missing"
+                                             : shard_text(header.shard, header) + " is there twice",
+                        "every shard once", diagnostics);
+        else
+            has_its_rows(folders[i], header, diagnostics);
+        if (diagnostics.has_errors()) return false;
+    }
+    if (headers.size() == headers[0].shards) return true;
+    merge_error(folders[0], shard_text(headers.size() + 1, headers[0]) + " is missing",
+                "every shard once", diagnostics);
+    return false;
+}
+
+// The rows of one map of one picture, read through its parts.
+class JoinedRows {
+public:
+    JoinedRows(const std::vector<fs::path>& folders, const std::vector<PartHeader>& headers,
+               size_t picture, size_t map)
+        : folders_(folders), headers_(headers), picture_(picture), map_(map) {}
+
+    // The next row of tiles; empty with the reason in `why`.
+    std::vector<std::byte> next(uint64_t band, std::string& why) {
+        while (part_ + 1 < headers_.size() && band >= headers_[part_].last)
+            open(part_ + 1);
+        if (!file_) open(part_);
+        std::vector<std::byte> bytes(headers_[part_].rows_of(band) *
+                                     headers_[part_].row_bytes(map_));
+        if (file_ && std::fread(bytes.data(), 1, bytes.size(), file_.get()) == bytes.size())
+            return bytes;
+        why = rows_file(folders_[part_], picture_, map_).string() +
+              " cannot be read: " + std::strerror(errno);
+        return {};
+    }
+
+private:
+    struct Close {
+        void operator()(std::FILE* file) const { std::fclose(file); }
+    };
+    void open(size_t part) {
+        part_ = part;
+        file_.reset(std::fopen(rows_file(folders_[part], picture_, map_).c_str(), "rb"));
+    }
+
+    const std::vector<fs::path>& folders_;
+    const std::vector<PartHeader>& headers_;
+    size_t picture_, map_, part_ = 0;
+    std::unique_ptr<std::FILE, Close> file_;
+};
+
+bool join_picture(const std::vector<fs::path>& folders, const std::vector<PartHeader>& headers,
+                  size_t picture, const std::vector<MapFile>& files, Progress& progress,
+                  Diagnostics& diagnostics) {
+    const PartHeader& header = headers[0];
+    auto writers = MapFiles::open(files, diagnostics);
+    if (!writers) return false;
+    std::vector<JoinedRows> rows;
+    for (size_t map = 0; map < files.size(); ++map)
+        rows.emplace_back(folders, headers, picture, map);
+    for (uint64_t i = 0; i < header.bands(); ++i) {
+        const uint64_t band = picture * uint64_t{header.bands()} + i;
+        for (size_t map = 0; map < files.size(); ++map) {
+            std::string why;
+            const std::vector<std::byte> bytes = rows[map].next(band, why);
+            if (bytes.empty()) diagnostics.error(why);
+            if (bytes.empty() || !writers->write(map, bytes, diagnostics)) return false;
+        }
+        progress.add(uint64_t{header.rows_of(band)} * header.width());
+        if (Interruption::requested()) return false;
+    }
+    return writers->finish(diagnostics);
+}
+
+}  // namespace
+
+std::vector<PartHeader> read_parts(std::vector<fs::path>& folders, Diagnostics& diagnostics) {
+    std::vector<std::pair<PartHeader, fs::path>> parts;
+    for (const fs::path& folder : folders)
+        if (auto header = read_header(folder, diagnostics))
+            parts.emplace_back(std::move(*header), folder);
+    if (diagnostics.has_errors() || parts.empty()) return {};
+    std::stable_sort(parts.begin(), parts.end(),
+                     [](const auto& a, const auto& b) { return a.first.shard < b.first.shard; });
+    std::vector<PartHeader> headers;
+    folders.clear();
+    for (auto& [header, folder] : parts) {
+        headers.push_back(std::move(header));
+        folders.push_back(std::move(folder));
+    }
+    if (!check_parts(folders, headers, diagnostics)) return {};
+    return headers;
+}
+
+BakeOutcome join_parts(const std::vector<fs::path>& folders, const std::vector<PartHeader>& headers,
+                       const std::string& output, uint32_t threads, Progress& progress) {
+    BakeOutcome outcome;
+    for (size_t picture = 0; picture < headers[0].pictures.size(); ++picture) {
+        const auto files = headers[0].files(output, picture, threads);
+        if (!join_picture(folders, headers, picture, files, progress, outcome.environment)) {
+            outcome.end = outcome.environment.has_errors() ? BakeEnd::failed : BakeEnd::interrupted;
+            return outcome;
+        }
+        for (const MapFile& file : files)
+            outcome.files.push_back(file.path.string());
+    }
+    return outcome;
+}
+
+}  // namespace wrinkle::cli

@@ -1,0 +1,187 @@
+#include "cli/bake_options.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <filesystem>
+
+#include "bake/bake.h"
+#include "base/text.h"
+#include "cli/meshes.h"
+
+namespace wrinkle::cli {
+namespace {
+
+constexpr uint32_t most_texels = 65536;
+constexpr std::array<std::string_view, 4> types = {"u8", "u16", "half", "float"};
+
+bool parse_whole(std::string_view text, uint32_t most, uint32_t& number) {
+    const auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), number);
+    return problem == std::errc{} && end == text.data() + text.size() && number >= 1 &&
+           number <= most;
+}
+
+// "2/8"
+bool parse_shard(const std::string& text, BakeWishes& wishes) {
+    if (text.empty()) return true;
+    const auto parts = split(text, '/');
+    return parts.size() == 2 && parse_whole(parts[1], 1'000'000, wishes.shards) &&
+           parse_whole(parts[0], wishes.shards, wishes.shard);
+}
+
+// "1024" or "2048x1024"
+bool parse_bake_size(const std::string& text, BakeWishes& wishes) {
+    const auto parts = split(text, 'x');
+    return parts.size() <= 2 && parse_whole(parts[0], most_texels, wishes.width) &&
+           parse_whole(parts.back(), most_texels, wishes.height);
+}
+
+PixelType usual_type(const std::string& extension) {
+    if (extension == ".exr") return PixelType::half;
+    return extension == ".hdr" ? PixelType::float32 : PixelType::u8;
+}
+
+// Of a map in a folder: what its numbers fit into.
+std::string usual_extension(const BakeOptions& options, const std::string& map) {
+    if (!options.format.empty()) return "." + options.format;
+    const bool floats = options.type == "half" || options.type == "float";
+    return floats || (options.type.empty() && map == "slopes") ? ".exr" : ".png";
+}
+
+bool name_maps(const BakeOptions& options, BakeWishes& wishes, std::string& why) {
+    Diagnostics problems;
+    const std::string names = !options.maps.empty()   ? options.maps
+                              : options.packs.empty() ? "normal"
+                                                      : "";
+    if (!names.empty())
+        for (const std::string_view name : split(names, ','))
+            wishes.maps.push_back({{std::string(name), {}, true}, "", {}});
+    for (const std::string& text : options.packs)
+        if (auto request = parse_pack(text, problems)) wishes.maps.push_back({*request, "", {}});
+    if (problems.has_errors()) {
+        why = problems.list()[0].message + " (" + problems.list()[0].expected + ")";
+        return false;
+    }
+    for (auto map = wishes.maps.begin(); map != wishes.maps.end(); ++map)
+        if (std::any_of(wishes.maps.begin(), map, [&](const WantedMap& other) {
+                return other.request.name == map->request.name;
+            })) {
+            why = "two maps would be called '" + map->request.name +
+                  "'; a pack takes a name: " + "--pack \"orm: r=occlusion g=roughness\"";
+            return false;
+        }
+    return true;
+}
+
+void choose_files(const BakeOptions& options, BakeWishes& wishes) {
+    wishes.one_file = wishes.maps.size() == 1 && !wishes.is_shard();
+    const std::string own = std::filesystem::path(options.output).extension().string();
+    for (WantedMap& map : wishes.maps) {
+        map.extension = wishes.one_file ? own : usual_extension(options, map.request.name);
+        const auto named = std::find(types.begin(), types.end(), options.type);
+        map.type = named == types.end() ? usual_type(map.extension)
+                                        : static_cast<PixelType>(named - types.begin());
+        map.request.integers = map.type == PixelType::u8 || map.type == PixelType::u16;
+    }
+}
+
+std::string conflict(const BakeOptions& options, const BakeWishes& wishes) {
+    if (options.gl && options.dx) return "--gl and --dx are two ways of green; choose one";
+    if (options.file.empty()) return "bake needs a graph: FILE, or --merge with folders of shards";
+    if (options.mesh.empty()) return "bake needs a mesh: --mesh " + mesh_help();
+    if (!(options.scale > 0) || !std::isfinite(options.scale))
+        return "--scale is a number greater than 0";
+    if (options.tile % 16 != 0) return "--tile is a multiple of 16";
+    if (options.file == "-" && (wishes.is_shard() || options.resume))
+        return "--shard and --resume need a graph in a file, to know it again";
+    if (wishes.one_file && !options.format.empty())
+        return "--format is for maps in a folder; OUT itself says what one map is written as";
+    return "";
+}
+
+}  // namespace
+
+bool read_wishes(const BakeOptions& options, BakeWishes& wishes, std::string& why) {
+    if (!parse_bake_size(options.size, wishes))
+        why =
+            "--size " + options.size + " is no size; 1024 and 2048x1024 are, at most 65536 a side";
+    else if (!parse_shard(options.shard, wishes))
+        why = "--shard " + options.shard + " is no I/N; 2/8 is the second of eight";
+    if (!why.empty() || !name_maps(options, wishes, why)) return false;
+    choose_files(options, wishes);
+    why = conflict(options, wishes);
+    return why.empty();
+}
+
+void declare_bake_maps(CLI::App& sub, BakeOptions& c) {
+    sub.add_option("--map", c.maps,
+                   "What is baked, separated by commas: outputs of the graph, and derivative and "
+                   "slopes of its normal; default: normal")
+        ->type_name("LIST");
+    sub.add_option("--pack", c.packs,
+                   "A map of others' channels: \"orm: r=occlusion g=roughness b=metalness\"")
+        ->type_name("CHANNELS")
+        ->allow_extra_args(false)
+        ->take_all();
+    sub.add_option("--space", c.space, "Of normals; world is object space, as meshes are not moved")
+        ->check(CLI::IsMember({"tangent", "object", "world"}))
+        ->capture_default_str();
+    sub.add_flag("--gl", c.gl, "Green of normals is +v; the default");
+    sub.add_flag("--dx", c.dx, "Green of normals is -v");
+    sub.add_option("--scale", c.scale, "Heights, slopes and derivatives are divided by this")
+        ->type_name("S")
+        ->capture_default_str();
+}
+
+void declare_bake_layout(CLI::App& sub, BakeOptions& c) {
+    sub.add_option("--size", c.size, "Of a map, in texels: N or WxH")
+        ->type_name("N")
+        ->capture_default_str();
+    sub.add_flag("--udim", c.udim, "Every square of uv has a map of its own: OUT.1001.png");
+    sub.add_option("--samples", c.samples, "Of a texel that an island's border crosses")
+        ->check(CLI::IsMember({1, 4, 16, 64}))
+        ->capture_default_str();
+    sub.add_option("--dilate", c.dilate, "Texels by which islands grow over what is empty")
+        ->type_name("N")
+        ->check(CLI::Range(uint32_t{0}, most_dilation))
+        ->capture_default_str();
+}
+
+void declare_bake_options(CLI::App& sub, BakeOptions& c) {
+    sub.add_option("FILE", c.file, "A graph; - reads standard input");
+    sub.add_option("--mesh", c.mesh, "What it is baked onto: " + mesh_help())
+        ->type_name("NAME|PATH")
+        ->check(check_mesh);
+    sub.add_option("-o", c.output, "The map's file; of several, their folder")
+        ->type_name("OUT")
+        ->required();
+    declare_bake_maps(sub, c);
+    declare_bake_layout(sub, c);
+    sub.add_option("--type", c.type, "Of the stored numbers; default: u8, half in OpenEXR")
+        ->check(CLI::IsMember(std::vector<std::string>(types.begin(), types.end())));
+    sub.add_option("--format", c.format, "Of maps in a folder; default: png, or exr for floats")
+        ->check(CLI::IsMember({"png", "tif", "exr", "hdr"}));
+    sub.add_option("--compression", c.compression,
+                   "OpenEXR: none rle zip zips piz; TIFF: none lzw zip")
+        ->type_name("NAME");
+    sub.add_option("--tile", c.tile, "Side of the tiles in OpenEXR and TIFF; 0: rows")
+        ->type_name("N")
+        ->check(CLI::Range(0, 4096))
+        ->capture_default_str();
+    sub.add_option("-j", c.threads, "Threads; 0 is one for each core")
+        ->type_name("N")
+        ->check(CLI::Range(0, 1024))
+        ->capture_default_str();
+    sub.add_option("--shard", c.shard,
+                   "Bakes the I-th of N equal parts of the work into the folder OUT, for --merge")
+        ->type_name("I/N");
+    sub.add_option("--merge", c.merge, "Joins the folders of all shards instead of baking")
+        ->type_name("DIR");
+    sub.add_flag("--resume", c.resume,
+                 "Keeps what is done when it is stopped, and goes on where it was");
+    sub.add_flag("--json", c.json, "Progress and the files written, a line of JSON each");
+    declare_common(sub, c.common);
+}
+
+}  // namespace wrinkle::cli

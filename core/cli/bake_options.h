@@ -1,0 +1,46 @@
+// The options of `wrinkle bake`, and what they ask for.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "bake/maps.h"
+#include "cli/session.h"
+#include "image/image.h"
+#include "image/writer.h"
+
+namespace wrinkle::cli {
+
+struct BakeOptions {
+    CommonOptions common;
+    std::string file, mesh, output;
+    std::string size = "1024", space = "tangent", maps, type, format, compression, shard;
+    std::vector<std::string> packs, merge;
+    double scale = 1;
+    uint32_t samples = 4, dilate = 16, tile = 0, threads = 0;
+    bool gl = false, dx = false, udim = false, json = false, resume = false;
+};
+
+void declare_bake_options(CLI::App& command, BakeOptions& options);
+
+// A map that was asked for, and how its file stores it.
+struct WantedMap {
+    MapRequest request;
+    std::string extension;  // ".png"
+    PixelType type = PixelType::u8;
+};
+
+// What the texts of the options mean.
+struct BakeWishes {
+    std::vector<WantedMap> maps;
+    bool one_file = false;  // OUT is the file of the only map, else a folder
+    uint32_t width = 1024, height = 1024;
+    uint32_t shard = 1, shards = 1;
+
+    bool is_shard() const { return shards > 1; }
+};
+
+// False with a sentence in `why`: wrong usage.
+bool read_wishes(const BakeOptions& options, BakeWishes& wishes, std::string& why);
+
+}  // namespace wrinkle::cli

@@ -1,0 +1,288 @@
+#include "cli/bake_parts.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+
+#include "base/file.h"
+#include "base/text.h"
+#include "json/parse.h"
+
+namespace wrinkle::cli {
+namespace fs = std::filesystem;
+namespace {
+
+constexpr const char* header_name = "bake.json";
+
+void part_error(const fs::path& file, std::string message, std::string expected,
+                Diagnostics& diagnostics) {
+    Diagnostic problem;
+    problem.where.file = file.string();
+    problem.message = std::move(message);
+    problem.expected = std::move(expected);
+    diagnostics.add(std::move(problem));
+}
+
+std::string quoted_list(const std::vector<std::string>& words) {
+    std::string text = "[";
+    for (const std::string& word : words)
+        text += (text.size() > 1 ? ", " : "") + json_quoted(word);
+    return text + "]";
+}
+
+std::string map_json(const PartHeader::Map& map) {
+    const WriterOptions& w = map.writer;
+    std::string numbers = "{";
+    for (const ImageNumber& number : w.numbers)
+        numbers += (numbers.size() > 1 ? ", " : "") + json_quoted(number.name) + ": " +
+                   shortest(number.value);
+    return "{\"name\": " + json_quoted(map.name) +
+           ", \"extension\": " + json_quoted(map.extension) +
+           ", \"channels\": " + quoted_list(w.channels) +
+           ", \"alpha\": " + (w.has_alpha ? "true" : "false") +
+           ", \"type\": " + json_quoted(name_of(w.type)) +
+           ", \"compression\": " + json_quoted(w.compression) +
+           ", \"tile\": " + std::to_string(w.tile) + ", \"numbers\": " + numbers + "}}";
+}
+
+std::string header_json(const PartHeader& header) {
+    std::string maps;
+    for (const PartHeader::Map& map : header.maps)
+        maps += (maps.empty() ? "\n    " : ",\n    ") + map_json(map);
+    return "{\n  \"wrinkle_bake\": 1,\n  \"identity\": " + json_quoted(header.identity) +
+           ",\n  \"shard\": [" + std::to_string(header.shard) + ", " +
+           std::to_string(header.shards) + "],\n  \"size\": [" + std::to_string(header.width()) +
+           ", " + std::to_string(header.height()) +
+           "],\n  \"one_file\": " + (header.one_file ? "true" : "false") + ",\n  \"maps\": [" +
+           maps + "],\n  \"pictures\": " + quoted_list(header.pictures) +
+           ",\n  \"rows_of_tiles\": [" + std::to_string(header.first) + ", " +
+           std::to_string(header.last) + "],\n  \"done\": " + std::to_string(header.done) + "\n}\n";
+}
+
+// Values of a header; whatever does not fit leaves `fine` false.
+struct HeaderReader {
+    bool fine = true;
+
+    json::Value item(const json::Value& from, std::string_view key, json::Kind kind) {
+        const json::Value value = from.is(json::Kind::object) ? from.find(key) : json::Value();
+        fine = fine && value.is(kind);
+        return value;
+    }
+    std::string text(const json::Value& from, std::string_view key) {
+        const json::Value value = item(from, key, json::Kind::string);
+        return fine ? std::string(value.as_string()) : "";
+    }
+    bool flag(const json::Value& from, std::string_view key) {
+        const json::Value value = item(from, key, json::Kind::boolean);
+        return fine && value.as_boolean();
+    }
+    uint64_t whole(const json::Value& value) {
+        fine = fine && value.is(json::Kind::number) && value.as_number() >= 0 &&
+               value.as_number() < 1e15;
+        return fine ? static_cast<uint64_t>(value.as_number()) : 0;
+    }
+    std::vector<std::string> texts(const json::Value& from, std::string_view key) {
+        std::vector<std::string> list;
+        const json::Value values = item(from, key, json::Kind::array);
+        for (const json::Member& member : values.children()) {
+            fine = fine && member.value.is(json::Kind::string);
+            if (fine) list.emplace_back(member.value.as_string());
+        }
+        return list;
+    }
+    std::pair<uint64_t, uint64_t> pair(const json::Value& from, std::string_view key) {
+        const json::Value values = item(from, key, json::Kind::array);
+        fine = fine && values.size() == 2;
+        return fine ? std::pair(whole(values.at(0)), whole(values.at(1)))
+                    : std::pair<uint64_t, uint64_t>(0, 0);
+    }
+    PartHeader::Map map(const json::Value& from) {
+        PartHeader::Map map{text(from, "name"), text(from, "extension"), {}};
+        WriterOptions& w = map.writer;
+        w.channels = texts(from, "channels");
+        w.has_alpha = flag(from, "alpha");
+        w.compression = text(from, "compression");
+        w.tile = static_cast<uint32_t>(whole(item(from, "tile", json::Kind::number)));
+        const std::string type = text(from, "type");
+        bool known = false;
+        for (const PixelType each :
+             {PixelType::u8, PixelType::u16, PixelType::half, PixelType::float32})
+            if (name_of(each) == type) {
+                w.type = each;
+                known = true;
+            }
+        for (const json::Member& number : item(from, "numbers", json::Kind::object).children())
+            if (number.value.is(json::Kind::number))
+                w.numbers.push_back(
+                    {std::string(number.key), static_cast<float>(number.value.as_number())});
+        fine = fine && known && !w.channels.empty();
+        return map;
+    }
+};
+
+std::optional<PartHeader> parse_header(const json::Value& root) {
+    HeaderReader reader;
+    PartHeader header;
+    header.identity = reader.text(root, "identity");
+    const auto shard = reader.pair(root, "shard");
+    const auto size = reader.pair(root, "size");
+    const auto bands = reader.pair(root, "rows_of_tiles");
+    header.shard = static_cast<uint32_t>(shard.first);
+    header.shards = static_cast<uint32_t>(shard.second);
+    header.one_file = reader.flag(root, "one_file");
+    header.pictures = reader.texts(root, "pictures");
+    header.first = bands.first;
+    header.last = bands.second;
+    header.done = reader.whole(reader.item(root, "done", json::Kind::number));
+    for (const json::Member& map : reader.item(root, "maps", json::Kind::array).children()) {
+        header.maps.push_back(reader.map(map.value));
+        header.maps.back().writer.width = static_cast<uint32_t>(size.first);
+        header.maps.back().writer.height = static_cast<uint32_t>(size.second);
+    }
+    const bool sane = reader.fine && !header.maps.empty() && size.first > 0 && size.second > 0 &&
+                      size.first <= 65536 && size.second <= 65536 && header.first <= header.done &&
+                      header.done <= header.last &&
+                      header.last <= header.pictures.size() * uint64_t{header.bands()};
+    if (!sane) return {};
+    return header;
+}
+
+}  // namespace
+
+size_t PartHeader::row_bytes(size_t map) const {
+    const WriterOptions& w = maps[map].writer;
+    return size_t{w.width} * w.channels.size() * bytes_of(w.type);
+}
+
+uint32_t PartHeader::rows_of(uint64_t band) const {
+    const auto in_picture = static_cast<uint32_t>(band % bands());
+    return std::min(bake_tile, height() - in_picture * bake_tile);
+}
+
+std::vector<MapFile> PartHeader::files(const std::string& output, size_t picture,
+                                       uint32_t threads) const {
+    std::vector<MapFile> files;
+    for (const Map& map : maps) {
+        fs::path path = output;
+        if (one_file)
+            path.replace_extension(pictures[picture] + map.extension);
+        else
+            path /= map.name + pictures[picture] + map.extension;
+        files.push_back({path, map.writer});
+        files.back().options.threads = threads;
+    }
+    return files;
+}
+
+PartHeader header_of(const BakeJob& job) {
+    PartHeader header;
+    header.identity = job.identity;
+    header.shard = job.wishes.shard;
+    header.shards = job.wishes.shards;
+    header.one_file = job.wishes.one_file;
+    for (size_t i = 0; i < job.wishes.maps.size(); ++i) {
+        const WantedMap& wanted = job.wishes.maps[i];
+        const BakedMap& map = job.plans[0].maps[i];
+        WriterOptions writer;
+        writer.width = job.wishes.width;
+        writer.height = job.wishes.height;
+        for (const MapChannel& channel : map.channels)
+            writer.channels.push_back(channel.name);
+        writer.has_alpha = map.has_alpha;
+        writer.type = wanted.type;
+        writer.compression = job.options.compression;
+        writer.tile = job.options.tile;
+        if (job.options.scale != 1)
+            writer.numbers.push_back({"wrinkle:scale", static_cast<float>(job.options.scale)});
+        header.maps.push_back({wanted.request.name, wanted.extension, std::move(writer)});
+    }
+    for (const BakePicture& picture : job.pictures)
+        header.pictures.push_back(picture.suffix);
+    const uint64_t all = header.pictures.size() * uint64_t{header.bands()};
+    header.first = header.done = all * (header.shard - 1) / header.shards;
+    header.last = all * header.shard / header.shards;
+    return header;
+}
+
+std::optional<PartHeader> read_header(const fs::path& folder, Diagnostics& diagnostics) {
+    const fs::path file = folder / header_name;
+    std::string why;
+    const auto text = read_file(file, why);
+    if (!text) {
+        part_error(file, why, "a folder that bake --shard wrote", diagnostics);
+        return {};
+    }
+    Diagnostics own;
+    auto header = parse_header(json::parse(*text, file.string(), own).root);
+    if (!header || own.has_errors()) {
+        part_error(file, "does not tell of a part of a bake", "bake that shard again", diagnostics);
+        return {};
+    }
+    return header;
+}
+
+fs::path rows_file(const fs::path& folder, size_t picture, size_t map) {
+    return folder / (std::to_string(picture) + "-" + std::to_string(map) + ".rows");
+}
+
+std::optional<PartWriter> PartWriter::open(const fs::path& folder, PartHeader header, bool resume,
+                                           Diagnostics& diagnostics) {
+    std::error_code error;
+    fs::create_directories(folder, error);
+    Diagnostics ignored;
+    const auto before = resume ? read_header(folder, ignored) : std::nullopt;
+    if (before && before->identity == header.identity && before->shard == header.shard &&
+        before->shards == header.shards)
+        header.done = before->done;
+    PartWriter writer;
+    writer.folder_ = folder;
+    writer.header_ = std::move(header);
+    if (!writer.write_header(diagnostics)) return {};
+    return writer;
+}
+
+bool PartWriter::fail(const fs::path& path, Diagnostics& diagnostics) const {
+    part_error(path, std::string("cannot be written: ") + std::strerror(errno), "", diagnostics);
+    return false;
+}
+
+bool PartWriter::write_header(Diagnostics& diagnostics) const {
+    std::string why;
+    if (write_file(folder_ / header_name, header_json(header_), why)) return true;
+    part_error(folder_ / header_name, why, "", diagnostics);
+    return false;
+}
+
+bool PartWriter::begin(size_t picture, Diagnostics& diagnostics) {
+    picture_ = picture;
+    files_.clear();
+    const uint64_t start = std::max(header_.first, picture * uint64_t{header_.bands()});
+    uint64_t rows = 0;  // that are done of it
+    for (uint64_t band = start; band < header_.done; ++band)
+        rows += header_.rows_of(band);
+    for (size_t map = 0; map < header_.maps.size(); ++map) {
+        const fs::path path = rows_file(folder_, picture, map);
+        const uint64_t kept = rows * header_.row_bytes(map);
+        std::FILE* file = std::fopen(path.c_str(), kept > 0 ? "r+b" : "wb");
+        if (!file) return fail(path, diagnostics);
+        files_.emplace_back(file);
+        // Rows that bake.json does not tell of are written again.
+        if (std::fseek(file, static_cast<long>(kept), SEEK_SET) != 0)
+            return fail(path, diagnostics);
+    }
+    return true;
+}
+
+bool PartWriter::rows(size_t map, std::span<const std::byte> bytes, Diagnostics& diagnostics) {
+    std::FILE* file = files_[map].get();
+    if (std::fwrite(bytes.data(), 1, bytes.size(), file) == bytes.size() && std::fflush(file) == 0)
+        return true;
+    return fail(rows_file(folder_, picture_, map), diagnostics);
+}
+
+bool PartWriter::done(uint64_t bands, Diagnostics& diagnostics) {
+    header_.done = bands;
+    return write_header(diagnostics);
+}
+
+}  // namespace wrinkle::cli

@@ -1,0 +1,35 @@
+// A bake carried out: into its files, or into a folder with a part of it (cli/bake_parts.h), and
+// parts joined to files.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "cli/bake_job.h"
+#include "cli/bake_parts.h"
+#include "cli/progress.h"
+
+namespace wrinkle::cli {
+
+enum class BakeEnd : uint8_t { done, failed, interrupted };
+
+struct BakeOutcome {
+    BakeEnd end = BakeEnd::done;
+    std::vector<std::string> files;  // that were written
+    Diagnostics warnings;            // of what the maps hold
+    Diagnostics environment;         // why it failed
+};
+
+BakeOutcome bake_files(const BakeJob& job, const PartHeader& header, Progress& progress);
+BakeOutcome bake_part(const BakeJob& job, const std::filesystem::path& folder, PartHeader header,
+                      Progress& progress);
+
+// The headers of all parts of one bake, whole, in the order of their shards; empty with errors.
+std::vector<PartHeader> read_parts(std::vector<std::filesystem::path>& folders,
+                                   Diagnostics& diagnostics);
+BakeOutcome join_parts(const std::vector<std::filesystem::path>& folders,
+                       const std::vector<PartHeader>& headers, const std::string& output,
+                       uint32_t threads, Progress& progress);
+
+}  // namespace wrinkle::cli

@@ -1,0 +1,85 @@
+#include "cli/progress.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <utility>
+
+#include "base/text.h"
+
+namespace wrinkle::cli {
+namespace {
+
+constexpr double seconds_between_lines = 0.1;
+
+// "5.2 M"
+std::string count_text(double count) {
+    const char* const units[] = {"", "k", "M", "G"};
+    size_t unit = 0;
+    while (count >= 1000 && unit + 1 < std::size(units)) {
+        count /= 1000;
+        ++unit;
+    }
+    char text[32];
+    std::snprintf(text, sizeof text, "%.3g %s", count, units[unit]);
+    return text;
+}
+
+}  // namespace
+
+std::string duration_text(double seconds) {
+    const auto whole = static_cast<uint64_t>(std::clamp(seconds + 0.5, 0.0, 1e9));
+    if (whole < 100) return std::to_string(whole) + " s";
+    const uint64_t minutes = (whole + 30) / 60;
+    if (minutes < 100) return std::to_string(minutes) + " min";
+    return std::to_string(minutes / 60) + " h " + std::to_string(minutes % 60) + " min";
+}
+
+Progress::Progress(Form form, std::string unit, uint64_t total)
+    : form_(form), unit_(std::move(unit)), total_(total) {}
+
+Progress::~Progress() {
+    if (form_ == Form::line) std::fputs("\r\x1b[K", stderr);
+}
+
+Progress::Form Progress::form_for(bool json) {
+    if (json) return Form::json;
+    return isatty(STDERR_FILENO) ? Form::line : Form::none;
+}
+
+void Progress::skip(uint64_t count) {
+    skipped_ += count;
+    done_ += count;
+}
+
+void Progress::add(uint64_t count) {
+    done_ += count;
+    if (form_ == Form::none) return;
+    const Clock::time_point now = Clock::now();
+    const auto since = [&](Clock::time_point then) {
+        return std::chrono::duration<double>(now - then).count();
+    };
+    if (form_ == Form::line && since(shown_) < seconds_between_lines) return;
+    shown_ = now;
+    show(std::max(since(begun_), 1e-6));
+}
+
+void Progress::show(double seconds) const {
+    const double rate = static_cast<double>(done_ - skipped_) / seconds;
+    const double left = static_cast<double>(total_ - done_) / std::max(rate, 1e-6);
+    if (form_ == Form::json) {
+        std::printf("{\"done\": %llu, \"total\": %llu, \"per_second\": %s, \"seconds_left\": %s}\n",
+                    static_cast<unsigned long long>(done_), static_cast<unsigned long long>(total_),
+                    shortest(static_cast<float>(rate)).c_str(),
+                    shortest(static_cast<float>(left)).c_str());
+        std::fflush(stdout);
+        return;
+    }
+    const double part =
+        static_cast<double>(done_) / static_cast<double>(std::max<uint64_t>(total_, 1));
+    std::fprintf(stderr, "\r\x1b[K%3.0f %%, %s%s/s, %s left", 100 * part, count_text(rate).c_str(),
+                 unit_.c_str(), duration_text(left).c_str());
+}
+
+}  // namespace wrinkle::cli

@@ -1,0 +1,254 @@
+#include "mesh/uv_raster.h"
+
+#include <algorithm>
+#include <bit>
+#include <cassert>
+#include <cmath>
+#include <optional>
+#include <tuple>
+
+#include "mesh/uv_triangle.h"
+
+namespace wrinkle {
+namespace {
+
+constexpr int64_t unit = 256;           // of a texel
+constexpr double furthest = 1LL << 29;  // so that products of differences fit into 64 bits
+constexpr uint32_t marked = ~0U - 1;    // of a slot that is not numbered yet
+
+int64_t floor_div(int64_t a, int64_t b) {  // b > 0
+    return a >= 0 ? a / b : -((-a + b - 1) / b);
+}
+
+// One edge of a counter-clockwise triangle, from (ax, ay) by (dx, dy). What lies to its left is
+// inside; of the edge itself, where it runs downwards or to the right.
+struct RasterEdge {
+    int64_t ax, ay, dx, dy;
+
+    int64_t least() const { return dy < 0 || (dy == 0 && dx > 0) ? 0 : 1; }
+    bool has_inside(int64_t x, int64_t y) const { return dx * (y - ay) - dy * (x - ax) >= least(); }
+};
+
+struct Interval {
+    int64_t low, high;  // both included
+    bool empty() const { return low > high; }
+};
+
+// The texels of the row whose centres are inside, of those in `row`.
+void clip_row(const RasterEdge& edge, int64_t y, Interval& row) {
+    const int64_t at_zero = edge.dx * (y - edge.ay) - edge.dy * (unit / 2 - edge.ax) - edge.least();
+    if (edge.dy > 0)
+        row.high = std::min(row.high, floor_div(at_zero, edge.dy * unit));
+    else if (edge.dy < 0)
+        row.low = std::max(row.low, -floor_div(at_zero, -edge.dy * unit));
+    else if (at_zero < 0)
+        row.high = row.low - 1;
+}
+
+template <class Triangle>
+RasterEdge edge_of(const Triangle& t, size_t k) {
+    const size_t next = (k + 1) % 3;
+    return {t.x[k], t.y[k], int64_t{t.x[next]} - t.x[k], int64_t{t.y[next]} - t.y[k]};
+}
+
+// The texels from `first` on, `count` of them, that the numbers meet.
+Interval texels_met(const int32_t (&values)[3], uint32_t first, uint32_t count) {
+    const auto [low, high] = std::minmax({values[0], values[1], values[2]});
+    return {std::max<int64_t>(floor_div(low, unit), first),
+            std::min<int64_t>(floor_div(high, unit), int64_t{first} + count - 1)};
+}
+
+// An edge by its ends, the lower one first, so that both of its sides have one key.
+struct UvEdge {
+    int32_t low_x, low_y, high_x, high_y;
+    uint32_t triangle;
+    uint8_t k;
+    bool turned;
+
+    auto key() const { return std::tie(low_x, low_y, high_x, high_y); }
+};
+
+template <class Triangle>
+UvEdge uv_edge(const Triangle& t, uint32_t index, uint8_t k) {
+    const size_t a = k, b = (k + 1U) % 3;
+    const bool turned = std::pair(t.x[b], t.y[b]) < std::pair(t.x[a], t.y[a]);
+    const size_t low = turned ? b : a, high = turned ? a : b;
+    return {t.x[low], t.y[low], t.x[high], t.y[high], index, k, turned};
+}
+
+}  // namespace
+
+UvRaster::UvRaster(const Mesh& mesh, const UvLayout& layout)
+    : layout_(layout),
+      across_(static_cast<uint32_t>(std::lround(std::sqrt(static_cast<double>(layout.samples))))) {
+    assert(mesh.has_uv(0) && across_ * across_ == layout.samples && across_ <= 8);
+    triangles_.reserve(mesh.triangle_count());
+    for (size_t i = 0; i < mesh.triangle_count(); ++i)
+        triangles_.push_back(rounded(mesh, i));
+    if (across_ > 1) find_borders();
+}
+
+UvRaster::Triangle UvRaster::rounded(const Mesh& mesh, size_t index) const {
+    Triangle t;
+    if (!uv_triangle(mesh, index)) return t;
+    for (size_t k = 0; k < 3; ++k) {
+        const glm::dvec2 uv(mesh.uvs[0][mesh.indices[3 * index + k]]);
+        const double x = std::nearbyint((uv.x - layout_.corner.x) * layout_.width * unit);
+        const double y = std::nearbyint((uv.y - layout_.corner.y) * layout_.height * unit);
+        if (!(std::fabs(x) < furthest) || !(std::fabs(y) < furthest)) return t;
+        t.x[k] = static_cast<int32_t>(x);
+        t.y[k] = static_cast<int32_t>(y);
+    }
+    const RasterEdge edge = edge_of(t, 0);
+    const int64_t area = edge.dx * (t.y[2] - edge.ay) - edge.dy * (t.x[2] - edge.ax);
+    if (area < 0) {
+        std::swap(t.x[1], t.x[2]);
+        std::swap(t.y[1], t.y[2]);
+    }
+    t.empty = area == 0;
+    return t;
+}
+
+void UvRaster::find_borders() {
+    std::vector<UvEdge> edges;
+    edges.reserve(3 * triangles_.size());
+    for (uint32_t i = 0; i < triangles_.size(); ++i)
+        for (uint8_t k = 0; k < 3; ++k)
+            if (!triangles_[i].empty) edges.push_back(uv_edge(triangles_[i], i, k));
+    std::sort(edges.begin(), edges.end(),
+              [](const UvEdge& a, const UvEdge& b) { return a.key() < b.key(); });
+    for (auto first = edges.begin(); first != edges.end();) {
+        const auto last = std::find_if(
+            first, edges.end(), [&](const UvEdge& edge) { return edge.key() != first->key(); });
+        const auto turned = std::count_if(first, last, [](const UvEdge& e) { return e.turned; });
+        const bool border = turned == 0 || turned == last - first;
+        for (; first != last; ++first)
+            if (border) triangles_[first->triangle].borders |= static_cast<uint8_t>(1U << first->k);
+    }
+}
+
+std::vector<uint32_t> UvRaster::in_rows(uint32_t y, uint32_t height) const {
+    std::vector<uint32_t> found;
+    for (uint32_t i = 0; i < triangles_.size(); ++i) {
+        const Triangle& t = triangles_[i];
+        if (!t.empty && !texels_met(t.y, y, height).empty() &&
+            !texels_met(t.x, 0, layout_.width).empty())
+            found.push_back(i);
+    }
+    return found;
+}
+
+void UvRaster::cover(const TexelRect& rect, std::span<const uint32_t> candidates,
+                     Coverage& out) const {
+    out.owners.assign(size_t{rect.width} * rect.height, Coverage::none);
+    out.slots.assign(out.owners.size(), Coverage::none);
+    out.edges.clear();
+    out.samples.clear();
+    out.overlapped = 0;
+    out.overlap_triangle = Coverage::none;
+    for (const uint32_t index : candidates) {
+        own_centres(rect, index, out);
+        if (triangles_[index].borders) mark_borders(rect, index, out);
+    }
+    uint32_t count = 0;
+    for (uint32_t& slot : out.slots)
+        if (slot == marked) slot = count++;
+    if (count == 0) return;
+    out.sub_owners.assign(size_t{count} * layout_.samples, Coverage::none);
+    for (const uint32_t index : candidates)
+        own_samples(rect, index, out);
+    gather_edges(rect, out);
+}
+
+void UvRaster::own_centres(const TexelRect& rect, uint32_t index, Coverage& out) const {
+    const Interval rows = texels_met(triangles_[index].y, rect.y, rect.height);
+    for (int64_t y = rows.low; y <= rows.high; ++y)
+        own_row(rect, index, static_cast<uint32_t>(y), out);
+}
+
+void UvRaster::own_row(const TexelRect& rect, uint32_t index, uint32_t y, Coverage& out) const {
+    const Triangle& t = triangles_[index];
+    Interval row = texels_met(t.x, rect.x, rect.width);
+    for (size_t k = 0; k < 3 && !row.empty(); ++k)
+        clip_row(edge_of(t, k), int64_t{y} * unit + unit / 2, row);
+    for (int64_t x = row.low; x <= row.high; ++x) {
+        const uint32_t texel = (y - rect.y) * rect.width + static_cast<uint32_t>(x) - rect.x;
+        uint32_t& owner = out.owners[texel];
+        if (owner == Coverage::none) {
+            owner = index;
+            continue;
+        }
+        if (out.overlapped++ == 0 || texel < out.overlap_texel) {
+            out.overlap_texel = texel;
+            out.overlap_triangle = index;
+        }
+    }
+}
+
+void UvRaster::mark_borders(const TexelRect& rect, uint32_t index, Coverage& out) const {
+    const Triangle& t = triangles_[index];
+    for (size_t k = 0; k < 3; ++k) {
+        if (!(t.borders >> k & 1U)) continue;
+        const RasterEdge edge = edge_of(t, k);
+        const int64_t low = std::min(edge.ay, edge.ay + edge.dy);
+        const int64_t high = std::max(edge.ay, edge.ay + edge.dy);
+        const int64_t last = std::min(floor_div(high, unit), int64_t{rect.y} + rect.height - 1);
+        for (int64_t y = std::max<int64_t>(floor_div(low, unit), rect.y); y <= last; ++y) {
+            const auto x_at = [&](int64_t at) {
+                return edge.ax + floor_div(edge.dx * (std::clamp(at, low, high) - edge.ay) *
+                                               (edge.dy < 0 ? -1 : 1),
+                                           std::max<int64_t>(std::abs(edge.dy), 1));
+            };
+            const int64_t from = edge.dy == 0 ? edge.ax : x_at(y * unit);
+            const int64_t to = edge.dy == 0 ? edge.ax + edge.dx : x_at((y + 1) * unit);
+            const int64_t left = floor_div(std::min(from, to) - 1, unit);  // floor_div rounds
+            const int64_t right = floor_div(std::max(from, to) + 1, unit);
+            for (int64_t x = std::max<int64_t>(left, rect.x);
+                 x <= std::min(right, int64_t{rect.x} + rect.width - 1); ++x)
+                out.slots[static_cast<size_t>((y - rect.y) * rect.width + x - rect.x)] = marked;
+        }
+    }
+}
+
+void UvRaster::own_samples(const TexelRect& rect, uint32_t index, Coverage& out) const {
+    const Triangle& t = triangles_[index];
+    const RasterEdge edges[] = {edge_of(t, 0), edge_of(t, 1), edge_of(t, 2)};
+    const Interval rows = texels_met(t.y, rect.y, rect.height);
+    const Interval columns = texels_met(t.x, rect.x, rect.width);
+    const int64_t step = unit / across_;
+    const auto covers = [&](int64_t x, int64_t y) {
+        return edges[0].has_inside(x, y) && edges[1].has_inside(x, y) && edges[2].has_inside(x, y);
+    };
+    for (int64_t y = rows.low; y <= rows.high; ++y)
+        for (int64_t x = columns.low; x <= columns.high; ++x) {
+            const uint32_t slot =
+                out.slots[static_cast<size_t>((y - rect.y) * rect.width + x - rect.x)];
+            if (slot == Coverage::none) continue;
+            uint32_t* owners = out.sub_owners.data() + size_t{slot} * layout_.samples;
+            for (uint32_t i = 0; i < layout_.samples; ++i)
+                if (owners[i] == Coverage::none && covers(x * unit + step / 2 + i % across_ * step,
+                                                          y * unit + step / 2 + i / across_ * step))
+                    owners[i] = index;
+        }
+}
+
+void UvRaster::gather_edges(const TexelRect& rect, Coverage& out) const {
+    const double step = 1.0 / across_;
+    for (uint32_t texel = 0; texel < out.slots.size(); ++texel) {
+        if (out.slots[texel] == Coverage::none) continue;
+        const uint32_t* owners = out.sub_owners.data() + size_t{out.slots[texel]} * layout_.samples;
+        const auto covered = static_cast<uint32_t>(
+            layout_.samples - std::count(owners, owners + layout_.samples, Coverage::none));
+        const bool whole = covered == layout_.samples && out.owners[texel] != Coverage::none;
+        if (covered == 0 || whole) continue;
+        out.owners[texel] = Coverage::none;
+        out.edges.push_back({texel, static_cast<uint32_t>(out.samples.size()), covered});
+        for (uint32_t i = 0; i < layout_.samples; ++i)
+            if (owners[i] != Coverage::none)
+                out.samples.push_back({owners[i],
+                                       {rect.x + texel % rect.width + (0.5 + i % across_) * step,
+                                        rect.y + texel / rect.width + (0.5 + i / across_) * step}});
+    }
+}
+
+}  // namespace wrinkle

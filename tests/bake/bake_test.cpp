@@ -1,0 +1,250 @@
+// Rows of a bake: against sample_mesh(), against themselves, against the nearest by brute force.
+#include "bake/bake.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <cstring>
+#include <glm/geometric.hpp>
+
+#include "bake/support.h"
+#include "bake/texel_points.h"
+#include "mesh/sample.h"
+#include "mesh/shapes.h"
+#include "support/files.h"
+
+namespace wrinkle::test {
+namespace {
+
+// Every input and its changes as outputs, in the order of their numbers.
+Program all_inputs(const Mesh& mesh) {
+    Module module;
+    for (int i = 0; i < surface_input_count; ++i) {
+        const auto input = static_cast<SurfaceInput>(i);
+        if (input == SurfaceInput::uv2_ || input == SurfaceInput::uv3_) continue;
+        for (const Variant variant : {Variant::value, Variant::dx, Variant::dy})
+            module.outputs.push_back({"o", WR_PORT_float, module.input(input, variant)});
+    }
+    std::string why;
+    const Program program = compile_program(module, why);
+    EXPECT_EQ(why, "");
+    Mesh bare = mesh;
+    EXPECT_EQ(missing_input(bare, program), "");
+    return program;
+}
+
+template <class Vector>
+void append(std::vector<float>& values, const Vector& vector) {
+    for (int i = 0; i < Vector::length(); ++i)
+        values.push_back(static_cast<float>(vector[i]));
+}
+
+// What all_inputs() gives there; `view` by a difference, as its own numbers are.
+std::vector<float> sampled(const Mesh& mesh, glm::dvec2 uv, uint32_t size, uint32_t& triangle) {
+    Diagnostics diagnostics;
+    const auto point = sample_mesh(mesh, uv, size, diagnostics);
+    EXPECT_TRUE(point) << to_text(diagnostics);
+    std::vector<float> values;
+    triangle = point->triangle;
+    const SurfaceAttributes* all[] = {&point->value, &point->dx, &point->dy};
+    const glm::dvec3 view = glm::normalize(point->value.normal);
+    for (const auto* each : all)
+        append(values, each->position);
+    for (const auto* each : all)
+        append(values, each->normal);
+    for (const auto* each : all)
+        append(values, each->tangent);
+    for (const auto* each : all)
+        append(values, each->uv[0]);
+    for (const auto* each : all)
+        append(values, each->uv[1]);
+    for (const auto* each : all)
+        append(values, each->color);
+    append(values, view);
+    for (size_t k = 1; k < 3; ++k)
+        append(values, (glm::normalize(point->value.normal + all[k]->normal * 1e-5) - view) / 1e-5);
+    values.insert(values.end(), {1, 0, 0});  // facing
+    return values;
+}
+
+TEST(BakeRows, PointsAreThoseOfSampleMesh) {
+    for (const char* name : {"torus", "teapot", "cube"}) {
+        const Mesh mesh = *make_shape(name);
+        const Program program = all_inputs(mesh);
+        const LanePicture picture = bake_lanes(mesh, program, {.width = 96, .height = 96});
+        const UvRaster raster(mesh, {96, 96, glm::ivec2(0), 1});
+        Coverage owners;
+        raster.cover({0, 0, 96, 96}, raster.in_rows(0, 96), owners);
+        size_t compared = 0;
+        for (uint32_t y = 0; y < 96; y += 3)
+            for (uint32_t x = 0; x < 96; ++x) {
+                const uint32_t owner = owners.owners[size_t{y} * 96 + x];
+                ASSERT_EQ(picture.covered_at(x, y) == 1, owner != Coverage::none);
+                uint32_t triangle = 0;
+                if (owner == Coverage::none) continue;
+                const auto expected = sampled(mesh, {(x + 0.5) / 96, (y + 0.5) / 96}, 96, triangle);
+                if (triangle != owner) continue;  // on an edge
+                ++compared;
+                ASSERT_EQ(expected.size(), picture.lanes);
+                for (size_t lane = 0; lane < picture.lanes; ++lane) {
+                    const bool differences = lane >= picture.lanes - 9 && lane < picture.lanes - 3;
+                    ASSERT_NEAR(picture.at(x, y)[lane], expected[lane], differences ? 1e-5 : 0)
+                        << name << ": lane " << lane << " at " << x << ", " << y;
+                }
+            }
+        EXPECT_GT(compared, 700U) << name;
+    }
+}
+
+std::string strap() {
+    return bytes_of(WRINKLE_SOURCE_DIR "/graphs/noise_rock.json");
+}
+
+bool same(const std::vector<float>& a, const std::vector<float>& b) {
+    return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(float)) == 0;
+}
+
+TEST(BakeRows, AreTheSameBitsForAnyThreadsRowsAndInstructions) {
+    const Mesh mesh = *make_shape("teapot");
+    const BakePlan plan = plan_of(bake_module_of(strap()), {"normal"});
+    const BakeHow how = {.width = 200, .height = 300, .samples = 16, .dilate = 9};
+    const LanePicture whole = bake_lanes(mesh, plan.program, how, plan.unit);
+    for (const uint32_t threads : {2U, 7U}) {
+        BakeHow other = how;
+        other.threads = threads;
+        EXPECT_TRUE(same(bake_lanes(mesh, plan.program, other, plan.unit).values, whole.values));
+    }
+    LanePicture parts;
+    for (uint32_t first = 0; first < 300; first += 128) {
+        BakeHow other = how;
+        other.first = first;
+        other.last = first + 128;
+        const LanePicture part = bake_lanes(mesh, plan.program, other, plan.unit);
+        parts.values.insert(parts.values.end(), part.values.begin(), part.values.end());
+        parts.findings.add(part.findings);
+    }
+    EXPECT_TRUE(same(parts.values, whole.values));
+    EXPECT_EQ(parts.findings.covered, whole.findings.covered);
+    setenv("WRINKLE_ISA", "baseline", 1);
+    EXPECT_TRUE(same(bake_lanes(mesh, plan.program, how, plan.unit).values, whole.values));
+    unsetenv("WRINKLE_ISA");
+}
+
+TEST(BakeRows, StopWhenTheyAreToldTo) {
+    const Mesh mesh = *make_shape("plane");
+    const Program program = all_inputs(mesh);
+    const UvRaster raster(mesh, {256, 1024, glm::ivec2(0), 1});
+    BakeInput input;
+    input.mesh = &mesh;
+    input.program = &program;
+    BakeFindings findings;
+    uint32_t taken = 0;
+    const auto take = [&](const BakedRows& rows) {
+        EXPECT_EQ(rows.first, taken);
+        taken += rows.count;
+        return taken < 200;
+    };
+    EXPECT_FALSE(bake_rows(input, raster, 0, 1024, 2, take, findings));
+    EXPECT_LT(taken, 300U);
+}
+
+// Two triangles with a gap, one of them thinner than a texel.
+Mesh islands() {
+    Mesh mesh = *make_shape("plane");
+    mesh.uvs[0] = {};
+    for (const glm::vec2 uv :
+         {glm::vec2(0.1F, 0.2F), glm::vec2(0.45F, 0.17F), glm::vec2(0.2F, 0.8F),
+          glm::vec2(0.6F, 0.3F), glm::vec2(0.95F, 0.6F), glm::vec2(0.6F, 0.303F)})
+        mesh.uvs[0].push_back(uv);
+    mesh.positions.assign(6, glm::vec3(0));
+    mesh.normals.assign(6, glm::vec3(0, 0, 1));
+    mesh.tangents.assign(6, glm::vec4(1, 0, 0, 1));
+    mesh.colors.clear();
+    mesh.uvs[1] = mesh.uvs[0];
+    mesh.indices = {0, 1, 2, 3, 4, 5};
+    return mesh;
+}
+
+Program uv_program() {
+    Module module;
+    module.outputs.push_back({"o", WR_PORT_vec2, module.input(SurfaceInput::uv0_)});
+    std::string why;
+    return compile_program(module, why);
+}
+
+TEST(BakeRows, DilationTakesTheNearest) {
+    const Mesh mesh = islands();
+    const Program program = uv_program();
+    const LanePicture bare = bake_lanes(mesh, program, {.samples = 4});
+    const LanePicture wide = bake_lanes(mesh, program, {.samples = 4, .dilate = 11, .threads = 2});
+    size_t filled = 0;
+    for (int y = 0; y < 128; ++y)
+        for (int x = 0; x < 128; ++x) {
+            const auto ux = static_cast<uint32_t>(x), uy = static_cast<uint32_t>(y);
+            if (bare.covered_at(ux, uy)) {
+                ASSERT_EQ(wide.covered_at(ux, uy), 1);
+                ASSERT_EQ(std::memcmp(wide.at(ux, uy), bare.at(ux, uy), 8), 0);
+                continue;
+            }
+            int least = 11 * 11 + 1;
+            for (int j = 0; j < 128; ++j)
+                for (int i = 0; i < 128; ++i)
+                    if (bare.covered_at(static_cast<uint32_t>(i), static_cast<uint32_t>(j)))
+                        least = std::min(least, (i - x) * (i - x) + (j - y) * (j - y));
+            ASSERT_EQ(wide.covered_at(ux, uy), least <= 121 ? 2 : 0) << x << ", " << y;
+            if (least > 121) continue;
+            ++filled;
+            bool found = false;  // among those as near as that
+            for (int j = 0; j < 128 && !found; ++j)
+                for (int i = 0; i < 128 && !found; ++i)
+                    found = (i - x) * (i - x) + (j - y) * (j - y) == least &&
+                            bare.covered_at(static_cast<uint32_t>(i), static_cast<uint32_t>(j)) &&
+                            std::memcmp(wide.at(ux, uy),
+                                        bare.at(static_cast<uint32_t>(i), static_cast<uint32_t>(j)),
+                                        8) == 0;
+            ASSERT_TRUE(found) << x << ", " << y;
+        }
+    EXPECT_GT(filled, 2000U);
+}
+
+TEST(BakeRows, AnEdgeTexelIsTheMeanOfWhatIsCoveredOfIt) {
+    const Mesh mesh = islands();
+    const LanePicture picture = bake_lanes(mesh, uv_program(), {.samples = 64});
+    const LanePicture centres = bake_lanes(mesh, uv_program());
+    size_t edges = 0;
+    for (uint32_t y = 0; y < 128; ++y)
+        for (uint32_t x = 0; x < 128; ++x) {
+            if (!picture.covered_at(x, y)) continue;
+            const float* uv = picture.at(x, y);
+            // Within its texel, and off the centre where the island ends.
+            EXPECT_NEAR(uv[0] * 128, x + 0.5, 0.5);
+            EXPECT_NEAR(uv[1] * 128, y + 0.5, 0.5);
+            const bool centre = std::hypot(uv[0] * 128 - x - 0.5, uv[1] * 128 - y - 0.5) < 1e-4;
+            edges += !centre;
+            EXPECT_FALSE(centre && !centres.covered_at(x, y));
+        }
+    EXPECT_GT(edges, 150U);
+    EXPECT_GT(picture.findings.covered, centres.findings.covered + 60);
+}
+
+TEST(BakeRows, FindsWhatOverlapsAndWhatIsNoNumber) {
+    Mesh mesh = islands();
+    mesh.indices = {0, 1, 2, 0, 1, 2};
+    const LanePicture picture = bake_lanes(mesh, uv_program());
+    EXPECT_EQ(picture.findings.overlapped, picture.findings.covered);
+    EXPECT_EQ(picture.findings.overlap_triangle, 1U);
+    EXPECT_TRUE(picture.covered_at(picture.findings.overlap_x, picture.findings.overlap_y));
+    EXPECT_EQ(picture.findings.not_finite, 0U);
+    Module module;
+    const Id u = module.component(module.input(SurfaceInput::uv0_), 0);
+    const Id less = module.add(Op::sub_, {u, module.number(0.3)});
+    module.outputs.push_back({"o", WR_PORT_float, module.add(Op::sqrt_, {less})});
+    std::string why;
+    const LanePicture roots = bake_lanes(mesh, compile_program(module, why));
+    EXPECT_GT(roots.findings.not_finite, 500U);
+    EXPECT_LT(roots.findings.not_finite, roots.findings.covered);
+}
+
+}  // namespace
+}  // namespace wrinkle::test

@@ -1,0 +1,59 @@
+#include "bake/support.h"
+
+#include "support/linked_nodes.h"
+
+namespace wrinkle::test {
+
+Module bake_module_of(const std::string& text, bool tangents) {
+    Diagnostics diagnostics;
+    const Project project = load_project(read_document(text, "test.json", diagnostics),
+                                         WRINKLE_SOURCE_DIR "/graphs", {}, diagnostics);
+    MaterialOptions options;
+    options.given_differentials = true;
+    options.vertex_tangents = tangents;
+    const Compiled compiled = compile_material(project, linked_nodes(), options, diagnostics);
+    EXPECT_TRUE(compiled.ok) << to_text(diagnostics);
+    return compiled.module;
+}
+
+Module bake_module(const std::string& nodes, const std::string& outputs, bool tangents) {
+    return bake_module_of(
+        R"({"wrinkle": 1, "nodes": {)" + nodes + R"(}, "outputs": {)" + outputs + "}}", tangents);
+}
+
+BakePlan plan_of(const Module& module, const std::vector<std::string>& maps,
+                 const MapOptions& options, bool integers) {
+    Diagnostics diagnostics;
+    std::vector<MapRequest> requests;
+    for (const std::string& name : maps)
+        requests.push_back({name, {}, integers});
+    auto plan = plan_maps(module, requests, options, diagnostics);
+    EXPECT_TRUE(plan) << to_text(diagnostics);
+    return plan ? std::move(*plan) : BakePlan{};
+}
+
+LanePicture bake_lanes(const Mesh& mesh, const Program& program, const BakeHow& how,
+                       const std::vector<uint32_t>& unit) {
+    LanePicture picture;
+    picture.width = how.width;
+    for (const Program::Output& output : program.outputs)
+        picture.lanes += output.regs.size();
+    const UvRaster raster(mesh, {how.width, how.height, glm::ivec2(0), how.samples});
+    BakeInput input;
+    input.mesh = &mesh;
+    input.program = &program;
+    input.unit = unit;
+    input.dilate = how.dilate;
+    const auto take = [&](const BakedRows& rows) {
+        const size_t texels = size_t{rows.count} * how.width;
+        picture.values.insert(picture.values.end(), rows.values,
+                              rows.values + texels * picture.lanes);
+        picture.covered.insert(picture.covered.end(), rows.covered, rows.covered + texels);
+        return true;
+    };
+    EXPECT_TRUE(bake_rows(input, raster, how.first, std::min(how.last, how.height), how.threads,
+                          take, picture.findings));
+    return picture;
+}
+
+}  // namespace wrinkle::test

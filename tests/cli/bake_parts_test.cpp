@@ -1,0 +1,199 @@
+// Bakes in parts: shards, what is stopped and goes on, what is merged; always the same bytes.
+#include <signal.h>
+#include <sys/wait.h>
+
+#include <chrono>
+#include <thread>
+
+#include "cli/bake_support.h"
+
+namespace wrinkle::test {
+namespace {
+
+class BakePartsTest : public BakeTest {
+protected:
+    const Names maps = {"--map", "normal,height", "--type", "float", "--size", "200x300", "--udim"};
+
+    Names with(const Names& more) const {
+        Names all = maps;
+        all.insert(all.end(), more.begin(), more.end());
+        return all;
+    }
+    void shard(const std::string& part, const std::string& folder) const {
+        const Ran ran = bake("teapot", folder, with({"--shard", part}));
+        EXPECT_EQ(ran.code, 0) << ran.err;
+    }
+    Ran merge(Names folders) const {
+        folders.insert(folders.begin(), {"bake", "--merge"});
+        folders.insert(folders.end(), {"-o", "joined"});
+        return run(folders);
+    }
+    std::string refused(const Names& folders) const {
+        const Ran ran = merge(folders);
+        EXPECT_EQ(ran.code, 1);
+        EXPECT_FALSE(exists("joined"));
+        return ran.err;
+    }
+};
+
+TEST_F(BakePartsTest, AnyThreadsShardsAndInstructionsGiveTheSameBytes) {
+    ASSERT_EQ(bake("teapot", "whole", with({"-j", "1"})).code, 0);
+    const auto same = [&](const std::string& other) {
+        for (const char* name : {"/normal.1001.exr", "/height.1001.exr"})
+            EXPECT_TRUE(same_files("whole" + std::string(name), other + name));
+    };
+    for (const char* threads : {"2", "7"}) {
+        ASSERT_EQ(bake("teapot", "threads", with({"-j", threads})).code, 0);
+        same("threads");
+    }
+    Names base = with({});
+    base.insert(base.begin(), {"bake", graph, "--mesh", "teapot", "-o", "base"});
+    ASSERT_EQ(run(base, "", {"WRINKLE_ISA=baseline"}).code, 0);
+    same("base");
+    for (const int count : {2, 4, 9}) {  // there are five rows of tiles
+        Names folders;
+        for (int i = count; i >= 1; --i) {
+            folders.push_back("part" + std::to_string(count) + "." + std::to_string(i));
+            shard(std::to_string(i) + "/" + std::to_string(count), folders.back());
+        }
+        const Ran ran = merge(folders);
+        ASSERT_EQ(ran.code, 0) << ran.err;
+        same("joined");
+        fs::remove_all(folder / "joined");
+    }
+}
+
+TEST_F(BakePartsTest, AMergeWantsEveryShardOnce) {
+    for (const char* part : {"1", "2", "3"})
+        shard(std::string(part) + "/3", std::string("p") + part);
+    EXPECT_TRUE(says(refused({"p1", "p2"}), "shard 3 of 3 is missing"));
+    EXPECT_TRUE(says(refused({"p3", "p1"}), "shard 2 of 3 is missing"));
+    EXPECT_TRUE(says(refused({"p3", "p1", "p2", "p1"}), "shard 1 of 3 is there twice"));
+    EXPECT_TRUE(says(refused({"p1", "p2", "nowhere"}), "nowhere/bake.json: error: cannot be read"));
+    const std::string header = get("p2/bake.json");
+    put("p2/bake.json", header.substr(0, 60));
+    EXPECT_TRUE(says(refused({"p1", "p2", "p3"}), "p2/bake.json: error: does not tell of a part"));
+    std::string halted = header;
+    const size_t done = halted.find("\"done\": ");
+    halted.replace(done, halted.find('\n', done) - done, "\"done\": 1");
+    put("p2/bake.json", halted);
+    EXPECT_TRUE(says(refused({"p1", "p2", "p3"}), "p2: error: shard 2 of 3 is not finished"));
+    put("p2/bake.json", header);
+    const std::string rows = get("p2/0-1.rows");
+    put("p2/0-1.rows", rows.substr(0, rows.size() - 1));
+    EXPECT_TRUE(says(refused({"p1", "p2", "p3"}), "p2/0-1.rows: error: ends early"));
+    put("p2/0-1.rows", rows);
+    EXPECT_EQ(merge({"p1", "p2", "p3"}).code, 0);
+}
+
+TEST_F(BakePartsTest, AMergeRefusesPartsOfAnotherBake) {
+    shard("1/2", "p1");
+    const Ran ran = bake("teapot", "p2", with({"--shard", "2/2", "--dilate", "3"}));
+    EXPECT_EQ(ran.code, 0);
+    EXPECT_TRUE(says(refused({"p1", "p2"}), "p2: error: is a part of another bake than p1"));
+    EXPECT_EQ(bake("sphere", "p2", with({"--shard", "2/2"})).code, 0);
+    EXPECT_TRUE(says(refused({"p1", "p2"}), "another bake"));
+}
+
+// Slow enough to be stopped: every texel in one thread.
+class BakeStoppedTest : public BakeTest {
+protected:
+    const Names slow = {"--size", "512x2048", "-j", "1", "--map", "normal,roughness"};
+
+    pid_t begin(const std::string& out, const Names& more) const {
+        Names all = {"bake", graph, "--mesh", "plane", "-o", out};
+        all.insert(all.end(), slow.begin(), slow.end());
+        all.insert(all.end(), more.begin(), more.end());
+        return start(all);
+    }
+    // Waits till some of the work is done. False when all is.
+    bool under_way(pid_t child, const fs::path& sign) const {
+        int status = 0;
+        while (waitpid(child, &status, WNOHANG) == 0) {
+            if (is_under_way(sign)) return true;
+            std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        }
+        return false;
+    }
+    static int end(pid_t child, int signal) {
+        kill(child, signal);
+        int status = 0;
+        waitpid(child, &status, 0);
+        return WIFSIGNALED(status) ? WTERMSIG(status) : 0;
+    }
+
+private:
+    bool is_under_way(const fs::path& sign) const {
+        std::error_code error;
+        if (fs::exists(folder / sign / "bake.json", error)) {
+            const std::string text = get((sign / "bake.json").string());
+            return !says(text, "\"done\": 0") && says(text, "\"done\"");
+        }
+        return sign.empty() && !files().empty() && files().size() >= 2;
+    }
+};
+
+TEST_F(BakeStoppedTest, CtrlCLeavesNothing) {
+    const pid_t child = begin("out", {});
+    ASSERT_TRUE(under_way(child, ""));
+    EXPECT_EQ(end(child, SIGINT), SIGINT);
+    EXPECT_EQ(files(), Names{"out"});
+}
+
+TEST_F(BakeStoppedTest, WhatWasKilledGoesOn) {
+    for (const int signal : {SIGKILL, SIGINT}) {
+        const pid_t child = begin("out", {"--resume"});
+        ASSERT_TRUE(under_way(child, "out.part"));
+        EXPECT_EQ(end(child, signal), signal);
+        EXPECT_FALSE(exists("out"));
+        EXPECT_TRUE(exists("out.part"));
+    }
+    const double before = parsed(get("out.part/bake.json")).find("done").as_number();
+    Names all = slow;
+    all.insert(all.end(), {"--resume", "--json"});
+    const Ran ran = bake("plane", "out", all);
+    ASSERT_EQ(ran.code, 0) << ran.err;
+    EXPECT_FALSE(exists("out.part"));
+    // What was done is not done again: the first line counts it already.
+    const double first = parsed(ran.out.substr(0, ran.out.find('\n'))).find("done").as_number();
+    EXPECT_GE(before, 1);
+    EXPECT_GE(first, (before + 1) * 64 * 512);
+    ASSERT_EQ(bake("plane", "whole", slow).code, 0);
+    EXPECT_TRUE(same_files("out/normal.png", "whole/normal.png"));
+    EXPECT_TRUE(same_files("out/roughness.png", "whole/roughness.png"));
+}
+
+TEST_F(BakeStoppedTest, AnotherBakeBeginsAnew) {
+    const pid_t child = begin("out", {"--resume"});
+    ASSERT_TRUE(under_way(child, "out.part"));
+    end(child, SIGKILL);
+    Names other = {"--size", "64", "--map", "normal,roughness"};
+    ASSERT_EQ(bake("cube", "whole", other).code, 0);
+    other.emplace_back("--resume");
+    ASSERT_EQ(bake("cube", "out", other).code, 0);
+    EXPECT_TRUE(same_files("out/normal.png", "whole/normal.png"));
+}
+
+TEST_F(BakeTest, ProgressIsALineOfJsonEach) {
+    const Ran ran = bake("plane", "out/n.png", {"--size", "256", "--json", "--dilate", "0"});
+    ASSERT_EQ(ran.code, 0);
+    EXPECT_EQ(ran.err, "");
+    size_t lines = 0;
+    double done = 0;
+    std::string rest = ran.out;
+    for (; !says(rest.substr(0, 9), "\"files\""); ++lines) {
+        const json::Value line = parsed(rest.substr(0, rest.find('\n')));
+        EXPECT_GT(line.find("done").as_number(), done);
+        done = line.find("done").as_number();
+        EXPECT_EQ(line.find("total").as_number(), 256 * 256);
+        EXPECT_GT(line.find("per_second").as_number(), 0);
+        EXPECT_GE(line.find("seconds_left").as_number(), 0);
+        rest = rest.substr(rest.find('\n') + 1);
+    }
+    EXPECT_EQ(lines, 4U);
+    EXPECT_EQ(done, 256 * 256);
+    EXPECT_EQ(parsed(rest).find("files").at(0).as_string(), "out/n.png");
+}
+
+}  // namespace
+}  // namespace wrinkle::test
