@@ -27,8 +27,8 @@ struct BakeCommand {
         if (!wishes.is_shard() && !can_be_written(header, why)) return usage(why);
         BakeOutcome outcome = carry_out(*job, header);
         diagnostics.append(outcome.warnings);
-        const int code = report(diagnostics, options.common.diagnostics);
-        return code != exit_fine ? code : finish(outcome);
+        report(diagnostics, options.common.diagnostics);
+        return write_depfile(*job, outcome) ? finish(outcome) : int{exit_environment};
     }
 
     static int usage(const std::string& sentence) {
@@ -77,6 +77,14 @@ struct BakeCommand {
         outcome.end = BakeEnd::failed;
         outcome.environment = problems;
         return outcome;
+    }
+
+    // Of what a build made and what it made that from.
+    bool write_depfile(const BakeJob& job, const BakeOutcome& outcome) const {
+        const Depfile& depfile = options.depfile;
+        if (!depfile.wanted || outcome.end != BakeEnd::done) return true;
+        const std::string path = depfile.path.empty() ? options.output + ".d" : depfile.path;
+        return write_result(path, make_rules({{outcome.files, job.inputs}}, depfile));
     }
 
     int merge() const {

@@ -110,7 +110,7 @@ std::string sum_of(const Mesh& mesh) {
 }
 
 // The files are read again, as they were a moment ago.
-std::string identity_of(const BakeJob& job, const Project& project, const Types& types) {
+std::string identity_of(const BakeJob& job) {
     const BakeOptions& o = job.options;
     std::vector<std::string> fields = {
         program_identity(), sum_of(job.mesh), o.size, o.space, o.maps, o.type,
@@ -121,10 +121,10 @@ std::string identity_of(const BakeJob& job, const Project& project, const Types&
          {o.scale, double(o.samples), double(o.dilate), double(o.tile), double(o.dx),
           double(o.udim), double(o.common.no_tangents), double(job.wishes.one_file)})
         fields.push_back(std::to_string(number));
-    for (const InputFile& input : inputs_of(project, types)) {
+    for (const std::string& input : job.inputs) {
         std::string why;
-        const auto bytes = read_file(input.path, why);
-        fields.push_back(input.path);
+        const auto bytes = read_file(input, why);
+        fields.push_back(input);
         fields.push_back(bytes ? sha256(*bytes) : why);
     }
     return sha256(join_fields(fields));
@@ -157,8 +157,9 @@ void plan_runs(BakeJob& job, const Overrides& overrides, Diagnostics& diagnostic
             problems.add(std::move(problem));
         }
         if (plan) job.plans.push_back(std::move(*plan));
-        if (plan && job.identity.empty() && (job.wishes.is_shard() || job.options.resume))
-            job.identity = identity_of(job, run.project, Types(run.project, nodes.registry));
+        if (!job.inputs.empty()) return;
+        for (const InputFile& input : inputs_of(run.project, Types(run.project, nodes.registry)))
+            job.inputs.push_back(input.path);
     };
     compile_runs(job.options.file, job.options.common, nodes.registry, overrides, Purpose::bake,
                  use, diagnostics);
@@ -184,6 +185,8 @@ std::optional<BakeJob> make_bake_job(const BakeOptions& options, const BakeWishe
         !mesh_fits(options, job.mesh, job.plans, diagnostics))
         return {};
     job.pictures = pictures_of(job, uvs, overrides);
+    if (wishes.is_shard() || options.resume) job.identity = identity_of(job);
+    if (is_mesh_path(options.mesh)) job.inputs.push_back(options.mesh);
     return job;
 }
 

@@ -30,6 +30,7 @@ struct BakeJob {
     TextureStore textures;
     std::vector<BakePlan> plans;  // one a run; their maps differ in nothing but values
     std::vector<BakePicture> pictures;
+    std::vector<std::string> inputs;  // every file that was read
     std::string identity;  // the sum of all that the bytes depend on; of shards and --resume
 
     uint32_t bands() const { return (wishes.height + bake_tile - 1) / bake_tile; }  // a picture

@@ -95,6 +95,9 @@ std::string conflict(const BakeOptions& options, const BakeWishes& wishes) {
     if (options.tile % 16 != 0) return "--tile is a multiple of 16";
     if (options.file == "-" && (wishes.is_shard() || options.resume))
         return "--shard and --resume need a graph in a file, to know it again";
+    const Depfile& depfile = options.depfile;
+    if (!depfile.wanted && (depfile.phony || !(depfile.path + depfile.target).empty()))
+        return "-MF, -MT and -MP go with -MD";
     if (wishes.one_file && !options.format.empty())
         return "--format is for maps in a folder; OUT itself says what one map is written as";
     return "";
@@ -181,6 +184,7 @@ void declare_bake_options(CLI::App& sub, BakeOptions& c) {
     sub.add_flag("--resume", c.resume,
                  "Keeps what is done when it is stopped, and goes on where it was");
     sub.add_flag("--json", c.json, "Progress and the files written, a line of JSON each");
+    declare_depfile(sub, c.depfile);
     declare_common(sub, c.common);
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "bake/maps.h"
+#include "cli/depfile.h"
 #include "cli/session.h"
 #include "image/image.h"
 #include "image/writer.h"
@@ -13,6 +14,7 @@ namespace wrinkle::cli {
 
 struct BakeOptions {
     CommonOptions common;
+    Depfile depfile;
     std::string file, mesh, output;
     std::string size = "1024", space = "tangent", maps, type, format, compression, shard;
     std::vector<std::string> packs, merge;

@@ -12,8 +12,6 @@ namespace wrinkle::cli {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr const char* header_name = "bake.json";
-
 void part_error(const fs::path& file, std::string message, std::string expected,
                 Diagnostics& diagnostics) {
     Diagnostic problem;
@@ -52,11 +50,10 @@ std::string header_json(const PartHeader& header) {
     return "{\n  \"wrinkle_bake\": 1,\n  \"identity\": " + json_quoted(header.identity) +
            ",\n  \"shard\": [" + std::to_string(header.shard) + ", " +
            std::to_string(header.shards) + "],\n  \"size\": [" + std::to_string(header.width()) +
-           ", " + std::to_string(header.height()) +
-           "],\n  \"one_file\": " + (header.one_file ? "true" : "false") + ",\n  \"maps\": [" +
-           maps + "],\n  \"pictures\": " + quoted_list(header.pictures) +
-           ",\n  \"rows_of_tiles\": [" + std::to_string(header.first) + ", " +
-           std::to_string(header.last) + "],\n  \"done\": " + std::to_string(header.done) + "\n}\n";
+           ", " + std::to_string(header.height()) + "],\n  \"maps\": [" + maps +
+           "],\n  \"pictures\": " + quoted_list(header.pictures) + ",\n  \"rows_of_tiles\": [" +
+           std::to_string(header.first) + ", " + std::to_string(header.last) +
+           "],\n  \"done\": " + std::to_string(header.done) + "\n}\n";
 }
 
 // Values of a header; whatever does not fit leaves `fine` false.
@@ -129,7 +126,6 @@ std::optional<PartHeader> parse_header(const json::Value& root) {
     const auto bands = reader.pair(root, "rows_of_tiles");
     header.shard = static_cast<uint32_t>(shard.first);
     header.shards = static_cast<uint32_t>(shard.second);
-    header.one_file = reader.flag(root, "one_file");
     header.pictures = reader.texts(root, "pictures");
     header.first = bands.first;
     header.last = bands.second;
@@ -164,8 +160,8 @@ std::vector<MapFile> PartHeader::files(const std::string& output, size_t picture
     std::vector<MapFile> files;
     for (const Map& map : maps) {
         fs::path path = output;
-        if (one_file)
-            path.replace_extension(pictures[picture] + map.extension);
+        if (maps.size() == 1)
+            path.replace_extension(pictures[picture] + path.extension().string());
         else
             path /= map.name + pictures[picture] + map.extension;
         files.push_back({path, map.writer});
@@ -179,7 +175,6 @@ PartHeader header_of(const BakeJob& job) {
     header.identity = job.identity;
     header.shard = job.wishes.shard;
     header.shards = job.wishes.shards;
-    header.one_file = job.wishes.one_file;
     for (size_t i = 0; i < job.wishes.maps.size(); ++i) {
         const WantedMap& wanted = job.wishes.maps[i];
         const BakedMap& map = job.plans[0].maps[i];
@@ -205,7 +200,7 @@ PartHeader header_of(const BakeJob& job) {
 }
 
 std::optional<PartHeader> read_header(const fs::path& folder, Diagnostics& diagnostics) {
-    const fs::path file = folder / header_name;
+    const fs::path file = header_file(folder);
     std::string why;
     const auto text = read_file(file, why);
     if (!text) {
@@ -219,6 +214,10 @@ std::optional<PartHeader> read_header(const fs::path& folder, Diagnostics& diagn
         return {};
     }
     return header;
+}
+
+fs::path header_file(const fs::path& folder) {
+    return folder / "bake.json";
 }
 
 fs::path rows_file(const fs::path& folder, size_t picture, size_t map) {
@@ -248,8 +247,8 @@ bool PartWriter::fail(const fs::path& path, Diagnostics& diagnostics) const {
 
 bool PartWriter::write_header(Diagnostics& diagnostics) const {
     std::string why;
-    if (write_file(folder_ / header_name, header_json(header_), why)) return true;
-    part_error(folder_ / header_name, why, "", diagnostics);
+    if (write_file(header_file(folder_), header_json(header_), why)) return true;
+    part_error(header_file(folder_), why, "", diagnostics);
     return false;
 }
 

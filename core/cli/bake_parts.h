@@ -28,7 +28,6 @@ struct PartHeader {
     };
     std::string identity;
     uint32_t shard = 1, shards = 1;
-    bool one_file = false;
     std::vector<Map> maps;
     std::vector<std::string> pictures;  // the suffixes of their files
     uint64_t first = 0, last = 0, done = 0;
@@ -39,6 +38,7 @@ struct PartHeader {
     size_t row_bytes(size_t map) const;
     // Of row of tiles `band` of its picture.
     uint32_t rows_of(uint64_t band) const;
+    // Of one map it is OUT, of several OUT/MAP.EXT.
     std::vector<MapFile> files(const std::string& output, size_t picture, uint32_t threads) const;
 };
 
@@ -48,6 +48,7 @@ PartHeader header_of(const BakeJob& job);
 std::optional<PartHeader> read_header(const std::filesystem::path& folder,
                                       Diagnostics& diagnostics);
 
+std::filesystem::path header_file(const std::filesystem::path& folder);
 std::filesystem::path rows_file(const std::filesystem::path& folder, size_t picture, size_t map);
 
 class PartWriter {

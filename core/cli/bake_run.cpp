@@ -177,6 +177,7 @@ BakeOutcome bake_part(const BakeJob& job, const fs::path& folder, PartHeader hea
                 baker.bake(number, {row_of(first), row_of(last)}, keep, band);
     }
     baker.finish(whole, outcome);
+    outcome.files = {header_file(folder).string()};
     return outcome;
 }
 

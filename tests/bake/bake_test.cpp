@@ -17,6 +17,10 @@
 namespace wrinkle::test {
 namespace {
 
+bool same(const std::vector<float>& a, const std::vector<float>& b) {
+    return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(float)) == 0;
+}
+
 // Every input and its changes as outputs, in the order of their numbers.
 Program all_inputs(const Mesh& mesh) {
     Module module;
@@ -101,10 +105,6 @@ std::string strap() {
     return bytes_of(WRINKLE_SOURCE_DIR "/graphs/noise_rock.json");
 }
 
-bool same(const std::vector<float>& a, const std::vector<float>& b) {
-    return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(float)) == 0;
-}
-
 TEST(BakeRows, AreTheSameBitsForAnyThreadsRowsAndInstructions) {
     const Mesh mesh = *make_shape("teapot");
     const BakePlan plan = plan_of(bake_module_of(strap()), {"normal"});
@@ -173,39 +173,59 @@ Program uv_program() {
     return compile_program(module, why);
 }
 
+// Over several rows of tiles.
+constexpr BakeHow bare_how = {.width = 128, .height = 320, .samples = 4};
+constexpr int reach = 11;
+
+LanePicture dilated(uint32_t first = 0, uint32_t last = 320) {
+    BakeHow how = bare_how;
+    how.dilate = reach;
+    how.threads = 2;
+    how.first = first;
+    how.last = last;
+    return bake_lanes(islands(), uv_program(), how);
+}
+
+// Calls `see` with the place of each covered texel that is near, and its distance's square.
+template <class See>
+void around(const LanePicture& bare, uint32_t x, uint32_t y, const See& see) {
+    for (int j = -reach; j <= reach; ++j)
+        for (int i = -reach; i <= reach; ++i) {
+            const auto column = static_cast<uint32_t>(static_cast<int>(x) + i);
+            const auto row = static_cast<uint32_t>(static_cast<int>(y) + j);
+            if (i * i + j * j <= reach * reach && column < bare_how.width &&
+                row < bare_how.height && bare.covered_at(column, row))
+                see(column, row, i * i + j * j);
+        }
+}
+
 TEST(BakeRows, DilationTakesTheNearest) {
-    const Mesh mesh = islands();
-    const Program program = uv_program();
-    const LanePicture bare = bake_lanes(mesh, program, {.samples = 4});
-    const LanePicture wide = bake_lanes(mesh, program, {.samples = 4, .dilate = 11, .threads = 2});
+    const LanePicture bare = bake_lanes(islands(), uv_program(), bare_how), wide = dilated();
     size_t filled = 0;
-    for (int y = 0; y < 128; ++y)
-        for (int x = 0; x < 128; ++x) {
-            const auto ux = static_cast<uint32_t>(x), uy = static_cast<uint32_t>(y);
-            if (bare.covered_at(ux, uy)) {
-                ASSERT_EQ(wide.covered_at(ux, uy), 1);
-                ASSERT_EQ(std::memcmp(wide.at(ux, uy), bare.at(ux, uy), 8), 0);
-                continue;
-            }
-            int least = 11 * 11 + 1;
-            for (int j = 0; j < 128; ++j)
-                for (int i = 0; i < 128; ++i)
-                    if (bare.covered_at(static_cast<uint32_t>(i), static_cast<uint32_t>(j)))
-                        least = std::min(least, (i - x) * (i - x) + (j - y) * (j - y));
-            ASSERT_EQ(wide.covered_at(ux, uy), least <= 121 ? 2 : 0) << x << ", " << y;
-            if (least > 121) continue;
-            ++filled;
+    for (uint32_t y = 0; y < bare_how.height; ++y)
+        for (uint32_t x = 0; x < bare_how.width; ++x) {
+            int least = reach * reach + 1;
+            around(bare, x, y, [&](uint32_t, uint32_t, int d) { least = std::min(least, d); });
+            const int expected = least == 0 ? 1 : least <= reach * reach ? 2 : 0;
+            ASSERT_EQ(wide.covered_at(x, y), expected) << x << ", " << y;
+            if (expected == 0) continue;
+            filled += expected == 2;
             bool found = false;  // among those as near as that
-            for (int j = 0; j < 128 && !found; ++j)
-                for (int i = 0; i < 128 && !found; ++i)
-                    found = (i - x) * (i - x) + (j - y) * (j - y) == least &&
-                            bare.covered_at(static_cast<uint32_t>(i), static_cast<uint32_t>(j)) &&
-                            std::memcmp(wide.at(ux, uy),
-                                        bare.at(static_cast<uint32_t>(i), static_cast<uint32_t>(j)),
-                                        8) == 0;
+            around(bare, x, y, [&](uint32_t i, uint32_t j, int d) {
+                found = found || (d == least && std::memcmp(wide.at(x, y), bare.at(i, j), 8) == 0);
+            });
             ASSERT_TRUE(found) << x << ", " << y;
         }
-    EXPECT_GT(filled, 2000U);
+    EXPECT_GT(filled, 3000U);
+}
+
+TEST(BakeRows, PartsAreDilatedFromWhatLiesBesideThem) {
+    std::vector<float> parts;
+    for (uint32_t first = 0; first < bare_how.height; first += bake_tile) {
+        const LanePicture part = dilated(first, first + bake_tile);
+        parts.insert(parts.end(), part.values.begin(), part.values.end());
+    }
+    EXPECT_TRUE(same(parts, dilated().values));
 }
 
 TEST(BakeRows, AnEdgeTexelIsTheMeanOfWhatIsCoveredOfIt) {

@@ -152,9 +152,11 @@ TEST(BakedMaps, SlopesRunDownTheMap) {
            "n": {"type": "resolve", "in": {"gradient": {"from": "s.y"}}})",
         R"("normal": {"from": "n.normal"})");
     MapOptions options;
-    options.width = options.height = 128;
-    const Stored map = stored(*make_shape("plane"), plan_of(module, {"slopes"}, options, false), 0);
-    const double expected[] = {-1, 0, -1 / 128.0, 0, 1 / 128.0 / 128, 0};
+    options.width = 128;
+    options.height = 64;
+    const BakePlan plan = plan_of(module, {"slopes"}, options, false);
+    const Stored map = stored(*make_shape("plane"), plan, 0, {.width = 128, .height = 64});
+    const double expected[] = {-1, 0, -1 / 64.0, 0, 1 / 64.0 / 64, 0};
     for (size_t c = 0; c < 6; ++c)
         EXPECT_NEAR(map.at(5, 9)[c], expected[c], 1e-6) << c;
 }
