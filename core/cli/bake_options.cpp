@@ -95,6 +95,9 @@ std::string conflict(const BakeOptions& options, const BakeWishes& wishes) {
     if (options.tile % 16 != 0) return "--tile is a multiple of 16";
     if (options.file == "-" && (wishes.is_shard() || options.resume))
         return "--shard and --resume need a graph in a file, to know it again";
+    for (const WantedMap& map : wishes.maps)
+        if (map.request.name.empty() || map.request.name.find('/') != map.request.name.npos)
+            return "'" + map.request.name + "' cannot be the name of a map's file";
     const Depfile& depfile = options.depfile;
     if (!depfile.wanted && (depfile.phony || !(depfile.path + depfile.target).empty()))
         return "-MF, -MT and -MP go with -MD";

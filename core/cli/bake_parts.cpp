@@ -135,6 +135,12 @@ std::optional<PartHeader> parse_header(const json::Value& root) {
         header.maps.back().writer.width = static_cast<uint32_t>(size.first);
         header.maps.back().writer.height = static_cast<uint32_t>(size.second);
     }
+    // They become parts of paths.
+    const auto is_name = [](const std::string& text) { return text.find('/') == text.npos; };
+    for (const PartHeader::Map& map : header.maps)
+        reader.fine = reader.fine && is_name(map.name) && is_name(map.extension);
+    reader.fine =
+        reader.fine && std::all_of(header.pictures.begin(), header.pictures.end(), is_name);
     const bool sane = reader.fine && !header.maps.empty() && size.first > 0 && size.second > 0 &&
                       size.first <= 65536 && size.second <= 65536 && header.first <= header.done &&
                       header.done <= header.last &&

@@ -15,23 +15,25 @@ void notice(int signal) {
     caught_signal = signal;
 }
 
-void set_handlers(void (*handler)(int)) {
-    struct sigaction action = {};
-    action.sa_handler = handler;
-    action.sa_flags = SA_RESTART;
-    for (const int signal : noticed)
-        sigaction(signal, &action, nullptr);
-}
+std::array<struct sigaction, noticed.size()> before = {};
 
 }  // namespace
 
+// What is ignored stays so, as shells want it of jobs in the background.
 Interruption::Interruption() {
     caught_signal = 0;
-    set_handlers(notice);
+    struct sigaction action = {};
+    action.sa_handler = notice;
+    action.sa_flags = SA_RESTART;
+    for (size_t i = 0; i < noticed.size(); ++i) {
+        sigaction(noticed[i], nullptr, &before[i]);
+        if (before[i].sa_handler != SIG_IGN) sigaction(noticed[i], &action, nullptr);
+    }
 }
 
 Interruption::~Interruption() {
-    set_handlers(SIG_DFL);
+    for (size_t i = 0; i < noticed.size(); ++i)
+        sigaction(noticed[i], &before[i], nullptr);
 }
 
 bool Interruption::requested() {
@@ -39,10 +41,10 @@ bool Interruption::requested() {
 }
 
 void Interruption::obey() {
-    const int signal = caught_signal;
-    set_handlers(SIG_DFL);
-    raise(signal);
-    std::_Exit(128 + signal);
+    const int caught = caught_signal;
+    signal(caught, SIG_DFL);
+    raise(caught);
+    std::_Exit(128 + caught);
 }
 
 }  // namespace wrinkle::cli

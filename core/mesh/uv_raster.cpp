@@ -146,7 +146,10 @@ void UvRaster::cover(const TexelRect& rect, std::span<const uint32_t> candidates
     out.samples.clear();
     out.overlapped = 0;
     out.overlap_triangle = Coverage::none;
-    for (const uint32_t index : candidates) {
+    out.met.clear();
+    for (const uint32_t index : candidates)
+        if (!texels_met(triangles_[index].x, rect.x, rect.width).empty()) out.met.push_back(index);
+    for (const uint32_t index : out.met) {
         own_centres(rect, index, out);
         if (triangles_[index].borders) mark_borders(rect, index, out);
     }
@@ -155,7 +158,7 @@ void UvRaster::cover(const TexelRect& rect, std::span<const uint32_t> candidates
         if (slot == marked) slot = count++;
     if (count == 0) return;
     out.sub_owners.assign(size_t{count} * layout_.samples, Coverage::none);
-    for (const uint32_t index : candidates)
+    for (const uint32_t index : out.met)
         own_samples(rect, index, out);
     gather_edges(rect, out);
 }

@@ -61,7 +61,7 @@ struct Coverage {
     uint32_t overlap_texel = 0;  // the first of them, and the triangle that does not own it
     uint32_t overlap_triangle = none;
 
-    std::vector<uint32_t> slots, sub_owners;  // room to work in
+    std::vector<uint32_t> slots, sub_owners, met;  // room to work in
 };
 
 class UvRaster {

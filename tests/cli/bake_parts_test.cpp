@@ -73,6 +73,10 @@ TEST_F(BakePartsTest, AMergeWantsEveryShardOnce) {
     const std::string header = get("p2/bake.json");
     put("p2/bake.json", header.substr(0, 60));
     EXPECT_TRUE(says(refused({"p1", "p2", "p3"}), "p2/bake.json: error: does not tell of a part"));
+    std::string hostile = header;
+    hostile.replace(hostile.find("\"normal\""), 8, "\"/tmp/../x\"");
+    put("p2/bake.json", hostile);
+    EXPECT_TRUE(says(refused({"p1", "p2", "p3"}), "does not tell of a part"));
     std::string halted = header;
     const size_t done = halted.find("\"done\": ");
     halted.replace(done, halted.find('\n', done) - done, "\"done\": 1");
@@ -172,6 +176,21 @@ TEST_F(BakeStoppedTest, AnotherBakeBeginsAnew) {
     other.emplace_back("--resume");
     ASSERT_EQ(bake("cube", "out", other).code, 0);
     EXPECT_TRUE(same_files("out/normal.png", "whole/normal.png"));
+}
+
+TEST_F(BakeTest, DependenciesAreWhatWasRead) {
+    put("m.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nf 1/1 2/2 3/3\n");
+    put("inner.json", ramp_graph());
+    put("g.json", R"({"wrinkle": 1, "nodes": {"sub": {"type": "graph:inner.json"}},
+        "outputs": {"value": {"from": "sub.value"}}})");
+    graph = "g.json";
+    const Names more = {"--map", "value", "--size", "8", "-MD"};
+    ASSERT_EQ(bake("m.obj", "v.png", more).code, 0);
+    EXPECT_EQ(get("v.png.d"), "v.png: \\\n  g.json \\\n  inner.json \\\n  m.obj\n");
+    Names part = more;
+    part.insert(part.end(), {"-MF", "d", "--shard", "1/2"});
+    ASSERT_EQ(bake("m.obj", "p", part).code, 0);
+    EXPECT_TRUE(get("d").starts_with("p/bake.json: "));
 }
 
 TEST_F(BakeTest, ProgressIsALineOfJsonEach) {

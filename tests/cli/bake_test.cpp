@@ -202,6 +202,9 @@ TEST_F(BakeTest, WrongUsageIsSaidBeforeAnyWork) {
     EXPECT_TRUE(says(wrong({"--scale", "0"}), "greater than 0"));
     EXPECT_TRUE(says(wrong({"--pack", "r"}), "names no channels"));
     EXPECT_TRUE(says(wrong({"--map", "normal,normal"}), "two maps would be called 'normal'"));
+    EXPECT_TRUE(says(wrong({"--map", "/etc/x"}), "cannot be the name of a map's file"));
+    wrong({"--map", "normal,"});
+    EXPECT_TRUE(says(wrong({"-MF", "x.d"}), "go with -MD"));
     EXPECT_TRUE(says(wrong({"--type", "half"}), "cannot hold values of type half"));
     EXPECT_TRUE(says(wrong({}, "m.bmp"), ".png"));
     wrong({"--tile", "64"});
