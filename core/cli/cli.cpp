@@ -28,10 +28,10 @@ int run_cli(int argc, const char* const* argv) {
     app.require_subcommand(1);
     app.get_formatter()->column_width(34);
     Run run;
-    for (auto declare :
-         {declare_check, declare_compile, declare_eval, declare_render, declare_bake, declare_test,
-          declare_format, declare_upgrade, declare_inputs, declare_nodes, declare_plugins,
-          declare_new_plugin, declare_explain_log, declare_completion, declare_man})
+    for (auto declare : {declare_check, declare_compile, declare_eval, declare_render, declare_bake,
+                         declare_convert, declare_lint, declare_test, declare_format,
+                         declare_upgrade, declare_inputs, declare_nodes, declare_plugins,
+                         declare_new_plugin, declare_explain_log, declare_completion, declare_man})
         declare(app, run);
     std::string why;
     auto words = command_words(argc, argv, why);

@@ -28,6 +28,8 @@ void declare_compile(CLI::App& app, Run& run);
 void declare_eval(CLI::App& app, Run& run);
 void declare_render(CLI::App& app, Run& run);
 void declare_bake(CLI::App& app, Run& run);
+void declare_convert(CLI::App& app, Run& run);
+void declare_lint(CLI::App& app, Run& run);
 void declare_test(CLI::App& app, Run& run);
 void declare_format(CLI::App& app, Run& run);
 void declare_upgrade(CLI::App& app, Run& run);

@@ -25,22 +25,6 @@ double weight_sum(uint32_t size) {
     return size % 2 == 0 ? 2 : size;
 }
 
-// The weights are integers, so the sums of a constant image are exact in double.
-void mean_texel(const Image& from, const Cover& across, const Cover& up, double divisor,
-                float* out) {
-    double sum[4] = {};
-    for (uint32_t j = 0; j < up.count; ++j) {
-        const float* in = from.texel(across.first, up.first + j);
-        for (uint32_t i = 0; i < across.count; ++i) {
-            const double weight = across.weight[i] * up.weight[j];
-            for (uint32_t c = 0; c < from.channels; ++c)
-                sum[c] += weight * *in++;
-        }
-    }
-    for (uint32_t c = 0; c < from.channels; ++c)
-        out[c] = static_cast<float>(sum[c] / divisor);
-}
-
 }  // namespace
 
 uint32_t next_mip_size(uint32_t size) {
@@ -52,15 +36,49 @@ uint32_t mip_count(uint32_t width, uint32_t height) {
     return static_cast<uint32_t>(std::bit_width(std::max(width, height)));
 }
 
+CoveredRows covered_rows(uint32_t height, uint32_t y) {
+    const Cover up = cover(height, y);
+    return {up.first, up.count};
+}
+
+// The weights are integers, so the sums of a constant image are exact in double.
+void half_row(uint32_t width, uint32_t height, uint32_t channels, uint32_t y,
+              const float* const* rows, float* out) {
+    const Cover up = cover(height, y);
+    const size_t count = size_t{width} * channels;
+    thread_local std::vector<double> sums;
+    sums.assign(count, 0);
+    double* sum = sums.data();
+    for (uint32_t j = 0; j < up.count; ++j) {
+        const float* row = rows[j];
+        const double weight = up.weight[j];
+        for (size_t i = 0; i < count; ++i)
+            sum[i] += weight * row[i];
+    }
+    const double divisor = weight_sum(width) * weight_sum(height);
+    const uint32_t half_width = next_mip_size(width);
+    for (uint32_t x = 0; x < half_width; ++x) {
+        const Cover across = cover(width, x);
+        const double* in = sum + size_t{across.first} * channels;
+        for (uint32_t c = 0; c < channels; ++c, ++in) {
+            double total = across.weight[0] * in[0];
+            for (uint32_t i = 1; i < across.count; ++i)
+                total += across.weight[i] * in[size_t{i} * channels];
+            *out++ = static_cast<float>(total / divisor);
+        }
+    }
+}
+
 Image half_size(const Image& image) {
     Image half = make_image(next_mip_size(image.width), next_mip_size(image.height), image.channels,
                             image.source);
     half.has_alpha = image.has_alpha;
-    const double divisor = weight_sum(image.width) * weight_sum(image.height);
     for (uint32_t y = 0; y < half.height; ++y) {
-        const Cover up = cover(image.height, y);
-        for (uint32_t x = 0; x < half.width; ++x)
-            mean_texel(image, cover(image.width, x), up, divisor, half.texel(x, y));
+        const CoveredRows covered = covered_rows(image.height, y);
+        const float* rows[3] = {};
+        for (uint32_t j = 0; j < covered.count; ++j)
+            rows[j] = image.texel(0, covered.first + j);
+        half_row(image.width, image.height, image.channels, y, rows, half.texel(0, y));
     }
     return half;
 }

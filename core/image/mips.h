@@ -4,7 +4,7 @@
 // texels is the area-weighted mean of the texels it covers: two per direction for even sizes, three
 // with the weights (m - i, m, i + 1) / n for odd n = 2m + 1 (the polyphase box filter of Guthe and
 // Heckbert, "Non-Power-of-Two Mipmap Creation", NVIDIA 2005). The mean of an image is kept, and a
-// constant one stays the same to the last bit. Sums run in double, left to right and bottom to top.
+// constant one stays the same to the last bit. Sums run in double, bottom to top and left to right.
 //
 // The filter works on raw values, without wrapping and without renormalising: the mean of unit
 // normals is shorter than one, and that length is information. NaN spreads to what it touches.
@@ -26,6 +26,16 @@ struct MipChain {
 uint32_t next_mip_size(uint32_t size);                // of one direction
 uint32_t mip_count(uint32_t width, uint32_t height);  // 1 + floor(log2(max)); 0 for no texels
 Image half_size(const Image& image);                  // the next level
+
+// One row of a next level, for pictures that are not in memory as a whole: of `size` texels with
+// any number of channels, row y of what follows from the rows of covered_rows(size.height, y).
+struct CoveredRows {
+    uint32_t first = 0;
+    uint32_t count = 0;  // 1 to 3
+};
+CoveredRows covered_rows(uint32_t height, uint32_t y);
+void half_row(uint32_t width, uint32_t height, uint32_t channels, uint32_t y,
+              const float* const* rows, float* out);
 MipChain build_mips(Image base);
 
 }  // namespace wrinkle

@@ -7,8 +7,8 @@ namespace {
 using ConventionsTest = CliTest;
 using Names = std::vector<std::string>;
 
-const Names commands = {"check",      "compile",    "eval",       "render", "test",
-                        "format",     "upgrade",    "inputs",     "nodes",  "plugins",
+const Names commands = {"check",      "compile",    "eval",        "render", "convert", "lint",
+                        "test",       "format",     "upgrade",     "inputs", "nodes",   "plugins",
                         "new-plugin", "completion", "explain-log", "bake"};
 
 TEST_F(ConventionsTest, HelpListsEveryCommand) {

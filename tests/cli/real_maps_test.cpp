@@ -3,6 +3,7 @@
 #include <cstdlib>
 
 #include "cli/support.h"
+#include "image/load.h"
 
 namespace wrinkle::test {
 namespace {
@@ -18,7 +19,9 @@ protected:
         CliTest::SetUp();
         if (!fs::exists(data_folder() / "LICENSES.md")) GTEST_SKIP() << "no folder of real maps";
         for (const char* name : {"Bricks102_1K-JPG_NormalGL.jpg", "Bricks102_1K-JPG_NormalDX.jpg",
-                                 "jacksboro_dem_metres.pfm", "rosewood_veneer1_nor_gl_1k.png"})
+                                 "Bricks102_1K-JPG_Displacement.jpg", "jacksboro_dem_metres.pfm",
+                                 "jacksboro_dem_16bit.png", "rosewood_veneer1_nor_gl_1k.png",
+                                 "spot_normal_object.png", "spot_normal_tangent_8bit.png"})
             fs::create_symlink(fs::canonical(data_folder() / name), folder / name);
     }
 
@@ -62,6 +65,64 @@ TEST_F(RealMaps, ATerrainInMetresAndASixteenBitWoodRender) {
     EXPECT_EQ(ran.code, 0) << ran.err;
     EXPECT_TRUE(exists("terrain.png"));
     EXPECT_TRUE(says(ran.out, "mean "));
+}
+
+TEST_F(RealMaps, LintKnowsEach) {
+    const std::pair<const char*, const char*> looks[] = {
+        {"Bricks102_1K-JPG_NormalGL.jpg", "normal_gl"},
+        {"Bricks102_1K-JPG_NormalDX.jpg", "normal_dx"},
+        {"Bricks102_1K-JPG_Displacement.jpg", "height"},
+        {"rosewood_veneer1_nor_gl_1k.png", "normal_gl"},
+        {"jacksboro_dem_16bit.png", "height"},
+        {"jacksboro_dem_metres.pfm", "height"},
+        {"spot_normal_object.png", "normal_object"},
+        {"spot_normal_tangent_8bit.png", "normal_gl"}};
+    for (const auto& [file, look] : looks) {
+        const bool terrain = std::string_view(file).starts_with("jacksboro");
+        const Ran ran = run({"lint", file});
+        EXPECT_TRUE(says(ran.out, std::string(file) + ": " + look + ":"));
+        EXPECT_EQ(ran.code, terrain ? 1 : 0) << ran.out;  // it was never meant to tile
+        EXPECT_EQ(run({"lint", file, "--wrap", "clamp"}).code, 0) << ran.out;
+    }
+}
+
+// Metres, in cells of 24.8 by 30.9 metres: slopes times the size of a cell add up along a row to
+// the rise from one end to the other, of the filter's three rows; so they do along columns.
+TEST_F(RealMaps, TheTerrainHasTheSlopesOfItsCells) {
+    const double cell[] = {24.8, 30.9};
+    EXPECT_EQ(run({"convert", "jacksboro_dem_metres.pfm", "--from", "height", "-o", "d.exr", "--to",
+                   "derivative", "--type", "float", "--texel", "24.8,30.9"})
+                  .code,
+              0);
+    const auto values = [&](const char* name) {
+        Diagnostics diagnostics;
+        const auto image = load_image(folder / name, diagnostics);
+        EXPECT_TRUE(image) << to_text(diagnostics);
+        return image ? image->data : std::vector<float>();
+    };
+    const size_t w = 403, h = 344;
+    const auto heights = values("jacksboro_dem_metres.pfm"), slopes = values("d.exr");
+    ASSERT_EQ(heights.size(), w * h);
+    ASSERT_EQ(slopes.size(), w * h * 2);
+    const auto rise = [&](size_t place, size_t step, size_t last) {
+        return (heights[place + last * step] + heights[place + (last - 1) * step] -
+                heights[place + step] - heights[place]) /
+               2.0;
+    };
+    for (const size_t axis : {size_t{0}, size_t{1}}) {
+        const size_t step = axis ? w : 1, side = axis ? 1 : w;
+        const size_t last = (axis ? h : w) - 1, lines = axis ? w : h;
+        for (size_t line = 1; line + 1 < lines; ++line) {
+            double sum = 0;
+            for (size_t i = 1; i < last; ++i)
+                sum += slopes[(line * side + i * step) * 2 + axis] * cell[axis];
+            const double expected =
+                (rise((line - 1) * side, step, last) + 2 * rise(line * side, step, last) +
+                 rise((line + 1) * side, step, last)) /
+                4;
+            ASSERT_NEAR(sum, expected, 0.01) << axis << " " << line;
+        }
+    }
 }
 
 }  // namespace

@@ -24,6 +24,7 @@ const std::map<std::string, Names, std::less<>> allowed = {
     {"core/spirv", {"base", "ir", "glsl", "contract", "glslang", "spirv tools"}},
     {"core/cpu", {"base", "ir", "image", "contract"}},
     {"core/image", {"base", "oiio"}},
+    {"core/maps", {"base", "image", "tbb", "kissfft"}},
     {"core/mesh", {"base", "glm", "mesh files"}},
     {"core/gpu", {"base", "glsl", "ir", "image", "mesh", "glm", "gl"}},
     {"core/bake", {"base", "ir", "cpu", "image", "mesh", "glm", "tbb"}},
@@ -34,14 +35,14 @@ const std::map<std::string, Names, std::less<>> allowed = {
     {"core/api",
      {"base", "graph", "registry", "lower", "glsl", "cpu", "compile", "library", "list of nodes"}},
     {"core/cli",
-     {"base",          "json",  "ir",   "graph", "registry", "lower",   "glsl", "spirv",
-      "cpu",           "image", "mesh", "gpu",   "bake",     "certify", "cost", "compile",
-      "list of nodes", "cli11", "glm",  "tbb",   "contract"}},
+     {"base",    "json",          "ir",    "graph", "registry", "lower",   "glsl",    "spirv",
+      "cpu",     "image",         "mesh",  "maps",  "gpu",      "bake",    "certify", "cost",
+      "compile", "list of nodes", "cli11", "glm",   "tbb",      "contract"}},
     {"nodes", {"sdk"}},
     {"plugins", {"sdk"}},
-    {"editor", {"base",     "json",          "ir",    "graph", "registry", "lower", "glsl",
-                "spirv",    "cpu",           "image", "mesh",  "gpu",      "bake",  "cost",
-                "contract", "list of nodes", "glm",   "gl",    "imgui",    "cli11"}},
+    {"editor", {"base",          "json",  "ir",   "graph", "registry", "lower", "glsl", "spirv",
+                "cpu",           "image", "mesh", "maps",  "gpu",      "bake",  "cost", "contract",
+                "list of nodes", "glm",   "gl",   "imgui", "cli11"}},
 };
 
 // Libraries by how their headers are spelled.
@@ -112,6 +113,7 @@ Include include_of(std::string_view line) {
 
 std::string library_of_file(std::string_view path) {
     if (path.starts_with("imgui")) return "imgui";
+    if (path == "kissfft.hh") return "kissfft";
     if (path.starts_with("tiny_gltf") || path.starts_with("tiny_obj")) return "mesh files";
     if (path.find('.') == path.npos || system_headers.contains(path)) return {};
     return std::string(path);

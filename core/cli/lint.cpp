@@ -1,0 +1,95 @@
+// wrinkle lint IMAGE...: what maps are, and what is wrong with them.
+#include <cstdio>
+#include <memory>
+
+#include "base/text.h"
+#include "cli/cli.h"
+#include "cli/output.h"
+#include "image/load.h"
+#include "maps/lint.h"
+
+namespace wrinkle::cli {
+namespace {
+
+std::string number(double value) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.6g", value);
+    return text;
+}
+
+std::string as_text(const std::string& file, const maps::Verdict& verdict) {
+    std::string text = file + ": " + std::string(name_of(verdict.look)) + ": " +
+                       std::string(description_of(verdict.look)) + "\n";
+    text += "  evidence:";
+    for (const maps::Measure& measure : verdict.evidence)
+        text += " " + measure.name + " " + number(measure.value);
+    text += "\n";
+    for (const maps::Finding& finding : verdict.findings)
+        text += std::string("  ") + (finding.defect ? "defect" : "note") + ": " + finding.name +
+                ": " + finding.message + "\n";
+    return text;
+}
+
+std::string as_json(const std::string& file, const maps::Verdict& verdict) {
+    std::string text = "{\"file\": " + json_quoted(file) + ", \"look\": \"" +
+                       std::string(name_of(verdict.look)) + "\", \"evidence\": {";
+    for (size_t i = 0; i < verdict.evidence.size(); ++i)
+        text += (i ? ", " : "") + json_quoted(verdict.evidence[i].name) + ": " +
+                number(verdict.evidence[i].value);
+    text += "}, \"findings\": [";
+    for (size_t i = 0; i < verdict.findings.size(); ++i) {
+        const maps::Finding& finding = verdict.findings[i];
+        text += std::string(i ? ", " : "") + "{\"name\": " + json_quoted(finding.name) +
+                ", \"defect\": " + (finding.defect ? "true" : "false") +
+                ", \"message\": " + json_quoted(finding.message) + "}";
+    }
+    return text + "]}";
+}
+
+struct LintCommand {
+    std::vector<std::string> files;
+    std::string expect, wrap = "repeat", diagnostics = "text";
+    bool json = false;
+
+    int run() const {
+        Diagnostics problems;
+        std::string text;
+        bool healthy = true;
+        size_t count = 0;
+        for (const std::string& file : files) {
+            const auto image = load_image(file, problems);
+            if (!image) continue;
+            maps::Verdict verdict = maps::examine(*image, *wrap_named(wrap));
+            if (!expect.empty() && name_of(verdict.look) != expect)
+                verdict.findings.push_back({"unexpected", "it was to be " + expect, true});
+            healthy = healthy && !verdict.has_defects();
+            text += json ? (count ? ",\n" : "") + as_json(file, verdict) : as_text(file, verdict);
+            ++count;
+        }
+        if (json) text = "{\"images\": [" + text + "]}\n";
+        const int code = report(problems, diagnostics);
+        if (!write_result("-", text)) return exit_environment;
+        return code == exit_fine && !healthy ? int{exit_input} : code;
+    }
+};
+
+}  // namespace
+
+void declare_lint(CLI::App& app, Run& run) {
+    auto command = std::make_shared<LintCommand>();
+    LintCommand& c = *command;
+    CLI::App& sub = *app.add_subcommand("lint", "What maps are and what is wrong with them");
+    sub.add_option("IMAGE", c.files, "Normal maps and height maps")->required();
+    sub.add_option("--expect", c.expect, "What each is to be; anything else is a defect")
+        ->check(CLI::IsMember({"normal_gl", "normal_dx", "height"}));
+    sub.add_option("--wrap", c.wrap, "clamp: nobody wants it to tile; a seam is no defect")
+        ->check(CLI::IsMember({"repeat", "clamp"}))
+        ->capture_default_str();
+    sub.add_flag("--json", c.json, "Verdicts and numbers for programs");
+    sub.add_option("--diagnostics", c.diagnostics, "How problems are printed")
+        ->check(CLI::IsMember({"text", "json"}))
+        ->capture_default_str();
+    sub.callback([command, &run] { run = [command] { return command->run(); }; });
+}
+
+}  // namespace wrinkle::cli

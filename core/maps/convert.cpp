@@ -1,0 +1,212 @@
+#include "maps/convert.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+#include <tbb/parallel_reduce.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "image/load.h"
+#include "image/mips.h"
+#include "image/stored.h"
+#include "maps/poisson.h"
+#include "maps/texels.h"
+
+namespace wrinkle::maps {
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr uint32_t rows_at_once = 64;
+
+// A level of the means: computed row by row, or, from the second on, kept.
+struct Level {
+    uint32_t width = 0, height = 0;
+    std::vector<float> kept;  // empty: of `rows`
+};
+
+class MapWriter {
+public:
+    MapWriter(const Rows& rows, const Target& target, const Stored& stored, ImageWriter& writer,
+              uint32_t channels)
+        : rows_(rows),
+          target_(target),
+          stored_(stored),
+          writer_(writer),
+          means_(mean_channels(target.kind)),
+          channels_(channels) {}
+
+    bool write(Diagnostics& diagnostics) {
+        Level level{rows_.width(), rows_.height(), {}};
+        while (true) {
+            if (!write(level, diagnostics)) return false;
+            if (writer_.rows_left() == 0) return writer_.finish(diagnostics);
+            level = next(level);
+        }
+    }
+
+private:
+    // Points to row y of the means; `made` is room for one.
+    const float* row(const Level& level, uint32_t y, std::vector<float>& made) const {
+        if (!level.kept.empty()) return &level.kept[size_t{y} * level.width * means_];
+        made.resize(size_t{level.width} * means_);
+        mean_row(rows_, target_, y, made.data());
+        return made.data();
+    }
+
+    bool write(const Level& level, Diagnostics& diagnostics) {
+        const size_t values = size_t{level.width} * channels_;
+        const size_t bytes = values * bytes_of(target_.type);
+        const bool plain = is_plain(target_, channels_);
+        std::vector<std::byte> band;
+        for (uint32_t top = 0; top < level.height; top += rows_at_once) {
+            const uint32_t count = std::min(rows_at_once, level.height - top);
+            band.resize(count * bytes);
+            tbb::parallel_for(0u, count, [&](uint32_t i) {
+                thread_local std::vector<float> made, encoded;
+                const float* means = row(level, level.height - 1 - top - i, made);
+                if (!plain) {
+                    encoded.resize(values);
+                    encode(target_, stored_, means, level.width, channels_, encoded.data());
+                }
+                store_values(target_.type, {plain ? means : encoded.data(), values},
+                             band.data() + i * bytes);
+            });
+            if (!writer_.write_stored(band, diagnostics)) return false;
+        }
+        return true;
+    }
+
+    Level next(const Level& level) const {
+        Level half{next_mip_size(level.width), next_mip_size(level.height), {}};
+        half.kept.resize(size_t{half.width} * half.height * means_);
+        tbb::parallel_for(0u, half.height, [&](uint32_t y) {
+            thread_local std::vector<float> made[3];
+            const CoveredRows covered = covered_rows(level.height, y);
+            const float* rows[3] = {};
+            for (uint32_t j = 0; j < covered.count; ++j)
+                rows[j] = row(level, covered.first + j, made[j]);
+            half_row(level.width, level.height, means_, y, rows,
+                     &half.kept[size_t{y} * half.width * means_]);
+        });
+        return half;
+    }
+
+    const Rows& rows_;
+    const Target& target_;
+    const Stored& stored_;
+    ImageWriter& writer_;
+    uint32_t means_, channels_;
+};
+
+struct Range {
+    float low = std::numeric_limits<float>::infinity();
+    float high = -std::numeric_limits<float>::infinity();
+};
+
+// Of all values that are finite.
+Range range_of(const Rows& rows, const Target& target) {
+    const size_t count = size_t{rows.width()} * mean_channels(target.kind);
+    return tbb::parallel_reduce(
+        tbb::blocked_range<uint32_t>(0, rows.height()), Range{},
+        [&](const tbb::blocked_range<uint32_t>& part, Range range) {
+            std::vector<float> values(count);
+            for (uint32_t y = part.begin(); y < part.end(); ++y) {
+                mean_row(rows, target, y, values.data());
+                for (const float value : values)
+                    if (std::isfinite(value)) {
+                        range.low = std::min(range.low, value);
+                        range.high = std::max(range.high, value);
+                    }
+            }
+            return range;
+        },
+        [](const Range& a, const Range& b) {
+            return Range{std::min(a.low, b.low), std::max(a.high, b.high)};
+        });
+}
+
+// What integers stand for: slopes symmetric about 0, heights from the lowest to the highest.
+Stored stored_of(const Rows& rows, const Target& target) {
+    const bool integers = target.type == PixelType::u8 || target.type == PixelType::u16;
+    if (!integers || target.kind == Kind::normal) return {};
+    const Range range = range_of(rows, target);
+    if (range.low > range.high) return {};
+    if (target.kind == Kind::height)
+        return {range.high > range.low ? range.high - range.low : 1, range.low};
+    const float steepest = std::max(std::abs(range.low), std::abs(range.high));
+    const float scale = steepest > 0 ? steepest : 1;
+    return {2 * scale, -scale};
+}
+
+std::vector<ImageNumber> numbers_of(const Target& target, const Stored& stored) {
+    if (target.type != PixelType::u8 && target.type != PixelType::u16) return {};
+    if (target.kind == Kind::derivative) return {{scale_name, stored.scale / 2}};
+    if (target.kind == Kind::height)
+        return {{scale_name, stored.scale}, {offset_name, stored.offset}};
+    return {};
+}
+
+bool write_map(const Rows& rows, const Target& target, const fs::path& path,
+               Diagnostics& diagnostics) {
+    const Stored stored = stored_of(rows, target);
+    WriterOptions options;
+    options.width = rows.width();
+    options.height = rows.height();
+    options.channels = file_channel_names(target, path.extension() != ".png");
+    options.type = target.type;
+    options.compression = target.compression;
+    options.mips = target.mips;
+    options.tile = target.tile > 0 || !target.mips ? target.tile : 64;
+    options.numbers = numbers_of(target, stored);
+    auto writer = ImageWriter::open(path, options, diagnostics);
+    if (!writer) return false;
+    const auto channels = static_cast<uint32_t>(options.channels.size());
+    return MapWriter(rows, target, stored, *writer, channels).write(diagnostics);
+}
+
+Image solved(const Rows& rows) {
+    const uint32_t width = rows.width(), height = rows.height();
+    std::vector<float> du(size_t{width} * height), dv(du.size());
+    tbb::parallel_for(0u, height, [&](uint32_t y) {
+        rows.slopes(y, &du[size_t{y} * width], &dv[size_t{y} * width]);
+    });
+    // Slopes are per unit of length, and the solver counts texels.
+    const Source& source = rows.source();
+    for (size_t i = 0; i < du.size(); ++i) {
+        du[i] *= source.texel_width;
+        dv[i] *= source.texel_height;
+    }
+    Image image;
+    image.width = width;
+    image.height = height;
+    image.channels = 1;
+    image.data = height_of_slopes(std::move(du), std::move(dv), width, height, source.wrap);
+    return image;
+}
+
+}  // namespace
+
+void read_stored_scale(const fs::path& path, Source& source) {
+    const float scale = read_image_number(path, scale_name).value_or(1);
+    if (source.kind == Kind::derivative) source.stored_scale = scale;
+    if (source.kind != Kind::height) return;
+    const float offset = read_image_number(path, offset_name).value_or(0);
+    source.offset = offset * source.factor;
+    source.factor *= scale;
+}
+
+bool convert(const Source& source, const Target& target, const fs::path& path,
+             Diagnostics& diagnostics) {
+    const Rows rows(source);
+    if (target.kind != Kind::height || rows.heights(0))
+        return write_map(rows, target, path, diagnostics);
+    const Image height = solved(rows);
+    Source of_height;
+    of_height.image = &height;
+    return write_map(Rows(of_height), target, path, diagnostics);
+}
+
+}  // namespace wrinkle::maps

@@ -1,0 +1,230 @@
+#include "maps/lint.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+#include "maps/measures.h"
+
+namespace wrinkle::maps {
+
+namespace {
+
+constexpr double level = 1.0 / 255;
+constexpr double certain_curl = 0.1;                    // correlation from which green is known
+constexpr double leaning_degrees = 1.5;                 // of the mean normal
+constexpr double still_share = 0.6, step_share = 0.97;  // of neighbours, from which it is banding
+constexpr double seam_factor = 2;
+constexpr double good_z = 0.03;  // rms, of 8 bits of JPEG too
+
+struct LookText {
+    std::string_view name, description;
+};
+constexpr std::array looks = {
+    LookText{"height", "a height map"},
+    LookText{"normal_gl", "a tangent-space normal map, green up"},
+    LookText{"normal_dx", "a tangent-space normal map, green down"},
+    LookText{"normal", "a tangent-space normal map whose slopes do not tell where green points"},
+    LookText{"normal_object", "an object-space normal map"},
+    LookText{"two_channel", "slopes or normals in two channels"},
+    LookText{"color", "no map of a bump"},
+};
+
+template <typename... Values>
+std::string text(const char* format, Values... values) {
+    char buffer[256];
+    std::snprintf(buffer, sizeof buffer, format, values...);
+    return buffer;
+}
+
+bool is_integer(const Image& image) {
+    return image.source == PixelType::u8 || image.source == PixelType::u16;
+}
+
+bool is_normal(Look look) {
+    return look == Look::normal || look == Look::normal_gl || look == Look::normal_dx;
+}
+
+class Examination {
+public:
+    Examination(const Image& image, Wrap wrap)
+        : image_(image), wrap_(wrap), channels_(image.channels - (image.has_alpha ? 1 : 0)) {}
+
+    Verdict run() {
+        if (!check_finite()) return verdict_;
+        if (channels_ >= 3)
+            look_at_vectors();
+        else
+            verdict_.look = channels_ == 2 ? Look::two_channel : Look::height;
+        if (is_normal(verdict_.look) || verdict_.look == Look::two_channel) check_green();
+        if (is_normal(verdict_.look)) check_normals();
+        if (is_normal(verdict_.look) || verdict_.look == Look::height) {
+            check_steps();
+            check_seams();
+        }
+        return verdict_;
+    }
+
+private:
+    void measure(const char* name, double value) { verdict_.evidence.push_back({name, value}); }
+    void find(const char* name, std::string message, bool defect = true) {
+        verdict_.findings.push_back({name, std::move(message), defect});
+    }
+
+    // Nothing can be said of the means of NaN.
+    bool check_finite() {
+        const auto bad = std::count_if(image_.data.begin(), image_.data.end(),
+                                       [](float value) { return !std::isfinite(value); });
+        if (bad == 0) return true;
+        verdict_.look = channels_ == 1 ? Look::height : Look::color;
+        find("not_finite", text("%zu values are NaN or infinite", static_cast<size_t>(bad)));
+        return false;
+    }
+
+    void look_at_vectors() {
+        vectors_ = measure_vectors(image_);
+        measure("empty", vectors_.empty);
+        measure("gray", vectors_.gray);
+        if (vectors_.gray > 0.995 || vectors_.empty == 1) {
+            verdict_.look = Look::height;
+            return find("gray", "three equal channels hold one height", false);
+        }
+        measure("unit", vectors_.unit);
+        measure("downward", vectors_.downward);
+        measure("mean_x", vectors_.mean[0]);
+        measure("mean_y", vectors_.mean[1]);
+        measure("mean_z", vectors_.mean[2]);
+        const bool central = std::abs(vectors_.mean[0]) < 0.2 && std::abs(vectors_.mean[1]) < 0.2;
+        const bool unit = vectors_.unit > 0.75;
+        if (vectors_.blue_spread < 1.5 * level && vectors_.unit < 0.99 && central)
+            verdict_.look = Look::two_channel;
+        else if (unit && vectors_.downward > 0.02)
+            verdict_.look = Look::normal_object;
+        else if (unit || has_unsigned_z() || (central && vectors_.mean[2] > 0.3))
+            verdict_.look = Look::normal;
+        else
+            verdict_.look = Look::color;
+    }
+
+    bool has_unsigned_z() const {
+        return vectors_.between_z > 1.5 * level && vectors_.unsigned_z < good_z &&
+               vectors_.unsigned_z < 0.5 * vectors_.signed_z;
+    }
+
+    void check_green() {
+        const bool made = verdict_.look == Look::two_channel || has_unsigned_z();
+        const CurlMeasures curl = measure_curl(image_, made, wrap_);
+        measure("curl_gl", curl.gl);
+        measure("curl_dx", curl.dx);
+        measure("curl_correlation", curl.correlation);
+        if (verdict_.look != Look::normal || std::abs(curl.correlation) < certain_curl) return;
+        verdict_.look = curl.correlation > 0 ? Look::normal_gl : Look::normal_dx;
+    }
+
+    void check_normals() {
+        measure("signed_z", vectors_.signed_z);
+        measure("unsigned_z", vectors_.unsigned_z);
+        if (has_unsigned_z())
+            find("unsigned_z", text("blue is z from 0 to 1 within %.4f, and (1 + z) / 2 only "
+                                    "within %.4f",
+                                    vectors_.unsigned_z, vectors_.signed_z));
+        else if (vectors_.unit <= 0.75)
+            find("length",
+                 text("only %.1f %% of the vectors have length 1 within 0.1", 100 * vectors_.unit));
+        const auto& mean = vectors_.mean;
+        const double tilt = std::atan2(std::hypot(mean[0], mean[1]), mean[2]) * 57.29577951308232;
+        measure("tilt_degrees", tilt);
+        if (tilt > leaning_degrees)
+            find("tilt", text("the mean normal leans by %.2f degrees, (%.4f, %.4f, %.4f)", tilt,
+                              mean[0], mean[1], mean[2]));
+        if (image_.source == PixelType::u8) check_offset();
+    }
+
+    // Half a step, the same for red and green.
+    void check_offset() {
+        const OffsetMeasures offset = measure_offset(image_);
+        measure("offset_red", offset.red);
+        measure("offset_green", offset.green);
+        const auto is_half = [](double steps) {
+            return std::abs(steps) > 0.3 && std::abs(steps) < 0.8;
+        };
+        if (offset.tilted < 0.01 || !is_half(offset.red) || !is_half(offset.green) ||
+            std::abs(offset.red - offset.green) > 0.2)
+            return;
+        find("offset", text("red and green lie %+.2f and %+.2f steps of 255 beside 127.5: %d was "
+                            "taken for the middle",
+                            offset.red, offset.green, offset.red > 0 ? 128 : 127));
+    }
+
+    void check_steps() {
+        if (!is_integer(image_)) return;
+        const uint32_t last = verdict_.look == Look::height ? 1 : 2;
+        for (uint32_t channel = 0; channel < last; ++channel) {
+            const StepMeasures steps = measure_steps(image_, channel);
+            const std::string name = last == 1 ? "" : channel == 0 ? "red_" : "green_";
+            measure((name + "levels").c_str(), static_cast<double>(steps.levels));
+            measure((name + "still").c_str(), steps.still);
+            const bool stairs = steps.levels > 4 && steps.still > still_share && steps.one > 0 &&
+                                steps.still + steps.one > step_share;
+            if (steps.eight_bits && steps.levels > 4)
+                return find("banding", text("a file of 16 bits holds %zu values, all of 8 bits",
+                                            steps.levels));
+            if (stairs && image_.source == PixelType::u8)
+                return find("banding",
+                            text("%.1f %% of neighbours are equal and %.1f %% one level of 255 "
+                                 "apart: slopes are stairs; 16 bits have none",
+                                 100 * steps.still, 100 * steps.one));
+        }
+    }
+
+    void check_seams() {
+        const uint32_t channels = verdict_.look == Look::height ? 1 : 2;
+        for (const bool across_u : {true, false}) {
+            const SeamMeasures seam = measure_seam(image_, channels, across_u);
+            const char* name = across_u ? "seam_u" : "seam_v";
+            measure(name, seam.inside > 0 ? seam.border / seam.inside : 0);
+            const double least = is_integer(image_) ? level : 0;
+            if (seam.border <= seam_factor * seam.inside || seam.border <= least) continue;
+            find(
+                name,
+                text("across %s the border steps by %.4g where 99 of 100 %s inside step by "
+                     "less than %.4g: it does not tile",
+                     across_u ? "u" : "v", seam.border, across_u ? "columns" : "rows", seam.inside),
+                wrap_ == Wrap::repeat);
+        }
+    }
+
+    const Image& image_;
+    Wrap wrap_;
+    uint32_t channels_;
+    Verdict verdict_;
+    VectorMeasures vectors_;
+};
+
+}  // namespace
+
+std::string_view name_of(Look look) {
+    return looks[static_cast<size_t>(look)].name;
+}
+
+std::string_view description_of(Look look) {
+    return looks[static_cast<size_t>(look)].description;
+}
+
+bool Verdict::has_defects() const {
+    return std::any_of(findings.begin(), findings.end(),
+                       [](const Finding& finding) { return finding.defect; });
+}
+
+std::optional<double> Verdict::measure(std::string_view name) const {
+    for (const Measure& measure : evidence)
+        if (measure.name == name) return measure.value;
+    return {};
+}
+
+Verdict examine(const Image& image, Wrap wrap) {
+    return Examination(image, wrap).run();
+}
+
+}  // namespace wrinkle::maps

@@ -1,0 +1,73 @@
+// What a picture of a bump is, and what is wrong with it, each with the numbers that say so.
+//
+// What it is:
+//   height         one channel, or three that are equal
+//   normal_gl, normal_dx   of tangent space: the vectors 2t - 1 have length 1 and point up. Which
+//                  way green is says the curl test: the slopes of a height have no curl, so where
+//                  d/dv of the one and d/du of the other go together, green points up
+//   normal         the same, with slopes that do not tell (flat, or ridges along one axis)
+//   normal_object  unit vectors that also point down
+//   two_channel    red and green about the middle, blue missing or one value: slopes, or normals
+//                  whose z is made
+//   color          none of them
+//
+// What is wrong (`defect`), or only worth knowing:
+//   tilt       the mean normal leans: a bump that repeats has none
+//   unsigned_z blue holds z from 0 to 1, not (1 + z) / 2
+//   length     the vectors are neither unit as 2t - 1 nor with an unsigned z
+//   offset     8 bits, and what is not flat lies half a step beside the middle: 127 or 128 was
+//              taken for 127.5
+//   banding    steps of one level with plateaus between them, or 8 bits in a deeper file
+//   seam_u, seam_v   the first and last columns or rows differ more than any neighbours inside.
+//              A defect only where the picture is to repeat
+//   gray       a height with three channels
+//   not_finite NaN or infinity
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/texture_options.h"
+#include "image/image.h"
+#include "maps/map.h"
+
+namespace wrinkle::maps {
+
+enum class Look : uint8_t {
+    height,
+    normal_gl,
+    normal_dx,
+    normal,
+    normal_object,
+    two_channel,
+    color
+};
+std::string_view name_of(Look look);
+std::string_view description_of(Look look);
+
+struct Measure {
+    std::string name;  // "curl_gl"
+    double value = 0;
+};
+
+struct Finding {
+    std::string name;     // as above
+    std::string message;  // one sentence with its numbers
+    bool defect = true;
+};
+
+struct Verdict {
+    Look look = Look::color;
+    std::vector<Measure> evidence;
+    std::vector<Finding> findings;
+
+    bool has_defects() const;
+    std::optional<double> measure(std::string_view name) const;
+};
+
+// `wrap` says whether the picture is to repeat.
+Verdict examine(const Image& image, Wrap wrap);
+
+}  // namespace wrinkle::maps

@@ -1,0 +1,104 @@
+#include "maps/map.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+namespace wrinkle::maps {
+
+namespace {
+
+constexpr float steepest = 128, least_depth = 1e-6f;
+
+float mean_of_colors(const float* texel, const Image& image) {
+    const bool colors = image.channels >= 3;
+    return colors ? (texel[0] + texel[1] + texel[2]) / 3 : texel[0];
+}
+
+// The row before or after, as the border has it.
+uint32_t neighbour(uint32_t index, int step, uint32_t size, Wrap wrap) {
+    if (step < 0) return index > 0 ? index - 1 : wrap == Wrap::repeat ? size - 1 : 0;
+    return index + 1 < size ? index + 1 : wrap == Wrap::repeat ? 0 : index;
+}
+
+struct Slope {
+    float du, dv;
+};
+
+Slope slope_of_normal(const float* texel, uint32_t channels, float green) {
+    const float x = 2 * texel[0] - 1;
+    const float y = channels > 1 ? green * (2 * texel[1] - 1) : 0;
+    const float z =
+        channels > 2 ? std::abs(2 * texel[2] - 1) : std::sqrt(std::max(0.0f, 1 - x * x - y * y));
+    const float least = std::max(std::max(std::abs(x), std::abs(y)) / steepest, least_depth);
+    const float depth = std::max(z, least);
+    return {-x / depth, -y / depth};
+}
+
+}  // namespace
+
+Rows::Rows(const Source& source) : source_(source) {
+    assert(source.kind != Kind::slopes);
+    const Image& image = *source.image;
+    if (source.kind != Kind::height) return;
+    heights_ = image.data.data();
+    if (image.channels == 1 && source.factor == 1 && source.offset == 0) return;
+    made_.resize(size_t{image.width} * image.height);
+    for (size_t i = 0; i < made_.size(); ++i)
+        made_[i] =
+            mean_of_colors(&image.data[i * image.channels], image) * source.factor + source.offset;
+    heights_ = made_.data();
+}
+
+void Rows::slopes(uint32_t y, float* du, float* dv) const {
+    heights_ ? sobel(y, du, dv) : decode(y, du, dv);
+}
+
+void Rows::sobel(uint32_t y, float* du, float* dv) const {
+    const uint32_t count = width();
+    const float* above = heights(neighbour(y, 1, height(), source_.wrap));
+    const float* here = heights(y);
+    const float* below = heights(neighbour(y, -1, height(), source_.wrap));
+    // Of each column, and of the columns beyond the borders, which come first and last.
+    thread_local std::vector<float> sums, steps;
+    sums.resize(count + 2);
+    steps.resize(count + 2);
+    float* sum = sums.data() + 1;
+    float* step = steps.data() + 1;
+    for (uint32_t x = 0; x < count; ++x) {
+        sum[x] = above[x] + 2 * here[x] + below[x];
+        step[x] = above[x] - below[x];
+    }
+    const uint32_t left = neighbour(0, -1, count, source_.wrap);
+    const uint32_t right = neighbour(count - 1, 1, count, source_.wrap);
+    sum[-1] = sum[left], step[-1] = step[left];
+    sum[count] = sum[right], step[count] = step[right];
+    const float across = 1 / (8 * source_.texel_width), up = 1 / (8 * source_.texel_height);
+    for (uint32_t x = 0; x < count; ++x) {
+        du[x] = (sum[x + 1] - sums[x]) * across;
+        dv[x] = (steps[x] + 2 * step[x] + step[x + 1]) * up;
+    }
+}
+
+void Rows::decode(uint32_t y, float* du, float* dv) const {
+    const Image& image = *source_.image;
+    const uint32_t channels = image.channels - (image.has_alpha ? 1 : 0);
+    const float* texel = image.texel(0, y);
+    const bool normal = source_.kind == Kind::normal;
+    const bool integers = image.source == PixelType::u8 || image.source == PixelType::u16;
+    const float scale = integers ? source_.stored_scale : 0.5f, middle = integers ? 1.0f : 0.0f;
+    const bool uv = source_.per == Per::uv && !normal;
+    const float across = source_.factor / (uv ? static_cast<float>(width()) : 1);
+    const float up = source_.factor / (uv ? static_cast<float>(height()) : 1);
+    const float green = source_.green == Green::dx ? -1.0f : 1.0f;
+    for (uint32_t x = 0; x < width(); ++x, texel += image.channels) {
+        const float second = channels > 1 ? texel[1] : middle / 2;
+        const Slope slope =
+            normal ? slope_of_normal(texel, channels, green)
+                   : Slope{scale * (2 * texel[0] - middle), scale * (2 * second - middle)};
+        du[x] = slope.du * across;
+        dv[x] = slope.dv * up;
+    }
+}
+
+}  // namespace wrinkle::maps

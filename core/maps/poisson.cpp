@@ -1,0 +1,148 @@
+#include "maps/poisson.h"
+
+#include <tbb/parallel_for.h>
+
+#include <cmath>
+#include <complex>
+#include <kissfft.hh>
+#include <numbers>
+#include <utility>
+
+namespace wrinkle::maps {
+
+namespace {
+
+using Complex = std::complex<float>;
+
+constexpr float penalty = 1e-4f;
+
+struct Plane {
+    uint32_t width = 0, height = 0;
+    std::vector<Complex> values;
+
+    Complex* row(uint32_t y) { return values.data() + size_t{y} * width; }
+};
+
+void transform_rows(Plane& plane, bool inverse) {
+    tbb::parallel_for(tbb::blocked_range<uint32_t>(0, plane.height), [&](const auto& range) {
+        kissfft<float> transform(plane.width, inverse);
+        std::vector<Complex> result(plane.width);
+        for (uint32_t y = range.begin(); y < range.end(); ++y) {
+            transform.transform(plane.row(y), result.data());
+            std::copy(result.begin(), result.end(), plane.row(y));
+        }
+    });
+}
+
+// Some columns at a time: their values stand side by side in memory.
+void transform_columns(Plane& plane, bool inverse) {
+    constexpr uint32_t at_once = 16;
+    const uint32_t groups = (plane.width + at_once - 1) / at_once, height = plane.height;
+    tbb::parallel_for(tbb::blocked_range<uint32_t>(0, groups), [&](const auto& range) {
+        kissfft<float> transform(height, inverse);
+        std::vector<Complex> columns(size_t{height} * at_once), result(height);
+        for (uint32_t group = range.begin(); group < range.end(); ++group) {
+            const uint32_t first = group * at_once;
+            const uint32_t count = std::min(at_once, plane.width - first);
+            for (uint32_t y = 0; y < height; ++y)
+                for (uint32_t i = 0; i < count; ++i)
+                    columns[size_t{i} * height + y] = plane.row(y)[first + i];
+            for (uint32_t i = 0; i < count; ++i) {
+                transform.transform(&columns[size_t{i} * height], result.data());
+                for (uint32_t y = 0; y < height; ++y)
+                    plane.row(y)[first + i] = result[y];
+            }
+        }
+    });
+}
+
+float finite(float value) {
+    return std::isfinite(value) ? value : 0;
+}
+
+// du as the real part, dv as the imaginary one: one transform serves both. An even height has odd
+// slopes across its mirror.
+Plane extended(const std::vector<float>& du, const std::vector<float>& dv, uint32_t width,
+               uint32_t height, Wrap wrap) {
+    const uint32_t times = wrap == Wrap::repeat ? 1 : 2;
+    Plane plane{width * times, height * times, {}};
+    plane.values.resize(size_t{plane.width} * plane.height);
+    for (uint32_t y = 0; y < plane.height; ++y) {
+        const uint32_t from_y = y < height ? y : plane.height - 1 - y;
+        const float up = y < height ? 1.0f : -1.0f;
+        for (uint32_t x = 0; x < plane.width; ++x) {
+            const uint32_t from_x = x < width ? x : plane.width - 1 - x;
+            const size_t from = size_t{from_y} * width + from_x;
+            const float across = x < width ? 1.0f : -1.0f;
+            plane.row(y)[x] = {across * finite(du[from]), up * finite(dv[from])};
+        }
+    }
+    return plane;
+}
+
+struct Wave {
+    float sine, cosine;
+};
+
+std::vector<Wave> waves(uint32_t count) {
+    std::vector<Wave> table(count);
+    for (uint32_t k = 0; k < count; ++k) {
+        const double angle = 2 * std::numbers::pi * k / count;
+        table[k] = {static_cast<float>(std::sin(angle)), static_cast<float>(std::cos(angle))};
+    }
+    return table;
+}
+
+// The filter turns a wave into i f times itself, f = sin of its angle along the slope times
+// (1 + cos) / 2 of the one across.
+Complex height_of_wave(Complex du, Complex dv, const Wave& x, const Wave& y) {
+    const float fu = x.sine * (1 + y.cosine) / 2, fv = y.sine * (1 + x.cosine) / 2;
+    const float laplacian = 4 - 2 * x.cosine - 2 * y.cosine;
+    const float weight = fu * fu + fv * fv + penalty * laplacian * laplacian;
+    if (weight == 0) return {};
+    return Complex(0, -1) * (fu * du + fv * dv) / weight;
+}
+
+// From Z = U + iV, of real u and v: U = (Z(k) + conj Z(-k)) / 2, V = (Z(k) - conj Z(-k)) / 2i. A
+// wave and its opposite are done together, as each needs the other.
+void solve(Plane& plane) {
+    const std::vector<Wave> across = waves(plane.width), up = waves(plane.height);
+    const auto one = [&](Complex here, Complex there, uint32_t x, uint32_t y) {
+        const Complex du = (here + std::conj(there)) * 0.5f;
+        const Complex dv = (here - std::conj(there)) * Complex(0, -0.5f);
+        return height_of_wave(du, dv, across[x], up[y]);
+    };
+    tbb::parallel_for(0u, plane.height / 2 + 1, [&](uint32_t y) {
+        const uint32_t other_y = (plane.height - y) % plane.height;
+        const uint32_t end = y == other_y ? plane.width / 2 + 1 : plane.width;
+        for (uint32_t x = 0; x < end; ++x) {
+            const uint32_t other_x = (plane.width - x) % plane.width;
+            Complex &here = plane.row(y)[x], &there = plane.row(other_y)[other_x];
+            const Complex first = here, second = there;
+            here = one(first, second, x, y);
+            there = one(second, first, other_x, other_y);
+        }
+    });
+}
+
+}  // namespace
+
+std::vector<float> height_of_slopes(std::vector<float> du, std::vector<float> dv, uint32_t width,
+                                    uint32_t height, Wrap wrap) {
+    Plane plane = extended(du, dv, width, height, wrap);
+    du = {};
+    dv = {};
+    transform_rows(plane, false);
+    transform_columns(plane, false);
+    solve(plane);
+    transform_columns(plane, true);
+    transform_rows(plane, true);
+    const float divisor = static_cast<float>(plane.values.size());
+    std::vector<float> heights(size_t{width} * height);
+    for (uint32_t y = 0; y < height; ++y)
+        for (uint32_t x = 0; x < width; ++x)
+            heights[size_t{y} * width + x] = plane.row(y)[x].real() / divisor;
+    return heights;
+}
+
+}  // namespace wrinkle::maps

@@ -1,0 +1,100 @@
+#include "maps/texels.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace wrinkle::maps {
+
+namespace {
+
+bool holds_integers(const Target& target) {
+    return target.type == PixelType::u8 || target.type == PixelType::u16;
+}
+
+void six_channels(const float* heights, const float* du, const float* dv, uint32_t count,
+                  float* out) {
+    for (uint32_t x = 0; x < count; ++x, out += 6) {
+        const float ds = du[x], dt = -dv[x];
+        out[0] = heights ? heights[x] : -1;  // as OpenImageIO for normals, which know none
+        out[1] = ds;
+        out[2] = dt;
+        out[3] = ds * ds;
+        out[4] = dt * dt;
+        out[5] = ds * dt;
+    }
+}
+
+void encode_normals(float green, const float* slopes, size_t count, float* out) {
+    for (size_t i = 0; i < count; ++i, slopes += 2, out += 3) {
+        const float du = slopes[0], dv = slopes[1];
+        const float half = 0.5f / std::sqrt(du * du + dv * dv + 1);
+        out[0] = 0.5f - du * half;
+        out[1] = 0.5f - green * dv * half;
+        out[2] = 0.5f + half;
+    }
+}
+
+}  // namespace
+
+uint32_t mean_channels(Kind kind) {
+    return kind == Kind::height ? 1 : kind == Kind::slopes ? 6 : 2;
+}
+
+std::vector<std::string> file_channel_names(const Target& target, bool pairs) {
+    switch (target.kind) {
+        case Kind::height:
+            return channel_names(1, false);
+        case Kind::normal:
+            return channel_names(3, false);
+        case Kind::derivative:
+            return channel_names(pairs ? 2 : 3, false);
+        case Kind::slopes:
+            return {"b0_h", "b1_dhds", "b2_dhdt", "b3_dhds2", "b4_dhdt2", "b5_dh2dsdt"};
+    }
+    return {};
+}
+
+void mean_row(const Rows& rows, const Target& target, uint32_t y, float* out) {
+    const uint32_t count = rows.width();
+    if (target.kind == Kind::height) {
+        std::copy_n(rows.heights(y), count, out);
+        return;
+    }
+    thread_local std::vector<float> along_u, along_v;
+    along_u.resize(count);
+    along_v.resize(count);
+    float *du = along_u.data(), *dv = along_v.data();
+    rows.slopes(y, du, dv);
+    if (target.per == Per::uv && target.kind != Kind::normal) {
+        const float across = static_cast<float>(count), up = static_cast<float>(rows.height());
+        for (uint32_t x = 0; x < count; ++x) {
+            du[x] *= across;
+            dv[x] *= up;
+        }
+    }
+    if (target.kind == Kind::slopes) return six_channels(rows.heights(y), du, dv, count, out);
+    for (uint32_t x = 0; x < count; ++x, out += 2) {
+        out[0] = du[x];
+        out[1] = dv[x];
+    }
+}
+
+void encode(const Target& target, const Stored& stored, const float* means, size_t count,
+            uint32_t channels, float* out) {
+    if (target.kind == Kind::normal)
+        return encode_normals(target.green == Green::dx ? -1.0f : 1.0f, means, count, out);
+    const uint32_t from = mean_channels(target.kind);
+    const bool integers = holds_integers(target);
+    for (size_t i = 0; i < count; ++i, means += from, out += channels)
+        for (uint32_t c = 0; c < channels; ++c) {
+            const float value = c < from ? means[c] : 0;  // a third channel is flat
+            out[c] = integers ? (value - stored.offset) / stored.scale : value;
+        }
+}
+
+bool is_plain(const Target& target, uint32_t channels) {
+    return target.kind != Kind::normal && !holds_integers(target) &&
+           channels == mean_channels(target.kind);
+}
+
+}  // namespace wrinkle::maps

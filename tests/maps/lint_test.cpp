@@ -1,0 +1,216 @@
+// A healthy map of each sort, and each defect put into one.
+#include "maps/lint.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "maps/support.h"
+
+namespace wrinkle::maps {
+namespace {
+
+using namespace test;
+
+// Enough detail that 8 bits show no stairs.
+const Waves detailed{64, 48, 3};
+
+std::vector<std::string> defects_of(const Verdict& verdict) {
+    std::vector<std::string> names;
+    for (const Finding& finding : verdict.findings)
+        if (finding.defect) names.push_back(finding.name);
+    return names;
+}
+
+void expect(const Image& image, Look look, const std::vector<std::string>& defects,
+            Wrap wrap = Wrap::repeat) {
+    const Verdict verdict = examine(image, wrap);
+    EXPECT_EQ(name_of(verdict.look), name_of(look));
+    EXPECT_EQ(defects_of(verdict), defects);
+    EXPECT_EQ(verdict.has_defects(), !defects.empty());
+}
+
+template <typename Change>
+Image changed(Image image, Change change) {
+    for (size_t i = 0; i < image.data.size(); i += image.channels)
+        change(&image.data[i]);
+    return image;
+}
+
+Image turned_green(const Image& image) {
+    return changed(image, [](float* t) { t[1] = 1 - t[1]; });
+}
+
+Image in_range(Image image) {
+    const auto [low, high] = std::minmax_element(image.data.begin(), image.data.end());
+    const float least = *low, range = *high - *low;
+    for (float& value : image.data)
+        value = (value - least) / range;
+    return image;
+}
+
+TEST(Lint, HealthyMapsHaveNoDefect) {
+    for (const PixelType type : {PixelType::u8, PixelType::u16, PixelType::float32}) {
+        Image normals = normal_image(detailed), heights = in_range(height_image(detailed));
+        for (Image* image : {&normals, &heights})
+            if (type == PixelType::float32)
+                image->source = type;
+            else
+                quantise(*image, type);
+        expect(normals, Look::normal_gl, {});
+        expect(turned_green(normals), Look::normal_dx, {});
+        expect(heights, Look::height, {});
+    }
+}
+
+// The test is the sign of a sum, so strength and noise do not move it.
+TEST(Lint, GreenIsFoundInGentleSteepAndNoisyMaps) {
+    for (const double strength : {0.05, 0.5, 5.0}) {
+        const Image gl = normal_image({96, 96, strength});
+        expect(gl, Look::normal_gl, {});
+        expect(turned_green(gl), Look::normal_dx, {});
+        uint32_t state = 7;
+        const Image noisy = changed(gl, [&](float* t) {
+            for (int c = 0; c < 3; ++c) {
+                state = state * 1664525 + 1013904223;
+                t[c] += (static_cast<float>(state >> 8) / 16777216.0f - 0.5f) * 0.004f;
+            }
+        });
+        EXPECT_EQ(name_of(examine(noisy, Wrap::repeat).look), "normal_gl");
+    }
+}
+
+TEST(Lint, RidgesAlongOneAxisDoNotTellGreen) {
+    Image image = make_image(64, 64, 3, PixelType::u16);
+    for (uint32_t y = 0; y < 64; ++y)
+        for (uint32_t x = 0; x < 64; ++x) {
+            const double slope = 0.6 * std::sin(2 * std::numbers::pi * x / 16);
+            const double length = std::sqrt(1 + slope * slope);
+            float* t = image.texel(x, y);
+            t[0] = static_cast<float>(0.5 - slope / length / 2);
+            t[1] = 0.5f;
+            t[2] = static_cast<float>(0.5 + 0.5 / length);
+        }
+    expect(image, Look::normal, {});
+    expect(changed(image, [](float* t) { t[0] = 0.5f, t[2] = 1; }), Look::normal, {});
+}
+
+TEST(Lint, UnsignedZ) {
+    expect(changed(normal_image(detailed), [](float* t) { t[2] = 2 * t[2] - 1; }), Look::normal_gl,
+           {"unsigned_z"});
+    Image image = changed(normal_image(detailed), [](float* t) { t[2] = 2 * t[2] - 1; });
+    quantise(image, PixelType::u8);
+    expect(turned_green(image), Look::normal_dx, {"unsigned_z"});
+}
+
+TEST(Lint, AMeanThatLeans) {
+    expect(changed(normal_image(detailed), [](float* t) { t[0] += 0.02f; }), Look::normal_gl,
+           {"tilt"});
+}
+
+TEST(Lint, VectorsThatAreNotUnit) {
+    expect(changed(normal_image(detailed),
+                   [](float* t) {
+                       for (int c = 0; c < 3; ++c)
+                           t[c] = 0.5f + (t[c] - 0.5f) * 0.8f;
+                   }),
+           Look::normal_gl, {"length"});
+}
+
+// Truncated where it was to be rounded, and 128 + 127 n.
+TEST(Lint, TheMiddleTakenFor127Or128) {
+    const auto stored = [](float value) { return value / 255; };
+    const Image low = changed(normal_image(detailed, PixelType::u8), [&](float* t) {
+        for (int c = 0; c < 3; ++c)
+            t[c] = stored(std::floor(t[c] * 255));
+    });
+    expect(low, Look::normal_gl, {"offset"});
+    const Image high = changed(normal_image(detailed, PixelType::u8), [&](float* t) {
+        for (int c = 0; c < 3; ++c)
+            t[c] = stored(std::min(255.0f, std::round(128 + 127 * (2 * t[c] - 1))));
+    });
+    expect(high, Look::normal_gl, {"offset"});
+}
+
+TEST(Lint, EightBitsInStairs) {
+    Image height = in_range(height_image({512, 512, 1}));
+    for (float& value : height.data)
+        value = 0.4f + 0.2f * value;
+    Image rounded = height;
+    quantise(rounded, PixelType::u8);
+    expect(rounded, Look::height, {"banding"});
+    rounded.source = PixelType::u16;  // the same values in a deeper file
+    expect(rounded, Look::height, {"banding"});
+    quantise(height, PixelType::u16);
+    expect(height, Look::height, {});
+    Image gentle = normal_image({512, 512, 1});
+    quantise(gentle, PixelType::u8);
+    expect(gentle, Look::normal_gl, {"banding"});
+}
+
+TEST(Lint, SeamsThatDoNotTile) {
+    const Waves wide{96, 64, 3};
+    const Image whole = in_range(height_image(wide));
+    Image cut = make_image(77, 64, 1, PixelType::float32);
+    for (uint32_t y = 0; y < 64; ++y)
+        std::copy_n(whole.texel(0, y), 77, cut.texel(0, y));
+    expect(cut, Look::height, {"seam_u"});
+    expect(cut, Look::height, {}, Wrap::clamp);
+    const Image normals = normal_image(wide);
+    Image low = make_image(96, 41, 3, PixelType::u16);
+    std::copy_n(normals.data.begin(), low.data.size(), low.data.begin());
+    const auto defects = defects_of(examine(low, Wrap::repeat));
+    EXPECT_NE(std::find(defects.begin(), defects.end(), "seam_v"), defects.end());
+    EXPECT_EQ(std::find(defects.begin(), defects.end(), "seam_u"), defects.end());
+}
+
+TEST(Lint, AHeightInThreeChannelsIsAHeight) {
+    const Image one = in_range(height_image(detailed));
+    Image gray = make_image(one.width, one.height, 3, PixelType::u16);
+    for (size_t i = 0; i < gray.data.size(); ++i)
+        gray.data[i] = one.data[i / 3];
+    const Verdict verdict = examine(gray, Wrap::repeat);
+    EXPECT_EQ(name_of(verdict.look), "height");
+    ASSERT_EQ(verdict.findings.size(), 1u);
+    EXPECT_EQ(verdict.findings[0].name, "gray");
+    EXPECT_FALSE(verdict.has_defects());
+}
+
+// The normals of a ball, with black round it as bakers leave it.
+TEST(Lint, ObjectSpacePointsDownToo) {
+    Image image = make_image(64, 64, 3, PixelType::u8);
+    for (uint32_t y = 0; y < 64; ++y)
+        for (uint32_t x = 0; x < 64; ++x) {
+            const double a = 0.1 * x, b = 0.05 * y;
+            if (x < 16) continue;
+            image.texel(x, y)[0] = static_cast<float>(0.5 + 0.5 * std::cos(a) * std::sin(b));
+            image.texel(x, y)[1] = static_cast<float>(0.5 + 0.5 * std::sin(a) * std::sin(b));
+            image.texel(x, y)[2] = static_cast<float>(0.5 + 0.5 * std::cos(b));
+        }
+    expect(image, Look::normal_object, {});
+}
+
+TEST(Lint, TwoChannelsAndColors) {
+    const Image normals = normal_image(detailed);
+    Image two = make_image(64, 48, 2, PixelType::u16);
+    for (size_t i = 0; i < two.data.size() / 2; ++i)
+        std::copy_n(&normals.data[3 * i], 2, &two.data[2 * i]);
+    expect(two, Look::two_channel, {});
+    EXPECT_GT(examine(two, Wrap::repeat).measure("curl_correlation").value_or(0), 0.5);
+    expect(changed(normals, [](float* t) { t[2] = 0; }), Look::two_channel, {});
+    Image colors = make_image(32, 32, 3, PixelType::u8);
+    for (size_t i = 0; i < colors.data.size(); ++i)
+        colors.data[i] = static_cast<float>(i * 7919 % 97) / 300 + (i % 3 == 0 ? 0.5f : 0.1f);
+    expect(colors, Look::color, {});
+}
+
+TEST(Lint, NanIsADefectAndOneTexelIsEnough) {
+    Image image = make_image(1, 1, 1);
+    expect(image, Look::height, {});
+    image.data[0] = NAN;
+    expect(image, Look::height, {"not_finite"});
+    expect(make_image(1, 1, 3), Look::height, {});
+}
+
+}  // namespace
+}  // namespace wrinkle::maps
