@@ -3,6 +3,7 @@
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_reduce.h>
+#include <tbb/task_group.h>
 
 #include <algorithm>
 #include <cmath>
@@ -56,27 +57,39 @@ private:
         return made.data();
     }
 
-    bool write(const Level& level, Diagnostics& diagnostics) {
+    // Rows `top` to `top` + `count` from above, as the file stores them.
+    void make_band(const Level& level, uint32_t top, uint32_t count,
+                   std::vector<std::byte>& band) const {
         const size_t values = size_t{level.width} * channels_;
         const size_t bytes = values * bytes_of(target_.type);
         const bool plain = is_plain(target_, channels_);
-        std::vector<std::byte> band;
+        band.resize(count * bytes);
+        tbb::parallel_for(0u, count, [&](uint32_t i) {
+            thread_local std::vector<float> made, encoded;
+            const float* means = row(level, level.height - 1 - top - i, made);
+            if (!plain) {
+                encoded.resize(values);
+                encode(target_, stored_, means, level.width, channels_, encoded.data());
+            }
+            store_values(target_.type, {plain ? means : encoded.data(), values},
+                         band.data() + i * bytes);
+        });
+    }
+
+    // One band is made while the one before it is written.
+    bool write(const Level& level, Diagnostics& diagnostics) {
+        std::vector<std::byte> bands[2];
+        tbb::task_group writing;
+        bool written = true;
         for (uint32_t top = 0; top < level.height; top += rows_at_once) {
-            const uint32_t count = std::min(rows_at_once, level.height - top);
-            band.resize(count * bytes);
-            tbb::parallel_for(0u, count, [&](uint32_t i) {
-                thread_local std::vector<float> made, encoded;
-                const float* means = row(level, level.height - 1 - top - i, made);
-                if (!plain) {
-                    encoded.resize(values);
-                    encode(target_, stored_, means, level.width, channels_, encoded.data());
-                }
-                store_values(target_.type, {plain ? means : encoded.data(), values},
-                             band.data() + i * bytes);
-            });
-            if (!writer_.write_stored(band, diagnostics)) return false;
+            std::vector<std::byte>& band = bands[top / rows_at_once % 2];
+            make_band(level, top, std::min(rows_at_once, level.height - top), band);
+            writing.wait();
+            if (!written) return false;
+            writing.run([&] { written = writer_.write_stored(band, diagnostics); });
         }
-        return true;
+        writing.wait();
+        return written;
     }
 
     Level next(const Level& level) const {
