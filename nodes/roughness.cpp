@@ -55,7 +55,8 @@ static vec2 slope_with_moments(const SlopeMomentsMap& in) {
 Node slope_moments_map_node =
     node("slope_moments_map", "Slope moments map",
          "A bump from a picture of slopes, with a second picture of their squares and product, so "
-         "that `bump_roughness` knows exactly what the mips leave out (LEAN mapping).")
+         "that `bump_roughness` knows exactly what the mips leave out (LEAN mapping). `wrinkle "
+         "convert` makes both of a height or a normal map, --to derivative and --to moments.")
         .family("image")
         .in<Image>("slopes", "Slopes dh/du in red and dh/dv in green", encoding("linear"))
         .in<Image>("moments", "Of the same slopes: dh/du squared, dh/dv squared, and their product",

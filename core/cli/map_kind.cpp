@@ -15,7 +15,8 @@ struct KindName {
 };
 constexpr std::array target_kinds = {
     KindName{"derivative", maps::Kind::derivative}, KindName{"normal", maps::Kind::normal},
-    KindName{"slopes", maps::Kind::slopes}, KindName{"height", maps::Kind::height}};
+    KindName{"slopes", maps::Kind::slopes}, KindName{"moments", maps::Kind::moments},
+    KindName{"height", maps::Kind::height}};
 constexpr std::array source_kinds = {KindName{"height", maps::Kind::height},
                                      KindName{"normal_gl", maps::Kind::normal},
                                      KindName{"normal_dx", maps::Kind::normal, maps::Green::dx},

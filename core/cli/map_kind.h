@@ -10,7 +10,7 @@
 
 namespace wrinkle::cli {
 
-std::vector<std::string> kind_names();  // derivative, normal, slopes, height
+std::vector<std::string> kind_names();  // derivative, normal, slopes, moments, height
 maps::Kind kind_named(const std::string& name);
 
 std::vector<std::string> source_names();  // normal_gl, normal_dx, derivative, height

@@ -156,7 +156,8 @@ Stored stored_of(const Rows& rows, const Target& target) {
 
 std::vector<ImageNumber> numbers_of(const Target& target, const Stored& stored) {
     if (target.type != PixelType::u8 && target.type != PixelType::u16) return {};
-    if (target.kind == Kind::derivative) return {{scale_name, stored.scale / 2}};
+    if (target.kind == Kind::derivative || target.kind == Kind::moments)
+        return {{scale_name, stored.scale / 2}};
     if (target.kind == Kind::height)
         return {{scale_name, stored.scale}, {offset_name, stored.offset}};
     return {};

@@ -1,8 +1,8 @@
 // One map made from another, and written as a file, with its mip levels.
 //
 // A level is the mean of what it stands for: of heights, of slopes (a normal map's levels are the
-// normals of mean slopes, never means of normals), of the six channels of `slopes`. mips.h says
-// which texels a mean covers.
+// normals of mean slopes, never means of normals), of the channels of `slopes` and `moments`.
+// mips.h says which texels a mean covers.
 //
 // Files of integers hold t in [0, 1]. Slopes use all of it: scale is the steepest slope of the
 // first level, t = (1 + slope / scale) / 2; so do heights, from the lowest, `offset`, to the

@@ -38,7 +38,7 @@ Slope slope_of_normal(const float* texel, uint32_t channels, float green) {
 }  // namespace
 
 Rows::Rows(const Source& source) : source_(source) {
-    assert(source.kind != Kind::slopes);
+    assert(source.kind != Kind::slopes && source.kind != Kind::moments);
     const Image& image = *source.image;
     if (source.kind != Kind::height) return;
     heights_ = image.data.data();

@@ -15,6 +15,8 @@
 //   slopes      six channels, as OpenImageIO's --bumpslopes: height, dh/ds, dh/dt, their squares,
 //               their product; t runs DOWN, so dh/dt = -dh/dv. Its mips are means of all six, so a
 //               coarse level still knows how rough what it stands for is
+//   moments     the squares of the slopes along u and v, and their product, v up: what the node
+//               slope_moments_map reads beside a derivative map
 #pragma once
 
 #include <cstdint>
@@ -28,14 +30,14 @@
 
 namespace wrinkle::maps {
 
-enum class Kind : uint8_t { height, normal, derivative, slopes };
+enum class Kind : uint8_t { height, normal, derivative, slopes, moments };
 enum class Green : uint8_t { gl, dx };  // which way a normal map's green points: up v, or down
 enum class Per : uint8_t { texel, uv };
 
 // How a picture is to be read.
 struct Source {
     const Image* image = nullptr;
-    Kind kind = Kind::height;  // but slopes
+    Kind kind = Kind::height;  // neither slopes nor moments
     Green green = Green::gl;
     Per per = Per::texel;     // of derivatives
     Wrap wrap = Wrap::clamp;  // or repeat

@@ -24,6 +24,14 @@ void six_channels(const float* heights, const float* du, const float* dv, uint32
     }
 }
 
+void second_moments(const float* du, const float* dv, uint32_t count, float* out) {
+    for (uint32_t x = 0; x < count; ++x, out += 3) {
+        out[0] = du[x] * du[x];
+        out[1] = dv[x] * dv[x];
+        out[2] = du[x] * dv[x];
+    }
+}
+
 void encode_normals(float green, const float* slopes, size_t count, float* out) {
     for (size_t i = 0; i < count; ++i, slopes += 2, out += 3) {
         const float du = slopes[0], dv = slopes[1];
@@ -37,7 +45,16 @@ void encode_normals(float green, const float* slopes, size_t count, float* out) 
 }  // namespace
 
 uint32_t mean_channels(Kind kind) {
-    return kind == Kind::height ? 1 : kind == Kind::slopes ? 6 : 2;
+    switch (kind) {
+        case Kind::height:
+            return 1;
+        case Kind::moments:
+            return 3;
+        case Kind::slopes:
+            return 6;
+        default:
+            return 2;
+    }
 }
 
 std::vector<std::string> file_channel_names(const Target& target, bool pairs) {
@@ -45,6 +62,7 @@ std::vector<std::string> file_channel_names(const Target& target, bool pairs) {
         case Kind::height:
             return channel_names(1, false);
         case Kind::normal:
+        case Kind::moments:
             return channel_names(3, false);
         case Kind::derivative:
             return channel_names(pairs ? 2 : 3, false);
@@ -72,6 +90,7 @@ void mean_row(const Rows& rows, const Target& target, uint32_t y, float* out) {
             dv[x] *= up;
         }
     }
+    if (target.kind == Kind::moments) return second_moments(du, dv, count, out);
     if (target.kind == Kind::slopes) return six_channels(rows.heights(y), du, dv, count, out);
     for (uint32_t x = 0; x < count; ++x, out += 2) {
         out[0] = du[x];

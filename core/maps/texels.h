@@ -17,12 +17,13 @@ struct Stored {
     float offset = 0;
 };
 
-uint32_t mean_channels(Kind kind);  // height 1, normal and derivative 2, slopes 6
+// Height 1, normal and derivative 2, moments 3, slopes 6.
+uint32_t mean_channels(Kind kind);
 
 // Of a derivative R and G, and B, which is flat, where a format holds no pairs.
 std::vector<std::string> file_channel_names(const Target& target, bool pairs);
 
-// One row of the numbers that are averaged: the height, or du and dv, or the six.
+// One row of the numbers that are averaged: the height, or du and dv, or what is made of them.
 void mean_row(const Rows& rows, const Target& target, uint32_t y, float* out);
 
 // `count` texels as a file of so many channels holds them.

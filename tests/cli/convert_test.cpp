@@ -63,6 +63,18 @@ TEST_F(Convert, SlopesAreThoseOfMaketx) {
               0);
 }
 
+// Theirs with t down, so that the product has the other sign.
+TEST_F(Convert, MomentsAreThoseOfMaketx) {
+    put_height("h.pfm", 64, 32);
+    shell(
+        "maketx --bumpslopes --nomipmap --format openexr -d float h.pfm -o six.exr && "
+        "oiiotool six.exr --ch b3_dhds2,b4_dhdt2,b5_dh2dsdt --mulc 1,1,-1 --chnames R,G,B "
+        "-d float -o theirs.tif");
+    converted(
+        {"h.pfm", "-o", "ours.tif", "--from", "height", "--to", "moments", "--type", "float"});
+    shell("idiff -fail 1e-6 -hardfail 1e-6 ours.tif theirs.tif");
+}
+
 TEST_F(Convert, ARepeatedMapHasTheMiddleOfNine) {
     put_height("one.pfm", 50, 37);
     put_height("nine.pfm", 50, 37, 3);
