@@ -217,7 +217,9 @@ Id Expander::opaque(const Module& source, Id id, std::span<const Id> mapped) {
             break;
         case Op::frame_: {
             const Id direction = mapped.size() > 1 ? mapped[1] : poison;
-            frames.set(id, make_frame(*target, *screen, mapped[0], direction, inst.extra));
+            const uint32_t uv = facts.dependencies(inst.arg[0]);
+            frames.set(id, make_frame(*target, *screen, mapped[0], direction,
+                                      settled_frame(*target, inst.extra, uv, options)));
             break;
         }
         case Op::derivative_:
@@ -341,12 +343,6 @@ Id settle_one(void* context, Module& target, const Module& source, Id id,
                                     settler.options));
 }
 
-bool all_settled(const Module& module) {
-    for (Id id = 1; id < module.size(); ++id)
-        if (module[id].op == Op::frame_ && !is_settled(module[id].extra)) return false;
-    return true;
-}
-
 }  // namespace
 
 Module settle_frames(Module source, const ExpandOptions& options, Parameters parameters) {
@@ -355,7 +351,6 @@ Module settle_frames(Module source, const ExpandOptions& options, Parameters par
 }
 
 Module expand(Module source, const ExpandOptions& options) {
-    if (!all_settled(source)) source = settle_frames(std::move(source), options);
     Expander expander(options, source);
     Module expanded = rebuild(std::move(source), expand_one, &expander);
     if (expander.functions) expander.functions->finish(expanded);

@@ -60,21 +60,24 @@ std::optional<SurfaceInput> source_of(uint32_t method, uint32_t dependencies) {
     return {};
 }
 
-bool fits(Module& target, const Choice& choice, uint32_t dependencies) {
+enum class Fit : uint8_t { fits, wrong_scale, wrong_uv };
+Fit fit_of(const Choice& choice, uint32_t dependencies) {
     const bool exact = choice.method == WR_FRAME_exact || choice.method == WR_FRAME_pixel;
-    if (exact != (choice.scale == WR_SCALE_surface)) {
-        const char* name = choice.method == WR_FRAME_pixel ? "pixel" : "exact";
-        target.problem(exact ? "the frame '" + std::string(name) + "' goes with the scale 'surface'"
-                             : "the scale 'surface' goes with the frame 'exact'",
-                       "set the frame to 'auto', or change the scale");
-        return false;
-    }
-    if (choice.method == WR_FRAME_vertex && dependencies != bit(SurfaceInput::uv0_)) {
-        target.problem("the frame 'vertex' needs a uv that is made from uv0 alone",
-                       "vertex tangents belong to uv0; set the frame to 'derived' or 'auto'");
-        return false;
-    }
-    return true;
+    if (exact != (choice.scale == WR_SCALE_surface)) return Fit::wrong_scale;
+    const bool vertex = choice.method == WR_FRAME_vertex;
+    return vertex && dependencies != bit(SurfaceInput::uv0_) ? Fit::wrong_uv : Fit::fits;
+}
+
+void report(Module& target, const Choice& choice, Fit fit) {
+    if (fit == Fit::wrong_uv)
+        return target.problem(
+            "the frame 'vertex' needs a uv that is made from uv0 alone",
+            "vertex tangents belong to uv0; set the frame to 'derived' or 'auto'");
+    const char* expected = "set the frame to 'auto', or change the scale";
+    if (choice.scale == WR_SCALE_surface)
+        return target.problem("the scale 'surface' goes with the frame 'exact'", expected);
+    const std::string name = choice.method == WR_FRAME_pixel ? "pixel" : "exact";
+    target.problem("the frame '" + name + "' goes with the scale 'surface'", expected);
 }
 
 // Bits 16 on: 0 not settled, 1 no single source, else 2 + the surface input.
@@ -176,16 +179,19 @@ Id ScreenDerivatives::along(Change change, Id value) {
 
 uint32_t settled_frame(Module& target, uint32_t extra, uint32_t dependencies,
                        const ExpandOptions& options) {
+    if (extra >> set_shift != 0) return extra;
     Choice choice = chosen(extra, dependencies, options);
-    if (!fits(target, choice, dependencies))
+    if (const Fit fit = fit_of(choice, dependencies); fit != Fit::fits) {
+        report(target, choice, fit);
         choice.method = choice.scale == WR_SCALE_surface ? WR_FRAME_exact : WR_FRAME_derived;
+    }
     const auto set = source_of(choice.method, dependencies);
     return WR_FRAME(choice.method, choice.scale) | (set ? 2 + static_cast<uint32_t>(*set) : 1)
                                                        << set_shift;
 }
 
-bool is_settled(uint32_t extra) {
-    return extra >> set_shift != 0;
+bool fits_its_scale(uint32_t extra, uint32_t dependencies) {
+    return fit_of(chosen(extra, dependencies, {}), dependencies) == Fit::fits;
 }
 
 Frame make_frame(Module& target, ScreenDerivatives& screen, Id uv, Id direction, uint32_t settled) {
