@@ -1,5 +1,7 @@
 #include "ir/expand.h"
 
+#include <algorithm>
+
 #include "ir/gradient_sum.h"
 #include "ir/normal_variance.h"
 #include "ir/open_function.h"
@@ -309,6 +311,21 @@ struct Finisher {
     }
 };
 
+bool reads_detached(const Module& m, std::span<const Id> ids) {
+    return std::any_of(ids.begin(), ids.end(), [&](Id id) { return m[id].op == Op::detach_; });
+}
+
+// Whether outputs alone are detached, and no length is known: then they are what is detached, and
+// all else is finished as it stands.
+bool take_outputs(Module& m) {
+    if (m.region_count() > 1) return false;
+    for (Id id = 1; id < m.size(); ++id)
+        if (inverse_length_of(m, id) != poison || reads_detached(m, m.operands(id))) return false;
+    for (ModuleOutput& output : m.outputs)
+        if (m[output.value].op == Op::detach_) output.value = m[output.value].arg[0];
+    return true;
+}
+
 Id finish(void* context, Module& target, const Module& source, Id id, std::span<const Id> mapped) {
     if (source[id].op == Op::detach_ || source[id].op == Op::with_covariance_) return mapped[0];
     const auto& finisher = *static_cast<const Finisher*>(context);
@@ -354,6 +371,7 @@ Module expand(Module source, const ExpandOptions& options) {
     Expander expander(options, source);
     Module expanded = rebuild(std::move(source), expand_one, &expander);
     if (expander.functions) expander.functions->finish(expanded);
+    if (take_outputs(expanded)) return expanded;
     Finisher finisher(expanded);
     return rebuild(std::move(expanded), finish, &finisher);
 }
