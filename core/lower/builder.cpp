@@ -206,21 +206,21 @@ private:
         if (number > 0xFFFF || info(o).name.empty())
             return refuse("uses op " + std::to_string(number) + ", which does not exist",
                           "a newer program may be needed");
-        const std::string name(info(o).name);
-        if (host_only(o)) return refuse("emits the op '" + name + "', which only the host makes");
+        const auto name = [&] { return std::string(info(o).name); };
+        if (host_only(o)) return refuse("emits the op '" + name() + "', which only the host makes");
         const int arity = info(o).arity;
         const bool fits = arity < 0 ? count >= 1 && count <= most_arguments
                                     : count == static_cast<uint32_t>(arity);
         if (!fits || (count > 0 && !args))
-            return refuse("gives the op '" + name + "' " + std::to_string(count) + " operands");
+            return refuse("gives the op '" + name() + "' " + std::to_string(count) + " operands");
         const std::span<const wr_value> operands(args, count);
         if (!usable(operands)) return poison;
         if (info(o).flags & WR_FLAG_IMPLICIT && module_[operands[0]].level > 0)
-            return refuse("takes the derivative '" + name + "' inside a loop or a function");
+            return refuse("takes the derivative '" + name() + "' inside a loop or a function");
         const std::optional<uint32_t> checked = checked_extra(o, extra);
         if (o == Op::frame_ && ((extra & 0xFF) == WR_FRAME_guess) != (count == 2))
             return refuse("gives a frame a direction where there is none, or none to 'guess'");
-        if (!checked) return refuse("gives the op '" + name + "' an impossible detail");
+        if (!checked) return refuse("gives the op '" + name() + "' an impossible detail");
         const Id made = module_.add(o, operands, *checked, static_cast<Type>(type));
         if (Dropped* dropped = lowering_.dropped()) dropped->written(o, operands, made);
         return made;

@@ -1,5 +1,7 @@
 #include "lower/dropped.h"
 
+#include <algorithm>
+
 #include "ir/derive.h"
 #include "ir/gradient_frame.h"
 
@@ -22,6 +24,12 @@ bool may_be_surface_normal(const Module& m, Id id) {
     return inst.op == Op::normalize_ && m[inst.arg[0]].op == Op::input_;
 }
 
+// It changes with all that its operands change with, then.
+bool stands_as_written(const Module& m, Op op, std::span<const Id> operands, Id result) {
+    return m[result].op == op &&
+           std::equal(operands.begin(), operands.end(), m[result].arg.begin());
+}
+
 }  // namespace
 
 void Dropped::begin(uint32_t node) {
@@ -36,6 +44,8 @@ void Dropped::begin(uint32_t node) {
 void Dropped::written(Op op, std::span<const Id> operands, Id result) {
     if (result == poison) return;
     if (may_be_surface_normal(module_, result)) give_up();  // it may have become that by a value
+    if (op != Op::frame_ && op != Op::base_ && stands_as_written(module_, op, operands, result))
+        return;
     facts_.update();
     uint32_t before = 0;
     for (const Id operand : operands)

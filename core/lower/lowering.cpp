@@ -131,7 +131,10 @@ Id Lowering::clamped(Id value, const Port& port) {
 }
 
 Id Lowering::surface(uint32_t property) {
-    if (property == WR_SURFACE_normal) return surface_normal(module_, back_faces_);
+    if (property == WR_SURFACE_normal) {
+        if (surface_normal_ == poison) surface_normal_ = surface_normal(module_, back_faces_);
+        return surface_normal_;
+    }
     return module_.input(static_cast<SurfaceInput>(property));
 }
 

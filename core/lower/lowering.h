@@ -87,6 +87,7 @@ private:
     const Project& project_;
     const BackFaces back_faces_;
     Dropped* dropped_ = nullptr;
+    Id surface_normal_ = poison;
     std::vector<Id> slots_;         // by wire: an input's or an output's value
     std::vector<Id> graph_inputs_;  // of the graph
     std::vector<Image> images_;     // handle - 1
