@@ -1,6 +1,8 @@
 #include "ir/gradient_frame.h"
 
+#include <algorithm>
 #include <bit>
+#include <cmath>
 
 #include "ir/surface.h"
 
@@ -24,12 +26,27 @@ std::optional<SurfaceInput> single_uv_set(uint32_t dependencies) {
     return static_cast<SurfaceInput>(std::countr_zero(dependencies));
 }
 
+// The same for a tiling, in numbers: as instructions they would fold one by one.
+bool bring_constant_to_set(Module& target, Value u, Value v, Frame& frame) {
+    if (!target.is_constant(u.id) || !target.is_constant(v.id)) return false;
+    const auto a = target.lanes_of(u.id), b = target.lanes_of(v.id);
+    const double det = std::abs(a[0] * b[1] - a[1] * b[0]);
+    const double scale = det > 0 ? 1 / std::sqrt(std::max(det, tiny_square)) : 0;
+    const std::array<double, 4> rows{a[0] * scale, a[1] * scale, b[0] * scale, b[1] * scale};
+    if (!std::all_of(rows.begin(), rows.end(), [](double x) { return std::isfinite(x); }))
+        return false;
+    frame.row_u = {&target, target.constant(Type::vec2_, std::span(rows).first(2))};
+    frame.row_v = {&target, target.constant(Type::vec2_, std::span(rows).last(2))};
+    return true;
+}
+
 // The rows of J^T / sqrt|det J|, J = d(uv)/d(set); nothing is stored where J is the identity.
 void bring_to_set(Module& target, ScreenDerivatives& changes, Id uv, SurfaceInput set,
                   Frame& frame) {
     if (uv == target.input(set)) return;
     const Value u = changes.in_uv_set(set, 0, uv);
     const Value v = changes.in_uv_set(set, 1, uv);
+    if (bring_constant_to_set(target, u, v, frame)) return;
     const Value det = abs(u.x() * v.y() - u.y() * v.x());
     const Value scale = select(greater(det, 0), inversesqrt(max(det, tiny_square)), number(u, 0));
     frame.row_u = vec2(u.x() * scale, u.y() * scale);
@@ -252,7 +269,13 @@ Value slope_in_basis(const Frame& frame, Value slope) {
     if (frame.key.basis == Basis::exact)
         return vec2(dot(slope, frame.row_u), dot(slope, frame.row_v));
     // By components, so that a diagonal J of literals folds away.
-    const auto along = [&](Value row) { return slope.x() * row.x() + slope.y() * row.y(); };
+    const Module& m = *slope.module;
+    const auto along = [&](Value row) {
+        const Value x = row.x(), y = row.y();
+        if (m.is_literal(y.id, 0)) return slope.x() * x;
+        if (m.is_literal(x.id, 0)) return slope.y() * y;
+        return slope.x() * x + slope.y() * y;
+    };
     if (frame.key.basis == Basis::space)
         return vec3(along(frame.row_u), along(frame.row_v), along(frame.row_z));
     return vec2(along(frame.row_u), along(frame.row_v));
