@@ -50,6 +50,8 @@ public:
           types_(types),
           options_(options),
           diagnostics_(diagnostics),
+          own_files_(project),
+          files_(options.files ? *options.files : own_files_),
           nodes_left_(options.max_nodes),
           facts_(result_.module) {}
 
@@ -97,10 +99,11 @@ private:
         if (inputs) {
             frame->first_input = add_leaves(m, *inputs);
             frame->leaves = inputs->leaves;
-            frame->lowering.emplace(m, frame->graph, project_, inputs->bound);
+            frame->lowering.emplace(m, frame->graph, project_, files_, inputs->bound);
         } else {
             if (options_.literals) dropped_.emplace(m, facts_, frame->graph);
-            frame->lowering.emplace(m, frame->graph, project_, dropped_ ? &*dropped_ : nullptr);
+            frame->lowering.emplace(m, frame->graph, project_, files_,
+                                    dropped_ ? &*dropped_ : nullptr);
         }
         frames_.push_back(std::move(frame));
         return true;
@@ -226,6 +229,8 @@ private:
     const Types& types_;
     const LowerOptions& options_;
     Diagnostics& diagnostics_;
+    NamedFiles own_files_;
+    NamedFiles& files_;
     size_t nodes_left_;
     Lowered result_;
     ValueFacts facts_;

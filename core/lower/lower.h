@@ -27,7 +27,7 @@
 #include <string>
 #include <vector>
 
-#include "graph/subgraph.h"
+#include "graph/named_files.h"
 #include "ir/module.h"
 #include "lower/types.h"
 
@@ -40,6 +40,7 @@ struct LowerOptions {
     std::vector<std::string> outputs;  // only these; empty: all
     // Numbers that are no graph inputs are literals, not parameters.
     bool literals = false;
+    NamedFiles* files = nullptr;  // what is known of the project's; null: nothing yet
 };
 
 // Where an entry of Module::nodes stands.

@@ -14,18 +14,20 @@ Type value_type(PortType type) {
     return types[static_cast<size_t>(type) - 1];
 }
 
-Lowering::Lowering(Module& module, const FlatGraph& graph, const Project& project, Dropped* dropped)
+Lowering::Lowering(Module& module, const FlatGraph& graph, const Project& project,
+                   NamedFiles& files, Dropped* dropped)
     : module_(module),
       graph_(graph),
       project_(project),
       back_faces_(project.top().back_faces),
+      files_(files),
       dropped_(dropped),
       slots_(graph.wires.size(), unset),
       graph_inputs_(project.top().inputs.size(), unset) {}
 
 Lowering::Lowering(Module& module, const FlatGraph& graph, const Project& project,
-                   std::span<const BoundInput> inputs)
-    : Lowering(module, graph, project) {
+                   NamedFiles& files, std::span<const BoundInput> inputs)
+    : Lowering(module, graph, project, files) {
     graph_inputs_.clear();
     for (const BoundInput& input : inputs)
         graph_inputs_.push_back(input.image ? add_image(input.image->literal, input.image->file)

@@ -59,14 +59,17 @@ Compiled compile_material(const Project& project, const Registry& registry,
     for (const Project::File& file : project.files)
         if (!is_connected(file)) return compiled;
     const Types types(project, registry);
-    check(project, registry, types, diagnostics, {options.reached_only});
+    NamedFiles files(project);
+    check(project, registry, types, diagnostics, {options.reached_only, &files});
     if (diagnostics.has_errors()) return compiled;
     if (!options.runs_calls.empty() && !may_expand(project, options.runs_calls, diagnostics))
         return compiled;
     const ExpandOptions frames{options.vertex_tangents, project.top().back_faces};
+    LowerOptions lowering = options.lower;
+    lowering.files = &files;
     Lowered lowered = options.uniform_parameters
-                          ? lower(project, types, options.lower, diagnostics)
-                          : lower_baked(project, types, options.lower, frames, diagnostics);
+                          ? lower(project, types, lowering, diagnostics)
+                          : lower_baked(project, types, lowering, frames, diagnostics);
     if (diagnostics.has_errors()) return compiled;
     assert(verify(lowered.module).empty());
     Module module = expand(std::move(lowered.module), frames);
