@@ -311,16 +311,18 @@ struct Finisher {
     }
 };
 
-bool reads_detached(const Module& m, std::span<const Id> ids) {
-    return std::any_of(ids.begin(), ids.end(), [&](Id id) { return m[id].op == Op::detach_; });
+bool is_rewritten(const Module& m, Id id) {
+    const auto operands = m.operands(id);
+    return m[id].op == Op::with_covariance_ || inverse_length_of(m, id) != poison ||
+           std::any_of(operands.begin(), operands.end(),
+                       [&](Id operand) { return m[operand].op == Op::detach_; });
 }
 
-// Whether outputs alone are detached, and no length is known: then they are what is detached, and
-// all else is finished as it stands.
+// Whether that leaves all as it is but outputs that are detached: then these are what is detached.
 bool take_outputs(Module& m) {
     if (m.region_count() > 1) return false;
     for (Id id = 1; id < m.size(); ++id)
-        if (inverse_length_of(m, id) != poison || reads_detached(m, m.operands(id))) return false;
+        if (is_rewritten(m, id)) return false;
     for (ModuleOutput& output : m.outputs)
         if (m[output.value].op == Op::detach_) output.value = m[output.value].arg[0];
     return true;
