@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/text.h"
+#include "base/text_hash.h"
 
 namespace wrinkle {
 namespace {
@@ -118,7 +119,7 @@ size_t unseen_at(std::string_view text) {
 
 size_t NameSet::place_of(std::string_view name) const {
     const size_t mask = entries_.size() - 1;
-    size_t place = std::hash<std::string_view>{}(name)&mask;
+    size_t place = text_hash(name) & mask;
     const auto is_other = [&](const Entry& entry) {
         return entry.length > 0 &&
                std::string_view(pool_).substr(entry.begin, entry.length) != name;

@@ -14,6 +14,7 @@ Plan::Plan(const Module& module, bool given)
       is_gradient(module.size()),
       module_(&module),
       given_(given),
+      used_(module.size()),
       captures_(module.region_count()),
       seen_function_(module.region_count()),
       seen_resource_(module.resources.size()) {
@@ -26,9 +27,9 @@ Plan::Plan(const Module& module, bool given)
         }
     for (uint32_t region = 1; region < module.region_count(); ++region)
         if (module.region(region).kind == RegionKind::loop) find_captures(region);
+    walk();
     list_operands();
     write_literals();
-    walk();
     find_gradients();
 }
 
@@ -37,7 +38,7 @@ void Plan::list_operands() {
     operands_.reserve(module_->size() * size_t{2});
     for (Id id = 0; id < module_->size(); ++id) {
         first_operand_.push_back(static_cast<uint32_t>(operands_.size()));
-        gather_operands(id, operands_);
+        if (used_[id]) gather_operands(id, operands_);
     }
     first_operand_.push_back(static_cast<uint32_t>(operands_.size()));
 }
@@ -46,7 +47,7 @@ void Plan::write_literals() {
     literal_end_.resize(module_->size(), 0);
     for (Id id = 1; id < module_->size(); ++id) {
         const Inst& inst = (*module_)[id];
-        if (inst.op == Op::literal_) append_literal(literals_, inst.type, inst.value);
+        if (inst.op == Op::literal_ && used_[id]) append_literal(literals_, inst.type, inst.value);
         literal_end_[id] = static_cast<uint32_t>(literals_.size());
     }
 }
@@ -157,6 +158,7 @@ void Plan::find_captures(uint32_t region) {
 void Plan::find_gradients() {
     const Module& m = *module_;
     for (Id id = m.size(); id-- > 1;) {
+        if (!used_[id]) continue;
         const Inst& inst = m[id];
         if (inst.op == Op::normalize_ && inst.type == Type::vec3_ &&
             m[alias_[inst.arg[0]]].op == Op::sub_)
@@ -193,6 +195,7 @@ void Plan::walk() {
 }
 
 void Plan::use(Id id) {
+    used_[id] = true;
     const Inst& inst = (*module_)[id];
     switch (inst.op) {
         case Op::input_:

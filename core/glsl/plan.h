@@ -32,7 +32,8 @@ public:
     Id plain(Id id) const { return alias_[id]; }  // without detach
     Role role(Id id) const { return role_[id]; }
 
-    // Operands as text needs them. Of a loop: its initial state, then what its body captures.
+    // Operands as text needs them, of what the outputs use. Of a loop: its initial state, then what
+    // its body captures.
     std::span<const Id> operands(Id id) const {
         return std::span(operands_).subspan(first_operand_[id],
                                             first_operand_[id + 1] - first_operand_[id]);
@@ -76,6 +77,7 @@ private:
 
     const Module* module_;
     bool given_;
+    std::vector<bool> used_;  // by Id
     std::vector<Id> alias_;
     std::vector<Role> role_;
     std::vector<std::vector<Id>> captures_;

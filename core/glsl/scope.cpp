@@ -14,6 +14,7 @@ constexpr uint32_t widest_expression = 72;  // of what has no name yet
 constexpr uint8_t deepest_expression = 6;
 constexpr uint32_t parentheses = 2;
 constexpr uint32_t loop_state_width = 12;
+constexpr uint32_t view_suffix = 4;
 
 // Folding decisions for one scope, operands first.
 bool needs_parentheses(const Plan& plan, Id reader, Id operand) {
@@ -31,12 +32,21 @@ public:
     void visit(Id id, bool is_root);
 
 private:
+    // An operand of the value at hand.
+    struct Part {
+        Id target;              // what it is, or what it is a view of
+        uint32_t width;         // of a leaf or a view; of a value what its view adds
+        bool is_value, inside;  // of this scope
+        bool plain;             // no view
+        bool parentheses;       // where its text is folded in
+    };
+
     ValueState& state(Id id) { return values_.state[id]; }
     bool inside(Id id) { return state(id).epoch == scope_.epoch && plan_.role(id) != Role::leaf; }
     Id base(Id id);
-    bool foldable(Id id);
-    uint32_t width_of(Id id);
-    uint8_t depth_of(Id id);
+    Part part_of(Id reader, Id operand);
+    bool foldable(const Part& part) { return part.inside && !state(part.target).statement; }
+    uint32_t width_of(const Part& part);
     void make_statement(Id id);
     const std::string& name_of(Id id);
     void hoist_implicit(Id id);
@@ -48,7 +58,7 @@ private:
     const Plan& plan_;
     Values& values_;
     const Scope& scope_;
-    std::span<const Id> operands_;  // of the value at hand
+    std::vector<Part> parts_;  // of the value at hand
 };
 
 // What a view looks at.
@@ -58,22 +68,32 @@ Id Folder::base(Id id) {
     return id;
 }
 
-bool Folder::foldable(Id id) {
-    const Id target = base(id);
-    return plan_.role(target) == Role::value && inside(target) && !state(target).statement;
+Folder::Part Folder::part_of(Id reader, Id operand) {
+    Part part{operand, 0, false, false, true, false};
+    Role role = plan_.role(operand);
+    if (role == Role::view) {
+        part.target = base(operand);
+        role = plan_.role(part.target);
+        part.plain = part.target == operand;
+    }
+    part.width = part.plain ? 0 : view_suffix;
+    if (role == Role::leaf) {
+        part.width += leaf_width(plan_, part.target);
+    } else if (role == Role::view) {
+        part.width += loop_state_width;
+    } else {
+        part.is_value = true;
+        part.inside = inside(part.target);
+        part.parentheses = needs_parentheses(plan_, reader, operand);
+    }
+    return part;
 }
 
-uint32_t Folder::width_of(Id id) {
-    const Id target = base(id);
-    const uint32_t suffix = target == id ? 0 : 4;
-    if (plan_.role(target) == Role::leaf) return leaf_width(plan_, target) + suffix;
-    if (plan_.role(target) == Role::view) return loop_state_width + suffix;
-    const ValueState& s = state(target);
-    return (s.statement ? static_cast<uint32_t>(name_of(target).size()) : s.width) + suffix;
-}
-
-uint8_t Folder::depth_of(Id id) {
-    return foldable(id) ? state(base(id)).depth : 0;
+uint32_t Folder::width_of(const Part& part) {
+    if (!part.is_value) return part.width;
+    const ValueState& s = state(part.target);
+    const size_t own = s.statement ? name_of(part.target).size() : s.width;
+    return part.width + static_cast<uint32_t>(own);
 }
 
 void Folder::count_uses(std::span<const Id> roots) {
@@ -85,15 +105,16 @@ void Folder::count_uses(std::span<const Id> roots) {
     for (size_t i = scope_.order.size(); i-- > 0;) {
         const Id id = scope_.order[i];
         const bool view = plan_.role(id) == Role::view;
-        operands_ = plan_.operands(id);
+        const auto operands = plan_.operands(id);
         const bool shared = group_of(plan_, values_, id) == surface_group;
         const bool loop = plan_.module()[id].op == Op::loop_;
-        const size_t own = loop ? plan_.module().operands(id).size() : operands_.size();
-        for (size_t k = 0; k < operands_.size(); ++k) {
-            if (!inside(operands_[k])) continue;
-            state(operands_[k]).uses += view ? std::max(1u, state(id).uses) : 1;
-            if (k >= own) state(operands_[k]).captured = true;
-            state(operands_[k]).shared = state(operands_[k]).shared && shared;
+        const size_t own = loop ? plan_.module().operands(id).size() : operands.size();
+        for (size_t k = 0; k < operands.size(); ++k) {
+            if (!inside(operands[k])) continue;
+            ValueState& read = state(operands[k]);
+            read.uses += view ? std::max(1u, state(id).uses) : 1;
+            if (k >= own) read.captured = true;
+            read.shared = read.shared && shared;
         }
     }
 }
@@ -117,9 +138,9 @@ const std::string& Folder::name_of(Id id) {
 void Folder::hoist_implicit(Id id) {
     const Op op = plan_.module()[id].op;
     if (op != Op::select_ && op != Op::and_ && op != Op::or_) return;
-    for (size_t k = 1; k < operands_.size(); ++k)
-        if (foldable(operands_[k]) && state(base(operands_[k])).implicit)
-            make_statement(base(operands_[k]));
+    for (size_t k = 1; k < parts_.size(); ++k)
+        if (foldable(parts_[k]) && state(parts_[k].target).implicit)
+            make_statement(parts_[k].target);
 }
 
 // What is known to become a temporary has its declaration on the line too.
@@ -131,18 +152,18 @@ uint32_t Folder::room_for(Id id, bool is_root) {
 }
 
 void Folder::narrow(Id id, bool is_root) {
-    const uint32_t room = room_for(id, is_root);
+    const uint32_t room = room_for(id, is_root), own = own_width(plan_, id);
     for (;;) {
-        uint32_t width = own_width(plan_, id), widest = 0;
+        uint32_t width = own, widest = 0;
         Id victim = poison;
-        for (const Id operand : operands_) {
-            const uint32_t w = width_of(operand);
+        for (const Part& part : parts_) {
+            const uint32_t w = width_of(part);
             width += w;
-            if (!foldable(operand)) continue;
-            width += needs_parentheses(plan_, id, operand) ? parentheses : 0;
+            if (!foldable(part)) continue;
+            width += part.parentheses ? parentheses : 0;
             if (w <= widest) continue;
             widest = w;
-            victim = base(operand);
+            victim = part.target;
         }
         state(id).width = width;
         if (width <= room || victim == poison) return;
@@ -153,19 +174,18 @@ void Folder::narrow(Id id, bool is_root) {
 // A chain of one precedence counts as one level, as it reads.
 void Folder::flatten(Id id) {
     const Module& m = plan_.module();
-    const auto depth_with = [&](size_t k) -> uint8_t {
-        const Id operand = operands_[k];
-        const uint8_t depth = depth_of(operand);
-        if (!foldable(operand)) return 1;
-        const bool chain = k == 0 && operand == base(operand) &&
-                           info(m[id].op).precedence == info(m[operand].op).precedence &&
-                           info(m[id].op).precedence > 0;
-        return static_cast<uint8_t>(chain ? depth : depth + 1);
-    };
+    const auto precedence = info(m[id].op).precedence;
     uint8_t deepest = 1;
-    for (size_t k = 0; k < operands_.size(); ++k) {
-        if (depth_with(k) > deepest_expression) make_statement(base(operands_[k]));
-        deepest = std::max(deepest, depth_with(k));
+    for (size_t k = 0; k < parts_.size(); ++k) {
+        const Part& part = parts_[k];
+        if (!foldable(part)) continue;
+        const bool chain = k == 0 && part.plain && precedence > 0 &&
+                           precedence == info(m[part.target].op).precedence;
+        const auto depth = static_cast<uint8_t>(state(part.target).depth + (chain ? 0 : 1));
+        if (depth > deepest_expression)
+            make_statement(part.target);
+        else
+            deepest = std::max(deepest, depth);
     }
     state(id).depth = deepest;
 }
@@ -179,7 +199,9 @@ bool Folder::must_name(Id id, bool is_root) {
 }
 
 void Folder::visit(Id id, bool is_root) {
-    operands_ = plan_.operands(id);
+    parts_.clear();
+    for (const Id operand : plan_.operands(id))
+        parts_.push_back(part_of(id, operand));
     hoist_implicit(id);
     const Op op = plan_.module()[id].op;
     if (plan_.role(id) == Role::value && op != Op::loop_) {
@@ -187,8 +209,8 @@ void Folder::visit(Id id, bool is_root) {
         narrow(id, is_root);
     }
     bool implicit = op == Op::sample_ || op == Op::input_;
-    for (const Id operand : operands_)
-        implicit = implicit || (foldable(operand) && state(base(operand)).implicit);
+    for (const Part& part : parts_)
+        implicit = implicit || (foldable(part) && state(part.target).implicit);
     state(id).implicit = implicit;
     if (must_name(id, is_root)) make_statement(id);
 }

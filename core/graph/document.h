@@ -136,6 +136,7 @@ struct Document {
     std::vector<Extra> unknown;         // top-level keys
     json::Value source;                 // the whole as it was read; null for a new one
     bool edited = false;                // set by every edit that changes something
+    bool links_hold = false;            // as read: check_links found nothing
     // Why not all of the text is in here, a clause or a problem: writing it would lose the rest.
     std::string lost;
 

@@ -177,7 +177,11 @@ Document read_document(std::string bytes, std::string file, Diagnostics& diagnos
     Reader reader(report, limits);
     if (parsed.complete || parsed.root.is(Kind::object)) reader.read(parsed.root, document);
     if (document.lost.empty()) document.lost = reader.lost();
-    if (parsed.complete && reader.all_read()) check_links(document, report.list());
+    if (parsed.complete && reader.all_read()) {
+        const size_t before = report.list().error_count();
+        check_links(document, report.list());
+        document.links_hold = report.list().error_count() == before;
+    }
     add_in_order(report.list(), diagnostics);
     return document;
 }

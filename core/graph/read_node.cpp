@@ -95,9 +95,9 @@ bool Report::expect_id(const Value& value, std::string_view what, std::string_vi
 
 Input read_input(std::string_view port, const Value& value, std::string_view node, Report& report) {
     Input input{std::string(port), Input::Kind::literal, {}, value};
-    if (!value.is(Kind::object) || !value.has("from")) return input;
-    input.kind = Input::Kind::broken;
     const Value from = value.find("from");
+    if (!from.tree()) return input;
+    input.kind = Input::Kind::broken;
     if (!report.expect(from, Kind::string, "\"from\"", node)) return input;
     if (parse_link(from.as_string(), input.link))
         input.kind = Input::Kind::link;

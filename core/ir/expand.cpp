@@ -1,5 +1,7 @@
 #include "ir/expand.h"
 
+#include <algorithm>
+
 #include "ir/gradient_sum.h"
 #include "ir/normal_variance.h"
 #include "ir/open_function.h"
@@ -217,7 +219,9 @@ Id Expander::opaque(const Module& source, Id id, std::span<const Id> mapped) {
             break;
         case Op::frame_: {
             const Id direction = mapped.size() > 1 ? mapped[1] : poison;
-            frames.set(id, make_frame(*target, *screen, mapped[0], direction, inst.extra));
+            const uint32_t uv = facts.dependencies(inst.arg[0]);
+            frames.set(id, make_frame(*target, *screen, mapped[0], direction,
+                                      settled_frame(*target, inst.extra, uv, options)));
             break;
         }
         case Op::derivative_:
@@ -307,6 +311,23 @@ struct Finisher {
     }
 };
 
+bool is_rewritten(const Module& m, Id id) {
+    const auto operands = m.operands(id);
+    return m[id].op == Op::with_covariance_ || inverse_length_of(m, id) != poison ||
+           std::any_of(operands.begin(), operands.end(),
+                       [&](Id operand) { return m[operand].op == Op::detach_; });
+}
+
+// Whether that leaves all as it is but outputs that are detached: then these are what is detached.
+bool take_outputs(Module& m) {
+    if (m.region_count() > 1) return false;
+    for (Id id = 1; id < m.size(); ++id)
+        if (is_rewritten(m, id)) return false;
+    for (ModuleOutput& output : m.outputs)
+        if (m[output.value].op == Op::detach_) output.value = m[output.value].arg[0];
+    return true;
+}
+
 Id finish(void* context, Module& target, const Module& source, Id id, std::span<const Id> mapped) {
     if (source[id].op == Op::detach_ || source[id].op == Op::with_covariance_) return mapped[0];
     const auto& finisher = *static_cast<const Finisher*>(context);
@@ -341,12 +362,6 @@ Id settle_one(void* context, Module& target, const Module& source, Id id,
                                     settler.options));
 }
 
-bool all_settled(const Module& module) {
-    for (Id id = 1; id < module.size(); ++id)
-        if (module[id].op == Op::frame_ && !is_settled(module[id].extra)) return false;
-    return true;
-}
-
 }  // namespace
 
 Module settle_frames(Module source, const ExpandOptions& options, Parameters parameters) {
@@ -355,10 +370,10 @@ Module settle_frames(Module source, const ExpandOptions& options, Parameters par
 }
 
 Module expand(Module source, const ExpandOptions& options) {
-    if (!all_settled(source)) source = settle_frames(std::move(source), options);
     Expander expander(options, source);
     Module expanded = rebuild(std::move(source), expand_one, &expander);
     if (expander.functions) expander.functions->finish(expanded);
+    if (take_outputs(expanded)) return expanded;
     Finisher finisher(expanded);
     return rebuild(std::move(expanded), finish, &finisher);
 }

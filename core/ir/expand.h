@@ -20,12 +20,13 @@ struct ExpandOptions {
 
 // Decides the method of every frame and the uv set it belongs to, and reports a method that does
 // not fit its scale. Parameters, but graph inputs, may be baked into literals in the same pass and
-// not before: frames and errors never depend on a value.
+// not before: frames and errors never depend on a value. (lower/material.h knows when literals from
+// the start are as good.)
 enum class Parameters : uint8_t { kept, baked };
 Module settle_frames(Module source, const ExpandOptions& options,
                      Parameters parameters = Parameters::kept);
 
-// A module without opaque ops, ddx and ddy; frames are settled first where they are not. A sample
+// A module without opaque ops, ddx and ddy; frames are settled where they are not. A sample
 // whose uv jumps between pixels (floor, select, an angle, a march, a read shift) becomes a
 // sample_grad with the uv's forward derivative, so that no seam of levels shows where it jumps.
 // What cannot be expanded (a bump inside a loop, say) is a problem in the result.

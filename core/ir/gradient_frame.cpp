@@ -1,6 +1,8 @@
 #include "ir/gradient_frame.h"
 
+#include <algorithm>
 #include <bit>
+#include <cmath>
 
 #include "ir/surface.h"
 
@@ -24,12 +26,27 @@ std::optional<SurfaceInput> single_uv_set(uint32_t dependencies) {
     return static_cast<SurfaceInput>(std::countr_zero(dependencies));
 }
 
+// The same for a tiling, in numbers: as instructions they would fold one by one.
+bool bring_constant_to_set(Module& target, Value u, Value v, Frame& frame) {
+    if (!target.is_constant(u.id) || !target.is_constant(v.id)) return false;
+    const auto a = target.lanes_of(u.id), b = target.lanes_of(v.id);
+    const double det = std::abs(a[0] * b[1] - a[1] * b[0]);
+    const double scale = det > 0 ? 1 / std::sqrt(std::max(det, tiny_square)) : 0;
+    const std::array<double, 4> rows{a[0] * scale, a[1] * scale, b[0] * scale, b[1] * scale};
+    if (!std::all_of(rows.begin(), rows.end(), [](double x) { return std::isfinite(x); }))
+        return false;
+    frame.row_u = {&target, target.constant(Type::vec2_, std::span(rows).first(2))};
+    frame.row_v = {&target, target.constant(Type::vec2_, std::span(rows).last(2))};
+    return true;
+}
+
 // The rows of J^T / sqrt|det J|, J = d(uv)/d(set); nothing is stored where J is the identity.
 void bring_to_set(Module& target, ScreenDerivatives& changes, Id uv, SurfaceInput set,
                   Frame& frame) {
     if (uv == target.input(set)) return;
     const Value u = changes.in_uv_set(set, 0, uv);
     const Value v = changes.in_uv_set(set, 1, uv);
+    if (bring_constant_to_set(target, u, v, frame)) return;
     const Value det = abs(u.x() * v.y() - u.y() * v.x());
     const Value scale = select(greater(det, 0), inversesqrt(max(det, tiny_square)), number(u, 0));
     frame.row_u = vec2(u.x() * scale, u.y() * scale);
@@ -60,21 +77,24 @@ std::optional<SurfaceInput> source_of(uint32_t method, uint32_t dependencies) {
     return {};
 }
 
-bool fits(Module& target, const Choice& choice, uint32_t dependencies) {
+enum class Fit : uint8_t { fits, wrong_scale, wrong_uv };
+Fit fit_of(const Choice& choice, uint32_t dependencies) {
     const bool exact = choice.method == WR_FRAME_exact || choice.method == WR_FRAME_pixel;
-    if (exact != (choice.scale == WR_SCALE_surface)) {
-        const char* name = choice.method == WR_FRAME_pixel ? "pixel" : "exact";
-        target.problem(exact ? "the frame '" + std::string(name) + "' goes with the scale 'surface'"
-                             : "the scale 'surface' goes with the frame 'exact'",
-                       "set the frame to 'auto', or change the scale");
-        return false;
-    }
-    if (choice.method == WR_FRAME_vertex && dependencies != bit(SurfaceInput::uv0_)) {
-        target.problem("the frame 'vertex' needs a uv that is made from uv0 alone",
-                       "vertex tangents belong to uv0; set the frame to 'derived' or 'auto'");
-        return false;
-    }
-    return true;
+    if (exact != (choice.scale == WR_SCALE_surface)) return Fit::wrong_scale;
+    const bool vertex = choice.method == WR_FRAME_vertex;
+    return vertex && dependencies != bit(SurfaceInput::uv0_) ? Fit::wrong_uv : Fit::fits;
+}
+
+void report(Module& target, const Choice& choice, Fit fit) {
+    if (fit == Fit::wrong_uv)
+        return target.problem(
+            "the frame 'vertex' needs a uv that is made from uv0 alone",
+            "vertex tangents belong to uv0; set the frame to 'derived' or 'auto'");
+    const char* expected = "set the frame to 'auto', or change the scale";
+    if (choice.scale == WR_SCALE_surface)
+        return target.problem("the scale 'surface' goes with the frame 'exact'", expected);
+    const std::string name = choice.method == WR_FRAME_pixel ? "pixel" : "exact";
+    target.problem("the frame '" + name + "' goes with the scale 'surface'", expected);
 }
 
 // Bits 16 on: 0 not settled, 1 no single source, else 2 + the surface input.
@@ -176,16 +196,19 @@ Id ScreenDerivatives::along(Change change, Id value) {
 
 uint32_t settled_frame(Module& target, uint32_t extra, uint32_t dependencies,
                        const ExpandOptions& options) {
+    if (extra >> set_shift != 0) return extra;
     Choice choice = chosen(extra, dependencies, options);
-    if (!fits(target, choice, dependencies))
+    if (const Fit fit = fit_of(choice, dependencies); fit != Fit::fits) {
+        report(target, choice, fit);
         choice.method = choice.scale == WR_SCALE_surface ? WR_FRAME_exact : WR_FRAME_derived;
+    }
     const auto set = source_of(choice.method, dependencies);
     return WR_FRAME(choice.method, choice.scale) | (set ? 2 + static_cast<uint32_t>(*set) : 1)
                                                        << set_shift;
 }
 
-bool is_settled(uint32_t extra) {
-    return extra >> set_shift != 0;
+bool fits_its_scale(uint32_t extra, uint32_t dependencies) {
+    return fit_of(chosen(extra, dependencies, {}), dependencies) == Fit::fits;
 }
 
 Frame make_frame(Module& target, ScreenDerivatives& screen, Id uv, Id direction, uint32_t settled) {
@@ -246,7 +269,13 @@ Value slope_in_basis(const Frame& frame, Value slope) {
     if (frame.key.basis == Basis::exact)
         return vec2(dot(slope, frame.row_u), dot(slope, frame.row_v));
     // By components, so that a diagonal J of literals folds away.
-    const auto along = [&](Value row) { return slope.x() * row.x() + slope.y() * row.y(); };
+    const Module& m = *slope.module;
+    const auto along = [&](Value row) {
+        const Value x = row.x(), y = row.y();
+        if (m.is_literal(y.id, 0)) return slope.x() * x;
+        if (m.is_literal(x.id, 0)) return slope.y() * y;
+        return slope.x() * x + slope.y() * y;
+    };
     if (frame.key.basis == Basis::space)
         return vec3(along(frame.row_u), along(frame.row_v), along(frame.row_z));
     return vec2(along(frame.row_u), along(frame.row_v));

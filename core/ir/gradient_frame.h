@@ -81,11 +81,12 @@ struct TangentBasis {
 };
 
 // `extra` of a frame op once settled: WR_FRAME with the method decided, and the uv set that its uv
-// is a function of. `dependencies` are those of the uv. Where method and scale do not fit, a
-// problem is recorded and one that fits is taken.
+// is a function of; one that is settled stays. `dependencies` are those of the uv. Where method and
+// scale do not fit, a problem is recorded and one that fits is taken.
 uint32_t settled_frame(Module& target, uint32_t extra, uint32_t dependencies,
                        const ExpandOptions& options);
-bool is_settled(uint32_t extra);
+// Whether method and scale fit, as `extra` of a frame op says them.
+bool fits_its_scale(uint32_t extra, uint32_t dependencies);
 
 Frame make_frame(Module& target, ScreenDerivatives& screen, Id uv, Id direction, uint32_t settled);
 

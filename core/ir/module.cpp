@@ -117,7 +117,12 @@ Id Module::add(Op op, std::span<const Id> args, uint32_t extra, Type type) {
     }
     const bool plain = alike && takes_alike(row) && is_float_type(types[0]) &&
                        args.size() == static_cast<size_t>(row.arity);
-    type = plain ? types[0] : typed(op, std::span(types.data(), args.size()), extra, type);
+    const Type swizzled =
+        op == Op::swizzle_ && args.size() == 1 ? swizzled_type(types[0], extra) : Type::poison_;
+    type = plain ? types[0]
+           : swizzled != Type::poison_
+               ? swizzled
+               : typed(op, std::span(types.data(), args.size()), extra, type);
     if (type == Type::poison_) return poison;
     if (constant && may_fold(op, type))
         if (const Id folded = folded_constant(op, args, extra, type)) return folded;

@@ -21,8 +21,9 @@
 // `loop` and `call` have type tuple; result(k) takes a member.
 //
 // Literals are scalars in double; a vector constant is a construct of literals. A node's
-// unconnected numbers enter as `parameter`s; settle_frames() (ir/expand.h) can turn them into
-// literals while it decides on frames, so that frames, bases and errors never depend on a value.
+// unconnected numbers enter as `parameter`s, so that frames, bases and errors never depend on a
+// value; settle_frames() (ir/expand.h) can turn them into literals while it decides on frames.
+// Where that decides the same they enter as literals (lower/dropped.h).
 //
 // A gradient-typed instruction holds its base in `extra` (the Id of a `base` instruction; 0 is the
 // surface or, of gradient_zero, any). Adding or mixing gradients of two bases is a problem, not a

@@ -49,7 +49,7 @@ private:
     std::vector<Id> sources_;  // each with_covariance, once
 };
 
-// Whether some instruction asks for it; else nothing above is needed.
+// Whether some output asks for it; else nothing above is needed.
 bool wants_normal_variance(const Module& source);
 
 }  // namespace wrinkle

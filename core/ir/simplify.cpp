@@ -51,6 +51,9 @@ Id simplify_sum(Module& m, Op op, Args a, Type type) {
     if (a[0] == a[1]) return m.zero(type);
     if (m.is_literal(a[0], 0) && m.type(a[1]) == type) return m.add(Op::neg_, {a[1]});
     if (m[a[1]].op == Op::neg_) return m.add(Op::add_, {a[0], m[a[1]].arg[0]});
+    const Inst& taken = m[a[1]];
+    if (taken.op == Op::literal_ && taken.type == Type::float_ && taken.value < 0)
+        return m.add(Op::add_, {a[0], m.number(-taken.value)});
     return poison;
 }
 

@@ -3,53 +3,49 @@
 #include "ir/derive.h"
 
 namespace wrinkle {
+namespace {
 
-void ValueFacts::update() {
-    facts_.reserve(module_->size());
-    while (facts_.size() < module_->size())
-        facts_.push_back(of(static_cast<Id>(facts_.size())));
+bool is_sample(Op op) {
+    return op == Op::sample_ || op == Op::sample_lod_ || op == Op::sample_grad_;
 }
+
+bool makes_jumps(Op op) {
+    return op == Op::floor_ || op == Op::ceil_ || op == Op::fract_ || op == Op::mod_ ||
+           op == Op::select_ || op == Op::atan2_ || op == Op::loop_;
+}
+
+}  // namespace
 
 ValueFacts::Facts ValueFacts::of(Id id) const {
     const Module& m = *module_;
     const Inst& inst = m[id];
-    Facts facts;
+    if (inst.op == Op::literal_ || inst.op == Op::resolve_) return 0;
+    if (inst.op == Op::input_) return 1U << static_cast<uint32_t>(input_of(inst.extra));
     if (m.is_open_input(id)) {
         const OpenInput& input = m.open_inputs[inst.extra];
-        return {input.dependencies, input.jumps, input.reads};
+        return input.dependencies | (input.jumps ? jumping : 0) | (input.reads ? reading : 0);
     }
-    if (const Id result = m.open_result(id)) return facts_[result];
-    add_jumps(id, facts);
-    add_dependencies(id, facts);
-    return facts;
-}
-
-void ValueFacts::add_jumps(Id id, Facts& facts) const {
-    const Op op = (*module_)[id].op;
-    if (op == Op::resolve_) return;
-    facts.reads = op == Op::sample_ || op == Op::sample_lod_ || op == Op::sample_grad_;
-    facts.jumps = op == Op::floor_ || op == Op::ceil_ || op == Op::fract_ || op == Op::mod_ ||
-                  op == Op::select_ || op == Op::atan2_ || op == Op::loop_;
-    for (const Id operand : module_->operands(id)) {
-        facts.reads = facts.reads || facts_[operand].reads;
-        facts.jumps =
-            facts.jumps || facts_[operand].jumps || (op == Op::detach_ && facts_[operand].reads);
-    }
-}
-
-void ValueFacts::add_dependencies(Id id, Facts& facts) const {
-    const Module& m = *module_;
-    const Inst& inst = m[id];
-    if (inst.op == Op::input_)
-        facts.dependencies = 1U << static_cast<uint32_t>(input_of(inst.extra));
-    if (inst.op == Op::resolve_ || never_changes(inst)) return;
+    if (inst.op == Op::result_)
+        if (const Id result = m.open_result(id)) return facts_[result];
+    Facts facts = 0;
     for (const Id operand : m.operands(id))
-        facts.dependencies |= facts_[operand].dependencies;
-    if (inst.op != Op::loop_ && inst.op != Op::call_) return;
-    const Region& region = m.region(inst.extra);
-    if (!region.is_open())
-        for (const Id result : region.results)
-            facts.dependencies |= facts_[result].dependencies;
+        facts |= facts_[operand];
+    if (inst.op == Op::detach_ && facts & reading) facts |= jumping;
+    if (is_sample(inst.op)) facts |= reading;
+    if (makes_jumps(inst.op)) facts |= jumping;
+    if (never_changes(inst)) return facts & ~all_inputs;
+    return facts | of_region(inst);
+}
+
+// The inputs that the body of what is run changes with; an open one's are known by result.
+ValueFacts::Facts ValueFacts::of_region(const Inst& inst) const {
+    if (inst.op != Op::loop_ && inst.op != Op::call_) return 0;
+    const Region& region = module_->region(inst.extra);
+    if (region.is_open()) return 0;
+    Facts facts = 0;
+    for (const Id result : region.results)
+        facts |= facts_[result];
+    return facts & all_inputs;
 }
 
 bool is_position_alone(uint32_t dependencies) {

@@ -10,29 +10,34 @@ namespace wrinkle {
 
 class ValueFacts {
 public:
-    explicit ValueFacts(const Module& module) : module_(&module) { update(); }
+    explicit ValueFacts(const Module& module) : module_(&module) {
+        facts_.reserve(module.size());
+        update();
+    }
 
     // Looks at what was added since. Linear in that.
-    void update();
+    void update() {
+        while (facts_.size() < module_->size())
+            facts_.push_back(of(static_cast<Id>(facts_.size())));
+    }
 
     // Which surface inputs it changes with, a bit per SurfaceInput; bits of region bodies count,
     // those of a detached value and of what goes in steps do not.
-    uint32_t dependencies(Id id) const { return facts_[id].dependencies; }
+    uint32_t dependencies(Id id) const { return facts_[id] & all_inputs; }
     // Whether it may jump from pixel to pixel where its forward derivative does not, so that
     // hardware differences of it are no footprint: what goes in steps, is chosen, goes once around,
     // is found by a loop, or is read from a texture and then detached.
-    bool jumps(Id id) const { return facts_[id].jumps; }
+    bool jumps(Id id) const { return facts_[id] & jumping; }
     // Whether it comes from a texture.
-    bool reads(Id id) const { return facts_[id].reads; }
+    bool reads(Id id) const { return facts_[id] & reading; }
 
 private:
-    struct Facts {
-        uint32_t dependencies = 0;
-        bool jumps = false, reads = false;
-    };
+    // One bit for each thing known, so that a value takes over what its operands have in one step.
+    using Facts = uint32_t;
+    static constexpr Facts jumping = 1U << 30, reading = 1U << 31, all_inputs = jumping - 1;
+
     Facts of(Id id) const;
-    void add_jumps(Id id, Facts& facts) const;
-    void add_dependencies(Id id, Facts& facts) const;
+    Facts of_region(const Inst& inst) const;
 
     const Module* module_;
     std::vector<Facts> facts_;  // by Id

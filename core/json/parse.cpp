@@ -1,42 +1,85 @@
 #include "json/parse.h"
 
+#include <algorithm>
+#include <array>
 #include <bit>
 #include <cassert>
 #include <cstring>
-#include <functional>
 #include <limits>
 #include <nlohmann/json.hpp>
 
 #include "base/text.h"
+#include "base/text_hash.h"
 #include "json/syntax_error.h"
 #include "json/tree.h"
 
 namespace wrinkle::json {
 namespace {
 
-// Tells how many bytes the library has taken.
-struct CountingIterator {
+bool is_plain(char c) {
+    static constexpr auto table = [] {
+        std::array<bool, 256> plain{};
+        for (unsigned char byte = 0x20; byte < 0x7F; ++byte)
+            plain[byte] = byte != '"' && byte != '\\';
+        return plain;
+    }();
+    return table[static_cast<unsigned char>(c)];
+}
+
+// What the library is given of the text. Of a string of plain characters it sees the quotes alone:
+// it has nothing to say about the rest, which is sliced from the source.
+struct Feed {
+    const char* at = nullptr;  // behind what was taken
+    const char* end = nullptr;
+    bool in_string = false;
+    bool escaped = false;
+    bool passed = false;  // of the latest string: between its quotes nothing was given
+
+    void take(char c) {
+        ++at;
+        if (in_string)
+            end_of_string(c);
+        else if (c == '"')
+            begin_string();
+    }
+
+private:
+    void begin_string() {
+        in_string = true;
+        const char* close = std::find_if_not(at, end, is_plain);
+        passed = close != end && *close == '"';
+        if (passed) at = close;
+    }
+    void end_of_string(char c) {
+        in_string = escaped || c != '"';
+        escaped = !escaped && c == '\\';
+    }
+};
+
+// All copies move with the feed.
+struct FeedIterator {
     using difference_type = std::ptrdiff_t;
     using value_type = char;
     using pointer = const char*;
     using reference = const char&;
     using iterator_category = std::input_iterator_tag;
 
-    const char* at;
-    const char** latest;
+    Feed* feed;  // of the end: null
 
-    const char& operator*() const { return *at; }
-    CountingIterator& operator++() {
-        *latest = ++at;
+    const char& operator*() const { return *feed->at; }
+    FeedIterator& operator++() {
+        feed->take(*feed->at);
         return *this;
     }
-    CountingIterator operator++(int) {
-        CountingIterator before = *this;
+    FeedIterator operator++(int) {
         ++*this;
-        return before;
+        return *this;
     }
-    bool operator==(const CountingIterator& other) const { return at == other.at; }
-    bool operator!=(const CountingIterator& other) const { return at != other.at; }
+    bool operator==(const FeedIterator& other) const { return at_end() == other.at_end(); }
+    bool operator!=(const FeedIterator& other) const { return at_end() != other.at_end(); }
+
+private:
+    bool at_end() const { return !feed || feed->at == feed->end; }
 };
 
 bool is_number_character(char c) {
@@ -49,7 +92,8 @@ public:
     Handler(const std::shared_ptr<Tree>& tree, Diagnostics& diagnostics, ParseLimits limits)
         : tree_(tree), diagnostics_(diagnostics), limits_(limits) {
         cursor_ = tree->lines[0];
-        latest_ = tree->source.data() + cursor_;
+        feed_.at = tree->source.data();
+        feed_.end = feed_.at + tree->source.size();
     }
 
     bool null() { return literal(Kind::null, 4, false); }
@@ -79,7 +123,7 @@ public:
         return false;
     }
 
-    const char** latest() { return &latest_; }
+    Feed& feed() { return feed_; }
     uint32_t cursor() const { return cursor_; }
 
     void report(uint32_t offset, std::string pointer, std::string message, std::string expected) {
@@ -106,7 +150,7 @@ public:
     }
 
 private:
-    uint32_t consumed() const { return static_cast<uint32_t>(latest_ - tree_->source.data()); }
+    uint32_t consumed() const { return static_cast<uint32_t>(feed_.at - tree_->source.data()); }
     uint32_t start() const { return token_start(tree_->source, cursor_, ~0u); }
 
     Entry& add(Kind kind, uint32_t offset) {
@@ -147,8 +191,9 @@ private:
         cursor_ = consumed();
         Entry& entry = add(Kind::string, offset);
         entry.text = offset + 1;
+        entry.length = cursor_ - offset - 2;
+        if (feed_.passed || entry.length == text.size()) return true;
         entry.length = static_cast<uint32_t>(text.size());
-        if (cursor_ - offset - 2 == text.size()) return true;
         entry.pooled = true;
         entry.text = static_cast<uint32_t>(tree_->pool.size());
         tree_->pool += text;
@@ -176,21 +221,34 @@ private:
         return true;
     }
 
-    // Marks each member whose key stood before; a small hash table of keys.
+    // Marks each member whose key stood before; of many keys with a hash table.
     void find_duplicates(uint32_t object) {
+        constexpr uint32_t few = 8;
         std::vector<Entry>& entries = tree_->entries;
         if (entries[object].length < 2) return;
+        if (entries[object].length <= few) return find_few_duplicates(object);
         slots_.assign(std::bit_ceil(size_t{entries[object].length} * 2), 0);
         const size_t mask = slots_.size() - 1;
         for (uint32_t k = object + 1; k < entries.size(); k = entries[k + 1].next) {
             const std::string_view key = tree_->text(entries[k]);
-            size_t slot = std::hash<std::string_view>{}(key)&mask;
+            size_t slot = text_hash(key) & mask;
             while (slots_[slot] != 0 && tree_->text(entries[slots_[slot]]) != key)
                 slot = (slot + 1) & mask;
             if (slots_[slot] == 0)
                 slots_[slot] = k;
             else
                 duplicate(object, slots_[slot], k);
+        }
+    }
+
+    void find_few_duplicates(uint32_t object) {
+        const std::vector<Entry>& entries = tree_->entries;
+        for (uint32_t k = object + 1; k < entries.size(); k = entries[k + 1].next) {
+            const std::string_view key = tree_->text(entries[k]);
+            uint32_t first = object + 1;
+            while (first < k && (entries[first].duplicate || tree_->text(entries[first]) != key))
+                first = entries[first + 1].next;
+            if (first < k) duplicate(object, first, k);
         }
     }
 
@@ -209,7 +267,7 @@ private:
     std::shared_ptr<Tree> tree_;
     Diagnostics& diagnostics_;
     ParseLimits limits_;
-    const char* latest_ = nullptr;
+    Feed feed_;
     uint32_t cursor_ = 0;         // end of the last token understood
     bool pending_key_ = false;    // a key was announced and its value is not there yet
     bool after_key_ = false;      // and the key's own entry is
@@ -227,11 +285,7 @@ bool too_large(const Tree& tree, Diagnostics& diagnostics) {
 }
 
 bool read_all(Tree& tree, Handler& handler) {
-    const char* begin = tree.source.data();
-    const char* end = begin + tree.source.size();
-    const char** latest = handler.latest();
-    if (!nlohmann::json::sax_parse(CountingIterator{begin, latest}, CountingIterator{end, latest},
-                                   &handler))
+    if (!nlohmann::json::sax_parse(FeedIterator{&handler.feed()}, FeedIterator{nullptr}, &handler))
         return false;
     const uint32_t rest = token_start(tree.source, handler.cursor(), 0);
     if (rest == tree.source.size()) return true;

@@ -82,6 +82,8 @@ public:
         for (uint32_t p = 0; p < type_.ports.size(); ++p)
             if (type_.ports[p].kind == Port::Kind::output && !given_[p])
                 refuse("gives no value to its output '" + type_.ports[p].name + "'");
+        // Of two outputs of one value the one that is read is the better name.
+        module_.named.insert(module_.named.end(), unread_.begin(), unread_.end());
         module_.current_node = 0;
     }
 
@@ -153,6 +155,7 @@ private:
         if (!p || !usable(std::array{at})) return poison;
         if (p->kind != Port::Kind::field)
             return refuse("reads port '" + p->name + "' as a field, which it is not");
+        if (Dropped* dropped = lowering_.dropped()) dropped->give_up();  // frames in it move
         const auto domain = static_cast<SurfaceInput>(p->default_surface);
         if (module_.type(at) != info(domain).type)
             return refuse("reads the field '" + p->name + "' at a " +
@@ -203,22 +206,24 @@ private:
         if (number > 0xFFFF || info(o).name.empty())
             return refuse("uses op " + std::to_string(number) + ", which does not exist",
                           "a newer program may be needed");
-        const std::string name(info(o).name);
-        if (host_only(o)) return refuse("emits the op '" + name + "', which only the host makes");
+        const auto name = [&] { return std::string(info(o).name); };
+        if (host_only(o)) return refuse("emits the op '" + name() + "', which only the host makes");
         const int arity = info(o).arity;
         const bool fits = arity < 0 ? count >= 1 && count <= most_arguments
                                     : count == static_cast<uint32_t>(arity);
         if (!fits || (count > 0 && !args))
-            return refuse("gives the op '" + name + "' " + std::to_string(count) + " operands");
+            return refuse("gives the op '" + name() + "' " + std::to_string(count) + " operands");
         const std::span<const wr_value> operands(args, count);
         if (!usable(operands)) return poison;
         if (info(o).flags & WR_FLAG_IMPLICIT && module_[operands[0]].level > 0)
-            return refuse("takes the derivative '" + name + "' inside a loop or a function");
+            return refuse("takes the derivative '" + name() + "' inside a loop or a function");
         const std::optional<uint32_t> checked = checked_extra(o, extra);
         if (o == Op::frame_ && ((extra & 0xFF) == WR_FRAME_guess) != (count == 2))
             return refuse("gives a frame a direction where there is none, or none to 'guess'");
-        if (!checked) return refuse("gives the op '" + name + "' an impossible detail");
-        return module_.add(o, operands, *checked, static_cast<Type>(type));
+        if (!checked) return refuse("gives the op '" + name() + "' an impossible detail");
+        const Id made = module_.add(o, operands, *checked, static_cast<Type>(type));
+        if (Dropped* dropped = lowering_.dropped()) dropped->written(o, operands, made);
+        return made;
     }
 
     // What `extra` becomes in the module.
@@ -253,6 +258,7 @@ private:
         if (o == Op::image_size_) return module_.add(o, {}, resource);
         const Encoding encoding = *used->literal.encoding;
         const bool inside = o == Op::sample_ && module_[operands[0]].level > 0;
+        if (Dropped* dropped = lowering_.dropped(); dropped && inside) dropped->give_up();
         const Id texel = inside ? sample_inside(module_, resource, operands[0])
                                 : module_.add(o, operands, resource);
         return decode(module_, encoding, texel);
@@ -326,7 +332,12 @@ private:
         }
         if (given_[index]) refuse("gives its output '" + p->name + "' twice");
         given_[index] = true;
-        lowering_.set_output(node_, index, checked_output(*p, value));
+        const Id checked = checked_output(*p, value);
+        lowering_.set_output(node_, index, checked);
+        if (checked == poison || p->type == PortType::image_) return;
+        const FlatGraph& graph = lowering_.graph();
+        const bool read = graph.read[graph.nodes[node_].first_wire + index];
+        (read ? module_.named : unread_).push_back({checked, module_.current_node, p->name, true});
     }
 
     Id checked_output(const Port& p, wr_value value) {
@@ -342,7 +353,6 @@ private:
                           std::string(info(wanted).name));
         if (module_[value].level > 0)
             return refuse("uses a value of a loop or a function outside of it");
-        module_.named.push_back({value, module_.current_node, p.name, true});
         return value;
     }
 
@@ -361,7 +371,8 @@ private:
     const uint32_t node_;
     const NodeType& type_;
     wr_builder face_{};
-    std::vector<bool> given_;  // by port
+    std::vector<bool> given_;    // by port
+    std::vector<Named> unread_;  // outputs that no wire leads from
     std::vector<RegionUse> regions_;
     int skipped_ = 0;  // regions that were nested too deep
 };

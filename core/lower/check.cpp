@@ -34,16 +34,14 @@ std::vector<std::string> port_names(const NodeType& type, bool outputs) {
 class Checker {
 public:
     Checker(const Project& project, const Registry& registry, const Types& types, size_t file,
-            Diagnostics& diagnostics)
+            NamedFiles& files, Diagnostics& diagnostics)
         : project_(project),
           registry_(registry),
           types_(types),
           file_(file),
           document_(project.files[file].document),
           diagnostics_(diagnostics),
-          ids_(registry.ids()) {
-        ids_.emplace_back(reroute_type);
-    }
+          files_(files) {}
 
     void node(size_t index) {
         const Node& node = *document_.nodes[index];
@@ -109,6 +107,10 @@ private:
         const bool reported_elsewhere =
             node.type.empty() || node.subgraph() || node.type == reroute_type;
         if (reported_elsewhere || only_count()) return;
+        if (ids_.empty()) {
+            ids_ = registry_.ids();
+            ids_.emplace_back(reroute_type);
+        }
         const std::string near = nearest(node.type, ids_);
         report(diagnose(document_, node, "unknown node type " + in_quotes(node.type),
                         near.empty()
@@ -259,8 +261,8 @@ private:
     const size_t file_;
     const Document& document_;
     Diagnostics& diagnostics_;
-    std::vector<std::string> ids_;
-    NamedFiles files_{project_};
+    NamedFiles& files_;
+    std::vector<std::string> ids_;  // of all types, once they are asked for
 };
 
 }  // namespace
@@ -269,11 +271,13 @@ void check(const Project& project, const Registry& registry, const Types& types,
            Diagnostics& diagnostics, const CheckOptions& options) {
     const std::vector<std::vector<bool>> reached =
         options.reached_only ? reached_nodes(project) : std::vector<std::vector<bool>>{};
+    NamedFiles own(project);
+    NamedFiles& files = options.files ? *options.files : own;
     for (size_t f = 0; f < project.files.size(); ++f) {
         const Document& document = project.files[f].document;
         if (document.edited) check_links(document, diagnostics);
         report_unknown(document, diagnostics);
-        Checker checker(project, registry, types, f, diagnostics);
+        Checker checker(project, registry, types, f, files, diagnostics);
         for (size_t i = 0; i < document.nodes.size(); ++i)
             if (!options.reached_only || reached[f][i]) checker.node(i);
         for (const GraphInput& input : document.inputs)

@@ -8,13 +8,14 @@
 // No pixel is read.
 #pragma once
 
-#include "graph/subgraph.h"
+#include "graph/named_files.h"
 #include "lower/types.h"
 
 namespace wrinkle {
 
 struct CheckOptions {
-    bool reached_only = false;  // only what the top graph's outputs need, for a live preview
+    bool reached_only = false;    // only what the top graph's outputs need, for a live preview
+    NamedFiles* files = nullptr;  // what is known of the project's; null: nothing yet
 };
 
 void check(const Project& project, const Registry& registry, Diagnostics& diagnostics,

@@ -86,6 +86,7 @@ private:
         node.first_wire = static_cast<uint32_t>(graph_.wires.size());
         node.file = uses_[use].file;
         graph_.wires.resize(graph_.wires.size() + wires);
+        graph_.read.resize(graph_.wires.size());
         graph_.nodes.push_back(std::move(node));
         use_of_.push_back(use);
         return static_cast<uint32_t>(graph_.nodes.size() - 1);
@@ -131,6 +132,8 @@ private:
         wire.type = type;
         wire.from = flat;
         wire.output = output;
+        if (!graph_.nodes[flat].is_pass())
+            graph_.read[graph_.nodes[flat].first_wire + output] = true;
         return wire;
     }
 

@@ -50,6 +50,7 @@ struct FlatNode {
 struct FlatGraph {
     std::vector<FlatNode> nodes;
     std::vector<Wire> wires;
+    std::vector<bool> read;  // by wire, which of an output is none: whether one leads from it
     std::vector<uint32_t> outputs;  // the pass of each output of the top graph that is asked for
     std::vector<uint32_t> output_index;  // in the top document's outputs
     std::vector<uint32_t> order;         // every node after what it reads

@@ -16,6 +16,7 @@
 // (ir/normal_variance.h).
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 #include "lower/lower.h"
@@ -29,6 +30,10 @@ struct FunctionPlan {
         std::vector<bool> outputs, inputs;  // that some use needs, in the document's order
     };
     std::vector<File> files;  // by file of the project
+
+    bool any() const {
+        return std::any_of(files.begin(), files.end(), [](const File& f) { return f.function; });
+    }
 };
 
 // `outputs`: of the top graph, those that are asked for. Linear in the files.

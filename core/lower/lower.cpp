@@ -50,6 +50,8 @@ public:
           types_(types),
           options_(options),
           diagnostics_(diagnostics),
+          own_files_(project),
+          files_(options.files ? *options.files : own_files_),
           nodes_left_(options.max_nodes),
           facts_(result_.module) {}
 
@@ -57,10 +59,13 @@ public:
         FlatRoot top;
         top.outputs = chosen_outputs(project_.top(), options_, diagnostics_);
         functions_ = plan_functions(project_, types_, options_, top.outputs);
+        // A function's kind depends on its arguments, so on their values.
+        if (options_.literals && functions_.any()) return given_up();
         if (diagnostics_.has_errors() || !open(top, nullptr)) return std::move(result_);
         while (!frames_.empty())
             step();
         if (may_miss_variance()) return with_all_written_out();
+        if (dropped_ && !dropped_->decides_alike()) return given_up();
         report_problems(result_.module, project_, result_.places, diagnostics_);
         return std::move(result_);
     }
@@ -94,9 +99,11 @@ private:
         if (inputs) {
             frame->first_input = add_leaves(m, *inputs);
             frame->leaves = inputs->leaves;
-            frame->lowering.emplace(m, frame->graph, project_, inputs->bound);
+            frame->lowering.emplace(m, frame->graph, project_, files_, inputs->bound);
         } else {
-            frame->lowering.emplace(m, frame->graph, project_);
+            if (options_.literals) dropped_.emplace(m, facts_, frame->graph);
+            frame->lowering.emplace(m, frame->graph, project_, files_,
+                                    dropped_ ? &*dropped_ : nullptr);
         }
         frames_.push_back(std::move(frame));
         return true;
@@ -104,15 +111,19 @@ private:
 
     // What varies inside a function is not known outside of it.
     bool may_miss_variance() const {
-        const auto is_function = [](const FunctionPlan::File& file) { return file.function; };
-        return std::any_of(functions_.files.begin(), functions_.files.end(), is_function) &&
-               wants_normal_variance(result_.module) && !diagnostics_.has_errors();
+        return functions_.any() && wants_normal_variance(result_.module) &&
+               !diagnostics_.has_errors();
     }
 
     Lowered with_all_written_out() const {
         LowerOptions options = options_;
         options.inline_up_to = std::numeric_limits<uint64_t>::max();
         return Lowerer(project_, types_, options, diagnostics_).run();
+    }
+
+    Lowered given_up() {
+        result_.decides_alike = false;
+        return std::move(result_);
     }
 
     bool refuse_size() {
@@ -128,6 +139,7 @@ private:
         Frame& frame = *frames_.back();
         if (frame.next == frame.graph.order.size()) return close();
         const uint32_t node = frame.graph.order[frame.next];
+        if (dropped_) dropped_->begin(node);
         const FlatNode& flat = frame.graph.nodes[node];
         if (flat.function != FlatNode::none) {
             if (!call(frame, node)) return;
@@ -138,6 +150,7 @@ private:
         } else {
             build_node(*frame.lowering, node);
         }
+        if (dropped_ && !dropped_->decides_alike()) return frames_.clear();
         ++frame.next;
     }
 
@@ -216,9 +229,12 @@ private:
     const Types& types_;
     const LowerOptions& options_;
     Diagnostics& diagnostics_;
+    NamedFiles own_files_;
+    NamedFiles& files_;
     size_t nodes_left_;
     Lowered result_;
     ValueFacts facts_;
+    std::optional<Dropped> dropped_;  // where numbers are literals
     FunctionPlan functions_;
     std::map<Variant, uint32_t> variants_;  // the open function of each
     std::vector<std::unique_ptr<Frame>> frames_;

@@ -17,6 +17,9 @@
 // * Outputs of standard names are converted to their type. A gradient as output is its vector in
 //   object space, a derivative its slope.
 //
+// With `literals` numbers fold while they are written, which saves a pass. What a value must not
+// decide may be lost so; where it may be, lowering ends and says it (lower/dropped.h).
+//
 // Precondition: check() found no error. Constant stack; linear in the nodes that are built, however
 // often functions are called.
 #pragma once
@@ -24,7 +27,7 @@
 #include <string>
 #include <vector>
 
-#include "graph/subgraph.h"
+#include "graph/named_files.h"
 #include "ir/module.h"
 #include "lower/types.h"
 
@@ -35,6 +38,9 @@ struct LowerOptions {
     // A graph of so many nodes, every use counted, has no functions.
     uint64_t inline_up_to = 256;
     std::vector<std::string> outputs;  // only these; empty: all
+    // Numbers that are no graph inputs are literals, not parameters.
+    bool literals = false;
+    NamedFiles* files = nullptr;  // what is known of the project's; null: nothing yet
 };
 
 // Where an entry of Module::nodes stands.
@@ -47,6 +53,9 @@ struct NodePlace {
 struct Lowered {
     Module module;
     std::vector<NodePlace> places;  // as long as module.nodes
+    // With literals: whether frames and bases are those that parameters would have. False: the
+    // module is not complete and not to be used.
+    bool decides_alike = true;
 };
 
 Lowered lower(const Project& project, const Registry& registry, const LowerOptions& options,

@@ -14,17 +14,20 @@ Type value_type(PortType type) {
     return types[static_cast<size_t>(type) - 1];
 }
 
-Lowering::Lowering(Module& module, const FlatGraph& graph, const Project& project)
+Lowering::Lowering(Module& module, const FlatGraph& graph, const Project& project,
+                   NamedFiles& files, Dropped* dropped)
     : module_(module),
       graph_(graph),
       project_(project),
       back_faces_(project.top().back_faces),
+      files_(files),
+      dropped_(dropped),
       slots_(graph.wires.size(), unset),
       graph_inputs_(project.top().inputs.size(), unset) {}
 
 Lowering::Lowering(Module& module, const FlatGraph& graph, const Project& project,
-                   std::span<const BoundInput> inputs)
-    : Lowering(module, graph, project) {
+                   NamedFiles& files, std::span<const BoundInput> inputs)
+    : Lowering(module, graph, project, files) {
     graph_inputs_.clear();
     for (const BoundInput& input : inputs)
         graph_inputs_.push_back(input.image ? add_image(input.image->literal, input.image->file)
@@ -88,6 +91,7 @@ Id Lowering::number(uint32_t node, const Port& port, std::array<double, 4> value
     if (port.has_hard_range())
         for (size_t i = 0; i < lanes; ++i)
             value[i] = std::clamp(value[i], port.hard_min, port.hard_max);
+    if (dropped_) return module_.constant(value_type(port.type), std::span(value.data(), lanes));
     Parameter parameter;
     parameter.node = graph_.nodes[node].instance;
     parameter.port = port.name;
@@ -129,7 +133,10 @@ Id Lowering::clamped(Id value, const Port& port) {
 }
 
 Id Lowering::surface(uint32_t property) {
-    if (property == WR_SURFACE_normal) return surface_normal(module_, back_faces_);
+    if (property == WR_SURFACE_normal) {
+        if (surface_normal_ == poison) surface_normal_ = surface_normal(module_, back_faces_);
+        return surface_normal_;
+    }
     return module_.input(static_cast<SurfaceInput>(property));
 }
 
@@ -160,6 +167,7 @@ Id Lowering::base_of(uint32_t node) {
 Id Lowering::own_base(uint32_t node) {
     const FlatNode& flat = graph_.nodes[node];
     if (!says_base(graph_, flat)) return poison;
+    if (dropped_) dropped_->give_up();  // whether it is the surface's
     const Id normal = input(node, flat.type->find_input("base"));
     if (normal == surface(WR_SURFACE_normal)) return poison;
     return module_.add(Op::base_, {normal});

@@ -9,6 +9,7 @@
 #include "base/back_faces.h"
 #include "graph/named_files.h"
 #include "lower/conversion.h"
+#include "lower/dropped.h"
 #include "lower/flat.h"
 #include "lower/literal.h"
 
@@ -30,9 +31,11 @@ struct BoundInput {
 
 class Lowering {
 public:
-    Lowering(Module& module, const FlatGraph& graph, const Project& project);
+    // `dropped`: numbers are literals, and this looks on; null: they are parameters.
+    Lowering(Module& module, const FlatGraph& graph, const Project& project, NamedFiles& files,
+             Dropped* dropped = nullptr);
     // Of a function's body: its inputs are these, in the order of the file's.
-    Lowering(Module& module, const FlatGraph& graph, const Project& project,
+    Lowering(Module& module, const FlatGraph& graph, const Project& project, NamedFiles& files,
              std::span<const BoundInput> inputs);
 
     Module& module() { return module_; }
@@ -65,6 +68,8 @@ public:
     const Image* ready_image(Id handle) const;
     std::optional<BoundImage> bound_image(Id handle) const;
 
+    Dropped* dropped() { return dropped_; }
+
 private:
     static constexpr Id unset = ~0u;
     Id& slot(uint32_t node, uint32_t port) { return slots_[graph_.nodes[node].first_wire + port]; }
@@ -81,10 +86,12 @@ private:
     const FlatGraph& graph_;
     const Project& project_;
     const BackFaces back_faces_;
+    NamedFiles& files_;
+    Dropped* dropped_ = nullptr;
+    Id surface_normal_ = poison;
     std::vector<Id> slots_;         // by wire: an input's or an output's value
     std::vector<Id> graph_inputs_;  // of the graph
     std::vector<Image> images_;     // handle - 1
-    NamedFiles files_{project_};
 };
 
 // Runs the node's build() and takes its outputs; what it did wrong is a problem of the module.

@@ -29,9 +29,25 @@ bool is_connected(const Project::File& file) {
     }
     for (const Output& output : document.outputs)
         if (is_broken(output.from)) return false;
+    if (document.links_hold && !document.edited) return true;
     Diagnostics problems;
     check_links(document, problems);
     return !problems.has_errors();
+}
+
+// Numbers are literals from the start where that decides frames, bases and errors as parameters do.
+// Where it may not, or something is wrong, they are parameters until that is decided.
+Lowered lower_baked(const Project& project, const Types& types, LowerOptions options,
+                    const ExpandOptions& frames, Diagnostics& diagnostics) {
+    Diagnostics wrong;
+    options.literals = true;
+    Lowered lowered = lower(project, types, options, wrong);
+    if (lowered.decides_alike && wrong.list().empty()) return lowered;
+    options.literals = false;
+    lowered = lower(project, types, options, diagnostics);
+    if (!diagnostics.has_errors())
+        lowered.module = settle_frames(std::move(lowered.module), frames, Parameters::baked);
+    return lowered;
 }
 
 }  // namespace
@@ -43,18 +59,20 @@ Compiled compile_material(const Project& project, const Registry& registry,
     for (const Project::File& file : project.files)
         if (!is_connected(file)) return compiled;
     const Types types(project, registry);
-    check(project, registry, types, diagnostics, {options.reached_only});
+    NamedFiles files(project);
+    check(project, registry, types, diagnostics, {options.reached_only, &files});
     if (diagnostics.has_errors()) return compiled;
     if (!options.runs_calls.empty() && !may_expand(project, options.runs_calls, diagnostics))
         return compiled;
-    Lowered lowered = lower(project, types, options.lower, diagnostics);
+    const ExpandOptions frames{options.vertex_tangents, project.top().back_faces};
+    LowerOptions lowering = options.lower;
+    lowering.files = &files;
+    Lowered lowered = options.uniform_parameters
+                          ? lower(project, types, lowering, diagnostics)
+                          : lower_baked(project, types, lowering, frames, diagnostics);
     if (diagnostics.has_errors()) return compiled;
     assert(verify(lowered.module).empty());
-    const ExpandOptions frames{options.vertex_tangents, project.top().back_faces};
-    Module module =
-        settle_frames(std::move(lowered.module), frames,
-                      options.uniform_parameters ? Parameters::kept : Parameters::baked);
-    module = expand(std::move(module), frames);
+    Module module = expand(std::move(lowered.module), frames);
     report_problems(module, project, lowered.places, diagnostics);
     if (diagnostics.has_errors()) return compiled;
     if (options.given_differentials) module = explicit_lod(std::move(module));

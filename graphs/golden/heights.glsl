@@ -240,7 +240,7 @@ vec3 wrinkle_heights_normal(WrinkleSurface_heights s) {
     float carved_height = cut_height - low_height;  // carved: Subtract heights
     float carved_sum = cut_negated_3 + sand_sum_9 / 1.875 * 0.02;
     float carved_sum_2 = cut_negated_5 + sand_sum_12 / 1.875 * 0.02;
-    float fitted_quotient = (carved_height - -0.02) / 0.1;  // fitted: Remap height
+    float fitted_quotient = (carved_height + 0.02) / 0.1;  // fitted: Remap height
     bool fitted_test = 1.0 < max(fitted_quotient, 0.0);
     bool fitted_test_2 = fitted_quotient < 0.0;
     float fitted_choice = fitted_test ? 0.0 : fitted_test_2 ? 0.0 : carved_sum / 0.1;
@@ -296,5 +296,5 @@ float wrinkle_heights_height(WrinkleSurface_heights s) {
     float sand_height = sand_value * 0.02;
     float low_height = 0.01 - sand_height;  // low: Invert height
     float carved_height = cut_height - low_height;  // carved: Subtract heights
-    return mix(0.0, 0.06, clamp((carved_height - -0.02) / 0.1, 0.0, 1.0));  // fitted: Remap height
+    return mix(0.0, 0.06, clamp((carved_height + 0.02) / 0.1, 0.0, 1.0));  // fitted: Remap height
 }

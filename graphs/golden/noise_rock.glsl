@@ -287,5 +287,5 @@ float wrinkle_noise_rock_roughness(WrinkleSurface_noise_rock s) {
             lumps_product_12 * 2.0) * 0.03125;
     float lumps_value = (lumps_sum_4 + lumps_product_13 + lumps_product_14) / 1.96875;
     float lumps_height = lumps_value * 0.06;
-    return mix(0.25, 0.6, (lumps_height - -0.06) / 0.12);  // shade: Remap
+    return mix(0.25, 0.6, (lumps_height + 0.06) / 0.12);  // shade: Remap
 }

@@ -211,9 +211,9 @@ vec3 wrinkle_parallax_detail_normal(WrinkleSurface_parallax_detail s) {
     float march_choice = march_difference_6 != 0.0 ? march_state_6 / march_difference_6 : 0.0;
     float march_sum_6 = march_state_5 + (march_state_7 - march_state_5) * march_choice;
     vec2 march_product_6 = march_product_4 * (march_state_8 < 0.0 ? march_state_7 : march_sum_6);
-    vec2 march_uv = s.uv0 + march_product_6;
+    vec2 march_detail_uv = s.uv0 + march_product_6;
     // dunes: Gradient noise (continued)
-    vec3 dunes_product_14 = vec3(march_uv.x, march_uv.y, 0.37) * 7.0;
+    vec3 dunes_product_14 = vec3(march_detail_uv.x, march_detail_uv.y, 0.37) * 7.0;
     vec3 dunes_noise_octave_slope = wrinkle_parallax_detail_noise_octave_slope(dunes_product_14,
             dunes_greatest);
     float dunes_product_15 = dunes_noise_octave_slope.x * dunes_product_2;
@@ -238,7 +238,7 @@ vec3 wrinkle_parallax_detail_normal(WrinkleSurface_parallax_detail s) {
     float march_logarithm = log2(max(march_quotient_2, 9.536743e-07));
     float march_lod = 0.5 * march_logarithm;
     float march_exponential = exp2(march_lod);
-    vec2 tile_uv = march_uv * 4.0;  // tile: UV transform
+    vec2 tile_uv = march_detail_uv * 4.0;  // tile: UV transform
     vec2 tile_product = duv0_dx * march_exponential * 4.0;
     vec2 tile_product_2 = duv0_dy * march_exponential * 4.0;
     float tile_product_3 = march_exponential * 4.0;
@@ -344,9 +344,9 @@ float wrinkle_parallax_detail_height(WrinkleSurface_parallax_detail s) {
     float march_choice = march_difference_6 != 0.0 ? march_state_6 / march_difference_6 : 0.0;
     float march_sum_6 = march_state_5 + (march_state_7 - march_state_5) * march_choice;
     vec2 march_product_5 = march_product_4 * (march_state_8 < 0.0 ? march_state_7 : march_sum_6);
-    vec2 march_uv = s.uv0 + march_product_5;
+    vec2 march_detail_uv = s.uv0 + march_product_5;
     // dunes: Gradient noise (continued)
-    vec3 dunes_product_10 = vec3(march_uv.x, march_uv.y, 0.37) * 7.0;
+    vec3 dunes_product_10 = vec3(march_detail_uv.x, march_detail_uv.y, 0.37) * 7.0;
     float dunes_noise_octave_4 = wrinkle_parallax_detail_noise_octave(dunes_product_10,
             dunes_greatest);
     vec3 dunes_sum_4 = dunes_product_10 * 2.0 + vec3(19.19, 7.43, 31.71);

@@ -6,7 +6,7 @@ struct WrinkleSurface_scratches {
     float facing;            // +1 on front faces, -1 on back faces
 };
 
-float wrinkle_scratches_scratch(vec2 a, vec2 b, int c, float d, float e) {
+float wrinkle_scratches_scratch(vec2 a, vec2 b, int c) {
     uint sum = uint(c) * 747796405u + 2891336453u;
     uint product = (sum >> (sum >> 28u) + 4u ^ sum) * 277803737u;
     uint sum_2 = (uint(int(a.y)) + (product >> 22u ^ product)) * 747796405u + 2891336453u;
@@ -28,16 +28,16 @@ float wrinkle_scratches_scratch(vec2 a, vec2 b, int c, float d, float e) {
     uint sum_7 = bits_3 * 747796405u + 2891336453u;
     uint product_8 = (sum_7 >> (sum_7 >> 28u) + 4u ^ sum_7) * 277803737u;
     float difference_2 = float((product_8 >> 22u ^ product_8) >> 8u) * 5.9604645e-08 - 0.5;
-    float sum_8 = d + difference_2 * e;
-    vec2 vector = vec2(cos(sum_8), sin(sum_8));
-    float product_9 = 1.4 * (0.25 + 0.25 * (float(bits_2 >> 8u) * 5.9604645e-08));
-    float clamped = clamp(dot(difference, vector), -product_9, product_9);
+    float product_9 = difference_2 * 6.2831855;
+    vec2 vector = vec2(cos(product_9), sin(product_9));
+    float product_10 = 1.4 * (0.25 + 0.25 * (float(bits_2 >> 8u) * 5.9604645e-08));
+    float clamped = clamp(dot(difference, vector), -product_10, product_10);
     float clamped_2 = clamp(1.0 - length(difference - vector * clamped) / 0.04, 0.0, 1.0);
-    float choice = product_9 != 0.0 ? clamped / product_9 : 0.0;
+    float choice = product_10 != 0.0 ? clamped / product_10 : 0.0;
     return test ? clamped_2 * clamped_2 * (3.0 - 2.0 * clamped_2) * (1.0 - choice * choice) : 0.0;
 }
 
-vec2 wrinkle_scratches_deepest_scratch(vec2 a, vec2 b, int c, float d, float e) {
+vec2 wrinkle_scratches_deepest_scratch(vec2 a, vec2 b, int c) {
     float relief_state = 0.0;
     float relief_state_2 = 0.0;
     vec2 state = vec2(0.0);
@@ -48,7 +48,7 @@ vec2 wrinkle_scratches_deepest_scratch(vec2 a, vec2 b, int c, float d, float e) 
         float floored_2 = floor(sum * 0.33333334);
         vec2 vector = vec2(difference, floored_2 - 3.0 * floor((floored_2 + 0.5) * 0.33333334) -
                 1.0);
-        float scratch = wrinkle_scratches_scratch(a + vector, b - vector, c, d, e);
+        float scratch = wrinkle_scratches_scratch(a + vector, b - vector, c);
         vec2 state_next = relief_state_2 < scratch ? vector : state;
         relief_state = relief_state + 1.0;
         relief_state_2 = max(relief_state_2, scratch);
@@ -57,7 +57,7 @@ vec2 wrinkle_scratches_deepest_scratch(vec2 a, vec2 b, int c, float d, float e) 
     return state;
 }
 
-float wrinkle_scratches_scratch_change(vec2 a, vec2 b, int c, float d, float e, vec2 f) {
+float wrinkle_scratches_scratch_change(vec2 a, vec2 b, int c, vec2 d) {
     uint sum = uint(c) * 747796405u + 2891336453u;
     uint product = (sum >> (sum >> 28u) + 4u ^ sum) * 277803737u;
     uint sum_2 = (uint(int(a.y)) + (product >> 22u ^ product)) * 747796405u + 2891336453u;
@@ -79,31 +79,31 @@ float wrinkle_scratches_scratch_change(vec2 a, vec2 b, int c, float d, float e, 
     uint sum_7 = bits_3 * 747796405u + 2891336453u;
     uint product_8 = (sum_7 >> (sum_7 >> 28u) + 4u ^ sum_7) * 277803737u;
     float difference_2 = float((product_8 >> 22u ^ product_8) >> 8u) * 5.9604645e-08 - 0.5;
-    float sum_8 = d + difference_2 * e;
-    vec2 vector = vec2(cos(sum_8), sin(sum_8));
+    float product_9 = difference_2 * 6.2831855;
+    vec2 vector = vec2(cos(product_9), sin(product_9));
     float dot_product = dot(difference, vector);
-    float product_9 = 1.4 * (0.25 + 0.25 * (float(bits_2 >> 8u) * 5.9604645e-08));
-    float negated = -product_9;
-    float clamped = clamp(dot_product, negated, product_9);
+    float product_10 = 1.4 * (0.25 + 0.25 * (float(bits_2 >> 8u) * 5.9604645e-08));
+    float negated = -product_10;
+    float clamped = clamp(dot_product, negated, product_10);
     vec2 difference_3 = difference - vector * clamped;
     float extent = length(difference_3);
     float difference_4 = 1.0 - extent / 0.04;
-    float choice = dot_product < negated ? 0.0 : dot(f, vector);
-    float choice_2 = product_9 < max(dot_product, negated) ? 0.0 : choice;
-    float choice_3 = extent > 0.0 ? dot(difference_3, f - choice_2 * vector) / extent : 0.0;
+    float choice = dot_product < negated ? 0.0 : dot(d, vector);
+    float choice_2 = product_10 < max(dot_product, negated) ? 0.0 : choice;
+    float choice_3 = extent > 0.0 ? dot(difference_3, d - choice_2 * vector) / extent : 0.0;
     float quotient = choice_3 / 0.04;
     float choice_4 = 1.0 < max(difference_4, 0.0) ? 0.0 : difference_4 < 0.0 ? 0.0 : -quotient;
     float clamped_2 = clamp(difference_4, 0.0, 1.0);
-    float product_10 = choice_4 * clamped_2;
+    float product_11 = choice_4 * clamped_2;
     float difference_5 = 3.0 - 2.0 * clamped_2;
-    float product_11 = clamped_2 * clamped_2;
-    float sum_9 = (product_10 + product_10) * difference_5 + -(choice_4 * 2.0) * product_11;
-    bool test_2 = product_9 != 0.0;
-    float choice_5 = test_2 ? clamped / product_9 : 0.0;
-    float product_12 = (test_2 ? choice_2 / product_9 : 0.0) * choice_5;
-    float product_13 = -(product_12 + product_12) * (product_11 * difference_5);
-    float sum_10 = sum_9 * (1.0 - choice_5 * choice_5) + product_13;
-    return test ? sum_10 : 0.0;
+    float product_12 = clamped_2 * clamped_2;
+    float sum_8 = (product_11 + product_11) * difference_5 + -(choice_4 * 2.0) * product_12;
+    bool test_2 = product_10 != 0.0;
+    float choice_5 = test_2 ? clamped / product_10 : 0.0;
+    float product_13 = (test_2 ? choice_2 / product_10 : 0.0) * choice_5;
+    float product_14 = -(product_13 + product_13) * (product_12 * difference_5);
+    float sum_9 = sum_8 * (1.0 - choice_5 * choice_5) + product_14;
+    return test ? sum_9 : 0.0;
 }
 
 vec3 wrinkle_scratches_normal(WrinkleSurface_scratches s) {
@@ -115,40 +115,37 @@ vec3 wrinkle_scratches_normal(WrinkleSurface_scratches s) {
     vec2 relief_floored = floor(relief_product);
     vec2 relief_difference = relief_product - relief_floored;
     vec2 relief_deepest_scratch = wrinkle_scratches_deepest_scratch(relief_floored,
-            relief_difference, 0, 0.0, 6.2831855);
+            relief_difference, 0);
     vec2 relief_sum = relief_floored + relief_deepest_scratch;
     vec2 relief_difference_2 = relief_difference - relief_deepest_scratch;
-    float relief_scratch = wrinkle_scratches_scratch(relief_sum, relief_difference_2, 0, 0.0,
-            6.2831855);
+    float relief_scratch = wrinkle_scratches_scratch(relief_sum, relief_difference_2, 0);
     float relief_greatest = max(0.0, relief_scratch);
     vec2 relief_sum_2 = relief_product + vec2(0.37, 0.61);
     vec2 relief_floored_2 = floor(relief_sum_2);
     vec2 relief_difference_3 = relief_sum_2 - relief_floored_2;
     vec2 relief_deepest_scratch_2 = wrinkle_scratches_deepest_scratch(relief_floored_2,
-            relief_difference_3, 1, 0.0, 6.2831855);
+            relief_difference_3, 1);
     vec2 relief_sum_3 = relief_floored_2 + relief_deepest_scratch_2;
     vec2 relief_difference_4 = relief_difference_3 - relief_deepest_scratch_2;
-    float relief_scratch_2 = wrinkle_scratches_scratch(relief_sum_3, relief_difference_4, 1, 0.0,
-            6.2831855);
+    float relief_scratch_2 = wrinkle_scratches_scratch(relief_sum_3, relief_difference_4, 1);
     vec2 relief_sum_4 = relief_product + vec2(0.74, 1.22);
     vec2 relief_floored_3 = floor(relief_sum_4);
     vec2 relief_difference_5 = relief_sum_4 - relief_floored_3;
     vec2 relief_deepest_scratch_3 = wrinkle_scratches_deepest_scratch(relief_floored_3,
-            relief_difference_5, 2, 0.0, 6.2831855);
+            relief_difference_5, 2);
     vec2 relief_sum_5 = relief_floored_3 + relief_deepest_scratch_3;
     vec2 relief_difference_6 = relief_difference_5 - relief_deepest_scratch_3;
-    float relief_scratch_3 = wrinkle_scratches_scratch(relief_sum_5, relief_difference_6, 2, 0.0,
-            6.2831855);
+    float relief_scratch_3 = wrinkle_scratches_scratch(relief_sum_5, relief_difference_6, 2);
     bool relief_test = max(relief_greatest, relief_scratch_2) < relief_scratch_3;
     vec2 relief_product_2 = dFdx(s.uv0) * 5.0;
     float relief_scratch_change = wrinkle_scratches_scratch_change(relief_sum_5,
-            relief_difference_6, 2, 0.0, 6.2831855, relief_product_2);
+            relief_difference_6, 2, relief_product_2);
     bool relief_test_2 = relief_greatest < relief_scratch_2;
     float relief_scratch_change_2 = wrinkle_scratches_scratch_change(relief_sum_3,
-            relief_difference_4, 1, 0.0, 6.2831855, relief_product_2);
+            relief_difference_4, 1, relief_product_2);
     bool relief_test_3 = 0.0 < relief_scratch;
     float relief_scratch_change_3 = wrinkle_scratches_scratch_change(relief_sum,
-            relief_difference_2, 0, 0.0, 6.2831855, relief_product_2);
+            relief_difference_2, 0, relief_product_2);
     float relief_choice = relief_test_3 ? relief_scratch_change_3 : 0.0;
     float relief_choice_2 = relief_test_2 ? relief_scratch_change_2 : relief_choice;
     float relief_choice_3 = relief_test ? relief_scratch_change : relief_choice_2;
@@ -157,11 +154,11 @@ vec3 wrinkle_scratches_normal(WrinkleSurface_scratches s) {
     float relief_difference_7 = 1.0 - smoothstep(0.25, 0.75, relief_quotient);
     float relief_negated = -(relief_choice_3 * relief_difference_7);
     float relief_scratch_change_4 = wrinkle_scratches_scratch_change(relief_sum_5,
-            relief_difference_6, 2, 0.0, 6.2831855, relief_product_3);
+            relief_difference_6, 2, relief_product_3);
     float relief_scratch_change_5 = wrinkle_scratches_scratch_change(relief_sum_3,
-            relief_difference_4, 1, 0.0, 6.2831855, relief_product_3);
+            relief_difference_4, 1, relief_product_3);
     float relief_scratch_change_6 = wrinkle_scratches_scratch_change(relief_sum,
-            relief_difference_2, 0, 0.0, 6.2831855, relief_product_3);
+            relief_difference_2, 0, relief_product_3);
     float relief_choice_4 = relief_test_3 ? relief_scratch_change_6 : 0.0;
     float relief_choice_5 = relief_test_2 ? relief_scratch_change_5 : relief_choice_4;
     float relief_choice_6 = relief_test ? relief_scratch_change_4 : relief_choice_5;
@@ -178,34 +175,31 @@ float wrinkle_scratches_height(WrinkleSurface_scratches s) {
     vec2 relief_floored = floor(relief_product);
     vec2 relief_difference = relief_product - relief_floored;
     vec2 relief_deepest_scratch = wrinkle_scratches_deepest_scratch(relief_floored,
-            relief_difference, 0, 0.0, 6.2831855);
+            relief_difference, 0);
     vec2 relief_sum = relief_floored + relief_deepest_scratch;
     vec2 relief_difference_2 = relief_difference - relief_deepest_scratch;
-    float relief_scratch = wrinkle_scratches_scratch(relief_sum, relief_difference_2, 0, 0.0,
-            6.2831855);
+    float relief_greatest = max(0.0, wrinkle_scratches_scratch(relief_sum, relief_difference_2, 0));
     vec2 relief_sum_2 = relief_product + vec2(0.37, 0.61);
     vec2 relief_floored_2 = floor(relief_sum_2);
     vec2 relief_difference_3 = relief_sum_2 - relief_floored_2;
     vec2 relief_deepest_scratch_2 = wrinkle_scratches_deepest_scratch(relief_floored_2,
-            relief_difference_3, 1, 0.0, 6.2831855);
+            relief_difference_3, 1);
     vec2 relief_sum_3 = relief_floored_2 + relief_deepest_scratch_2;
     vec2 relief_difference_4 = relief_difference_3 - relief_deepest_scratch_2;
-    float relief_scratch_2 = wrinkle_scratches_scratch(relief_sum_3, relief_difference_4, 1, 0.0,
-            6.2831855);
+    float relief_scratch = wrinkle_scratches_scratch(relief_sum_3, relief_difference_4, 1);
     vec2 relief_sum_4 = relief_product + vec2(0.74, 1.22);
     vec2 relief_floored_3 = floor(relief_sum_4);
     vec2 relief_difference_5 = relief_sum_4 - relief_floored_3;
     vec2 relief_deepest_scratch_3 = wrinkle_scratches_deepest_scratch(relief_floored_3,
-            relief_difference_5, 2, 0.0, 6.2831855);
+            relief_difference_5, 2);
     vec2 relief_sum_5 = relief_floored_3 + relief_deepest_scratch_3;
     vec2 relief_difference_6 = relief_difference_5 - relief_deepest_scratch_3;
-    float relief_scratch_3 = wrinkle_scratches_scratch(relief_sum_5, relief_difference_6, 2, 0.0,
-            6.2831855);
-    float relief_greatest = max(max(max(0.0, relief_scratch), relief_scratch_2), relief_scratch_3);
+    float relief_scratch_2 = wrinkle_scratches_scratch(relief_sum_5, relief_difference_6, 2);
+    float relief_greatest_2 = max(max(relief_greatest, relief_scratch), relief_scratch_2);
     float relief_extent = length(dFdx(s.uv0) * 5.0);
     float relief_quotient = max(relief_extent, length(dFdy(s.uv0) * 5.0)) / 0.16;
     float relief_ramp = smoothstep(0.25, 0.75, relief_quotient);
-    float relief_mixed = mix(0.0588, relief_greatest, 1.0 - relief_ramp);
+    float relief_mixed = mix(0.0588, relief_greatest_2, 1.0 - relief_ramp);
     float relief_value = -relief_mixed;
     return relief_value * 0.006;
 }

@@ -1,0 +1,66 @@
+#include "lower/dropped.h"
+
+#include <algorithm>
+
+#include "ir/derive.h"
+#include "ir/gradient_frame.h"
+
+namespace wrinkle {
+namespace {
+
+bool changes_with_operands(Op op, Type result) {
+    Inst inst;
+    inst.op = op;
+    inst.type = result;
+    return op != Op::resolve_ && !never_changes(inst);
+}
+
+// Turned by the side that is seen, or made unit; ir/surface.h.
+bool may_be_surface_normal(const Module& m, Id id) {
+    const Inst& inst = m[id];
+    if (inst.op == Op::mul_)
+        return m[inst.arg[1]].op == Op::input_ &&
+               input_of(m[inst.arg[1]].extra) == SurfaceInput::facing_;
+    return inst.op == Op::normalize_ && m[inst.arg[0]].op == Op::input_;
+}
+
+// It changes with all that its operands change with, then.
+bool stands_as_written(const Module& m, Op op, std::span<const Id> operands, Id result) {
+    return m[result].op == op &&
+           std::equal(operands.begin(), operands.end(), m[result].arg.begin());
+}
+
+}  // namespace
+
+void Dropped::begin(uint32_t node) {
+    node_ = node;
+    const FlatNode& flat = graph_.nodes[node];
+    for (uint32_t port = 0; port < graph_.port_count(flat); ++port) {
+        const Wire& wire = graph_.wire(flat, port);
+        if (wire.kind == Wire::Kind::node) inputs_[node] |= inputs_[wire.from];
+    }
+}
+
+void Dropped::written(Op op, std::span<const Id> operands, Id result) {
+    if (result == poison) return;
+    if (may_be_surface_normal(module_, result)) give_up();  // it may have become that by a value
+    if (op != Op::frame_ && op != Op::base_ && stands_as_written(module_, op, operands, result))
+        return;
+    facts_.update();
+    uint32_t before = 0;
+    for (const Id operand : operands)
+        before |= facts_.dependencies(operand);
+    const uint32_t after = facts_.dependencies(result);
+    if (op == Op::base_) {
+        if (!may_be_surface_normal(module_, operands[0])) give_up();
+    } else if (op == Op::frame_) {
+        const uint32_t uv = facts_.dependencies(operands[0]);
+        if ((inputs_[node_] & ~uv) != 0 || !fits_its_scale(module_[result].extra, uv)) give_up();
+    } else if (!changes_with_operands(op, module_.type(result))) {
+        if (after != 0) give_up();
+    } else {
+        inputs_[node_] |= before & ~after;
+    }
+}
+
+}  // namespace wrinkle
