@@ -2,18 +2,54 @@
 
 #include <algorithm>
 #include <cassert>
+#include <type_traits>
+
+#include "cpu/tile_sample.h"
 
 namespace wrinkle {
 namespace {
 
+// The types of operands that ops tell apart: float, int, and uint or bool.
+size_t op_place(Op op, Type type) {
+    const size_t column = type == Type::float_ ? 0 : type == Type::int_ ? 1 : 2;
+    return column * tables::op_count + static_cast<size_t>(op);
+}
+
 template <class T>
-RunOp<T> run_op_of(InstructionSet set) {
-#if defined(WRINKLE_HAS_AVX2)
-    if (set == InstructionSet::avx2) return avx2::run_op;
-#endif
-    assert(set == InstructionSet::baseline);
-    static_cast<void>(set);
-    return baseline::run_op;
+StepKernel<T> kernel_of(const Kernels& kernels, Op op, Type type) {
+    if constexpr (std::is_same_v<T, float>)
+        return kernels.of_float(op, type);
+    else
+        return kernels.of_double(op, type);
+}
+
+template <class T>
+OpTable<T> make_ops(InstructionSet set) {
+    OpTable<T> table;
+    for (const Type type : {Type::float_, Type::int_, Type::uint_})
+        for (size_t op = 0; op < tables::op_count; ++op)
+            table[op_place(static_cast<Op>(op), type)] =
+                kernel_of<T>(kernels_of(set), static_cast<Op>(op), type);
+    return table;
+}
+
+template <class T>
+const OpTable<T>& ops_of(InstructionSet set) {
+    static const std::array<OpTable<T>, 3> tables = [] {
+        std::array<OpTable<T>, 3> made;
+        for (size_t k = 0; k < made.size(); ++k)
+            made[k] = make_ops<T>(static_cast<InstructionSet>(k));
+        return made;
+    }();
+    return tables[static_cast<size_t>(set)];
+}
+
+template <class Lane>
+void allot(AlignedVector<Lane>& memory, std::vector<Lane*>& places, size_t registers) {
+    memory.resize(std::max(memory.size(), registers * tile_lanes));
+    places.resize(registers);
+    for (size_t reg = 0; reg < registers; ++reg)
+        places[reg] = memory.data() + reg * tile_lanes;
 }
 
 template <class Lane>
@@ -27,12 +63,18 @@ void move_lanes(Lane* out, const Lane* from, const uint8_t* mask, size_t count) 
 template <class T>
 Tile<T>::Tile(const Program& program, std::span<const Texture> textures, InstructionSet set,
               TileMemory<T>& memory)
-    : program_(program), textures_(textures), run_op_(run_op_of<T>(set)), memory_(memory) {
-    const auto grow = [](auto& registers, size_t count) {
-        registers.resize(std::max(registers.size(), count * tile_lanes));
-    };
-    grow(memory_.floats, program.float_registers);
-    grow(memory_.integers, program.integer_registers);
+    : program_(program),
+      textures_(textures),
+      kernels_(kernels_of(set)),
+      ops_(ops_of<T>(set)),
+      memory_(memory) {
+    allot(memory_.floats, memory_.float_places, program.float_registers);
+    allot(memory_.integers, memory_.integer_places, program.integer_registers);
+    for (const Program::Preset& preset : program.presets)
+        fill(preset.reg, preset.type, preset.value, tile_lanes);
+    memory_.flat.clear();
+    for (const Texture& texture : textures)
+        memory_.flat.push_back(texture.level_count() == 1);
 }
 
 template <class T>
@@ -45,13 +87,13 @@ void Tile<T>::run(size_t count) {
 template <class T>
 uint32_t Tile<T>::execute(uint32_t index) {
     const Step& step = program_.steps[index];
+    if (step.lod_of != 0 && memory_.flat[step.lod_of - 1]) return index + 1;
     switch (step.kind) {
         case Step::Kind::op:
-            if (!run_op_(step, {memory_.floats.data(), memory_.integers.data()}, count_))
-                assert(!"an op without a CPU case");
+            op(step);
             break;
         case Step::Kind::constant:
-            constant(step);
+            fill(step.out[0], step.type, program_.constants[step.extra], count_);
             break;
         case Step::Kind::sample:
             sample(step);
@@ -78,19 +120,31 @@ uint32_t Tile<T>::execute(uint32_t index) {
 }
 
 template <class T>
-void Tile<T>::constant(const Step& step) {
-    const double value = program_.constants[step.extra];
-    if (step.type == Type::float_)
-        std::fill_n(floats(step.out[0]), count_, static_cast<T>(value));
+void Tile<T>::op(const Step& step) {
+    const StepKernel<T> kernel = ops_[op_place(step.op, step.type)];
+    assert(kernel && "an op without a CPU case");
+    kernel(step, {memory_.float_places.data(), memory_.integer_places.data()}, count_);
+}
+
+template <class T>
+void Tile<T>::fill(uint32_t reg, Type type, double value, size_t count) {
+    if (type == Type::float_)
+        std::fill_n(floats(reg), count, static_cast<T>(value));
     else
-        std::fill_n(integers(step.out[0]), count_,
-                    static_cast<uint32_t>(static_cast<int64_t>(value)));
+        std::fill_n(integers(reg), count, static_cast<uint32_t>(static_cast<int64_t>(value)));
 }
 
 template <class T>
 void Tile<T>::sample(const Step& step) {
     const Texture& texture = textures_[step.extra];
     const T *u = floats(step.in[0]), *v = floats(step.in[1]), *lod = floats(step.in[2]);
+    if constexpr (std::is_same_v<T, float>)
+        if (!texture.texels().levels(texture.options().wrap).empty() &&
+            texture.options().filter == Filter::linear) {
+            float* const out[] = {floats(step.out[0]), floats(step.out[1]), floats(step.out[2]),
+                                  floats(step.out[3])};
+            return sample_tile(texture, kernels_, step.channels, u, v, lod, out, count_);
+        }
     for (size_t k = 0; k < count_; ++k) {
         const std::array<T, 4> texel = texture.sample_lod(u[k], v[k], lod[k]);
         for (size_t i = 0; i < 4; ++i)
