@@ -45,6 +45,7 @@ constexpr bool is_integer_type(Type type) {
 struct Step {
     enum class Kind : uint8_t {
         op,
+        pair,         // second(op(in[0], in[1]), in[2]), or second(in[2], op(...)): pairs.h
         constant,     // Program::constants[extra]
         sample,       // in: u, v, lod; four outputs, of which the first `channels` are read
         size,         // two outputs
@@ -56,6 +57,8 @@ struct Step {
     };
     Kind kind = Kind::op;
     Op op = Op::poison_;
+    Op second = Op::poison_;
+    bool swapped = false;
     Type type = Type::float_;  // of the operands' lanes
     uint8_t count = 0;         // operands
     uint8_t outputs = 0;
@@ -85,6 +88,7 @@ struct Program {
         double value;
         Type type;
         uint32_t reg;
+        bool operator==(const Preset&) const = default;
     };
     std::vector<Step> steps;
     std::vector<Input> inputs;

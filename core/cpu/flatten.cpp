@@ -230,6 +230,7 @@ Program Flattener::run(std::string& why) {
     if (refused()) return {};
     preset_constants(program_);
     mark_what_is_read(program_, integer_.size());
+    fuse_steps(program_, integer_.size());
     allocate_registers(program_, integer_);
     return std::move(program_);
 }

@@ -72,6 +72,9 @@ void preset_constants(Program& program);
 // state.
 void mark_what_is_read(Program& program, size_t registers);
 
+// Has several steps share a pass over memory.
+void fuse_steps(Program& program, size_t registers);
+
 // Gives registers that are not read any more to later steps. `integer` tells the file of each.
 void allocate_registers(Program& program, const std::vector<bool>& integer);
 

@@ -59,6 +59,76 @@ StepKernel<T> integers(F) {
     return each<T, uint32_t, uint32_t, F>;
 }
 
+#define WRINKLE_FUNCTION(name, parameters, value) \
+    struct name {                                 \
+        template <class T>                        \
+        T operator() parameters const {           \
+            return value;                         \
+        }                                         \
+    };
+WRINKLE_FUNCTION(Abs, (T x, T), std::fabs(x))
+WRINKLE_FUNCTION(Add, (T x, T y), x + y)
+WRINKLE_FUNCTION(Sub, (T x, T y), x - y)
+WRINKLE_FUNCTION(Mul, (T x, T y), x* y)
+WRINKLE_FUNCTION(Min, (T x, T y), y < x ? y : x)
+WRINKLE_FUNCTION(Max, (T x, T y), x < y ? y : x)
+#undef WRINKLE_FUNCTION
+
+template <class T, class First, class Second, bool swapped>
+void pair(const Step& step, const Registers<T>& registers, size_t n) {
+    const T *a = lanes_of<T>(registers, step.in[0]), *b = lanes_of<T>(registers, step.in[1]),
+            *c = lanes_of<T>(registers, step.in[2]);
+    T* __restrict out = lanes_of<T>(registers, step.out[0]);
+    WRINKLE_LANES
+    for (size_t k = 0; k < n; ++k) {
+        const T x = First{}(a[k], b[k]);
+        out[k] = swapped ? Second{}(c[k], x) : Second{}(x, c[k]);
+    }
+}
+
+template <class T, class First, class Second>
+StepKernel<T> pair_of(bool swapped) {
+    return swapped ? pair<T, First, Second, true> : pair<T, First, Second, false>;
+}
+
+template <class T, class First>
+StepKernel<T> pair_with(Op second, bool swapped) {
+    switch (second) {
+        case Op::add_:
+            return pair_of<T, First, Add>(swapped);
+        case Op::sub_:
+            return pair_of<T, First, Sub>(swapped);
+        case Op::mul_:
+            return pair_of<T, First, Mul>(swapped);
+        case Op::min_:
+            return pair_of<T, First, Min>(swapped);
+        case Op::max_:
+            return pair_of<T, First, Max>(swapped);
+        default:
+            return nullptr;
+    }
+}
+
+template <class T>
+StepKernel<T> pair_kernel(Op first, Op second, bool swapped) {
+    switch (first) {
+        case Op::abs_:
+            return pair_with<T, Abs>(second, swapped);
+        case Op::add_:
+            return pair_with<T, Add>(second, swapped);
+        case Op::sub_:
+            return pair_with<T, Sub>(second, swapped);
+        case Op::mul_:
+            return pair_with<T, Mul>(second, swapped);
+        case Op::min_:
+            return pair_with<T, Min>(second, swapped);
+        case Op::max_:
+            return pair_with<T, Max>(second, swapped);
+        default:
+            return nullptr;
+    }
+}
+
 template <class T, class Lane>
 void select(const Step& step, const Registers<T>& registers, size_t n) {
     const uint32_t* condition = lanes_of<uint32_t>(registers, step.in[0]);
@@ -146,11 +216,11 @@ StepKernel<T> arithmetic(Op op) {
         case Op::neg_:
             return floats<T>([](T x) { return -x; });
         case Op::add_:
-            return floats<T>([](T x, T y) { return x + y; });
+            return floats<T>(Add{});
         case Op::sub_:
-            return floats<T>([](T x, T y) { return x - y; });
+            return floats<T>(Sub{});
         case Op::mul_:
-            return floats<T>([](T x, T y) { return x * y; });
+            return floats<T>(Mul{});
         case Op::div_:
             return floats<T>([](T x, T y) { return x / y; });
         case Op::mod_:
@@ -158,9 +228,9 @@ StepKernel<T> arithmetic(Op op) {
         case Op::mix_:
             return floats<T>([](T x, T y, T t) { return x * (1 - t) + y * t; });
         case Op::min_:
-            return floats<T>([](T x, T y) { return y < x ? y : x; });
+            return floats<T>(Min{});
         case Op::max_:
-            return floats<T>([](T x, T y) { return x < y ? y : x; });
+            return floats<T>(Max{});
         case Op::sqrt_:
             return floats<T>([](T x) { return std::sqrt(x); });
         case Op::inversesqrt_:
@@ -343,6 +413,7 @@ StepKernel<T> kernel_of(Op op, Type type) {
 
 }  // namespace
 
-const Kernels kernels = {kernel_of<float>, kernel_of<double>, sample_level};
+const Kernels kernels = {kernel_of<float>, kernel_of<double>, pair_kernel<float>,
+                         pair_kernel<double>, sample_level};
 
 }  // namespace wrinkle::WRINKLE_ISA

@@ -19,7 +19,7 @@ struct Registers {
     uint32_t* const* integers;
 };
 
-// Runs a step of kind `op` on the first n lanes.
+// Runs a step of kind `op` or `pair` on the first n lanes.
 template <class T>
 using StepKernel = void (*)(const Step& step, const Registers<T>& registers, size_t n);
 
@@ -32,6 +32,8 @@ struct Kernels {
     // By op and by the type of its operands' lanes; null where the op has no case.
     StepKernel<float> (*of_float)(Op op, Type type);
     StepKernel<double> (*of_double)(Op op, Type type);
+    StepKernel<float> (*pair_of_float)(Op first, Op second, bool swapped);
+    StepKernel<double> (*pair_of_double)(Op first, Op second, bool swapped);
     // For the first 1 to 4 of the channels that the level stores; more may be written of a packed one.
     SampleLevel (*sample_level)(const TexelLevel& level, Wrap wrap, size_t channels);
 };

@@ -60,18 +60,25 @@ struct Packed {
     template <Wrap wrap>
     WRINKLE_INLINE static Packed at(const TexelLevel& level, Ints i, Ints j) {
         const int32_t row = level.width + 2;
-        const Ints place = (j + 1) * row + (i + 1);
-        const Pairs low = gather_pairs(level.packed, place);
-        const Pairs high = gather_pairs(level.packed, place + row);
-        return {{low.first, low.second, high.first, high.second}};
+        const uint32_t* low = level.packed + row + 1;  // texel (0, 0)
+        const uint32_t* high = low + row;
+        const Ints place = j * row + i;
+        return {{gather(low, place), gather(low + 1, place), gather(high, place),
+                 gather(high + 1, place)}};
     }
 
     // byte / 255 to the last bit without a division: three times a byte is exact, and its product
     // with the float nearest to 1 / 765 happens to round as the quotient does (a test tries all).
     template <int channel>
     WRINKLE_INLINE Floats value(size_t corner) const {
-        constexpr int32_t place = 1 << (10 * channel);
-        return to_floats(texel[corner] & (1023 * place)) * (0x1.56ac02p-10F / place);
+        constexpr float of_765 = 0x1.56ac02p-10F;
+        constexpr int shift = packed_shift[channel];
+        if constexpr (channel == 2) {
+            const Words top = reinterpret_cast<Words>(texel[corner]) >> shift;
+            return to_floats(reinterpret_cast<Ints>(top)) * of_765;
+        } else {
+            return scaled(texel[corner] & (1023 << shift), of_765 / (1 << shift));
+        }
     }
 };
 
@@ -125,8 +132,10 @@ WRINKLE_INLINE void vector(const TexelLevel& level, const float* u, const float*
 }
 
 template <Wrap wrap, int channels, class Corners>
-void bilinear(const TexelLevel& level, const float* u, const float* v, float* const* out,
-              size_t n) {
+void bilinear(const TexelLevel& of, const float* u, const float* v, float* const* to, size_t n) {
+    // Copies, which what is stored cannot change.
+    const TexelLevel level = of;
+    float* const out[] = {to[0], to[1], to[2], to[3]};
     size_t k = 0;
     for (; k + vector_lanes <= n; k += vector_lanes)
         vector<wrap, channels, Corners>(level, u, v, out, k);

@@ -20,7 +20,7 @@ uint32_t packed_texel(const float* values, const Image& image) {
         if (!(texel[c] >= 0 && texel[c] <= 1)) return nothing;
         const auto byte = static_cast<uint32_t>(texel[c] * 255 + 0.5F);
         if (static_cast<float>(byte) / 255 != texel[c] || std::signbit(texel[c])) return nothing;
-        packed |= 3 * byte << (10 * c);
+        packed |= 3 * byte << packed_shift[c];
     }
     return packed;
 }

@@ -18,9 +18,11 @@
 
 namespace wrinkle {
 
+inline constexpr std::array packed_shift = {0, 11, 22};
+
 // A level in one of two forms; the other's pointer is null. Texels stand row by row, y upward.
 struct TexelLevel {
-    // Three times each byte in ten bits, r lowest. Texel (x, y) is number
+    // Three times each byte in ten bits, r lowest, at packed_shift. Texel (x, y) is number
     // (y + 1) * (width + 2) + x + 1.
     const uint32_t* packed = nullptr;
     const float* floats = nullptr;  // `stored` channels a texel, as the image has them

@@ -24,12 +24,25 @@ StepKernel<T> kernel_of(const Kernels& kernels, Op op, Type type) {
 }
 
 template <class T>
+StepKernel<T> pair_of(const Kernels& kernels, Op first, Op second, bool swapped) {
+    if constexpr (std::is_same_v<T, float>)
+        return kernels.pair_of_float(first, second, swapped);
+    else
+        return kernels.pair_of_double(first, second, swapped);
+}
+
+template <class T>
 OpTable<T> make_ops(InstructionSet set) {
     OpTable<T> table;
     for (const Type type : {Type::float_, Type::int_, Type::uint_})
         for (size_t op = 0; op < tables::op_count; ++op)
-            table[op_place(static_cast<Op>(op), type)] =
+            table.ops[op_place(static_cast<Op>(op), type)] =
                 kernel_of<T>(kernels_of(set), static_cast<Op>(op), type);
+    for (const Op first : first_ops)
+        for (const Op second : second_ops)
+            for (const bool swapped : {false, true})
+                table.pairs[pair_place(first, second, swapped)] =
+                    pair_of<T>(kernels_of(set), first, second, swapped);
     return table;
 }
 
@@ -70,8 +83,7 @@ Tile<T>::Tile(const Program& program, std::span<const Texture> textures, Instruc
       memory_(memory) {
     allot(memory_.floats, memory_.float_places, program.float_registers);
     allot(memory_.integers, memory_.integer_places, program.integer_registers);
-    for (const Program::Preset& preset : program.presets)
-        fill(preset.reg, preset.type, preset.value, tile_lanes);
+    preset();
     memory_.flat.clear();
     for (const Texture& texture : textures)
         memory_.flat.push_back(texture.level_count() == 1);
@@ -90,7 +102,10 @@ uint32_t Tile<T>::execute(uint32_t index) {
     if (step.lod_of != 0 && memory_.flat[step.lod_of - 1]) return index + 1;
     switch (step.kind) {
         case Step::Kind::op:
-            op(step);
+            run(ops_.ops[op_place(step.op, step.type)], step);
+            break;
+        case Step::Kind::pair:
+            run(ops_.pairs[pair_place(step.op, step.second, step.swapped)], step);
             break;
         case Step::Kind::constant:
             fill(step.out[0], step.type, program_.constants[step.extra], count_);
@@ -120,10 +135,18 @@ uint32_t Tile<T>::execute(uint32_t index) {
 }
 
 template <class T>
-void Tile<T>::op(const Step& step) {
-    const StepKernel<T> kernel = ops_[op_place(step.op, step.type)];
+void Tile<T>::run(StepKernel<T> kernel, const Step& step) {
     assert(kernel && "an op without a CPU case");
     kernel(step, {memory_.float_places.data(), memory_.integer_places.data()}, count_);
+}
+
+// What stands there of the same program is not written again: no step writes it.
+template <class T>
+void Tile<T>::preset() {
+    if (memory_.presets == program_.presets) return;
+    memory_.presets = program_.presets;
+    for (const Program::Preset& each : program_.presets)
+        fill(each.reg, each.type, each.value, tile_lanes);
 }
 
 template <class T>

@@ -12,6 +12,7 @@
 #include "cpu/aligned.h"
 #include "cpu/evaluate.h"
 #include "cpu/kernels.h"
+#include "cpu/pairs.h"
 
 namespace wrinkle {
 
@@ -28,13 +29,17 @@ struct TileMemory {
     AlignedVector<uint32_t> integers;
     std::vector<T*> float_places;  // of each register
     std::vector<uint32_t*> integer_places;
-    std::vector<uint8_t> flat;  // by resource: one level, so that nobody asks for a lod
+    std::vector<Program::Preset> presets;  // that stand in the registers
+    std::vector<uint8_t> flat;             // by resource: one level, so that nobody asks for a lod
     std::vector<RunningLoop> loops;
 };
 
-// The loop of every op of an instruction set, by op_place().
+// The loop of every op and pair of an instruction set.
 template <class T>
-using OpTable = std::array<StepKernel<T>, 3 * tables::op_count>;
+struct OpTable {
+    std::array<StepKernel<T>, 3 * tables::op_count> ops;  // by op_place()
+    std::array<StepKernel<T>, pair_count> pairs;          // by pair_place()
+};
 
 template <class T>
 class Tile {
@@ -61,7 +66,8 @@ public:
 
 private:
     uint32_t execute(uint32_t index);
-    void op(const Step& step);
+    void run(StepKernel<T> kernel, const Step& step);
+    void preset();
     void fill(uint32_t reg, Type type, double value, size_t count);
     void sample(const Step& step);
     void size(const Step& step);

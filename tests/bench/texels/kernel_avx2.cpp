@@ -67,6 +67,12 @@ Int gather(const uint32_t* from, Int index) {
 Float inverse_root(Float a) {
     return _mm256_div_ps(spread(1), _mm256_sqrt_ps(a));
 }
+Float load(const float* from) {
+    return _mm256_loadu_ps(from);
+}
+void store(float* to, Float a) {
+    _mm256_storeu_ps(to, a);
+}
 void store(uint32_t* to, Int a) {
     _mm256_storeu_si256(reinterpret_cast<Int*>(to), a);
 }

@@ -69,6 +69,12 @@ Int gather(const uint32_t* from, Int index) {
 Float inverse_root(Float a) {
     return _mm512_div_ps(spread(1), _mm512_sqrt_ps(a));
 }
+Float load(const float* from) {
+    return _mm512_loadu_ps(from);
+}
+void store(float* to, Float a) {
+    _mm512_storeu_ps(to, a);
+}
 void store(uint32_t* to, Int a) {
     _mm512_storeu_si512(to, a);
 }

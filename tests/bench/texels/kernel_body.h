@@ -91,13 +91,30 @@ Int texels(const Frame& frame, Float x, uint32_t y) {
                or_(packed(m.z, scale, 16), spread_int(static_cast<int>(255U << 24))));
 }
 
-}  // namespace
-
 void rows(uint32_t first, uint32_t last, uint32_t* out) {
     const Frame frame = bench::frame();
     for (uint32_t y = first; y < last; ++y)
         for (uint32_t x = 0; x < side; x += lanes)
             store(out + size_t{y} * side + x, texels(frame, counted(x), y));
 }
+
+void fill(const Affine& value, uint32_t x, uint32_t y, uint32_t count, float* out) {
+    const Float row = row_of(value, y);
+    for (uint32_t k = 0; k < count; k += lanes)
+        store(out + k, at(value, counted(x + k), row));
+}
+
+void pack(const float* const* normal, uint32_t count, uint32_t* out) {
+    const Float one = spread(1);
+    for (uint32_t k = 0; k < count; k += lanes)
+        store(out + k,
+              or_(or_(packed(load(normal[0] + k), one, 0), packed(load(normal[1] + k), one, 8)),
+                  or_(packed(load(normal[2] + k), one, 16),
+                      spread_int(static_cast<int>(255U << 24)))));
+}
+
+}  // namespace
+
+const Kernel kernel = {rows, fill, pack};
 
 }  // namespace wrinkle::bench::WRINKLE_BENCH_ISA

@@ -28,7 +28,7 @@ struct Contestant {
     Kind kind;
     const char* name;
     InstructionSet set;
-    Kernel kernel = nullptr;
+    const Kernel* kernel = nullptr;  // of `kernel`, and the ends of `ours`
     std::vector<double> wall = {}, processor = {};
     Packed texels = {};
 };
@@ -38,11 +38,11 @@ using Kind = Contestant::Kind;
 std::vector<Contestant> contestants() {
     std::vector<Contestant> all = {
         {Kind::opengl, "OpenGL, our GLSL", InstructionSet::baseline},
-        {Kind::ours, "evaluator, baseline", InstructionSet::baseline},
-        {Kind::ours, "evaluator, avx2", InstructionSet::avx2},
-        {Kind::kernel, "by hand, avx2", InstructionSet::avx2, avx2::rows},
-        {Kind::ours, "evaluator, avx512", InstructionSet::avx512},
-        {Kind::kernel, "by hand, avx512", InstructionSet::avx512, avx512::rows}};
+        {Kind::ours, "evaluator, baseline", InstructionSet::baseline, &avx2::kernel},
+        {Kind::ours, "evaluator, avx2", InstructionSet::avx2, &avx2::kernel},
+        {Kind::kernel, "by hand, avx2", InstructionSet::avx2, &avx2::kernel},
+        {Kind::ours, "evaluator, avx512", InstructionSet::avx512, &avx512::kernel},
+        {Kind::kernel, "by hand, avx512", InstructionSet::avx512, &avx512::kernel}};
     if (const char* only = std::getenv("ONLY"))
         std::erase_if(all, [&](const Contestant& each) {
             return std::string(each.name).find(only) == std::string::npos;
@@ -90,10 +90,10 @@ Rate draw_in_process(const std::string& self, int threads, Packed& texels) {
 void turn(Contestant& one, const Material& material, const std::string& self, int threads) {
     one.texels.resize(texel_count);
     const auto rows = [&](uint32_t first, uint32_t last) {
-        if (one.kernel)
-            one.kernel(first, last, one.texels.data());
+        if (one.kind == Kind::kernel)
+            one.kernel->rows(first, last, one.texels.data());
         else
-            evaluate_rows(material, one.set, first, last, one.texels.data());
+            evaluate_rows(material, one.set, *one.kernel, first, last, one.texels.data());
     };
     const Rate rate = one.kind == Kind::opengl
                           ? draw_in_process(self, threads, one.texels)

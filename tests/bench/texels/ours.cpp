@@ -30,22 +30,7 @@ Affine surface_value(const Program::Input& input) {
     return input.variant == Variant::value ? value : difference(value, input.variant);
 }
 
-void fill(const Affine& value, uint32_t x, uint32_t y, uint32_t count, float* out) {
-    const float row = value.at + value.up * static_cast<float>(y);
-    for (uint32_t k = 0; k < count; ++k)
-        out[k] = row + value.across * static_cast<float>(static_cast<int>(x + k));
-}
-
-uint32_t byte_of(float value) {
-    return static_cast<uint32_t>(static_cast<int>(value * 127.5F + 128.0F));
-}
-
-void pack(const float* x, const float* y, const float* z, uint32_t count, uint32_t* out) {
-    for (uint32_t k = 0; k < count; ++k)
-        out[k] = byte_of(x[k]) | byte_of(y[k]) << 8 | byte_of(z[k]) << 16 | 255U << 24;
-}
-
-constexpr uint32_t chunk = 1024;
+static const uint32_t chunk = getenv("CHUNK") ? atoi(getenv("CHUNK")) : 1024;
 
 // The planes of a chunk, each a line of the cache further than a multiple of its length. Those that
 // are the same everywhere are filled once.
@@ -59,7 +44,7 @@ struct Chunk {
             if (value.across != 0 || value.up != 0)
                 varying.push_back({value, &memory[(at - 1) * (chunk + 16)]});
             else
-                fill(value, 0, 0, chunk, &memory[(at - 1) * (chunk + 16)]);
+                std::fill_n(&memory[(at - 1) * (chunk + 16)], chunk, value.at);
         }
         for (size_t i = 0; i < 3; ++i)
             planes.outputs.push_back(next());
@@ -96,17 +81,16 @@ Material make_material() {
     return made;
 }
 
-void evaluate_rows(const Material& material, InstructionSet set, uint32_t first, uint32_t last,
-                   uint32_t* out) {
+void evaluate_rows(const Material& material, InstructionSet set, const Kernel& ends, uint32_t first,
+                   uint32_t last, uint32_t* out) {
     thread_local Chunk work(material.program);
     for (uint32_t y = first; y < last; ++y)
         for (uint32_t x = 0; x < side; x += chunk) {
             for (const Chunk::Varying& each : work.varying)
-                fill(each.value, x, y, chunk, each.plane);
+                ends.fill(each.value, x, y, chunk, each.plane);
             evaluate_planes(material.program, material.textures, work.planes, chunk, work.scratch,
                             set);
-            pack(work.planes.outputs[0], work.planes.outputs[1], work.planes.outputs[2], chunk,
-                 out + size_t{y} * side + x);
+            ends.pack(work.planes.outputs.data(), chunk, out + size_t{y} * side + x);
         }
 }
 

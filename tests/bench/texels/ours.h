@@ -3,6 +3,7 @@
 #pragma once
 
 #include "bench/texels/job.h"
+#include "bench/texels/kernel.h"
 #include "cpu/evaluate.h"
 #include "glsl/emit.h"
 
@@ -17,7 +18,7 @@ struct Material {
 Material make_material();
 
 // Rows first ... last - 1 into `out`, on the calling thread.
-void evaluate_rows(const Material& material, InstructionSet set, uint32_t first, uint32_t last,
-                   uint32_t* out);
+void evaluate_rows(const Material& material, InstructionSet set, const Kernel& ends, uint32_t first,
+                   uint32_t last, uint32_t* out);
 
 }  // namespace wrinkle::bench
