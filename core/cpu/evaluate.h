@@ -46,8 +46,10 @@ struct Step {
     enum class Kind : uint8_t {
         op,
         pair,         // second(op(in[0], in[1]), in[2]), or second(in[2], op(...)): pairs.h
+        depth,        // max(max(|in[3]|, max(|in[0]|, |in[1]|) * in[2]), in[4])
         constant,     // Program::constants[extra]
-        sample,       // in: u, v, lod; four outputs, of which the first `channels` are read
+        sample,       // in: u, v, lod; four outputs, of which the first `channels` are read, each
+                      // less the number of Program::presets[bias - 1] where there is a bias
         size,         // two outputs
         move,         // out[0] = in[0]
         masked_move,  // the same, where the innermost loop still goes on
@@ -66,6 +68,7 @@ struct Step {
     std::array<uint32_t, 4> out{};
     std::array<uint32_t, 6> in{};
     uint32_t extra = 0;  // resource, or see above
+    uint32_t bias = 0;
     // One more than the resource for whose lod alone this is computed; 0: for other things as well.
     uint32_t lod_of = 0;
 };

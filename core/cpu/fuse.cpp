@@ -13,22 +13,30 @@ constexpr uint32_t no_step = ~0u;
 class Fuser {
 public:
     Fuser(Program& program, size_t registers)
-        : steps_(program.steps), maker_(registers, no_step), reads_(registers, 0) {
-        for (const Step& step : steps_)
-            for (uint32_t i = 0; i < step.count; ++i)
-                ++reads_[step.in[i]];
+        : steps_(program.steps),
+          presets_(program.presets),
+          maker_(registers, no_step),
+          reader_(registers, no_step),
+          reads_(registers, 0) {
+        for (uint32_t s = 0; s < steps_.size(); ++s)
+            for (uint32_t i = 0; i < steps_[s].count; ++i) {
+                ++reads_[steps_[s].in[i]];
+                reader_[steps_[s].in[i]] = s;
+            }
         for (const Program::Output& output : program.outputs)
             for (const uint32_t reg : output.regs)
                 ++reads_[reg];
     }
 
     void run() {
+        for (Step& step : steps_)
+            if (step.kind == Step::Kind::sample) subtract(step);
         for (uint32_t s = 0; s < steps_.size(); ++s) {
             Step& step = steps_[s];
             // Where a loop begins, turns or ends, what was made before may be read again.
             if (step.kind >= Step::Kind::move) block_ = s;
             if (step.kind != Step::Kind::op || step.type != Type::float_) continue;
-            if (!sum_of_products(step)) pair(step);
+            if (!depth(step) && !sum_of_products(step)) pair(step);
             if (step.outputs == 1) maker_[step.out[0]] = s;
         }
         drop_what_was_taken();
@@ -45,6 +53,62 @@ private:
 
     static bool is(const Step* step, Op op, uint8_t count) {
         return step && step->kind == Step::Kind::op && step->op == op && step->count == count;
+    }
+
+    // One more than the preset that all channels of a sample are read less of; 0: none.
+    uint32_t bias_of(const Step& sample) const {
+        uint32_t bias = 0;
+        for (uint32_t c = 0; c < 4; ++c) {
+            const uint32_t reads = reads_[sample.out[c]];
+            if (reads == 0) continue;
+            const uint32_t reader = reader_[sample.out[c]];
+            if (reads > 1 || reader == no_step) return 0;
+            const Step& step = steps_[reader];
+            if (!is(&step, Op::sub_, 2) || step.in[0] != sample.out[c]) return 0;
+            const auto preset =
+                std::find_if(presets_.begin(), presets_.end(),
+                             [&](const Program::Preset& each) { return each.reg == step.in[1]; });
+            if (preset == presets_.end()) return 0;
+            const auto number = static_cast<uint32_t>(preset - presets_.begin()) + 1;
+            if (bias != 0 && bias != number) return 0;
+            bias = number;
+        }
+        return bias;
+    }
+
+    // Channels that are read less a number alone: what a normal map's decoding begins with.
+    void subtract(Step& sample) {
+        sample.bias = bias_of(sample);
+        for (uint32_t c = 0; c < 4 && sample.bias != 0; ++c) {
+            if (reads_[sample.out[c]] == 0) continue;
+            Step& step = steps_[reader_[sample.out[c]]];
+            sample.out[c] = step.out[0];
+            take(step);
+        }
+    }
+
+    static bool is_size_max(const Step* step) {
+        return step && step->kind == Step::Kind::pair && step->op == Op::abs_ &&
+               step->second == Op::max_ && !step->swapped;
+    }
+
+    // The depth of a decoded normal, as ir/expand.h writes it: four passes less.
+    bool depth(Step& step) {
+        if (step.op != Op::max_) return false;
+        Step* inner = sole_maker(step, 0);
+        if (!is_size_max(inner)) return false;
+        Step* least = sole_maker(*inner, 2);
+        if (!is(least, Op::mul_, 2)) return false;
+        Step* greatest = sole_maker(*least, 0);
+        if (!is_size_max(greatest)) return false;
+        Step* size = sole_maker(*greatest, 2);
+        if (!is(size, Op::abs_, 1)) return false;
+        step.kind = Step::Kind::depth;
+        step.in = {greatest->in[0], size->in[0], least->in[1], inner->in[0], step.in[1]};
+        step.count = 5;
+        for (Step* taken : {inner, least, greatest, size})
+            take(*taken);
+        return true;
     }
 
     // a * b + c * d, or a dot of two lanes and a * b: a dot, whose sum goes the same way.
@@ -89,6 +153,7 @@ private:
     static void take(Step& step) {
         step.outputs = 0;
         step.count = 0;
+        step.kind = Step::Kind::op;
     }
 
     void drop_what_was_taken() {
@@ -104,7 +169,9 @@ private:
     }
 
     std::vector<Step>& steps_;
-    std::vector<uint32_t> maker_;  // by register
+    const std::vector<Program::Preset>& presets_;
+    std::vector<uint32_t> maker_;   // by register, as are the following
+    std::vector<uint32_t> reader_;  // the last one
     std::vector<uint32_t> reads_;
     uint32_t block_ = 0;  // steps before it are not touched
 };

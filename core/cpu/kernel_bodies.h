@@ -86,6 +86,19 @@ void pair(const Step& step, const Registers<T>& registers, size_t n) {
     }
 }
 
+template <class T>
+void depth(const Step& step, const Registers<T>& registers, size_t n) {
+    const T* in[5];
+    for (size_t i = 0; i < 5; ++i)
+        in[i] = lanes_of<T>(registers, step.in[i]);
+    T* __restrict out = lanes_of<T>(registers, step.out[0]);
+    WRINKLE_LANES
+    for (size_t k = 0; k < n; ++k) {
+        const T least = Max{}(std::fabs(in[0][k]), std::fabs(in[1][k])) * in[2][k];
+        out[k] = Max{}(Max{}(std::fabs(in[3][k]), least), in[4][k]);
+    }
+}
+
 template <class T, class First, class Second>
 StepKernel<T> pair_of(bool swapped) {
     return swapped ? pair<T, First, Second, true> : pair<T, First, Second, false>;
@@ -413,7 +426,8 @@ StepKernel<T> kernel_of(Op op, Type type) {
 
 }  // namespace
 
-const Kernels kernels = {kernel_of<float>, kernel_of<double>, pair_kernel<float>,
-                         pair_kernel<double>, sample_level};
+const Kernels kernels = {kernel_of<float>,    kernel_of<double>, pair_kernel<float>,
+                         pair_kernel<double>, depth<float>,      depth<double>,
+                         sample_level};
 
 }  // namespace wrinkle::WRINKLE_ISA

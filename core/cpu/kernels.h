@@ -19,13 +19,13 @@ struct Registers {
     uint32_t* const* integers;
 };
 
-// Runs a step of kind `op` or `pair` on the first n lanes.
+// Runs a step of kind `op`, `pair` or `depth` on the first n lanes.
 template <class T>
 using StepKernel = void (*)(const Step& step, const Registers<T>& registers, size_t n);
 
 // The first channels of a level at n places, filtered bilinearly, as Texture::sample_lod<float>()
-// has them; out[channel][lane].
-using SampleLevel = void (*)(const TexelLevel& level, const float* u, const float* v,
+// has them, less `bias`; out[channel][lane].
+using SampleLevel = void (*)(const TexelLevel& level, float bias, const float* u, const float* v,
                              float* const* out, size_t n);
 
 struct Kernels {
@@ -34,6 +34,8 @@ struct Kernels {
     StepKernel<double> (*of_double)(Op op, Type type);
     StepKernel<float> (*pair_of_float)(Op first, Op second, bool swapped);
     StepKernel<double> (*pair_of_double)(Op first, Op second, bool swapped);
+    StepKernel<float> depth_of_float;
+    StepKernel<double> depth_of_double;
     // For the first 1 to 4 of the channels that the level stores; more may be written of a packed one.
     SampleLevel (*sample_level)(const TexelLevel& level, Wrap wrap, size_t channels);
 };

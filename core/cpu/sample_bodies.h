@@ -112,40 +112,41 @@ struct Stored {
 };
 
 template <int channel, class Corners>
-WRINKLE_INLINE void put(const Corners& corners, Floats x, Floats y, float* out) {
+WRINKLE_INLINE void put(const Corners& corners, Floats x, Floats y, float bias, float* out) {
     const Floats corner[] = {corners.template value<channel>(0), corners.template value<channel>(1),
                              corners.template value<channel>(2),
                              corners.template value<channel>(3)};
-    store(out, mixed(corner, x, y));
+    store(out, mixed(corner, x, y) - bias);
 }
 
 template <Wrap wrap, int channels, class Corners>
-WRINKLE_INLINE void vector(const TexelLevel& level, const float* u, const float* v,
+WRINKLE_INLINE void vector(const TexelLevel& level, float bias, const float* u, const float* v,
                            float* const* out, size_t k) {
     const Below i = below<wrap>(load<Floats>(u + k), static_cast<float>(level.width));
     const Below j = below<wrap>(load<Floats>(v + k), static_cast<float>(level.height));
     const auto corners = Corners::template at<wrap>(level, i.texel, j.texel);
-    put<0>(corners, i.weight, j.weight, out[0] + k);
-    if constexpr (channels > 1) put<1>(corners, i.weight, j.weight, out[1] + k);
-    if constexpr (channels > 2) put<2>(corners, i.weight, j.weight, out[2] + k);
-    if constexpr (channels > 3) put<3>(corners, i.weight, j.weight, out[3] + k);
+    put<0>(corners, i.weight, j.weight, bias, out[0] + k);
+    if constexpr (channels > 1) put<1>(corners, i.weight, j.weight, bias, out[1] + k);
+    if constexpr (channels > 2) put<2>(corners, i.weight, j.weight, bias, out[2] + k);
+    if constexpr (channels > 3) put<3>(corners, i.weight, j.weight, bias, out[3] + k);
 }
 
 template <Wrap wrap, int channels, class Corners>
-void bilinear(const TexelLevel& of, const float* u, const float* v, float* const* to, size_t n) {
+void bilinear(const TexelLevel& of, float bias, const float* u, const float* v, float* const* to,
+              size_t n) {
     // Copies, which what is stored cannot change.
     const TexelLevel level = of;
     float* const out[] = {to[0], to[1], to[2], to[3]};
     size_t k = 0;
     for (; k + vector_lanes <= n; k += vector_lanes)
-        vector<wrap, channels, Corners>(level, u, v, out, k);
+        vector<wrap, channels, Corners>(level, bias, u, v, out, k);
     if (k == n) return;
     // Behind the n-th lane stands what is not ours.
     float places[2][vector_lanes] = {}, values[4][vector_lanes];
     float* const rest[] = {values[0], values[1], values[2], values[3]};
     __builtin_memcpy(places[0], u + k, (n - k) * sizeof(float));
     __builtin_memcpy(places[1], v + k, (n - k) * sizeof(float));
-    vector<wrap, channels, Corners>(level, places[0], places[1], rest, 0);
+    vector<wrap, channels, Corners>(level, bias, places[0], places[1], rest, 0);
     for (size_t c = 0; c < static_cast<size_t>(channels); ++c)
         __builtin_memcpy(out[c] + k, values[c], (n - k) * sizeof(float));
 }

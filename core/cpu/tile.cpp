@@ -32,6 +32,14 @@ StepKernel<T> pair_of(const Kernels& kernels, Op first, Op second, bool swapped)
 }
 
 template <class T>
+StepKernel<T> depth_of(const Kernels& kernels) {
+    if constexpr (std::is_same_v<T, float>)
+        return kernels.depth_of_float;
+    else
+        return kernels.depth_of_double;
+}
+
+template <class T>
 OpTable<T> make_ops(InstructionSet set) {
     OpTable<T> table;
     for (const Type type : {Type::float_, Type::int_, Type::uint_})
@@ -84,28 +92,42 @@ Tile<T>::Tile(const Program& program, std::span<const Texture> textures, Instruc
     allot(memory_.floats, memory_.float_places, program.float_registers);
     allot(memory_.integers, memory_.integer_places, program.integer_registers);
     preset();
-    memory_.flat.clear();
-    for (const Texture& texture : textures)
-        memory_.flat.push_back(texture.level_count() == 1);
+    skip_lods();
+}
+
+// Of a texture with one level nobody asks for a lod.
+template <class T>
+void Tile<T>::skip_lods() {
+    auto& next = memory_.next;
+    next.resize(program_.steps.size() + 1);
+    next.back() = static_cast<uint32_t>(program_.steps.size());
+    for (size_t s = program_.steps.size(); s-- > 0;) {
+        const uint32_t lod_of = program_.steps[s].lod_of;
+        const bool skipped = lod_of != 0 && textures_[lod_of - 1].level_count() == 1;
+        next[s] = skipped ? next[s + 1] : static_cast<uint32_t>(s);
+    }
 }
 
 template <class T>
 void Tile<T>::run(size_t count) {
     count_ = count;
-    for (uint32_t step = 0; step < program_.steps.size();)
-        step = execute(step);
+    const std::vector<uint32_t>& next = memory_.next;
+    for (uint32_t step = next[0]; step < program_.steps.size();)
+        step = next[execute(step)];
 }
 
 template <class T>
 uint32_t Tile<T>::execute(uint32_t index) {
     const Step& step = program_.steps[index];
-    if (step.lod_of != 0 && memory_.flat[step.lod_of - 1]) return index + 1;
     switch (step.kind) {
         case Step::Kind::op:
             run(ops_.ops[op_place(step.op, step.type)], step);
             break;
         case Step::Kind::pair:
             run(ops_.pairs[pair_place(step.op, step.second, step.swapped)], step);
+            break;
+        case Step::Kind::depth:
+            run(depth_of<T>(kernels_), step);
             break;
         case Step::Kind::constant:
             fill(step.out[0], step.type, program_.constants[step.extra], count_);
@@ -161,17 +183,23 @@ template <class T>
 void Tile<T>::sample(const Step& step) {
     const Texture& texture = textures_[step.extra];
     const T *u = floats(step.in[0]), *v = floats(step.in[1]), *lod = floats(step.in[2]);
+    const T bias = step.bias ? static_cast<T>(program_.presets[step.bias - 1].value) : T(0);
     if constexpr (std::is_same_v<T, float>)
-        if (!texture.texels().levels(texture.options().wrap).empty() &&
-            texture.options().filter == Filter::linear) {
-            float* const out[] = {floats(step.out[0]), floats(step.out[1]), floats(step.out[2]),
-                                  floats(step.out[3])};
-            return sample_tile(texture, kernels_, step.channels, u, v, lod, out, count_);
-        }
+        if (texture.options().filter == Filter::linear &&
+            !texture.texels().levels(texture.options().wrap).empty())
+            return sample_tile(texture, kernels_,
+                               {step.channels,
+                                bias,
+                                u,
+                                v,
+                                lod,
+                                {floats(step.out[0]), floats(step.out[1]), floats(step.out[2]),
+                                 floats(step.out[3])},
+                                count_});
     for (size_t k = 0; k < count_; ++k) {
         const std::array<T, 4> texel = texture.sample_lod(u[k], v[k], lod[k]);
         for (size_t i = 0; i < 4; ++i)
-            floats(step.out[i])[k] = texel[i];
+            floats(step.out[i])[k] = texel[i] - bias;
     }
 }
 

@@ -30,7 +30,7 @@ struct TileMemory {
     std::vector<T*> float_places;  // of each register
     std::vector<uint32_t*> integer_places;
     std::vector<Program::Preset> presets;  // that stand in the registers
-    std::vector<uint8_t> flat;             // by resource: one level, so that nobody asks for a lod
+    std::vector<uint32_t> next;            // of each step: the first from it on that is run
     std::vector<RunningLoop> loops;
 };
 
@@ -68,6 +68,7 @@ private:
     uint32_t execute(uint32_t index);
     void run(StepKernel<T> kernel, const Step& step);
     void preset();
+    void skip_lods();
     void fill(uint32_t reg, Type type, double value, size_t count);
     void sample(const Step& step);
     void size(const Step& step);

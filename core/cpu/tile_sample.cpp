@@ -14,27 +14,23 @@ Outputs from_lane(const Outputs& out, size_t first) {
     return {out[0] + first, out[1] + first, out[2] + first, out[3] + first};
 }
 
-// What is read where: u and v begin with the first lane.
-struct Places {
-    const float* u;
-    const float* v;
-    size_t count;
-};
-
-// One level's channels, by the rule of expand_texel().
-void sample_one(const TexelLevel& level, Wrap wrap, const Kernels& kernels, size_t channels,
-                const Places& places, const Outputs& out) {
+// One level's channels at some of the places, by the rule of expand_texel().
+void sample_one(const TexelLevel& level, Wrap wrap, const Kernels& kernels,
+                const TileSample& sample) {
+    const auto& out = sample.out;
     const auto stored = static_cast<size_t>(level.stored);
     const bool gray = stored == 1 || (stored == 2 && level.has_alpha);
-    const size_t read = gray && channels < 4 ? 1 : std::min(stored, channels);
+    const size_t read = gray && sample.channels < 4 ? 1 : std::min(stored, sample.channels);
     Outputs to = out;
     if (gray && read == 2) to[1] = out[3];
-    kernels.sample_level(level, wrap, read)(level, places.u, places.v, to.data(), places.count);
-    for (size_t c = 1; gray && c < std::min(channels, size_t{3}); ++c)
-        std::copy_n(out[0], places.count, out[c]);
-    if (stored == 2 && !gray && channels > 2) std::fill_n(out[2], places.count, 0.0F);
+    kernels.sample_level(level, wrap, read)(level, sample.bias, sample.u, sample.v, to.data(),
+                                            sample.count);
+    for (size_t c = 1; gray && c < std::min(sample.channels, size_t{3}); ++c)
+        std::copy_n(out[0], sample.count, out[c]);
+    if (stored == 2 && !gray && sample.channels > 2)
+        std::fill_n(out[2], sample.count, 0 - sample.bias);
     const bool opaque = stored == 1 || stored == 3 || (stored == 2 && !gray);
-    if (channels == 4 && opaque) std::fill_n(out[3], places.count, 1.0F);
+    if (sample.channels == 4 && opaque) std::fill_n(out[3], sample.count, 1 - sample.bias);
 }
 
 // Which level each lane reads, and how far towards the next.
@@ -66,40 +62,50 @@ bool any_between(const Lods& lods, size_t first, size_t end) {
     return any;
 }
 
-// The next level's values, where a lane reads them too.
-void mix_in(const Outputs& fine, const Outputs& coarse, const float* between, size_t channels,
-            size_t n) {
-    for (size_t c = 0; c < channels; ++c) {
-        float* __restrict out = fine[c];
+// The next level's values, where a lane reads them too, and then the bias.
+void mix_in(const TileSample& fine, const Outputs& coarse, const float* between, float bias) {
+    for (size_t c = 0; c < fine.channels; ++c) {
+        float* __restrict out = fine.out[c];
         const float* next = coarse[c];
-        for (size_t k = 0; k < n; ++k) {
+        for (size_t k = 0; k < fine.count; ++k) {
             const float mixed = out[k] + (next[k] - out[k]) * between[k];
-            out[k] = between[k] > 0 ? mixed : out[k];
+            out[k] = (between[k] > 0 ? mixed : out[k]) - bias;
         }
     }
 }
 
+// Lanes that read one level, and perhaps the next.
+void sample_run(const Texture& texture, std::span<const TexelLevel> levels, const Kernels& kernels,
+                const TileSample& run, const Lods& lods, size_t first) {
+    const auto level = static_cast<size_t>(lods.level[first]);
+    const Wrap wrap = texture.options().wrap;
+    if (!any_between(lods, first, first + run.count))
+        return sample_one(levels[level], wrap, kernels, run);
+    TileSample fine = run, coarse = run;
+    fine.bias = coarse.bias = 0;
+    std::array<std::array<float, tile_lanes>, 4> next;
+    coarse.out = {next[0].data(), next[1].data(), next[2].data(), next[3].data()};
+    sample_one(levels[level], wrap, kernels, fine);
+    sample_one(levels[level + 1], wrap, kernels, coarse);
+    mix_in(fine, coarse.out, &lods.between[first], run.bias);
+}
+
 }  // namespace
 
-void sample_tile(const Texture& texture, const Kernels& kernels, size_t channels, const float* u,
-                 const float* v, const float* lod, float* const* out, size_t n) {
+void sample_tile(const Texture& texture, const Kernels& kernels, const TileSample& sample) {
     const Wrap wrap = texture.options().wrap;
     const std::span<const TexelLevel> levels = texture.texels().levels(wrap);
-    const Outputs all{out[0], out[1], out[2], out[3]};
-    if (levels.size() == 1) return sample_one(levels[0], wrap, kernels, channels, {u, v, n}, all);
+    if (levels.size() == 1) return sample_one(levels[0], wrap, kernels, sample);
     Lods lods;
-    find_lods(lod, n, static_cast<float>(levels.size() - 1), lods);
-    for (size_t first = 0, end = 0; first < n; first = end) {
-        end = run_end(lods, first, n);
-        const auto level = static_cast<size_t>(lods.level[first]);
-        const Places places{u + first, v + first, end - first};
-        const Outputs here = from_lane(all, first);
-        sample_one(levels[level], wrap, kernels, channels, places, here);
-        if (!any_between(lods, first, end)) continue;
-        std::array<std::array<float, tile_lanes>, 4> next;
-        const Outputs coarser{next[0].data(), next[1].data(), next[2].data(), next[3].data()};
-        sample_one(levels[level + 1], wrap, kernels, channels, places, coarser);
-        mix_in(here, coarser, &lods.between[first], channels, places.count);
+    find_lods(sample.lod, sample.count, static_cast<float>(levels.size() - 1), lods);
+    for (size_t first = 0, end = 0; first < sample.count; first = end) {
+        end = run_end(lods, first, sample.count);
+        TileSample run = sample;
+        run.u += first;
+        run.v += first;
+        run.out = from_lane(sample.out, first);
+        run.count = end - first;
+        sample_run(texture, levels, kernels, run, lods, first);
     }
 }
 
