@@ -43,8 +43,8 @@ WRINKLE_INLINE Below below(Floats x, float size) {
         }
     }
     at = at * size - 0.5F;
-    const Ints texel = whole_below(at);
-    return {texel, at - to_floats(texel)};
+    const Whole whole = whole_below(at);
+    return {whole.number, at - whole.same};
 }
 
 WRINKLE_INLINE Floats mixed(const Floats (&corner)[4], Floats x, Floats y) {
@@ -63,6 +63,16 @@ struct Packed {
         const uint32_t* low = level.packed + row + 1;  // texel (0, 0)
         const uint32_t* high = low + row;
         const Ints place = j * row + i;
+        const int32_t first = place[0], last = place[vector_lanes - 1];
+        const int32_t start = first < last ? first : last;
+        // Neighbours in the picture, as where a map is baked at its own size: one read, in order.
+        const Ints lane = place - start;
+        if (are_lanes(lane)) {
+            const auto row_at = [&](const uint32_t* from) {
+                return picked(load<Ints>(from + start), lane);
+            };
+            return {{row_at(low), row_at(low + 1), row_at(high), row_at(high + 1)}};
+        }
         return {{gather(low, place), gather(low + 1, place), gather(high, place),
                  gather(high + 1, place)}};
     }

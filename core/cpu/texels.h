@@ -19,6 +19,7 @@
 namespace wrinkle {
 
 inline constexpr std::array packed_shift = {0, 11, 22};
+inline constexpr size_t packed_behind = 16;  // behind the last texel as many may be read
 
 // A level in one of two forms; the other's pointer is null. Texels stand row by row, y upward.
 struct TexelLevel {

@@ -32,15 +32,27 @@ WRINKLE_INLINE Floats to_floats(Ints v) {
 }
 
 // above_zero: 0 for NaN too. whole_below: the greatest whole number that is not greater, of what an
-// int holds. gather: of 32-bit values. scaled: a number of the low 23 bits times a constant, rounded
-// once.
+// int holds, in both types. gather: of 32-bit values. scaled: a number of the low 23 bits times a constant, rounded
+// once. are_lanes: whether every number is that of a lane; picked: of `from` the lanes that are named.
+struct Whole {
+    Ints number;
+    Floats same;
+};
 #if defined(__AVX512F__)
+WRINKLE_INLINE bool are_lanes(Ints v) {
+    return _mm512_test_epi32_mask(reinterpret_cast<__m512i>(v), _mm512_set1_epi32(~15)) == 0;
+}
+WRINKLE_INLINE Ints picked(Ints from, Ints lanes) {
+    return reinterpret_cast<Ints>(_mm512_maskz_permutexvar_epi32(
+        0xFFFF, reinterpret_cast<__m512i>(lanes), reinterpret_cast<__m512i>(from)));
+}
 WRINKLE_INLINE Floats floor_of(Floats v) {
     return _mm512_maskz_roundscale_ps(0xFFFF, v, _MM_FROUND_TO_NEG_INF | _MM_FROUND_NO_EXC);
 }
-WRINKLE_INLINE Ints whole_below(Floats v) {
-    return reinterpret_cast<Ints>(
+WRINKLE_INLINE Whole whole_below(Floats v) {
+    const auto number = reinterpret_cast<Ints>(
         _mm512_maskz_cvt_roundps_epi32(0xFFFF, v, _MM_FROUND_TO_NEG_INF | _MM_FROUND_NO_EXC));
+    return {number, to_floats(number)};
 }
 WRINKLE_INLINE Floats above_zero(Floats v) {
     return _mm512_maskz_max_ps(0xFFFF, v, _mm512_setzero_ps());
@@ -57,11 +69,19 @@ WRINKLE_INLINE Floats scaled(Ints whole, float factor) {
                                  _mm512_set1_ps(-0x1p23F * factor));
 }
 #elif defined(__AVX2__)
+WRINKLE_INLINE bool are_lanes(Ints v) {
+    return _mm256_testz_si256(reinterpret_cast<__m256i>(v), _mm256_set1_epi32(~7));
+}
+WRINKLE_INLINE Ints picked(Ints from, Ints lanes) {
+    return reinterpret_cast<Ints>(_mm256_permutevar8x32_epi32(reinterpret_cast<__m256i>(from),
+                                                              reinterpret_cast<__m256i>(lanes)));
+}
 WRINKLE_INLINE Floats floor_of(Floats v) {
     return _mm256_floor_ps(v);
 }
-WRINKLE_INLINE Ints whole_below(Floats v) {
-    return reinterpret_cast<Ints>(_mm256_cvttps_epi32(_mm256_floor_ps(v)));
+WRINKLE_INLINE Whole whole_below(Floats v) {
+    const Floats same = floor_of(v);
+    return {reinterpret_cast<Ints>(_mm256_cvttps_epi32(same)), same};
 }
 WRINKLE_INLINE Floats above_zero(Floats v) {
     return _mm256_max_ps(v, _mm256_setzero_ps());
@@ -71,13 +91,20 @@ WRINKLE_INLINE Ints gather(const void* from, Ints places) {
     return reinterpret_cast<Ints>(_mm256_i32gather_epi32(static_cast<const int*>(from), at, 4));
 }
 #else
+WRINKLE_INLINE bool are_lanes(Ints) {
+    return false;  // a gather is no dearer
+}
+WRINKLE_INLINE Ints picked(Ints from, Ints) {
+    return from;
+}
 WRINKLE_INLINE Floats floor_of(Floats v) {
     for (size_t k = 0; k < vector_lanes; ++k)
         v[k] = math::floor(v[k]);
     return v;
 }
-WRINKLE_INLINE Ints whole_below(Floats v) {
-    return __builtin_convertvector(floor_of(v), Ints);
+WRINKLE_INLINE Whole whole_below(Floats v) {
+    const Floats same = floor_of(v);
+    return {__builtin_convertvector(same, Ints), same};
 }
 WRINKLE_INLINE Floats above_zero(Floats v) {
     for (size_t k = 0; k < vector_lanes; ++k)

@@ -8,11 +8,17 @@
 
 namespace wrinkle::bench {
 
+inline constexpr size_t most_planes = 8;
+struct Plane {
+    Affine value;
+    float* out;
+};
+
 struct Kernel {
     // Rows first ... last - 1 of the picture `out`.
     void (*rows)(uint32_t first, uint32_t last, uint32_t* out);
-    // At `count` texels from (x, y) on, a multiple of 16.
-    void (*fill)(const Affine& value, uint32_t x, uint32_t y, uint32_t count, float* out);
+    // Each value at `count` texels from (x, y) on, a multiple of 16.
+    void (*fill)(const Plane* planes, size_t plane_count, uint32_t x, uint32_t y, uint32_t count);
     void (*pack)(const float* const* normal, uint32_t count, uint32_t* out);
 };
 namespace avx2 {

@@ -98,10 +98,15 @@ void rows(uint32_t first, uint32_t last, uint32_t* out) {
             store(out + size_t{y} * side + x, texels(frame, counted(x), y));
 }
 
-void fill(const Affine& value, uint32_t x, uint32_t y, uint32_t count, float* out) {
-    const Float row = row_of(value, y);
-    for (uint32_t k = 0; k < count; k += lanes)
-        store(out + k, at(value, counted(x + k), row));
+void fill(const Plane* planes, size_t plane_count, uint32_t x, uint32_t y, uint32_t count) {
+    Float rows[most_planes];
+    for (size_t i = 0; i < plane_count; ++i)
+        rows[i] = row_of(planes[i].value, y);
+    for (uint32_t k = 0; k < count; k += lanes) {
+        const Float column = counted(x + k);
+        for (size_t i = 0; i < plane_count; ++i)
+            store(planes[i].out + k, at(planes[i].value, column, rows[i]));
+    }
 }
 
 void pack(const float* const* normal, uint32_t count, uint32_t* out) {

@@ -50,13 +50,9 @@ struct Chunk {
             planes.outputs.push_back(next());
     }
 
-    struct Varying {
-        Affine value;
-        float* plane;
-    };
     AlignedVector<float> memory;
     Planes planes;
-    std::vector<Varying> varying;
+    std::vector<Plane> varying;
     PlaneScratch scratch;
 };
 
@@ -86,8 +82,7 @@ void evaluate_rows(const Material& material, InstructionSet set, const Kernel& e
     thread_local Chunk work(material.program);
     for (uint32_t y = first; y < last; ++y)
         for (uint32_t x = 0; x < side; x += chunk) {
-            for (const Chunk::Varying& each : work.varying)
-                ends.fill(each.value, x, y, chunk, each.plane);
+            ends.fill(work.varying.data(), work.varying.size(), x, y, chunk);
             evaluate_planes(material.program, material.textures, work.planes, chunk, work.scratch,
                             set);
             ends.pack(work.planes.outputs.data(), chunk, out + size_t{y} * side + x);
