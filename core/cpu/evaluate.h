@@ -45,7 +45,7 @@ constexpr bool is_integer_type(Type type) {
 struct Step {
     enum class Kind : uint8_t {
         op,
-        pair,         // second(op(in[0], in[1]), in[2]), or second(in[2], op(...)): pairs.h
+        pair,         // second(op(in[0], in[1]), in[2]), or second(in[2], op(...))
         depth,        // max(max(|in[3]|, max(|in[0]|, |in[1]|) * in[2]), in[4])
         constant,     // Program::constants[extra]
         sample,       // in: u, v, lod; four outputs, of which the first `channels` are read, each
@@ -69,6 +69,7 @@ struct Step {
     std::array<uint32_t, 6> in{};
     uint32_t extra = 0;  // resource, or see above
     uint32_t bias = 0;
+    uint16_t loop = 0;  // loop_of() in step_loops.h, of kinds op, pair and depth
     // One more than the resource for whose lod alone this is computed; 0: for other things as well.
     uint32_t lod_of = 0;
 };
@@ -91,7 +92,6 @@ struct Program {
         double value;
         Type type;
         uint32_t reg;
-        bool operator==(const Preset&) const = default;
     };
     std::vector<Step> steps;
     std::vector<Input> inputs;
@@ -100,6 +100,7 @@ struct Program {
     std::vector<Output> outputs;
     uint32_t float_registers = 0;
     uint32_t integer_registers = 0;
+    uint64_t serial = 0;  // of this compilation in this process; 0: none
 };
 
 // Calls are written out. A program that would have more steps than this (a second's work to make),

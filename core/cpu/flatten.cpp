@@ -1,9 +1,11 @@
 #include "cpu/flatten.h"
 
 #include <algorithm>
+#include <atomic>
 #include <bit>
 #include <unordered_set>
 
+#include "cpu/step_loops.h"
 #include "ir/copy.h"
 
 namespace wrinkle {
@@ -232,6 +234,10 @@ Program Flattener::run(std::string& why) {
     mark_what_is_read(program_, integer_.size());
     fuse_steps(program_, integer_.size());
     allocate_registers(program_, integer_);
+    for (Step& step : program_.steps)
+        step.loop = static_cast<uint16_t>(loop_of(step));
+    static std::atomic<uint64_t> compilations = 0;
+    program_.serial = ++compilations;
     return std::move(program_);
 }
 

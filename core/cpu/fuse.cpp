@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "cpu/flatten.h"
-#include "cpu/pairs.h"
+#include "cpu/step_loops.h"
 
 namespace wrinkle {
 namespace {

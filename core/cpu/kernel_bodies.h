@@ -123,7 +123,7 @@ StepKernel<T> pair_with(Op second, bool swapped) {
 }
 
 template <class T>
-StepKernel<T> pair_kernel(Op first, Op second, bool swapped) {
+[[gnu::noinline]] StepKernel<T> pair_kernel(Op first, Op second, bool swapped) {
     switch (first) {
         case Op::abs_:
             return pair_with<T, Abs>(second, swapped);
@@ -419,15 +419,34 @@ StepKernel<T> on_integers(Op op) {
 }
 
 template <class T>
-StepKernel<T> kernel_of(Op op, Type type) {
+[[gnu::noinline]] StepKernel<T> kernel_of(Op op, Type type) {
     if (type == Type::float_) return on_floats<T>(op);
     return type == Type::int_ ? on_integers<T, int32_t>(op) : on_integers<T, uint32_t>(op);
 }
 
+// Once a process: small, not fast.
+template <class T>
+[[gnu::cold]] StepLoops<T> make_loops() {
+    StepLoops<T> loops{};
+    for (const Type type : {Type::float_, Type::int_, Type::uint_})
+        for (size_t op = 0; op < tables::op_count; ++op)
+            loops[op_loop(static_cast<Op>(op), type)] = kernel_of<T>(static_cast<Op>(op), type);
+    for (const Op first : first_ops)
+        for (const Op second : second_ops)
+            for (const bool swapped : {false, true})
+                loops[pair_loop(first, second, swapped)] = pair_kernel<T>(first, second, swapped);
+    loops[depth_loop] = depth<T>;
+    return loops;
+}
+
+template <class T>
+const StepLoops<T>& loops() {
+    static const StepLoops<T> made = make_loops<T>();
+    return made;
+}
+
 }  // namespace
 
-const Kernels kernels = {kernel_of<float>,    kernel_of<double>, pair_kernel<float>,
-                         pair_kernel<double>, depth<float>,      depth<double>,
-                         sample_level};
+const Kernels kernels = {loops<float>, loops<double>, sample_level};
 
 }  // namespace wrinkle::WRINKLE_ISA

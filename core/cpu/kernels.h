@@ -5,7 +5,10 @@
 // the linker would keep one of the copies for all.
 #pragma once
 
+#include <type_traits>
+
 #include "cpu/evaluate.h"
+#include "cpu/step_loops.h"
 #include "cpu/texels.h"
 
 namespace wrinkle {
@@ -28,17 +31,25 @@ using StepKernel = void (*)(const Step& step, const Registers<T>& registers, siz
 using SampleLevel = void (*)(const TexelLevel& level, float bias, const float* u, const float* v,
                              float* const* out, size_t n);
 
+// By number; null where an op has no case.
+template <class T>
+using StepLoops = std::array<StepKernel<T>, loop_count>;
+
 struct Kernels {
-    // By op and by the type of its operands' lanes; null where the op has no case.
-    StepKernel<float> (*of_float)(Op op, Type type);
-    StepKernel<double> (*of_double)(Op op, Type type);
-    StepKernel<float> (*pair_of_float)(Op first, Op second, bool swapped);
-    StepKernel<double> (*pair_of_double)(Op first, Op second, bool swapped);
-    StepKernel<float> depth_of_float;
-    StepKernel<double> depth_of_double;
-    // For the first 1 to 4 of the channels that the level stores; more may be written of a packed one.
+    const StepLoops<float>& (*of_float)();
+    const StepLoops<double>& (*of_double)();
+    // For the first 1 to 4 of the channels that the level stores; more may be written of a packed
+    // one.
     SampleLevel (*sample_level)(const TexelLevel& level, Wrap wrap, size_t channels);
 };
+
+template <class T>
+const StepLoops<T>& loops_of(const Kernels& kernels) {
+    if constexpr (std::is_same_v<T, float>)
+        return kernels.of_float();
+    else
+        return kernels.of_double();
+}
 
 namespace baseline {
 extern const Kernels kernels;

@@ -9,62 +9,6 @@
 namespace wrinkle {
 namespace {
 
-// The types of operands that ops tell apart: float, int, and uint or bool.
-size_t op_place(Op op, Type type) {
-    const size_t column = type == Type::float_ ? 0 : type == Type::int_ ? 1 : 2;
-    return column * tables::op_count + static_cast<size_t>(op);
-}
-
-template <class T>
-StepKernel<T> kernel_of(const Kernels& kernels, Op op, Type type) {
-    if constexpr (std::is_same_v<T, float>)
-        return kernels.of_float(op, type);
-    else
-        return kernels.of_double(op, type);
-}
-
-template <class T>
-StepKernel<T> pair_of(const Kernels& kernels, Op first, Op second, bool swapped) {
-    if constexpr (std::is_same_v<T, float>)
-        return kernels.pair_of_float(first, second, swapped);
-    else
-        return kernels.pair_of_double(first, second, swapped);
-}
-
-template <class T>
-StepKernel<T> depth_of(const Kernels& kernels) {
-    if constexpr (std::is_same_v<T, float>)
-        return kernels.depth_of_float;
-    else
-        return kernels.depth_of_double;
-}
-
-template <class T>
-OpTable<T> make_ops(InstructionSet set) {
-    OpTable<T> table;
-    for (const Type type : {Type::float_, Type::int_, Type::uint_})
-        for (size_t op = 0; op < tables::op_count; ++op)
-            table.ops[op_place(static_cast<Op>(op), type)] =
-                kernel_of<T>(kernels_of(set), static_cast<Op>(op), type);
-    for (const Op first : first_ops)
-        for (const Op second : second_ops)
-            for (const bool swapped : {false, true})
-                table.pairs[pair_place(first, second, swapped)] =
-                    pair_of<T>(kernels_of(set), first, second, swapped);
-    return table;
-}
-
-template <class T>
-const OpTable<T>& ops_of(InstructionSet set) {
-    static const std::array<OpTable<T>, 3> tables = [] {
-        std::array<OpTable<T>, 3> made;
-        for (size_t k = 0; k < made.size(); ++k)
-            made[k] = make_ops<T>(static_cast<InstructionSet>(k));
-        return made;
-    }();
-    return tables[static_cast<size_t>(set)];
-}
-
 template <class Lane>
 void allot(AlignedVector<Lane>& memory, std::vector<Lane*>& places, size_t registers) {
     memory.resize(std::max(memory.size(), registers * tile_lanes));
@@ -87,12 +31,31 @@ Tile<T>::Tile(const Program& program, std::span<const Texture> textures, Instruc
     : program_(program),
       textures_(textures),
       kernels_(kernels_of(set)),
-      ops_(ops_of<T>(set)),
+      loops_(loops_of<T>(kernels_)),
       memory_(memory) {
     allot(memory_.floats, memory_.float_places, program.float_registers);
     allot(memory_.integers, memory_.integer_places, program.integer_registers);
-    preset();
+    if (is_prepared()) return;
+    for (const Program::Preset& each : program.presets)
+        fill(each.reg, each.type, each.value, tile_lanes);
     skip_lods();
+}
+
+// No step writes a preset's register, so what stands there of the same program is right still.
+template <class T>
+bool Tile<T>::is_prepared() {
+    const auto same_levels = [](const Texture& texture, uint32_t count) {
+        return texture.level_count() == count;
+    };
+    if (memory_.serial != 0 && memory_.serial == program_.serial &&
+        std::equal(textures_.begin(), textures_.end(), memory_.level_counts.begin(),
+                   memory_.level_counts.end(), same_levels))
+        return true;
+    memory_.serial = program_.serial;
+    memory_.level_counts.clear();
+    for (const Texture& texture : textures_)
+        memory_.level_counts.push_back(texture.level_count());
+    return false;
 }
 
 // Of a texture with one level nobody asks for a lod.
@@ -121,13 +84,11 @@ uint32_t Tile<T>::execute(uint32_t index) {
     const Step& step = program_.steps[index];
     switch (step.kind) {
         case Step::Kind::op:
-            run(ops_.ops[op_place(step.op, step.type)], step);
-            break;
         case Step::Kind::pair:
-            run(ops_.pairs[pair_place(step.op, step.second, step.swapped)], step);
-            break;
         case Step::Kind::depth:
-            run(depth_of<T>(kernels_), step);
+            assert(loops_[step.loop] && "an op without a CPU case");
+            loops_[step.loop](step, {memory_.float_places.data(), memory_.integer_places.data()},
+                              count_);
             break;
         case Step::Kind::constant:
             fill(step.out[0], step.type, program_.constants[step.extra], count_);
@@ -154,21 +115,6 @@ uint32_t Tile<T>::execute(uint32_t index) {
             return end(step, index);
     }
     return index + 1;
-}
-
-template <class T>
-void Tile<T>::run(StepKernel<T> kernel, const Step& step) {
-    assert(kernel && "an op without a CPU case");
-    kernel(step, {memory_.float_places.data(), memory_.integer_places.data()}, count_);
-}
-
-// What stands there of the same program is not written again: no step writes it.
-template <class T>
-void Tile<T>::preset() {
-    if (memory_.presets == program_.presets) return;
-    memory_.presets = program_.presets;
-    for (const Program::Preset& each : program_.presets)
-        fill(each.reg, each.type, each.value, tile_lanes);
 }
 
 template <class T>

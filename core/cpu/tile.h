@@ -12,7 +12,6 @@
 #include "cpu/aligned.h"
 #include "cpu/evaluate.h"
 #include "cpu/kernels.h"
-#include "cpu/pairs.h"
 
 namespace wrinkle {
 
@@ -29,16 +28,11 @@ struct TileMemory {
     AlignedVector<uint32_t> integers;
     std::vector<T*> float_places;  // of each register
     std::vector<uint32_t*> integer_places;
-    std::vector<Program::Preset> presets;  // that stand in the registers
-    std::vector<uint32_t> next;            // of each step: the first from it on that is run
+    std::vector<uint32_t> next;  // of each step: the first from it on that is run
     std::vector<RunningLoop> loops;
-};
-
-// The loop of every op and pair of an instruction set.
-template <class T>
-struct OpTable {
-    std::array<StepKernel<T>, 3 * tables::op_count> ops;  // by op_place()
-    std::array<StepKernel<T>, pair_count> pairs;          // by pair_place()
+    // For whom the presets stand in their registers and `next` is right.
+    uint64_t serial = 0;
+    std::vector<uint32_t> level_counts;
 };
 
 template <class T>
@@ -66,8 +60,7 @@ public:
 
 private:
     uint32_t execute(uint32_t index);
-    void run(StepKernel<T> kernel, const Step& step);
-    void preset();
+    bool is_prepared();
     void skip_lods();
     void fill(uint32_t reg, Type type, double value, size_t count);
     void sample(const Step& step);
@@ -80,7 +73,7 @@ private:
     const Program& program_;
     std::span<const Texture> textures_;
     const Kernels& kernels_;
-    const OpTable<T>& ops_;
+    const StepLoops<T>& loops_;
     TileMemory<T>& memory_;
     size_t count_ = 0;
 };

@@ -30,7 +30,7 @@ Affine surface_value(const Program::Input& input) {
     return input.variant == Variant::value ? value : difference(value, input.variant);
 }
 
-static const uint32_t chunk = getenv("CHUNK") ? atoi(getenv("CHUNK")) : 256;
+constexpr uint32_t chunk = 256;
 
 // The planes of a chunk, each a line of the cache further than a multiple of its length. Those that
 // are the same everywhere are filled once.
