@@ -1,6 +1,6 @@
-// Every loop over a tile that a step may ask for has a number: one for each op and type of operands,
-// one for each pair of ops that share a pass over memory, one for the depth of a decoded normal.
-// compile_program() notes it in the step, each instruction set has a table of its loops.
+// Every loop over a tile that a step may ask for has a number: one for each op and type of
+// operands, one for each pair of ops that share a pass over memory, one for the depth of a decoded
+// normal. compile_program() notes it in the step, each instruction set has a table of its loops.
 //
 // A pair is out = second(first(a, b), c), or second(c, first(a, b)) where it is swapped. Each op
 // rounds by itself.

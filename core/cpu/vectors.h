@@ -32,8 +32,9 @@ WRINKLE_INLINE Floats to_floats(Ints v) {
 }
 
 // above_zero: 0 for NaN too. whole_below: the greatest whole number that is not greater, of what an
-// int holds, in both types. gather: of 32-bit values. scaled: a number of the low 23 bits times a constant, rounded
-// once. are_lanes: whether every number is that of a lane; picked: of `from` the lanes that are named.
+// int holds, in both types. gather: of 32-bit values. scaled: a number of the low 23 bits times a
+// constant, rounded once. are_lanes: whether every number is that of a lane. picked: of `from` the
+// lanes that are named.
 struct Whole {
     Ints number;
     Floats same;

@@ -1,7 +1,7 @@
 // The job written by hand with intrinsics: what an instruction set can do at best. Fused
-// multiply-adds, gathers of whole texels. (The instruction set's estimate of the reciprocal root and
-// a Newton step were no faster than a root and a division, which other work hides.) Beside it what
-// the evaluator's turn needs on both ends: planes filled by interpolation, and bytes.
+// multiply-adds, gathers of whole texels. (The set's estimate of the reciprocal root and a Newton
+// step were no faster than a root and a division, which other work hides.) Beside it what the
+// evaluator's turn needs on both ends: planes filled by interpolation, and bytes.
 #pragma once
 
 #include "bench/texels/job.h"
