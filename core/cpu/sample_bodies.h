@@ -33,7 +33,7 @@ WRINKLE_INLINE Below below(Floats x, float size) {
         at = above_zero(at - floor_of(at));
     } else {
         const Floats zero{}, one = zero + 1.0F;
-        at = (at < 1e9F) & (at > -1e9F) ? at : zero;
+        at = ((at < 1e9F) & (at > -1e9F)) ? at : zero;
         if constexpr (wrap == Wrap::clamp) {
             at = above_zero(at);
             at = at > 1.0F ? one : at;
