@@ -133,6 +133,14 @@ WRINKLE_INLINE double angle_below_diagonal(double small, double big) {
 }  // namespace detail
 
 // As in <cmath>, to the bit, but vectorised where the machine has no instruction for it.
+#if defined(__SSE4_1__)
+WRINKLE_INLINE double floor(double x) {
+    return __builtin_floor(x);
+}
+WRINKLE_INLINE float floor(float x) {
+    return __builtin_floorf(x);
+}
+#else
 WRINKLE_INLINE double floor(double x) {
     constexpr double all_whole = 4503599627370496.0;  // 2^52
     const double size = std::fabs(x);
@@ -145,6 +153,7 @@ WRINKLE_INLINE float floor(float x) {
     const float near = std::copysign((size + all_whole) - all_whole, x);
     return size < all_whole ? (near > x ? near - 1 : near) : x;
 }
+#endif
 
 WRINKLE_INLINE double exp2(double x) {
     using namespace detail;

@@ -39,13 +39,17 @@ constexpr bool is_integer_type(Type type) {
     return type == Type::int_ || type == Type::uint_ || type == Type::bool_;
 }
 
-// One scalar operation on a tile. Registers of floats and of integers (bools: 0 or 1) are two
-// files.
+// One operation on a tile: on scalars, or on two or three lanes at once where that saves passes
+// over memory (dot: a then b; cross; normalize). Registers of floats and of integers (bools: 0 or
+// 1) are two files.
 struct Step {
     enum class Kind : uint8_t {
         op,
+        pair,         // second(op(in[0], in[1]), in[2]), or second(in[2], op(...))
+        depth,        // max(max(|in[3]|, max(|in[0]|, |in[1]|) * in[2]), in[4])
         constant,     // Program::constants[extra]
-        sample,       // in: u, v, lod; four outputs
+        sample,       // in: u, v, lod; four outputs, of which the first `channels` are read, each
+                      // less the number of Program::presets[bias - 1] where there is a bias
         size,         // two outputs
         move,         // out[0] = in[0]
         masked_move,  // the same, where the innermost loop still goes on
@@ -55,14 +59,19 @@ struct Step {
     };
     Kind kind = Kind::op;
     Op op = Op::poison_;
+    Op second = Op::poison_;
+    bool swapped = false;
     Type type = Type::float_;  // of the operands' lanes
     uint8_t count = 0;         // operands
+    uint8_t outputs = 0;
+    uint8_t channels = 4;
     std::array<uint32_t, 4> out{};
-    std::array<uint32_t, 3> in{};
+    std::array<uint32_t, 6> in{};
     uint32_t extra = 0;  // resource, or see above
-
-    bool has_output() const { return kind <= Kind::masked_move; }
-    uint32_t outputs() const { return kind == Kind::sample ? 4 : kind == Kind::size ? 2 : 1; }
+    uint32_t bias = 0;
+    uint16_t loop = 0;  // loop_of() in step_loops.h, of kinds op, pair and depth
+    // One more than the resource for whose lod alone this is computed; 0: for other things as well.
+    uint32_t lod_of = 0;
 };
 
 struct Program {
@@ -78,12 +87,20 @@ struct Program {
         uint32_t port_type;
         std::vector<uint32_t> regs;  // one a lane
     };
+    // A register that holds one number from the first step to the last.
+    struct Preset {
+        double value;
+        Type type;
+        uint32_t reg;
+    };
     std::vector<Step> steps;
     std::vector<Input> inputs;
+    std::vector<Preset> presets;
     std::vector<double> constants;
     std::vector<Output> outputs;
     uint32_t float_registers = 0;
     uint32_t integer_registers = 0;
+    uint64_t serial = 0;  // of this compilation in this process; 0: none
 };
 
 // Calls are written out. A program that would have more steps than this (a second's work to make),
@@ -109,10 +126,10 @@ struct Results {
 Results make_results(const Program& program, size_t points);
 
 // Which machine code runs the steps. Results are the same to the last bit.
-enum class InstructionSet : uint8_t { baseline, avx2 };
+enum class InstructionSet : uint8_t { baseline, avx2, avx512 };
 bool is_available(InstructionSet set);
 // The best there is, or the available one that the environment variable WRINKLE_ISA names:
-// "baseline", "avx2".
+// "baseline", "avx2", "avx512".
 InstructionSet default_instruction_set();
 
 // Points first ... first + count - 1 into `results`. Every needed input is given; textures stand by

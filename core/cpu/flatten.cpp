@@ -1,9 +1,11 @@
 #include "cpu/flatten.h"
 
 #include <algorithm>
+#include <atomic>
 #include <bit>
 #include <unordered_set>
 
+#include "cpu/step_loops.h"
 #include "ir/copy.h"
 
 namespace wrinkle {
@@ -40,6 +42,7 @@ uint32_t Flattener::add(Op op, Type operands, Type result, const Lanes& in) {
     step.type = operands;
     std::copy(in.begin(), in.end(), step.in.begin());
     step.count = static_cast<uint8_t>(in.size());
+    step.outputs = 1;
     step.out[0] = fresh(result);
     push(step);
     return step.out[0];
@@ -51,6 +54,7 @@ void Flattener::move(Type type, uint32_t from, uint32_t to, bool masked) {
     step.type = type;
     step.in[0] = from;
     step.count = 1;
+    step.outputs = 1;
     step.out[0] = to;
     push(step);
 }
@@ -64,6 +68,7 @@ uint32_t Flattener::constant(double value, Type type) {
     step.kind = Step::Kind::constant;
     step.type = integer ? type : Type::float_;
     step.extra = static_cast<uint32_t>(program_.constants.size());
+    step.outputs = 1;
     step.out[0] = entry->second = fresh(type);
     program_.constants.push_back(value);
     push(step);
@@ -225,7 +230,14 @@ Program Flattener::run(std::string& why) {
                 {output.name, module_->type(output.value), output.port_type, lanes(output.value)});
     why = why_;
     if (refused()) return {};
+    preset_constants(program_);
+    mark_what_is_read(program_, integer_.size());
+    fuse_steps(program_, integer_.size());
     allocate_registers(program_, integer_);
+    for (Step& step : program_.steps)
+        step.loop = static_cast<uint16_t>(loop_of(step));
+    static std::atomic<uint64_t> compilations = 0;
+    program_.serial = ++compilations;
     return std::move(program_);
 }
 

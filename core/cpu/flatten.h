@@ -49,6 +49,7 @@ private:
     void move(Type type, uint32_t from, uint32_t to, bool masked);
     uint32_t constant(double value, Type type);
     uint32_t dot(const Lanes& a, const Lanes& b);
+    Lanes add_vector(Op op, size_t outputs, const Lanes& in);
     void push(const Step& step);
     void refuse(std::string why);
     bool refused() const { return !why_.empty(); }
@@ -63,6 +64,16 @@ private:
     std::vector<bool> integer_;   // by register
     std::string why_;             // the program is refused
 };
+
+// Few constants are written once, before the first step; their steps go away.
+void preset_constants(Program& program);
+
+// Fills in Step::lod_of and Step::channels. Registers are still written once, but for a loop's
+// state.
+void mark_what_is_read(Program& program, size_t registers);
+
+// Has several steps share a pass over memory.
+void fuse_steps(Program& program, size_t registers);
 
 // Gives registers that are not read any more to later steps. `integer` tells the file of each.
 void allocate_registers(Program& program, const std::vector<bool>& integer);

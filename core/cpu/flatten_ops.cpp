@@ -17,7 +17,26 @@ uint32_t lane_of(const Lanes& lanes, size_t k) {
 
 }  // namespace
 
+// An op on vectors that is one step.
+Flattener::Lanes Flattener::add_vector(Op op, size_t outputs, const Lanes& in) {
+    Step step;
+    step.op = op;
+    std::copy(in.begin(), in.end(), step.in.begin());
+    step.count = static_cast<uint8_t>(in.size());
+    step.outputs = static_cast<uint8_t>(outputs);
+    Lanes result;
+    for (size_t k = 0; k < outputs; ++k)
+        result.push_back(step.out[k] = fresh(Type::float_));
+    push(step);
+    return result;
+}
+
 uint32_t Flattener::dot(const Lanes& a, const Lanes& b) {
+    if (a.size() <= 3) {
+        Lanes both = a;
+        both.insert(both.end(), b.begin(), b.end());
+        return add_vector(Op::dot_, 1, both)[0];
+    }
     uint32_t sum = add_float(Op::mul_, {a[0], b[0]});
     for (size_t k = 1; k < a.size(); ++k)
         sum = add_float(Op::add_, {sum, add_float(Op::mul_, {a[k], b[k]})});
@@ -116,9 +135,10 @@ Flattener::Lanes Flattener::vector_op(const Inst& inst, const std::vector<Lanes>
         case Op::length_:
             return {add_float(Op::sqrt_, {dot(a, a)})};
         case Op::normalize_: {
-            const uint32_t length = add_float(Op::sqrt_, {dot(a, a)});
+            if (a.size() <= 3) return add_vector(Op::normalize_, a.size(), a);
+            const uint32_t scale = add_float(Op::inversesqrt_, {dot(a, a)});
             for (const uint32_t lane : a)
-                result.push_back(add_float(Op::div_, {lane, length}));
+                result.push_back(add_float(Op::mul_, {lane, scale}));
             return result;
         }
         case Op::reflect_: {
@@ -132,13 +152,9 @@ Flattener::Lanes Flattener::vector_op(const Inst& inst, const std::vector<Lanes>
         default:
             break;
     }
-    const Lanes& b = args[1];
-    for (size_t k = 0; k < 3; ++k) {
-        const size_t i = (k + 1) % 3, j = (k + 2) % 3;
-        result.push_back(add_float(
-            Op::sub_, {add_float(Op::mul_, {a[i], b[j]}), add_float(Op::mul_, {a[j], b[i]})}));
-    }
-    return result;
+    Lanes both = a;
+    both.insert(both.end(), args[1].begin(), args[1].end());
+    return add_vector(Op::cross_, 3, both);
 }
 
 // A mat3 times each vec3 column of the other operand.
@@ -160,8 +176,9 @@ Flattener::Lanes Flattener::sampled(const Inst& inst, const std::vector<Lanes>& 
         step.in = {args[0][0], args[0][1], args[1][0]};
         step.count = 3;
     }
+    step.outputs = step.kind == Step::Kind::sample ? 4 : 2;
     Lanes result;
-    for (size_t k = 0; k < step.outputs(); ++k)
+    for (size_t k = 0; k < step.outputs; ++k)
         result.push_back(step.out[k] = fresh(Type::float_));
     push(step);
     return result;

@@ -8,70 +8,81 @@
 #include <type_traits>
 
 #include "base/transcendental.h"
+#include "cpu/fused_bodies.h"
 #include "cpu/kernels.h"
+#include "cpu/sample_bodies.h"
 
 namespace wrinkle::WRINKLE_ISA {
 namespace {
 
-template <class Lane>
-Lane* lanes_of(Lane* registers, uint32_t reg) {
-    return registers + reg * tile_lanes;
-}
-
-// out = f(a), f(a, b) or f(a, b, c) on every lane, all of them in one file of registers.
-template <class A, class Out, class F>
-bool each(const Step& step, const A* from, Out* to, size_t n, F f) {
-    const A *a = lanes_of(from, step.in[0]), *b = lanes_of(from, step.in[1]),
-            *c = lanes_of(from, step.in[2]);
-    Out* __restrict out = lanes_of(to, step.out[0]);
+// out = f(a), f(a, b) or f(a, b, c) on every lane.
+template <class T, class A, class Out, class F>
+void each(const Step& step, const Registers<T>& registers, size_t n) {
+    const A *a = lanes_of<A>(registers, step.in[0]), *b = lanes_of<A>(registers, step.in[1]),
+            *c = lanes_of<A>(registers, step.in[2]);
+    Out* __restrict out = lanes_of<Out>(registers, step.out[0]);
+    WRINKLE_LANES
     for (size_t k = 0; k < n; ++k) {
         if constexpr (std::is_invocable_v<F, A>)
-            out[k] = f(a[k]);
+            out[k] = F{}(a[k]);
         else if constexpr (std::is_invocable_v<F, A, A>)
-            out[k] = f(a[k], b[k]);
+            out[k] = F{}(a[k], b[k]);
         else
-            out[k] = f(a[k], b[k], c[k]);
+            out[k] = F{}(a[k], b[k], c[k]);
     }
-    return true;
 }
 
-template <class Lane>
-bool select(const Step& step, const uint32_t* integers, Lane* registers, size_t n) {
-    const uint32_t* condition = lanes_of(integers, step.in[0]);
-    const Lane *a = lanes_of(registers, step.in[1]), *b = lanes_of(registers, step.in[2]);
-    Lane* __restrict out = lanes_of(registers, step.out[0]);
+template <class T, class A, class Out, class F>
+StepKernel<T> on(F) {
+    return each<T, A, Out, F>;
+}
+template <class T, class F>
+StepKernel<T> floats(F) {
+    return each<T, T, T, F>;
+}
+template <class T, class F>
+StepKernel<T> integers(F) {
+    return each<T, uint32_t, uint32_t, F>;
+}
+
+template <class T, class Lane>
+void select(const Step& step, const Registers<T>& registers, size_t n) {
+    const uint32_t* condition = lanes_of<uint32_t>(registers, step.in[0]);
+    const Lane *a = lanes_of<Lane>(registers, step.in[1]),
+               *b = lanes_of<Lane>(registers, step.in[2]);
+    Lane* __restrict out = lanes_of<Lane>(registers, step.out[0]);
+    WRINKLE_LANES
     for (size_t k = 0; k < n; ++k)
         out[k] = condition[k] ? a[k] : b[k];
-    return true;
 }
 
 template <class T>
-bool arithmetic(const Step& step, T* r, size_t n) {
-    switch (step.op) {
+StepKernel<T> arithmetic(Op op) {
+    switch (op) {
         case Op::neg_:
-            return each(step, r, r, n, [](T x) { return -x; });
+            return floats<T>([](T x) { return -x; });
         case Op::add_:
-            return each(step, r, r, n, [](T x, T y) { return x + y; });
+            return floats<T>(Add{});
         case Op::sub_:
-            return each(step, r, r, n, [](T x, T y) { return x - y; });
+            return floats<T>(Sub{});
         case Op::mul_:
-            return each(step, r, r, n, [](T x, T y) { return x * y; });
+            return floats<T>(Mul{});
         case Op::div_:
-            return each(step, r, r, n, [](T x, T y) { return x / y; });
+            return floats<T>([](T x, T y) { return x / y; });
         case Op::mod_:
-            return each(step, r, r, n, [](T x, T y) { return x - y * math::floor(x / y); });
+            return floats<T>([](T x, T y) { return x - y * math::floor(x / y); });
         case Op::mix_:
-            return each(step, r, r, n, [](T x, T y, T t) { return x * (1 - t) + y * t; });
+            return floats<T>([](T x, T y, T t) { return x * (1 - t) + y * t; });
         case Op::min_:
-            return each(step, r, r, n, [](T x, T y) { return y < x ? y : x; });
+            return floats<T>(Min{});
         case Op::max_:
-            return each(step, r, r, n, [](T x, T y) { return x < y ? y : x; });
+            return floats<T>(Max{});
         case Op::sqrt_:
-            return each(step, r, r, n, [](T x) { return std::sqrt(x); });
+            return floats<T>([](T x) { return std::sqrt(x); });
         case Op::inversesqrt_:
-            return each(step, r, r, n, [](T x) { return 1 / std::sqrt(x); });
+            return floats<T>([](T x) { return 1 / std::sqrt(x); });
         default:
-            return false;
+            return nullptr;
     }
 }
 
@@ -88,128 +99,129 @@ T smoothstep(T low, T high, T x) {
 }
 
 template <class T>
-bool shaping(const Step& step, T* r, size_t n) {
-    switch (step.op) {
+StepKernel<T> shaping(Op op) {
+    switch (op) {
         case Op::abs_:
-            return each(step, r, r, n, [](T x) { return std::fabs(x); });
+            return floats<T>([](T x) { return std::fabs(x); });
         case Op::sign_:
-            return each(step, r, r, n, [](T x) { return T(x > 0) - T(x < 0); });
+            return floats<T>([](T x) { return T(x > 0) - T(x < 0); });
         case Op::sign_nonzero_:
-            return each(step, r, r, n, [](T x) { return x < 0 ? T(-1) : T(1); });
+            return floats<T>([](T x) { return x < 0 ? T(-1) : T(1); });
         case Op::floor_:
-            return each(step, r, r, n, [](T x) { return math::floor(x); });
+            return floats<T>([](T x) { return math::floor(x); });
         case Op::ceil_:
-            return each(step, r, r, n, [](T x) { return -math::floor(-x); });
+            return floats<T>([](T x) { return -math::floor(-x); });
         case Op::fract_:
-            return each(step, r, r, n, [](T x) { return x - math::floor(x); });
+            return floats<T>([](T x) { return x - math::floor(x); });
         case Op::clamp_:
-            return each(step, r, r, n, [](T x, T a, T b) { return clamped(x, a, b); });
+            return floats<T>([](T x, T a, T b) { return clamped(x, a, b); });
         case Op::step_:
-            return each(step, r, r, n, [](T e, T x) { return x < e ? T(0) : T(1); });
+            return floats<T>([](T e, T x) { return x < e ? T(0) : T(1); });
         case Op::smoothstep_:
-            return each(step, r, r, n, [](T a, T b, T x) { return smoothstep(a, b, x); });
+            return floats<T>([](T a, T b, T x) { return smoothstep(a, b, x); });
         default:
-            return false;
+            return nullptr;
     }
 }
 
 template <class T>
-bool transcendental(const Step& step, T* r, size_t n) {
-    switch (step.op) {
+StepKernel<T> transcendental(Op op) {
+    switch (op) {
         case Op::pow_:
-            return each(step, r, r, n, [](T x, T y) { return math::pow(x, y); });
+            return floats<T>([](T x, T y) { return math::pow(x, y); });
         case Op::exp_:
-            return each(step, r, r, n, [](T x) { return math::exp(x); });
+            return floats<T>([](T x) { return math::exp(x); });
         case Op::log_:
-            return each(step, r, r, n, [](T x) { return math::log(x); });
+            return floats<T>([](T x) { return math::log(x); });
         case Op::exp2_:
-            return each(step, r, r, n, [](T x) { return math::exp2(x); });
+            return floats<T>([](T x) { return math::exp2(x); });
         case Op::log2_:
-            return each(step, r, r, n, [](T x) { return math::log2(x); });
+            return floats<T>([](T x) { return math::log2(x); });
         case Op::sin_:
-            return each(step, r, r, n, [](T x) { return math::sin(x); });
+            return floats<T>([](T x) { return math::sin(x); });
         case Op::cos_:
-            return each(step, r, r, n, [](T x) { return math::cos(x); });
+            return floats<T>([](T x) { return math::cos(x); });
         case Op::tan_:
-            return each(step, r, r, n, [](T x) { return math::tan(x); });
+            return floats<T>([](T x) { return math::tan(x); });
         case Op::asin_:
-            return each(step, r, r, n, [](T x) { return math::asin(x); });
+            return floats<T>([](T x) { return math::asin(x); });
         case Op::acos_:
-            return each(step, r, r, n, [](T x) { return math::acos(x); });
+            return floats<T>([](T x) { return math::acos(x); });
         case Op::atan_:
-            return each(step, r, r, n, [](T x) { return math::atan(x); });
+            return floats<T>([](T x) { return math::atan(x); });
         case Op::atan2_:
-            return each(step, r, r, n, [](T y, T x) { return math::atan2(y, x); });
+            return floats<T>([](T y, T x) { return math::atan2(y, x); });
         default:
-            return false;
+            return nullptr;
     }
 }
 
-// A is the type of the operands, whose registers are `from`.
-template <class A>
-bool comparison(const Step& step, const A* from, uint32_t* to, size_t n) {
-    switch (step.op) {
+// A is the type of the operands.
+template <class T, class A>
+StepKernel<T> comparison(Op op) {
+    switch (op) {
         case Op::lt_:
-            return each(step, from, to, n, [](A x, A y) { return uint32_t(x < y); });
+            return on<T, A, uint32_t>([](A x, A y) { return uint32_t(x < y); });
         case Op::le_:
-            return each(step, from, to, n, [](A x, A y) { return uint32_t(x <= y); });
+            return on<T, A, uint32_t>([](A x, A y) { return uint32_t(x <= y); });
         case Op::gt_:
-            return each(step, from, to, n, [](A x, A y) { return uint32_t(x > y); });
+            return on<T, A, uint32_t>([](A x, A y) { return uint32_t(x > y); });
         case Op::ge_:
-            return each(step, from, to, n, [](A x, A y) { return uint32_t(x >= y); });
+            return on<T, A, uint32_t>([](A x, A y) { return uint32_t(x >= y); });
         case Op::eq_:
-            return each(step, from, to, n, [](A x, A y) { return uint32_t(x == y); });
+            return on<T, A, uint32_t>([](A x, A y) { return uint32_t(x == y); });
         case Op::ne_:
-            return each(step, from, to, n, [](A x, A y) { return uint32_t(x != y); });
+            return on<T, A, uint32_t>([](A x, A y) { return uint32_t(x != y); });
         default:
-            return false;
+            return nullptr;
     }
 }
 
 // What int and uint have in common: two's complement makes these the same.
-bool words(const Step& step, uint32_t* r, size_t n) {
+template <class T>
+StepKernel<T> words(Op op) {
     using W = uint32_t;
-    switch (step.op) {
+    switch (op) {
         case Op::neg_:
-            return each(step, r, r, n, [](W x) { return 0u - x; });
+            return integers<T>([](W x) { return 0u - x; });
         case Op::add_:
-            return each(step, r, r, n, [](W x, W y) { return x + y; });
+            return integers<T>([](W x, W y) { return x + y; });
         case Op::sub_:
-            return each(step, r, r, n, [](W x, W y) { return x - y; });
+            return integers<T>([](W x, W y) { return x - y; });
         case Op::mul_:
-            return each(step, r, r, n, [](W x, W y) { return x * y; });
+            return integers<T>([](W x, W y) { return x * y; });
         case Op::and_:
         case Op::bit_and_:
-            return each(step, r, r, n, [](W x, W y) { return x & y; });
+            return integers<T>([](W x, W y) { return x & y; });
         case Op::or_:
         case Op::bit_or_:
-            return each(step, r, r, n, [](W x, W y) { return x | y; });
+            return integers<T>([](W x, W y) { return x | y; });
         case Op::bit_xor_:
-            return each(step, r, r, n, [](W x, W y) { return x ^ y; });
+            return integers<T>([](W x, W y) { return x ^ y; });
         case Op::not_:
-            return each(step, r, r, n, [](W x) { return x ^ 1u; });
+            return integers<T>([](W x) { return x ^ 1u; });
         case Op::shift_left_:
-            return each(step, r, r, n, [](W x, W y) { return x << (y & 31); });
+            return integers<T>([](W x, W y) { return x << (y & 31); });
         case Op::to_int_:
         case Op::to_uint_:
-            return each(step, r, r, n, [](W x) { return x; });
+            return integers<T>([](W x) { return x; });
         default:
-            return false;
+            return nullptr;
     }
 }
 
 // S is int32_t or uint32_t: what depends on the sign.
-template <class S>
-bool ordered(const Step& step, S* r, size_t n) {
-    switch (step.op) {
+template <class T, class S>
+StepKernel<T> ordered(Op op) {
+    switch (op) {
         case Op::min_:
-            return each(step, r, r, n, [](S x, S y) { return y < x ? y : x; });
+            return on<T, S, S>([](S x, S y) { return y < x ? y : x; });
         case Op::max_:
-            return each(step, r, r, n, [](S x, S y) { return x < y ? y : x; });
+            return on<T, S, S>([](S x, S y) { return x < y ? y : x; });
         case Op::shift_right_:
-            return each(step, r, r, n, [](S x, S y) { return x >> (y & 31); });
+            return on<T, S, S>([](S x, S y) { return x >> (y & 31); });
         default:
-            return false;
+            return nullptr;
     }
 }
 
@@ -221,38 +233,53 @@ uint32_t truncated(T x) {
 }
 
 template <class T>
-bool on_floats(const Step& step, const Registers<T>& r, size_t n) {
-    if (step.op == Op::select_) return select(step, r.integers, r.floats, n);
-    if (step.op == Op::to_int_) return each(step, r.floats, r.integers, n, truncated<T>);
-    return arithmetic(step, r.floats, n) || shaping(step, r.floats, n) ||
-           transcendental(step, r.floats, n) || comparison(step, r.floats, r.integers, n);
+StepKernel<T> on_floats(Op op) {
+    if (op == Op::select_) return select<T, T>;
+    if (op == Op::to_int_) return on<T, T, uint32_t>([](T x) { return truncated(x); });
+    for (const auto family :
+         {arithmetic<T>, shaping<T>, transcendental<T>, comparison<T, T>, of_vectors<T>})
+        if (const StepKernel<T> kernel = family(op)) return kernel;
+    return nullptr;
 }
 
 template <class T, class S>
-bool on_integers(const Step& step, const Registers<T>& r, S* integers, size_t n) {
-    if (step.op == Op::select_) return select(step, r.integers, r.integers, n);
-    if (step.op == Op::to_float_)
-        return each(step, static_cast<const S*>(integers), r.floats, n,
-                    [](S x) { return static_cast<T>(x); });
-    return words(step, r.integers, n) || ordered(step, integers, n) ||
-           comparison(step, static_cast<const S*>(integers), r.integers, n);
+StepKernel<T> on_integers(Op op) {
+    if (op == Op::select_) return select<T, uint32_t>;
+    if (op == Op::to_float_) return on<T, S, T>([](S x) { return static_cast<T>(x); });
+    for (const auto family : {words<T>, ordered<T, S>, comparison<T, S>})
+        if (const StepKernel<T> kernel = family(op)) return kernel;
+    return nullptr;
 }
 
 template <class T>
-bool run(const Step& step, const Registers<T>& r, size_t n) {
-    if (step.type == Type::float_) return on_floats(step, r, n);
-    if (step.type == Type::int_)
-        return on_integers(step, r, reinterpret_cast<int32_t*>(r.integers), n);
-    return on_integers(step, r, r.integers, n);
+[[gnu::noinline]] StepKernel<T> kernel_of(Op op, Type type) {
+    if (type == Type::float_) return on_floats<T>(op);
+    return type == Type::int_ ? on_integers<T, int32_t>(op) : on_integers<T, uint32_t>(op);
+}
+
+// Once a process: small, not fast.
+template <class T>
+[[gnu::cold]] StepLoops<T> make_loops() {
+    StepLoops<T> loops{};
+    for (const Type type : {Type::float_, Type::int_, Type::uint_})
+        for (size_t op = 0; op < tables::op_count; ++op)
+            loops[op_loop(static_cast<Op>(op), type)] = kernel_of<T>(static_cast<Op>(op), type);
+    for (const Op first : first_ops)
+        for (const Op second : second_ops)
+            for (const bool swapped : {false, true})
+                loops[pair_loop(first, second, swapped)] = pair_kernel<T>(first, second, swapped);
+    loops[depth_loop] = depth<T>;
+    return loops;
+}
+
+template <class T>
+const StepLoops<T>& loops() {
+    static const StepLoops<T> made = make_loops<T>();
+    return made;
 }
 
 }  // namespace
 
-bool run_op(const Step& step, const Registers<float>& registers, size_t n) {
-    return run(step, registers, n);
-}
-bool run_op(const Step& step, const Registers<double>& registers, size_t n) {
-    return run(step, registers, n);
-}
+const Kernels kernels = {loops<float>, loops<double>, sample_level};
 
 }  // namespace wrinkle::WRINKLE_ISA

@@ -9,6 +9,8 @@ namespace wrinkle {
 
 struct PlaneScratch::Memory {
     TileMemory<float> tile;
+    std::vector<uint8_t> taken;    // by register
+    std::vector<uint8_t> written;  // by output plane: the register lies in the plane itself
 };
 
 PlaneScratch::PlaneScratch() : memory_(std::make_unique<Memory>()) {}
@@ -16,23 +18,50 @@ PlaneScratch::~PlaneScratch() = default;
 PlaneScratch::PlaneScratch(PlaneScratch&&) noexcept = default;
 PlaneScratch& PlaneScratch::operator=(PlaneScratch&&) noexcept = default;
 
+namespace {
+
+// Calls f(output, register, plane) for each.
+template <class F>
+void each_plane(const Program& program, F f) {
+    size_t plane = 0;
+    for (const Program::Output& output : program.outputs)
+        for (const uint32_t reg : output.regs)
+            f(output, reg, plane++);
+}
+
+}  // namespace
+
 void evaluate_planes(const Program& program, std::span<const Texture> textures,
                      const Planes& planes, size_t count, PlaneScratch& scratch,
                      InstructionSet set) {
     assert(planes.inputs.size() == program.inputs.size());
-    Tile<float> tile(program, textures, set, scratch.memory_->tile);
+    auto& [memory, taken, written] = *scratch.memory_;
+    taken.assign(program.float_registers, 0);
+    for (const Program::Input& input : program.inputs)
+        taken[input.reg] = 1;
+    for (const Program::Preset& preset : program.presets)
+        if (!is_integer_type(preset.type)) taken[preset.reg] = 1;
+    written.clear();
+    each_plane(program,
+               [&, &is = taken, &list = written](const auto& output, uint32_t reg, size_t) {
+                   list.push_back(!is_integer_type(output.type) && !is[reg]);
+                   if (list.back()) is[reg] = 1;
+               });
+    Tile<float> tile(program, textures, set, memory);
     for (size_t first = 0; first < count; first += tile_lanes) {
         const size_t n = std::min(tile_lanes, count - first);
+        // Nobody writes the register of an input.
         for (size_t i = 0; i < program.inputs.size(); ++i)
-            std::copy_n(planes.inputs[i] + first, n, tile.floats(program.inputs[i].reg));
+            tile.place(program.inputs[i].reg, const_cast<float*>(planes.inputs[i] + first));
+        each_plane(program, [&, &list = written](const auto&, uint32_t reg, size_t plane) {
+            if (list[plane]) tile.place(reg, planes.outputs[plane] + first);
+        });
         tile.run(n);
-        size_t plane = 0;
-        for (const Program::Output& output : program.outputs)
-            for (const uint32_t reg : output.regs) {
-                float* out = planes.outputs[plane++] + first;
-                for (size_t k = 0; k < n; ++k)
-                    out[k] = static_cast<float>(tile.value(output, reg, k));
-            }
+        each_plane(program, [&, &list = written](const auto& output, uint32_t reg, size_t plane) {
+            float* out = planes.outputs[plane] + first;
+            for (size_t k = 0; k < n && !list[plane]; ++k)
+                out[k] = static_cast<float>(tile.value(output, reg, k));
+        });
     }
 }
 

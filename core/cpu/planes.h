@@ -4,7 +4,8 @@
 //
 // The caller splits the work between threads, each with a PlaneScratch of its own; how it is split,
 // and which instruction set runs it, changes no bit. Integers come as the nearest float, bools as 0
-// and 1. Outputs may not overlap inputs or each other.
+// and 1. Outputs may not overlap inputs or each other. Planes at multiples of 64 bytes are read
+// fastest, and those of one chunk better do not lie whole multiples of 4096 bytes apart.
 #pragma once
 
 #include <memory>

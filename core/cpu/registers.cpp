@@ -29,7 +29,7 @@ std::vector<uint32_t> last_reads(const Program& program, size_t registers) {
         const Step& step = program.steps[s];
         for (uint32_t i = 0; i < step.count; ++i)
             touch(step.in[i], s);
-        for (uint32_t i = 0; step.has_output() && i < step.outputs(); ++i) {
+        for (uint32_t i = 0; i < step.outputs; ++i) {
             const uint32_t reg = step.out[i];
             if (!written[reg]) born[reg] = s;
             written[reg] = true;
@@ -40,6 +40,8 @@ std::vector<uint32_t> last_reads(const Program& program, size_t registers) {
     }
     for (const Program::Input& input : program.inputs)
         last[input.reg] = at_the_end;
+    for (const Program::Preset& preset : program.presets)
+        last[preset.reg] = at_the_end;
     for (const Program::Output& output : program.outputs)
         for (const uint32_t reg : output.regs)
             last[reg] = at_the_end;
@@ -81,20 +83,23 @@ void allocate_registers(Program& program, const std::vector<bool>& integer) {
     Allocator allocator{integer, std::vector<uint32_t>(integer.size(), never), {}};
     for (const Program::Input& input : program.inputs)
         allocator.define(input.reg);
+    for (const Program::Preset& preset : program.presets)
+        allocator.define(preset.reg);
     for (uint32_t s = 0; s < program.steps.size(); ++s) {
         Step& step = program.steps[s];
-        const uint32_t outputs = step.has_output() ? step.outputs() : 0;
-        for (uint32_t i = 0; i < outputs; ++i)
+        for (uint32_t i = 0; i < step.outputs; ++i)
             allocator.define(step.out[i]);
         for (const uint32_t reg : dying[s])
             if (allocator.place[reg] != never) allocator.release(reg);
         for (uint32_t i = 0; i < step.count; ++i)
             step.in[i] = allocator.place[step.in[i]];
-        for (uint32_t i = 0; i < outputs; ++i)
+        for (uint32_t i = 0; i < step.outputs; ++i)
             step.out[i] = allocator.place[step.out[i]];
     }
     for (Program::Input& input : program.inputs)
         input.reg = allocator.place[input.reg];
+    for (Program::Preset& preset : program.presets)
+        preset.reg = allocator.place[preset.reg];
     for (Program::Output& output : program.outputs)
         for (uint32_t& reg : output.regs)
             reg = allocator.place[reg];

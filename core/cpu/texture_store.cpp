@@ -5,23 +5,26 @@
 namespace wrinkle {
 
 std::shared_ptr<const MipChain> TextureStore::read(const std::string& file, Diagnostics& problems) {
-    const auto [place, is_new] = chains_.try_emplace(file);
-    if (!is_new) return place->second;
+    const bool is_new = texels_.try_emplace(file).second;
+    if (!is_new) return find(file);
     auto image = load_image(file, problems);
-    if (image && !image->empty())
-        place->second = std::make_shared<const MipChain>(build_mips(std::move(*image)));
-    return place->second;
+    if (!image || image->empty()) return nullptr;
+    auto chain = std::make_shared<const MipChain>(build_mips(std::move(*image)));
+    texels_[file] = std::make_shared<const Texels>(chain);
+    return chain;
 }
 
 std::shared_ptr<const MipChain> TextureStore::find(const std::string& file) const {
-    const auto found = chains_.find(file);
-    return found == chains_.end() ? nullptr : found->second;
+    const auto found = texels_.find(file);
+    return found == texels_.end() || !found->second ? nullptr : found->second->chain();
 }
 
 std::vector<Texture> TextureStore::textures_of(std::span<const Resource> resources) const {
     std::vector<Texture> textures;
-    for (const Resource& resource : resources)
-        textures.emplace_back(find(resource.file), resource.options);
+    for (const Resource& resource : resources) {
+        const auto found = texels_.find(resource.file);
+        textures.emplace_back(found == texels_.end() ? nullptr : found->second, resource.options);
+    }
     return textures;
 }
 

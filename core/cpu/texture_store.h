@@ -24,10 +24,10 @@ public:
     // Textures by resource index; a black one for an image that is not there.
     std::vector<Texture> textures_of(std::span<const Resource> resources) const;
 
-    void forget() { chains_.clear(); }
+    void forget() { texels_.clear(); }
 
 private:
-    std::map<std::string, std::shared_ptr<const MipChain>> chains_;
+    std::map<std::string, std::shared_ptr<const Texels>> texels_;
 };
 
 }  // namespace wrinkle

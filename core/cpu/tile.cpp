@@ -2,18 +2,19 @@
 
 #include <algorithm>
 #include <cassert>
+#include <type_traits>
+
+#include "cpu/tile_sample.h"
 
 namespace wrinkle {
 namespace {
 
-template <class T>
-RunOp<T> run_op_of(InstructionSet set) {
-#if defined(WRINKLE_HAS_AVX2)
-    if (set == InstructionSet::avx2) return avx2::run_op;
-#endif
-    assert(set == InstructionSet::baseline);
-    static_cast<void>(set);
-    return baseline::run_op;
+template <class Lane>
+void allot(AlignedVector<Lane>& memory, std::vector<Lane*>& places, size_t registers) {
+    memory.resize(std::max(memory.size(), registers * tile_lanes));
+    places.resize(registers);
+    for (size_t reg = 0; reg < registers; ++reg)
+        places[reg] = memory.data() + reg * tile_lanes;
 }
 
 template <class Lane>
@@ -27,19 +28,55 @@ void move_lanes(Lane* out, const Lane* from, const uint8_t* mask, size_t count) 
 template <class T>
 Tile<T>::Tile(const Program& program, std::span<const Texture> textures, InstructionSet set,
               TileMemory<T>& memory)
-    : program_(program), textures_(textures), run_op_(run_op_of<T>(set)), memory_(memory) {
-    const auto grow = [](auto& registers, size_t count) {
-        registers.resize(std::max(registers.size(), count * tile_lanes));
+    : program_(program),
+      textures_(textures),
+      kernels_(kernels_of(set)),
+      loops_(loops_of<T>(kernels_)),
+      memory_(memory) {
+    allot(memory_.floats, memory_.float_places, program.float_registers);
+    allot(memory_.integers, memory_.integer_places, program.integer_registers);
+    if (is_prepared()) return;
+    for (const Program::Preset& each : program.presets)
+        fill(each.reg, each.type, each.value, tile_lanes);
+    skip_lods();
+}
+
+// No step writes a preset's register, so what stands there of the same program is right still.
+template <class T>
+bool Tile<T>::is_prepared() {
+    const auto same_levels = [](const Texture& texture, uint32_t count) {
+        return texture.level_count() == count;
     };
-    grow(memory_.floats, program.float_registers);
-    grow(memory_.integers, program.integer_registers);
+    if (memory_.serial != 0 && memory_.serial == program_.serial &&
+        std::equal(textures_.begin(), textures_.end(), memory_.level_counts.begin(),
+                   memory_.level_counts.end(), same_levels))
+        return true;
+    memory_.serial = program_.serial;
+    memory_.level_counts.clear();
+    for (const Texture& texture : textures_)
+        memory_.level_counts.push_back(texture.level_count());
+    return false;
+}
+
+// Of a texture with one level nobody asks for a lod.
+template <class T>
+void Tile<T>::skip_lods() {
+    auto& next = memory_.next;
+    next.resize(program_.steps.size() + 1);
+    next.back() = static_cast<uint32_t>(program_.steps.size());
+    for (size_t s = program_.steps.size(); s-- > 0;) {
+        const uint32_t lod_of = program_.steps[s].lod_of;
+        const bool skipped = lod_of != 0 && textures_[lod_of - 1].level_count() == 1;
+        next[s] = skipped ? next[s + 1] : static_cast<uint32_t>(s);
+    }
 }
 
 template <class T>
 void Tile<T>::run(size_t count) {
     count_ = count;
-    for (uint32_t step = 0; step < program_.steps.size();)
-        step = execute(step);
+    const std::vector<uint32_t>& next = memory_.next;
+    for (uint32_t step = next[0]; step < program_.steps.size();)
+        step = next[execute(step)];
 }
 
 template <class T>
@@ -47,11 +84,14 @@ uint32_t Tile<T>::execute(uint32_t index) {
     const Step& step = program_.steps[index];
     switch (step.kind) {
         case Step::Kind::op:
-            if (!run_op_(step, {memory_.floats.data(), memory_.integers.data()}, count_))
-                assert(!"an op without a CPU case");
+        case Step::Kind::pair:
+        case Step::Kind::depth:
+            assert(loops_[step.loop] && "an op without a CPU case");
+            loops_[step.loop](step, {memory_.float_places.data(), memory_.integer_places.data()},
+                              count_);
             break;
         case Step::Kind::constant:
-            constant(step);
+            fill(step.out[0], step.type, program_.constants[step.extra], count_);
             break;
         case Step::Kind::sample:
             sample(step);
@@ -78,23 +118,34 @@ uint32_t Tile<T>::execute(uint32_t index) {
 }
 
 template <class T>
-void Tile<T>::constant(const Step& step) {
-    const double value = program_.constants[step.extra];
-    if (step.type == Type::float_)
-        std::fill_n(floats(step.out[0]), count_, static_cast<T>(value));
+void Tile<T>::fill(uint32_t reg, Type type, double value, size_t count) {
+    if (type == Type::float_)
+        std::fill_n(floats(reg), count, static_cast<T>(value));
     else
-        std::fill_n(integers(step.out[0]), count_,
-                    static_cast<uint32_t>(static_cast<int64_t>(value)));
+        std::fill_n(integers(reg), count, static_cast<uint32_t>(static_cast<int64_t>(value)));
 }
 
 template <class T>
 void Tile<T>::sample(const Step& step) {
     const Texture& texture = textures_[step.extra];
     const T *u = floats(step.in[0]), *v = floats(step.in[1]), *lod = floats(step.in[2]);
+    const T bias = step.bias ? static_cast<T>(program_.presets[step.bias - 1].value) : T(0);
+    if constexpr (std::is_same_v<T, float>)
+        if (texture.options().filter == Filter::linear &&
+            !texture.texels().levels(texture.options().wrap).empty())
+            return sample_tile(texture, kernels_,
+                               {step.channels,
+                                bias,
+                                u,
+                                v,
+                                lod,
+                                {floats(step.out[0]), floats(step.out[1]), floats(step.out[2]),
+                                 floats(step.out[3])},
+                                count_});
     for (size_t k = 0; k < count_; ++k) {
         const std::array<T, 4> texel = texture.sample_lod(u[k], v[k], lod[k]);
         for (size_t i = 0; i < 4; ++i)
-            floats(step.out[i])[k] = texel[i];
+            floats(step.out[i])[k] = texel[i] - bias;
     }
 }
 

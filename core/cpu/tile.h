@@ -9,6 +9,7 @@
 #include <span>
 #include <vector>
 
+#include "cpu/aligned.h"
 #include "cpu/evaluate.h"
 #include "cpu/kernels.h"
 
@@ -23,9 +24,15 @@ struct RunningLoop {
 
 template <class T>
 struct TileMemory {
-    std::vector<T> floats;
-    std::vector<uint32_t> integers;
+    AlignedVector<T> floats;
+    AlignedVector<uint32_t> integers;
+    std::vector<T*> float_places;  // of each register
+    std::vector<uint32_t*> integer_places;
+    std::vector<uint32_t> next;  // of each step: the first from it on that is run
     std::vector<RunningLoop> loops;
+    // For whom the presets stand in their registers and `next` is right.
+    uint64_t serial = 0;
+    std::vector<uint32_t> level_counts;
 };
 
 template <class T>
@@ -34,8 +41,12 @@ public:
     Tile(const Program& program, std::span<const Texture> textures, InstructionSet set,
          TileMemory<T>& memory);
 
-    T* floats(uint32_t reg) { return memory_.floats.data() + reg * tile_lanes; }
-    uint32_t* integers(uint32_t reg) { return memory_.integers.data() + reg * tile_lanes; }
+    T* floats(uint32_t reg) { return memory_.float_places[reg]; }
+    uint32_t* integers(uint32_t reg) { return memory_.integer_places[reg]; }
+
+    // Has a register of floats elsewhere, in as many lanes as will run: an input's that nobody
+    // writes, or an output's.
+    void place(uint32_t reg, T* lanes) { memory_.float_places[reg] = lanes; }
 
     void run(size_t count);
 
@@ -49,7 +60,9 @@ public:
 
 private:
     uint32_t execute(uint32_t index);
-    void constant(const Step& step);
+    bool is_prepared();
+    void skip_lods();
+    void fill(uint32_t reg, Type type, double value, size_t count);
     void sample(const Step& step);
     void size(const Step& step);
     void move(const Step& step, const uint8_t* mask);
@@ -59,7 +72,8 @@ private:
 
     const Program& program_;
     std::span<const Texture> textures_;
-    RunOp<T> run_op_;
+    const Kernels& kernels_;
+    const StepLoops<T>& loops_;
     TileMemory<T>& memory_;
     size_t count_ = 0;
 };

@@ -23,6 +23,12 @@ double number_at(Numbers& numbers, size_t k) {
     return k % 3 == 1 ? numbers.number(-3, 3) : numbers.number(-1e5, 1e5);
 }
 
+std::vector<InstructionSet> wide_sets() {
+    std::vector<InstructionSet> sets = every_set();
+    std::erase(sets, InstructionSet::baseline);
+    return sets;
+}
+
 template <class T>
 void expect_same(const Application& a, Numbers& numbers) {
     Scene scene(wide_points);
@@ -40,16 +46,19 @@ void expect_same(const Application& a, Numbers& numbers) {
     Results baseline = make_results(program, wide_points),
             wide = make_results(program, wide_points);
     evaluate<T>(program, scene.points, {}, 0, wide_points, baseline, InstructionSet::baseline);
-    evaluate<T>(program, scene.points, {}, 0, wide_points, wide, InstructionSet::avx2);
-    for (size_t k = 0; k < baseline.values[0].size(); ++k) {
-        const double x = baseline.values[0][k], y = wide.values[0][k];
-        if (x != x && y != y) continue;  // which NaN is nobody's business
-        ASSERT_EQ(std::bit_cast<uint64_t>(x), std::bit_cast<uint64_t>(y)) << text(a) << " at " << k;
+    for (const InstructionSet set : wide_sets()) {
+        evaluate<T>(program, scene.points, {}, 0, wide_points, wide, set);
+        for (size_t k = 0; k < baseline.values[0].size(); ++k) {
+            const double x = baseline.values[0][k], y = wide.values[0][k];
+            if (x != x && y != y) continue;  // which NaN is nobody's business
+            ASSERT_EQ(std::bit_cast<uint64_t>(x), std::bit_cast<uint64_t>(y))
+                << text(a) << " at " << k << " with set " << static_cast<int>(set);
+        }
     }
 }
 
 TEST(InstructionSets, GiveTheSameBits) {
-    if (!is_available(InstructionSet::avx2)) GTEST_SKIP() << "this machine has no AVX2";
+    if (wide_sets().empty()) GTEST_SKIP() << "this machine has none but the baseline";
     Numbers numbers(21);
     for (const Application& a : applications()) {
         expect_same<float>(a, numbers);
@@ -60,11 +69,15 @@ TEST(InstructionSets, GiveTheSameBits) {
 TEST(InstructionSets, TheEnvironmentChooses) {
     const char* before = std::getenv("WRINKLE_ISA");
     const std::string kept = before ? before : "";
-    setenv("WRINKLE_ISA", "baseline", 1);
-    EXPECT_EQ(default_instruction_set(), InstructionSet::baseline);
-    setenv("WRINKLE_ISA", "avx2", 1);
-    EXPECT_EQ(default_instruction_set() == InstructionSet::avx2,
-              is_available(InstructionSet::avx2));
+    const std::pair<const char*, InstructionSet> names[] = {{"baseline", InstructionSet::baseline},
+                                                            {"avx2", InstructionSet::avx2},
+                                                            {"avx512", InstructionSet::avx512}};
+    for (const auto& [name, set] : names) {
+        setenv("WRINKLE_ISA", name, 1);
+        EXPECT_EQ(default_instruction_set() == set, is_available(set)) << name;
+    }
+    setenv("WRINKLE_ISA", "a word", 1);
+    EXPECT_EQ(default_instruction_set(), every_set().back()) << "the best there is";
     if (before)
         setenv("WRINKLE_ISA", kept.c_str(), 1);
     else

@@ -1,11 +1,10 @@
 // Planes of floats against evaluate<float>(): the same bits for every split and instruction set.
-#include "cpu/planes.h"
-
 #include <gtest/gtest.h>
 
 #include <bit>
 #include <cmath>
 
+#include "cpu/float_columns.h"
 #include "cpu/support.h"
 #include "ir/value.h"
 
@@ -40,31 +39,6 @@ void write_outputs(Scene& s) {
     s.output(m.add(Op::gt_, {x.id, y.id}));
 }
 
-struct Columns {
-    std::vector<std::vector<float>> inputs, outputs;
-
-    Columns(const Program& program, const PointSet& points) {
-        for (const Program::Input& input : program.inputs) {
-            const size_t lanes = info(info(input.input).type).lanes;
-            std::vector<float>& column = inputs.emplace_back(points.count);
-            for (size_t k = 0; k < points.count; ++k)
-                column[k] = static_cast<float>(
-                    points.at(input.input, input.variant)[k * lanes + input.lane]);
-        }
-        for (const Program::Output& output : program.outputs)
-            outputs.resize(outputs.size() + output.regs.size(), std::vector<float>(points.count));
-    }
-
-    Planes from(size_t first) {
-        Planes planes;
-        for (const std::vector<float>& column : inputs)
-            planes.inputs.push_back(column.data() + first);
-        for (std::vector<float>& column : outputs)
-            planes.outputs.push_back(column.data() + first);
-        return planes;
-    }
-};
-
 void expect_as_evaluated(const Program& program, const Results& wanted, const Columns& columns) {
     size_t plane = 0;
     for (size_t i = 0; i < program.outputs.size(); ++i) {
@@ -88,9 +62,8 @@ TEST(Planes, HoldWhatEvaluateGives) {
     Results wanted = make_results(program, many);
     evaluate<float>(program, s.points, textures, 0, many, wanted, InstructionSet::baseline);
     PlaneScratch scratch;
-    for (const InstructionSet set : {InstructionSet::baseline, InstructionSet::avx2})
+    for (const InstructionSet set : every_set())
         for (const size_t piece : {size_t{1}, size_t{37}, size_t{256}, many}) {
-            if (!is_available(set)) continue;
             Columns columns(program, s.points);
             for (size_t first = 0; first < many; first += piece)
                 evaluate_planes(program, textures, columns.from(first),
@@ -114,6 +87,45 @@ TEST(Planes, OneScratchServesAnyProgram) {
         Columns columns(program, scene->points);
         evaluate_planes(program, textures, columns.from(0), many, scratch);
         expect_as_evaluated(program, wanted, columns);
+    }
+}
+
+// Of a texture with one level no lod is computed; the next one has several.
+TEST(Planes, OneScratchServesAnyTextures) {
+    Scene s(many);
+    write_outputs(s);
+    std::string why;
+    const Program program = compile_program(s.m, why);
+    MipChain flat = gradient_picture();
+    flat.levels.resize(1);
+    const std::vector<Texture> one = {Texture(flat, {})}, all = {Texture(gradient_picture(), {})};
+    PlaneScratch scratch;
+    for (const std::vector<Texture>* textures : {&one, &all, &one}) {
+        Results wanted = make_results(program, many);
+        evaluate<float>(program, s.points, *textures, 0, many, wanted, InstructionSet::baseline);
+        Columns columns(program, s.points);
+        evaluate_planes(program, *textures, columns.from(0), many, scratch);
+        expect_as_evaluated(program, wanted, columns);
+    }
+}
+
+// An input that is an output, one value as two outputs, and a number by itself.
+TEST(Planes, OutputsMayBeAnything) {
+    Scene s(many);
+    const Id x = s.numbers([](size_t k) { return 0.5 * static_cast<double>(k); });
+    const Id twice = s.m.add(Op::add_, {x, x});
+    for (const Id id : {x, twice, twice, x, s.m.number(3)})
+        s.output(id);
+    std::string why;
+    const Program program = compile_program(s.m, why);
+    Columns columns(program, s.points);
+    PlaneScratch scratch;
+    evaluate_planes(program, {}, columns.from(0), many, scratch);
+    for (size_t k = 0; k < many; ++k) {
+        const float at = 0.5F * static_cast<float>(k);
+        const float wanted[] = {at, 2 * at, 2 * at, at, 3};
+        for (size_t i = 0; i < std::size(wanted); ++i)
+            ASSERT_EQ(columns.outputs[i][k], wanted[i]) << "output " << i << " at " << k;
     }
 }
 

@@ -28,6 +28,14 @@ Place place(uint32_t n) {
 
 }  // namespace
 
+std::vector<InstructionSet> every_set() {
+    std::vector<InstructionSet> sets;
+    for (const InstructionSet set :
+         {InstructionSet::baseline, InstructionSet::avx2, InstructionSet::avx512})
+        if (is_available(set)) sets.push_back(set);
+    return sets;
+}
+
 Scene::Scene(size_t count) {
     points.count = count;
 }

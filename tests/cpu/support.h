@@ -17,6 +17,8 @@ namespace wrinkle::test {
 
 inline constexpr double infinity = std::numeric_limits<double>::infinity();
 
+std::vector<InstructionSet> every_set();  // that this machine has, the best last
+
 class Scene {
 public:
     explicit Scene(size_t points);

@@ -66,10 +66,10 @@ const std::map<std::string, std::string, std::less<>> library_of_folder = {
     {"sys", ""},
     {"sanitizer", ""},
 };
-const Names system_headers = {"dlfcn.h",  "elf.h",     "errno.h", "fcntl.h",   "link.h",
-                              "poll.h",   "pthread.h", "sched.h", "signal.h",  "stdint.h",
-                              "stddef.h", "unistd.h",  "spawn.h", "termios.h", "stdio.h",
-                              "stdlib.h", "string.h"};
+const Names system_headers = {"dlfcn.h",  "elf.h",     "errno.h",    "fcntl.h",   "link.h",
+                              "poll.h",   "pthread.h", "sched.h",    "signal.h",  "stdint.h",
+                              "stddef.h", "unistd.h",  "spawn.h",    "termios.h", "stdio.h",
+                              "stdlib.h", "string.h",  "immintrin.h"};
 
 constexpr std::string_view core_prefix = "core/";
 

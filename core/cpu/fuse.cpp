@@ -1,0 +1,185 @@
+// Steps that share a pass over memory: a part of compile_program(). Sums of products become dots,
+// and an op whose value one other op reads becomes a pair with it. Nothing is rounded otherwise.
+#include <algorithm>
+
+#include "cpu/flatten.h"
+#include "cpu/step_loops.h"
+
+namespace wrinkle {
+namespace {
+
+constexpr uint32_t no_step = ~0u;
+
+class Fuser {
+public:
+    Fuser(Program& program, size_t registers)
+        : steps_(program.steps),
+          presets_(program.presets),
+          maker_(registers, no_step),
+          reader_(registers, no_step),
+          reads_(registers, 0) {
+        for (uint32_t s = 0; s < steps_.size(); ++s)
+            for (uint32_t i = 0; i < steps_[s].count; ++i) {
+                ++reads_[steps_[s].in[i]];
+                reader_[steps_[s].in[i]] = s;
+            }
+        for (const Program::Output& output : program.outputs)
+            for (const uint32_t reg : output.regs)
+                ++reads_[reg];
+    }
+
+    void run() {
+        for (Step& step : steps_)
+            if (step.kind == Step::Kind::sample) subtract(step);
+        for (uint32_t s = 0; s < steps_.size(); ++s) {
+            Step& step = steps_[s];
+            // Where a loop begins, turns or ends, what was made before may be read again.
+            if (step.kind >= Step::Kind::move) block_ = s;
+            if (step.kind != Step::Kind::op || step.type != Type::float_) continue;
+            if (!depth(step) && !sum_of_products(step)) pair(step);
+            if (step.outputs == 1) maker_[step.out[0]] = s;
+        }
+        drop_what_was_taken();
+    }
+
+private:
+    // The step that makes an operand, when nobody else reads it and it may move down to `reader`.
+    Step* sole_maker(const Step& reader, uint32_t i) {
+        const uint32_t maker = maker_[reader.in[i]];
+        if (maker == no_step || maker < block_ || reads_[reader.in[i]] != 1) return nullptr;
+        Step& step = steps_[maker];
+        return step.lod_of == reader.lod_of ? &step : nullptr;
+    }
+
+    static bool is(const Step* step, Op op, uint8_t count) {
+        return step && step->kind == Step::Kind::op && step->op == op && step->count == count;
+    }
+
+    // One more than the preset that all channels of a sample are read less of; 0: none.
+    uint32_t bias_of(const Step& sample) const {
+        uint32_t bias = 0;
+        for (uint32_t c = 0; c < 4; ++c) {
+            const uint32_t reads = reads_[sample.out[c]];
+            if (reads == 0) continue;
+            const uint32_t reader = reader_[sample.out[c]];
+            if (reads > 1 || reader == no_step) return 0;
+            const Step& step = steps_[reader];
+            if (!is(&step, Op::sub_, 2) || step.in[0] != sample.out[c]) return 0;
+            const auto preset =
+                std::find_if(presets_.begin(), presets_.end(),
+                             [&](const Program::Preset& each) { return each.reg == step.in[1]; });
+            if (preset == presets_.end()) return 0;
+            const auto number = static_cast<uint32_t>(preset - presets_.begin()) + 1;
+            if (bias != 0 && bias != number) return 0;
+            bias = number;
+        }
+        return bias;
+    }
+
+    // Channels that are read less a number alone: what a normal map's decoding begins with.
+    void subtract(Step& sample) {
+        sample.bias = bias_of(sample);
+        for (uint32_t c = 0; c < 4 && sample.bias != 0; ++c) {
+            if (reads_[sample.out[c]] == 0) continue;
+            Step& step = steps_[reader_[sample.out[c]]];
+            sample.out[c] = step.out[0];
+            take(step);
+        }
+    }
+
+    static bool is_size_max(const Step* step) {
+        return step && step->kind == Step::Kind::pair && step->op == Op::abs_ &&
+               step->second == Op::max_ && !step->swapped;
+    }
+
+    // The depth of a decoded normal, as ir/expand.h writes it: four passes less.
+    bool depth(Step& step) {
+        if (step.op != Op::max_) return false;
+        Step* inner = sole_maker(step, 0);
+        if (!is_size_max(inner)) return false;
+        Step* least = sole_maker(*inner, 2);
+        if (!is(least, Op::mul_, 2)) return false;
+        Step* greatest = sole_maker(*least, 0);
+        if (!is_size_max(greatest)) return false;
+        Step* size = sole_maker(*greatest, 2);
+        if (!is(size, Op::abs_, 1)) return false;
+        step.kind = Step::Kind::depth;
+        step.in = {greatest->in[0], size->in[0], least->in[1], inner->in[0], step.in[1]};
+        step.count = 5;
+        for (Step* taken : {inner, least, greatest, size})
+            take(*taken);
+        return true;
+    }
+
+    // a * b + c * d, or a dot of two lanes and a * b: a dot, whose sum goes the same way.
+    bool sum_of_products(Step& step) {
+        if (step.op != Op::add_ || step.in[0] == step.in[1]) return false;
+        Step *a = sole_maker(step, 0), *b = sole_maker(step, 1);
+        if (is(a, Op::mul_, 2) && is(b, Op::dot_, 4)) std::swap(a, b);
+        if (!is(b, Op::mul_, 2)) return false;
+        if (is(a, Op::mul_, 2)) {
+            step.in = {a->in[0], b->in[0], a->in[1], b->in[1]};
+            step.count = 4;
+        } else if (is(a, Op::dot_, 4)) {
+            step.in = {a->in[0], a->in[1], b->in[0], a->in[2], a->in[3], b->in[1]};
+            step.count = 6;
+        } else {
+            return false;
+        }
+        step.op = Op::dot_;
+        take(*a);
+        take(*b);
+        return true;
+    }
+
+    void pair(Step& step) {
+        if (step.count != 2 || !stands_in(second_ops, step.op) || step.in[0] == step.in[1]) return;
+        for (const uint32_t i : {0u, 1u}) {
+            Step* first = sole_maker(step, i);
+            if (!first || first->kind != Step::Kind::op || !stands_in(first_ops, first->op))
+                continue;
+            const uint32_t other = step.in[1 - i];
+            step.second = step.op;
+            step.swapped = i == 1;
+            step.op = first->op;
+            step.kind = Step::Kind::pair;
+            step.in = {first->in[0], first->count == 2 ? first->in[1] : first->in[0], other};
+            step.count = 3;
+            return take(*first);
+        }
+    }
+
+    // The step's work is done elsewhere.
+    static void take(Step& step) {
+        step.outputs = 0;
+        step.count = 0;
+        step.kind = Step::Kind::op;
+    }
+
+    void drop_what_was_taken() {
+        std::vector<uint32_t> place;
+        std::vector<Step> kept;
+        for (const Step& step : steps_) {
+            place.push_back(static_cast<uint32_t>(kept.size()));
+            if (step.kind == Step::Kind::op && step.outputs == 0) continue;
+            kept.push_back(step);
+            if (step.kind == Step::Kind::loop_end) kept.back().extra = place[step.extra];
+        }
+        steps_ = std::move(kept);
+    }
+
+    std::vector<Step>& steps_;
+    const std::vector<Program::Preset>& presets_;
+    std::vector<uint32_t> maker_;   // by register, as are the following
+    std::vector<uint32_t> reader_;  // the last one
+    std::vector<uint32_t> reads_;
+    uint32_t block_ = 0;  // steps before it are not touched
+};
+
+}  // namespace
+
+void fuse_steps(Program& program, size_t registers) {
+    Fuser(program, registers).run();
+}
+
+}  // namespace wrinkle

@@ -1,0 +1,73 @@
+// Which steps serve what: parts of compile_program(), between flattening and registers.
+#include <algorithm>
+
+#include "cpu/flatten.h"
+
+namespace wrinkle {
+namespace {
+
+// As many as a small material has; their registers take a part of the nearest cache for good.
+constexpr size_t most_presets = 24;
+
+constexpr uint32_t nobody = 0, everybody = ~0u;
+
+// Whom a value serves that served `a` and serves `b` as well: one texture's lod, or more.
+uint32_t both(uint32_t a, uint32_t b) {
+    if (a == nobody || a == b) return b;
+    return b == nobody ? a : everybody;
+}
+
+uint8_t channels_of(const Step& sample, const std::vector<uint32_t>& serves) {
+    uint8_t channels = 1;
+    for (uint8_t c = 1; c < 4; ++c)
+        if (serves[sample.out[c]] != nobody) channels = c == 3 ? 4 : 3;
+    return channels;
+}
+
+}  // namespace
+
+void preset_constants(Program& program) {
+    if (program.constants.size() > most_presets) return;
+    std::vector<uint32_t> place;  // of each step among those that stay
+    std::vector<Step> kept;
+    for (const Step& step : program.steps) {
+        place.push_back(static_cast<uint32_t>(kept.size()));
+        if (step.kind == Step::Kind::constant)
+            program.presets.push_back({program.constants[step.extra], step.type, step.out[0]});
+        else
+            kept.push_back(step);
+        if (step.kind == Step::Kind::loop_end) kept.back().extra = place[step.extra];
+    }
+    program.steps = std::move(kept);
+}
+
+void mark_what_is_read(Program& program, size_t registers) {
+    std::vector<uint32_t> serves(registers, nobody);
+    for (const Program::Output& output : program.outputs)
+        for (const uint32_t reg : output.regs)
+            serves[reg] = everybody;
+    // What a loop moves or asks is read again by steps before.
+    const auto is_pure = [](const Step& step) {
+        return step.kind == Step::Kind::op || step.kind == Step::Kind::sample ||
+               step.kind == Step::Kind::size;
+    };
+    for (const Step& step : program.steps)
+        if (!is_pure(step))
+            for (uint32_t i = 0; i < step.count; ++i)
+                serves[step.in[i]] = everybody;
+    for (size_t s = program.steps.size(); s-- > 0;) {
+        Step& step = program.steps[s];
+        if (!is_pure(step)) continue;
+        uint32_t whom = nobody;
+        for (uint32_t i = 0; i < step.outputs; ++i)
+            whom = both(whom, serves[step.out[i]]);
+        if (step.kind == Step::Kind::sample) step.channels = channels_of(step, serves);
+        step.lod_of = whom == everybody ? 0 : whom;
+        for (uint32_t i = 0; i < step.count; ++i) {
+            const bool lod = step.kind == Step::Kind::sample && i == 2;
+            serves[step.in[i]] = both(serves[step.in[i]], lod ? step.extra + 1 : whom);
+        }
+    }
+}
+
+}  // namespace wrinkle

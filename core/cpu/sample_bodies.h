@@ -1,0 +1,187 @@
+// Bilinear reads of one level, a loop for each wrap mode, number of channels and form of the level;
+// see kernels.h. The arithmetic is that of Texture::sample_lod<float>().
+#ifndef WRINKLE_ISA
+#error "say for which instruction set: define WRINKLE_ISA"
+#endif
+
+#if defined(__AVX2__)
+#include <immintrin.h>
+#endif
+
+#include "base/transcendental.h"
+#include "cpu/kernels.h"
+
+namespace wrinkle::WRINKLE_ISA {
+namespace {
+
+#include "cpu/vectors.h"
+
+#define WRINKLE_INLINE [[gnu::always_inline]] inline
+
+// The texel that lies at a coordinate or next below it, -1 too, and how far towards the next one.
+struct Below {
+    Ints texel;
+    Floats weight;
+};
+
+// wrapped() of wrap.h, and what bilinear filters make of it. Large numbers are whole, so that
+// `repeat` has no need to ask for them.
+template <Wrap wrap>
+WRINKLE_INLINE Below below(Floats x, float size) {
+    Floats at = x;
+    if constexpr (wrap == Wrap::repeat) {
+        at = above_zero(at - floor_of(at));
+    } else {
+        const Floats zero{}, one = zero + 1.0F;
+        at = ((at < 1e9F) & (at > -1e9F)) ? at : zero;
+        if constexpr (wrap == Wrap::clamp) {
+            at = above_zero(at);
+            at = at > 1.0F ? one : at;
+        } else {
+            at = at - 2.0F * floor_of(at / 2.0F);
+            at = at > 1.0F ? 2.0F - at : at;
+        }
+    }
+    at = at * size - 0.5F;
+    const Whole whole = whole_below(at);
+    return {whole.number, at - whole.same};
+}
+
+WRINKLE_INLINE Floats mixed(const Floats (&corner)[4], Floats x, Floats y) {
+    const Floats low = corner[0] + (corner[1] - corner[0]) * x;
+    const Floats high = corner[2] + (corner[3] - corner[2]) * x;
+    return low + (high - low) * y;
+}
+
+// The corners of TexelLevel::packed.
+struct Packed {
+    Ints texel[4];
+
+    template <Wrap wrap>
+    WRINKLE_INLINE static Packed at(const TexelLevel& level, Ints i, Ints j) {
+        const int32_t row = level.width + 2;
+        const uint32_t* low = level.packed + row + 1;  // texel (0, 0)
+        const uint32_t* high = low + row;
+        const Ints place = j * row + i;
+        const int32_t first = place[0], last = place[vector_lanes - 1];
+        const int32_t start = first < last ? first : last;
+        // Neighbours in the picture, as where a map is baked at its own size: one read, in order.
+        const Ints lane = place - start;
+        if (are_lanes(lane)) {
+            const auto row_at = [&](const uint32_t* from) {
+                return picked(load<Ints>(from + start), lane);
+            };
+            return {{row_at(low), row_at(low + 1), row_at(high), row_at(high + 1)}};
+        }
+        return {{gather(low, place), gather(low + 1, place), gather(high, place),
+                 gather(high + 1, place)}};
+    }
+
+    // byte / 255 to the last bit without a division: three times a byte is exact, and its product
+    // with the float nearest to 1 / 765 happens to round as the quotient does (a test tries all).
+    template <int channel>
+    WRINKLE_INLINE Floats value(size_t corner) const {
+        constexpr float of_765 = 0x1.56ac02p-10F;
+        constexpr int shift = packed_shift[channel];
+        if constexpr (channel == 2) {
+            const Words top = reinterpret_cast<Words>(texel[corner]) >> shift;
+            return to_floats(reinterpret_cast<Ints>(top)) * of_765;
+        } else {
+            return scaled(texel[corner] & (1023 << shift), of_765 / (1 << shift));
+        }
+    }
+};
+
+// The corners of TexelLevel::floats.
+struct Stored {
+    const float* floats;
+    Ints place[4];
+
+    template <Wrap wrap>
+    WRINKLE_INLINE static Stored at(const TexelLevel& level, Ints i, Ints j) {
+        const Ints zero{};
+        const auto first = [&](Ints texel, int32_t size) {
+            const Ints edge = zero + (wrap == Wrap::repeat ? size - 1 : 0);
+            return texel < 0 ? edge : texel;
+        };
+        const auto second = [&](Ints texel, int32_t size) {
+            const Ints edge = zero + (wrap == Wrap::repeat ? 0 : size - 1);
+            return texel + 1 >= size ? edge : texel + 1;
+        };
+        const int32_t row = level.width * level.stored;
+        const Ints low = first(j, level.height) * row, high = second(j, level.height) * row;
+        const Ints left = first(i, level.width) * level.stored,
+                   right = second(i, level.width) * level.stored;
+        return {level.floats, {low + left, low + right, high + left, high + right}};
+    }
+
+    template <int channel>
+    WRINKLE_INLINE Floats value(size_t corner) const {
+        return reinterpret_cast<Floats>(gather(floats + channel, place[corner]));
+    }
+};
+
+template <int channel, class Corners>
+WRINKLE_INLINE void put(const Corners& corners, Floats x, Floats y, float bias, float* out) {
+    const Floats corner[] = {corners.template value<channel>(0), corners.template value<channel>(1),
+                             corners.template value<channel>(2),
+                             corners.template value<channel>(3)};
+    store(out, mixed(corner, x, y) - bias);
+}
+
+template <Wrap wrap, int channels, class Corners>
+WRINKLE_INLINE void vector(const TexelLevel& level, float bias, const float* u, const float* v,
+                           float* const* out, size_t k) {
+    const Below i = below<wrap>(load<Floats>(u + k), static_cast<float>(level.width));
+    const Below j = below<wrap>(load<Floats>(v + k), static_cast<float>(level.height));
+    const auto corners = Corners::template at<wrap>(level, i.texel, j.texel);
+    put<0>(corners, i.weight, j.weight, bias, out[0] + k);
+    if constexpr (channels > 1) put<1>(corners, i.weight, j.weight, bias, out[1] + k);
+    if constexpr (channels > 2) put<2>(corners, i.weight, j.weight, bias, out[2] + k);
+    if constexpr (channels > 3) put<3>(corners, i.weight, j.weight, bias, out[3] + k);
+}
+
+template <Wrap wrap, int channels, class Corners>
+void bilinear(const TexelLevel& of, float bias, const float* u, const float* v, float* const* to,
+              size_t n) {
+    // Copies, which what is stored cannot change.
+    const TexelLevel level = of;
+    float* const out[] = {to[0], to[1], to[2], to[3]};
+    size_t k = 0;
+    for (; k + vector_lanes <= n; k += vector_lanes)
+        vector<wrap, channels, Corners>(level, bias, u, v, out, k);
+    if (k == n) return;
+    // Behind the n-th lane stands what is not ours.
+    float places[2][vector_lanes] = {}, values[4][vector_lanes];
+    float* const rest[] = {values[0], values[1], values[2], values[3]};
+    __builtin_memcpy(places[0], u + k, (n - k) * sizeof(float));
+    __builtin_memcpy(places[1], v + k, (n - k) * sizeof(float));
+    vector<wrap, channels, Corners>(level, bias, places[0], places[1], rest, 0);
+    for (size_t c = 0; c < static_cast<size_t>(channels); ++c)
+        __builtin_memcpy(out[c] + k, values[c], (n - k) * sizeof(float));
+}
+
+template <Wrap wrap>
+SampleLevel of_channels(const TexelLevel& level, size_t channels) {
+    if (level.packed) return channels == 1 ? bilinear<wrap, 1, Packed> : bilinear<wrap, 3, Packed>;
+    constexpr SampleLevel stored[] = {bilinear<wrap, 1, Stored>, bilinear<wrap, 2, Stored>,
+                                      bilinear<wrap, 3, Stored>, bilinear<wrap, 4, Stored>};
+    return stored[channels - 1];
+}
+
+SampleLevel sample_level(const TexelLevel& level, Wrap wrap, size_t channels) {
+    switch (wrap) {
+        case Wrap::repeat:
+            return of_channels<Wrap::repeat>(level, channels);
+        case Wrap::clamp:
+            return of_channels<Wrap::clamp>(level, channels);
+        case Wrap::mirror:
+            return of_channels<Wrap::mirror>(level, channels);
+    }
+    return nullptr;
+}
+
+#undef WRINKLE_INLINE
+
+}  // namespace
+}  // namespace wrinkle::WRINKLE_ISA

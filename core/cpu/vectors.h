@@ -1,0 +1,127 @@
+// Vectors of one instruction set, as wide as its registers, on the compiler's own vector types:
+// + - * / and comparisons are theirs. Included inside the unnamed namespace of a file that was
+// compiled for the set, so every name is that file's own; nothing rounds but what IEEE 754 rounds.
+#if defined(__AVX512F__)
+constexpr size_t vector_bytes = 64;
+#elif defined(__AVX2__)
+constexpr size_t vector_bytes = 32;
+#else
+constexpr size_t vector_bytes = 16;
+#endif
+constexpr size_t vector_lanes = vector_bytes / sizeof(float);
+
+using Floats = float __attribute__((vector_size(vector_bytes)));
+using Ints = int32_t __attribute__((vector_size(vector_bytes)));
+using Words = uint32_t __attribute__((vector_size(vector_bytes)));
+
+#define WRINKLE_INLINE [[gnu::always_inline]] inline
+
+template <class Vector, class Lane>
+WRINKLE_INLINE Vector load(const Lane* from) {
+    Vector v;
+    __builtin_memcpy(&v, from, sizeof v);
+    return v;
+}
+template <class Vector, class Lane>
+WRINKLE_INLINE void store(Lane* to, Vector v) {
+    __builtin_memcpy(to, &v, sizeof v);
+}
+
+WRINKLE_INLINE Floats to_floats(Ints v) {
+    return __builtin_convertvector(v, Floats);
+}
+
+// above_zero: 0 for NaN too. whole_below: the greatest whole number that is not greater, of what an
+// int holds, in both types. gather: of 32-bit values. scaled: a number of the low 23 bits times a
+// constant, rounded once. are_lanes: whether every number is that of a lane. picked: of `from` the
+// lanes that are named.
+struct Whole {
+    Ints number;
+    Floats same;
+};
+#if defined(__AVX512F__)
+WRINKLE_INLINE bool are_lanes(Ints v) {
+    return _mm512_test_epi32_mask(reinterpret_cast<__m512i>(v), _mm512_set1_epi32(~15)) == 0;
+}
+WRINKLE_INLINE Ints picked(Ints from, Ints lanes) {
+    return reinterpret_cast<Ints>(_mm512_maskz_permutexvar_epi32(
+        0xFFFF, reinterpret_cast<__m512i>(lanes), reinterpret_cast<__m512i>(from)));
+}
+WRINKLE_INLINE Floats floor_of(Floats v) {
+    return _mm512_maskz_roundscale_ps(0xFFFF, v, _MM_FROUND_TO_NEG_INF | _MM_FROUND_NO_EXC);
+}
+WRINKLE_INLINE Whole whole_below(Floats v) {
+    const auto number = reinterpret_cast<Ints>(
+        _mm512_maskz_cvt_roundps_epi32(0xFFFF, v, _MM_FROUND_TO_NEG_INF | _MM_FROUND_NO_EXC));
+    return {number, to_floats(number)};
+}
+WRINKLE_INLINE Floats above_zero(Floats v) {
+    return _mm512_maskz_max_ps(0xFFFF, v, _mm512_setzero_ps());
+}
+WRINKLE_INLINE Ints gather(const void* from, Ints places) {
+    const auto at = reinterpret_cast<__m512i>(places);
+    return reinterpret_cast<Ints>(
+        _mm512_mask_i32gather_epi32(_mm512_setzero_si512(), 0xFFFF, at, from, 4));
+}
+WRINKLE_INLINE Floats scaled(Ints whole, float factor) {
+    // As the mantissa of a number from 2^23 on; that part of the product falls away exactly.
+    const auto number = reinterpret_cast<__m512>(whole | 0x4B000000);
+    return _mm512_maskz_fmadd_ps(0xFFFF, number, _mm512_set1_ps(factor),
+                                 _mm512_set1_ps(-0x1p23F * factor));
+}
+#elif defined(__AVX2__)
+WRINKLE_INLINE bool are_lanes(Ints v) {
+    return _mm256_testz_si256(reinterpret_cast<__m256i>(v), _mm256_set1_epi32(~7));
+}
+WRINKLE_INLINE Ints picked(Ints from, Ints lanes) {
+    return reinterpret_cast<Ints>(_mm256_permutevar8x32_epi32(reinterpret_cast<__m256i>(from),
+                                                              reinterpret_cast<__m256i>(lanes)));
+}
+WRINKLE_INLINE Floats floor_of(Floats v) {
+    return _mm256_floor_ps(v);
+}
+WRINKLE_INLINE Whole whole_below(Floats v) {
+    const Floats same = floor_of(v);
+    return {reinterpret_cast<Ints>(_mm256_cvttps_epi32(same)), same};
+}
+WRINKLE_INLINE Floats above_zero(Floats v) {
+    return _mm256_max_ps(v, _mm256_setzero_ps());
+}
+WRINKLE_INLINE Ints gather(const void* from, Ints places) {
+    const auto at = reinterpret_cast<__m256i>(places);
+    return reinterpret_cast<Ints>(_mm256_i32gather_epi32(static_cast<const int*>(from), at, 4));
+}
+#else
+WRINKLE_INLINE bool are_lanes(Ints) {
+    return false;  // a gather is no dearer
+}
+WRINKLE_INLINE Ints picked(Ints from, Ints) {
+    return from;
+}
+WRINKLE_INLINE Floats floor_of(Floats v) {
+    for (size_t k = 0; k < vector_lanes; ++k)
+        v[k] = math::floor(v[k]);
+    return v;
+}
+WRINKLE_INLINE Whole whole_below(Floats v) {
+    const Floats same = floor_of(v);
+    return {__builtin_convertvector(same, Ints), same};
+}
+WRINKLE_INLINE Floats above_zero(Floats v) {
+    for (size_t k = 0; k < vector_lanes; ++k)
+        v[k] = v[k] > 0 ? v[k] : 0;
+    return v;
+}
+WRINKLE_INLINE Ints gather(const void* from, Ints places) {
+    for (size_t k = 0; k < vector_lanes; ++k)
+        places[k] = static_cast<const int32_t*>(from)[places[k]];
+    return places;
+}
+#endif
+#if !defined(__AVX512F__)
+WRINKLE_INLINE Floats scaled(Ints whole, float factor) {
+    return to_floats(whole) * factor;
+}
+#endif
+
+#undef WRINKLE_INLINE

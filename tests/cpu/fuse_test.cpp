@@ -1,0 +1,142 @@
+// Steps that share a pass over memory give the bits of the steps by themselves: the same expression
+// once more with every value between as an output, which keeps them apart.
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <functional>
+
+#include "cpu/support.h"
+
+namespace wrinkle::test {
+namespace {
+
+constexpr size_t fuse_points = 300;
+
+using Make = std::function<Id(Scene&, std::vector<Id>& between)>;
+
+struct Made {
+    Program program;
+    std::vector<double> values;  // of the last output
+};
+
+template <class T>
+Made make(const Make& expression, bool apart) {
+    Scene s(fuse_points);
+    std::vector<Id> between;
+    const Id value = expression(s, between);
+    if (apart)
+        for (const Id id : between)
+            s.output(id);
+    s.output(value);
+    std::string why;
+    Made made{compile_program(s.m, why), {}};
+    Results results = make_results(made.program, fuse_points);
+    Image image = make_image(4, 4, 3, PixelType::u8);
+    for (size_t k = 0; k < image.data.size(); ++k)
+        image.data[k] = static_cast<float>(k * 5 % 256) / 255;
+    const Texture texture(build_mips(std::move(image)), {});
+    evaluate<T>(made.program, s.points, std::span(&texture, 1), 0, fuse_points, results);
+    made.values = std::move(results.values.back());
+    return made;
+}
+
+void expect_fused(const Make& expression, size_t steps) {
+    const Made fused = make<float>(expression, false), apart = make<float>(expression, true);
+    EXPECT_EQ(fused.program.steps.size(), steps);
+    EXPECT_GT(apart.program.steps.size(), steps);
+    const Made doubles = make<double>(expression, false), parts = make<double>(expression, true);
+    for (size_t k = 0; k < fuse_points; ++k) {
+        ASSERT_EQ(std::bit_cast<uint64_t>(fused.values[k]),
+                  std::bit_cast<uint64_t>(apart.values[k]))
+            << "point " << k;
+        ASSERT_EQ(std::bit_cast<uint64_t>(doubles.values[k]),
+                  std::bit_cast<uint64_t>(parts.values[k]))
+            << "point " << k;
+    }
+}
+
+// Numbers whose products and sums round, of both signs, zeros of both signs among them.
+Id operand(Scene& s, uint64_t seed) {
+    return s.numbers([seed](size_t k) {
+        if (k % 11 == seed % 11) return k % 2 ? -0.0 : 0.0;
+        const double at = static_cast<double>((k * 2654435761U + seed * 40503U) % 10007);
+        return at / 1234.567 - 4.05;
+    });
+}
+
+TEST(Fused, EveryPairInEitherOrder) {
+    for (const Op first : {Op::abs_, Op::add_, Op::sub_, Op::mul_, Op::min_, Op::max_})
+        for (const Op second : {Op::add_, Op::sub_, Op::mul_, Op::min_, Op::max_})
+            for (const bool swapped : {false, true})
+                expect_fused(
+                    [&](Scene& s, std::vector<Id>& between) {
+                        const Id a = operand(s, 1), b = operand(s, 2), c = operand(s, 3);
+                        const Id inner =
+                            first == Op::abs_ ? s.m.add(first, {a}) : s.m.add(first, {a, b});
+                        between = {inner};
+                        return swapped ? s.m.add(second, {c, inner}) : s.m.add(second, {inner, c});
+                    },
+                    1);
+}
+
+TEST(Fused, SumsOfProducts) {
+    const auto products = [](int count, bool last_first) {
+        return [=](Scene& s, std::vector<Id>& between) {
+            Id sum = poison;
+            for (int i = 0; i < count; ++i) {
+                const auto seed = static_cast<uint64_t>(2 * i);
+                const Id product = s.m.add(Op::mul_, {operand(s, seed), operand(s, seed + 1)});
+                between.push_back(product);
+                if (i > 1) between.push_back(sum);
+                sum = i == 0                         ? product
+                      : last_first && i + 1 == count ? s.m.add(Op::add_, {product, sum})
+                                                     : s.m.add(Op::add_, {sum, product});
+            }
+            return sum;
+        };
+    };
+    expect_fused(products(2, false), 1);
+    expect_fused(products(3, false), 1);
+    expect_fused(products(3, true), 1);
+}
+
+TEST(Fused, ADecodedNormalsDepth) {
+    expect_fused(
+        [](Scene& s, std::vector<Id>& between) {
+            Module& m = s.m;
+            const Id v = s.numbers([](size_t k) { return 0.017 * static_cast<double>(k); });
+            const uint32_t picture = m.add_resource({"picture", "", {}, {}});
+            const Id texel = m.swizzle(
+                m.add(Op::sample_lod_, {m.construct(Type::vec2_, {v, v}), m.number(0)}, picture),
+                "xyz");
+            between.push_back(texel);
+            const Id t = m.add(Op::sub_, {texel, m.number(0.5)});
+            const Id x = m.add(Op::abs_, {m.swizzle(t, "x")}),
+                     y = m.add(Op::abs_, {m.swizzle(t, "y")});
+            const Id greatest = m.add(Op::max_, {x, y});
+            const Id least = m.add(Op::mul_, {greatest, m.number(0.0078125)});
+            const Id deep = m.add(Op::max_, {m.add(Op::abs_, {m.swizzle(t, "z")}), least});
+            for (const Id id : {x, y, greatest, least, deep})
+                between.push_back(id);
+            return m.add(Op::max_, {deep, m.number(5e-7)});
+        },
+        2);
+}
+
+// What is read twice, or stands outside of the loop that reads it, stays a step.
+TEST(Fused, NothingThatIsReadAgain) {
+    Scene s(fuse_points);
+    Module& m = s.m;
+    const Id a = operand(s, 1), b = operand(s, 2);
+    const Id product = m.add(Op::mul_, {a, b});
+    const Type types[] = {Type::float_};
+    const std::vector<Id> p = m.begin_region(RegionKind::loop, "", types);
+    const Id results[] = {m.add(Op::lt_, {p[0], m.number(100)}), m.add(Op::add_, {product, p[0]})};
+    const RegionUse use = m.end_region(results, 5);
+    const Id start[] = {b};
+    s.output(m.apply(use, start)[0]);
+    expect_as_interpreted(s, 1e-12);
+}
+
+}  // namespace
+}  // namespace wrinkle::test
