@@ -4,6 +4,7 @@
 
 #include <bit>
 #include <cmath>
+#include <limits>
 #include <random>
 
 #include "cpu/float_columns.h"
@@ -30,6 +31,11 @@ MipChain chain_of(const Picture& picture) {
         value = bytes ? static_cast<float>(random() % 256) / 255
                       : static_cast<float>(random() % 100000) / 777 - 50;
     MipChain chain = build_mips(std::move(image));
+    // Coarser levels that may be read only where a lane lies between two.
+    if (!bytes)
+        for (size_t k = 1; k < chain.levels.size(); k += 2)
+            for (float& value : chain.levels[k].data)
+                value = std::numeric_limits<float>::infinity();
     chain.levels.resize(std::min(chain.levels.size(), picture.levels));
     return chain;
 }
@@ -46,6 +52,11 @@ double lod(std::mt19937& random, size_t k) {
     if (k % 7 == 0) return NAN;
     if (k < places / 3) return -1;
     return k < places / 2 ? 2 : static_cast<double>(random() % 1000) / 200 - 1;
+}
+
+// Which NaN is nobody's business.
+bool same(float a, float b) {
+    return (a != a && b != b) || std::bit_cast<uint32_t>(a) == std::bit_cast<uint32_t>(b);
 }
 
 void expect_as_alone(const Picture& picture, const TextureOptions& options, const char* lanes) {
@@ -73,8 +84,8 @@ void expect_as_alone(const Picture& picture, const TextureOptions& options, cons
                 at[i] = columns.inputs[i][k];
             const auto wanted = texture.sample_lod<float>(at[0], at[1], at[2]);
             for (size_t i = 0; lanes[i]; ++i)
-                ASSERT_EQ(std::bit_cast<uint32_t>(columns.outputs[i][k]),
-                          std::bit_cast<uint32_t>(wanted[std::string_view("xyzw").find(lanes[i])]))
+                ASSERT_TRUE(
+                    same(columns.outputs[i][k], wanted[std::string_view("xyzw").find(lanes[i])]))
                     << picture.channels << " channels, wrap " << static_cast<int>(options.wrap)
                     << ", set " << static_cast<int>(set) << ", " << lanes << " of point " << k
                     << " at " << at[0] << ", " << at[1] << ", lod " << at[2];
