@@ -1,0 +1,57 @@
+// A `wrinkle` for the PATH of what shares shards out: the real one, but that it is killed half-way
+// when it bakes one of the shards, once. It notes what it is called for in the file `calls`.
+#pragma once
+
+#include "cli/support.h"
+
+namespace wrinkle::test {
+
+// PATH=... for a process, with the program in its first folder. `folder` is a test's own.
+inline std::string path_with_killer(const fs::path& folder, const std::string& shard) {
+    const fs::path file = folder / "killer/wrinkle";
+    fs::create_directories(file.parent_path());
+    const std::string script = R"(#!/bin/sh
+here=FOLDER
+echo "$*" >> $here/calls
+case "$*" in
+*"--shard SHARD "*)
+    if [ ! -e $here/killed ]; then
+        touch $here/killed
+        for word; do case $last in -o) part=$word ;; esac; last=$word; done
+        WRINKLE "$@" &
+        until begun=$(sed -n 's/.*"rows_of_tiles": \[\(.*\),.*/\1/p' "$part/bake.json" 2>/dev/null) &&
+            [ "$begun" ] && ! grep -q "\"done\": $begun\$" "$part/bake.json"; do :; done
+        kill -9 $!
+        kill -9 $$
+    fi ;;
+esac
+exec WRINKLE "$@"
+)";
+    std::string text = script;
+    const std::pair<std::string, std::string> words[] = {
+        {"FOLDER", folder / "killer"},
+        {"SHARD", shard},
+        {"WRINKLE", WRINKLE_BINARY_DIR "/bin/wrinkle"}};
+    for (const auto& [from, to] : words)
+        for (size_t at = text.find(from); at != text.npos; at = text.find(from, at + to.size()))
+            text.replace(at, from.size(), to);
+    std::ofstream(file, std::ios::binary) << text;
+    fs::permissions(file, fs::perms::owner_all);
+    return "PATH=" + file.parent_path().string() + ":" + std::string(getenv("PATH"));
+}
+
+// What was called, a line each, since the last time.
+inline std::string take_calls(const fs::path& folder) {
+    const std::string calls = bytes_of(folder / "killer/calls");
+    fs::remove(folder / "killer/calls");
+    return calls;
+}
+
+inline size_t times(const std::string& text, const std::string& words) {
+    size_t count = 0;
+    for (size_t at = text.find(words); at != text.npos; at = text.find(words, at + 1))
+        ++count;
+    return count;
+}
+
+}  // namespace wrinkle::test
