@@ -11,7 +11,6 @@ namespace wrinkle::maps {
 
 namespace {
 
-constexpr double level = 1.0 / 255;
 constexpr double certain_curl = 0.1;                    // correlation from which green is known
 constexpr double leaning_degrees = 1.5;                 // of the mean normal
 constexpr double still_share = 0.6, step_share = 0.97;  // of neighbours, from which it is banding
@@ -97,7 +96,7 @@ private:
         measure("mean_z", vectors_.mean[2]);
         const bool central = std::abs(vectors_.mean[0]) < 0.2 && std::abs(vectors_.mean[1]) < 0.2;
         const bool unit = vectors_.unit > 0.75;
-        if (vectors_.blue_spread < 1.5 * level && vectors_.unit < 0.99 && central)
+        if (vectors_.blue_spread < 1.5 * u8_step && vectors_.unit < 0.99 && central)
             verdict_.look = Look::two_channel;
         else if (unit && vectors_.downward > 0.02)
             verdict_.look = Look::normal_object;
@@ -108,7 +107,7 @@ private:
     }
 
     bool has_unsigned_z() const {
-        return vectors_.between_z > 1.5 * level && vectors_.unsigned_z < good_z &&
+        return vectors_.between_z > 1.5 * u8_step && vectors_.unsigned_z < good_z &&
                vectors_.unsigned_z < 0.5 * vectors_.signed_z;
     }
 
@@ -184,7 +183,7 @@ private:
             const SeamMeasures seam = measure_seam(image_, channels, across_u);
             const char* name = across_u ? "seam_u" : "seam_v";
             measure(name, seam.inside > 0 ? seam.border / seam.inside : 0);
-            const double least = is_integer(image_) ? level : 0;
+            const double least = is_integer(image_) ? u8_step : 0;
             if (seam.border <= seam_factor * seam.inside || seam.border <= least) continue;
             find(
                 name,

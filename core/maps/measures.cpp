@@ -7,7 +7,7 @@ namespace wrinkle::maps {
 
 namespace {
 
-constexpr double unit_tolerance = 0.1, level = 1.0 / 255;
+constexpr double unit_tolerance = 0.1;
 constexpr float spike = 4;
 
 template <typename Use>
@@ -37,7 +37,7 @@ VectorMeasures measure_vectors(const Image& image) {
         sums.unit += std::abs(std::sqrt(x * x + y * y + z * z) - 1) < unit_tolerance;
         sums.downward += z < -unit_tolerance;
         const auto [low, high] = std::minmax({t[0], t[1], t[2]});
-        sums.gray += high - low < 2.5 * level;
+        sums.gray += high - low < 2.5 * u8_step;
         const double values[] = {x, y, z};
         for (size_t c = 0; c < 3; ++c)
             sums.mean[c] += values[c];

@@ -9,6 +9,8 @@
 
 namespace wrinkle::maps {
 
+inline constexpr double u8_step = 1.0 / 255;  // of stored numbers in 8 bits
+
 // Of pictures with three channels; vectors are 2t - 1. Black texels, where nothing was baked, are
 // left out of all but their own share.
 struct VectorMeasures {
