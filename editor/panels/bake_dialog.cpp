@@ -307,16 +307,17 @@ void draw_bake_dialog(State& state) {
     ImGui::SetNextWindowSize({bake_wide, 0});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(bake_padding, 20));
     ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 8);
-    if (ImGui::BeginPopupModal("##bake", nullptr,
+    const bool shown =
+        ImGui::BeginPopupModal("##bake", nullptr,
                                ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |
-                                   ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings)) {
-        const bool done = draw_bake_rows(state);
-        dialog.opening = false;
-        if (done) dialog = {};
-        if (done || state.browser.purpose != Browser::Purpose::none) ImGui::CloseCurrentPopup();
-        ImGui::EndPopup();
-    }
-    ImGui::PopStyleVar(2);
+                                   ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings);
+    ImGui::PopStyleVar(2);  // lists and tooltips have their own
+    if (!shown) return;
+    const bool done = draw_bake_rows(state);
+    dialog.opening = false;
+    if (done) dialog = {};
+    if (done || state.browser.purpose != Browser::Purpose::none) ImGui::CloseCurrentPopup();
+    ImGui::EndPopup();
 }
 
 }  // namespace wrinkle::editor

@@ -153,6 +153,17 @@ float draw_chip(const State& state, ImDrawList& list, ImVec2 at, const std::stri
     return 44 + width + 10;
 }
 
+// True when it is pressed.
+bool draw_fix(State& state, const Fix& fix, ImVec2 at, size_t index) {
+    if (!fix.label) return false;
+    const ImVec2 next = ImGui::GetCursorPos();
+    ImGui::SetCursorScreenPos(at);
+    const std::string target = "fix:" + std::to_string(index + 1);
+    const bool pressed = button(state, fix.label, target, false, {132, 28});
+    ImGui::SetCursorPos(next);
+    return pressed;
+}
+
 // True when it was dismissed.
 bool draw_problem(State& state, const Diagnostic& problem, size_t index, const Fix& fix) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
@@ -181,13 +192,7 @@ bool draw_problem(State& state, const Diagnostic& problem, size_t index, const F
               fitting(fonts.regular(14), 14, evidence(problem), right - 44));
     if (ImGui::IsItemHovered() && text_width(fonts.regular(16), 16, message) > right - x)
         ImGui::SetTooltip("%s", message.c_str());
-    bool fixed = false;
-    if (fix.label) {
-        const ImVec2 next = ImGui::GetCursorPos();
-        ImGui::SetCursorScreenPos(at + ImVec2(width - 140, 14));
-        fixed = button(state, fix.label, "fix:" + std::to_string(index + 1), false, {132, 28});
-        ImGui::SetCursorPos(next);
-    }
+    const bool fixed = draw_fix(state, fix, at + ImVec2(width - 140, 14), index);
     ImGui::PopID();
     if (fixed && fix.node.empty()) return true;
     if (fixed)
