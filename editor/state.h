@@ -68,6 +68,7 @@ struct State {
     Popup popup;
     Recent recent;
     Browser browser;
+    BakeDialog bake_dialog;
     Start start;
     Thumbnails thumbnails;
     Help help;

@@ -51,6 +51,27 @@ std::vector<std::byte> stored_rows(const BakedMap& map, PixelType type, const Ba
     return bytes;
 }
 
+std::filesystem::path map_path(const std::filesystem::path& out, bool one_file,
+                               const std::string& name, const std::string& suffix,
+                               const std::string& extension) {
+    std::filesystem::path path = out;
+    if (one_file) return path.replace_extension(suffix + extension);
+    return path / (name + suffix + extension);
+}
+
+WriterOptions writer_options(const BakedMap& map, PixelType type, uint32_t width, uint32_t height,
+                             double scale) {
+    WriterOptions options;
+    options.width = width;
+    options.height = height;
+    for (const MapChannel& channel : map.channels)
+        options.channels.push_back(channel.name);
+    options.has_alpha = map.has_alpha;
+    options.type = type;
+    if (scale != 1) options.numbers.push_back({"wrinkle:scale", static_cast<float>(scale)});
+    return options;
+}
+
 std::optional<MapFiles> MapFiles::open(const std::vector<MapFile>& files,
                                        Diagnostics& diagnostics) {
     MapFiles result;

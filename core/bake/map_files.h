@@ -27,6 +27,16 @@ struct Clamped {
 std::vector<std::byte> stored_rows(const BakedMap& map, PixelType type, const BakedRows& rows,
                                    uint32_t width, size_t lanes, Clamped& clamped);
 
+// Of a map's file in the size of its layout; a scale other than 1 is kept as "wrinkle:scale".
+WriterOptions writer_options(const BakedMap& map, PixelType type, uint32_t width, uint32_t height,
+                             double scale);
+
+// OUT with `suffix` (".1001") before the extension where OUT is the one map's file, else
+// OUT/NAME.1001.png.
+std::filesystem::path map_path(const std::filesystem::path& out, bool one_file,
+                               const std::string& name, const std::string& suffix,
+                               const std::string& extension);
+
 struct MapFile {
     std::filesystem::path path;
     WriterOptions options;

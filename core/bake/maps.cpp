@@ -12,6 +12,7 @@ namespace wrinkle {
 namespace {
 
 constexpr std::array<const char*, 4> color_channels = {"R", "G", "B", "A"};
+constexpr const char* slopes_name = "slopes";
 constexpr std::array<const char*, 6> slope_channels = {"b0_h",     "b1_dhds",  "b2_dhdt",
                                                        "b3_dhds2", "b4_dhdt2", "b5_dh2dsdt"};
 
@@ -68,14 +69,14 @@ private:
     }
 
     BakedMap map_of(const std::string& name, bool integers) {
-        const bool made = name == "derivative" || name == "slopes";
+        const bool made = name == "derivative" || name == slopes_name;
         const ModuleOutput* output = output_named(source_, made ? "normal" : name);
         BakedMap map{name, {}, false};
         if (!output)
             complain(name);
         else if (name == "derivative")
             add_derivative(map, {&module_, output->value}, integers);
-        else if (name == "slopes")
+        else if (name == slopes_name)
             add_slopes(map, {&module_, output->value}, integers);
         else if (output->port_type == WR_PORT_normal)
             add_normal(map, {&module_, output->value});
@@ -85,7 +86,10 @@ private:
     }
 
     void complain(const std::string& name) {
-        const std::vector<std::string> names = map_names(source_);
+        std::vector<std::string> outputs;
+        for (const ModuleOutput& output : source_.outputs)
+            outputs.push_back(output.name);
+        const std::vector<std::string> names = map_names(std::move(outputs));
         diagnostics_.error("the graph makes no map '" + name + "'",
                            did_you_mean(name, names, "it makes " + listed(names)));
     }
@@ -183,14 +187,18 @@ float srgb_coded(float linear) {
 
 }  // namespace
 
-std::vector<std::string> map_names(const Module& module) {
-    std::vector<std::string> names;
-    for (const ModuleOutput& output : module.outputs)
-        names.push_back(output.name);
-    if (output_named(module, "normal"))
-        for (const char* made : {"derivative", "slopes"})
-            if (!output_named(module, made)) names.emplace_back(made);
-    return names;
+std::vector<std::string> map_names(std::vector<std::string> outputs) {
+    const auto has = [&](const char* name) {
+        return std::find(outputs.begin(), outputs.end(), name) != outputs.end();
+    };
+    if (has("normal"))
+        for (const char* made : {"derivative", slopes_name})
+            if (!has(made)) outputs.emplace_back(made);
+    return outputs;
+}
+
+bool fits_integers(std::string_view map) {
+    return map != slopes_name;
 }
 
 std::optional<BakePlan> plan_maps(const Module& module, const std::vector<MapRequest>& requests,

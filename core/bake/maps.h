@@ -21,6 +21,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "base/diagnostics.h"
@@ -75,8 +76,11 @@ struct BakePlan {
     std::vector<BakedMap> maps;       // as requested
 };
 
-// The names of all maps that a graph with these outputs has.
-std::vector<std::string> map_names(const Module& module);
+// The names of all maps that a graph with these outputs has: they and what is made of "normal".
+std::vector<std::string> map_names(std::vector<std::string> outputs);
+
+// Whether integers can hold a map of this name.
+bool fits_integers(std::string_view map);
 
 // Nothing with errors. The module was compiled with given differentials.
 std::optional<BakePlan> plan_maps(const Module& module, const std::vector<MapRequest>& requests,

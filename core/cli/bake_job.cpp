@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "bake/texel_points.h"
+#include "bake/mesh_check.h"
 #include "base/file.h"
 #include "base/sha256.h"
 #include "cli/cache.h"
@@ -13,74 +13,6 @@
 
 namespace wrinkle::cli {
 namespace {
-
-void bake_warning(const std::string& file, std::string message, std::string expected,
-                  Diagnostics& diagnostics) {
-    Diagnostic problem;
-    problem.severity = Severity::warning;
-    problem.where.file = file;
-    problem.message = std::move(message);
-    problem.expected = std::move(expected);
-    diagnostics.add(std::move(problem));
-}
-
-void bake_error(const std::string& file, std::string message, std::string expected,
-                Diagnostics& diagnostics) {
-    Diagnostic problem;
-    problem.where.file = file;
-    problem.message = std::move(message);
-    problem.expected = std::move(expected);
-    diagnostics.add(std::move(problem));
-}
-
-// "3 of 12 triangles"
-std::string share(size_t count, size_t all) {
-    return std::to_string(count) + " of " + std::to_string(all) + " triangles";
-}
-
-// False where nothing can be baked.
-bool judge_uvs(const BakeOptions& options, const UvSurvey& uvs, Diagnostics& diagnostics) {
-    const std::string& mesh = options.mesh;
-    const size_t area = uvs.triangles - uvs.without_area;
-    const size_t inside = options.udim ? (uvs.squares.empty() ? 0 : area) : uvs.first_square;
-    if (area == 0)
-        bake_error(mesh, "no triangle has an area in uv", "a mesh with a uv layout", diagnostics);
-    else if (inside == 0)
-        bake_error(
-            mesh, "no triangle lies in the uv square from (0, 0) to (1, 1)",
-            options.udim ? "uvs in the tiles 1001 to 1100" : "--udim bakes the other squares",
-            diagnostics);
-    if (diagnostics.has_errors()) return false;
-    if (uvs.without_area > 0)
-        bake_warning(mesh,
-                     share(uvs.without_area, uvs.triangles) + " have no area in uv and no texel",
-                     "", diagnostics);
-    if (!options.udim && inside < area)
-        bake_warning(mesh, share(area - inside, uvs.triangles) + " lie outside of the uv square",
-                     "--udim bakes the other squares", diagnostics);
-    if (options.udim && uvs.beyond_udim > 0)
-        bake_warning(mesh,
-                     share(uvs.beyond_udim, uvs.triangles) +
-                         " reach out of the tiles 1001 "
-                         "to 1100 and are cut off there",
-                     "", diagnostics);
-    if (uvs.mirrored > 0)
-        bake_warning(mesh, share(uvs.mirrored, uvs.triangles) + " are mirrored in uv",
-                     "their tangents' w is -1; engines must read it", diagnostics);
-    return true;
-}
-
-bool mesh_fits(const BakeOptions& options, const Mesh& mesh, const std::vector<BakePlan>& plans,
-               Diagnostics& diagnostics) {
-    for (const BakePlan& plan : plans) {
-        const std::string missing = missing_input(mesh, plan.program);
-        if (missing.empty()) continue;
-        bake_error(options.mesh, "the mesh lacks '" + missing + "'", "the graph reads it",
-                   diagnostics);
-        return false;
-    }
-    return true;
-}
 
 std::vector<BakePicture> pictures_of(const BakeJob& job, const UvSurvey& uvs,
                                      const Overrides& overrides) {
@@ -173,16 +105,14 @@ std::optional<BakeJob> make_bake_job(const BakeOptions& options, const BakeWishe
     job.options = options;
     job.wishes = wishes;
     auto mesh = open_mesh(options.mesh, options.common, diagnostics);
-    if (mesh && !mesh->has_uv(0))
-        bake_error(options.mesh, "the mesh has no uvs (set 0)", "a mesh with a uv layout",
-                   diagnostics);
+    if (mesh) has_uv_layout(*mesh, options.mesh, diagnostics);
     if (mesh) job.mesh = std::move(*mesh);
     const Overrides overrides = parse_overrides(options.common, diagnostics);
     plan_runs(job, overrides, diagnostics);
     if (diagnostics.has_errors()) return {};
     const UvSurvey uvs = survey_uvs(job.mesh);
-    if (!judge_uvs(options, uvs, diagnostics) ||
-        !mesh_fits(options, job.mesh, job.plans, diagnostics))
+    if (!check_uvs(uvs, options.udim, options.mesh, diagnostics) ||
+        !check_inputs(job.mesh, job.plans, options.mesh, diagnostics))
         return {};
     job.pictures = pictures_of(job, uvs, overrides);
     if (wishes.is_shard() || options.resume) job.identity = identity_of(job);

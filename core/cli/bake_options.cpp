@@ -46,7 +46,7 @@ PixelType usual_type(const std::string& extension) {
 std::string usual_extension(const BakeOptions& options, const std::string& map) {
     if (!options.format.empty()) return "." + options.format;
     const bool floats = options.type == "half" || options.type == "float";
-    return floats || (options.type.empty() && map == "slopes") ? ".exr" : ".png";
+    return floats || (options.type.empty() && !fits_integers(map)) ? ".exr" : ".png";
 }
 
 bool name_maps(const BakeOptions& options, BakeWishes& wishes, std::string& why) {

@@ -165,12 +165,11 @@ std::vector<MapFile> PartHeader::files(const std::string& output, size_t picture
                                        uint32_t threads) const {
     std::vector<MapFile> files;
     for (const Map& map : maps) {
-        fs::path path = output;
-        if (maps.size() == 1)
-            path.replace_extension(pictures[picture] + path.extension().string());
-        else
-            path /= map.name + pictures[picture] + map.extension;
-        files.push_back({path, map.writer});
+        const bool one_file = maps.size() == 1;
+        const std::string extension =
+            one_file ? fs::path(output).extension().string() : map.extension;
+        files.push_back(
+            {map_path(output, one_file, map.name, pictures[picture], extension), map.writer});
         files.back().options.threads = threads;
     }
     return files;
@@ -183,18 +182,10 @@ PartHeader header_of(const BakeJob& job) {
     header.shards = job.wishes.shards;
     for (size_t i = 0; i < job.wishes.maps.size(); ++i) {
         const WantedMap& wanted = job.wishes.maps[i];
-        const BakedMap& map = job.plans[0].maps[i];
-        WriterOptions writer;
-        writer.width = job.wishes.width;
-        writer.height = job.wishes.height;
-        for (const MapChannel& channel : map.channels)
-            writer.channels.push_back(channel.name);
-        writer.has_alpha = map.has_alpha;
-        writer.type = wanted.type;
+        WriterOptions writer = writer_options(job.plans[0].maps[i], wanted.type, job.wishes.width,
+                                              job.wishes.height, job.options.scale);
         writer.compression = job.options.compression;
         writer.tile = job.options.tile;
-        if (job.options.scale != 1)
-            writer.numbers.push_back({"wrinkle:scale", static_cast<float>(job.options.scale)});
         header.maps.push_back({wanted.request.name, wanted.extension, std::move(writer)});
     }
     for (const BakePicture& picture : job.pictures)

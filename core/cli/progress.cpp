@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <utility>
 
+#include "base/progress_text.h"
 #include "base/text.h"
 
 namespace wrinkle::cli {
@@ -13,28 +14,7 @@ namespace {
 
 constexpr double seconds_between_lines = 0.1;
 
-// "5.2 M"
-std::string count_text(double count) {
-    const char* const units[] = {"", "k", "M", "G"};
-    size_t unit = 0;
-    while (count >= 1000 && unit + 1 < std::size(units)) {
-        count /= 1000;
-        ++unit;
-    }
-    char text[32];
-    std::snprintf(text, sizeof text, "%.3g %s", count, units[unit]);
-    return text;
-}
-
 }  // namespace
-
-std::string duration_text(double seconds) {
-    const auto whole = static_cast<uint64_t>(std::clamp(seconds + 0.5, 0.0, 1e9));
-    if (whole < 100) return std::to_string(whole) + " s";
-    const uint64_t minutes = (whole + 30) / 60;
-    if (minutes < 100) return std::to_string(minutes) + " min";
-    return std::to_string(minutes / 60) + " h " + std::to_string(minutes % 60) + " min";
-}
 
 Progress::Progress(Form form, std::string unit, uint64_t total)
     : form_(form), unit_(std::move(unit)), total_(total) {}
@@ -78,8 +58,8 @@ void Progress::show(double seconds) const {
     }
     const double part =
         static_cast<double>(done_) / static_cast<double>(std::max<uint64_t>(total_, 1));
-    std::fprintf(stderr, "\r\x1b[K%3.0f %%, %s%s/s, %s left", 100 * part, count_text(rate).c_str(),
-                 unit_.c_str(), duration_text(left).c_str());
+    std::fprintf(stderr, "\r\x1b[K%3.0f %%, %s%s/s, %s left", 100 * part, rough_count(rate).c_str(),
+                 unit_.c_str(), rough_duration(left).c_str());
 }
 
 }  // namespace wrinkle::cli

@@ -36,7 +36,4 @@ private:
     Clock::time_point begun_ = Clock::now(), shown_{};
 };
 
-// "12 s", "3 min", "1 h 20 min": roughly.
-std::string duration_text(double seconds);
-
 }  // namespace wrinkle::cli

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "graph/order.h"
 #include "lower/material.h"
 #include "spirv/spirv.h"
 
@@ -36,9 +35,7 @@ const Target& target_of(const CodeOptions& options) {
 }
 
 Shader shader_of(const CodeJob& job, const Registry& registry, Diagnostics& problems) {
-    const Project project = project_with(job.model, job.document);
-    check_links(job.document, problems);
-    problems.append(job.model.project_problems);
+    const Project project = project_to_compile(job.model, job.document, problems);
     if (problems.has_errors()) return {};
     MaterialOptions options;
     options.uniform_parameters = job.options.uniforms;

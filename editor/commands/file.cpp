@@ -1,6 +1,8 @@
+#include "editor/bake/bake.h"
 #include "editor/code/export.h"
 #include "editor/commands/groups.h"
 #include "editor/document/files.h"
+#include "editor/panels/bake_dialog.h"
 #include "editor/panels/browser.h"
 #include "editor/preview/feed.h"
 
@@ -49,6 +51,7 @@ constexpr Command file_table[] = {
     {"recover", "Recover unsaved graph...", "", "File", no_recoverable, ask_recover},
     {"export-glsl", "Export GLSL...", "Ctrl+E", "File", always,
      [](State& s) { browse(s, Browser::Purpose::export_text, usual_export(s)); }},
+    {"bake", "Bake maps...", "Ctrl+B", "File", no_maps, open_bake_dialog},
     {"reload", "Read files again", "F5", "File", always, reload},
     {"reload-plugins", "Reload plugins", "", "File", no_plugins, reload_plugins},
     {"quit", "Quit", "Ctrl+Q", "File", always,

@@ -71,7 +71,8 @@ void carry_out(State& state, const Intent& intent) {
         case Intent::Kind::nothing:
             return;
         case Intent::Kind::quit:
-            state.quit = true;
+            state.quit = !state.tasks.running;
+            if (!state.quit) state.question = {.kind = Question::Kind::running, .then = intent};
             return;
         case Intent::Kind::new_graph:
             return new_file(state);
@@ -137,6 +138,12 @@ void answer_forget(State& state) {
     state.question = {};
     for (const Recoverable& found : state.keeping.recoverable)
         if (found.journal == journal) return forget(state, found);
+}
+
+void answer_stop(State& state) {
+    state.question = {};
+    cancel_task(state);
+    state.quit = true;  // which waits for the task's end
 }
 
 void answer_replace(State& state) {

@@ -25,6 +25,7 @@ struct Question {
         changed,  // the file on the disk is another one
         replace,  // save as would write over `file`
         recover,  // the edits in the journal `file`?
+        running,  // stop what runs in the background, to quit?
         failed,   // the file could not be written (`trouble`): another name?
         open,     // which file? This and the next are asked by the file browser (panels/browser.h)
         save_as,  // under which name?
@@ -45,7 +46,7 @@ struct Question {
 void intend(State& state, const Intent& intent);
 // Saves what is unsaved of what it puts away, from the innermost graph on, and does it.
 void save_and_carry_out(State& state, const Intent& intent);
-// Does it.
+// Does it; quitting asks before it stops what runs in the background.
 void carry_out(State& state, const Intent& intent);
 
 // The answers. One that fails leaves the question open and says why in it.
@@ -53,6 +54,7 @@ void answer_save(State& state);
 void answer_path(State& state);     // of open and save_as: `text`
 void answer_save_as(State& state);  // under another name than the one that failed
 void answer_replace(State& state);
+void answer_stop(State& state);
 void answer_recover(State& state);
 void answer_forget(State& state);
 

@@ -57,6 +57,12 @@ Project project_with(const Model& model, const Document& document) {
     return project;
 }
 
+Project project_to_compile(const Model& model, const Document& document, Diagnostics& problems) {
+    check_links(document, problems);
+    problems.append(model.project_problems);
+    return project_with(model, document);
+}
+
 std::string wire_problem(const Model& model, const Document& document, const Registry& registry,
                          const Link& from, std::string_view node, std::string_view port) {
     const auto given = model.type_of(from);

@@ -33,6 +33,8 @@ Model make_model(const Document& document, const std::filesystem::path& folder,
 
 // The same project with another top document, for compiling.
 Project project_with(const Model& model, const Document& document);
+// The same, and what is wrong with its wires and sub-graphs: with errors nothing is made of it.
+Project project_to_compile(const Model& model, const Document& document, Diagnostics& problems);
 
 // Whether a wire may go there by its type, and if not, why: "" when it may.
 std::string wire_problem(const Model& model, const Document& document, const Registry& registry,

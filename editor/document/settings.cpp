@@ -29,6 +29,12 @@ void each_setting(S& settings, Visitor&& visit) {
     visit("scale", settings.scale, 1.0F, 3.0F);
     visit("theme", settings.theme, 0, 32);
     visit("recent", settings.recent, 0, 0);
+    visit("bake_maps", settings.bake.maps, 0, 4096);
+    visit("bake_size", settings.bake.size, 1, 65536);
+    visit("bake_space", settings.bake.space, 0, 32);
+    visit("bake_green", settings.bake.green, 0, 32);
+    visit("bake_stored", settings.bake.stored, 0, 32);
+    visit("bake_udim", settings.bake.udim, 0, 1);
 }
 
 // Takes what it can use, and lists the names of what it cannot.

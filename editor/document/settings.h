@@ -10,6 +10,17 @@
 
 namespace wrinkle::editor {
 
+// How maps were baked last, in the words of `wrinkle bake`.
+struct BakeSettings {
+    std::string maps = "normal";  // "normal,height"
+    int size = 1024;              // texels
+    std::string space = "tangent", green = "gl";
+    std::string stored = "png u8";
+    int udim = 0;
+
+    bool operator==(const BakeSettings&) const = default;
+};
+
 struct Settings {
     static constexpr size_t most_recent = 10;
 
@@ -19,6 +30,7 @@ struct Settings {
     std::string theme = "dark";                 // or "light"
     float scale = 1;                            // of the interface
     std::vector<std::filesystem::path> recent;  // absolute, the latest first
+    BakeSettings bake;
 
     bool operator==(const Settings&) const = default;
 };

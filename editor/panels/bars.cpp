@@ -12,7 +12,7 @@
 namespace wrinkle::editor {
 namespace {
 
-constexpr const char* menus[] = {"File", "Edit", "View", "Node", "Preview", "Bake", "Help"};
+constexpr const char* menus[] = {"File", "Edit", "View", "Node", "Preview", "Help"};
 constexpr float wordless = 1100;     // below this width buttons of the toolbar lose their words
 constexpr float least_search = 640;  // and below this one the search in the menu bar
 

@@ -24,7 +24,7 @@ constexpr float file_tall = 28, places_width = 176;
 
 bool saves(const Browser& browser) {
     return browser.purpose == Purpose::save_graph || browser.purpose == Purpose::export_text ||
-           browser.purpose == Purpose::export_picture;
+           browser.purpose == Purpose::export_picture || browser.purpose == Purpose::bake_into;
 }
 
 std::string title_of(Purpose purpose) {
@@ -39,6 +39,10 @@ std::string title_of(Purpose purpose) {
             return "Save the picture of the preview";
         case Purpose::picture:
             return "Choose an image";
+        case Purpose::bake_mesh:
+            return "Choose a mesh";
+        case Purpose::bake_into:
+            return "Bake into a folder, or a file";
         case Purpose::none:
             break;
     }
@@ -48,6 +52,8 @@ std::string title_of(Purpose purpose) {
 std::vector<std::string> extensions_of(Purpose purpose) {
     if (purpose == Purpose::picture)
         return {".png", ".jpg", ".jpeg", ".tif", ".tiff", ".exr", ".hdr", ".pfm", ".pnm", ".ppm"};
+    if (purpose == Purpose::bake_mesh) return {".obj", ".gltf", ".glb"};
+    if (purpose == Purpose::bake_into) return {".png", ".tif", ".exr"};
     if (purpose == Purpose::export_picture) return {".png", ".jpg", ".jpeg", ".tif", ".tiff"};
     if (purpose == Purpose::export_text) return {".glsl", ".frag", ".vert"};
     return {".json"};
@@ -68,7 +74,8 @@ void go_to(Browser& browser, const fs::path& folder) {
 std::string with_extension(const Browser& browser, std::string name, const State& state) {
     const bool stages =
         browser.purpose == Purpose::export_text && state.code.options.form == Form::shader;
-    if (!saves(browser) || stages || !fs::path(name).extension().empty()) return name;
+    const bool folder = browser.purpose == Purpose::bake_into;
+    if (!saves(browser) || stages || folder || !fs::path(name).extension().empty()) return name;
     return name + (browser.purpose == Purpose::save_graph    ? ".json"
                    : browser.purpose == Purpose::export_text ? ".glsl"
                                                              : ".png");
@@ -94,6 +101,12 @@ bool take(State& state, const fs::path& file) {
         }
         case Purpose::picture:
             use_picture(state, browser.node, browser.port, file.string());
+            return true;
+        case Purpose::bake_mesh:
+            state.bake_dialog.choices.mesh = file.string();
+            return true;
+        case Purpose::bake_into:
+            state.bake_dialog.choices.into = file;
             return true;
         case Purpose::none:
             break;

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "editor/bake/choices.h"
 #include "editor/canvas/gesture.h"
 #include "editor/document/intent.h"
 #include "editor/panels/listing.h"
@@ -39,7 +40,9 @@ struct Browser {
         save_graph,
         export_text,
         export_picture,
-        picture
+        picture,
+        bake_mesh,
+        bake_into  // a folder, or a file
     };
     Purpose purpose = Purpose::none;
     std::filesystem::path folder;
@@ -52,6 +55,14 @@ struct Browser {
     size_t size = 0;         // of export_picture: one of picture_sizes()
     Intent then;             // what follows once the graph is saved
     std::string trouble;     // why the last answer could not be followed
+};
+
+// Maps to bake are being chosen.
+struct BakeDialog {
+    bool open = false, opening = false;
+    BakeChoices choices;
+    std::optional<BakeChoices> looked;  // for which `replaces` was found
+    std::string replaces;               // which files are there already, one sentence
 };
 
 // The page that stands in for a canvas without a graph.

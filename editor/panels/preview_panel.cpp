@@ -22,20 +22,6 @@ std::string capitalised(std::string text) {
     return text;
 }
 
-std::string mesh_label(const std::string& mesh) {
-    return make_shape(mesh) ? capitalised(mesh) : std::filesystem::path(mesh).filename().string();
-}
-
-Choices meshes(const PreviewView& view) {
-    Choices choices;
-    for (const Shape& shape : shapes()) {
-        if (view.mesh == shape.name) choices.chosen = static_cast<int>(choices.labels.size());
-        choices.labels.push_back(capitalised(std::string(shape.name)));
-        choices.targets.push_back("mesh:" + std::string(shape.name));
-    }
-    return choices;
-}
-
 Choices lights(const PreviewView& view) {
     Choices choices{{"Studio", "Phong"}, {"light:studio", "light:phong"}, 0};
     if (!view.environment.empty()) {
@@ -127,6 +113,20 @@ void draw_head_icons(State& state) {
 
 }  // namespace
 
+std::string mesh_label(const std::string& mesh) {
+    return make_shape(mesh) ? capitalised(mesh) : std::filesystem::path(mesh).filename().string();
+}
+
+Choices mesh_choices(const std::string& mesh) {
+    Choices choices;
+    for (const Shape& shape : shapes()) {
+        if (mesh == shape.name) choices.chosen = static_cast<int>(choices.labels.size());
+        choices.labels.push_back(capitalised(std::string(shape.name)));
+        choices.targets.push_back("mesh:" + std::string(shape.name));
+    }
+    return choices;
+}
+
 int choose(State& state, const char* id, const std::string& target, const std::string& shown,
            const Choices& choices, float width) {
     int picked = -1;
@@ -157,8 +157,8 @@ void draw_preview_head(State& state) {
     PreviewView& view = state.view.preview_view;
     const float room = std::floor((controls - icons - 16) / 2);
     ImGui::SetCursorPos({width - controls, 5});
-    const int mesh =
-        choose(state, "##mesh", "preview:mesh", mesh_label(view.mesh), meshes(view), room);
+    const int mesh = choose(state, "##mesh", "preview:mesh", mesh_label(view.mesh),
+                            mesh_choices(view.mesh), room);
     if (mesh >= 0) view.mesh = std::string(shapes()[static_cast<size_t>(mesh)].name);
     ImGui::SameLine(0, 6);
     const Choices all = lights(view);

@@ -23,6 +23,10 @@ struct Choices {
 int choose(State& state, const char* id, const std::string& target, const std::string& shown,
            const Choices& choices, float width);
 
+// The shapes of the preview; `mesh` is a shape's name or a file's path.
+Choices mesh_choices(const std::string& mesh);
+std::string mesh_label(const std::string& mesh);  // "Sphere", "teapot.glb"
+
 // A small text on a ground that keeps it readable over any picture; `at` is its upper left corner.
 // Says how wide it is.
 float draw_chip(const State& state, ImVec2 at, const std::string& text, bool right_aligned = false,

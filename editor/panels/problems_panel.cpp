@@ -1,5 +1,8 @@
 // What is wrong with the graph, a row each: the node, the sentence, the place in the file, and what
 // certainly helps as a button. A click frames the node.
+#include <algorithm>
+#include <optional>
+
 #include "editor/canvas/layout.h"
 #include "editor/document/edits.h"
 #include "editor/look/draw.h"
@@ -15,17 +18,34 @@ constexpr float closed_height = 28, open_head = 36, problem_tall = 62, foot = 6;
 constexpr float opened = 0.25F;    // of the work area, where it was closed for want of room
 constexpr float low_window = 800;  // there the header stands alone until it is clicked
 
-const Diagnostics& shown(const State& state) {
-    return state.built.problems.list().empty() ? state.preview_problems : state.built.problems;
+// What work in the background had to tell, of the graph that is open.
+const std::vector<Diagnostic>& told(const State& state) {
+    static const std::vector<Diagnostic> none;
+    return state.tasks.warnings_of == state.path ? state.tasks.warnings.list() : none;
+}
+
+// The graph's, or the picture's where it has none; behind them what was told.
+std::vector<const Diagnostic*> shown(const State& state) {
+    const Diagnostics& own =
+        state.built.problems.list().empty() ? state.preview_problems : state.built.problems;
+    std::vector<const Diagnostic*> all;
+    for (const auto* list : {&own.list(), &told(state)})
+        for (const Diagnostic& problem : *list)
+            all.push_back(&problem);
+    return all;
 }
 
 bool is_open(const State& state) {
-    return !shown(state).list().empty() &&
+    return !shown(state).empty() &&
            (state.panes.problems > 0 || ImGui::GetIO().DisplaySize.y >= low_window);
 }
 
-std::string counts(const Diagnostics& problems) {
-    const size_t errors = problems.error_count(), all = problems.list().size();
+std::string counts(const std::vector<const Diagnostic*>& problems) {
+    const size_t all = problems.size();
+    const auto errors =
+        static_cast<size_t>(std::count_if(problems.begin(), problems.end(), [](const auto* each) {
+            return each->severity == Severity::error;
+        }));
     if (all == 0) return "No problems.";
     return counted(all - errors, "warning") + ", " + counted(errors, "error");
 }
@@ -54,8 +74,17 @@ std::string port_of(const Diagnostic& problem) {
 struct Fix {
     const char* label = nullptr;  // nullptr: nothing is certain to help
     bool picture = false;         // choose one; else the wire goes
-    std::string node, port;
+    std::string node, port;       // node "": what was told goes from the list
 };
+const Fix dismissal{"Dismiss", false, {}, {}};
+
+void dismiss(State& state, size_t index) {
+    Diagnostics rest;
+    const std::vector<Diagnostic>& all = state.tasks.warnings.list();
+    for (size_t i = 0; i < all.size(); ++i)
+        if (i != index) rest.add(all[i]);
+    state.tasks.warnings = std::move(rest);
+}
 
 bool is_wrong_wire(const State& state, const Node& node, const Port& port) {
     const Input* input = node.find(port.name);
@@ -95,7 +124,7 @@ void apply(State& state, const Fix& fix) {
 }
 
 void show_problem(State& state, size_t index) {
-    const Diagnostic& problem = shown(state).list()[index];
+    const Diagnostic& problem = *shown(state)[index];
     state.problems.current = index;
     const std::string id = top_of(problem.node);
     state.status = sentence(problem.message);
@@ -124,12 +153,23 @@ float draw_chip(const State& state, ImDrawList& list, ImVec2 at, const std::stri
     return 44 + width + 10;
 }
 
-void draw_problem(State& state, const Diagnostic& problem, size_t index) {
+// True when it is pressed.
+bool draw_fix(State& state, const Fix& fix, ImVec2 at, size_t index) {
+    if (!fix.label) return false;
+    const ImVec2 next = ImGui::GetCursorPos();
+    ImGui::SetCursorScreenPos(at);
+    const std::string target = "fix:" + std::to_string(index + 1);
+    const bool pressed = button(state, fix.label, target, false, {132, 28});
+    ImGui::SetCursorPos(next);
+    return pressed;
+}
+
+// True when it was dismissed.
+bool draw_problem(State& state, const Diagnostic& problem, size_t index, const Fix& fix) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const float width = std::max(ImGui::GetContentRegionAvail().x, 1.0F);
     const ImVec2 size(width, problem_tall - 6);
-    const Fix fix = fix_of(state, problem);
     const std::string message = sentence(problem.message);
     ImGui::PushID(static_cast<int>(index));
     const bool clicked = ImGui::InvisibleButton("problem", size, ImGuiButtonFlags_None);
@@ -152,20 +192,18 @@ void draw_problem(State& state, const Diagnostic& problem, size_t index) {
               fitting(fonts.regular(14), 14, evidence(problem), right - 44));
     if (ImGui::IsItemHovered() && text_width(fonts.regular(16), 16, message) > right - x)
         ImGui::SetTooltip("%s", message.c_str());
-    bool fixed = false;
-    if (fix.label) {
-        const ImVec2 next = ImGui::GetCursorPos();
-        ImGui::SetCursorScreenPos(at + ImVec2(width - 140, 14));
-        fixed = button(state, fix.label, "fix:" + std::to_string(index + 1), false, {132, 28});
-        ImGui::SetCursorPos(next);
-    }
+    const bool fixed = draw_fix(state, fix, at + ImVec2(width - 140, 14), index);
     ImGui::PopID();
-    if (fixed) return apply(state, fix);
-    if (clicked) show_problem(state, index);
+    if (fixed && fix.node.empty()) return true;
+    if (fixed)
+        apply(state, fix);
+    else if (clicked)
+        show_problem(state, index);
+    return false;
 }
 
 void draw_head(State& state) {
-    const Diagnostics& problems = shown(state);
+    const std::vector<const Diagnostic*> problems = shown(state);
     const ImVec2 at = ImGui::GetWindowPos();
     const float width = ImGui::GetWindowWidth();
     ImDrawList& list = *ImGui::GetWindowDrawList();
@@ -174,7 +212,7 @@ void draw_head(State& state) {
     draw_text(list, state.fonts.bold(18), 18, at + ImVec2(12, y), theme::text, "Problems");
     draw_text(list, state.fonts.regular(14), 14, at + ImVec2(name + 26, y + 3), theme::text_dim,
               counts(problems));
-    if (problems.list().empty()) return;
+    if (problems.empty()) return;
     ImGui::SetCursorPos({0, 0});
     if (ImGui::InvisibleButton("head", {width - 150, is_open(state) ? open_head : closed_height}))
         state.panes.problems = state.panes.problems > 0 ? 0 : opened;
@@ -189,11 +227,11 @@ void draw_head(State& state) {
 }  // namespace
 
 std::string_view no_problems(const State& state) {
-    return shown(state).list().empty() ? "There are no problems." : "";
+    return shown(state).empty() ? "There are no problems." : "";
 }
 
 void next_problem(State& state) {
-    const size_t count = shown(state).list().size();
+    const size_t count = shown(state).size();
     if (count == 0) return;
     if (ImGui::GetIO().DisplaySize.y < low_window && state.panes.problems <= 0)
         state.panes.problems = opened;
@@ -205,13 +243,14 @@ void next_problem(State& state) {
 
 float problems_height(const State& state) {
     if (!is_open(state)) return closed_height;
-    return open_head + problem_tall * static_cast<float>(shown(state).list().size()) + foot;
+    return open_head + problem_tall * static_cast<float>(shown(state).size()) + foot;
 }
 
 void draw_problems(State& state) {
-    const Diagnostics problems = shown(state);
+    const std::vector<const Diagnostic*> problems = shown(state);
+    const size_t own = problems.size() - told(state).size();
     draw_head(state);
-    if (problems.list().empty()) state.problems = {};
+    if (problems.empty()) state.problems = {};
     if (!is_open(state)) return;
     ImGui::SetCursorPosY(open_head);
     ImGui::BeginChild("##problems", {0, 0}, false, ImGuiWindowFlags_NoNavInputs);
@@ -220,12 +259,15 @@ void draw_problems(State& state) {
         ImGui::SetScrollY(static_cast<float>(state.problems.current) * problem_tall);
     state.problems.scroll = false;
     ImGuiListClipper clipper;
-    clipper.Begin(static_cast<int>(problems.list().size()), problem_tall);
+    clipper.Begin(static_cast<int>(problems.size()), problem_tall);
+    std::optional<size_t> dismissed;
     while (clipper.Step())
         for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
             const auto index = static_cast<size_t>(i);
-            draw_problem(state, problems.list()[index], index);
+            const Fix fix = index < own ? fix_of(state, *problems[index]) : dismissal;
+            if (draw_problem(state, *problems[index], index, fix)) dismissed = index - own;
         }
+    if (dismissed) dismiss(state, *dismissed);
     ImGui::PopStyleVar();
     ImGui::EndChild();
 }

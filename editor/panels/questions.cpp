@@ -74,6 +74,13 @@ Sheet recovery_sheet(const State& state) {
     return sheet;
 }
 
+Sheet running_sheet(const State& state) {
+    const Task* task = state.tasks.running.get();
+    return {task ? task->order().name + " is not done yet." : "All is done.",
+            task ? "To quit stops it. Nothing of it is written." : "",
+            {{"Quit", "answer:stop", answer_stop}, {"Go on", "answer:cancel", cancel}}};
+}
+
 Sheet sheet_of(const State& state) {
     const Question& question = state.question;
     const std::string file = state.file_name();
@@ -100,6 +107,8 @@ Sheet sheet_of(const State& state) {
                     {{"Replace", "answer:replace", answer_replace}, cancelled}};
         case Question::Kind::recover:
             return recovery_sheet(state);
+        case Question::Kind::running:
+            return running_sheet(state);
         case Question::Kind::failed:
             return {file + " could not be saved.",
                     "",

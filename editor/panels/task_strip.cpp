@@ -32,11 +32,20 @@ void begin_buttons(float width) {
     ImGui::SetCursorPos({ImGui::GetWindowWidth() - width - 12, 6});
 }
 
+std::string words_of(const Task& task) {
+    if (task.cancelled()) return "Stopping";
+    const TaskProgress& progress = task.progress();
+    const std::chrono::duration<double> time = TaskProgress::Clock::now() - progress.begun.load();
+    return progress_words(progress.done, progress.total, time.count(), task.order().unit);
+}
+
 void draw_running(State& state, const Task& task) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const ImVec2 at = ImGui::GetWindowPos();
     const Fonts& fonts = state.fonts;
-    const float room = std::max(ImGui::GetWindowWidth() - bar_width - 280, 60.0F);
+    const std::string words = words_of(task);
+    const float beside = text_width(fonts.regular(14), 14, words) + bar_width + 12 + 16 + 24 + 100;
+    const float room = std::max(ImGui::GetWindowWidth() - beside, 60.0F);
     const std::string name = fitting(fonts.bold(16), 16, task.order().name, room);
     draw_text(list, fonts.bold(16), 16, at + ImVec2(12, 12), theme::text, name);
     const float x = at.x + 12 + text_width(fonts.bold(16), 16, name) + 16;
@@ -44,9 +53,6 @@ void draw_running(State& state, const Task& task) {
     const float part =
         total > 1 && done > 0 ? static_cast<float>(done) / static_cast<float>(total) : -1.0F;
     draw_bar(list, {x, at.y + 16}, part);
-    const std::string words = task.cancelled() ? "Stopping"
-                              : total > 1      ? grouped(done) + " of " + grouped(total) + " steps"
-                                               : "";
     draw_text(list, fonts.regular(14), 14, {x + bar_width + 12, at.y + 13}, theme::text_dim, words);
     begin_buttons(88);
     if (button(state, "Cancel", "task:cancel", false, {88, 28})) cancel_task(state);

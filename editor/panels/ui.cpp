@@ -7,6 +7,7 @@
 #include "editor/drop/drop.h"
 #include "editor/look/draw.h"
 #include "editor/look/theme.h"
+#include "editor/panels/bake_dialog.h"
 #include "editor/panels/box_text.h"
 #include "editor/panels/browser.h"
 #include "editor/panels/help.h"
@@ -103,6 +104,7 @@ void draw_ui(State& state) {
     draw_offer(state);
     draw_box_text(state);
     draw_popup(state);
+    draw_bake_dialog(state);
     draw_browser(state);
     draw_help(state);
     draw_hover_docs(state);

@@ -2,7 +2,9 @@
 
 #include <utility>
 
+#include "base/progress_text.h"
 #include "editor/state.h"
+#include "editor/words.h"
 
 namespace wrinkle::editor {
 
@@ -23,6 +25,17 @@ TaskOutcome Task::outcome() {
     return outcome_;
 }
 
+std::string progress_words(uint64_t done, uint64_t total, double seconds, const std::string& unit) {
+    if (total <= 1) return {};
+    if (unit.empty()) return grouped(done) + " of " + grouped(total) + " steps";
+    const auto now = static_cast<double>(done), all = static_cast<double>(total);
+    const std::string part = std::to_string(done * 100 / total) + " %";
+    if (done == 0 || !(seconds > 0)) return part;
+    const double rate = now / seconds;
+    return part + ", " + rough_count(rate) + unit + "/s, about " +
+           rough_duration((all - now) / rate) + " left";
+}
+
 bool start_task(State& state, TaskOrder order) {
     Tasks& tasks = state.tasks;
     if (tasks.running) {
@@ -30,6 +43,8 @@ bool start_task(State& state, TaskOrder order) {
         return false;
     }
     tasks.failed.clear();
+    tasks.warnings = Diagnostics();
+    tasks.warnings_of = state.path;
     state.status = order.name;
     tasks.running = std::make_unique<Task>(std::move(order), tasks.wake);
     return true;
@@ -49,11 +64,12 @@ void try_task_again(State& state) {
 void tend_tasks(State& state) {
     Tasks& tasks = state.tasks;
     if (!tasks.running || !tasks.running->ended()) return;
-    const TaskOutcome outcome = tasks.running->outcome();
+    TaskOutcome outcome = tasks.running->outcome();
     const TaskOrder& order = tasks.running->order();
     if (outcome.good || !tasks.running->cancelled()) {
         state.status = outcome.sentence;
         if (!outcome.good) tasks.failed = outcome.sentence;
+        tasks.warnings = std::move(outcome.warnings);
     } else {
         state.status = order.name + " was cancelled. Nothing was written.";
     }

@@ -3,23 +3,35 @@
 #pragma once
 
 #include <atomic>
+#include <chrono>
+#include <filesystem>
 #include <functional>
 #include <memory>
 #include <string>
 #include <thread>
+
+#include "base/diagnostics.h"
 
 namespace wrinkle::editor {
 
 struct State;
 
 struct TaskProgress {
-    std::atomic<uint64_t> done = 0, total = 0;  // total 0: not known yet
-    std::atomic<bool> cancelled = false;        // the work is to end soon, leaving nothing behind
+    using Clock = std::chrono::steady_clock;
+    std::atomic<uint64_t> done = 0, total = 0;            // total 0: not known yet
+    std::atomic<Clock::time_point> begun = Clock::now();  // counting, for the rate
+    std::atomic<bool> cancelled = false;  // the work is to end soon, leaving nothing behind
+
+    void begin(uint64_t count) {
+        begun = Clock::now();
+        total = count;
+    }
 };
 
 struct TaskOutcome {
     bool good = false;
-    std::string sentence;  // "Wrote strap.glsl."
+    std::string sentence;       // "Wrote strap.glsl."
+    Diagnostics warnings = Diagnostics();  // for the list of problems
 };
 
 // Runs on a thread of its own, so it owns or shares all that it touches.
@@ -29,6 +41,7 @@ struct TaskOrder {
     std::string name;  // "Exporting strap.glsl"
     TaskWork work;
     std::function<void(State&)> again;  // starts the same once more
+    std::string unit = {};              // that is counted, with a rate: "texels"; "" is steps
 };
 
 class Task {
@@ -61,8 +74,15 @@ struct Tasks {
     std::string failed = {};
     std::function<void(State&)> again = {};
 
+    // What the last one had to tell, and in which graph it ran.
+    Diagnostics warnings = Diagnostics();
+    std::filesystem::path warnings_of = {};
+
     bool shown() const { return running || !failed.empty(); }
 };
+
+// "412 of 1,024 steps"; where a unit is counted "40 %, 5.2 M texels/s, about 12 s left".
+std::string progress_words(uint64_t done, uint64_t total, double seconds, const std::string& unit);
 
 // False, and why in the status, while another one runs.
 bool start_task(State& state, TaskOrder order);

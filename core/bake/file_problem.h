@@ -1,0 +1,20 @@
+// A problem of a whole file, as the user calls it: a mesh, a graph.
+#pragma once
+
+#include <string>
+
+#include "base/diagnostics.h"
+
+namespace wrinkle {
+
+inline Diagnostic file_problem(Severity severity, std::string file, std::string message,
+                               std::string expected) {
+    Diagnostic problem;
+    problem.severity = severity;
+    problem.where.file = std::move(file);
+    problem.message = std::move(message);
+    problem.expected = std::move(expected);
+    return problem;
+}
+
+}  // namespace wrinkle

@@ -1,0 +1,75 @@
+#include "bake/mesh_check.h"
+
+#include "bake/file_problem.h"
+#include "bake/texel_points.h"
+
+namespace wrinkle {
+namespace {
+
+// "3 of 12 triangles"
+std::string share(size_t count, size_t all) {
+    return std::to_string(count) + " of " + std::to_string(all) + " triangles";
+}
+
+void warn(const std::string& mesh, std::string message, std::string expected,
+          Diagnostics& diagnostics) {
+    diagnostics.add(file_problem(Severity::warning, mesh, std::move(message), std::move(expected)));
+}
+
+constexpr const char* beyond_first = "UDIM tiles (--udim) have the other squares";
+
+std::string nothing_to_bake(const UvSurvey& uvs, bool udim, std::string& expected) {
+    expected = "a mesh with a uv layout";
+    if (uvs.triangles == uvs.without_area) return "no triangle has an area in uv";
+    if (udim ? !uvs.squares.empty() : uvs.first_square > 0) return "";
+    expected = udim ? "uvs in the tiles 1001 to 1100" : beyond_first;
+    return "no triangle lies in the uv square from (0, 0) to (1, 1)";
+}
+
+}  // namespace
+
+bool has_uv_layout(const Mesh& mesh, const std::string& name, Diagnostics& diagnostics) {
+    if (mesh.has_uv(0)) return true;
+    diagnostics.add(file_problem(Severity::error, name, "the mesh has no uvs (set 0)",
+                                 "a mesh with a uv layout"));
+    return false;
+}
+
+bool check_uvs(const UvSurvey& uvs, bool udim, const std::string& name, Diagnostics& diagnostics) {
+    std::string expected;
+    const std::string nothing = nothing_to_bake(uvs, udim, expected);
+    if (!nothing.empty()) {
+        diagnostics.add(file_problem(Severity::error, name, nothing, expected));
+        return false;
+    }
+    const size_t area = uvs.triangles - uvs.without_area;
+    if (uvs.without_area > 0)
+        warn(name, share(uvs.without_area, uvs.triangles) + " have no area in uv and no texel", "",
+             diagnostics);
+    if (!udim && uvs.first_square < area)
+        warn(name, share(area - uvs.first_square, uvs.triangles) + " lie outside of the uv square",
+             beyond_first, diagnostics);
+    if (udim && uvs.beyond_udim > 0)
+        warn(name,
+             share(uvs.beyond_udim, uvs.triangles) +
+                 " reach out of the tiles 1001 to 1100 and are cut off there",
+             "", diagnostics);
+    if (uvs.mirrored > 0)
+        warn(name, share(uvs.mirrored, uvs.triangles) + " are mirrored in uv",
+             "their tangents' w is -1; engines must read it", diagnostics);
+    return true;
+}
+
+bool check_inputs(const Mesh& mesh, std::span<const BakePlan> plans, const std::string& name,
+                  Diagnostics& diagnostics) {
+    for (const BakePlan& plan : plans) {
+        const std::string missing = missing_input(mesh, plan.program);
+        if (missing.empty()) continue;
+        diagnostics.add(file_problem(Severity::error, name, "the mesh lacks '" + missing + "'",
+                                     "the graph reads it"));
+        return false;
+    }
+    return true;
+}
+
+}  // namespace wrinkle

@@ -1,0 +1,257 @@
+#include "editor/bake/bake.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+
+#include "bake/mesh_check.h"
+#include "bake/picture.h"
+#include "base/progress_text.h"
+#include "compile/textures.h"
+#include "editor/document/folders.h"
+#include "editor/words.h"
+#include "editor/worker.h"
+#include "lower/material.h"
+#include "mesh/load.h"
+#include "mesh/shapes.h"
+
+namespace wrinkle::editor {
+namespace fs = std::filesystem;
+namespace {
+
+using Clock = std::chrono::steady_clock;
+constexpr uint32_t bake_samples = 4;  // of an edge texel, as the program's --samples
+
+// Folders that are made for files, taken away again unless the files were kept.
+class NewFolders {
+public:
+    explicit NewFolders(fs::path folder) {
+        std::error_code error;
+        for (; !folder.empty() && !fs::exists(folder, error); folder = folder.parent_path())
+            missing_.push_back(folder);
+    }
+    NewFolders(const NewFolders&) = delete;
+    NewFolders& operator=(const NewFolders&) = delete;
+    ~NewFolders() {
+        std::error_code error;
+        for (const fs::path& folder : missing_)
+            if (!kept_) fs::remove(folder, error);  // one that holds something stays
+    }
+    void keep() { kept_ = true; }
+
+private:
+    std::vector<fs::path> missing_;  // the innermost first
+    bool kept_ = false;
+};
+
+// "weave: the image is not there", "scan.obj: the mesh has no uvs (set 0)"
+std::string blamed(const Diagnostic& problem) {
+    const std::string file = fs::path(problem.where.file).filename().string();
+    const std::string& name = problem.node.empty() ? file : problem.node;
+    return (name.empty() ? "" : name + ": ") + problem.message;
+}
+
+std::string first_blamed(const Diagnostics& problems) {
+    for (const Diagnostic& problem : problems.list())
+        if (problem.severity == Severity::error) return blamed(problem);
+    return {};
+}
+
+std::string time_taken(Clock::time_point begun) {
+    const double seconds = std::chrono::duration<double>(Clock::now() - begun).count();
+    if (seconds >= 10) return rough_duration(seconds);
+    char text[32];
+    std::snprintf(text, sizeof text, "%.1f s", seconds);
+    return text;
+}
+
+class MapBaker {
+public:
+    MapBaker(const BakeJob& job, const Registry& registry, TaskProgress& progress)
+        : job_(job), choices_(job.choices), registry_(registry), progress_(progress) {}
+
+    TaskOutcome run() {
+        const Clock::time_point begun = Clock::now();
+        if (!compile() || !read_mesh()) return refused();
+        NewFolders folders(choices_.one_file() ? choices_.into.parent_path() : choices_.into);
+        if (!bake_squares() || !finish()) {
+            written_.clear();  // before their folder goes
+            return refused();
+        }
+        folders.keep();
+        return {true, said(begun), warnings()};
+    }
+
+private:
+    TaskOutcome refused() const {
+        if (progress_.cancelled) return {};
+        if (!disk_.has_errors())
+            return {false, "No map can be baked. " + sentence(first_blamed(problems_))};
+        return {false,
+                "The maps were not written: " + disk_words(disk_.list().front().message) + "."};
+    }
+
+    bool compile() {
+        const Project project = project_to_compile(job_.model, job_.document, problems_);
+        if (problems_.has_errors()) return false;
+        MaterialOptions options;
+        options.given_differentials = true;
+        options.runs_calls = "the bake";
+        compiled_ = compile_material(project, registry_, options, problems_);
+        if (compiled_.ok) read_textures(textures_, compiled_, project, problems_);
+        return !problems_.has_errors() && !progress_.cancelled;
+    }
+
+    bool read_mesh() {
+        auto mesh = make_shape(choices_.mesh);
+        if (!mesh) mesh = load_mesh(choices_.mesh, {}, problems_);
+        if (!mesh || !has_uv_layout(*mesh, choices_.mesh, problems_)) return false;
+        mesh_ = std::move(*mesh);
+        uvs_ = survey_uvs(mesh_);
+        if (check_uvs(uvs_, choices_.udim, choices_.mesh, found_)) return plan();
+        problems_.append(found_);
+        return false;
+    }
+
+    bool plan() {
+        std::vector<MapRequest> requests;
+        for (const std::string& map : choices_.maps) {
+            const StoredAs& stored = stored_for(*choices_.stored, map);
+            types_.push_back(stored.type);
+            requests.push_back({map, {}, stored.integers()});
+        }
+        MapOptions options;
+        options.tangent_space = !choices_.object_space;
+        options.vertex_tangents = !mesh_.tangents.empty();
+        options.green_down = choices_.green_down;
+        options.width = options.height = choices_.size;
+        plan_ = plan_maps(compiled_.module, requests, options, problems_);
+        return plan_ && check_inputs(mesh_, {&*plan_, 1}, choices_.mesh, problems_) &&
+               !progress_.cancelled;
+    }
+
+    bool bake_squares() {
+        const std::vector<glm::ivec2> first = {glm::ivec2(0)};
+        const std::vector<glm::ivec2>& squares = choices_.udim ? uvs_.squares : first;
+        progress_.begin(uint64_t{choices_.size} * choices_.size * squares.size());
+        return std::all_of(squares.begin(), squares.end(),
+                           [&](glm::ivec2 square) { return bake(square); });
+    }
+
+    bool bake(glm::ivec2 square) {
+        const std::string suffix =
+            choices_.udim ? "." + std::to_string(udim_number(square)) : std::string();
+        std::vector<MapFile> files;
+        for (const fs::path& path : baked_files(choices_, suffix)) {
+            const size_t map = files.size();
+            files.push_back({path, writer_options(plan_->maps[map], types_[map], choices_.size,
+                                                  choices_.size, 1)});
+        }
+        auto writers = MapFiles::open(files, disk_);
+        if (!writers) return false;
+        written_.push_back(std::move(*writers));
+        const std::vector<Texture> textures = textures_.textures_of(plan_->resources);
+        PictureInput input;
+        input.mesh = &mesh_;
+        input.plan = &*plan_;
+        input.textures = textures;
+        input.types = types_;
+        input.layout = {choices_.size, choices_.size, square, bake_samples};
+        PictureTakers take;
+        take.rows = [&](size_t map, std::span<const std::byte> rows) {
+            return written_.back().write(map, rows, disk_);
+        };
+        take.band = [&](uint32_t, uint64_t texels) {
+            progress_.done += texels;
+            return !progress_.cancelled;
+        };
+        return bake_picture(input, 0, choices_.size, take, report_);
+    }
+
+    bool finish() {
+        if (progress_.cancelled) return false;
+        return std::all_of(written_.begin(), written_.end(),
+                           [&](MapFiles& files) { return files.finish(disk_); });
+    }
+
+    Diagnostics warnings() const {
+        Diagnostics all = found_;
+        report_.tell(job_.graph, choices_.mesh, plan_->maps, all);
+        Diagnostics named;
+        for (Diagnostic problem : all.list()) {
+            problem.message = blamed(problem);
+            named.add(std::move(problem));
+        }
+        return named;
+    }
+
+    std::string said(Clock::time_point begun) const {
+        const size_t count = written_.size() * choices_.maps.size();
+        const std::string place = choices_.into.filename().string();
+        return "Baked " + (choices_.one_file() ? place : counted(count, "map") + " into " + place) +
+               " in " + time_taken(begun) + ".";
+    }
+
+    const BakeJob& job_;
+    const BakeChoices& choices_;
+    const Registry& registry_;
+    TaskProgress& progress_;
+    Diagnostics problems_, disk_, found_;  // that forbid it; of writing; to be told
+    Compiled compiled_;
+    TextureStore textures_;
+    Mesh mesh_;
+    UvSurvey uvs_;
+    std::optional<BakePlan> plan_;
+    std::vector<PixelType> types_;   // by map
+    std::vector<MapFiles> written_;  // of each square, without their names until all are whole
+    BakeReport report_;
+};
+
+}  // namespace
+
+TaskOutcome bake_maps(const BakeJob& job, const Registry& registry, TaskProgress& progress) {
+    yield_to_interface();  // and the threads that are made for it
+    try {
+        return MapBaker(job, registry, progress).run();
+    } catch (...) {
+        return {false, "No map can be baked: " + exception_text() + "."};
+    }
+}
+
+void start_bake(State& state, const BakeChoices& choices) {
+    state.keeping.settings.bake = settings_of(choices);
+    BakeJob job{state.model, state.document(), state.path.string(), choices};
+    if (choices.into.is_relative()) job.choices.into = state.folder() / choices.into;
+    const auto work = [job = std::move(job), registry = state.registry](TaskProgress& progress) {
+        return bake_maps(job, *registry, progress);
+    };
+    start_task(state, {"Baking " + counted(choices.maps.size(), "map"), work,
+                       [choices](State& s) { start_bake(s, choices); }, "texels"});
+}
+
+std::vector<std::string> maps_of(const Document& document) {
+    std::vector<std::string> outputs;
+    for (const Output& output : document.outputs)
+        outputs.push_back(output.name);
+    return map_names(std::move(outputs));
+}
+
+BakeChoices usual_bake(const State& state) {
+    BakeChoices choices = choices_of(state.keeping.settings.bake);
+    const std::vector<std::string> all = maps_of(state.document());
+    std::vector<std::string> maps;
+    for (const std::string& map : all)
+        if (std::find(choices.maps.begin(), choices.maps.end(), map) != choices.maps.end())
+            maps.push_back(map);
+    if (maps.empty() && !all.empty()) maps.push_back(all.front());
+    choices.maps = std::move(maps);
+    choices.mesh = state.view.preview_view.mesh;
+    choices.into = fs::path(state.file_name()).stem().string() + "_maps";
+    return choices;
+}
+
+std::string_view no_maps(const State& state) {
+    return state.document().outputs.empty() ? "The graph has no output to bake." : "";
+}
+
+}  // namespace wrinkle::editor

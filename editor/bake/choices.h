@@ -1,0 +1,52 @@
+// What a bake from the editor is asked for: plain values that the dialog shows and the settings
+// keep, and the files that come of them.
+#pragma once
+
+#include <filesystem>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "editor/document/settings.h"
+#include "image/image.h"
+
+namespace wrinkle::editor {
+
+// A format and the type of its numbers; those that go together, and no others.
+struct StoredAs {
+    std::string_view key;  // of the settings
+    std::string_view label;
+    std::string_view extension;
+    PixelType type;
+
+    bool integers() const { return type == PixelType::u8 || type == PixelType::u16; }
+};
+std::span<const StoredAs> stored_kinds();
+// How a map is stored where this kind was chosen: what fits no integers is OpenEXR, half.
+const StoredAs& stored_for(const StoredAs& chosen, std::string_view map);
+
+inline constexpr uint32_t bake_sizes[] = {256, 512, 1024, 2048, 4096, 8192, 16384};  // texels
+
+struct BakeChoices {
+    std::string mesh;               // a shape's name, or the path of an OBJ or glTF file
+    std::vector<std::string> maps;  // by name, in the order of the graph's
+    uint32_t size = 1024;           // texels, both ways
+    bool object_space = false, green_down = false, udim = false;
+    const StoredAs* stored = stored_kinds().data();
+    // A folder; or of one map its file, when it ends like one of that format.
+    std::filesystem::path into;
+
+    bool one_file() const;
+    bool operator==(const BakeChoices&) const = default;
+};
+
+// All but the mesh and the place, which belong to one graph.
+BakeChoices choices_of(const BakeSettings& settings);
+BakeSettings settings_of(const BakeChoices& choices);
+
+// The files of a picture, by map; of a UDIM tile with its number: ".1001".
+std::vector<std::filesystem::path> baked_files(const BakeChoices& choices,
+                                               const std::string& suffix = {});
+
+}  // namespace wrinkle::editor
