@@ -33,9 +33,9 @@ bool same_entry(const Box& a, const Box& b) {
 // Walks both tables side by side. An entry whose key the other side has not was removed or added;
 // from the first that stands at another place on, everything is replaced.
 template <class T>
-class Comparison {
+class TableComparison {
 public:
-    Comparison(const Table<T>& before, const Table<T>& after) : before_(before), after_(after) {}
+    TableComparison(const Table<T>& before, const Table<T>& after) : before_(before), after_(after) {}
 
     TableDelta<T> run() {
         if (before_.same(after_)) return {};
@@ -84,7 +84,7 @@ private:
 
 template <class T>
 TableDelta<T> difference(const Table<T>& before, const Table<T>& after) {
-    return Comparison<T>(before, after).run();
+    return TableComparison<T>(before, after).run();
 }
 
 template <class T>

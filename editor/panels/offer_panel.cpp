@@ -13,7 +13,7 @@ namespace {
 constexpr float width = 440;
 
 // The row that was taken, -1 for none.
-int draw_choices(State& state) {
+int draw_offered(State& state) {
     Offer& offer = state.offer;
     const ImGuiIO& io = ImGui::GetIO();
     const int count = static_cast<int>(offer.choices.size());
@@ -54,7 +54,7 @@ void draw_offer(State& state) {
     ImGui::PushTextWrapPos(width - 12);
     ImGui::TextUnformatted(offer.why.c_str());
     ImGui::PopTextWrapPos();
-    const int taken = draw_choices(state);
+    const int taken = draw_offered(state);
     const bool away = !offer.opening && !ImGui::IsWindowFocused();
     ImGui::End();
     ImGui::PopStyleColor(2);

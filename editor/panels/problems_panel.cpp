@@ -134,7 +134,7 @@ void show_problem(State& state, size_t index) {
 }
 
 // An octagon with an exclamation mark for an error, a triangle for a warning.
-void draw_icon(ImDrawList& list, ImVec2 center, bool error) {
+void draw_severity(ImDrawList& list, ImVec2 center, bool error) {
     if (!error) return draw_warning(list, center, 20, theme::warn);
     list.AddNgonFilled(center, 11, theme::error, 8);
     list.AddRectFilled(center + ImVec2(-1, -6), center + ImVec2(1, 2), theme::panel);
@@ -182,7 +182,7 @@ bool draw_problem(State& state, const Diagnostic& problem, size_t index, const F
                  : current              ? theme::text_dim
                                         : theme::border,
                  6);
-    draw_icon(list, at + ImVec2(22, 28), problem.severity == Severity::error);
+    draw_severity(list, at + ImVec2(22, 28), problem.severity == Severity::error);
     const Fonts& fonts = state.fonts;
     const float right = fix.label ? width - 150 : width - 12;
     const float x = draw_chip(state, list, at, problem.node);

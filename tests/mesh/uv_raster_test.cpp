@@ -41,10 +41,10 @@ Coverage cover(const Mesh& mesh, uint32_t samples = 1) {
     return cover(mesh, {0, 0, side, side}, samples);
 }
 
-enum class Place { inside, outside, on_edge };
+enum class Side { inside, outside, on_edge };
 
 // By the edges that a ray to the right crosses.
-Place place_of(const Corner* t, int x, int y) {
+Side side_of(const Corner* t, int x, int y) {
     bool inside = false;
     for (int k = 0; k < 3; ++k) {
         const Corner a = t[k], b = t[(k + 1) % 3];
@@ -52,10 +52,10 @@ Place place_of(const Corner* t, int x, int y) {
             static_cast<long>(b.x - a.x) * (y - a.y) - static_cast<long>(b.y - a.y) * (x - a.x);
         if (turn == 0 && std::min(a.x, b.x) <= x && x <= std::max(a.x, b.x) &&
             std::min(a.y, b.y) <= y && y <= std::max(a.y, b.y))
-            return Place::on_edge;
+            return Side::on_edge;
         if ((a.y > y) != (b.y > y) && (turn > 0) == (b.y > a.y)) inside = !inside;
     }
-    return inside ? Place::inside : Place::outside;
+    return inside ? Side::inside : Side::outside;
 }
 
 TEST(UvRaster, OwnsTheCentresInsideATriangle) {
@@ -72,14 +72,13 @@ TEST(UvRaster, OwnsTheCentresInsideATriangle) {
         const Coverage got = cover(mesh_of(t));
         for (int y = 0; y < side; ++y)
             for (int x = 0; x < side; ++x) {
-                const Place place =
-                    place_of(t.data(), x * parts + parts / 2, y * parts + parts / 2);
+                const Side place = side_of(t.data(), x * parts + parts / 2, y * parts + parts / 2);
                 const bool owned = got.owners[static_cast<size_t>(y * side + x)] == 0;
-                if (place != Place::on_edge) {
-                    ASSERT_EQ(owned, place == Place::inside) << i << ": " << x << ", " << y;
+                if (place != Side::on_edge) {
+                    ASSERT_EQ(owned, place == Side::inside) << i << ": " << x << ", " << y;
                 }
-                inside += place == Place::inside;
-                on_edge += place == Place::on_edge;
+                inside += place == Side::inside;
+                on_edge += place == Side::on_edge;
             }
         EXPECT_EQ(got.overlapped, 0U);
     }
@@ -170,10 +169,10 @@ TEST(UvRaster, EveryOwnerOfASampleCoversIt) {
             const UvSample& sample = got.samples[i];
             EXPECT_EQ(static_cast<uint32_t>(sample.place.x), edge.texel % side);
             EXPECT_EQ(static_cast<uint32_t>(sample.place.y), edge.texel / side);
-            EXPECT_NE(place_of(&corners[3 * size_t{sample.triangle}],
-                               static_cast<int>(sample.place.x * parts),
-                               static_cast<int>(sample.place.y * parts)),
-                      Place::outside);
+            EXPECT_NE(side_of(&corners[3 * size_t{sample.triangle}],
+                              static_cast<int>(sample.place.x * parts),
+                              static_cast<int>(sample.place.y * parts)),
+                      Side::outside);
         }
     }
     // No texel inside of the island is an edge.

@@ -45,6 +45,8 @@ void drag_value(State& state, ImVec2 delta);
 void drop_value(State& state);
 
 // stroke.cpp
+// Where the pointer is now becomes the end of the stroke; false where it has not moved on.
+bool follow_stroke(State& state);
 void drag_stroke(State& state);
 void drop_cut(State& state);
 void drop_reroutes(State& state);

@@ -9,8 +9,6 @@
 namespace wrinkle::editor {
 namespace {
 
-constexpr size_t most_points = 4096;
-
 // Even-odd.
 bool encloses(const std::vector<ImVec2>& polygon, ImVec2 at) {
     bool inside = false;
@@ -73,12 +71,8 @@ void drag_box(State& state) {
 }
 
 void drag_lasso(State& state) {
-    Gesture& g = state.gesture;
-    const ImVec2 at = to_canvas(state.view, ImGui::GetIO().MousePos);
-    if (g.stroke.empty()) g.stroke.push_back(to_canvas(state.view, g.start));
-    const ImVec2 last = g.stroke.back();
-    if ((last.x == at.x && last.y == at.y) || g.stroke.size() == most_points) return;
-    g.stroke.push_back(at);
+    if (!follow_stroke(state)) return;
+    const Gesture& g = state.gesture;
     state.view.selected = g.selected;
     for (const Card& card : state.layout.cards)
         if (encloses(g.stroke, card.at + card.size * 0.5F)) state.view.selected.insert(card.id);

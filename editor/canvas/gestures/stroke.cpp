@@ -41,13 +41,20 @@ Document with_reroute(const Document& document, const std::vector<Connection>& w
 
 }  // namespace
 
-void drag_stroke(State& state) {
+bool follow_stroke(State& state) {
     Gesture& g = state.gesture;
     const ImVec2 at = to_canvas(state.view, ImGui::GetIO().MousePos);
     if (g.stroke.empty()) g.stroke.push_back(to_canvas(state.view, g.start));
     const ImVec2 last = g.stroke.back();
-    if ((last.x == at.x && last.y == at.y) || g.stroke.size() == most_points) return;
+    if ((last.x == at.x && last.y == at.y) || g.stroke.size() == most_points) return false;
     g.stroke.push_back(at);
+    return true;
+}
+
+void drag_stroke(State& state) {
+    if (!follow_stroke(state)) return;
+    Gesture& g = state.gesture;
+    const ImVec2 last = g.stroke[g.stroke.size() - 2], at = g.stroke.back();
     for (size_t i = 0; i < state.layout.wires.size(); ++i) {
         const auto place = crossing(state.layout, i, last, at);
         if (!place) continue;
