@@ -10,36 +10,39 @@
 namespace wrinkle::test {
 namespace {
 
-constexpr double turn = 2 * std::numbers::pi;
+constexpr double full_circle = 2 * std::numbers::pi;
 constexpr uint32_t picture_size = 256;
 // Uv units a pixel: so many texels of a picture.
-constexpr uint32_t texels = 16;
-constexpr double pixel_uv = double(texels) / picture_size;
+constexpr uint32_t texels_a_pixel = 16;
+constexpr double pixel_uv = double(texels_a_pixel) / picture_size;
 
 // Waves of several directions and lengths, all of them shorter than a pixel, on two long ones.
 std::array<double, 2> slopes_at(double u, double v) {
-    const double a = std::cos(turn * (16 * u + 3 * v)), b = std::sin(turn * (19 * v - 5 * u)),
-                 c = std::cos(turn * (23 * u + 11 * v) + 1), d = std::sin(turn * (17 * u - 26 * v));
-    return {0.22 * a - 0.06 * b + 0.2 * c + 0.16 * d + 0.1 * std::sin(turn * v),
-            0.04 * a + 0.2 * b + 0.1 * c - 0.2 * d - 0.1 * std::cos(turn * u)};
+    const double a = std::cos(full_circle * (16 * u + 3 * v)),
+                 b = std::sin(full_circle * (19 * v - 5 * u)),
+                 c = std::cos(full_circle * (23 * u + 11 * v) + 1),
+                 d = std::sin(full_circle * (17 * u - 26 * v));
+    return {0.22 * a - 0.06 * b + 0.2 * c + 0.16 * d + 0.1 * std::sin(full_circle * v),
+            0.04 * a + 0.2 * b + 0.1 * c - 0.2 * d - 0.1 * std::cos(full_circle * u)};
 }
 
-const std::string normals = "textures/weave_normal.png", slopes = "textures/pebbles_slopes.png",
-                  moments = "textures/weave_height.png";
+const std::string normal_file = "textures/weave_normal.png",
+                  slope_file = "textures/pebbles_slopes.png",
+                  moment_file = "textures/weave_height.png";
 
 std::map<std::string, Image> pictures() {
-    return {{normals, painted(picture_size,
-                              [](double u, double v) {
-                                  const auto [x, y] = slopes_at(u, v);
-                                  const double k = 0.5 / std::sqrt(1 + x * x + y * y);
-                                  return std::array{0.5 - x * k, 0.5 - y * k, 0.5 + k};
-                              })},
-            {slopes, painted(picture_size,
-                             [](double u, double v) {
-                                 const auto [x, y] = slopes_at(u, v);
-                                 return std::array{x, y, 0.0};
-                             })},
-            {moments, painted(picture_size, [](double u, double v) {
+    return {{normal_file, painted(picture_size,
+                                  [](double u, double v) {
+                                      const auto [x, y] = slopes_at(u, v);
+                                      const double k = 0.5 / std::sqrt(1 + x * x + y * y);
+                                      return std::array{0.5 - x * k, 0.5 - y * k, 0.5 + k};
+                                  })},
+            {slope_file, painted(picture_size,
+                                 [](double u, double v) {
+                                     const auto [x, y] = slopes_at(u, v);
+                                     return std::array{x, y, 0.0};
+                                 })},
+            {moment_file, painted(picture_size, [](double u, double v) {
                  const auto [x, y] = slopes_at(u, v);
                  return std::array{x * x, y * y, x * y};
              })}};
@@ -72,7 +75,7 @@ Highlight highlight(const std::vector<double>& normal, double roughness) {
     constexpr int azimuths = 32;
     for (int i = 0; i < directions; ++i)
         for (int k = 0; k < azimuths; ++k) {
-            const double tilt = 0.05 * i, around = turn * k / azimuths;
+            const double tilt = 0.05 * i, around = full_circle * k / azimuths;
             const double cosine = normal[0] * std::sin(tilt) * std::cos(around) +
                                   normal[1] * std::sin(tilt) * std::sin(around) +
                                   normal[2] * std::cos(tilt);
@@ -88,7 +91,7 @@ struct Comparison {
 constexpr double base_roughness = 0.3;
 
 // `bump` is a node of this name whose output is `gradient`.
-Comparison compare(const std::string& nodes) {
+Comparison errors_of(const std::string& nodes) {
     const auto output = [&](const std::string& port) {
         return Scene{nodes + R"(, "rough": {"type": "bump_roughness", "in": {"gradient": {"from":
                      "bump.gradient"}, "roughness": 0.3}}, "end": {"type": "resolve", "in":
@@ -130,13 +133,13 @@ Comparison compare(const std::string& nodes) {
 }
 
 void expect_kept(const std::string& nodes) {
-    const Comparison errors = compare(nodes);
+    const Comparison errors = errors_of(nodes);
     EXPECT_LT(errors.with, 0.25);
     EXPECT_GT(errors.without, 1);
 }
 
 const std::string one_map =
-    R"("bump": {"type": "tangent_normal_map", "in": {"image": ")" + normals + R"("}})";
+    R"("bump": {"type": "tangent_normal_map", "in": {"image": ")" + normal_file + R"("}})";
 
 TEST(BumpRoughness, KeepsTheHighlightOfANormalMap) {
     expect_kept(one_map);
@@ -144,16 +147,16 @@ TEST(BumpRoughness, KeepsTheHighlightOfANormalMap) {
 
 TEST(BumpRoughness, KeepsTheHighlightOfLayers) {
     expect_kept(
-        R"("a": {"type": "tangent_normal_map", "in": {"image": ")" + normals +
+        R"("a": {"type": "tangent_normal_map", "in": {"image": ")" + normal_file +
         R"(", "strength": 0.7}}, "tile": {"type": "uv_transform", "in": {"scale": [1.6, 1.6],
                 "rotation": 30}}, "b": {"type": "tangent_normal_map", "in": {"image": ")" +
-        normals + R"(", "uv": {"from": "tile.uv"}}}, "bump": {"type": "gradient_mix",
+        normal_file + R"(", "uv": {"from": "tile.uv"}}}, "bump": {"type": "gradient_mix",
                 "in": {"a": {"from": "a.gradient"}, "b": {"from": "b.gradient"}, "mask": 0.4}})");
 }
 
 TEST(BumpRoughness, KeepsTheHighlightOfSlopesWithMoments) {
-    expect_kept(R"("bump": {"type": "slope_moments_map", "in": {"slopes": ")" + slopes +
-                R"(", "moments": ")" + moments + R"("}})");
+    expect_kept(R"("bump": {"type": "slope_moments_map", "in": {"slopes": ")" + slope_file +
+                R"(", "moments": ")" + moment_file + R"("}})");
 }
 
 }  // namespace

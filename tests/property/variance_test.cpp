@@ -29,7 +29,7 @@ struct Slopes {
     Value a, b;
 };
 
-using Bump = Value (*)(Material&, const Slopes&);
+using Layering = Value (*)(Material&, const Slopes&);
 
 Value free_of(Material& m) {
     return m.input(free_vector);
@@ -76,7 +76,7 @@ double variance_of_resolved(const Expanded& material, Surroundings around) {
     return 1 - glm::dot(mean, mean);
 }
 
-void expect_said_is_seen(Bump bump) {
+void expect_said_is_seen(Layering bump) {
     Material seen, said;
     seen.output("normal", seen.resolve(bump(seen, slopes(seen, false))));
     said.output("variance", op(Op::normal_variance_, bump(said, slopes(said, true))));
