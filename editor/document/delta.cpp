@@ -35,7 +35,8 @@ bool same_entry(const Box& a, const Box& b) {
 template <class T>
 class TableComparison {
 public:
-    TableComparison(const Table<T>& before, const Table<T>& after) : before_(before), after_(after) {}
+    TableComparison(const Table<T>& before, const Table<T>& after)
+        : before_(before), after_(after) {}
 
     TableDelta<T> run() {
         if (before_.same(after_)) return {};
