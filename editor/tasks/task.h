@@ -30,7 +30,7 @@ struct TaskProgress {
 
 struct TaskOutcome {
     bool good = false;
-    std::string sentence;       // "Wrote strap.glsl."
+    std::string sentence;                  // "Wrote strap.glsl."
     Diagnostics warnings = Diagnostics();  // for the list of problems
 };
 
