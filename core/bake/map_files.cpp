@@ -92,6 +92,8 @@ bool MapFiles::write(size_t file, std::span<const std::byte> rows, Diagnostics& 
 
 bool MapFiles::finish(Diagnostics& diagnostics) {
     return std::all_of(writers_.begin(), writers_.end(),
+                       [&](ImageWriter& writer) { return writer.close(diagnostics); }) &&
+           std::all_of(writers_.begin(), writers_.end(),
                        [&](ImageWriter& writer) { return writer.finish(diagnostics); });
 }
 

@@ -5,21 +5,13 @@
 #include <cstring>
 #include <memory>
 
+#include "bake/file_problem.h"
 #include "cli/bake_run.h"
 #include "cli/interrupt.h"
 
 namespace wrinkle::cli {
 namespace fs = std::filesystem;
 namespace {
-
-void merge_error(const fs::path& file, std::string message, std::string expected,
-                 Diagnostics& diagnostics) {
-    Diagnostic problem;
-    problem.where.file = file.string();
-    problem.message = std::move(message);
-    problem.expected = std::move(expected);
-    diagnostics.add(std::move(problem));
-}
 
 std::string shard_text(uint64_t shard, const PartHeader& header) {
     return "shard " + std::to_string(shard) + " of " + std::to_string(header.shards);
@@ -43,8 +35,10 @@ bool has_its_rows(const fs::path& folder, const PartHeader& header, Diagnostics&
             std::error_code error;
             const uint64_t size = fs::file_size(file, error);
             if (!error && size >= rows * header.row_bytes(map)) continue;
-            merge_error(file, error ? "cannot be read: " + error.message() : "ends early",
-                        "bake " + shard_text(header.shard, header) + " again", diagnostics);
+            diagnostics.add(
+                file_problem(Severity::error, file.string(),
+                             error ? "cannot be read: " + error.message() : "ends early",
+                             "bake " + shard_text(header.shard, header) + " again"));
             return false;
         }
     }
@@ -56,23 +50,27 @@ bool check_parts(const std::vector<fs::path>& folders, const std::vector<PartHea
     for (size_t i = 0; i < headers.size(); ++i) {
         const PartHeader& header = headers[i];
         if (header.identity != headers[0].identity || header.shards != headers[0].shards)
-            merge_error(folders[i], "is a part of another bake than " + folders[0].string(),
-                        "shards of one graph, mesh, program and set of options", diagnostics);
+            diagnostics.add(file_problem(Severity::error, folders[i].string(),
+                                         "is a part of another bake than " + folders[0].string(),
+                                         "shards of one graph, mesh, program and set of options"));
         else if (header.done < header.last)
-            merge_error(folders[i], shard_text(header.shard, header) + " is not finished",
-                        "bake it again, or with --resume", diagnostics);
+            diagnostics.add(file_problem(Severity::error, folders[i].string(),
+                                         shard_text(header.shard, header) + " is not finished",
+                                         "bake it again, or with --resume"));
         else if (header.shard != i + 1)
-            merge_error(folders[i],
-                        header.shard > i + 1 ? shard_text(i + 1, header) + " is missing"
+            diagnostics.add(file_problem(Severity::error, folders[i].string(),
+                                         header.shard > i + 1
+                                             ? shard_text(i + 1, header) + " is missing"
                                              : shard_text(header.shard, header) + " is there twice",
-                        "every shard once", diagnostics);
+                                         "every shard once"));
         else
             has_its_rows(folders[i], header, diagnostics);
         if (diagnostics.has_errors()) return false;
     }
     if (headers.size() == headers[0].shards) return true;
-    merge_error(folders[0], shard_text(headers.size() + 1, headers[0]) + " is missing",
-                "every shard once", diagnostics);
+    diagnostics.add(file_problem(Severity::error, folders[0].string(),
+                                 shard_text(headers.size() + 1, headers[0]) + " is missing",
+                                 "every shard once"));
     return false;
 }
 

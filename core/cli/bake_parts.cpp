@@ -4,6 +4,7 @@
 #include <cerrno>
 #include <cstring>
 
+#include "bake/file_problem.h"
 #include "base/file.h"
 #include "base/text.h"
 #include "json/parse.h"
@@ -11,15 +12,6 @@
 namespace wrinkle::cli {
 namespace fs = std::filesystem;
 namespace {
-
-void part_error(const fs::path& file, std::string message, std::string expected,
-                Diagnostics& diagnostics) {
-    Diagnostic problem;
-    problem.where.file = file.string();
-    problem.message = std::move(message);
-    problem.expected = std::move(expected);
-    diagnostics.add(std::move(problem));
-}
 
 std::string quoted_list(const std::vector<std::string>& words) {
     std::string text = "[";
@@ -201,13 +193,15 @@ std::optional<PartHeader> read_header(const fs::path& folder, Diagnostics& diagn
     std::string why;
     const auto text = read_file(file, why);
     if (!text) {
-        part_error(file, why, "a folder that bake --shard wrote", diagnostics);
+        diagnostics.add(
+            file_problem(Severity::error, file.string(), why, "a folder that bake --shard wrote"));
         return {};
     }
     Diagnostics own;
     auto header = parse_header(json::parse(*text, file.string(), own).root);
     if (!header || own.has_errors()) {
-        part_error(file, "does not tell of a part of a bake", "bake that shard again", diagnostics);
+        diagnostics.add(file_problem(Severity::error, file.string(),
+                                     "does not tell of a part of a bake", "bake that shard again"));
         return {};
     }
     return header;
@@ -238,14 +232,15 @@ std::optional<PartWriter> PartWriter::open(const fs::path& folder, PartHeader he
 }
 
 bool PartWriter::fail(const fs::path& path, Diagnostics& diagnostics) const {
-    part_error(path, std::string("cannot be written: ") + std::strerror(errno), "", diagnostics);
+    diagnostics.add(file_problem(Severity::error, path.string(),
+                                 std::string("cannot be written: ") + std::strerror(errno), ""));
     return false;
 }
 
 bool PartWriter::write_header(Diagnostics& diagnostics) const {
     std::string why;
     if (write_file(header_file(folder_), header_json(header_), why)) return true;
-    part_error(header_file(folder_), why, "", diagnostics);
+    diagnostics.add(file_problem(Severity::error, header_file(folder_).string(), why, ""));
     return false;
 }
 

@@ -212,13 +212,19 @@ bool ImageWriter::write_stored(std::span<const std::byte> rows, Diagnostics& dia
     return state_->add(rows, diagnostics);
 }
 
-bool ImageWriter::finish(Diagnostics& diagnostics) {
+bool ImageWriter::close(Diagnostics& diagnostics) {
     State& state = *state_;
     if (state.failed) return false;
+    if (!state.file) return true;
     assert(state.levels_left == 0);
     char text[512] = "";
     const bool ended = state.module->end(std::exchange(state.file, nullptr), {text, sizeof text});
-    if (!ended) return state.fail(text, diagnostics);
+    return ended || state.fail(text, diagnostics);
+}
+
+bool ImageWriter::finish(Diagnostics& diagnostics) {
+    if (!close(diagnostics)) return false;
+    State& state = *state_;
     std::string why;
     const fs::path temporary = std::exchange(state.temporary, {});
     return replace_file(temporary, state.path, why) || state.fail(why, diagnostics);

@@ -77,7 +77,10 @@ public:
     uint32_t width() const;
     uint32_t rows_left() const;
 
-    bool finish(Diagnostics& diagnostics);  // all rows have been written
+    // All rows have been written. close() leaves nothing to be written; finish() closes what is not
+    // closed yet, and gives the name.
+    bool close(Diagnostics& diagnostics);
+    bool finish(Diagnostics& diagnostics);
 
 private:
     struct State;
