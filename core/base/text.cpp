@@ -1,6 +1,7 @@
 #include "base/text.h"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <cstdint>
@@ -32,8 +33,20 @@ size_t edit_distance(std::string_view a, std::string_view b) {
     return row[b.size()];
 }
 
+bool is_digit(char c) {
+    return c >= '0' && c <= '9';
+}
+
 bool is_word(char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
+    static constexpr auto table = [] {
+        std::array<bool, 256> word{};
+        for (unsigned char byte = 0; byte < 26; ++byte)
+            word['a' + byte] = word['A' + byte] = true;
+        for (unsigned char byte = '0'; byte <= '9'; ++byte)
+            word[byte] = true;
+        return word;
+    }();
+    return table[static_cast<unsigned char>(c)];
 }
 
 }  // namespace
@@ -91,8 +104,19 @@ std::string identifier(std::string_view text) {
         else if (end == 0 || name[end - 1] != '_')
             name[end++] = '_';
     name.resize(end);
-    if (name.empty() || (name[0] >= '0' && name[0] <= '9')) name.insert(0, "n");
+    if (name.empty() || is_digit(name[0])) name.insert(0, "n");
     return name;
+}
+
+bool is_identifier(std::string_view text) {
+    if (text.empty() || is_digit(text[0])) return false;
+    bool joint = false;
+    for (const char c : text) {
+        const bool word = is_word(c);
+        if (!word && (c != '_' || joint)) return false;
+        joint = !word;
+    }
+    return true;
 }
 
 std::string nearest(std::string_view word, std::span<const std::string> candidates) {

@@ -19,6 +19,7 @@ std::string json_quoted(std::string_view text);
 // A C-like identifier: every byte outside [A-Za-z0-9_] becomes '_', runs of '_' become one (GLSL
 // reserves "__"), a leading digit gets an "n" before it; never empty.
 std::string identifier(std::string_view text);
+bool is_identifier(std::string_view text);  // identifier() would change nothing
 
 // The candidate nearest to `word` when it is near enough to be a slip of the hand, else "".
 std::string nearest(std::string_view word, std::span<const std::string> candidates);

@@ -39,7 +39,7 @@ std::vector<Id> plain_all(const Plan& plan, std::span<const Id> ids) {
 
 }  // namespace
 
-Text Body::output_function(Id value, const std::string& name, const std::string& argument) {
+void Body::output_function(Id value, const std::string& name, const std::string& argument) {
     const Id root = plan_.plain(value);
     const std::span roots(&root, 1);
     const Scope scope = collect(plan_, values_, roots, 0);
@@ -51,13 +51,15 @@ Text Body::output_function(Id value, const std::string& name, const std::string&
                            : ids.empty() ? no_node
                                          : group_of(plan_, values_, ids.back());
     statements(ids, 1, group);
-    line_ = "return " + text_of(context_, root) + ";";
+    line_.clear();
+    line_.add("return ");
+    write(context_, root, line_);
+    line_.add(';');
     if (folded)
         commented_line(1, line_, group, true);
     else
-        code(1, line_, group == no_node ? no_node : node_of(group));
+        code(1, line_.view(), group == no_node ? no_node : node_of(group));
     text_.line(0, "}");
-    return std::move(text_);
 }
 
 std::vector<std::string> Body::name_parameters(const Region& region) {
@@ -86,7 +88,7 @@ std::string Body::signature(const Region& region, const std::string& name,
     return text + ") {";
 }
 
-Text Body::region_function(uint32_t index, const std::string& name) {
+void Body::region_function(uint32_t index, const std::string& name) {
     const Region& region = m_.region(index);
     values_.anonymous = true;
     const std::vector<std::string> parameters = name_parameters(region);
@@ -105,27 +107,26 @@ Text Body::region_function(uint32_t index, const std::string& name) {
     code(1, "return " + text_of(context_, roots[0]) + ";", node_of(group_));
     values_.anonymous = false;
     text_.line(0, "}");
-    return std::move(text_);
 }
 
 // "// weave: Tangent normal map"; nothing where a group has none.
-void Body::append_comment_of(std::string& line, uint32_t group) {
+void Body::append_comment_of(Line& line, uint32_t group) {
     commented_.resize(m_.nodes.size());
     if (group == surface_group) {
         const bool again = std::exchange(surface_commented_, true);
-        line += again ? "// the surface point (continued)" : "// the surface point";
+        line.add(again ? "// the surface point (continued)" : "// the surface point");
         return;
     }
     const NodeInstance& node = m_.nodes[group];
     if (group == 0 || node.path.empty()) return;
-    line += "// ";
+    line.add("// ");
     append_comment_text(line, node.path);
-    if (!node.title.empty()) line += ": ";
+    if (!node.title.empty()) line.add(": ");
     append_comment_text(line, node.title);
     if (commented_[group]) {
-        line += " (continued)";
+        line.add(" (continued)");
     } else if (!node.note.empty()) {
-        line += ". ";
+        line.add(". ");
         append_comment_text(line, node.note);
     }
     commented_[group] = true;
@@ -133,24 +134,24 @@ void Body::append_comment_of(std::string& line, uint32_t group) {
 
 void Body::comment(int indent, uint32_t group) {
     if (std::exchange(group_, group) == group) return;
-    std::string line;
+    Line line;
     append_comment_of(line, group);
-    if (!line.empty()) text_.line(indent, line, node_of(group));
+    if (line.size() > 0) text_.line(indent, line.view(), node_of(group));
 }
 
 // A group has its comment beside its first line where that fits; one line of the surface point
 // needs none. The comment is appended to the line.
-void Body::commented_line(int indent, std::string& line, uint32_t group, bool single) {
-    if (group == group_) return code(indent, line, node_of(group));
+void Body::commented_line(int indent, Line& line, uint32_t group, bool single) {
+    if (group == group_) return code(indent, line.view(), node_of(group));
     group_ = group;
     const size_t code_end = line.size();
-    line += "  ";
+    line.add("  ");
     const size_t begin = line.size();
     if (!single || group != surface_group || surface_commented_) append_comment_of(line, group);
     const bool none = line.size() == begin;
     if (!none && 4 * static_cast<size_t>(indent) + line.size() <= widest_code)
-        return text_.line(indent, line, node_of(group));
-    const std::string_view whole(line);
+        return text_.line(indent, line.view(), node_of(group));
+    const std::string_view whole = line.view();
     if (!none) text_.line(indent, whole.substr(begin), node_of(group));
     code(indent, whole.substr(0, code_end), node_of(group));
 }
@@ -191,11 +192,13 @@ void Body::statements(std::span<const Id> ids, int indent, uint32_t next) {
 }
 
 void Body::assign(Id id, int indent, bool single) {
-    std::string& name = values_.name(id);
-    name = locals_.unique(name);
-    line_.assign(info(m_.type(id)).name).append(" ").append(name).append(" = ");
+    ValueState& state = values_.state[id];
+    state.name = locals_.add(wanted_name(plan_, values_, id));
+    state.width = state.name.length;
+    line_.clear();
+    line_.add(info(m_.type(id)).name).add(' ').add(locals_.text(state.name)).add(" = ");
     write_definition(context_, id, line_);
-    line_ += ';';
+    line_.add(';');
     commented_line(indent, line_, group_of(plan_, values_, id), single);
 }
 
@@ -203,10 +206,11 @@ std::vector<std::string> Body::name_members(Id tuple) {
     const std::string& path = m_.nodes[m_.origin[tuple]].path;
     std::vector<std::string> names;
     for (const Id member : plan_.members(tuple)) {
-        const std::string nobody = path.empty() ? "state" : path + "_state";
-        names.push_back(
-            locals_.unique(member == poison ? nobody : wanted_name(plan_, values_, member)));
-        values_.name(member) = names.back();
+        const WantedName nobody{path, "state"};
+        const Name name =
+            locals_.add(member == poison ? nobody : wanted_name(plan_, values_, member));
+        names.emplace_back(locals_.text(name));
+        values_.state[member].name = name;
     }
     return names;
 }

@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "glsl/expression.h"
+#include "glsl/line.h"
 #include "glsl/names.h"
 #include "glsl/text.h"
 
@@ -13,17 +14,18 @@ namespace wrinkle {
 class Body {
 public:
     Body(const Plan& plan, Values& values, const Symbols& symbols, const NameSet& globals,
-         const Target& target)
+         const Target& target, Text& text)
         : plan_(plan),
           m_(plan.module()),
           values_(values),
           locals_(&globals),
-          context_{plan, values, symbols, target, {}} {}
+          context_{plan, values, symbols, locals_, target, {}},
+          text_(text) {}
 
-    // Whole functions. An output's takes `argument` ("WrinkleSurface_x s" or nothing); a region's
-    // returns its first result and hands out the others.
-    Text output_function(Id value, const std::string& name, const std::string& argument);
-    Text region_function(uint32_t region, const std::string& name);
+    // Whole functions, appended to the text. An output's takes `argument` ("WrinkleSurface_x s" or
+    // nothing); a region's returns its first result and hands out the others.
+    void output_function(Id value, const std::string& name, const std::string& argument);
+    void region_function(uint32_t region, const std::string& name);
 
 private:
     std::string type_name(Type type) const { return std::string(info(type).name); }
@@ -32,9 +34,9 @@ private:
                           const std::vector<std::string>& parameters,
                           const std::vector<std::string>& outs) const;
 
-    void append_comment_of(std::string& line, uint32_t group);
+    void append_comment_of(Line& line, uint32_t group);
     void comment(int indent, uint32_t group);
-    void commented_line(int indent, std::string& line, uint32_t group, bool single);
+    void commented_line(int indent, Line& line, uint32_t group, bool single);
     uint32_t node_of(uint32_t group) const {
         return group == surface_group || group == 0 ? no_node : group;
     }
@@ -56,8 +58,8 @@ private:
     Values& values_;
     NameSet locals_;
     ExpressionContext context_;
-    Text text_;
-    std::string line_;             // that is being written
+    Text& text_;
+    Line line_;                    // that is being written
     uint32_t group_ = no_node;     // whose comment stands above
     std::vector<bool> commented_;  // by node
     bool surface_commented_ = false;

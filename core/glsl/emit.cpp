@@ -17,7 +17,7 @@ void write_function_form(const Plan& plan, const EmitOptions& options, Interface
     text.append(precision_text(*options.target));
     text.append(struct_text(face.reflection));
     text.append(uniforms_text(face.reflection));
-    text.append(functions_text(plan, face, *options.target));
+    write_functions(plan, face, *options.target, text);
     shader.source = std::move(text.text);
     face.reflection.lines = std::move(text.nodes);
 }

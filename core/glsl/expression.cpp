@@ -30,9 +30,13 @@ bool takes_float(Op op, size_t operand, bool others_float) {
     }
 }
 
+std::string_view suffix_of(Variant variant) {
+    return variant == Variant::dx ? "_dx" : variant == Variant::dy ? "_dy" : "";
+}
+
 class Writer {
 public:
-    Writer(const ExpressionContext& context, std::string& text)
+    Writer(const ExpressionContext& context, Line& text)
         : context_(context), plan_(context.plan), m_(context.plan.module()), text_(text) {}
 
     void read(Id id, int least);
@@ -55,7 +59,7 @@ private:
     const ExpressionContext& context_;
     const Plan& plan_;
     const Module& m_;
-    std::string& text_;
+    Line& text_;
 };
 
 int Writer::leaf_binding(Id id) const {
@@ -96,9 +100,9 @@ int Writer::binding(Id id) const {
 
 void Writer::read(Id id, int least) {
     const bool enclosed = binding(id) < least;
-    if (enclosed) text_ += '(';
+    if (enclosed) text_.add('(');
     plainly(id);
-    if (enclosed) text_ += ')';
+    if (enclosed) text_.add(')');
 }
 
 void Writer::plainly(Id id) {
@@ -106,18 +110,18 @@ void Writer::plainly(Id id) {
     if (plan_.role(id) == Role::view) return view(id);
     const ValueState& state = context_.values.state[id];
     if (state.statement)
-        text_ += context_.values.name(id);
+        text_.add(context_.names.text(context_.values.state[id].name));
     else
         define(id);
 }
 
 void Writer::list(std::span<const Id> ids) {
-    text_ += '(';
+    text_.add('(');
     for (size_t i = 0; i < ids.size(); ++i) {
-        if (i > 0) text_ += ", ";
+        if (i > 0) text_.add(", ");
         read(ids[i], 0);
     }
-    text_ += ')';
+    text_.add(')');
 }
 
 void Writer::input(Id id) {
@@ -125,32 +129,32 @@ void Writer::input(Id id) {
     const Variant variant = variant_of(m_[id].extra);
     const bool change = plan_.role(id) != Role::leaf;
     if (change)
-        text_.append(variant == Variant::dx ? context_.target.change_x : context_.target.change_y)
-            .append("(");
-    text_ += "s.";
+        text_.add(variant == Variant::dx ? context_.target.change_x : context_.target.change_y)
+            .add("(");
+    text_.add("s.");
     if (!change)
-        text_ += member_name(which, variant);
+        text_.add(info(which).name).add(suffix_of(variant));
     else if (which == SurfaceInput::position_)
-        text_ += "position_relative";
+        text_.add("position_relative");
     else
-        text_ += info(which).name;
-    if (change) text_ += ')';
+        text_.add(info(which).name);
+    if (change) text_.add(')');
 }
 
 void Writer::leaf(Id id) {
     const Inst& inst = m_[id];
     switch (inst.op) {
         case Op::literal_:
-            text_ += plan_.literal(id);
+            text_.add(plan_.literal(id));
             break;
         case Op::input_:
             input(id);
             break;
         case Op::parameter_:
-            text_ += context_.symbols.parameters[inst.extra];
+            text_.add(context_.symbols.parameters[inst.extra]);
             break;
         case Op::region_param_:
-            text_ += context_.parameters[inst.level][inst.extra];
+            text_.add(context_.parameters[inst.level][inst.extra]);
             break;
         case Op::construct_:
             define(id);
@@ -159,38 +163,38 @@ void Writer::leaf(Id id) {
             view(id);
             break;
         default:
-            text_ += "0.0";
+            text_.add("0.0");
     }
 }
 
 void Writer::view(Id id) {
     const Inst& inst = m_[id];
     if (inst.op == Op::result_) {
-        text_ += context_.values.name(id);
+        text_.add(context_.names.text(context_.values.state[id].name));
         return;
     }
     read(plan_.plain(inst.arg[0]), postfix);
     if (inst.op == Op::column_) {
-        text_ += "[" + std::to_string(inst.extra) + "]";
+        text_.add('[').add(std::to_string(inst.extra)).add(']');
         return;
     }
-    text_ += '.';
+    text_.add('.');
     for (uint32_t i = 0; i < (inst.extra & 0xF); ++i)
-        text_ += "xyzw"[inst.extra >> (4 + 4 * i) & 0xF];
+        text_.add("xyzw"[inst.extra >> (4 + 4 * i) & 0xF]);
 }
 
 void Writer::sample(Id id) {
     const std::string& image = context_.symbols.resources[m_[id].extra];
     if (m_[id].op == Op::image_size_) {
-        text_.append("vec2(textureSize(").append(image).append(", 0))");
+        text_.add("vec2(textureSize(").add(image).add(", 0))");
         return;
     }
-    text_.append(info(m_[id].op).glsl).append("(").append(image);
+    text_.add(info(m_[id].op).glsl).add("(").add(image);
     for (const Id operand : plan_.operands(id)) {
-        text_ += ", ";
+        text_.add(", ");
         read(operand, 0);
     }
-    text_ += ')';
+    text_.add(')');
 }
 
 void Writer::builtin(Id id) {
@@ -201,16 +205,16 @@ void Writer::builtin(Id id) {
         info(inst.op).rule == Rule::floats || info(inst.op).rule == Rule::broadcast;
     const auto floats =
         static_cast<size_t>(std::count_if(operands.begin(), operands.end(), is_float));
-    text_.append(info(inst.op).glsl).append("(");
+    text_.add(info(inst.op).glsl).add("(");
     for (size_t k = 0; k < operands.size(); ++k) {
         const bool widened = broadcasts && is_float(operands[k]) && floats < operands.size() &&
                              !takes_float(inst.op, k, floats == 2);
-        if (k > 0) text_ += ", ";
-        if (widened) text_.append(info(inst.type).name).append("(");
+        if (k > 0) text_.add(", ");
+        if (widened) text_.add(info(inst.type).name).add("(");
         read(operands[k], 0);
-        if (widened) text_ += ')';
+        if (widened) text_.add(')');
     }
-    text_ += ')';
+    text_.add(')');
 }
 
 // A constant of equal lanes is a plain number beside a vector.
@@ -228,12 +232,12 @@ void Writer::operation(Id id) {
     const OpInfo& op = info(m_[id].op);
     const auto operands = plan_.operands(id);
     if (operands.size() == 1) {
-        text_ += op.glsl;
+        text_.add(op.glsl);
         read(operands[0], prefix + 1);
         return;
     }
     operand(id, 0, op.precedence);
-    text_.append(" ").append(op.glsl).append(" ");
+    text_.add(" ").add(op.glsl).add(" ");
     operand(id, 1, op.precedence + 1);
 }
 
@@ -243,7 +247,7 @@ void Writer::define(Id id) {
         case Op::input_:
             return input(id);
         case Op::construct_:
-            text_ += info(inst.type).name;
+            text_.add(info(inst.type).name);
             return list(plan_.operands(id));
         case Op::sample_:
         case Op::sample_lod_:
@@ -252,16 +256,16 @@ void Writer::define(Id id) {
             return sample(id);
         case Op::sign_nonzero_:
             read(plan_.plain(inst.arg[0]), relational + 1);
-            text_ += " < 0.0 ? -1.0 : 1.0";
+            text_.add(" < 0.0 ? -1.0 : 1.0");
             return;
         case Op::select_:
             read(plan_.plain(inst.arg[0]), conditional + 1);
-            text_ += " ? ";
+            text_.add(" ? ");
             read(plan_.plain(inst.arg[1]), conditional + 1);
-            text_ += " : ";
+            text_.add(" : ");
             return read(plan_.plain(inst.arg[2]), conditional);
         case Op::result_:
-            text_ += context_.symbols.functions[m_[inst.arg[0]].extra];
+            text_.add(context_.symbols.functions[m_[inst.arg[0]].extra]);
             return list(plan_.operands(id));
         default:
             return info(inst.op).precedence ? operation(id) : builtin(id);
@@ -271,23 +275,20 @@ void Writer::define(Id id) {
 }  // namespace
 
 std::string member_name(SurfaceInput input, Variant variant) {
-    std::string name(info(input).name);
-    if (variant == Variant::dx) name += "_dx";
-    if (variant == Variant::dy) name += "_dy";
-    return name;
+    return std::string(info(input).name).append(suffix_of(variant));
 }
 
-void write(const ExpressionContext& context, Id id, std::string& text, int least) {
+void write(const ExpressionContext& context, Id id, Line& text, int least) {
     Writer(context, text).read(id, least);
 }
 
 std::string text_of(const ExpressionContext& context, Id id, int least) {
-    std::string text;
+    Line text;
     write(context, id, text, least);
-    return text;
+    return std::string(text.view());
 }
 
-void write_definition(const ExpressionContext& context, Id id, std::string& text) {
+void write_definition(const ExpressionContext& context, Id id, Line& text) {
     Writer(context, text).define(id);
 }
 

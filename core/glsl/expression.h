@@ -21,6 +21,7 @@ struct ExpressionContext {
     const Plan& plan;
     const Values& values;
     const Symbols& symbols;
+    const NameSet& names;  // of the values
     const Target& target;
     // Names of region parameters, by level and index.
     std::vector<std::vector<std::string>> parameters;
@@ -31,10 +32,10 @@ std::string member_name(SurfaceInput input, Variant variant);
 
 // Appends what stands where a value is read: a temporary's name, or its text, in parentheses where
 // it binds less than `least` (20 names, 18 calls, 17 postfix, ... as in the op table).
-void write(const ExpressionContext& context, Id id, std::string& text, int least = 0);
+void write(const ExpressionContext& context, Id id, Line& text, int least = 0);
 std::string text_of(const ExpressionContext& context, Id id, int least = 0);
 // Appends its text, even of a temporary.
-void write_definition(const ExpressionContext& context, Id id, std::string& text);
+void write_definition(const ExpressionContext& context, Id id, Line& text);
 
 // Widths for folding decisions: of a leaf, and of an operation without its operands.
 uint32_t leaf_width(const Plan& plan, Id leaf);

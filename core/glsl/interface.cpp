@@ -129,13 +129,18 @@ Text with_comments(int indent, const std::vector<std::pair<std::string, std::str
 }
 
 // The shader form's own names. Taken in both forms, so that a uniform is called the same in both.
-void take_fixed_names(NameSet& globals) {
-    globals.unique("WrinkleFrame");
-    for (const char* name : {"object_to_clip", "object_to_world", "normal_to_world", "eye",
-                             "position_relative", "frame", "parameters"})
-        globals.unique(std::string("wrinkle_") + name);
-    for (int i = 0; i < surface_input_count; ++i)
-        globals.unique("wrinkle_" + std::string(info(static_cast<SurfaceInput>(i)).name));
+const NameSet& fixed_names() {
+    static const NameSet fixed = [] {
+        NameSet names;
+        names.add({{}, "WrinkleFrame"});
+        for (const char* name : {"object_to_clip", "object_to_world", "normal_to_world", "eye",
+                                 "position_relative", "frame", "parameters"})
+            names.add({"wrinkle", name});
+        for (int i = 0; i < surface_input_count; ++i)
+            names.add({"wrinkle", info(static_cast<SurfaceInput>(i)).name});
+        return names;
+    }();
+    return fixed;
 }
 
 // NAME follows an underscore wherever it stands, and two are reserved.
@@ -146,14 +151,13 @@ std::string behind_underscores(const std::string& name) {
 }  // namespace
 
 Interface make_interface(const Plan& plan, const EmitOptions& options) {
-    Interface face;
+    Interface face{NameSet(&fixed_names()), {}, {}};
     const Module& m = plan.module();
     NameSet plain;
     face.reflection.target = options.target->name;
     face.reflection.name = plain.unique(behind_underscores(identifier(options.name)));
     face.globals.unique("WrinkleSurface_" + face.reflection.name);
     face.globals.unique("WrinkleParameters_" + face.reflection.name);
-    take_fixed_names(face.globals);
     add_functions(plan, face);
     add_samplers(plan, face);
     add_uniforms(plan, face);
@@ -204,23 +208,20 @@ std::string argument_text(const Reflection& reflection) {
     return reflection.struct_name.empty() ? "" : reflection.struct_name + " s";
 }
 
-Text functions_text(const Plan& plan, const Interface& face, const Target& target) {
+void write_functions(const Plan& plan, const Interface& face, const Target& target, Text& text) {
     const Module& m = plan.module();
     Values values(plan);
-    Text text;
     for (const uint32_t region : plan.functions) {
         text.line(0, "");
-        text.append(Body(plan, values, face.symbols, face.globals, target)
-                        .region_function(region, face.symbols.functions[region]));
+        Body(plan, values, face.symbols, face.globals, target, text)
+            .region_function(region, face.symbols.functions[region]);
     }
     const std::string argument = argument_text(face.reflection);
     for (size_t i = 0; i < m.outputs.size(); ++i) {
         text.line(0, "");
-        text.append(Body(plan, values, face.symbols, face.globals, target)
-                        .output_function(m.outputs[i].value, face.reflection.functions[i].function,
-                                         argument));
+        Body(plan, values, face.symbols, face.globals, target, text)
+            .output_function(m.outputs[i].value, face.reflection.functions[i].function, argument);
     }
-    return text;
 }
 
 std::string title_of(const Module& module, const std::string& name) {

@@ -22,8 +22,9 @@ Text precision_text(const Target& target);  // before fragment code
 // "WrinkleSurface_NAME s", or "" where there is no struct.
 std::string argument_text(const Reflection& reflection);
 
-// Helper functions, then one per output.
-Text functions_text(const Plan& plan, const Interface& interface, const Target& target);
+// Appends helper functions, then one per output.
+void write_functions(const Plan& plan, const Interface& interface, const Target& target,
+                     Text& text);
 
 // The first line: the graph's name, or NAME.
 std::string title_of(const Module& module, const std::string& name);

@@ -13,17 +13,34 @@ namespace {
 constexpr size_t longest_name = 120;
 constexpr size_t longest_comment = 160;
 
+constexpr std::string_view kept_prefixes[] = {"gl_", "GL_", "webgl_", "_webgl_"};
+
+bool has_kept_prefix(std::string_view name) {
+    return std::any_of(std::begin(kept_prefixes), std::end(kept_prefixes),
+                       [&](std::string_view prefix) { return name.starts_with(prefix); });
+}
+
+// Most names are what legal() would make of them.
+bool is_legal(std::string_view name) {
+    if (name.empty() || name.size() > longest_name || name.back() == '_') return false;
+    if (!is_identifier(name)) return false;
+    constexpr std::string_view first_of_kept = "gGw_";
+    return first_of_kept.find(name[0]) == std::string_view::npos || !has_kept_prefix(name);
+}
+
 std::string legal(std::string_view wanted) {
     std::string name = identifier(wanted);
     while (name.size() > 1 && name.back() == '_')
         name.pop_back();
-    constexpr std::string_view kept[] = {"gl_", "GL_", "webgl_", "_webgl_"};
-    const auto begins = [&](std::string_view prefix) { return name.starts_with(prefix); };
-    if (std::any_of(std::begin(kept), std::end(kept), begins) || name == "_") name.insert(0, "n");
+    if (has_kept_prefix(name) || name == "_") name.insert(0, "n");
     if (name.size() > longest_name) name.resize(longest_name);
     while (name.size() > 1 && name.back() == '_')
         name.pop_back();
     return name;
+}
+
+uint32_t hash_of(std::string_view name) {
+    return static_cast<uint32_t>(text_hash(name));
 }
 
 // A sample, or what constants and swizzles make of it.
@@ -115,76 +132,120 @@ size_t unseen_at(std::string_view text) {
     return line_or_turn || low == 0x0E || low == 0x0F || (0x66 <= low && low <= 0x69) ? 3 : 0;
 }
 
+bool is_plain_comment(std::string_view text) {
+    const auto plain = [](char c) { return 0x20 <= c && c < 0x7F && c != '\\' && c != '?'; };
+    return text.size() <= longest_comment && std::all_of(text.begin(), text.end(), plain);
+}
+
 }  // namespace
 
-size_t NameSet::place_of(std::string_view name) const {
+size_t NameTable::place_of(std::string_view name, uint32_t hash) const {
     const size_t mask = entries_.size() - 1;
-    size_t place = text_hash(name) & mask;
+    size_t place = hash & mask;
     const auto is_other = [&](const Entry& entry) {
-        return entry.length > 0 &&
-               std::string_view(pool_).substr(entry.begin, entry.length) != name;
+        return entry.name.length > 0 && (entry.hash != hash || text(entry.name) != name);
     };
     while (is_other(entries_[place]))
         place = (place + 1) & mask;
     return place;
 }
 
-bool NameSet::taken(std::string_view name) const {
-    const bool own = !entries_.empty() && entries_[place_of(name)].length > 0;
-    return own || (outer_ && outer_->taken(name));
+bool NameTable::has(std::string_view name, uint32_t hash) const {
+    return !entries_.empty() && entries_[place_of(name, hash)].name.length > 0;
 }
 
-NameSet::Entry& NameSet::entry_of(std::string_view name) {
-    if ((count_ + 1) * 2 > entries_.size()) grow();
-    Entry& entry = entries_[place_of(name)];
-    if (entry.length > 0) return entry;
+NameTable::Entry& NameTable::at(std::string_view name, uint32_t hash) {
+    return entries_[place_of(name, hash)];
+}
+
+void NameTable::make_room(size_t more) {
+    constexpr size_t least = 32;
+    size_t size = std::max(entries_.size(), least);
+    while ((count_ + more) * 2 > size)
+        size *= 2;
+    if (size == entries_.size()) return;
+    const std::vector<Entry> before = std::exchange(entries_, std::vector<Entry>(size));
+    for (const Entry& entry : before) {
+        if (entry.name.length == 0) continue;
+        size_t place = entry.hash & (size - 1);
+        while (entries_[place].name.length > 0)
+            place = (place + 1) & (size - 1);
+        entries_[place] = entry;
+    }
+}
+
+Name NameTable::fill(Entry& entry, uint32_t begin, uint32_t hash) {
     ++count_;
-    entry.begin = static_cast<uint32_t>(pool_.size());
-    entry.length = static_cast<uint32_t>(name.size());
-    pool_ += name;
-    return entry;
+    entry.name = {begin, static_cast<uint32_t>(pool.size()) - begin};
+    entry.hash = hash;
+    return entry.name;
 }
 
-void NameSet::grow() {
-    const std::vector<Entry> before =
-        std::exchange(entries_, std::vector<Entry>(std::max<size_t>(2 * entries_.size(), 32)));
-    for (const Entry& entry : before)
-        if (entry.length > 0)
-            entries_[place_of(std::string_view(pool_).substr(entry.begin, entry.length))] = entry;
+bool is_reserved(std::string_view word) {
+    return reserved_words().has(word, hash_of(word));
 }
 
-std::string NameSet::unique(std::string_view wanted) {
-    std::string name = legal(wanted);
-    if (!taken(name) && !is_reserved(name)) {
-        entry_of(name);
-        return name;
+bool NameSet::taken_outside(std::string_view name, uint32_t hash) const {
+    if (reserved_words().has(name, hash)) return true;
+    for (const NameSet* outer = outer_; outer; outer = outer->outer_)
+        if (outer->table_.has(name, hash)) return true;
+    return false;
+}
+
+Name NameSet::add(const WantedName& wanted) {
+    std::string& pool = table_.pool;
+    const auto begin = static_cast<uint32_t>(pool.size());
+    pool += wanted.first;
+    if (!wanted.first.empty()) pool += '_';
+    pool += wanted.second;
+    const std::string_view whole = std::string_view(pool).substr(begin);
+    if (!is_legal(whole)) pool.replace(begin, pool.npos, legal(std::string(whole)));
+    const std::string_view name = std::string_view(pool).substr(begin);
+    const uint32_t hash = hash_of(name);
+    table_.make_room(2);
+    NameTable::Entry& entry = table_.at(name, hash);
+    if (entry.name.length > 0) {
+        pool.resize(begin);
+        return numbered(entry);
     }
-    const std::string stem = std::move(name);
-    uint32_t number = entry_of(stem).next;
-    do
-        name = stem + "_" + std::to_string(number++);
-    while (taken(name) || is_reserved(name));
-    entry_of(stem).next = number;
-    entry_of(name);
-    return name;
+    const Name added = table_.fill(entry, begin, hash);
+    return taken_outside(name, hash) ? numbered(entry) : added;
 }
 
-std::string change_name(uint32_t input_extra) {
+Name NameSet::numbered(NameTable::Entry& taken) {
+    const std::string stem(text(taken.name));
+    const auto begin = static_cast<uint32_t>(table_.pool.size());
+    for (;;) {
+        table_.pool.resize(begin);
+        table_.pool.append(stem).append("_").append(std::to_string(taken.next++));
+        const std::string_view name = std::string_view(table_.pool).substr(begin);
+        const uint32_t hash = hash_of(name);
+        NameTable::Entry& entry = table_.at(name, hash);
+        if (entry.name.length > 0 || taken_outside(name, hash)) continue;
+        return table_.fill(entry, begin, hash);
+    }
+}
+
+std::string_view change_name(uint32_t input_extra) {
+    static const auto names = [] {
+        std::array<std::array<std::string, 2>, surface_input_count> table;
+        for (int i = 0; i < surface_input_count; ++i) {
+            const auto input = static_cast<SurfaceInput>(i);
+            const bool position = input == SurfaceInput::position_;
+            const std::string stem = position ? "dp" : "d" + std::string(info(input).name) + "_";
+            table[static_cast<size_t>(i)] = {stem + "dx", stem + "dy"};
+        }
+        return table;
+    }();
     const Variant variant = variant_of(input_extra);
-    const std::string input(info(input_of(input_extra)).name);
-    if (variant == Variant::value) return input;
-    const std::string axis = variant == Variant::dx ? "dx" : "dy";
-    return input_of(input_extra) == SurfaceInput::position_ ? "dp" + axis
-                                                            : "d" + input + "_" + axis;
+    const SurfaceInput input = input_of(input_extra);
+    if (variant == Variant::value) return info(input).name;
+    return names[static_cast<size_t>(input)][variant == Variant::dy];
 }
 
-void append_comment_text(std::string& line, std::string_view text) {
-    const auto plain = [](char c) { return 0x20 <= c && c < 0x7F && c != '\\' && c != '?'; };
-    if (text.size() <= longest_comment && std::all_of(text.begin(), text.end(), plain)) {
-        line += text;
-        return;
-    }
-    const size_t begin = line.size();
+std::string comment_text(std::string_view text) {
+    if (is_plain_comment(text)) return std::string(text);
+    std::string line;
     size_t end = std::min(text.size(), longest_comment);
     while (end > 0 && end < text.size() && is_continuation(text[end]))
         --end;
@@ -192,15 +253,16 @@ void append_comment_text(std::string& line, std::string_view text) {
         const size_t unseen = std::min(unseen_at(text.substr(at)), end - at);
         line += unseen > 0 ? ' ' : text[at] == '\\' ? '/' : text[at];
         at += std::max(unseen, size_t{1});
-        // A backslash to old compilers.
-        if (line.size() >= begin + 3 && line.ends_with("?\?/")) line.back() = ' ';
+        if (line.ends_with("?\?/")) line.back() = ' ';  // a backslash to old compilers
     }
+    return line;
 }
 
-std::string comment_text(std::string_view text) {
-    std::string result;
-    append_comment_text(result, text);
-    return result;
+void append_comment_text(Line& line, std::string_view text) {
+    if (is_plain_comment(text))
+        line.add(text);
+    else
+        line.add(comment_text(text));
 }
 
 std::string_view word_for(const Module& module, Id id) {

@@ -14,12 +14,12 @@ Plan::Plan(const Module& module, bool given)
       is_gradient(module.size()),
       module_(&module),
       given_(given),
-      used_(module.size()),
+      met_(module.size()),
       captures_(module.region_count()),
       seen_function_(module.region_count()),
       seen_resource_(module.resources.size()) {
     find_aliases();
-    find_members();
+    if (module.region_count() > 1) find_members();
     for (const bool output : {true, false})
         for (uint32_t i = 0; i < module.named.size(); ++i) {
             const Id id = alias_[module.named[i].value];
@@ -28,28 +28,28 @@ Plan::Plan(const Module& module, bool given)
     for (uint32_t region = 1; region < module.region_count(); ++region)
         if (module.region(region).kind == RegionKind::loop) find_captures(region);
     walk();
-    list_operands();
-    write_literals();
+    list_operands_and_literals();
     find_gradients();
 }
 
-void Plan::list_operands() {
-    first_operand_.reserve(module_->size() + size_t{1});
-    operands_.reserve(module_->size() * size_t{2});
-    for (Id id = 0; id < module_->size(); ++id) {
-        first_operand_.push_back(static_cast<uint32_t>(operands_.size()));
-        if (used_[id]) gather_operands(id, operands_);
-    }
-    first_operand_.push_back(static_cast<uint32_t>(operands_.size()));
-}
-
-void Plan::write_literals() {
-    literal_end_.resize(module_->size(), 0);
-    for (Id id = 1; id < module_->size(); ++id) {
-        const Inst& inst = (*module_)[id];
-        if (inst.op == Op::literal_ && used_[id]) append_literal(literals_, inst.type, inst.value);
+void Plan::list_operands_and_literals() {
+    const Module& m = *module_;
+    first_operand_.resize(m.size() + size_t{1});
+    literal_end_.resize(m.size());
+    operands_.reserve(m.size() * size_t{2});
+    for (Id id = 1; id < m.size(); ++id) {
+        first_operand_[id] = static_cast<uint32_t>(operands_.size());
         literal_end_[id] = static_cast<uint32_t>(literals_.size());
+        if (!is_used(id)) continue;
+        const Inst& inst = m[id];
+        if (inst.op != Op::literal_) {
+            gather_operands(id, operands_);
+        } else {
+            append_literal(literals_, inst.type, inst.value);
+            literal_end_[id] = static_cast<uint32_t>(literals_.size());
+        }
     }
+    first_operand_.back() = static_cast<uint32_t>(operands_.size());
 }
 
 std::string_view Plan::literal(Id id) const {
@@ -122,13 +122,13 @@ bool Plan::is_splat(Id construct) const {
 // Appends them.
 void Plan::gather_operands(Id id, std::vector<Id>& result) const {
     const Module& m = *module_;
-    if (m[id].op == Op::construct_ && is_splat(id)) {
-        result.push_back(alias_[m[id].arg[0]]);
-        return;
-    }
-    for (const Id operand : m.operands(single_call(id) ? m[id].arg[0] : id))
+    const Op op = m[id].op;
+    std::span<const Id> operands = m.operands(id);
+    if (op == Op::construct_ && is_splat(id)) operands = operands.first(1);
+    if (op == Op::result_ && single_call(id)) operands = m.operands(m[id].arg[0]);
+    for (const Id operand : operands)
         result.push_back(alias_[operand]);
-    if (m[id].op != Op::loop_) return;
+    if (op != Op::loop_) return;
     const auto& captured = captures_[m[id].extra];
     result.insert(result.end(), captured.begin(), captured.end());
 }
@@ -158,7 +158,7 @@ void Plan::find_captures(uint32_t region) {
 void Plan::find_gradients() {
     const Module& m = *module_;
     for (Id id = m.size(); id-- > 1;) {
-        if (!used_[id]) continue;
+        if (!is_used(id)) continue;
         const Inst& inst = m[id];
         if (inst.op == Op::normalize_ && inst.type == Type::vec3_ &&
             m[alias_[inst.arg[0]]].op == Op::sub_)
@@ -171,31 +171,30 @@ void Plan::find_gradients() {
 
 void Plan::walk() {
     const Module& m = *module_;
-    std::vector<uint8_t> state(m.size(), 0);  // 1: open, 2: done
     std::vector<Id> stack;
     const auto open = [&](std::span<const Id> ids) {
         for (size_t i = ids.size(); i-- > 0;)
-            if (state[ids[i]] == 0) stack.push_back(ids[i]);
+            if (met_[ids[i]] == Met::never) stack.push_back(ids[i]);
     };
     for (const ModuleOutput& output : m.outputs) {
         stack.push_back(output.value);
         while (!stack.empty()) {
             const Id id = stack.back();
-            if (state[id] != 0) {
-                stack.pop_back();
-                if (state[id] == 1) use(id);
-                state[id] = 2;
-                continue;
+            if (met_[id] == Met::never) {
+                met_[id] = Met::open;
+                const Op op = m[id].op;
+                if (op == Op::loop_ || op == Op::call_) open(m.region(m[id].extra).results);
+                open(m.operands(id));
+                if (stack.back() != id) continue;
             }
-            state[id] = 1;
-            if (m[id].op == Op::loop_ || m[id].op == Op::call_) open(m.region(m[id].extra).results);
-            open(m.operands(id));
+            stack.pop_back();
+            if (met_[id] == Met::open) use(id);
+            met_[id] = Met::used;
         }
     }
 }
 
 void Plan::use(Id id) {
-    used_[id] = true;
     const Inst& inst = (*module_)[id];
     switch (inst.op) {
         case Op::input_:

@@ -69,15 +69,16 @@ private:
     void find_members();
     void find_captures(uint32_t region);
     void gather_operands(Id id, std::vector<Id>& result) const;
-    void list_operands();
-    void write_literals();
+    void list_operands_and_literals();
     void walk();
     void use(Id id);
     void find_gradients();
 
     const Module* module_;
     bool given_;
-    std::vector<bool> used_;  // by Id
+    enum class Met : uint8_t { never, open, used };  // in the walk from the outputs
+    bool is_used(Id id) const { return met_[id] == Met::used; }
+    std::vector<Met> met_;  // by Id
     std::vector<Id> alias_;
     std::vector<Role> role_;
     std::vector<std::vector<Id>> captures_;

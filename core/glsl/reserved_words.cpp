@@ -1,6 +1,5 @@
-#include <unordered_set>
-
 #include "base/text.h"
+#include "base/text_hash.h"
 #include "glsl/names.h"
 
 namespace wrinkle {
@@ -46,16 +45,25 @@ constexpr std::string_view reserved =
     "usamplerCube usamplerCubeArray using usubpassInput usubpassInputMS utexture1D "
     "utexture1DArray utexture2D utexture2DArray utexture2DMS utexture2DMSArray "
     "utexture2DRect utexture3D utextureBuffer utextureCube utextureCubeArray uvec2 uvec3 "
-    "uvec4 varying vec2 vec3 vec4 void volatile while writeonly ";
+    "uvec4 varying vec2 vec3 vec4 void volatile while writeonly";
 
 }  // namespace
 
-bool is_reserved(std::string_view word) {
-    static const auto table = [] {
+const NameTable& reserved_words() {
+    static const NameTable table = [] {
+        NameTable words;
         const auto list = split(reserved, ' ');
-        return std::unordered_set<std::string_view>(list.begin(), list.end());
+        words.make_room(list.size());
+        for (const std::string_view word : list) {
+            const auto hash = static_cast<uint32_t>(text_hash(word));
+            NameTable::Entry& entry = words.at(word, hash);
+            const auto begin = static_cast<uint32_t>(words.pool.size());
+            words.pool += word;
+            words.fill(entry, begin, hash);
+        }
+        return words;
     }();
-    return table.count(word) > 0;
+    return table;
 }
 
 }  // namespace wrinkle

@@ -16,32 +16,26 @@ namespace wrinkle {
 namespace {
 
 constexpr uint32_t is_written = std::numeric_limits<uint32_t>::max();
+constexpr uint32_t none = std::numeric_limits<uint32_t>::max();
 
-struct Group {
-    uint32_t outside = 0;  // needs of other groups not yet written
-    uint32_t next = 0;     // in `members_`: all before are written
-    uint32_t end = 0;
+// Statements and what reads them are chained by their numbers.
+struct Statement {
+    Id id;
+    uint32_t group = 0;
+    uint32_t next = none;   // of its group
+    uint32_t needs = 0;     // not yet written
+    uint32_t users = none;  // the first in `users_`
 };
 
-// What belongs to each of a row of numbers, one behind the other.
-struct Rows {
-    std::vector<uint32_t> first, items;
+struct User {
+    uint32_t statement;
+    uint32_t next;
+};
 
-    // `pairs`: row and item.
-    void fill(size_t rows, const std::vector<std::pair<uint32_t, uint32_t>>& pairs) {
-        first.assign(rows + 1, 0);
-        for (const auto& pair : pairs)
-            ++first[pair.first + size_t{1}];
-        for (size_t row = 0; row < rows; ++row)
-            first[row + 1] += first[row];
-        std::vector<uint32_t> at(first.begin(), first.end() - 1);
-        items.resize(pairs.size());
-        for (const auto& [row, item] : pairs)
-            items[at[row]++] = item;
-    }
-    std::span<const uint32_t> of(uint32_t row) const {
-        return std::span(items).subspan(first[row], first[row + size_t{1}] - first[row]);
-    }
+struct Group {
+    uint32_t first;  // all before it are written
+    uint32_t last;
+    uint32_t outside = 0;  // needs of other groups not yet written
 };
 
 class Scheduler {
@@ -51,76 +45,79 @@ public:
     std::vector<Id> run(std::span<const Id> part);
 
 private:
+    void find_statements(std::span<const Id> part);
     void find_groups();
-    void find_needs();
-    bool can_stand(uint32_t statement) const {
-        return needs_[statement] == 0 && values_.state[statements_[statement]].place != is_written;
-    }
+    void find_needs(uint32_t statement);
+    bool written(const Statement& s) const { return values_.state[s.id].place == is_written; }
+    bool can_stand(const Statement& s) const { return s.needs == 0 && !written(s); }
     uint32_t next_group();
-    void write_group(uint32_t group);
-    void write_statement(uint32_t statement);
+    void write_group(Group& group);
+    void write_statement(Statement& statement);
 
     const Plan& plan_;
     Values& values_;
     const Scope& scope_;
-    std::vector<Id> statements_;
-    std::vector<uint32_t> group_, needs_;  // by statement
-    Rows members_, users_;                 // by group, by statement
-    std::vector<Group> groups_;            // by their first statement
+    std::vector<Statement> statements_;
+    std::vector<User> users_;
+    std::vector<Group> groups_;  // by their first statement
+    std::vector<Id> open_;
     // Groups with nothing missing, the first of them on top.
     std::priority_queue<uint32_t, std::vector<uint32_t>, std::greater<>> whole_;
     uint32_t first_ = 0;  // no statement before it can stand
     std::vector<Id> result_;
 };
 
-void Scheduler::find_groups() {
-    std::vector<uint32_t>& known = values_.group_numbers;
-    std::vector<std::pair<uint32_t, uint32_t>> pairs;
-    std::vector<size_t> met;
-    for (uint32_t i = 0; i < statements_.size(); ++i) {
-        const uint32_t owner = group_of(plan_, values_, statements_[i]);
-        const size_t slot = owner == surface_group ? known.size() - 1 : owner;
-        if (known[slot] == 0) {
-            groups_.push_back({});
-            met.push_back(slot);
-            known[slot] = static_cast<uint32_t>(groups_.size());
-        }
-        group_.push_back(known[slot] - 1);
-        pairs.push_back({group_.back(), i});
-    }
-    for (const size_t slot : met)
-        known[slot] = 0;
-    members_.fill(groups_.size(), pairs);
-    for (uint32_t g = 0; g < groups_.size(); ++g) {
-        groups_[g].next = members_.first[g];
-        groups_[g].end = members_.first[g + size_t{1}];
+void Scheduler::find_statements(std::span<const Id> part) {
+    for (const Id id : part) {
+        ValueState& state = values_.state[id];
+        if (!state.statement) continue;
+        state.place = static_cast<uint32_t>(statements_.size());
+        statements_.push_back({id});
     }
 }
 
-// Through what is folded into a statement to the statements it reads.
-void Scheduler::find_needs() {
-    std::vector<Id> open;
-    std::vector<std::pair<uint32_t, uint32_t>> pairs;
-    needs_.resize(statements_.size());
+void Scheduler::find_groups() {
+    std::vector<uint32_t>& known = values_.group_numbers;
+    const auto slot_of = [&](const Statement& statement) {
+        const uint32_t owner = group_of(plan_, values_, statement.id);
+        return owner == surface_group ? known.size() - 1 : owner;
+    };
     for (uint32_t i = 0; i < statements_.size(); ++i) {
-        open.assign(1, statements_[i]);
-        while (!open.empty()) {
-            const Id reader = open.back();
-            open.pop_back();
-            for (const Id operand : plan_.operands(reader)) {
-                const ValueState& s = values_.state[operand];
-                if (plan_.role(operand) == Role::leaf || s.epoch != scope_.epoch) continue;
-                if (!s.statement) {
-                    open.push_back(operand);
-                } else if (s.place != is_written) {
-                    pairs.push_back({s.place, i});
-                    ++needs_[i];
-                    if (group_[s.place] != group_[i]) ++groups_[group_[i]].outside;
-                }
+        uint32_t& number = known[slot_of(statements_[i])];
+        if (number == 0) {
+            groups_.push_back({i, i});
+            number = static_cast<uint32_t>(groups_.size());
+        }
+        statements_[i].group = number - 1;
+        uint32_t& last = groups_[number - 1].last;
+        if (last != i) statements_[last].next = i;
+        last = i;
+    }
+    for (const Group& group : groups_)
+        known[slot_of(statements_[group.first])] = 0;
+}
+
+// Through what is folded into a statement to the statements it reads.
+void Scheduler::find_needs(uint32_t statement) {
+    Statement& own = statements_[statement];
+    open_.assign(1, own.id);
+    while (!open_.empty()) {
+        const Id reader = open_.back();
+        open_.pop_back();
+        for (const Id operand : plan_.operands(reader)) {
+            const ValueState& s = values_.state[operand];
+            if (s.epoch != scope_.epoch) continue;
+            if (!s.statement) {
+                open_.push_back(operand);
+            } else if (s.place != is_written) {
+                Statement& read = statements_[s.place];
+                users_.push_back({statement, read.users});
+                read.users = static_cast<uint32_t>(users_.size() - 1);
+                ++own.needs;
+                if (read.group != own.group) ++groups_[own.group].outside;
             }
         }
     }
-    users_.fill(statements_.size(), pairs);
 }
 
 uint32_t Scheduler::next_group() {
@@ -129,45 +126,42 @@ uint32_t Scheduler::next_group() {
         whole_.pop();
         return group;
     }
-    while (!can_stand(first_))
+    while (!can_stand(statements_[first_]))
         ++first_;
-    return group_[first_];
+    return statements_[first_].group;
 }
 
-void Scheduler::write_statement(uint32_t statement) {
-    values_.state[statements_[statement]].place = is_written;
-    result_.push_back(statements_[statement]);
-    for (const uint32_t user : users_.of(statement)) {
-        Group& group = groups_[group_[user]];
-        if (group_[user] != group_[statement] && --group.outside == 0) whole_.push(group_[user]);
-        --needs_[user];
+void Scheduler::write_statement(Statement& statement) {
+    values_.state[statement.id].place = is_written;
+    result_.push_back(statement.id);
+    for (uint32_t u = statement.users; u != none; u = users_[u].next) {
+        Statement& user = statements_[users_[u].statement];
+        --user.needs;
+        if (user.group != statement.group && --groups_[user.group].outside == 0)
+            whole_.push(user.group);
     }
 }
 
-void Scheduler::write_group(uint32_t index) {
-    Group& group = groups_[index];
+void Scheduler::write_group(Group& group) {
     bool all = true;
-    for (uint32_t at = group.next; at < group.end; ++at) {
-        const uint32_t statement = members_.items[at];
+    for (uint32_t at = group.first; at != none; at = statements_[at].next) {
+        Statement& statement = statements_[at];
         if (can_stand(statement)) write_statement(statement);
-        all = all && values_.state[statements_[statement]].place == is_written;
-        if (all) group.next = at + 1;
+        all = all && written(statement);
+        if (all) group.first = statement.next;
     }
 }
 
 std::vector<Id> Scheduler::run(std::span<const Id> part) {
-    for (const Id id : part) {
-        if (!values_.state[id].statement) continue;
-        values_.state[id].place = static_cast<uint32_t>(statements_.size());
-        statements_.push_back(id);
-    }
+    find_statements(part);
     find_groups();
-    find_needs();
+    for (uint32_t i = 0; i < statements_.size(); ++i)
+        find_needs(i);
     result_.reserve(statements_.size());
     for (uint32_t g = 0; g < groups_.size(); ++g)
         if (groups_[g].outside == 0) whole_.push(g);
     while (result_.size() < statements_.size())
-        write_group(next_group());
+        write_group(groups_[next_group()]);
     return std::move(result_);
 }
 

@@ -1,9 +1,9 @@
 #include "glsl/scope.h"
 
 #include <algorithm>
+#include <array>
 
 #include "glsl/expression.h"
-#include "glsl/names.h"
 
 namespace wrinkle {
 namespace {
@@ -16,84 +16,89 @@ constexpr uint32_t parentheses = 2;
 constexpr uint32_t loop_state_width = 12;
 constexpr uint32_t view_suffix = 4;
 
-// Folding decisions for one scope, operands first.
+// What the op table says, close together: it is asked for every operand.
+uint8_t precedence_of(Op op) {
+    static constexpr auto table = [] {
+        std::array<uint8_t, tables::op_count> precedences{};
+        for (size_t i = 0; i < precedences.size(); ++i)
+            precedences[i] = tables::ops[i].precedence;
+        return precedences;
+    }();
+    return table[static_cast<size_t>(op)];
+}
+
 bool needs_parentheses(const Plan& plan, Id reader, Id operand) {
-    const int outer = info(plan.module()[reader].op).precedence;
-    const int inner = info(plan.module()[operand].op).precedence;
+    const int outer = precedence_of(plan.module()[reader].op);
+    const int inner = precedence_of(plan.module()[operand].op);
     return outer > 0 && inner > 0 && inner <= outer;
 }
 
+// Folding decisions for one scope, operands first.
 class Folder {
 public:
     Folder(const Plan& plan, Values& values, const Scope& scope)
-        : plan_(plan), values_(values), scope_(scope) {}
+        : plan_(plan), m_(plan.module()), values_(values), scope_(scope) {}
 
     void count_uses(std::span<const Id> roots);
-    void visit(Id id, bool is_root);
+    void visit(Id id);
 
 private:
-    // An operand of the value at hand.
+    // A value that is read by the value at hand, or that is read through a view.
     struct Part {
-        Id target;              // what it is, or what it is a view of
-        uint32_t width;         // of a leaf or a view; of a value what its view adds
-        bool is_value, inside;  // of this scope
-        bool plain;             // no view
-        bool parentheses;       // where its text is folded in
+        Id id;
+        uint32_t extra;    // width that its view adds
+        bool inside;       // of this scope
+        bool first;        // of the operands
+        bool plain;        // no view
+        bool parentheses;  // where its text is folded in
     };
 
     ValueState& state(Id id) { return values_.state[id]; }
-    bool inside(Id id) { return state(id).epoch == scope_.epoch && plan_.role(id) != Role::leaf; }
+    bool inside(Id id) { return state(id).epoch == scope_.epoch; }  // a leaf never is
     Id base(Id id);
-    Part part_of(Id reader, Id operand);
-    bool foldable(const Part& part) { return part.inside && !state(part.target).statement; }
-    uint32_t width_of(const Part& part);
+    void take_operands(Id id);
+    bool foldable(const Part& part) { return part.inside && !state(part.id).statement; }
     void make_statement(Id id);
-    const std::string& name_of(Id id);
-    void hoist_implicit(Id id);
-    uint32_t room_for(Id id, bool is_root);
-    void narrow(Id id, bool is_root);
+    uint32_t name_width(Id id) const;
+    void hoist_implicit();
+    uint32_t room_for(Id id);
+    void narrow(Id id);
     void flatten(Id id);
     bool must_name(Id id, bool is_root);
 
     const Plan& plan_;
+    const Module& m_;
     Values& values_;
     const Scope& scope_;
     std::vector<Part> parts_;  // of the value at hand
+    uint32_t leaves_ = 0;      // width of its other operands
 };
 
 // What a view looks at.
 Id Folder::base(Id id) {
-    while (plan_.role(id) == Role::view && plan_.module()[id].op != Op::result_)
+    while (plan_.role(id) == Role::view && m_[id].op != Op::result_)
         id = plan_.operands(id)[0];
     return id;
 }
 
-Folder::Part Folder::part_of(Id reader, Id operand) {
-    Part part{operand, 0, false, false, true, false};
-    Role role = plan_.role(operand);
-    if (role == Role::view) {
-        part.target = base(operand);
-        role = plan_.role(part.target);
-        part.plain = part.target == operand;
+void Folder::take_operands(Id id) {
+    parts_.clear();
+    leaves_ = 0;
+    bool first = true;
+    for (const Id operand : plan_.operands(id)) {
+        const Id target = base(operand);
+        const bool plain = target == operand;
+        const uint32_t extra = plain ? 0 : view_suffix;
+        const Role role = plan_.role(target);
+        if (role == Role::leaf)
+            leaves_ += extra + leaf_width(plan_, target);
+        else if (role == Role::view)
+            leaves_ += extra + loop_state_width;
+        else
+            parts_.push_back({target, extra, inside(target), first, plain,
+                              needs_parentheses(plan_, id, operand)});
+        first = false;
     }
-    part.width = part.plain ? 0 : view_suffix;
-    if (role == Role::leaf) {
-        part.width += leaf_width(plan_, part.target);
-    } else if (role == Role::view) {
-        part.width += loop_state_width;
-    } else {
-        part.is_value = true;
-        part.inside = inside(part.target);
-        part.parentheses = needs_parentheses(plan_, reader, operand);
-    }
-    return part;
-}
-
-uint32_t Folder::width_of(const Part& part) {
-    if (!part.is_value) return part.width;
-    const ValueState& s = state(part.target);
-    const size_t own = s.statement ? name_of(part.target).size() : s.width;
-    return part.width + static_cast<uint32_t>(own);
 }
 
 void Folder::count_uses(std::span<const Id> roots) {
@@ -101,18 +106,19 @@ void Folder::count_uses(std::span<const Id> roots) {
         if (!inside(root)) continue;
         ++state(root).uses;
         state(root).shared = false;
+        state(root).root = true;
     }
     for (size_t i = scope_.order.size(); i-- > 0;) {
         const Id id = scope_.order[i];
-        const bool view = plan_.role(id) == Role::view;
         const auto operands = plan_.operands(id);
+        const uint32_t uses = plan_.role(id) == Role::view ? std::max(1u, state(id).uses) : 1;
         const bool shared = group_of(plan_, values_, id) == surface_group;
-        const bool loop = plan_.module()[id].op == Op::loop_;
-        const size_t own = loop ? plan_.module().operands(id).size() : operands.size();
+        const bool loop = m_[id].op == Op::loop_;
+        const size_t own = loop ? m_.operands(id).size() : operands.size();
         for (size_t k = 0; k < operands.size(); ++k) {
-            if (!inside(operands[k])) continue;
             ValueState& read = state(operands[k]);
-            read.uses += view ? std::max(1u, state(id).uses) : 1;
+            if (read.epoch != scope_.epoch) continue;
+            read.uses += uses;
             if (k >= own) read.captured = true;
             read.shared = read.shared && shared;
         }
@@ -123,47 +129,45 @@ void Folder::make_statement(Id id) {
     ValueState& s = state(id);
     if (s.statement) return;
     s.statement = true;
-    name_of(id);
+    s.width = name_width(id);
 }
 
-// Decided once: what it is shared by, and so its name, is known before.
-const std::string& Folder::name_of(Id id) {
-    std::string& name = values_.name(id);
-    if (name.empty()) name = wanted_name(plan_, values_, id);
-    return name;
+// What it is shared by, and so its name, is known before.
+uint32_t Folder::name_width(Id id) const {
+    return static_cast<uint32_t>(wanted_name(plan_, values_, id).size());
 }
 
 // GLSL evaluates one branch of ?: only, and && and || may skip their right side; there an implicit
 // derivative would be undefined.
-void Folder::hoist_implicit(Id id) {
-    const Op op = plan_.module()[id].op;
-    if (op != Op::select_ && op != Op::and_ && op != Op::or_) return;
-    for (size_t k = 1; k < parts_.size(); ++k)
-        if (foldable(parts_[k]) && state(parts_[k].target).implicit)
-            make_statement(parts_[k].target);
+void Folder::hoist_implicit() {
+    for (const Part& part : parts_)
+        if (!part.first && foldable(part) && state(part.id).implicit) make_statement(part.id);
 }
 
 // What is known to become a temporary has its declaration on the line too.
-uint32_t Folder::room_for(Id id, bool is_root) {
-    if (is_root && state(id).uses == 1) return widest_result;
+uint32_t Folder::room_for(Id id) {
+    if (state(id).root && state(id).uses == 1) return widest_result;
     if (!must_name(id, false)) return widest_expression;
-    const uint32_t declaration = 12 + static_cast<uint32_t>(name_of(id).size());
+    const uint32_t declaration = 12 + name_width(id);
     return widest_line - std::min(declaration, widest_line / 2);
 }
 
-void Folder::narrow(Id id, bool is_root) {
-    const uint32_t room = room_for(id, is_root), own = own_width(plan_, id);
+void Folder::narrow(Id id) {
+    const uint32_t own = own_width(plan_, id) + leaves_;
+    state(id).width = own;
+    if (parts_.empty()) return;
+    const uint32_t room = room_for(id);
     for (;;) {
         uint32_t width = own, widest = 0;
         Id victim = poison;
         for (const Part& part : parts_) {
-            const uint32_t w = width_of(part);
+            const uint32_t w = part.extra + state(part.id).width;
             width += w;
             if (!foldable(part)) continue;
             width += part.parentheses ? parentheses : 0;
             if (w <= widest) continue;
             widest = w;
-            victim = part.target;
+            victim = part.id;
         }
         state(id).width = width;
         if (width <= room || victim == poison) return;
@@ -173,17 +177,15 @@ void Folder::narrow(Id id, bool is_root) {
 
 // A chain of one precedence counts as one level, as it reads.
 void Folder::flatten(Id id) {
-    const Module& m = plan_.module();
-    const auto precedence = info(m[id].op).precedence;
+    const uint8_t precedence = precedence_of(m_[id].op);
     uint8_t deepest = 1;
-    for (size_t k = 0; k < parts_.size(); ++k) {
-        const Part& part = parts_[k];
+    for (const Part& part : parts_) {
         if (!foldable(part)) continue;
-        const bool chain = k == 0 && part.plain && precedence > 0 &&
-                           precedence == info(m[part.target].op).precedence;
-        const auto depth = static_cast<uint8_t>(state(part.target).depth + (chain ? 0 : 1));
+        const bool chain = part.first && part.plain && precedence > 0 &&
+                           precedence == precedence_of(m_[part.id].op);
+        const auto depth = static_cast<uint8_t>(state(part.id).depth + (chain ? 0 : 1));
         if (depth > deepest_expression)
-            make_statement(part.target);
+            make_statement(part.id);
         else
             deepest = std::max(deepest, depth);
     }
@@ -191,28 +193,26 @@ void Folder::flatten(Id id) {
 }
 
 bool Folder::must_name(Id id, bool is_root) {
-    if (plan_.role(id) != Role::value) return false;
     const ValueState& s = state(id);
-    if (plan_.module().type(id) == Type::tuple_ || s.uses > 1 || s.captured) return true;
+    if (m_.type(id) == Type::tuple_ || s.uses > 1 || s.captured) return true;
     const uint32_t name = plan_.first_name[id];
-    return name && plan_.module().named[name - 1].output && !is_root;
+    return name && m_.named[name - 1].output && !is_root;
 }
 
-void Folder::visit(Id id, bool is_root) {
-    parts_.clear();
-    for (const Id operand : plan_.operands(id))
-        parts_.push_back(part_of(id, operand));
-    hoist_implicit(id);
-    const Op op = plan_.module()[id].op;
-    if (plan_.role(id) == Role::value && op != Op::loop_) {
-        flatten(id);
-        narrow(id, is_root);
+void Folder::visit(Id id) {
+    if (plan_.role(id) == Role::view) return;
+    take_operands(id);
+    const Op op = m_[id].op;
+    if (op == Op::select_ || op == Op::and_ || op == Op::or_) hoist_implicit();
+    if (op != Op::loop_) {
+        if (!parts_.empty()) flatten(id);
+        narrow(id);
     }
     bool implicit = op == Op::sample_ || op == Op::input_;
     for (const Part& part : parts_)
-        implicit = implicit || (foldable(part) && state(part.target).implicit);
+        implicit = implicit || (foldable(part) && state(part.id).implicit);
     state(id).implicit = implicit;
-    if (must_name(id, is_root)) make_statement(id);
+    if (must_name(id, state(id).root)) make_statement(id);
 }
 
 }  // namespace
@@ -235,7 +235,9 @@ Scope collect(const Plan& plan, Values& values, std::span<const Id> roots, int l
                 continue;
             }
             if (values.state[id].epoch == scope.epoch) continue;
-            values.state[id] = ValueState{.epoch = scope.epoch, .shared = true};
+            values.state[id] = {};
+            values.state[id].epoch = scope.epoch;
+            values.state[id].shared = true;
             stack.push_back({id, true});
             const auto operands = plan.operands(id);
             for (size_t k = operands.size(); k-- > 0;)
@@ -250,7 +252,7 @@ void decide(const Plan& plan, Values& values, const Scope& scope, std::span<cons
     Folder folder(plan, values, scope);
     folder.count_uses(roots);
     for (const Id id : scope.order)
-        folder.visit(id, std::find(roots.begin(), roots.end(), id) != roots.end());
+        folder.visit(id);
 }
 
 uint32_t group_of(const Plan& plan, const Values& values, Id id) {
@@ -261,19 +263,19 @@ uint32_t group_of(const Plan& plan, const Values& values, Id id) {
     return values.state[id].shared || m[id].op == Op::input_ ? surface_group : m.origin[id];
 }
 
-std::string wanted_name(const Plan& plan, const Values& values, Id id) {
+WantedName wanted_name(const Plan& plan, const Values& values, Id id) {
     const Module& m = plan.module();
     const uint32_t name = plan.first_name[id];
-    if (values.anonymous) return name ? m.named[name - 1].name : std::string(word_for(m, id));
+    if (values.anonymous)
+        return {{}, name ? std::string_view(m.named[name - 1].name) : word_for(m, id)};
     if (name) {
         const Named& named = m.named[name - 1];
-        return named.node ? m.nodes[named.node].path + "_" + named.name : named.name;
+        return {named.node ? std::string_view(m.nodes[named.node].path) : "", named.name};
     }
-    if (m[id].op == Op::input_) return change_name(m[id].extra);
+    if (m[id].op == Op::input_) return {{}, change_name(m[id].extra)};
     const std::string_view word = plan.is_gradient[id] ? "gradient" : word_for(m, id);
-    if (values.state[id].shared) return "surface_" + std::string(word);
-    const std::string& path = m.nodes[m.origin[id]].path;
-    return (path.empty() ? "" : path + "_") + std::string(word);
+    if (values.state[id].shared) return {"surface", word};
+    return {m.nodes[m.origin[id]].path, word};
 }
 
 }  // namespace wrinkle

@@ -8,9 +8,9 @@
 #pragma once
 
 #include <span>
-#include <string>
 #include <vector>
 
+#include "glsl/names.h"
 #include "glsl/plan.h"
 
 namespace wrinkle {
@@ -19,33 +19,22 @@ namespace wrinkle {
 struct ValueState {
     uint32_t epoch = 0;  // of the scope that it belongs to
     uint32_t uses = 0;
-    uint32_t width = 0;  // of its text, about
-    uint32_t place = 0;  // among the scope's statements
-    uint8_t depth = 0;
+    uint32_t width = 0;      // where it is read: of its text, about; of a temporary's name
+    uint32_t place = 0;      // among the scope's statements
+    Name name;               // of a temporary, once it is written
+    uint8_t depth = 1;       // of its text, in operations
+    bool root = false;       // a result of the scope
     bool statement = false;  // a temporary; also loops and calls with several results
     bool captured = false;   // by a loop
     bool implicit = false;   // its folded text takes implicit derivatives
     bool shared = false;     // read by temporaries of the surface point only
-    uint32_t name = 0;       // in Values::names; 0: none yet
 };
 
 // The values of a module; a scope overwrites the states of what it computes, and of nothing else.
 struct Values {
     explicit Values(const Plan& plan)
         : state(plan.module().size()), group_numbers(plan.module().nodes.size() + 1) {}
-    // Of a temporary: wanted, then final.
-    std::string& name(Id id) {
-        uint32_t& place = state[id].name;
-        if (place == 0) {
-            place = static_cast<uint32_t>(names.size());
-            names.emplace_back();
-        }
-        return names[place];
-    }
-    const std::string& name(Id id) const { return names[state[id].name]; }
-
     std::vector<ValueState> state;        // by Id
-    std::vector<std::string> names{1};    // of the few that have one
     std::vector<uint32_t> group_numbers;  // zeros: memory of schedule()
     uint32_t epoch = 0;
     bool anonymous = false;  // a helper function, shared by nodes: no node's names or comments
@@ -60,7 +49,7 @@ struct Scope {
 // `level` 0: a function's body, else a loop's: values of lower levels stand outside.
 Scope collect(const Plan& plan, Values& values, std::span<const Id> roots, int level);
 
-// Decides what is a temporary, and the name it wants.
+// Decides what is a temporary.
 void decide(const Plan& plan, Values& values, const Scope& scope, std::span<const Id> roots);
 
 // The statements among `part` of the scope's order, as they are to be written.
@@ -72,6 +61,6 @@ inline constexpr uint32_t surface_group = ~1U;
 uint32_t group_of(const Plan& plan, const Values& values, Id id);
 
 // The name that a value would like: of its node and port, or of the surface point.
-std::string wanted_name(const Plan& plan, const Values& values, Id id);
+WantedName wanted_name(const Plan& plan, const Values& values, Id id);
 
 }  // namespace wrinkle

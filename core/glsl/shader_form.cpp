@@ -165,7 +165,7 @@ Text fragment_text(const Stage& stage) {
     if (stage.world) text.append(frame_text(stage, false));
     text.append(struct_text(r));
     text.append(uniforms_text(r));
-    text.append(functions_text(stage.plan, stage.face, *stage.options.target));
+    write_functions(stage.plan, stage.face, *stage.options.target, text);
     if (stage.world) text.append(normal_to_world_text());
     text.append(main_text(stage));
     return text;
