@@ -1,5 +1,7 @@
 #include "graph/document.h"
 
+#include <algorithm>
+
 #include "base/text.h"
 
 namespace wrinkle {
@@ -28,6 +30,33 @@ Diagnostic made(Location where, std::string pointer, std::string message, std::s
 Location place(const Document& document, const json::Value& value, bool key) {
     if (!value.has_location()) return {document.file, 0, 0};
     return key ? value.key_location() : value.location();
+}
+
+constexpr size_t longest_id = 128;  // characters
+
+// Of letters that need no second look.
+bool is_plain_id(std::string_view id) {
+    if (id.empty() || id.size() > longest_id || id[0] == '$') return false;
+    return std::all_of(id.begin(), id.end(),
+                       [](char c) { return ' ' <= c && c < 0x7F && c != '.'; });
+}
+
+std::string spelling_problem(std::string_view id) {
+    if (id.empty()) return "is empty";
+    if (!is_utf8(id)) return "is not valid UTF-8";
+    size_t characters = 0;
+    unsigned char before = 0;
+    for (const char c : id) {
+        const auto byte = static_cast<unsigned char>(c);
+        const bool upper_control = before == 0xC2 && byte < 0xA0;  // U+0080 to U+009F
+        if (byte < 0x20 || byte == 0x7F || upper_control) return "contains a control character";
+        if (c == '.') return "contains a '.'";
+        if ((byte & 0xC0) != 0x80) ++characters;
+        before = byte;
+    }
+    if (id[0] == '$') return "begins with '$'";
+    if (characters > longest_id) return "is longer than 128 characters";
+    return {};
 }
 
 }  // namespace
@@ -92,21 +121,8 @@ Diagnostic diagnose(const json::Value& value, std::string node, std::string mess
 }
 
 std::string id_problem(std::string_view id, bool reserved) {
-    constexpr size_t longest = 128;
-    if (id.empty()) return "is empty";
-    if (!is_utf8(id)) return "is not valid UTF-8";
-    size_t characters = 0;
-    unsigned char before = 0;
-    for (const char c : id) {
-        const auto byte = static_cast<unsigned char>(c);
-        const bool upper_control = before == 0xC2 && byte < 0xA0;  // U+0080 to U+009F
-        if (byte < 0x20 || byte == 0x7F || upper_control) return "contains a control character";
-        if (c == '.') return "contains a '.'";
-        if ((byte & 0xC0) != 0x80) ++characters;
-        before = byte;
-    }
-    if (id[0] == '$') return "begins with '$'";
-    if (characters > longest) return "is longer than 128 characters";
+    if (!is_plain_id(id))
+        if (std::string problem = spelling_problem(id); !problem.empty()) return problem;
     if (reserved && (id == Link::surface || id == Link::input)) return "is a reserved word";
     return {};
 }

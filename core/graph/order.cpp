@@ -1,6 +1,6 @@
 #include "graph/order.h"
 
-#include <algorithm>
+#include <span>
 
 #include "base/text.h"
 
@@ -22,14 +22,44 @@ struct Walk {
 constexpr size_t shown = 8;                                     // nodes of a cycle in its report
 constexpr size_t most_cycles = Diagnostics::default_limit + 1;  // the rest is not told apart
 
+// What every input of every node reads, looked up once.
+class Wires {
+public:
+    static constexpr uint32_t none = ~0u;
+
+    explicit Wires(const Document& document) {
+        first_.reserve(document.nodes.size() + 1);
+        for (const NodePtr& node : document.nodes) {
+            first_.push_back(static_cast<uint32_t>(read_.size()));
+            for (const Input& input : node->inputs)
+                read_.push_back(input.link.is_node() ? index_of(document, input.link) : none);
+        }
+        first_.push_back(static_cast<uint32_t>(read_.size()));
+    }
+
+    // Nodes by input; `none` where an input reads no node, or one that there is not.
+    std::span<const uint32_t> of(size_t node) const {
+        return std::span(read_).subspan(first_[node], first_[node + 1] - first_[node]);
+    }
+
+private:
+    static uint32_t index_of(const Document& document, const Link& link) {
+        const size_t index = document.nodes.index_of(link.node);
+        return index == Table<NodePtr>::npos ? none : static_cast<uint32_t>(index);
+    }
+
+    std::vector<uint32_t> first_, read_;
+};
+
 // Depth first with a stack of its own.
 class Walker {
 public:
-    explicit Walker(const Document& document)
-        : document_(document), state_(document.nodes.size(), State::unseen) {}
+    Walker(const Document& document, const Wires& wires)
+        : wires_(wires), state_(document.nodes.size(), State::unseen) {}
 
     Walk run() {
-        for (uint32_t i = 0; i < document_.nodes.size(); ++i)
+        walk_.order.reserve(state_.size());
+        for (uint32_t i = 0; i < state_.size(); ++i)
             if (state_[i] == State::unseen) walk_from(i);
         return std::move(walk_);
     }
@@ -45,8 +75,7 @@ private:
         enter(root);
         while (!stack_.empty()) {
             Frame& frame = stack_.back();
-            const Node& node = *document_.nodes[frame.node];
-            if (frame.next_input == node.inputs.size())
+            if (frame.next_input == wires_.of(frame.node).size())
                 leave();
             else
                 follow(frame.node, frame.next_input++);
@@ -66,11 +95,8 @@ private:
     }
 
     void follow(uint32_t node, uint32_t input) {
-        const Link& link = document_.nodes[node]->inputs[input].link;
-        if (!link.is_node()) return;
-        const size_t read = document_.nodes.index_of(link.node);
-        if (read == Table<NodePtr>::npos) return;
-        const auto target = static_cast<uint32_t>(read);
+        const uint32_t target = wires_.of(node)[input];
+        if (target == Wires::none) return;
         if (state_[target] == State::unseen)
             enter(target);
         else if (state_[target] == State::open && walk_.closing.size() < most_cycles)
@@ -88,7 +114,7 @@ private:
         return closing;
     }
 
-    const Document& document_;
+    const Wires& wires_;
     std::vector<State> state_;
     std::vector<Frame> stack_;
     Walk walk_;
@@ -131,16 +157,17 @@ public:
     Checker(const Document& document, Diagnostics& diagnostics)
         : document_(document),
           diagnostics_(diagnostics),
+          wires_(document),
           ids_(document.nodes),
           inputs_(document.inputs) {}
 
     void run() {
-        for (const NodePtr& node : document_.nodes)
-            for (const Input& input : node->inputs)
-                check(input.link, [&](std::string message, std::string expected) {
-                    return diagnose_port(document_, *node, input.port, std::move(message),
-                                         std::move(expected));
-                });
+        for (size_t n = 0; n < document_.nodes.size(); ++n) {
+            const Node& node = *document_.nodes[n];
+            const auto read = wires_.of(n);
+            for (size_t i = 0; i < read.size(); ++i)
+                if (read[i] == Wires::none) check_port(node, node.inputs[i]);
+        }
         for (const Output& output : document_.outputs)
             check(output.from.link, [&](std::string message, std::string expected) {
                 return diagnose(document_, output, std::move(message), std::move(expected));
@@ -149,6 +176,13 @@ public:
     }
 
 private:
+    void check_port(const Node& node, const Input& input) {
+        check(input.link, [&](std::string message, std::string expected) {
+            return diagnose_port(document_, node, input.port, std::move(message),
+                                 std::move(expected));
+        });
+    }
+
     template <class Diagnose>
     void check(const Link& link, Diagnose diagnose_here) {
         const bool lost_node = link.is_node() && !document_.find(link.node);
@@ -165,7 +199,7 @@ private:
     }
 
     void report_cycles() {
-        for (const Closing& closing : Walker(document_).run().closing) {
+        for (const Closing& closing : Walker(document_, wires_).run().closing) {
             const Node& node = *document_.nodes[closing.node];
             diagnostics_.add(diagnose_port(document_, node, node.inputs[closing.input].port,
                                            cycle_text(document_, closing),
@@ -175,6 +209,7 @@ private:
 
     const Document& document_;
     Diagnostics& diagnostics_;
+    const Wires wires_;
     Names<NodePtr> ids_;
     Names<GraphInput> inputs_;
 };
@@ -182,7 +217,8 @@ private:
 }  // namespace
 
 std::vector<uint32_t> evaluation_order(const Document& document) {
-    return Walker(document).run().order;
+    const Wires wires(document);
+    return Walker(document, wires).run().order;
 }
 
 void check_links(const Document& document, Diagnostics& diagnostics) {

@@ -112,8 +112,7 @@ private:
                 lost_ = "it has more nodes than are allowed";
                 break;
             }
-            nodes.push_back(std::make_shared<const Node>(
-                reading::read_node(member.key, member.value, report_)));
+            nodes.push_back(reading::read_node(member.key, member.value, report_));
         }
         return Table<NodePtr>(std::move(nodes));
     }

@@ -28,7 +28,7 @@ private:
     Diagnostics list_;
 };
 
-Node read_node(std::string_view id, const json::Value& value, Report& report);
+NodePtr read_node(std::string_view id, const json::Value& value, Report& report);
 // A port's value: {"from": ...} is a link, all else a literal.
 Input read_input(std::string_view port, const json::Value& value, std::string_view node,
                  Report& report);

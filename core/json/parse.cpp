@@ -16,47 +16,70 @@
 namespace wrinkle::json {
 namespace {
 
-bool is_plain(char c) {
+// What a character is to the feed below.
+enum class Letter : uint8_t { punctuation, plain, quote, backslash, other };
+
+Letter letter_of(char c) {
     static constexpr auto table = [] {
-        std::array<bool, 256> plain{};
+        std::array<Letter, 256> letters{};
+        letters.fill(Letter::other);
         for (unsigned char byte = 0x20; byte < 0x7F; ++byte)
-            plain[byte] = byte != '"' && byte != '\\';
-        return plain;
+            letters[byte] = Letter::plain;
+        for (const unsigned char byte : {',', ':', '{', '}', '[', ']'})
+            letters[byte] = Letter::punctuation;
+        letters['"'] = Letter::quote;
+        letters['\\'] = Letter::backslash;
+        return letters;
     }();
     return table[static_cast<unsigned char>(c)];
 }
 
+bool is_plain(char c) {  // in a string
+    return letter_of(c) <= Letter::plain;
+}
+
 // What the library is given of the text. Of a string of plain characters it sees the quotes alone:
-// it has nothing to say about the rest, which is sliced from the source.
+// it has nothing to say about the rest, which is sliced from the source. Nor about space behind
+// punctuation, which begins and ends no token.
 struct Feed {
-    const char* at = nullptr;  // behind what was taken
+    const char* at = nullptr;  // what is given next
     const char* end = nullptr;
+    const char* taken = nullptr;   // behind what was given last
+    const char* string = nullptr;  // the latest: its first quote
     bool in_string = false;
     bool escaped = false;
     bool passed = false;  // of the latest string: between its quotes nothing was given
 
     void take(char c) {
-        ++at;
+        taken = ++at;
+        const Letter letter = letter_of(c);
         if (in_string)
-            end_of_string(c);
-        else if (c == '"')
+            end_of_string(letter);
+        else if (letter == Letter::punctuation)
+            skip_space();
+        else if (letter == Letter::quote)
             begin_string();
     }
 
 private:
+    void skip_space() {
+        while (at != end && is_space(*at))
+            ++at;
+    }
     void begin_string() {
+        string = at - 1;
         in_string = true;
         const char* close = std::find_if_not(at, end, is_plain);
         passed = close != end && *close == '"';
         if (passed) at = close;
     }
-    void end_of_string(char c) {
-        in_string = escaped || c != '"';
-        escaped = !escaped && c == '\\';
+    void end_of_string(Letter letter) {
+        in_string = escaped || letter != Letter::quote;
+        escaped = !escaped && letter == Letter::backslash;
     }
 };
 
-// All copies move with the feed.
+// All copies move with the feed. Compared with the end alone.
 struct FeedIterator {
     using difference_type = std::ptrdiff_t;
     using value_type = char;
@@ -64,7 +87,7 @@ struct FeedIterator {
     using reference = const char&;
     using iterator_category = std::input_iterator_tag;
 
-    Feed* feed;  // of the end: null
+    Feed* feed;
 
     const char& operator*() const { return *feed->at; }
     FeedIterator& operator++() {
@@ -75,11 +98,8 @@ struct FeedIterator {
         ++*this;
         return *this;
     }
-    bool operator==(const FeedIterator& other) const { return at_end() == other.at_end(); }
-    bool operator!=(const FeedIterator& other) const { return at_end() != other.at_end(); }
-
-private:
-    bool at_end() const { return !feed || feed->at == feed->end; }
+    bool operator==(const FeedIterator&) const { return feed->at == feed->end; }
+    bool operator!=(const FeedIterator&) const { return feed->at != feed->end; }
 };
 
 bool is_number_character(char c) {
@@ -92,7 +112,7 @@ public:
     Handler(const std::shared_ptr<Tree>& tree, Diagnostics& diagnostics, ParseLimits limits)
         : tree_(tree), diagnostics_(diagnostics), limits_(limits) {
         cursor_ = tree->lines[0];
-        feed_.at = tree->source.data();
+        feed_.at = feed_.taken = tree->source.data();
         feed_.end = feed_.at + tree->source.size();
     }
 
@@ -150,7 +170,10 @@ public:
     }
 
 private:
-    uint32_t consumed() const { return static_cast<uint32_t>(feed_.at - tree_->source.data()); }
+    uint32_t offset_of(const char* at) const {
+        return static_cast<uint32_t>(at - tree_->source.data());
+    }
+    uint32_t consumed() const { return offset_of(feed_.taken); }
     uint32_t start() const { return token_start(tree_->source, cursor_, ~0u); }
 
     Entry& add(Kind kind, uint32_t offset) {
@@ -187,7 +210,7 @@ private:
     }
 
     bool add_string(const std::string& text) {
-        const uint32_t offset = start();
+        const uint32_t offset = offset_of(feed_.string);
         cursor_ = consumed();
         Entry& entry = add(Kind::string, offset);
         entry.text = offset + 1;
@@ -201,8 +224,8 @@ private:
     }
 
     bool open(Kind kind) {
-        const uint32_t offset = start();
-        cursor_ = offset + 1;
+        cursor_ = consumed();
+        const uint32_t offset = cursor_ - 1;
         if (open_.size() >= limits_.depth) {
             report(offset, Value(tree_, open_.back()).pointer(),
                    "nested more than " + std::to_string(limits_.depth) + " deep",
@@ -275,6 +298,9 @@ private:
     std::vector<uint32_t> slots_;
 };
 
+// About, in graphs; of anything else the tree grows as it needs.
+constexpr size_t bytes_an_entry = 6, most_expected_entries = 1'000'000;
+
 bool too_large(const Tree& tree, Diagnostics& diagnostics) {
     if (tree.source.size() < std::numeric_limits<uint32_t>::max()) return false;
     Diagnostic diagnostic;
@@ -285,7 +311,8 @@ bool too_large(const Tree& tree, Diagnostics& diagnostics) {
 }
 
 bool read_all(Tree& tree, Handler& handler) {
-    if (!nlohmann::json::sax_parse(FeedIterator{&handler.feed()}, FeedIterator{nullptr}, &handler))
+    if (!nlohmann::json::sax_parse(FeedIterator{&handler.feed()}, FeedIterator{&handler.feed()},
+                                   &handler))
         return false;
     const uint32_t rest = token_start(tree.source, handler.cursor(), 0);
     if (rest == tree.source.size()) return true;
@@ -301,6 +328,7 @@ Parsed parse(std::string text, std::string file, Diagnostics& diagnostics, Parse
     tree->source = std::move(text);
     if (too_large(*tree, diagnostics)) return {};
     tree->index_source();
+    tree->entries.reserve(std::min(tree->source.size() / bytes_an_entry, most_expected_entries));
     Handler handler(tree, diagnostics, limits);
     const bool complete = read_all(*tree, handler);
     if (!complete) handler.cut();

@@ -19,6 +19,10 @@ struct SyntaxError {
 SyntaxError explain(std::string_view what, std::string_view source, uint32_t cursor,
                     uint32_t consumed);
 
+inline bool is_space(char c) {
+    return c == ' ' || c == '\t' || c == '\n' || c == '\r';
+}
+
 // From `cursor` over white space, and over ',' and ':' that stand before `limit`.
 uint32_t token_start(std::string_view source, uint32_t cursor, uint32_t limit);
 

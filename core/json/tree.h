@@ -36,7 +36,7 @@ struct Tree {
 
     bool was_read() const { return !lines.empty(); }
     std::string_view text(const Entry& entry) const {
-        return std::string_view(entry.pooled ? pool : source).substr(entry.text, entry.length);
+        return {(entry.pooled ? pool : source).data() + entry.text, entry.length};
     }
     void index_source();  // fills lines and blocks
     Location location(uint32_t offset) const;

@@ -191,8 +191,7 @@ bool operator==(const Value& a, const Value& b) {
 namespace {
 
 // Steps over duplicate members from the key or item at `i` on; what it gives is a child's value.
-uint32_t child_at(const Tree& tree, const Value& parent, uint32_t i) {
-    const uint32_t object = parent.is(Kind::object) ? 1 : 0;
+uint32_t child_at(const Tree& tree, const Value& parent, bool object, uint32_t i) {
     const uint32_t end = tree.entries[index_of(parent)].next;
     while (i < end && object && tree.entries[i].duplicate)
         i = tree.entries[i + 1].next;
@@ -203,28 +202,29 @@ uint32_t child_at(const Tree& tree, const Value& parent, uint32_t i) {
 
 Children::Iterator Children::begin() const {
     const Tree* tree = tree_of(parent_);
-    const bool container = tree && is_container(parent_.kind());
-    return {&parent_, container ? child_at(*tree, parent_, index_of(parent_) + 1) : 0};
+    const bool object = parent_.is(Kind::object);
+    if (!object && !parent_.is(Kind::array)) return {&parent_, 0, false};
+    return {&parent_, child_at(*tree, parent_, object, index_of(parent_) + 1), object};
 }
 
 Children::Iterator Children::end() const {
     const Tree* tree = tree_of(parent_);
-    const bool container = tree && is_container(parent_.kind());
-    const uint32_t object = parent_.is(Kind::object) ? 1 : 0;
-    return {&parent_, container ? tree->entries[index_of(parent_)].next + object : 0};
+    const bool object = parent_.is(Kind::object);
+    if (!object && !parent_.is(Kind::array)) return {&parent_, 0, false};
+    return {&parent_, tree->entries[index_of(parent_)].next + object, object};
 }
 
 const Member& Children::Iterator::operator*() {
     const std::shared_ptr<const Tree>& tree = parent_->tree();
     if (!current_.value.tree_) current_.value.tree_ = tree;
     current_.value.index_ = index_;
-    if (parent_->is(Kind::object)) current_.key = tree->text(tree->entries[index_ - 1]);
+    if (object_) current_.key = tree->text(tree->entries[index_ - 1]);
     return current_;
 }
 
 Children::Iterator& Children::Iterator::operator++() {
     const Tree& tree = *tree_of(*parent_);
-    index_ = child_at(tree, *parent_, tree.entries[index_].next);
+    index_ = child_at(tree, *parent_, object_, tree.entries[index_].next);
     return *this;
 }
 

@@ -92,7 +92,8 @@ class Children {
 public:
     class Iterator {
     public:
-        Iterator(const Value* parent, uint32_t index) : parent_(parent), index_(index) {}
+        Iterator(const Value* parent, uint32_t index, bool object)
+            : parent_(parent), index_(index), object_(object) {}
         const Member& operator*();  // until the next step
         Iterator& operator++();
         bool operator==(const Iterator& other) const { return index_ == other.index_; }
@@ -100,6 +101,7 @@ public:
     private:
         const Value* parent_;
         uint32_t index_;  // of the child's value
+        bool object_;     // the parent is one
         Member current_;  // shares the tree once for all children
     };
 
