@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <memory>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -236,10 +237,27 @@ fs::path link_target(const fs::path& path) {
     return target;
 }
 
-fs::path real_path(const fs::path& path, std::error_code& error) {
-    // Of what exists, in one call instead of one per folder on the way.
+namespace {
+
+// Of what exists, in one call instead of one per folder on the way; else errno says why not.
+std::optional<fs::path> resolved(const fs::path& path) {
     const std::unique_ptr<char, decltype(&free)> real(::realpath(path.c_str(), nullptr), free);
-    return real ? fs::path(real.get()) : fs::weakly_canonical(fs::absolute(path), error);
+    if (!real) return {};
+    return fs::path(real.get());
+}
+
+}  // namespace
+
+fs::path real_path(const fs::path& path, std::error_code& error) {
+    if (auto real = resolved(path)) return *real;
+    const bool missing = errno == ENOENT;
+    // A text that was not read from a file has a name in a folder that there is.
+    const fs::path name = path.filename();
+    const bool is_name = !name.empty() && name != "." && name != "..";
+    if (missing && is_name)
+        if (const auto folder = resolved(path.has_parent_path() ? path.parent_path() : "."))
+            return *folder / name;
+    return fs::weakly_canonical(fs::absolute(path), error);
 }
 
 fs::path real_path(const fs::path& path) {
