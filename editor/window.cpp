@@ -1,9 +1,8 @@
 #include "editor/window.h"
 
-#include <epoxy/gl.h>
-// epoxy must come before GLFW
 #include <GLFW/glfw3.h>
 #include <backends/imgui_impl_opengl3.h>
+#include <epoxy/gl.h>
 #include <imgui.h>
 
 #include <algorithm>

@@ -17,6 +17,13 @@ std::string sentence(std::string_view text) {
     return result;
 }
 
+std::string first_error(const Diagnostics& problems) {
+    for (const Diagnostic& problem : problems.list())
+        if (problem.severity == Severity::error)
+            return (problem.node.empty() ? "" : problem.node + ": ") + problem.message;
+    return {};
+}
+
 std::string grouped(size_t number) {
     std::string digits = std::to_string(number);
     for (size_t i = digits.size(); i > 3; i -= 3)

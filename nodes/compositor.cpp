@@ -6,13 +6,13 @@ using namespace sdk;
 
 enum class LayerMode { add, subtract, over };
 
-struct Layer {
+struct CompositorLayer {
     Gradient gradient;
     LayerMode mode;
     Float amount, mask;
 };
 
-static Gradient laid(Gradient below, const Layer& layer) {
+static Gradient laid(Gradient below, const CompositorLayer& layer) {
     const Gradient bump = layer.gradient * layer.amount;
     if (layer.mode == LayerMode::over) return mix(below, bump, layer.mask);
     if (layer.mode == LayerMode::subtract) return below - bump * layer.mask;
@@ -56,10 +56,10 @@ Node gradient_compositor_node =
         // clang-format on
         .out<Gradient>("gradient", "All layers together")
         .body([](Compositor in) {
-            const Layer layers[] = {{in.gradient1, in.mode1, in.amount1, in.mask1},
-                                    {in.gradient2, in.mode2, in.amount2, in.mask2},
-                                    {in.gradient3, in.mode3, in.amount3, in.mask3},
-                                    {in.gradient4, in.mode4, in.amount4, in.mask4}};
+            const CompositorLayer layers[] = {{in.gradient1, in.mode1, in.amount1, in.mask1},
+                                              {in.gradient2, in.mode2, in.amount2, in.mask2},
+                                              {in.gradient3, in.mode3, in.amount3, in.mask3},
+                                              {in.gradient4, in.mode4, in.amount4, in.mask4}};
             Gradient sum = in.base;
             for (int i = 0; i < in.layers; ++i)
                 sum = laid(sum, layers[i]);

@@ -29,7 +29,7 @@ struct Tap {
     }
 };
 
-struct Hexagons {
+struct HexBlend {
     vec3 weights;  // of sum 1: barycentric in the triangle of three centres
     Tap taps[3];
 };
@@ -60,7 +60,7 @@ static auto copy_function() {
     });
 }
 
-static Hexagons hexagons_at(vec2 uv, Float hexagons, Float rotation) {
+static HexBlend hexagons_at(vec2 uv, Float hexagons, Float rotation) {
     const Float size = hexagons * 3.4641016151377544;
     const auto copy = copy_function();
     const auto tap = [&](vec2 corner) {
@@ -86,7 +86,7 @@ static vec3 contrasted(vec3 weights, Float contrast) {
 }
 
 // `strength`: how much each reading has to show, 0 to 1; flat ones yield.
-static vec3 blend_weights(const Hexagons& at, vec3 strength, Float exponent, Float contrast) {
+static vec3 blend_weights(const HexBlend& at, vec3 strength, Float exponent, Float contrast) {
     const vec3 shown = vec3(0.4) + 0.6 * strength;
     return contrasted(shown * pow(max(at.weights, vec3(1e-4)), exponent), contrast);
 }
@@ -113,7 +113,7 @@ Node hex_tile_color_node =
         .in<Float>("contrast", 0.5, CONTRAST_DOC, slider(0.3, 0.8), limits(0.1, 0.9))
         .out<Color>("color", "Linear colour")
         .body([](HexTileColor in) {
-            const Hexagons at = hexagons_at(in.uv, in.hexagons, in.rotation);
+            const HexBlend at = hexagons_at(in.uv, in.hexagons, in.rotation);
             const vec3 a = at.taps[0].read(in.image, in.uv).rgb();
             const vec3 b = at.taps[1].read(in.image, in.uv).rgb();
             const vec3 c = at.taps[2].read(in.image, in.uv).rgb();
@@ -156,7 +156,7 @@ Node hex_tile_height_map_node =
         .out<Gradient>("gradient", "Its bump, by the chosen scale")
         .out<Derivative>("derivative", "Its slopes with their frame")
         .body([](HexTileHeightMap in) {
-            const Hexagons at = hexagons_at(in.uv, in.hexagons, in.rotation);
+            const HexBlend at = hexagons_at(in.uv, in.hexagons, in.rotation);
             const vec3 weights = blend_weights(at, vec3(1), in.exponent, in.contrast);
             const auto slope = [&](int i) {
                 const Tap& tap = at.taps[i];
@@ -202,7 +202,7 @@ Node hex_tile_normal_map_node =
         .out<Gradient>("gradient", "The bump")
         .out<Derivative>("derivative", "The slopes with their frame")
         .body([](HexTileNormalMap in) {
-            const Hexagons at = hexagons_at(in.uv, in.hexagons, in.rotation);
+            const HexBlend at = hexagons_at(in.uv, in.hexagons, in.rotation);
             const Frame basis = frame(in.uv, in.frame, in.scale, in.direction);
             const auto slope = [&](int i) {
                 const vec3 m = at.taps[i].read(in.image, in.uv).xyz();

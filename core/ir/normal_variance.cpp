@@ -58,7 +58,7 @@ Value unit_of(Module& m, Type type, uint32_t lane) {
     return {&m, m.constant(type, std::span(lanes.data(), info(type).lanes))};
 }
 
-Value product(Value a, Value b) {
+Value with_factor(Value a, Value b) {
     return b ? a * b : a;
 }
 
@@ -77,7 +77,7 @@ Scaled without_factors(Value change) {
         const size_t scalar = m.type(inst.arg[0]) == Type::float_ ? 0 : 1;
         if (m.type(inst.arg[scalar]) != Type::float_) break;
         const Value factor{&m, inst.arg[scalar]};
-        result = {{&m, inst.arg[1 - scalar]}, product(factor, result.factor)};
+        result = {{&m, inst.arg[1 - scalar]}, with_factor(factor, result.factor)};
     }
     return result;
 }
@@ -110,7 +110,7 @@ void add_source(Id source, Value bumped, std::vector<Term>& terms) {
     }
     const auto add = [&](size_t i, size_t j, Value weight) {
         if (!changes[i].vector || !changes[j].vector) return;
-        weight = product(product(weight, changes[i].factor), changes[j].factor);
+        weight = with_factor(with_factor(weight, changes[i].factor), changes[j].factor);
         add_term({changes[i].vector, changes[j].vector, weight}, terms);
     };
     if (inst.type == Type::vec3_) {

@@ -12,7 +12,7 @@
 namespace wrinkle {
 namespace {
 
-constexpr int64_t unit = 256;           // of a texel
+constexpr int64_t units = 256;          // of a texel
 constexpr double furthest = 1LL << 29;  // so that products of differences fit into 64 bits
 constexpr uint32_t marked = ~0U - 1;    // of a slot that is not numbered yet
 
@@ -36,11 +36,12 @@ struct Interval {
 
 // The texels of the row whose centres are inside, of those in `row`.
 void clip_row(const RasterEdge& edge, int64_t y, Interval& row) {
-    const int64_t at_zero = edge.dx * (y - edge.ay) - edge.dy * (unit / 2 - edge.ax) - edge.least();
+    const int64_t at_zero =
+        edge.dx * (y - edge.ay) - edge.dy * (units / 2 - edge.ax) - edge.least();
     if (edge.dy > 0)
-        row.high = std::min(row.high, floor_div(at_zero, edge.dy * unit));
+        row.high = std::min(row.high, floor_div(at_zero, edge.dy * units));
     else if (edge.dy < 0)
-        row.low = std::max(row.low, -floor_div(at_zero, -edge.dy * unit));
+        row.low = std::max(row.low, -floor_div(at_zero, -edge.dy * units));
     else if (at_zero < 0)
         row.high = row.low - 1;
 }
@@ -54,8 +55,8 @@ RasterEdge edge_of(const Triangle& t, size_t k) {
 // The texels from `first` on, `count` of them, that the numbers meet.
 Interval texels_met(const int32_t (&values)[3], uint32_t first, uint32_t count) {
     const auto [low, high] = std::minmax({values[0], values[1], values[2]});
-    return {std::max<int64_t>(floor_div(low, unit), first),
-            std::min<int64_t>(floor_div(high, unit), int64_t{first} + count - 1)};
+    return {std::max<int64_t>(floor_div(low, units), first),
+            std::min<int64_t>(floor_div(high, units), int64_t{first} + count - 1)};
 }
 
 // An edge by its ends, the lower one first, so that both of its sides have one key.
@@ -93,8 +94,8 @@ UvRaster::Triangle UvRaster::rounded(const Mesh& mesh, size_t index) const {
     if (!uv_triangle(mesh, index)) return t;
     for (size_t k = 0; k < 3; ++k) {
         const glm::dvec2 uv(mesh.uvs[0][mesh.indices[3 * index + k]]);
-        const double x = std::nearbyint((uv.x - layout_.corner.x) * layout_.width * unit);
-        const double y = std::nearbyint((uv.y - layout_.corner.y) * layout_.height * unit);
+        const double x = std::nearbyint((uv.x - layout_.corner.x) * layout_.width * units);
+        const double y = std::nearbyint((uv.y - layout_.corner.y) * layout_.height * units);
         if (!(std::fabs(x) < furthest) || !(std::fabs(y) < furthest)) return t;
         t.x[k] = static_cast<int32_t>(x);
         t.y[k] = static_cast<int32_t>(y);
@@ -173,7 +174,7 @@ void UvRaster::own_row(const TexelRect& rect, uint32_t index, uint32_t y, Covera
     const Triangle& t = triangles_[index];
     Interval row = texels_met(t.x, rect.x, rect.width);
     for (size_t k = 0; k < 3 && !row.empty(); ++k)
-        clip_row(edge_of(t, k), int64_t{y} * unit + unit / 2, row);
+        clip_row(edge_of(t, k), int64_t{y} * units + units / 2, row);
     for (int64_t x = row.low; x <= row.high; ++x) {
         const uint32_t texel = (y - rect.y) * rect.width + static_cast<uint32_t>(x) - rect.x;
         uint32_t& owner = out.owners[texel];
@@ -195,17 +196,17 @@ void UvRaster::mark_borders(const TexelRect& rect, uint32_t index, Coverage& out
         const RasterEdge edge = edge_of(t, k);
         const int64_t low = std::min(edge.ay, edge.ay + edge.dy);
         const int64_t high = std::max(edge.ay, edge.ay + edge.dy);
-        const int64_t last = std::min(floor_div(high, unit), int64_t{rect.y} + rect.height - 1);
-        for (int64_t y = std::max<int64_t>(floor_div(low, unit), rect.y); y <= last; ++y) {
+        const int64_t last = std::min(floor_div(high, units), int64_t{rect.y} + rect.height - 1);
+        for (int64_t y = std::max<int64_t>(floor_div(low, units), rect.y); y <= last; ++y) {
             const auto x_at = [&](int64_t at) {
                 return edge.ax + floor_div(edge.dx * (std::clamp(at, low, high) - edge.ay) *
                                                (edge.dy < 0 ? -1 : 1),
                                            std::max<int64_t>(std::abs(edge.dy), 1));
             };
-            const int64_t from = edge.dy == 0 ? edge.ax : x_at(y * unit);
-            const int64_t to = edge.dy == 0 ? edge.ax + edge.dx : x_at((y + 1) * unit);
-            const int64_t left = floor_div(std::min(from, to) - 1, unit);  // floor_div rounds
-            const int64_t right = floor_div(std::max(from, to) + 1, unit);
+            const int64_t from = edge.dy == 0 ? edge.ax : x_at(y * units);
+            const int64_t to = edge.dy == 0 ? edge.ax + edge.dx : x_at((y + 1) * units);
+            const int64_t left = floor_div(std::min(from, to) - 1, units);  // floor_div rounds
+            const int64_t right = floor_div(std::max(from, to) + 1, units);
             for (int64_t x = std::max<int64_t>(left, rect.x);
                  x <= std::min(right, int64_t{rect.x} + rect.width - 1); ++x)
                 out.slots[static_cast<size_t>((y - rect.y) * rect.width + x - rect.x)] = marked;
@@ -218,7 +219,7 @@ void UvRaster::own_samples(const TexelRect& rect, uint32_t index, Coverage& out)
     const RasterEdge edges[] = {edge_of(t, 0), edge_of(t, 1), edge_of(t, 2)};
     const Interval rows = texels_met(t.y, rect.y, rect.height);
     const Interval columns = texels_met(t.x, rect.x, rect.width);
-    const int64_t step = unit / across_;
+    const int64_t step = units / across_;
     const auto covers = [&](int64_t x, int64_t y) {
         return edges[0].has_inside(x, y) && edges[1].has_inside(x, y) && edges[2].has_inside(x, y);
     };
@@ -229,8 +230,9 @@ void UvRaster::own_samples(const TexelRect& rect, uint32_t index, Coverage& out)
             if (slot == Coverage::none) continue;
             uint32_t* owners = out.sub_owners.data() + size_t{slot} * layout_.samples;
             for (uint32_t i = 0; i < layout_.samples; ++i)
-                if (owners[i] == Coverage::none && covers(x * unit + step / 2 + i % across_ * step,
-                                                          y * unit + step / 2 + i / across_ * step))
+                if (owners[i] == Coverage::none &&
+                    covers(x * units + step / 2 + i % across_ * step,
+                           y * units + step / 2 + i / across_ * step))
                     owners[i] = index;
         }
 }

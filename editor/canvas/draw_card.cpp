@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "editor/canvas/canvas.h"
+#include "editor/canvas/card_text.h"
 #include "editor/canvas/painter.h"
 #include "editor/look/heat.h"
 #include "editor/look/icons.h"
@@ -9,9 +10,6 @@
 
 namespace wrinkle::editor {
 namespace {
-
-constexpr TextStyle body, body_right{16, false, true}, bold{16, true};
-constexpr TextStyle small{14}, small_right{14, false, true};
 
 ImU32 color_of(const Diagnostic& problem) {
     return problem.severity == Severity::error ? theme::error : theme::warn;
@@ -47,9 +45,9 @@ void draw_field(const Painter& p, const Card& card, const Field& field, bool hov
         p.list.AddRect(low, high, hovered ? theme::accent : theme::control, 4 * z);
     if (fault && hovered) explain(p, *fault);
     const float pad = 7 * z, y = low.y + 2.5F * z;
-    if (!field.name.empty()) p.text({low.x + pad, y}, body, theme::text_dim, field.name);
+    if (!field.name.empty()) p.text({low.x + pad, y}, card_text::body, theme::text_dim, field.name);
     const float end = high.x - pad - (field.listed ? 12 * z : 0);
-    p.text({end, y}, body_right, theme::text, field.value);
+    p.text({end, y}, card_text::body_right, theme::text, field.value);
     if (!field.listed) return;
     const ImVec2 tip(high.x - 11 * z, (low.y + high.y) / 2 + 2 * z);
     const ImVec2 chevron[] = {tip + ImVec2(-4, -4) * z, tip, tip + ImVec2(4, -4) * z};
@@ -72,7 +70,7 @@ void draw_pins(const Painter& p, size_t index) {
         draw_pin(p.list, pin.type, at, unit, color, pin.connected, theme::node);
         if (pin.in_field && p.details) continue;
         const ImVec2 label = at + ImVec2(pin.output ? -13 : 13, -8) * p.zoom;
-        p.text(label, pin.output ? body_right : body, theme::text, pin.label);
+        p.text(label, pin.output ? card_text::body_right : card_text::body, theme::text, pin.label);
     }
 }
 
@@ -94,7 +92,8 @@ void draw_header(const Painter& p, size_t index, ImVec2 low, ImVec2 high) {
         left = name_left;
     }
     const bool previewed = card.kind == Card::Kind::node && p.view.preview_request.node == card.id;
-    p.text(low + ImVec2(left, 6) * z, bold, card.muted ? theme::text_off : theme::text, card.name);
+    p.text(low + ImVec2(left, 6) * z, card_text::bold, card.muted ? theme::text_off : theme::text,
+           card.name);
     if (card.muted)
         p.list.AddLine(low + ImVec2(left, 14) * z, low + ImVec2(left + card.name_width, 14) * z,
                        theme::text_off, 1);
@@ -108,7 +107,8 @@ void draw_header(const Painter& p, size_t index, ImVec2 low, ImVec2 high) {
     } else if (previewed) {
         draw_icon(p.list, "preview-node", {high.x - 15 * z, low.y + 14 * z}, theme::accent);
     } else {
-        p.text({high.x - 10 * z, low.y + 7 * z}, small_right, theme::text_dim, card.title);
+        p.text({high.x - 10 * z, low.y + 7 * z}, card_text::small_right, theme::text_dim,
+               card.title);
     }
 }
 
@@ -145,7 +145,8 @@ void draw_cost(const Painter& p, const Card& card, ImVec2 high, bool hovered) {
     const std::string words = in_words(*price, costs.estimated);
     const float z = p.zoom;
     const ImVec2 end = high - ImVec2(10, 17) * z;
-    const float width = hovered || p.view.heat ? magnified_width(p.state.fonts, small, words) : 0;
+    const float width =
+        hovered || p.view.heat ? magnified_width(p.state.fonts, card_text::small, words) : 0;
     const ImVec2 low = end - ImVec2(width + 6, 1) * z, edge = end + ImVec2(5, 15) * z;
     if (hovered && ImGui::IsMouseHoveringRect(low, edge))
         show_tooltip(p.state.fonts.bold(16), words, in_full(*price, costs));
@@ -155,7 +156,7 @@ void draw_cost(const Painter& p, const Card& card, ImVec2 high, bool hovered) {
         p.list.AddRectFilled(low, edge, heat.ground, 4 * z);
         color = heat.text;
     }
-    p.text(end, small_right, color, words);
+    p.text(end, card_text::small_right, color, words);
 }
 
 // Far away: a rectangle, what is wrong with it, and whether it is selected.
@@ -243,7 +244,7 @@ void draw_card(const Painter& p, size_t index) {
     draw_pins(p, index);
     if (!p.details || card.more_y < 0) return;
     const bool all = card.kind == Card::Kind::surface ? p.view.all_surface : p.view.all_outputs;
-    p.text(low + ImVec2(13, card.more_y + 4) * p.zoom, small, theme::text_dim,
+    p.text(low + ImVec2(13, card.more_y + 4) * p.zoom, card_text::small, theme::text_dim,
            all ? "fewer" : "more...");
 }
 

@@ -3,14 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "editor/canvas/card_text.h"
 #include "editor/canvas/field.h"
 #include "editor/canvas/layout.h"
 #include "editor/look/magnified.h"
 
 namespace wrinkle::editor {
 namespace {
-
-constexpr TextStyle body, bold{16, true}, small{14};
 
 class CardMaker {
 public:
@@ -68,11 +67,11 @@ bool shows_field(const Port& port) {
 }
 
 float CardMaker::wanted_width() const {
-    const float label = std::min(width(small, card.label), 80.0F);
-    float wanted = name_left + width(bold, card.id) + 16 + label + 10;
+    const float label = std::min(width(card_text::small, card.label), 80.0F);
+    float wanted = name_left + width(card_text::bold, card.id) + 16 + label + 10;
     if (!card.type) return std::clamp(std::ceil(wanted / 8) * 8, 104.0F, 240.0F);
     for (const Port& port : card.type->ports) {
-        float row = 40 + width(body, port.name);
+        float row = 40 + width(card_text::body, port.name);
         if (port.kind != Port::Kind::output && shows_field(port))
             row += 48 + 44 * static_cast<float>(std::max(lanes_of_field(port) - 1, 0));
         wanted = std::max(wanted, row);
@@ -83,7 +82,7 @@ float CardMaker::wanted_width() const {
 void CardMaker::add_pin(const std::string& port, PortType type, bool known, bool output,
                         bool connected, float y) {
     card.pins.push_back({port, type, known, output, connected, y + row_height / 2,
-                         cut(body, port, card.size.x - 30), false});
+                         cut(card_text::body, port, card.size.x - 30), false});
 }
 
 // A single number has its name inside, before its value.
@@ -96,15 +95,15 @@ void CardMaker::write_field(Field& field, const Port& port) const {
     const std::string shown =
         field.lanes > 1 ? shown_number(value, port) : shown_value(node_, port);
     const float room = field.width - 14 - (field.listed ? 12.0F : 0.0F);
-    field.value = cut(body, shown, room);
-    const float left = room - width(body, field.value) - 6;
-    if (field.lanes <= 1 && left > 16) field.name = cut(body, port.name, left);
+    field.value = cut(card_text::body, shown, room);
+    const float left = room - width(card_text::body, field.value) - 6;
+    if (field.lanes <= 1 && left > 16) field.name = cut(card_text::body, port.name, left);
 }
 
 // Several numbers stand side by side behind their name.
 void CardMaker::add_field(uint32_t index, const Port& port, float y) {
     const int lanes = lanes_of_field(port);
-    const float named = lanes > 1 ? width(body, port.name) + 6 : 0;
+    const float named = lanes > 1 ? width(card_text::body, port.name) + 6 : 0;
     const float first = field_inset + named;
     const float wide = (card.size.x - field_inset - first) / static_cast<float>(std::max(lanes, 1));
     for (int lane = 0; lane < std::max(lanes, 1); ++lane) {
@@ -181,11 +180,11 @@ void write_header(const Fonts& fonts, Card& card) {
     const bool pinned = output || std::any_of(card.pins.begin(), card.pins.end(),
                                               [](const Pin& pin) { return pin.output; });
     const float room = card.size.x - (pinned ? name_left : 10) - 10;
-    card.name = magnified_fitting(fonts, bold, output ? "output" : card.id, room);
-    card.name_width = magnified_width(fonts, bold, card.name);
+    card.name = magnified_fitting(fonts, card_text::bold, output ? "output" : card.id, room);
+    card.name_width = magnified_width(fonts, card_text::bold, card.name);
     const float rest = room - card.name_width - 12;
     if (rest > 28 && card.size.x >= 112)
-        card.title = magnified_fitting(fonts, small, card.label, rest);
+        card.title = magnified_fitting(fonts, card_text::small, card.label, rest);
 }
 
 void add_row(Card& card, std::string name, PortType type, bool output, bool connected) {
@@ -196,9 +195,10 @@ void add_row(Card& card, std::string name, PortType type, bool output, bool conn
 void close_card(const Fonts& fonts, Card& card, bool more) {
     card.size = {112, header_height + row_height * static_cast<float>(card.pins.size()) + 8};
     for (const Pin& pin : card.pins)
-        card.size.x = std::clamp(magnified_width(fonts, body, pin.port) + 30, card.size.x, 240.0F);
+        card.size.x =
+            std::clamp(magnified_width(fonts, card_text::body, pin.port) + 30, card.size.x, 240.0F);
     for (Pin& pin : card.pins)
-        pin.label = magnified_fitting(fonts, body, pin.port, card.size.x - 30);
+        pin.label = magnified_fitting(fonts, card_text::body, pin.port, card.size.x - 30);
     write_header(fonts, card);
     if (!more) return;
     card.more_y = card.size.y - 4;

@@ -18,7 +18,7 @@ bool overlaps(const Card& a, const Card& b) {
            a.at.y < b.at.y + b.size.y + touch && b.at.y < a.at.y + a.size.y + touch;
 }
 
-struct Side {
+struct Moved {
     std::set<std::string> nodes;
     float by = 0;
 };
@@ -27,14 +27,14 @@ struct Side {
 
 Document with_room(const State& state, const Document& document, const Card& card,
                    std::optional<ImVec2>& outputs_at) {
-    Side right, left;
+    Moved right, left;
     for (const Card& other : state.layout.cards) {
         const bool is_outputs = other.kind == Card::Kind::outputs;
         if (other.id == card.id || !overlaps(card, other)) continue;
         if (other.kind != Card::Kind::node && !is_outputs) continue;
         const bool is_right =
             is_outputs || other.at.x + other.size.x / 2 >= card.at.x + card.size.x / 2;
-        Side& side = is_right ? right : left;
+        Moved& side = is_right ? right : left;
         side.by = std::max(side.by, is_right ? card.at.x + card.size.x + gap - other.at.x
                                              : other.at.x + other.size.x + gap - card.at.x);
         if (!is_outputs) side.nodes.insert(other.id);

@@ -2,18 +2,12 @@
 
 #include <algorithm>
 
+#include "editor/words.h"
 #include "lower/material.h"
 #include "spirv/spirv.h"
 
 namespace wrinkle::editor {
 namespace {
-
-std::string first_error(const Diagnostics& problems) {
-    for (const Diagnostic& problem : problems.list())
-        if (problem.severity == Severity::error)
-            return (problem.node.empty() ? "" : problem.node + ": ") + problem.message;
-    return "The graph has errors.";
-}
 
 void cut_lines(CodeText& text) {
     for (size_t at = 0; at < text.source.size();) {

@@ -2,6 +2,7 @@
 
 #include <chrono>
 
+#include "editor/words.h"
 #include "graph/order.h"
 #include "lower/check.h"
 #include "lower/material.h"
@@ -54,13 +55,6 @@ bool report_unread(const Document& document, Diagnostics& problems) {
             broken(diagnose(document, output, "output '" + output.name + "' could not be read",
                             R"(expected {"from": "node.port"})"));
     return whole;
-}
-
-std::string first_error(const Diagnostics& problems) {
-    for (const Diagnostic& problem : problems.list())
-        if (problem.severity == Severity::error)
-            return (problem.node.empty() ? "" : problem.node + ": ") + problem.message;
-    return {};
 }
 
 void build_shown(const Model& model, const Document& document, const Registry& registry,

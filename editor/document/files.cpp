@@ -4,7 +4,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <chrono>
 
 #include "base/file.h"
 #include "editor/document/levels.h"
@@ -73,11 +72,6 @@ std::string words_on_outside(const std::vector<std::string>& names) {
         text += (i ? ", " : "") + names[i];
     return names.size() > most ? text + " and " + std::to_string(names.size() - most) + " more"
                                : text;
-}
-
-double seconds_now() {
-    const auto now = std::chrono::steady_clock::now().time_since_epoch();
-    return std::chrono::duration<double>(now).count();
 }
 
 void keep_settings(State& state) {

@@ -7,9 +7,9 @@
 #include "editor/canvas/field.h"
 #include "editor/canvas/layout.h"
 #include "editor/document/edits.h"
+#include "editor/document/wiring.h"
 #include "editor/look/draw.h"
 #include "graph/edit.h"
-#include "lower/conversion.h"
 
 namespace wrinkle::editor {
 namespace {
@@ -21,10 +21,6 @@ ImVec2 usual_size(const NodeType& type) {
     });
     const auto rows = static_cast<float>(type.ports.size());
     return {wide ? 240.0F : 176.0F, header_height + rows * row_height + 8};
-}
-
-bool converts(PortType from, PortType to) {
-    return conversion(from, to) != Conversion::illegal;
 }
 
 // Below everything that stands in the way.

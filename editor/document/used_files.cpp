@@ -1,7 +1,6 @@
 #include "editor/document/used_files.h"
 
 #include <algorithm>
-#include <chrono>
 #include <utility>
 
 #include "editor/document/plugins.h"
@@ -13,11 +12,6 @@
 namespace wrinkle::editor {
 namespace fs = std::filesystem;
 namespace {
-
-double seconds_now() {
-    const auto now = std::chrono::steady_clock::now().time_since_epoch();
-    return std::chrono::duration<double>(now).count();
-}
 
 void add(std::vector<UsedFile>& files, Use use, const fs::path& path) {
     files.push_back({use, path, stamp_of(path)});

@@ -2,6 +2,8 @@
 
 #include <sys/stat.h>
 
+#include <chrono>
+
 #include "base/file.h"
 
 namespace wrinkle::editor {
@@ -19,6 +21,11 @@ Stamp stamp_of(const fs::path& file) {
     if (file.empty() || stat(file.c_str(), &found) != 0) return {};
     return {true, found.st_mtim.tv_sec, found.st_mtim.tv_nsec, static_cast<uint64_t>(found.st_size),
             found.st_ino};
+}
+
+double seconds_now() {
+    const auto now = std::chrono::steady_clock::now().time_since_epoch();
+    return std::chrono::duration<double>(now).count();
 }
 
 DiskCopy DiskCopy::of(const fs::path& file, std::string_view bytes) {

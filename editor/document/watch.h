@@ -19,6 +19,8 @@ struct Stamp {
 };
 Stamp stamp_of(const std::filesystem::path& file);
 
+double seconds_now();  // of a clock that nobody sets: when something was looked at last
+
 // The file as it was read or written last.
 struct DiskCopy {
     Stamp stamp;

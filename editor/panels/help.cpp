@@ -65,8 +65,8 @@ std::string type_text(const Port& port) {
     return std::string(name_of(port.type));
 }
 
-void wrapped(const State& state, const std::string& text, ImU32 color, bool bold = false,
-             float size = 16) {
+void write_wrapped(const State& state, const std::string& text, ImU32 color, bool bold = false,
+                   float size = 16) {
     ImGui::PushFont(bold ? state.fonts.bold(size) : state.fonts.regular(size));
     ImGui::PushStyleColor(ImGuiCol_Text, color);
     ImGui::TextUnformatted(text.c_str());
@@ -80,45 +80,45 @@ void draw_port(const State& state, const Port& port) {
     if (!port.is_option())
         draw_pin(list, port.type, at + ImVec2(8, 9), 6, theme::of(port.type), true, theme::node);
     ImGui::Indent(24);
-    wrapped(state, port.name, theme::text, true);
+    write_wrapped(state, port.name, theme::text, true);
     ImGui::SameLine(0, 10);
-    wrapped(state, port_facts(port), theme::text_dim, false, 14);
-    wrapped(state, port.doc, theme::text_dim, false, 14);
+    write_wrapped(state, port_facts(port), theme::text_dim, false, 14);
+    write_wrapped(state, port.doc, theme::text_dim, false, 14);
     ImGui::Unindent(24);
     ImGui::Dummy({1, 2});
 }
 
 void draw_node_page(const State& state, const NodeType& type) {
-    wrapped(state, type.title, theme::text, true, 24);
-    wrapped(state, type.id + "   " + type.family, theme::text_dim, false, 14);
-    wrapped(state, type.doc, theme::text);
+    write_wrapped(state, type.title, theme::text, true, 24);
+    write_wrapped(state, type.id + "   " + type.family, theme::text_dim, false, 14);
+    write_wrapped(state, type.doc, theme::text);
     for (const bool outputs : {true, false}) {
         ImGui::Dummy({1, 6});
-        wrapped(state, outputs ? "Outputs" : "Inputs and values", theme::text, true, 18);
+        write_wrapped(state, outputs ? "Outputs" : "Inputs and values", theme::text, true, 18);
         for (const Port& port : type.ports)
             if ((port.kind == Port::Kind::output) == outputs) draw_port(state, port);
     }
 }
 
 void draw_pair(const State& state, std::string_view left, std::string_view right, float width) {
-    wrapped(state, std::string(left), theme::text);
+    write_wrapped(state, std::string(left), theme::text);
     ImGui::SameLine(width);
-    wrapped(state, std::string(right), theme::text_dim);
+    write_wrapped(state, std::string(right), theme::text_dim);
 }
 
 void draw_shortcuts(const State& state) {
-    wrapped(state, "Shortcuts", theme::text, true, 24);
+    write_wrapped(state, "Shortcuts", theme::text, true, 24);
     std::string menu;
     for (const Command& command : commands()) {
         if (menu != command.menu) {
             menu = command.menu;
             ImGui::Dummy({1, 6});
-            wrapped(state, menu, theme::text, true, 18);
+            write_wrapped(state, menu, theme::text, true, 18);
         }
         draw_pair(state, command.title, command.keys, 260);
     }
     ImGui::Dummy({1, 6});
-    wrapped(state, "By hand", theme::text, true, 18);
+    write_wrapped(state, "By hand", theme::text, true, 18);
     for (const GestureHelp& each : table)
         draw_pair(state, each.hand, each.what, 260);
 }
@@ -239,9 +239,9 @@ void draw_hover_docs(State& state) {
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(12, 8));
     ImGui::BeginTooltip();
     ImGui::PushTextWrapPos(tip_width);
-    wrapped(state, title, theme::text, true);
-    wrapped(state, doc, theme::text);
-    wrapped(state, facts, theme::text_dim, false, 14);
+    write_wrapped(state, title, theme::text, true);
+    write_wrapped(state, doc, theme::text);
+    write_wrapped(state, facts, theme::text_dim, false, 14);
     ImGui::PopTextWrapPos();
     ImGui::EndTooltip();
     ImGui::PopStyleVar();

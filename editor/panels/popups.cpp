@@ -212,7 +212,7 @@ bool draw_color(State& state) {
     return state.popup.next != 0 || ImGui::IsKeyPressed(io.KeyMap[ImGuiKey_Enter], false);
 }
 
-bool draw_content(State& state) {
+bool draw_popup_content(State& state) {
     switch (state.popup.kind) {
         case Popup::Kind::text:
         case Popup::Kind::rename:
@@ -266,7 +266,7 @@ bool draw_window(State& state) {
                      ImGuiWindowFlags_NoSavedSettings |
                      (kind == Popup::Kind::color ? ImGuiWindowFlags_AlwaysAutoResize : 0));
     const bool was_opening = state.popup.opening;
-    const bool done = draw_content(state);
+    const bool done = draw_popup_content(state);
     if (was_opening) state.popup.opening = false;
     const bool away = !was_opening && !ImGui::IsWindowFocused(ImGuiFocusedFlags_ChildWindows) &&
                       !ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);

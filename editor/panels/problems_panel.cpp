@@ -202,7 +202,7 @@ bool draw_problem(State& state, const Diagnostic& problem, size_t index, const F
     return false;
 }
 
-void draw_head(State& state) {
+void draw_problems_head(State& state) {
     const std::vector<const Diagnostic*> problems = shown(state);
     const ImVec2 at = ImGui::GetWindowPos();
     const float width = ImGui::GetWindowWidth();
@@ -249,7 +249,7 @@ float problems_height(const State& state) {
 void draw_problems(State& state) {
     const std::vector<const Diagnostic*> problems = shown(state);
     const size_t own = problems.size() - told(state).size();
-    draw_head(state);
+    draw_problems_head(state);
     if (problems.empty()) state.problems = {};
     if (!is_open(state)) return;
     ImGui::SetCursorPosY(open_head);

@@ -12,7 +12,7 @@ namespace {
 
 constexpr float menu_height = 28, tool_height = 40, status_height = 24;
 constexpr float problems_header = 28, preview_bars = 34 + 32 + 42;
-constexpr float narrow = 960, low = 800;
+constexpr float wide_window = 960, tall_window = 800;
 constexpr float grab = 4;  // to either side of a line
 
 float side_width(const Panes& panes, float window) {
@@ -31,13 +31,13 @@ float preview_height(const Panes& panes, ImVec2 side) {
 float problems_height(const Panes& panes, float window, float work, float rows) {
     if (panes.problems > 0)
         return std::min(std::max(std::round(work * panes.problems), problems_header), work * 0.6F);
-    if (window < low) return std::min(problems_header, work);
+    if (window < tall_window) return std::min(problems_header, work);
     return std::max(problems_header, std::min(rows, std::round(work * 0.2F)));
 }
 
 void divide(Regions& regions, const Panes& panes, ImVec2 window, float rows) {
     const Rect& work = regions.work;
-    const bool side = panes.side_shown.value_or(window.x >= narrow);
+    const bool side = panes.side_shown.value_or(window.x >= wide_window);
     const float wide = side ? std::min(side_width(panes, window.x), work.size.x) : 0;
     const float left = work.size.x - wide;
     const float below = problems_height(panes, window.y, work.size.y, rows);

@@ -17,7 +17,7 @@ namespace {
 constexpr float drop_tall = 160, recent_tall = 24;
 constexpr float card_width = 168, card_tall = 140, gap = 16, picture_tall = 72;
 constexpr int most_columns = 4;
-constexpr size_t most_recent = 5, name_lines = 4;
+constexpr size_t recent_shown = 5, name_lines = 4;
 constexpr ImU32 picture_ground = theme::rgb(0x282A2D), on_picture = theme::rgb(0xB0B8C4);
 
 void dash(ImDrawList& list, ImVec2 from, ImVec2 to) {
@@ -85,7 +85,7 @@ bool draw_recent(State& state, float width) {
     draw_heading(state, "Recent");
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(8, 0));
     std::filesystem::path taken;
-    for (size_t i = 0; i < std::min(recent.size(), most_recent); ++i) {
+    for (size_t i = 0; i < std::min(recent.size(), recent_shown); ++i) {
         const ImVec2 at = ImGui::GetCursorScreenPos();
         ImGui::PushID(static_cast<int>(i));
         if (ImGui::InvisibleButton("recent", {width, recent_tall})) taken = recent[i];

@@ -17,12 +17,6 @@ float shown_split(const State& state) {
     return compare.mode == CompareView::Mode::flip && compare.flipped ? 0.0F : 1.0F;
 }
 
-std::string first_error(const Diagnostics& problems) {
-    for (const Diagnostic& problem : problems.list())
-        if (problem.severity == Severity::error) return problem.message;
-    return "There is no picture.";
-}
-
 TaskOutcome draw_and_write(Still& still, const fs::path& file, TaskProgress& progress) {
     const std::string name = file.filename().string();
     progress.total = 2;

@@ -14,7 +14,7 @@ namespace wrinkle::editor {
 namespace {
 
 using Clock = RunningEditor::Clock;
-using std::chrono::milliseconds;
+using Ms = std::chrono::milliseconds;
 
 size_t taps() {
     const char* wanted = std::getenv("WRINKLE_TAPS");
@@ -41,7 +41,7 @@ protected:
         // The name of the graph is in the title once there was a frame; the next few put the view
         // in its place.
         ASSERT_EQ(do_now("search --sync --onlyvisible --name graph.json windowfocus --sync"), 0);
-        std::this_thread::sleep_for(milliseconds(500));
+        std::this_thread::sleep_for(Ms(500));
     }
     int do_now(const std::string& steps) const {
         const std::string command = screen.variable() + " xdotool " + steps + " >/dev/null 2>&1";
@@ -58,7 +58,7 @@ protected:
         const auto patience = Clock::now() + std::chrono::seconds(40 + taps() / 3);
         std::optional<Recoverable> found;
         while (Clock::now() < patience && (!found || found->edits < edits)) {
-            std::this_thread::sleep_for(milliseconds(50));
+            std::this_thread::sleep_for(Ms(50));
             found = kept(state.keeping.folders.state);
         }
         return found;
@@ -71,13 +71,13 @@ protected:
 // The program stands still for all but a moment of each period, as one does that draws slowly.
 class Slowly {
 public:
-    Slowly(pid_t process, milliseconds period)
+    Slowly(pid_t process, Ms period)
         : thread_([=, this] {
               while (!done_) {
                   kill(process, SIGSTOP);
-                  std::this_thread::sleep_for(period - milliseconds(8));
+                  std::this_thread::sleep_for(period - Ms(8));
                   kill(process, SIGCONT);
-                  std::this_thread::sleep_for(milliseconds(8));
+                  std::this_thread::sleep_for(Ms(8));
               }
           }) {}
     ~Slowly() {
@@ -115,7 +115,7 @@ TEST_P(HandAtRate, EveryTapArrivesInOrder) {
         }
     }
     {
-        const Slowly slowly(editor->process(), milliseconds(1000 / GetParam()));
+        const Slowly slowly(editor->process(), Ms(1000 / GetParam()));
         ASSERT_EQ(do_now(steps), 0);
     }
     const auto found = wait_for(edits);
@@ -134,13 +134,13 @@ TEST_F(Hand, WhatIsTypedAheadIsNotLost) {
     if (!screen.is_there()) GTEST_SKIP() << "there is no Xvfb here";
     begin(small_graph);
     {
-        const Slowly slowly(editor->process(), milliseconds(200));
+        const Slowly slowly(editor->process(), Ms(200));
         ASSERT_EQ(do_now("mousemove 400 700 key space type --delay 1 worley"), 0);
         ASSERT_EQ(do_now("key Return key ctrl+s"), 0);
     }
     const auto patience = Clock::now() + std::chrono::seconds(30);
     while (Clock::now() < patience && text_of(file).find("worley") == std::string::npos)
-        std::this_thread::sleep_for(milliseconds(50));
+        std::this_thread::sleep_for(Ms(50));
     EXPECT_NE(text_of(file).find("worley"), std::string::npos) << text_of(file);
 }
 

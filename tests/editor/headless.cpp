@@ -15,6 +15,7 @@
 #include "editor/document/refresh.h"
 #include "editor/look/theme.h"
 #include "editor/panels/ui.h"
+#include "graph/read.h"
 #include "nodes/all.h"
 
 namespace wrinkle::editor {
@@ -40,6 +41,13 @@ const char* const small_graph = R"({
   }
 }
 )";
+
+Document parsed(const std::string& text) {
+    Diagnostics problems;
+    Document document = read_document(text, "graph.json", problems);
+    EXPECT_FALSE(problems.has_errors()) << to_text(problems);
+    return document;
+}
 
 namespace {
 

@@ -16,6 +16,8 @@ const Registry& built_in_registry();
 
 // A graph without files: noise -> scaled -> normal, and a lone number.
 extern const char* const small_graph;
+// A document that is read without a problem.
+Document parsed(const std::string& text);
 
 // A folder of its own that is removed at the end.
 class TemporaryFolder {

@@ -18,13 +18,6 @@
 namespace wrinkle::editor {
 namespace {
 
-Document read(const std::string& text) {
-    Diagnostics problems;
-    Document document = read_document(text, "graph.json", problems);
-    EXPECT_FALSE(problems.has_errors()) << to_text(problems);
-    return document;
-}
-
 // A hand that does what comes into its mind, by the functions of the panels.
 class RandomHand {
 public:
@@ -229,7 +222,7 @@ double milliseconds_since(std::chrono::steady_clock::time_point start) {
 
 // Prints its figures; asserts no time.
 TEST(HistoryFigures, TenThousandStepsOfTwoThousandNodes) {
-    Document document = read(long_chain(2000));
+    Document document = parsed(long_chain(2000));
     History history(document);
     std::mt19937 random(3);
     const auto before = mallinfo2().uordblks;
@@ -261,7 +254,7 @@ TEST(HistoryFigures, TenThousandStepsOfTwoThousandNodes) {
 }
 
 TEST(HistoryFigures, OneUndoAtFiveThousandNodes) {
-    const Document document = read(long_chain(5000));
+    const Document document = parsed(long_chain(5000));
     const auto measure = [&](const char* what, const Document& edited) {
         History history(document);
         history.commit(what, edited);
@@ -309,7 +302,7 @@ TEST_F(Headless, FiguresOfARefreshAfterUndo) {
 }
 
 TEST(History, ACommitDropsWhatWasUndone) {
-    History history(read(small_graph));
+    History history(parsed(small_graph));
     history.commit("a", move_node(history.now(), "noise", 1, 1));
     history.undo();
     history.commit("b", move_node(history.now(), "noise", 2, 2));
@@ -318,7 +311,7 @@ TEST(History, ACommitDropsWhatWasUndone) {
 }
 
 TEST(History, EqualKeysAreOneStepAndCanBeTakenBack) {
-    const Document start = read(small_graph);
+    const Document start = parsed(small_graph);
     History history(start);
     for (int i = 1; i < 50; ++i)
         history.commit("move", move_node(history.now(), "noise", i, 0), "drag");
@@ -335,13 +328,13 @@ TEST(History, EqualKeysAreOneStepAndCanBeTakenBack) {
 }
 
 TEST(History, NothingChangedIsNoStep) {
-    History history(read(small_graph));
+    History history(parsed(small_graph));
     EXPECT_FALSE(history.commit("same", set_value(history.now(), "nobody", "x", {})));
     EXPECT_FALSE(history.can_undo());
 }
 
 TEST(History, EveryStateHasItsOwnSerial) {
-    History history(read(small_graph));
+    History history(parsed(small_graph));
     const uint64_t first = history.serial();
     history.commit("a", move_node(history.now(), "noise", 1, 1));
     const uint64_t second = history.serial();
@@ -353,8 +346,8 @@ TEST(History, EveryStateHasItsOwnSerial) {
 }
 
 TEST(History, ATextReadAnewIsAStepToo) {
-    const Document start = read(small_graph);
-    Document other = read(long_chain(3));
+    const Document start = parsed(small_graph);
+    Document other = parsed(long_chain(3));
     other.lost = "something";
     History history(start);
     history.commit("Load", other);
@@ -367,7 +360,7 @@ TEST(History, ATextReadAnewIsAStepToo) {
 }
 
 TEST(History, NodesInAnotherOrderComeBack) {
-    const Document start = read(long_chain(6));
+    const Document start = parsed(long_chain(6));
     Document turned = start;
     std::vector<NodePtr> nodes(start.nodes.begin(), start.nodes.end());
     std::swap(nodes[1], nodes[4]);

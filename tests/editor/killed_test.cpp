@@ -67,7 +67,7 @@ void let_work(RunningEditor& victim, int round, std::mt19937& random) {
     any(round % 2 ? 120 : 2500);
 }
 
-struct Tally {
+struct Toll {
     int reached = 10;  // the number that is in the file or in a journal
     int recovered = 0, stray = 0, edits = 0;
 };
@@ -77,9 +77,8 @@ protected:
     // One life of the editor, and what is left of it.
     void round(const VirtualScreen& screen, int number, std::mt19937& random) {
         const auto script = home.write("script.txt", counting_script(tally.reached + 1));
-        RunningEditor victim(screen,
-                             {file.string(), "--size", "1280", "720", "--script", script.string(),
-                              "--state", home.path().string()});
+        RunningEditor victim(screen, {file.string(), "--size", "1280", "720", "--script",
+                                      script.string(), "--state", home.path().string()});
         let_work(victim, number, random);
         const int said = last_number(victim.kill(), tally.reached);
         const auto on_disk = number_in(text_of(file));
@@ -101,7 +100,7 @@ protected:
         for (const auto& entry : fs::directory_iterator(folder.path()))
             tally.stray += entry.path() != file && fs::remove(entry.path());
     }
-    Tally tally;
+    Toll tally;
 };
 
 TEST_F(Killed, AnEditorLosesNoCommittedEdit) {

@@ -13,15 +13,8 @@
 namespace wrinkle::editor {
 namespace {
 
-Document read(const std::string& text) {
-    Diagnostics problems;
-    Document document = read_document(text, "graph.json", problems);
-    EXPECT_FALSE(problems.has_errors()) << to_text(problems);
-    return document;
-}
-
 TEST(Change, TellsLayoutValuesAndStructureApart) {
-    const Document a = read(small_graph);
+    const Document a = parsed(small_graph);
     EXPECT_EQ(change(a, a).kind, Change::Kind::none);
     EXPECT_EQ(change(a, move_node(a, "noise", 5, 5)).kind, Change::Kind::cosmetic);
     const Change value = change(a, set_value(a, "softer", "amount", json::Value::number(0.5)));
@@ -53,7 +46,7 @@ const Port& port_of(const char* type, const char* port) {
 }
 
 TEST(Field, WritesNoDefaultAndReadsItBack) {
-    Document document = read(small_graph);
+    Document document = parsed(small_graph);
     const Port& amount = port_of("gradient_scale", "amount");
     EXPECT_DOUBLE_EQ(numbers_at(*document.find("softer"), amount)[0], 0.6);
     document = with_number(document, "softer", amount, 0, amount.default_value[0]);
@@ -62,7 +55,7 @@ TEST(Field, WritesNoDefaultAndReadsItBack) {
 }
 
 TEST(Field, KeepsToTheHardRangeAndToWholeCounts) {
-    const Document document = read(small_graph);
+    const Document document = parsed(small_graph);
     const Port& octaves = port_of("gradient_noise", "octaves");
     ASSERT_TRUE(octaves.has_hard_range());
     const Document many = with_number(document, "noise", octaves, 0, 1e9);
@@ -76,7 +69,7 @@ TEST(Field, ADragEndsOnDecimalsThatPeopleWrite) {
     const Port& amount = port_of("gradient_scale", "amount");
     for (double pixels = -300; pixels <= 300; pixels += 7) {
         const double value = dragged(0.6, pixels, 120, amount, false, false);
-        const Document document = with_number(read(small_graph), "softer", amount, 0, value);
+        const Document document = with_number(parsed(small_graph), "softer", amount, 0, value);
         const Input* input = document.find("softer")->find("amount");
         EXPECT_LE(input ? input->value.spelling().size() : 0, 6U) << pixels;
     }
@@ -85,7 +78,7 @@ TEST(Field, ADragEndsOnDecimalsThatPeopleWrite) {
 }
 
 TEST(Model, WiresGoWhereTheTypesSay) {
-    const Document document = read(small_graph);
+    const Document document = parsed(small_graph);
     const Registry& registry = built_in_registry();
     const Model model = make_model(document, ".", registry);
     const auto why = [&](const Link& from, const char* node, const char* port) {

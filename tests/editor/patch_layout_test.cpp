@@ -13,19 +13,19 @@ namespace {
 
 using Random = std::mt19937;
 
-std::string text_of(const ImVec2& at) {
+std::string told(const ImVec2& at) {
     return std::to_string(at.x) + "," + std::to_string(at.y);
 }
 
 // Everything that is drawn of a layout and found by the pointer, a line for each thing.
-std::string text_of(const Layout& layout) {
+std::string told(const Layout& layout) {
     std::string text;
     const auto line = [&](const auto&... words) {
         ((text += words, text += ' '), ...);
         text += '\n';
     };
     for (const Card& card : layout.cards) {
-        line("card", card.id, card.label, text_of(card.at), text_of(card.size),
+        line("card", card.id, card.label, told(card.at), told(card.size),
              card.type ? card.type->title : "", std::to_string(static_cast<int>(card.kind)),
              card.muted ? "muted" : "", card.reroute ? "reroute" : "", std::to_string(card.more_y),
              card.name, card.title, std::to_string(card.name_width));
@@ -39,16 +39,16 @@ std::string text_of(const Layout& layout) {
                  std::to_string(field.part));
     }
     for (const Wire& wire : layout.wires)
-        line("wire", wire.from.text(), wire.node, wire.port, text_of(wire.start), text_of(wire.end),
+        line("wire", wire.from.text(), wire.node, wire.port, told(wire.start), told(wire.end),
              name_of(wire.from_type), name_of(wire.to_type), wire.known ? "" : "unknown",
              std::to_string(static_cast<int>(wire.conversion)), layout.cards[wire.from_card].id,
              layout.cards[wire.to_card].id);
     for (const auto& boxes : {layout.card_boxes, layout.wire_boxes})
         for (const Extent& box : boxes)
-            line("box", text_of(box.low), text_of(box.high));
+            line("box", told(box.low), told(box.high));
     for (size_t i = 0; i < layout.nodes.size(); ++i)
         line("node", layout.cards[layout.card_of_node[i]].id, std::to_string(layout.readers[i]));
-    line("all", text_of(layout.low), text_of(layout.high), std::to_string(layout.links));
+    line("all", told(layout.low), told(layout.high), std::to_string(layout.links));
     return text;
 }
 
@@ -168,7 +168,7 @@ TEST_F(PatchedLayout, IsTheOneMadeFromNothing) {
             const Layout kept = state.layout;
             state.layout_stale = true;
             update_layout(state);
-            ASSERT_EQ(text_of(kept), text_of(state.layout))
+            ASSERT_EQ(told(kept), told(state.layout))
                 << before << "\n-> " << write_document(state.document());
             EXPECT_LE(kept.placed, state.layout.placed);
             state.layout = kept;

@@ -116,17 +116,17 @@ double hill(double x) {
 
 constexpr double degrees = 57.29577951308232;
 
-struct Seen {
+struct Crossed {
     double error = 0;  // root mean square angle to the painted slope, in degrees
     double jump = 0;   // the largest change of the slope from one pixel to the next
 };
 
-Seen across_the_hill(const std::string& nodes, const Image& image) {
+Crossed across_the_hill(const std::string& nodes, const Image& image) {
     std::vector<std::array<double, 2>> line;
     for (int i = 200; i < 800; ++i)
         line.push_back({i / 1024.0, 0.5});
     const auto got = values({nodes, "n.gradient", image}, line);
-    Seen seen;
+    Crossed seen;
     for (size_t i = 0; i < got.size(); ++i) {
         const double slope = 0.3 * std::cos(3 * line[i][0] + 0.4);
         seen.error += std::pow(std::atan(got[i][0]) - std::atan(slope), 2);
@@ -147,10 +147,10 @@ TEST(HeightSlope, Pitfall10HasNoFacetsCloseUp) {
         const double slope = (hill(u + texel) - hill(u - texel)) / (2 * texel);
         return std::array{std::round((slope * 0.5 + 0.5) * 255) / 255, 0.5, 0.0};
     });
-    const Seen one_tap = across_the_hill(map(R"("quality": "pixel")"), heights);
-    const Seen taps = across_the_hill(map(R"("quality": "three_taps")"), heights);
-    const Seen smooth = across_the_hill(map(R"("quality": "smooth")"), heights);
-    const Seen derivative = across_the_hill(one("derivative_map"), slopes);
+    const Crossed one_tap = across_the_hill(map(R"("quality": "pixel")"), heights);
+    const Crossed taps = across_the_hill(map(R"("quality": "three_taps")"), heights);
+    const Crossed smooth = across_the_hill(map(R"("quality": "smooth")"), heights);
+    const Crossed derivative = across_the_hill(one("derivative_map"), slopes);
     EXPECT_GT(one_tap.jump, 20 * taps.jump);
     EXPECT_GT(one_tap.jump, 20 * smooth.jump);
     EXPECT_GT(taps.error, derivative.error);

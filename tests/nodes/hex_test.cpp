@@ -4,24 +4,23 @@
 #include <cmath>
 
 #include "nodes/plane.h"
+#include "support/angle.h"
 
 namespace wrinkle::test {
 namespace {
 
-constexpr double turn = 6.283185307179586;
-
-double waves(double u, double v) {
-    return 0.5 + 0.2 * std::sin(turn * u) + 0.15 * std::cos(turn * (v + 0.1)) +
-           0.1 * std::sin(turn * (u + v));
+double hex_waves(double u, double v) {
+    return 0.5 + 0.2 * std::sin(full_circle * u) + 0.15 * std::cos(full_circle * (v + 0.1)) +
+           0.1 * std::sin(full_circle * (u + v));
 }
 const Image heights = painted(256, [](double u, double v) {
-    return std::array{waves(u, v), waves(u, v), waves(u, v)};
+    return std::array{hex_waves(u, v), hex_waves(u, v), hex_waves(u, v)};
 });
-// The normal map of the relief 0.1 waves, encoded.
+// The normal map of the relief 0.1 hex_waves, encoded.
 const Image normals = painted(256, [](double u, double v) {
     constexpr double step = 1e-5;
-    const double x = 0.1 * (waves(u + step, v) - waves(u - step, v)) / (2 * step);
-    const double y = 0.1 * (waves(u, v + step) - waves(u, v - step)) / (2 * step);
+    const double x = 0.1 * (hex_waves(u + step, v) - hex_waves(u - step, v)) / (2 * step);
+    const double y = 0.1 * (hex_waves(u, v + step) - hex_waves(u, v - step)) / (2 * step);
     const double k = 0.5 / std::sqrt(1 + x * x + y * y);
     return std::array{0.5 - x * k, 0.5 - y * k, 0.5 + k};
 });
@@ -45,7 +44,7 @@ std::vector<std::array<double, 2>> moved(std::vector<std::array<double, 2>> poin
     return points;
 }
 
-const std::string relief = one("hex_tile_height_map", R"("amplitude": 0.1)");
+const std::string hex_relief = one("hex_tile_height_map", R"("amplitude": 0.1)");
 
 std::array<std::vector<std::vector<double>>, 4> around(const Scene& scene, double step) {
     const auto centres = near_centres();
@@ -55,8 +54,8 @@ std::array<std::vector<std::vector<double>>, 4> around(const Scene& scene, doubl
 
 TEST(Pitfall24HexRotation, SlopesAreThoseOfTheTurnedRelief) {
     constexpr double step = 0.006;
-    const auto [right, left, above, below] = around({relief, "n.height", heights}, step);
-    const auto of_height = values({relief, "n.gradient", heights}, near_centres());
+    const auto [right, left, above, below] = around({hex_relief, "n.height", heights}, step);
+    const auto of_height = values({hex_relief, "n.gradient", heights}, near_centres());
     const auto of_normal =
         values({one("hex_tile_normal_map"), "n.gradient", normals}, near_centres());
     double steepest = 0;
@@ -77,7 +76,7 @@ TEST(Pitfall24HexRotation, CopiesAreTurnedAndMoved) {
     const Image ramp = painted(8, [](double, double) { return std::array{0.3, 0.5, 0.9}; });
     int sectors[8] = {};
     for (const auto& g : values({one("hex_tile_normal_map"), "n.gradient", ramp}, near_centres()))
-        ++sectors[static_cast<int>((std::atan2(g[1], g[0]) / turn + 0.5) * 7.999)];
+        ++sectors[static_cast<int>((std::atan2(g[1], g[0]) / full_circle + 0.5) * 7.999)];
     for (const int count : sectors)
         EXPECT_GT(count, 5);
     const std::string unturned = one("hex_tile_normal_map", R"("rotation": 0)");
@@ -85,8 +84,8 @@ TEST(Pitfall24HexRotation, CopiesAreTurnedAndMoved) {
         EXPECT_NEAR(g[0], 0.5, 1e-5);
         EXPECT_NEAR(g[1], 0, 1e-5);
     }
-    const auto here = values({relief, "n.height", heights}, near_centres());
-    const auto next = values({relief, "n.height", heights}, moved(near_centres(), 1, 0));
+    const auto here = values({hex_relief, "n.height", heights}, near_centres());
+    const auto next = values({hex_relief, "n.height", heights}, moved(near_centres(), 1, 0));
     int different = 0;
     for (size_t i = 0; i < here.size(); ++i)
         different += std::fabs(here[i][0] - next[i][0]) > 1e-3 ? 1 : 0;

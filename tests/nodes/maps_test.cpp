@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "nodes/plane.h"
+#include "support/angle.h"
 
 namespace wrinkle::test {
 namespace {
@@ -111,8 +112,9 @@ const std::string two_bumps =
 
 TEST(Gradients, AddScaleAndMix) {
     const auto a = value({two_bumps + one("resolve"), "a.gradient"});
-    const double r = std::hypot(0.3, 0.6), tau = 6.283185307179586;
-    const double slope = -0.1 * tau * std::sin(tau * r);  // of a cosine along the radius
+    const double r = std::hypot(0.3, 0.6);
+    const double slope =
+        -0.1 * full_circle * std::sin(full_circle * r);  // of a cosine along the radius
     expect_vector(a, {slope * 0.3 / r, slope * 0.6 / r, 0}, 1e-6);
     const std::string both = R"("a": {"from": "a.gradient"}, "b": {"from": "b.gradient"})";
     const auto sum = value({two_bumps + one("gradient_add", both), "n.gradient"});

@@ -14,7 +14,7 @@ using Vec = std::array<double, 3>;
 double dot3(const Vec& a, const Vec& b) {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
-Vec unit(const Vec& v) {
+Vec unit3(const Vec& v) {
     const double length = std::sqrt(dot3(v, v));
     return {v[0] / length, v[1] / length, v[2] / length};
 }
@@ -36,12 +36,12 @@ double wave(double u, double v) {
 // Where uv lies for a place of the plane: scaled by (1.5, 0.8), then turned by 30 degrees.
 const std::string turned =
     R"("t": {"type": "uv_transform", "in": {"scale": [1.5, 0.8], "rotation": 30}}, )";
-std::array<double, 2> turn(double x, double y) {
+std::array<double, 2> turned_uv(double x, double y) {
     const double c = std::sqrt(0.75), s = 0.5;
     return {c * 1.5 * x - s * 0.8 * y, s * 1.5 * x + c * 0.8 * y};
 }
 
-struct Place {
+struct Met {
     Vec position;
     std::array<double, 2> uv;
 };
@@ -49,17 +49,17 @@ struct Place {
 // The first place below the plane where the ray from (x, y, 0) away from the eye is under the
 // relief.
 template <class Height>
-Place met(Height height, bool with_turn, double x, double y, const Vec& view, double floor) {
+Met met(Height height, bool with_turn, double x, double y, const Vec& view, double floor) {
     const auto uv_at = [&](double px, double py) {
-        return with_turn ? turn(px, py) : std::array{px, py};
+        return with_turn ? turned_uv(px, py) : std::array{px, py};
     };
     const auto place = [&](double depth) {
         const double way = depth / view[2];
         const double px = x - view[0] * way, py = y - view[1] * way;
-        return Place{{px, py, -depth}, uv_at(px, py)};
+        return Met{{px, py, -depth}, uv_at(px, py)};
     };
     const auto under = [&](double depth) {
-        const Place p = place(depth);
+        const Met p = place(depth);
         return height(p.uv[0], p.uv[1]) >= p.position[2];
     };
     constexpr int steps = 20000;
@@ -81,8 +81,8 @@ std::string occlusion(const std::string& more = "") {
         R"("height": {"from": "w.result"}, "depth": 0.2, "steps": 256, "refinements": 8)" + more);
 }
 
-const Vec views[] = {unit({0, 0, 1}), unit({0.5, 0.2, 1}), unit({-1, 0.7, 0.9}),
-                     unit({1, -1, 0.5})};
+const Vec views[] = {unit3({0, 0, 1}), unit3({0.5, 0.2, 1}), unit3({-1, 0.7, 0.9}),
+                     unit3({1, -1, 0.5})};
 const std::vector<std::array<double, 2>> places{
     {0.3, 0.6}, {-0.7, 0.2}, {0.11, -0.35}, {0.9, 0.9}, {-0.2, -0.8}};
 
@@ -99,7 +99,7 @@ void expect_met(bool with_turn) {
         const auto height = values(scene, places);
         ASSERT_EQ(uv.size(), places.size());
         for (size_t i = 0; i < places.size(); ++i) {
-            const Place p = met(wave, with_turn, places[i][0], places[i][1], view, 0.2);
+            const Met p = met(wave, with_turn, places[i][0], places[i][1], view, 0.2);
             EXPECT_NEAR(uv[i][0], p.uv[0], 2e-5) << i;
             EXPECT_NEAR(uv[i][1], p.uv[1], 2e-5) << i;
             EXPECT_NEAR(height[i][0], p.position[2], 2e-5) << i;
@@ -124,9 +124,9 @@ TEST(ParallaxOcclusion, BumpIsTheSlopeThatWasMet) {
         scene.view = view;
         const auto gradient = values(scene, places);
         for (size_t i = 0; i < places.size(); ++i) {
-            const Place p = met(wave, true, places[i][0], places[i][1], view, 0.2);
+            const Met p = met(wave, true, places[i][0], places[i][1], view, 0.2);
             const auto height = [&](double dx, double dy) {
-                const auto uv = turn(p.position[0] + dx, p.position[1] + dy);
+                const auto uv = turned_uv(p.position[0] + dx, p.position[1] + dy);
                 return wave(uv[0], uv[1]);
             };
             constexpr double d = 1e-5;
@@ -157,7 +157,7 @@ TEST(ParallaxOcclusion, NoHeightChangesNothing) {
 TEST(ParallaxOcclusion, WhatIsAboveTheTopIsCutOffAndWhatIsBelowTheDepthToo) {
     const auto depth_of = [](const std::string& in) {
         Scene scene{one("parallax_occlusion", in), "n.position"};
-        scene.view = unit({0.6, 0, 0.8});
+        scene.view = unit3({0.6, 0, 0.8});
         return value(scene);
     };
     const auto above = depth_of(R"("height": 0.5, "top": 0.2)");
@@ -172,7 +172,7 @@ TEST(ParallaxOcclusion, WhatIsAboveTheTopIsCutOffAndWhatIsBelowTheDepthToo) {
 TEST(ParallaxOcclusion, IsFiniteFromEverySide) {
     const std::string nodes = waves + occlusion();
     for (const Vec& view :
-         {Vec{1, 0, 0}, Vec{1, 0, -1e-9}, Vec{0, 0, -1}, Vec{0, 0, 0}, unit({1, 1, 1e-6})})
+         {Vec{1, 0, 0}, Vec{1, 0, -1e-9}, Vec{0, 0, -1}, Vec{0, 0, 0}, unit3({1, 1, 1e-6})})
         for (const char* output : {"uv", "detail_uv", "height", "position", "gradient", "lod"}) {
             Scene scene{nodes, std::string("n.") + output};
             scene.view = view;
@@ -262,9 +262,9 @@ TEST(ParallaxOffset, GoesWhereTheViewIsAtThatHeight) {
             const auto uv = values(scene, places);
             for (size_t i = 0; i < places.size(); ++i) {
                 const auto [x, y] = places[i];
-                const auto start = turn(x, y);
+                const auto start = turned_uv(x, y);
                 const double way = (wave(start[0], start[1]) + 0.1) / (full ? view[2] : 1);
-                const auto end = turn(x + way * view[0], y + way * view[1]);
+                const auto end = turned_uv(x + way * view[0], y + way * view[1]);
                 EXPECT_NEAR(uv[i][0], end[0], 1e-6);
                 EXPECT_NEAR(uv[i][1], end[1], 1e-6);
             }

@@ -9,7 +9,7 @@
 namespace wrinkle::test {
 namespace {
 
-using Vector = std::vector<double>;
+using Lanes = std::vector<double>;
 using Colour = std::array<double, 3>;
 
 Image plain(Colour color) {
@@ -27,13 +27,13 @@ std::string map(const std::string& type, const std::string& encoding, const std:
            R"(}}, "r": {"type": "resolve", "in": {"gradient": {"from": "n.gradient"}}})";
 }
 
-void expect_near(const Vector& got, const Vector& expected, double tolerance) {
+void expect_near(const Lanes& got, const Lanes& expected, double tolerance) {
     ASSERT_EQ(got.size(), expected.size());
     for (size_t i = 0; i < got.size(); ++i)
         EXPECT_NEAR(got[i], expected[i], tolerance) << "lane " << i;
 }
 
-double tilt_deg(const Vector& normal) {
+double tilt_deg(const Lanes& normal) {
     return std::atan2(std::hypot(normal[0], normal[1]), normal[2]) * 57.29577951308232;
 }
 
@@ -73,7 +73,7 @@ TEST(Pitfalls, Pitfall15SixteenBitHeightsHaveNoTerraces) {
     const auto worst = [&](double steps) {
         double most = 0;
         const std::string height = map("height_map", "linear", R"("amplitude": 5, "midlevel": 0)");
-        for (const Vector& g : values({height, "n.gradient", gentle_ramp(steps)}, points))
+        for (const Lanes& g : values({height, "n.gradient", gentle_ramp(steps)}, points))
             most = std::fmax(most, std::abs(g[0] - 0.5));
         return most;
     };
@@ -83,10 +83,10 @@ TEST(Pitfalls, Pitfall15SixteenBitHeightsHaveNoTerraces) {
 
 TEST(Pitfalls, Pitfall16GreenUpAndGreenDown) {
     const Image up = plain({0.2, 0.6, 0.9}), down = plain({0.2, 0.4, 0.9});
-    const Vector gl = value({map("tangent_normal_map", "normal_gl"), "r.normal", up});
+    const Lanes gl = value({map("tangent_normal_map", "normal_gl"), "r.normal", up});
     expect_near(value({map("tangent_normal_map", "normal_dx"), "r.normal", down}), gl, 1e-6);
     EXPECT_GT(gl[1], 0.1) << "green above a half leans towards +v";
-    const Vector wrong = value({map("tangent_normal_map", "normal_dx"), "r.normal", up});
+    const Lanes wrong = value({map("tangent_normal_map", "normal_dx"), "r.normal", up});
     EXPECT_NEAR(wrong[1], -gl[1], 1e-6);
 }
 
@@ -94,14 +94,14 @@ TEST(Pitfalls, Pitfall16GreenUpAndGreenDown) {
 TEST(Pitfalls, Pitfall17TwoChannelMapsAndTheirDepth) {
     const double x = 0.36, y = -0.48, z = 0.8;
     const auto byte = [](double v) { return 0.5 + 0.5 * v; };
-    const Vector expected{x, y, z};
+    const Lanes expected{x, y, z};
     const Image full = plain({byte(x), byte(y), byte(z)}), two = plain({byte(x), byte(y), 0});
     expect_near(value({map("tangent_normal_map", "normal_gl"), "r.normal", full}), expected, 1e-6);
     expect_near(value({map("tangent_normal_map", "normal_rg"), "r.normal", two}), expected, 1e-6);
-    const Vector too_long =
+    const Lanes too_long =
         value({map("tangent_normal_map", "normal_rg"), "r.normal", plain({1, 0, 0})});
     EXPECT_NEAR(tilt_deg(too_long), std::atan(128 * std::sqrt(2)) * 57.29577951308232, 1e-3);
-    const Vector blue_low = value(
+    const Lanes blue_low = value(
         {map("tangent_normal_map", "normal_gl"), "r.normal", plain({byte(x), byte(y), byte(-z)})});
     expect_near(blue_low, expected, 1e-6);  // z is mirrored up
 }
@@ -124,10 +124,10 @@ TEST(Pitfalls, Pitfall19StrengthScalesSlopes) {
                             {"derivative_map", "derivative"}}) {
         const auto slope = [&](double strength) {
             const std::string in = R"("strength": )" + std::to_string(strength);
-            const Vector n = value({map(each.first, each.second, in), "r.normal", normals});
-            return Vector{n[0] / n[2], n[1] / n[2]};
+            const Lanes n = value({map(each.first, each.second, in), "r.normal", normals});
+            return Lanes{n[0] / n[2], n[1] / n[2]};
         };
-        const Vector once = slope(1);
+        const Lanes once = slope(1);
         for (const double strength : {0.0, 0.5, 2.0, -1.0})
             expect_near(slope(strength), {once[0] * strength, once[1] * strength}, 1e-5);
     }
@@ -146,12 +146,12 @@ std::string layered(const std::string& type, const std::string& a, const std::st
 // A detail that is flat, or at half its strength, leaves the base as strong as it was.
 TEST(Pitfalls, Pitfall20DetailDoesNotFlattenTheBase) {
     const Image normals = plain({0.8, 0.4, 0.85});
-    const Vector base = value({map("tangent_normal_map", "normal_gl"), "n.gradient", normals});
+    const Lanes base = value({map("tangent_normal_map", "normal_gl"), "n.gradient", normals});
     const auto sum = [&](const std::string& nodes) {
         return value({nodes, "l.gradient", normals});
     };
     expect_near(sum(layered("gradient_add", "n.gradient", "flat.gradient")), base, 1e-9);
-    const Vector half = sum(
+    const Lanes half = sum(
         base_and_detail +
         R"("h": {"type": "gradient_scale", "in": {"gradient": {"from": "bump.gradient"}, "amount": 0.5}},
            "l": {"type": "gradient_add", "in": {"a": {"from": "n.gradient"}, "b": {"from": "h.gradient"}}})");

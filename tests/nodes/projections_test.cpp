@@ -161,7 +161,6 @@ struct Projection {
     std::string in;
     std::array<double, 2> (*uv)(Vector p);
 };
-constexpr double turn = 6.283185307179586;
 const Projection projections[] = {
     {"plane_uv", R"("origin": [0.1, 0.2, 0.3], "normal": [2, 0, 2], "up": [0, 3, 1])",
      [](Vector p) {
@@ -171,14 +170,14 @@ const Projection projections[] = {
      }},
     {"cylinder_uv", R"("origin": [0.1, 0.2, 0.3])",
      [](Vector p) {
-         return std::array{std::atan2(p.x - 0.1, p.z - 0.3) / turn + 0.5, p.y - 0.2};
+         return std::array{std::atan2(p.x - 0.1, p.z - 0.3) / full_circle + 0.5, p.y - 0.2};
      }},
     {"sphere_uv", R"("origin": [0.1, 0.2, 0.3], "axis": [1, 0, 0], "front": [0, 1, 0])",
      [](Vector p) {
          // From +y with +x up, right is +z.
          const Vector way = unit(p - Vector{0.1, 0.2, 0.3});
-         return std::array{std::atan2(way.z, way.y) / turn + 0.5,
-                           std::asin(way.x) / (turn / 2) + 0.5};
+         return std::array{std::atan2(way.z, way.y) / full_circle + 0.5,
+                           std::asin(way.x) / (full_circle / 2) + 0.5};
      }},
     {"decal_cone", R"("origin": [0, 0, 3], "angle": 90)",
      [](Vector p) {
@@ -193,12 +192,12 @@ const Projection projections[] = {
     {"decal_sphere", R"("origin": [0.1, 0.2, 0.3])",
      [](Vector p) {
          const Vector way = unit(p - Vector{0.1, 0.2, 0.3});
-         return std::array{std::atan2(way.x, way.z) / turn + 0.5,
-                           std::asin(way.y) / (turn / 2) + 0.5};
+         return std::array{std::atan2(way.x, way.z) / full_circle + 0.5,
+                           std::asin(way.y) / (full_circle / 2) + 0.5};
      }},
     {"decal_capsule", R"("start": [0, -3, 0.2], "end": [0, 3, 0.2])",
      [](Vector p) {
-         return std::array{std::atan2(p.x, p.z - 0.2) / turn + 0.5, (p.y + 3) / 6};
+         return std::array{std::atan2(p.x, p.z - 0.2) / full_circle + 0.5, (p.y + 3) / 6};
      }},
 };
 
@@ -340,8 +339,8 @@ TEST(Triplanar, NormalMapsAndFieldsAreTheirSlopes) {
 // T6: where one weight is 1, triplanar is planar.
 TEST(Triplanar, WithOneWeightIsPlanar) {
     const Image waves = painted(64, [](double u, double v) {
-        return std::array{0.5 + 0.3 * std::sin(turn * u), 0.5 + 0.2 * std::sin(turn * (u + v)),
-                          0.0};
+        return std::array{0.5 + 0.3 * std::sin(full_circle * u),
+                          0.5 + 0.2 * std::sin(full_circle * (u + v)), 0.0};
     });
     for (int index = 0; index < 6; ++index) {
         const Seen seen = seen_from_outside(index);

@@ -6,11 +6,11 @@
 #include <numbers>
 
 #include "nodes/plane.h"
+#include "support/angle.h"
 
 namespace wrinkle::test {
 namespace {
 
-constexpr double full_circle = 2 * std::numbers::pi;
 constexpr uint32_t picture_size = 256;
 // Uv units a pixel: so many texels of a picture.
 constexpr uint32_t texels_a_pixel = 16;

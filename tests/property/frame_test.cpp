@@ -29,13 +29,6 @@ dmat2 rotation(double angle) {
 }
 const dmat2 mirror_u(-1, 0, 0, 1), mirror_v(1, 0, 0, -1);
 
-// The map's normal at the point stands in for the texture: a free number of the surface.
-constexpr SurfaceInput texel = SurfaceInput::color0_;
-
-Value texel_of(Material& m) {
-    return m.input(texel).xyz();
-}
-
 // Isometries by now; `uv_of` is what the graph does to uv0 before it looks up the map.
 struct UvCase {
     const char* name;
@@ -76,8 +69,8 @@ TEST_P(NormalMap, BumpsTheWayTheSurfaceWould) {
         const dmat2& a = GetParam().uv_of_uv0;
         const Value uv = vec2(dot(m.uv0(), m.vector(dvec2(a[0].x, a[1].x))),
                               dot(m.uv0(), m.vector(dvec2(a[0].y, a[1].y))));
-        m.output("normal",
-                 m.resolve(m.from_tangent_normal(texel_of(m), m.frame(uv, method, WR_SCALE_unit))));
+        m.output("normal", m.resolve(m.from_tangent_normal(m.texel_normal(),
+                                                           m.frame(uv, method, WR_SCALE_unit))));
         const Expanded material(m);
         for (const Surface& surface :
              {plane_with(GetParam().uv0_of_length), cylinder_with(GetParam().uv0_of_length)}) {
@@ -94,7 +87,7 @@ TEST_P(NormalMap, WorksInAnExactFrameToo) {
     const Value uv = vec2(dot(m.uv0(), m.vector(dvec2(a[0].x, a[1].x))),
                           dot(m.uv0(), m.vector(dvec2(a[0].y, a[1].y))));
     m.output("normal", m.resolve(m.from_tangent_normal(
-                           texel_of(m), m.frame(uv, WR_FRAME_exact, WR_SCALE_surface))));
+                           m.texel_normal(), m.frame(uv, WR_FRAME_exact, WR_SCALE_surface))));
     const Expanded material(m);
     expect_displaced(material, 0, cylinder_with(GetParam().uv0_of_length), a, 1e-4);
 }
@@ -107,7 +100,7 @@ TEST(ExactFrame, KeepsStretchAndSkew) {
     const dmat2 stretch(1.6, 0.2, 0.5, 0.7);
     Material m;
     m.output("normal", m.resolve(m.from_tangent_normal(
-                           texel_of(m), m.frame(m.uv0(), WR_FRAME_exact, WR_SCALE_surface))));
+                           m.texel_normal(), m.frame(m.uv0(), WR_FRAME_exact, WR_SCALE_surface))));
     const Expanded material(m);
     expect_displaced(material, 0, plane_with(stretch), dmat2(1), 1e-4);
     expect_displaced(material, 0, cylinder_with(mirror_u * stretch), dmat2(1), 1e-4);
@@ -120,7 +113,7 @@ TEST(MirroredUvs, KeepTheLightDirection) {
     for (const uint32_t method : {WR_FRAME_vertex, WR_FRAME_derived}) {
         Material m;
         m.output("normal", m.resolve(m.from_tangent_normal(
-                               texel_of(m), m.frame(m.uv0(), method, WR_SCALE_unit))));
+                               m.texel_normal(), m.frame(m.uv0(), method, WR_SCALE_unit))));
         const Expanded material(m);
         for (const Sample& sample : samples(30, 6)) {
             const dvec3 texel_value = map_normal(sample.st);
@@ -144,11 +137,11 @@ TEST(Tiling, LeavesUnitSlopesAndSteepensSurfaceSlopes) {
         const Value tiled = m.uv0() * tiles;
         const auto unit = [&](Value uv, uint32_t method) {
             return m.vector_of(
-                m.from_tangent_normal(texel_of(m), m.frame(uv, method, WR_SCALE_unit)));
+                m.from_tangent_normal(m.texel_normal(), m.frame(uv, method, WR_SCALE_unit)));
         };
         const auto exact = [&](Value uv) {
-            return m.vector_of(
-                m.from_tangent_normal(texel_of(m), m.frame(uv, WR_FRAME_exact, WR_SCALE_surface)));
+            return m.vector_of(m.from_tangent_normal(
+                m.texel_normal(), m.frame(uv, WR_FRAME_exact, WR_SCALE_surface)));
         };
         for (const uint32_t method : {WR_FRAME_vertex, WR_FRAME_derived}) {
             m.output("plain", unit(m.uv0(), method));
@@ -192,8 +185,8 @@ TEST(GuessedFrame, FollowsItsDirection) {
     const dvec3 u = along(surface.position, dvec2(0), dvec2(1, 0), 1e-3);
     Material m;
     const Value off_the_plane = m.vector(u * 3.0 + surface.normal(dvec2(0)) * 0.7);
-    m.output("normal",
-             m.resolve(m.from_tangent_normal(texel_of(m), m.guess_frame(m.uv0(), off_the_plane))));
+    m.output("normal", m.resolve(m.from_tangent_normal(m.texel_normal(),
+                                                       m.guess_frame(m.uv0(), off_the_plane))));
     expect_displaced(Expanded(m), 0, surface, dmat2(1), 1e-4);
 }
 

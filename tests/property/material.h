@@ -11,6 +11,9 @@
 
 namespace wrinkle::test {
 
+// A texture's normal at the point is a free number of the surface.
+inline constexpr SurfaceInput texel = SurfaceInput::color0_;
+
 struct Material {
     Module module;
 
@@ -18,6 +21,7 @@ struct Material {
     Value position() { return input(SurfaceInput::position_); }
     Value uv0() { return input(SurfaceInput::uv0_); }
     Value uv1() { return input(SurfaceInput::uv1_); }
+    Value texel_normal() { return input(texel).xyz(); }
     Value number(double v) { return {&module, module.number(v)}; }
     Value vector(dvec3 v) {
         const std::array<double, 3> lanes{v.x, v.y, v.z};

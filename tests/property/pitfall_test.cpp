@@ -11,11 +11,9 @@
 namespace wrinkle::test {
 namespace {
 
-constexpr SurfaceInput texel = SurfaceInput::color0_;
-
 Value map_in(Material& m, Value uv, uint32_t method) {
     const uint32_t scale = method == WR_FRAME_exact ? WR_SCALE_surface : WR_SCALE_unit;
-    return m.from_tangent_normal(m.input(texel).xyz(), m.frame(uv, method, scale));
+    return m.from_tangent_normal(m.texel_normal(), m.frame(uv, method, scale));
 }
 
 // On both sides of a mirrored seam the map tells of the same bump along it. N and T come out of the

@@ -134,11 +134,11 @@ Walk walk(const Surface& surface, dvec2 st, const std::function<dvec2(dvec2)>& u
     return {t, glm::normalize(v - t * glm::dot(v, t))};
 }
 
-struct UvCase {
+struct TurnedUv {
     const char* name;
     dmat2 turn;
 };
-const UvCase uv_cases[] = {
+const TurnedUv turned_uvs[] = {
     {"plain", dmat2(1)},
     {"rotated", dmat2(std::cos(0.8), std::sin(0.8), -std::sin(0.8), std::cos(0.8))},
     {"mirrored_u", dmat2(-1, 0, 0, 1)},
@@ -146,7 +146,7 @@ const UvCase uv_cases[] = {
     {"skewed", dmat2(1, 0.3, 0.6, 1)},
     {"stretched_and_mirrored", dmat2(-0.2, 0.1, 0.4, 3)},
 };
-class GeneratedFrame : public testing::TestWithParam<UvCase> {};
+class GeneratedFrame : public testing::TestWithParam<TurnedUv> {};
 
 // uv1 of the surfaces is bent as well; turned on top of that, in the mesh.
 Surface turned(Surface surface) {
@@ -182,7 +182,7 @@ TEST_P(GeneratedFrame, T4_FollowsTheUvsWhateverScreenTilingAndNormal) {
         }
 }
 
-INSTANTIATE_TEST_SUITE_P(Reference, GeneratedFrame, testing::ValuesIn(uv_cases),
+INSTANTIATE_TEST_SUITE_P(Reference, GeneratedFrame, testing::ValuesIn(turned_uvs),
                          [](const auto& instance) { return instance.param.name; });
 
 // u = x + k y: the exact gradient of a slope (a, b) is a (1, k) + b (0, 1), and an orthonormal

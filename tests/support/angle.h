@@ -1,4 +1,4 @@
-// The angle between two vectors of three numbers, degrees; their lengths do not matter.
+// Angles, and the one between two vectors of three numbers in degrees; their lengths do not matter.
 #pragma once
 
 #include <cmath>
@@ -6,6 +6,7 @@
 namespace wrinkle::test {
 
 inline constexpr double degrees = 57.29577951308232;  // of one radian
+inline constexpr double full_circle = 6.283185307179586;
 
 // By the sine too, as the cosine alone loses small angles. Anything with a[0], a[1], a[2].
 template <class Vector>
