@@ -41,9 +41,9 @@ public:
 
     bool write(Diagnostics& diagnostics) {
         Level level{rows_.width(), rows_.height(), {}};
-        while (true) {
-            if (!write(level, diagnostics)) return false;
-            if (writer_.rows_left() == 0) return writer_.finish(diagnostics);
+        for (uint32_t i = 0;; ++i) {
+            if (!write(i, level, diagnostics)) return false;
+            if (i + 1 == writer_.levels()) return writer_.finish(diagnostics);
             level = next(level);
         }
     }
@@ -77,7 +77,7 @@ private:
     }
 
     // One band is made while the one before it is written.
-    bool write(const Level& level, Diagnostics& diagnostics) {
+    bool write(uint32_t index, const Level& level, Diagnostics& diagnostics) {
         std::vector<std::byte> bands[2];
         tbb::task_group writing;
         bool written = true;
@@ -86,7 +86,7 @@ private:
             make_band(level, top, std::min(rows_at_once, level.height - top), band);
             writing.wait();
             if (!written) return false;
-            writing.run([&] { written = writer_.write_stored(band, diagnostics); });
+            writing.run([&] { written = writer_.write_stored(band, diagnostics, index); });
         }
         writing.wait();
         return written;
