@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr uint32_t scan_lines_at_once = 64;  // whole blocks of OpenEXR, whole strips of TIFF
+constexpr uint32_t scan_lines_at_once = 64;  // whole chunks of OpenEXR, whole strips of TIFF
 
 std::string named(const fs::path& path) {
     return "image '" + path.string() + "' ";
@@ -42,14 +42,20 @@ fs::path temporary_beside(const fs::path& path) {
 }  // namespace
 
 struct ImageWriter::State {
+    struct Level {
+        uint32_t width = 0, height = 0, written = 0;  // rows
+        size_t row_bytes = 0;
+        std::vector<std::byte> waiting = {};  // rows that are no granule yet
+
+        uint32_t waiting_rows() const { return static_cast<uint32_t>(waiting.size() / row_bytes); }
+        uint32_t rows_left() const { return height - written - waiting_rows(); }
+    };
+
     fs::path path, temporary;
     PixelType type = PixelType::u8;
-    size_t texel_bytes = 0;
-    uint32_t granule = 0;                         // rows that go to the file at once
-    uint32_t width = 0, height = 0, written = 0;  // of the present level; rows
-    uint32_t levels_left = 0;                     // the present one included
-    std::vector<std::byte> waiting;               // rows that are no granule yet
-    std::vector<std::byte> converted;             // of one call
+    uint32_t granule = 0;  // rows that go to the file at once
+    std::vector<Level> levels;
+    std::vector<std::byte> converted;  // of one call
     const WrinkleImageModule* module = nullptr;
     WrinkleImageWriter* file = nullptr;
     bool failed = false;
@@ -60,10 +66,6 @@ struct ImageWriter::State {
         if (!temporary.empty()) fs::remove(temporary, ignored);
     }
 
-    size_t row_bytes() const { return width * texel_bytes; }
-    uint32_t waiting_rows() const { return static_cast<uint32_t>(waiting.size() / row_bytes()); }
-    uint32_t rows_left() const { return levels_left ? height - written - waiting_rows() : 0; }
-
     bool fail(const std::string& why, Diagnostics& diagnostics) {
         failed = true;
         diagnostics.error(
@@ -73,10 +75,23 @@ struct ImageWriter::State {
     }
 
     bool begin(const Writable& format, const WriterOptions& options, Diagnostics& diagnostics);
-    bool add(std::span<const std::byte> rows, Diagnostics& diagnostics);
-    bool send(const std::byte* rows, uint32_t count, Diagnostics& diagnostics);
-    bool next_level(Diagnostics& diagnostics);
+    void plan(const WriterOptions& options);
+    bool add(uint32_t level, std::span<const std::byte> rows, Diagnostics& diagnostics);
+    bool send(uint32_t level, const std::byte* rows, uint32_t count, Diagnostics& diagnostics);
 };
+
+void ImageWriter::State::plan(const WriterOptions& options) {
+    type = options.type;
+    granule = options.tile > 0 ? options.tile : scan_lines_at_once;
+    const size_t texel_bytes = options.channels.size() * bytes_of(type);
+    uint32_t width = options.width, height = options.height;
+    const uint32_t count = options.mips ? mip_count(width, height) : 1;
+    for (uint32_t level = 0; level < count; ++level) {
+        levels.push_back({width, height, 0, width * texel_bytes});
+        width = next_mip_size(width);
+        height = next_mip_size(height);
+    }
+}
 
 bool ImageWriter::State::begin(const Writable& format, const WriterOptions& options,
                                Diagnostics& diagnostics) {
@@ -91,11 +106,11 @@ bool ImageWriter::State::begin(const Writable& format, const WriterOptions& opti
     what.compression =
         options.compression.empty() ? format.compression : options.compression.c_str();
     what.quality = options.quality;
-    what.header = {width, height, static_cast<uint32_t>(names.size()), options.has_alpha,
-                   static_cast<uint32_t>(type)};
+    what.header = {options.width, options.height, static_cast<uint32_t>(names.size()),
+                   options.has_alpha, static_cast<uint32_t>(type)};
     what.channel_names = names.data();
     what.tile = options.tile;
-    what.levels = levels_left;
+    what.levels = static_cast<uint32_t>(levels.size());
     what.numbers = numbers.data();
     what.number_count = static_cast<uint32_t>(numbers.size());
     what.threads = options.threads;
@@ -104,43 +119,38 @@ bool ImageWriter::State::begin(const Writable& format, const WriterOptions& opti
     return file || fail(text, diagnostics);
 }
 
-bool ImageWriter::State::send(const std::byte* rows, uint32_t count, Diagnostics& diagnostics) {
+bool ImageWriter::State::send(uint32_t level, const std::byte* rows, uint32_t count,
+                              Diagnostics& diagnostics) {
+    uint32_t& written = levels[level].written;
     char text[512] = "";
-    if (!module->rows(file, rows, written, count, {text, sizeof text}))
+    if (!module->rows(file, level, rows, written, count, {text, sizeof text}))
         return fail(text, diagnostics);
     written += count;
     return true;
 }
 
-bool ImageWriter::State::next_level(Diagnostics& diagnostics) {
-    written = 0;
-    if (--levels_left == 0) return true;
-    width = next_mip_size(width);
-    height = next_mip_size(height);
-    char text[512] = "";
-    return module->level(file, width, height, {text, sizeof text}) || fail(text, diagnostics);
-}
-
 // Whole granules go straight from the caller's memory, what is left over waits.
-bool ImageWriter::State::add(std::span<const std::byte> rows, Diagnostics& diagnostics) {
+bool ImageWriter::State::add(uint32_t index, std::span<const std::byte> rows,
+                             Diagnostics& diagnostics) {
+    Level& level = levels[index];
     while (!rows.empty()) {
-        const auto count = static_cast<uint32_t>(rows.size() / row_bytes());
-        const uint32_t level_rows = height - written;
+        const auto count = static_cast<uint32_t>(rows.size() / level.row_bytes);
+        const uint32_t level_rows = level.height - level.written;
         uint32_t taken = 0;
-        if (waiting.empty() && (count >= granule || count >= level_rows)) {
+        if (level.waiting.empty() && (count >= granule || count >= level_rows)) {
             taken = count >= level_rows ? level_rows : count - count % granule;
-            if (!send(rows.data(), taken, diagnostics)) return false;
+            if (!send(index, rows.data(), taken, diagnostics)) return false;
         } else {
             const uint32_t full = std::min(granule, level_rows);
-            taken = std::min(count, full - waiting_rows());
-            waiting.insert(waiting.end(), rows.begin(), rows.begin() + taken * row_bytes());
-            if (waiting_rows() == full) {
-                if (!send(waiting.data(), full, diagnostics)) return false;
-                waiting.clear();
+            taken = std::min(count, full - level.waiting_rows());
+            level.waiting.insert(level.waiting.end(), rows.begin(),
+                                 rows.begin() + taken * level.row_bytes);
+            if (level.waiting_rows() == full) {
+                if (!send(index, level.waiting.data(), full, diagnostics)) return false;
+                level.waiting.clear();
             }
         }
-        rows = rows.subspan(taken * row_bytes());
-        if (written == height && !next_level(diagnostics)) return false;
+        rows = rows.subspan(taken * level.row_bytes);
     }
     return true;
 }
@@ -167,12 +177,7 @@ std::optional<ImageWriter> ImageWriter::open(const fs::path& path, const WriterO
     }
     auto state = std::make_unique<State>();
     state->path = path;
-    state->type = options.type;
-    state->texel_bytes = options.channels.size() * bytes_of(options.type);
-    state->granule = options.tile > 0 ? options.tile : scan_lines_at_once;
-    state->width = options.width;
-    state->height = options.height;
-    state->levels_left = options.mips ? mip_count(options.width, options.height) : 1;
+    state->plan(options);
     std::string why;
     state->module = image_module(why);
     const fs::path temporary = temporary_beside(path);
@@ -190,33 +195,39 @@ ImageWriter::ImageWriter(ImageWriter&&) noexcept = default;
 ImageWriter& ImageWriter::operator=(ImageWriter&&) noexcept = default;
 ImageWriter::~ImageWriter() = default;
 
-uint32_t ImageWriter::width() const {
-    return state_->levels_left ? state_->width : 0;
+uint32_t ImageWriter::levels() const {
+    return static_cast<uint32_t>(state_->levels.size());
 }
 
-uint32_t ImageWriter::rows_left() const {
-    return state_->rows_left();
+uint32_t ImageWriter::width(uint32_t level) const {
+    return state_->levels[level].width;
 }
 
-bool ImageWriter::write(std::span<const float> rows, Diagnostics& diagnostics) {
+uint32_t ImageWriter::rows_left(uint32_t level) const {
+    return state_->levels[level].rows_left();
+}
+
+bool ImageWriter::write(std::span<const float> rows, Diagnostics& diagnostics, uint32_t level) {
     State& state = *state_;
     state.converted.resize(rows.size() * bytes_of(state.type));
     store_values(state.type, rows, state.converted.data());
-    return write_stored(state.converted, diagnostics);
+    return write_stored(state.converted, diagnostics, level);
 }
 
-bool ImageWriter::write_stored(std::span<const std::byte> rows, Diagnostics& diagnostics) {
+bool ImageWriter::write_stored(std::span<const std::byte> rows, Diagnostics& diagnostics,
+                               uint32_t level) {
     if (state_->failed) return false;
-    assert(rows.size() % state_->row_bytes() == 0);
-    assert(rows.size() / state_->row_bytes() <= state_->rows_left());
-    return state_->add(rows, diagnostics);
+    assert(rows.size() % state_->levels[level].row_bytes == 0);
+    assert(rows.size() / state_->levels[level].row_bytes <= rows_left(level));
+    return state_->add(level, rows, diagnostics);
 }
 
 bool ImageWriter::close(Diagnostics& diagnostics) {
     State& state = *state_;
     if (state.failed) return false;
     if (!state.file) return true;
-    assert(state.levels_left == 0);
+    assert(std::all_of(state.levels.begin(), state.levels.end(),
+                       [](const State::Level& level) { return level.rows_left() == 0; }));
     char text[512] = "";
     const bool ended = state.module->end(std::exchange(state.file, nullptr), {text, sizeof text});
     return ended || state.fail(text, diagnostics);

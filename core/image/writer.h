@@ -1,11 +1,13 @@
 // Image files written a band of rows at a time, so that a picture of any size needs little memory.
 //
 // open() makes a temporary file beside `path`. write() takes whole rows from the TOP of the picture
-// downwards (an Image's rows run the other way) in bands of any height; with `mips` the rows of
-// each next level follow those of the one before, down to 1 x 1, in the sizes of mips.h. finish()
-// gives the file its name; a writer that goes without it leaves nothing behind, and whatever had
-// that name before is as it was. A file that already holds these bytes is untouched. Equal values
-// give equal bytes, in bands of any height and with any number of threads.
+// downwards (an Image's rows run the other way) in bands of any height. With `mips` each level,
+// down to 1 x 1 in the sizes of mips.h, has rows of its own, and the levels may take turns: whoever
+// makes a level from the one before needs no more than a band of either in memory. finish() gives
+// the file its name; a writer that goes without it leaves nothing behind, and whatever had that
+// name before is as it was. A file that already holds these bytes is untouched. Equal values give
+// equal bytes, in bands of any height (where levels take turns, of the same) and with any number of
+// threads.
 //
 // Formats go by the extension: .png (u8, u16), .jpg .jpeg (u8), .tif .tiff (u8, u16, half, float),
 // .exr (half, float), .hdr (float). .tif and .exr hold tiles and any number of channels, .exr mips
@@ -68,17 +70,18 @@ public:
     ImageWriter& operator=(ImageWriter&&) noexcept;
     ~ImageWriter();
 
-    // Interleaved, whole rows of the present level and none of the next.
-    bool write(std::span<const float> rows, Diagnostics& diagnostics);
+    // Interleaved, the next whole rows of a level.
+    bool write(std::span<const float> rows, Diagnostics& diagnostics, uint32_t level = 0);
     // The same in the file's own type, as store_values() makes them: for callers with threads.
-    bool write_stored(std::span<const std::byte> rows, Diagnostics& diagnostics);
+    bool write_stored(std::span<const std::byte> rows, Diagnostics& diagnostics,
+                      uint32_t level = 0);
 
-    // Of the level that takes the next row; 0 when all is written.
-    uint32_t width() const;
-    uint32_t rows_left() const;
+    uint32_t levels() const;
+    uint32_t width(uint32_t level = 0) const;
+    uint32_t rows_left(uint32_t level = 0) const;  // that are still to come
 
-    // All rows have been written. close() leaves nothing to be written; finish() closes what is not
-    // closed yet, and gives the name.
+    // All rows of all levels have been written. close() leaves nothing to be written; finish()
+    // closes what is not closed yet, and gives the name.
     bool close(Diagnostics& diagnostics);
     bool finish(Diagnostics& diagnostics);
 

@@ -3,15 +3,13 @@
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_reduce.h>
-#include <tbb/task_group.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "image/load.h"
-#include "image/mips.h"
-#include "image/stored.h"
+#include "maps/map_writer.h"
 #include "maps/poisson.h"
 #include "maps/texels.h"
 
@@ -19,100 +17,6 @@ namespace wrinkle::maps {
 namespace fs = std::filesystem;
 
 namespace {
-
-constexpr uint32_t rows_at_once = 64;
-
-// A level of the means: computed row by row, or, from the second on, kept.
-struct Level {
-    uint32_t width = 0, height = 0;
-    std::vector<float> kept;  // empty: of `rows`
-};
-
-class MapWriter {
-public:
-    MapWriter(const Rows& rows, const Target& target, const Stored& stored, ImageWriter& writer,
-              uint32_t channels)
-        : rows_(rows),
-          target_(target),
-          stored_(stored),
-          writer_(writer),
-          means_(mean_channels(target.kind)),
-          channels_(channels) {}
-
-    bool write(Diagnostics& diagnostics) {
-        Level level{rows_.width(), rows_.height(), {}};
-        while (true) {
-            if (!write(level, diagnostics)) return false;
-            if (writer_.rows_left() == 0) return writer_.finish(diagnostics);
-            level = next(level);
-        }
-    }
-
-private:
-    // Points to row y of the means; `made` is room for one.
-    const float* row(const Level& level, uint32_t y, std::vector<float>& made) const {
-        if (!level.kept.empty()) return &level.kept[size_t{y} * level.width * means_];
-        made.resize(size_t{level.width} * means_);
-        mean_row(rows_, target_, y, made.data());
-        return made.data();
-    }
-
-    // Rows `top` to `top` + `count` from above, as the file stores them.
-    void make_band(const Level& level, uint32_t top, uint32_t count,
-                   std::vector<std::byte>& band) const {
-        const size_t values = size_t{level.width} * channels_;
-        const size_t bytes = values * bytes_of(target_.type);
-        const bool plain = is_plain(target_, channels_);
-        band.resize(count * bytes);
-        tbb::parallel_for(0u, count, [&](uint32_t i) {
-            thread_local std::vector<float> made, encoded;
-            const float* means = row(level, level.height - 1 - top - i, made);
-            if (!plain) {
-                encoded.resize(values);
-                encode(target_, stored_, means, level.width, channels_, encoded.data());
-            }
-            store_values(target_.type, {plain ? means : encoded.data(), values},
-                         band.data() + i * bytes);
-        });
-    }
-
-    // One band is made while the one before it is written.
-    bool write(const Level& level, Diagnostics& diagnostics) {
-        std::vector<std::byte> bands[2];
-        tbb::task_group writing;
-        bool written = true;
-        for (uint32_t top = 0; top < level.height; top += rows_at_once) {
-            std::vector<std::byte>& band = bands[top / rows_at_once % 2];
-            make_band(level, top, std::min(rows_at_once, level.height - top), band);
-            writing.wait();
-            if (!written) return false;
-            writing.run([&] { written = writer_.write_stored(band, diagnostics); });
-        }
-        writing.wait();
-        return written;
-    }
-
-    Level next(const Level& level) const {
-        Level half{next_mip_size(level.width), next_mip_size(level.height), {}};
-        half.kept.resize(size_t{half.width} * half.height * means_);
-        tbb::parallel_for(0u, half.height, [&](uint32_t y) {
-            thread_local std::vector<float> made[3];
-            const CoveredRows covered = covered_rows(level.height, y);
-            const float* rows[3] = {};
-            for (uint32_t j = 0; j < covered.count; ++j)
-                rows[j] = row(level, covered.first + j, made[j]);
-            half_row(level.width, level.height, means_, y, rows,
-                     &half.kept[size_t{y} * half.width * means_]);
-        });
-        return half;
-    }
-
-    const Rows& rows_;
-    const Target& target_;
-    const Stored& stored_;
-    ImageWriter& writer_;
-    uint32_t means_, channels_;
-};
 
 struct Range {
     float low = std::numeric_limits<float>::infinity();
@@ -178,7 +82,7 @@ bool write_map(const Rows& rows, const Target& target, const fs::path& path,
     auto writer = ImageWriter::open(path, options, diagnostics);
     if (!writer) return false;
     const auto channels = static_cast<uint32_t>(options.channels.size());
-    return MapWriter(rows, target, stored, *writer, channels).write(diagnostics);
+    return MapWriter(rows, target, stored, channels, *writer).write(diagnostics);
 }
 
 Image solved(const Rows& rows) {

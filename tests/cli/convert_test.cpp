@@ -5,6 +5,7 @@
 
 #include "cli/support.h"
 #include "image/load.h"
+#include "image/mips.h"
 
 namespace wrinkle::test {
 namespace {
@@ -73,6 +74,28 @@ TEST_F(Convert, MomentsAreThoseOfMaketx) {
     converted(
         {"h.pfm", "-o", "ours.tif", "--from", "height", "--to", "moments", "--type", "float"});
     shell("idiff -fail 1e-6 -hardfail 1e-6 ours.tif theirs.tif");
+}
+
+// Made a band at a time, they are what halving the whole picture gives, to the last bit.
+TEST_F(Convert, LevelsAreThoseOfTheWholePicture) {
+    const std::vector<std::pair<int, int>> sizes = {{301, 197}, {7, 333}, {130, 7}, {1, 200}};
+    for (const auto& [width, height] : sizes) {
+        put_height("h.pfm", width, height);
+        converted({"h.pfm", "-o", "a.exr", "--from", "height", "--to", "moments", "--type", "float",
+                   "--mips"});
+        Diagnostics diagnostics;
+        auto first = load_image(folder / "a.exr", diagnostics);
+        ASSERT_TRUE(first) << to_text(diagnostics);
+        const MipChain chain = build_mips(std::move(*first));
+        std::string command = "oiiotool";
+        for (uint32_t level = 1; level < chain.count(); ++level)
+            command += " a.exr --selectmip " + std::to_string(level) + " -o " +
+                       std::to_string(level) + ".tif";
+        shell(command);
+        for (uint32_t level = 1; level < chain.count(); ++level)
+            EXPECT_TRUE(values_of(std::to_string(level) + ".tif") == chain.levels[level].data)
+                << width << " x " << height << " level " << level;
+    }
 }
 
 TEST_F(Convert, ARepeatedMapHasTheMiddleOfNine) {

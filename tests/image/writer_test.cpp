@@ -36,13 +36,13 @@ protected:
     // Every level in bands of `rows` rows.
     static bool write_all(ImageWriter& writer, size_t channels, uint32_t rows,
                           Diagnostics& diagnostics) {
-        while (writer.rows_left() > 0) {
-            const uint32_t height = writer.rows_left();
-            const size_t row = writer.width() * channels;
+        for (uint32_t i = 0; i < writer.levels(); ++i) {
+            const uint32_t height = writer.rows_left(i);
+            const size_t row = writer.width(i) * channels;
             const std::vector<float> level = numbers(height * row);
             for (uint32_t y = 0; y < height; y += rows)
                 if (!writer.write({level.data() + y * row, std::min(rows, height - y) * row},
-                                  diagnostics))
+                                  diagnostics, i))
                     return false;
         }
         return true;
@@ -143,6 +143,88 @@ TEST_F(Writer, EveryLevelChannelAndNumberIsThere) {
         const uint32_t x = image.width / 2, y = image.height / 2;
         EXPECT_EQ(image.texel(x, image.height - 1 - y)[1], all[(y * image.width + x) * 6 + 3]);
     }
+}
+
+// What OpenEXR's C++ library reads, whose code wrote none of it.
+class OpenExr : public Writer {
+protected:
+    // All six channels of all levels, named in the order they were given.
+    void expect_numbers(const std::string& name, const std::vector<std::string>& channels,
+                        size_t levels, float tolerance) {
+        std::string command = "oiiotool";
+        for (size_t level = 0; level < levels; ++level)
+            for (const size_t first : {0u, 3u})
+                command += " " + name + " --selectmip " + std::to_string(level) + " --ch " +
+                           channels[first] + "," + channels[first + 1] + "," + channels[first + 2] +
+                           " --chnames R,G,B -d float -o " + level_file(level, first);
+        output_of(command);
+        for (size_t level = 0; level < levels; ++level)
+            for (const size_t first : {0u, 3u})
+                expect_level(loaded(folder / level_file(level, first)), first, tolerance);
+    }
+
+private:
+    static std::string level_file(size_t level, size_t first) {
+        return std::to_string(level) + "_" + std::to_string(first) + ".tif";
+    }
+
+    static void expect_level(const Image& image, size_t first, float tolerance) {
+        const std::vector<float> all = numbers(size_t{image.width} * image.height * 6);
+        for (uint32_t y = 0; y < image.height; ++y)
+            for (uint32_t i = 0; i < image.width * 3; ++i)
+                ASSERT_NEAR(image.texel(0, image.height - 1 - y)[i],
+                            all[(y * image.width + i / 3) * 6 + first + i % 3], tolerance)
+                    << image.width << " wide, row " << y << " value " << i << " from " << first;
+    }
+};
+
+TEST_F(OpenExr, EveryCompressionHoldsEveryTexelOfEveryLevel) {
+    for (const PixelType type : {f32, PixelType::half})
+        for (const uint32_t tile : {0u, 64u})
+            for (const std::string compression : {"none", "rle", "zip", "zips", "piz"}) {
+                WriterOptions options = tiled_with_mips();
+                options.type = type;
+                options.tile = tile;
+                options.mips = tile > 0;
+                options.compression = compression;
+                written("a.exr", options, 64);
+                const std::string info = output_of("iinfo -v a.exr");
+                EXPECT_NE(info.find("compression: \"" + compression), info.npos) << info;
+                expect_numbers("a.exr", options.channels, options.mips ? 8 : 1,
+                               type == f32 ? 0 : 0x1p-12f);
+            }
+}
+
+// Channels are where a reader looks for them, whatever they are called.
+TEST_F(OpenExr, NamesOfAnyLengthAndOrder) {
+    WriterOptions options = tiled_with_mips();
+    const std::string long_name(60, 'x');
+    options.channels = {"z", "a", long_name, "B", "m", "A"};
+    options.numbers = {{long_name, 7}};
+    written("a.exr", options, 64);
+    EXPECT_EQ(read_image_number(folder / "a.exr", long_name), 7);
+    expect_numbers("a.exr", options.channels, 8, 0);
+}
+
+// Levels that take turns are the levels one after the other.
+TEST_F(OpenExr, LevelsTakeTurns) {
+    const WriterOptions options = tiled_with_mips();
+    Diagnostics diagnostics;
+    auto writer = ImageWriter::open(folder / "a.exr", options, diagnostics);
+    ASSERT_TRUE(writer);
+    for (bool left = true; left;) {
+        left = false;
+        for (uint32_t level = 0; level < writer->levels(); ++level) {
+            const size_t row = writer->width(level) * 6, done = 70 / (1u << level);
+            const std::vector<float> all = numbers(std::max<size_t>(done, 1) * row);
+            const uint32_t rows = std::min(writer->rows_left(level), 40u >> level | 1u);
+            const float* next = all.data() + all.size() - writer->rows_left(level) * row;
+            ASSERT_TRUE(writer->write({next, rows * row}, diagnostics, level));
+            left |= writer->rows_left(level) > 0;
+        }
+    }
+    ASSERT_TRUE(writer->finish(diagnostics)) << to_text(diagnostics);
+    expect_numbers("a.exr", options.channels, 8, 0);
 }
 
 TEST_F(Writer, ATiffHasTilesAndAnyChannels) {

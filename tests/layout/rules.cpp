@@ -23,7 +23,7 @@ const std::map<std::string, Names, std::less<>> allowed = {
     {"core/glsl", {"base", "ir", "contract"}},
     {"core/spirv", {"base", "ir", "glsl", "contract", "glslang", "spirv tools"}},
     {"core/cpu", {"base", "ir", "image", "contract"}},
-    {"core/image", {"base", "oiio"}},
+    {"core/image", {"base", "oiio", "openexr", "libdeflate", "tbb"}},
     {"core/maps", {"base", "image", "tbb", "kissfft"}},
     {"core/mesh", {"base", "glm", "mesh files"}},
     {"core/gpu", {"base", "glsl", "ir", "image", "mesh", "glm", "gl"}},
@@ -50,6 +50,7 @@ const std::map<std::string, Names, std::less<>> allowed = {
 const std::map<std::string, std::string, std::less<>> library_of_folder = {
     {"nlohmann", "nlohmann"},
     {"OpenImageIO", "oiio"},
+    {"OpenEXR", "openexr"},
     {"glm", "glm"},
     {"epoxy", "gl"},
     {"GL", "gl"},
@@ -115,6 +116,7 @@ Include include_of(std::string_view line) {
 std::string library_of_file(std::string_view path) {
     if (path.starts_with("imgui")) return "imgui";
     if (path == "kissfft.hh") return "kissfft";
+    if (path == "libdeflate.h") return "libdeflate";
     if (path.starts_with("tiny_gltf") || path.starts_with("tiny_obj")) return "mesh files";
     if (path.find('.') == path.npos || system_headers.contains(path)) return {};
     return std::string(path);

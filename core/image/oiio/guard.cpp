@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cstring>
 #include <mutex>
-#include <thread>
 
 namespace wrinkle::oiio {
 
@@ -30,17 +29,6 @@ void set_up_once() {
         OIIO::attribute("tiff:half", 1);
         OIIO::attribute("limits:imagesize_MB", 0);
     });
-}
-
-// The pool is the process's, so it only grows: another writer may be using it.
-void need_exr_threads(uint32_t threads) {
-    static std::mutex mutex;
-    static uint32_t most = 1;
-    const std::lock_guard lock(mutex);
-    if (threads == 0) threads = std::max(1u, std::thread::hardware_concurrency());
-    if (threads <= most) return;
-    most = threads;
-    OIIO::attribute("exr_threads", static_cast<int>(most));
 }
 
 }  // namespace wrinkle::oiio

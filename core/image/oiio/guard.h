@@ -33,12 +33,11 @@ auto guarded(WrinkleImageText why, Work work) -> decltype(work()) {
     } catch (const std::exception& error) {
         tell(why, sentence(error.what()));
     } catch (...) {
-        tell(why, "an unknown failure in OpenImageIO");
+        tell(why, "an unknown failure in a library");
     }
     return {};
 }
 
 void set_up_once();
-void need_exr_threads(uint32_t threads);  // from now on at least so many; 0 is one for each core
 
 }  // namespace wrinkle::oiio

@@ -120,7 +120,6 @@ constexpr WrinkleImageModule table = {sizeof(WrinkleImageModule),
                                       read_number,
                                       begin_image,
                                       write_rows,
-                                      begin_level,
                                       end_image,
                                       drop_image};
 

@@ -1,4 +1,5 @@
-/* The border between core/image and the module that holds OpenImageIO.
+/* The border between core/image and the module that holds OpenImageIO, and OpenEXR's own library
+ * for the files of that kind that are written.
  *
  * The module exports one symbol, wrinkle_image_module, which returns a table of functions. Only
  * plain data crosses: rows run top to bottom as in files, values keep the file's own type, texts
@@ -10,7 +11,7 @@
 
 #include <stdint.h>
 
-#define WRINKLE_IMAGE_MODULE_VERSION 2u
+#define WRINKLE_IMAGE_MODULE_VERSION 3u
 #define WRINKLE_IMAGE_MODULE_SYMBOL "wrinkle_image_module"
 
 #ifdef __cplusplus
@@ -35,7 +36,7 @@ typedef struct WrinkleImageNumber {
 
 typedef struct WrinkleImageWrite {
     const char* format;        /* "png", "jpeg", "tiff", "openexr", "hdr" */
-    const char* compression;   /* OpenImageIO's name, "" for the format's own default */
+    const char* compression;   /* as writable.cpp has it, "" where there is none to choose */
     int32_t quality;           /* jpeg */
     WrinkleImageHeader header; /* any number of channels */
     const char* const* channel_names;
@@ -43,7 +44,7 @@ typedef struct WrinkleImageWrite {
     uint32_t levels; /* 1: no mips */
     const WrinkleImageNumber* numbers;
     uint32_t number_count;
-    uint32_t threads; /* that compress; 0 is one for each core */
+    uint32_t threads; /* that compress OpenEXR; 0 is one for each core */
 } WrinkleImageWrite;
 
 /* One sentence of what went wrong, cut at `capacity`, always terminated. */
@@ -67,14 +68,11 @@ typedef struct WrinkleImageModule {
      * follows removes the file. */
     WrinkleImageWriter* (*begin)(const char* path, const WrinkleImageWrite* what,
                                  WrinkleImageText why);
-    /* `count` rows from row `first` on, in order; interleaved, of header.type. With tiles, `count`
-     * is a multiple of their side or reaches the last row. */
-    int32_t (*rows)(WrinkleImageWriter* writer, const void* pixels, uint32_t first, uint32_t count,
-                    WrinkleImageText why);
-    /* The next mip level, when all rows of the one before are there. */
-    int32_t (*level)(WrinkleImageWriter* writer, uint32_t width, uint32_t height,
-                     WrinkleImageText why);
-    /* Writes what is left; the writer is gone afterwards. */
+    /* `count` rows of a mip level from row `first` on, each level's in order; interleaved, of
+     * header.type. `count` is a multiple of the tiles' side, or of 64, or reaches the last row. */
+    int32_t (*rows)(WrinkleImageWriter* writer, uint32_t level, const void* pixels, uint32_t first,
+                    uint32_t count, WrinkleImageText why);
+    /* Writes what is left when all rows are there; the writer is gone afterwards. */
     int32_t (*end)(WrinkleImageWriter* writer, WrinkleImageText why);
     void (*drop)(WrinkleImageWriter* writer); /* in place of end() */
 } WrinkleImageModule;

@@ -5,21 +5,23 @@
 #include <cstdlib>
 #include <cstring>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "image/oiio/exr_file.h"
 #include "image/oiio/guard.h"
 #include "image/oiio/output_file.h"
 
+// One of the two writes.
 struct WrinkleImageWriter {
-    explicit WrinkleImageWriter(const char* where) : path(where), file(where) {}
+    explicit WrinkleImageWriter(const char* path) : file(path) {}
 
-    std::string path;
-    wrinkle::oiio::OutputFile file;  // outlives the output, which writes when it goes
+    wrinkle::oiio::OutputFile file;  // outlives those two, which write when they go
+    std::optional<wrinkle::oiio::ExrFile> exr;
     OIIO::ImageSpec spec;
     std::unique_ptr<OIIO::ImageOutput> output;
-    bool whole_tiles = false;  // the format has no others
 };
 
 namespace wrinkle::oiio {
@@ -49,13 +51,8 @@ void name_channels(ImageSpec& spec, const WrinkleImageWrite& what) {
 }
 
 void add_numbers(ImageSpec& spec, const WrinkleImageWrite& what) {
-    if (std::string_view(what.format) != "openexr") {
-        const std::string text = numbers_as_text(what);
-        if (!text.empty()) spec.attribute(description, text);
-        return;
-    }
-    for (uint32_t i = 0; i < what.number_count; ++i)
-        spec.attribute(what.numbers[i].name, what.numbers[i].value);
+    const std::string text = numbers_as_text(what);
+    if (!text.empty()) spec.attribute(description, text);
 }
 
 ImageSpec spec_to_write(const WrinkleImageWrite& what) {
@@ -66,8 +63,7 @@ ImageSpec spec_to_write(const WrinkleImageWrite& what) {
     spec.attribute("oiio:UnassociatedAlpha", 1);
     const std::string_view format = what.format;
     if (format == "png") spec.attribute("png:filter", 0xF8);  // all row filters: smaller by far
-    if (format == "openexr" || format == "tiff")
-        spec.attribute("DateTime", "");  // else it would be now
+    if (format == "tiff") spec.attribute("DateTime", "");     // else it would be now
     if (format == "jpeg") {
         spec.attribute("jpeg:subsampling", "4:4:4");
         spec.attribute("compression", "jpeg:" + std::to_string(what.quality));
@@ -75,18 +71,33 @@ ImageSpec spec_to_write(const WrinkleImageWrite& what) {
     if (*what.compression) spec.attribute("compression", what.compression);
     spec.tile_width = spec.tile_height = static_cast<int>(what.tile);
     spec.tile_depth = what.tile > 0 ? 1 : 0;
-    if (what.levels > 1) spec.attribute("textureformat", "Plain Texture");
     add_numbers(spec, what);
     return spec;
 }
 
-void fail(const WrinkleImageWriter& writer) {
+// The system's reason is better than a library's.
+void fail(const WrinkleImageWriter& writer, const std::string& otherwise) {
     const std::string reason = writer.file.failure();
-    throw Failure(reason.empty() ? writer.output->geterror() : reason);
+    throw Failure(reason.empty() ? otherwise : reason);
 }
 
-void open_image(WrinkleImageWriter& writer, ImageOutput::OpenMode mode) {
-    if (!writer.output->open(writer.path, writer.spec, mode)) fail(writer);
+// `work` through the C library of OpenEXR.
+template <typename Work>
+void with_reason(const WrinkleImageWriter& writer, Work work) {
+    try {
+        work();
+    } catch (const Failure& failure) {
+        fail(writer, failure.what());
+    }
+    if (!writer.file.failure().empty()) fail(writer, "");
+}
+
+void open_output(WrinkleImageWriter& writer, const char* path, const WrinkleImageWrite& what) {
+    writer.output = ImageOutput::create(what.format);
+    if (!writer.output) throw Failure(OIIO::geterror());
+    writer.spec = spec_to_write(what);
+    if (!writer.output->set_ioproxy(&writer.file) || !writer.output->open(path, writer.spec))
+        fail(writer, writer.output->geterror());
 }
 
 // What stands outside of the picture is 0, where OpenImageIO would leave what its memory held.
@@ -113,44 +124,31 @@ WrinkleImageWriter* begin_image(const char* path, const WrinkleImageWrite* what,
                                 WrinkleImageText why) {
     return guarded(why, [&]() -> WrinkleImageWriter* {
         set_up_once();
-        need_exr_threads(what->threads);
         auto writer = std::make_unique<WrinkleImageWriter>(path);
-        writer->output = ImageOutput::create(what->format);
-        if (!writer->output) throw Failure(OIIO::geterror());
-        writer->whole_tiles = std::string_view(what->format) != "openexr";
-        writer->spec = spec_to_write(*what);
-        if (!writer->file.failure().empty() || !writer->output->set_ioproxy(&writer->file))
-            fail(*writer);
-        open_image(*writer, ImageOutput::Create);
+        if (!writer->file.failure().empty()) fail(*writer, "");
+        if (std::string_view(what->format) == "openexr")
+            with_reason(*writer, [&] { writer->exr.emplace(writer->file, path, *what); });
+        else
+            open_output(*writer, path, *what);
         return writer.release();
     });
 }
 
-int32_t write_rows(WrinkleImageWriter* writer, const void* pixels, uint32_t first, uint32_t count,
-                   WrinkleImageText why) {
+int32_t write_rows(WrinkleImageWriter* writer, uint32_t level, const void* pixels, uint32_t first,
+                   uint32_t count, WrinkleImageText why) {
     return guarded(why, [&]() -> int32_t {
+        if (writer->exr) {
+            const auto* texels = static_cast<const std::byte*>(pixels);
+            with_reason(*writer, [&] { writer->exr->write(level, texels, first, count); });
+            return 1;
+        }
         const ImageSpec& spec = writer->spec;
-        ImageOutput& output = *writer->output;
         const int begin = static_cast<int>(first), end = static_cast<int>(first + count);
-        bool written = false;
-        if (spec.tile_width == 0)
-            written = output.write_scanlines(begin, end, 0, spec.format, pixels);
-        else if (writer->whole_tiles)
-            written = write_whole_tiles(*writer, static_cast<const char*>(pixels), begin, end);
-        else
-            written = output.write_tiles(0, spec.width, begin, end, 0, 1, spec.format, pixels);
-        if (!written || !writer->file.failure().empty()) fail(*writer);
-        return 1;
-    });
-}
-
-int32_t begin_level(WrinkleImageWriter* writer, uint32_t width, uint32_t height,
-                    WrinkleImageText why) {
-    return guarded(why, [&]() -> int32_t {
-        ImageSpec& spec = writer->spec;
-        spec.width = spec.full_width = static_cast<int>(width);
-        spec.height = spec.full_height = static_cast<int>(height);
-        open_image(*writer, ImageOutput::AppendMIPLevel);
+        const bool written =
+            spec.tile_width == 0
+                ? writer->output->write_scanlines(begin, end, 0, spec.format, pixels)
+                : write_whole_tiles(*writer, static_cast<const char*>(pixels), begin, end);
+        if (!written || !writer->file.failure().empty()) fail(*writer, writer->output->geterror());
         return 1;
     });
 }
@@ -158,9 +156,16 @@ int32_t begin_level(WrinkleImageWriter* writer, uint32_t width, uint32_t height,
 int32_t end_image(WrinkleImageWriter* writer, WrinkleImageText why) {
     const std::unique_ptr<WrinkleImageWriter> owned(writer);
     return guarded(why, [&]() -> int32_t {
+        if (owned->exr) {
+            with_reason(*owned, [&] {
+                owned->exr->close();
+                owned->file.close();
+            });
+            return 1;
+        }
         const bool closed = owned->output->close();
         owned->file.close();
-        if (!closed || !owned->file.failure().empty()) fail(*owned);
+        if (!closed || !owned->file.failure().empty()) fail(*owned, owned->output->geterror());
         return 1;
     });
 }

@@ -9,10 +9,8 @@ namespace wrinkle::oiio {
 
 WrinkleImageWriter* begin_image(const char* path, const WrinkleImageWrite* what,
                                 WrinkleImageText why);
-int32_t write_rows(WrinkleImageWriter* writer, const void* pixels, uint32_t first, uint32_t count,
-                   WrinkleImageText why);
-int32_t begin_level(WrinkleImageWriter* writer, uint32_t width, uint32_t height,
-                    WrinkleImageText why);
+int32_t write_rows(WrinkleImageWriter* writer, uint32_t level, const void* pixels, uint32_t first,
+                   uint32_t count, WrinkleImageText why);
 int32_t end_image(WrinkleImageWriter* writer, WrinkleImageText why);
 void drop_image(WrinkleImageWriter* writer);
 

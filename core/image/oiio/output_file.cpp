@@ -1,6 +1,7 @@
 #include "image/oiio/output_file.h"
 
 #include <fcntl.h>
+#include <sys/uio.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -12,6 +13,7 @@ namespace wrinkle::oiio {
 namespace {
 
 constexpr size_t gather_limit = size_t{1} << 20;
+constexpr size_t large = size_t{1} << 15;  // not worth copying
 
 }  // namespace
 
@@ -32,25 +34,32 @@ void OutputFile::close() {
     m_mode = Closed;
 }
 
-bool OutputFile::put(const char* bytes, size_t size, int64_t offset) const {
-    while (size > 0 && error_ == 0) {
-        const ssize_t count = ::pwrite(handle_, bytes, size, offset);
+// What was gathered and, after it, `bytes`.
+bool OutputFile::put(const char* bytes, size_t size) const {
+    iovec parts[] = {{gathered_.data(), gathered_.size()}, {const_cast<char*>(bytes), size}};
+    int64_t offset = gathered_at_;
+    while (parts[0].iov_len + parts[1].iov_len > 0 && error_ == 0) {
+        const ssize_t count = ::pwritev(handle_, parts, 2, offset);
         if (count < 0 && errno == EINTR) continue;
         if (count <= 0) {
             error_ = count < 0 ? errno : ENOSPC;
             break;
         }
-        bytes += count;
-        size -= static_cast<size_t>(count);
         offset += count;
+        auto left = static_cast<size_t>(count);
+        for (iovec& part : parts) {
+            const size_t taken = std::min(left, part.iov_len);
+            part.iov_base = static_cast<char*>(part.iov_base) + taken;
+            part.iov_len -= taken;
+            left -= taken;
+        }
     }
+    gathered_.clear();
     return error_ == 0;
 }
 
 bool OutputFile::drain() const {
-    const bool written = put(gathered_.data(), gathered_.size(), gathered_at_);
-    gathered_.clear();
-    return written;
+    return put(nullptr, 0);
 }
 
 bool OutputFile::seek(int64_t offset) {
@@ -80,11 +89,11 @@ size_t OutputFile::pwrite(const void* bytes, size_t size, int64_t offset) {
     if (error_ != 0 || handle_ < 0) return 0;
     const bool follows =
         !gathered_.empty() && offset == gathered_at_ + static_cast<int64_t>(gathered_.size());
-    if ((!follows || gathered_.size() + size > gather_limit) && !drain()) return 0;
+    if (!follows && !drain()) return 0;
     const char* first = static_cast<const char*>(bytes);
     end_ = std::max(end_, offset + static_cast<int64_t>(size));
-    if (size > gather_limit) return put(first, size, offset) ? size : 0;
     if (gathered_.empty()) gathered_at_ = offset;
+    if (size >= large || gathered_.size() + size > gather_limit) return put(first, size) ? size : 0;
     gathered_.insert(gathered_.end(), first, first + size);
     return size;
 }

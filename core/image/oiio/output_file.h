@@ -1,5 +1,6 @@
 // The file under a writer. OpenImageIO does not tell of every write that fails, and never why; this
-// remembers the system's first error. Small writes are gathered.
+// remembers the system's first error. Small writes are gathered. OpenEXR's own library writes
+// through pwrite() alone.
 #pragma once
 
 #include <OpenImageIO/filesystem.h>
@@ -29,7 +30,7 @@ public:
     std::string failure() const;
 
 private:
-    bool put(const char* bytes, size_t size, int64_t offset) const;
+    bool put(const char* bytes, size_t size) const;
     bool drain() const;
 
     int handle_ = -1;

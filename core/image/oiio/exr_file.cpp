@@ -1,0 +1,222 @@
+#include "image/oiio/exr_file.h"
+
+#include <tbb/parallel_pipeline.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+#include <string>
+#include <utility>
+
+#include "image/oiio/guard.h"
+
+namespace wrinkle::oiio {
+
+namespace {
+
+constexpr int part = 0;
+constexpr size_t short_name = 31;  // longer ones are announced in the header
+
+constexpr std::array<std::pair<std::string_view, exr_compression_t>, 5> compressions = {{
+    {"none", EXR_COMPRESSION_NONE},
+    {"rle", EXR_COMPRESSION_RLE},
+    {"zips", EXR_COMPRESSION_ZIPS},
+    {"zip", EXR_COMPRESSION_ZIP},
+    {"piz", EXR_COMPRESSION_PIZ},
+}};
+
+exr_compression_t compression_named(std::string_view name) {
+    for (const auto& each : compressions)
+        if (each.first == name) return each.second;
+    throw Failure("OpenEXR has no compression '" + std::string(name) + "'");
+}
+
+void check(exr_result_t result) {
+    if (result != EXR_ERR_SUCCESS) throw Failure(exr_get_default_error_message(result));
+}
+
+void say_nothing(exr_const_context_t, exr_result_t, const char*) {}
+
+int64_t write_to_file(exr_const_context_t, void* file, const void* bytes, uint64_t size,
+                      uint64_t offset, exr_stream_error_func_ptr_t) {
+    const size_t written =
+        static_cast<OutputFile*>(file)->pwrite(bytes, size, static_cast<int64_t>(offset));
+    return written == size ? static_cast<int64_t>(size) : -1;
+}
+
+bool any_long_name(const WrinkleImageWrite& what) {
+    for (uint32_t c = 0; c < what.header.channels; ++c)
+        if (std::strlen(what.channel_names[c]) > short_name) return true;
+    for (uint32_t i = 0; i < what.number_count; ++i)
+        if (std::strlen(what.numbers[i].name) > short_name) return true;
+    return false;
+}
+
+}  // namespace
+
+// What is left of a file without its last chunks is of no use to anybody; errors were said before.
+void ExrFile::FinishContext::operator()(exr_context_t context) const {
+    exr_finish(&context);
+}
+
+ExrFile::ExrFile(OutputFile& file, const char* path, const WrinkleImageWrite& what)
+    : compression_(compression_named(what.compression)),
+      width_(what.header.width),
+      height_(what.header.height),
+      tile_(what.tile),
+      threads_(static_cast<int>(what.threads)) {
+    exr_context_initializer_t start = EXR_DEFAULT_CONTEXT_INITIALIZER;
+    start.error_handler_fn = say_nothing;
+    start.write_fn = write_to_file;
+    start.user_data = &file;
+    exr_context_t context = nullptr;
+    check(exr_start_write(&context, path, EXR_WRITE_FILE_DIRECTLY, &start));
+    context_.reset(context);
+    declare(what);
+    check(exr_write_header(context));
+    sort_channels(what);
+    int32_t rows = static_cast<int32_t>(tile_);
+    if (tile_ == 0) check(exr_get_scanlines_per_chunk(context, part, &rows));
+    rows_per_chunk_ = static_cast<uint32_t>(rows);
+}
+
+void ExrFile::declare(const WrinkleImageWrite& what) {
+    const exr_context_t context = context_.get();
+    int index = part;
+    if (any_long_name(what)) check(exr_set_longname_support(context, 1));
+    check(exr_add_part(context, nullptr, tile_ > 0 ? EXR_STORAGE_TILED : EXR_STORAGE_SCANLINE,
+                       &index));
+    check(exr_initialize_required_attr_simple(context, part, static_cast<int32_t>(width_),
+                                              static_cast<int32_t>(height_), compression_));
+    declare_channels(what);
+    for (uint32_t i = 0; i < what.number_count; ++i)
+        check(exr_attr_set_float(context, part, what.numbers[i].name, what.numbers[i].value));
+    if (tile_ == 0) return;
+    const bool mips = what.levels > 1;
+    check(exr_set_tile_descriptor(context, part, tile_, tile_,
+                                  mips ? EXR_TILE_MIPMAP_LEVELS : EXR_TILE_ONE_LEVEL,
+                                  EXR_TILE_ROUND_DOWN));
+    if (!mips) return;
+    check(exr_set_lineorder(context, part, EXR_LINEORDER_RANDOM_Y));
+    check(exr_attr_set_string(context, part, "textureformat", "Plain Texture"));
+}
+
+void ExrFile::declare_channels(const WrinkleImageWrite& what) {
+    const bool half = types.at(what.header.type) == OIIO::TypeDesc::HALF;
+    layout_.value_bytes = half ? 2 : 4;
+    for (uint32_t c = 0; c < what.header.channels; ++c)
+        check(exr_add_channel(context_.get(), part, what.channel_names[c],
+                              half ? EXR_PIXEL_HALF : EXR_PIXEL_FLOAT, EXR_PERCEPTUALLY_LOGARITHMIC,
+                              1, 1));
+}
+
+void ExrFile::sort_channels(const WrinkleImageWrite& what) {
+    const exr_attr_chlist_t* sorted = nullptr;
+    check(exr_get_channels(context_.get(), part, &sorted));
+    const std::vector<std::string_view> names(what.channel_names,
+                                              what.channel_names + what.header.channels);
+    for (int c = 0; c < sorted->num_channels; ++c) {
+        const auto place = std::find(names.begin(), names.end(), sorted->entries[c].name.str);
+        layout_.order.push_back(static_cast<uint32_t>(place - names.begin()));
+    }
+}
+
+// Chunk `index` of those rows, from left to right and from the top down.
+void ExrFile::place(const Rows& rows, uint32_t index, Slot& slot) const {
+    const uint32_t step = tile_ > 0 ? tile_ : rows.width;
+    const uint32_t y = index / rows.across * rows_per_chunk_;
+    slot.x = index % rows.across * step;
+    slot.y = rows.first + y;
+    slot.width = std::min(step, rows.width - slot.x);
+    slot.height = std::min(rows_per_chunk_, rows.count - y);
+    slot.texels = rows.texels + y * rows.bytes + slot.x * layout_.texel_bytes();
+}
+
+void ExrFile::make(const Rows& rows, Slot& slot) const {
+    if (compression_ == EXR_COMPRESSION_RLE || compression_ == EXR_COMPRESSION_PIZ)
+        return encode(rows, slot);
+    pack(layout_, slot.texels, rows.bytes, slot.width, slot.height, slot.packed);
+    const bool zipped = compression_ != EXR_COMPRESSION_NONE && zip(slot.packed, slot.compressed);
+    slot.stored = zipped ? slot.compressed : slot.packed;
+}
+
+// By the library. Its own sizes of tiles at the border of a level other than the first are wrong.
+void ExrFile::encode(const Rows& rows, Slot& slot) const {
+    const exr_context_t context = context_.get();
+    exr_chunk_info_t info = {};
+    check(tile_ > 0 ? exr_write_tile_chunk_info(context, part, slot.x / tile_, slot.y / tile_,
+                                                rows.level, rows.level, &info)
+                    : exr_write_scanline_chunk_info(context, part, slot.y, &info));
+    info.width = slot.width;
+    info.height = slot.height;
+    info.unpacked_size = size_t{slot.width} * slot.height * layout_.texel_bytes();
+    exr_encode_pipeline_t pipeline = EXR_ENCODE_PIPELINE_INITIALIZER;
+    check(exr_encoding_initialize(context, part, &info, &pipeline));
+    for (int c = 0; c < pipeline.channel_count; ++c) {
+        exr_coding_channel_info_t& channel = pipeline.channels[c];
+        channel.user_pixel_stride = static_cast<int32_t>(layout_.texel_bytes());
+        channel.user_line_stride = static_cast<int32_t>(rows.bytes);
+        channel.encode_from_ptr =
+            reinterpret_cast<const uint8_t*>(slot.texels) + layout_.order[c] * layout_.value_bytes;
+    }
+    exr_result_t result = exr_encoding_choose_default_routines(context, part, &pipeline);
+    pipeline.yield_until_ready_fn = nullptr;
+    pipeline.write_fn = nullptr;  // this chunk's turn comes later
+    if (result == EXR_ERR_SUCCESS) result = exr_encoding_run(context, part, &pipeline);
+    const auto* bytes = static_cast<const std::byte*>(pipeline.compressed_buffer);
+    if (result == EXR_ERR_SUCCESS) slot.compressed.assign(bytes, bytes + pipeline.compressed_bytes);
+    slot.stored = slot.compressed;
+    exr_encoding_destroy(context, &pipeline);
+    check(result);
+}
+
+void ExrFile::put(const Rows& rows, const Slot& slot) {
+    const exr_context_t context = context_.get();
+    check(tile_ > 0
+              ? exr_write_tile_chunk(context, part, slot.x / tile_, slot.y / tile_, rows.level,
+                                     rows.level, slot.stored.data(), slot.stored.size())
+              : exr_write_scanline_chunk(context, part, slot.y, slot.stored.data(),
+                                         slot.stored.size()));
+}
+
+// A slot is free again when its chunk is in the file: no more chunks than slots are under way.
+void ExrFile::put_all(const Rows& rows) {
+    const uint32_t chunks = (rows.count + rows_per_chunk_ - 1) / rows_per_chunk_ * rows.across;
+    slots_.resize(2 * static_cast<size_t>(tbb::this_task_arena::max_concurrency()));
+    uint32_t next = 0;
+    const auto take = [&](tbb::flow_control& control) -> Slot* {
+        if (next == chunks) {
+            control.stop();
+            return nullptr;
+        }
+        Slot& slot = slots_[next % slots_.size()];
+        place(rows, next++, slot);
+        return &slot;
+    };
+    const auto make_one = [&](Slot* slot) {
+        make(rows, *slot);
+        return slot;
+    };
+    const auto put_one = [&](Slot* slot) { put(rows, *slot); };
+    using tbb::filter_mode;
+    tbb::parallel_pipeline(
+        slots_.size(), tbb::make_filter<void, Slot*>(filter_mode::serial_in_order, take) &
+                           tbb::make_filter<Slot*, Slot*>(filter_mode::parallel, make_one) &
+                           tbb::make_filter<Slot*, void>(filter_mode::serial_in_order, put_one));
+}
+
+void ExrFile::write(uint32_t level, const std::byte* texels, uint32_t first, uint32_t count) {
+    Rows rows{level, first, count, texels, std::max(1u, width_ >> level), 1, 0};
+    if (tile_ > 0) rows.across = (rows.width + tile_ - 1) / tile_;
+    rows.bytes = rows.width * layout_.texel_bytes();
+    if (threads_ == 0) return put_all(rows);
+    tbb::task_arena(threads_).execute([&] { put_all(rows); });
+}
+
+void ExrFile::close() {
+    exr_context_t context = context_.release();
+    check(exr_finish(&context));
+}
+
+}  // namespace wrinkle::oiio
