@@ -42,8 +42,7 @@ std::vector<std::byte> stored_rows(const BakedMap& map, PixelType type, const Ba
     tbb::parallel_for(uint32_t{0}, rows.count, [&](uint32_t row) {
         std::vector<float> values(numbers);
         const size_t first = size_t{row} * width;
-        store_map(map, rows.values + first * lanes, lanes, rows.covered + first, width,
-                  values.data());
+        store_map(map, rows.values + first * lanes, rows.covered + first, width, values.data());
         if (is_integer(type)) note_clamped(values, found.local());
         store_values(type, values, bytes.data() + row * numbers * bytes_of(type));
     });

@@ -206,14 +206,14 @@ std::optional<BakePlan> plan_maps(const Module& module, const std::vector<MapReq
     return MapPlanner(module, options, diagnostics).plan(requests);
 }
 
-void store_map(const BakedMap& map, const float* texels, size_t lanes, const uint8_t* covered,
-               size_t count, float* stored) {
+void store_map(const BakedMap& map, const float* lanes, const uint8_t* covered, size_t count,
+               float* stored) {
     const size_t channels = map.channels.size();
     for (size_t c = 0; c < channels; ++c) {
-        const MapChannel& channel = map.channels[c];
-        const float* from = texels + channel.lane;
+        const MapChannel channel = map.channels[c];
+        const float* from = lanes + channel.lane * count;
         for (size_t i = 0; i < count; ++i) {
-            const float value = from[i * lanes] * channel.gain + channel.offset;
+            const float value = from[i] * channel.gain + channel.offset;
             float& to = stored[i * channels + c];
             to = !covered[i] ? channel.empty : channel.srgb ? srgb_coded(value) : value;
         }
