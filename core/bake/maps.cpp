@@ -209,14 +209,19 @@ std::optional<BakePlan> plan_maps(const Module& module, const std::vector<MapReq
 void store_map(const BakedMap& map, const float* lanes, const uint8_t* covered, size_t count,
                float* stored) {
     const size_t channels = map.channels.size();
+    std::vector<float> plane(count);
     for (size_t c = 0; c < channels; ++c) {
-        const MapChannel channel = map.channels[c];
+        const MapChannel& channel = map.channels[c];
         const float* from = lanes + channel.lane * count;
+        const float gain = channel.gain, offset = channel.offset, empty = channel.empty;
         for (size_t i = 0; i < count; ++i) {
-            const float value = from[i] * channel.gain + channel.offset;
-            float& to = stored[i * channels + c];
-            to = !covered[i] ? channel.empty : channel.srgb ? srgb_coded(value) : value;
+            const float value = from[i] * gain + offset;
+            plane[i] = covered[i] ? value : empty;
         }
+        for (size_t i = 0; channel.srgb && i < count; ++i)
+            if (covered[i]) plane[i] = srgb_coded(plane[i]);
+        for (size_t i = 0; i < count; ++i)
+            stored[i * channels + c] = plane[i];
     }
 }
 
