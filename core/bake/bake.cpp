@@ -34,6 +34,11 @@ size_t lanes_of_outputs(const Program& program) {
     return lanes;
 }
 
+// A row of tiles, the rows before it that it was needed for, and what is seen from there.
+uint32_t rows_at_hand(uint32_t dilate) {
+    return bake_tile + (dilate + bake_tile - 1) / bake_tile * bake_tile + dilate;
+}
+
 class RowBaker {
 public:
     RowBaker(const BakeInput& input, const UvRaster& raster, uint32_t first, uint32_t last)
@@ -45,7 +50,7 @@ public:
           last_(last),
           low_((first - std::min(first, input.dilate)) / bake_tile * bake_tile),
           high_(std::min(last + input.dilate, layout_.height)),
-          window_(layout_.width, std::min(3 * bake_tile + 2 * input.dilate, layout_.height),
+          window_(layout_.width, std::min(rows_at_hand(input.dilate), layout_.height),
                   lanes_of_outputs(*input.program)) {}
 
     bool run(const TakeRows& take, BakeFindings& findings) {
