@@ -1,8 +1,8 @@
 // The loops over the lanes of a tile, compiled once for each instruction set. Part of evaluate().
 //
 // kernel_bodies.h, fused_bodies.h, sample_bodies.h and interpolate_bodies.h hold the code; a file
-// for each set includes them with WRINKLE_ISA as the set's name. Nothing in them may be an inline function with external
-// linkage: the linker would keep one of the copies for all.
+// for each set includes them with WRINKLE_ISA as the set's name. Nothing in them may be an inline
+// function with external linkage: the linker would keep one of the copies for all.
 #pragma once
 
 #include <type_traits>
