@@ -7,10 +7,12 @@
 #include <tbb/task_group.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 #include "bake/dilate.h"
 #include "bake/texel_points.h"
+#include "cpu/aligned.h"
 #include "cpu/planes.h"
 
 namespace wrinkle {
@@ -20,7 +22,9 @@ namespace {
 struct TileScratch {
     Coverage coverage;
     PlaneScratch planes;
-    std::vector<float> inputs, outputs;
+    MetTriangles met;
+    size_t stride = 0;  // from plane to plane
+    AlignedVector<float> inputs, outputs;
 };
 
 size_t lanes_of_outputs(const Program& program) {
@@ -28,6 +32,11 @@ size_t lanes_of_outputs(const Program& program) {
     for (const Program::Output& output : program.outputs)
         lanes += output.regs.size();
     return lanes;
+}
+
+// A row of tiles, the rows before it that it was needed for, and what is seen from there.
+uint32_t rows_at_hand(uint32_t dilate) {
+    return bake_tile + (dilate + bake_tile - 1) / bake_tile * bake_tile + dilate;
 }
 
 class RowBaker {
@@ -41,7 +50,7 @@ public:
           last_(last),
           low_((first - std::min(first, input.dilate)) / bake_tile * bake_tile),
           high_(std::min(last + input.dilate, layout_.height)),
-          window_(layout_.width, std::min(3 * bake_tile + 2 * input.dilate, layout_.height),
+          window_(layout_.width, std::min(rows_at_hand(input.dilate), layout_.height),
                   lanes_of_outputs(*input.program)) {}
 
     bool run(const TakeRows& take, BakeFindings& findings) {
@@ -101,7 +110,7 @@ private:
         raster_.cover(rect, candidates, scratch.coverage);
         const size_t count = TexelPoints::count(scratch.coverage);
         evaluate(rect, count, scratch);
-        place(rect, count, scratch, found);
+        place(rect, scratch, found);
         const Coverage& coverage = scratch.coverage;
         if (coverage.overlapped == 0) return;
         found.overlapped = coverage.overlapped;
@@ -112,65 +121,99 @@ private:
 
     void evaluate(const TexelRect& rect, size_t count, TileScratch& scratch) {
         const Program& program = *input_.program;
-        scratch.inputs.resize(program.inputs.size() * count);
-        scratch.outputs.resize(window_.lanes * count);
-        points_.fill(scratch.coverage, rect, count, scratch.inputs.data());
+        // Planes begin at lines of the cache, an odd number of them apart.
+        const size_t stride = scratch.stride = (count + interpolated_behind + 31) / 32 * 32 + 16;
+        scratch.inputs.resize(std::max(scratch.inputs.size(), program.inputs.size() * stride));
+        scratch.outputs.resize(std::max(scratch.outputs.size(), window_.lanes * stride));
+        points_.fill(scratch.coverage, rect, stride, scratch.inputs.data(), scratch.met);
         Planes planes;
         for (size_t i = 0; i < program.inputs.size(); ++i)
-            planes.inputs.push_back(scratch.inputs.data() + i * count);
+            planes.inputs.push_back(scratch.inputs.data() + i * stride);
         for (size_t i = 0; i < window_.lanes; ++i)
-            planes.outputs.push_back(scratch.outputs.data() + i * count);
+            planes.outputs.push_back(scratch.outputs.data() + i * stride);
         if (count > 0) evaluate_planes(program, input_.textures, planes, count, scratch.planes);
     }
 
     // From points in their order to texels in theirs.
-    void place(const TexelRect& rect, size_t count, TileScratch& scratch, BakeFindings& found) {
-        const float* outputs = scratch.outputs.data();
+    void place(const TexelRect& rect, TileScratch& scratch, BakeFindings& found) {
         size_t point = 0;
-        for (uint32_t i = 0; i < scratch.coverage.owners.size(); ++i) {
-            uint8_t& covered = window_.covered[texel_of(rect, i)];
-            covered = scratch.coverage.owners[i] != Coverage::none;
-            if (!covered) continue;
-            float* to = window_.values.data() + texel_of(rect, i) * window_.lanes;
-            for (size_t lane = 0; lane < window_.lanes; ++lane)
-                to[lane] = outputs[lane * count + point];
-            ++point;
-            note(to, found);
-        }
+        for (uint32_t y = 0; y < rect.height; ++y)
+            point = place_row(rect, y, point, scratch);
+        note(scratch, point, found);
+        std::vector<float> texel(window_.lanes);
         for (const Coverage::EdgeTexel& edge : scratch.coverage.edges) {
-            window_.covered[texel_of(rect, edge.texel)] = 1;
-            float* to = window_.values.data() + texel_of(rect, edge.texel) * window_.lanes;
-            mix(outputs + point + edge.first, count, edge.count, to);
-            note(to, found);
+            mix(scratch, point + edge.first, edge.count, texel);
+            const uint32_t x = rect.x + edge.texel % rect.width;
+            const uint32_t row = row_of(rect, edge.texel / rect.width);
+            window_.covered[window_.covered_at(row) + x] = 1;
+            for (size_t lane = 0; lane < window_.lanes; ++lane)
+                window_.values[window_.lane_at(row, lane) + x] = texel[lane];
+            ++found.covered;
+            found.not_finite += !are_finite(texel);
         }
     }
 
-    size_t texel_of(const TexelRect& rect, uint32_t i) const {
-        return window_.texel(rect.x + i % rect.width,
-                             layout_.height - 1 - (rect.y + i / rect.width));
+    // Points from `point` on; what follows them.
+    size_t place_row(const TexelRect& rect, uint32_t y, size_t point, const TileScratch& scratch) {
+        const uint32_t row = row_of(rect, y);
+        const uint32_t* owners = scratch.coverage.owners.data() + size_t{y} * rect.width;
+        uint8_t* covered = window_.covered.data() + window_.covered_at(row) + rect.x;
+        for (uint32_t x = 0; x < rect.width; ++x)
+            covered[x] = owners[x] != Coverage::none;
+        for (uint32_t x = 0, end = 0; x < rect.width; x = end) {
+            for (end = x + 1; end < rect.width && covered[end] == covered[x];)
+                ++end;
+            if (!covered[x]) continue;
+            for (size_t lane = 0; lane < window_.lanes; ++lane)
+                std::copy_n(scratch.outputs.data() + lane * scratch.stride + point, end - x,
+                            window_.values.data() + window_.lane_at(row, lane) + rect.x + x);
+            point += end - x;
+        }
+        return point;
     }
 
-    void mix(const float* outputs, size_t stride, uint32_t samples, float* to) const {
+    // From the top of the picture.
+    uint32_t row_of(const TexelRect& rect, uint32_t y) const {
+        return layout_.height - 1 - (rect.y + y);
+    }
+
+    void mix(const TileScratch& scratch, size_t first, uint32_t samples,
+             std::vector<float>& to) const {
         for (size_t lane = 0; lane < window_.lanes; ++lane) {
             double sum = 0;
             for (uint32_t i = 0; i < samples; ++i)
-                sum += static_cast<double>(outputs[lane * stride + i]);
+                sum += static_cast<double>(scratch.outputs[lane * scratch.stride + first + i]);
             to[lane] = static_cast<float>(sum / samples);
         }
         for (const uint32_t lane : input_.unit) {
-            float* v = to + lane;
+            float* v = to.data() + lane;
             const float length = std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
             for (size_t i = 0; i < 3 && length > 0; ++i)
                 v[i] /= length;
         }
     }
 
-    void note(const float* texel, BakeFindings& found) const {
-        ++found.covered;
-        float sum = 0;  // what is not finite stays so in it
+    static bool are_finite(std::span<const float> values) {
+        uint32_t endless = 0;  // without a branch, so that the loop is vectorised
+        for (const float value : values)
+            endless |= std::bit_cast<uint32_t>(value) << 1 >= 0xFF000000U;
+        return endless == 0;
+    }
+
+    void note(const TileScratch& scratch, size_t count, BakeFindings& found) const {
+        const auto lane_at = [&](size_t lane) {
+            return std::span(scratch.outputs).subspan(lane * scratch.stride, count);
+        };
+        found.covered += count;
+        bool finite = true;
         for (size_t lane = 0; lane < window_.lanes; ++lane)
-            sum += texel[lane] * 0.0F;
-        if (!(sum == 0)) ++found.not_finite;
+            finite = finite && are_finite(lane_at(lane));
+        for (size_t point = 0; !finite && point < count; ++point) {
+            bool all = true;
+            for (size_t lane = 0; lane < window_.lanes; ++lane)
+                all = all && std::isfinite(lane_at(lane)[point]);
+            found.not_finite += !all;
+        }
     }
 
     const BakeInput& input_;

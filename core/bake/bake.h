@@ -31,12 +31,11 @@ struct BakeInput {
     uint32_t dilate = 16;               // texels, up to most_dilation
 };
 
-// Rows as they come, whole rows of tiles: `lanes` floats a texel, and whether there is something to
-// see.
+// Rows as they come, whole rows of tiles, and whether there is something to see.
 struct BakedRows {
     uint32_t first = 0;  // from the top
     uint32_t count = 0;
-    const float* values = nullptr;
+    const float* values = nullptr;     // row by row: those of lane 0, those of lane 1, ...
     const uint8_t* covered = nullptr;  // a byte a texel: 1 surface, 2 dilated, 0 neither
 };
 // False stops the bake.

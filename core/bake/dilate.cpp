@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <optional>
 
 namespace wrinkle {
 namespace {
@@ -21,7 +22,7 @@ public:
           last_(last),
           low_(low),
           high_(high),
-          reach_(static_cast<int64_t>(reach)),
+          reach_(reach),
           ways_(size_t{window.width} * (last - first), nothing_near) {
         tbb::parallel_for(tbb::blocked_range<uint32_t>(0, window.width, 256),
                           [&](const auto& columns) { measure(columns.begin(), columns.end()); });
@@ -33,33 +34,33 @@ public:
 
 private:
     void measure(uint32_t begin, uint32_t end) {
-        const int64_t far = int64_t{1} << 40;
-        std::vector<int64_t> nearest(end - begin, -far);
-        const int64_t top = std::max<int64_t>(low_, int64_t{first_} - reach_);
-        for (int64_t r = top; r < last_; ++r)
-            look(static_cast<uint32_t>(r), begin, end, nearest);
+        constexpr int32_t far = 1 << 24;
+        std::vector<int32_t> nearest(end - begin, -far);
+        const uint32_t top = std::max(low_, first_ - std::min(first_, reach_));
+        for (uint32_t r = top; r < last_; ++r)
+            look(r, begin, end, nearest);
         std::fill(nearest.begin(), nearest.end(), far);
-        const int64_t bottom = std::min<int64_t>(high_, int64_t{last_} + reach_);
-        for (int64_t r = bottom - 1; r >= first_; --r)
-            look(static_cast<uint32_t>(r), begin, end, nearest);
+        for (uint32_t r = std::min(high_, last_ + reach_); r-- > first_;)
+            look(r, begin, end, nearest);
     }
 
-    void look(uint32_t r, uint32_t begin, uint32_t end, std::vector<int64_t>& nearest) {
-        const uint8_t* covered = window_.covered.data() + window_.texel(0, r);
-        for (uint32_t x = begin; x < end; ++x) {
-            int64_t& at = nearest[x - begin];
-            if (covered[x]) at = r;
-            if (r < first_ || r >= last_) continue;
-            int16_t& way = ways_[size_t{r - first_} * window_.width + x];
-            const int64_t found = at - int64_t{r};
-            if (std::abs(found) <= reach_ && std::abs(found) < std::abs(way))
-                way = static_cast<int16_t>(found);
+    void look(uint32_t r, uint32_t begin, uint32_t end, std::vector<int32_t>& nearest) {
+        const uint8_t* covered = window_.covered.data() + window_.covered_at(r) + begin;
+        const auto row = static_cast<int32_t>(r), reach = static_cast<int32_t>(reach_);
+        int32_t* at = nearest.data();
+        for (uint32_t x = 0; x < end - begin; ++x)
+            at[x] = covered[x] ? row : at[x];
+        if (r < first_ || r >= last_) return;
+        int16_t* ways = ways_.data() + size_t{r - first_} * window_.width + begin;
+        for (uint32_t x = 0; x < end - begin; ++x) {
+            const int32_t found = at[x] - row, way = ways[x];
+            const int32_t least = std::min(reach, std::abs(way) - 1);
+            ways[x] = static_cast<int16_t>(std::abs(found) <= least ? found : way);
         }
     }
 
     const RowWindow& window_;
-    uint32_t first_, last_, low_, high_;
-    int64_t reach_;
+    uint32_t first_, last_, low_, high_, reach_;
     std::vector<int16_t> ways_;
 };
 
@@ -86,32 +87,61 @@ Nearest nearest_of(const int16_t* ways, int64_t width, int64_t x, int64_t reach)
     return best;
 }
 
+// A row as it is given on: the lanes of its texels, 0 where there is none.
+struct GivenRow {
+    float* values;
+    uint8_t* covered;
+};
+
+void copy_row(const RowWindow& window, uint32_t r, const GivenRow& to) {
+    const uint8_t* covered = window.covered.data() + window.covered_at(r);
+    std::copy_n(covered, window.width, to.covered);
+    for (size_t lane = 0; lane < window.lanes; ++lane) {
+        const float* from = window.values.data() + window.lane_at(r, lane);
+        float* out = to.values + lane * window.width;
+        for (uint32_t x = 0; x < window.width; ++x)
+            out[x] = covered[x] ? from[x] : 0;
+    }
+}
+
+// `ways` are those of the row's columns.
+void widen_row(const RowWindow& window, uint32_t r, const int16_t* ways, uint32_t reach,
+               const GivenRow& to) {
+    const bool empty =
+        std::all_of(ways, ways + window.width, [](int16_t way) { return way == nothing_near; });
+    for (uint32_t x = 0; x < window.width && !empty; ++x) {
+        if (ways[x] == 0) continue;
+        const Nearest nearest = nearest_of(ways, window.width, x, reach);
+        if (nearest.x < 0) continue;
+        to.covered[x] = 2;
+        const auto row = static_cast<uint32_t>(int64_t{r} + nearest.way);
+        for (size_t lane = 0; lane < window.lanes; ++lane)
+            to.values[lane * window.width + x] =
+                window.values[window.lane_at(row, lane) + static_cast<size_t>(nearest.x)];
+    }
+}
+
+bool are_covered(const RowWindow& window, uint32_t first, uint32_t last) {
+    for (uint32_t r = first; r < last; ++r) {
+        const auto row = window.covered.begin() + static_cast<ptrdiff_t>(window.covered_at(r));
+        if (std::count(row, row + window.width, uint8_t{0}) > 0) return false;
+    }
+    return true;
+}
+
 }  // namespace
 
 void dilate(const RowWindow& window, uint32_t first, uint32_t last, uint32_t low, uint32_t high,
             uint32_t reach, float* values, uint8_t* covered) {
-    const ColumnDistances distances(window, first, last, low, high, reach);
-    const auto fill_row = [&](uint32_t r) {
-        const int16_t* ways = distances.row(r);
-        const bool empty =
-            std::all_of(ways, ways + window.width, [](int16_t way) { return way == nothing_near; });
-        float* to = values + size_t{r - first} * window.width * window.lanes;
-        uint8_t* seen = covered + size_t{r - first} * window.width;
-        for (uint32_t x = 0; x < window.width; ++x, to += window.lanes) {
-            Nearest nearest{x, 0};
-            if (ways[x] != 0)
-                nearest = empty ? Nearest{} : nearest_of(ways, window.width, x, reach);
-            seen[x] = nearest.x < 0 ? 0 : ways[x] == 0 ? 1 : 2;
-            if (nearest.x < 0) {
-                std::fill_n(to, window.lanes, 0.0F);
-                continue;
-            }
-            const auto row = static_cast<uint32_t>(int64_t{r} + nearest.way);
-            const size_t from = window.texel(static_cast<uint32_t>(nearest.x), row);
-            std::copy_n(window.values.data() + from * window.lanes, window.lanes, to);
-        }
-    };
-    tbb::parallel_for(first, last, fill_row);
+    std::optional<ColumnDistances> distances;
+    if (reach > 0 && !are_covered(window, first, last))
+        distances.emplace(window, first, last, low, high, reach);
+    tbb::parallel_for(first, last, [&](uint32_t r) {
+        const size_t texels = size_t{r - first} * window.width;
+        const GivenRow to = {values + texels * window.lanes, covered + texels};
+        copy_row(window, r, to);
+        if (distances) widen_row(window, r, distances->row(r), reach, to);
+    });
 }
 
 }  // namespace wrinkle

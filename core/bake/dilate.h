@@ -7,7 +7,7 @@
 
 namespace wrinkle {
 
-// Rows of a picture that are at hand: row r has its texels at (r % capacity) * width.
+// Rows of a picture that are at hand, each as a plane of every lane.
 struct RowWindow {
     uint32_t width = 0, capacity = 0;
     size_t lanes = 0;
@@ -20,11 +20,15 @@ struct RowWindow {
           lanes(lanes),
           values(size_t{width} * capacity * lanes),
           covered(size_t{width} * capacity) {}
-    size_t texel(uint32_t x, uint32_t row) const { return size_t{row % capacity} * width + x; }
+    size_t lane_at(uint32_t row, size_t lane) const {
+        return (size_t{row % capacity} * lanes + lane) * width;
+    }
+    size_t covered_at(uint32_t row) const { return size_t{row % capacity} * width; }
 };
 
-// Rows first to last, without last, into `values` and `covered` one after the other. Those from
-// low to high, without high, are at hand: as far as `reach` looks. May run on many threads.
+// Rows first to last, without last, into `values` and `covered` one after the other, as BakedRows
+// has them. Those from low to high, without high, are at hand: as far as `reach` looks. May run on
+// many threads.
 void dilate(const RowWindow& window, uint32_t first, uint32_t last, uint32_t low, uint32_t high,
             uint32_t reach, float* values, uint8_t* covered);
 

@@ -1,5 +1,6 @@
 #include "bake/map_files.h"
 
+#include <tbb/blocked_range.h>
 #include <tbb/combinable.h>
 #include <tbb/parallel_for.h>
 
@@ -39,14 +40,16 @@ std::vector<std::byte> stored_rows(const BakedMap& map, PixelType type, const Ba
     const size_t numbers = size_t{width} * map.channels.size();
     std::vector<std::byte> bytes(numbers * rows.count * bytes_of(type));
     tbb::combinable<Clamped> found;
-    tbb::parallel_for(uint32_t{0}, rows.count, [&](uint32_t row) {
+    const auto store = [&](const tbb::blocked_range<uint32_t>& part) {
         std::vector<float> values(numbers);
-        const size_t first = size_t{row} * width;
-        store_map(map, rows.values + first * lanes, lanes, rows.covered + first, width,
-                  values.data());
-        if (is_integer(type)) note_clamped(values, found.local());
-        store_values(type, values, bytes.data() + row * numbers * bytes_of(type));
-    });
+        for (uint32_t row = part.begin(); row < part.end(); ++row) {
+            const size_t first = size_t{row} * width;
+            store_map(map, rows.values + first * lanes, rows.covered + first, width, values.data());
+            if (is_integer(type)) note_clamped(values, found.local());
+            store_values(type, values, bytes.data() + row * numbers * bytes_of(type));
+        }
+    };
+    tbb::parallel_for(tbb::blocked_range<uint32_t>(0, rows.count, 8), store);
     found.combine_each([&](const Clamped& each) { clamped.add(each); });
     return bytes;
 }

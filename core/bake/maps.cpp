@@ -185,6 +185,15 @@ float srgb_coded(float linear) {
     return 1.055F * math::pow(linear, 1 / 2.4F) - 0.055F;
 }
 
+// With the number of channels known where it is a usual one.
+template <size_t known>
+void interleave(const float* planes, size_t channels, size_t count, float* stored) {
+    const size_t step = known ? known : channels;
+    for (size_t i = 0; i < count; ++i)
+        for (size_t c = 0; c < step; ++c)
+            stored[i * step + c] = planes[c * count + i];
+}
+
 }  // namespace
 
 std::vector<std::string> map_names(std::vector<std::string> outputs) {
@@ -206,18 +215,23 @@ std::optional<BakePlan> plan_maps(const Module& module, const std::vector<MapReq
     return MapPlanner(module, options, diagnostics).plan(requests);
 }
 
-void store_map(const BakedMap& map, const float* texels, size_t lanes, const uint8_t* covered,
-               size_t count, float* stored) {
+void store_map(const BakedMap& map, const float* lanes, const uint8_t* covered, size_t count,
+               float* stored) {
     const size_t channels = map.channels.size();
+    std::vector<float> planes(channels * count);
     for (size_t c = 0; c < channels; ++c) {
         const MapChannel& channel = map.channels[c];
-        const float* from = texels + channel.lane;
+        const float* from = lanes + channel.lane * count;
+        float* to = planes.data() + c * count;
+        const float gain = channel.gain, offset = channel.offset, empty = channel.empty;
         for (size_t i = 0; i < count; ++i) {
-            const float value = from[i * lanes] * channel.gain + channel.offset;
-            float& to = stored[i * channels + c];
-            to = !covered[i] ? channel.empty : channel.srgb ? srgb_coded(value) : value;
+            const float value = from[i] * gain + offset;
+            to[i] = covered[i] ? value : empty;
         }
+        for (size_t i = 0; channel.srgb && i < count; ++i)
+            if (covered[i]) to[i] = srgb_coded(to[i]);
     }
+    (channels == 3 ? interleave<3> : interleave<0>)(planes.data(), channels, count, stored);
 }
 
 }  // namespace wrinkle

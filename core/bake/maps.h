@@ -86,9 +86,9 @@ bool fits_integers(std::string_view map);
 std::optional<BakePlan> plan_maps(const Module& module, const std::vector<MapRequest>& requests,
                                   const MapOptions& options, Diagnostics& diagnostics);
 
-// The stored numbers of `count` texels, interleaved, of `lanes` numbers each; where `covered` is 0
-// there is no surface.
-void store_map(const BakedMap& map, const float* texels, size_t lanes, const uint8_t* covered,
-               size_t count, float* stored);
+// The stored numbers of `count` texels, interleaved; each lane is a plane of `count` numbers, one
+// after the other. Where `covered` is 0 there is no surface.
+void store_map(const BakedMap& map, const float* lanes, const uint8_t* covered, size_t count,
+               float* stored);
 
 }  // namespace wrinkle

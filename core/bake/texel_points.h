@@ -6,17 +6,31 @@
 // `view` the normal made unit.
 #pragma once
 
+#include <array>
 #include <string>
 #include <vector>
 
 #include "cpu/evaluate.h"
+#include "cpu/interpolate.h"
 #include "mesh/mesh.h"
 #include "mesh/uv_raster.h"
+#include "mesh/uv_triangle.h"
 
 namespace wrinkle {
 
 // What the program needs and the mesh lacks, such as "uv1"; "" for nothing.
 std::string missing_input(const Mesh& mesh, const Program& program);
+
+// What one thread keeps of the triangles that it met last: a row of texels meets the same ones as
+// the row below.
+struct MetTriangles {
+    struct Met {
+        uint32_t triangle = Coverage::none;
+        UvTriangle uv;
+        std::vector<CornerValues> values;  // by input
+    };
+    std::array<Met, 64> met;  // by the lowest bits of a triangle's number
+};
 
 class TexelPoints {
 public:
@@ -26,16 +40,18 @@ public:
     // Points in the order of `coverage`: the owned texels, then the samples.
     static size_t count(const Coverage& coverage);
 
-    // The planes stand behind each other in `planes`, by index of Program::inputs, `count` floats
-    // each.
-    void fill(const Coverage& coverage, const TexelRect& rect, size_t count, float* planes) const;
+    // Plane i, by index of Program::inputs, begins at planes + i * stride. Behind its last point as
+    // many numbers as `interpolated_behind` are written over. `met` is kept for this object alone.
+    void fill(const Coverage& coverage, const TexelRect& rect, size_t stride, float* planes,
+              MetTriangles& met) const;
 
 private:
     // Points of one triangle, side by side.
     struct Run {
         uint32_t triangle;
-        glm::dvec2 place;  // of the first, in texels
-        size_t first, count;
+        const double* u;  // of each; read as far as whole vectors go
+        double v;
+        size_t count;
     };
     // Of one input: its numbers at vertex i stand at values[i * stride].
     struct Source {
@@ -47,13 +63,18 @@ private:
     };
 
     Source source_of(const Program::Input& input) const;
-    void fill_run(const Run& run, size_t count, float* planes) const;
-    void fill_view(const Run& run, const Source& source, const glm::dvec3* weights,
-                   const glm::dvec3& change, float* out) const;
+    CornerValues values_of(const Source& source, uint32_t triangle, const UvTriangle& uv) const;
+    const MetTriangles::Met& meet(uint32_t triangle, MetTriangles& met) const;
+    void fill_run(const Run& run, size_t stride, float* out, MetTriangles& met) const;
+    void fill_view(const Run& run, const Source& source, const UvTriangle& triangle, bool outside,
+                   float* out) const;
 
     const Mesh& mesh_;
     UvLayout layout_;
     std::vector<Source> sources_;
+    bool has_view_ = false;
+    std::vector<double> columns_;  // u of the texels' centres
+    Interpolate interpolate_;
 };
 
 }  // namespace wrinkle

@@ -11,6 +11,8 @@
 #include "cpu/fused_bodies.h"
 #include "cpu/kernels.h"
 #include "cpu/sample_bodies.h"
+// Behind the one that has the vectors.
+#include "cpu/interpolate_bodies.h"
 
 namespace wrinkle::WRINKLE_ISA {
 namespace {
@@ -280,6 +282,6 @@ const StepLoops<T>& loops() {
 
 }  // namespace
 
-const Kernels kernels = {loops<float>, loops<double>, sample_level};
+const Kernels kernels = {loops<float>, loops<double>, sample_level, interpolate};
 
 }  // namespace wrinkle::WRINKLE_ISA

@@ -1,13 +1,14 @@
 // The loops over the lanes of a tile, compiled once for each instruction set. Part of evaluate().
 //
-// kernel_bodies.h, fused_bodies.h and sample_bodies.h hold the code; a file for each set includes
-// them with WRINKLE_ISA as the set's name. Nothing in them may be an inline function with external
-// linkage: the linker would keep one of the copies for all.
+// kernel_bodies.h, fused_bodies.h, sample_bodies.h and interpolate_bodies.h hold the code; a file
+// for each set includes them with WRINKLE_ISA as the set's name. Nothing in them may be an inline
+// function with external linkage: the linker would keep one of the copies for all.
 #pragma once
 
 #include <type_traits>
 
 #include "cpu/evaluate.h"
+#include "cpu/interpolate.h"
 #include "cpu/step_loops.h"
 #include "cpu/texels.h"
 
@@ -41,6 +42,7 @@ struct Kernels {
     // For the first 1 to 4 of the channels that the level stores; more may be written of a packed
     // one.
     SampleLevel (*sample_level)(const TexelLevel& level, Wrap wrap, size_t channels);
+    Interpolate interpolate;
 };
 
 template <class T>

@@ -57,22 +57,25 @@ WRINKLE_INLINE Floats mixed(const Floats (&corner)[4], Floats x, Floats y) {
 struct Packed {
     Ints texel[4];
 
+    // `near`: whether to try if they are neighbours; where they were not, every few vectors.
     template <Wrap wrap>
-    WRINKLE_INLINE static Packed at(const TexelLevel& level, Ints i, Ints j) {
+    WRINKLE_INLINE static Packed at(const TexelLevel& level, Ints i, Ints j, bool& near) {
         const int32_t row = level.width + 2;
         const uint32_t* low = level.packed + row + 1;  // texel (0, 0)
         const uint32_t* high = low + row;
         const Ints place = j * row + i;
-        const int32_t first = place[0], last = place[vector_lanes - 1];
-        const int32_t start = first < last ? first : last;
         // Neighbours in the picture, as where a map is baked at its own size: one read, in order.
-        const Ints lane = place - start;
-        if (are_lanes(lane)) {
+        for (const size_t end : {size_t{0}, vector_lanes - 1}) {
+            if (!near) break;
+            const int32_t start = place[end];
+            const Ints lane = place - start;
+            if (!are_lanes(lane)) continue;
             const auto row_at = [&](const uint32_t* from) {
                 return picked(load<Ints>(from + start), lane);
             };
             return {{row_at(low), row_at(low + 1), row_at(high), row_at(high + 1)}};
         }
+        near = false;
         return {{gather(low, place), gather(low + 1, place), gather(high, place),
                  gather(high + 1, place)}};
     }
@@ -98,7 +101,7 @@ struct Stored {
     Ints place[4];
 
     template <Wrap wrap>
-    WRINKLE_INLINE static Stored at(const TexelLevel& level, Ints i, Ints j) {
+    WRINKLE_INLINE static Stored at(const TexelLevel& level, Ints i, Ints j, bool&) {
         const Ints zero{};
         const auto first = [&](Ints texel, int32_t size) {
             const Ints edge = zero + (wrap == Wrap::repeat ? size - 1 : 0);
@@ -131,10 +134,10 @@ WRINKLE_INLINE void put(const Corners& corners, Floats x, Floats y, float bias, 
 
 template <Wrap wrap, int channels, class Corners>
 WRINKLE_INLINE void vector(const TexelLevel& level, float bias, const float* u, const float* v,
-                           float* const* out, size_t k) {
+                           float* const* out, size_t k, bool& near) {
     const Below i = below<wrap>(load<Floats>(u + k), static_cast<float>(level.width));
     const Below j = below<wrap>(load<Floats>(v + k), static_cast<float>(level.height));
-    const auto corners = Corners::template at<wrap>(level, i.texel, j.texel);
+    const auto corners = Corners::template at<wrap>(level, i.texel, j.texel, near);
     put<0>(corners, i.weight, j.weight, bias, out[0] + k);
     if constexpr (channels > 1) put<1>(corners, i.weight, j.weight, bias, out[1] + k);
     if constexpr (channels > 2) put<2>(corners, i.weight, j.weight, bias, out[2] + k);
@@ -148,15 +151,18 @@ void bilinear(const TexelLevel& of, float bias, const float* u, const float* v, 
     const TexelLevel level = of;
     float* const out[] = {to[0], to[1], to[2], to[3]};
     size_t k = 0;
-    for (; k + vector_lanes <= n; k += vector_lanes)
-        vector<wrap, channels, Corners>(level, bias, u, v, out, k);
+    bool near = true;
+    for (; k + vector_lanes <= n; k += vector_lanes) {
+        near = near || k % 64 == 0;
+        vector<wrap, channels, Corners>(level, bias, u, v, out, k, near);
+    }
     if (k == n) return;
     // Behind the n-th lane stands what is not ours.
     float places[2][vector_lanes] = {}, values[4][vector_lanes];
     float* const rest[] = {values[0], values[1], values[2], values[3]};
     __builtin_memcpy(places[0], u + k, (n - k) * sizeof(float));
     __builtin_memcpy(places[1], v + k, (n - k) * sizeof(float));
-    vector<wrap, channels, Corners>(level, bias, places[0], places[1], rest, 0);
+    vector<wrap, channels, Corners>(level, bias, places[0], places[1], rest, 0, near);
     for (size_t c = 0; c < static_cast<size_t>(channels); ++c)
         __builtin_memcpy(out[c] + k, values[c], (n - k) * sizeof(float));
 }

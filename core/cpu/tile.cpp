@@ -17,6 +17,11 @@ void allot(AlignedVector<Lane>& memory, std::vector<Lane*>& places, size_t regis
         places[reg] = memory.data() + reg * tile_lanes;
 }
 
+bool has_loop(const Step& step) {
+    return step.kind == Step::Kind::op || step.kind == Step::Kind::pair ||
+           step.kind == Step::Kind::depth;
+}
+
 template <class Lane>
 void move_lanes(Lane* out, const Lane* from, const uint8_t* mask, size_t count) {
     for (size_t k = 0; k < count; ++k)
@@ -74,9 +79,19 @@ void Tile<T>::skip_lods() {
 template <class T>
 void Tile<T>::run(size_t count) {
     count_ = count;
-    const std::vector<uint32_t>& next = memory_.next;
-    for (uint32_t step = next[0]; step < program_.steps.size();)
-        step = next[execute(step)];
+    const uint32_t* next = memory_.next.data();
+    const Registers<T> registers = {memory_.float_places.data(), memory_.integer_places.data()};
+    const auto end = static_cast<uint32_t>(program_.steps.size());
+    for (uint32_t index = next[0]; index < end;) {
+        const Step& step = program_.steps[index];
+        if (!has_loop(step)) {
+            index = next[execute(index)];
+            continue;
+        }
+        assert(loops_[step.loop] && "an op without a CPU case");
+        loops_[step.loop](step, registers, count_);
+        index = next[index + 1];
+    }
 }
 
 template <class T>
@@ -86,10 +101,7 @@ uint32_t Tile<T>::execute(uint32_t index) {
         case Step::Kind::op:
         case Step::Kind::pair:
         case Step::Kind::depth:
-            assert(loops_[step.loop] && "an op without a CPU case");
-            loops_[step.loop](step, {memory_.float_places.data(), memory_.integer_places.data()},
-                              count_);
-            break;
+            break;  // run() does them
         case Step::Kind::constant:
             fill(step.out[0], step.type, program_.constants[step.extra], count_);
             break;

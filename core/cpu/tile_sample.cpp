@@ -47,6 +47,14 @@ void find_lods(const float* lod, size_t n, float last, Lods& found) {
     }
 }
 
+// As with a picture that is seen from near. NaN reads level 0.
+bool is_finest(const float* lod, size_t n) {
+    uint32_t above = 0;  // without a branch, so that the loop is vectorised
+    for (size_t k = 0; k < n; ++k)
+        above |= static_cast<uint32_t>(lod[k] > 0);
+    return above == 0;
+}
+
 // The first lane behind `first` that reads another level.
 size_t run_end(const Lods& lods, size_t first, size_t n) {
     size_t end = first + 1;
@@ -95,7 +103,8 @@ void sample_run(const Texture& texture, std::span<const TexelLevel> levels, cons
 void sample_tile(const Texture& texture, const Kernels& kernels, const TileSample& sample) {
     const Wrap wrap = texture.options().wrap;
     const std::span<const TexelLevel> levels = texture.texels().levels(wrap);
-    if (levels.size() == 1) return sample_one(levels[0], wrap, kernels, sample);
+    if (levels.size() == 1 || is_finest(sample.lod, sample.count))
+        return sample_one(levels[0], wrap, kernels, sample);
     Lods lods;
     find_lods(sample.lod, sample.count, static_cast<float>(levels.size() - 1), lods);
     for (size_t first = 0, end = 0; first < sample.count; first = end) {

@@ -34,6 +34,7 @@ struct Interval {
     bool empty() const { return low > high; }
 };
 
+<<<<<<< HEAD
 // The texels of the row whose centres are inside, of those in `row`.
 void clip_row(const RasterEdge& edge, int64_t y, Interval& row) {
     const int64_t at_zero =
@@ -45,6 +46,46 @@ void clip_row(const RasterEdge& edge, int64_t y, Interval& row) {
     else if (at_zero < 0)
         row.high = row.low - 1;
 }
+=======
+// The texels whose centres an edge has inside, row by row upwards: as far as the edge's value at
+// the row's first texel, divided by its change from one to the next. From row to row the quotient
+// and the remainder go on by steps.
+class EdgeRows {
+public:
+    EdgeRows(const RasterEdge& edge, int64_t row)
+        : rises_(edge.dy > 0), level_(edge.dy == 0), divisor_(std::abs(edge.dy) * unit) {
+        const int64_t y = row * unit + unit / 2;
+        const int64_t at_zero =
+            edge.dx * (y - edge.ay) - edge.dy * (unit / 2 - edge.ax) - edge.least();
+        if (level_) divisor_ = 1;
+        quotient_ = floor_div(at_zero, divisor_);
+        remainder_ = at_zero - quotient_ * divisor_;
+        quotient_step_ = floor_div(edge.dx * unit, divisor_);
+        remainder_step_ = edge.dx * unit - quotient_step_ * divisor_;
+    }
+
+    void clip(Interval& row) const {
+        if (level_)
+            row.high = quotient_ < 0 ? row.low - 1 : row.high;
+        else if (rises_)
+            row.high = std::min(row.high, quotient_);
+        else
+            row.low = std::max(row.low, -quotient_);
+    }
+
+    void go_up() {
+        quotient_ += quotient_step_;
+        remainder_ += remainder_step_;
+        if (remainder_ < divisor_) return;
+        remainder_ -= divisor_;
+        ++quotient_;
+    }
+
+private:
+    bool rises_, level_;
+    int64_t divisor_, quotient_, remainder_, quotient_step_, remainder_step_;
+};
+>>>>>>> 402583d
 
 template <class Triangle>
 RasterEdge edge_of(const Triangle& t, size_t k) {
@@ -142,7 +183,6 @@ std::vector<uint32_t> UvRaster::in_rows(uint32_t y, uint32_t height) const {
 void UvRaster::cover(const TexelRect& rect, std::span<const uint32_t> candidates,
                      Coverage& out) const {
     out.owners.assign(size_t{rect.width} * rect.height, Coverage::none);
-    out.slots.assign(out.owners.size(), Coverage::none);
     out.edges.clear();
     out.samples.clear();
     out.overlapped = 0;
@@ -150,10 +190,12 @@ void UvRaster::cover(const TexelRect& rect, std::span<const uint32_t> candidates
     out.met.clear();
     for (const uint32_t index : candidates)
         if (!texels_met(triangles_[index].x, rect.x, rect.width).empty()) out.met.push_back(index);
-    for (const uint32_t index : out.met) {
+    for (const uint32_t index : out.met)
         own_centres(rect, index, out);
+    if (across_ == 1) return;
+    out.slots.assign(out.owners.size(), Coverage::none);
+    for (const uint32_t index : out.met)
         if (triangles_[index].borders) mark_borders(rect, index, out);
-    }
     uint32_t count = 0;
     for (uint32_t& slot : out.slots)
         if (slot == marked) slot = count++;
@@ -165,17 +207,34 @@ void UvRaster::cover(const TexelRect& rect, std::span<const uint32_t> candidates
 }
 
 void UvRaster::own_centres(const TexelRect& rect, uint32_t index, Coverage& out) const {
-    const Interval rows = texels_met(triangles_[index].y, rect.y, rect.height);
-    for (int64_t y = rows.low; y <= rows.high; ++y)
-        own_row(rect, index, static_cast<uint32_t>(y), out);
+    const Triangle& t = triangles_[index];
+    const Interval rows = texels_met(t.y, rect.y, rect.height);
+    const Interval columns = texels_met(t.x, rect.x, rect.width);
+    if (rows.empty()) return;
+    EdgeRows edges[] = {
+        {edge_of(t, 0), rows.low}, {edge_of(t, 1), rows.low}, {edge_of(t, 2), rows.low}};
+    for (int64_t y = rows.low; y <= rows.high; ++y) {
+        Interval row = columns;
+        for (EdgeRows& edge : edges) {
+            edge.clip(row);
+            edge.go_up();
+        }
+        own_row(rect, index, static_cast<uint32_t>(y), row.low, row.high, out);
+    }
 }
 
+<<<<<<< HEAD
 void UvRaster::own_row(const TexelRect& rect, uint32_t index, uint32_t y, Coverage& out) const {
     const Triangle& t = triangles_[index];
     Interval row = texels_met(t.x, rect.x, rect.width);
     for (size_t k = 0; k < 3 && !row.empty(); ++k)
         clip_row(edge_of(t, k), int64_t{y} * units + units / 2, row);
     for (int64_t x = row.low; x <= row.high; ++x) {
+=======
+void UvRaster::own_row(const TexelRect& rect, uint32_t index, uint32_t y, int64_t low, int64_t high,
+                       Coverage& out) const {
+    for (int64_t x = low; x <= high; ++x) {
+>>>>>>> 402583d
         const uint32_t texel = (y - rect.y) * rect.width + static_cast<uint32_t>(x) - rect.x;
         uint32_t& owner = out.owners[texel];
         if (owner == Coverage::none) {

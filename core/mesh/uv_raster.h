@@ -88,7 +88,9 @@ private:
     Triangle rounded(const Mesh& mesh, size_t index) const;
     void find_borders();
     void own_centres(const TexelRect& rect, uint32_t index, Coverage& out) const;
-    void own_row(const TexelRect& rect, uint32_t index, uint32_t y, Coverage& out) const;
+    // Texels low to high, both included.
+    void own_row(const TexelRect& rect, uint32_t index, uint32_t y, int64_t low, int64_t high,
+                 Coverage& out) const;
     void mark_borders(const TexelRect& rect, uint32_t index, Coverage& out) const;
     void own_samples(const TexelRect& rect, uint32_t index, Coverage& out) const;
     void gather_edges(const TexelRect& rect, Coverage& out) const;

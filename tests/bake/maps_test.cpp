@@ -51,8 +51,12 @@ Stored stored(const Mesh& mesh, const BakePlan& plan, size_t map, BakeHow how = 
     const LanePicture lanes = bake_lanes(mesh, plan.program, how, plan.unit);
     Stored result{lanes.width, plan.maps[map].channels.size(), {}, lanes.covered};
     result.values.resize(lanes.covered.size() * result.channels);
-    store_map(plan.maps[map], lanes.values.data(), lanes.lanes, lanes.covered.data(),
-              lanes.covered.size(), result.values.data());
+    std::vector<float> planes;
+    for (size_t lane = 0; lane < lanes.lanes; ++lane)
+        for (size_t texel = 0; texel < lanes.covered.size(); ++texel)
+            planes.push_back(lanes.values[texel * lanes.lanes + lane]);
+    store_map(plan.maps[map], planes.data(), lanes.covered.data(), lanes.covered.size(),
+              result.values.data());
     return result;
 }
 

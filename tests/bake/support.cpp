@@ -45,10 +45,13 @@ LanePicture bake_lanes(const Mesh& mesh, const Program& program, const BakeHow& 
     input.unit = unit;
     input.dilate = how.dilate;
     const auto take = [&](const BakedRows& rows) {
-        const size_t texels = size_t{rows.count} * how.width;
-        picture.values.insert(picture.values.end(), rows.values,
-                              rows.values + texels * picture.lanes);
-        picture.covered.insert(picture.covered.end(), rows.covered, rows.covered + texels);
+        for (size_t row = 0; row < rows.count; ++row)
+            for (size_t x = 0; x < how.width; ++x)
+                for (size_t lane = 0; lane < picture.lanes; ++lane)
+                    picture.values.push_back(
+                        rows.values[(row * picture.lanes + lane) * how.width + x]);
+        picture.covered.insert(picture.covered.end(), rows.covered,
+                               rows.covered + size_t{rows.count} * how.width);
         return true;
     };
     EXPECT_TRUE(bake_rows(input, raster, how.first, std::min(how.last, how.height), how.threads,

@@ -36,7 +36,7 @@ def our_seconds(program, folder, output, times):
     out = subprocess.run([program, os.path.join(HERE, "graph.json"), ROOT,
                           os.path.join(folder, "mesh.obj"), output, str(SIZE), str(times)],
                          check=True, capture_output=True, text=True).stdout
-    return [float(line) for line in out.splitlines()]
+    return [float(line.split()[0]) for line in out.splitlines()]
 
 
 def main():
