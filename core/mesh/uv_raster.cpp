@@ -34,34 +34,21 @@ struct Interval {
     bool empty() const { return low > high; }
 };
 
-<<<<<<< HEAD
-// The texels of the row whose centres are inside, of those in `row`.
-void clip_row(const RasterEdge& edge, int64_t y, Interval& row) {
-    const int64_t at_zero =
-        edge.dx * (y - edge.ay) - edge.dy * (units / 2 - edge.ax) - edge.least();
-    if (edge.dy > 0)
-        row.high = std::min(row.high, floor_div(at_zero, edge.dy * units));
-    else if (edge.dy < 0)
-        row.low = std::max(row.low, -floor_div(at_zero, -edge.dy * units));
-    else if (at_zero < 0)
-        row.high = row.low - 1;
-}
-=======
 // The texels whose centres an edge has inside, row by row upwards: as far as the edge's value at
 // the row's first texel, divided by its change from one to the next. From row to row the quotient
 // and the remainder go on by steps.
 class EdgeRows {
 public:
     EdgeRows(const RasterEdge& edge, int64_t row)
-        : rises_(edge.dy > 0), level_(edge.dy == 0), divisor_(std::abs(edge.dy) * unit) {
-        const int64_t y = row * unit + unit / 2;
+        : rises_(edge.dy > 0), level_(edge.dy == 0), divisor_(std::abs(edge.dy) * units) {
+        const int64_t y = row * units + units / 2;
         const int64_t at_zero =
-            edge.dx * (y - edge.ay) - edge.dy * (unit / 2 - edge.ax) - edge.least();
+            edge.dx * (y - edge.ay) - edge.dy * (units / 2 - edge.ax) - edge.least();
         if (level_) divisor_ = 1;
         quotient_ = floor_div(at_zero, divisor_);
         remainder_ = at_zero - quotient_ * divisor_;
-        quotient_step_ = floor_div(edge.dx * unit, divisor_);
-        remainder_step_ = edge.dx * unit - quotient_step_ * divisor_;
+        quotient_step_ = floor_div(edge.dx * units, divisor_);
+        remainder_step_ = edge.dx * units - quotient_step_ * divisor_;
     }
 
     void clip(Interval& row) const {
@@ -85,7 +72,6 @@ private:
     bool rises_, level_;
     int64_t divisor_, quotient_, remainder_, quotient_step_, remainder_step_;
 };
->>>>>>> 402583d
 
 template <class Triangle>
 RasterEdge edge_of(const Triangle& t, size_t k) {
@@ -223,18 +209,9 @@ void UvRaster::own_centres(const TexelRect& rect, uint32_t index, Coverage& out)
     }
 }
 
-<<<<<<< HEAD
-void UvRaster::own_row(const TexelRect& rect, uint32_t index, uint32_t y, Coverage& out) const {
-    const Triangle& t = triangles_[index];
-    Interval row = texels_met(t.x, rect.x, rect.width);
-    for (size_t k = 0; k < 3 && !row.empty(); ++k)
-        clip_row(edge_of(t, k), int64_t{y} * units + units / 2, row);
-    for (int64_t x = row.low; x <= row.high; ++x) {
-=======
 void UvRaster::own_row(const TexelRect& rect, uint32_t index, uint32_t y, int64_t low, int64_t high,
                        Coverage& out) const {
     for (int64_t x = low; x <= high; ++x) {
->>>>>>> 402583d
         const uint32_t texel = (y - rect.y) * rect.width + static_cast<uint32_t>(x) - rect.x;
         uint32_t& owner = out.owners[texel];
         if (owner == Coverage::none) {
