@@ -37,14 +37,18 @@ bool is_digit(char c) {
     return c >= '0' && c <= '9';
 }
 
-bool is_word(char c) {
+// What an identifier may have of it.
+enum class Part : uint8_t { none, word, joint };
+
+Part part_of(char c) {
     static constexpr auto table = [] {
-        std::array<bool, 256> word{};
+        std::array<Part, 256> parts{};
         for (unsigned char byte = 0; byte < 26; ++byte)
-            word['a' + byte] = word['A' + byte] = true;
+            parts['a' + byte] = parts['A' + byte] = Part::word;
         for (unsigned char byte = '0'; byte <= '9'; ++byte)
-            word[byte] = true;
-        return word;
+            parts[byte] = Part::word;
+        parts['_'] = Part::joint;
+        return parts;
     }();
     return table[static_cast<unsigned char>(c)];
 }
@@ -99,7 +103,7 @@ std::string identifier(std::string_view text) {
     std::string name(text.size(), '_');
     size_t end = 0;
     for (const char c : text)
-        if (is_word(c))
+        if (part_of(c) == Part::word)
             name[end++] = c;
         else if (end == 0 || name[end - 1] != '_')
             name[end++] = '_';
@@ -110,11 +114,11 @@ std::string identifier(std::string_view text) {
 
 bool is_identifier(std::string_view text) {
     if (text.empty() || is_digit(text[0])) return false;
-    bool joint = false;
+    Part before = Part::word;
     for (const char c : text) {
-        const bool word = is_word(c);
-        if (!word && (c != '_' || joint)) return false;
-        joint = !word;
+        const Part part = part_of(c);
+        if (part == Part::none || (part == Part::joint && before == Part::joint)) return false;
+        before = part;
     }
     return true;
 }

@@ -173,6 +173,7 @@ void Body::code(int indent, std::string_view line, uint32_t node) {
 
 void Body::statements(std::span<const Id> ids, int indent, uint32_t next) {
     std::vector<uint32_t> groups;
+    groups.reserve(ids.size() + 1);
     for (const Id id : ids)
         groups.push_back(group_of(plan_, values_, id));
     groups.push_back(next);

@@ -99,7 +99,7 @@ int Writer::binding(Id id) const {
 }
 
 void Writer::read(Id id, int least) {
-    const bool enclosed = binding(id) < least;
+    const bool enclosed = least > 0 && binding(id) < least;
     if (enclosed) text_.add('(');
     plainly(id);
     if (enclosed) text_.add(')');

@@ -210,6 +210,8 @@ std::string argument_text(const Reflection& reflection) {
 
 void write_functions(const Plan& plan, const Interface& face, const Target& target, Text& text) {
     const Module& m = plan.module();
+    constexpr size_t letters_a_value = 28;  // about; room for all at once
+    text.text.reserve(text.text.size() + letters_a_value * plan.used_count());
     Values values(plan);
     for (const uint32_t region : plan.functions) {
         text.line(0, "");

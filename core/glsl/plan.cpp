@@ -172,6 +172,7 @@ void Plan::find_gradients() {
 void Plan::walk() {
     const Module& m = *module_;
     std::vector<Id> stack;
+    stack.reserve(64);
     const auto open = [&](std::span<const Id> ids) {
         for (size_t i = ids.size(); i-- > 0;)
             if (met_[ids[i]] == Met::never) stack.push_back(ids[i]);
@@ -195,6 +196,7 @@ void Plan::walk() {
 }
 
 void Plan::use(Id id) {
+    ++used_;
     const Inst& inst = (*module_)[id];
     switch (inst.op) {
         case Op::input_:

@@ -38,7 +38,8 @@ public:
         return std::span(operands_).subspan(first_operand_[id],
                                             first_operand_[id + 1] - first_operand_[id]);
     }
-    std::string_view literal(Id id) const;  // its text
+    size_t used_count() const { return used_; }  // of what the outputs use
+    std::string_view literal(Id id) const;       // its text
     bool single_call(Id result) const;      // the member of a call that has one
     bool is_splat(Id construct) const;      // one scalar in every lane
     // The members of a loop's or call's tuple, by index; poison where nothing reads one.
@@ -79,6 +80,7 @@ private:
     enum class Met : uint8_t { never, open, used };  // in the walk from the outputs
     bool is_used(Id id) const { return met_[id] == Met::used; }
     std::vector<Met> met_;  // by Id
+    size_t used_ = 0;
     std::vector<Id> alias_;
     std::vector<Role> role_;
     std::vector<std::vector<Id>> captures_;

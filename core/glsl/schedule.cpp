@@ -68,6 +68,7 @@ private:
 };
 
 void Scheduler::find_statements(std::span<const Id> part) {
+    statements_.reserve(part.size() / 2);
     for (const Id id : part) {
         ValueState& state = values_.state[id];
         if (!state.statement) continue;
@@ -78,6 +79,8 @@ void Scheduler::find_statements(std::span<const Id> part) {
 
 void Scheduler::find_groups() {
     std::vector<uint32_t>& known = values_.group_numbers;
+    groups_.reserve(statements_.size() / 2);
+    users_.reserve(2 * statements_.size());
     const auto slot_of = [&](const Statement& statement) {
         const uint32_t owner = group_of(plan_, values_, statement.id);
         return owner == surface_group ? known.size() - 1 : owner;

@@ -15,6 +15,7 @@ constexpr uint8_t deepest_expression = 6;
 constexpr uint32_t parentheses = 2;
 constexpr uint32_t loop_state_width = 12;
 constexpr uint32_t view_suffix = 4;
+constexpr size_t usual_room = 64;  // of a walk
 
 // What the op table says, close together: it is asked for every operand.
 uint8_t precedence_of(Op op) {
@@ -43,35 +44,31 @@ public:
     void visit(Id id);
 
 private:
-    // A value that is read by the value at hand, or that is read through a view.
-    struct Part {
-        Id id;
-        uint32_t extra;    // width that its view adds
-        bool inside;       // of this scope
-        bool first;        // of the operands
-        bool plain;        // no view
-        bool parentheses;  // where its text is folded in
+    // A value's text with what is folded into it as things stand.
+    struct Folded {
+        uint32_t width = 0;
+        uint8_t depth = 1;
+        bool implicit = false;
+        uint32_t widest_width = 0;
+        Id widest = poison;  // of what is folded in
     };
 
     ValueState& state(Id id) { return values_.state[id]; }
     bool inside(Id id) { return state(id).epoch == scope_.epoch; }  // a leaf never is
     Id base(Id id);
-    void take_operands(Id id);
-    bool foldable(const Part& part) { return part.inside && !state(part.id).statement; }
+    Folded measure(Id id);
+    void read_value(Id reader, Id operand, Id value, Folded& text);
+    uint8_t depth_in(Id reader, Id operand, Id value);
+    bool must_stand_before(Id reader, Id operand, Id value);
     void make_statement(Id id);
     uint32_t name_width(Id id) const;
-    void hoist_implicit();
     uint32_t room_for(Id id);
-    void narrow(Id id);
-    void flatten(Id id);
     bool must_name(Id id, bool is_root);
 
     const Plan& plan_;
     const Module& m_;
     Values& values_;
     const Scope& scope_;
-    std::vector<Part> parts_;  // of the value at hand
-    uint32_t leaves_ = 0;      // width of its other operands
 };
 
 // What a view looks at.
@@ -79,26 +76,6 @@ Id Folder::base(Id id) {
     while (plan_.role(id) == Role::view && m_[id].op != Op::result_)
         id = plan_.operands(id)[0];
     return id;
-}
-
-void Folder::take_operands(Id id) {
-    parts_.clear();
-    leaves_ = 0;
-    bool first = true;
-    for (const Id operand : plan_.operands(id)) {
-        const Id target = base(operand);
-        const bool plain = target == operand;
-        const uint32_t extra = plain ? 0 : view_suffix;
-        const Role role = plan_.role(target);
-        if (role == Role::leaf)
-            leaves_ += extra + leaf_width(plan_, target);
-        else if (role == Role::view)
-            leaves_ += extra + loop_state_width;
-        else
-            parts_.push_back({target, extra, inside(target), first, plain,
-                              needs_parentheses(plan_, id, operand)});
-        first = false;
-    }
 }
 
 void Folder::count_uses(std::span<const Id> roots) {
@@ -137,13 +114,6 @@ uint32_t Folder::name_width(Id id) const {
     return static_cast<uint32_t>(wanted_name(plan_, values_, id).size());
 }
 
-// GLSL evaluates one branch of ?: only, and && and || may skip their right side; there an implicit
-// derivative would be undefined.
-void Folder::hoist_implicit() {
-    for (const Part& part : parts_)
-        if (!part.first && foldable(part) && state(part.id).implicit) make_statement(part.id);
-}
-
 // What is known to become a temporary has its declaration on the line too.
 uint32_t Folder::room_for(Id id) {
     if (state(id).root && state(id).uses == 1) return widest_result;
@@ -152,44 +122,57 @@ uint32_t Folder::room_for(Id id) {
     return widest_line - std::min(declaration, widest_line / 2);
 }
 
-void Folder::narrow(Id id) {
-    const uint32_t own = own_width(plan_, id) + leaves_;
-    state(id).width = own;
-    if (parts_.empty()) return;
-    const uint32_t room = room_for(id);
-    for (;;) {
-        uint32_t width = own, widest = 0;
-        Id victim = poison;
-        for (const Part& part : parts_) {
-            const uint32_t w = part.extra + state(part.id).width;
-            width += w;
-            if (!foldable(part)) continue;
-            width += part.parentheses ? parentheses : 0;
-            if (w <= widest) continue;
-            widest = w;
-            victim = part.id;
-        }
-        state(id).width = width;
-        if (width <= room || victim == poison) return;
-        make_statement(victim);
-    }
+// A chain of one precedence counts as one level, as it reads.
+uint8_t Folder::depth_in(Id reader, Id operand, Id value) {
+    const uint8_t precedence = precedence_of(m_[reader].op);
+    const bool chain = operand == value && precedence > 0 &&
+                       precedence == precedence_of(m_[value].op) &&
+                       operand == plan_.operands(reader)[0];
+    return static_cast<uint8_t>(state(value).depth + (chain ? 0 : 1));
 }
 
-// A chain of one precedence counts as one level, as it reads.
-void Folder::flatten(Id id) {
-    const uint8_t precedence = precedence_of(m_[id].op);
-    uint8_t deepest = 1;
-    for (const Part& part : parts_) {
-        if (!foldable(part)) continue;
-        const bool chain = part.first && part.plain && precedence > 0 &&
-                           precedence == precedence_of(m_[part.id].op);
-        const auto depth = static_cast<uint8_t>(state(part.id).depth + (chain ? 0 : 1));
-        if (depth > deepest_expression)
-            make_statement(part.id);
-        else
-            deepest = std::max(deepest, depth);
+// Too deep to be folded in; or GLSL evaluates one branch of ?: only, and && and || may skip their
+// right side, where an implicit derivative would be undefined.
+bool Folder::must_stand_before(Id reader, Id operand, Id value) {
+    const Op op = m_[reader].op;
+    if (op == Op::loop_) return false;
+    const bool skips = op == Op::select_ || op == Op::and_ || op == Op::or_;
+    if (skips && state(value).implicit && operand != plan_.operands(reader)[0]) return true;
+    return depth_in(reader, operand, value) > deepest_expression;
+}
+
+void Folder::read_value(Id reader, Id operand, Id value, Folded& text) {
+    const ValueState& read = state(value);
+    const uint32_t suffix = operand == value ? 0 : view_suffix;
+    const bool here = inside(value);
+    if (here && !read.statement && must_stand_before(reader, operand, value)) make_statement(value);
+    const uint32_t width = suffix + read.width;
+    text.width += width;
+    if (!here || read.statement) return;
+    if (needs_parentheses(plan_, reader, operand)) text.width += parentheses;
+    text.depth = std::max(text.depth, depth_in(reader, operand, value));
+    text.implicit = text.implicit || read.implicit;
+    if (width <= text.widest_width) return;
+    text.widest_width = width;
+    text.widest = value;
+}
+
+Folder::Folded Folder::measure(Id id) {
+    const Op op = m_[id].op;
+    Folded text;
+    text.width = own_width(plan_, id);
+    text.implicit = op == Op::sample_ || op == Op::input_;
+    for (const Id operand : plan_.operands(id)) {
+        const Id value = base(operand);
+        const Role role = plan_.role(value);
+        if (role == Role::value) {
+            read_value(id, operand, value, text);
+            continue;
+        }
+        text.width += operand == value ? 0 : view_suffix;
+        text.width += role == Role::leaf ? leaf_width(plan_, value) : loop_state_width;
     }
-    state(id).depth = deepest;
+    return text;
 }
 
 bool Folder::must_name(Id id, bool is_root) {
@@ -201,18 +184,17 @@ bool Folder::must_name(Id id, bool is_root) {
 
 void Folder::visit(Id id) {
     if (plan_.role(id) == Role::view) return;
-    take_operands(id);
-    const Op op = m_[id].op;
-    if (op == Op::select_ || op == Op::and_ || op == Op::or_) hoist_implicit();
-    if (op != Op::loop_) {
-        if (!parts_.empty()) flatten(id);
-        narrow(id);
-    }
-    bool implicit = op == Op::sample_ || op == Op::input_;
-    for (const Part& part : parts_)
-        implicit = implicit || (foldable(part) && state(part.id).implicit);
-    state(id).implicit = implicit;
-    if (must_name(id, state(id).root)) make_statement(id);
+    Folded text = measure(id);
+    ValueState& own = state(id);
+    own.depth = text.depth;
+    if (m_[id].op != Op::loop_ && text.widest != poison)
+        for (const uint32_t room = room_for(id); text.width > room && text.widest != poison;) {
+            make_statement(text.widest);
+            text = measure(id);
+        }
+    own.width = text.width;
+    own.implicit = text.implicit;
+    if (must_name(id, own.root)) make_statement(id);
 }
 
 }  // namespace
@@ -220,7 +202,9 @@ void Folder::visit(Id id) {
 Scope collect(const Plan& plan, Values& values, std::span<const Id> roots, int level) {
     Scope scope;
     scope.epoch = ++values.epoch;
+    scope.order.reserve(usual_room);
     std::vector<std::pair<Id, bool>> stack;
+    stack.reserve(usual_room);
     const auto push = [&](Id id) {
         if (plan.role(id) == Role::leaf || plan.module()[id].level < level) return;
         if (values.state[id].epoch != scope.epoch) stack.push_back({id, false});

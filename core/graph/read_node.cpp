@@ -21,7 +21,7 @@ bool parse_link(std::string_view text, Link& link) {
 void read_inputs(const Value& in, Node& node, Report& report) {
     node.inputs.reserve(in.size());
     for (const json::Member& member : in.children())
-        node.inputs.push_back(read_input(member.key, member.value, node.id, report));
+        read_input(member.key, member.value, node.id, report, node.inputs.emplace_back());
 }
 
 bool read_version(const Value& value, Node& node, Report& report) {
@@ -93,18 +93,19 @@ bool Report::expect_id(const Value& value, std::string_view what, std::string_vi
     return false;
 }
 
-Input read_input(std::string_view port, const Value& value, std::string_view node, Report& report) {
-    Input input{std::string(port), Input::Kind::literal, {}, value};
+void read_input(std::string_view port, const Value& value, std::string_view node, Report& report,
+                Input& input) {
+    input.port = port;
+    input.value = value;
     const Value from = value.find("from");
-    if (!from.tree()) return input;
+    if (!from.tree()) return;
     input.kind = Input::Kind::broken;
-    if (!report.expect(from, Kind::string, "\"from\"", node)) return input;
+    if (!report.expect(from, Kind::string, "\"from\"", node)) return;
     if (parse_link(from.as_string(), input.link))
         input.kind = Input::Kind::link;
     else
         report.at(from, std::string(node), json_quoted(from.as_string()) + " is no link",
                   link_form);
-    return input;
 }
 
 NodePtr read_node(std::string_view id, const Value& value, Report& report) {
@@ -124,7 +125,9 @@ NodePtr read_node(std::string_view id, const Value& value, Report& report) {
 
 Output read_output(std::string_view name, const Value& value, Report& report) {
     report.expect_id(value, "the output name", name, false);
-    Output output{std::string(name), read_input(name, value, "", report)};
+    Output output;
+    output.name = name;
+    read_input(name, value, "", report, output.from);
     if (output.from.kind != Input::Kind::literal) return output;
     output.from.kind = Input::Kind::broken;
     if (!value.cut_off())

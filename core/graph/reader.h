@@ -30,8 +30,8 @@ private:
 
 NodePtr read_node(std::string_view id, const json::Value& value, Report& report);
 // A port's value: {"from": ...} is a link, all else a literal.
-Input read_input(std::string_view port, const json::Value& value, std::string_view node,
-                 Report& report);
+void read_input(std::string_view port, const json::Value& value, std::string_view node,
+                Report& report, Input& input);
 Output read_output(std::string_view name, const json::Value& value, Report& report);
 GraphInput read_graph_input(std::string_view name, const json::Value& value, Report& report);
 void read_layout(const json::Value& layout, Document& document, Report& report);

@@ -126,6 +126,19 @@ TEST_F(Files, PathsStayInside) {
     EXPECT_FALSE(inside(folder_, folder_ / "inner" / "out" / "etc"));
 }
 
+// The system's own answer about the folder, and then the rest of the path.
+TEST_F(Files, PathsOfWhatIsNotThereAreThoseOfItsFolder) {
+    const fs::path inner = fs::canonical(folder_) / "inner";
+    fs::create_directories(inner);
+    fs::create_directory_symlink(inner, folder_ / "way");
+    fs::create_symlink(folder_ / "nowhere", folder_ / "inner" / "dangling");
+    EXPECT_EQ(real_path(folder_ / "way" / "new.png"), inner / "new.png");
+    EXPECT_EQ(real_path(folder_ / "way" / "a" / "b.png"), inner / "a" / "b.png");
+    EXPECT_EQ(real_path(folder_ / "way" / "dangling"), inner / "dangling");
+    EXPECT_EQ(real_path(folder_ / "way" / "no" / ".."), inner / "");
+    EXPECT_EQ(real_path("new.png"), fs::current_path() / "new.png");
+}
+
 TEST(TextureOptions, NamesComeBack) {
     for (const std::string_view name : encoding_names())
         EXPECT_EQ(name_of(encoding_named(name).value()), name);

@@ -40,6 +40,9 @@ TEST(Text, IdentifiersFitC) {
     EXPECT_EQ(identifier("2nd"), "n2nd");
     EXPECT_EQ(identifier(""), "n");
     EXPECT_EQ(identifier("é"), "_");
+    for (const char* word : {"weave", "a_b", "_",   "_a", "a_",  "x2", "Z", "a__b", "__", "2nd", "",
+                             "é",     "a b", "a.b", "a-", "a/b", "@",  "[", "`",    "{",  "a:"})
+        EXPECT_EQ(is_identifier(word), identifier(word) == word) << word;
 }
 
 TEST(Text, TheNearestNameIsASlipAway) {

@@ -30,6 +30,26 @@ TEST(Names, of_inner_scopes_differ_from_outer_ones) {
     EXPECT_EQ(locals.unique("other"), "other");
 }
 
+// The table grows many times, and what was given stays as it is.
+TEST(Names, of_which_there_are_many_keep_their_texts) {
+    NameSet globals;
+    globals.unique("map_7");
+    NameSet names(&globals);
+    std::vector<std::pair<Name, std::string>> given;
+    const auto add = [&](const WantedName& wanted, std::string expected) {
+        given.emplace_back(names.add(wanted), std::move(expected));
+    };
+    for (int i = 0; i < 3000; ++i) {
+        const std::string number = std::to_string(i);
+        add({"map", number}, i == 7 ? "map_7_2" : "map_" + number);
+        add({{}, "texel"}, i == 0 ? "texel" : "texel_" + std::to_string(i + 1));
+    }
+    for (const auto& [name, text] : given)
+        EXPECT_EQ(names.text(name), text);
+    EXPECT_EQ((WantedName{"map", "uv"}.size()), 6u);
+    EXPECT_EQ((WantedName{{}, "uv"}.size()), 2u);
+}
+
 TEST(Names, comments_cannot_be_left) {
     EXPECT_EQ(comment_text("a\nfloat x;\r\\"), "a float x; /");
     EXPECT_EQ(comment_text("a\u0085b\u2028c\u2029d"), "a b c d");

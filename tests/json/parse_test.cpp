@@ -3,7 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <random>
+#include <set>
 #include <string>
+#include <vector>
 
 #include "json/write.h"
 
@@ -22,6 +26,30 @@ Value read(const std::string& text) {
     EXPECT_EQ(to_text(diagnostics), "");
     EXPECT_TRUE(parsed.complete);
     return parsed.root;
+}
+
+// The reports on these tokens with this space between them, with a token's number for its place:
+// that of the first that ends behind it.
+std::string report_by_token(const std::vector<std::string>& tokens, const std::string& space) {
+    std::string text, reports;
+    std::vector<size_t> ends;
+    for (const std::string& token : tokens) {
+        text += token;
+        ends.push_back(text.size());
+        text += space;
+    }
+    Diagnostics diagnostics;
+    const Parsed parsed = parse(text, "g.json", diagnostics);
+    for (const Diagnostic& each : diagnostics.list()) {
+        size_t at = 0;
+        for (uint32_t line = 1; line < each.where.line; ++line)
+            at = text.find('\n', at) + 1;
+        at += each.where.column - 1;
+        const auto token = std::upper_bound(ends.begin(), ends.end(), at) - ends.begin();
+        reports += std::to_string(token) + " " + each.pointer + " " + each.message + " " +
+                   each.expected + "\n";
+    }
+    return reports + (parsed.root.tree() ? one_line(parsed.root) : "");
 }
 
 TEST(Parse, KindsAndSpellings) {
@@ -103,6 +131,23 @@ TEST(Parse, SyntaxErrorsSayWhatAndWhere) {
               "(mend the string)\n");
     EXPECT_EQ(problems("[\"bc"),
               "g.json:1:2: error: the string has no closing quote (expected '\"')\n");
+}
+
+// What stands between tokens moves a report with its token and changes nothing else.
+TEST(Parse, SpaceMovesReportsWithTheirTokens) {
+    const std::vector<std::string> tokens = {"{", "}",     "[",    "]",  ",",      ":",
+                                             "1", "\"a\"", "true", "x7", "\"\\n\""};
+    const std::string spaces[] = {" ", "\t\t ", " \r\n  ", "\n\n"};
+    std::mt19937 random(11);
+    for (int round = 0; round < 3000; ++round) {
+        std::vector<std::string> chosen(1 + random() % 9);
+        for (std::string& token : chosen)
+            token = tokens[random() % tokens.size()];
+        std::set<std::string> reports;
+        for (const std::string& space : spaces)
+            reports.insert(report_by_token(chosen, space));
+        EXPECT_EQ(reports.size(), 1u) << *reports.begin() << *reports.rbegin();
+    }
 }
 
 TEST(Parse, Numbers) {
