@@ -38,6 +38,25 @@ TEST(Schedule, statements_of_a_node_stand_together) {
     EXPECT_LT(text.find("// one"), text.find("// two"));
 }
 
+// The walk meets the first statement of "one" before that of "two", which its second needs.
+TEST(Schedule, a_node_waits_until_it_can_stand_whole) {
+    Module m;
+    const Id x = m.swizzle(m.input(SurfaceInput::position_), "x");
+    const uint32_t one = node(m, "one", "First");
+    const Id early = m.add(Op::sin_, {x});
+    node(m, "two", "Second");
+    const Id other = m.add(Op::cos_, {x});
+    m.current_node = one;
+    const Id late = m.add(Op::exp_, {other});
+    node(m, "end", "Sum");
+    const auto square = [&](Id v) { return m.add(Op::mul_, {v, v}); };
+    const Id first = m.add(Op::add_, {square(early), square(late)});
+    output(m, "o", m.add(Op::add_, {first, square(other)}));
+    const std::string text = emit(m, {}).source;
+    EXPECT_EQ(text.find("continued"), std::string::npos) << text;
+    EXPECT_LT(text.find("// two"), text.find("// one")) << text;
+}
+
 TEST(Schedule, nodes_that_need_each_other_still_come_in_order) {
     Module m;
     const Id x = m.swizzle(m.input(SurfaceInput::position_), "x");

@@ -117,6 +117,7 @@ TEST(Parse, SyntaxErrorsSayWhatAndWhere) {
               "g.json:1:9: error: unexpected '}' (remove the comma before it)\n");
     EXPECT_EQ(problems("[1,,2]"), "g.json:1:4: error: unexpected ',' (expected a value)\n");
     EXPECT_EQ(problems("[1 2]"), "g.json:1:4: error: unexpected number 2 (expected ',' or ']')\n");
+    EXPECT_EQ(problems("{\"a\", \"b\"}"), "g.json:1:5: error: unexpected ',' (expected ':')\n");
     EXPECT_EQ(problems("{\"a\" 1}"), "g.json:1:6: error: unexpected number 1 (expected ':')\n");
     EXPECT_EQ(problems("{a: 1}"), "g.json:1:2: error: unexpected 'a' (expected a value)\n");
     EXPECT_EQ(problems("[1] x"), "g.json:1:5: error: unexpected 'x' (expected a value)\n");
