@@ -137,8 +137,7 @@ struct Single {
             if (!near) break;
             const int32_t low = place[0][end], high = place[2][end];
             const Ints lane = place[0] - low;
-            const Ints other = ((place[2] - high) != lane) | (place[1] - place[0] != 1) |
-                               (place[3] - place[2] != 1);
+            const Ints other = ((place[2] - high) != lane) | (place[1] - place[0] != 1);
             const int32_t last = (low < high ? high : low) + static_cast<int32_t>(vector_lanes);
             if (last >= level.width * level.height || !are_lanes(lane | other)) continue;
             const auto row_at = [&](const float* from) {
