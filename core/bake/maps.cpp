@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <map>
 
 #include "bake/map_values.h"
@@ -185,13 +186,27 @@ float srgb_coded(float linear) {
     return 1.055F * math::pow(linear, 1 / 2.4F) - 0.055F;
 }
 
+constexpr size_t most_channels = 8;
+constexpr size_t block = 256;  // texels that are put together at a time
+
 // With the number of channels known where it is a usual one.
 template <size_t known>
 void interleave(const float* planes, size_t channels, size_t count, float* stored) {
     const size_t step = known ? known : channels;
     for (size_t i = 0; i < count; ++i)
         for (size_t c = 0; c < step; ++c)
-            stored[i * step + c] = planes[c * count + i];
+            stored[i * step + c] = planes[c * block + i];
+}
+
+void store_channel(const MapChannel& channel, const float* from, const uint8_t* covered,
+                   size_t count, float* to) {
+    const float gain = channel.gain, offset = channel.offset, empty = channel.empty;
+    for (size_t i = 0; i < count; ++i) {
+        const float value = from[i] * gain + offset;
+        to[i] = covered[i] ? value : empty;
+    }
+    for (size_t i = 0; channel.srgb && i < count; ++i)
+        if (covered[i]) to[i] = srgb_coded(to[i]);
 }
 
 }  // namespace
@@ -218,20 +233,16 @@ std::optional<BakePlan> plan_maps(const Module& module, const std::vector<MapReq
 void store_map(const BakedMap& map, const float* lanes, const uint8_t* covered, size_t count,
                float* stored) {
     const size_t channels = map.channels.size();
-    std::vector<float> planes(channels * count);
-    for (size_t c = 0; c < channels; ++c) {
-        const MapChannel& channel = map.channels[c];
-        const float* from = lanes + channel.lane * count;
-        float* to = planes.data() + c * count;
-        const float gain = channel.gain, offset = channel.offset, empty = channel.empty;
-        for (size_t i = 0; i < count; ++i) {
-            const float value = from[i] * gain + offset;
-            to[i] = covered[i] ? value : empty;
-        }
-        for (size_t i = 0; channel.srgb && i < count; ++i)
-            if (covered[i]) to[i] = srgb_coded(to[i]);
+    assert(channels <= most_channels);
+    std::array<float, most_channels * block> planes;
+    for (size_t first = 0; first < count; first += block) {
+        const size_t n = std::min(block, count - first);
+        for (size_t c = 0; c < channels; ++c)
+            store_channel(map.channels[c], lanes + map.channels[c].lane * count + first,
+                          covered + first, n, &planes[c * block]);
+        (channels == 3 ? interleave<3> : interleave<0>)(planes.data(), channels, n,
+                                                        stored + first * channels);
     }
-    (channels == 3 ? interleave<3> : interleave<0>)(planes.data(), channels, count, stored);
 }
 
 }  // namespace wrinkle

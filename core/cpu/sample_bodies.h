@@ -124,6 +124,39 @@ struct Stored {
     }
 };
 
+// The corners of TexelLevel::floats with one channel, neighbours read as those of a packed level.
+struct Single {
+    Floats corner[4];
+
+    template <Wrap wrap>
+    WRINKLE_INLINE static Single at(const TexelLevel& level, Ints i, Ints j, bool& near) {
+        const Stored far = Stored::at<wrap>(level, i, j, near);
+        const float* floats = far.floats;
+        const auto& place = far.place;
+        for (const size_t end : {size_t{0}, vector_lanes - 1}) {
+            if (!near) break;
+            const int32_t low = place[0][end], high = place[2][end];
+            const Ints lane = place[0] - low;
+            const Ints other = ((place[2] - high) != lane) | (place[1] - place[0] != 1);
+            const int32_t last = (low < high ? high : low) + static_cast<int32_t>(vector_lanes);
+            if (last >= level.width * level.height || !are_lanes(lane | other)) continue;
+            const auto row_at = [&](const float* from) {
+                return reinterpret_cast<Floats>(picked(load<Ints>(from), lane));
+            };
+            return {{row_at(floats + low), row_at(floats + low + 1), row_at(floats + high),
+                     row_at(floats + high + 1)}};
+        }
+        near = false;
+        const auto one = [&](Ints at) { return reinterpret_cast<Floats>(gather(floats, at)); };
+        return {{one(place[0]), one(place[1]), one(place[2]), one(place[3])}};
+    }
+
+    template <int>
+    WRINKLE_INLINE Floats value(size_t number) const {
+        return corner[number];
+    }
+};
+
 template <int channel, class Corners>
 WRINKLE_INLINE void put(const Corners& corners, Floats x, Floats y, float bias, float* out) {
     const Floats corner[] = {corners.template value<channel>(0), corners.template value<channel>(1),
@@ -170,6 +203,7 @@ void bilinear(const TexelLevel& of, float bias, const float* u, const float* v, 
 template <Wrap wrap>
 SampleLevel of_channels(const TexelLevel& level, size_t channels) {
     if (level.packed) return channels == 1 ? bilinear<wrap, 1, Packed> : bilinear<wrap, 3, Packed>;
+    if (level.stored == 1) return bilinear<wrap, 1, Single>;
     constexpr SampleLevel stored[] = {bilinear<wrap, 1, Stored>, bilinear<wrap, 2, Stored>,
                                       bilinear<wrap, 3, Stored>, bilinear<wrap, 4, Stored>};
     return stored[channels - 1];

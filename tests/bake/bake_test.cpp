@@ -173,6 +173,20 @@ Program uv_program() {
     return compile_program(module, why);
 }
 
+TEST(BakeRows, ATexelThatIsOwnedByRoundingIsOfItsTrianglesBorder) {
+    Mesh mesh = islands();
+    mesh.indices = {0, 1, 2};
+    const float left = 10.501F / 128;  // a corner's place is rounded to 1/256: the centres' column
+    mesh.uvs[0] = {{left, 0.1F}, {0.9F, 0.5F}, {left, 0.9F}, {}, {}, {}};
+    const LanePicture picture = bake_lanes(mesh, uv_program());
+    for (uint32_t y = 15; y < 113; ++y) {
+        ASSERT_TRUE(picture.covered_at(10, y));
+        EXPECT_FALSE(picture.covered_at(9, y));
+        EXPECT_NEAR(picture.at(10, y)[0] * 128, 10.501, 1e-4) << y;
+        EXPECT_NEAR(picture.at(11, y)[0] * 128, 11.5, 1e-4) << y;
+    }
+}
+
 // Over several rows of tiles.
 constexpr BakeHow bare_how = {.width = 128, .height = 320, .samples = 4};
 constexpr int reach = 11;

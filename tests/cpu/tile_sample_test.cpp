@@ -4,6 +4,7 @@
 
 #include <bit>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <random>
 
@@ -59,14 +60,15 @@ bool same(float a, float b) {
     return (a != a && b != b) || std::bit_cast<uint32_t>(a) == std::bit_cast<uint32_t>(b);
 }
 
-void expect_as_alone(const Picture& picture, const TextureOptions& options, const char* lanes) {
-    std::mt19937 random(5);
-    const auto numbers = [&](auto make) {
-        return [&random, make](size_t k) { return make(random, k); };
-    };
+using Number = std::function<double(size_t)>;
+struct Coordinates {
+    Number u, v, lod;
+};
+
+void expect_as_alone(const Picture& picture, const TextureOptions& options, const char* lanes,
+                     const Coordinates& points) {
     Scene s(places);
-    const Id u = s.numbers(numbers(coordinate)), v = s.numbers(numbers(coordinate)),
-             level = s.numbers(numbers(lod));
+    const Id u = s.numbers(points.u), v = s.numbers(points.v), level = s.numbers(points.lod);
     const uint32_t resource = s.m.add_resource({"picture", "", options, {}});
     const Id uv = s.m.construct(Type::vec2_, {u, v});
     const Id texel = s.m.add(Op::sample_lod_, {uv, level}, resource);
@@ -93,6 +95,13 @@ void expect_as_alone(const Picture& picture, const TextureOptions& options, cons
     }
 }
 
+void expect_as_alone(const Picture& picture, const TextureOptions& options, const char* lanes) {
+    std::mt19937 random(5);
+    const Number anywhere = [&](size_t k) { return coordinate(random, k); };
+    expect_as_alone(picture, options, lanes,
+                    {anywhere, anywhere, [&](size_t k) { return lod(random, k); }});
+}
+
 TEST(TileSamples, EveryLaneIsAsByItself) {
     const Picture pictures[] = {{37, 5, 3, PixelType::u8},
                                 {16, 16, 4, PixelType::u8, true},
@@ -109,6 +118,30 @@ TEST(TileSamples, EveryLaneIsAsByItself) {
         for (const Wrap wrap : {Wrap::repeat, Wrap::clamp, Wrap::mirror})
             for (const char* lanes : {"x", "xyz", "xyzw", "y", "w"})
                 expect_as_alone(picture, {Encoding::linear, wrap, Filter::linear}, lanes);
+}
+
+// Lane by lane a texel on, over the borders, there and back; up where a picture is one texel wide.
+TEST(TileSamples, NeighboursAreAsByThemselves) {
+    const Picture pictures[] = {{37, 5, 3, PixelType::u8},      {8, 8, 3, PixelType::u8},
+                                {1, 20, 3, PixelType::u8},      {37, 6, 1, PixelType::float32},
+                                {300, 2, 1, PixelType::u16},    {9, 4, 1, PixelType::float32},
+                                {1, 20, 1, PixelType::float32}, {200, 3, 3, PixelType::float32}};
+    for (const Picture& picture : pictures) {
+        const auto step = [&](size_t k, uint32_t size) {
+            const double texel = k < places / 2 ? static_cast<double>(k) : -static_cast<double>(k);
+            return (texel + 0.3) / size;
+        };
+        const Coordinates along = {[&](size_t k) { return step(k, picture.width); },
+                                   [&](size_t k) {
+                                       return picture.width == 1
+                                                  ? step(k, picture.height)
+                                                  : static_cast<double>(k / 40) * 0.21;
+                                   },
+                                   [](size_t) { return -1; }};
+        for (const Wrap wrap : {Wrap::repeat, Wrap::clamp, Wrap::mirror})
+            for (const char* lanes : {"x", "xyz"})
+                expect_as_alone(picture, {Encoding::linear, wrap, Filter::linear}, lanes, along);
+    }
 }
 
 TEST(TileSamples, NearestTexelsToo) {
