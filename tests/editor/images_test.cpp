@@ -76,6 +76,12 @@ TEST_F(Pictures, GreenThatPointsDownIsReadSoFromTheStart) {
         assert clean)");
     play("drop textures/down.png canvas\nwait");
     EXPECT_EQ(remarked(), Names{});
+    const Examined* found = examined_at(state, *state.document().find("down"), "image");
+    ASSERT_TRUE(found);
+    bool offset = false;
+    for (const Fact& fact : facts_of(*found))
+        offset |= fact.name == "Offset" && fact.value.find("green") != fact.value.npos;
+    EXPECT_TRUE(offset) << "it has 8 bits";
 }
 
 TEST_F(Pictures, TheOtherGreenIsRemarkedAndMendedByOneClick) {
@@ -154,8 +160,8 @@ TEST_F(Pictures, NoRemedyPartsAWire) {
 
 TEST_F(Pictures, DefectsAreRemarkedWithWhatHelps) {
     changed(
-        "weave_normal.png", "cut.png", [](float*) {}, 0.77);
-    open_reading("tangent_normal_map", "\"textures/cut.png\"");
+        "pebbles_height.png", "cut.png", [](float*) {}, 0.77);
+    open_reading("height_map", "\"textures/cut.png\"", "gradient", "\"amplitude\": 0.1");
     ASSERT_EQ(remarked(), Names{"seam: Clamp"});
     play(R"(
         click fix:1
@@ -227,9 +233,9 @@ TEST(ImageFacts, SayKindSizeAndTheNumbersOfLint) {
     EXPECT_EQ(facts["Kind"], "Tangent-space normal map, green up");
     EXPECT_EQ(facts["Size"].find(std::to_string(found.info.width) + " \u00D7 "), 0U)
         << facts["Size"];
-    EXPECT_NE(facts["Size"].find("3 channels, 8 bits"), std::string::npos) << facts["Size"];
+    EXPECT_NE(facts["Size"].find("3 channels, 16 bits"), std::string::npos) << facts["Size"];
     EXPECT_EQ(facts["Curl"].find(words), 0U) << facts["Curl"];
-    for (const char* name : {"Mean normal", "Blue", "Offset", "Levels", "Border"})
+    for (const char* name : {"Mean normal", "Blue", "Levels", "Border"})
         EXPECT_NE(facts[name], "") << name;
 }
 
