@@ -5,6 +5,7 @@
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
+#include <atomic>
 #include <cstdio>
 
 #include "base/file.h"
@@ -68,6 +69,12 @@ struct Workers {
     CostCounter counter{count, wake_window};
     CodeMaker code;
     NodePictureMaker pictures{wake_window};
+    std::atomic<bool> closing = false;
+    ImageExaminer examiner{[this](std::filesystem::path&& file) {
+                               const auto stopped = [this] { return closing.load(); };
+                               return ImageAnswer{file, examine_file(file, stopped)};
+                           },
+                           wake_window};
     FileLooker looker{[](FileQuestion&& question) { return look_at_files(question); },
                       {}};  // heard when the window next looks; to wake it would draw a frame
 
@@ -79,8 +86,12 @@ struct Workers {
         state.code.maker = &code;
         state.node_feed.maker = &pictures;
         state.used.looker = &looker;
+        state.images.examiner = &examiner;
         state.tasks.wake = wake_window;
     }
+    Workers(const Workers&) = delete;
+    Workers& operator=(const Workers&) = delete;
+    ~Workers() { closing = true; }
 };
 
 int run(const Arguments& arguments) {

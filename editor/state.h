@@ -21,6 +21,7 @@
 #include "editor/document/plugins.h"
 #include "editor/document/used_files.h"
 #include "editor/drop/dropped.h"
+#include "editor/images/images.h"
 #include "editor/input/targets.h"
 #include "editor/look/fonts.h"
 #include "editor/look/look.h"
@@ -48,6 +49,7 @@ struct State {
     const Registry* registry = nullptr;
     Plugins plugins;
     UsedFiles used;
+    Images images;
     Fonts fonts;
     Look look;
     History history;

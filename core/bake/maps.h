@@ -43,6 +43,7 @@ struct MapRequest {
     bool integers = true;             // of the file
 };
 std::optional<MapRequest> parse_pack(const std::string& text, Diagnostics& diagnostics);
+std::string text_of(const MapRequest& pack);  // "orm: r=occlusion g=roughness.g"
 
 struct MapOptions {
     bool tangent_space = true;  // else object space

@@ -55,4 +55,11 @@ std::optional<MapRequest> parse_pack(const std::string& text, Diagnostics& diagn
     return {};
 }
 
+std::string text_of(const MapRequest& pack) {
+    std::string text = pack.name + ":";
+    for (const PackedChannel& channel : pack.pack)
+        text += std::string(" ") + channel.to + "=" + channel.map + "." + "rgba"[channel.channel];
+    return text;
+}
+
 }  // namespace wrinkle

@@ -13,7 +13,6 @@
 namespace wrinkle::cli {
 namespace {
 
-constexpr uint32_t most_texels = 65536;
 constexpr std::array<std::string_view, 4> types = {"u8", "u16", "half", "float"};
 
 bool parse_whole(std::string_view text, uint32_t most, uint32_t& number) {
@@ -33,8 +32,8 @@ bool parse_shard(const std::string& text, BakeWishes& wishes) {
 // "1024" or "2048x1024"
 bool parse_bake_size(const std::string& text, BakeWishes& wishes) {
     const auto parts = split(text, 'x');
-    return parts.size() <= 2 && parse_whole(parts[0], most_texels, wishes.width) &&
-           parse_whole(parts.back(), most_texels, wishes.height);
+    return parts.size() <= 2 && parse_whole(parts[0], most_baked_side, wishes.width) &&
+           parse_whole(parts.back(), most_baked_side, wishes.height);
 }
 
 PixelType usual_type(const std::string& extension) {
@@ -121,34 +120,29 @@ bool read_wishes(const BakeOptions& options, BakeWishes& wishes, std::string& wh
 }
 
 void declare_bake_maps(CLI::App& sub, BakeOptions& c) {
-    sub.add_option("--map", c.maps,
-                   "What is baked, separated by commas: outputs of the graph, and derivative and "
-                   "slopes of its normal; default: normal")
-        ->type_name("LIST");
-    sub.add_option("--pack", c.packs,
-                   "A map of others' channels: \"orm: r=occlusion g=roughness b=metalness\"")
+    sub.add_option("--map", c.maps, bake_words::map)->type_name("LIST");
+    sub.add_option("--pack", c.packs, bake_words::pack)
         ->type_name("CHANNELS")
         ->allow_extra_args(false)
         ->take_all();
-    sub.add_option("--space", c.space, "Of normals; world is object space, as meshes are not moved")
+    sub.add_option("--space", c.space, bake_words::space)
         ->check(CLI::IsMember({"tangent", "object", "world"}))
         ->capture_default_str();
-    sub.add_flag("--gl", c.gl, "Green of normals is +v; the default");
-    sub.add_flag("--dx", c.dx, "Green of normals is -v");
-    sub.add_option("--scale", c.scale, "Heights, slopes and derivatives are divided by this")
-        ->type_name("S")
-        ->capture_default_str();
+    sub.add_flag("--gl", c.gl, bake_words::gl);
+    sub.add_flag("--dx", c.dx, bake_words::dx);
+    sub.add_option("--scale", c.scale, bake_words::scale)->type_name("S")->capture_default_str();
 }
 
 void declare_bake_layout(CLI::App& sub, BakeOptions& c) {
     sub.add_option("--size", c.size, "Of a map, in texels: N or WxH")
         ->type_name("N")
         ->capture_default_str();
-    sub.add_flag("--udim", c.udim, "Every square of uv has a map of its own: OUT.1001.png");
-    sub.add_option("--samples", c.samples, "Of a texel that an island's border crosses")
-        ->check(CLI::IsMember({1, 4, 16, 64}))
+    sub.add_flag("--udim", c.udim, bake_words::udim);
+    sub.add_option("--samples", c.samples, bake_words::samples)
+        ->check(CLI::IsMember(
+            std::vector<uint32_t>(bake_sample_counts.begin(), bake_sample_counts.end())))
         ->capture_default_str();
-    sub.add_option("--dilate", c.dilate, "Texels by which islands grow over what is empty")
+    sub.add_option("--dilate", c.dilate, bake_words::dilate)
         ->type_name("N")
         ->check(CLI::Range(uint32_t{0}, most_dilation))
         ->capture_default_str();
@@ -164,16 +158,14 @@ void declare_bake_options(CLI::App& sub, BakeOptions& c) {
         ->required();
     declare_bake_maps(sub, c);
     declare_bake_layout(sub, c);
-    sub.add_option("--type", c.type, "Of the stored numbers; default: u8, half in OpenEXR")
+    sub.add_option("--type", c.type, bake_words::type)
         ->check(CLI::IsMember(std::vector<std::string>(types.begin(), types.end())));
     sub.add_option("--format", c.format, "Of maps in a folder; default: png, or exr for floats")
         ->check(CLI::IsMember({"png", "tif", "exr", "hdr"}));
-    sub.add_option("--compression", c.compression,
-                   "OpenEXR: none rle zip zips piz; TIFF: none lzw zip")
-        ->type_name("NAME");
-    sub.add_option("--tile", c.tile, "Side of the tiles in OpenEXR and TIFF; 0: rows")
+    sub.add_option("--compression", c.compression, bake_words::compression)->type_name("NAME");
+    sub.add_option("--tile", c.tile, bake_words::tile)
         ->type_name("N")
-        ->check(CLI::Range(0, 4096))
+        ->check(CLI::Range(uint32_t{0}, most_bake_tile))
         ->capture_default_str();
     sub.add_option("-j", c.threads, "Threads; 0 is one for each core")
         ->type_name("N")

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "bake/maps.h"
+#include "bake/options.h"
 #include "cli/depfile.h"
 #include "cli/session.h"
 #include "image/image.h"
@@ -12,14 +13,13 @@
 
 namespace wrinkle::cli {
 
-struct BakeOptions {
+struct BakeOptions : BakeTuning {
     CommonOptions common;
     Depfile depfile;
     std::string file, mesh, output;
-    std::string size = "1024", space = "tangent", maps, type, format, compression, shard;
+    std::string size = "1024", space = "tangent", maps, type, format, shard;
     std::vector<std::string> packs, merge;
-    double scale = 1;
-    uint32_t samples = 4, dilate = 16, tile = 0, threads = 0;
+    uint32_t threads = 0;
     bool gl = false, dx = false, udim = false, json = false, resume = false;
 };
 

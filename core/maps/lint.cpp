@@ -47,8 +47,11 @@ bool is_normal(Look look) {
 
 class Examination {
 public:
-    Examination(const Image& image, Wrap wrap)
-        : image_(image), wrap_(wrap), channels_(image.channels - (image.has_alpha ? 1 : 0)) {}
+    Examination(const Image& image, Wrap wrap, const std::function<bool()>& stopped)
+        : image_(image),
+          wrap_(wrap),
+          stopped_(stopped),
+          channels_(image.channels - (image.has_alpha ? 1 : 0)) {}
 
     Verdict run() {
         if (!check_finite()) return verdict_;
@@ -56,16 +59,17 @@ public:
             look_at_vectors();
         else
             verdict_.look = channels_ == 2 ? Look::two_channel : Look::height;
-        if (is_normal(verdict_.look) || verdict_.look == Look::two_channel) check_green();
-        if (is_normal(verdict_.look)) check_normals();
-        if (is_normal(verdict_.look) || verdict_.look == Look::height) {
-            check_steps();
-            check_seams();
-        }
+        if (!is_stopped() && (is_normal(verdict_.look) || verdict_.look == Look::two_channel))
+            check_green();
+        if (!is_stopped() && is_normal(verdict_.look)) check_normals();
+        const bool relief = is_normal(verdict_.look) || verdict_.look == Look::height;
+        if (!is_stopped() && relief) check_steps();
+        if (!is_stopped() && relief) check_seams();
         return verdict_;
     }
 
 private:
+    bool is_stopped() const { return stopped_ && stopped_(); }
     void measure(const char* name, double value) { verdict_.evidence.push_back({name, value}); }
     void find(const char* name, std::string message, bool defect = true) {
         verdict_.findings.push_back({name, std::move(message), defect});
@@ -96,7 +100,8 @@ private:
         measure("mean_z", vectors_.mean[2]);
         const bool central = std::abs(vectors_.mean[0]) < 0.2 && std::abs(vectors_.mean[1]) < 0.2;
         const bool unit = vectors_.unit > 0.75;
-        if (vectors_.blue_spread < 1.5 * u8_step && vectors_.unit < 0.99 && central)
+        const bool flat_up = vectors_.unit >= 0.99 && vectors_.mean[2] > 0;
+        if (vectors_.blue_spread < 1.5 * u8_step && !flat_up && central)
             verdict_.look = Look::two_channel;
         else if (unit && vectors_.downward > 0.02)
             verdict_.look = Look::normal_object;
@@ -196,6 +201,7 @@ private:
 
     const Image& image_;
     Wrap wrap_;
+    const std::function<bool()>& stopped_;
     uint32_t channels_;
     Verdict verdict_;
     VectorMeasures vectors_;
@@ -222,8 +228,8 @@ std::optional<double> Verdict::measure(std::string_view name) const {
     return {};
 }
 
-Verdict examine(const Image& image, Wrap wrap) {
-    return Examination(image, wrap).run();
+Verdict examine(const Image& image, Wrap wrap, const std::function<bool()>& stopped) {
+    return Examination(image, wrap, stopped).run();
 }
 
 }  // namespace wrinkle::maps

@@ -7,8 +7,8 @@
 //                  d/dv of the one and d/du of the other go together, green points up
 //   normal         the same, with slopes that do not tell (flat, or ridges along one axis)
 //   normal_object  unit vectors that also point down
-//   two_channel    red and green about the middle, blue missing or one value: slopes, or normals
-//                  whose z is made
+//   two_channel    red and green about the middle, blue missing or one value that does not make the
+//                  vectors unit and up: slopes, or normals whose z is made
 //   color          none of them
 //
 // What is wrong (`defect`), or only worth knowing:
@@ -24,6 +24,7 @@
 //   not_finite NaN or infinity
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -67,7 +68,8 @@ struct Verdict {
     std::optional<double> measure(std::string_view name) const;
 };
 
-// `wrap` says whether the picture is to repeat.
-Verdict examine(const Image& image, Wrap wrap);
+// `wrap` says whether the picture is to repeat. `stopped` is asked between a measure and the next;
+// where it says true the verdict is what was found until then, and nobody's.
+Verdict examine(const Image& image, Wrap wrap, const std::function<bool()>& stopped = {});
 
 }  // namespace wrinkle::maps

@@ -169,22 +169,24 @@ StepMeasures measure_steps(const Image& image, uint32_t channel) {
 SeamMeasures measure_seam(const Image& image, uint32_t channels, bool across_u) {
     const uint32_t lines = across_u ? image.width : image.height;
     const uint32_t length = across_u ? image.height : image.width;
-    std::vector<double> inside;
-    double border = 0;
-    for (uint32_t line = 0; line < lines; ++line) {
-        const uint32_t next = (line + 1) % lines;
+    std::vector<double> sums(lines);  // of the steps from each line to the next
+    const auto add = [&](uint32_t line, const float* a, const float* b) {
         double sum = 0;
-        for (uint32_t i = 0; i < length; ++i) {
-            const float* a = across_u ? image.texel(line, i) : image.texel(i, line);
-            const float* b = across_u ? image.texel(next, i) : image.texel(i, next);
-            for (uint32_t c = 0; c < channels; ++c)
-                sum += std::isfinite(a[c] - b[c]) ? std::abs(static_cast<double>(a[c]) - b[c]) : 0;
-        }
-        if (next == 0)
-            border = sum / (static_cast<double>(length) * channels);
-        else
-            inside.push_back(sum / (static_cast<double>(length) * channels));
-    }
+        for (uint32_t c = 0; c < channels; ++c)
+            sum += std::isfinite(a[c] - b[c]) ? std::abs(static_cast<double>(a[c]) - b[c]) : 0;
+        sums[line] += sum;
+    };
+    for (uint32_t y = 0; y < image.height; ++y)  // in the order of memory
+        for (uint32_t x = 0; x < image.width; ++x)
+            if (across_u)
+                add(x, image.texel(x, y), image.texel((x + 1) % lines, y));
+            else
+                add(y, image.texel(x, y), image.texel(x, (y + 1) % lines));
+    for (double& sum : sums)
+        sum /= static_cast<double>(length) * channels;
+    const double border = sums.back();
+    sums.pop_back();
+    std::vector<double>& inside = sums;
     if (inside.empty()) return {};
     const auto place = inside.begin() + static_cast<ptrdiff_t>((inside.size() - 1) * 99 / 100);
     std::nth_element(inside.begin(), place, inside.end());

@@ -20,8 +20,6 @@ namespace fs = std::filesystem;
 namespace {
 
 using Clock = std::chrono::steady_clock;
-constexpr uint32_t bake_samples = 4;  // of an edge texel, as the program's --samples
-
 // Folders that are made for files, taken away again unless the files were kept.
 class NewFolders {
 public:
@@ -72,6 +70,9 @@ public:
 
     TaskOutcome run() {
         const Clock::time_point begun = Clock::now();
+        std::string why;
+        asked_ = asked_maps(choices_, why);
+        if (!why.empty()) return {false, "No map can be baked. " + why};
         if (!compile() || !read_mesh()) return refused();
         NewFolders folders(choices_.one_file() ? choices_.into.parent_path() : choices_.into);
         if (!bake_squares() || !finish()) {
@@ -115,15 +116,15 @@ private:
 
     bool plan() {
         std::vector<MapRequest> requests;
-        for (const std::string& map : choices_.maps) {
-            const StoredAs& stored = stored_for(*choices_.stored, map);
-            types_.push_back(stored.type);
-            requests.push_back({map, {}, stored.integers()});
+        for (const AskedMap& map : asked_) {
+            types_.push_back(map.stored->type);
+            requests.push_back(map.request);
         }
         MapOptions options;
         options.tangent_space = !choices_.object_space;
         options.vertex_tangents = !mesh_.tangents.empty();
         options.green_down = choices_.green_down;
+        options.scale = choices_.tuning.scale;
         options.width = options.height = choices_.size;
         plan_ = plan_maps(compiled_.module, requests, options, problems_);
         return plan_ && check_inputs(mesh_, {&*plan_, 1}, choices_.mesh, problems_) &&
@@ -144,8 +145,12 @@ private:
         std::vector<MapFile> files;
         for (const fs::path& path : baked_files(choices_, suffix)) {
             const size_t map = files.size();
-            files.push_back({path, writer_options(plan_->maps[map], types_[map], choices_.size,
-                                                  choices_.size, 1)});
+            const StoredAs& stored = *asked_[map].stored;
+            WriterOptions options = writer_options(plan_->maps[map], stored.type, choices_.size,
+                                                   choices_.size, choices_.tuning.scale);
+            options.compression = choices_.compression_in(stored);
+            options.tile = choices_.tile_in(stored);
+            files.push_back({path, std::move(options)});
         }
         auto writers = MapFiles::open(files, disk_);
         if (!writers) return false;
@@ -156,7 +161,8 @@ private:
         input.plan = &*plan_;
         input.textures = textures;
         input.types = types_;
-        input.layout = {choices_.size, choices_.size, square, bake_samples};
+        input.layout = {choices_.size, choices_.size, square, choices_.tuning.samples};
+        input.dilate = choices_.tuning.dilate;
         PictureTakers take;
         take.rows = [&](size_t map, std::span<const std::byte> rows) {
             return written_.back().write(map, rows, disk_);
@@ -186,7 +192,7 @@ private:
     }
 
     std::string said(Clock::time_point begun) const {
-        const size_t count = written_.size() * choices_.maps.size();
+        const size_t count = written_.size() * asked_.size();
         const std::string place = choices_.into.filename().string();
         return "Baked " + (choices_.one_file() ? place : counted(count, "map") + " into " + place) +
                " in " + time_taken(begun) + ".";
@@ -202,6 +208,7 @@ private:
     Mesh mesh_;
     UvSurvey uvs_;
     std::optional<BakePlan> plan_;
+    std::vector<AskedMap> asked_;
     std::vector<PixelType> types_;   // by map
     std::vector<MapFiles> written_;  // of each square, without their names until all are whole
     BakeReport report_;
@@ -221,12 +228,18 @@ TaskOutcome bake_maps(const BakeJob& job, const Registry& registry, TaskProgress
 void start_bake(State& state, const BakeChoices& choices) {
     state.keeping.settings.bake = settings_of(choices);
     BakeJob job{state.model, state.document(), state.path.string(), choices};
-    if (choices.into.is_relative()) job.choices.into = state.folder() / choices.into;
+    job.choices.into = place_of(state, choices);
     const auto work = [job = std::move(job), registry = state.registry](TaskProgress& progress) {
         return bake_maps(job, *registry, progress);
     };
-    start_task(state, {"Baking " + counted(choices.maps.size(), "map"), work,
+    std::string ignored;
+    const size_t count = asked_maps(choices, ignored).size();
+    start_task(state, {"Baking " + counted(count, "map"), work,
                        [choices](State& s) { start_bake(s, choices); }, "texels"});
+}
+
+fs::path place_of(const State& state, const BakeChoices& choices) {
+    return state.folder() / with_home(choices.into);
 }
 
 std::vector<std::string> maps_of(const Document& document) {
@@ -243,7 +256,7 @@ BakeChoices usual_bake(const State& state) {
     for (const std::string& map : all)
         if (std::find(choices.maps.begin(), choices.maps.end(), map) != choices.maps.end())
             maps.push_back(map);
-    if (maps.empty() && !all.empty()) maps.push_back(all.front());
+    if (maps.empty() && choices.packs.empty() && !all.empty()) maps.push_back(all.front());
     choices.maps = std::move(maps);
     choices.mesh = state.view.preview_view.mesh;
     choices.into = fs::path(state.file_name()).stem().string() + "_maps";

@@ -22,6 +22,9 @@ TaskOutcome bake_maps(const BakeJob& job, const Registry& registry, TaskProgress
 // The same of the document as it is now, as a task; the choices become the settings.
 void start_bake(State& state, const BakeChoices& choices);
 
+// Where they go on the disk: relative paths begin beside the graph, "~" at home.
+std::filesystem::path place_of(const State& state, const BakeChoices& choices);
+
 // The maps that the document's outputs give.
 std::vector<std::string> maps_of(const Document& document);
 // What a dialog begins with: the last choices, those of the maps that there are, on the preview's

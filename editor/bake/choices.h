@@ -8,6 +8,8 @@
 #include <string_view>
 #include <vector>
 
+#include "bake/maps.h"
+#include "bake/options.h"
 #include "editor/document/settings.h"
 #include "image/image.h"
 
@@ -26,17 +28,26 @@ std::span<const StoredAs> stored_kinds();
 // How a map is stored where this kind was chosen: what fits no integers is OpenEXR, half.
 const StoredAs& stored_for(const StoredAs& chosen, std::string_view map);
 
+// Names of compressions that the kind's format knows, "none" among them; none for most.
+std::vector<std::string_view> compressions_of(const StoredAs& stored);
+inline constexpr uint32_t bake_tiles[] = {0, 64, 128, 256, 512};  // 0: rows
+
 inline constexpr uint32_t bake_sizes[] = {256, 512, 1024, 2048, 4096, 8192, 16384};  // texels
 
 struct BakeChoices {
     std::string mesh;               // a shape's name, or the path of an OBJ or glTF file
     std::vector<std::string> maps;  // by name, in the order of the graph's
+    std::string packs;              // as `--pack` has them, with a ; between two
     uint32_t size = 1024;           // texels, both ways
     bool object_space = false, green_down = false, udim = false;
     const StoredAs* stored = stored_kinds().data();
+    BakeTuning tuning;
     // A folder; or of one map its file, when it ends like one of that format.
     std::filesystem::path into;
 
+    // What of the tuning the format of these files knows.
+    std::string compression_in(const StoredAs& kind) const;
+    uint32_t tile_in(const StoredAs& kind) const;
     bool one_file() const;
     bool operator==(const BakeChoices&) const = default;
 };
@@ -44,6 +55,18 @@ struct BakeChoices {
 // All but the mesh and the place, which belong to one graph.
 BakeChoices choices_of(const BakeSettings& settings);
 BakeSettings settings_of(const BakeChoices& choices);
+
+// All that is asked for, maps before packs, each with how it is stored.
+struct AskedMap {
+    MapRequest request;
+    const StoredAs* stored = nullptr;
+};
+// What can be used of it; `why` says in one sentence what cannot.
+std::vector<AskedMap> asked_maps(const BakeChoices& choices, std::string& why);
+
+// The same bake by `wrinkle bake`, for a shell. A line for each kind of files, since a call has one
+// type.
+std::string bake_command(const BakeChoices& choices, const std::filesystem::path& graph);
 
 // The files of a picture, by map; of a UDIM tile with its number: ".1001".
 std::vector<std::filesystem::path> baked_files(const BakeChoices& choices,

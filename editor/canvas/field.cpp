@@ -136,6 +136,22 @@ Document with_file(const Document& document, std::string_view node, const Port& 
     return set_value(document, node, port.name, json::Value::object(members));
 }
 
+Document with_image_word(const Document& document, std::string_view node, const Port& port,
+                         std::string_view key, std::string_view word) {
+    const Node* target = document.find(node);
+    const Input* old = target ? literal_at(*target, port) : nullptr;
+    if (!old) return document;
+    const bool usual = word == (key == "encoding" ? name_of(port.encoding) : name_of(Wrap{}));
+    std::vector<std::pair<std::string, json::Value>> members;
+    if (!old->value.is(json::Kind::object)) members.emplace_back("file", old->value);
+    for (const json::Member& member : old->value.children())
+        if (member.key != key) members.emplace_back(member.key, member.value);
+    if (!usual) members.emplace_back(key, json::Value::string(std::string(word)));
+    const bool bare = members.size() == 1 && members[0].first == "file";
+    return set_value(document, node, port.name,
+                     bare ? members[0].second : json::Value::object(members));
+}
+
 double dragged(double start, double pixels, double width, const Port& port, bool fine,
                bool coarse) {
     if (is_count(port)) return start + std::trunc(pixels / 12);

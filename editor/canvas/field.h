@@ -28,6 +28,9 @@ Document with_choice(const Document& document, std::string_view node, const Port
 Document with_flag(const Document& document, std::string_view node, const Port& port, bool value);
 Document with_file(const Document& document, std::string_view node, const Port& port,
                    std::string_view file);
+// An image's "encoding" or "wrap" by its name; what holds without it is not written.
+Document with_image_word(const Document& document, std::string_view node, const Port& port,
+                         std::string_view key, std::string_view word);
 
 // `start` after a drag of `pixels` along a field `width` pixels wide.
 double dragged(double start, double pixels, double width, const Port& port, bool fine, bool coarse);

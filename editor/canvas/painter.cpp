@@ -30,16 +30,20 @@ void Painter::find_selected() {
 }
 
 void Painter::find_troubles() {
-    for (const Diagnostic& problem : state.built.problems.list()) {
-        const std::string_view path = problem.node;
-        const Card* card =
-            path.empty() ? nullptr : state.layout.find(path.substr(0, path.find('/')));
-        if (!card) continue;
-        troubles_.resize(state.layout.cards.size());
-        Trouble& trouble = troubles_[static_cast<size_t>(card - state.layout.cards.data())];
-        if (!trouble.worst || (!trouble.error() && problem.severity == Severity::error))
-            trouble.worst = &problem;
-    }
+    for (const Diagnostic& problem : state.built.problems.list())
+        blame(problem);
+    for (const Remark& remark : state.images.remarks)
+        blame(remark.problem);
+}
+
+void Painter::blame(const Diagnostic& problem) {
+    const std::string_view path = problem.node;
+    const Card* card = path.empty() ? nullptr : state.layout.find(path.substr(0, path.find('/')));
+    if (!card) return;
+    troubles_.resize(state.layout.cards.size());
+    Trouble& trouble = troubles_[static_cast<size_t>(card - state.layout.cards.data())];
+    if (!trouble.worst || (!trouble.error() && problem.severity == Severity::error))
+        trouble.worst = &problem;
 }
 
 // Cards on a way to the selection, and from it; a wire leads along one of them or along the other.
@@ -112,6 +116,8 @@ const Diagnostic* Painter::fault(const Card& card, std::string_view port) const 
         at.remove_prefix(found + inputs.size());
         if (at.substr(0, at.find('/')) == port) return &problem;
     }
+    for (const Remark& remark : state.images.remarks)
+        if (remark.problem.node == card.id && remark.port == port) return &remark.problem;
     return nullptr;
 }
 

@@ -49,6 +49,7 @@ public:
 private:
     void find_selected();
     void find_troubles();
+    void blame(const Diagnostic& problem);
     void find_related();
     void find_dearest();
 

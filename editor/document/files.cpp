@@ -102,6 +102,9 @@ void let_go(State& state) {
     state.popup = {};
     state.offer = {};
     state.box_text = {};
+    state.dropped.waiting.clear();
+    state.images.paths.clear();
+    ++state.images.changes;
     state.fresh = false;
 }
 

@@ -1,5 +1,7 @@
 #include "editor/document/folders.h"
 
+#include <cstdlib>
+
 #include "base/folders.h"
 
 namespace wrinkle::editor {
@@ -12,6 +14,13 @@ Folders user_folders() {
 
 Folders folders_below(const fs::path& folder) {
     return {folder / "config", folder / "state"};
+}
+
+fs::path with_home(const fs::path& typed) {
+    const std::string text = typed.string();
+    const char* home = std::getenv("HOME");
+    if (!home || (text != "~" && !text.starts_with("~/"))) return typed;
+    return text.size() < 3 ? fs::path(home) : fs::path(home) / text.substr(2);
 }
 
 std::string disk_words(const std::error_code& error) {

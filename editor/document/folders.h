@@ -18,6 +18,9 @@ Folders user_folders();
 // Below one folder, for scripts and tests.
 Folders folders_below(const std::filesystem::path& folder);
 
+// "~" and "~/x" lead to the home folder; other paths stay.
+std::filesystem::path with_home(const std::filesystem::path& typed);
+
 // Why a file could not be written, as the end of a sentence: "the disk is full".
 std::string disk_words(const std::error_code& error);
 // The same where the core says it in a text that ends with the system's words.

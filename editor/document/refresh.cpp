@@ -110,7 +110,8 @@ void refresh(State& state) {
 
 bool is_settled(const State& state) {
     const bool held = state.gesture.kind == Gesture::Kind::value;
-    return state.fresh && !state.follow.building() && (!state.preview || state.preview->idle()) &&
+    return state.fresh && state.dropped.waiting.empty() && !state.follow.building() &&
+           (!state.preview || state.preview->idle()) &&
            (held || same_document(state.follow.asked_of, state.document()));
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "bake/bake.h"
 #include "base/file.h"
 #include "base/text.h"
 #include "json/parse.h"
@@ -35,6 +36,13 @@ void each_setting(S& settings, Visitor&& visit) {
     visit("bake_green", settings.bake.green, 0, 32);
     visit("bake_stored", settings.bake.stored, 0, 32);
     visit("bake_udim", settings.bake.udim, 0, 1);
+    visit("bake_packs", settings.bake.packs, 0, 4096);
+    auto& tuning = settings.bake.tuning;
+    visit("bake_scale", tuning.scale, 1e-30, 1e30);
+    visit("bake_samples", tuning.samples, uint32_t{1}, bake_sample_counts.back());
+    visit("bake_dilate", tuning.dilate, uint32_t{0}, most_dilation);
+    visit("bake_compression", tuning.compression, 0, 32);
+    visit("bake_tile", tuning.tile, uint32_t{0}, most_bake_tile);
 }
 
 // Takes what it can use, and lists the names of what it cannot.
@@ -73,6 +81,12 @@ struct Writer {
     std::vector<std::pair<std::string, Value>> members;
 
     void operator()(const char* name, int field, int, int) {
+        members.emplace_back(name, Value::number(field));
+    }
+    void operator()(const char* name, uint32_t field, uint32_t, uint32_t) {
+        members.emplace_back(name, Value::number(field));
+    }
+    void operator()(const char* name, double field, double, double) {
         members.emplace_back(name, Value::number(field));
     }
     void operator()(const char* name, float field, float, float) {

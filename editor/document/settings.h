@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "bake/options.h"
 #include "editor/document/folders.h"
 
 namespace wrinkle::editor {
@@ -17,6 +18,8 @@ struct BakeSettings {
     std::string space = "tangent", green = "gl";
     std::string stored = "png u8";
     int udim = 0;
+    std::string packs;  // "orm: r=occlusion g=roughness; ..."
+    BakeTuning tuning;
 
     bool operator==(const BakeSettings&) const = default;
 };

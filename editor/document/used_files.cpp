@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "editor/document/plugins.h"
+#include "editor/images/images.h"
 #include "editor/preview/feed.h"
 #include "editor/state.h"
 #include "lower/named_images.h"
@@ -13,8 +14,9 @@ namespace wrinkle::editor {
 namespace fs = std::filesystem;
 namespace {
 
-void add(std::vector<UsedFile>& files, Use use, const fs::path& path) {
-    files.push_back({use, path, stamp_of(path)});
+void add(std::vector<UsedFile>& files, Use use, const fs::path& path,
+         const std::string& name = {}) {
+    files.push_back({use, path, stamp_of(path), name});
 }
 
 // A folder's own date changes when a file comes or goes.
@@ -80,6 +82,7 @@ bool take(State& state, const std::vector<UsedFile>& files) {
         read_again(state, file, was_there != file.stamp.there);
     }
     used.known = std::move(known);
+    follow_images(state, files);
     if (plugins) reload_plugins(state);
     return any;
 }
@@ -103,7 +106,7 @@ std::vector<UsedFile> look_at_files(const FileQuestion& question) {
         if (i > 0) add(files, Use::subgraph, project.files[i].path);
         if (i == 0 && !same) continue;
         for (const NamedImage& image : named_images(project, *question.model.types, i))
-            if (image.path) add(files, Use::image, *image.path);
+            if (image.path) add(files, Use::image, *image.path, i == 0 ? image.name : "");
     }
     if (!question.mesh.empty()) add(files, Use::mesh, question.mesh);
     if (!question.light.empty()) add(files, Use::light, question.light);

@@ -26,6 +26,7 @@ struct UsedFile {
     Use use = Use::image;
     std::filesystem::path path;
     Stamp stamp;
+    std::string name = {};  // of a picture of the graph itself, as it writes it
 };
 
 // Of what the files are to be found out.

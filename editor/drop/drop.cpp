@@ -52,7 +52,7 @@ const Port* picture_port(const NodeType& type, const std::string& name) {
     return nullptr;
 }
 
-// A picture on its way into the graph.
+// A picture that has come into the graph.
 struct Picture {
     std::string file;  // as the graph writes it
     ImageKind kind;
@@ -74,9 +74,18 @@ bool set_on_card(State& state, const Picture& picture, const Hit& hit) {
     return true;
 }
 
+// A source node that reads the picture as what it is.
+NewNode with_source(const State& state, const Picture& picture, ImVec2 at) {
+    NewNode made = with_picture(state, *picture.type, picture.file, at);
+    const Port* port = picture_port(*picture.type, "");
+    if (port && picture.kind.encoding)
+        made.document = with_image_word(made.document, made.id, *port, "encoding",
+                                        name_of(*picture.kind.encoding));
+    return made;
+}
+
 void add_on_wire(State& state, const Picture& picture, const Wire& wire) {
-    const NewNode made =
-        with_picture(state, *picture.type, picture.file, picture.at + ImVec2(-336, 96));
+    const NewNode made = with_source(state, picture, picture.at + ImVec2(-336, 96));
     const Port* bump = bump_of(*picture.type);
     std::string why = picture.file + " is a picture of colours, so there is no bump to add";
     std::optional<Document> document;
@@ -91,7 +100,7 @@ void add_on_wire(State& state, const Picture& picture, const Wire& wire) {
 // True when the graph shows it.
 bool add_on_ground(State& state, const Picture& picture) {
     if (state.document().nodes.empty()) leave_empty_graph(state);
-    const NewNode made = with_picture(state, *picture.type, picture.file, picture.at);
+    const NewNode made = with_source(state, picture, picture.at);
     Document document = made.document;
     const Port* bump = bump_of(*picture.type);
     const bool shown = bump && !document.outputs.find("normal");
@@ -111,7 +120,7 @@ const Wire* wire_of_normal(const State& state) {
 }
 
 // `layered`: the pictures before it were shown, so this one is laid over them.
-bool place_picture(State& state, const Picture& picture, const FileDrop& drop, bool layered) {
+bool place_picture(State& state, const Picture& picture, bool layered) {
     if (layered)
         if (const Wire* found = wire_of_normal(state)) {
             const Wire wire = before_resolve(state, state.document(), *found);
@@ -120,7 +129,7 @@ bool place_picture(State& state, const Picture& picture, const FileDrop& drop, b
             add_on_wire(state, placed, wire);
             return true;
         }
-    const Hit hit = pick(state, {drop.x, drop.y});
+    const Hit hit = pick(state, to_screen(state.view, picture.at));
     if (hit.kind == Hit::Kind::wire) {
         const Wire wire = state.layout.wires[hit.part];
         add_on_wire(state, picture, wire);
@@ -130,32 +139,82 @@ bool place_picture(State& state, const Picture& picture, const FileDrop& drop, b
     return add_on_ground(state, picture);
 }
 
-std::optional<Picture> read_picture(State& state, const std::string& file) {
+// Laid over the selected wire or over what the output `normal` shows, else on empty ground.
+void place_chosen(State& state, Picture picture) {
+    picture.at =
+        to_canvas(state.view, state.view.corner + state.view.extent * 0.5F) - ImVec2(120, 120);
+    const auto selected = state.view.selected_wire;
+    for (const Wire& each : state.layout.wires)
+        if (selected && each.node == selected->node && each.port == selected->port) {
+            const Wire wire = each;
+            picture.at = (wire.start + wire.end) * 0.5F;
+            return add_on_wire(state, picture, wire);
+        }
+    if (wire_of_normal(state))
+        place_picture(state, picture, true);
+    else
+        add_on_ground(state, picture);
+}
+
+void place(State& state, Arrival& arrival, const fs::path& file, const Examined& examined) {
     Picture picture;
-    std::string problem;
-    const auto kind = kind_of_file(file, problem);
-    picture.type = kind ? state.registry->find(kind->node_type) : nullptr;
     picture.file = path_in_graph(state, file);
-    if (!picture.type || picture.file.empty()) {
-        state.status = problem;
-        return std::nullopt;
+    if (!examined.problem.empty() || picture.file.empty()) {
+        state.status = examined.problem;
+        return;
     }
-    picture.kind = *kind;
-    return picture;
+    picture.kind = kind_of(examined, file.filename().string());
+    picture.type = state.registry->find(picture.kind.node_type);
+    if (!picture.type) return;
+    picture.at = arrival.at;
+    picture.merge = arrival.merge;
+    if (arrival.chosen)
+        place_chosen(state, picture);
+    else
+        arrival.layered = place_picture(state, picture, arrival.layered);
+    state.images.paths[picture.file] = file;
+    ++state.images.changes;
+    refresh(state);
+}
+
+// As far as it is known what they are. All from one drop are one step.
+void place_arrivals(State& state) {
+    std::vector<Arrival>& waiting = state.dropped.waiting;
+    while (!waiting.empty()) {
+        Arrival& next = waiting.front();
+        while (!next.files.empty()) {
+            const fs::path file = next.files.front();
+            const Examined* found = examined(state, file);
+            if (!found) return;
+            place(state, next, file, Examined(*found));
+            next.files.erase(next.files.begin());
+        }
+        waiting.erase(waiting.begin());
+    }
+}
+
+void await(State& state, Arrival arrival) {
+    for (auto file = arrival.files.rbegin(); file != arrival.files.rend(); ++file)
+        want_image(state, *file, stamp_of(*file), true);  // so the first one goes first
+    if (state.images.busy() && !arrival.files.empty())
+        state.status = "Looking at " + arrival.files.front().filename().string() + ".";
+    state.dropped.waiting.push_back(std::move(arrival));
+    place_arrivals(state);
+}
+
+fs::path canonical_or_same(const fs::path& file) {
+    std::error_code error;
+    const fs::path found = fs::canonical(file, error);
+    return error ? file : found;
 }
 
 void add_pictures(State& state, const FileDrop& drop, const std::vector<std::string>& files) {
-    const std::string merge = "drop " + std::to_string(state.history.serial());
-    const ImVec2 at = to_canvas(state.view, {drop.x, drop.y});
-    bool layered = false;
-    for (const std::string& file : files) {
-        auto picture = read_picture(state, file);
-        if (!picture) continue;
-        picture->at = at;
-        picture->merge = merge;
-        layered = place_picture(state, *picture, drop, layered);
-        refresh(state);
-    }
+    Arrival arrival;
+    arrival.at = to_canvas(state.view, {drop.x, drop.y});
+    arrival.merge = "drop " + std::to_string(state.history.serial());
+    for (const std::string& file : files)
+        arrival.files.push_back(canonical_or_same(file));
+    await(state, std::move(arrival));
 }
 
 void handle(State& state, const FileDrop& drop) {
@@ -221,21 +280,10 @@ void copy_and_add(State& state, const FileDrop& drop) {
 }  // namespace
 
 void add_picture(State& state, const std::string& file) {
-    auto picture = read_picture(state, (state.folder() / file).string());
-    if (!picture) return;
-    picture->at =
-        to_canvas(state.view, state.view.corner + state.view.extent * 0.5F) - ImVec2(120, 120);
-    const auto selected = state.view.selected_wire;
-    for (const Wire& each : state.layout.wires)
-        if (selected && each.node == selected->node && each.port == selected->port) {
-            const Wire wire = each;
-            picture->at = (wire.start + wire.end) * 0.5F;
-            return add_on_wire(state, *picture, wire);
-        }
-    if (wire_of_normal(state))
-        place_picture(state, *picture, {}, true);
-    else
-        add_on_ground(state, *picture);
+    Arrival arrival;
+    arrival.chosen = true;
+    arrival.files = {canonical_or_same(state.folder() / file)};
+    await(state, std::move(arrival));
 }
 
 void use_picture(State& state, const std::string& node, const std::string& port,
@@ -254,6 +302,7 @@ void handle_drops(State& state) {
     state.dropped.arrived.clear();
     for (const FileDrop& drop : arrived)
         handle(state, drop);
+    place_arrivals(state);
 }
 
 void draw_copy_question(State& state) {

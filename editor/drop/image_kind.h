@@ -1,33 +1,29 @@
-// Which node reads a picture, told by its pixels; where they do not say, by its name.
+// Which node reads a picture, told by what lint says of its pixels (maps/lint.h); where they do not
+// say, by its name.
 //
-//   equal channels                       height_map
-//   unit vectors, all pointing up        tangent_normal_map
-//   unit vectors to all sides            object_normal_map; cube_normal_map: six squares in a row
-//   two channels, or a constant blue     derivative_map
-//   anything else                        image
-//
-// Unit vectors: 90 % of the pixels, read as 2 c - 1, are 0.9 to 1.1 long. Up: 99 % have z > 0.
+//   height                      height_map
+//   normal_gl, normal_dx, normal   tangent_normal_map, green as it was found
+//   normal_object               object_normal_map; cube_normal_map: six squares in a row
+//   two_channel                 derivative_map
+//   color                       by its name, else image
 #pragma once
 
-#include <filesystem>
 #include <optional>
 #include <string>
 #include <string_view>
 
-#include "image/image.h"
+#include "base/texture_options.h"
+#include "editor/images/images.h"
 
 namespace wrinkle::editor {
 
 struct ImageKind {
-    std::string_view node_type;  // "tangent_normal_map"
-    std::string why;             // "98 % of its pixels are unit vectors that point up"
+    std::string_view node_type;        // "tangent_normal_map"
+    std::string why;                   // "tangent-space normal map, green up: curl +0.87"
+    std::optional<Encoding> encoding;  // nothing: that of the node
 };
 
-// By a sample of at most 65,536 pixels; `name` is the file's without its folder.
-ImageKind kind_of(const Image& image, std::string_view name);
-
-// Of a file; nothing, with a sentence in `problem`, when it is no picture. One of more than 64
-// million pixels is judged by its name, so that nobody waits.
-std::optional<ImageKind> kind_of_file(const std::filesystem::path& file, std::string& problem);
+// `name` is the file's without its folder; it could be read.
+ImageKind kind_of(const Examined& examined, std::string_view name);
 
 }  // namespace wrinkle::editor

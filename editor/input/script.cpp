@@ -256,7 +256,8 @@ Script::Progress Script::step(const State& state, InputQueue& queue, const Scree
         return Progress::running;
     }
     if (!is_settled(state)) return Progress::running;
-    if (finishing_ && (state.tasks.running || state.follow.is_counting())) return Progress::running;
+    const bool works = state.tasks.running || state.follow.is_counting() || state.images.busy();
+    if (finishing_ && works) return Progress::running;
     finishing_ = false;
     if (settle_-- > 0) return Progress::running;
     if (next_ == lines_.size()) return Progress::done;

@@ -119,9 +119,7 @@ bool enter(State& state) {
     Browser& browser = state.browser;
     std::error_code ignored;
     const bool path = browser.text.find('/') != browser.text.npos || browser.text == "..";
-    const char* home = std::getenv("HOME");
-    fs::path typed = browser.folder / browser.text;
-    if (browser.text.starts_with("~/") && home) typed = fs::path(home) / browser.text.substr(2);
+    const fs::path typed = browser.folder / with_home(browser.text);
     if (path && fs::is_directory(typed, ignored)) {
         browser.text.clear();
         go_to(browser, typed);

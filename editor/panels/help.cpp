@@ -6,6 +6,7 @@
 #include "editor/commands/commands.h"
 #include "editor/look/draw.h"
 #include "editor/look/theme.h"
+#include "editor/panels/image_section.h"
 #include "editor/panels/panels.h"
 
 namespace wrinkle::editor {
@@ -88,10 +89,12 @@ void draw_port(const State& state, const Port& port) {
     ImGui::Dummy({1, 2});
 }
 
-void draw_node_page(const State& state, const NodeType& type) {
+void draw_node_page(State& state, const NodeType& type) {
     write_wrapped(state, type.title, theme::text, true, 24);
     write_wrapped(state, type.id + "   " + type.family, theme::text_dim, false, 14);
     write_wrapped(state, type.doc, theme::text);
+    if (const Node* node = state.document().find(state.help.node))
+        draw_image_sections(state, *node);
     for (const bool outputs : {true, false}) {
         ImGui::Dummy({1, 6});
         write_wrapped(state, outputs ? "Outputs" : "Inputs and values", theme::text, true, 18);
@@ -129,7 +132,7 @@ const NodeType* help_type(const State& state) {
 
 // What a tooltip says about the thing under the pointer; false for nothing.
 bool hover_words(const State& state, std::string& name, std::string& title, std::string& facts,
-                 std::string& doc) {
+                 std::string& doc, std::string& image) {
     const Hit& hit = state.hovered;
     if (hit.kind == Hit::Kind::nothing || hit.kind == Hit::Kind::wire ||
         hit.card >= state.layout.cards.size())
@@ -149,6 +152,8 @@ bool hover_words(const State& state, std::string& name, std::string& title, std:
     title = port ? port->name : card.type->title;
     facts = port ? port_facts(*port) : "F1 says more";
     doc = port ? port->doc : card.type->doc;
+    if (port && port->is_value() && port->type == PortType::image_)
+        image = image_words(state, card.id, port->name);
     return true;
 }
 
@@ -232,8 +237,8 @@ void draw_hover_docs(State& state) {
                        state.gesture.kind == Gesture::Kind::none && !state.palette.open &&
                        state.popup.kind == Popup::Kind::none;
     state.help.rested = still ? state.help.rested + io.DeltaTime : 0;
-    std::string name, title, facts, doc;
-    const bool any = still && hover_words(state, name, title, facts, doc);
+    std::string name, title, facts, doc, image;
+    const bool any = still && hover_words(state, name, title, facts, doc, image);
     state.help.waiting = any && state.help.rested < rest;
     if (!any || state.help.waiting) return;
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(12, 8));
@@ -242,6 +247,7 @@ void draw_hover_docs(State& state) {
     write_wrapped(state, title, theme::text, true);
     write_wrapped(state, doc, theme::text);
     write_wrapped(state, facts, theme::text_dim, false, 14);
+    if (!image.empty()) write_wrapped(state, image + " F1 says more.", theme::text);
     ImGui::PopTextWrapPos();
     ImGui::EndTooltip();
     ImGui::PopStyleVar();

@@ -5,6 +5,7 @@
 
 #include "editor/canvas/layout.h"
 #include "editor/document/edits.h"
+#include "editor/images/remarks.h"
 #include "editor/look/draw.h"
 #include "editor/look/theme.h"
 #include "editor/panels/panels.h"
@@ -15,6 +16,7 @@ namespace wrinkle::editor {
 namespace {
 
 constexpr float closed_height = 28, open_head = 36, problem_tall = 62, foot = 6;
+constexpr float fix_wide = 132;
 constexpr float opened = 0.25F;    // of the work area, where it was closed for want of room
 constexpr float low_window = 800;  // there the header stands alone until it is clicked
 
@@ -24,14 +26,18 @@ const std::vector<Diagnostic>& told(const State& state) {
     return state.tasks.warnings_of == state.path ? state.tasks.warnings.list() : none;
 }
 
-// The graph's, or the picture's where it has none; behind them what was told.
+// The graph's, or the picture's where it has none; behind them remarks about its pictures, and what
+// was told.
 std::vector<const Diagnostic*> shown(const State& state) {
     const Diagnostics& own =
         state.built.problems.list().empty() ? state.preview_problems : state.built.problems;
     std::vector<const Diagnostic*> all;
-    for (const auto* list : {&own.list(), &told(state)})
-        for (const Diagnostic& problem : *list)
-            all.push_back(&problem);
+    for (const Diagnostic& problem : own.list())
+        all.push_back(&problem);
+    for (const Remark& remark : state.images.remarks)
+        all.push_back(&remark.problem);
+    for (const Diagnostic& problem : told(state))
+        all.push_back(&problem);
     return all;
 }
 
@@ -72,12 +78,17 @@ std::string port_of(const Diagnostic& problem) {
 }
 
 struct Fix {
-    const char* label = nullptr;  // nullptr: nothing is certain to help
-    bool picture = false;         // choose one; else the wire goes
-    std::string node, port;       // node "": what was told goes from the list
-};
-const Fix dismissal{"Dismiss", false, {}, {}};
+    std::string label = {};  // "": nothing is certain to help
+    bool picture = false;    // choose one; else the wire goes
+    std::string node = {}, port = {};
+    const Remark* remark = nullptr;  // what helps is its remedy
+    bool can_go = false;             // from the list, without being mended
 
+    int buttons() const { return (label.empty() ? 0 : 1) + (can_go ? 1 : 0); }
+};
+enum class Pressed : uint8_t { nothing, fix, dismissal };
+
+// What was told, by its place among that.
 void dismiss(State& state, size_t index) {
     Diagnostics rest;
     const std::vector<Diagnostic>& all = state.tasks.warnings.list();
@@ -108,7 +119,19 @@ Fix fix_of(const State& state, const Diagnostic& problem) {
     return {};
 }
 
+// Of the problem at this place of the list; `own` come before the remarks.
+Fix fix_at(const State& state, const Diagnostic& problem, size_t index, size_t own) {
+    if (index < own) return fix_of(state, problem);
+    Fix fix;
+    fix.can_go = true;
+    if (index - own >= state.images.remarks.size()) return fix;
+    fix.remark = &state.images.remarks[index - own];
+    fix.label = fix.remark->remedy.label;
+    return fix;
+}
+
 void apply(State& state, const Fix& fix) {
+    if (fix.remark) return apply_remedy(state, *fix.remark);
     if (!fix.picture) {
         state.commit("Disconnect " + fix.node + "." + fix.port,
                      without_wire(state.document(), fix.node, fix.port));
@@ -153,19 +176,24 @@ float draw_chip(const State& state, ImDrawList& list, ImVec2 at, const std::stri
     return 44 + width + 10;
 }
 
-// True when it is pressed.
-bool draw_fix(State& state, const Fix& fix, ImVec2 at, size_t index) {
-    if (!fix.label) return false;
+// Side by side, from the right border of the row.
+Pressed draw_fixes(State& state, const Fix& fix, ImVec2 right, size_t index) {
     const ImVec2 next = ImGui::GetCursorPos();
-    ImGui::SetCursorScreenPos(at);
-    const std::string target = "fix:" + std::to_string(index + 1);
-    const bool pressed = button(state, fix.label, target, false, {132, 28});
+    const std::string number = std::to_string(index + 1);
+    Pressed pressed = Pressed::nothing;
+    const auto draw = [&](const std::string& label, const char* target, Pressed means) {
+        right.x -= fix_wide;
+        ImGui::SetCursorScreenPos(right);
+        if (button(state, label.c_str(), target + number, false, {fix_wide, 28})) pressed = means;
+        right.x -= 8;
+    };
+    if (fix.can_go) draw("Dismiss", "dismiss:", Pressed::dismissal);
+    if (!fix.label.empty()) draw(fix.label, "fix:", Pressed::fix);
     ImGui::SetCursorPos(next);
     return pressed;
 }
 
-// True when it was dismissed.
-bool draw_problem(State& state, const Diagnostic& problem, size_t index, const Fix& fix) {
+Pressed draw_problem(State& state, const Diagnostic& problem, size_t index, const Fix& fix) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const float width = std::max(ImGui::GetContentRegionAvail().x, 1.0F);
@@ -184,7 +212,7 @@ bool draw_problem(State& state, const Diagnostic& problem, size_t index, const F
                  6);
     draw_severity(list, at + ImVec2(22, 28), problem.severity == Severity::error);
     const Fonts& fonts = state.fonts;
-    const float right = fix.label ? width - 150 : width - 12;
+    const float right = width - 12 - (fix_wide + 8) * static_cast<float>(fix.buttons());
     const float x = draw_chip(state, list, at, problem.node);
     draw_text(list, fonts.regular(16), 16, at + ImVec2(x, 11), theme::text,
               fitting(fonts.regular(16), 16, message, right - x));
@@ -192,14 +220,13 @@ bool draw_problem(State& state, const Diagnostic& problem, size_t index, const F
               fitting(fonts.regular(14), 14, evidence(problem), right - 44));
     if (ImGui::IsItemHovered() && text_width(fonts.regular(16), 16, message) > right - x)
         ImGui::SetTooltip("%s", message.c_str());
-    const bool fixed = draw_fix(state, fix, at + ImVec2(width - 140, 14), index);
+    const Pressed pressed = draw_fixes(state, fix, at + ImVec2(width - 8, 14), index);
     ImGui::PopID();
-    if (fixed && fix.node.empty()) return true;
-    if (fixed)
+    if (pressed == Pressed::fix)
         apply(state, fix);
-    else if (clicked)
+    else if (clicked && pressed == Pressed::nothing)
         show_problem(state, index);
-    return false;
+    return pressed;
 }
 
 void draw_problems_head(State& state) {
@@ -248,7 +275,8 @@ float problems_height(const State& state) {
 
 void draw_problems(State& state) {
     const std::vector<const Diagnostic*> problems = shown(state);
-    const size_t own = problems.size() - told(state).size();
+    const size_t remarks = state.images.remarks.size();
+    const size_t own = problems.size() - told(state).size() - remarks;
     draw_problems_head(state);
     if (problems.empty()) state.problems = {};
     if (!is_open(state)) return;
@@ -264,10 +292,14 @@ void draw_problems(State& state) {
     while (clipper.Step())
         for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
             const auto index = static_cast<size_t>(i);
-            const Fix fix = index < own ? fix_of(state, *problems[index]) : dismissal;
-            if (draw_problem(state, *problems[index], index, fix)) dismissed = index - own;
+            const Fix fix = fix_at(state, *problems[index], index, own);
+            if (draw_problem(state, *problems[index], index, fix) == Pressed::dismissal)
+                dismissed = index - own;
         }
-    if (dismissed) dismiss(state, *dismissed);
+    if (dismissed && *dismissed < remarks)
+        dismiss_remark(state, state.images.remarks[*dismissed]);
+    else if (dismissed)
+        dismiss(state, *dismissed - remarks);
     ImGui::PopStyleVar();
     ImGui::EndChild();
 }

@@ -96,6 +96,7 @@ void draw_ui(State& state) {
     run_keys(state);
     tend_tasks(state);
     refresh(state);
+    tend_images(state);
     const Regions regions = regions_of(state);
     draw_bars(state, regions);
     draw_panes(state, regions);

@@ -235,7 +235,7 @@ TEST_F(EditorBake, WarningsAreProblemsUntilTheyAreDismissed) {
     EXPECT_EQ(told[2].find("folded.obj: "), 0U);
     EXPECT_NE(told[2].find(" texels are covered by more than one triangle"), std::string::npos);
     EXPECT_EQ(told[3].find("graph.json: the map 'height' holds "), 0U) << told[3];
-    play("assert target problem:1\nclick fix:1\nassert target problem:1");
+    play("assert target problem:1\nclick dismiss:1\nassert target problem:1");
     ASSERT_EQ(state.tasks.warnings.list().size(), 3U);
     EXPECT_EQ(state.tasks.warnings.list()[0].message, told[1]);
     open_file(state, folder.write("other.json", rock));

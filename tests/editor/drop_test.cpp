@@ -21,20 +21,25 @@ TEST(ImageKinds, AreToldByThePixels) {
         {"ball_object.png", "object_normal_map"},    {"ball_cube.png", "cube_normal_map"},
     };
     for (const auto& [file, type] : wanted) {
-        std::string problem;
-        const auto kind = kind_of_file(textures / file, problem);
-        ASSERT_TRUE(kind) << file << problem;
-        EXPECT_EQ(kind->node_type, type) << file << ": " << kind->why;
+        const Examined examined = examine_file(textures / file);
+        ASSERT_EQ(examined.problem, "") << file;
+        const ImageKind kind = kind_of(examined, file);
+        EXPECT_EQ(kind.node_type, type) << file << ": " << kind.why;
+        EXPECT_FALSE(kind.encoding) << file;
     }
 }
 
-Image painted(uint32_t channels, float (*value)(uint32_t x, uint32_t channel)) {
+Examined painted(uint32_t channels, float (*value)(uint32_t x, uint32_t channel)) {
     Image image = make_image(64, 4, channels);
     for (uint32_t y = 0; y < 4; ++y)
         for (uint32_t x = 0; x < 64; ++x)
             for (uint32_t c = 0; c < channels; ++c)
                 image.texel(x, y)[c] = value(x, c);
-    return image;
+    Examined examined;
+    examined.info.width = image.width;
+    examined.info.height = image.height;
+    examined.verdict = maps::examine(image, Wrap::repeat);
+    return examined;
 }
 
 TEST(ImageKinds, OfPicturesThatOnlyLookAlike) {
@@ -53,10 +58,9 @@ TEST(ImageKinds, OfPicturesThatOnlyLookAlike) {
 
 TEST(ImageKinds, OfNoPictureIsAProblem) {
     const TemporaryFolder folder;
-    std::string problem;
-    EXPECT_FALSE(kind_of_file(folder.write("notes.png", "no picture"), problem));
+    const std::string problem = examine_file(folder.write("notes.png", "no picture")).problem;
     EXPECT_NE(problem.find("notes.png"), std::string::npos) << problem;
-    EXPECT_FALSE(kind_of_file(folder.path() / "missing.png", problem));
+    EXPECT_NE(examine_file(folder.path() / "missing.png").problem, "");
 }
 
 class Layering : public Headless {

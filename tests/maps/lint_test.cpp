@@ -198,6 +198,12 @@ TEST(Lint, TwoChannelsAndColors) {
     expect(two, Look::two_channel, {});
     EXPECT_GT(examine(two, Wrap::repeat).measure("curl_correlation").value_or(0), 0.5);
     expect(changed(normals, [](float* t) { t[2] = 0; }), Look::two_channel, {});
+    const auto gentle = [](float* t) {  // with blue as z, unit vectors that all point down
+        t[0] = 0.5f + 0.1f * (t[0] - 0.5f);
+        t[1] = 0.5f + 0.1f * (t[1] - 0.5f);
+        t[2] = 0;
+    };
+    expect(changed(normals, gentle), Look::two_channel, {});
     Image colors = make_image(32, 32, 3, PixelType::u8);
     for (size_t i = 0; i < colors.data.size(); ++i)
         colors.data[i] = static_cast<float>(i * 7919 % 97) / 300 + (i % 3 == 0 ? 0.5f : 0.1f);

@@ -1,0 +1,46 @@
+// What a bake may be asked for beside maps' names: what holds unless it is asked for, and a line
+// for whoever asks. The options of `wrinkle bake` and the rows of the editor's dialog are made of
+// these.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+
+namespace wrinkle {
+
+inline constexpr std::array<uint32_t, 4> bake_sample_counts = {1, 4, 16, 64};
+inline constexpr uint32_t most_baked_side = 65536;  // texels
+inline constexpr uint32_t most_bake_tile = 4096;    // of files
+
+struct BakeTuning {
+    double scale = 1;
+    uint32_t samples = 4;          // one of bake_sample_counts
+    uint32_t dilate = 16;          // texels, up to most_dilation
+    std::string compression = {};  // "": the format's own
+    uint32_t tile = 0;             // of files; a multiple of 16, 0: rows
+
+    bool operator==(const BakeTuning&) const = default;
+};
+
+namespace bake_words {
+
+inline constexpr const char* map =
+    "What is baked, separated by commas: outputs of the graph, and derivative and slopes of its "
+    "normal; default: normal";
+inline constexpr const char* pack =
+    "A map of others' channels: \"orm: r=occlusion g=roughness b=metalness\"";
+inline constexpr const char* space = "Of normals; world is object space, as meshes are not moved";
+inline constexpr const char* gl = "Green of normals is +v; the default";
+inline constexpr const char* dx = "Green of normals is -v";
+inline constexpr const char* scale = "Heights, slopes and derivatives are divided by this";
+inline constexpr const char* udim = "Every square of uv has a map of its own: OUT.1001.png";
+inline constexpr const char* samples = "Of a texel that an island's border crosses";
+inline constexpr const char* dilate = "Texels by which islands grow over what is empty";
+inline constexpr const char* type = "Of the stored numbers; default: u8, half in OpenEXR";
+inline constexpr const char* compression = "OpenEXR: none rle zip zips piz; TIFF: none lzw zip";
+inline constexpr const char* tile = "Side of the tiles in OpenEXR and TIFF; 0: rows";
+
+}  // namespace bake_words
+
+}  // namespace wrinkle

@@ -1,0 +1,24 @@
+// What a picture is, in words: a line, and a table of the numbers that say so.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "editor/images/images.h"
+
+namespace wrinkle::editor {
+
+// "tangent-space normal map, green up: curl +0.87"
+std::string summary_of(const Examined& examined);
+// "The curl test gives +0.87: green points up at +1, down at -1"
+std::string curl_words(const maps::Verdict& verdict);
+// Of a finding by its name: what is wrong, half a sentence without its numbers.
+std::string defect_words(std::string_view finding);
+
+struct Fact {
+    std::string name, value;  // "Mean normal", "leans by 0.03°"
+};
+std::vector<Fact> facts_of(const Examined& examined);
+
+}  // namespace wrinkle::editor

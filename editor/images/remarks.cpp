@@ -1,0 +1,296 @@
+#include "editor/images/remarks.h"
+
+#include <algorithm>
+#include <array>
+
+#include "editor/canvas/field.h"
+#include "editor/images/facts.h"
+#include "editor/state.h"
+#include "graph/edit.h"
+#include "lower/conversion.h"
+#include "lower/literal.h"
+
+namespace wrinkle::editor {
+namespace fs = std::filesystem;
+namespace {
+
+using maps::Look;
+
+// Nodes that do the same with another kind of map; "" where there is none.
+struct MapFamily {
+    std::string_view height, normal, object, slopes;
+};
+constexpr std::array families = {
+    MapFamily{"height_map", "tangent_normal_map", "object_normal_map", "derivative_map"},
+    MapFamily{"triplanar_height_map", "triplanar_normal_map", "", "triplanar_derivative_map"},
+    MapFamily{"hex_tile_height_map", "hex_tile_normal_map", "", ""},
+};
+
+const MapFamily* family_of(std::string_view type) {
+    for (const MapFamily& family : families)
+        for (const std::string_view each :
+             {family.height, family.normal, family.object, family.slopes})
+            if (!each.empty() && each == type) return &family;
+    return nullptr;
+}
+
+bool is_tangent(Look look) {
+    return look == Look::normal || look == Look::normal_gl || look == Look::normal_dx;
+}
+
+// "" where nothing speaks against the node that is there.
+std::string_view better_type(const MapFamily& family, std::string_view type, Look look) {
+    if (look == Look::height) return family.height;
+    if (type == family.slopes) return {};  // 8 bits of it may look like anything
+    if (is_tangent(look) && type == family.object) return look == Look::normal ? "" : family.normal;
+    if (is_tangent(look)) return family.normal;
+    if (look == Look::normal_object) return family.object;
+    if (look == Look::two_channel && type == family.height) return family.slopes;
+    return {};
+}
+
+std::string_view what_it_reads(const MapFamily& family, std::string_view type) {
+    if (type == family.height) return "heights";
+    if (type == family.slopes) return "slopes";
+    return type == family.object ? "object-space normals" : "tangent-space normals";
+}
+
+class Remarker {
+public:
+    Remarker(const State& state, std::vector<Remark>& remarks)
+        : state_(state), images_(state.images), remarks_(remarks) {}
+
+    void look_at(const Node& node, const NodeType& type) {
+        family_ = family_of(type.id);
+        if (!family_) return;
+        node_ = &node;
+        type_ = &type;
+        for (const Input& input : node.inputs) {
+            const uint32_t index = type.find_input(input.port);
+            if (index == NodeType::none || input.kind != Input::Kind::literal) continue;
+            port_ = &type.ports[index];
+            if (port_->is_value() && port_->type == PortType::image_) look_at(input);
+        }
+    }
+
+private:
+    void look_at(const Input& input) {
+        literal_ = literal_image(input.value);
+        encoding_ = literal_.encoding.value_or(port_->encoding);
+        examined_ = examined_at(state_, *node_, port_->name);
+        if (!examined_ || !examined_->problem.empty() || encoding_ == Encoding::normal_ag) return;
+        file_ = images_.paths.at(literal_.file);
+        if (remark_type()) return;  // the rest follows from it
+        remark_green();
+        remark_defects();
+    }
+
+    bool is_normals() const { return type_->id == family_->normal; }
+    bool has_green() const {
+        return encoding_ == Encoding::normal_gl || encoding_ == Encoding::normal_dx;
+    }
+
+    void add(std::string about, std::string message, std::string evidence, Remedy remedy = {}) {
+        if (images_.dismissed.contains(dismissal_mark(file_, about))) return;
+        Remark remark;
+        remark.problem.severity = Severity::warning;
+        remark.problem.pointer = "/nodes/" + node_->id + "/in/" + port_->name;
+        remark.problem.node = node_->id;
+        remark.problem.message = std::move(message);
+        remark.problem.expected = std::move(evidence);
+        remark.port = port_->name;
+        remark.file = file_.string();
+        remark.about = std::move(about);
+        remark.remedy = std::move(remedy);
+        const bool helps = remark.remedy.kind != Remedy::Kind::none &&
+                           !same_node(remedied(state_, remark), node_->id);
+        if (!helps) remark.remedy = {};
+        remarks_.push_back(std::move(remark));
+    }
+    bool same_node(const Document& document, const std::string& id) const {
+        return document.find(id) == state_.document().find(id);
+    }
+
+    bool remark_type() {
+        const Look look = examined_->verdict.look;
+        if (is_normals() && look == Look::two_channel && has_green()) {
+            add("type", "the image has no z in blue, but the node reads one", "",
+                {Remedy::Kind::encoding, "Make z", std::string(name_of(Encoding::normal_rg))});
+            return true;
+        }
+        const std::string_view better = better_type(*family_, type_->id, look);
+        if (better == type_->id || (better.empty() && !is_odd(look))) return false;
+        const NodeType* type = state_.registry->find(better);
+        add("type",
+            "the image looks like " + std::string(description_of(look)) + ", but the node reads " +
+                std::string(what_it_reads(*family_, type_->id)),
+            summary_of(*examined_),
+            type ? Remedy{Remedy::Kind::type, "Read as " + short_kind(better), std::string(better)}
+                 : Remedy{});
+        return true;
+    }
+    std::string short_kind(std::string_view type) const {
+        return type == family_->height ? "heights" : type == family_->slopes ? "slopes" : "normals";
+    }
+    // Of another kind, for which the family has no node.
+    bool is_odd(Look look) const {
+        return look == Look::normal_object && type_->id != family_->object &&
+               type_->id != family_->slopes;
+    }
+
+    void remark_green() {
+        const Look look = examined_->verdict.look;
+        const bool down = look == Look::normal_dx;
+        if (!is_normals() || !has_green() || (!down && look != Look::normal_gl)) return;
+        if (down == (encoding_ == Encoding::normal_dx)) return;
+        const std::string says = down ? "points down (dx)" : "points up (gl)";
+        const std::string reads = down ? "up (gl)" : "down (dx)";
+        const Encoding right = down ? Encoding::normal_dx : Encoding::normal_gl;
+        add("green",
+            "the image looks like green " + says + ", but the node reads green as " + reads +
+                ". Bumps may look like dents",
+            curl_words(examined_->verdict),
+            {Remedy::Kind::encoding, down ? "Read as dx" : "Read as gl",
+             std::string(name_of(right))});
+    }
+
+    void remark_defects() {
+        bool seam = false;
+        for (const maps::Finding& finding : examined_->verdict.findings) {
+            if (!finding.defect) continue;
+            const bool is_seam = finding.name.starts_with("seam_");
+            if (is_seam && (seam || literal_.wrap != Wrap::repeat)) continue;
+            seam |= is_seam;
+            const bool of_z = finding.name == "unsigned_z" || finding.name == "length";
+            if (of_z && (!is_normals() || !has_green())) continue;
+            add(is_seam ? "seam" : finding.name, defect_words(finding.name), finding.message,
+                remedy_of(is_seam, of_z));
+        }
+    }
+    Remedy remedy_of(bool seam, bool of_z) const {
+        if (seam) return {Remedy::Kind::wrap, "Clamp", std::string(name_of(Wrap::clamp))};
+        if (of_z && encoding_ == Encoding::normal_gl)
+            return {Remedy::Kind::encoding, "Make z", std::string(name_of(Encoding::normal_rg))};
+        return {};
+    }
+
+    const State& state_;
+    const Images& images_;
+    std::vector<Remark>& remarks_;
+    const MapFamily* family_ = nullptr;
+    const Node* node_ = nullptr;
+    const NodeType* type_ = nullptr;
+    const Port* port_ = nullptr;
+    ImageLiteral literal_;
+    Encoding encoding_ = Encoding::linear;
+    const Examined* examined_ = nullptr;
+    fs::path file_;
+};
+
+// The output of the new type that a reader of the old one's `port` gets: the same, or a bump.
+std::string output_in_place(const NodeType& type, const std::string& port) {
+    if (type.find_output(port) != NodeType::none) return port;
+    for (const Port& each : type.ports)
+        if (each.kind == Port::Kind::output && each.type == PortType::gradient_) return each.name;
+    return {};
+}
+
+// Every wire from the node has to find an output of its type.
+bool keeps_readers(const State& state, const Document& document, const std::string& id) {
+    const NodeType* from = state.registry->find(document.find(id)->type);
+    const auto gives = [&](const Link& link, std::optional<PortType> wanted) {
+        if (link.node != id) return true;
+        const uint32_t out = from->find_output(link.port);
+        return out != NodeType::none &&
+               (!wanted || conversion(from->ports[out].type, *wanted) != Conversion::illegal);
+    };
+    for (const Output& output : document.outputs)
+        if (output.from.kind == Input::Kind::link &&
+            !gives(output.from.link, Model::wanted_by_output(output.name)))
+            return false;
+    for (const NodePtr& node : document.nodes)
+        for (const Input& input : node->inputs) {
+            const NodeType* to = state.type_of(node->id);
+            const uint32_t in = to ? to->find_input(input.port) : NodeType::none;
+            if (input.kind == Input::Kind::link && in != NodeType::none && node->id != id &&
+                !gives(input.link, to->ports[in].type))
+                return false;
+        }
+    return true;
+}
+
+bool holds_the_same(const Port& a, const Port& b) {
+    return a.kind == b.kind && a.type == b.type && a.choices == b.choices;
+}
+
+// What the new type does not know goes; an encoding is the old port's.
+Document retyped(const State& state, const Node& node, const NodeType& to) {
+    const NodeType* from = state.type_of(node.id);
+    Document result = state.document();
+    NodeUpgrade upgrade;
+    upgrade.id = node.id;
+    upgrade.version = static_cast<int>(to.version);
+    for (const Port& port : from->ports) {
+        if (port.kind == Port::Kind::output) {
+            const std::string name = output_in_place(to, port.name);
+            if (name != port.name) upgrade.outputs.push_back({port.name, name});
+            continue;
+        }
+        const uint32_t index = to.find_input(port.name);
+        if (index == NodeType::none || !holds_the_same(to.ports[index], port))
+            result = reset_value(result, node.id, port.name);
+        else if (port.is_value() && port.type == PortType::image_)
+            result = with_image_word(result, node.id, port, "encoding", name_of(port.encoding));
+    }
+    result = set_type(result, node.id, to.id, static_cast<int>(to.version));
+    return upgrade_nodes(result, {upgrade});
+}
+
+}  // namespace
+
+std::vector<Remark> find_remarks(const State& state) {
+    std::vector<Remark> remarks;
+    if (state.images.known.empty()) return remarks;
+    Remarker remarker(state, remarks);
+    for (const NodePtr& node : state.document().nodes)
+        if (const NodeType* type = state.type_of(node->id)) remarker.look_at(*node, *type);
+    return remarks;
+}
+
+Document remedied(const State& state, const Remark& remark) {
+    const Document& document = state.document();
+    const Node* node = document.find(remark.problem.node);
+    const NodeType* type = node ? state.type_of(node->id) : nullptr;
+    const uint32_t index = type ? type->find_input(remark.port) : NodeType::none;
+    if (index == NodeType::none) return document;
+    const Remedy& remedy = remark.remedy;
+    const Port& port = type->ports[index];
+    if (remedy.kind == Remedy::Kind::encoding || remedy.kind == Remedy::Kind::wrap) {
+        const bool wrap = remedy.kind == Remedy::Kind::wrap;
+        return with_image_word(document, node->id, port, wrap ? "wrap" : "encoding", remedy.word);
+    }
+    const NodeType* to =
+        remedy.kind == Remedy::Kind::type ? state.registry->find(remedy.word) : nullptr;
+    if (!to || to->find_input(remark.port) == NodeType::none) return document;
+    const Examined* examined = examined_at(state, *node, remark.port);
+    Document result = retyped(state, *node, *to);
+    if (examined && examined->verdict.look == maps::Look::normal_dx)
+        result = with_image_word(result, node->id, to->ports[to->find_input(remark.port)],
+                                 "encoding", name_of(Encoding::normal_dx));
+    return keeps_readers(state, result, node->id) ? result : document;
+}
+
+void apply_remedy(State& state, const Remark& remark) {
+    state.commit(remark.problem.node + ": " + remark.remedy.label, remedied(state, remark));
+}
+
+void dismiss_remark(State& state, const Remark& remark) {
+    state.images.dismissed.insert(dismissal_mark(remark.file, remark.about));
+    ++state.images.changes;
+}
+
+std::string dismissal_mark(const fs::path& file, std::string_view about) {
+    return file.string() + '\n' + std::string(about);
+}
+
+}  // namespace wrinkle::editor

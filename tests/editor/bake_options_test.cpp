@@ -1,0 +1,229 @@
+// What a bake from the editor can be asked for: each option does what it does in `wrinkle bake`, is
+// remembered, and is in the command that the dialog copies.
+#include <cstdlib>
+
+#include "base/text.h"
+#include "editor/bake/bake.h"
+#include "editor/document/folders.h"
+#include "editor/panels/bake_dialog.h"
+#include "headless.h"
+
+namespace wrinkle::editor {
+namespace {
+namespace fs = std::filesystem;
+using Names = std::vector<std::string>;
+
+const char* const rough_rock = R"({
+  "wrinkle": 1,
+  "nodes": {
+    "noise": { "type": "gradient_noise", "in": { "scale": 3.0 } },
+    "normal": { "type": "resolve", "in": { "gradient": { "from": "noise.height" } } }
+  },
+  "outputs": {
+    "normal": { "from": "normal.normal" },
+    "height": { "from": "noise.height" },
+    "roughness": { "from": "noise.height" }
+  }
+}
+)";
+
+const StoredAs* stored_kind(std::string_view key) {
+    for (const StoredAs& each : stored_kinds())
+        if (each.key == key) return &each;
+    ADD_FAILURE() << key;
+    return stored_kinds().data();
+}
+
+class BakeOptionRows : public Headless {
+protected:
+    BakeOptionRows() { open(rough_rock); }
+    static BakeChoices choices(const Names& maps) {
+        BakeChoices chosen;
+        chosen.mesh = "sphere";
+        chosen.maps = maps;
+        chosen.size = 256;
+        return chosen;
+    }
+    void bake(BakeChoices chosen, const fs::path& into) {
+        chosen.into = into;
+        start_bake(state, chosen);
+        play("finish");
+        EXPECT_EQ(state.tasks.failed, "");
+    }
+    void program(const std::string& options, const std::string& out) const {
+        program_output("bake " + file.string() + " --mesh sphere --size 256 " + options + " -o " +
+                       (folder.path() / out).string());
+    }
+    std::string bytes(const fs::path& name) const { return text_of(folder.path() / name); }
+    void expect_same(const fs::path& ours, const fs::path& theirs) const {
+        EXPECT_GT(bytes(ours).size(), 100U) << ours;
+        EXPECT_TRUE(bytes(ours) == bytes(theirs)) << ours << " and " << theirs;
+    }
+    // The bake and the command that the dialog would copy give the same files.
+    void expect_the_command_bakes_it(const BakeChoices& chosen, const std::string& into) {
+        bake(chosen, "ours/" + into);
+        BakeChoices theirs = chosen;
+        theirs.into = folder.path() / "theirs" / into;
+        const std::string command = bake_command(theirs, file);
+        for (const std::string_view line : split(command, '\n')) {
+            ASSERT_TRUE(line.starts_with("wrinkle ")) << line;
+            const std::string said = program_output(std::string(line.substr(8)));
+            EXPECT_EQ(said.find("error"), said.npos) << line << "\n" << said;
+        }
+        size_t count = 0;
+        for (const char* side : {"ours", "theirs"})
+            for (const auto& each : fs::recursive_directory_iterator(folder.path() / side)) {
+                if (!each.is_regular_file()) continue;
+                const fs::path name = fs::relative(each.path(), folder.path() / side);
+                expect_same("ours" / name, "theirs" / name);
+                ++count;
+            }
+        EXPECT_GT(count, 1U) << command;
+        fs::remove_all(folder.path() / "ours");
+        fs::remove_all(folder.path() / "theirs");
+    }
+};
+
+TEST_F(BakeOptionRows, EachDoesWhatItDoesInTheProgram) {
+    const auto expect = [&](const BakeTuning& tuning, const std::string& options) {
+        BakeChoices chosen = choices({"height"});
+        chosen.stored = stored_kind("tif u16");
+        bake(chosen, "usual.tif");
+        chosen.tuning = tuning;
+        bake(chosen, "ours.tif");
+        program("--map height --type u16 " + options, "theirs.tif");
+        expect_same("ours.tif", "theirs.tif");
+        EXPECT_FALSE(bytes("ours.tif") == bytes("usual.tif")) << options << " does nothing";
+    };
+    expect({.scale = 0.25}, "--scale 0.25");
+    expect({.samples = 1}, "--samples 1");
+    expect({.dilate = 0}, "--dilate 0");
+    expect({.compression = "lzw"}, "--compression lzw");
+    expect({.tile = 128}, "--tile 128");
+}
+
+TEST_F(BakeOptionRows, PacksAreMapsOfTheirOwn) {
+    BakeChoices chosen = choices({});
+    chosen.packs = "rh: r=roughness g=height ; a=height r=normal.g";
+    bake(chosen, "maps");
+    program("--pack \"rh: r=roughness g=height\" --pack \"a=height r=normal.g\"", "theirs");
+    expect_same("maps/rh.png", "theirs/rh.png");
+    expect_same("maps/packed.png", "theirs/packed.png");
+    EXPECT_EQ(std::distance(fs::directory_iterator(folder.path() / "maps"), {}), 2);
+}
+
+TEST_F(BakeOptionRows, TheCommandBakesTheSame) {
+    expect_the_command_bakes_it(choices({"normal", "slopes", "height"}), "maps");
+    BakeChoices chosen = choices({"normal", "slopes", "height"});
+    chosen.packs = "rh: r=roughness g=height";
+    chosen.stored = stored_kind("png u16");
+    chosen.object_space = chosen.green_down = true;
+    chosen.tuning = {0.5, 16, 3, "lzw", 64};
+    expect_the_command_bakes_it(chosen, "it's a folder");
+    chosen = choices({"normal"});
+    chosen.udim = true;
+    chosen.stored = stored_kind("tif u8");
+    chosen.tuning = {1, 4, 16, "none", 64};
+    expect_the_command_bakes_it(chosen, "one.tif");
+    chosen.stored = stored_kind("exr half");
+    chosen.tuning.compression = "piz";
+    expect_the_command_bakes_it(chosen, "in/folders");
+}
+
+TEST_F(BakeOptionRows, WhatIsAskedForInTheDialogIsBakedAndRemembered) {
+    play(R"(
+        key Ctrl+B
+        click bake:map:height
+        click bake:map:normal
+        click bake:size
+        click bake:size:256
+        click bake:packs
+        type rn: r=roughness g=normal.r
+        click bake:scale
+        key Ctrl+A
+        type 2
+        click bake:samples
+        click bake:samples:64
+        click bake:dilate
+        key Ctrl+A
+        type 5
+        click bake:stored
+        click bake:stored:tif-u16
+        click bake:compression
+        click bake:compression:none
+        click bake:tile
+        click bake:tile:64
+        click bake:into
+        key Ctrl+A
+        type maps
+        click bake:copy
+        click bake:start
+        finish
+        assert status Baked 2 maps into maps in)");
+    program(
+        "--map height --pack \"rn: r=roughness g=normal.r\" --scale 2 --samples 64 --dilate 5 "
+        "--type u16 --format tif --compression none --tile 64",
+        "theirs");
+    expect_same("maps/height.tif", "theirs/height.tif");
+    expect_same("maps/rn.tif", "theirs/rn.tif");
+    const std::string copied = ImGui::GetClipboardText();
+    for (const char* part :
+         {"--scale 2", "--samples 64", "--dilate 5", "--tile 64", " --map height ",
+          "--compression none", "--pack 'rn: r=roughness.r g=normal.r'"})
+        EXPECT_NE(copied.find(part), copied.npos) << part << "\n" << copied;
+    std::string trouble;
+    write_settings(state.keeping.folders, state.keeping.settings);
+    const BakeSettings kept = read_settings(state.keeping.folders, trouble).bake;
+    EXPECT_EQ(trouble, "");
+    EXPECT_EQ(kept.tuning, (BakeTuning{2, 64, 5, "none", 64}));
+    EXPECT_EQ(kept.packs, "rn: r=roughness g=normal.r");
+    state.keeping.settings.bake = kept;
+    EXPECT_EQ(usual_bake(state).tuning, kept.tuning);
+    EXPECT_EQ(usual_bake(state).packs, kept.packs);
+}
+
+TEST_F(BakeOptionRows, WhatCannotBeIsSaidBeforeItIsTried) {
+    play("key Ctrl+B\nwait");
+    BakeChoices& chosen = state.bake_dialog.choices;
+    EXPECT_EQ(why_no_bake(state), "");
+    chosen.packs = "r:oughness";
+    EXPECT_EQ(why_no_bake(state).find("\"r:oughness\" packs no channels."), 0U);
+    chosen.packs = "r=height; g=height";
+    EXPECT_EQ(why_no_bake(state).find("Two maps would be called packed."), 0U);
+    chosen.packs = "normal: r=height";
+    EXPECT_EQ(why_no_bake(state).find("Two maps would be called normal."), 0U);
+    chosen.packs = " ; ";
+    EXPECT_EQ(why_no_bake(state), "");
+    chosen.tuning.scale = 0;
+    EXPECT_EQ(why_no_bake(state), "The scale is a number greater than 0.");
+    BakeChoices gone = choices({});
+    gone.packs = "r=nowhere";
+    gone.into = "maps";
+    start_bake(state, gone);
+    play("finish");
+    EXPECT_NE(state.tasks.failed.find("nowhere"), std::string::npos) << state.tasks.failed;
+    EXPECT_FALSE(fs::exists(folder.path() / "maps"));
+}
+
+TEST_F(BakeOptionRows, SettingsThatFitNoOptionAreLeft) {
+    BakeSettings odd;
+    odd.tuning.samples = 5;
+    odd.tuning.tile = 100;
+    state.keeping.settings.bake = odd;
+    EXPECT_EQ(usual_bake(state).tuning, BakeTuning());
+}
+
+TEST_F(BakeOptionRows, ATildeLeadsHome) {
+    const std::string before = std::getenv("HOME") ? std::getenv("HOME") : "";
+    setenv("HOME", folder.path().c_str(), 1);
+    EXPECT_EQ(with_home("~"), folder.path());
+    EXPECT_EQ(with_home("~/a/b"), folder.path() / "a/b");
+    for (const char* other : {"a/~", "~user/a", "/a", "a", ""})
+        EXPECT_EQ(with_home(other), fs::path(other));
+    bake(choices({"height"}), "~/at home");
+    EXPECT_TRUE(fs::exists(folder.path() / "at home/height.png"));
+    setenv("HOME", before.c_str(), 1);
+}
+
+}  // namespace
+}  // namespace wrinkle::editor
