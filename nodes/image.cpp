@@ -1,5 +1,6 @@
 // Nodes that read textures: colours, slopes and normals. Heights are in height_map.cpp.
 #include "nodes/ports.h"
+#include "nodes/slope_map.h"
 #include "wrinkle/node.h"
 
 namespace wrinkle::nodes {
@@ -20,12 +21,11 @@ Node image_node =
             return std::tuple{texel.rgb(), texel.a(), texel.r(), texel.g(), texel.b()};
         });
 
-enum class Per { uv, texel };
 struct DerivativeMap {
     Image image;
     vec2 uv;
     Float strength;
-    Per per;
+    PerLength per;
     bool flip_u, flip_v;
     Scale scale;
     FrameMethod frame;
@@ -33,30 +33,14 @@ struct DerivativeMap {
 };
 
 Node derivative_map_node =
-    node("derivative_map", "Derivative map",
-         "A bump from a picture of slopes: dh/du in red, dh/dv in green.")
-        .family("image")
-        .in<Image>("image", "Slopes; 0.5 is flat unless it says otherwise", encoding("derivative"))
-        .in<vec2>("uv", surface::uv0, "Where to read it")
-        .in<Float>("strength", 1,
-                   "Factor of the slopes; for the scale `surface` a length of object space",
-                   slider(-2, 2), unit("x"))
-        .choice("per", {"uv", "texel"},
-                "Whether the picture holds the change per uv unit or per texel")
-        .flag("flip_u", false, "Turns the slopes along u about: for maps whose red points down")
-        .flag("flip_v", false, "Turns the slopes along v about: for maps with v pointing down")
-        .choice("scale", SCALES, SCALE_DOC)
-        .choice("frame", FRAME_METHODS, FRAME_DOC)
-        .in<vec3>("direction", {0, 1, 0}, DIRECTION_DOC)
-        .in<Normal>("base", surface::normal, BASE_DOC)
-        .out<Gradient>("gradient", "The bump")
-        .out<Derivative>("derivative", "The slopes with their frame")
+    slope_ports(node("derivative_map", "Derivative map",
+                     "A bump from a picture of slopes: dh/du in red, dh/dv in green.")
+                    .family("image")
+                    .in<Image>("image", "Slopes; 0.5 is flat unless it says otherwise",
+                               encoding("derivative"))
+                    .in<vec2>("uv", surface::uv0, "Where to read it"))
         .body([](DerivativeMap in) {
-            const vec2 flip(in.flip_u ? -1 : 1, in.flip_v ? -1 : 1);
-            const vec2 slope = in.image.sample(in.uv).xy() * flip * in.strength;
-            const Derivative d(in.per == Per::texel ? slope * in.image.size() : slope,
-                               frame(in.uv, in.frame, in.scale, in.direction));
-            return std::tuple{Gradient(d, Base(in.base)), d};
+            return bump_of_slope(in.image.sample(in.uv).xy(), in.image, in);
         });
 
 struct TangentNormalMap {

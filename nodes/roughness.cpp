@@ -1,6 +1,6 @@
 // What bumps too fine for the picture leave behind: roughness.
 #include "nodes/footprint.h"
-#include "nodes/ports.h"
+#include "nodes/slope_map.h"
 #include "wrinkle/node.h"
 
 namespace wrinkle::nodes {
@@ -28,7 +28,6 @@ Node bump_roughness_node =
             return std::tuple{sqrt(sqrt(wider)), variance};
         });
 
-enum class PerLength { uv, texel };
 struct SlopeMomentsMap {
     Image slopes, moments;
     vec2 uv;
@@ -53,34 +52,20 @@ static vec2 slope_with_moments(const SlopeMomentsMap& in) {
 }
 
 Node slope_moments_map_node =
-    node("slope_moments_map", "Slope moments map",
-         "A bump from a picture of slopes, with a second picture of their squares and product, so "
-         "that `bump_roughness` knows exactly what the mips leave out (LEAN mapping). `wrinkle "
-         "convert` makes both of a height or a normal map, --to derivative and --to moments.")
-        .family("image")
-        .in<Image>("slopes", "Slopes dh/du in red and dh/dv in green", encoding("linear"))
-        .in<Image>("moments", "Of the same slopes: dh/du squared, dh/dv squared, and their product",
-                   encoding("linear"))
-        .in<vec2>("uv", surface::uv0, "Where to read both")
-        .in<Float>("strength", 1,
-                   "Factor of the slopes; for the scale `surface` a length of object space",
-                   slider(-2, 2), unit("x"))
-        .choice("per", {"uv", "texel"},
-                "Whether the pictures hold the change per uv unit or per texel")
-        .flag("flip_u", false, "Turns the slopes along u about: for maps whose red points down")
-        .flag("flip_v", false, "Turns the slopes along v about: for maps with v pointing down")
-        .choice("scale", SCALES, SCALE_DOC)
-        .choice("frame", FRAME_METHODS, FRAME_DOC)
-        .in<vec3>("direction", {0, 1, 0}, DIRECTION_DOC)
-        .in<Normal>("base", surface::normal, BASE_DOC)
-        .out<Gradient>("gradient", "The bump")
-        .out<Derivative>("derivative", "The slopes with their frame")
+    slope_ports(
+        node("slope_moments_map", "Slope moments map",
+             "A bump from a picture of slopes, with a second picture of their squares and product, "
+             "so that `bump_roughness` knows exactly what the mips leave out (LEAN mapping). "
+             "`wrinkle convert` makes both of a height or a normal map, --to derivative and --to "
+             "moments.")
+            .family("image")
+            .in<Image>("slopes", "Slopes dh/du in red and dh/dv in green", encoding("linear"))
+            .in<Image>("moments",
+                       "Of the same slopes: dh/du squared, dh/dv squared, and their product",
+                       encoding("linear"))
+            .in<vec2>("uv", surface::uv0, "Where to read both"))
         .body([](SlopeMomentsMap in) {
-            const vec2 flip(in.flip_u ? -1 : 1, in.flip_v ? -1 : 1);
-            const vec2 slope = slope_with_moments(in) * flip * in.strength;
-            const Derivative d(in.per == PerLength::texel ? slope * in.slopes.size() : slope,
-                               frame(in.uv, in.frame, in.scale, in.direction));
-            return std::tuple{Gradient(d, Base(in.base)), d};
+            return bump_of_slope(slope_with_moments(in), in.slopes, in);
         });
 
 }  // namespace wrinkle::nodes
