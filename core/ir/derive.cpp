@@ -36,6 +36,35 @@ bool never_changes(const Inst& inst) {
            inst.type == Type::uint_ || inst.type == Type::bool_ || info(inst.op).rule == Rule::leaf;
 }
 
+std::vector<Id> reads_of(const Module& m, Id value) {
+    const Inst& inst = m[value];
+    if (is_sample(inst)) return {inst.arg[0]};
+    if (inst.op == Op::swizzle_ && is_sample(m[inst.arg[0]])) return {m[inst.arg[0]].arg[0]};
+    const Id of = inst.op == Op::result_ ? inst.arg[0] : value;
+    const auto operands = m.operands(of);
+    std::vector<Id> reads(operands.begin(), operands.end());
+    if (m[of].op == Op::loop_)
+        for (const Id captured : region_body(m, m.region(m[of].extra)).captured)
+            reads.push_back(captured);
+    std::sort(reads.begin(), reads.end());
+    reads.erase(std::unique(reads.begin(), reads.end()), reads.end());
+    return reads;
+}
+
+Id Direction::change_alone(Id value, Id operand, Id change) {
+    const std::vector<Id> reads = reads_of(*module_, value);
+    for (const Id read : reads)
+        memo_.set(read, read == operand ? change : poison);
+    const uint32_t node = std::exchange(module_->current_node, module_->origin[value]);
+    const Id result = compute(value);
+    module_->current_node = node;
+    forget(0);
+    for (const Id read : reads)
+        memo_.forget(read);
+    loops_.clear();
+    return result;
+}
+
 Id Direction::tangent(Id value) {
     if (value == poison || memo_.has(value)) return memo_.at(value);
     // A loop's body asks again meanwhile, with lists of its own.

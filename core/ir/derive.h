@@ -25,6 +25,10 @@ namespace wrinkle {
 // Whether the value of this instruction has derivative 0 whatever its operands do, or is a leaf.
 bool never_changes(const Inst& inst);
 
+// What an instruction's derivative is made of: its operands, a call's and a loop's for its results,
+// with what a loop captures; of what is read from a picture its uv alone.
+std::vector<Id> reads_of(const Module& module, Id value);
+
 class Direction {
 public:
     // `change`: what it is, where inputs of open functions shall have derivatives too.
@@ -33,10 +37,17 @@ public:
     void seed(Id leaf, Id tangent) { memo_.set(leaf, tangent); }
     // What is detached changes too: along something that is no place on the surface.
     void see_through_detach() { through_detach_ = true; }
+    // Whether the instruction has tangent 0 whatever it reads.
+    bool is_constant(const Inst& inst) const {
+        return never_changes(inst) && !(through_detach_ && inst.op == Op::detach_);
+    }
 
     // The tangent of `value`; poison stands for zero (see tangent_or_zero). Memoised.
     Id tangent(Id value);
     Id tangent_or_zero(Id value);
+    // The derivative of one instruction alone: how it changes with `operand` (one of reads_of()),
+    // as if all else it reads were constant. Of a direction without seeds.
+    Id change_alone(Id value, Id operand, Id change);
 
 private:
     // The tangents that are known, in a list as long as the module has become.
@@ -80,10 +91,6 @@ private:
     bool spread(const Region& region, std::vector<bool>& changing);
     void forget(size_t first);
     Id texture(Id sample, Id read);
-
-    bool is_constant(const Inst& inst) const {
-        return never_changes(inst) && !(through_detach_ && inst.op == Op::detach_);
-    }
 
     Module* module_;
     Change change_;

@@ -1,7 +1,10 @@
 #include "ir/normal_variance.h"
 
 #include <algorithm>
+#include <map>
+#include <utility>
 
+#include "ir/change_by_source.h"
 #include "ir/rewrite.h"
 
 namespace wrinkle {
@@ -52,76 +55,43 @@ Value level_in_use(Module& m, ScreenDerivatives& screen, Id read) {
     return {&m, sample_lod_of(m, inst.extra, x.id, y.id)};
 }
 
-Value unit_of(Module& m, Type type, uint32_t lane) {
-    std::array<double, 4> lanes{};
-    lanes[lane] = 1;
-    return {&m, m.constant(type, std::span(lanes.data(), info(type).lanes))};
-}
-
-Value with_factor(Value a, Value b) {
-    return b ? a * b : a;
-}
-
-// vector * factor; an empty factor is 1, an empty vector none at all.
-struct Scaled {
-    Value vector, factor;
-};
-
-// Changes of layers on one frame are multiples of the same vectors.
-Scaled without_factors(Value change) {
-    Scaled result{change, {}};
-    while (result.vector) {
-        Module& m = *change.module;
-        const Inst inst = m[result.vector.id];
-        if (inst.op != Op::mul_) break;
-        const size_t scalar = m.type(inst.arg[0]) == Type::float_ ? 0 : 1;
-        if (m.type(inst.arg[scalar]) != Type::float_) break;
-        const Value factor{&m, inst.arg[scalar]};
-        result = {{&m, inst.arg[1 - scalar]}, with_factor(factor, result.factor)};
-    }
-    return result;
-}
-
 // weight * the product of what a and b change across the normal.
 struct Term {
     Value a, b, weight;
 };
 
-void add_term(const Term& term, std::vector<Term>& terms) {
-    for (Term& other : terms) {
-        if (other.a.id != term.a.id || other.b.id != term.b.id) continue;
-        other.weight = other.weight + term.weight;
-        return;
+class Terms {
+public:
+    // What a source adds, by its change of the normal before that is made unit.
+    void add_source(Module& m, const SourceChange& change) {
+        const Value covariance{&m, m[change.source].arg[1]};
+        if (m.type(change.source) == Type::vec3_) {
+            for (size_t i = 0; i < 3; ++i)
+                add(change.columns[i], change.columns[i], covariance);
+            return;
+        }
+        add(change.columns[0], change.columns[0], covariance.x());
+        add(change.columns[1], change.columns[1], covariance.y());
+        add(change.columns[0], change.columns[1], covariance.z() * 2);
     }
-    terms.push_back(term);
-}
+    const std::vector<Term>& list() const { return terms_; }
 
-// What a source adds to `terms`, by its change of the normal before that is made unit.
-void add_source(Id source, Value bumped, std::vector<Term>& terms) {
-    Module& m = *bumped.module;
-    const Inst inst = m[source];
-    const Value covariance{&m, inst.arg[1]};
-    std::array<Scaled, 3> changes;
-    for (uint32_t lane = 0; lane < info(inst.type).lanes; ++lane) {
-        Direction direction(m);
-        direction.see_through_detach();
-        direction.seed(source, unit_of(m, inst.type, lane).id);
-        changes[lane] = without_factors({&m, direction.tangent(bumped.id)});
+private:
+    void add(const Scaled& a, const Scaled& b, Value weight) {
+        if (!a.vector || !b.vector) return;
+        if (a.factor) weight = weight * a.factor;
+        if (b.factor) weight = weight * b.factor;
+        const auto [place, is_new] =
+            places_.try_emplace(std::pair(a.vector.id, b.vector.id), terms_.size());
+        if (is_new)
+            terms_.push_back({a.vector, b.vector, weight});
+        else
+            terms_[place->second].weight = terms_[place->second].weight + weight;
     }
-    const auto add = [&](size_t i, size_t j, Value weight) {
-        if (!changes[i].vector || !changes[j].vector) return;
-        weight = with_factor(with_factor(weight, changes[i].factor), changes[j].factor);
-        add_term({changes[i].vector, changes[j].vector, weight}, terms);
-    };
-    if (inst.type == Type::vec3_) {
-        for (size_t i = 0; i < 3; ++i)
-            add(i, i, covariance);
-        return;
-    }
-    add(0, 0, covariance.x());
-    add(1, 1, covariance.y());
-    add(0, 1, covariance.z() * 2);
-}
+
+    std::vector<Term> terms_;
+    std::map<std::pair<Id, Id>, size_t> places_;
+};
 
 }  // namespace
 
@@ -155,23 +125,20 @@ Value NormalVariance::object_normal(Value normal, double factor) {
 }
 
 Value NormalVariance::varying(Value value, Value covariance) {
-    const Value result = op(Op::with_covariance_, value, covariance);
-    if (std::find(sources_.begin(), sources_.end(), result.id) == sources_.end())
-        sources_.push_back(result.id);
-    return result;
+    return op(Op::with_covariance_, value, covariance);
 }
 
 // Only what is across the normal turns it: dot(a, b) - dot(n, a) dot(n, b), over |bumped|^2.
 Value NormalVariance::of(Value normal) {
     Module& m = *target_;
     const Inst unit = m[normal.id];
-    std::vector<Term> terms;
     const Value bumped{&m, unit.op == Op::normalize_ ? unit.arg[0] : poison};
+    Terms terms;
     if (bumped)
-        for (const Id source : sources_)
-            add_source(source, bumped, terms);
+        for (const SourceChange& change : changes_by_source(bumped))
+            terms.add_source(m, change);
     Value sum;
-    for (const Term& term : terms) {
+    for (const Term& term : terms.list()) {
         const Value across = dot(term.a, term.b) - dot(normal, term.a) * dot(normal, term.b);
         const Value part = across * term.weight;
         sum = sum ? sum + part : part;

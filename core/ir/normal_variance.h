@@ -14,12 +14,10 @@
 // anywhere. Reads of different pictures, or of one at different uvs, count as independent.
 //
 // Depths that slopes are divided by count as constants, and so do weights that come from the
-// position. Time is the number of values that vary times the size of what the normal needs.
+// position. Time is the size of what the normal needs, however many values vary.
 #pragma once
 
 #include <optional>
-#include <span>
-#include <vector>
 
 #include "ir/gradient_frame.h"
 
@@ -46,7 +44,6 @@ private:
 
     Module* target_;
     ScreenDerivatives* screen_;
-    std::vector<Id> sources_;  // each with_covariance, once
 };
 
 // Whether some output asks for it; else nothing above is needed.

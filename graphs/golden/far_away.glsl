@@ -66,8 +66,6 @@ float wrinkle_far_away_roughness(WrinkleSurface_far_away s) {
     vec3 normal_bumped = s.normal * (weave_depth * s.facing) + normal_gradient;
     vec3 normal_vector = vec3(normal_bumped.xy, normal_bumped.z + 1e-18);
     vec3 normal_normal = normalize(normal_vector);
-    float normal_product = normal_negated * handedness;
-    float normal_product_2 = 0.5 * handedness;
     float rough_dot_product = dot(normal_normal, s.tangent.xyz);  // rough: Roughness of bump
     float rough_product = rough_dot_product * rough_dot_product;
     float rough_product_2 = pebbles_product.x * normal_negated * normal_negated;
@@ -75,13 +73,15 @@ float wrinkle_far_away_roughness(WrinkleSurface_far_away s) {
     float rough_product_3 = (dot(s.tangent.xyz, s.tangent.xyz) - rough_product) * rough_sum;
     float rough_dot_product_2 = dot(normal_normal, bitangent);
     float rough_difference = dot(bitangent, bitangent) - rough_dot_product_2 * rough_dot_product_2;
-    float rough_product_4 = weave_covariance.y * normal_product_2 * normal_product_2;
-    float rough_sum_2 = pebbles_product.y * normal_product * normal_product + rough_product_4;
+    float rough_product_4 = normal_negated * handedness;
+    float rough_product_5 = 0.5 * handedness;
+    float rough_product_6 = weave_covariance.y * rough_product_5 * rough_product_5;
+    float rough_sum_2 = pebbles_product.y * rough_product_4 * rough_product_4 + rough_product_6;
     float rough_sum_3 = rough_product_3 + rough_difference * rough_sum_2;
     float rough_difference_2 = dot(s.tangent.xyz,
             bitangent) - rough_dot_product * rough_dot_product_2;
-    float rough_product_5 = pebbles_product.z * 2.0 * normal_negated * normal_product;
-    float rough_sum_4 = rough_product_5 + weave_covariance.z * 2.0 * 0.5 * normal_product_2;
+    float rough_product_7 = pebbles_product.z * 2.0 * normal_negated * rough_product_4;
+    float rough_sum_4 = rough_product_7 + weave_covariance.z * 2.0 * 0.5 * rough_product_5;
     float rough_sum_5 = rough_sum_3 + rough_difference_2 * rough_sum_4;
     float rough_variance = max(rough_sum_5 / dot(normal_vector, normal_vector), 0.0);
     return sqrt(sqrt(max(min(0.00390625 + rough_variance, 1.0), 0.0)));

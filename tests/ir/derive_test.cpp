@@ -6,6 +6,7 @@
 #include <cmath>
 #include <functional>
 
+#include "ir/change_by_source.h"
 #include "ir/support.h"
 #include "ir/value.h"
 #include "ir/verify.h"
@@ -240,6 +241,82 @@ TEST_F(DeriveTest, SiblingLoopsAndALoopInAFunction) {
         })[0]};
     });
     expect_derivatives(apply(f, {u + v})[0]);
+}
+
+// Everything changes through sources alone, so the changes by each, times how it changes with uv,
+// add up to a difference.
+struct ChangeBySourceTest : DeriveTest {
+    Value zero3 = vec3(n(0), n(0), n(0));
+    Value a = op(Op::with_covariance_, {&m, uv}, zero3);
+    Value b = op(Op::with_covariance_, vec2(v * 2.0, u), zero3);
+    uint32_t image = m.add_resource({"height.png", "height.png", {}, {}});
+
+    ChangeBySourceTest() {
+        around.image_size = [](uint32_t) { return Lanes{64, 32}; };
+        around.texture = [](uint32_t, double x, double y, double) {
+            return Lanes{2 * x - y, 3 * y, 0, 0};
+        };
+    }
+    Lanes difference(Id id, int axis) {
+        constexpr double h = 1e-6;
+        Surroundings low = around, high = around;
+        low.inputs[uv0][static_cast<size_t>(axis)] -= h;
+        high.inputs[uv0][static_cast<size_t>(axis)] += h;
+        Lanes result = interpret(m, id, high);
+        const Lanes before = interpret(m, id, low);
+        for (size_t i = 0; i < result.size(); ++i)
+            result[i] = (result[i] - before[i]) / (2 * h);
+        return result;
+    }
+    void expect_changes(Value value, size_t sources) {
+        const std::vector<SourceChange> changes = changes_by_source(value);
+        ASSERT_EQ(changes.size(), sources);
+        for (int axis = 0; axis < 2; ++axis) {
+            const Lanes wanted = difference(value.id, axis);
+            Lanes sum{};
+            for (const SourceChange& change : changes) {
+                // One above others only passes their changes on.
+                if (change.source != a.id && change.source != b.id) continue;
+                const Lanes moved = difference(change.source, axis);
+                for (size_t lane = 0; lane < 2; ++lane) {
+                    const Scaled& column = change.columns[lane];
+                    if (!column.vector) continue;
+                    const Lanes vector = interpret(m, column.vector.id, around);
+                    const double factor =
+                        column.factor ? interpret(m, column.factor.id, around)[0] : 1;
+                    for (size_t i = 0; i < sum.size(); ++i)
+                        sum[i] += vector[i] * factor * moved[lane];
+                }
+            }
+            for (size_t i = 0; i < 3; ++i)
+                EXPECT_NEAR(sum[i], wanted[i], 1e-5) << "axis " << axis << ", number " << i;
+        }
+    }
+};
+
+TEST_F(ChangeBySourceTest, OfSumsAndMultiplesOfVectors) {
+    const Value t = vec3(n(1), n(0.2), n(0.1)), w = vec3(n(-0.3), n(1), n(0.4));
+    const Value first = t * (a.x() * 0.5) + w * a.y();
+    const Value second = (t * b.x() - w * (b.y() * a.x())) * a.y() + cross(first, w);
+    expect_changes(-(first * b.y()) - second, 2);
+    expect_changes(detach(normalize(first + second)), 2);
+}
+
+TEST_F(ChangeBySourceTest, OfOneThatIsMetTwiceAndOneBelowAnother) {
+    const Value again = op(Op::with_covariance_, a * a.x() + b, zero3);
+    expect_changes(vec3(again, a.y()) + vec3(a, again.x()), 3);
+}
+
+TEST_F(ChangeBySourceTest, ThroughFunctionsLoopsAndPictures) {
+    const RegionUse f = function(2, [&](const auto& x) {
+        return std::vector{sine(x[0]) * x[1], x[1] * x[1]};
+    });
+    const std::vector<Value> called = apply(f, {a.x() + b.y(), b.x()});
+    const std::vector<Value> state = loop(4, {called[0], n(1), n(0)}, [&](const auto& s) {
+        return std::vector{less(s[2], 3), s[0] * a.y() + s[1] * 0.5, s[1] * b.x(), s[2] + n(1)};
+    });
+    const Value read{&m, m.swizzle(m.add(Op::sample_lod_, {(a + b).id, n(0).id}, image), "xy")};
+    expect_changes(vec3(read * called[1], state[0] * state[1]), 2);
 }
 
 struct TextureTest : DeriveTest {

@@ -341,6 +341,7 @@ Lanes as_whole(Op op, uint32_t extra, std::span<const Type> types, std::span<con
             return a[0] != 0 ? v[1] : v[2];
         case Op::to_float_:
         case Op::detach_:
+        case Op::with_covariance_:
             return a;
         case Op::to_int_: {
             const auto word = static_cast<int64_t>(a[0]);
