@@ -53,13 +53,13 @@ public:
           window_(layout_.width, std::min(rows_at_hand(input.dilate), layout_.height),
                   lanes_of_outputs(*input.program)) {}
 
-    bool run(const TakeRows& take, BakeFindings& findings) {
+    bool run(const TakeRows& take) {
         tbb::task_group taking;
         bool wanted = true;
         uint32_t given = first_;
         for (uint32_t row = low_; row < high_; row += bake_tile) {
             const uint32_t end = std::min(row + bake_tile, high_);
-            bake_band(row, end, findings);
+            bake_band(row, end);
             const uint32_t seen = end - std::min(end, input_.dilate);
             const uint32_t ready = end == high_ ? last_ : seen / bake_tile * bake_tile;
             if (ready <= given) continue;
@@ -70,7 +70,7 @@ public:
             if (!wanted) return false;
             std::swap(give_[0], give_[1]);
             const BakedRows rows = {given, ready - given, give_[0].values.data(),
-                                    give_[0].covered.data()};
+                                    give_[0].covered.data(), found_in(given, ready)};
             taking.run([&wanted, &take, rows] { wanted = take(rows); });
             given = ready;
         }
@@ -89,7 +89,14 @@ private:
         }
     };
 
-    void bake_band(uint32_t row, uint32_t end, BakeFindings& findings) {
+    BakeFindings found_in(uint32_t first, uint32_t last) const {
+        BakeFindings sum;
+        for (uint32_t row = first; row < last; row += bake_tile)
+            sum.add(found_[(row - low_) / bake_tile]);
+        return sum;
+    }
+
+    void bake_band(uint32_t row, uint32_t end) {
         const uint32_t bottom = layout_.height - end;
         const std::vector<uint32_t> candidates = raster_.in_rows(bottom, end - row);
         const uint32_t tiles = (layout_.width + bake_tile - 1) / bake_tile;
@@ -99,10 +106,9 @@ private:
             const TexelRect rect = {x, bottom, std::min(bake_tile, layout_.width - x), end - row};
             bake_tile_at(rect, candidates, scratch_.local(), found[tile]);
         });
-        for (const BakeFindings& each : found) {
-            // Margins of a part of the picture are somebody else's to tell of.
-            if (row >= first_ && row < last_) findings.add(each);
-        }
+        BakeFindings& sum = found_.emplace_back();
+        for (const BakeFindings& each : found)
+            sum.add(each);
     }
 
     void bake_tile_at(const TexelRect& rect, std::span<const uint32_t> candidates,
@@ -223,7 +229,8 @@ private:
     uint32_t first_, last_;  // wanted
     uint32_t low_, high_;    // worked on: with the margins that dilation looks into
     RowWindow window_;
-    Given give_[2];  // the rows that are taken, and the next
+    Given give_[2];                    // the rows that are taken, and the next
+    std::vector<BakeFindings> found_;  // by row of tiles from low_ on
     tbb::enumerable_thread_specific<TileScratch> scratch_;
 };
 
@@ -241,12 +248,12 @@ void BakeFindings::add(const BakeFindings& below) {
 }
 
 bool bake_rows(const BakeInput& input, const UvRaster& raster, uint32_t first, uint32_t last,
-               uint32_t threads, const TakeRows& take, BakeFindings& findings) {
+               uint32_t threads, const TakeRows& take) {
     const auto cores = static_cast<uint32_t>(tbb::this_task_arena::max_concurrency());
     const uint32_t wanted = threads == 0 ? cores : threads;
     const tbb::global_control allowed(tbb::global_control::max_allowed_parallelism, wanted);
     tbb::task_arena arena(static_cast<int>(wanted));
-    return arena.execute([&] { return RowBaker(input, raster, first, last).run(take, findings); });
+    return arena.execute([&] { return RowBaker(input, raster, first, last).run(take); });
 }
 
 }  // namespace wrinkle

@@ -31,16 +31,6 @@ struct BakeInput {
     uint32_t dilate = 16;               // texels, up to most_dilation
 };
 
-// Rows as they come, whole rows of tiles, and whether there is something to see.
-struct BakedRows {
-    uint32_t first = 0;  // from the top
-    uint32_t count = 0;
-    const float* values = nullptr;     // row by row: those of lane 0, those of lane 1, ...
-    const uint8_t* covered = nullptr;  // a byte a texel: 1 surface, 2 dilated, 0 neither
-};
-// False stops the bake.
-using TakeRows = std::function<bool(const BakedRows&)>;
-
 struct BakeFindings {
     uint64_t covered = 0;     // texels that hold a surface
     uint64_t not_finite = 0;  // of them, with a number that is not finite
@@ -52,10 +42,21 @@ struct BakeFindings {
     void add(const BakeFindings& below);
 };
 
+// Rows as they come, whole rows of tiles, and whether there is something to see.
+struct BakedRows {
+    uint32_t first = 0;  // from the top
+    uint32_t count = 0;
+    const float* values = nullptr;     // row by row: those of lane 0, those of lane 1, ...
+    const uint8_t* covered = nullptr;  // a byte a texel: 1 surface, 2 dilated, 0 neither
+    BakeFindings found;                // in these
+};
+// False stops the bake.
+using TakeRows = std::function<bool(const BakedRows&)>;
+
 // Rows `first` to `last`, without `last`, both multiples of bake_tile or the end; false when it was
-// stopped. Rows are taken one band after
-// the other, while the next is worked on. With `threads` 0 one for each core.
+// stopped. Rows are taken one band after the other, while the next is worked on. With `threads` 0
+// one for each core.
 bool bake_rows(const BakeInput& input, const UvRaster& raster, uint32_t first, uint32_t last,
-               uint32_t threads, const TakeRows& take, BakeFindings& findings);
+               uint32_t threads, const TakeRows& take);
 
 }  // namespace wrinkle

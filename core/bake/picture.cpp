@@ -58,16 +58,14 @@ bool bake_picture(const PictureInput& input, uint32_t first, uint32_t last,
     rows.unit = plan.unit;
     rows.dilate = input.dilate;
     const auto keep = [&](const BakedRows& baked) {
+        report.add(baked.found, input.layout);
         for (size_t map = 0; map < plan.maps.size(); ++map)
             if (!take.rows(map, stored_rows(plan.maps[map], input.types[map], baked,
                                             input.layout.width, plan.lanes, report.clamped[map])))
                 return false;
         return take.band(baked.first + baked.count, uint64_t{baked.count} * input.layout.width);
     };
-    BakeFindings found;
-    const bool whole = bake_rows(rows, raster, first, last, input.threads, keep, found);
-    report.add(found, input.layout);
-    return whole;
+    return bake_rows(rows, raster, first, last, input.threads, keep);
 }
 
 }  // namespace wrinkle

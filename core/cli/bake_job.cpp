@@ -104,7 +104,8 @@ std::optional<BakeJob> make_bake_job(const BakeOptions& options, const BakeWishe
     BakeJob job;
     job.options = options;
     job.wishes = wishes;
-    auto mesh = open_mesh(options.mesh, options.common, diagnostics);
+    std::vector<std::string> mesh_files;
+    auto mesh = open_mesh(options.mesh, options.common, diagnostics, &mesh_files);
     if (mesh) has_uv_layout(*mesh, options.mesh, diagnostics);
     if (mesh) job.mesh = std::move(*mesh);
     const Overrides overrides = parse_overrides(options.common, diagnostics);
@@ -116,7 +117,7 @@ std::optional<BakeJob> make_bake_job(const BakeOptions& options, const BakeWishe
         return {};
     job.pictures = pictures_of(job, uvs, overrides);
     if (wishes.is_shard() || options.resume) job.identity = identity_of(job);
-    if (is_mesh_path(options.mesh)) job.inputs.push_back(options.mesh);
+    job.inputs.insert(job.inputs.end(), mesh_files.begin(), mesh_files.end());
     return job;
 }
 

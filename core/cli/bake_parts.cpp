@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <charconv>
 #include <cstring>
 
 #include "bake/file_problem.h"
@@ -35,6 +36,18 @@ std::string map_json(const PartHeader::Map& map) {
            ", \"tile\": " + std::to_string(w.tile) + ", \"numbers\": " + numbers + "}}";
 }
 
+// Texts, as some of the numbers may be infinite.
+std::string report_json(const BakeReport& found) {
+    std::vector<std::string> words = {std::to_string(found.overlapped),
+                                      shortest(found.overlap_uv.x), shortest(found.overlap_uv.y),
+                                      std::to_string(found.overlap_triangle),
+                                      std::to_string(found.not_finite)};
+    for (const Clamped& lost : found.clamped)
+        words.insert(words.end(),
+                     {std::to_string(lost.numbers), shortest(lost.least), shortest(lost.greatest)});
+    return quoted_list(words);
+}
+
 std::string header_json(const PartHeader& header) {
     std::string maps;
     for (const PartHeader::Map& map : header.maps)
@@ -45,7 +58,8 @@ std::string header_json(const PartHeader& header) {
            ", " + std::to_string(header.height()) + "],\n  \"maps\": [" + maps +
            "],\n  \"pictures\": " + quoted_list(header.pictures) + ",\n  \"rows_of_tiles\": [" +
            std::to_string(header.first) + ", " + std::to_string(header.last) +
-           "],\n  \"done\": " + std::to_string(header.done) + "\n}\n";
+           "],\n  \"done\": " + std::to_string(header.done) +
+           ",\n  \"found\": " + report_json(header.found) + "\n}\n";
 }
 
 // Values of a header; whatever does not fit leaves `fine` false.
@@ -85,6 +99,29 @@ struct HeaderReader {
         return fine ? std::pair(whole(values.at(0)), whole(values.at(1)))
                     : std::pair<uint64_t, uint64_t>(0, 0);
     }
+    BakeReport report(const json::Value& from) {
+        const std::vector<std::string> words = texts(from, "found");
+        fine = fine && words.size() >= 5 && words.size() % 3 == 2;
+        BakeReport found;
+        if (!fine) return found;
+        const auto read = [&](size_t i, auto& number) {
+            const char* end = words[i].data() + words[i].size();
+            const auto [stop, problem] = std::from_chars(words[i].data(), end, number);
+            fine = fine && problem == std::errc() && stop == end;
+        };
+        read(0, found.overlapped);
+        read(1, found.overlap_uv.x);
+        read(2, found.overlap_uv.y);
+        read(3, found.overlap_triangle);
+        read(4, found.not_finite);
+        for (size_t i = 5; i < words.size(); i += 3) {
+            Clamped& lost = found.clamped.emplace_back();
+            read(i, lost.numbers);
+            read(i + 1, lost.least);
+            read(i + 2, lost.greatest);
+        }
+        return found;
+    }
     PartHeader::Map map(const json::Value& from) {
         PartHeader::Map map{text(from, "name"), text(from, "extension"), {}};
         WriterOptions& w = map.writer;
@@ -122,6 +159,7 @@ std::optional<PartHeader> parse_header(const json::Value& root) {
     header.first = bands.first;
     header.last = bands.second;
     header.done = reader.whole(reader.item(root, "done", json::Kind::number));
+    header.found = reader.report(root);
     for (const json::Member& map : reader.item(root, "maps", json::Kind::array).children()) {
         header.maps.push_back(reader.map(map.value));
         header.maps.back().writer.width = static_cast<uint32_t>(size.first);
@@ -222,8 +260,10 @@ std::optional<PartWriter> PartWriter::open(const fs::path& folder, PartHeader he
     Diagnostics ignored;
     const auto before = resume ? read_header(folder, ignored) : std::nullopt;
     if (before && before->identity == header.identity && before->shard == header.shard &&
-        before->shards == header.shards)
+        before->shards == header.shards) {
         header.done = before->done;
+        header.found = before->found;
+    }
     PartWriter writer;
     writer.folder_ = folder;
     writer.header_ = std::move(header);
@@ -231,9 +271,11 @@ std::optional<PartWriter> PartWriter::open(const fs::path& folder, PartHeader he
     return writer;
 }
 
-bool PartWriter::fail(const fs::path& path, Diagnostics& diagnostics) const {
-    diagnostics.add(file_problem(Severity::error, path.string(),
-                                 std::string("cannot be written: ") + std::strerror(errno), ""));
+bool PartWriter::fail(size_t map, Diagnostics& diagnostics) const {
+    diagnostics.add(file_problem(Severity::error, rows_file(folder_, picture_, map).string(),
+                                 "rows of the map '" + header_.maps[map].name +
+                                     "' cannot be written: " + std::strerror(errno),
+                                 "a folder that can be written to and has room"));
     return false;
 }
 
@@ -255,11 +297,10 @@ bool PartWriter::begin(size_t picture, Diagnostics& diagnostics) {
         const fs::path path = rows_file(folder_, picture, map);
         const uint64_t kept = rows * header_.row_bytes(map);
         std::FILE* file = std::fopen(path.c_str(), kept > 0 ? "r+b" : "wb");
-        if (!file) return fail(path, diagnostics);
+        if (!file) return fail(map, diagnostics);
         files_.emplace_back(file);
         // Rows that bake.json does not tell of are written again.
-        if (std::fseek(file, static_cast<long>(kept), SEEK_SET) != 0)
-            return fail(path, diagnostics);
+        if (std::fseek(file, static_cast<long>(kept), SEEK_SET) != 0) return fail(map, diagnostics);
     }
     return true;
 }
@@ -268,11 +309,12 @@ bool PartWriter::rows(size_t map, std::span<const std::byte> bytes, Diagnostics&
     std::FILE* file = files_[map].get();
     if (std::fwrite(bytes.data(), 1, bytes.size(), file) == bytes.size() && std::fflush(file) == 0)
         return true;
-    return fail(rows_file(folder_, picture_, map), diagnostics);
+    return fail(map, diagnostics);
 }
 
-bool PartWriter::done(uint64_t bands, Diagnostics& diagnostics) {
+bool PartWriter::done(uint64_t bands, const BakeReport& found, Diagnostics& diagnostics) {
     header_.done = bands;
+    header_.found = found;
     return write_header(diagnostics);
 }
 

@@ -16,6 +16,7 @@
 #include <string>
 #include <vector>
 
+#include "bake/picture.h"
 #include "base/diagnostics.h"
 #include "cli/bake_job.h"
 
@@ -31,6 +32,7 @@ struct PartHeader {
     std::vector<Map> maps;
     std::vector<std::string> pictures;  // the suffixes of their files
     uint64_t first = 0, last = 0, done = 0;
+    BakeReport found;  // in what is done
 
     uint32_t width() const { return maps[0].writer.width; }
     uint32_t height() const { return maps[0].writer.height; }
@@ -61,13 +63,14 @@ public:
     const PartHeader& header() const { return header_; }
     bool begin(size_t picture, Diagnostics& diagnostics);
     bool rows(size_t map, std::span<const std::byte> bytes, Diagnostics& diagnostics);
-    bool done(uint64_t bands, Diagnostics& diagnostics);  // that are in the files by now
+    // How many rows of tiles are in the files by now, and what was found in them.
+    bool done(uint64_t bands, const BakeReport& found, Diagnostics& diagnostics);
 
 private:
     struct Close {
         void operator()(std::FILE* file) const { std::fclose(file); }
     };
-    bool fail(const std::filesystem::path& path, Diagnostics& diagnostics) const;
+    bool fail(size_t map, Diagnostics& diagnostics) const;
     bool write_header(Diagnostics& diagnostics) const;
 
     std::filesystem::path folder_;

@@ -14,6 +14,9 @@ class PictureBaker {
 public:
     PictureBaker(const BakeJob& job, Progress& progress) : job_(job), progress_(progress) {}
 
+    // Of all rows that are baked by now, also by a run before.
+    BakeReport report;
+
     // Rows `first` to `last` of a picture; `band` may be none.
     bool bake(size_t number, uint32_t first, uint32_t last, PictureTakers take) {
         const BakePicture& picture = job_.pictures[number];
@@ -34,21 +37,19 @@ public:
             progress_.add(texels);
             return !Interruption::requested();
         };
-        return bake_picture(input, first, last, take, report_);
+        return bake_picture(input, first, last, take, report);
     }
 
     void finish(bool whole, BakeOutcome& outcome) const {
         if (!whole)
             outcome.end = outcome.environment.has_errors() ? BakeEnd::failed : BakeEnd::interrupted;
         else
-            report_.tell(job_.options.file, job_.options.mesh, job_.plans[0].maps,
-                         outcome.warnings);
+            report.tell(job_.options.file, job_.options.mesh, job_.plans[0].maps, outcome.warnings);
     }
 
 private:
     const BakeJob& job_;
     Progress& progress_;
-    BakeReport report_;
 };
 
 void list_files(const std::vector<MapFile>& files, std::vector<std::string>& names) {
@@ -88,6 +89,7 @@ BakeOutcome bake_part(const BakeJob& job, const fs::path& folder, PartHeader hea
     auto part =
         PartWriter::open(folder, std::move(header), job.options.resume, outcome.environment);
     const uint64_t bands = job.bands();
+    if (part) baker.report = part->header().found;
     bool whole = part.has_value();
     for (uint64_t first = whole ? part->header().first : 0; whole && first < part->header().done;
          ++first)
@@ -104,7 +106,7 @@ BakeOutcome bake_part(const BakeJob& job, const fs::path& folder, PartHeader hea
             return part->rows(map, bytes, outcome.environment);
         };
         const auto band = [&](uint32_t row, uint64_t) {
-            return part->done(number * bands + (row + bake_tile - 1) / bake_tile,
+            return part->done(number * bands + (row + bake_tile - 1) / bake_tile, baker.report,
                               outcome.environment);
         };
         whole = part->begin(number, outcome.environment) &&

@@ -34,11 +34,18 @@ std::string check_mesh(const std::string& name_or_path) {
 }
 
 std::optional<Mesh> open_mesh(const std::string& name_or_path, const CommonOptions& options,
-                              Diagnostics& diagnostics) {
+                              Diagnostics& diagnostics, std::vector<std::string>* read) {
     std::optional<Mesh> mesh = make_shape(name_or_path);
     MeshFileOptions file;
     file.root = options.root;
-    if (!mesh) mesh = load_mesh(name_or_path, file, diagnostics);
+    std::vector<std::filesystem::path> external;
+    file.read = &external;
+    if (!mesh) {
+        mesh = load_mesh(name_or_path, file, diagnostics);
+        if (read) read->push_back(name_or_path);
+    }
+    for (const std::filesystem::path& path : external)
+        if (read) read->push_back(path.string());
     if (mesh && options.no_tangents) mesh->tangents.clear();
     return mesh;
 }

@@ -22,8 +22,9 @@ bool is_mesh_path(const std::string& name_or_path);
 // For CLI11: refuses a name that no shape has; "" for what is fine.
 std::string check_mesh(const std::string& name_or_path);
 
-// The mesh, without tangents for --no-tangents; nothing with errors that name the file.
+// The mesh, without tangents for --no-tangents; nothing with errors that name the file. `read`
+// takes the paths of all files that it is made of.
 std::optional<Mesh> open_mesh(const std::string& name_or_path, const CommonOptions& options,
-                              Diagnostics& diagnostics);
+                              Diagnostics& diagnostics, std::vector<std::string>* read = nullptr);
 
 }  // namespace wrinkle::cli

@@ -66,6 +66,7 @@ struct FileGate {
     const fs::path folder;
     const fs::path root;
     uint64_t bytes_left;
+    std::vector<fs::path>* taken;
     std::string refused;  // the first problem, a sentence
 
     bool is_picture(const fs::path& path) const {
@@ -96,6 +97,7 @@ struct FileGate {
         else if (const auto bytes = read_file(name, why)) {
             out.assign(bytes->begin(), bytes->end());
             bytes_left -= std::min<uint64_t>(bytes_left, bytes->size());
+            if (taken) taken->emplace_back(name);
             return true;
         }
         if (refused.empty()) refused = "needs '" + name + "', which " + why;
@@ -167,7 +169,7 @@ bool read_gltf_file(std::string_view bytes, const fs::path& path, const MeshFile
     if (why.empty() && is_nested_too_deep(json))
         why = "nests objects and arrays deeper than " + std::to_string(max_depth) + " levels";
     const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
-    FileGate gate{folder, options.root, options.limits.max_bytes, ""};
+    FileGate gate{folder, options.root, options.limits.max_bytes, options.read, ""};
     if (why.empty() && parse(bytes, gate, model, why)) return true;
     Diagnostic problem;
     problem.where.file = path.string();

@@ -29,6 +29,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <optional>
+#include <vector>
 
 #include "base/diagnostics.h"
 #include "mesh/mesh.h"
@@ -43,6 +44,7 @@ struct MeshLimits {
 struct MeshFileOptions {
     std::filesystem::path root;  // "": the mesh's folder alone
     MeshLimits limits;
+    std::vector<std::filesystem::path>* read = nullptr;  // takes the external files too
 };
 
 std::optional<Mesh> load_mesh(const std::filesystem::path& path, const MeshFileOptions& options,

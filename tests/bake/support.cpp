@@ -52,10 +52,11 @@ LanePicture bake_lanes(const Mesh& mesh, const Program& program, const BakeHow& 
                         rows.values[(row * picture.lanes + lane) * how.width + x]);
         picture.covered.insert(picture.covered.end(), rows.covered,
                                rows.covered + size_t{rows.count} * how.width);
+        picture.findings.add(rows.found);
         return true;
     };
-    EXPECT_TRUE(bake_rows(input, raster, how.first, std::min(how.last, how.height), how.threads,
-                          take, picture.findings));
+    EXPECT_TRUE(
+        bake_rows(input, raster, how.first, std::min(how.last, how.height), how.threads, take));
     return picture;
 }
 

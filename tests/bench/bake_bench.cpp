@@ -70,8 +70,7 @@ size_t bake_once(const Loaded& loaded, const std::string& map, uint32_t size,
             stored_rows(plan->maps[0], PixelType::float32, rows, size, plan->lanes, clamped).size();
         return true;
     };
-    BakeFindings findings;
-    return bake_rows(input, raster, 0, size, 0, take, findings) ? bytes : 0;
+    return bake_rows(input, raster, 0, size, 0, take) ? bytes : 0;
 }
 
 double processor_seconds() {

@@ -79,7 +79,7 @@ TEST_F(BakePartsTest, AMergeWantsEveryShardOnce) {
     EXPECT_TRUE(says(refused({"p1", "p2", "p3"}), "does not tell of a part"));
     std::string halted = header;
     const size_t done = halted.find("\"done\": ");
-    halted.replace(done, halted.find('\n', done) - done, "\"done\": 1");
+    halted.replace(done, halted.find('\n', done) - done, "\"done\": 1,");
     put("p2/bake.json", halted);
     EXPECT_TRUE(says(refused({"p1", "p2", "p3"}), "p2: error: shard 2 of 3 is not finished"));
     put("p2/bake.json", header);
@@ -102,7 +102,7 @@ TEST_F(BakePartsTest, AMergeRefusesPartsOfAnotherBake) {
 // Slow enough to be stopped: every texel in one thread.
 class BakeStoppedTest : public BakeTest {
 protected:
-    const Names slow = {"--size", "512x2048", "-j", "1", "--map", "normal,roughness"};
+    const Names slow = {"--size", "512x2048", "-j", "1", "--map", "normal,roughness,height"};
 
     pid_t begin(const std::string& out, const Names& more) const {
         Names all = {"bake", graph, "--mesh", "plane", "-o", out};
@@ -162,7 +162,11 @@ TEST_F(BakeStoppedTest, WhatWasKilledGoesOn) {
     const double first = parsed(ran.out.substr(0, ran.out.find('\n'))).find("done").as_number();
     EXPECT_GE(before, 1);
     EXPECT_GE(first, (before + 1) * 64 * 512);
-    ASSERT_EQ(bake("plane", "whole", slow).code, 0);
+    const Ran whole = bake("plane", "whole", slow);
+    ASSERT_EQ(whole.code, 0) << whole.err;
+    // What is told of the maps is told of all rows.
+    EXPECT_TRUE(says(whole.err, "the map 'height' holds "));
+    EXPECT_EQ(ran.err, whole.err);
     EXPECT_TRUE(same_files("out/normal.png", "whole/normal.png"));
     EXPECT_TRUE(same_files("out/roughness.png", "whole/roughness.png"));
 }
@@ -176,6 +180,32 @@ TEST_F(BakeStoppedTest, AnotherBakeBeginsAnew) {
     other.emplace_back("--resume");
     ASSERT_EQ(bake("cube", "out", other).code, 0);
     EXPECT_TRUE(same_files("out/normal.png", "whole/normal.png"));
+}
+
+TEST_F(BakePartsTest, RowsThatCannotBeWrittenAreOfAMap) {
+    fs::create_directories(folder / "p" / "0-1.rows");
+    const Ran ran = bake("teapot", "p", with({"--shard", "1/2"}));
+    EXPECT_EQ(ran.code, 3);
+    EXPECT_TRUE(says(ran.err, "p/0-1.rows: error: rows of the map 'height' cannot be written: "));
+}
+
+TEST_F(BakeTest, DependenciesHaveTheFilesBesideAMesh) {
+    const std::array<float, 15> numbers = {0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 1, 1, 1, 0};
+    put("parts/m.bin", std::string(reinterpret_cast<const char*>(numbers.data()), sizeof numbers));
+    put("m.gltf", R"({"asset": {"version": "2.0"}, "scenes": [{"nodes": [0]}], "scene": 0,
+        "nodes": [{"mesh": 0}], "buffers": [{"uri": "parts/m.bin", "byteLength": 60}],
+        "bufferViews": [{"buffer": 0, "byteLength": 36},
+            {"buffer": 0, "byteOffset": 36, "byteLength": 24}],
+        "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3",
+                "min": [0, 0, 0], "max": [1, 1, 0]},
+            {"bufferView": 1, "componentType": 5126, "count": 3, "type": "VEC2"}],
+        "images": [{"uri": "never_read.png"}],
+        "meshes": [{"primitives": [{"attributes": {"POSITION": 0, "TEXCOORD_0": 1}}]}]})");
+    put("g.json", ramp_graph());
+    graph = "g.json";
+    const Ran ran = bake("m.gltf", "v.png", {"--map", "value", "--size", "8", "-MD"});
+    ASSERT_EQ(ran.code, 0) << ran.err;
+    EXPECT_EQ(get("v.png.d"), "v.png: \\\n  g.json \\\n  m.gltf \\\n  ./parts/m.bin\n");
 }
 
 TEST_F(BakeTest, DependenciesAreWhatWasRead) {

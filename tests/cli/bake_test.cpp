@@ -229,7 +229,9 @@ TEST_F(BakeTest, AFullDiskLeavesWhatWasThere) {
     EXPECT_EQ(get("maps/normal.png"), "mine");
     const Ran part = bake("sphere", "part", {"--size", "256", "--shard", "1/2"});
     EXPECT_EQ(part.code, 3);
-    EXPECT_TRUE(says(part.err, "part/0-0.rows: error: cannot be written: File too large"));
+    EXPECT_TRUE(
+        says(part.err,
+             "part/0-0.rows: error: rows of the map 'normal' cannot be written: File too large"));
 }
 
 }  // namespace
