@@ -31,11 +31,6 @@ uint32_t changing_inputs(Change change) {
 
 }  // namespace
 
-bool never_changes(const Inst& inst) {
-    return info(inst.op).flags & WR_FLAG_ZERO_DERIVATIVE || inst.type == Type::int_ ||
-           inst.type == Type::uint_ || inst.type == Type::bool_ || info(inst.op).rule == Rule::leaf;
-}
-
 Id Direction::tangent(Id value) {
     if (value == poison || memo_.has(value)) return memo_.at(value);
     // A loop's body asks again meanwhile, with lists of its own.

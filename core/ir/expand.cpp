@@ -296,10 +296,7 @@ struct Finisher {
     std::vector<bool> inverse_known;  // by Id of the source: of its length
 
     explicit Finisher(const Module& source) : inverse_known(source.size(), false) {
-        bool any = false;
-        for (Id id = 1; id < source.size() && !any; ++id)
-            any = inverse_length_of(source, id) != poison;
-        if (!any) return;
+        if (!source.has(Op::inversesqrt_)) return;
         std::vector<Id> roots;
         for (const ModuleOutput& output : source.outputs)
             roots.push_back(output.value);
@@ -311,18 +308,28 @@ struct Finisher {
     }
 };
 
-bool is_rewritten(const Module& m, Id id) {
-    const auto operands = m.operands(id);
-    return m[id].op == Op::with_covariance_ || inverse_length_of(m, id) != poison ||
-           std::any_of(operands.begin(), operands.end(),
-                       [&](Id operand) { return m[operand].op == Op::detach_; });
+// Without regions.
+bool reads_detached(const Module& m) {
+    if (!m.has(Op::detach_)) return false;
+    Id first = 1;
+    while (m[first].op != Op::detach_)
+        ++first;
+    for (Id id = first + 1; id < m.size(); ++id)
+        for (const Id operand : m[id].arg)
+            if (m[operand].op == Op::detach_) return true;
+    return false;
+}
+
+bool divides_by_length(const Module& m) {
+    for (Id id = 1; m.has(Op::inversesqrt_) && id < m.size(); ++id)
+        if (inverse_length_of(m, id) != poison) return true;
+    return false;
 }
 
 // Whether that leaves all as it is but outputs that are detached: then these are what is detached.
 bool take_outputs(Module& m) {
-    if (m.region_count() > 1) return false;
-    for (Id id = 1; id < m.size(); ++id)
-        if (is_rewritten(m, id)) return false;
+    if (m.region_count() > 1 || m.has(Op::with_covariance_)) return false;
+    if (divides_by_length(m) || reads_detached(m)) return false;
     for (ModuleOutput& output : m.outputs)
         if (m[output.value].op == Op::detach_) output.value = m[output.value].arg[0];
     return true;

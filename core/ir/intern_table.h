@@ -21,11 +21,12 @@ public:
     Id intern(const Inst& wanted, std::vector<Inst>& inst);
 
 private:
+    // Of those whose newest operand is this one; and in the chain that it stands in itself.
     struct Readers {
-        Id newest = poison;  // of those that have this value as their newest operand
-        Id next = poison;    // in the chain that this one stands in
+        Id first = poison;
+        Id next = poison;
     };
-    Id append(const Inst& added, std::vector<Inst>& inst);
+    Id& place_of(const Inst& wanted, const std::vector<Inst>& inst);
     Id& slot_of(const Inst& wanted, const std::vector<Inst>& inst);
     void grow(const std::vector<Inst>& inst);
 

@@ -81,7 +81,9 @@ Module::Module(size_t expected) : table_(expected) {
 
 Id Module::intern(const Inst& inst) {
     const Id id = table_.intern(inst, inst_);
-    if (id == origin.size()) origin.push_back(current_node);
+    if (id < origin.size()) return id;
+    origin.push_back(current_node);
+    has_[static_cast<size_t>(inst.op)] = true;
     return id;
 }
 
@@ -103,41 +105,41 @@ std::span<const Id> Module::listed_operands(const Inst& inst) const {
 // Numbers of ops and of operands come from plugins as well.
 Id Module::add(Op op, std::span<const Id> args, uint32_t extra, Type type) {
     const OpInfo& row = info(op);
-    if (!is_written(op, row) || args.size() > Inst{}.arg.size()) return not_written(op, args);
+    Inst made{op, Type::poison_, 0, {}, extra, 0};
+    if (!is_written(op, row) || args.size() > made.arg.size()) return not_written(op, args);
     std::array<Type, 4> types{};
-    uint8_t level = 0;
     bool constant = !args.empty(), alike = true;
     for (size_t i = 0; i < args.size(); ++i) {
         if (args[i] == poison || args[i] >= size()) return not_written(op, args);
         const Inst& operand = inst_[args[i]];
+        made.arg[i] = args[i];
+        made.level = std::max(made.level, operand.level);
         types[i] = operand.type;
-        level = std::max(level, operand.level);
         constant = constant && is_constant(args[i]);
         alike = alike && types[i] == types[0];
     }
-    const bool plain = alike && takes_alike(row) && is_float_type(types[0]) &&
-                       args.size() == static_cast<size_t>(row.arity);
-    const Type swizzled =
-        op == Op::swizzle_ && args.size() == 1 ? swizzled_type(types[0], extra) : Type::poison_;
-    type = plain ? types[0]
-           : swizzled != Type::poison_
-               ? swizzled
-               : typed(op, std::span(types.data(), args.size()), extra, type);
-    if (type == Type::poison_) return poison;
-    if (constant && may_fold(op, type))
-        if (const Id folded = folded_constant(op, args, extra, type)) return folded;
-    if (const Id simpler = simplified(*this, op, args, extra, type)) return simpler;
-    if (type == Type::gradient_ && !set_base(op, args, extra)) return poison;
-    const auto arg = [&](size_t i) { return i < args.size() ? args[i] : poison; };
-    return intern({op, type, level, {arg(0), arg(1), arg(2), arg(3)}, extra, 0});
+    if (alike && takes_alike(row) && is_float_type(types[0]) &&
+        args.size() == static_cast<size_t>(row.arity))
+        made.type = types[0];
+    else if (op == Op::swizzle_ && args.size() == 1)
+        made.type = swizzled_type(types[0], extra);
+    if (made.type == Type::poison_)
+        made.type = typed(op, std::span(types.data(), args.size()), extra, type);
+    if (made.type == Type::poison_) return poison;
+    if (constant && may_fold(op, made.type))
+        if (const Id folded = folded_constant(op, args, extra, made.type)) return folded;
+    if (const Id simpler = simplified(*this, op, args, extra, made.type)) return simpler;
+    if (made.type == Type::gradient_ && !set_base(op, args, made.extra)) return poison;
+    return intern(made);
 }
 
 Id Module::add_known(const Inst& known, std::span<const Id> args, uint32_t extra) {
-    const auto arg = [&](size_t i) { return i < args.size() ? args[i] : poison; };
-    const std::array<uint8_t, 4> levels{inst_[arg(0)].level, inst_[arg(1)].level,
-                                        inst_[arg(2)].level, inst_[arg(3)].level};
-    const uint8_t level = *std::max_element(levels.begin(), levels.end());
-    return intern({known.op, known.type, level, {arg(0), arg(1), arg(2), arg(3)}, extra, 0});
+    Inst made{known.op, known.type, 0, {}, extra, 0};
+    for (size_t i = 0; i < args.size(); ++i) {
+        made.arg[i] = args[i];
+        made.level = std::max(made.level, inst_[args[i]].level);
+    }
+    return intern(made);
 }
 
 // Why it is not; of poison among the operands nothing is said.
@@ -236,14 +238,15 @@ Id Module::literal(Type scalar, double value) {
     return intern(inst);
 }
 
+// A construct of literals is as simple as can be.
 Id Module::constant(Type type, std::span<const double> lanes) {
     if (lanes.size() == 1) return literal(type, lanes[0]);
-    std::array<Id, 4> parts{};
+    Inst construct{Op::construct_, type, 0, {}, 0, 0};
     const size_t count = type == Type::mat3_ ? 3 : lanes.size();
     for (size_t i = 0; i < count; ++i)
-        parts[i] =
+        construct.arg[i] =
             type == Type::mat3_ ? constant(Type::vec3_, lanes.subspan(i * 3, 3)) : number(lanes[i]);
-    return add(Op::construct_, std::span(parts.data(), count), 0, type);
+    return intern(construct);
 }
 
 Id Module::zero(Type type) {
@@ -336,7 +339,7 @@ uint32_t Module::add_resource(const Resource& resource) {
 }
 
 void Module::name(Id value, uint32_t node, std::string_view name) {
-    if (value >= called_.size()) called_.resize(value + size_t{1});
+    if (value >= called_.size()) called_.resize(std::max(value + size_t{1}, called_.size() * 2));
     if (called_[value]) return;
     called_[value] = true;
     named.push_back({value, node, std::string(name), false});

@@ -202,6 +202,8 @@ public:
         if (arity < 0) return listed_operands(inst);
         return std::span(inst.arg.data(), static_cast<size_t>(arity));
     }
+    // Whether one of this op was ever written, needed or not.
+    bool has(Op op) const { return has_[static_cast<size_t>(op)]; }
     const Region& region(uint32_t index) const { return regions_[index]; }
     uint32_t region_count() const { return static_cast<uint32_t>(regions_.size()); }
 
@@ -265,6 +267,7 @@ private:
 
     std::vector<Inst> inst_;
     InternTable table_;
+    std::array<bool, tables::op_count> has_{};
     std::vector<std::vector<Id>> lists_;
     std::map<std::vector<Id>, uint32_t> list_table_;
     std::vector<Region> regions_;  // [0] is none

@@ -27,8 +27,9 @@ ValueFacts::Facts ValueFacts::of(Id id) const {
     }
     if (inst.op == Op::result_)
         if (const Id result = m.open_result(id)) return facts_[result];
+    const bool listed = inst.op == Op::loop_ || inst.op == Op::call_;
     Facts facts = 0;
-    for (const Id operand : m.operands(id))
+    for (const Id operand : listed ? m.operands(id) : std::span<const Id>(inst.arg))
         facts |= facts_[operand];
     if (inst.op == Op::detach_ && facts & reading) facts |= jumping;
     if (is_sample(inst.op)) facts |= reading;

@@ -40,7 +40,7 @@ private:
     Facts of_region(const Inst& inst) const;
 
     const Module* module_;
-    std::vector<Facts> facts_;  // by Id
+    std::vector<Facts> facts_{0};  // by Id
 };
 
 bool is_position_alone(uint32_t dependencies);
