@@ -326,16 +326,21 @@ uint32_t Module::add_parameter(Parameter parameter) {
     return static_cast<uint32_t>(parameters.size() - 1);
 }
 
+uint32_t Module::find_resource(std::string_view file, const TextureOptions& options) const {
+    const auto same = [&](const Resource& r) { return r.file == file && r.options == options; };
+    const auto found = std::find_if(resources.begin(), resources.end(), same);
+    return static_cast<uint32_t>(found - resources.begin());
+}
+
 uint32_t Module::add_resource(const Resource& resource) {
-    for (uint32_t i = 0; i < resources.size(); ++i) {
-        if (resources[i].file != resource.file || !(resources[i].options == resource.options))
-            continue;
-        for (const Resource::Reader& reader : resource.readers)
-            resources[i].readers.push_back(reader);
-        return i;
+    const uint32_t index = find_resource(resource.file, resource.options);
+    if (index == resources.size()) {
+        resources.push_back(resource);
+        return index;
     }
-    resources.push_back(resource);
-    return static_cast<uint32_t>(resources.size() - 1);
+    std::vector<Resource::Reader>& readers = resources[index].readers;
+    readers.insert(readers.end(), resource.readers.begin(), resource.readers.end());
+    return index;
 }
 
 void Module::name(Id value, uint32_t node, std::string_view name) {

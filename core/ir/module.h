@@ -220,6 +220,8 @@ public:
 
     uint32_t add_parameter(Parameter parameter);
     uint32_t add_resource(const Resource& resource);  // merges with an equal one
+    // Its index; as many as there are where there is none.
+    uint32_t find_resource(std::string_view file, const TextureOptions& options) const;
 
     void problem(std::string message, std::string expected = {});
     // Calls a value so, wherever it becomes a line of its own; what already has a name keeps it.

@@ -37,7 +37,8 @@ private:
     static constexpr Facts jumping = 1U << 30, reading = 1U << 31, all_inputs = jumping - 1;
 
     Facts of(Id id) const;
-    Facts of_region(const Inst& inst) const;
+    static Facts of_op(const Inst& inst, Facts facts);
+    Facts of_region(Id id) const;
 
     const Module* module_;
     std::vector<Facts> facts_{0};  // by Id
