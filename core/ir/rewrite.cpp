@@ -79,12 +79,16 @@ std::vector<bool> reachable(const Module& module, std::span<const Id> roots) {
     std::vector<Id> below;
     for (Id id = module.size(); id-- > 1;) {
         if (!needed[id]) continue;
+        if (module[id].op == Op::loop_ || module[id].op == Op::call_) {
+            below.clear();
+            append_dependencies(module, id, true, below);
+            for (const Id operand : below)
+                needed[operand] = true;
+            continue;
+        }
         const Inst& inst = module[id];
-        const bool listed = inst.op == Op::loop_ || inst.op == Op::call_;
-        below.clear();
-        if (listed) append_dependencies(module, id, true, below);
-        for (const Id operand : listed ? std::span<const Id>(below) : inst.arg)
-            needed[operand] = true;
+        for (size_t i = 0; i < inst.arg.size() && inst.arg[i] != poison; ++i)
+            needed[inst.arg[i]] = true;
         if (inst.type == Type::gradient_) needed[inst.extra] = true;  // its base
     }
     needed[poison] = false;

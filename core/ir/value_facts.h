@@ -17,8 +17,10 @@ public:
 
     // Looks at what was added since. Linear in that.
     void update() {
-        while (facts_.size() < module_->size())
-            facts_.push_back(of(static_cast<Id>(facts_.size())));
+        auto id = static_cast<Id>(facts_.size());
+        facts_.resize(module_->size());
+        for (; id < facts_.size(); ++id)
+            facts_[id] = of(id);
     }
 
     // Which surface inputs it changes with, a bit per SurfaceInput; bits of region bodies count,

@@ -1,5 +1,6 @@
 // The builder that a node's build() works with: wr_builder over a module. What comes from a plugin
 // is not trusted: every number is checked before the module sees it.
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
@@ -20,23 +21,40 @@ bool is_number(uint32_t type) {
     return type >= WR_TYPE_float && type <= WR_TYPE_bool;
 }
 
-bool is_sampling(Op op) {
+constexpr bool is_sampling(Op op) {
     return op == Op::sample_ || op == Op::sample_lod_ || op == Op::sample_grad_ ||
            op == Op::image_size_;
 }
-bool host_only(Op op) {
+constexpr bool host_only(Op op) {
     return info(op).rule == Rule::leaf || op == Op::loop_ || op == Op::call_ || op == Op::result_ ||
            is_sampling(op);
 }
-bool is_gradient_source(Op op) {
+constexpr bool is_gradient_source(Op op) {
     return (op >= Op::gradient_from_derivative_ && op <= Op::gradient_from_normal_) ||
            op == Op::gradient_from_outward_normal_;
 }
-// Whether `extra` says something.
-bool has_detail(Op op) {
+constexpr bool has_detail(Op op) {
     return op == Op::swizzle_ || op == Op::column_ || op == Op::resolve_ || op == Op::frame_ ||
            is_gradient_source(op);
 }
+
+// What a plugin's number of an op is looked at for, all ops in one table.
+struct Emission {
+    bool is_op = false;
+    bool host_only = false;
+    bool detailed = false;  // `extra` says something
+    bool implicit = false;
+};
+constexpr auto emissions = [] {
+    std::array<Emission, tables::op_count + 1> table{};  // the last: an op that there is not
+    for (size_t i = 0; i < tables::op_count; ++i) {
+        const auto op = static_cast<Op>(i);
+        const OpInfo& row = info(op);
+        table[i] = {!row.name.empty(), host_only(op), has_detail(op),
+                    (row.flags & WR_FLAG_IMPLICIT) != 0};
+    }
+    return table;
+}();
 
 class Builder {
 public:
@@ -211,11 +229,13 @@ private:
 
     Id emit(uint32_t number, uint32_t type, const wr_value* args, uint32_t count, uint32_t extra) {
         const auto o = static_cast<Op>(number);
-        if (number > 0xFFFF || info(o).name.empty())
+        const Emission& emission = emissions[std::min<size_t>(number, tables::op_count)];
+        if (!emission.is_op)
             return refuse("uses op " + std::to_string(number) + ", which does not exist",
                           "a newer program may be needed");
         const auto name = [&] { return std::string(info(o).name); };
-        if (host_only(o)) return refuse("emits the op '" + name() + "', which only the host makes");
+        if (emission.host_only)
+            return refuse("emits the op '" + name() + "', which only the host makes");
         const int arity = info(o).arity;
         const bool fits = arity < 0 ? count >= 1 && count <= most_arguments
                                     : count == static_cast<uint32_t>(arity);
@@ -223,9 +243,9 @@ private:
             return refuse("gives the op '" + name() + "' " + std::to_string(count) + " operands");
         const std::span<const wr_value> operands(args, count);
         if (!usable(operands)) return poison;
-        if (info(o).flags & WR_FLAG_IMPLICIT && module_[operands[0]].level > 0)
+        if (emission.implicit && module_[operands[0]].level > 0)
             return refuse("takes the derivative '" + name() + "' inside a loop or a function");
-        if (has_detail(o)) {
+        if (emission.detailed) {
             const std::optional<uint32_t> checked = checked_extra(o, extra);
             if (o == Op::frame_ && ((extra & 0xFF) == WR_FRAME_guess) != (count == 2))
                 return refuse("gives a frame a direction where there is none, or none to 'guess'");

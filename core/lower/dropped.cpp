@@ -1,7 +1,5 @@
 #include "lower/dropped.h"
 
-#include <algorithm>
-
 #include "ir/derive.h"
 #include "ir/gradient_frame.h"
 
@@ -25,9 +23,11 @@ bool may_be_surface_normal(const Module& m, Id id) {
 }
 
 // It changes with all that its operands change with, then.
-bool stands_as_written(const Module& m, Op op, std::span<const Id> operands, Id result) {
-    return m[result].op == op &&
-           std::equal(operands.begin(), operands.end(), m[result].arg.begin());
+bool stands_as_written(const Inst& made, Op op, std::span<const Id> operands) {
+    bool same = made.op == op;
+    for (size_t i = 0; same && i < operands.size(); ++i)
+        same = operands[i] == made.arg[i];
+    return same;
 }
 
 }  // namespace
@@ -44,7 +44,7 @@ void Dropped::begin(uint32_t node) {
 void Dropped::written(Op op, std::span<const Id> operands, Id result) {
     if (result == poison) return;
     if (may_be_surface_normal(module_, result)) give_up();  // it may have become that by a value
-    if (op != Op::frame_ && op != Op::base_ && stands_as_written(module_, op, operands, result))
+    if (op != Op::frame_ && op != Op::base_ && stands_as_written(module_[result], op, operands))
         return;
     facts_.update();
     uint32_t before = 0;
