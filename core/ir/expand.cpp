@@ -194,6 +194,11 @@ Value Expander::resolved(const Module& source, Id gradient) {
     return algebra->resolve(gradients.at(gradient), facing, sign, base_normal(source, gradient));
 }
 
+void report_base(Module& target) {
+    target.problem("the base is neither the surface's normal nor the output of a resolve",
+                   "connect a resolve's normal, or leave the port unconnected");
+}
+
 void Expander::base(const Module& source, Id id, std::span<const Id> mapped) {
     const Inst& inst = source[id];
     if (source[inst.arg[0]].op == Op::resolve_) {
@@ -203,8 +208,7 @@ void Expander::base(const Module& source, Id id, std::span<const Id> mapped) {
     bases.set(id, {});
     if (mapped[0] != surface_normal(*target, options.back_faces) &&
         mapped[0] != unit_normal(*target))
-        target->problem("the base is neither the surface's normal nor the output of a resolve",
-                        "connect a resolve's normal, or leave the port unconnected");
+        report_base(*target);
 }
 
 Id Expander::opaque(const Module& source, Id id, std::span<const Id> mapped) {
@@ -363,6 +367,11 @@ Id settle_one(void* context, Module& target, const Module& source, Id id,
     const auto& settler = *static_cast<const Settler*>(context);
     if (inst.op == Op::parameter_ && settler.parameters == Parameters::baked)
         return baked(target, target.parameters[inst.extra]);
+    if (inst.op == Op::base_ && source[inst.arg[0]].op != Op::resolve_ &&
+        !is_surface_normal(source, inst.arg[0])) {
+        report_base(target);
+        return target.add(Op::base_, {surface_normal(target, settler.options.back_faces)});
+    }
     if (inst.op != Op::frame_) return poison;
     return target.add(Op::frame_, mapped,
                       settled_frame(target, inst.extra, settler.facts.dependencies(inst.arg[0]),

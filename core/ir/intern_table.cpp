@@ -36,8 +36,8 @@ Id newest_operand(const Inst& inst) {
 }  // namespace
 
 // A quarter of what there is are leaves, about, and half of the slots are taken at most.
-InternTable::InternTable(size_t expected)
-    : slots_(std::bit_ceil(std::max<size_t>(expected / 2, 128)), poison) {
+void InternTable::make_room(size_t expected) {
+    slots_.assign(std::bit_ceil(std::max<size_t>(expected / 2, 128)), poison);
     readers_.reserve(expected);
 }
 
@@ -73,7 +73,7 @@ Id& InternTable::slot_of(const Inst& wanted, const std::vector<Inst>& inst) {
 
 void InternTable::grow(const std::vector<Inst>& inst) {
     const std::vector<Id> before =
-        std::exchange(slots_, std::vector<Id>(slots_.size() * 2, poison));
+        std::exchange(slots_, std::vector<Id>(std::max<size_t>(slots_.size() * 2, 64), poison));
     for (const Id id : before)
         if (id != poison) slot_of(inst[id], inst) = id;
 }

@@ -14,7 +14,7 @@ namespace wrinkle {
 
 class InternTable {
 public:
-    explicit InternTable(size_t expected);  // instructions, to make room for
+    void make_room(size_t expected);  // for so many instructions; before the first
 
     // The equal one among `inst`, poison and what this gave; else it is appended to them. Literals
     // are told apart by their bits: -0 and 0 are two.
@@ -30,8 +30,8 @@ private:
     Id& slot_of(const Inst& wanted, const std::vector<Inst>& inst);
     void grow(const std::vector<Inst>& inst);
 
-    std::vector<Readers> readers_{1};  // by Id
-    std::vector<Id> slots_;            // open addressing; poison is free
+    std::vector<Readers> readers_{1};           // by Id
+    std::vector<Id> slots_ = {poison, poison};  // open addressing; poison is free
     size_t taken_ = 0;
 };
 

@@ -67,9 +67,7 @@ std::string base_in_words(const Module& m, Id base) {
 
 }  // namespace
 
-Module::Module(size_t expected) : table_(expected) {
-    inst_.reserve(expected);
-    origin.reserve(expected);
+Module::Module() {
     inst_.push_back({});
     origin.push_back(0);
     regions_.push_back({});
@@ -77,6 +75,12 @@ Module::Module(size_t expected) : table_(expected) {
     call_depths_.push_back(0);
     lists_.push_back({});
     nodes.push_back({});
+}
+
+void Module::make_room(size_t expected) {
+    table_.make_room(expected);
+    inst_.reserve(expected);
+    origin.reserve(expected);
 }
 
 Id Module::intern(const Inst& inst) {
@@ -104,6 +108,7 @@ std::span<const Id> Module::listed_operands(const Inst& inst) const {
 
 // Numbers of ops and of operands come from plugins as well.
 Id Module::add(Op op, std::span<const Id> args, uint32_t extra, Type type) {
+    if (op == Op::swizzle_ && args.size() == 1) return add_swizzle(args[0], extra);
     const OpInfo& row = info(op);
     Inst made{op, Type::poison_, 0, {}, extra, 0};
     if (!is_written(op, row) || args.size() > made.arg.size()) return not_written(op, args);
@@ -121,9 +126,7 @@ Id Module::add(Op op, std::span<const Id> args, uint32_t extra, Type type) {
     if (alike && takes_alike(row) && is_float_type(types[0]) &&
         args.size() == static_cast<size_t>(row.arity))
         made.type = types[0];
-    else if (op == Op::swizzle_ && args.size() == 1)
-        made.type = swizzled_type(types[0], extra);
-    if (made.type == Type::poison_)
+    else
         made.type = typed(op, std::span(types.data(), args.size()), extra, type);
     if (made.type == Type::poison_) return poison;
     if (constant && may_fold(op, made.type))
@@ -131,6 +134,18 @@ Id Module::add(Op op, std::span<const Id> args, uint32_t extra, Type type) {
     if (const Id simpler = simplified(*this, op, args, extra, made.type)) return simpler;
     if (made.type == Type::gradient_ && !set_base(op, args, made.extra)) return poison;
     return intern(made);
+}
+
+Id Module::add_swizzle(Id vector, uint32_t extra) {
+    if (vector == poison || vector >= size()) return not_written(Op::swizzle_, {&vector, 1});
+    const Type operand = inst_[vector].type, type = swizzled_type(operand, extra);
+    if (type == Type::poison_) {
+        refused(Op::swizzle_, {&operand, 1}, type);
+        return poison;
+    }
+    if (const Id simpler = simplified(*this, Op::swizzle_, {&vector, 1}, extra, type))
+        return simpler;
+    return intern({Op::swizzle_, type, inst_[vector].level, {vector}, extra, 0});
 }
 
 Id Module::add_known(const Inst& known, std::span<const Id> args, uint32_t extra) {
@@ -163,7 +178,6 @@ Id Module::not_written(Op op, std::span<const Id> args) {
 }
 
 Type Module::typed(Op op, std::span<const Type> types, uint32_t extra, Type wanted) {
-    if (op == Op::swizzle_ && types.size() == 1) wanted = swizzled_type(types[0], extra);
     const Type result = result_type(op, types, wanted, nullptr);
     if (result == Type::poison_) return refused(op, types, wanted);
     if (op == Op::column_ && extra > 2) {
@@ -344,7 +358,7 @@ uint32_t Module::add_resource(const Resource& resource) {
 }
 
 void Module::name(Id value, uint32_t node, std::string_view name) {
-    if (value >= called_.size()) called_.resize(std::max(value + size_t{1}, called_.size() * 2));
+    if (value >= called_.size()) called_.resize(size_t{2} * size());
     if (called_[value]) return;
     called_[value] = true;
     named.push_back({value, node, std::string(name), false});

@@ -146,8 +146,8 @@ struct Problem {
 
 class Module {
 public:
-    Module() : Module(0) {}
-    explicit Module(size_t expected);  // instructions, to make room for
+    Module();
+    void make_room(size_t expected);  // for so many instructions; before the first
 
     // The general form. `type` is used by construct, result and region_param only; elsewhere the
     // type follows from the operands. Poison (and a problem, unless an operand is poison) when they
@@ -259,6 +259,7 @@ private:
     Type refused(Op op, std::span<const Type> types, Type wanted);
     Id folded_constant(Op op, std::span<const Id> args, uint32_t extra, Type type);
     Id not_written(Op op, std::span<const Id> args);
+    Id add_swizzle(Id vector, uint32_t extra);
     std::span<const Id> listed_operands(const Inst& inst) const;
     bool set_base(Op op, std::span<const Id> args, uint32_t& extra);
     bool fits(const OpenRegion& open, std::span<const Id> results);

@@ -110,7 +110,8 @@ Id substitute(Module& module, Id root, std::span<const Id> from, std::span<const
 }
 
 Module rebuild(Module&& source, Replace replace, void* context) {
-    Module target(source.size());
+    Module target;
+    target.make_room(source.size());
     target.nodes = std::move(source.nodes);
     target.parameters = std::move(source.parameters);
     target.resources = std::move(source.resources);

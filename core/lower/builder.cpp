@@ -7,6 +7,7 @@
 #include "base/text.h"
 #include "ir/surface.h"
 #include "lower/decode.h"
+#include "lower/emission.h"
 #include "lower/field.h"
 #include "lower/lowering.h"
 
@@ -20,41 +21,6 @@ constexpr uint32_t most_iterations = 65536;
 bool is_number(uint32_t type) {
     return type >= WR_TYPE_float && type <= WR_TYPE_bool;
 }
-
-constexpr bool is_sampling(Op op) {
-    return op == Op::sample_ || op == Op::sample_lod_ || op == Op::sample_grad_ ||
-           op == Op::image_size_;
-}
-constexpr bool host_only(Op op) {
-    return info(op).rule == Rule::leaf || op == Op::loop_ || op == Op::call_ || op == Op::result_ ||
-           is_sampling(op);
-}
-constexpr bool is_gradient_source(Op op) {
-    return (op >= Op::gradient_from_derivative_ && op <= Op::gradient_from_normal_) ||
-           op == Op::gradient_from_outward_normal_;
-}
-constexpr bool has_detail(Op op) {
-    return op == Op::swizzle_ || op == Op::column_ || op == Op::resolve_ || op == Op::frame_ ||
-           is_gradient_source(op);
-}
-
-// What a plugin's number of an op is looked at for, all ops in one table.
-struct Emission {
-    bool is_op = false;
-    bool host_only = false;
-    bool detailed = false;  // `extra` says something
-    bool implicit = false;
-};
-constexpr auto emissions = [] {
-    std::array<Emission, tables::op_count + 1> table{};  // the last: an op that there is not
-    for (size_t i = 0; i < tables::op_count; ++i) {
-        const auto op = static_cast<Op>(i);
-        const OpInfo& row = info(op);
-        table[i] = {!row.name.empty(), host_only(op), has_detail(op),
-                    (row.flags & WR_FLAG_IMPLICIT) != 0};
-    }
-    return table;
-}();
 
 class Builder {
 public:
@@ -150,10 +116,12 @@ private:
 
     // False when a value is poison, or none of this place.
     bool usable(std::span<const wr_value> values) {
+        const Id size = module_.size();
+        const int depth = module_.depth();
         bool fine = true;
         for (const wr_value value : values) {
-            const bool exists = value < module_.size();
-            if (exists && value != poison && module_[value].level <= module_.depth()) continue;
+            const bool exists = value < size;
+            if (exists && value != poison && module_[value].level <= depth) continue;
             fine = false;
             if (!exists)
                 refuse("uses a value that does not exist");

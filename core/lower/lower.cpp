@@ -93,7 +93,7 @@ private:
         infer_bases(*graph);
         order_nodes(*graph, project_, diagnostics_);
         Module& m = result_.module;
-        if (frames_.empty()) m = Module(graph->nodes.size() * instructions_of_a_node);
+        if (frames_.empty()) m.make_room(graph->nodes.size() * instructions_of_a_node);
         m.nodes.resize(root.first_instance);
         std::move(graph->instances.begin(), graph->instances.end(), std::back_inserter(m.nodes));
         result_.places.insert(result_.places.end(), graph->places.begin(), graph->places.end());
