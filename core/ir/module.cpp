@@ -143,8 +143,12 @@ Id Module::add_swizzle(Id vector, uint32_t extra) {
         refused(Op::swizzle_, {&operand, 1}, type);
         return poison;
     }
-    if (const Id simpler = simplified(*this, Op::swizzle_, {&vector, 1}, extra, type))
-        return simpler;
+    const Op made_by = inst_[vector].op;
+    const bool may_be_simpler =
+        made_by == Op::construct_ || made_by == Op::swizzle_ || type == operand;
+    if (may_be_simpler)
+        if (const Id simpler = simplified(*this, Op::swizzle_, {&vector, 1}, extra, type))
+            return simpler;
     return intern({Op::swizzle_, type, inst_[vector].level, {vector}, extra, 0});
 }
 

@@ -1,5 +1,7 @@
 #include "lower/dropped.h"
 
+#include <algorithm>
+
 #include "ir/derive.h"
 #include "ir/gradient_frame.h"
 #include "ir/surface.h"
@@ -22,6 +24,13 @@ bool stands_as_written(const Inst& made, Op op, std::span<const Id> operands) {
     return same;
 }
 
+// x * 1, or what is computed of literals alone: nothing is dropped.
+bool drops_literals_alone(const Module& m, std::span<const Id> operands, Id result) {
+    return std::all_of(operands.begin(), operands.end(), [&](Id operand) {
+        return operand == result || m[operand].op == Op::literal_;
+    });
+}
+
 }  // namespace
 
 void Dropped::begin(uint32_t node) {
@@ -38,7 +47,10 @@ void Dropped::written(Op op, std::span<const Id> operands, Id result) {
     if (is_surface_normal(module_, result)) give_up();  // it may have become that by a value
     if (op != Op::frame_ && op != Op::base_ && stands_as_written(module_[result], op, operands))
         return;
-    compare(op, operands, result);
+    const bool plain = op != Op::frame_ && op != Op::base_ &&
+                       changes_with_operands(op, module_.type(result)) &&
+                       drops_literals_alone(module_, operands, result);
+    if (!plain) compare(op, operands, result);
 }
 
 // What the operands change with, with what the result does.
