@@ -91,7 +91,8 @@ std::string bump_on_mixed(const std::string& smooth, const std::string& bumped) 
     const auto from = [](const std::string& name) {
         return name.empty() ? "" : ", \"" + name + R"(": {"from": "first.normal"})";
     };
-    return R"("below": {"type": "tangent_normal_map", "in": {"image": "textures/rivets_normal.png"}},
+    return R"("below": {"type": "tangent_normal_map",
+                  "in": {"image": "textures/rivets_normal.png"}},
         "first": {"type": "resolve", "in": {"gradient": {"from": "below.gradient"}}},
         "mixed": {"type": "compare_blender_strength", "in": {"amount": 0)" +
            from(smooth) + from(bumped) + R"(}},
