@@ -96,9 +96,9 @@ std::string bump_on_mixed(const std::string& smooth, const std::string& bumped) 
         "first": {"type": "resolve", "in": {"gradient": {"from": "below.gradient"}}},
         "mixed": {"type": "compare_blender_strength", "in": {"amount": 0)" +
            from(smooth) + from(bumped) + R"(}},
-        "map": {"type": "tangent_normal_map", "in": {"image": "textures/weave_normal.png",
-                "base": {"from": "mixed.normal"}}},
-        "end": {"type": "resolve", "in": {"gradient": {"from": "map.gradient"}}})";
+        "bump": {"type": "gradient_from_height", "in": {"height": {"from": "surface.facing"},
+                 "base": {"from": "mixed.normal"}}},
+        "end": {"type": "resolve", "in": {"gradient": {"from": "bump.gradient"}}})";
 }
 
 TEST(Literals, ABaseIsNotTheSurfaceByAValue) {
