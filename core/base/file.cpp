@@ -1,6 +1,7 @@
 #include "base/file.h"
 
 #include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -8,7 +9,6 @@
 #include <cstdlib>
 #include <cstring>
 #include <memory>
-#include <optional>
 #include <utility>
 #include <vector>
 
@@ -237,26 +237,25 @@ fs::path link_target(const fs::path& path) {
     return target;
 }
 
-namespace {
-
-// Of what exists, in one call instead of one per folder on the way; else errno says why not.
-std::optional<fs::path> resolved(const fs::path& path) {
-    const std::unique_ptr<char, decltype(&free)> real(::realpath(path.c_str(), nullptr), free);
-    if (!real) return {};
-    return fs::path(real.get());
-}
-
-}  // namespace
-
 fs::path real_path(const fs::path& path, std::error_code& error) {
-    if (auto real = resolved(path)) return *real;
-    const bool missing = errno == ENOENT;
-    // A text that was not read from a file has a name in a folder that there is.
-    const fs::path name = path.filename();
-    const bool is_name = !name.empty() && name != "." && name != "..";
-    if (missing && is_name)
-        if (const auto folder = resolved(path.has_parent_path() ? path.parent_path() : "."))
-            return *folder / name;
+    // A folder is asked for in one call instead of one per folder on the way, and what stands in
+    // it in one more unless it is a link.
+    using Real = std::unique_ptr<char, decltype(&free)>;
+    const std::string& text = path.native();
+    const size_t slash = text.rfind('/') + 1;  // 0 where there is none
+    const std::string_view name = std::string_view(text).substr(slash);
+    if (!name.empty() && name != "." && name != "..") {
+        const std::string folder = slash > 0 ? text.substr(0, slash) : ".";
+        if (const Real real{::realpath(folder.c_str(), nullptr), free}) {
+            std::string file = real.get();
+            if (file.back() != '/') file += '/';
+            file += name;
+            struct stat found {};
+            const bool there = ::lstat(file.c_str(), &found) == 0;
+            if (there ? !S_ISLNK(found.st_mode) : errno == ENOENT) return file;
+        }
+    }
+    if (const Real real{::realpath(path.c_str(), nullptr), free}) return real.get();
     return fs::weakly_canonical(fs::absolute(path), error);
 }
 
@@ -270,6 +269,11 @@ std::optional<fs::path> inside(const fs::path& root, const fs::path& path) {
     std::error_code error;
     const fs::path real_root = real_path(root, error);
     if (error) return {};
+    return inside_real(real_root, path);
+}
+
+std::optional<fs::path> inside_real(const fs::path& real_root, const fs::path& path) {
+    std::error_code error;
     const fs::path real = real_path(path, error);
     if (error) return {};
     auto part = real.begin();

@@ -48,5 +48,8 @@ std::filesystem::path real_path(const std::filesystem::path& path);
 // or below it; nothing if it climbs out.
 std::optional<std::filesystem::path> inside(const std::filesystem::path& root,
                                             const std::filesystem::path& path);
+// The same below what real_path() gave.
+std::optional<std::filesystem::path> inside_real(const std::filesystem::path& real_root,
+                                                 const std::filesystem::path& path);
 
 }  // namespace wrinkle

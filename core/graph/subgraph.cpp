@@ -163,7 +163,7 @@ Project load_project(Document top, const fs::path& folder, const ProjectOptions&
 
 std::optional<fs::path> resolve_file(const Project& project, size_t file, std::string_view name) {
     if (name.find('\0') != name.npos) return {};
-    return inside(project.root, project.files[file].path.parent_path() / name);
+    return inside_real(project.root, project.files[file].path.parent_path() / name);
 }
 
 }  // namespace wrinkle

@@ -27,15 +27,6 @@ void append_dependencies(const Module& module, Id id, bool into_functions, std::
     out.insert(out.end(), results.begin(), results.end());
 }
 
-std::vector<Id> Copier::needed(std::span<const Id> roots) const {
-    if (!into_functions_) return few_needed(roots);
-    const std::vector<bool> reached = reachable(*source_, roots);
-    std::vector<Id> list;
-    for (Id id = 0; id < reached.size(); ++id)
-        if (reached[id] && !written_.has(id)) list.push_back(id);
-    return list;
-}
-
 std::vector<Id> Copier::few_needed(std::span<const Id> roots) const {
     std::unordered_set<Id> seen;
     std::vector<Id> open(roots.begin(), roots.end()), list;
@@ -53,10 +44,18 @@ std::vector<Id> Copier::few_needed(std::span<const Id> roots) const {
 void Copier::run(std::span<const Id> roots) {
     written_.set(poison, poison);
     const uint32_t node = target_->current_node;
-    for (const Id id : needed(roots)) {
+    const auto rewrite = [&](Id id) {
         target_->current_node = source_->origin[id];
         const Id written = write(id);
         written_.set(id, written);
+    };
+    if (into_functions_) {
+        const std::vector<bool> reached = reachable(*source_, roots);
+        for (Id id = 0; id < reached.size(); ++id)
+            if (reached[id] && !written_.has(id)) rewrite(id);
+    } else {
+        for (const Id id : few_needed(roots))
+            rewrite(id);
     }
     target_->current_node = node;
 }

@@ -51,7 +51,6 @@ public:
     bool has(Id id) const { return written_.has(id); }
 
 private:
-    std::vector<Id> needed(std::span<const Id> roots) const;
     std::vector<Id> few_needed(std::span<const Id> roots) const;
     int shifted(int level) const { return level >= first_level_ ? level + shift_ : level; }
     Id write(Id id);

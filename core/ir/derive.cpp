@@ -31,11 +31,6 @@ uint32_t changing_inputs(Change change) {
 
 }  // namespace
 
-bool never_changes(const Inst& inst) {
-    return info(inst.op).flags & WR_FLAG_ZERO_DERIVATIVE || inst.type == Type::int_ ||
-           inst.type == Type::uint_ || inst.type == Type::bool_ || info(inst.op).rule == Rule::leaf;
-}
-
 std::vector<Id> reads_of(const Module& m, Id value) {
     const Inst& inst = m[value];
     if (is_sample(inst)) return {inst.arg[0]};

@@ -23,7 +23,12 @@
 namespace wrinkle {
 
 // Whether the value of this instruction has derivative 0 whatever its operands do, or is a leaf.
-bool never_changes(const Inst& inst);
+inline bool never_changes(const Inst& inst) {
+    const OpInfo& row = info(inst.op);
+    const bool whole = inst.type == Type::int_ || inst.type == Type::uint_;
+    return row.flags & WR_FLAG_ZERO_DERIVATIVE || row.rule == Rule::leaf || whole ||
+           inst.type == Type::bool_;
+}
 
 // What an instruction's derivative is made of: its operands, a call's and a loop's for its results,
 // with what a loop captures; of what is read from a picture its uv alone.

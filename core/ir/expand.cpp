@@ -194,6 +194,11 @@ Value Expander::resolved(const Module& source, Id gradient) {
     return algebra->resolve(gradients.at(gradient), facing, sign, base_normal(source, gradient));
 }
 
+void report_base(Module& target) {
+    target.problem("the base is neither the surface's normal nor the output of a resolve",
+                   "connect a resolve's normal, or leave the port unconnected");
+}
+
 void Expander::base(const Module& source, Id id, std::span<const Id> mapped) {
     const Inst& inst = source[id];
     if (source[inst.arg[0]].op == Op::resolve_) {
@@ -203,8 +208,7 @@ void Expander::base(const Module& source, Id id, std::span<const Id> mapped) {
     bases.set(id, {});
     if (mapped[0] != surface_normal(*target, options.back_faces) &&
         mapped[0] != unit_normal(*target))
-        target->problem("the base is neither the surface's normal nor the output of a resolve",
-                        "connect a resolve's normal, or leave the port unconnected");
+        report_base(*target);
 }
 
 Id Expander::opaque(const Module& source, Id id, std::span<const Id> mapped) {
@@ -296,10 +300,7 @@ struct Finisher {
     std::vector<bool> inverse_known;  // by Id of the source: of its length
 
     explicit Finisher(const Module& source) : inverse_known(source.size(), false) {
-        bool any = false;
-        for (Id id = 1; id < source.size() && !any; ++id)
-            any = inverse_length_of(source, id) != poison;
-        if (!any) return;
+        if (!source.has(Op::inversesqrt_)) return;
         std::vector<Id> roots;
         for (const ModuleOutput& output : source.outputs)
             roots.push_back(output.value);
@@ -311,18 +312,28 @@ struct Finisher {
     }
 };
 
-bool is_rewritten(const Module& m, Id id) {
-    const auto operands = m.operands(id);
-    return m[id].op == Op::with_covariance_ || inverse_length_of(m, id) != poison ||
-           std::any_of(operands.begin(), operands.end(),
-                       [&](Id operand) { return m[operand].op == Op::detach_; });
+// Without regions.
+bool reads_detached(const Module& m) {
+    if (!m.has(Op::detach_)) return false;
+    Id first = 1;
+    while (m[first].op != Op::detach_)
+        ++first;
+    for (Id id = first + 1; id < m.size(); ++id)
+        for (const Id operand : m[id].arg)
+            if (m[operand].op == Op::detach_) return true;
+    return false;
+}
+
+bool divides_by_length(const Module& m) {
+    for (Id id = 1; m.has(Op::inversesqrt_) && id < m.size(); ++id)
+        if (inverse_length_of(m, id) != poison) return true;
+    return false;
 }
 
 // Whether that leaves all as it is but outputs that are detached: then these are what is detached.
 bool take_outputs(Module& m) {
-    if (m.region_count() > 1) return false;
-    for (Id id = 1; id < m.size(); ++id)
-        if (is_rewritten(m, id)) return false;
+    if (m.region_count() > 1 || m.has(Op::with_covariance_)) return false;
+    if (divides_by_length(m) || reads_detached(m)) return false;
     for (ModuleOutput& output : m.outputs)
         if (m[output.value].op == Op::detach_) output.value = m[output.value].arg[0];
     return true;
@@ -356,6 +367,11 @@ Id settle_one(void* context, Module& target, const Module& source, Id id,
     const auto& settler = *static_cast<const Settler*>(context);
     if (inst.op == Op::parameter_ && settler.parameters == Parameters::baked)
         return baked(target, target.parameters[inst.extra]);
+    if (inst.op == Op::base_ && source[inst.arg[0]].op != Op::resolve_ &&
+        !is_surface_normal(source, inst.arg[0])) {
+        report_base(target);
+        return target.add(Op::base_, {surface_normal(target, settler.options.back_faces)});
+    }
     if (inst.op != Op::frame_) return poison;
     return target.add(Op::frame_, mapped,
                       settled_frame(target, inst.extra, settler.facts.dependencies(inst.arg[0]),

@@ -19,9 +19,9 @@ struct ExpandOptions {
 };
 
 // Decides the method of every frame and the uv set it belongs to, and reports a method that does
-// not fit its scale. Parameters, but graph inputs, may be baked into literals in the same pass and
-// not before: frames and errors never depend on a value. (lower/material.h knows when literals from
-// the start are as good.)
+// not fit its scale and a base that is none. Parameters, but graph inputs, may be baked into
+// literals in the same pass and not before: frames, bases and errors never depend on a value.
+// (lower/material.h knows when literals from the start are as good.)
 enum class Parameters : uint8_t { kept, baked };
 Module settle_frames(Module source, const ExpandOptions& options,
                      Parameters parameters = Parameters::kept);

@@ -26,13 +26,48 @@ std::optional<SurfaceInput> single_uv_set(uint32_t dependencies) {
     return static_cast<SurfaceInput>(std::countr_zero(dependencies));
 }
 
-// The same for a tiling, in numbers: as instructions they would fold one by one.
-bool bring_constant_to_set(Module& target, Value u, Value v, Frame& frame) {
-    if (!target.is_constant(u.id) || !target.is_constant(v.id)) return false;
-    const auto a = target.lanes_of(u.id), b = target.lanes_of(v.id);
-    const double det = std::abs(a[0] * b[1] - a[1] * b[0]);
+// d(uv)/du and d(uv)/dv along a set.
+using Jacobian = std::array<double, 4>;
+
+// Of a uv that is the set times constants, and moved by constants: what its derivative would fold
+// to, number by number. Nothing of another.
+std::optional<Jacobian> jacobian_of_tiling(const Module& m, Id uv, Id set) {
+    std::array<Id, 8> factors{};  // the outermost first
+    size_t count = 0;
+    while (uv != set) {
+        const Inst& inst = m[uv];
+        const bool product = inst.op == Op::mul_;
+        if (!product && inst.op != Op::add_ && inst.op != Op::sub_) return {};
+        const bool swapped = inst.op != Op::sub_ && m.is_constant(inst.arg[0]);
+        if (!swapped && !m.is_constant(inst.arg[1])) return {};
+        if (product && count == factors.size()) return {};
+        if (product) factors[count++] = inst.arg[swapped ? 0 : 1];
+        uv = inst.arg[swapped ? 1 : 0];
+    }
+    Jacobian j{1, 0, 0, 1};
+    while (count-- > 0) {
+        const auto lanes = m.lanes_of(factors[count]);
+        const bool scalar = m.type(factors[count]) == Type::float_;
+        for (size_t i = 0; i < j.size(); ++i)
+            j[i] *= lanes[scalar ? 0 : i % 2];
+        for (const size_t row : {0u, 2u})  // what does not change has no sign
+            if (j[row] == 0 && j[row + 1] == 0) j[row] = j[row + 1] = 0;
+    }
+    return j;
+}
+
+std::optional<Jacobian> constant_jacobian(const Module& m, Value u, Value v) {
+    if (!m.is_constant(u.id) || !m.is_constant(v.id)) return {};
+    const auto a = m.lanes_of(u.id), b = m.lanes_of(v.id);
+    return Jacobian{a[0], a[1], b[0], b[1]};
+}
+
+// In numbers, too: as instructions they would fold one by one.
+bool bring_constant_to_set(Module& target, const Jacobian& j, Frame& frame) {
+    const double det = std::abs(j[0] * j[3] - j[1] * j[2]);
     const double scale = det > 0 ? 1 / std::sqrt(std::max(det, tiny_square)) : 0;
-    const std::array<double, 4> rows{a[0] * scale, a[1] * scale, b[0] * scale, b[1] * scale};
+    std::array<double, 4> rows{};
+    std::transform(j.begin(), j.end(), rows.begin(), [&](double x) { return x * scale; });
     if (!std::all_of(rows.begin(), rows.end(), [](double x) { return std::isfinite(x); }))
         return false;
     frame.row_u = {&target, target.constant(Type::vec2_, std::span(rows).first(2))};
@@ -43,10 +78,14 @@ bool bring_constant_to_set(Module& target, Value u, Value v, Frame& frame) {
 // The rows of J^T / sqrt|det J|, J = d(uv)/d(set); nothing is stored where J is the identity.
 void bring_to_set(Module& target, ScreenDerivatives& changes, Id uv, SurfaceInput set,
                   Frame& frame) {
-    if (uv == target.input(set)) return;
+    const Id whole = target.input(set);
+    if (uv == whole) return;
+    const auto tiling = jacobian_of_tiling(target, uv, whole);
+    if (tiling && bring_constant_to_set(target, *tiling, frame)) return;
     const Value u = changes.in_uv_set(set, 0, uv);
     const Value v = changes.in_uv_set(set, 1, uv);
-    if (bring_constant_to_set(target, u, v, frame)) return;
+    const auto constant = constant_jacobian(target, u, v);
+    if (constant && bring_constant_to_set(target, *constant, frame)) return;
     const Value det = abs(u.x() * v.y() - u.y() * v.x());
     const Value scale = select(greater(det, 0), inversesqrt(max(det, tiny_square)), number(u, 0));
     frame.row_u = vec2(u.x() * scale, u.y() * scale);

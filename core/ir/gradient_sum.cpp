@@ -61,12 +61,11 @@ GradientSum GradientAlgebra::from_downhill(const FrameKey& basis, Value slope, V
     return {{}, {{slopes_on(basis, slope), depth}}};
 }
 
-Slopes GradientAlgebra::add(const Slopes& a, const Slopes& b) {
-    Slopes result = a;
-    result.screen = sum_of(a.screen, b.screen);
-    result.volume = sum_of(a.volume, b.volume);
-    result.rest = sum_of(a.rest, b.rest);
-    result.along = sum_of(a.along, b.along);
+Slopes GradientAlgebra::add(Slopes result, const Slopes& b) {
+    result.screen = sum_of(result.screen, b.screen);
+    result.volume = sum_of(result.volume, b.volume);
+    result.rest = sum_of(result.rest, b.rest);
+    result.along = sum_of(result.along, b.along);
     for (const Slopes::Slot& slot : b.slots) {
         const auto same = [&](const Slopes::Slot& other) { return other.basis == slot.basis; };
         const auto found = std::find_if(result.slots.begin(), result.slots.end(), same);
@@ -82,33 +81,33 @@ Slopes GradientAlgebra::add(const Slopes& a, const Slopes& b) {
     return result;
 }
 
-Slopes GradientAlgebra::scale(const Slopes& a, Value amount) {
-    Slopes result = a;
+Slopes GradientAlgebra::scale(Slopes result, Value amount) {
     for (Slopes::Slot& slot : result.slots)
         slot.slope = named("slope", slot.slope * amount);
-    result.screen = product(a.screen, amount);
-    result.volume = product(a.volume, amount);
-    result.rest = product(a.rest, amount);
-    result.along = product(a.along, amount);
+    result.screen = product(result.screen, amount);
+    result.volume = product(result.volume, amount);
+    result.rest = product(result.rest, amount);
+    result.along = product(result.along, amount);
     return result;
 }
 
 void GradientAlgebra::divide(GradientSum& sum) {
-    for (const GradientSum::Term& term : sum.pending) {
+    for (GradientSum::Term& term : sum.pending) {
         const Value inverse = number(term.depth, -1) / term.depth;
-        sum.flat = add(sum.flat, scale(term.over, inverse));
+        sum.flat = add(std::move(sum.flat), scale(std::move(term.over), inverse));
     }
     sum.pending.clear();
 }
 
 GradientSum GradientAlgebra::add(const GradientSum& a, const GradientSum& b) {
-    GradientSum result = a;
-    result.flat = add(a.flat, b.flat);
+    GradientSum result{add(a.flat, b.flat), {}};
+    result.pending.reserve(a.pending.size() + b.pending.size());
+    result.pending = a.pending;
     for (const GradientSum::Term& term : b.pending) {
         const auto same = [&](const auto& other) { return other.depth.id == term.depth.id; };
         const auto found = std::find_if(result.pending.begin(), result.pending.end(), same);
         if (found != result.pending.end())
-            found->over = add(found->over, term.over);
+            found->over = add(std::move(found->over), term.over);
         else
             result.pending.push_back(term);
     }

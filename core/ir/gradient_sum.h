@@ -68,8 +68,8 @@ private:
     struct Parts {
         Value vec, along;
     };
-    Slopes add(const Slopes& a, const Slopes& b);
-    Slopes scale(const Slopes& a, Value amount);
+    Slopes add(Slopes a, const Slopes& b);
+    Slopes scale(Slopes a, Value amount);
     Slopes terms_over_depth(const GradientSum& sum, Value& depth);
     Parts parts(const Slopes& slopes, Value on_base, bool raw);
     void divide(GradientSum& sum);

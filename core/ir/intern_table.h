@@ -14,23 +14,24 @@ namespace wrinkle {
 
 class InternTable {
 public:
-    explicit InternTable(size_t expected);  // instructions, to make room for
+    void make_room(size_t expected);  // for so many instructions; before the first
 
     // The equal one among `inst`, poison and what this gave; else it is appended to them. Literals
     // are told apart by their bits: -0 and 0 are two.
     Id intern(const Inst& wanted, std::vector<Inst>& inst);
 
 private:
+    // Of those whose newest operand is this one; and in the chain that it stands in itself.
     struct Readers {
-        Id newest = poison;  // of those that have this value as their newest operand
-        Id next = poison;    // in the chain that this one stands in
+        Id first = poison;
+        Id next = poison;
     };
-    Id append(const Inst& added, std::vector<Inst>& inst);
+    Id& place_of(const Inst& wanted, const std::vector<Inst>& inst);
     Id& slot_of(const Inst& wanted, const std::vector<Inst>& inst);
     void grow(const std::vector<Inst>& inst);
 
-    std::vector<Readers> readers_{1};  // by Id
-    std::vector<Id> slots_;            // open addressing; poison is free
+    std::vector<Readers> readers_{1};           // by Id
+    std::vector<Id> slots_ = {poison, poison};  // open addressing; poison is free
     size_t taken_ = 0;
 };
 

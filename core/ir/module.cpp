@@ -67,9 +67,7 @@ std::string base_in_words(const Module& m, Id base) {
 
 }  // namespace
 
-Module::Module(size_t expected) : table_(expected) {
-    inst_.reserve(expected);
-    origin.reserve(expected);
+Module::Module() {
     inst_.push_back({});
     origin.push_back(0);
     regions_.push_back({});
@@ -79,9 +77,17 @@ Module::Module(size_t expected) : table_(expected) {
     nodes.push_back({});
 }
 
+void Module::make_room(size_t expected) {
+    table_.make_room(expected);
+    inst_.reserve(expected);
+    origin.reserve(expected);
+}
+
 Id Module::intern(const Inst& inst) {
     const Id id = table_.intern(inst, inst_);
-    if (id == origin.size()) origin.push_back(current_node);
+    if (id < origin.size()) return id;
+    origin.push_back(current_node);
+    has_[static_cast<size_t>(inst.op)] = true;
     return id;
 }
 
@@ -102,42 +108,57 @@ std::span<const Id> Module::listed_operands(const Inst& inst) const {
 
 // Numbers of ops and of operands come from plugins as well.
 Id Module::add(Op op, std::span<const Id> args, uint32_t extra, Type type) {
+    if (op == Op::swizzle_ && args.size() == 1) return add_swizzle(args[0], extra);
     const OpInfo& row = info(op);
-    if (!is_written(op, row) || args.size() > Inst{}.arg.size()) return not_written(op, args);
+    Inst made{op, Type::poison_, 0, {}, extra, 0};
+    if (!is_written(op, row) || args.size() > made.arg.size()) return not_written(op, args);
     std::array<Type, 4> types{};
-    uint8_t level = 0;
     bool constant = !args.empty(), alike = true;
     for (size_t i = 0; i < args.size(); ++i) {
         if (args[i] == poison || args[i] >= size()) return not_written(op, args);
         const Inst& operand = inst_[args[i]];
+        made.arg[i] = args[i];
+        made.level = std::max(made.level, operand.level);
         types[i] = operand.type;
-        level = std::max(level, operand.level);
         constant = constant && is_constant(args[i]);
         alike = alike && types[i] == types[0];
     }
-    const bool plain = alike && takes_alike(row) && is_float_type(types[0]) &&
-                       args.size() == static_cast<size_t>(row.arity);
-    const Type swizzled =
-        op == Op::swizzle_ && args.size() == 1 ? swizzled_type(types[0], extra) : Type::poison_;
-    type = plain ? types[0]
-           : swizzled != Type::poison_
-               ? swizzled
-               : typed(op, std::span(types.data(), args.size()), extra, type);
-    if (type == Type::poison_) return poison;
-    if (constant && may_fold(op, type))
-        if (const Id folded = folded_constant(op, args, extra, type)) return folded;
-    if (const Id simpler = simplified(*this, op, args, extra, type)) return simpler;
-    if (type == Type::gradient_ && !set_base(op, args, extra)) return poison;
-    const auto arg = [&](size_t i) { return i < args.size() ? args[i] : poison; };
-    return intern({op, type, level, {arg(0), arg(1), arg(2), arg(3)}, extra, 0});
+    if (alike && takes_alike(row) && is_float_type(types[0]) &&
+        args.size() == static_cast<size_t>(row.arity))
+        made.type = types[0];
+    else
+        made.type = typed(op, std::span(types.data(), args.size()), extra, type);
+    if (made.type == Type::poison_) return poison;
+    if (constant && may_fold(op, made.type))
+        if (const Id folded = folded_constant(op, args, extra, made.type)) return folded;
+    if (const Id simpler = simplified(*this, op, args, extra, made.type)) return simpler;
+    if (made.type == Type::gradient_ && !set_base(op, args, made.extra)) return poison;
+    return intern(made);
+}
+
+Id Module::add_swizzle(Id vector, uint32_t extra) {
+    if (vector == poison || vector >= size()) return not_written(Op::swizzle_, {&vector, 1});
+    const Type operand = inst_[vector].type, type = swizzled_type(operand, extra);
+    if (type == Type::poison_) {
+        refused(Op::swizzle_, {&operand, 1}, type);
+        return poison;
+    }
+    const Op made_by = inst_[vector].op;
+    const bool may_be_simpler =
+        made_by == Op::construct_ || made_by == Op::swizzle_ || type == operand;
+    if (may_be_simpler)
+        if (const Id simpler = simplified(*this, Op::swizzle_, {&vector, 1}, extra, type))
+            return simpler;
+    return intern({Op::swizzle_, type, inst_[vector].level, {vector}, extra, 0});
 }
 
 Id Module::add_known(const Inst& known, std::span<const Id> args, uint32_t extra) {
-    const auto arg = [&](size_t i) { return i < args.size() ? args[i] : poison; };
-    const std::array<uint8_t, 4> levels{inst_[arg(0)].level, inst_[arg(1)].level,
-                                        inst_[arg(2)].level, inst_[arg(3)].level};
-    const uint8_t level = *std::max_element(levels.begin(), levels.end());
-    return intern({known.op, known.type, level, {arg(0), arg(1), arg(2), arg(3)}, extra, 0});
+    Inst made{known.op, known.type, 0, {}, extra, 0};
+    for (size_t i = 0; i < args.size(); ++i) {
+        made.arg[i] = args[i];
+        made.level = std::max(made.level, inst_[args[i]].level);
+    }
+    return intern(made);
 }
 
 // Why it is not; of poison among the operands nothing is said.
@@ -161,7 +182,6 @@ Id Module::not_written(Op op, std::span<const Id> args) {
 }
 
 Type Module::typed(Op op, std::span<const Type> types, uint32_t extra, Type wanted) {
-    if (op == Op::swizzle_ && types.size() == 1) wanted = swizzled_type(types[0], extra);
     const Type result = result_type(op, types, wanted, nullptr);
     if (result == Type::poison_) return refused(op, types, wanted);
     if (op == Op::column_ && extra > 2) {
@@ -236,14 +256,15 @@ Id Module::literal(Type scalar, double value) {
     return intern(inst);
 }
 
+// A construct of literals is as simple as can be.
 Id Module::constant(Type type, std::span<const double> lanes) {
     if (lanes.size() == 1) return literal(type, lanes[0]);
-    std::array<Id, 4> parts{};
+    Inst construct{Op::construct_, type, 0, {}, 0, 0};
     const size_t count = type == Type::mat3_ ? 3 : lanes.size();
     for (size_t i = 0; i < count; ++i)
-        parts[i] =
+        construct.arg[i] =
             type == Type::mat3_ ? constant(Type::vec3_, lanes.subspan(i * 3, 3)) : number(lanes[i]);
-    return add(Op::construct_, std::span(parts.data(), count), 0, type);
+    return intern(construct);
 }
 
 Id Module::zero(Type type) {
@@ -323,20 +344,25 @@ uint32_t Module::add_parameter(Parameter parameter) {
     return static_cast<uint32_t>(parameters.size() - 1);
 }
 
+uint32_t Module::find_resource(std::string_view file, const TextureOptions& options) const {
+    const auto same = [&](const Resource& r) { return r.file == file && r.options == options; };
+    const auto found = std::find_if(resources.begin(), resources.end(), same);
+    return static_cast<uint32_t>(found - resources.begin());
+}
+
 uint32_t Module::add_resource(const Resource& resource) {
-    for (uint32_t i = 0; i < resources.size(); ++i) {
-        if (resources[i].file != resource.file || !(resources[i].options == resource.options))
-            continue;
-        for (const Resource::Reader& reader : resource.readers)
-            resources[i].readers.push_back(reader);
-        return i;
+    const uint32_t index = find_resource(resource.file, resource.options);
+    if (index == resources.size()) {
+        resources.push_back(resource);
+        return index;
     }
-    resources.push_back(resource);
-    return static_cast<uint32_t>(resources.size() - 1);
+    std::vector<Resource::Reader>& readers = resources[index].readers;
+    readers.insert(readers.end(), resource.readers.begin(), resource.readers.end());
+    return index;
 }
 
 void Module::name(Id value, uint32_t node, std::string_view name) {
-    if (value >= called_.size()) called_.resize(value + size_t{1});
+    if (value >= called_.size()) called_.resize(size_t{2} * size());
     if (called_[value]) return;
     called_[value] = true;
     named.push_back({value, node, std::string(name), false});

@@ -146,8 +146,8 @@ struct Problem {
 
 class Module {
 public:
-    Module() : Module(0) {}
-    explicit Module(size_t expected);  // instructions, to make room for
+    Module();
+    void make_room(size_t expected);  // for so many instructions; before the first
 
     // The general form. `type` is used by construct, result and region_param only; elsewhere the
     // type follows from the operands. Poison (and a problem, unless an operand is poison) when they
@@ -202,6 +202,8 @@ public:
         if (arity < 0) return listed_operands(inst);
         return std::span(inst.arg.data(), static_cast<size_t>(arity));
     }
+    // Whether one of this op was ever written, needed or not.
+    bool has(Op op) const { return has_[static_cast<size_t>(op)]; }
     const Region& region(uint32_t index) const { return regions_[index]; }
     uint32_t region_count() const { return static_cast<uint32_t>(regions_.size()); }
 
@@ -218,6 +220,8 @@ public:
 
     uint32_t add_parameter(Parameter parameter);
     uint32_t add_resource(const Resource& resource);  // merges with an equal one
+    // Its index; as many as there are where there is none.
+    uint32_t find_resource(std::string_view file, const TextureOptions& options) const;
 
     void problem(std::string message, std::string expected = {});
     // Calls a value so, wherever it becomes a line of its own; what already has a name keeps it.
@@ -255,6 +259,7 @@ private:
     Type refused(Op op, std::span<const Type> types, Type wanted);
     Id folded_constant(Op op, std::span<const Id> args, uint32_t extra, Type type);
     Id not_written(Op op, std::span<const Id> args);
+    Id add_swizzle(Id vector, uint32_t extra);
     std::span<const Id> listed_operands(const Inst& inst) const;
     bool set_base(Op op, std::span<const Id> args, uint32_t& extra);
     bool fits(const OpenRegion& open, std::span<const Id> results);
@@ -265,6 +270,7 @@ private:
 
     std::vector<Inst> inst_;
     InternTable table_;
+    std::array<bool, tables::op_count> has_{};
     std::vector<std::vector<Id>> lists_;
     std::map<std::vector<Id>, uint32_t> list_table_;
     std::vector<Region> regions_;  // [0] is none

@@ -147,16 +147,15 @@ Value NormalVariance::of(Value normal) {
 }
 
 bool wants_normal_variance(const Module& source) {
-    std::vector<Id> asking;
-    for (Id id = 1; id < source.size(); ++id)
-        if (source[id].op == Op::normal_variance_) asking.push_back(id);
-    if (asking.empty()) return false;
+    if (!source.has(Op::normal_variance_)) return false;
     // What no output needs asks for nothing.
     std::vector<Id> roots;
     for (const ModuleOutput& output : source.outputs)
         roots.push_back(output.value);
     const std::vector<bool> needed = reachable(source, roots);
-    return std::any_of(asking.begin(), asking.end(), [&](Id id) { return needed[id]; });
+    for (Id id = 1; id < source.size(); ++id)
+        if (needed[id] && source[id].op == Op::normal_variance_) return true;
+    return false;
 }
 
 }  // namespace wrinkle

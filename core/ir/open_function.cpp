@@ -13,6 +13,7 @@ bool is_tangent(const Module& source, const Module& target, Id vector) {
 
 OpenFunctions::OpenFunctions(Module& target, ScreenDerivatives& screen, const Module& source)
     : target_(&target), screen_(&screen), closed_(source.region_count()) {
+    if (!source.has(Op::result_)) return;
     for (Id id = 1; id < source.size(); ++id) {
         if (source.open_result(id) == poison) continue;
         const uint32_t region = source[source[id].arg[0]].extra;

@@ -79,10 +79,17 @@ std::vector<bool> reachable(const Module& module, std::span<const Id> roots) {
     std::vector<Id> below;
     for (Id id = module.size(); id-- > 1;) {
         if (!needed[id]) continue;
-        below.clear();
-        append_dependencies(module, id, true, below);
-        for (const Id operand : below)
-            needed[operand] = true;
+        if (module[id].op == Op::loop_ || module[id].op == Op::call_) {
+            below.clear();
+            append_dependencies(module, id, true, below);
+            for (const Id operand : below)
+                needed[operand] = true;
+            continue;
+        }
+        const Inst& inst = module[id];
+        for (size_t i = 0; i < inst.arg.size() && inst.arg[i] != poison; ++i)
+            needed[inst.arg[i]] = true;
+        if (inst.type == Type::gradient_) needed[inst.extra] = true;  // its base
     }
     needed[poison] = false;
     return needed;
@@ -103,7 +110,8 @@ Id substitute(Module& module, Id root, std::span<const Id> from, std::span<const
 }
 
 Module rebuild(Module&& source, Replace replace, void* context) {
-    Module target(source.size());
+    Module target;
+    target.make_room(source.size());
     target.nodes = std::move(source.nodes);
     target.parameters = std::move(source.parameters);
     target.resources = std::move(source.resources);

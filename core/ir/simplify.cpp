@@ -169,8 +169,8 @@ Id simplify_unit(Module& m, Op op, Args a) {
 }
 
 // Small whole powers are products; pow has no answer below 0.
-Id simplify_power(Module& m, Op op, Args a) {
-    if (op != Op::pow_ || m.is_constant(a[0])) return poison;
+Id simplify_power(Module& m, Args a) {
+    if (m.is_constant(a[0])) return poison;
     const Id base = a[0];
     if (m.is_literal(a[1], 1)) return base;
     const Id square = m.add(Op::mul_, {base, base});
@@ -337,14 +337,15 @@ Id simplified(Module& m, Op op, Args args, uint32_t extra, Type result) {
             return simplify_construct(m, args, result);
         case Op::column_:
             return m[args[0]].op == Op::construct_ ? m[args[0]].arg[extra] : poison;
+        case Op::pow_:
+            return simplify_power(m, args);
         default:
             break;
     }
     if (result == Type::gradient_) return simplify_gradient(m, op, args);
-    Id simpler = simplify_arithmetic(m, op, args, result);
-    if (simpler == poison) simpler = simplify_unit(m, op, args);
-    if (simpler == poison) simpler = simplify_power(m, op, args);
-    return simpler != poison ? simpler : simplify_sparse(m, op, args, result);
+    if (const Id simpler = simplify_arithmetic(m, op, args, result)) return simpler;
+    if (const Id simpler = simplify_unit(m, op, args)) return simpler;
+    return result != Type::float_ || op == Op::dot_ ? simplify_sparse(m, op, args, result) : poison;
 }
 
 }  // namespace wrinkle

@@ -17,6 +17,17 @@ Id surface_normal(Module& module, BackFaces back_faces) {
     return (normal * facing).id;
 }
 
+bool is_surface_normal(const Module& module, Id id) {
+    const auto is_input = [&](Id input, SurfaceInput which) {
+        return module[input].op == Op::input_ &&
+               module[input].extra == input_extra(which, Variant::value);
+    };
+    const bool turned =
+        module[id].op == Op::mul_ && is_input(module[id].arg[1], SurfaceInput::facing_);
+    const Inst& unit = module[turned ? module[id].arg[0] : id];
+    return unit.op == Op::normalize_ && is_input(unit.arg[0], SurfaceInput::normal_);
+}
+
 Id projected_position(Module& module, Variant axis) {
     const Value normal{&module, unit_normal(module)};
     const Value change{&module, module.input(SurfaceInput::position_, axis)};

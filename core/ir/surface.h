@@ -14,6 +14,9 @@ Id unit_normal(Module& module);
 // The normal that a graph sees: unit, turned by `facing` unless the rule is none.
 Id surface_normal(Module& module, BackFaces back_faces);
 
+// Whether the value is one of these two, by the way it is made.
+bool is_surface_normal(const Module& module, Id id);
+
 // The position's change to the next pixel, in its tangent plane: P - n (n.P).
 Id projected_position(Module& module, Variant axis);
 

@@ -17,8 +17,10 @@ public:
 
     // Looks at what was added since. Linear in that.
     void update() {
-        while (facts_.size() < module_->size())
-            facts_.push_back(of(static_cast<Id>(facts_.size())));
+        auto id = static_cast<Id>(facts_.size());
+        facts_.resize(module_->size());
+        for (; id < facts_.size(); ++id)
+            facts_[id] = of(id);
     }
 
     // Which surface inputs it changes with, a bit per SurfaceInput; bits of region bodies count,
@@ -37,10 +39,11 @@ private:
     static constexpr Facts jumping = 1U << 30, reading = 1U << 31, all_inputs = jumping - 1;
 
     Facts of(Id id) const;
-    Facts of_region(const Inst& inst) const;
+    static Facts of_op(const Inst& inst, Facts facts);
+    Facts of_region(Id id) const;
 
     const Module* module_;
-    std::vector<Facts> facts_;  // by Id
+    std::vector<Facts> facts_{0};  // by Id
 };
 
 bool is_position_alone(uint32_t dependencies);

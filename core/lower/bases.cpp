@@ -66,16 +66,15 @@ private:
         const uint32_t index = frame.node;
         const FlatNode& node = graph_.nodes[index];
         const uint32_t wires = graph_.port_count(node);
-        if (frame.next > wires) {
-            state_[index] = State::done;
-            graph_.order.push_back(index);
-            stack_.pop_back();
-        } else if (frame.next++ == wires) {
-            if (node.base_node != none) enter_base(index);
-        } else {
-            const Wire& wire = graph_.wire(node, frame.next - 1);
-            if (wire.kind == Wire::Kind::node) enter(wire.from);
+        while (frame.next < wires) {
+            const Wire& wire = graph_.wire(node, frame.next++);
+            if (wire.kind == Wire::Kind::node && state_[wire.from] == State::unseen)
+                return enter(wire.from);
         }
+        if (frame.next++ == wires && node.base_node != none) return enter_base(index);
+        state_[index] = State::done;
+        graph_.order.push_back(index);
+        stack_.pop_back();
     }
 
     void enter_base(uint32_t index) {
@@ -103,13 +102,14 @@ private:
 }  // namespace
 
 bool says_base(const FlatGraph& graph, const FlatNode& node) {
-    if (node.is_pass() || node.muted) return false;
+    if (!graph.bases_are_said || node.is_pass() || node.muted) return false;
     const uint32_t p = node.type->find_input("base");
-    if (p == NodeType::none || node.type->ports[p].type != PortType::normal_) return false;
+    if (p == NodeType::none || !is_base(node.type->ports[p])) return false;
     return graph.wire(node, p).kind == Wire::Kind::node;
 }
 
 void infer_bases(FlatGraph& graph) {
+    if (!graph.bases_are_said) return;
     const auto count = static_cast<uint32_t>(graph.nodes.size());
     Groups groups(count);
     for (uint32_t i = 0; i < count; ++i)

@@ -1,11 +1,13 @@
 // The builder that a node's build() works with: wr_builder over a module. What comes from a plugin
 // is not trusted: every number is checked before the module sees it.
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
 #include "base/text.h"
 #include "ir/surface.h"
 #include "lower/decode.h"
+#include "lower/emission.h"
 #include "lower/field.h"
 #include "lower/lowering.h"
 
@@ -26,43 +28,10 @@ public:
         : lowering_(lowering),
           module_(lowering.module()),
           node_(node),
-          type_(*lowering.graph().nodes[node].type),
-          given_(type_.ports.size(), false) {
-        face_.size = sizeof face_;
+          type_(*lowering.graph().nodes[node].type) {
+        static const wr_builder calls = calls_of_host();
+        face_ = calls;
         face_.host = this;
-        face_.input = [](const wr_builder* b, uint32_t port) { return self(b).input(port); };
-        face_.image = [](const wr_builder* b, uint32_t port) { return self(b).image(port); };
-        face_.option = [](const wr_builder* b, uint32_t port) { return self(b).option(port); };
-        face_.field = [](const wr_builder* b, uint32_t port, wr_value at) {
-            return self(b).field(port, at);
-        };
-        face_.literal = [](const wr_builder* b, uint32_t type, const double* lanes) {
-            return self(b).literal(type, lanes);
-        };
-        face_.surface = [](const wr_builder* b, uint32_t i) { return self(b).surface(i); };
-        face_.emit = [](const wr_builder* b, uint32_t op, uint32_t type, const wr_value* args,
-                        uint32_t count,
-                        uint32_t extra) { return self(b).emit(op, type, args, count, extra); };
-        face_.sample = [](const wr_builder* b, uint32_t op, wr_image image, const wr_value* args,
-                          uint32_t count) { return self(b).sample(op, image, args, count); };
-        face_.begin_region = [](const wr_builder* b, uint32_t kind, const char* name,
-                                const uint32_t* types, uint32_t count, wr_value* params) {
-            self(b).begin_region(kind, name, types, count, params);
-        };
-        face_.end_region = [](const wr_builder* b, const wr_value* results, uint32_t count,
-                              uint32_t max) { return self(b).end_region(results, count, max); };
-        face_.apply = [](const wr_builder* b, wr_region region, const wr_value* args,
-                         uint32_t count, wr_value* results, uint32_t result_count) {
-            self(b).apply(region, args, count, results, result_count);
-        };
-        face_.output = [](const wr_builder* b, uint32_t port, wr_value value) {
-            self(b).output(port, value);
-        };
-        face_.error = [](const wr_builder* b, const char* text) { self(b).error(text); };
-        face_.name = [](const wr_builder* b, wr_value value, const char* name) {
-            self(b).name(value, name);
-        };
-        face_.get_extension = [](const wr_builder*, const char*) -> const void* { return nullptr; };
     }
 
     void run() {
@@ -80,7 +49,7 @@ public:
         while (module_.depth() > 0)
             module_.end_region(nothing);
         for (uint32_t p = 0; p < type_.ports.size(); ++p)
-            if (type_.ports[p].kind == Port::Kind::output && !given_[p])
+            if (type_.ports[p].kind == Port::Kind::output && !lowering_.has_output(node_, p))
                 refuse("gives no value to its output '" + type_.ports[p].name + "'");
         // Of two outputs of one value the one that is read is the better name.
         module_.named.insert(module_.named.end(), unread_.begin(), unread_.end());
@@ -88,6 +57,44 @@ public:
     }
 
 private:
+    static wr_builder calls_of_host() {
+        wr_builder face{};
+        face.size = sizeof face;
+        face.input = [](const wr_builder* b, uint32_t port) { return self(b).input(port); };
+        face.image = [](const wr_builder* b, uint32_t port) { return self(b).image(port); };
+        face.option = [](const wr_builder* b, uint32_t port) { return self(b).option(port); };
+        face.field = [](const wr_builder* b, uint32_t port, wr_value at) {
+            return self(b).field(port, at);
+        };
+        face.literal = [](const wr_builder* b, uint32_t type, const double* lanes) {
+            return self(b).literal(type, lanes);
+        };
+        face.surface = [](const wr_builder* b, uint32_t i) { return self(b).surface(i); };
+        face.emit = [](const wr_builder* b, uint32_t op, uint32_t type, const wr_value* args,
+                       uint32_t count,
+                       uint32_t extra) { return self(b).emit(op, type, args, count, extra); };
+        face.sample = [](const wr_builder* b, uint32_t op, wr_image image, const wr_value* args,
+                         uint32_t count) { return self(b).sample(op, image, args, count); };
+        face.begin_region = [](const wr_builder* b, uint32_t kind, const char* name,
+                               const uint32_t* types, uint32_t count, wr_value* params) {
+            self(b).begin_region(kind, name, types, count, params);
+        };
+        face.end_region = [](const wr_builder* b, const wr_value* results, uint32_t count,
+                             uint32_t max) { return self(b).end_region(results, count, max); };
+        face.apply = [](const wr_builder* b, wr_region region, const wr_value* args, uint32_t count,
+                        wr_value* results, uint32_t result_count) {
+            self(b).apply(region, args, count, results, result_count);
+        };
+        face.output = [](const wr_builder* b, uint32_t port, wr_value value) {
+            self(b).output(port, value);
+        };
+        face.error = [](const wr_builder* b, const char* text) { self(b).error(text); };
+        face.name = [](const wr_builder* b, wr_value value, const char* name) {
+            self(b).name(value, name);
+        };
+        face.get_extension = [](const wr_builder*, const char*) -> const void* { return nullptr; };
+        return face;
+    }
     static Builder& self(const wr_builder* b) { return *static_cast<Builder*>(b->host); }
 
     // A call that makes no sense; said once for each text.
@@ -109,17 +116,17 @@ private:
 
     // False when a value is poison, or none of this place.
     bool usable(std::span<const wr_value> values) {
+        const Id size = module_.size();
+        const int depth = module_.depth();
         bool fine = true;
         for (const wr_value value : values) {
-            if (value >= module_.size()) {
+            const bool exists = value < size;
+            if (exists && value != poison && module_[value].level <= depth) continue;
+            fine = false;
+            if (!exists)
                 refuse("uses a value that does not exist");
-                fine = false;
-            } else if (value == poison) {
-                fine = false;
-            } else if (module_[value].level > module_.depth()) {
+            else if (value != poison)
                 refuse("uses a value of a loop or a function outside of it");
-                fine = false;
-            }
         }
         return fine;
     }
@@ -188,26 +195,15 @@ private:
         return lowering_.surface(index);
     }
 
-    static bool host_only(Op op) {
-        return info(op).rule == Rule::leaf || op == Op::loop_ || op == Op::call_ ||
-               op == Op::result_ || is_sampling(op);
-    }
-    static bool is_sampling(Op op) {
-        return op == Op::sample_ || op == Op::sample_lod_ || op == Op::sample_grad_ ||
-               op == Op::image_size_;
-    }
-    static bool is_gradient_source(Op op) {
-        return (op >= Op::gradient_from_derivative_ && op <= Op::gradient_from_normal_) ||
-               op == Op::gradient_from_outward_normal_;
-    }
-
     Id emit(uint32_t number, uint32_t type, const wr_value* args, uint32_t count, uint32_t extra) {
         const auto o = static_cast<Op>(number);
-        if (number > 0xFFFF || info(o).name.empty())
+        const Emission& emission = emissions[std::min<size_t>(number, tables::op_count)];
+        if (!emission.is_op)
             return refuse("uses op " + std::to_string(number) + ", which does not exist",
                           "a newer program may be needed");
         const auto name = [&] { return std::string(info(o).name); };
-        if (host_only(o)) return refuse("emits the op '" + name() + "', which only the host makes");
+        if (emission.host_only)
+            return refuse("emits the op '" + name() + "', which only the host makes");
         const int arity = info(o).arity;
         const bool fits = arity < 0 ? count >= 1 && count <= most_arguments
                                     : count == static_cast<uint32_t>(arity);
@@ -215,13 +211,18 @@ private:
             return refuse("gives the op '" + name() + "' " + std::to_string(count) + " operands");
         const std::span<const wr_value> operands(args, count);
         if (!usable(operands)) return poison;
-        if (info(o).flags & WR_FLAG_IMPLICIT && module_[operands[0]].level > 0)
+        if (emission.implicit && module_[operands[0]].level > 0)
             return refuse("takes the derivative '" + name() + "' inside a loop or a function");
-        const std::optional<uint32_t> checked = checked_extra(o, extra);
-        if (o == Op::frame_ && ((extra & 0xFF) == WR_FRAME_guess) != (count == 2))
-            return refuse("gives a frame a direction where there is none, or none to 'guess'");
-        if (!checked) return refuse("gives the op '" + name() + "' an impossible detail");
-        const Id made = module_.add(o, operands, *checked, static_cast<Type>(type));
+        if (emission.detailed) {
+            const std::optional<uint32_t> checked = checked_extra(o, extra);
+            if (o == Op::frame_ && ((extra & 0xFF) == WR_FRAME_guess) != (count == 2))
+                return refuse("gives a frame a direction where there is none, or none to 'guess'");
+            if (!checked) return refuse("gives the op '" + name() + "' an impossible detail");
+            extra = *checked;
+        } else {
+            extra = 0;
+        }
+        const Id made = module_.add(o, operands, extra, static_cast<Type>(type));
         if (Dropped* dropped = lowering_.dropped()) dropped->written(o, operands, made);
         return made;
     }
@@ -235,7 +236,6 @@ private:
             const bool known = (extra & 0xFF) <= WR_FRAME_pixel && extra >> 8 <= WR_SCALE_unit;
             return known ? std::optional(extra) : std::nullopt;
         }
-        if (!is_gradient_source(o)) return 0;
         if (extra == 0) return lowering_.own_base(node_);
         if (extra >= module_.size() || module_.type(extra) != Type::base_) return {};
         const bool surface = module_[extra].arg[0] == lowering_.surface(WR_SURFACE_normal);
@@ -256,7 +256,7 @@ private:
         if (!usable(operands)) return poison;
         const uint32_t resource = used->resource;
         if (o == Op::image_size_) return module_.add(o, {}, resource);
-        const Encoding encoding = *used->literal.encoding;
+        const Encoding encoding = *used->encoding;
         const bool inside = o == Op::sample_ && module_[operands[0]].level > 0;
         if (Dropped* dropped = lowering_.dropped(); dropped && inside) dropped->give_up();
         const Id texel = inside ? sample_inside(module_, resource, operands[0])
@@ -330,13 +330,12 @@ private:
             refuse("gives a value to port '" + p->name + "', which is no output");
             return;
         }
-        if (given_[index]) refuse("gives its output '" + p->name + "' twice");
-        given_[index] = true;
+        if (lowering_.has_output(node_, index)) refuse("gives its output '" + p->name + "' twice");
         const Id checked = checked_output(*p, value);
         lowering_.set_output(node_, index, checked);
         if (checked == poison || p->type == PortType::image_) return;
         const FlatGraph& graph = lowering_.graph();
-        const bool read = graph.read[graph.nodes[node_].first_wire + index];
+        const bool read = graph.wire(graph.nodes[node_], index).read;
         (read ? module_.named : unread_).push_back({checked, module_.current_node, p->name, true});
     }
 
@@ -370,8 +369,7 @@ private:
     Module& module_;
     const uint32_t node_;
     const NodeType& type_;
-    wr_builder face_{};
-    std::vector<bool> given_;    // by port
+    wr_builder face_;
     std::vector<Named> unread_;  // outputs that no wire leads from
     std::vector<RegionUse> regions_;
     int skipped_ = 0;  // regions that were nested too deep

@@ -75,7 +75,8 @@ public:
         const auto here = [&](std::string message, std::string expected) {
             return diagnose(document_, input, std::move(message), std::move(expected));
         };
-        literal(input.default_value, port, subject, "", here);
+        literal(
+            input.default_value, port, [&] { return subject; }, "", here);
     }
 
     void output(const Output& output) {
@@ -133,7 +134,7 @@ private:
         const uint32_t index = type.find_input(input.port);
         if (index == NodeType::none) return unknown_port(node, type, input);
         const Port& port = type.ports[index];
-        const std::string subject = "port " + in_quotes(port.name) + " ";
+        const auto subject = [&] { return "port " + in_quotes(port.name) + " "; };
         const auto here = [&](std::string message, std::string expected) {
             return diagnose_port(document_, node, input.port, std::move(message),
                                  std::move(expected));
@@ -167,14 +168,15 @@ private:
                " is " + std::string(name_of(from));
     }
 
-    template <class Report>
-    void wire(const Link& link, const Port& port, const std::string& subject, Report here) {
+    // `subject` begins a report.
+    template <class Subject, class Report>
+    void wire(const Link& link, const Port& port, Subject subject, Report here) {
         if (port.is_option())
-            return here(subject + "is known while compiling and takes no wire",
+            return here(subject() + "is known while compiling and takes no wire",
                         "write a value in its place");
         const auto from = source(link, here);
         if (from && conversion(*from, port.type) == Conversion::illegal)
-            here(mismatch(subject, link, *from, port.type),
+            here(mismatch(subject(), link, *from, port.type),
                  alternative(*from, port.type, registry_));
     }
 
@@ -209,15 +211,15 @@ private:
         return inner && inner->document.outputs.find(port);
     }
 
-    template <class Diagnose>
-    void literal(const json::Value& value, const Port& port, const std::string& subject,
+    template <class Subject, class Diagnose>
+    void literal(const json::Value& value, const Port& port, Subject subject,
                  const std::string& node, Diagnose here) {
         const std::vector<LiteralProblem> problems = literal_problems(value, port);
         for (const LiteralProblem& problem : problems) {
             Diagnostic diagnostic =
                 problem.where.has_location()
-                    ? diagnose(problem.where, node, subject + problem.message, problem.expected)
-                    : here(subject + problem.message, problem.expected);
+                    ? diagnose(problem.where, node, subject() + problem.message, problem.expected)
+                    : here(subject() + problem.message, problem.expected);
             diagnostic.severity = problem.severity;
             report(std::move(diagnostic));
         }
@@ -225,21 +227,21 @@ private:
             image_file(literal_image(value).file, subject, here);
     }
 
-    template <class Diagnose>
-    void image_file(const std::string& name, const std::string& subject, Diagnose here) {
+    template <class Subject, class Diagnose>
+    void image_file(const std::string& name, Subject subject, Diagnose here) {
         const NamedFiles::Found& found = files_.find(file_, name);
         if (!found.path)
-            return report(here(subject + "names " + json_quoted(name) + ", outside the root",
+            return report(here(subject() + "names " + json_quoted(name) + ", outside the root",
                                "keep it below " + project_.root.string() +
                                    ", or choose another root with --root"));
         if (!fs::exists(fs::file_status(found.type)))
-            report(here(subject + "names " + json_quoted(name) + ", which does not exist",
+            report(here(subject() + "names " + json_quoted(name) + ", which does not exist",
                         "a path is relative to its graph's folder"));
         else if (found.type == fs::file_type::directory)
-            report(here(subject + "names " + json_quoted(name) + ", which is a folder",
+            report(here(subject() + "names " + json_quoted(name) + ", which is a folder",
                         "expected an image file"));
         else if (found.type != fs::file_type::regular)
-            report(here(subject + "names " + json_quoted(name) + ", which is no regular file",
+            report(here(subject() + "names " + json_quoted(name) + ", which is no regular file",
                         "expected an image file"));
     }
 

@@ -4,6 +4,7 @@
 
 #include "ir/derive.h"
 #include "ir/gradient_frame.h"
+#include "ir/surface.h"
 
 namespace wrinkle {
 namespace {
@@ -15,19 +16,19 @@ bool changes_with_operands(Op op, Type result) {
     return op != Op::resolve_ && !never_changes(inst);
 }
 
-// Turned by the side that is seen, or made unit; ir/surface.h.
-bool may_be_surface_normal(const Module& m, Id id) {
-    const Inst& inst = m[id];
-    if (inst.op == Op::mul_)
-        return m[inst.arg[1]].op == Op::input_ &&
-               input_of(m[inst.arg[1]].extra) == SurfaceInput::facing_;
-    return inst.op == Op::normalize_ && m[inst.arg[0]].op == Op::input_;
+// It changes with all that its operands change with, then.
+bool stands_as_written(const Inst& made, Op op, std::span<const Id> operands) {
+    bool same = made.op == op;
+    for (size_t i = 0; same && i < operands.size(); ++i)
+        same = operands[i] == made.arg[i];
+    return same;
 }
 
-// It changes with all that its operands change with, then.
-bool stands_as_written(const Module& m, Op op, std::span<const Id> operands, Id result) {
-    return m[result].op == op &&
-           std::equal(operands.begin(), operands.end(), m[result].arg.begin());
+// x * 1, or what is computed of literals alone: nothing is dropped.
+bool drops_literals_alone(const Module& m, std::span<const Id> operands, Id result) {
+    return std::all_of(operands.begin(), operands.end(), [&](Id operand) {
+        return operand == result || m[operand].op == Op::literal_;
+    });
 }
 
 }  // namespace
@@ -43,16 +44,24 @@ void Dropped::begin(uint32_t node) {
 
 void Dropped::written(Op op, std::span<const Id> operands, Id result) {
     if (result == poison) return;
-    if (may_be_surface_normal(module_, result)) give_up();  // it may have become that by a value
-    if (op != Op::frame_ && op != Op::base_ && stands_as_written(module_, op, operands, result))
+    if (is_surface_normal(module_, result)) give_up();  // it may have become that by a value
+    if (op != Op::frame_ && op != Op::base_ && stands_as_written(module_[result], op, operands))
         return;
+    const bool plain = op != Op::frame_ && op != Op::base_ &&
+                       changes_with_operands(op, module_.type(result)) &&
+                       drops_literals_alone(module_, operands, result);
+    if (!plain) compare(op, operands, result);
+}
+
+// What the operands change with, with what the result does.
+void Dropped::compare(Op op, std::span<const Id> operands, Id result) {
     facts_.update();
     uint32_t before = 0;
     for (const Id operand : operands)
         before |= facts_.dependencies(operand);
     const uint32_t after = facts_.dependencies(result);
     if (op == Op::base_) {
-        if (!may_be_surface_normal(module_, operands[0])) give_up();
+        if (!is_surface_normal(module_, operands[0])) give_up();
     } else if (op == Op::frame_) {
         const uint32_t uv = facts_.dependencies(operands[0]);
         if ((inputs_[node_] & ~uv) != 0 || !fits_its_scale(module_[result].extra, uv)) give_up();

@@ -35,6 +35,8 @@ public:
     bool decides_alike() const { return decides_alike_; }
 
 private:
+    void compare(Op op, std::span<const Id> operands, Id result);
+
     const Module& module_;
     ValueFacts& facts_;
     const FlatGraph& graph_;

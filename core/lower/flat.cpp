@@ -23,6 +23,7 @@ public:
         : project_(project), types_(types), functions_(functions), max_nodes_(max_nodes) {
         graph_.first_instance = root.first_instance;
         uses_.push_back(make_use(root.file));
+        make_room(uses_[0].nodes.size() + 1);
         if (root.instance != 0) {
             uses_[0].instance = root.instance;
             uses_[0].prefix = root.path + "/";
@@ -48,6 +49,16 @@ public:
 private:
     const Document& document(uint32_t use) const {
         return project_.files[uses_[use].file].document;
+    }
+
+    // For a graph without sub-graphs; others take more.
+    void make_room(size_t nodes) {
+        constexpr size_t wires_of_a_node = 6;
+        graph_.nodes.reserve(nodes);
+        graph_.wires.reserve(nodes * wires_of_a_node);
+        graph_.instances.reserve(nodes);
+        graph_.places.reserve(nodes);
+        use_of_.reserve(nodes);
     }
 
     Use make_use(uint32_t file) const {
@@ -86,7 +97,6 @@ private:
         node.first_wire = static_cast<uint32_t>(graph_.wires.size());
         node.file = uses_[use].file;
         graph_.wires.resize(graph_.wires.size() + wires);
-        graph_.read.resize(graph_.wires.size());
         graph_.nodes.push_back(std::move(node));
         use_of_.push_back(use);
         return static_cast<uint32_t>(graph_.nodes.size() - 1);
@@ -133,7 +143,7 @@ private:
         wire.from = flat;
         wire.output = output;
         if (!graph_.nodes[flat].is_pass())
-            graph_.read[graph_.nodes[flat].first_wire + output] = true;
+            graph_.wires[graph_.nodes[flat].first_wire + output].read = true;
         return wire;
     }
 
@@ -167,11 +177,12 @@ private:
             if (link.is_input()) return input_wire(use, link);
             const auto node = static_cast<uint32_t>(document(use).nodes.index_of(link.node));
             const NodeType& type = *types_.of(uses_[use].file, node);
-            const PortType carried = type.ports[type.find_output(link.port)].type;
+            const uint32_t port = type.find_output(link.port);
+            const PortType carried = type.ports[port].type;
             const bool muted = document(use).nodes[node]->muted;
             const uint32_t inner = project_.files[uses_[use].file].subgraphs[node];
             if (muted || inner == Project::File::none || functions_.files[inner].function)
-                return node_wire(flat_node(use, node), carried, type.find_output(link.port));
+                return node_wire(flat_node(use, node), carried, port);
             use = inner_use(use, node);
             const auto output = static_cast<uint32_t>(document(use).outputs.index_of(link.port));
             const Output& source = document(use).outputs[output];
@@ -227,17 +238,30 @@ private:
         }
     }
 
+    // In the order of the ports, whatever that of the file: what is met first is named first.
     void fill_ports(uint32_t index, const FlatNode& flat) {
         const std::vector<Port>& ports = flat.type->ports;
-        std::vector<bool> wanted(ports.size(), !flat.muted);
-        for (uint32_t p = 0; flat.muted && p < ports.size(); ++p)
-            if (ports[p].kind == Port::Kind::output)
-                if (const uint32_t in = passed_input(*flat.type, p); in != NodeType::none)
-                    wanted[in] = true;
-        for (uint32_t p = 0; p < ports.size(); ++p)
-            if (wanted[p] && ports[p].kind != Port::Kind::output)
-                graph_.wires[flat.first_wire + p] =
-                    port_wire(use_of_[index], flat.node, ports[p].name);
+        written_.assign(ports.size(), nullptr);
+        for (const Input& input : document(use_of_[index]).nodes[flat.node]->inputs)
+            if (const uint32_t p = flat.type->find_input(input.port); p != NodeType::none)
+                written_[p] = &input;
+        if (flat.muted) forget_what_is_not_passed(*flat.type);
+        for (uint32_t p = 0; p < ports.size(); ++p) {
+            if (!written_[p]) continue;
+            const Wire wire = port_wire(use_of_[index], *written_[p]);
+            graph_.wires[flat.first_wire + p] = wire;
+            if (wire.kind == Wire::Kind::node && is_base(ports[p])) graph_.bases_are_said = true;
+        }
+    }
+
+    void forget_what_is_not_passed(const NodeType& type) {
+        std::vector<bool> passed(type.ports.size(), false);
+        for (uint32_t p = 0; p < type.ports.size(); ++p)
+            if (type.ports[p].kind == Port::Kind::output)
+                if (const uint32_t in = passed_input(type, p); in != NodeType::none)
+                    passed[in] = true;
+        for (uint32_t p = 0; p < type.ports.size(); ++p)
+            if (!passed[p]) written_[p] = nullptr;
     }
 
     // A graph's inputs are the first ports of its type, in order.
@@ -253,9 +277,12 @@ private:
 
     Wire port_wire(uint32_t use, uint32_t node, std::string_view port) {
         const Input* input = document(use).nodes[node]->find(port);
-        if (!input) return {};
-        if (input->kind == Input::Kind::link) return follow(use, input->link);
-        return literal_wire(uses_[use].file, input->value);
+        return input ? port_wire(use, *input) : Wire{};
+    }
+
+    Wire port_wire(uint32_t use, const Input& input) {
+        if (input.kind == Input::Kind::link) return follow(use, input.link);
+        return literal_wire(uses_[use].file, input.value);
     }
 
     Wire default_wire(uint32_t file, uint32_t input) const {
@@ -281,6 +308,7 @@ private:
     std::vector<uint32_t> use_of_;         // by flat node: the use whose document has its wires
     std::vector<Pending> pending_input_;   // by flat node
     std::vector<Pending> pending_output_;  // by flat node
+    std::vector<const Input*> written_;    // by port, of the node at hand
 };
 
 }  // namespace

@@ -29,6 +29,7 @@ struct Wire {
     uint32_t from = 0;                 // flat node, surface property or graph input
     uint32_t output = 0;               // port index in the node's type; of a pass unused
     uint32_t file = 0;                 // that says the literal
+    bool read = false;                 // of an output, which none is: whether a wire leads from it
     const json::Value* value = nullptr;
 };
 
@@ -50,7 +51,6 @@ struct FlatNode {
 struct FlatGraph {
     std::vector<FlatNode> nodes;
     std::vector<Wire> wires;
-    std::vector<bool> read;  // by wire, which of an output is none: whether one leads from it
     std::vector<uint32_t> outputs;  // the pass of each output of the top graph that is asked for
     std::vector<uint32_t> output_index;  // in the top document's outputs
     std::vector<uint32_t> order;         // every node after what it reads
@@ -58,6 +58,7 @@ struct FlatGraph {
     std::vector<NodeInstance> instances;
     std::vector<NodePlace> places;
     uint32_t first_instance = 0;  // where these begin in Module::nodes
+    bool bases_are_said = false;  // false: by no node
 
     const Port& port(const FlatNode& node, uint32_t index) const {
         return node.is_pass() ? *node.pass : node.type->ports[index];
@@ -90,6 +91,11 @@ uint32_t passed_input(const NodeType& type, uint32_t output);
 std::optional<FlatGraph> flatten(const Project& project, const Types& types,
                                  const FunctionPlan& functions, const FlatRoot& root,
                                  size_t max_nodes);
+
+// Whether the port is the one that says a base.
+inline bool is_base(const Port& port) {
+    return port.type == PortType::normal_ && port.kind != Port::Kind::output && port.name == "base";
+}
 
 // Whether the node says a base of its own: a wire that is not the surface's at its input `base`, a
 // normal. Its gradients stand on it.

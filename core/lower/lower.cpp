@@ -1,6 +1,7 @@
 #include "lower/lower.h"
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
 #include <map>
 #include <memory>
@@ -10,6 +11,8 @@
 
 namespace wrinkle {
 namespace {
+
+constexpr size_t instructions_of_a_node = 8;  // about; to make room for
 
 // What an output of the program holds: numbers.
 Id as_number(Module& module, PortType type, Id value) {
@@ -90,8 +93,9 @@ private:
         infer_bases(*graph);
         order_nodes(*graph, project_, diagnostics_);
         Module& m = result_.module;
+        if (frames_.empty()) m.make_room(graph->nodes.size() * instructions_of_a_node);
         m.nodes.resize(root.first_instance);
-        m.nodes.insert(m.nodes.end(), graph->instances.begin(), graph->instances.end());
+        std::move(graph->instances.begin(), graph->instances.end(), std::back_inserter(m.nodes));
         result_.places.insert(result_.places.end(), graph->places.begin(), graph->places.end());
         auto frame = std::make_unique<Frame>();
         frame->graph = std::move(*graph);

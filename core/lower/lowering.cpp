@@ -201,9 +201,10 @@ Id Lowering::convert(Id value, Conversion conversion, uint32_t node) {
 
 Id Lowering::add_image(ImageLiteral literal, uint32_t file) {
     Image image;
-    image.literal = std::move(literal);
-    image.file = file;
-    images_.push_back(std::move(image));
+    image.named = static_cast<uint32_t>(named_images_.size());
+    image.encoding = literal.encoding;
+    named_images_.push_back({std::move(literal), file});
+    images_.push_back(image);
     return static_cast<Id>(images_.size());
 }
 
@@ -211,25 +212,27 @@ Id Lowering::image(uint32_t node, uint32_t port) {
     const Id handle = input(node, port);
     if (handle == poison) return poison;
     Image image = images_[handle - 1];
+    const BoundImage& named = named_images_[image.named];
     const FlatNode& flat = graph_.nodes[node];
     const Port& described = flat.type->ports[port];
-    const auto& path = files_.find(image.file, image.literal.file).path;
+    const auto& path = files_.find(named.file, named.literal.file).path;
     if (!path) return poison;
-    image.literal.encoding = image.literal.encoding.value_or(described.encoding);
-    Resource resource;
-    resource.file = path->string();
-    resource.name = image.literal.file;
-    resource.options = {*image.literal.encoding, image.literal.wrap, image.literal.filter};
-    resource.readers = {{flat.instance, described.name}};
-    image.resource = module_.add_resource(resource);
+    image.encoding = image.encoding.value_or(described.encoding);
+    const TextureOptions options{*image.encoding, named.literal.wrap, named.literal.filter};
+    image.resource = module_.find_resource(path->native(), options);
+    if (image.resource == module_.resources.size())
+        module_.add_resource({path->native(), named.literal.file, options, {}});
+    module_.resources[image.resource].readers.push_back({flat.instance, described.name});
     image.ready = true;
-    images_.push_back(std::move(image));
+    images_.push_back(image);
     return static_cast<Id>(images_.size());
 }
 
 std::optional<BoundImage> Lowering::bound_image(Id handle) const {
     if (handle == poison || handle > images_.size()) return {};
-    return BoundImage{images_[handle - 1].literal, images_[handle - 1].file};
+    BoundImage bound = named_images_[images_[handle - 1].named];
+    bound.literal.encoding = images_[handle - 1].encoding;
+    return bound;
 }
 
 const Lowering::Image* Lowering::ready_image(Id handle) const {

@@ -47,6 +47,7 @@ public:
     // A choice's index, a count's value, 0 or 1.
     int32_t option(uint32_t node, uint32_t port) const;
     void set_output(uint32_t node, uint32_t port, Id value) { slot(node, port) = value; }
+    bool has_output(uint32_t node, uint32_t port) { return slot(node, port) != unset; }
     Id output(uint32_t node, uint32_t port);
 
     Id surface(uint32_t property);
@@ -57,13 +58,13 @@ public:
     // surface.
     Id own_base(uint32_t node);
 
-    // A handle with the encoding settled and a resource behind it; 0 when there is no image.
     struct Image {
-        ImageLiteral literal;
-        uint32_t file = 0;  // that names it
+        uint32_t named = 0;  // in named_images_
+        std::optional<Encoding> encoding;
         uint32_t resource = 0;
         bool ready = false;
     };
+    // A handle with the encoding settled and a resource behind it; 0 when there is no image.
     Id image(uint32_t node, uint32_t port);
     const Image* ready_image(Id handle) const;
     std::optional<BoundImage> bound_image(Id handle) const;
@@ -92,6 +93,7 @@ private:
     std::vector<Id> slots_;         // by wire: an input's or an output's value
     std::vector<Id> graph_inputs_;  // of the graph
     std::vector<Image> images_;     // handle - 1
+    std::vector<BoundImage> named_images_;
 };
 
 // Runs the node's build() and takes its outputs; what it did wrong is a problem of the module.

@@ -124,6 +124,10 @@ TEST_F(Files, PathsStayInside) {
     EXPECT_FALSE(inside(folder_ / "inner", folder_ / "inner2" / "new.png"));
     fs::create_directory_symlink("/", folder_ / "inner" / "out");
     EXPECT_FALSE(inside(folder_, folder_ / "inner" / "out" / "etc"));
+    EXPECT_FALSE(inside(folder_, folder_ / "inner" / "out"));
+    fs::create_symlink("inner", folder_ / "alias");
+    EXPECT_EQ(inside(folder_, folder_ / "alias"), inside(folder_, folder_ / "inner"));
+    EXPECT_EQ(real_path(folder_ / "alias" / "new.png"), real_path(folder_ / "inner") / "new.png");
 }
 
 // The system's own answer about the folder, and then the rest of the path.

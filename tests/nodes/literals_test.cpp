@@ -85,5 +85,35 @@ TEST(Literals, AFrameThatDoesNotFitIsAnErrorWhateverItsFactor) {
     }
 }
 
+// A bump on what is made of the surface's normal and of a resolved one; an amount of 0 leaves the
+// first, but a base is what it is whatever the amount.
+std::string bump_on_mixed(const std::string& smooth, const std::string& bumped) {
+    const auto from = [](const std::string& name) {
+        return name.empty() ? "" : ", \"" + name + R"(": {"from": "first.normal"})";
+    };
+    return R"("below": {"type": "tangent_normal_map",
+                  "in": {"image": "textures/rivets_normal.png"}},
+        "first": {"type": "resolve", "in": {"gradient": {"from": "below.gradient"}}},
+        "mixed": {"type": "compare_blender_strength", "in": {"amount": 0)" +
+           from(smooth) + from(bumped) + R"(}},
+        "bump": {"type": "gradient_from_height", "in": {"height": {"from": "surface.facing"},
+                 "base": {"from": "mixed.normal"}}},
+        "end": {"type": "resolve", "in": {"gradient": {"from": "bump.gradient"}}})";
+}
+
+TEST(Literals, ABaseIsNotTheSurfaceByAValue) {
+    const std::string nodes = bump_on_mixed("", "bumped");
+    const Result baked = compiled(nodes, false), uniform = compiled(nodes, true);
+    EXPECT_NE(baked.problems.find("the base is neither"), std::string::npos) << baked.text;
+    EXPECT_EQ(baked.problems, uniform.problems);
+}
+
+TEST(Literals, ABaseIsNotAResolvedNormalByAValue) {
+    const std::string nodes = bump_on_mixed("smooth", "");
+    const Result baked = compiled(nodes, false), uniform = compiled(nodes, true);
+    EXPECT_NE(baked.problems.find("the base is neither"), std::string::npos) << baked.text;
+    EXPECT_EQ(baked.problems, uniform.problems);
+}
+
 }  // namespace
 }  // namespace wrinkle
