@@ -1,5 +1,6 @@
 #include "image/load.h"
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <new>
@@ -7,6 +8,7 @@
 #include "image/format.h"
 #include "image/module.h"
 #include "image/stored.h"
+#include "image/writable.h"
 
 namespace wrinkle {
 namespace fs = std::filesystem;
@@ -93,47 +95,67 @@ Opened open_within(const fs::path& path, const ImageLimits& limits, Diagnostics&
     return opened;
 }
 
-// The file's first row is the top one, the image's first row the bottom one.
-Image image_from(const ImageInfo& info, const std::vector<std::byte>& stored) {
-    Image image = make_image(info.width, info.height, info.channels, info.source);
-    image.has_alpha = info.has_alpha;
-    const size_t count = size_t{info.width} * info.channels;
-    const size_t stride = count * bytes_of(info.source);
-    for (uint32_t y = 0; y < info.height; ++y)
-        values_from(info.source, stored.data() + (info.height - 1 - y) * stride,
-                    {image.texel(0, y), count});
-    return image;
+struct NonFinite {
+    size_t count = 0, first = 0;  // the place of the first among the values
+};
+
+void note_non_finite(const Image& image, size_t begin, size_t end, NonFinite& found) {
+    const auto is_bad = [](float value) { return !std::isfinite(value); };
+    const float* values = image.data.data();
+    const auto count = std::count_if(values + begin, values + end, is_bad);
+    if (count == 0) return;
+    found.count += static_cast<size_t>(count);
+    const float* first = std::find_if(values + begin, values + end, is_bad);
+    found.first = static_cast<size_t>(first - values);  // rows come from the top, so it is less
 }
 
-void warn_of_non_finite(const fs::path& path, const Image& image, Diagnostics& diagnostics) {
-    size_t count = 0, first = 0;
-    for (size_t i = 0; i < image.data.size(); ++i)
-        if (!std::isfinite(image.data[i]) && count++ == 0) first = i / image.channels;
-    if (count == 0) return;
+void warn_of_non_finite(const fs::path& path, const Image& image, const NonFinite& found,
+                        Diagnostics& diagnostics) {
+    const size_t first = found.first / image.channels;
     const size_t x = first % image.width, y = first / image.width;
     Diagnostic warning;
     warning.severity = Severity::warning;
-    warning.message = quoted(path) + "has " + std::to_string(count) +
+    warning.message = quoted(path) + "has " + std::to_string(found.count) +
                       " values that are NaN or infinite, the first at column " + std::to_string(x) +
                       ", row " + std::to_string(y) + " from the bottom left";
     warning.expected = "finite numbers; they are used as they are";
     diagnostics.add(std::move(warning));
 }
 
+// The file's first row is the top one, the image's first row the bottom one.
+void keep_rows(const std::vector<std::byte>& stored, uint32_t top, uint32_t count, Image& image,
+               NonFinite& non_finite) {
+    const size_t values = size_t{image.width} * image.channels;
+    const size_t stride = values * bytes_of(image.source);
+    const bool any_number = image.source == PixelType::half || image.source == PixelType::float32;
+    for (uint32_t i = 0; i < count; ++i) {
+        const uint32_t y = image.height - 1 - top - i;
+        values_from(image.source, stored.data() + i * stride, {image.texel(0, y), values});
+        if (any_number) note_non_finite(image, y * values, (y + 1) * values, non_finite);
+    }
+}
+
+// In bands, so that what was read is still at hand when it is put into its place.
 std::optional<Image> decode(const fs::path& path, const Opened& opened, Diagnostics& diagnostics) {
     const ImageInfo& info = opened.info;
-    std::vector<std::byte> stored(size_t{info.width} * info.height * info.channels *
-                                  bytes_of(info.source));
-    char text[512] = "";
     const WrinkleImageModule* module = opened.reader.get_deleter().module;
-    if (!module->read(opened.reader.get(), stored.data(), {text, sizeof text})) {
-        diagnostics.error(quoted(path) + "is damaged or truncated: " + text,
-                          "a complete file; export it again");
-        return {};
+    const uint32_t band = module->band(opened.reader.get());
+    std::vector<std::byte> stored(size_t{std::min(band, info.height)} * info.width * info.channels *
+                                  bytes_of(info.source));
+    Image image = make_image(info.width, info.height, info.channels, info.source);
+    image.has_alpha = info.has_alpha;
+    NonFinite non_finite;
+    for (uint32_t top = 0; top < info.height; top += band) {
+        const uint32_t count = std::min(band, info.height - top);
+        char text[512] = "";
+        if (!module->read(opened.reader.get(), top, count, stored.data(), {text, sizeof text})) {
+            diagnostics.error(quoted(path) + "is damaged or truncated: " + text,
+                              "a complete file; export it again");
+            return {};
+        }
+        keep_rows(stored, top, count, image, non_finite);
     }
-    Image image = image_from(info, stored);
-    if (info.source == PixelType::half || info.source == PixelType::float32)
-        warn_of_non_finite(path, image, diagnostics);
+    if (non_finite.count > 0) warn_of_non_finite(path, image, non_finite, diagnostics);
     return image;
 }
 
@@ -151,7 +173,7 @@ std::optional<float> read_image_number(const fs::path& path, const std::string& 
     const ImageFormat format = sniff_format(path, why);
     const WrinkleImageModule* module = image_module(why);
     float value = 0;
-    if (format.name.empty() || !module) return {};
+    if (!module || !plugin_keeps_numbers(format.plugin)) return {};
     if (!module->number(path.c_str(), format.plugin.c_str(), name.c_str(), &value)) return {};
     return value;
 }

@@ -45,6 +45,12 @@ const Writable* format_to_write(const std::filesystem::path& path) {
     return nullptr;
 }
 
+bool plugin_keeps_numbers(std::string_view plugin) {
+    return std::any_of(writables.begin(), writables.end(), [&](const Writable& format) {
+        return format.numbers && format.plugin == plugin;
+    });
+}
+
 WriteProblem find_write_problem(const Writable* format, const WriterOptions& options) {
     const size_t channels = options.channels.size();
     if (options.width == 0 || options.height == 0 || channels == 0)

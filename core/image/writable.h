@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 
 #include "image/writer.h"
 
@@ -22,6 +23,9 @@ struct Writable {
 };
 
 const Writable* format_to_write(const std::filesystem::path& path);  // by the extension; or null
+
+// Whether files of this plugin can keep ImageNumbers; those that cannot need not be opened for one.
+bool plugin_keeps_numbers(std::string_view plugin);
 
 struct WriteProblem {
     std::string message;  // "" when there is none

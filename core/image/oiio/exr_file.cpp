@@ -151,7 +151,7 @@ void ExrFile::encode(const Rows& rows, Slot& slot) const {
     info.width = slot.width;
     info.height = slot.height;
     info.unpacked_size = size_t{slot.width} * slot.height * layout_.texel_bytes();
-    exr_encode_pipeline_t pipeline = EXR_ENCODE_PIPELINE_INITIALIZER;
+    exr_encode_pipeline_t pipeline = {};
     check(exr_encoding_initialize(context, part, &info, &pipeline));
     for (int c = 0; c < pipeline.channel_count; ++c) {
         exr_coding_channel_info_t& channel = pipeline.channels[c];

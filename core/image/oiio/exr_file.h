@@ -2,8 +2,8 @@
 // and compressed as one: a tile, or a block of scan lines. Chunks are made on all threads and go to
 // the file in the order of their rows, so equal rows give equal bytes with any number of threads.
 //
-// zip and zips are libdeflate's work, in the format that every reader of OpenEXR knows, in files of
-// no more bytes and in half the time of what OpenEXR's own zlib makes; rle and piz are OpenEXR's.
+// zip and zips are libdeflate's work, in the format that every reader of OpenEXR knows and in a
+// third of the time that OpenEXR's own zlib takes; rle and piz are OpenEXR's.
 //
 // Rows are interleaved, in the order of the caller's channels; the file sorts channels by name, one
 // after the other within each row of a chunk. Functions throw Failure.

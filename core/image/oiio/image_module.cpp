@@ -26,6 +26,8 @@ using OIIO::ImageInput;
 using OIIO::ImageSpec;
 using OIIO::TypeDesc;
 
+constexpr uint32_t scan_lines_at_once = 256;  // whole chunks of OpenEXR, few calls
+
 TypeDesc::BASETYPE readable_type(const ImageSpec& spec) {
     const auto type = static_cast<TypeDesc::BASETYPE>(spec.format.basetype);
     const bool known = std::find(types.begin(), types.end(), type) != types.end();
@@ -87,10 +89,23 @@ WrinkleImageReader* open_image(const char* path, const char* format, WrinkleImag
     });
 }
 
-int32_t read_image(WrinkleImageReader* reader, void* pixels, WrinkleImageText why) {
+uint32_t band_of_image(const WrinkleImageReader* reader) {
+    const int tile = reader->input->spec().tile_height;
+    return tile > 0 ? static_cast<uint32_t>(tile) : scan_lines_at_once;
+}
+
+int32_t read_rows(WrinkleImageReader* reader, uint32_t first, uint32_t count, void* pixels,
+                  WrinkleImageText why) {
     return guarded(why, [&]() -> int32_t {
         ImageInput& input = *reader->input;
-        const bool read = input.read_image(0, 0, 0, reader->channels, reader->type, pixels);
+        const ImageSpec spec = input.spec();
+        const int begin = spec.y + static_cast<int>(first), end = begin + static_cast<int>(count);
+        const bool read =
+            spec.tile_height > 0
+                ? input.read_tiles(0, 0, spec.x, spec.x + spec.width, begin, end, spec.z,
+                                   spec.z + 1, 0, reader->channels, reader->type, pixels)
+                : input.read_scanlines(0, 0, begin, end, spec.z, 0, reader->channels, reader->type,
+                                       pixels);
         if (!read || input.has_error()) throw Failure(input.geterror());
         return 1;
     });
@@ -115,7 +130,8 @@ int32_t read_number(const char* path, const char* format, const char* name, floa
 constexpr WrinkleImageModule table = {sizeof(WrinkleImageModule),
                                       WRINKLE_IMAGE_MODULE_VERSION,
                                       open_image,
-                                      read_image,
+                                      band_of_image,
+                                      read_rows,
                                       close_image,
                                       read_number,
                                       begin_image,

@@ -59,8 +59,12 @@ typedef struct WrinkleImageModule {
     /* Reads the header of a file of the format named; NULL with the reason. */
     WrinkleImageReader* (*open)(const char* path, const char* format, WrinkleImageHeader* header,
                                 WrinkleImageText why);
-    /* Decodes width * height * channels values of header.type; 0 with the reason. */
-    int32_t (*read)(WrinkleImageReader* reader, void* pixels, WrinkleImageText why);
+    /* How many rows `read` likes to take at once: a row of tiles, or some scan lines. */
+    uint32_t (*band)(const WrinkleImageReader* reader);
+    /* Decodes width * count * channels values of header.type; 0 with the reason. `first` is a
+     * multiple of band(), `count` too unless it reaches the last row; bands come in order. */
+    int32_t (*read)(WrinkleImageReader* reader, uint32_t first, uint32_t count, void* pixels,
+                    WrinkleImageText why);
     void (*close)(WrinkleImageReader* reader);
     /* A number that the writer below has put beside the pixels of a file; 0 when there is none. */
     int32_t (*number)(const char* path, const char* format, const char* name, float* value);
