@@ -8,8 +8,6 @@
 namespace wrinkle::editor {
 namespace {
 
-using maps::Look;
-
 bool says(std::string_view name, std::initializer_list<std::string_view> words) {
     const std::string lower = lower_case(name);
     return std::any_of(words.begin(), words.end(),
@@ -29,21 +27,21 @@ ImageKind by_name(std::string_view name) {
 ImageKind kind_of(const Examined& examined, std::string_view name) {
     const std::string why = summary_of(examined);
     switch (examined.verdict.look) {
-        case Look::height:
+        case maps::Look::height:
             return {"height_map", why, {}};
-        case Look::normal_dx:
+        case maps::Look::normal_dx:
             return {"tangent_normal_map", why, Encoding::normal_dx};
-        case Look::normal_gl:
-        case Look::normal:
+        case maps::Look::normal_gl:
+        case maps::Look::normal:
             return {"tangent_normal_map", why, {}};
-        case Look::normal_object:
+        case maps::Look::normal_object:
             return {examined.info.width == 6 * examined.info.height ? "cube_normal_map"
                                                                     : "object_normal_map",
                     why,
                     {}};
-        case Look::two_channel:
+        case maps::Look::two_channel:
             return {"derivative_map", why, {}};
-        case Look::color:
+        case maps::Look::color:
             break;
     }
     return by_name(name);

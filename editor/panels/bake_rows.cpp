@@ -18,7 +18,7 @@ namespace wrinkle::editor {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr float label_wide = 96, row_tall = 36;
+constexpr float label_wide = 96, bake_row_tall = 36;
 constexpr float control_wide = bake_wide - 2 * bake_padding - label_wide - picture_side - 16;
 constexpr float half_wide = (bake_wide - 2 * bake_padding - 16) / 2 - label_wide;
 constexpr float map_tall = 28, most_map_rows = 4;
@@ -31,7 +31,7 @@ void begin_bake_row(const State& state, const char* label, const char* tip = nul
     draw_text(*ImGui::GetWindowDrawList(), state.fonts.regular(16), 16, at + ImVec2(0, 4),
               theme::text_dim, label);
     const bool near = ImGui::IsWindowHovered() &&
-                      ImGui::IsMouseHoveringRect(at, at + ImVec2(label_wide, row_tall - 4));
+                      ImGui::IsMouseHoveringRect(at, at + ImVec2(label_wide, bake_row_tall - 4));
     if (near && tip) ImGui::SetTooltip("%s", tip);
     ImGui::SetCursorScreenPos(at + ImVec2(label_wide, 0));
 }
@@ -43,7 +43,7 @@ void begin_beside(const State& state, float top, const char* label, const char* 
 }
 
 void end_bake_row(float top) {
-    ImGui::SetCursorPosY(std::max(top + row_tall, ImGui::GetCursorPosY()));
+    ImGui::SetCursorPosY(std::max(top + bake_row_tall, ImGui::GetCursorPosY()));
 }
 
 void draw_mesh_row(State& state) {
@@ -284,7 +284,7 @@ bool draw_place_row(State& state) {
 }
 
 // Between rows that belong together and the next ones.
-void draw_divider() {
+void draw_rule() {
     const ImVec2 at = ImGui::GetCursorScreenPos();
     ImGui::GetWindowDrawList()->AddLine(
         at + ImVec2(0, 2), at + ImVec2(bake_wide - 2 * bake_padding, 2), theme::border);
@@ -302,10 +302,10 @@ void draw_map_rows(State& state) {
 
 bool draw_file_rows(State& state) {
     draw_packs_row(state);
-    draw_divider();
+    draw_rule();
     draw_normal_rows(state);
     draw_edge_rows(state);
-    draw_divider();
+    draw_rule();
     draw_stored_rows(state);
     return draw_place_row(state);
 }
