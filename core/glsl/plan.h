@@ -40,8 +40,8 @@ public:
     }
     size_t used_count() const { return used_; }  // of what the outputs use
     std::string_view literal(Id id) const;       // its text
-    bool single_call(Id result) const;      // the member of a call that has one
-    bool is_splat(Id construct) const;      // one scalar in every lane
+    bool single_call(Id result) const;           // the member of a call that has one
+    bool is_splat(Id construct) const;           // one scalar in every lane
     // The members of a loop's or call's tuple, by index; poison where nothing reads one.
     const std::vector<Id>& members(Id tuple) const { return members_.at(tuple); }
     const std::vector<Id>& captures(uint32_t region) const { return captures_[region]; }
