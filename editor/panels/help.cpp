@@ -66,15 +66,6 @@ std::string type_text(const Port& port) {
     return std::string(name_of(port.type));
 }
 
-void write_wrapped(const State& state, const std::string& text, ImU32 color, bool bold = false,
-                   float size = 16) {
-    ImGui::PushFont(bold ? state.fonts.bold(size) : state.fonts.regular(size));
-    ImGui::PushStyleColor(ImGuiCol_Text, color);
-    ImGui::TextUnformatted(text.c_str());
-    ImGui::PopStyleColor();
-    ImGui::PopFont();
-}
-
 void draw_port(const State& state, const Port& port) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const ImVec2 at = ImGui::GetCursorScreenPos();
@@ -199,6 +190,15 @@ void show_help(State& state) {
     if (state.view.selected.size() != 1) return;
     const std::string& id = *state.view.selected.begin();
     if (const NodeType* type = state.type_of(id)) state.help = {true, true, id, type->id};
+}
+
+void write_wrapped(const State& state, const std::string& text, ImU32 color, bool bold,
+                   float size) {
+    ImGui::PushFont(bold ? state.fonts.bold(size) : state.fonts.regular(size));
+    ImGui::PushStyleColor(ImGuiCol_Text, color);
+    ImGui::TextUnformatted(text.c_str());
+    ImGui::PopStyleColor();
+    ImGui::PopFont();
 }
 
 void draw_help(State& state) {

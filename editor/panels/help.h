@@ -18,6 +18,10 @@ void draw_help(State& state);
 // A tooltip once the pointer has rested on a node, a pin or a value.
 void draw_hover_docs(State& state);
 
+// A paragraph of such a page, wrapped where the page says.
+void write_wrapped(const State& state, const std::string& text, ImU32 color, bool bold = false,
+                   float size = 16);
+
 // "float, m, default 0.1, 0 to 1"
 std::string port_facts(const Port& port);
 

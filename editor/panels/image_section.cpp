@@ -4,6 +4,7 @@
 #include "editor/images/remarks.h"
 #include "editor/look/draw.h"
 #include "editor/look/theme.h"
+#include "editor/panels/help.h"
 #include "editor/panels/panels.h"
 #include "lower/literal.h"
 
@@ -12,20 +13,11 @@ namespace {
 
 constexpr float fact_names = 120;
 
-void draw_line(const State& state, const std::string& text, ImU32 color, float size = 16,
-               bool bold = false) {
-    ImGui::PushFont(bold ? state.fonts.bold(size) : state.fonts.regular(size));
-    ImGui::PushStyleColor(ImGuiCol_Text, color);
-    ImGui::TextUnformatted(text.c_str());
-    ImGui::PopStyleColor();
-    ImGui::PopFont();
-}
-
 void draw_facts(const State& state, const Examined& examined) {
     for (const Fact& fact : facts_of(examined)) {
-        draw_line(state, fact.name, theme::text_dim);
+        write_wrapped(state, fact.name, theme::text_dim);
         ImGui::SameLine(fact_names + ImGui::GetStyle().WindowPadding.x);
-        draw_line(state, fact.value, theme::text);
+        write_wrapped(state, fact.value, theme::text);
     }
 }
 
@@ -35,9 +27,9 @@ bool draw_remark(State& state, const Remark& remark, const std::string& number) 
     const ImVec2 at = ImGui::GetCursorScreenPos();
     draw_warning(*ImGui::GetWindowDrawList(), at + ImVec2(9, 10), 18, theme::warn);
     ImGui::Indent(28);
-    draw_line(state, sentence(remark.problem.message), theme::text);
+    write_wrapped(state, sentence(remark.problem.message), theme::text);
     if (!remark.problem.expected.empty())
-        draw_line(state, sentence(remark.problem.expected), theme::text_dim, 14);
+        write_wrapped(state, sentence(remark.problem.expected), theme::text_dim, false, 14);
     const std::string& label = remark.remedy.label;
     const bool mends =
         !label.empty() && button(state, label.c_str(), "image:fix:" + number, false, {132, 28});
@@ -65,18 +57,18 @@ void draw_remarks(State& state, const std::string& node, const std::string& port
 void draw_section(State& state, const std::string& node, const std::string& port,
                   const std::string& file) {
     ImGui::Dummy({1, 6});
-    draw_line(state, "Image", theme::text, 18, true);
-    draw_line(state, file, theme::text_dim, 14);
+    write_wrapped(state, "Image", theme::text, true, 18);
+    write_wrapped(state, file, theme::text_dim, false, 14);
     const Node* found = state.document().find(node);
     const Examined* examined = found ? examined_at(state, *found, port) : nullptr;
     if (!examined) {
         const auto path = state.images.paths.find(file);
         const bool waits = path != state.images.paths.end() && state.images.busy();
-        return draw_line(state, waits ? "It is being looked at." : "It was not looked at.",
-                         theme::text_dim);
+        return write_wrapped(state, waits ? "It is being looked at." : "It was not looked at.",
+                             theme::text_dim);
     }
     if (!examined->problem.empty())
-        return draw_line(state, sentence(examined->problem), theme::warn);
+        return write_wrapped(state, sentence(examined->problem), theme::warn);
     draw_facts(state, *examined);
     draw_remarks(state, node, port);
 }
