@@ -13,6 +13,7 @@ using Names = std::set<std::string, std::less<>>;
 // author's whole face, "contract" its C header alone;
 // "library" the header of programs that embed us.
 const std::map<std::string, Names, std::less<>> allowed = {
+    {"core/allocator", {"mimalloc"}},
     {"core/base", {}},
     {"core/json", {"base", "nlohmann"}},
     {"core/sdk", {"sdk"}},
@@ -117,6 +118,7 @@ std::string library_of_file(std::string_view path) {
     if (path.starts_with("imgui")) return "imgui";
     if (path == "kissfft.hh") return "kissfft";
     if (path == "libdeflate.h") return "libdeflate";
+    if (path == "mimalloc.h") return "mimalloc";
     if (path.starts_with("tiny_gltf") || path.starts_with("tiny_obj")) return "mesh files";
     if (path.find('.') == path.npos || system_headers.contains(path)) return {};
     return std::string(path);
