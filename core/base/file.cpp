@@ -4,6 +4,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <cstdlib>
@@ -260,29 +261,62 @@ fs::path real_path(const fs::path& path, std::error_code& error) {
 }
 
 fs::path real_path(const fs::path& path) {
+    if (path.empty()) return real_path(".");
     std::error_code error;
-    const fs::path real = real_path(path.empty() ? fs::path(".") : path, error);
+    fs::path real = real_path(path, error);
     return error ? path : real;
 }
+
+namespace {
+
+bool is_inside(std::string_view real_root, std::string_view real) {
+    while (real_root.ends_with('/'))
+        real_root.remove_suffix(1);
+    const std::string_view below = real.substr(std::min(real_root.size(), real.size()));
+    return real.starts_with(real_root) && (below.empty() || below[0] == '/');
+}
+
+// What `name` is in a real folder as long as each of its parts is there, and is no link or dots:
+// one call for a part. "" otherwise.
+std::string plain_below(std::string_view folder, std::string_view name) {
+    if (!folder.starts_with('/')) return {};
+    std::string path(folder);
+    if (path.size() > 1 && path.ends_with('/')) path.pop_back();
+    while (!name.empty()) {
+        const std::string_view part = name.substr(0, name.find('/'));
+        const bool last = part.size() == name.size();
+        name.remove_prefix(last ? name.size() : part.size() + 1);
+        if (part.empty() || part == "." || part == "..") return {};
+        if (!path.ends_with('/')) path += '/';
+        path += part;
+        struct stat found {};
+        if (::lstat(path.c_str(), &found) != 0 || S_ISLNK(found.st_mode)) return {};
+        if (!last && !S_ISDIR(found.st_mode)) return {};
+    }
+    return path;
+}
+
+std::optional<fs::path> inside_root(std::string_view real_root, const fs::path& path) {
+    std::error_code error;
+    fs::path real = real_path(path, error);
+    if (error || !is_inside(real_root, real.native())) return {};
+    return real;
+}
+
+}  // namespace
 
 std::optional<fs::path> inside(const fs::path& root, const fs::path& path) {
     std::error_code error;
     const fs::path real_root = real_path(root, error);
     if (error) return {};
-    return inside_real(real_root, path);
+    return inside_root(real_root.native(), path);
 }
 
-std::optional<fs::path> inside_real(const fs::path& real_root, const fs::path& path) {
-    std::error_code error;
-    const fs::path real = real_path(path, error);
-    if (error) return {};
-    auto part = real.begin();
-    for (const fs::path& expected : real_root) {
-        if (expected.empty()) continue;  // a trailing slash
-        if (part == real.end() || *part != expected) return {};
-        ++part;
-    }
-    return real;
+std::optional<fs::path> inside_real(const fs::path& real_root, std::string_view folder,
+                                    std::string_view name) {
+    std::string plain = plain_below(folder, name);
+    if (!plain.empty() && is_inside(real_root.native(), plain)) return plain;
+    return inside_root(real_root.native(), fs::path(folder) / name);
 }
 
 }  // namespace wrinkle

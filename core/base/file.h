@@ -48,8 +48,8 @@ std::filesystem::path real_path(const std::filesystem::path& path);
 // or below it; nothing if it climbs out.
 std::optional<std::filesystem::path> inside(const std::filesystem::path& root,
                                             const std::filesystem::path& path);
-// The same below what real_path() gave.
+// The same of what `folder` names, where real_path() gave both the root and the folder.
 std::optional<std::filesystem::path> inside_real(const std::filesystem::path& real_root,
-                                                 const std::filesystem::path& path);
+                                                 std::string_view folder, std::string_view name);
 
 }  // namespace wrinkle

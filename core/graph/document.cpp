@@ -69,7 +69,7 @@ const Input* Node::find(std::string_view port) const {
 
 std::optional<std::string_view> Node::subgraph() const {
     static constexpr std::string_view prefix = "graph:";
-    if (type.compare(0, prefix.size(), prefix) != 0) return {};
+    if (!type.starts_with(prefix)) return {};
     return std::string_view(type).substr(prefix.size());
 }
 

@@ -25,8 +25,11 @@ std::optional<NamedFiles::Found> NamedFiles::plain_file(size_t file, std::string
     if (known == folders_[file].end())
         known = folders_[file].emplace(folder, resolve_file(*project_, file, folder)).first;
     if (!known->second) return {};
+    std::string path = known->second->native();
+    if (!path.ends_with('/')) path += '/';
+    path += last;
     Found found;
-    found.path = *known->second / last;
+    found.path = std::move(path);
     std::error_code error;
     found.type = fs::symlink_status(*found.path, error).type();
     if (found.type != fs::file_type::regular) return {};

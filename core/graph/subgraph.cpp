@@ -19,7 +19,6 @@ public:
 
     // Breadth first: files are appended while the loop runs.
     void run() {
-        known_[project_.files[0].path] = 0;
         for (size_t f = 0; f < project_.files.size(); ++f)
             read_subgraphs(f);
         check_uses();
@@ -27,17 +26,16 @@ public:
 
 private:
     void read_subgraphs(size_t f) {
-        const Document document = project_.files[f].document;
-        std::vector<uint32_t> subgraphs;
-        for (const NodePtr& node : document.nodes) {
-            const auto name = node->subgraph();
-            subgraphs.push_back(name ? find_or_read(f, document, *node, *name) : File::none);
-        }
+        const Table<NodePtr> nodes = project_.files[f].document.nodes;
+        std::vector<uint32_t> subgraphs(nodes.size(), File::none);
+        for (size_t n = 0; n < nodes.size(); ++n)
+            if (const auto name = nodes[n]->subgraph())
+                subgraphs[n] = find_or_read(f, *nodes[n], *name);
         project_.files[f].subgraphs = std::move(subgraphs);
     }
 
-    uint32_t find_or_read(size_t f, const Document& document, const Node& node,
-                          std::string_view name) {
+    uint32_t find_or_read(size_t f, const Node& node, std::string_view name) {
+        const Document& document = project_.files[f].document;  // as long as no file is added
         const auto fail = [&](const std::string& what, std::string expected) {
             diagnostics_.add(diagnose(document, node, "sub-graph " + json_quoted(name) + " " + what,
                                       std::move(expected)));
@@ -48,6 +46,7 @@ private:
         if (!path)
             return fail("is outside the root " + project_.root.string(),
                         "keep it below the root, or choose another with --root");
+        if (known_.empty()) known_[project_.files[0].path] = 0;
         if (const auto known = known_.find(*path); known != known_.end()) return known->second;
         std::string why = "is not a regular file";
         std::error_code error;
@@ -150,20 +149,20 @@ Project load_project(const fs::path& file, const ProjectOptions& options,
 
 Project load_project(Document top, const fs::path& folder, const ProjectOptions& options,
                      Diagnostics& diagnostics) {
-    const fs::path here = folder.empty() ? fs::path(".") : folder;
+    const std::string here = folder.empty() ? "." : folder.native();
     Project project;
-    File file;
-    file.path = real_path(here / fs::path(top.file).filename());
+    File& file = project.files.emplace_back();
+    file.path = real_path(here + '/' + top.file.substr(top.file.rfind('/') + 1));
     file.document = std::move(top);
     project.root = options.root.empty() ? file.path.parent_path() : real_path(options.root);
-    project.files.push_back(std::move(file));
     Loader(project, options, diagnostics).run();
     return project;
 }
 
 std::optional<fs::path> resolve_file(const Project& project, size_t file, std::string_view name) {
     if (name.find('\0') != name.npos) return {};
-    return inside_real(project.root, project.files[file].path.parent_path() / name);
+    const std::string_view path = project.files[file].path.native();
+    return inside_real(project.root, path.substr(0, path.rfind('/') + 1), name);
 }
 
 }  // namespace wrinkle

@@ -50,6 +50,12 @@ TEST_F(NamedFile, IsWhereItReallyIs) {
     EXPECT_EQ(place("pictures/none.png"), "pictures/none.png (none)");
     EXPECT_EQ(place("nowhere/own.png"), "nowhere/own.png (none)");
     EXPECT_EQ(place("pictures"), "pictures (folder)");
+    EXPECT_EQ(place("pictures/"), "pictures (folder)");
+    EXPECT_EQ(place("same/"), "pictures (folder)");
+    EXPECT_EQ(place("pictures//own.png"), "pictures/own.png");
+    EXPECT_EQ(place("./pictures/./own.png"), "pictures/own.png");
+    EXPECT_EQ(place("pictures/own.png/"), "pictures/own.png/ (none)");
+    EXPECT_EQ(place("pictures/own.png/own.png"), "pictures/own.png/own.png (none)");
     EXPECT_EQ(place((folder / "in/pictures/own.png").string()), "pictures/own.png");
 }
 
@@ -59,6 +65,20 @@ TEST_F(NamedFile, NeverLeavesTheRoot) {
     EXPECT_EQ(place("../outside/picture.png"), "outside");
     EXPECT_EQ(place("pictures/../../outside/picture.png"), "outside");
     EXPECT_EQ(place(std::string("pictures/own.png\0", 17)), "outside");
+}
+
+// The folder of the graph is below the root, or beside it; the root is all there is.
+TEST_F(NamedFile, IsHeldAgainstTheRootThatWasGiven) {
+    const auto found = [&](const fs::path& root) {
+        project = load_project(folder / "in/top.json", {.root = root, .limits = {}}, diagnostics);
+        files.emplace(project);
+        return files->find(0, "pictures/own.png").path;
+    };
+    EXPECT_EQ(found(folder), folder / "in/pictures/own.png");
+    EXPECT_EQ(found("/"), folder / "in/pictures/own.png");
+    EXPECT_EQ(found(folder / "in/pictures"), folder / "in/pictures/own.png");
+    EXPECT_FALSE(found(folder / "in/pic").has_value());
+    EXPECT_FALSE(found(folder / "outside").has_value());
 }
 
 }  // namespace
