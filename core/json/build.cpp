@@ -11,9 +11,8 @@ namespace {
 void add_text(Tree& tree, Kind kind, std::string_view text, uint32_t parent) {
     Entry entry;
     entry.kind = kind;
-    entry.text = static_cast<uint32_t>(tree.pool.size());
+    entry.place = static_cast<uint32_t>(tree.pool.size());
     entry.length = static_cast<uint32_t>(text.size());
-    entry.next = static_cast<uint32_t>(tree.entries.size() + 1);
     entry.parent = parent;
     entry.pooled = true;
     tree.pool += text;
@@ -23,18 +22,19 @@ void add_text(Tree& tree, Kind kind, std::string_view text, uint32_t parent) {
 void add_copy(Tree& tree, const Value& value, uint32_t parent) {
     const Tree* from = tree_of(value);
     const uint32_t begin = index_of(value);
-    const uint32_t end = from ? from->entries[begin].next : begin + 1;
+    const uint32_t end = from ? from->after(begin) : begin + 1;
     const auto to = static_cast<uint32_t>(tree.entries.size());
     for (uint32_t i = begin; i < end; ++i) {
         Entry entry = from ? from->entries[i] : Entry{};
-        if (from && !is_container(entry.kind)) {
+        if (is_container(entry.kind)) {
+            entry.place += to - begin;
+        } else if (from) {
             const std::string_view text = from->text(entry);
-            entry.text = static_cast<uint32_t>(tree.pool.size());
+            entry.place = static_cast<uint32_t>(tree.pool.size());
             entry.pooled = true;
             tree.pool += text;
         }
         entry.offset = 0;
-        entry.next = from ? entry.next - begin + to : to + 1;
         entry.parent = i == begin ? parent : entry.parent - begin + to;
         if (i == begin) entry.duplicate = false;
         tree.entries.push_back(entry);
@@ -60,7 +60,7 @@ Tree container(Kind kind, size_t size) {
 }
 
 Value closed(Tree tree) {
-    tree.entries[0].next = static_cast<uint32_t>(tree.entries.size());
+    tree.entries[0].place = static_cast<uint32_t>(tree.entries.size());
     return built(std::move(tree));
 }
 

@@ -34,13 +34,9 @@ Letter letter_of(char c) {
     return table[static_cast<unsigned char>(c)];
 }
 
-bool is_plain(char c) {  // in a string
-    return letter_of(c) <= Letter::plain;
-}
-
 // What the library is given of the text. Of a string of plain characters it sees the quotes alone:
 // it has nothing to say about the rest, which is sliced from the source. Nor about space behind
-// punctuation, which begins and ends no token.
+// punctuation, which begins and ends no token. The zero behind a text ends what is passed over.
 struct Feed {
     const char* at = nullptr;  // what is given next
     const char* end = nullptr;
@@ -50,9 +46,9 @@ struct Feed {
     bool escaped = false;
     bool passed = false;  // of the latest string: between its quotes nothing was given
 
-    void take(char c) {
+    void take() {
+        const Letter letter = letter_of(*at);
         taken = ++at;
-        const Letter letter = letter_of(c);
         if (in_string)
             end_of_string(letter);
         else if (letter == Letter::punctuation)
@@ -63,14 +59,16 @@ struct Feed {
 
 private:
     void skip_space() {
-        while (at != end && is_space(*at))
+        while (is_space(*at))
             ++at;
     }
     void begin_string() {
         string = at - 1;
         in_string = true;
-        const char* close = std::find_if_not(at, end, is_plain);
-        passed = close != end && *close == '"';
+        const char* close = at;
+        while (letter_of(*close) <= Letter::plain)
+            ++close;
+        passed = *close == '"';
         if (passed) at = close;
     }
     void end_of_string(Letter letter) {
@@ -91,7 +89,7 @@ struct FeedIterator {
 
     const char& operator*() const { return *feed->at; }
     FeedIterator& operator++() {
-        feed->take(*feed->at);
+        feed->take();
         return *this;
     }
     FeedIterator operator++(int) {
@@ -110,10 +108,10 @@ bool is_number_character(char c) {
 class Handler {
 public:
     Handler(const std::shared_ptr<Tree>& tree, Diagnostics& diagnostics, ParseLimits limits)
-        : tree_(tree), diagnostics_(diagnostics), limits_(limits) {
-        cursor_ = tree->lines[0];
-        feed_.at = feed_.taken = tree->source.data();
-        feed_.end = feed_.at + tree->source.size();
+        : shared_(tree), tree_(*tree), diagnostics_(diagnostics), limits_(limits) {
+        cursor_ = tree_.lines[0];
+        feed_.at = feed_.taken = tree_.source.data();
+        feed_.end = feed_.at + tree_.source.size();
     }
 
     bool null() { return literal(Kind::null, 4, false); }
@@ -122,24 +120,18 @@ public:
     bool number_unsigned(uint64_t) { return number(); }
     bool number_float(double, const std::string&) { return number(); }
     bool string(std::string& text) { return add_string(text); }
-    bool key(std::string& text) {
-        pending_key_ = true;
-        return add_string(text);
-    }
+    bool key(std::string& text) { return add_string(text); }
     bool binary(std::vector<uint8_t>&) { return false; }
     bool start_object(size_t) { return open(Kind::object); }
     bool start_array(size_t) { return open(Kind::array); }
-    bool end_object() {
-        find_duplicates(open_.back());
-        return close();
-    }
+    bool end_object() { return close(); }
     bool end_array() { return close(); }
 
     template <class Exception>
     bool parse_error(size_t, const std::string&, const Exception& exception) {
-        const SyntaxError error = explain(exception.what(), tree_->source, cursor_, consumed());
-        report(error.offset, Value(tree_, open_.empty() ? 0 : open_.back()).pointer(),
-               error.message, error.expected);
+        const SyntaxError error = explain(exception.what(), tree_.source, cursor_, consumed());
+        report(error.offset, Value(shared_, open_.back().entry).pointer(), error.message,
+               error.expected);
         return false;
     }
 
@@ -148,7 +140,7 @@ public:
 
     void report(uint32_t offset, std::string pointer, std::string message, std::string expected) {
         Diagnostic diagnostic;
-        diagnostic.where = tree_->location(offset);
+        diagnostic.where = tree_.location(offset);
         diagnostic.pointer = std::move(pointer);
         diagnostic.message = std::move(message);
         diagnostic.expected = std::move(expected);
@@ -157,36 +149,35 @@ public:
 
     // After an error: what is open ends here.
     void cut() {
-        if (pending_key_) {
-            tree_->entries.pop_back();
-            --tree_->entries[open_.back()].length;
+        if (open_.back().of_object && open_.back().added % 2 == 1) {
+            tree_.entries.pop_back();  // a key without its value
+            --open_.back().added;
         }
-        while (!open_.empty()) {
-            Entry& entry = tree_->entries[open_.back()];
-            entry.cut_off = true;
-            if (entry.kind == Kind::object) find_duplicates(open_.back());
-            close();
-        }
+        for (; open_.size() > 1; close())
+            tree_.entries[open_.back().entry].cut_off = true;
     }
 
 private:
+    struct Open {
+        uint32_t entry;
+        uint32_t added = 0;  // entries right below: values, and in an object keys
+        bool of_object = false;
+    };
+
     uint32_t offset_of(const char* at) const {
-        return static_cast<uint32_t>(at - tree_->source.data());
+        return static_cast<uint32_t>(at - tree_.source.data());
     }
     uint32_t consumed() const { return offset_of(feed_.taken); }
-    uint32_t start() const { return token_start(tree_->source, cursor_, ~0u); }
+    uint32_t start() const { return token_start(tree_.source, cursor_, ~0u); }
 
     Entry& add(Kind kind, uint32_t offset) {
-        Entry entry;
-        entry.kind = kind;
+        Open& parent = open_.back();
+        ++parent.added;
+        Entry& entry = tree_.entries.emplace_back();
         entry.offset = offset;
-        entry.next = static_cast<uint32_t>(tree_->entries.size() + 1);
-        entry.parent = open_.empty() ? 0 : open_.back();
-        const bool is_value_of_key = pending_key_ && after_key_;
-        if (!open_.empty() && !is_value_of_key) ++tree_->entries[open_.back()].length;
-        after_key_ = pending_key_ && !after_key_;
-        if (is_value_of_key) pending_key_ = false;
-        return tree_->entries.emplace_back(entry);
+        entry.parent = parent.entry;
+        entry.kind = kind;
+        return entry;
     }
 
     bool literal(Kind kind, uint32_t length, bool truth) {
@@ -197,15 +188,13 @@ private:
     }
 
     bool number() {
-        const std::string& source = tree_->source;
+        const std::string& source = tree_.source;
         const uint32_t offset = start();
         uint32_t end = offset;
         while (end < source.size() && is_number_character(source[end]))
             ++end;
         cursor_ = end;
-        Entry& entry = add(Kind::number, offset);
-        entry.text = offset;
-        entry.length = end - offset;
+        add(Kind::number, offset).length = end - offset;
         return true;
     }
 
@@ -213,49 +202,51 @@ private:
         const uint32_t offset = offset_of(feed_.string);
         cursor_ = consumed();
         Entry& entry = add(Kind::string, offset);
-        entry.text = offset + 1;
         entry.length = cursor_ - offset - 2;
         if (feed_.passed || entry.length == text.size()) return true;
         entry.length = static_cast<uint32_t>(text.size());
         entry.pooled = true;
-        entry.text = static_cast<uint32_t>(tree_->pool.size());
-        tree_->pool += text;
+        entry.place = static_cast<uint32_t>(tree_.pool.size());
+        tree_.pool += text;
         return true;
     }
 
     bool open(Kind kind) {
         cursor_ = consumed();
         const uint32_t offset = cursor_ - 1;
-        if (open_.size() >= limits_.depth) {
-            report(offset, Value(tree_, open_.back()).pointer(),
+        if (open_.size() > limits_.depth) {
+            report(offset, Value(shared_, open_.back().entry).pointer(),
                    "nested more than " + std::to_string(limits_.depth) + " deep",
                    "arrays and objects nest at most " + std::to_string(limits_.depth) + " deep");
             return false;
         }
         add(kind, offset);
-        open_.push_back(static_cast<uint32_t>(tree_->entries.size() - 1));
+        open_.push_back({static_cast<uint32_t>(tree_.entries.size() - 1), 0, kind == Kind::object});
         return true;
     }
 
     bool close() {
         cursor_ = consumed();
-        tree_->entries[open_.back()].next = static_cast<uint32_t>(tree_->entries.size());
+        const Open ends = open_.back();
         open_.pop_back();
+        Entry& entry = tree_.entries[ends.entry];
+        entry.length = ends.of_object ? ends.added / 2 : ends.added;
+        entry.place = static_cast<uint32_t>(tree_.entries.size());
+        if (ends.of_object && entry.length > 1) find_duplicates(ends.entry);
         return true;
     }
 
     // Marks each member whose key stood before; of many keys with a hash table.
     void find_duplicates(uint32_t object) {
         constexpr uint32_t few = 8;
-        std::vector<Entry>& entries = tree_->entries;
-        if (entries[object].length < 2) return;
+        const std::vector<Entry>& entries = tree_.entries;
         if (entries[object].length <= few) return find_few_duplicates(object);
         slots_.assign(std::bit_ceil(size_t{entries[object].length} * 2), 0);
         const size_t mask = slots_.size() - 1;
-        for (uint32_t k = object + 1; k < entries.size(); k = entries[k + 1].next) {
-            const std::string_view key = tree_->text(entries[k]);
+        for (uint32_t k = object + 1; k < entries.size(); k = tree_.after(k + 1)) {
+            const std::string_view key = tree_.text(entries[k]);
             size_t slot = text_hash(key) & mask;
-            while (slots_[slot] != 0 && tree_->text(entries[slots_[slot]]) != key)
+            while (slots_[slot] != 0 && tree_.text(entries[slots_[slot]]) != key)
                 slot = (slot + 1) & mask;
             if (slots_[slot] == 0)
                 slots_[slot] = k;
@@ -265,36 +256,38 @@ private:
     }
 
     void find_few_duplicates(uint32_t object) {
-        const std::vector<Entry>& entries = tree_->entries;
-        for (uint32_t k = object + 1; k < entries.size(); k = entries[k + 1].next) {
-            const std::string_view key = tree_->text(entries[k]);
-            uint32_t first = object + 1;
-            while (first < k && (entries[first].duplicate || tree_->text(entries[first]) != key))
-                first = entries[first + 1].next;
-            if (first < k) duplicate(object, first, k);
-        }
+        for (uint32_t k = object + 1; k < tree_.entries.size(); k = tree_.after(k + 1))
+            for (uint32_t first = object + 1; first < k; first = tree_.after(first + 1))
+                if (!tree_.entries[first].duplicate && same_text(first, k)) {
+                    duplicate(object, first, k);
+                    break;
+                }
+    }
+
+    bool same_text(uint32_t a, uint32_t b) const {
+        const Entry &one = tree_.entries[a], &two = tree_.entries[b];
+        return one.length == two.length && tree_.text(one) == tree_.text(two);
     }
 
     void duplicate(uint32_t object, uint32_t first, uint32_t again) {
-        std::vector<Entry>& entries = tree_->entries;
+        std::vector<Entry>& entries = tree_.entries;
         entries[again].duplicate = entries[again + 1].duplicate = true;
         --entries[object].length;
         if (diagnostics_.dropped() > 0) return diagnostics_.add({});  // only counted from there on
-        const Location before = tree_->location(entries[first].offset);
-        report(entries[again].offset, Value(tree_, again + 1).pointer(),
-               "key " + json_quoted(tree_->text(entries[again])) + " stands twice",
+        const Location before = tree_.location(entries[first].offset);
+        report(entries[again].offset, Value(shared_, again + 1).pointer(),
+               "key " + json_quoted(tree_.text(entries[again])) + " stands twice",
                "first at line " + std::to_string(before.line) + ", column " +
                    std::to_string(before.column));
     }
 
-    std::shared_ptr<Tree> tree_;
+    std::shared_ptr<Tree> shared_;
+    Tree& tree_;
     Diagnostics& diagnostics_;
     ParseLimits limits_;
     Feed feed_;
-    uint32_t cursor_ = 0;         // end of the last token understood
-    bool pending_key_ = false;    // a key was announced and its value is not there yet
-    bool after_key_ = false;      // and the key's own entry is
-    std::vector<uint32_t> open_;  // containers
+    uint32_t cursor_ = 0;              // end of the last token understood
+    std::vector<Open> open_{Open{0}};  // the whole text, and containers in it
     std::vector<uint32_t> slots_;
 };
 
@@ -332,10 +325,7 @@ Parsed parse(std::string text, std::string file, Diagnostics& diagnostics, Parse
     Handler handler(tree, diagnostics, limits);
     const bool complete = read_all(*tree, handler);
     if (!complete) handler.cut();
-    if (tree->entries.empty()) {
-        tree->entries.emplace_back();
-        tree->entries[0].next = 1;
-    }
+    if (tree->entries.empty()) tree->entries.emplace_back();
     return {Value(tree, 0), complete};
 }
 

@@ -20,7 +20,7 @@ SyntaxError explain(std::string_view what, std::string_view source, uint32_t cur
                     uint32_t consumed);
 
 inline bool is_space(char c) {
-    return c == ' ' || c == '\t' || c == '\n' || c == '\r';
+    return c <= ' ' && (c == ' ' || c == '\n' || c == '\t' || c == '\r');
 }
 
 // From `cursor` over white space, and over ',' and ':' that stand before `limit`.

@@ -1,7 +1,8 @@
 // The flat tree behind all values of one text; for core/json alone.
 //
 // Entries stand in source order: a container, then its children; in an object every child is two
-// entries, key then value. `next` jumps over an entry's whole sub-tree, so no walk recurses.
+// entries, key then value. `after` jumps over an entry's whole sub-tree, so no walk recurses. Large
+// texts have millions of entries: the time that one takes is that of its bytes.
 #pragma once
 
 #include <cstdint>
@@ -15,16 +16,20 @@ namespace wrinkle::json {
 
 struct Entry {
     uint32_t offset = 0;  // of its first byte in the source
-    uint32_t text = 0;    // of a string or number, in the source or the pool
-    uint32_t length = 0;  // of the text; of a container the number of children
-    uint32_t next = 0;
+    uint32_t length = 0;  // of a string's or number's text; of a container the number of children
+    uint32_t place = 0;   // of a container the entry behind its last; of a pooled text in the pool
     uint32_t parent = 0;  // the root's is itself
     Kind kind = Kind::null;
-    bool truth = false;
-    bool pooled = false;     // text stands in the pool: built, or had escapes
-    bool cut_off = false;    // a container without its end
-    bool duplicate = false;  // key and value both; not a child
+    bool truth : 1 = false;
+    bool pooled : 1 = false;     // text stands in the pool: built, or had escapes
+    bool cut_off : 1 = false;    // a container without its end
+    bool duplicate : 1 = false;  // key and value both; not a child
 };
+static_assert(sizeof(Entry) == 20);
+
+inline bool is_container(Kind kind) {
+    return kind == Kind::array || kind == Kind::object;
+}
 
 struct Tree {
     std::string file;
@@ -35,8 +40,13 @@ struct Tree {
     std::vector<Entry> entries;
 
     bool was_read() const { return !lines.empty(); }
+    // Of a string, decoded, or of a number.
     std::string_view text(const Entry& entry) const {
-        return {(entry.pooled ? pool : source).data() + entry.text, entry.length};
+        if (entry.pooled) return {pool.data() + entry.place, entry.length};
+        return {source.data() + entry.offset + (entry.kind == Kind::string), entry.length};
+    }
+    uint32_t after(uint32_t i) const {
+        return is_container(entries[i].kind) ? entries[i].place : i + 1;
     }
     void index_source();  // fills lines and blocks
     Location location(uint32_t offset) const;
@@ -44,10 +54,6 @@ struct Tree {
 private:
     uint32_t characters_before(uint32_t offset) const;
 };
-
-inline bool is_container(Kind kind) {
-    return kind == Kind::array || kind == Kind::object;
-}
 
 // For the writer, which walks the entries themselves. A null Value has no tree.
 const Tree* tree_of(const Value& value);

@@ -39,7 +39,7 @@ std::string pointer_token(std::string_view key) {
 
 uint32_t item_number(const Tree& tree, uint32_t array, uint32_t item) {
     uint32_t number = 0;
-    for (uint32_t i = array + 1; i != item; i = tree.entries[i].next)
+    for (uint32_t i = array + 1; i != item; i = tree.after(i))
         ++number;
     return number;
 }
@@ -105,9 +105,10 @@ Children Value::children() const {
 
 Value Value::find(std::string_view key) const {
     if (!is(Kind::object)) return {};
-    const std::vector<Entry>& entries = tree_->entries;
-    for (uint32_t i = index_ + 1; i < entries[index_].next; i = entries[i + 1].next)
-        if (!entries[i].duplicate && tree_->text(entries[i]) == key) return {tree_, i + 1};
+    const Tree& tree = *tree_;
+    const uint32_t end = tree.after(index_);
+    for (uint32_t i = index_ + 1; i < end; i = tree.after(i + 1))
+        if (!tree.entries[i].duplicate && tree.text(tree.entries[i]) == key) return {tree_, i + 1};
     return {};
 }
 
@@ -119,7 +120,7 @@ Value Value::at(size_t item) const {
     assert(is(Kind::array) && item < size());
     uint32_t i = index_ + 1;
     for (; item > 0; --item)
-        i = tree_->entries[i].next;
+        i = tree_->after(i);
     return {tree_, i};
 }
 
@@ -173,8 +174,8 @@ bool Value::same(const Value& other) const {
 bool operator==(const Value& a, const Value& b) {
     if (a.same(b)) return true;
     if (!a.tree_ || !b.tree_) return a.kind() == b.kind() && a.is(Kind::null);
-    const uint32_t count = entry_of(a).next - a.index_;
-    if (entry_of(b).next - b.index_ != count) return false;
+    const uint32_t count = a.tree_->after(a.index_) - a.index_;
+    if (b.tree_->after(b.index_) - b.index_ != count) return false;
     for (uint32_t i = 0; i < count; ++i) {
         const Entry& one = a.tree_->entries[a.index_ + i];
         const Entry& two = b.tree_->entries[b.index_ + i];
@@ -192,9 +193,9 @@ namespace {
 
 // Steps over duplicate members from the key or item at `i` on; what it gives is a child's value.
 uint32_t child_at(const Tree& tree, const Value& parent, bool object, uint32_t i) {
-    const uint32_t end = tree.entries[index_of(parent)].next;
+    const uint32_t end = tree.after(index_of(parent));
     while (i < end && object && tree.entries[i].duplicate)
-        i = tree.entries[i + 1].next;
+        i = tree.after(i + 1);
     return i + object;
 }
 
@@ -211,7 +212,7 @@ Children::Iterator Children::end() const {
     const Tree* tree = tree_of(parent_);
     const bool object = parent_.is(Kind::object);
     if (!object && !parent_.is(Kind::array)) return {&parent_, 0, false};
-    return {&parent_, tree->entries[index_of(parent_)].next + object, object};
+    return {&parent_, tree->after(index_of(parent_)) + object, object};
 }
 
 const Member& Children::Iterator::operator*() {
@@ -224,7 +225,7 @@ const Member& Children::Iterator::operator*() {
 
 Children::Iterator& Children::Iterator::operator++() {
     const Tree& tree = *tree_of(*parent_);
-    index_ = child_at(tree, *parent_, object_, tree.entries[index_].next);
+    index_ = child_at(tree, *parent_, object_, tree.after(index_));
     return *this;
 }
 

@@ -18,7 +18,7 @@ std::string scalar(const Tree& tree, const Entry& entry) {
 // Columns of every entry when written on one line; a key with its ": ". Children stand behind
 // their container, so one loop from the back suffices.
 std::vector<size_t> flat_widths(const Tree& tree, uint32_t root) {
-    const uint32_t end = tree.entries[root].next;
+    const uint32_t end = tree.after(root);
     std::vector<size_t> widths(end - root, 0);
     std::vector<bool> key(end - root, false);
     for (uint32_t i = end; i-- > root;) {
@@ -91,17 +91,17 @@ private:
         const bool object = entry.kind == Kind::object;
         if (entry.length == 0) {
             out_ += object ? "{}" : "[]";
-            return entry.next;
+            return entry.place;
         }
         const bool flat = fits(i);
         out_ += object ? '{' : '[';
-        open_.push_back({entry.next, object, flat, true});
+        open_.push_back({entry.place, object, flat, true});
         return i + 1;
     }
 
     uint32_t write_child(uint32_t i) {
         Open& open = open_.back();
-        if (open.object && tree_.entries[i].duplicate) return tree_.entries[i + 1].next;
+        if (open.object && tree_.entries[i].duplicate) return tree_.after(i + 1);
         if (!open.first) out_ += ',';
         if (!open.flat)
             new_line();
