@@ -17,7 +17,10 @@ public:
                 std::string expected);
     // False, and reported, when the value is of another kind; `name` is what it should be.
     bool expect(const json::Value& value, json::Kind kind, std::string_view name,
-                std::string_view node);
+                std::string_view node) {
+        if (!value.is(kind)) wrong_kind(value, kind, name, node);
+        return value.is(kind);
+    }
     // False, and reported, when the key of `value` cannot be an id or name.
     bool expect_id(const json::Value& value, std::string_view what, std::string_view id,
                    bool reserved);
@@ -25,6 +28,9 @@ public:
     Diagnostics& list() { return list_; }
 
 private:
+    void wrong_kind(const json::Value& value, json::Kind kind, std::string_view name,
+                    std::string_view node);
+
     Diagnostics list_;
 };
 

@@ -109,7 +109,7 @@ class Handler {
 public:
     Handler(const std::shared_ptr<Tree>& tree, Diagnostics& diagnostics, ParseLimits limits)
         : shared_(tree), tree_(*tree), diagnostics_(diagnostics), limits_(limits) {
-        cursor_ = tree_.lines[0];
+        cursor_ = begin_of(tree_.source);
         feed_.at = feed_.taken = tree_.source.data();
         feed_.end = feed_.at + tree_.source.size();
     }
@@ -149,19 +149,18 @@ public:
 
     // After an error: what is open ends here.
     void cut() {
-        if (open_.back().of_object && open_.back().added % 2 == 1) {
-            tree_.entries.pop_back();  // a key without its value
-            --open_.back().added;
+        for (; open_.size() > 1; close()) {
+            Entry& entry = tree_.entries[open_.back().entry];
+            entry.cut_off = true;
+            const bool lone_key = entry.kind == Kind::object && open_.back().added % 2 == 1;
+            if (lone_key) tree_.entries.pop_back();
         }
-        for (; open_.size() > 1; close())
-            tree_.entries[open_.back().entry].cut_off = true;
     }
 
 private:
     struct Open {
         uint32_t entry;
         uint32_t added = 0;  // entries right below: values, and in an object keys
-        bool of_object = false;
     };
 
     uint32_t offset_of(const char* at) const {
@@ -221,7 +220,7 @@ private:
             return false;
         }
         add(kind, offset);
-        open_.push_back({static_cast<uint32_t>(tree_.entries.size() - 1), 0, kind == Kind::object});
+        open_.push_back({static_cast<uint32_t>(tree_.entries.size() - 1)});
         return true;
     }
 
@@ -230,9 +229,11 @@ private:
         const Open ends = open_.back();
         open_.pop_back();
         Entry& entry = tree_.entries[ends.entry];
-        entry.length = ends.of_object ? ends.added / 2 : ends.added;
+        entry.length = ends.added;
         entry.place = static_cast<uint32_t>(tree_.entries.size());
-        if (ends.of_object && entry.length > 1) find_duplicates(ends.entry);
+        if (entry.kind == Kind::array) return true;
+        entry.length /= 2;
+        if (entry.length > 1) find_duplicates(ends.entry);
         return true;
     }
 
@@ -240,10 +241,11 @@ private:
     void find_duplicates(uint32_t object) {
         constexpr uint32_t few = 8;
         const std::vector<Entry>& entries = tree_.entries;
-        if (entries[object].length <= few) return find_few_duplicates(object);
+        const uint32_t end = entries[object].place;
+        if (entries[object].length <= few) return find_few_duplicates(object, end);
         slots_.assign(std::bit_ceil(size_t{entries[object].length} * 2), 0);
         const size_t mask = slots_.size() - 1;
-        for (uint32_t k = object + 1; k < entries.size(); k = tree_.after(k + 1)) {
+        for (uint32_t k = object + 1; k < end; k = tree_.after(k + 1)) {
             const std::string_view key = tree_.text(entries[k]);
             size_t slot = text_hash(key) & mask;
             while (slots_[slot] != 0 && tree_.text(entries[slots_[slot]]) != key)
@@ -255,8 +257,8 @@ private:
         }
     }
 
-    void find_few_duplicates(uint32_t object) {
-        for (uint32_t k = object + 1; k < tree_.entries.size(); k = tree_.after(k + 1))
+    void find_few_duplicates(uint32_t object, uint32_t end) {
+        for (uint32_t k = tree_.after(object + 2); k < end; k = tree_.after(k + 1))
             for (uint32_t first = object + 1; first < k; first = tree_.after(first + 1))
                 if (!tree_.entries[first].duplicate && same_text(first, k)) {
                     duplicate(object, first, k);
@@ -320,7 +322,7 @@ Parsed parse(std::string text, std::string file, Diagnostics& diagnostics, Parse
     tree->file = std::move(file);
     tree->source = std::move(text);
     if (too_large(*tree, diagnostics)) return {};
-    tree->index_source();
+    tree->lines = std::make_unique<Lines>();
     tree->entries.reserve(std::min(tree->source.size() / bytes_an_entry, most_expected_entries));
     Handler handler(tree, diagnostics, limits);
     const bool complete = read_all(*tree, handler);

@@ -16,27 +16,34 @@ uint32_t count_characters(const char* begin, const char* end) {
 
 }  // namespace
 
-void Tree::index_source() {
-    lines.assign(1, source.compare(0, 3, "\xEF\xBB\xBF") == 0 ? 3 : 0);
-    for (size_t at = source.find('\n'); at != source.npos; at = source.find('\n', at + 1))
-        lines.push_back(static_cast<uint32_t>(at + 1));
-    blocks.assign(1, 0);
-    const char* data = source.data();
-    for (size_t end = block_size; end <= source.size(); end += block_size)
-        blocks.push_back(blocks.back() + count_characters(data + end - block_size, data + end));
+void Lines::find_all(std::string_view text) {
+    begins_.assign(1, begin_of(text));
+    for (size_t at = text.find('\n'); at != text.npos; at = text.find('\n', at + 1))
+        begins_.push_back(static_cast<uint32_t>(at + 1));
+    blocks_.assign(1, 0);
+    const char* data = text.data();
+    for (size_t end = block_size; end <= text.size(); end += block_size)
+        blocks_.push_back(blocks_.back() + count_characters(data + end - block_size, data + end));
 }
 
-uint32_t Tree::characters_before(uint32_t offset) const {
+uint32_t Lines::characters_before(std::string_view text, uint32_t offset) const {
     const uint32_t block = offset / block_size;
-    const char* data = source.data();
-    return blocks[block] + count_characters(data + block * block_size, data + offset);
+    const char* data = text.data();
+    return blocks_[block] + count_characters(data + block * block_size, data + offset);
+}
+
+Location Lines::location(std::string_view text, uint32_t offset) {
+    std::call_once(found_, [&] { find_all(text); });
+    const auto after = std::upper_bound(begins_.begin() + 1, begins_.end(), offset);
+    const uint32_t begin = std::min(*(after - 1), offset);
+    const auto line = static_cast<uint32_t>(after - begins_.begin());
+    return {"", line, characters_before(text, offset) - characters_before(text, begin) + 1};
 }
 
 Location Tree::location(uint32_t offset) const {
-    const auto after = std::upper_bound(lines.begin() + 1, lines.end(), offset);
-    const uint32_t begin = std::min(*(after - 1), offset);
-    const auto line = static_cast<uint32_t>(after - lines.begin());
-    return {file, line, characters_before(offset) - characters_before(begin) + 1};
+    Location location = lines->location(source, offset);
+    location.file = file;
+    return location;
 }
 
 }  // namespace wrinkle::json

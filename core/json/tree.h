@@ -6,6 +6,8 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
+#include <mutex>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -31,15 +33,29 @@ inline bool is_container(Kind kind) {
     return kind == Kind::array || kind == Kind::object;
 }
 
+// Where the lines of a text begin. Nobody asks before there is something to report: it is made then.
+class Lines {
+public:
+    // Of a byte of the text, which is the same at every call; without the file.
+    Location location(std::string_view text, uint32_t offset);
+
+private:
+    void find_all(std::string_view text);
+    uint32_t characters_before(std::string_view text, uint32_t offset) const;
+
+    std::once_flag found_;          // values are read by several threads
+    std::vector<uint32_t> begins_;  // offset of each line's first character
+    std::vector<uint32_t> blocks_;  // UTF-8 characters before each block of the text
+};
+
 struct Tree {
     std::string file;
     std::string source;
     std::string pool;
-    std::vector<uint32_t> lines;   // offset of each line's first character; empty when built
-    std::vector<uint32_t> blocks;  // UTF-8 characters before each block of the source
+    std::unique_ptr<Lines> lines;  // none when built
     std::vector<Entry> entries;
 
-    bool was_read() const { return !lines.empty(); }
+    bool was_read() const { return lines != nullptr; }
     // Of a string, decoded, or of a number.
     std::string_view text(const Entry& entry) const {
         if (entry.pooled) return {pool.data() + entry.place, entry.length};
@@ -48,12 +64,13 @@ struct Tree {
     uint32_t after(uint32_t i) const {
         return is_container(entries[i].kind) ? entries[i].place : i + 1;
     }
-    void index_source();  // fills lines and blocks
     Location location(uint32_t offset) const;
-
-private:
-    uint32_t characters_before(uint32_t offset) const;
 };
+
+// Where a text begins: behind its byte order mark.
+inline uint32_t begin_of(std::string_view source) {
+    return source.starts_with("\xEF\xBB\xBF") ? 3 : 0;
+}
 
 // For the writer, which walks the entries themselves. A null Value has no tree.
 const Tree* tree_of(const Value& value);

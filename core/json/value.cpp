@@ -189,44 +189,26 @@ bool operator==(const Value& a, const Value& b) {
     return true;
 }
 
-namespace {
-
-// Steps over duplicate members from the key or item at `i` on; what it gives is a child's value.
-uint32_t child_at(const Tree& tree, const Value& parent, bool object, uint32_t i) {
-    const uint32_t end = tree.after(index_of(parent));
-    while (i < end && object && tree.entries[i].duplicate)
-        i = tree.after(i + 1);
-    return i + object;
+Children::Iterator::Iterator(const Value& parent) : object_(parent.is(Kind::object)) {
+    if (object_ || parent.is(Kind::array)) {
+        current_.value = parent;
+        next_ = parent.index_ + 1;
+        end_ = parent.tree_->after(parent.index_);
+    }
+    step();
 }
 
-}  // namespace
-
-Children::Iterator Children::begin() const {
-    const Tree* tree = tree_of(parent_);
-    const bool object = parent_.is(Kind::object);
-    if (!object && !parent_.is(Kind::array)) return {&parent_, 0, false};
-    return {&parent_, child_at(*tree, parent_, object, index_of(parent_) + 1), object};
-}
-
-Children::Iterator Children::end() const {
-    const Tree* tree = tree_of(parent_);
-    const bool object = parent_.is(Kind::object);
-    if (!object && !parent_.is(Kind::array)) return {&parent_, 0, false};
-    return {&parent_, tree->after(index_of(parent_)) + object, object};
-}
-
-const Member& Children::Iterator::operator*() {
-    const std::shared_ptr<const Tree>& tree = parent_->tree();
-    if (!current_.value.tree_) current_.value.tree_ = tree;
-    current_.value.index_ = index_;
-    if (object_) current_.key = tree->text(tree->entries[index_ - 1]);
-    return current_;
-}
-
-Children::Iterator& Children::Iterator::operator++() {
-    const Tree& tree = *tree_of(*parent_);
-    index_ = child_at(tree, *parent_, object_, tree.after(index_));
-    return *this;
+void Children::Iterator::step() {
+    while (next_ < end_) {
+        const Tree& tree = *current_.value.tree_;
+        const Entry& entry = tree.entries[next_];  // the key in an object
+        current_.value.index_ = next_ + object_;
+        next_ = tree.after(current_.value.index_);
+        if (entry.duplicate) continue;
+        if (object_) current_.key = tree.text(entry);
+        return;
+    }
+    done_ = true;
 }
 
 }  // namespace wrinkle::json

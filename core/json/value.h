@@ -10,6 +10,7 @@
 
 #include <cstdint>
 #include <initializer_list>
+#include <iterator>
 #include <memory>
 #include <span>
 #include <string>
@@ -92,22 +93,26 @@ class Children {
 public:
     class Iterator {
     public:
-        Iterator(const Value* parent, uint32_t index, bool object)
-            : parent_(parent), index_(index), object_(object) {}
-        const Member& operator*();  // until the next step
-        Iterator& operator++();
-        bool operator==(const Iterator& other) const { return index_ == other.index_; }
+        explicit Iterator(const Value& parent);               // at the first child
+        const Member& operator*() const { return current_; }  // until the next step
+        Iterator& operator++() {
+            step();
+            return *this;
+        }
+        bool operator==(std::default_sentinel_t) const { return done_; }
 
     private:
-        const Value* parent_;
-        uint32_t index_;  // of the child's value
-        bool object_;     // the parent is one
+        void step();  // to the child at next_ or behind it
+
         Member current_;  // shares the tree once for all children
+        uint32_t next_ = 0, end_ = 0;
+        bool object_;  // the parent is one
+        bool done_ = false;
     };
 
     explicit Children(Value parent) : parent_(std::move(parent)) {}
-    Iterator begin() const;
-    Iterator end() const;
+    Iterator begin() const { return Iterator(parent_); }
+    std::default_sentinel_t end() const { return {}; }
 
 private:
     Value parent_;
