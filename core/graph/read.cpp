@@ -101,9 +101,13 @@ private:
         return Table<T>(std::move(items));
     }
 
+    // They stand in one block, which each of them keeps alive.
     Table<NodePtr> read_nodes(const Value& value) {
+        const size_t most = std::min<size_t>(value.size(), limits_.nodes);
         std::vector<NodePtr> nodes;
-        nodes.reserve(std::min<size_t>(value.size(), limits_.nodes));
+        nodes.reserve(most);
+        const auto block = std::make_shared<std::vector<Node>>();
+        block->reserve(most);  // so that none moves
         for (const json::Member& member : value.children()) {
             if (nodes.size() + limits_.nodes_before >= limits_.nodes) {
                 report_.at_key(member.value, "", "the graph has more nodes than are allowed",
@@ -112,7 +116,9 @@ private:
                 lost_ = "it has more nodes than are allowed";
                 break;
             }
-            nodes.push_back(reading::read_node(member.key, member.value, report_));
+            Node& node = block->emplace_back();
+            reading::read_node(member.key, member.value, report_, node);
+            nodes.emplace_back(block, &node);
         }
         return Table<NodePtr>(std::move(nodes));
     }

@@ -107,19 +107,16 @@ void read_input(std::string_view port, const Value& value, std::string_view node
                   link_form);
 }
 
-NodePtr read_node(std::string_view id, const Value& value, Report& report) {
-    const auto made = std::make_shared<Node>();
-    Node& node = *made;
+void read_node(std::string_view id, const Value& value, Report& report, Node& node) {
     node.id = id;
     node.source = value;
     report.expect_id(value, "the id", id, true);
-    if (!report.expect(value, Kind::object, "the node", id)) return made;
+    if (!report.expect(value, Kind::object, "the node", id)) return;
     for (const json::Member& member : value.children())
         if (!read_member(member, node, report))
             node.unknown.push_back({std::string(member.key), member.value});
     if (node.type.empty() && !value.has("type") && !value.cut_off())
         report.at(value, node.id, "the node has no \"type\"", "expected \"type\": \"NAME\"");
-    return made;
 }
 
 Output read_output(std::string_view name, const Value& value, Report& report) {

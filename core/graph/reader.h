@@ -34,7 +34,7 @@ private:
     Diagnostics list_;
 };
 
-NodePtr read_node(std::string_view id, const json::Value& value, Report& report);
+void read_node(std::string_view id, const json::Value& value, Report& report, Node& node);
 // A port's value: {"from": ...} is a link, all else a literal.
 void read_input(std::string_view port, const json::Value& value, std::string_view node,
                 Report& report, Input& input);
