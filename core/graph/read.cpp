@@ -53,8 +53,9 @@ private:
         const Value& value = member.value;
         const bool section = member.key == "inputs" || member.key == "nodes" ||
                              member.key == "outputs" || member.key == "layout";
-        if (!section || !report_.expect(value, Kind::object, json_quoted(member.key), ""))
-            return false;
+        if (!section) return false;
+        if (!value.is(Kind::object))
+            return report_.expect(value, Kind::object, json_quoted(member.key), "");
         if (member.key == "inputs") document.inputs = table<GraphInput>(value, read_graph_input);
         if (member.key == "nodes") document.nodes = read_nodes(value);
         if (member.key == "outputs") document.outputs = table<Output>(value, reading::read_output);
@@ -160,7 +161,7 @@ void report_keys(const std::vector<Extra>& extras, std::span<const std::string_v
 }
 
 void report_link_keys(const Input& input, const std::string& node, Report& report) {
-    if (input.kind != Input::Kind::link) return;
+    if (input.kind != Input::Kind::link || input.value.size() == 1) return;
     for (const json::Member& member : input.value.children())
         if (member.key != "from")
             report.at_key(member.value, node,

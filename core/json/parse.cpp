@@ -109,6 +109,8 @@ class Handler {
 public:
     Handler(const std::shared_ptr<Tree>& tree, Diagnostics& diagnostics, ParseLimits limits)
         : shared_(tree), tree_(*tree), diagnostics_(diagnostics), limits_(limits) {
+        open_.reserve(16);
+        open_.emplace_back();
         cursor_ = begin_of(tree_.source);
         feed_.at = feed_.taken = tree_.source.data();
         feed_.end = feed_.at + tree_.source.size();
@@ -159,7 +161,7 @@ public:
 
 private:
     struct Open {
-        uint32_t entry;
+        uint32_t entry = 0;
         uint32_t added = 0;  // entries right below: values, and in an object keys
     };
 
@@ -288,8 +290,8 @@ private:
     Diagnostics& diagnostics_;
     ParseLimits limits_;
     Feed feed_;
-    uint32_t cursor_ = 0;              // end of the last token understood
-    std::vector<Open> open_{Open{0}};  // the whole text, and containers in it
+    uint32_t cursor_ = 0;     // end of the last token understood
+    std::vector<Open> open_;  // the whole text, and containers in it
     std::vector<uint32_t> slots_;
 };
 

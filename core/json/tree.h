@@ -33,7 +33,7 @@ inline bool is_container(Kind kind) {
     return kind == Kind::array || kind == Kind::object;
 }
 
-// Where the lines of a text begin. Nobody asks before there is something to report: it is made then.
+// Where the lines of a text begin: found when somebody asks. Nobody does of a text that is well.
 class Lines {
 public:
     // Of a byte of the text, which is the same at every call; without the file.
