@@ -67,14 +67,13 @@ std::string binding_text(const Binding& binding) {
     return binding.set < 0 ? "" : layout(binding, "");
 }
 
-Text block_text(const std::optional<Block>& block, const std::vector<Declaration>& members) {
-    Text text;
-    if (block) text.line(0, layout(block->binding, "std140, ") + "uniform " + block->name + " {");
+void write_block(const std::optional<Block>& block, const std::vector<Declaration>& members,
+                 Text& text) {
+    if (block) text.line(0, {layout(block->binding, "std140, "), "uniform ", block->name, " {"});
     for (const Declaration& member : members)
-        text.line(block ? 1 : 0, (block ? "" : "uniform ") + member.type + " " + member.name + ";" +
-                                     (member.doc.empty() ? "" : "  // " + member.doc));
+        text.line(block ? 1 : 0, {block ? "" : "uniform ", member.type, " ", member.name, ";",
+                                  member.doc.empty() ? "" : "  // ", member.doc});
     if (block) text.line(0, "};");
-    return text;
 }
 
 }  // namespace wrinkle

@@ -28,10 +28,11 @@ std::string binding_text(const Binding& binding);
 
 // A member's declaration, and what a comment says of it.
 struct Declaration {
-    std::string type, name, doc;
+    std::string_view type, name, doc;
 };
 
-// The block of the members; each as a uniform of its own where there is no block.
-Text block_text(const std::optional<Block>& block, const std::vector<Declaration>& members);
+// Appends the block of the members; each as a uniform of its own where there is no block.
+void write_block(const std::optional<Block>& block, const std::vector<Declaration>& members,
+                 Text& text);
 
 }  // namespace wrinkle

@@ -46,6 +46,7 @@ void Body::output_function(Id value, const std::string& name, const std::string&
     decide(plan_, values_, scope, roots);
     text_.line(0, type_name(m_.type(root)) + " " + name + "(" + argument + ") {");
     const std::vector<Id> ids = schedule(plan_, values_, scope, scope.order);
+    locals_.make_room(ids.size());
     const bool folded = plan_.role(root) == Role::value && !values_.state[root].statement;
     const uint32_t group = folded        ? group_of(plan_, values_, root)
                            : ids.empty() ? no_node

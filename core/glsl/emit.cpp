@@ -10,13 +10,13 @@ namespace {
 void write_function_form(const Plan& plan, const EmitOptions& options, Interface& face,
                          Shader& shader) {
     assign_bindings(options, face.reflection);
-    Text text;
+    Text text = roomy_text(plan);
     std::string title = title_of(plan.module(), face.reflection.name);
     if (plan.implicit) title += " Call in uniform control flow.";
     text.line(0, title);
-    text.append(precision_text(*options.target));
-    text.append(struct_text(face.reflection));
-    text.append(uniforms_text(face.reflection));
+    write_precision(*options.target, text);
+    write_struct(face.reflection, text);
+    write_uniforms(face.reflection, text);
     write_functions(plan, face, *options.target, text);
     shader.source = std::move(text.text);
     face.reflection.lines = std::move(text.nodes);

@@ -1,6 +1,7 @@
 #include "glsl/expression.h"
 
 #include <algorithm>
+#include <array>
 
 #include "glsl/literal.h"
 
@@ -34,6 +35,33 @@ std::string_view suffix_of(Variant variant) {
     return variant == Variant::dx ? "_dx" : variant == Variant::dy ? "_dy" : "";
 }
 
+// An operation's own letters: all in all, and more for each operand where their number differs.
+struct OwnWidth {
+    uint8_t all = 0, each = 0;
+};
+
+constexpr OwnWidth own_width_of(Op op) {
+    constexpr uint8_t comma = 2;
+    const auto spelling = static_cast<uint8_t>(info(op).glsl.size());
+    const int arity = info(op).arity;
+    const auto commas = static_cast<uint8_t>(arity > 0 ? comma * arity : 0);
+    if (op == Op::construct_) return {4, comma};
+    if (op == Op::select_) return {6};
+    if (op == Op::sign_nonzero_) return {19};
+    if (op == Op::input_) return {4 + 2 + 2 + 17};
+    if (op >= Op::sample_ && op <= Op::image_size_)
+        return {static_cast<uint8_t>(spelling + 16 + commas)};
+    if (info(op).precedence) return {static_cast<uint8_t>(spelling + 2)};
+    return {static_cast<uint8_t>(spelling + commas), arity < 0 ? comma : uint8_t{0}};
+}
+
+constexpr auto own_widths = [] {
+    std::array<OwnWidth, tables::op_count> table;
+    for (size_t i = 0; i < table.size(); ++i)
+        table[i] = own_width_of(static_cast<Op>(i));
+    return table;
+}();
+
 class Writer {
 public:
     Writer(const ExpressionContext& context, Line& text)
@@ -43,7 +71,7 @@ public:
     void define(Id id);
 
 private:
-    int binding(Id id) const;
+    int binding(Id id) const;  // of what is no temporary
     int leaf_binding(Id id) const;
     int definition_binding(Id id) const;
     void plainly(Id id);
@@ -95,24 +123,30 @@ int Writer::definition_binding(Id id) const {
 int Writer::binding(Id id) const {
     if (plan_.role(id) == Role::leaf) return leaf_binding(id);
     if (plan_.role(id) == Role::view) return m_[id].op == Op::result_ ? name_precedence : postfix;
-    return context_.values.state[id].statement ? name_precedence : definition_binding(id);
+    return definition_binding(id);
 }
 
 void Writer::read(Id id, int least) {
+    if (plan_.role(id) == Role::value && context_.values.state[id].statement) {
+        text_.add(context_.names.text(context_.values.state[id].name));
+        return;
+    }
     const bool enclosed = least > 0 && binding(id) < least;
     if (enclosed) text_.add('(');
     plainly(id);
     if (enclosed) text_.add(')');
 }
 
+// What is no temporary.
 void Writer::plainly(Id id) {
-    if (plan_.role(id) == Role::leaf) return leaf(id);
-    if (plan_.role(id) == Role::view) return view(id);
-    const ValueState& state = context_.values.state[id];
-    if (state.statement)
-        text_.add(context_.names.text(context_.values.state[id].name));
-    else
-        define(id);
+    switch (plan_.role(id)) {
+        case Role::leaf:
+            return leaf(id);
+        case Role::view:
+            return view(id);
+        case Role::value:
+            return define(id);
+    }
 }
 
 void Writer::list(std::span<const Id> ids) {
@@ -321,17 +355,11 @@ uint32_t leaf_width(const Plan& plan, Id leaf) {
 uint32_t own_width(const Plan& plan, Id id) {
     const Module& m = plan.module();
     const Inst& inst = m[id];
-    const OpInfo& op = info(inst.op);
-    const auto commas = static_cast<uint32_t>(2 * m.operands(id).size());
-    const auto spelling = static_cast<uint32_t>(op.glsl.size());
-    if (inst.op == Op::construct_) return 4 + commas;
-    if (inst.op == Op::select_) return 6;
-    if (inst.op == Op::sign_nonzero_) return 19;
-    if (inst.op == Op::input_) return 4 + 2 + 2 + 17;
     if (inst.op == Op::result_)
-        return 16 + static_cast<uint32_t>(m.region(m[inst.arg[0]].extra).name.size()) + commas;
-    if (inst.op >= Op::sample_ && inst.op <= Op::image_size_) return spelling + 16 + commas;
-    return op.precedence ? spelling + 2 : spelling + commas;
+        return 16 + static_cast<uint32_t>(m.region(m[inst.arg[0]].extra).name.size() +
+                                          2 * m.operands(id).size());
+    const OwnWidth width = own_widths[static_cast<size_t>(inst.op)];
+    return width.all + (width.each ? width.each * static_cast<uint32_t>(m.operands(id).size()) : 0);
 }
 
 }  // namespace wrinkle

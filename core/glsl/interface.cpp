@@ -1,6 +1,7 @@
 #include "glsl/interface.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "base/text.h"
 #include "glsl/blocks.h"
@@ -98,40 +99,61 @@ void add_functions(const Plan& plan, Interface& face) {
         face.symbols.functions[region] = face.globals.unique(prefix + m.region(region).name);
 }
 
-std::string member_doc(const MemberInfo& member) {
-    if (member.relative) return "position seen from the eye, object axes, length units";
-    if (member.variant != Variant::value)
-        return std::string("change of ") + std::string(info(member.input).name) +
-               " to the next pixel in " + (member.variant == Variant::dx ? "x" : "y");
-    if (member.input == SurfaceInput::normal_)
-        return "interpolated normal, object space, of any length but zero";
-    if (member.input == SurfaceInput::tangent_)
-        return "interpolated tangent of uv0, object space; w: sign of the bitangent";
-    std::string doc(info(member.input).doc);
-    if (!doc.empty() && doc[0] >= 'A' && doc[0] <= 'Z') doc[0] += 'a' - 'A';
-    return doc;
+void write_doc(const MemberInfo& member, Line& line) {
+    const std::string_view doc = info(member.input).doc;
+    if (member.relative)
+        line.add("position seen from the eye, object axes, length units");
+    else if (member.variant != Variant::value)
+        line.add("change of ")
+            .add(info(member.input).name)
+            .add(" to the next pixel in ")
+            .add(member.variant == Variant::dx ? 'x' : 'y');
+    else if (member.input == SurfaceInput::normal_)
+        line.add("interpolated normal, object space, of any length but zero");
+    else if (member.input == SurfaceInput::tangent_)
+        line.add("interpolated tangent of uv0, object space; w: sign of the bitangent");
+    else if (!doc.empty() && doc[0] >= 'A' && doc[0] <= 'Z')
+        line.add(static_cast<char>(doc[0] - 'A' + 'a')).add(doc.substr(1));
+    else
+        line.add(doc);
 }
 
 constexpr size_t farthest_comment = 48;
 
-// Declarations with their comments in one column, unless that is too far.
-Text with_comments(int indent, const std::vector<std::pair<std::string, std::string>>& lines,
-                   size_t farthest) {
-    size_t column = 0;
-    for (const auto& [code, doc] : lines)
-        if (code.size() <= farthest) column = std::max(column, code.size());
-    Text text;
-    for (const auto& [code, doc] : lines) {
-        const size_t gap = code.size() < column ? column - code.size() + 2 : 2;
-        text.line(indent, code + std::string(gap, ' ') + "// " + comment_text(doc));
+// Lines of code that have a comment each, made one after the other.
+struct CommentedLines {
+    struct Ends {
+        size_t code = 0, comment = 0;
+    };
+    Line code, comments;
+    std::vector<Ends> ends;
+    void end_line() { ends.push_back({code.size(), comments.size()}); }
+};
+
+// The comments stand in one column, unless that is too far.
+void write(const CommentedLines& lines, int indent, size_t farthest, Text& text) {
+    size_t column = 0, code_begin = 0;
+    for (const CommentedLines::Ends& ends : lines.ends) {
+        const size_t width = ends.code - std::exchange(code_begin, ends.code);
+        if (width <= farthest) column = std::max(column, width);
     }
-    return text;
+    Line line;
+    CommentedLines::Ends begin;
+    for (const CommentedLines::Ends& ends : lines.ends) {
+        line.clear();
+        line.add(lines.code.view().substr(begin.code, ends.code - begin.code));
+        line.add("  ").pad(column + 2).add("// ");
+        append_comment_text(
+            line, lines.comments.view().substr(begin.comment, ends.comment - begin.comment));
+        text.line(indent, line.view());
+        begin = ends;
+    }
 }
 
 // The shader form's own names. Taken in both forms, so that a uniform is called the same in both.
 const NameSet& fixed_names() {
     static const NameSet fixed = [] {
-        NameSet names;
+        NameSet names = NameSet::with_reserved_words();
         names.add({{}, "WrinkleFrame"});
         for (const char* name : {"object_to_clip", "object_to_world", "normal_to_world", "eye",
                                  "position_relative", "frame", "parameters"})
@@ -163,45 +185,54 @@ Interface make_interface(const Plan& plan, const EmitOptions& options) {
     add_uniforms(plan, face);
     add_members(plan, options.differentials == Differentials::given, face.reflection);
     face.reflection.uniform_control_flow = plan.implicit;
+    face.reflection.node_paths.reserve(m.nodes.size());
     for (const NodeInstance& node : m.nodes)
         face.reflection.node_paths.push_back(node.path);
     return face;
 }
 
-Text struct_text(const Reflection& reflection) {
+Text roomy_text(const Plan& plan) {
+    constexpr size_t letters_a_value = 28, values_a_line = 2;  // about
+    constexpr size_t outside = 1000;
     Text text;
-    if (reflection.struct_name.empty()) return text;
-    text.line(0, "struct " + reflection.struct_name + " {");
-    std::vector<std::pair<std::string, std::string>> lines;
-    for (const MemberInfo& member : reflection.members)
-        lines.emplace_back(std::string(info(member.type).name) + " " + member.name + ";",
-                           member_doc(member));
-    text.append(with_comments(1, lines, farthest_comment));
-    text.line(0, "};");
+    text.text.reserve(letters_a_value * plan.used_count() + outside);
+    text.nodes.reserve(plan.used_count() / values_a_line);
     return text;
 }
 
-Text uniforms_text(const Reflection& reflection) {
-    std::vector<std::pair<std::string, std::string>> lines;
-    for (const SamplerInfo& sampler : reflection.samplers)
-        lines.emplace_back(
-            binding_text(sampler.binding) + "uniform sampler2D " + sampler.name + ";",
-            sampler.written + " (" + std::string(name_of(sampler.options.encoding)) + ", " +
-                std::string(name_of(sampler.options.wrap)) + ")");
+void write_struct(const Reflection& reflection, Text& text) {
+    if (reflection.struct_name.empty()) return;
+    text.line(0, {"struct ", reflection.struct_name, " {"});
+    CommentedLines lines;
+    for (const MemberInfo& member : reflection.members) {
+        lines.code.add(info(member.type).name).add(' ').add(member.name).add(';');
+        write_doc(member, lines.comments);
+        lines.end_line();
+    }
+    write(lines, 1, farthest_comment, text);
+    text.line(0, "};");
+}
+
+void write_uniforms(const Reflection& reflection, Text& text) {
+    CommentedLines lines;
+    for (const SamplerInfo& sampler : reflection.samplers) {
+        const std::string binding = binding_text(sampler.binding);
+        lines.code.add(binding).add("uniform sampler2D ").add(sampler.name).add(';');
+        lines.comments.add(sampler.written).add(" (").add(name_of(sampler.options.encoding));
+        lines.comments.add(", ").add(name_of(sampler.options.wrap)).add(')');
+        lines.end_line();
+    }
     const bool numbered = !reflection.samplers.empty() && reflection.samplers[0].binding.set >= 0;
-    Text text = with_comments(0, lines, farthest_comment + (numbered ? 32 : 0));
+    write(lines, 0, farthest_comment + (numbered ? 32 : 0), text);
     std::vector<Declaration> numbers;
     for (const UniformInfo& uniform : reflection.uniforms)
-        numbers.push_back({std::string(info(uniform.type).name), uniform.name, ""});
-    text.append(block_text(reflection.parameter_block, numbers));
-    return text;
+        numbers.push_back({info(uniform.type).name, uniform.name, ""});
+    write_block(reflection.parameter_block, numbers, text);
 }
 
-Text precision_text(const Target& target) {
-    Text text;
+void write_precision(const Target& target, Text& text) {
     for (const std::string_view line : split(target.precision, '\n'))
         if (!line.empty()) text.line(0, line);
-    return text;
 }
 
 std::string argument_text(const Reflection& reflection) {
@@ -210,8 +241,6 @@ std::string argument_text(const Reflection& reflection) {
 
 void write_functions(const Plan& plan, const Interface& face, const Target& target, Text& text) {
     const Module& m = plan.module();
-    constexpr size_t letters_a_value = 28;  // about; room for all at once
-    text.text.reserve(text.text.size() + letters_a_value * plan.used_count());
     Values values(plan);
     for (const uint32_t region : plan.functions) {
         text.line(0, "");

@@ -15,9 +15,13 @@ struct Interface {
 
 Interface make_interface(const Plan& plan, const EmitOptions& options);
 
-Text struct_text(const Reflection& reflection);
-Text uniforms_text(const Reflection& reflection);
-Text precision_text(const Target& target);  // before fragment code
+// A text with room for all that is written of the module.
+Text roomy_text(const Plan& plan);
+
+// What is appended to it.
+void write_struct(const Reflection& reflection, Text& text);
+void write_uniforms(const Reflection& reflection, Text& text);
+void write_precision(const Target& target, Text& text);  // before fragment code
 
 // "WrinkleSurface_NAME s", or "" where there is no struct.
 std::string argument_text(const Reflection& reflection);

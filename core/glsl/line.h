@@ -13,6 +13,7 @@ namespace wrinkle {
 class Line {
 public:
     void clear() { size_ = 0; }
+    void cut(size_t size) { size_ = size; }  // what is behind
     size_t size() const { return size_; }
     std::string_view view() const { return {data_.get(), size_}; }
 
@@ -23,6 +24,12 @@ public:
         return *this;
     }
     Line& add(char letter) { return add(std::string_view(&letter, 1)); }
+    // Spaces up to this size.
+    Line& pad(size_t size) {
+        while (size_ < size)
+            add(' ');
+        return *this;
+    }
 
 private:
     static void copy(char* to, const char* from, size_t size) {

@@ -18,7 +18,7 @@ void append_float(std::string& text, double value) {
     } else {
         const size_t begin = text.size();
         append_shortest(text, narrow);
-        if (text.find_first_of(".e", begin) == std::string::npos) text += ".0";
+        if (text.find('.', begin) == text.npos && text.find('e', begin) == text.npos) text += ".0";
     }
 }
 

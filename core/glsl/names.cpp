@@ -133,13 +133,21 @@ size_t unseen_at(std::string_view text) {
 }
 
 bool is_plain_comment(std::string_view text) {
-    const auto plain = [](char c) { return 0x20 <= c && c < 0x7F && c != '\\' && c != '?'; };
-    return text.size() <= longest_comment && std::all_of(text.begin(), text.end(), plain);
+    static constexpr auto plain = [] {
+        std::array<bool, 256> table{};
+        for (unsigned char c = 0x20; c < 0x7F; ++c)
+            table[c] = c != '\\' && c != '?';
+        return table;
+    }();
+    return text.size() <= longest_comment && std::all_of(text.begin(), text.end(), [](char c) {
+               return plain[static_cast<unsigned char>(c)];
+           });
 }
 
 }  // namespace
 
-size_t NameTable::place_of(std::string_view name, uint32_t hash) const {
+// Of a text that is there or of the free place for it; until the next make_room().
+size_t NameSet::place_of(std::string_view name, uint32_t hash) const {
     const size_t mask = entries_.size() - 1;
     size_t place = hash & mask;
     const auto is_other = [&](const Entry& entry) {
@@ -150,15 +158,17 @@ size_t NameTable::place_of(std::string_view name, uint32_t hash) const {
     return place;
 }
 
-bool NameTable::has(std::string_view name, uint32_t hash) const {
+bool NameSet::has(std::string_view name, uint32_t hash) const {
     return !entries_.empty() && entries_[place_of(name, hash)].name.length > 0;
 }
 
-NameTable::Entry& NameTable::at(std::string_view name, uint32_t hash) {
-    return entries_[place_of(name, hash)];
+bool NameSet::taken_outside(std::string_view name, uint32_t hash) const {
+    for (const NameSet* outer = outer_; outer; outer = outer->outer_)
+        if (outer->has(name, hash)) return true;
+    return false;
 }
 
-void NameTable::make_room(size_t more) {
+void NameSet::make_room(size_t more) {
     constexpr size_t least = 32;
     size_t size = std::max(entries_.size(), least);
     while ((count_ + more) * 2 > size)
@@ -174,55 +184,45 @@ void NameTable::make_room(size_t more) {
     }
 }
 
-Name NameTable::fill(Entry& entry, uint32_t begin, uint32_t hash) {
+Name NameSet::fill(Entry& entry, size_t begin, uint32_t hash) {
     ++count_;
-    entry.name = {begin, static_cast<uint32_t>(pool.size()) - begin};
+    entry.name = {static_cast<uint32_t>(begin), static_cast<uint32_t>(pool_.size() - begin)};
     entry.hash = hash;
     return entry.name;
 }
 
-bool is_reserved(std::string_view word) {
-    return reserved_words().has(word, hash_of(word));
-}
-
-bool NameSet::taken_outside(std::string_view name, uint32_t hash) const {
-    if (reserved_words().has(name, hash)) return true;
-    for (const NameSet* outer = outer_; outer; outer = outer->outer_)
-        if (outer->table_.has(name, hash)) return true;
-    return false;
-}
-
 Name NameSet::add(const WantedName& wanted) {
-    std::string& pool = table_.pool;
-    const auto begin = static_cast<uint32_t>(pool.size());
-    pool += wanted.first;
-    if (!wanted.first.empty()) pool += '_';
-    pool += wanted.second;
-    const std::string_view whole = std::string_view(pool).substr(begin);
-    if (!is_legal(whole)) pool.replace(begin, pool.npos, legal(std::string(whole)));
-    const std::string_view name = std::string_view(pool).substr(begin);
+    const size_t begin = pool_.size();
+    if (!wanted.first.empty()) pool_.add(wanted.first).add('_');
+    pool_.add(wanted.second);
+    if (!is_legal(text_behind(begin))) {
+        const std::string made = legal(std::string(text_behind(begin)));
+        pool_.cut(begin);
+        pool_.add(made);
+    }
+    const std::string_view name = text_behind(begin);
     const uint32_t hash = hash_of(name);
-    table_.make_room(2);
-    NameTable::Entry& entry = table_.at(name, hash);
+    if ((count_ + 2) * 2 > entries_.size()) make_room(2);  // a numbered name is added to its own
+    Entry& entry = entries_[place_of(name, hash)];
     if (entry.name.length > 0) {
-        pool.resize(begin);
+        pool_.cut(begin);
         return numbered(entry);
     }
-    const Name added = table_.fill(entry, begin, hash);
+    const Name added = fill(entry, begin, hash);
     return taken_outside(name, hash) ? numbered(entry) : added;
 }
 
-Name NameSet::numbered(NameTable::Entry& taken) {
+Name NameSet::numbered(Entry& taken) {
     const std::string stem(text(taken.name));
-    const auto begin = static_cast<uint32_t>(table_.pool.size());
+    const size_t begin = pool_.size();
     for (;;) {
-        table_.pool.resize(begin);
-        table_.pool.append(stem).append("_").append(std::to_string(taken.next++));
-        const std::string_view name = std::string_view(table_.pool).substr(begin);
+        pool_.cut(begin);
+        pool_.add(stem).add('_').add(std::to_string(taken.next++));
+        const std::string_view name = text_behind(begin);
         const uint32_t hash = hash_of(name);
-        NameTable::Entry& entry = table_.at(name, hash);
+        Entry& entry = entries_[place_of(name, hash)];
         if (entry.name.length > 0 || taken_outside(name, hash)) continue;
-        return table_.fill(entry, begin, hash);
+        return fill(entry, begin, hash);
     }
 }
 

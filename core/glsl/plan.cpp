@@ -2,68 +2,32 @@
 
 #include <algorithm>
 #include <unordered_set>
+#include <utility>
 
 #include "glsl/literal.h"
 
 namespace wrinkle {
 
 Plan::Plan(const Module& module, bool given)
-    : inputs_used(surface_input_count * 3),
-      parameters_used(module.parameters.size()),
-      first_name(module.size()),
-      is_gradient(module.size()),
+    : parameters_used(module.parameters.size()),
       module_(&module),
       given_(given),
-      met_(module.size()),
-      captures_(module.region_count()),
+      values_(module.size()),
       seen_function_(module.region_count()),
       seen_resource_(module.resources.size()) {
-    find_aliases();
+    literals_.reserve(module.size());
     if (module.region_count() > 1) find_members();
-    for (const bool output : {true, false})
-        for (uint32_t i = 0; i < module.named.size(); ++i) {
-            const Id id = alias_[module.named[i].value];
-            if (module.named[i].output == output && !first_name[id]) first_name[id] = i + 1;
-        }
-    for (uint32_t region = 1; region < module.region_count(); ++region)
-        if (module.region(region).kind == RegionKind::loop) find_captures(region);
     walk();
-    list_operands_and_literals();
+    find_names();
     find_gradients();
 }
 
-void Plan::list_operands_and_literals() {
-    const Module& m = *module_;
-    first_operand_.resize(m.size() + size_t{1});
-    literal_end_.resize(m.size());
-    operands_.reserve(m.size() * size_t{2});
-    for (Id id = 1; id < m.size(); ++id) {
-        first_operand_[id] = static_cast<uint32_t>(operands_.size());
-        literal_end_[id] = static_cast<uint32_t>(literals_.size());
-        if (!is_used(id)) continue;
-        const Inst& inst = m[id];
-        if (inst.op != Op::literal_) {
-            gather_operands(id, operands_);
-        } else {
-            append_literal(literals_, inst.type, inst.value);
-            literal_end_[id] = static_cast<uint32_t>(literals_.size());
-        }
-    }
-    first_operand_.back() = static_cast<uint32_t>(operands_.size());
-}
-
-std::string_view Plan::literal(Id id) const {
-    const uint32_t begin = literal_end_[id - 1];
-    return std::string_view(literals_).substr(begin, literal_end_[id] - begin);
-}
-
-void Plan::find_aliases() {
-    const Module& m = *module_;
-    alias_.resize(m.size());
-    role_.resize(m.size(), Role::leaf);
-    for (Id id = 1; id < m.size(); ++id) {
-        alias_[id] = m[id].op == Op::detach_ ? alias_[m[id].arg[0]] : id;
-        role_[id] = role_of(id);
+// The first that calls a value a node's output, else the first.
+void Plan::find_names() {
+    const std::vector<Named>& named = module_->named;
+    for (uint32_t i = 0; i < named.size(); ++i) {
+        uint32_t& name = values_[plain(named[i].value)].name;
+        if (name == 0 || (named[i].output && !named[name - 1].output)) name = i + 1;
     }
 }
 
@@ -94,8 +58,8 @@ Role Plan::role_of(Id id) const {
         case Op::construct_:
             return inst.type != Type::mat3_ && m.is_constant(id) ? Role::leaf : Role::value;
         case Op::swizzle_:
-            return role_[alias_[inst.arg[0]]] == Role::leaf &&
-                           m[alias_[inst.arg[0]]].op != Op::construct_
+            return role(plain(inst.arg[0])) == Role::leaf &&
+                           m[plain(inst.arg[0])].op != Op::construct_
                        ? Role::leaf
                        : Role::view;
         case Op::column_:
@@ -119,53 +83,43 @@ bool Plan::is_splat(Id construct) const {
            std::all_of(parts.begin(), parts.end(), [&](Id part) { return part == parts[0]; });
 }
 
-// Appends them.
-void Plan::gather_operands(Id id, std::vector<Id>& result) const {
-    const Module& m = *module_;
-    const Op op = m[id].op;
-    std::span<const Id> operands = m.operands(id);
-    if (op == Op::construct_ && is_splat(id)) operands = operands.first(1);
-    if (op == Op::result_ && single_call(id)) operands = m.operands(m[id].arg[0]);
+std::span<const Id> Plan::plain_operands(std::span<const Id> operands) {
+    std::vector<Id>& list = operand_lists_.emplace_back();
     for (const Id operand : operands)
-        result.push_back(alias_[operand]);
-    if (op != Op::loop_) return;
-    const auto& captured = captures_[m[id].extra];
-    result.insert(result.end(), captured.begin(), captured.end());
+        list.push_back(plain(operand));
+    return list;
 }
 
-// What the body reads from outside that must be a temporary there, in the order it is met.
-void Plan::find_captures(uint32_t region) {
+// Behind its operands what the body reads from outside that must be a temporary there, in the order
+// it is met.
+std::span<const Id> Plan::with_captures(Id loop) {
     const Module& m = *module_;
-    const uint8_t level = m.region(region).level;
+    const Region& region = m.region(m[loop].extra);
+    std::vector<Id>& list = operand_lists_.emplace_back();
+    list.assign(operands(loop).begin(), operands(loop).end());
     std::unordered_set<Id> seen;
-    std::vector<Id> open(m.region(region).results.rbegin(), m.region(region).results.rend());
-    std::vector<Id> parts;
+    std::vector<Id> open(region.results.rbegin(), region.results.rend());
     while (!open.empty()) {
-        const Id id = alias_[open.back()];
+        const Id id = plain(open.back());
         open.pop_back();
-        if (role_[id] == Role::leaf || !seen.insert(id).second) continue;
-        if (m[id].level < level && (role_[id] == Role::value || m[id].op == Op::result_)) {
-            captures_[region].push_back(id);
+        if (role(id) == Role::leaf || !seen.insert(id).second) continue;
+        if (m[id].level < region.level && (role(id) == Role::value || m[id].op == Op::result_)) {
+            list.push_back(id);
             continue;
         }
-        parts.clear();
-        gather_operands(id, parts);
+        const auto parts = operands(id);
         open.insert(open.end(), parts.rbegin(), parts.rend());
     }
+    return list;
 }
 
-// normalize(n - gradient): readers comes before what they read in this walk.
 void Plan::find_gradients() {
-    const Module& m = *module_;
-    for (Id id = m.size(); id-- > 1;) {
-        if (!is_used(id)) continue;
-        const Inst& inst = m[id];
-        if (inst.op == Op::normalize_ && inst.type == Type::vec3_ &&
-            m[alias_[inst.arg[0]]].op == Op::sub_)
-            is_gradient[alias_[m[alias_[inst.arg[0]]].arg[1]]] = true;
-        if (!is_gradient[id] || inst.op != Op::add_) continue;
-        is_gradient[alias_[inst.arg[0]]] = true;
-        is_gradient[alias_[inst.arg[1]]] = true;
+    while (!gradients_.empty()) {
+        const Id id = gradients_.back();
+        gradients_.pop_back();
+        if (std::exchange(values_[id].gradient, true)) continue;
+        if ((*module_)[id].op == Op::add_)
+            gradients_.insert(gradients_.end(), operands(id).begin(), operands(id).end());
     }
 }
 
@@ -175,30 +129,52 @@ void Plan::walk() {
     stack.reserve(64);
     const auto open = [&](std::span<const Id> ids) {
         for (size_t i = ids.size(); i-- > 0;)
-            if (met_[ids[i]] == Met::never) stack.push_back(ids[i]);
+            if (values_[ids[i]].met == Met::never) stack.push_back(ids[i]);
     };
     for (const ModuleOutput& output : m.outputs) {
         stack.push_back(output.value);
         while (!stack.empty()) {
             const Id id = stack.back();
-            if (met_[id] == Met::never) {
-                met_[id] = Met::open;
+            Met& met = values_[id].met;
+            if (met == Met::never) {
+                met = Met::open;
                 const Op op = m[id].op;
                 if (op == Op::loop_ || op == Op::call_) open(m.region(m[id].extra).results);
-                open(m.operands(id));
+                open(values_[id].operands = m.operands(id));
                 if (stack.back() != id) continue;
             }
             stack.pop_back();
-            if (met_[id] == Met::open) use(id);
-            met_[id] = Met::used;
+            if (met == Met::open) use(id);
+            met = Met::used;
         }
     }
 }
 
 void Plan::use(Id id) {
     ++used_;
+    Value& value = values_[id];
+    const Inst& inst = (*module_)[id];
+    value.role = role_of(id);
+    if (inst.op == Op::literal_) {
+        value.literal = static_cast<uint32_t>(literals_.size());
+        append_literal(literals_, inst.type, inst.value);
+        value.literal_size = static_cast<uint8_t>(literals_.size() - value.literal);
+        return;
+    }
+    if (inst.op == Op::construct_ && is_splat(id)) value.operands = value.operands.first(1);
+    if (single_call(id)) value.operands = module_->operands(inst.arg[0]);
+    if (detached_) value.operands = plain_operands(value.operands);
+    if (inst.op == Op::loop_) value.operands = with_captures(id);
+    note(id);
+}
+
+// What stands outside functions for it, and what is found by it.
+void Plan::note(Id id) {
     const Inst& inst = (*module_)[id];
     switch (inst.op) {
+        case Op::detach_:
+            detached_ = true;
+            break;
         case Op::input_:
             inputs_used[input_slot(input_of(inst.extra), variant_of(inst.extra))] = true;
             implicit = implicit || (!given_ && variant_of(inst.extra) != Variant::value);
@@ -218,6 +194,11 @@ void Plan::use(Id id) {
         case Op::call_:
             if (!seen_function_[inst.extra]) functions.push_back(inst.extra);
             seen_function_[inst.extra] = true;
+            break;
+        case Op::normalize_:  // normalize(n - gradient)
+            if (const Id sum = operands(id)[0];
+                inst.type == Type::vec3_ && (*module_)[sum].op == Op::sub_)
+                gradients_.push_back(operands(sum)[1]);
             break;
         default:
             break;

@@ -11,6 +11,7 @@
 // with one result.
 #pragma once
 
+#include <array>
 #include <span>
 #include <string>
 #include <string_view>
@@ -29,65 +30,79 @@ public:
     Plan(const Module& module, bool given);
 
     const Module& module() const { return *module_; }
-    Id plain(Id id) const { return alias_[id]; }  // without detach
-    Role role(Id id) const { return role_[id]; }
+    Id plain(Id id) const {  // without detach
+        while ((*module_)[id].op == Op::detach_)
+            id = (*module_)[id].arg[0];
+        return id;
+    }
+    Role role(Id id) const { return values_[id].role; }  // of what the outputs use
 
     // Operands as text needs them, of what the outputs use. Of a loop: its initial state, then what
     // its body captures.
-    std::span<const Id> operands(Id id) const {
-        return std::span(operands_).subspan(first_operand_[id],
-                                            first_operand_[id + 1] - first_operand_[id]);
-    }
+    std::span<const Id> operands(Id id) const { return values_[id].operands; }
     size_t used_count() const { return used_; }  // of what the outputs use
-    std::string_view literal(Id id) const;       // its text
-    bool single_call(Id result) const;           // the member of a call that has one
-    bool is_splat(Id construct) const;           // one scalar in every lane
+    std::string_view literal(Id id) const {      // its text
+        const Value& value = values_[id];
+        return std::string_view(literals_).substr(value.literal, value.literal_size);
+    }
+    bool single_call(Id result) const;  // the member of a call that has one
+    bool is_splat(Id construct) const;  // one scalar in every lane
     // The members of a loop's or call's tuple, by index; poison where nothing reads one.
     const std::vector<Id>& members(Id tuple) const { return members_.at(tuple); }
-    const std::vector<Id>& captures(uint32_t region) const { return captures_[region]; }
+    // What the value is called in Module::named; none: null.
+    const Named* name(Id id) const {
+        const uint32_t name = values_[id].name;
+        return name > 0 ? &module_->named[name - 1] : nullptr;
+    }
+    // What a resolve subtracts from the normal, and its terms.
+    bool is_gradient(Id id) const { return values_[id].gradient; }
 
     // What the outputs use, in the order of a walk from the outputs, operands first.
-    std::vector<bool> inputs_used;      // by `extra` of the input: see input_slot
+    std::array<bool, size_t{3} * surface_input_count> inputs_used{};  // see input_slot
     std::vector<bool> parameters_used;  // by index in Module::parameters
     struct UsedResource {
         uint32_t resource;
         uint32_t node;  // of the first sample
     };
     std::vector<UsedResource> resources;
-    std::vector<uint32_t> functions;   // regions, callees first
-    std::vector<uint32_t> first_name;  // by Id: 1 + index in Module::named, 0 for none
-    std::vector<bool>
-        is_gradient;        // by Id: what a resolve subtracts from the normal, and its terms
-    bool implicit = false;  // samples with an implicit lod, or changes of inputs
+    std::vector<uint32_t> functions;  // regions, callees first
+    bool implicit = false;            // samples with an implicit lod, or changes of inputs
 
     static size_t input_slot(SurfaceInput input, Variant variant) {
         return static_cast<size_t>(input) * 3 + static_cast<size_t>(variant);
     }
 
 private:
-    Role role_of(Id id) const;
-    void find_aliases();
+    enum class Met : uint8_t { never, open, used };  // in the walk from the outputs
+    // What is asked of a value again and again, close together.
+    struct Value {
+        std::span<const Id> operands;  // the module's where they are the same
+        uint32_t name = 0;             // 1 + index in Module::named, 0 for none
+        uint32_t literal = 0;          // in the texts of all
+        uint8_t literal_size = 0;
+        Role role = Role::leaf;
+        Met met = Met::never;
+        bool gradient = false;
+    };
+
+    void find_names();
     void find_members();
-    void find_captures(uint32_t region);
-    void gather_operands(Id id, std::vector<Id>& result) const;
-    void list_operands_and_literals();
     void walk();
     void use(Id id);
+    void note(Id id);
+    Role role_of(Id id) const;
+    std::span<const Id> plain_operands(std::span<const Id> operands);
+    std::span<const Id> with_captures(Id loop);
     void find_gradients();
 
     const Module* module_;
     bool given_;
-    enum class Met : uint8_t { never, open, used };  // in the walk from the outputs
-    bool is_used(Id id) const { return met_[id] == Met::used; }
-    std::vector<Met> met_;  // by Id
+    std::vector<Value> values_;  // by Id
     size_t used_ = 0;
-    std::vector<Id> alias_;
-    std::vector<Role> role_;
-    std::vector<std::vector<Id>> captures_;
-    std::vector<Id> operands_;             // of all
-    std::vector<uint32_t> first_operand_;  // by Id, and the end of the last
-    std::string literals_;                 // the texts of all
-    std::vector<uint32_t> literal_end_;    // by Id: in literals_
+    bool detached_ = false;                       // there is a detach among it
+    std::vector<std::vector<Id>> operand_lists_;  // that the module does not have
+    std::string literals_;                        // the texts of all
+    std::vector<Id> gradients_;                   // that resolves subtract
     std::unordered_map<Id, std::vector<Id>> members_;
     std::vector<bool> seen_function_, seen_resource_;
 };

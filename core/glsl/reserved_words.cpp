@@ -1,5 +1,4 @@
 #include "base/text.h"
-#include "base/text_hash.h"
 #include "glsl/names.h"
 
 namespace wrinkle {
@@ -49,21 +48,16 @@ constexpr std::string_view reserved =
 
 }  // namespace
 
-const NameTable& reserved_words() {
-    static const NameTable table = [] {
-        NameTable words;
-        const auto list = split(reserved, ' ');
-        words.make_room(list.size());
-        for (const std::string_view word : list) {
-            const auto hash = static_cast<uint32_t>(text_hash(word));
-            NameTable::Entry& entry = words.at(word, hash);
-            const auto begin = static_cast<uint32_t>(words.pool.size());
-            words.pool += word;
-            words.fill(entry, begin, hash);
-        }
-        return words;
-    }();
-    return table;
+NameSet NameSet::with_reserved_words() {
+    NameSet names(nullptr);
+    for (const std::string_view word : split(reserved, ' '))
+        names.add({{}, word});
+    return names;
+}
+
+const NameSet& NameSet::reserved_words() {
+    static const NameSet words = with_reserved_words();
+    return words;
 }
 
 }  // namespace wrinkle

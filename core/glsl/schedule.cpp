@@ -103,7 +103,7 @@ void Scheduler::find_groups() {
 // Through what is folded into a statement to the statements it reads.
 void Scheduler::find_needs(uint32_t statement) {
     Statement& own = statements_[statement];
-    open_.assign(1, own.id);
+    open_.push_back(own.id);
     while (!open_.empty()) {
         const Id reader = open_.back();
         open_.pop_back();

@@ -9,6 +9,7 @@ namespace wrinkle {
 namespace {
 
 constexpr uint32_t widest_line = 98;
+constexpr uint32_t least_room = widest_line / 2;  // whatever else the line has
 constexpr uint32_t widest_result = 84;
 constexpr uint32_t widest_expression = 72;  // of what has no name yet
 constexpr uint8_t deepest_expression = 6;
@@ -59,10 +60,11 @@ private:
     Folded measure(Id id);
     void read_value(Id reader, Id operand, Id value, Folded& text);
     uint8_t depth_in(Id reader, Id operand, Id value);
-    bool must_stand_before(Id reader, Id operand, Id value);
+    bool must_stand_before(Id reader, Id operand, const ValueState& read, uint8_t depth);
     void make_statement(Id id);
     uint32_t name_width(Id id) const;
     uint32_t room_for(Id id);
+    bool is_too_wide(Id id, const Folded& text);
     bool must_name(Id id, bool is_root);
 
     const Plan& plan_;
@@ -119,7 +121,13 @@ uint32_t Folder::room_for(Id id) {
     if (state(id).root && state(id).uses == 1) return widest_result;
     if (!must_name(id, false)) return widest_expression;
     const uint32_t declaration = 12 + name_width(id);
-    return widest_line - std::min(declaration, widest_line / 2);
+    return std::max(widest_line - std::min(declaration, widest_line), least_room);
+}
+
+// Where folding less makes it narrower.
+bool Folder::is_too_wide(Id id, const Folded& text) {
+    return text.width > least_room && text.widest != poison && m_[id].op != Op::loop_ &&
+           text.width > room_for(id);
 }
 
 // A chain of one precedence counts as one level, as it reads.
@@ -133,24 +141,25 @@ uint8_t Folder::depth_in(Id reader, Id operand, Id value) {
 
 // Too deep to be folded in; or GLSL evaluates one branch of ?: only, and && and || may skip their
 // right side, where an implicit derivative would be undefined.
-bool Folder::must_stand_before(Id reader, Id operand, Id value) {
+bool Folder::must_stand_before(Id reader, Id operand, const ValueState& read, uint8_t depth) {
     const Op op = m_[reader].op;
     if (op == Op::loop_) return false;
     const bool skips = op == Op::select_ || op == Op::and_ || op == Op::or_;
-    if (skips && state(value).implicit && operand != plan_.operands(reader)[0]) return true;
-    return depth_in(reader, operand, value) > deepest_expression;
+    if (skips && read.implicit && operand != plan_.operands(reader)[0]) return true;
+    return depth > deepest_expression;
 }
 
 void Folder::read_value(Id reader, Id operand, Id value, Folded& text) {
     const ValueState& read = state(value);
     const uint32_t suffix = operand == value ? 0 : view_suffix;
-    const bool here = inside(value);
-    if (here && !read.statement && must_stand_before(reader, operand, value)) make_statement(value);
+    const bool folded = read.epoch == scope_.epoch && !read.statement;
+    const uint8_t depth = folded ? depth_in(reader, operand, value) : 0;
+    if (folded && must_stand_before(reader, operand, read, depth)) make_statement(value);
     const uint32_t width = suffix + read.width;
     text.width += width;
-    if (!here || read.statement) return;
+    if (!folded || read.statement) return;
     if (needs_parentheses(plan_, reader, operand)) text.width += parentheses;
-    text.depth = std::max(text.depth, depth_in(reader, operand, value));
+    text.depth = std::max(text.depth, depth);
     text.implicit = text.implicit || read.implicit;
     if (width <= text.widest_width) return;
     text.widest_width = width;
@@ -178,20 +187,19 @@ Folder::Folded Folder::measure(Id id) {
 bool Folder::must_name(Id id, bool is_root) {
     const ValueState& s = state(id);
     if (m_.type(id) == Type::tuple_ || s.uses > 1 || s.captured) return true;
-    const uint32_t name = plan_.first_name[id];
-    return name && m_.named[name - 1].output && !is_root;
+    const Named* name = plan_.name(id);
+    return name && name->output && !is_root;
 }
 
 void Folder::visit(Id id) {
     if (plan_.role(id) == Role::view) return;
-    Folded text = measure(id);
     ValueState& own = state(id);
-    own.depth = text.depth;
-    if (m_[id].op != Op::loop_ && text.widest != poison)
-        for (const uint32_t room = room_for(id); text.width > room && text.widest != poison;) {
-            make_statement(text.widest);
-            text = measure(id);
-        }
+    Folded text;
+    do {
+        if (text.widest != poison) make_statement(text.widest);
+        text = measure(id);
+        own.depth = std::max(own.depth, text.depth);
+    } while (is_too_wide(id, text));
     own.width = text.width;
     own.implicit = text.implicit;
     if (must_name(id, own.root)) make_statement(id);
@@ -203,29 +211,29 @@ Scope collect(const Plan& plan, Values& values, std::span<const Id> roots, int l
     Scope scope;
     scope.epoch = ++values.epoch;
     scope.order.reserve(usual_room);
-    std::vector<std::pair<Id, bool>> stack;
+    std::vector<Id> stack;
     stack.reserve(usual_room);
     const auto push = [&](Id id) {
-        if (plan.role(id) == Role::leaf || plan.module()[id].level < level) return;
-        if (values.state[id].epoch != scope.epoch) stack.push_back({id, false});
+        if (values.state[id].epoch == scope.epoch || plan.role(id) == Role::leaf) return;
+        if (plan.module()[id].level >= level) stack.push_back(id);
     };
     for (size_t r = 0; r < roots.size(); ++r) {
         push(roots[r]);
         while (!stack.empty()) {
-            const auto [id, finished] = stack.back();
-            stack.pop_back();
-            if (finished) {
-                scope.order.push_back(id);
-                continue;
+            const Id id = stack.back();
+            ValueState& state = values.state[id];
+            if (state.epoch != scope.epoch) {
+                state = {};
+                state.epoch = scope.epoch;
+                state.shared = true;
+                const auto operands = plan.operands(id);
+                for (size_t k = operands.size(); k-- > 0;)
+                    push(operands[k]);
+                if (stack.back() != id) continue;
             }
-            if (values.state[id].epoch == scope.epoch) continue;
-            values.state[id] = {};
-            values.state[id].epoch = scope.epoch;
-            values.state[id].shared = true;
-            stack.push_back({id, true});
-            const auto operands = plan.operands(id);
-            for (size_t k = operands.size(); k-- > 0;)
-                push(operands[k]);
+            stack.pop_back();
+            if (!state.ordered) scope.order.push_back(id);
+            state.ordered = true;
         }
         if (r == 0) scope.first_part = scope.order.size();
     }
@@ -242,22 +250,17 @@ void decide(const Plan& plan, Values& values, const Scope& scope, std::span<cons
 uint32_t group_of(const Plan& plan, const Values& values, Id id) {
     const Module& m = plan.module();
     if (values.anonymous) return 0;
-    const uint32_t name = plan.first_name[id];
-    if (name) return m.named[name - 1].node ? m.named[name - 1].node : surface_group;
+    if (const Named* name = plan.name(id)) return name->node ? name->node : surface_group;
     return values.state[id].shared || m[id].op == Op::input_ ? surface_group : m.origin[id];
 }
 
 WantedName wanted_name(const Plan& plan, const Values& values, Id id) {
     const Module& m = plan.module();
-    const uint32_t name = plan.first_name[id];
-    if (values.anonymous)
-        return {{}, name ? std::string_view(m.named[name - 1].name) : word_for(m, id)};
-    if (name) {
-        const Named& named = m.named[name - 1];
-        return {named.node ? std::string_view(m.nodes[named.node].path) : "", named.name};
-    }
+    const Named* name = plan.name(id);
+    if (values.anonymous) return {{}, name ? std::string_view(name->name) : word_for(m, id)};
+    if (name) return {name->node ? std::string_view(m.nodes[name->node].path) : "", name->name};
     if (m[id].op == Op::input_) return {{}, change_name(m[id].extra)};
-    const std::string_view word = plan.is_gradient[id] ? "gradient" : word_for(m, id);
+    const std::string_view word = plan.is_gradient(id) ? "gradient" : word_for(m, id);
     if (values.state[id].shared) return {"surface", word};
     return {m.nodes[m.origin[id]].path, word};
 }

@@ -23,6 +23,7 @@ struct ValueState {
     uint32_t place = 0;      // among the scope's statements
     Name name;               // of a temporary, once it is written
     uint8_t depth = 1;       // of its text, in operations
+    bool ordered = false;    // it is in the scope's order
     bool root = false;       // a result of the scope
     bool statement = false;  // a temporary; also loops and calls with several results
     bool captured = false;   // by a loop

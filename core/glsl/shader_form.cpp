@@ -78,7 +78,7 @@ std::string at_varying(const Stage& stage, size_t index) {
     return stage.options.target->bindings == Bindings::by_name ? "" : at(static_cast<int>(index));
 }
 
-Text frame_text(const Stage& stage, bool vertex) {
+void write_frame(const Stage& stage, bool vertex, Text& text) {
     const Reflection& r = stage.face.reflection;
     std::vector<Declaration> members;
     for (const FrameUniform& uniform : r.frame_uniforms) {
@@ -87,7 +87,7 @@ Text frame_text(const Stage& stage, bool vertex) {
             members.push_back({uniform.type, uniform.name,
                                uniform.name == "wrinkle_eye" ? "in object space" : ""});
     }
-    return block_text(r.frame_block, members);
+    write_block(r.frame_block, members, text);
 }
 
 std::string vertex_text(const Stage& stage) {
@@ -98,7 +98,7 @@ std::string vertex_text(const Stage& stage) {
     for (const AttributeInfo& attribute : r.attributes)
         text.line(0, at(attribute.location) + "in " + std::string(info(attribute.type).name) + " " +
                          attribute.name + ";");
-    text.append(frame_text(stage, true));
+    write_frame(stage, true, text);
     for (size_t i = 0; i < r.varyings.size(); ++i)
         text.line(0, at_varying(stage, i) + "out " + varying_type(r, r.varyings[i]) + " " +
                          r.varyings[i] + ";");
@@ -114,8 +114,7 @@ std::string vertex_text(const Stage& stage) {
     return std::move(text.text);
 }
 
-Text normal_to_world_text() {
-    Text text;
+void write_normal_to_world(Text& text) {
     text.line(0, "");
     text.line(0, "// A normal of the object in the world: cof(M) n, times the sign of det(M).");
     text.line(0, "vec3 wrinkle_normal_to_world(vec3 n) {");
@@ -123,7 +122,6 @@ Text normal_to_world_text() {
     text.line(1, "mat3 cofactor = mat3(cross(m[1], m[2]), cross(m[2], m[0]), cross(m[0], m[1]));");
     text.line(1, "return normalize(cofactor * n) * (dot(m[0], cofactor[0]) < 0.0 ? -1.0 : 1.0);");
     text.line(0, "}");
-    return text;
 }
 
 std::string member_value(const MemberInfo& member) {
@@ -132,9 +130,8 @@ std::string member_value(const MemberInfo& member) {
     return "wrinkle_" + member.name;
 }
 
-Text main_text(const Stage& stage) {
+void write_main(const Stage& stage, Text& text) {
     const Reflection& r = stage.face.reflection;
-    Text text;
     text.line(0, "");
     text.line(0, "void main() {");
     if (!r.struct_name.empty()) text.line(1, r.struct_name + " s;");
@@ -147,27 +144,26 @@ Text main_text(const Stage& stage) {
                          (normal ? "wrinkle_normal_to_world(" + call + ")" : call) + ";");
     }
     text.line(0, "}");
-    return text;
 }
 
 Text fragment_text(const Stage& stage) {
     const Reflection& r = stage.face.reflection;
-    Text text;
+    Text text = roomy_text(stage.plan);
     text.line(0, stage.options.target->version);
     text.line(0, title_of(stage.plan.module(), r.name));
-    text.append(precision_text(*stage.options.target));
+    write_precision(*stage.options.target, text);
     for (size_t i = 0; i < r.varyings.size(); ++i)
         text.line(0, at_varying(stage, i) + "in " + varying_type(r, r.varyings[i]) + " " +
                          r.varyings[i] + ";");
     for (const FunctionInfo& function : r.functions)
         text.line(0, at(function.location) + "out " + std::string(info(function.type).name) + " " +
                          function.variable + ";");
-    if (stage.world) text.append(frame_text(stage, false));
-    text.append(struct_text(r));
-    text.append(uniforms_text(r));
+    if (stage.world) write_frame(stage, false, text);
+    write_struct(r, text);
+    write_uniforms(r, text);
     write_functions(stage.plan, stage.face, *stage.options.target, text);
-    if (stage.world) text.append(normal_to_world_text());
-    text.append(main_text(stage));
+    if (stage.world) write_normal_to_world(text);
+    write_main(stage, text);
     return text;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <initializer_list>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -20,9 +21,13 @@ struct Text {
         text += '\n';
         nodes.push_back(node);
     }
-    void append(const Text& other) {
-        text += other.text;
-        nodes.insert(nodes.end(), other.nodes.begin(), other.nodes.end());
+    // The pieces, one behind the other.
+    void line(int indent, std::initializer_list<std::string_view> pieces) {
+        text.append(4 * static_cast<size_t>(indent), ' ');
+        for (const std::string_view piece : pieces)
+            text += piece;
+        text += '\n';
+        nodes.push_back(no_node);
     }
 };
 
