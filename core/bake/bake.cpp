@@ -98,7 +98,7 @@ private:
 
     void bake_band(uint32_t row, uint32_t end) {
         const uint32_t bottom = layout_.height - end;
-        const std::vector<uint32_t> candidates = raster_.in_rows(bottom, end - row);
+        const std::vector<RowCandidate> candidates = raster_.in_rows(bottom, end - row);
         const uint32_t tiles = (layout_.width + bake_tile - 1) / bake_tile;
         std::vector<BakeFindings> found(tiles);
         tbb::parallel_for(uint32_t{0}, tiles, [&](uint32_t tile) {
@@ -111,7 +111,7 @@ private:
             sum.add(each);
     }
 
-    void bake_tile_at(const TexelRect& rect, std::span<const uint32_t> candidates,
+    void bake_tile_at(const TexelRect& rect, std::span<const RowCandidate> candidates,
                       TileScratch& scratch, BakeFindings& found) {
         raster_.cover(rect, candidates, scratch.coverage);
         const size_t count = TexelPoints::count(scratch.coverage);
