@@ -154,14 +154,14 @@ UvRaster::Texels UvRaster::texels_of(const int32_t (&places)[3]) {
 
 void UvRaster::add(const Mesh& mesh, size_t index) {
     Triangle t;
-    if (!uv_triangle(mesh, index)) return;
+    if (!has_uv_area(mesh, index)) return;
     for (size_t k = 0; k < 3; ++k) {
         const glm::dvec2 uv(mesh.uvs[0][mesh.indices[3 * index + k]]);
-        const double x = std::nearbyint((uv.x - layout_.corner.x) * layout_.width * units);
-        const double y = std::nearbyint((uv.y - layout_.corner.y) * layout_.height * units);
+        const double x = (uv.x - layout_.corner.x) * layout_.width * units;
+        const double y = (uv.y - layout_.corner.y) * layout_.height * units;
         if (!(std::fabs(x) < furthest) || !(std::fabs(y) < furthest)) return;
-        t.x[k] = static_cast<int32_t>(x);
-        t.y[k] = static_cast<int32_t>(y);
+        t.x[k] = static_cast<int32_t>(std::lrint(x));
+        t.y[k] = static_cast<int32_t>(std::lrint(y));
     }
     const RasterEdge edge = edge_of(t, 0);
     const int64_t area = edge.dx * (t.y[2] - edge.ay) - edge.dy * (t.x[2] - edge.ax);
@@ -195,8 +195,9 @@ void UvRaster::find_borders() {
 
 std::vector<RowCandidate> UvRaster::in_rows(uint32_t y, uint32_t height) const {
     std::vector<RowCandidate> found;
-    for (uint32_t i = 0; i < triangles_.size(); ++i) {
-        if (texels_met(rows_[i], y, height).empty()) continue;
+    const auto low = static_cast<int32_t>(y), high = static_cast<int32_t>(y + height - 1);
+    for (uint32_t i = 0; i < rows_.size(); ++i) {
+        if (rows_[i].high < low || rows_[i].low > high) continue;
         const Texels& columns = triangles_[i].columns;
         if (!texels_met(columns, 0, layout_.width).empty())
             found.push_back({i, columns.low, columns.high});
