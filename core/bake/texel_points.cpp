@@ -1,7 +1,9 @@
 #include "bake/texel_points.h"
 
 #include <algorithm>
+#include <bit>
 #include <cassert>
+#include <cstring>
 #include <glm/geometric.hpp>
 
 #include "cpu/columns.h"
@@ -47,6 +49,26 @@ glm::dvec3 brought_back(const glm::dvec3& weights) {
 
 bool is_outside(const glm::dvec3& weights) {
     return weights.x < 0 || weights.y < 0 || weights.z < 0;
+}
+
+constexpr uint32_t most_in_row = 64;
+static_assert(std::endian::native == std::endian::little, "bytes are gathered into bits");
+
+// A bit for each of up to most_in_row texels: whether its neighbour has another owner. Found at
+// once, as branches that ask texel by texel are hard to foresee.
+uint64_t ends_of_runs(std::span<const uint32_t> owners) {
+    std::array<uint8_t, most_in_row> is_end{};
+    const size_t last = owners.size() - 1;
+    for (size_t x = 0; x < last; ++x)
+        is_end[x] = owners[x] != owners[x + 1];
+    is_end[last] = 1;
+    uint64_t ends = 0;
+    for (size_t k = 0; k < sizeof ends; ++k) {
+        uint64_t bytes = 0;  // 0 or 1 each; the product has byte i in its bit 56 + i
+        std::memcpy(&bytes, is_end.data() + k * sizeof bytes, sizeof bytes);
+        ends |= (bytes * 0x0102040810204080) >> 56 << (8 * k);
+    }
+    return ends;
 }
 
 }  // namespace
@@ -95,12 +117,21 @@ size_t TexelPoints::count(const Coverage& coverage) {
     return coverage.owned + coverage.samples.size();
 }
 
+void TexelPoints::fill_constants(size_t stride, float* planes) const {
+    for (const ConstantPlane& constant : constants_)
+        std::fill_n(planes + constant.plane * stride, stride, constant.value);
+}
+
 void TexelPoints::fill(const Coverage& coverage, const TexelRect& rect, size_t stride,
                        float* planes, MetTriangles& met) const {
     float* out = planes;
     for (uint32_t y = 0; y < rect.height; ++y)
-        fill_row(rect, coverage.owners.data() + size_t{y} * rect.width,
-                 layout_.uv(0, rect.y + y + 0.5).y, stride, out, met);
+        for (uint32_t x = 0; x < rect.width; x += most_in_row) {
+            const uint32_t* owners = coverage.owners.data() + size_t{y} * rect.width + x;
+            out = fill_row({owners, std::min(rect.width - x, most_in_row)},
+                           columns_.data() + rect.x + x, layout_.uv(0, rect.y + y + 0.5).y, stride,
+                           out, met);
+        }
     for (const UvSample& sample : coverage.samples) {
         const glm::dvec2 uv = layout_.uv(sample.place.x, sample.place.y);
         const std::array<double, interpolated_behind> u = {uv.x};
@@ -108,27 +139,28 @@ void TexelPoints::fill(const Coverage& coverage, const TexelRect& rect, size_t s
         fill_run(sample.triangle, run, stride, out, met);
         fill_places(run, stride, out++);
     }
-    for (const ConstantPlane& constant : constants_)
-        std::fill_n(planes + constant.plane * stride, out - planes, constant.value);
 }
 
-void TexelPoints::fill_row(const TexelRect& rect, const uint32_t* owners, double v, size_t stride,
-                           float*& out, MetTriangles& met) const {
-    const double* columns = columns_.data() + rect.x;
-    for (uint32_t x = 0, end = 0; x < rect.width; x = end) {
-        const uint32_t first = x;
-        float* const places = out;
-        for (; x < rect.width && owners[x] != Coverage::none; x = end) {
-            for (end = x + 1; end < rect.width && owners[end] == owners[x];)
-                ++end;
-            fill_run(owners[x], {columns + x, v, end - x}, stride, out, met);
-            out += end - x;
+float* TexelPoints::fill_row(std::span<const uint32_t> owners, const double* u, double v,
+                             size_t stride, float* out, MetTriangles& met) const {
+    size_t first = 0, covered = 0;  // covered: the first of those that lie side by side
+    const auto fill_covered = [&](size_t end) {
+        const size_t count = end - covered;
+        if (count > 0) fill_places({u + covered, v, count}, stride, out - count);
+    };
+    for (uint64_t ends = ends_of_runs(owners); ends != 0; ends &= ends - 1) {
+        const auto end = static_cast<size_t>(std::countr_zero(ends)) + 1;
+        if (owners[first] == Coverage::none) {
+            fill_covered(first);
+            covered = end;
+        } else {
+            fill_run(owners[first], {u + first, v, end - first}, stride, out, met);
+            out += end - first;
         }
-        if (x > first) fill_places({columns + first, v, x - first}, stride, places);
-        while (x < rect.width && owners[x] == Coverage::none)
-            ++x;
-        end = x;
+        first = end;
     }
+    fill_covered(owners.size());
+    return out;
 }
 
 glm::dvec3 TexelPoints::change(const UvTriangle& triangle, Variant variant) const {

@@ -7,6 +7,7 @@
 #pragma once
 
 #include <array>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -44,6 +45,8 @@ public:
 
     // Plane i, by index of Program::inputs, begins at planes + i * stride. Behind its last point as
     // many numbers as `interpolated_behind` are written over. `met` is kept for this object alone.
+    // Planes that hold one number in the whole bake stay as fill_constants() left them.
+    void fill_constants(size_t stride, float* planes) const;
     void fill(const Coverage& coverage, const TexelRect& rect, size_t stride, float* planes,
               MetTriangles& met) const;
 
@@ -66,8 +69,9 @@ private:
     void add(const Program::Input& input, size_t plane);
     glm::dvec3 change(const UvTriangle& triangle, Variant variant) const;
     MetTriangles::Met& meet(uint32_t triangle, MetTriangles& met) const;
-    void fill_row(const TexelRect& rect, const uint32_t* owners, double v, size_t stride,
-                  float*& out, MetTriangles& met) const;
+    // Texels side by side; what follows their points.
+    float* fill_row(std::span<const uint32_t> owners, const double* u, double v, size_t stride,
+                    float* out, MetTriangles& met) const;
     void fill_run(uint32_t triangle, const Run& run, size_t stride, float* out,
                   MetTriangles& met) const;
     void fill_places(const Run& run, size_t stride, float* out) const;
