@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <cstring>
 
 #include "bake/dilate.h"
 #include "bake/texel_points.h"
@@ -23,7 +24,7 @@ struct TileScratch {
     Coverage coverage;
     PlaneScratch planes;
     MetTriangles met;
-    size_t stride = 0;  // from plane to plane
+    size_t stride = 0;  // from plane to plane: of the most points yet
     AlignedVector<float> inputs, outputs;
 };
 
@@ -98,7 +99,7 @@ private:
 
     void bake_band(uint32_t row, uint32_t end) {
         const uint32_t bottom = layout_.height - end;
-        const std::vector<uint32_t> candidates = raster_.in_rows(bottom, end - row);
+        const std::vector<RowCandidate> candidates = raster_.in_rows(bottom, end - row);
         const uint32_t tiles = (layout_.width + bake_tile - 1) / bake_tile;
         std::vector<BakeFindings> found(tiles);
         tbb::parallel_for(uint32_t{0}, tiles, [&](uint32_t tile) {
@@ -111,7 +112,7 @@ private:
             sum.add(each);
     }
 
-    void bake_tile_at(const TexelRect& rect, std::span<const uint32_t> candidates,
+    void bake_tile_at(const TexelRect& rect, std::span<const RowCandidate> candidates,
                       TileScratch& scratch, BakeFindings& found) {
         raster_.cover(rect, candidates, scratch.coverage);
         const size_t count = TexelPoints::count(scratch.coverage);
@@ -128,15 +129,19 @@ private:
     void evaluate(const TexelRect& rect, size_t count, TileScratch& scratch) {
         const Program& program = *input_.program;
         // Planes begin at lines of the cache, an odd number of them apart.
-        const size_t stride = scratch.stride = (count + interpolated_behind + 31) / 32 * 32 + 16;
-        scratch.inputs.resize(std::max(scratch.inputs.size(), program.inputs.size() * stride));
-        scratch.outputs.resize(std::max(scratch.outputs.size(), window_.lanes * stride));
-        points_.fill(scratch.coverage, rect, stride, scratch.inputs.data(), scratch.met);
+        const size_t stride = (count + interpolated_behind + 31) / 32 * 32 + 16;
+        if (stride > scratch.stride) {
+            scratch.stride = stride;
+            scratch.inputs.resize(program.inputs.size() * stride);
+            scratch.outputs.resize(window_.lanes * stride);
+            points_.fill_constants(stride, scratch.inputs.data());
+        }
+        points_.fill(scratch.coverage, rect, scratch.stride, scratch.inputs.data(), scratch.met);
         Planes planes;
         for (size_t i = 0; i < program.inputs.size(); ++i)
-            planes.inputs.push_back(scratch.inputs.data() + i * stride);
+            planes.inputs.push_back(scratch.inputs.data() + i * scratch.stride);
         for (size_t i = 0; i < window_.lanes; ++i)
-            planes.outputs.push_back(scratch.outputs.data() + i * stride);
+            planes.outputs.push_back(scratch.outputs.data() + i * scratch.stride);
         if (count > 0) evaluate_planes(program, input_.textures, planes, count, scratch.planes);
     }
 
@@ -167,8 +172,9 @@ private:
         for (uint32_t x = 0; x < rect.width; ++x)
             covered[x] = owners[x] != Coverage::none;
         for (uint32_t x = 0, end = 0; x < rect.width; x = end) {
-            for (end = x + 1; end < rect.width && covered[end] == covered[x];)
-                ++end;
+            const void* other = std::memchr(covered + x, 1 - covered[x], rect.width - x);
+            end = other ? static_cast<uint32_t>(static_cast<const uint8_t*>(other) - covered)
+                        : rect.width;
             if (!covered[x]) continue;
             for (size_t lane = 0; lane < window_.lanes; ++lane)
                 std::copy_n(scratch.outputs.data() + lane * scratch.stride + point, end - x,

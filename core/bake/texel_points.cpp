@@ -1,7 +1,9 @@
 #include "bake/texel_points.h"
 
 #include <algorithm>
+#include <bit>
 #include <cassert>
+#include <cstring>
 #include <glm/geometric.hpp>
 
 #include "cpu/columns.h"
@@ -49,6 +51,26 @@ bool is_outside(const glm::dvec3& weights) {
     return weights.x < 0 || weights.y < 0 || weights.z < 0;
 }
 
+constexpr uint32_t most_in_row = 64;
+static_assert(std::endian::native == std::endian::little, "bytes are gathered into bits");
+
+// A bit for each of up to most_in_row texels: whether its neighbour has another owner. Found at
+// once, as branches that ask texel by texel are hard to foresee.
+uint64_t ends_of_runs(std::span<const uint32_t> owners) {
+    std::array<uint8_t, most_in_row> is_end{};
+    const size_t last = owners.size() - 1;
+    for (size_t x = 0; x < last; ++x)
+        is_end[x] = owners[x] != owners[x + 1];
+    is_end[last] = 1;
+    uint64_t ends = 0;
+    for (size_t k = 0; k < sizeof ends; ++k) {
+        uint64_t bytes = 0;  // 0 or 1 each; the product has byte i in its bit 56 + i
+        std::memcpy(&bytes, is_end.data() + k * sizeof bytes, sizeof bytes);
+        ends |= (bytes * 0x0102040810204080) >> 56 << (8 * k);
+    }
+    return ends;
+}
+
 }  // namespace
 
 std::string missing_input(const Mesh& mesh, const Program& program) {
@@ -64,112 +86,151 @@ TexelPoints::TexelPoints(const Mesh& mesh, const Program& program, const UvLayou
       columns_(layout.width + interpolated_behind),
       interpolate_(kernels_of(default_instruction_set()).interpolate) {
     assert(missing_input(mesh, program).empty());
-    for (const Program::Input& input : program.inputs) {
-        sources_.push_back(source_of(input));
-        has_view_ = has_view_ || input.input == SurfaceInput::view_;
-    }
+    for (size_t i = 0; i < program.inputs.size(); ++i)
+        add(program.inputs[i], i);
     for (uint32_t x = 0; x < layout.width; ++x)
         columns_[x] = layout.uv(x + 0.5, 0).x;
 }
 
-TexelPoints::Source TexelPoints::source_of(const Program::Input& input) const {
-    const Attribute attribute = attribute_of(mesh_, input.input);
-    const uint32_t lane = input.input == SurfaceInput::view_ ? 0 : input.lane;
-    const float* values = attribute.values ? attribute.values + lane : nullptr;
-    return {input.input, input.variant, values, attribute.stride, input.lane};
+void TexelPoints::add(const Program::Input& input, size_t plane) {
+    const bool is_value = input.variant == Variant::value;
+    Source source = {plane, input.variant, input.lane};
+    if (input.input == SurfaceInput::facing_) {
+        constants_.push_back({is_value ? 1.0F : 0.0F, plane});
+    } else if (input.input == SurfaceInput::uv0_ && is_value) {
+        places_.push_back(source);
+    } else if (input.input == SurfaceInput::uv0_) {
+        const uint32_t along = input.variant == Variant::dx ? 0 : 1;
+        const double texel = 1.0 / (along == 0 ? layout_.width : layout_.height);
+        constants_.push_back({input.lane == along ? static_cast<float>(texel) : 0.0F, plane});
+    } else if (input.input == SurfaceInput::view_) {
+        views_.push_back(source);
+    } else {
+        const Attribute attribute = attribute_of(mesh_, input.input);
+        source.values = attribute.values + input.lane;
+        source.stride = attribute.stride;
+        (is_value ? linear_ : changes_).push_back(source);
+    }
 }
 
 size_t TexelPoints::count(const Coverage& coverage) {
-    const auto empty = std::count(coverage.owners.begin(), coverage.owners.end(), Coverage::none);
-    return coverage.owners.size() - static_cast<size_t>(empty) + coverage.samples.size();
+    return coverage.owned + coverage.samples.size();
+}
+
+void TexelPoints::fill_constants(size_t stride, float* planes) const {
+    for (const ConstantPlane& constant : constants_)
+        std::fill_n(planes + constant.plane * stride, stride, constant.value);
 }
 
 void TexelPoints::fill(const Coverage& coverage, const TexelRect& rect, size_t stride,
                        float* planes, MetTriangles& met) const {
-    for (uint32_t y = 0; y < rect.height; ++y) {
-        const double v = layout_.uv(0, rect.y + y + 0.5).y;
-        const uint32_t* row = coverage.owners.data() + size_t{y} * rect.width;
-        for (uint32_t x = 0, end = 0; x < rect.width; x = end) {
-            for (end = x + 1; end < rect.width && row[end] == row[x];)
-                ++end;
-            if (row[x] == Coverage::none) continue;
-            fill_run({row[x], columns_.data() + rect.x + x, v, end - x}, stride, planes, met);
-            planes += end - x;
+    float* out = planes;
+    for (uint32_t y = 0; y < rect.height; ++y)
+        for (uint32_t x = 0; x < rect.width; x += most_in_row) {
+            const uint32_t* owners = coverage.owners.data() + size_t{y} * rect.width + x;
+            out = fill_row({owners, std::min(rect.width - x, most_in_row)},
+                           columns_.data() + rect.x + x, layout_.uv(0, rect.y + y + 0.5).y, stride,
+                           out, met);
         }
-    }
     for (const UvSample& sample : coverage.samples) {
         const glm::dvec2 uv = layout_.uv(sample.place.x, sample.place.y);
         const std::array<double, interpolated_behind> u = {uv.x};
-        fill_run({sample.triangle, u.data(), uv.y, 1}, stride, planes++, met);
+        const Run run = {u.data(), uv.y, 1};
+        fill_run(sample.triangle, run, stride, out, met);
+        fill_places(run, stride, out++);
     }
 }
 
-CornerValues TexelPoints::values_of(const Source& source, uint32_t triangle,
-                                    const UvTriangle& uv) const {
-    using Kind = CornerValues::Kind;
-    const bool is_value = source.variant == Variant::value;
-    if (source.input == SurfaceInput::facing_) return {Kind::constant, {is_value ? 1.0 : 0.0}};
-    if (source.input == SurfaceInput::view_) return {};
-    CornerValues values = {Kind::linear};
-    for (size_t k = 0; k < 3; ++k) {
-        const size_t vertex = mesh_.indices[3 * size_t{triangle} + k];
-        values.at[k] = static_cast<double>(source.values[vertex * source.stride]);
+float* TexelPoints::fill_row(std::span<const uint32_t> owners, const double* u, double v,
+                             size_t stride, float* out, MetTriangles& met) const {
+    size_t first = 0, covered = 0;  // covered: the first of those that lie side by side
+    const auto fill_covered = [&](size_t end) {
+        const size_t count = end - covered;
+        if (count > 0) fill_places({u + covered, v, count}, stride, out - count);
+    };
+    for (uint64_t ends = ends_of_runs(owners); ends != 0; ends &= ends - 1) {
+        const auto end = static_cast<size_t>(std::countr_zero(ends)) + 1;
+        if (owners[first] == Coverage::none) {
+            fill_covered(first);
+            covered = end;
+        } else {
+            fill_run(owners[first], {u + first, v, end - first}, stride, out, met);
+            out += end - first;
+        }
+        first = end;
     }
-    if (is_value) return values;
-    const glm::dvec3 change = source.variant == Variant::dy
-                                  ? uv.dv() / static_cast<double>(layout_.height)
-                                  : uv.du() / static_cast<double>(layout_.width);
-    return {Kind::constant, {blend<double>(values.at[0], values.at[1], values.at[2], change)}};
+    fill_covered(owners.size());
+    return out;
 }
 
-const MetTriangles::Met& TexelPoints::meet(uint32_t triangle, MetTriangles& met) const {
+glm::dvec3 TexelPoints::change(const UvTriangle& triangle, Variant variant) const {
+    return variant == Variant::dy ? triangle.dv() / static_cast<double>(layout_.height)
+                                  : triangle.du() / static_cast<double>(layout_.width);
+}
+
+MetTriangles::Met& TexelPoints::meet(uint32_t triangle, MetTriangles& met) const {
     MetTriangles::Met& one = met.met[triangle % met.met.size()];
     if (one.triangle == triangle) return one;
     const auto uv = uv_triangle(mesh_, triangle);
     assert(uv);
     one.triangle = triangle;
     one.uv = *uv;
-    one.values.clear();
-    for (const Source& source : sources_)
-        one.values.push_back(values_of(source, triangle, one.uv));
+    one.row = {
+        {uv->first.x, uv->first.y}, {uv->second.x, uv->second.y}, {uv->third.x, uv->third.y}};
+    const uint32_t* corners = mesh_.indices.data() + 3 * size_t{triangle};
+    const auto at = [&](const Source& source, size_t k) {
+        return static_cast<double>(source.values[size_t{corners[k]} * source.stride]);
+    };
+    one.linear.resize(linear_.size());
+    for (size_t i = 0; i < linear_.size(); ++i) {
+        const Source& source = linear_[i];
+        one.linear[i] = {{at(source, 0), at(source, 1), at(source, 2)}, source.plane};
+    }
+    one.constant.resize(changes_.size());
+    for (size_t i = 0; i < changes_.size(); ++i) {
+        const Source& source = changes_[i];
+        const double value = blend<double>(at(source, 0), at(source, 1), at(source, 2),
+                                           change(one.uv, source.variant));
+        one.constant[i] = {static_cast<float>(value), source.plane};
+    }
     return one;
 }
 
-void TexelPoints::fill_run(const Run& run, size_t stride, float* out, MetTriangles& met) const {
-    const auto& [number, uv, values] = meet(run.triangle, met);
-    TriangleRow row = {{uv.first.x, uv.first.y},
-                       {uv.second.x, uv.second.y},
-                       {uv.third.x, uv.third.y},
-                       run.u,
-                       run.v,
-                       run.count};
-    // Weights are linear along it, so its ends tell of all.
-    row.outside = is_outside(uv.weights({run.u[0], run.v})) ||
-                  is_outside(uv.weights({run.u[run.count - 1], run.v}));
-    interpolate_(row, values.data(), values.size(), out, stride);
-    for (size_t i = 0; has_view_ && i < sources_.size(); ++i)
-        if (sources_[i].input == SurfaceInput::view_)
-            fill_view(run, sources_[i], uv, row.outside, out + i * stride);
+void TexelPoints::fill_run(uint32_t triangle, const Run& run, size_t stride, float* out,
+                           MetTriangles& met) const {
+    MetTriangles::Met& one = meet(triangle, met);
+    one.row.u = run.u;
+    one.row.v = run.v;
+    one.row.count = run.count;
+    const TrianglePlanes planes = {one.linear.data(), one.linear.size(), one.constant.data(),
+                                   one.constant.size()};
+    interpolate_(one.row, planes, out, stride);
+    for (const Source& source : views_)
+        fill_view(one, source, out + source.plane * stride);
 }
 
-void TexelPoints::fill_view(const Run& run, const Source& source, const UvTriangle& triangle,
-                            bool outside, float* out) const {
-    const uint32_t* corners = mesh_.indices.data() + 3 * size_t{run.triangle};
+void TexelPoints::fill_places(const Run& run, size_t stride, float* out) const {
+    for (const Source& source : places_) {
+        float* to = out + source.plane * stride;
+        for (size_t i = 0; i < run.count; ++i)
+            to[i] = static_cast<float>(source.lane == 0 ? run.u[i] : run.v);
+    }
+}
+
+void TexelPoints::fill_view(const MetTriangles::Met& one, const Source& source, float* out) const {
+    const uint32_t* corners = mesh_.indices.data() + 3 * size_t{one.triangle};
     const auto at = [&](const glm::dvec3& w) {
         return blend<glm::dvec3>(mesh_.normals[corners[0]], mesh_.normals[corners[1]],
                                  mesh_.normals[corners[2]], w);
     };
-    const glm::dvec3 change = source.variant == Variant::dy
-                                  ? triangle.dv() / static_cast<double>(layout_.height)
-                                  : triangle.du() / static_cast<double>(layout_.width);
-    for (size_t i = 0; i < run.count; ++i) {
-        const glm::dvec3 weights = triangle.weights({run.u[i], run.v});
-        const glm::dvec3 normal = at(outside ? brought_back(weights) : weights);
+    for (size_t i = 0; i < one.row.count; ++i) {
+        const glm::dvec3 weights = one.uv.weights({one.row.u[i], one.row.v});
+        const glm::dvec3 normal = at(is_outside(weights) ? brought_back(weights) : weights);
         const double length = glm::length(normal);
         const glm::dvec3 unit = normal / length;
         glm::dvec3 value = unit;
         if (source.variant != Variant::value) {
-            const glm::dvec3 moved = at(change);
+            const glm::dvec3 moved = at(change(one.uv, source.variant));
             value = (moved - unit * glm::dot(unit, moved)) / length;
         }
         out[i] = static_cast<float>(value[static_cast<int>(source.lane)]);

@@ -1,12 +1,13 @@
 // The surface points of covered texels, as the planes that a program reads.
 //
 // A point is what sample_mesh() (mesh/sample.h) gives there, to the last bit, its dx and dy one
-// texel of the layout, as floats; a place outside of its triangle by the raster's rounding is
-// brought back to its border. A bake looks at the outside from straight above: `facing` is 1 and
-// `view` the normal made unit.
+// texel of the layout, as floats; a place outside of its triangle by the raster's rounding has what
+// stands on its border, but for uv0, which is the place itself. A bake looks at the outside from
+// straight above: `facing` is 1 and `view` the normal made unit.
 #pragma once
 
 #include <array>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -27,7 +28,9 @@ struct MetTriangles {
     struct Met {
         uint32_t triangle = Coverage::none;
         UvTriangle uv;
-        std::vector<CornerValues> values;  // by input
+        TriangleRow row;  // of `uv`, where its points lie being those of the last row
+        std::vector<LinearPlane> linear;
+        std::vector<ConstantPlane> constant;
     };
     std::array<Met, 64> met;  // by the lowest bits of a triangle's number
 };
@@ -42,37 +45,43 @@ public:
 
     // Plane i, by index of Program::inputs, begins at planes + i * stride. Behind its last point as
     // many numbers as `interpolated_behind` are written over. `met` is kept for this object alone.
+    // Planes that hold one number in the whole bake stay as fill_constants() left them.
+    void fill_constants(size_t stride, float* planes) const;
     void fill(const Coverage& coverage, const TexelRect& rect, size_t stride, float* planes,
               MetTriangles& met) const;
 
 private:
-    // Points of one triangle, side by side.
+    // Points side by side; those of a triangle, or whatever owns them.
     struct Run {
-        uint32_t triangle;
         const double* u;  // of each; read as far as whole vectors go
         double v;
         size_t count;
     };
-    // Of one input: its numbers at vertex i stand at values[i * stride].
+    // Of one input: its number at vertex i stands at values[i * stride].
     struct Source {
-        SurfaceInput input;
+        size_t plane;
         Variant variant;
-        const float* values;
-        uint32_t stride;
         uint32_t lane;
+        const float* values = nullptr;
+        uint32_t stride = 0;
     };
 
-    Source source_of(const Program::Input& input) const;
-    CornerValues values_of(const Source& source, uint32_t triangle, const UvTriangle& uv) const;
-    const MetTriangles::Met& meet(uint32_t triangle, MetTriangles& met) const;
-    void fill_run(const Run& run, size_t stride, float* out, MetTriangles& met) const;
-    void fill_view(const Run& run, const Source& source, const UvTriangle& triangle, bool outside,
-                   float* out) const;
+    void add(const Program::Input& input, size_t plane);
+    glm::dvec3 change(const UvTriangle& triangle, Variant variant) const;
+    MetTriangles::Met& meet(uint32_t triangle, MetTriangles& met) const;
+    // Texels side by side; what follows their points.
+    float* fill_row(std::span<const uint32_t> owners, const double* u, double v, size_t stride,
+                    float* out, MetTriangles& met) const;
+    void fill_run(uint32_t triangle, const Run& run, size_t stride, float* out,
+                  MetTriangles& met) const;
+    void fill_places(const Run& run, size_t stride, float* out) const;
+    void fill_view(const MetTriangles::Met& one, const Source& source, float* out) const;
 
     const Mesh& mesh_;
     UvLayout layout_;
-    std::vector<Source> sources_;
-    bool has_view_ = false;
+    // Inputs by what they are over a triangle; `constants_` are so over the layout.
+    std::vector<Source> linear_, changes_, places_, views_;
+    std::vector<ConstantPlane> constants_;
     std::vector<double> columns_;  // u of the texels' centres
     Interpolate interpolate_;
 };

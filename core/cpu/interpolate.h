@@ -1,8 +1,9 @@
 // What a triangle's corners make of places in a row: planes of numbers as a program reads them.
 // Double arithmetic, each operation rounding by itself, so every instruction set has the same bits.
 //
-// A place's weights are s and t of corners 1 and 2, and 1 - s - t of corner 0. Loops run over whole
-// vectors: they read and write up to `interpolated_behind` numbers behind the last place.
+// A place's weights are s and t of corners 1 and 2, and 1 - s - t of corner 0; where one is below 0
+// it is brought to 0, and the sum of the others back to 1. Loops run over whole vectors: they read
+// and write up to `interpolated_behind` numbers behind the last place.
 #pragma once
 
 #include <cstddef>
@@ -18,17 +19,27 @@ struct TriangleRow {
     const double* u = nullptr;
     double v = 0;
     size_t count = 0;
-    bool outside = false;  // weights below 0 are brought to 0, the others' sum back to 1
 };
 
-struct CornerValues {
-    enum class Kind : uint8_t { linear, constant, other };  // others' planes are not touched
-    Kind kind = Kind::other;
-    double at[3] = {};  // the first one is the constant
+// What a plane holds, from the number at the first place on.
+struct LinearPlane {
+    double corner[3];
+    size_t plane;
+};
+struct ConstantPlane {
+    float value;
+    size_t plane;
 };
 
-// Plane i goes to out + i * stride.
-using Interpolate = void (*)(const TriangleRow& row, const CornerValues* values, size_t planes,
-                             float* out, size_t stride);
+struct TrianglePlanes {
+    const LinearPlane* linear = nullptr;
+    size_t linear_count = 0;
+    const ConstantPlane* constant = nullptr;
+    size_t constant_count = 0;
+};
+
+// Plane i begins at out + i * stride.
+using Interpolate = void (*)(const TriangleRow& row, const TrianglePlanes& planes, float* out,
+                             size_t stride);
 
 }  // namespace wrinkle

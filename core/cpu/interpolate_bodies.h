@@ -10,52 +10,54 @@ namespace {
 
 constexpr size_t double_lanes = vector_bytes / sizeof(double);
 static_assert(double_lanes <= interpolated_behind);
-using Doubles = double __attribute__((vector_size(vector_bytes)));
 using NarrowFloats = float __attribute__((vector_size(vector_bytes / 2)));
 
 struct CornerWeights {
     Doubles a, b, c;
 
-    void bring_back() {
+    // Where `least` of them is below 0.
+    void bring_back(Doubles least) {
         const Doubles zero{};
-        a = a < zero ? zero : a;
-        b = b < zero ? zero : b;
-        c = c < zero ? zero : c;
-        const Doubles sum = a + b + c;
-        a /= sum;
-        b /= sum;
-        c /= sum;
+        const Doubles x = a < zero ? zero : a, y = b < zero ? zero : b, z = c < zero ? zero : c;
+        const Doubles sum = x + y + z;
+        a = least < zero ? x / sum : a;
+        b = least < zero ? y / sum : b;
+        c = least < zero ? z / sum : c;
     }
 };
 
-CornerWeights weights_at(const TriangleRow& row, size_t k) {
-    const Doubles x = load<Doubles>(row.u + k) - row.first[0];
+CornerWeights weights_at(const TriangleRow& row, Doubles u, size_t left) {
+    const Doubles x = u - row.first[0];
     const double y = row.v - row.first[1];
     const Doubles s = row.second[0] * x + row.second[1] * y;
     const Doubles t = row.third[0] * x + row.third[1] * y;
     CornerWeights weights = {1 - s - t, s, t};
-    if (row.outside) weights.bring_back();
+    const Doubles low = s < t ? s : t;
+    const Doubles least = weights.a < low ? weights.a : low;
+    // Behind the last place a row has left its triangle, as a rule.
+    const uint32_t mine = left < double_lanes ? (1U << left) - 1 : ~0U;
+    if (lanes_below_zero(least) & mine) weights.bring_back(least);
     return weights;
 }
 
-void interpolate(const TriangleRow& row, const CornerValues* values, size_t planes, float* out,
-                 size_t stride) {
+void interpolate(const TriangleRow& row, const TrianglePlanes& planes, float* out, size_t stride) {
     // Copies, which what is stored cannot change.
     const TriangleRow places = row;
+    const LinearPlane* const end = planes.linear + planes.linear_count;
     for (size_t k = 0; k < places.count; k += double_lanes) {
-        const CornerWeights weights = weights_at(places, k);
-        float* to = out + k;
-        for (size_t plane = 0; plane < planes; ++plane, to += stride) {
-            const CornerValues& value = values[plane];
-            Doubles at{};
-            if (value.kind == CornerValues::Kind::linear)
-                at = value.at[0] * weights.a + value.at[1] * weights.b + value.at[2] * weights.c;
-            else if (value.kind == CornerValues::Kind::constant)
-                at = at + value.at[0];
-            else
-                continue;
-            store(to, __builtin_convertvector(at, NarrowFloats));
+        const auto u = load<Doubles>(places.u + k);
+        const CornerWeights weights = weights_at(places, u, places.count - k);
+        for (const LinearPlane* each = planes.linear; each != end; ++each) {
+            const Doubles at = each->corner[0] * weights.a + each->corner[1] * weights.b +
+                               each->corner[2] * weights.c;
+            store(out + each->plane * stride + k, __builtin_convertvector(at, NarrowFloats));
         }
+    }
+    for (size_t i = 0; i < planes.constant_count; ++i) {
+        const ConstantPlane& each = planes.constant[i];
+        const NarrowFloats value = NarrowFloats{} + each.value;
+        for (size_t k = 0; k < places.count; k += double_lanes)
+            store(out + each.plane * stride + k, value);
     }
 }
 

@@ -2,8 +2,7 @@
 
 #include <algorithm>
 #include <array>
-
-#include "base/transcendental.h"
+#include <bit>
 
 namespace wrinkle {
 namespace {
@@ -42,9 +41,17 @@ void find_lods(const float* lod, size_t n, float last, Lods& found) {
     for (size_t k = 0; k < n; ++k) {
         const float above = lod[k] > 0 ? lod[k] : 0.0F;  // NaN reads level 0
         const float inside = above < last ? above : last;
-        found.level[k] = math::floor(inside);
+        found.level[k] = static_cast<float>(static_cast<int32_t>(inside));
         found.between[k] = inside - found.level[k];
     }
+}
+
+// As where a map is baked and the uv of its layout read.
+bool are_same(const float* lod, size_t n) {
+    uint32_t other = 0;  // without a branch, so that the loop is vectorised
+    for (size_t k = 0; k < n; ++k)
+        other |= std::bit_cast<uint32_t>(lod[k]) ^ std::bit_cast<uint32_t>(lod[0]);
+    return other == 0;
 }
 
 // As with a picture that is seen from near. NaN reads level 0.
@@ -64,10 +71,10 @@ size_t run_end(const Lods& lods, size_t first, size_t n) {
 }
 
 bool any_between(const Lods& lods, size_t first, size_t end) {
-    bool any = false;
+    uint32_t any = 0;  // without a branch, as above
     for (size_t k = first; k < end; ++k)
-        any |= lods.between[k] > 0;
-    return any;
+        any |= static_cast<uint32_t>(lods.between[k] > 0);
+    return any != 0;
 }
 
 // The next level's values, where a lane reads them too, and then the bias.
@@ -103,10 +110,18 @@ void sample_run(const Texture& texture, std::span<const TexelLevel> levels, cons
 void sample_tile(const Texture& texture, const Kernels& kernels, const TileSample& sample) {
     const Wrap wrap = texture.options().wrap;
     const std::span<const TexelLevel> levels = texture.texels().levels(wrap);
-    if (levels.size() == 1 || is_finest(sample.lod, sample.count))
-        return sample_one(levels[0], wrap, kernels, sample);
+    if (levels.size() == 1) return sample_one(levels[0], wrap, kernels, sample);
+    const auto last = static_cast<float>(levels.size() - 1);
     Lods lods;
-    find_lods(sample.lod, sample.count, static_cast<float>(levels.size() - 1), lods);
+    if (are_same(sample.lod, sample.count)) {
+        find_lods(sample.lod, 1, last, lods);
+        const auto level = static_cast<size_t>(lods.level[0]);
+        if (lods.between[0] == 0) return sample_one(levels[level], wrap, kernels, sample);
+        std::fill_n(lods.between.begin(), sample.count, lods.between[0]);
+        return sample_run(texture, levels, kernels, sample, lods, 0);
+    }
+    if (is_finest(sample.lod, sample.count)) return sample_one(levels[0], wrap, kernels, sample);
+    find_lods(sample.lod, sample.count, last, lods);
     for (size_t first = 0, end = 0; first < sample.count; first = end) {
         end = run_end(lods, first, sample.count);
         TileSample run = sample;

@@ -10,6 +10,7 @@ constexpr size_t vector_bytes = 16;
 #endif
 constexpr size_t vector_lanes = vector_bytes / sizeof(float);
 
+using Doubles = double __attribute__((vector_size(vector_bytes)));
 using Floats = float __attribute__((vector_size(vector_bytes)));
 using Ints = int32_t __attribute__((vector_size(vector_bytes)));
 using Words = uint32_t __attribute__((vector_size(vector_bytes)));
@@ -34,7 +35,7 @@ WRINKLE_INLINE Floats to_floats(Ints v) {
 // above_zero: 0 for NaN too. whole_below: the greatest whole number that is not greater, of what an
 // int holds, in both types. gather: of 32-bit values. scaled: a number of the low 23 bits times a
 // constant, rounded once. are_lanes: whether every number is that of a lane. picked: of `from` the
-// lanes that are named.
+// lanes that are named. lanes_below_zero: a bit for each, that of lane 0 the lowest.
 struct Whole {
     Ints number;
     Floats same;
@@ -62,6 +63,9 @@ WRINKLE_INLINE Ints gather(const void* from, Ints places) {
     const auto at = reinterpret_cast<__m512i>(places);
     return reinterpret_cast<Ints>(
         _mm512_mask_i32gather_epi32(_mm512_setzero_si512(), 0xFFFF, at, from, 4));
+}
+WRINKLE_INLINE uint32_t lanes_below_zero(Doubles v) {
+    return _mm512_cmp_pd_mask(v, _mm512_setzero_pd(), _CMP_LT_OQ);
 }
 WRINKLE_INLINE Floats scaled(Ints whole, float factor) {
     // As the mantissa of a number from 2^23 on; that part of the product falls away exactly.
@@ -91,6 +95,10 @@ WRINKLE_INLINE Ints gather(const void* from, Ints places) {
     const auto at = reinterpret_cast<__m256i>(places);
     return reinterpret_cast<Ints>(_mm256_i32gather_epi32(static_cast<const int*>(from), at, 4));
 }
+WRINKLE_INLINE uint32_t lanes_below_zero(Doubles v) {
+    return static_cast<uint32_t>(
+        _mm256_movemask_pd(_mm256_cmp_pd(v, _mm256_setzero_pd(), _CMP_LT_OQ)));
+}
 #else
 WRINKLE_INLINE bool are_lanes(Ints) {
     return false;  // a gather is no dearer
@@ -116,6 +124,9 @@ WRINKLE_INLINE Ints gather(const void* from, Ints places) {
     for (size_t k = 0; k < vector_lanes; ++k)
         places[k] = static_cast<const int32_t*>(from)[places[k]];
     return places;
+}
+WRINKLE_INLINE uint32_t lanes_below_zero(Doubles v) {
+    return static_cast<uint32_t>(v[0] < 0) | static_cast<uint32_t>(v[1] < 0) << 1;
 }
 #endif
 #if !defined(__AVX512F__)

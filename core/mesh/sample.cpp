@@ -109,6 +109,10 @@ std::optional<SurfacePoint> sample_mesh(const Mesh& mesh, dvec2 uv, uint32_t siz
     point.value = blend_all(mesh, corners, cover->map.weights(uv));
     point.dx = blend_all(mesh, corners, cover->map.du() / static_cast<double>(size));
     point.dy = blend_all(mesh, corners, cover->map.dv() / static_cast<double>(size));
+    const double texel = 1.0 / size;
+    point.value.uv[0] = uv;
+    point.dx.uv[0] = {texel, 0};
+    point.dy.uv[0] = {0, texel};
     point.has = presence_of(mesh);
     point.triangle = static_cast<uint32_t>(cover->triangle);
     return point;

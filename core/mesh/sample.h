@@ -2,7 +2,8 @@
 //
 // Attributes are interpolated over the triangle that covers the uv, as a rasteriser does: nothing
 // is normalised. dx and dy are the change of each attribute over one texel of a size * size layout
-// of uv0: du = 1 / size for dx, dv = 1 / size for dy, within the plane of that triangle. Attributes
+// of uv0: du = 1 / size for dx, dv = 1 / size for dy, within the plane of that triangle. uv0 is not
+// interpolated: it is the uv itself, its dx exactly (1 / size, 0), its dy (0, 1 / size). Attributes
 // that the mesh lacks are absent in `has` and zero.
 #pragma once
 

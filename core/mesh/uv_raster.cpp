@@ -1,9 +1,11 @@
 #include "mesh/uv_raster.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cassert>
 #include <cmath>
+#include <cstring>
 #include <optional>
 #include <tuple>
 
@@ -20,6 +22,12 @@ int64_t floor_div(int64_t a, int64_t b) {  // b > 0
     return a >= 0 ? a / b : -((-a + b - 1) / b);
 }
 
+// The texel that a number of units lies in.
+constexpr int64_t texel_at(int64_t place) {
+    static_assert(units == 256);
+    return place >> 8;
+}
+
 // One edge of a counter-clockwise triangle, from (ax, ay) by (dx, dy). What lies to its left is
 // inside; of the edge itself, where it runs downwards or to the right.
 struct RasterEdge {
@@ -34,43 +42,35 @@ struct Interval {
     bool empty() const { return low > high; }
 };
 
-// The texels whose centres an edge has inside, row by row upwards: as far as the edge's value at
-// the row's first texel, divided by its change from one to the next. From row to row the quotient
-// and the remainder go on by steps.
+// How far the texels reach whose centres an edge that is not level has inside, row by row upwards:
+// as far as the edge's value at the row's first texel, divided by its change from one to the next.
+// From row to row the quotient and the remainder go on by steps.
 class EdgeRows {
 public:
-    EdgeRows(const RasterEdge& edge, int64_t row)
-        : rises_(edge.dy > 0), level_(edge.dy == 0), divisor_(std::abs(edge.dy) * units) {
+    EdgeRows() = default;
+    EdgeRows(const RasterEdge& edge, int64_t row) : divisor_(std::abs(edge.dy) * units) {
         const int64_t y = row * units + units / 2;
         const int64_t at_zero =
             edge.dx * (y - edge.ay) - edge.dy * (units / 2 - edge.ax) - edge.least();
-        if (level_) divisor_ = 1;
         quotient_ = floor_div(at_zero, divisor_);
         remainder_ = at_zero - quotient_ * divisor_;
         quotient_step_ = floor_div(edge.dx * units, divisor_);
         remainder_step_ = edge.dx * units - quotient_step_ * divisor_;
     }
 
-    void clip(Interval& row) const {
-        if (level_)
-            row.high = quotient_ < 0 ? row.low - 1 : row.high;
-        else if (rises_)
-            row.high = std::min(row.high, quotient_);
-        else
-            row.low = std::max(row.low, -quotient_);
-    }
-
-    void go_up() {
-        quotient_ += quotient_step_;
-        remainder_ += remainder_step_;
-        if (remainder_ < divisor_) return;
-        remainder_ -= divisor_;
-        ++quotient_;
+    // Of one row after the other: the last texel of an edge that rises, less than none of the first
+    // one of an edge that falls.
+    int64_t next() {
+        const int64_t here = quotient_;
+        const int64_t rest = remainder_ + remainder_step_ - divisor_;
+        const int64_t less = rest >> 63;  // -1 below 0: no branch, as it could not be foreseen
+        quotient_ += quotient_step_ + 1 + less;
+        remainder_ = rest + (divisor_ & less);
+        return here;
     }
 
 private:
-    bool rises_, level_;
-    int64_t divisor_, quotient_, remainder_, quotient_step_, remainder_step_;
+    int64_t divisor_ = 1, quotient_ = 0, remainder_ = 0, quotient_step_ = 0, remainder_step_ = 0;
 };
 
 template <class Triangle>
@@ -79,11 +79,41 @@ RasterEdge edge_of(const Triangle& t, size_t k) {
     return {t.x[k], t.y[k], int64_t{t.x[next]} - t.x[k], int64_t{t.y[next]} - t.y[k]};
 }
 
-// The texels from `first` on, `count` of them, that the numbers meet.
-Interval texels_met(const int32_t (&values)[3], uint32_t first, uint32_t count) {
-    const auto [low, high] = std::minmax({values[0], values[1], values[2]});
-    return {std::max<int64_t>(floor_div(low, units), first),
-            std::min<int64_t>(floor_div(high, units), int64_t{first} + count - 1)};
+// The texels from `first` on, `count` of them, that `box` meets.
+template <class Box>
+Interval texels_met(const Box& box, uint32_t first, uint32_t count) {
+    return {std::max<int64_t>(box.low, first),
+            std::min<int64_t>(box.high, int64_t{first} + count - 1)};
+}
+
+template <class Box>
+bool has_texels(const Box& box) {
+    return box.low <= box.high;
+}
+
+// The rows from `first` on, `count` of them, whose centres lie between a triangle's lowest corner
+// and its highest one, not on a level edge on its top.
+template <class Triangle>
+Interval centres_within(const Triangle& t, uint32_t first, uint32_t count) {
+    const auto [low, high] = std::minmax({t.y[0], t.y[1], t.y[2]});
+    int64_t below = int64_t{high} - units / 2;
+    for (size_t k = 0; k < 3; ++k)
+        if (t.y[k] == high && t.y[(k + 1) % 3] == high) --below;
+    return {std::max<int64_t>(texel_at(int64_t{low} + units / 2 - 1), first),
+            std::min<int64_t>(texel_at(below), int64_t{first} + count - 1)};
+}
+
+// std::fill_n() for few.
+void fill_span(uint32_t* owners, size_t count, uint32_t index) {
+    const std::array<uint32_t, 4> four = {index, index, index, index};
+    if (count < four.size()) {
+        for (size_t i = 0; i < count; ++i)
+            owners[i] = index;
+        return;
+    }
+    for (size_t i = 0; i + four.size() <= count; i += four.size())
+        std::memcpy(owners + i, four.data(), sizeof four);
+    std::memcpy(owners + count - four.size(), four.data(), sizeof four);
 }
 
 // An edge by its ends, the lower one first, so that both of its sides have one key.
@@ -110,31 +140,39 @@ UvRaster::UvRaster(const Mesh& mesh, const UvLayout& layout)
     : layout_(layout),
       across_(static_cast<uint32_t>(std::lround(std::sqrt(static_cast<double>(layout.samples))))) {
     assert(mesh.has_uv(0) && across_ * across_ == layout.samples && across_ <= 8);
-    triangles_.reserve(mesh.triangle_count());
+    triangles_.resize(mesh.triangle_count());
+    rows_.resize(mesh.triangle_count());
     for (size_t i = 0; i < mesh.triangle_count(); ++i)
-        triangles_.push_back(rounded(mesh, i));
+        add(mesh, i);
     if (across_ > 1) find_borders();
 }
 
-UvRaster::Triangle UvRaster::rounded(const Mesh& mesh, size_t index) const {
+UvRaster::Texels UvRaster::texels_of(const int32_t (&places)[3]) {
+    const auto [low, high] = std::minmax({places[0], places[1], places[2]});
+    return {static_cast<int32_t>(texel_at(low)), static_cast<int32_t>(texel_at(high))};
+}
+
+void UvRaster::add(const Mesh& mesh, size_t index) {
     Triangle t;
-    if (!uv_triangle(mesh, index)) return t;
+    if (!has_uv_area(mesh, index)) return;
     for (size_t k = 0; k < 3; ++k) {
         const glm::dvec2 uv(mesh.uvs[0][mesh.indices[3 * index + k]]);
-        const double x = std::nearbyint((uv.x - layout_.corner.x) * layout_.width * units);
-        const double y = std::nearbyint((uv.y - layout_.corner.y) * layout_.height * units);
-        if (!(std::fabs(x) < furthest) || !(std::fabs(y) < furthest)) return t;
-        t.x[k] = static_cast<int32_t>(x);
-        t.y[k] = static_cast<int32_t>(y);
+        const double x = (uv.x - layout_.corner.x) * layout_.width * units;
+        const double y = (uv.y - layout_.corner.y) * layout_.height * units;
+        if (!(std::fabs(x) < furthest) || !(std::fabs(y) < furthest)) return;
+        t.x[k] = static_cast<int32_t>(std::lrint(x));
+        t.y[k] = static_cast<int32_t>(std::lrint(y));
     }
     const RasterEdge edge = edge_of(t, 0);
     const int64_t area = edge.dx * (t.y[2] - edge.ay) - edge.dy * (t.x[2] - edge.ax);
+    if (area == 0) return;
     if (area < 0) {
         std::swap(t.x[1], t.x[2]);
         std::swap(t.y[1], t.y[2]);
     }
-    t.empty = area == 0;
-    return t;
+    t.columns = texels_of(t.x);
+    triangles_[index] = t;
+    rows_[index] = texels_of(t.y);
 }
 
 void UvRaster::find_borders() {
@@ -142,7 +180,7 @@ void UvRaster::find_borders() {
     edges.reserve(3 * triangles_.size());
     for (uint32_t i = 0; i < triangles_.size(); ++i)
         for (uint8_t k = 0; k < 3; ++k)
-            if (!triangles_[i].empty) edges.push_back(uv_edge(triangles_[i], i, k));
+            if (has_texels(rows_[i])) edges.push_back(uv_edge(triangles_[i], i, k));
     std::sort(edges.begin(), edges.end(),
               [](const UvEdge& a, const UvEdge& b) { return a.key() < b.key(); });
     for (auto first = edges.begin(); first != edges.end();) {
@@ -155,29 +193,26 @@ void UvRaster::find_borders() {
     }
 }
 
-std::vector<uint32_t> UvRaster::in_rows(uint32_t y, uint32_t height) const {
-    std::vector<uint32_t> found;
-    for (uint32_t i = 0; i < triangles_.size(); ++i) {
-        const Triangle& t = triangles_[i];
-        if (!t.empty && !texels_met(t.y, y, height).empty() &&
-            !texels_met(t.x, 0, layout_.width).empty())
-            found.push_back(i);
+std::vector<RowCandidate> UvRaster::in_rows(uint32_t y, uint32_t height) const {
+    std::vector<RowCandidate> found;
+    const auto low = static_cast<int32_t>(y), high = static_cast<int32_t>(y + height - 1);
+    for (uint32_t i = 0; i < rows_.size(); ++i) {
+        if (rows_[i].high < low || rows_[i].low > high) continue;
+        const Texels& columns = triangles_[i].columns;
+        if (!texels_met(columns, 0, layout_.width).empty())
+            found.push_back({i, columns.low, columns.high});
     }
     return found;
 }
 
-void UvRaster::cover(const TexelRect& rect, std::span<const uint32_t> candidates,
+void UvRaster::cover(const TexelRect& rect, std::span<const RowCandidate> candidates,
                      Coverage& out) const {
-    out.owners.assign(size_t{rect.width} * rect.height, Coverage::none);
     out.edges.clear();
     out.samples.clear();
-    out.overlapped = 0;
-    out.overlap_triangle = Coverage::none;
     out.met.clear();
-    for (const uint32_t index : candidates)
-        if (!texels_met(triangles_[index].x, rect.x, rect.width).empty()) out.met.push_back(index);
-    for (const uint32_t index : out.met)
-        own_centres(rect, index, out);
+    for (const RowCandidate& each : candidates)
+        if (!texels_met(each, rect.x, rect.width).empty()) out.met.push_back(each.triangle);
+    own_centres(rect, out);
     if (across_ == 1) return;
     out.slots.assign(out.owners.size(), Coverage::none);
     for (const uint32_t index : out.met)
@@ -192,37 +227,63 @@ void UvRaster::cover(const TexelRect& rect, std::span<const uint32_t> candidates
     gather_edges(rect, out);
 }
 
-void UvRaster::own_centres(const TexelRect& rect, uint32_t index, Coverage& out) const {
+template <class Take>
+void UvRaster::each_span(const TexelRect& rect, uint32_t index, Take take) const {
     const Triangle& t = triangles_[index];
-    const Interval rows = texels_met(t.y, rect.y, rect.height);
-    const Interval columns = texels_met(t.x, rect.x, rect.width);
+    const Interval columns = texels_met(t.columns, rect.x, rect.width);
+    const Interval rows = centres_within(t, rect.y, rect.height);
     if (rows.empty()) return;
-    EdgeRows edges[] = {
-        {edge_of(t, 0), rows.low}, {edge_of(t, 1), rows.low}, {edge_of(t, 2), rows.low}};
-    for (int64_t y = rows.low; y <= rows.high; ++y) {
+    std::array<EdgeRows, 2> left, right;
+    size_t lefts = 0, rights = 0;
+    for (size_t k = 0; k < 3; ++k) {
+        const RasterEdge edge = edge_of(t, k);
+        if (edge.dy < 0) left[lefts++] = EdgeRows(edge, rows.low);
+        if (edge.dy > 0) right[rights++] = EdgeRows(edge, rows.low);
+    }
+    int64_t texel = (rows.low - rect.y) * rect.width - rect.x;
+    for (int64_t y = rows.low; y <= rows.high; ++y, texel += rect.width) {
         Interval row = columns;
-        for (EdgeRows& edge : edges) {
-            edge.clip(row);
-            edge.go_up();
-        }
-        own_row(rect, index, static_cast<uint32_t>(y), row.low, row.high, out);
+        for (size_t i = 0; i < lefts; ++i)
+            row.low = std::max(row.low, -left[i].next());
+        for (size_t i = 0; i < rights; ++i)
+            row.high = std::min(row.high, right[i].next());
+        if (!row.empty())
+            take(static_cast<size_t>(texel + row.low), static_cast<size_t>(row.high - row.low + 1));
     }
 }
 
-void UvRaster::own_row(const TexelRect& rect, uint32_t index, uint32_t y, int64_t low, int64_t high,
-                       Coverage& out) const {
-    for (int64_t x = low; x <= high; ++x) {
-        const uint32_t texel = (y - rect.y) * rect.width + static_cast<uint32_t>(x) - rect.x;
+void UvRaster::own_centres(const TexelRect& rect, Coverage& out) const {
+    out.owners.assign(size_t{rect.width} * rect.height, Coverage::none);
+    out.overlapped = 0;
+    out.overlap_triangle = Coverage::none;
+    size_t taken = 0;
+    for (const uint32_t index : out.met)
+        each_span(rect, index, [&](size_t first, size_t count) {
+            fill_span(out.owners.data() + first, count, index);
+            taken += count;
+        });
+    const auto empty = std::count(out.owners.begin(), out.owners.end(), Coverage::none);
+    out.owned = out.owners.size() - static_cast<size_t>(empty);
+    if (taken != out.owned) own_in_order(rect, out);
+}
+
+// Once more where triangles overlap, as there the first one owns.
+void UvRaster::own_in_order(const TexelRect& rect, Coverage& out) const {
+    std::fill(out.owners.begin(), out.owners.end(), Coverage::none);
+    const auto take = [&out](uint32_t index, size_t texel) {
         uint32_t& owner = out.owners[texel];
         if (owner == Coverage::none) {
             owner = index;
-            continue;
-        }
-        if (out.overlapped++ == 0 || texel < out.overlap_texel) {
-            out.overlap_texel = texel;
+        } else if (out.overlapped++ == 0 || texel < out.overlap_texel) {
+            out.overlap_texel = static_cast<uint32_t>(texel);
             out.overlap_triangle = index;
         }
-    }
+    };
+    for (const uint32_t index : out.met)
+        each_span(rect, index, [&](size_t first, size_t count) {
+            for (size_t texel = first; texel < first + count; ++texel)
+                take(index, texel);
+        });
 }
 
 void UvRaster::mark_borders(const TexelRect& rect, uint32_t index, Coverage& out) const {
@@ -232,8 +293,8 @@ void UvRaster::mark_borders(const TexelRect& rect, uint32_t index, Coverage& out
         const RasterEdge edge = edge_of(t, k);
         const int64_t low = std::min(edge.ay, edge.ay + edge.dy);
         const int64_t high = std::max(edge.ay, edge.ay + edge.dy);
-        const int64_t last = std::min(floor_div(high, units), int64_t{rect.y} + rect.height - 1);
-        for (int64_t y = std::max<int64_t>(floor_div(low, units), rect.y); y <= last; ++y) {
+        const int64_t last = std::min(texel_at(high), int64_t{rect.y} + rect.height - 1);
+        for (int64_t y = std::max<int64_t>(texel_at(low), rect.y); y <= last; ++y) {
             const auto x_at = [&](int64_t at) {
                 return edge.ax + floor_div(edge.dx * (std::clamp(at, low, high) - edge.ay) *
                                                (edge.dy < 0 ? -1 : 1),
@@ -241,8 +302,8 @@ void UvRaster::mark_borders(const TexelRect& rect, uint32_t index, Coverage& out
             };
             const int64_t from = edge.dy == 0 ? edge.ax : x_at(y * units);
             const int64_t to = edge.dy == 0 ? edge.ax + edge.dx : x_at((y + 1) * units);
-            const int64_t left = floor_div(std::min(from, to) - 1, units);  // floor_div rounds
-            const int64_t right = floor_div(std::max(from, to) + 1, units);
+            const int64_t left = texel_at(std::min(from, to) - 1);  // floor_div rounds
+            const int64_t right = texel_at(std::max(from, to) + 1);
             for (int64_t x = std::max<int64_t>(left, rect.x);
                  x <= std::min(right, int64_t{rect.x} + rect.width - 1); ++x)
                 out.slots[static_cast<size_t>((y - rect.y) * rect.width + x - rect.x)] = marked;
@@ -253,8 +314,8 @@ void UvRaster::mark_borders(const TexelRect& rect, uint32_t index, Coverage& out
 void UvRaster::own_samples(const TexelRect& rect, uint32_t index, Coverage& out) const {
     const Triangle& t = triangles_[index];
     const RasterEdge edges[] = {edge_of(t, 0), edge_of(t, 1), edge_of(t, 2)};
-    const Interval rows = texels_met(t.y, rect.y, rect.height);
-    const Interval columns = texels_met(t.x, rect.x, rect.width);
+    const Interval rows = texels_met(rows_[index], rect.y, rect.height);
+    const Interval columns = texels_met(t.columns, rect.x, rect.width);
     const int64_t step = units / across_;
     const auto covers = [&](int64_t x, int64_t y) {
         return edges[0].has_inside(x, y) && edges[1].has_inside(x, y) && edges[2].has_inside(x, y);
@@ -282,6 +343,7 @@ void UvRaster::gather_edges(const TexelRect& rect, Coverage& out) const {
             layout_.samples - std::count(owners, owners + layout_.samples, Coverage::none));
         const bool whole = covered == layout_.samples && out.owners[texel] != Coverage::none;
         if (covered == 0 || whole) continue;
+        out.owned -= out.owners[texel] != Coverage::none;
         out.owners[texel] = Coverage::none;
         out.edges.push_back({texel, static_cast<uint32_t>(out.samples.size()), covered});
         for (uint32_t i = 0; i < layout_.samples; ++i)

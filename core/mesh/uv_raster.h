@@ -55,6 +55,7 @@ struct Coverage {
     };
 
     std::vector<uint32_t> owners;  // of the centres, row by row upwards; `none` of an edge texel
+    size_t owned = 0;              // how many of them are not `none`
     std::vector<EdgeTexel> edges;  // in the order of their texels
     std::vector<UvSample> samples;
     uint32_t overlapped = 0;     // texels whose centre more than one triangle covers
@@ -62,6 +63,12 @@ struct Coverage {
     uint32_t overlap_triangle = none;
 
     std::vector<uint32_t> slots, sub_owners, met;  // room to work in
+};
+
+// A triangle that rows may meet, and the texels of these that it may meet, both included.
+struct RowCandidate {
+    uint32_t triangle;
+    int32_t low, high;
 };
 
 class UvRaster {
@@ -72,25 +79,31 @@ public:
     const UvLayout& layout() const { return layout_; }
 
     // The triangles that rows y to y + height may meet, in the mesh's order.
-    std::vector<uint32_t> in_rows(uint32_t y, uint32_t height) const;
+    std::vector<RowCandidate> in_rows(uint32_t y, uint32_t height) const;
 
     // `candidates` come from in_rows() with at least these rows.
-    void cover(const TexelRect& rect, std::span<const uint32_t> candidates, Coverage& out) const;
+    void cover(const TexelRect& rect, std::span<const RowCandidate> candidates,
+               Coverage& out) const;
 
 private:
+    struct Texels {
+        int32_t low = 0, high = -1;  // both included
+    };
     // Counter-clockwise, in 1/256 texel.
     struct Triangle {
         int32_t x[3], y[3];
+        Texels columns;       // that it meets; as rows_: none without an area
         uint8_t borders = 0;  // bit k: the edge from corner k on is a border of its island
-        bool empty = true;
     };
 
-    Triangle rounded(const Mesh& mesh, size_t index) const;
+    static Texels texels_of(const int32_t (&places)[3]);
+    void add(const Mesh& mesh, size_t index);
     void find_borders();
-    void own_centres(const TexelRect& rect, uint32_t index, Coverage& out) const;
-    // Texels low to high, both included.
-    void own_row(const TexelRect& rect, uint32_t index, uint32_t y, int64_t low, int64_t high,
-                 Coverage& out) const;
+    // Calls take(texel, count) for the centres in each row that the triangle covers.
+    template <class Take>
+    void each_span(const TexelRect& rect, uint32_t index, Take take) const;
+    void own_centres(const TexelRect& rect, Coverage& out) const;
+    void own_in_order(const TexelRect& rect, Coverage& out) const;
     void mark_borders(const TexelRect& rect, uint32_t index, Coverage& out) const;
     void own_samples(const TexelRect& rect, uint32_t index, Coverage& out) const;
     void gather_edges(const TexelRect& rect, Coverage& out) const;
@@ -98,6 +111,7 @@ private:
     UvLayout layout_;
     uint32_t across_ = 1;  // samples in a row of a texel
     std::vector<Triangle> triangles_;
+    std::vector<Texels> rows_;  // that each of them meets
 };
 
 }  // namespace wrinkle

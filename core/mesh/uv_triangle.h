@@ -25,7 +25,8 @@ struct UvTriangle {
     glm::dvec3 dv() const { return {-second.y - third.y, second.y, third.y}; }
 };
 
-// Nothing for a triangle without area in uv. The mesh has uv0.
+// The mesh has uv0. Nothing for a triangle without area in uv.
+bool has_uv_area(const Mesh& mesh, size_t triangle);
 std::optional<UvTriangle> uv_triangle(const Mesh& mesh, size_t triangle);
 
 // A value of the triangle's three corners by their weights.

@@ -110,6 +110,9 @@ std::string strap() {
     return bytes_of(WRINKLE_SOURCE_DIR "/graphs/noise_rock.json");
 }
 
+// Those that the machine lacks are its best one.
+constexpr const char* instruction_sets[] = {"baseline", "avx2", "avx512"};
+
 TEST(BakeRows, AreTheSameBitsForAnyThreadsRowsAndInstructions) {
     const Mesh mesh = *make_shape("teapot");
     const BakePlan plan = plan_of(bake_module_of(strap()), {"normal"});
@@ -131,8 +134,10 @@ TEST(BakeRows, AreTheSameBitsForAnyThreadsRowsAndInstructions) {
     }
     EXPECT_TRUE(same(parts.values, whole.values));
     EXPECT_EQ(parts.findings.covered, whole.findings.covered);
-    setenv("WRINKLE_ISA", "baseline", 1);
-    EXPECT_TRUE(same(bake_lanes(mesh, plan.program, how, plan.unit).values, whole.values));
+    for (const char* set : instruction_sets) {
+        setenv("WRINKLE_ISA", set, 1);
+        EXPECT_TRUE(same(bake_lanes(mesh, plan.program, how, plan.unit).values, whole.values));
+    }
     unsetenv("WRINKLE_ISA");
 }
 
@@ -170,9 +175,9 @@ Mesh islands() {
     return mesh;
 }
 
-Program uv_program() {
+Program uv_program(SurfaceInput set = SurfaceInput::uv0_) {
     Module module;
-    module.outputs.push_back({"o", WR_PORT_vec2, module.input(SurfaceInput::uv0_)});
+    module.outputs.push_back({"o", WR_PORT_vec2, module.input(set)});
     std::string why;
     return compile_program(module, why);
 }
@@ -182,13 +187,21 @@ TEST(BakeRows, ATexelThatIsOwnedByRoundingIsOfItsTrianglesBorder) {
     mesh.indices = {0, 1, 2};
     const float left = 10.501F / 128;  // a corner's place is rounded to 1/256: the centres' column
     mesh.uvs[0] = {{left, 0.1F}, {0.9F, 0.5F}, {left, 0.9F}, {}, {}, {}};
-    const LanePicture picture = bake_lanes(mesh, uv_program());
-    for (uint32_t y = 15; y < 113; ++y) {
-        ASSERT_TRUE(picture.covered_at(10, y));
-        EXPECT_FALSE(picture.covered_at(9, y));
-        EXPECT_NEAR(picture.at(10, y)[0] * 128, 10.501, 1e-4) << y;
-        EXPECT_NEAR(picture.at(11, y)[0] * 128, 11.5, 1e-4) << y;
+    mesh.uvs[1] = mesh.uvs[0];
+    for (const char* set : instruction_sets) {
+        setenv("WRINKLE_ISA", set, 1);
+        const LanePicture picture = bake_lanes(mesh, uv_program(SurfaceInput::uv1_));
+        const LanePicture places = bake_lanes(mesh, uv_program());
+        for (uint32_t y = 15; y < 113; ++y) {
+            ASSERT_TRUE(picture.covered_at(10, y));
+            EXPECT_FALSE(picture.covered_at(9, y));
+            EXPECT_NEAR(picture.at(10, y)[0] * 128, 10.501, 1e-4) << set << " " << y;
+            EXPECT_NEAR(picture.at(11, y)[0] * 128, 11.5, 1e-4) << set << " " << y;
+            EXPECT_EQ(places.at(10, y)[0] * 128, 10.5F) << set << " " << y;
+            EXPECT_EQ(places.at(10, y)[1] * 128, static_cast<float>(y) + 0.5F) << set;
+        }
     }
+    unsetenv("WRINKLE_ISA");
 }
 
 // Over several rows of tiles.

@@ -73,7 +73,8 @@ protected:
         Diagnostics diagnostics;
         auto mesh = load_mesh(folder / "mesh.obj", {}, diagnostics);
         ASSERT_TRUE(mesh) << to_text(diagnostics);
-        UvRaster(*mesh, {side, side}).cover({0, 0, side, side}, all(*mesh), coverage_);
+        const UvRaster raster(*mesh, {side, side});
+        raster.cover({0, 0, side, side}, raster.in_rows(0, side), coverage_);
     }
 
     // Bakes an output of the graph and compares.
@@ -99,12 +100,6 @@ protected:
     }
 
 private:
-    static std::vector<uint32_t> all(const Mesh& mesh) {
-        std::vector<uint32_t> triangles(mesh.triangle_count());
-        for (size_t i = 0; i < triangles.size(); ++i)
-            triangles[i] = static_cast<uint32_t>(i);
-        return triangles;
-    }
     Image picture(const std::string& name) const {
         Diagnostics diagnostics;
         auto image = load_image(folder / name, diagnostics);

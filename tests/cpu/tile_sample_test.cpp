@@ -144,6 +144,19 @@ TEST(TileSamples, NeighboursAreAsByThemselves) {
     }
 }
 
+// As where a map is baked: no lane asks for another level than its neighbours.
+TEST(TileSamples, OneLevelForAllIsThatOfEachByItself) {
+    std::mt19937 random(6);
+    const Number anywhere = [&](size_t k) { return coordinate(random, k); };
+    const double lods[] = {-3, 0, 1, 1.25, 2, 2.999, 3.5, 4, 9, 1e30, NAN, infinity, -infinity};
+    for (const Picture& picture :
+         {Picture{16, 16, 3, PixelType::u8}, Picture{13, 8, 2, PixelType::u8, true},
+          Picture{9, 7, 2, PixelType::float32}})
+        for (const double each : lods)
+            expect_as_alone(picture, {Encoding::linear, Wrap::repeat, Filter::linear}, "xyz",
+                            {anywhere, anywhere, [&](size_t) { return each; }});
+}
+
 TEST(TileSamples, NearestTexelsToo) {
     expect_as_alone({13, 8, 3, PixelType::u8}, {Encoding::linear, Wrap::repeat, Filter::nearest},
                     "xyz");

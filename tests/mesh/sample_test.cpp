@@ -59,6 +59,19 @@ TEST(SampleMesh, DifferentialsAreDifferencesOfPoints) {
     EXPECT_TRUE(near(here->dy.uv[1], up->value.uv[1] - here->value.uv[1]));
 }
 
+// Not of the corners' floats: a bake reads textures with it, and one level for all of them.
+TEST(SampleMesh, TheFirstUvIsThePlaceToTheLastBit) {
+    const Mesh mesh = *make_shape("torus");
+    for (const dvec2 uv : {dvec2(0.3704, 0.6103), dvec2(0.1, 0.7), dvec2(1 / 3.0, 1 / 7.0)}) {
+        Diagnostics none;
+        const auto point = sample_mesh(mesh, uv, 1000, none);
+        ASSERT_TRUE(point);
+        EXPECT_EQ(point->value.uv[0], uv);
+        EXPECT_EQ(point->dx.uv[0], dvec2(1.0 / 1000, 0));
+        EXPECT_EQ(point->dy.uv[0], dvec2(0, 1.0 / 1000));
+    }
+}
+
 TEST(SampleMesh, CoversEdgesAndCorners) {
     const Mesh cube = *make_shape("cube");
     for (const dvec2 uv :

@@ -124,11 +124,30 @@ TEST(UvRaster, NeighboursShareNoTexelAndLeaveNone) {
     }
 }
 
+TEST(UvRaster, ALevelEdgesCentresBelongToTheTriangleAbove) {
+    // Two squares, the edge between them and the borders of both through centres.
+    const std::vector<Corner> both = {{8, 8},  {72, 8},  {72, 40}, {8, 8},  {72, 40}, {8, 40},
+                                      {8, 40}, {72, 40}, {72, 72}, {8, 40}, {72, 72}, {8, 72}};
+    const Coverage got = cover(mesh_of(both));
+    EXPECT_EQ(got.overlapped, 0U);
+    EXPECT_EQ(got.owned, 16U);
+    for (int y = 0; y < side; ++y)
+        for (int x = 0; x < side; ++x) {
+            const uint32_t owner = got.owners[static_cast<size_t>(y * side + x)];
+            const bool inside = x < 4 && y < 4;
+            EXPECT_EQ(owner == none, !inside) << x << ", " << y;
+            if (inside) {
+                EXPECT_EQ(owner >= 2, y >= 2) << x << ", " << y;
+            }
+        }
+}
+
 TEST(UvRaster, TheFirstTriangleOwnsWhatOthersCoverToo) {
     const std::vector<Corner> both = {{0, 0}, {512, 0}, {0, 512}, {512, 0}, {0, 0}, {0, 512}};
     const Coverage got = cover(mesh_of(both));
     const auto owned = static_cast<uint32_t>(std::count(got.owners.begin(), got.owners.end(), 0));
     EXPECT_GT(owned, 490U);
+    EXPECT_EQ(got.owned, owned);
     EXPECT_EQ(std::count(got.owners.begin(), got.owners.end(), 1), 0);
     EXPECT_EQ(got.overlapped, owned);
     EXPECT_EQ(got.overlap_triangle, 1U);
