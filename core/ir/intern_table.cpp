@@ -24,12 +24,11 @@ bool identical(const Inst& a, const Inst& b) {
 // Multilinear, then mixed downwards: literals differ in the highest bits of their value alone, and
 // a slot is taken from the lowest bits.
 uint64_t hash_of(const Inst& inst) {
-    const auto pair = [](uint32_t low, uint32_t high) { return low | uint64_t{high} << 32; };
-    const uint32_t kind = static_cast<uint32_t>(inst.op) | static_cast<uint32_t>(inst.type) << 16 |
-                          uint32_t{inst.level} << 24;
-    uint64_t h = pair(kind, inst.extra) * 0x9E3779B97F4A7C15U +
-                 pair(inst.arg[0], inst.arg[1]) * 0xC2B2AE3D27D4EB4FU +
-                 pair(inst.arg[2], inst.arg[3]) * 0x165667B19E3779F9U +
+    uint64_t h = static_cast<uint64_t>(inst.op) * 0x9E3779B97F4A7C15U +
+                 static_cast<uint64_t>(inst.type) * 0x8CB92BA72F3D8DD7U +
+                 inst.level * 0xABC98388FB8FAC03U + inst.extra * 0xD2B74407B1CE6E93U +
+                 inst.arg[0] * 0xC2B2AE3D27D4EB4FU + inst.arg[1] * 0xA0761D6478BD642FU +
+                 inst.arg[2] * 0x165667B19E3779F9U + inst.arg[3] * 0xE7037ED1A0B428DBU +
                  std::rotl(bits_of(inst.value), 32) * 0xD6E8FEB86659FD93U;
     h = (h ^ h >> 32) * 0xFF51AFD7ED558CCDU;
     return h ^ h >> 29;
@@ -43,9 +42,10 @@ Id newest_operand(const Inst& inst) {
 
 }  // namespace
 
-// An eighth of what there is are different leaves, about, and half of the slots are taken at most.
+// A sixteenth of what there is are different leaves, or so, and half of the slots are taken at
+// most.
 void InternTable::make_room(size_t expected) {
-    slots_.assign(std::bit_ceil(std::max<size_t>(expected / 4, 128)), poison);
+    slots_.assign(std::bit_ceil(std::max<size_t>(expected / 8, 128)), poison);
 }
 
 Id& InternTable::place_of(const Inst& wanted, const std::vector<Inst>& inst) {
