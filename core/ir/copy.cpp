@@ -95,36 +95,38 @@ Id Copier::write_apply(const Inst& inst, std::span<const Id> args) {
     return target_->apply_region(target_->intern_region(std::move(region)), args);
 }
 
+// What the owner puts in its place, or poison.
+Id Copier::replaced(Id id, std::span<const Id> args) {
+    if (!replace_) return poison;
+    const Inst& inst = (*source_)[id];
+    if (inst.op != Op::call_ || !source_->region(inst.extra).is_open())
+        return replace_(context_, *target_, *source_, id, args);
+    std::vector<Id> with_results(args.begin(), args.end());
+    for (const Id result : source_->region(inst.extra).results)
+        with_results.push_back(written_.at(result));
+    return replace_(context_, *target_, *source_, id, with_results);
+}
+
 Id Copier::write(Id id) {
     const Inst inst = (*source_)[id];
-    args_.clear();
-    bool same = target_ == source_ && shift_ == 0;
-    bool as_it_was = !renamed_.empty() && shift_ == 0;
-    const uint32_t extra = has_base(inst) ? written_.at(inst.extra) : inst.extra;
-    if (has_base(inst)) {
-        same = same && extra == inst.extra;
-        as_it_was = as_it_was && renamed_[inst.extra];
+    const auto operands = source_->operands(id);
+    if (args_.size() < operands.size()) args_.resize(operands.size());
+    const std::span args(args_.data(), operands.size());
+    const bool based = has_base(inst);
+    bool kept = shift_ == 0 && (!based || is_kept(inst.extra));
+    for (size_t i = 0; i < args.size(); ++i) {
+        kept = kept && is_kept(operands[i]);
+        args[i] = written_.at(operands[i]);
     }
-    for (const Id operand : source_->operands(id)) {
-        args_.push_back(written_.at(operand));
-        same = same && args_.back() == operand;
-        as_it_was = as_it_was && renamed_[operand];
-    }
-    const size_t operands = args_.size();
-    if (replace_) {
-        if (inst.op == Op::call_ && source_->region(inst.extra).is_open())
-            for (const Id result : source_->region(inst.extra).results)
-                args_.push_back(written_.at(result));
-        if (const Id replaced = replace_(context_, *target_, *source_, id, args_)) return replaced;
-        args_.resize(operands);
-    }
-    if (inst.op == Op::loop_ || inst.op == Op::call_) return write_apply(inst, args_);
-    if (as_it_was) renamed_[id] = true;
+    if (const Id other = replaced(id, args)) return other;
+    if (inst.op == Op::loop_ || inst.op == Op::call_) return write_apply(inst, args);
+    if (into_functions_ && kept) renamed_[id] = true;
     if (info(inst.op).rule == Rule::leaf) return write_leaf(inst);
-    if (same) return id;
-    if (inst.op == Op::result_) return target_->result(args_[0], inst.extra);
-    if (!as_it_was) return target_->add(inst.op, args_, extra, inst.type);
-    return target_->add_known(inst, args_, extra);
+    if (!into_functions_ && kept) return id;
+    if (inst.op == Op::result_) return target_->result(args[0], inst.extra);
+    const uint32_t extra = based ? written_.at(inst.extra) : inst.extra;
+    return kept ? target_->add_known(inst, args, extra)
+                : target_->add(inst.op, args, extra, inst.type);
 }
 
 }  // namespace wrinkle

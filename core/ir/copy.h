@@ -25,8 +25,8 @@ private:
 
 class Copier {
 public:
-    // `into_functions`: the bodies of called functions are rewritten too, as when a whole module is
-    // written again. They are closed, so within one module there is no need.
+    // `into_functions`: a whole module is written again, the bodies of called functions too. They
+    // are closed, so within one module, source and target alike, there is no need.
     Copier(Module& target, const Module& source, bool into_functions)
         : target_(&target),
           source_(&source),
@@ -53,6 +53,9 @@ public:
 private:
     std::vector<Id> few_needed(std::span<const Id> roots) const;
     int shifted(int level) const { return level >= first_level_ ? level + shift_ : level; }
+    // Whether what was written for it, and for all below it, is the same but for names.
+    bool is_kept(Id id) const { return into_functions_ ? renamed_[id] : written_.at(id) == id; }
+    Id replaced(Id id, std::span<const Id> args);
     Id write(Id id);
     Id write_apply(const Inst& inst, std::span<const Id> args);
     Id write_leaf(const Inst& inst);
@@ -66,7 +69,7 @@ private:
     void* context_ = nullptr;
     Written written_;
     std::vector<uint8_t> renamed_;  // of a whole module: written as it was, and so all below it
-    std::vector<Id> args_;          // of the instruction that is being written
+    std::vector<Id> args_;          // those of what is being written stand first
 };
 
 // Stands outside every function in generated code and may be read from anywhere.

@@ -25,9 +25,8 @@ namespace wrinkle {
 // Whether the value of this instruction has derivative 0 whatever its operands do, or is a leaf.
 inline bool never_changes(const Inst& inst) {
     const OpInfo& row = info(inst.op);
-    const bool whole = inst.type == Type::int_ || inst.type == Type::uint_;
-    return row.flags & WR_FLAG_ZERO_DERIVATIVE || row.rule == Rule::leaf || whole ||
-           inst.type == Type::bool_;
+    return row.flags & WR_FLAG_ZERO_DERIVATIVE || row.rule == Rule::leaf ||
+           is_whole_type(inst.type);
 }
 
 // What an instruction's derivative is made of: its operands, a call's and a loop's for its results,

@@ -1,7 +1,9 @@
 #include "ir/expand.h"
 
 #include <algorithm>
+#include <utility>
 
+#include "ir/by_id.h"
 #include "ir/gradient_sum.h"
 #include "ir/normal_variance.h"
 #include "ir/open_function.h"
@@ -22,46 +24,48 @@ struct Derivative {
     Value strength, depth;  // of a normal
 };
 
-// Values beside some ids of a module.
-template <class T>
-class ById {
-public:
-    explicit ById(size_t count) : place_(count, 0) {}
-    void set(Id id, T value) {
-        items_.push_back(std::move(value));
-        place_[id] = static_cast<uint32_t>(items_.size());
-    }
-    const T& at(Id id) const { return items_.at(place_[id] - size_t{1}); }
-    const T* find(Id id) const { return place_[id] ? &items_[place_[id] - size_t{1}] : nullptr; }
-
-private:
-    std::vector<uint32_t> place_;  // one more than the index
-    std::vector<T> items_;
-};
+// Of operands of opaque ops, by Id: who reads it last; poison where that one reads it twice.
+std::vector<Id> last_readers(const Module& m) {
+    std::vector<Id> readers(m.size(), poison);
+    for (Id id = 1; id < m.size(); ++id)
+        if (is_opaque(m[id].op))
+            for (const Id operand : m[id].arg)
+                readers[operand] = readers[operand] == id ? poison : id;
+    return readers;
+}
 
 struct Expander {
     Expander(const ExpandOptions& o, const Module& source)
         : options(o),
           facts(source),
-          frames(source.size()),
-          derivatives(source.size()),
-          gradients(source.size()),
-          bases(source.size()) {}
+          last_reader(last_readers(source)),
+          places(source.size(), 0),
+          frames(places),
+          derivatives(places),
+          gradients(places),
+          bases(places) {}
 
     const ExpandOptions& options;
-    const ValueFacts facts;  // of the source
+    const ValueFacts facts;             // of the source
+    const std::vector<Id> last_reader;  // of things, by source Id
     Module* target = nullptr;
+    Id nothing = poison;  // what an opaque value maps to: never read, as every reader is opaque too
     std::optional<OpenFunctions> functions;
     std::optional<ScreenDerivatives> screen;
     std::optional<GradientAlgebra> algebra;
     std::optional<NormalVariance> variance;  // where something asks for it
     // By source Id.
+    Places places;
     ById<Frame> frames;
     ById<Derivative> derivatives;
     ById<GradientSum> gradients;
     ById<Value> bases;  // the resolved normal; empty for the surface
 
     Value value(Id id) const { return {target, id}; }
+    template <class T>
+    T read(ById<T>& things, Id id, Id reader) {
+        return last_reader[id] == reader ? things.take(id) : things.at(id);
+    }
     Value base_normal(const Module& source, Id gradient) const;
     Value resolved(const Module& source, Id gradient);
     Id opaque(const Module& source, Id id, std::span<const Id> mapped);
@@ -74,11 +78,6 @@ struct Expander {
     void base(const Module& source, Id id, std::span<const Id> mapped);
     Id sample(const Module& source, Id id, std::span<const Id> mapped);
 };
-
-// What an opaque value maps to: never read, as every reader is opaque too.
-Id stand_in(Module& target) {
-    return target.number(0);
-}
 
 Value Expander::base_normal(const Module& source, Id gradient) const {
     const Id base = source[gradient].extra;
@@ -138,8 +137,8 @@ GradientSum Expander::source_gradient(const Module& source, Id id, std::span<con
     const Inst& inst = source[id];
     switch (inst.op) {
         case Op::gradient_from_derivative_: {
-            const Derivative* found = derivatives.find(inst.arg[0]);
-            return found ? from_derivative(*found) : GradientSum{};
+            if (!derivatives.find(inst.arg[0])) return {};
+            return from_derivative(read(derivatives, inst.arg[0], id));
         }
         case Op::gradient_from_height_: {
             if (is_position_alone(facts.dependencies(inst.arg[0])))
@@ -174,13 +173,14 @@ void Expander::gradient(const Module& source, Id id, std::span<const Id> mapped)
     const Inst& inst = source[id];
     GradientSum result;
     if (inst.op == Op::gradient_add_) {
-        result = algebra->add(gradients.at(inst.arg[0]), gradients.at(inst.arg[1]));
+        result = algebra->add(read(gradients, inst.arg[0], id), read(gradients, inst.arg[1], id));
     } else if (inst.op == Op::gradient_scale_) {
-        result = algebra->scale(gradients.at(inst.arg[0]), value(mapped[1]));
+        result = algebra->scale(read(gradients, inst.arg[0], id), value(mapped[1]));
     } else if (inst.op == Op::gradient_mix_) {
         const Value t = value(mapped[2]);
-        result = algebra->add(algebra->scale(gradients.at(inst.arg[0]), number(t, 1) - t),
-                              algebra->scale(gradients.at(inst.arg[1]), t));
+        result = algebra->scale(read(gradients, inst.arg[0], id), number(t, 1) - t);
+        result =
+            algebra->add(std::move(result), algebra->scale(read(gradients, inst.arg[1], id), t));
     } else {
         result = source_gradient(source, id, mapped);
     }
@@ -229,11 +229,11 @@ Id Expander::opaque(const Module& source, Id id, std::span<const Id> mapped) {
             break;
         }
         case Op::derivative_:
-            derivatives.set(id, {value(mapped[0]), frames.at(inst.arg[1]), {}, {}});
+            derivatives.set(id, {value(mapped[0]), read(frames, inst.arg[1], id), {}, {}});
             break;
         case Op::normal_derivative_:
-            derivatives.set(
-                id, normal_derivative(value(mapped[0]), value(mapped[1]), frames.at(inst.arg[2])));
+            derivatives.set(id, normal_derivative(value(mapped[0]), value(mapped[1]),
+                                                  read(frames, inst.arg[2], id)));
             break;
         case Op::slope_: {
             const Derivative* d = derivatives.find(inst.arg[0]);
@@ -254,7 +254,7 @@ Id Expander::opaque(const Module& source, Id id, std::span<const Id> mapped) {
         default:
             gradient(source, id, mapped);
     }
-    return stand_in(*target);
+    return nothing;
 }
 
 Id Expander::sample(const Module& source, Id id, std::span<const Id> mapped) {
@@ -269,6 +269,7 @@ Id expand_one(void* context, Module& target, const Module& source, Id id,
     auto& expander = *static_cast<Expander*>(context);
     if (!expander.target) {
         expander.target = &target;
+        expander.nothing = target.number(0);
         expander.screen.emplace(target);
         expander.algebra.emplace(target, *expander.screen);
         if (wants_normal_variance(source)) expander.variance.emplace(target, *expander.screen);
@@ -282,7 +283,7 @@ Id expand_one(void* context, Module& target, const Module& source, Id id,
     if (source[id].level > 0) {
         target.problem("a bump cannot be made inside a loop or a function",
                        "compute heights or slopes there, and make the gradient outside");
-        return stand_in(target);
+        return expander.nothing;
     }
     return expander.opaque(source, id, mapped);
 }

@@ -63,15 +63,14 @@ std::optional<Jacobian> constant_jacobian(const Module& m, Value u, Value v) {
 }
 
 // In numbers, too: as instructions they would fold one by one.
-bool bring_constant_to_set(Module& target, const Jacobian& j, Frame& frame) {
+bool bring_constant_to_set(const Jacobian& j, Frame& frame) {
     const double det = std::abs(j[0] * j[3] - j[1] * j[2]);
     const double scale = det > 0 ? 1 / std::sqrt(std::max(det, tiny_square)) : 0;
     std::array<double, 4> rows{};
     std::transform(j.begin(), j.end(), rows.begin(), [&](double x) { return x * scale; });
     if (!std::all_of(rows.begin(), rows.end(), [](double x) { return std::isfinite(x); }))
         return false;
-    frame.row_u = {&target, target.constant(Type::vec2_, std::span(rows).first(2))};
-    frame.row_v = {&target, target.constant(Type::vec2_, std::span(rows).last(2))};
+    frame.numbers = rows;
     return true;
 }
 
@@ -81,11 +80,11 @@ void bring_to_set(Module& target, ScreenDerivatives& changes, Id uv, SurfaceInpu
     const Id whole = target.input(set);
     if (uv == whole) return;
     const auto tiling = jacobian_of_tiling(target, uv, whole);
-    if (tiling && bring_constant_to_set(target, *tiling, frame)) return;
+    if (tiling && bring_constant_to_set(*tiling, frame)) return;
     const Value u = changes.in_uv_set(set, 0, uv);
     const Value v = changes.in_uv_set(set, 1, uv);
     const auto constant = constant_jacobian(target, u, v);
-    if (constant && bring_constant_to_set(target, *constant, frame)) return;
+    if (constant && bring_constant_to_set(*constant, frame)) return;
     const Value det = abs(u.x() * v.y() - u.y() * v.x());
     const Value scale = select(greater(det, 0), inversesqrt(max(det, tiny_square)), number(u, 0));
     frame.row_u = vec2(u.x() * scale, u.y() * scale);
@@ -177,6 +176,21 @@ TangentBasis guessed_basis(Module& target, Id direction) {
     const Value seen = greater(square - dot(d, d) * smallest_sine_square, 0);
     const Value scale = select(seen, inversesqrt(max(square, tiny_square)), number(n, 0));
     return {part, cross(n, d), scale, scale};
+}
+
+bool is_zero(double factor) {
+    return factor == 0;
+}
+bool is_zero(Value factor) {
+    return factor.module->is_literal(factor.id, 0);
+}
+
+// By components, so that a diagonal J of constants falls away.
+template <class Factor>
+Value slope_along(Value slope, Factor x, Factor y) {
+    if (is_zero(y)) return slope.x() * x;
+    if (is_zero(x)) return slope.y() * y;
+    return slope.x() * x + slope.y() * y;
 }
 
 }  // namespace
@@ -304,17 +318,14 @@ TangentBasis tangent_basis(Module& target, const FrameKey& key, ScreenDerivative
 }
 
 Value slope_in_basis(const Frame& frame, Value slope) {
+    if (frame.numbers) {
+        const auto& [ux, uy, vx, vy] = *frame.numbers;
+        return vec2(slope_along(slope, ux, uy), slope_along(slope, vx, vy));
+    }
     if (!frame.row_u) return slope;
     if (frame.key.basis == Basis::exact)
         return vec2(dot(slope, frame.row_u), dot(slope, frame.row_v));
-    // By components, so that a diagonal J of literals folds away.
-    const Module& m = *slope.module;
-    const auto along = [&](Value row) {
-        const Value x = row.x(), y = row.y();
-        if (m.is_literal(y.id, 0)) return slope.x() * x;
-        if (m.is_literal(x.id, 0)) return slope.y() * y;
-        return slope.x() * x + slope.y() * y;
-    };
+    const auto along = [&](Value row) { return slope_along(slope, row.x(), row.y()); };
     if (frame.key.basis == Basis::space)
         return vec3(along(frame.row_u), along(frame.row_v), along(frame.row_z));
     return vec2(along(frame.row_u), along(frame.row_v));

@@ -69,6 +69,7 @@ struct Frame {
     FrameKey key;
     Value row_u, row_v;  // vec2: slope . row_u is the slope along the basis' u; empty: identity
     Value row_z;         // vec2, the third of a frame in space, whose others are along x and y
+    std::optional<std::array<double, 4>> numbers;  // row_u and row_v where they are constant
 };
 
 // T = t t_factor and B = b b_factor; zero where degenerate. The factors go to the slopes, which are

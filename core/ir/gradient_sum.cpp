@@ -58,7 +58,9 @@ GradientSum GradientAlgebra::from_slope(const FrameKey& basis, Value slope) {
 }
 
 GradientSum GradientAlgebra::from_downhill(const FrameKey& basis, Value slope, Value depth) {
-    return {{}, {{slopes_on(basis, slope), depth}}};
+    GradientSum sum;
+    sum.pending.push_back({slopes_on(basis, slope), depth});
+    return sum;
 }
 
 Slopes GradientAlgebra::add(Slopes result, const Slopes& b) {
@@ -99,28 +101,25 @@ void GradientAlgebra::divide(GradientSum& sum) {
     sum.pending.clear();
 }
 
-GradientSum GradientAlgebra::add(const GradientSum& a, const GradientSum& b) {
-    GradientSum result{add(a.flat, b.flat), {}};
-    result.pending.reserve(a.pending.size() + b.pending.size());
-    result.pending = a.pending;
-    for (const GradientSum::Term& term : b.pending) {
+GradientSum GradientAlgebra::add(GradientSum a, GradientSum b) {
+    a.flat = add(std::move(a.flat), b.flat);
+    for (GradientSum::Term& term : b.pending) {
         const auto same = [&](const auto& other) { return other.depth.id == term.depth.id; };
-        const auto found = std::find_if(result.pending.begin(), result.pending.end(), same);
-        if (found != result.pending.end())
+        const auto found = std::find_if(a.pending.begin(), a.pending.end(), same);
+        if (found != a.pending.end())
             found->over = add(std::move(found->over), term.over);
         else
-            result.pending.push_back(term);
+            a.pending.push_back(std::move(term));
     }
-    if (result.pending.size() > max_pending) divide(result);
-    return result;
+    if (a.pending.size() > max_pending) divide(a);
+    return a;
 }
 
-GradientSum GradientAlgebra::scale(const GradientSum& a, Value amount) {
-    GradientSum result;
-    result.flat = scale(a.flat, amount);
-    for (const GradientSum::Term& term : a.pending)
-        result.pending.push_back({scale(term.over, amount), term.depth});
-    return result;
+GradientSum GradientAlgebra::scale(GradientSum a, Value amount) {
+    a.flat = scale(std::move(a.flat), amount);
+    for (GradientSum::Term& term : a.pending)
+        term.over = scale(std::move(term.over), amount);
+    return a;
 }
 
 // Mikkelsen 2010, eq. 3: (hx R1 + hy R2) / det, R1 = Py x n and R2 = n x Px drawn into one product.

@@ -52,8 +52,8 @@ public:
     GradientSum from_slope(const FrameKey& basis, Value slope);
     // -slope / depth, which may wait.
     GradientSum from_downhill(const FrameKey& basis, Value slope, Value depth);
-    GradientSum add(const GradientSum& a, const GradientSum& b);
-    GradientSum scale(const GradientSum& a, Value amount);
+    GradientSum add(GradientSum a, GradientSum b);
+    GradientSum scale(GradientSum a, Value amount);
 
     // Gamma itself, every term divided and tangent to its base; empty for a flat one. `on_base` is
     // the resolved normal of that base, empty for the surface.

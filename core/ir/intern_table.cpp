@@ -9,20 +9,27 @@ namespace {
 
 constexpr int longest_chain = 8;
 
-// An instruction has no gaps between its members.
-using Words = std::array<uint64_t, 4>;
-static_assert(sizeof(Words) == sizeof(Inst));
+uint64_t bits_of(double value) {
+    return std::bit_cast<uint64_t>(value);
+}
 
+// What is looked for was written member by member just now. A processor has to wait before it can
+// read several of such at once, so they are read one by one too; first those that tell most apart.
 bool identical(const Inst& a, const Inst& b) {
-    return std::bit_cast<Words>(a) == std::bit_cast<Words>(b);
+    return a.arg[0] == b.arg[0] && a.op == b.op && a.arg[1] == b.arg[1] && a.extra == b.extra &&
+           bits_of(a.value) == bits_of(b.value) && a.type == b.type && a.arg[2] == b.arg[2] &&
+           a.arg[3] == b.arg[3] && a.level == b.level;
 }
 
 // Multilinear, then mixed downwards: literals differ in the highest bits of their value alone, and
 // a slot is taken from the lowest bits.
 uint64_t hash_of(const Inst& inst) {
-    const Words words = std::bit_cast<Words>(inst);
-    uint64_t h = words[0] * 0x9E3779B97F4A7C15U + words[1] * 0xC2B2AE3D27D4EB4FU +
-                 words[2] * 0x165667B19E3779F9U + std::rotl(words[3], 32) * 0xD6E8FEB86659FD93U;
+    uint64_t h = static_cast<uint64_t>(inst.op) * 0x9E3779B97F4A7C15U +
+                 static_cast<uint64_t>(inst.type) * 0x8CB92BA72F3D8DD7U +
+                 inst.level * 0xABC98388FB8FAC03U + inst.extra * 0xD2B74407B1CE6E93U +
+                 inst.arg[0] * 0xC2B2AE3D27D4EB4FU + inst.arg[1] * 0xA0761D6478BD642FU +
+                 inst.arg[2] * 0x165667B19E3779F9U + inst.arg[3] * 0xE7037ED1A0B428DBU +
+                 std::rotl(bits_of(inst.value), 32) * 0xD6E8FEB86659FD93U;
     h = (h ^ h >> 32) * 0xFF51AFD7ED558CCDU;
     return h ^ h >> 29;
 }
@@ -35,28 +42,26 @@ Id newest_operand(const Inst& inst) {
 
 }  // namespace
 
-// A quarter of what there is are leaves, about, and half of the slots are taken at most.
+// A sixteenth of what there is are different leaves, or so, and half of the slots are taken at
+// most.
 void InternTable::make_room(size_t expected) {
-    slots_.assign(std::bit_ceil(std::max<size_t>(expected / 2, 128)), poison);
-    readers_.reserve(expected);
+    slots_.assign(std::bit_ceil(std::max<size_t>(expected / 8, 128)), poison);
 }
 
-Id InternTable::intern(const Inst& wanted, std::vector<Inst>& inst) {
-    Id& place = place_of(wanted, inst);
-    if (place != poison) return place;
-    const auto added = place = static_cast<Id>(inst.size());
-    inst.push_back(wanted);
-    readers_.push_back({});
-    return added;
-}
-
-// Where an equal one is named, or else, poison so far, this one is to be.
 Id& InternTable::place_of(const Inst& wanted, const std::vector<Inst>& inst) {
-    if (const Id operand = newest_operand(wanted)) {
-        Id* place = &readers_[operand].first;
-        for (int looks = 0; looks < longest_chain; ++looks, place = &readers_[*place].next)
-            if (*place == poison || identical(inst[*place], wanted)) return *place;
+    const Id operand = newest_operand(wanted);
+    if (operand == poison) return place_of_leaf(wanted, inst);
+    if (inst.size() > readers_.size()) readers_.resize(inst.capacity());
+    Id* place = &readers_[operand].first;
+    for (int looks = 0; *place != poison && !identical(inst[*place], wanted); ++looks) {
+        if (looks == longest_chain) return place_of_leaf(wanted, inst);
+        place = &readers_[*place].next;
     }
+    return *place;
+}
+
+// Here, too, who has more readers than are looked at one by one.
+Id& InternTable::place_of_leaf(const Inst& wanted, const std::vector<Inst>& inst) {
     Id& slot = slot_of(wanted, inst);
     if (slot != poison || ++taken_ * 2 <= slots_.size()) return slot;
     grow(inst);

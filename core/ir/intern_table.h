@@ -16,9 +16,11 @@ class InternTable {
 public:
     void make_room(size_t expected);  // for so many instructions; before the first
 
-    // The equal one among `inst`, poison and what this gave; else it is appended to them. Literals
-    // are told apart by their bits: -0 and 0 are two.
-    Id intern(const Inst& wanted, std::vector<Inst>& inst);
+    // Where the equal one among `inst` is named; where there is none, poison: its name is to be
+    // written there when it is appended to them. Literals are told apart by their bits: -0 and 0
+    // are two.
+    Id& place_of(const Inst& wanted, const std::vector<Inst>& inst);
+    Id& place_of_leaf(const Inst& wanted, const std::vector<Inst>& inst);  // without operands
 
 private:
     // Of those whose newest operand is this one; and in the chain that it stands in itself.
@@ -26,11 +28,10 @@ private:
         Id first = poison;
         Id next = poison;
     };
-    Id& place_of(const Inst& wanted, const std::vector<Inst>& inst);
     Id& slot_of(const Inst& wanted, const std::vector<Inst>& inst);
     void grow(const std::vector<Inst>& inst);
 
-    std::vector<Readers> readers_{1};           // by Id
+    std::vector<Readers> readers_;              // by Id
     std::vector<Id> slots_ = {poison, poison};  // open addressing; poison is free
     size_t taken_ = 0;
 };

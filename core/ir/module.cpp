@@ -84,11 +84,21 @@ void Module::make_room(size_t expected) {
 }
 
 Id Module::intern(const Inst& inst) {
-    const Id id = table_.intern(inst, inst_);
-    if (id < origin.size()) return id;
+    Id& place = table_.place_of(inst, inst_);
+    return place != poison ? place : append(inst, place);
+}
+
+Id Module::intern_leaf(const Inst& inst) {
+    Id& place = table_.place_of_leaf(inst, inst_);
+    return place != poison ? place : append(inst, place);
+}
+
+Id Module::append(const Inst& inst, Id& place) {
+    const Id added = place = size();
+    inst_.push_back(inst);
     origin.push_back(current_node);
     has_[static_cast<size_t>(inst.op)] = true;
-    return id;
+    return added;
 }
 
 uint32_t Module::intern_list(std::span<const Id> ids) {
@@ -253,7 +263,7 @@ Id Module::literal(Type scalar, double value) {
     inst.op = Op::literal_;
     inst.type = scalar;
     inst.value = representable(scalar, value);
-    return intern(inst);
+    return intern_leaf(inst);
 }
 
 // A construct of literals is as simple as can be.
@@ -277,7 +287,7 @@ Id Module::input(SurfaceInput which, Variant variant) {
     inst.op = Op::input_;
     inst.type = info(which).type;
     inst.extra = input_extra(which, variant);
-    return intern(inst);
+    return intern_leaf(inst);
 }
 
 Id Module::parameter(uint32_t index) {
@@ -285,7 +295,7 @@ Id Module::parameter(uint32_t index) {
     inst.op = Op::parameter_;
     inst.type = parameters[index].type;
     inst.extra = index;
-    return intern(inst);
+    return intern_leaf(inst);
 }
 
 Id Module::region_parameter(int level, uint32_t index, Type type) {
@@ -294,7 +304,7 @@ Id Module::region_parameter(int level, uint32_t index, Type type) {
     inst.type = type;
     inst.level = static_cast<uint8_t>(level);
     inst.extra = index;
-    return intern(inst);
+    return intern_leaf(inst);
 }
 
 Id Module::construct(Type type, std::initializer_list<Id> parts) {

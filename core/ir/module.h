@@ -252,6 +252,8 @@ private:
         std::vector<Type> params;
     };
     Id intern(const Inst& inst);
+    Id intern_leaf(const Inst& inst);
+    Id append(const Inst& inst, Id& place);
     bool has_constant_parts(Id construct) const;
     bool has_literal_parts(Id construct, double value) const;
     uint32_t intern_list(std::span<const Id> ids);

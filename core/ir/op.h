@@ -88,6 +88,9 @@ constexpr bool is_opaque(Op op) {
 constexpr bool is_float_type(Type t) {
     return t >= Type::float_ && t <= Type::vec4_;
 }
+constexpr bool is_whole_type(Type t) {
+    return t >= Type::int_ && t <= Type::bool_;
+}
 constexpr Type vector_of(int lanes) {  // 1: float, 2-4: vecN
     return static_cast<Type>(lanes);
 }

@@ -111,7 +111,7 @@ Id substitute(Module& module, Id root, std::span<const Id> from, std::span<const
 
 Module rebuild(Module&& source, Replace replace, void* context) {
     Module target;
-    target.make_room(source.size());
+    target.make_room(2 * size_t{source.size()});  // what is expanded is longer
     target.nodes = std::move(source.nodes);
     target.parameters = std::move(source.parameters);
     target.resources = std::move(source.resources);

@@ -1,43 +1,64 @@
 #include "ir/value_facts.h"
 
-#include "ir/derive.h"
-
 namespace wrinkle {
-namespace {
+constinit const std::array<ValueFacts::Effect, tables::op_count> ValueFacts::effects = [] {
+    std::array<Effect, tables::op_count> effects{};
+    for (size_t op = 0; op < effects.size(); ++op) {
+        const OpInfo& row = tables::ops[op];
+        if (row.flags & WR_FLAG_ZERO_DERIVATIVE || row.rule == Rule::leaf)
+            effects[op].keeps = ~all_inputs;
+    }
+    effects[static_cast<size_t>(Op::resolve_)].keeps = 0;
+    for (const Op op : {Op::sample_, Op::sample_lod_, Op::sample_grad_})
+        effects[static_cast<size_t>(op)].adds = reading;
+    for (const Op op :
+         {Op::floor_, Op::ceil_, Op::fract_, Op::mod_, Op::select_, Op::atan2_, Op::loop_})
+        effects[static_cast<size_t>(op)].adds = jumping;
+    return effects;
+}();
 
-bool is_sample(Op op) {
-    return op == Op::sample_ || op == Op::sample_lod_ || op == Op::sample_grad_;
+ValueFacts::ValueFacts(const Module& module) : module_(&module) {
+    facts_.reserve(module.size());
+    update();
 }
 
-bool makes_jumps(Op op) {
-    return op == Op::floor_ || op == Op::ceil_ || op == Op::fract_ || op == Op::mod_ ||
-           op == Op::select_ || op == Op::atan2_ || op == Op::loop_;
+void ValueFacts::update() {
+    auto id = static_cast<Id>(facts_.size());
+    facts_.resize(module_->size());
+    for (; id < facts_.size(); ++id)
+        facts_[id] = of(id);
 }
-
-}  // namespace
 
 ValueFacts::Facts ValueFacts::of(Id id) const {
     const Module& m = *module_;
     const Inst& inst = m[id];
-    if (inst.op == Op::literal_ || inst.op == Op::resolve_) return 0;
-    if (inst.op == Op::input_) return 1U << static_cast<uint32_t>(input_of(inst.extra));
-    if (inst.op == Op::region_param_ && m.is_open_input(id)) {
-        const OpenInput& input = m.open_inputs[inst.extra];
-        return input.dependencies | (input.jumps ? jumping : 0) | (input.reads ? reading : 0);
+    switch (inst.op) {
+        case Op::input_:
+            return 1U << static_cast<uint32_t>(input_of(inst.extra));
+        case Op::region_param_: {
+            if (!m.is_open_input(id)) return 0;
+            const OpenInput& input = m.open_inputs[inst.extra];
+            return input.dependencies | (input.jumps ? jumping : 0) | (input.reads ? reading : 0);
+        }
+        case Op::result_:
+            if (const Id result = m.open_result(id)) return facts_[result];
+            break;
+        case Op::loop_:
+        case Op::call_:
+            return of_region(id);
+        default:
+            break;
     }
-    if (inst.op == Op::result_)
-        if (const Id result = m.open_result(id)) return facts_[result];
-    if (inst.op == Op::loop_ || inst.op == Op::call_) return of_region(id);
     return of_op(inst, facts_[inst.arg[0]] | facts_[inst.arg[1]] | facts_[inst.arg[2]] |
                            facts_[inst.arg[3]]);
 }
 
 // `facts`: of its operands.
 ValueFacts::Facts ValueFacts::of_op(const Inst& inst, Facts facts) {
+    const Effect& effect = effects[static_cast<size_t>(inst.op)];
     const bool seen_as_steps = inst.op == Op::detach_ && facts & reading;
-    if (is_sample(inst.op)) facts |= reading;
-    if (makes_jumps(inst.op) || seen_as_steps) facts |= jumping;
-    return never_changes(inst) ? facts & ~all_inputs : facts;
+    facts = (facts & effect.keeps) | effect.adds | (seen_as_steps ? jumping : 0);
+    return is_whole_type(inst.type) ? facts & ~all_inputs : facts;
 }
 
 // With the inputs that the body of what is run changes with; an open one's are known by result.

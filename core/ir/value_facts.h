@@ -1,6 +1,7 @@
 // What is known of every value of a module before it is expanded.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -10,18 +11,8 @@ namespace wrinkle {
 
 class ValueFacts {
 public:
-    explicit ValueFacts(const Module& module) : module_(&module) {
-        facts_.reserve(module.size());
-        update();
-    }
-
-    // Looks at what was added since. Linear in that.
-    void update() {
-        auto id = static_cast<Id>(facts_.size());
-        facts_.resize(module_->size());
-        for (; id < facts_.size(); ++id)
-            facts_[id] = of(id);
-    }
+    explicit ValueFacts(const Module& module);
+    void update();  // looks at what was added since; linear in that
 
     // Which surface inputs it changes with, a bit per SurfaceInput; bits of region bodies count,
     // those of a detached value and of what goes in steps do not.
@@ -37,6 +28,12 @@ private:
     // One bit for each thing known, so that a value takes over what its operands have in one step.
     using Facts = uint32_t;
     static constexpr Facts jumping = 1U << 30, reading = 1U << 31, all_inputs = jumping - 1;
+
+    // What an op makes of what is known of its operands.
+    struct Effect {
+        Facts keeps = ~Facts{0}, adds = 0;
+    };
+    static const std::array<Effect, tables::op_count> effects;
 
     Facts of(Id id) const;
     static Facts of_op(const Inst& inst, Facts facts);

@@ -142,6 +142,33 @@ TEST_F(Expand, MeasuresTheNormalOnce) {
     EXPECT_EQ(count(both, Op::inversesqrt_), 1U);
 }
 
+// A frame, a derivative and a gradient are given away when they are read for the last time.
+TEST_F(Expand, KeepsWhatIsReadAgain) {
+    Surroundings around;
+    around.inputs[input_extra(SurfaceInput::normal_, Variant::value)] = {0, 0, 1};
+    around.inputs[input_extra(SurfaceInput::tangent_, Variant::value)] = {1, 0, 0, 1};
+    around.inputs[input_extra(SurfaceInput::uv1_, Variant::value)] = {0.2, 0};
+    around.inputs[input_extra(SurfaceInput::facing_, Variant::value)] = {1};
+    const auto expect = [&](double along_u, double along_v, auto sum_of) {
+        m = Module();
+        const Id uv0 = frame(input(SurfaceInput::uv0_), WR_FRAME_vertex, WR_SCALE_unit);
+        const Value a = normal_map(0.1, uv0), b = normal_map(0.2, uv0);
+        const Module result = result_of(resolve(sum_of(a, b)));
+        const Lanes n = interpret(result, result.outputs[0].value, around);
+        EXPECT_NEAR(n[0] / n[2], along_u, 1e-12);
+        EXPECT_NEAR(n[1] / n[2], along_v, 1e-12);
+    };
+    // The slopes of a are 0.25 and 0.125, of b 0.25 and 0.25.
+    expect(0.5, 0.25, [&](Value a, Value) { return add(a, a); });
+    expect(0.75, 0.5, [&](Value a, Value b) { return add(add(a, b), a); });
+    expect(0.75, 0.625, [&](Value a, Value b) { return add(b, add(b, a)); });
+    expect(1.25, 1, [&](Value a, Value b) { return add(add(add(a, b), b), add(a, b)); });
+    const auto mix = [&](Value a, Value b) { return op(Op::gradient_mix_, a, b, number(0.5)); };
+    expect(0.375, 0.25, [&](Value a, Value b) { return mix(add(a, b), a); });
+    expect(0.75, 0.5625,
+           [&](Value a, Value b) { return add(mix(add(a, b), a), mix(add(a, b), b)); });
+}
+
 // Changes to the next pixels need no uv.
 TEST_F(Expand, TakesSlopesOfPixelsAsTheyAre) {
     const Id pixels = frame(input(SurfaceInput::uv0_), WR_FRAME_pixel, WR_SCALE_surface);
