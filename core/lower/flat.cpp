@@ -12,25 +12,28 @@ struct Use {
     uint32_t node = FlatNode::none;    // the sub-graph node in the parent's document
     uint32_t instance = 0;             // Module::nodes
     std::string prefix;                // "outer/"
-    // Flat nodes and uses by node, input and output of the document; none: not met yet.
-    std::vector<uint32_t> nodes, uses, inputs, outputs;
+    // Flat nodes by node, input and output of the document; none: not met yet. Of a sub-graph that
+    // is written out the use.
+    std::vector<uint32_t> nodes, inputs, outputs;
 };
 
 class Flattener {
 public:
     Flattener(const Project& project, const Types& types, const FunctionPlan& functions,
-              const FlatRoot& root, size_t max_nodes)
-        : project_(project), types_(types), functions_(functions), max_nodes_(max_nodes) {
-        graph_.first_instance = root.first_instance;
+              const FlatRoot& root, size_t max_nodes, Lowered& lowered)
+        : project_(project),
+          types_(types),
+          functions_(functions),
+          max_nodes_(max_nodes),
+          instances_(lowered.module.nodes),
+          places_(lowered.places) {
         uses_.push_back(make_use(root.file));
-        make_room(uses_[0].nodes.size() + 1);
-        if (root.instance != 0) {
+        if (root.instance == 0) {
+            make_room(uses_[0].nodes.size() + 1);
+        } else {
             uses_[0].instance = root.instance;
             uses_[0].prefix = root.path + "/";
-            return;
         }
-        graph_.instances.push_back({"", project.top().name, ""});
-        graph_.places.push_back({});
     }
 
     uint32_t output(uint32_t index) { return output_pass(0, index); }
@@ -51,13 +54,13 @@ private:
         return project_.files[uses_[use].file].document;
     }
 
-    // For a graph without sub-graphs; others take more.
+    // For a top graph without sub-graphs; others take more.
     void make_room(size_t nodes) {
         constexpr size_t wires_of_a_node = 6;
         graph_.nodes.reserve(nodes);
         graph_.wires.reserve(nodes * wires_of_a_node);
-        graph_.instances.reserve(nodes);
-        graph_.places.reserve(nodes);
+        instances_.reserve(nodes);
+        places_.reserve(nodes);
         use_of_.reserve(nodes);
     }
 
@@ -66,36 +69,35 @@ private:
         Use use;
         use.file = file;
         use.nodes.assign(document.nodes.size(), FlatNode::none);
-        use.uses.assign(document.nodes.size(), FlatNode::none);
         use.inputs.assign(document.inputs.size(), FlatNode::none);
         use.outputs.assign(document.outputs.size(), FlatNode::none);
         return use;
     }
 
-    uint32_t add_instance(uint32_t use, uint32_t node, std::string title) {
-        graph_.instances.push_back(
-            {uses_[use].prefix + document(use).nodes[node]->id, std::move(title), ""});
-        graph_.places.push_back({uses_[use].file, node});
-        return graph_.first_instance + static_cast<uint32_t>(graph_.instances.size() - 1);
+    uint32_t add_instance(uint32_t use, uint32_t node, const std::string& title) {
+        NodeInstance& instance = instances_.emplace_back();
+        instance.path = uses_[use].prefix + document(use).nodes[node]->id;
+        instance.title = title;
+        places_.push_back({uses_[use].file, node});
+        return static_cast<uint32_t>(instances_.size() - 1);
     }
 
     uint32_t inner_use(uint32_t use, uint32_t node) {
-        if (uses_[use].uses[node] != FlatNode::none) return uses_[use].uses[node];
+        if (uses_[use].nodes[node] != FlatNode::none) return uses_[use].nodes[node];
         const uint32_t file = project_.files[uses_[use].file].subgraphs[node];
         Use inner = make_use(file);
         inner.parent = use;
         inner.node = node;
         inner.instance = add_instance(use, node, types_.subgraph(file).title);
-        inner.prefix = graph_.instances.back().path + "/";
+        inner.prefix = instances_.back().path + "/";
         const auto index = static_cast<uint32_t>(uses_.size());
-        uses_[use].uses[node] = index;
+        uses_[use].nodes[node] = index;
         uses_.push_back(std::move(inner));
         return index;
     }
 
     uint32_t add_node(FlatNode node, uint32_t wires, uint32_t use) {
         node.first_wire = static_cast<uint32_t>(graph_.wires.size());
-        node.file = uses_[use].file;
         graph_.wires.resize(graph_.wires.size() + wires);
         graph_.nodes.push_back(std::move(node));
         use_of_.push_back(use);
@@ -141,9 +143,9 @@ private:
         wire.kind = Wire::Kind::node;
         wire.type = type;
         wire.from = flat;
-        wire.output = output;
+        wire.output = static_cast<uint16_t>(output);
         if (!graph_.nodes[flat].is_pass())
-            graph_.wires[graph_.nodes[flat].first_wire + output].read = true;
+            graph_.wires[graph_.nodes[flat].first_wire + output].kind = Wire::Kind::read;
         return wire;
     }
 
@@ -294,8 +296,8 @@ private:
     static Wire literal_wire(uint32_t file, const json::Value& value) {
         Wire wire;
         wire.kind = Wire::Kind::literal;
-        wire.file = file;
-        wire.value = &value;
+        wire.from = file;
+        wire.literal = &value;
         return wire;
     }
 
@@ -303,6 +305,8 @@ private:
     const Types& types_;
     const FunctionPlan& functions_;
     const size_t max_nodes_;
+    std::vector<NodeInstance>& instances_;
+    std::vector<NodePlace>& places_;
     FlatGraph graph_;
     std::vector<Use> uses_;
     std::vector<uint32_t> use_of_;         // by flat node: the use whose document has its wires
@@ -342,8 +346,8 @@ uint32_t passed_input(const NodeType& type, uint32_t output) {
 
 std::optional<FlatGraph> flatten(const Project& project, const Types& types,
                                  const FunctionPlan& functions, const FlatRoot& root,
-                                 size_t max_nodes) {
-    Flattener flattener(project, types, functions, root, max_nodes);
+                                 size_t max_nodes, Lowered& lowered) {
+    Flattener flattener(project, types, functions, root, max_nodes, lowered);
     std::vector<uint32_t> outputs;
     for (const uint32_t index : root.outputs)
         outputs.push_back(flattener.output(index));

@@ -60,7 +60,7 @@ int32_t Lowering::option(uint32_t node, uint32_t port) const {
     const Port& described = flat.type->ports[port];
     const Wire& wire = graph_.wire(flat, port);
     std::optional<int32_t> value;
-    if (wire.kind == Wire::Kind::literal) value = literal_option(*wire.value, described);
+    if (wire.kind == Wire::Kind::literal) value = literal_option(*wire.literal, described);
     return value.value_or(static_cast<int32_t>(described.default_value[0]));
 }
 
@@ -71,9 +71,9 @@ Id Lowering::compute(uint32_t node, uint32_t port) {
     if (wire.kind == Wire::Kind::none) return default_of(node, described);
     if (wire.kind == Wire::Kind::literal) {
         if (described.type == PortType::image_)
-            return add_image(literal_image(*wire.value), wire.file);
+            return add_image(literal_image(*wire.literal), wire.from);
         std::array<double, 4> value{};
-        literal_numbers(*wire.value, described.type, value);
+        literal_numbers(*wire.literal, described.type, value);
         return number(node, described, value);
     }
     const Id value = convert(from_wire(wire), conversion(wire.type, described.type), node);
