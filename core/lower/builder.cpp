@@ -134,16 +134,18 @@ private:
     Id input(uint32_t index) {
         const Port* p = port(index, "input()");
         if (!p) return poison;
-        if (!p->is_value() || p->type == PortType::image_)
-            return refuse("reads port '" + p->name + "' as a value, which it is not");
+        if (!p->is_value() || p->type == PortType::image_) return refuse_kind(*p, "a value");
         return lowering_.input(node_, index);
+    }
+    [[gnu::cold]] Id refuse_kind(const Port& port, const char* kind) {
+        return refuse("reads port '" + port.name + "' as " + kind + ", which it is not");
     }
 
     wr_image image(uint32_t index) {
         const Port* p = port(index, "image()");
         if (!p) return poison;
         if (p->kind != Port::Kind::input || p->type != PortType::image_)
-            return refuse("reads port '" + p->name + "' as an image, which it is not");
+            return refuse_kind(*p, "an image");
         const Id handle = lowering_.image(node_, index);
         if (handle == poison)
             refuse("port '" + p->name + "' has no image", "it needs a path to an image");
@@ -153,15 +155,14 @@ private:
     int32_t option(uint32_t index) {
         const Port* p = port(index, "option()");
         if (p && p->is_option()) return lowering_.option(node_, index);
-        if (p) refuse("reads port '" + p->name + "' as an option, which it is not");
+        if (p) refuse_kind(*p, "an option");
         return 0;
     }
 
     Id field(uint32_t index, wr_value at) {
         const Port* p = port(index, "field()");
         if (!p || !usable(std::array{at})) return poison;
-        if (p->kind != Port::Kind::field)
-            return refuse("reads port '" + p->name + "' as a field, which it is not");
+        if (p->kind != Port::Kind::field) return refuse_kind(*p, "a field");
         if (Dropped* dropped = lowering_.dropped()) dropped->give_up();  // frames in it move
         const auto domain = static_cast<SurfaceInput>(p->default_surface);
         if (module_.type(at) != info(domain).type)
@@ -340,6 +341,7 @@ private:
         const Id checked = checked_output(*p, value);
         lowering_.set_output(node_, index, checked);
         if (checked == poison || p->type == PortType::image_) return;
+        if (info(module_.type(checked)).lanes == 0) return;  // it is never a line of text
         const FlatGraph& graph = lowering_.graph();
         const bool read = graph.wire(graph.nodes[node_], index).kind == Wire::Kind::read;
         (read ? module_.named : unread_).push_back({checked, module_.current_node, p->name, true});

@@ -172,26 +172,26 @@ private:
 
     // What a link of a use's document leads to. An output of a sub-graph that needs no conversion
     // leads straight on to its source.
-    Wire follow(uint32_t use, const Link& first) {
-        Link link = first;
-        for (;;) {
-            if (link.is_surface()) return surface_wire(link);
-            if (link.is_input()) return input_wire(use, link);
-            const auto node = static_cast<uint32_t>(document(use).nodes.index_of(link.node));
-            const NodeType& type = *types_.of(uses_[use].file, node);
-            const uint32_t port = type.find_output(link.port);
-            const PortType carried = type.ports[port].type;
+    Wire follow(uint32_t use, const Link& first, LinkSource source) {
+        for (const Link* link = &first;;) {
+            if (link->is_surface()) return surface_wire(*link);
+            if (link->is_input()) return input_wire(use, *link);
+            const auto [node, port] = source;
+            const PortType carried = types_.of(uses_[use].file, node)->ports[port].type;
             const bool muted = document(use).nodes[node]->muted;
             const uint32_t inner = project_.files[uses_[use].file].subgraphs[node];
             if (muted || inner == Project::File::none || functions_.files[inner].function)
                 return node_wire(flat_node(use, node), carried, port);
             use = inner_use(use, node);
-            const auto output = static_cast<uint32_t>(document(use).outputs.index_of(link.port));
-            const Output& source = document(use).outputs[output];
-            if (types_.link(uses_[use].file, source.from.link) != carried)
+            const auto output = static_cast<uint32_t>(document(use).outputs.index_of(link->port));
+            link = &document(use).outputs[output].from.link;
+            source = types_.source(uses_[use].file, *link);
+            if (types_.link(uses_[use].file, *link, source) != carried)
                 return node_wire(output_pass(use, output), carried, 0);
-            link = source.from.link;
         }
+    }
+    Wire follow(uint32_t use, const Link& link) {
+        return follow(use, link, types_.source(uses_[use].file, link));
     }
 
     // Its wire is followed by run(): following it here would nest calls as deep as sub-graphs nest.
@@ -243,14 +243,15 @@ private:
     // In the order of the ports, whatever that of the file: what is met first is named first.
     void fill_ports(uint32_t index, const FlatNode& flat) {
         const std::vector<Port>& ports = flat.type->ports;
-        written_.assign(ports.size(), nullptr);
-        for (const Input& input : document(use_of_[index]).nodes[flat.node]->inputs)
-            if (const uint32_t p = flat.type->find_input(input.port); p != NodeType::none)
-                written_[p] = &input;
+        const uint32_t use = use_of_[index];
+        const std::span<const NamedInput> inputs = types_.inputs(uses_[use].file, flat.node);
+        written_.assign(ports.size(), FlatNode::none);
+        for (uint32_t i = 0; i < inputs.size(); ++i)
+            if (inputs[i].port != NodeType::none) written_[inputs[i].port] = i;
         if (flat.muted) forget_what_is_not_passed(*flat.type);
         for (uint32_t p = 0; p < ports.size(); ++p) {
-            if (!written_[p]) continue;
-            const Wire wire = port_wire(use_of_[index], *written_[p]);
+            if (written_[p] == FlatNode::none) continue;
+            const Wire wire = port_wire(use, flat.node, written_[p]);
             graph_.wires[flat.first_wire + p] = wire;
             if (wire.kind == Wire::Kind::node && is_base(ports[p])) graph_.bases_are_said = true;
         }
@@ -263,7 +264,7 @@ private:
                 if (const uint32_t in = passed_input(type, p); in != NodeType::none)
                     passed[in] = true;
         for (uint32_t p = 0; p < type.ports.size(); ++p)
-            if (!passed[p]) written_[p] = nullptr;
+            if (!passed[p]) written_[p] = FlatNode::none;
     }
 
     // A graph's inputs are the first ports of its type, in order.
@@ -278,13 +279,17 @@ private:
     }
 
     Wire port_wire(uint32_t use, uint32_t node, std::string_view port) {
-        const Input* input = document(use).nodes[node]->find(port);
-        return input ? port_wire(use, *input) : Wire{};
+        const Node& source = *document(use).nodes[node];
+        const Input* input = source.find(port);
+        if (!input) return {};
+        return port_wire(use, node, static_cast<uint32_t>(input - source.inputs.data()));
     }
 
-    Wire port_wire(uint32_t use, const Input& input) {
-        if (input.kind == Input::Kind::link) return follow(use, input.link);
-        return literal_wire(uses_[use].file, input.value);
+    Wire port_wire(uint32_t use, uint32_t node, uint32_t index) {
+        const uint32_t file = uses_[use].file;
+        const Input& input = document(use).nodes[node]->inputs[index];
+        if (input.kind != Input::Kind::link) return literal_wire(file, input.value);
+        return follow(use, input.link, types_.inputs(file, node)[index].source);
     }
 
     Wire default_wire(uint32_t file, uint32_t input) const {
@@ -312,7 +317,7 @@ private:
     std::vector<uint32_t> use_of_;         // by flat node: the use whose document has its wires
     std::vector<Pending> pending_input_;   // by flat node
     std::vector<Pending> pending_output_;  // by flat node
-    std::vector<const Input*> written_;    // by port, of the node at hand
+    std::vector<uint32_t> written_;        // by port: which input of the node at hand
 };
 
 }  // namespace

@@ -199,11 +199,11 @@ Id Lowering::convert(Id value, Conversion conversion, uint32_t node) {
     return poison;
 }
 
-Id Lowering::add_image(ImageLiteral literal, uint32_t file) {
+Id Lowering::add_image(const ImageLiteral& literal, uint32_t file) {
     Image image;
     image.named = static_cast<uint32_t>(named_images_.size());
     image.encoding = literal.encoding;
-    named_images_.push_back({std::move(literal), file});
+    named_images_.push_back({literal, file});
     images_.push_back(image);
     return static_cast<Id>(images_.size());
 }
@@ -221,7 +221,7 @@ Id Lowering::image(uint32_t node, uint32_t port) {
     const TextureOptions options{*image.encoding, named.literal.wrap, named.literal.filter};
     image.resource = module_.find_resource(path->native(), options);
     if (image.resource == module_.resources.size())
-        module_.add_resource({path->native(), named.literal.file, options, {}});
+        module_.add_resource({path->native(), std::string(named.literal.file), options, {}});
     module_.resources[image.resource].readers.push_back({flat.instance, described.name});
     image.ready = true;
     images_.push_back(image);
