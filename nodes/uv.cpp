@@ -6,7 +6,8 @@ using namespace sdk;
 
 static vec2 rotated(vec2 v, Float angle) {
     const Float c = cos(angle), s = sin(angle);
-    return {c * v.x() - s * v.y(), s * v.x() + c * v.y()};
+    const Float x = v.x(), y = v.y();
+    return {c * x - s * y, s * x + c * y};
 }
 
 Node uv_transform_node =

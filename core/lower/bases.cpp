@@ -28,17 +28,20 @@ private:
 bool makes_gradient(const FlatGraph& graph, const FlatNode& node, uint32_t p) {
     const Port& port = graph.port(node, p);
     const Wire& wire = graph.wire(node, p);
-    const bool carries = wire.kind != Wire::Kind::none && wire.kind != Wire::Kind::literal;
-    return port.type == PortType::gradient_ && carries && wire.type != PortType::gradient_;
+    return port.type == PortType::gradient_ && wire.carries() && wire.type != PortType::gradient_;
 }
 
 class Sorter {
 public:
-    Sorter(FlatGraph& graph, const Project& project, Diagnostics& diagnostics)
+    Sorter(FlatGraph& graph, const Project& project, const Lowered& lowered,
+           Diagnostics& diagnostics)
         : graph_(graph),
           project_(project),
+          lowered_(lowered),
           diagnostics_(diagnostics),
-          state_(graph.nodes.size(), State::unseen) {}
+          state_(graph.nodes.size(), State::unseen) {
+        graph.order.reserve(graph.nodes.size());
+    }
 
     void run() {
         for (const uint32_t output : graph_.outputs) {
@@ -82,10 +85,11 @@ private:
         const FlatNode& sayer = graph_.nodes[node.base_node];
         const uint32_t source = graph_.wire(sayer, sayer.type->find_input("base")).from;
         if (state_[source] != State::open) return enter(source);
-        const std::string base = graph_.instances[graph_.nodes[source].instance].path;
-        const std::string other = graph_.instances[sayer.instance].path;
+        const std::vector<NodeInstance>& instances = lowered_.module.nodes;
+        const std::string base = instances[graph_.nodes[source].instance].path;
+        const std::string other = instances[sayer.instance].path;
         diagnostics_.add(
-            diagnose(project_, graph_.places[node.instance], graph_.instances[node.instance].path,
+            diagnose(project_, lowered_.places[node.instance], instances[node.instance].path,
                      "its gradient would stand on the normal of node '" + base +
                          "', which is made from it; node '" + other + "' says that base",
                      "use a node of its own for each of the two bases"));
@@ -94,6 +98,7 @@ private:
 
     FlatGraph& graph_;
     const Project& project_;
+    const Lowered& lowered_;
     Diagnostics& diagnostics_;
     std::vector<State> state_;
     std::vector<Frame> stack_;
@@ -129,8 +134,9 @@ void infer_bases(FlatGraph& graph) {
                 graph.nodes[i].base_node = sayer[groups.find(i)];
 }
 
-void order_nodes(FlatGraph& graph, const Project& project, Diagnostics& diagnostics) {
-    Sorter(graph, project, diagnostics).run();
+void order_nodes(FlatGraph& graph, const Project& project, const Lowered& lowered,
+                 Diagnostics& diagnostics) {
+    Sorter(graph, project, lowered, diagnostics).run();
 }
 
 }  // namespace wrinkle

@@ -14,7 +14,6 @@
 namespace wrinkle {
 namespace {
 
-constexpr uint32_t most_arguments = 4;
 constexpr uint32_t most_region_values = 64;
 constexpr uint32_t most_iterations = 65536;
 
@@ -118,32 +117,35 @@ private:
     bool usable(std::span<const wr_value> values) {
         const Id size = module_.size();
         const int depth = module_.depth();
-        bool fine = true;
-        for (const wr_value value : values) {
-            const bool exists = value < size;
-            if (exists && value != poison && module_[value].level <= depth) continue;
-            fine = false;
-            if (!exists)
+        for (const wr_value value : values)
+            if (value == poison || value >= size || module_[value].level > depth)
+                return refuse_use(values), false;
+        return true;
+    }
+
+    [[gnu::cold]] void refuse_use(std::span<const wr_value> values) {
+        for (const wr_value value : values)
+            if (value >= module_.size())
                 refuse("uses a value that does not exist");
-            else if (value != poison)
+            else if (value != poison && module_[value].level > module_.depth())
                 refuse("uses a value of a loop or a function outside of it");
-        }
-        return fine;
     }
 
     Id input(uint32_t index) {
         const Port* p = port(index, "input()");
         if (!p) return poison;
-        if (!p->is_value() || p->type == PortType::image_)
-            return refuse("reads port '" + p->name + "' as a value, which it is not");
+        if (!p->is_value() || p->type == PortType::image_) return refuse_kind(*p, "a value");
         return lowering_.input(node_, index);
+    }
+    [[gnu::cold]] Id refuse_kind(const Port& port, const char* kind) {
+        return refuse("reads port '" + port.name + "' as " + kind + ", which it is not");
     }
 
     wr_image image(uint32_t index) {
         const Port* p = port(index, "image()");
         if (!p) return poison;
         if (p->kind != Port::Kind::input || p->type != PortType::image_)
-            return refuse("reads port '" + p->name + "' as an image, which it is not");
+            return refuse_kind(*p, "an image");
         const Id handle = lowering_.image(node_, index);
         if (handle == poison)
             refuse("port '" + p->name + "' has no image", "it needs a path to an image");
@@ -153,15 +155,14 @@ private:
     int32_t option(uint32_t index) {
         const Port* p = port(index, "option()");
         if (p && p->is_option()) return lowering_.option(node_, index);
-        if (p) refuse("reads port '" + p->name + "' as an option, which it is not");
+        if (p) refuse_kind(*p, "an option");
         return 0;
     }
 
     Id field(uint32_t index, wr_value at) {
         const Port* p = port(index, "field()");
         if (!p || !usable(std::array{at})) return poison;
-        if (p->kind != Port::Kind::field)
-            return refuse("reads port '" + p->name + "' as a field, which it is not");
+        if (p->kind != Port::Kind::field) return refuse_kind(*p, "a field");
         if (Dropped* dropped = lowering_.dropped()) dropped->give_up();  // frames in it move
         const auto domain = static_cast<SurfaceInput>(p->default_surface);
         if (module_.type(at) != info(domain).type)
@@ -198,48 +199,54 @@ private:
     Id emit(uint32_t number, uint32_t type, const wr_value* args, uint32_t count, uint32_t extra) {
         const auto o = static_cast<Op>(number);
         const Emission& emission = emissions[std::min<size_t>(number, tables::op_count)];
-        if (!emission.is_op)
-            return refuse("uses op " + std::to_string(number) + ", which does not exist",
-                          "a newer program may be needed");
-        const auto name = [&] { return std::string(info(o).name); };
-        if (emission.host_only)
-            return refuse("emits the op '" + name() + "', which only the host makes");
-        const int arity = info(o).arity;
-        const bool fits = arity < 0 ? count >= 1 && count <= most_arguments
-                                    : count == static_cast<uint32_t>(arity);
-        if (!fits || (count > 0 && !args))
-            return refuse("gives the op '" + name() + "' " + std::to_string(count) + " operands");
+        const bool fits = count >= emission.least && count < emission.end;
+        if (!fits || (count > 0 && !args)) return refuse_op(number, count);
         const std::span<const wr_value> operands(args, count);
         if (!usable(operands)) return poison;
         if (emission.implicit && module_[operands[0]].level > 0)
-            return refuse("takes the derivative '" + name() + "' inside a loop or a function");
-        if (emission.detailed) {
-            const std::optional<uint32_t> checked = checked_extra(o, extra);
-            if (o == Op::frame_ && ((extra & 0xFF) == WR_FRAME_guess) != (count == 2))
-                return refuse("gives a frame a direction where there is none, or none to 'guess'");
-            if (!checked) return refuse("gives the op '" + name() + "' an impossible detail");
-            extra = *checked;
-        } else {
-            extra = 0;
-        }
-        const Id made = module_.add(o, operands, extra, static_cast<Type>(type));
+            return refuse("takes the derivative " + quoted(o) + " inside a loop or a function");
+        const std::optional<uint32_t> checked =
+            emission.detailed ? checked_extra(o, extra, count) : 0;
+        if (!checked) return poison;
+        const Id made = module_.add(o, operands, *checked, static_cast<Type>(type));
         if (Dropped* dropped = lowering_.dropped()) dropped->written(o, operands, made);
         return made;
     }
 
-    // What `extra` becomes in the module.
-    std::optional<uint32_t> checked_extra(Op o, uint32_t extra) {
+    [[gnu::cold]] Id refuse_op(uint32_t number, uint32_t count) {
+        const auto o = static_cast<Op>(number);
+        if (number >= tables::op_count || info(o).name.empty())
+            return refuse("uses op " + std::to_string(number) + ", which does not exist",
+                          "a newer program may be needed");
+        if (host_only(o))
+            return refuse("emits the op " + quoted(o) + ", which only the host makes");
+        return refuse("gives the op " + quoted(o) + " " + std::to_string(count) + " operands");
+    }
+    static std::string quoted(Op o) { return "'" + std::string(info(o).name) + "'"; }
+
+    // What `extra` becomes in the module; nothing where it is refused.
+    std::optional<uint32_t> checked_extra(Op o, uint32_t extra, uint32_t count) {
         if (o == Op::resolve_) return module_.current_node;
         if (o == Op::swizzle_) return extra;
-        if (o == Op::column_) return extra < 3 ? std::optional(extra) : std::nullopt;
-        if (o == Op::frame_) {
-            const bool known = (extra & 0xFF) <= WR_FRAME_pixel && extra >> 8 <= WR_SCALE_unit;
-            return known ? std::optional(extra) : std::nullopt;
+        if (o == Op::frame_ && ((extra & 0xFF) == WR_FRAME_guess) != (count == 2)) {
+            refuse("gives a frame a direction where there is none, or none to 'guess'");
+            return {};
         }
+        if (!is_possible(o, extra)) {
+            refuse("gives the op " + quoted(o) + " an impossible detail");
+            return {};
+        }
+        if (!is_gradient_source(o)) return extra;
         if (extra == 0) return lowering_.own_base(node_);
-        if (extra >= module_.size() || module_.type(extra) != Type::base_) return {};
         const bool surface = module_[extra].arg[0] == lowering_.surface(WR_SURFACE_normal);
         return surface ? 0 : extra;
+    }
+
+    // A column, a frame's way and scale, or a base.
+    bool is_possible(Op o, uint32_t extra) const {
+        if (o == Op::column_) return extra < 3;
+        if (o == Op::frame_) return (extra & 0xFF) <= WR_FRAME_pixel && extra >> 8 <= WR_SCALE_unit;
+        return extra == 0 || (extra < module_.size() && module_.type(extra) == Type::base_);
     }
 
     Id sample(uint32_t number, wr_image image, const wr_value* args, uint32_t count) {
@@ -334,8 +341,9 @@ private:
         const Id checked = checked_output(*p, value);
         lowering_.set_output(node_, index, checked);
         if (checked == poison || p->type == PortType::image_) return;
+        if (info(module_.type(checked)).lanes == 0) return;  // it is never a line of text
         const FlatGraph& graph = lowering_.graph();
-        const bool read = graph.wire(graph.nodes[node_], index).read;
+        const bool read = graph.wire(graph.nodes[node_], index).kind == Wire::Kind::read;
         (read ? module_.named : unread_).push_back({checked, module_.current_node, p->name, true});
     }
 

@@ -48,8 +48,9 @@ public:
         const NodeType* type = types_.of(file_, index);
         if (!type) return unknown_type(node);
         version(node, *type);
-        for (const Input& input : node.inputs)
-            this->input(node, *type, input);
+        const std::span<const NamedInput> named = types_.inputs(file_, index);
+        for (size_t i = 0; i < named.size(); ++i)
+            input(node, *type, node.inputs[i], named[i]);
         for (const Port& port : type->ports)
             required(node, index, port);
     }
@@ -85,7 +86,7 @@ public:
         const auto here = [&](std::string message, std::string expected) {
             report(diagnose(document_, output, std::move(message), std::move(expected)));
         };
-        const auto from = source(link, here);
+        const auto from = source(link, types_.source(file_, link), here);
         if (!from) return;
         const PortType to = standard_output(output.name).value_or(*from);
         const std::string subject = "output " + in_quotes(output.name) + " ";
@@ -130,10 +131,10 @@ private:
                                                 : "'wrinkle upgrade' migrates it"));
     }
 
-    void input(const Node& node, const NodeType& type, const Input& input) {
-        const uint32_t index = type.find_input(input.port);
-        if (index == NodeType::none) return unknown_port(node, type, input);
-        const Port& port = type.ports[index];
+    void input(const Node& node, const NodeType& type, const Input& input,
+               const NamedInput& named) {
+        if (named.port == NodeType::none) return unknown_port(node, type, input);
+        const Port& port = type.ports[named.port];
         const auto subject = [&] { return "port " + in_quotes(port.name) + " "; };
         const auto here = [&](std::string message, std::string expected) {
             return diagnose_port(document_, node, input.port, std::move(message),
@@ -142,9 +143,10 @@ private:
         if (input.kind == Input::Kind::literal)
             literal(input.value, port, subject, node.id, here);
         else if (input.kind == Input::Kind::link)
-            wire(input.link, port, subject, [&](std::string message, std::string expected) {
-                report(here(std::move(message), std::move(expected)));
-            });
+            wire(input.link, named.source, port, subject,
+                 [&](std::string message, std::string expected) {
+                     report(here(std::move(message), std::move(expected)));
+                 });
     }
 
     void unknown_port(const Node& node, const NodeType& type, const Input& input) {
@@ -170,11 +172,11 @@ private:
 
     // `subject` begins a report.
     template <class Subject, class Report>
-    void wire(const Link& link, const Port& port, Subject subject, Report here) {
+    void wire(const Link& link, LinkSource at, const Port& port, Subject subject, Report here) {
         if (port.is_option())
             return here(subject() + "is known while compiling and takes no wire",
                         "write a value in its place");
-        const auto from = source(link, here);
+        const auto from = source(link, at, here);
         if (from && conversion(*from, port.type) == Conversion::illegal)
             here(mismatch(subject(), link, *from, port.type),
                  alternative(*from, port.type, registry_));
@@ -183,8 +185,8 @@ private:
     // The type that a link carries; nothing, and an error unless reading reported it, when there is
     // no such thing.
     template <class Report>
-    std::optional<PortType> source(const Link& link, Report here) {
-        const auto type = types_.link(file_, link);
+    std::optional<PortType> source(const Link& link, LinkSource at, Report here) {
+        const auto type = types_.link(file_, link, at);
         if (type || only_count()) return type;
         if (link.is_surface()) {
             std::vector<std::string> names;
@@ -193,11 +195,9 @@ private:
             here("the surface has no property " + in_quotes(link.port),
                  did_you_mean(link.port, names, "it has " + join(names)));
         } else if (link.is_node()) {
-            const size_t index = document_.nodes.index_of(link.node);
-            if (index == Table<NodePtr>::npos || !types_.of(file_, index)) return {};
-            const NodeType& node = *types_.of(file_, index);
-            if (is_broken_output(index, link.port)) return {};
-            const std::vector<std::string> names = port_names(node, true);
+            if (at.node == LinkSource::none || !types_.of(file_, at.node)) return {};
+            if (is_broken_output(at.node, link.port)) return {};
+            const std::vector<std::string> names = port_names(*types_.of(file_, at.node), true);
             here("node " + in_quotes(link.node) + " has no output " + in_quotes(link.port),
                  did_you_mean(link.port, names,
                               names.empty() ? "it has no outputs" : "it has " + join(names)));
@@ -228,7 +228,7 @@ private:
     }
 
     template <class Subject, class Diagnose>
-    void image_file(const std::string& name, Subject subject, Diagnose here) {
+    void image_file(std::string_view name, Subject subject, Diagnose here) {
         const NamedFiles::Found& found = files_.find(file_, name);
         if (!found.path)
             return report(here(subject() + "names " + json_quoted(name) + ", outside the root",

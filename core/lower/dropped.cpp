@@ -26,9 +26,8 @@ bool stands_as_written(const Inst& made, Op op, std::span<const Id> operands) {
 
 // x * 1, or what is computed of literals alone: nothing is dropped.
 bool drops_literals_alone(const Module& m, std::span<const Id> operands, Id result) {
-    return std::all_of(operands.begin(), operands.end(), [&](Id operand) {
-        return operand == result || m[operand].op == Op::literal_;
-    });
+    return std::all_of(operands.begin(), operands.end(),
+                       [&](Id operand) { return operand == result || m.is_constant(operand); });
 }
 
 }  // namespace
@@ -45,12 +44,21 @@ void Dropped::begin(uint32_t node) {
 void Dropped::written(Op op, std::span<const Id> operands, Id result) {
     if (result == poison) return;
     if (is_surface_normal(module_, result)) give_up();  // it may have become that by a value
-    if (op != Op::frame_ && op != Op::base_ && stands_as_written(module_[result], op, operands))
-        return;
-    const bool plain = op != Op::frame_ && op != Op::base_ &&
-                       changes_with_operands(op, module_.type(result)) &&
-                       drops_literals_alone(module_, operands, result);
-    if (!plain) compare(op, operands, result);
+    if (op == Op::base_) {
+        if (!is_surface_normal(module_, operands[0])) give_up();
+    } else if (op == Op::frame_) {
+        judge_frame(operands[0], result);
+    } else if (!stands_as_written(module_[result], op, operands)) {
+        const bool plain = changes_with_operands(op, module_.type(result)) &&
+                           drops_literals_alone(module_, operands, result);
+        if (!plain) compare(op, operands, result);
+    }
+}
+
+void Dropped::judge_frame(Id uv, Id frame) {
+    facts_.update();
+    const uint32_t inputs = facts_.dependencies(uv);
+    if ((inputs_[node_] & ~inputs) != 0 || !fits_its_scale(module_[frame].extra, inputs)) give_up();
 }
 
 // What the operands change with, with what the result does.
@@ -60,12 +68,7 @@ void Dropped::compare(Op op, std::span<const Id> operands, Id result) {
     for (const Id operand : operands)
         before |= facts_.dependencies(operand);
     const uint32_t after = facts_.dependencies(result);
-    if (op == Op::base_) {
-        if (!is_surface_normal(module_, operands[0])) give_up();
-    } else if (op == Op::frame_) {
-        const uint32_t uv = facts_.dependencies(operands[0]);
-        if ((inputs_[node_] & ~uv) != 0 || !fits_its_scale(module_[result].extra, uv)) give_up();
-    } else if (!changes_with_operands(op, module_.type(result))) {
+    if (!changes_with_operands(op, module_.type(result))) {
         if (after != 0) give_up();
     } else {
         inputs_[node_] |= before & ~after;

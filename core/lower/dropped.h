@@ -35,6 +35,7 @@ public:
     bool decides_alike() const { return decides_alike_; }
 
 private:
+    void judge_frame(Id uv, Id frame);
     void compare(Op op, std::span<const Id> operands, Id result);
 
     const Module& module_;

@@ -24,18 +24,22 @@ constexpr bool has_detail(Op op) {
 
 // What a plugin's number of an op is looked at for, all ops in one table.
 struct Emission {
-    bool is_op = false;
-    bool host_only = false;
-    bool detailed = false;  // `extra` says something
+    uint8_t least = 0, end = 0;  // operands: as many as least, fewer than end; host's: none fit
+    bool detailed = false;       // `extra` says something
     bool implicit = false;
 };
 inline constexpr auto emissions = [] {
+    constexpr int8_t most_operands = 4;
     std::array<Emission, tables::op_count + 1> table{};  // the last: an op that there is not
     for (size_t i = 0; i < tables::op_count; ++i) {
         const auto op = static_cast<Op>(i);
         const OpInfo& row = info(op);
-        table[i] = {!row.name.empty(), host_only(op), has_detail(op),
-                    (row.flags & WR_FLAG_IMPLICIT) != 0};
+        if (row.name.empty() || host_only(op)) continue;
+        const bool variadic = row.arity < 0;
+        table[i].least = static_cast<uint8_t>(variadic ? 1 : row.arity);
+        table[i].end = static_cast<uint8_t>((variadic ? most_operands : row.arity) + 1);
+        table[i].detailed = has_detail(op);
+        table[i].implicit = (row.flags & WR_FLAG_IMPLICIT) != 0;
     }
     return table;
 }();

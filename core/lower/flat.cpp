@@ -12,25 +12,28 @@ struct Use {
     uint32_t node = FlatNode::none;    // the sub-graph node in the parent's document
     uint32_t instance = 0;             // Module::nodes
     std::string prefix;                // "outer/"
-    // Flat nodes and uses by node, input and output of the document; none: not met yet.
-    std::vector<uint32_t> nodes, uses, inputs, outputs;
+    // Flat nodes by node, input and output of the document; none: not met yet. Of a sub-graph that
+    // is written out the use.
+    std::vector<uint32_t> nodes, inputs, outputs;
 };
 
 class Flattener {
 public:
     Flattener(const Project& project, const Types& types, const FunctionPlan& functions,
-              const FlatRoot& root, size_t max_nodes)
-        : project_(project), types_(types), functions_(functions), max_nodes_(max_nodes) {
-        graph_.first_instance = root.first_instance;
+              const FlatRoot& root, size_t max_nodes, Lowered& lowered)
+        : project_(project),
+          types_(types),
+          functions_(functions),
+          max_nodes_(max_nodes),
+          instances_(lowered.module.nodes),
+          places_(lowered.places) {
         uses_.push_back(make_use(root.file));
-        make_room(uses_[0].nodes.size() + 1);
-        if (root.instance != 0) {
+        if (root.instance == 0) {
+            make_room(uses_[0].nodes.size() + 1);
+        } else {
             uses_[0].instance = root.instance;
             uses_[0].prefix = root.path + "/";
-            return;
         }
-        graph_.instances.push_back({"", project.top().name, ""});
-        graph_.places.push_back({});
     }
 
     uint32_t output(uint32_t index) { return output_pass(0, index); }
@@ -51,13 +54,13 @@ private:
         return project_.files[uses_[use].file].document;
     }
 
-    // For a graph without sub-graphs; others take more.
+    // For a top graph without sub-graphs; others take more.
     void make_room(size_t nodes) {
         constexpr size_t wires_of_a_node = 6;
         graph_.nodes.reserve(nodes);
         graph_.wires.reserve(nodes * wires_of_a_node);
-        graph_.instances.reserve(nodes);
-        graph_.places.reserve(nodes);
+        instances_.reserve(nodes);
+        places_.reserve(nodes);
         use_of_.reserve(nodes);
     }
 
@@ -66,36 +69,35 @@ private:
         Use use;
         use.file = file;
         use.nodes.assign(document.nodes.size(), FlatNode::none);
-        use.uses.assign(document.nodes.size(), FlatNode::none);
         use.inputs.assign(document.inputs.size(), FlatNode::none);
         use.outputs.assign(document.outputs.size(), FlatNode::none);
         return use;
     }
 
-    uint32_t add_instance(uint32_t use, uint32_t node, std::string title) {
-        graph_.instances.push_back(
-            {uses_[use].prefix + document(use).nodes[node]->id, std::move(title), ""});
-        graph_.places.push_back({uses_[use].file, node});
-        return graph_.first_instance + static_cast<uint32_t>(graph_.instances.size() - 1);
+    uint32_t add_instance(uint32_t use, uint32_t node, const std::string& title) {
+        NodeInstance& instance = instances_.emplace_back();
+        instance.path = uses_[use].prefix + document(use).nodes[node]->id;
+        instance.title = title;
+        places_.push_back({uses_[use].file, node});
+        return static_cast<uint32_t>(instances_.size() - 1);
     }
 
     uint32_t inner_use(uint32_t use, uint32_t node) {
-        if (uses_[use].uses[node] != FlatNode::none) return uses_[use].uses[node];
+        if (uses_[use].nodes[node] != FlatNode::none) return uses_[use].nodes[node];
         const uint32_t file = project_.files[uses_[use].file].subgraphs[node];
         Use inner = make_use(file);
         inner.parent = use;
         inner.node = node;
         inner.instance = add_instance(use, node, types_.subgraph(file).title);
-        inner.prefix = graph_.instances.back().path + "/";
+        inner.prefix = instances_.back().path + "/";
         const auto index = static_cast<uint32_t>(uses_.size());
-        uses_[use].uses[node] = index;
+        uses_[use].nodes[node] = index;
         uses_.push_back(std::move(inner));
         return index;
     }
 
     uint32_t add_node(FlatNode node, uint32_t wires, uint32_t use) {
         node.first_wire = static_cast<uint32_t>(graph_.wires.size());
-        node.file = uses_[use].file;
         graph_.wires.resize(graph_.wires.size() + wires);
         graph_.nodes.push_back(std::move(node));
         use_of_.push_back(use);
@@ -141,9 +143,9 @@ private:
         wire.kind = Wire::Kind::node;
         wire.type = type;
         wire.from = flat;
-        wire.output = output;
+        wire.output = static_cast<uint16_t>(output);
         if (!graph_.nodes[flat].is_pass())
-            graph_.wires[graph_.nodes[flat].first_wire + output].read = true;
+            graph_.wires[graph_.nodes[flat].first_wire + output].kind = Wire::Kind::read;
         return wire;
     }
 
@@ -170,26 +172,26 @@ private:
 
     // What a link of a use's document leads to. An output of a sub-graph that needs no conversion
     // leads straight on to its source.
-    Wire follow(uint32_t use, const Link& first) {
-        Link link = first;
-        for (;;) {
-            if (link.is_surface()) return surface_wire(link);
-            if (link.is_input()) return input_wire(use, link);
-            const auto node = static_cast<uint32_t>(document(use).nodes.index_of(link.node));
-            const NodeType& type = *types_.of(uses_[use].file, node);
-            const uint32_t port = type.find_output(link.port);
-            const PortType carried = type.ports[port].type;
+    Wire follow(uint32_t use, const Link& first, LinkSource source) {
+        for (const Link* link = &first;;) {
+            if (link->is_surface()) return surface_wire(*link);
+            if (link->is_input()) return input_wire(use, *link);
+            const auto [node, port] = source;
+            const PortType carried = types_.of(uses_[use].file, node)->ports[port].type;
             const bool muted = document(use).nodes[node]->muted;
             const uint32_t inner = project_.files[uses_[use].file].subgraphs[node];
             if (muted || inner == Project::File::none || functions_.files[inner].function)
                 return node_wire(flat_node(use, node), carried, port);
             use = inner_use(use, node);
-            const auto output = static_cast<uint32_t>(document(use).outputs.index_of(link.port));
-            const Output& source = document(use).outputs[output];
-            if (types_.link(uses_[use].file, source.from.link) != carried)
+            const auto output = static_cast<uint32_t>(document(use).outputs.index_of(link->port));
+            link = &document(use).outputs[output].from.link;
+            source = types_.source(uses_[use].file, *link);
+            if (types_.link(uses_[use].file, *link, source) != carried)
                 return node_wire(output_pass(use, output), carried, 0);
-            link = source.from.link;
         }
+    }
+    Wire follow(uint32_t use, const Link& link) {
+        return follow(use, link, types_.source(uses_[use].file, link));
     }
 
     // Its wire is followed by run(): following it here would nest calls as deep as sub-graphs nest.
@@ -241,14 +243,15 @@ private:
     // In the order of the ports, whatever that of the file: what is met first is named first.
     void fill_ports(uint32_t index, const FlatNode& flat) {
         const std::vector<Port>& ports = flat.type->ports;
-        written_.assign(ports.size(), nullptr);
-        for (const Input& input : document(use_of_[index]).nodes[flat.node]->inputs)
-            if (const uint32_t p = flat.type->find_input(input.port); p != NodeType::none)
-                written_[p] = &input;
+        const uint32_t use = use_of_[index];
+        const std::span<const NamedInput> inputs = types_.inputs(uses_[use].file, flat.node);
+        written_.assign(ports.size(), FlatNode::none);
+        for (uint32_t i = 0; i < inputs.size(); ++i)
+            if (inputs[i].port != NodeType::none) written_[inputs[i].port] = i;
         if (flat.muted) forget_what_is_not_passed(*flat.type);
         for (uint32_t p = 0; p < ports.size(); ++p) {
-            if (!written_[p]) continue;
-            const Wire wire = port_wire(use_of_[index], *written_[p]);
+            if (written_[p] == FlatNode::none) continue;
+            const Wire wire = port_wire(use, flat.node, written_[p]);
             graph_.wires[flat.first_wire + p] = wire;
             if (wire.kind == Wire::Kind::node && is_base(ports[p])) graph_.bases_are_said = true;
         }
@@ -261,7 +264,7 @@ private:
                 if (const uint32_t in = passed_input(type, p); in != NodeType::none)
                     passed[in] = true;
         for (uint32_t p = 0; p < type.ports.size(); ++p)
-            if (!passed[p]) written_[p] = nullptr;
+            if (!passed[p]) written_[p] = FlatNode::none;
     }
 
     // A graph's inputs are the first ports of its type, in order.
@@ -276,13 +279,17 @@ private:
     }
 
     Wire port_wire(uint32_t use, uint32_t node, std::string_view port) {
-        const Input* input = document(use).nodes[node]->find(port);
-        return input ? port_wire(use, *input) : Wire{};
+        const Node& source = *document(use).nodes[node];
+        const Input* input = source.find(port);
+        if (!input) return {};
+        return port_wire(use, node, static_cast<uint32_t>(input - source.inputs.data()));
     }
 
-    Wire port_wire(uint32_t use, const Input& input) {
-        if (input.kind == Input::Kind::link) return follow(use, input.link);
-        return literal_wire(uses_[use].file, input.value);
+    Wire port_wire(uint32_t use, uint32_t node, uint32_t index) {
+        const uint32_t file = uses_[use].file;
+        const Input& input = document(use).nodes[node]->inputs[index];
+        if (input.kind != Input::Kind::link) return literal_wire(file, input.value);
+        return follow(use, input.link, types_.inputs(file, node)[index].source);
     }
 
     Wire default_wire(uint32_t file, uint32_t input) const {
@@ -294,8 +301,8 @@ private:
     static Wire literal_wire(uint32_t file, const json::Value& value) {
         Wire wire;
         wire.kind = Wire::Kind::literal;
-        wire.file = file;
-        wire.value = &value;
+        wire.from = file;
+        wire.literal = &value;
         return wire;
     }
 
@@ -303,12 +310,14 @@ private:
     const Types& types_;
     const FunctionPlan& functions_;
     const size_t max_nodes_;
+    std::vector<NodeInstance>& instances_;
+    std::vector<NodePlace>& places_;
     FlatGraph graph_;
     std::vector<Use> uses_;
     std::vector<uint32_t> use_of_;         // by flat node: the use whose document has its wires
     std::vector<Pending> pending_input_;   // by flat node
     std::vector<Pending> pending_output_;  // by flat node
-    std::vector<const Input*> written_;    // by port, of the node at hand
+    std::vector<uint32_t> written_;        // by port: which input of the node at hand
 };
 
 }  // namespace
@@ -342,8 +351,8 @@ uint32_t passed_input(const NodeType& type, uint32_t output) {
 
 std::optional<FlatGraph> flatten(const Project& project, const Types& types,
                                  const FunctionPlan& functions, const FlatRoot& root,
-                                 size_t max_nodes) {
-    Flattener flattener(project, types, functions, root, max_nodes);
+                                 size_t max_nodes, Lowered& lowered) {
+    Flattener flattener(project, types, functions, root, max_nodes, lowered);
     std::vector<uint32_t> outputs;
     for (const uint32_t index : root.outputs)
         outputs.push_back(flattener.output(index));

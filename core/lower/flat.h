@@ -23,14 +23,17 @@ struct Wire {
         surface,      // WR_SURFACE_*
         graph_input,  // of the graph that is flattened
         literal,
+        read,  // of an output, where none begins: a wire leads from it
     };
     Kind kind = Kind::none;
-    PortType type = PortType::float_;  // of what comes; of none and literal unused
-    uint32_t from = 0;                 // flat node, surface property or graph input
-    uint32_t output = 0;               // port index in the node's type; of a pass unused
-    uint32_t file = 0;                 // that says the literal
-    bool read = false;                 // of an output, which none is: whether a wire leads from it
-    const json::Value* value = nullptr;
+    PortType type = PortType::float_;  // of what it carries
+    uint16_t output = 0;               // port index in the node's type; of a pass unused
+    uint32_t from = 0;  // flat node, surface property, graph input or the literal's file
+    const json::Value* literal = nullptr;
+
+    bool carries() const {
+        return kind == Kind::node || kind == Kind::surface || kind == Kind::graph_input;
+    }
 };
 
 struct FlatNode {
@@ -39,8 +42,7 @@ struct FlatNode {
     const Port* pass = nullptr;      // of a pass: its port, named as the user knows it
     bool muted = false;
     uint32_t instance = 0;      // Module::nodes
-    uint32_t file = 0;          // in Project::files
-    uint32_t node = none;       // in its document
+    uint32_t node = none;       // in the document that has its wires
     uint32_t first_wire = 0;    // in FlatGraph::wires; as many as the type has ports, of a pass one
     uint32_t base_node = none;  // the node whose input `base` holds for this node's conversions
     uint32_t function = none;   // of a call: the file that is called
@@ -55,10 +57,7 @@ struct FlatGraph {
     std::vector<uint32_t> output_index;  // in the top document's outputs
     std::vector<uint32_t> order;         // every node after what it reads
     std::deque<Port> output_ports;       // of passes
-    std::vector<NodeInstance> instances;
-    std::vector<NodePlace> places;
-    uint32_t first_instance = 0;  // where these begin in Module::nodes
-    bool bases_are_said = false;  // false: by no node
+    bool bases_are_said = false;         // false: by no node
 
     const Port& port(const FlatNode& node, uint32_t index) const {
         return node.is_pass() ? *node.pass : node.type->ports[index];
@@ -76,7 +75,6 @@ struct FlatRoot {
     uint32_t file = 0;
     uint32_t instance = 0;          // of that use, in Module::nodes; 0: the top graph
     std::string path;               // of that use
-    uint32_t first_instance = 0;    // of what is met, in Module::nodes
     std::vector<uint32_t> outputs;  // of the file
 };
 
@@ -87,10 +85,11 @@ std::vector<uint32_t> chosen_outputs(const Document& document, const LowerOption
 // Of a muted node: the input that its output passes on, or NodeType::none.
 uint32_t passed_input(const NodeType& type, uint32_t output);
 
-// The nodes and wires; `order` is left empty. Nothing: more nodes than these.
+// The nodes and wires; `order` is left empty. The instances that are met are appended to those of
+// `lowered`. Nothing: more nodes than these.
 std::optional<FlatGraph> flatten(const Project& project, const Types& types,
                                  const FunctionPlan& functions, const FlatRoot& root,
-                                 size_t max_nodes);
+                                 size_t max_nodes, Lowered& lowered);
 
 // Whether the port is the one that says a base.
 inline bool is_base(const Port& port) {
@@ -105,7 +104,8 @@ bool says_base(const FlatGraph& graph, const FlatNode& node);
 void infer_bases(FlatGraph& graph);
 
 // Fills `order`. A conversion whose base depends on the conversion itself is an error.
-void order_nodes(FlatGraph& graph, const Project& project, Diagnostics& diagnostics);
+void order_nodes(FlatGraph& graph, const Project& project, const Lowered& lowered,
+                 Diagnostics& diagnostics);
 
 // A diagnostic at a node instance: its place in its file, its path in the whole.
 Diagnostic diagnose(const Project& project, const NodePlace& place, const std::string& path,

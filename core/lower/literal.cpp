@@ -37,8 +37,8 @@ std::string remedy(std::string_view word, std::span<const std::string> names) {
     return did_you_mean(word, names, "expected " + list(names));
 }
 
-void number_problems(const json::Value& value, const Port& port, Problems& problems) {
-    const double number = value.as_number();
+void number_problems(const json::Value& value, double number, const Port& port,
+                     Problems& problems) {
     if (std::abs(number) > largest) {
         problems.push_back(
             {value, Severity::error,
@@ -55,17 +55,18 @@ void number_problems(const json::Value& value, const Port& port, Problems& probl
 }
 
 void numbers_problems(const json::Value& value, const Port& port, Problems& problems) {
-    std::array<double, 4> ignored{};
+    std::array<double, 4> numbers{};
     const int lanes = lanes_of(port.type);
-    if (!literal_numbers(value, port.type, ignored)) {
+    if (!literal_numbers(value, port.type, numbers)) {
         const std::string wanted =
             lanes == 1 ? "a number" : "an array of " + std::to_string(lanes) + " numbers";
         problems.push_back({value, Severity::error, found(value), "expected " + wanted});
     } else if (lanes == 1) {
-        number_problems(value, port, problems);
+        number_problems(value, numbers[0], port, problems);
     } else {
-        for (const json::Member& lane : value.children())
-            number_problems(lane.value, port, problems);
+        size_t lane = 0;
+        for (const json::Member& item : value.children())
+            number_problems(item.value, numbers[lane++], port, problems);
     }
 }
 

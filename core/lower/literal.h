@@ -4,6 +4,7 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "json/value.h"
@@ -19,7 +20,7 @@ std::optional<int32_t> literal_option(const json::Value& value, const Port& port
 
 // An image as a path or as {"file", "encoding", "wrap", "filter"}.
 struct ImageLiteral {
-    std::string file;
+    std::string_view file;             // lives as long as the value's tree
     std::optional<Encoding> encoding;  // nothing: that of the port
     Wrap wrap = Wrap::repeat;
     Filter filter = Filter::linear;

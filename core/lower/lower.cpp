@@ -1,7 +1,6 @@
 #include "lower/lower.h"
 
 #include <algorithm>
-#include <iterator>
 #include <limits>
 #include <map>
 #include <memory>
@@ -56,7 +55,10 @@ public:
           own_files_(project),
           files_(options.files ? *options.files : own_files_),
           nodes_left_(options.max_nodes),
-          facts_(result_.module) {}
+          facts_(result_.module) {
+        result_.module.nodes[0].title = project.top().name;
+        result_.places.push_back({});
+    }
 
     Lowered run() {
         FlatRoot top;
@@ -86,17 +88,13 @@ private:
     using Variant = std::pair<uint32_t, std::string>;  // file and kinds of arguments
 
     bool open(FlatRoot root, CallInputs* inputs) {
-        root.first_instance = static_cast<uint32_t>(result_.places.size());
-        auto graph = flatten(project_, types_, functions_, root, nodes_left_);
+        auto graph = flatten(project_, types_, functions_, root, nodes_left_, result_);
         if (!graph) return refuse_size();
         nodes_left_ -= std::min(nodes_left_, graph->nodes.size());
         infer_bases(*graph);
-        order_nodes(*graph, project_, diagnostics_);
+        order_nodes(*graph, project_, result_, diagnostics_);
         Module& m = result_.module;
         if (frames_.empty()) m.make_room(graph->nodes.size() * instructions_of_a_node);
-        m.nodes.resize(root.first_instance);
-        std::move(graph->instances.begin(), graph->instances.end(), std::back_inserter(m.nodes));
-        result_.places.insert(result_.places.end(), graph->places.begin(), graph->places.end());
         auto frame = std::make_unique<Frame>();
         frame->graph = std::move(*graph);
         frame->file = root.file;
@@ -168,7 +166,7 @@ private:
         const auto [variant, added] =
             variants_.try_emplace({flat.function, std::move(inputs.key)}, 0);
         if (added) {
-            FlatRoot root{flat.function, flat.instance, m.nodes[flat.instance].path, 0,
+            FlatRoot root{flat.function, flat.instance, m.nodes[flat.instance].path,
                           needed_outputs(flat.function)};
             if (open(std::move(root), &inputs)) frames_.back()->region = &variant->second;
             return false;

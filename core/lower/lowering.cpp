@@ -60,7 +60,7 @@ int32_t Lowering::option(uint32_t node, uint32_t port) const {
     const Port& described = flat.type->ports[port];
     const Wire& wire = graph_.wire(flat, port);
     std::optional<int32_t> value;
-    if (wire.kind == Wire::Kind::literal) value = literal_option(*wire.value, described);
+    if (wire.kind == Wire::Kind::literal) value = literal_option(*wire.literal, described);
     return value.value_or(static_cast<int32_t>(described.default_value[0]));
 }
 
@@ -71,9 +71,9 @@ Id Lowering::compute(uint32_t node, uint32_t port) {
     if (wire.kind == Wire::Kind::none) return default_of(node, described);
     if (wire.kind == Wire::Kind::literal) {
         if (described.type == PortType::image_)
-            return add_image(literal_image(*wire.value), wire.file);
+            return add_image(literal_image(*wire.literal), wire.from);
         std::array<double, 4> value{};
-        literal_numbers(*wire.value, described.type, value);
+        literal_numbers(*wire.literal, described.type, value);
         return number(node, described, value);
     }
     const Id value = convert(from_wire(wire), conversion(wire.type, described.type), node);
@@ -199,11 +199,11 @@ Id Lowering::convert(Id value, Conversion conversion, uint32_t node) {
     return poison;
 }
 
-Id Lowering::add_image(ImageLiteral literal, uint32_t file) {
+Id Lowering::add_image(const ImageLiteral& literal, uint32_t file) {
     Image image;
     image.named = static_cast<uint32_t>(named_images_.size());
     image.encoding = literal.encoding;
-    named_images_.push_back({std::move(literal), file});
+    named_images_.push_back({literal, file});
     images_.push_back(image);
     return static_cast<Id>(images_.size());
 }
@@ -221,7 +221,7 @@ Id Lowering::image(uint32_t node, uint32_t port) {
     const TextureOptions options{*image.encoding, named.literal.wrap, named.literal.filter};
     image.resource = module_.find_resource(path->native(), options);
     if (image.resource == module_.resources.size())
-        module_.add_resource({path->native(), named.literal.file, options, {}});
+        module_.add_resource({path->native(), std::string(named.literal.file), options, {}});
     module_.resources[image.resource].readers.push_back({flat.instance, described.name});
     image.ready = true;
     images_.push_back(image);

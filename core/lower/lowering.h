@@ -17,7 +17,7 @@ namespace wrinkle {
 
 Type value_type(PortType type);  // poison of an image
 
-// An image as a graph names it.
+// An image as a graph names it; no longer than the project lives.
 struct BoundImage {
     ImageLiteral literal;
     uint32_t file = 0;  // that names it
@@ -81,7 +81,7 @@ private:
     Id graph_input(uint32_t index, PortType type);
     Id clamped(Id value, const Port& port);
     Id base_of(uint32_t node);
-    Id add_image(ImageLiteral literal, uint32_t file);
+    Id add_image(const ImageLiteral& literal, uint32_t file);
 
     Module& module_;
     const FlatGraph& graph_;

@@ -19,9 +19,9 @@ std::vector<NamedImage> named_images(const Project& project, const Types& types,
     std::vector<NamedImage> images;
     NamedFiles files(project);
     const auto add = [&](const json::Value& value) {
-        const std::string name = literal_image(value).file;
+        const std::string_view name = literal_image(value).file;
         if (name.empty()) return;
-        images.push_back({name, files.find(file, name).path});
+        images.push_back({std::string(name), files.find(file, name).path});
     };
     const Document& document = project.files[file].document;
     for (size_t i = 0; i < document.nodes.size(); ++i) {

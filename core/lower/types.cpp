@@ -77,9 +77,7 @@ std::vector<uint32_t> files_in_order(const Project& project) {
 }
 
 Types::Types(const Project& project, const Registry& registry)
-    : project_(&project), nodes_(project.files.size()), graphs_(project.files.size()) {
-    for (size_t f = 0; f < project.files.size(); ++f)
-        nodes_[f].resize(project.files[f].document.nodes.size());
+    : project_(&project), files_(project.files.size()), graphs_(project.files.size()) {
     for (const uint32_t file : files_in_order(project))
         type_file(project, registry, file);
 }
@@ -87,14 +85,17 @@ Types::Types(const Project& project, const Registry& registry)
 void Types::type_file(const Project& project, const Registry& registry, size_t file) {
     const Project::File& source = project.files[file];
     const Document& document = source.document;
+    std::vector<const NodeType*>& types = files_[file].nodes;
+    types.resize(document.nodes.size());
     for (size_t i = 0; i < document.nodes.size(); ++i) {
         const uint32_t inner = source.subgraphs[i];
         if (inner != Project::File::none)
-            nodes_[file][i] = &graphs_[inner];
+            types[i] = &graphs_[inner];
         else if (document.nodes[i]->type != reroute_type)
-            nodes_[file][i] = registry.find(document.nodes[i]->type);
+            types[i] = registry.find(document.nodes[i]->type);
     }
     type_reroutes(file);
+    look_up_inputs(file);
     NodeType& type = graphs_[file];
     type.id = "graph:" + source.path.filename().string();
     type.title = document.name.empty() ? source.path.stem().string() : document.name;
@@ -126,7 +127,7 @@ void Types::type_reroutes(size_t file) {
             k = in && in->link.is_node() ? nodes.index_of(in->link.node) : nodes.npos;
         }
         for (; !chain.empty(); chain.pop_back())
-            nodes_[file][chain.back()] = reroute(file, *nodes[chain.back()]);
+            files_[file].nodes[chain.back()] = reroute(file, *nodes[chain.back()]);
     }
 }
 
@@ -137,7 +138,35 @@ const NodeType* Types::reroute(size_t file, const Node& node) const {
     return type ? reroute_of(*type) : nullptr;
 }
 
-std::optional<PortType> Types::link(size_t file, const Link& link) const {
+void Types::look_up_inputs(size_t file) {
+    const Table<NodePtr>& nodes = project_->files[file].document.nodes;
+    constexpr size_t inputs_of_a_node = 2;  // about
+    File& found = files_[file];
+    found.first.reserve(nodes.size() + 1);
+    found.inputs.reserve(nodes.size() * inputs_of_a_node);
+    for (size_t i = 0; i < nodes.size(); ++i) {
+        found.first.push_back(static_cast<uint32_t>(found.inputs.size()));
+        const NodeType* type = found.nodes[i];
+        for (const Input& input : nodes[i]->inputs) {
+            NamedInput& named = found.inputs.emplace_back();
+            if (type) named.port = type->find_input(input.port);
+            if (input.kind == Input::Kind::link) named.source = source(file, input.link);
+        }
+    }
+    found.first.push_back(static_cast<uint32_t>(found.inputs.size()));
+}
+
+LinkSource Types::source(size_t file, const Link& link) const {
+    LinkSource source;
+    if (!link.is_node()) return source;
+    const size_t node = project_->files[file].document.nodes.index_of(link.node);
+    if (node == Table<NodePtr>::npos) return source;
+    source.node = static_cast<uint32_t>(node);
+    if (const NodeType* type = of(file, node)) source.output = type->find_output(link.port);
+    return source;
+}
+
+std::optional<PortType> Types::link(size_t file, const Link& link, LinkSource source) const {
     const Document& document = project_->files[file].document;
     if (link.is_surface()) {
         for (const SurfaceProperty& property : surface_properties())
@@ -148,12 +177,8 @@ std::optional<PortType> Types::link(size_t file, const Link& link) const {
         const GraphInput* input = document.inputs.find(link.port);
         return input ? port_type_named(input->type) : std::nullopt;
     }
-    const size_t node = document.nodes.index_of(link.node);
-    if (node == Table<NodePtr>::npos || !nodes_[file][node]) return {};
-    const NodeType& type = *nodes_[file][node];
-    const uint32_t port = type.find_output(link.port);
-    if (port == NodeType::none) return {};
-    return type.ports[port].type;
+    if (source.output == LinkSource::none) return {};
+    return of(file, source.node)->ports[source.output].type;
 }
 
 std::optional<PortType> Types::output(size_t file, const Output& output) const {

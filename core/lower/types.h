@@ -5,10 +5,13 @@
 //   reroute      input `in`, output `out`, both of the type of whatever is connected.
 //
 // An unknown type, or a sub-graph that cannot be read, has none.
+//
+// What nodes read is looked up by name once, for all that ask later.
 #pragma once
 
 #include <deque>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "graph/subgraph.h"
@@ -20,26 +23,53 @@ namespace wrinkle {
 // Each file after those of its sub-graphs, the top graph last.
 std::vector<uint32_t> files_in_order(const Project& project);
 
+// Where a link to a node leads; none: nothing has that name, or it is no such link.
+struct LinkSource {
+    static constexpr uint32_t none = NodeType::none;
+    uint32_t node = none;    // in the document
+    uint32_t output = none;  // in that node's type
+};
+// What stands at a port in a node's "in".
+struct NamedInput {
+    uint32_t port = NodeType::none;  // in the node's type
+    LinkSource source;
+};
+
 class Types {
 public:
     Types(const Project& project, const Registry& registry);
 
     // nullptr: unknown.
-    const NodeType* of(size_t file, size_t node) const { return nodes_[file][node]; }
+    const NodeType* of(size_t file, size_t node) const { return files_[file].nodes[node]; }
+    // Of all inputs of a node, in its order.
+    std::span<const NamedInput> inputs(size_t file, size_t node) const {
+        const File& in = files_[file];
+        return std::span(in.inputs).subspan(in.first[node], in.first[node + 1] - in.first[node]);
+    }
+    LinkSource source(size_t file, const Link& link) const;
     // The type that a link carries; nothing when its end is unknown or does not exist.
-    std::optional<PortType> link(size_t file, const Link& link) const;
+    std::optional<PortType> link(size_t file, const Link& link, LinkSource source) const;
+    std::optional<PortType> link(size_t file, const Link& link) const {
+        return this->link(file, link, source(file, link));
+    }
     std::optional<PortType> output(size_t file, const Output& output) const;
     // The files as one node each; their `origin` is the file's path.
     const NodeType& subgraph(size_t file) const { return graphs_[file]; }
 
 private:
+    struct File {
+        std::vector<const NodeType*> nodes;
+        std::vector<NamedInput> inputs;  // of all nodes
+        std::vector<uint32_t> first;     // by node, and one more: where its inputs begin
+    };
     void type_file(const Project& project, const Registry& registry, size_t file);
     void type_reroutes(size_t file);
     const NodeType* reroute(size_t file, const Node& node) const;
+    void look_up_inputs(size_t file);
 
     const Project* project_;
-    std::vector<std::vector<const NodeType*>> nodes_;  // by file and node
-    std::vector<NodeType> graphs_;                     // by file
+    std::vector<File> files_;
+    std::vector<NodeType> graphs_;  // by file
 };
 
 }  // namespace wrinkle

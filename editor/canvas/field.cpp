@@ -83,7 +83,7 @@ std::string shown_value(const Node& node, const Port& port) {
     if (port.kind == Port::Kind::flag) return first != 0 ? "yes" : "no";
     if (port.is_value() && port.type == PortType::image_) {
         const Input* input = literal_at(node, port);
-        const std::string file = input ? literal_image(input->value).file : "";
+        const std::string_view file = input ? literal_image(input->value).file : "";
         return file.empty() ? "choose..." : std::filesystem::path(file).filename().string();
     }
     if (lanes_of_field(port) > 0) return shown_number(first, port);

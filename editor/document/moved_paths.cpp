@@ -39,7 +39,7 @@ public:
     }
 
     json::Value moved_image(const json::Value& value) {
-        const std::string name = literal_image(value).file;
+        const std::string name(literal_image(value).file);
         const std::string to = moved(name);
         return to == name ? value : with_file(value, to);
     }

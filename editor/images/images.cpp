@@ -76,7 +76,8 @@ const Examined* examined(const State& state, const fs::path& file) {
 const Examined* examined_at(const State& state, const Node& node, std::string_view port) {
     const Input* input = node.find(port);
     if (!input || input->kind != Input::Kind::literal) return nullptr;
-    const auto path = state.images.paths.find(literal_image(input->value).file);
+    const std::string file(literal_image(input->value).file);
+    const auto path = state.images.paths.find(file);
     return path == state.images.paths.end() ? nullptr : examined(state, path->second);
 }
 

@@ -79,7 +79,7 @@ private:
         encoding_ = literal_.encoding.value_or(port_->encoding);
         examined_ = examined_at(state_, *node_, port_->name);
         if (!examined_ || !examined_->problem.empty() || encoding_ == Encoding::normal_ag) return;
-        file_ = images_.paths.at(literal_.file);
+        file_ = images_.paths.at(std::string(literal_.file));
         if (remark_type()) return;  // the rest follows from it
         remark_green();
         remark_defects();

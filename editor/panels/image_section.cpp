@@ -85,7 +85,7 @@ void draw_image_sections(State& state, const Node& node) {
         if (index == NodeType::none || input.kind != Input::Kind::literal) continue;
         const Port& port = type->ports[index];
         if (!port.is_value() || port.type != PortType::image_) continue;
-        const std::string file = literal_image(input.value).file;
+        const std::string_view file = literal_image(input.value).file;
         if (!file.empty()) read.emplace_back(port.name, file);
     }
     for (const auto& [port, file] : read)
