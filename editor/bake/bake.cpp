@@ -97,6 +97,7 @@ private:
         if (problems_.has_errors()) return false;
         MaterialOptions options;
         options.given_differentials = true;
+        options.covariances = covariances_for(requests());
         options.runs_calls = "the bake";
         compiled_ = compile_material(project, registry_, options, problems_);
         if (compiled_.ok) read_textures(textures_, compiled_, project, problems_);
@@ -114,19 +115,23 @@ private:
         return false;
     }
 
+    std::vector<MapRequest> requests() const {
+        std::vector<MapRequest> result;
+        for (const AskedMap& map : asked_)
+            result.push_back(map.request);
+        return result;
+    }
+
     bool plan() {
-        std::vector<MapRequest> requests;
-        for (const AskedMap& map : asked_) {
+        for (const AskedMap& map : asked_)
             types_.push_back(map.stored->type);
-            requests.push_back(map.request);
-        }
         MapOptions options;
         options.tangent_space = !choices_.object_space;
         options.vertex_tangents = !mesh_.tangents.empty();
         options.green_down = choices_.green_down;
         options.scale = choices_.tuning.scale;
         options.width = options.height = choices_.size;
-        plan_ = plan_maps(compiled_.module, requests, options, problems_);
+        plan_ = plan_maps(compiled_.module, requests(), options, problems_);
         return plan_ && check_inputs(mesh_, {&*plan_, 1}, choices_.mesh, problems_) &&
                !progress_.cancelled;
     }
