@@ -8,6 +8,7 @@
 #include "bake/map_values.h"
 #include "base/text.h"
 #include "base/transcendental.h"
+#include "ir/covariance.h"
 
 namespace wrinkle {
 namespace {
@@ -42,10 +43,11 @@ public:
         for (const MapRequest& request : requests)
             add(request);
         std::string why;
-        plan_.program = compile_program(module_, why);
+        const Module runs = drop_covariances(std::move(module_));
+        plan_.program = compile_program(runs, why);
         if (!why.empty()) diagnostics_.error(why);
         if (diagnostics_.has_errors()) return {};
-        plan_.resources = module_.resources;
+        plan_.resources = runs.resources;
         return std::move(plan_);
     }
 
@@ -124,8 +126,13 @@ private:
         const Value slope = slope_of_normal(module_, normal);
         const Value s = slope.x(), t = -slope.y();
         const ModuleOutput* height = output_named(source_, "height");
-        const std::array<Value, 6> values = {
+        std::array<Value, 6> values = {
             height ? Value{&module_, height->value} : number(s, -1), s, t, s * s, t * t, s * t};
+        if (const Value lost = covariance_of(slope)) {
+            values[3] = values[3] + lost.x();
+            values[4] = values[4] + lost.y();
+            values[5] = values[5] - lost.z();  // t is -v
+        }
         if (integers)
             diagnostics_.error("the map 'slopes' holds numbers that integers do not",
                                "--type half or float, in OpenEXR or TIFF");
@@ -223,6 +230,17 @@ std::vector<std::string> map_names(std::vector<std::string> outputs) {
 
 bool fits_integers(std::string_view map) {
     return map != slopes_name;
+}
+
+Covariances covariances_for(const std::vector<MapRequest>& requests) {
+    const auto is_moments = [](const MapRequest& request) {
+        return request.pack.empty()
+                   ? request.name == slopes_name
+                   : std::any_of(request.pack.begin(), request.pack.end(),
+                                 [](const PackedChannel& of) { return of.map == slopes_name; });
+    };
+    const bool any = std::any_of(requests.begin(), requests.end(), is_moments);
+    return any ? Covariances::kept : Covariances::dropped;
 }
 
 std::optional<BakePlan> plan_maps(const Module& module, const std::vector<MapRequest>& requests,

@@ -9,7 +9,9 @@
 //               the map's own uv, heights in length units of object space
 //   slopes      of the same bump, as `maketx --bumpslopes` writes them: b0_h b1_dhds b2_dhdt
 //               b3_dhds2 b4_dhdt2 b5_dh2dsdt; slopes per texel of the map, t downwards. b0_h is the
-//               output "height", or -1 where there is none
+//               output "height", or -1 where there is none. The last three are means: the products
+//               of the slopes and their covariance in the texel, as far as the pictures that the
+//               bump is read from know it (ir/normal_variance.h)
 //   others      as the output says; a color in an integer file is sRGB-coded
 //
 // Two channels get a third, of zeros, in an integer file: there they would be gray and alpha.
@@ -27,6 +29,7 @@
 #include "base/diagnostics.h"
 #include "cpu/evaluate.h"
 #include "image/image.h"
+#include "ir/expand.h"
 
 namespace wrinkle {
 
@@ -83,7 +86,10 @@ std::vector<std::string> map_names(std::vector<std::string> outputs);
 // Whether integers can hold a map of this name.
 bool fits_integers(std::string_view map);
 
-// Nothing with errors. The module was compiled with given differentials.
+// What plan_maps() needs to be kept in the module for these maps.
+Covariances covariances_for(const std::vector<MapRequest>& requests);
+
+// Nothing with errors. The module was compiled with given differentials, and with the above.
 std::optional<BakePlan> plan_maps(const Module& module, const std::vector<MapRequest>& requests,
                                   const MapOptions& options, Diagnostics& diagnostics);
 

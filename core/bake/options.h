@@ -12,6 +12,8 @@ namespace wrinkle {
 inline constexpr std::array<uint32_t, 4> bake_sample_counts = {1, 4, 16, 64};
 inline constexpr uint32_t most_baked_side = 65536;  // texels
 inline constexpr uint32_t most_bake_tile = 4096;    // of files
+// Of files in a folder, by their extension; image/writable.h says what each can hold.
+inline constexpr std::array bake_formats = {"png", "tif", "exr", "hdr"};
 
 struct BakeTuning {
     double scale = 1;

@@ -93,8 +93,9 @@ void plan_runs(BakeJob& job, const Overrides& overrides, Diagnostics& diagnostic
         for (const InputFile& input : inputs_of(run.project, Types(run.project, nodes.registry)))
             job.inputs.push_back(input.path);
     };
-    compile_runs(job.options.file, job.options.common, nodes.registry, overrides, Purpose::bake,
-                 use, diagnostics);
+    const bool moments = covariances_for(requests) == Covariances::kept;
+    compile_runs(job.options.file, job.options.common, nodes.registry, overrides,
+                 moments ? Purpose::bake_moments : Purpose::bake, use, diagnostics);
 }
 
 }  // namespace

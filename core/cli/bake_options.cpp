@@ -161,7 +161,7 @@ void declare_bake_options(CLI::App& sub, BakeOptions& c) {
     sub.add_option("--type", c.type, bake_words::type)
         ->check(CLI::IsMember(std::vector<std::string>(types.begin(), types.end())));
     sub.add_option("--format", c.format, "Of maps in a folder; default: png, or exr for floats")
-        ->check(CLI::IsMember({"png", "tif", "exr", "hdr"}));
+        ->check(CLI::IsMember(std::vector<std::string>(bake_formats.begin(), bake_formats.end())));
     sub.add_option("--compression", c.compression, bake_words::compression)->type_name("NAME");
     sub.add_option("--tile", c.tile, bake_words::tile)
         ->type_name("N")

@@ -5,7 +5,6 @@
 #include "base/text.h"
 #include "cli/cli.h"
 #include "cli/output.h"
-#include "image/load.h"
 #include "maps/lint.h"
 
 namespace wrinkle::cli {
@@ -25,8 +24,8 @@ std::string as_text(const std::string& file, const maps::Verdict& verdict) {
         text += " " + measure.name + " " + number(measure.value);
     text += "\n";
     for (const maps::Finding& finding : verdict.findings)
-        text += std::string("  ") + (finding.defect ? "defect" : "note") + ": " + finding.name +
-                ": " + finding.message + "\n";
+        text += std::string("  ") + (finding.defect ? "defect" : "note") + ": " +
+                std::string(name_of(finding.flaw)) + ": " + finding.message + "\n";
     return text;
 }
 
@@ -39,7 +38,8 @@ std::string as_json(const std::string& file, const maps::Verdict& verdict) {
     text += "}, \"findings\": [";
     for (size_t i = 0; i < verdict.findings.size(); ++i) {
         const maps::Finding& finding = verdict.findings[i];
-        text += std::string(i ? ", " : "") + "{\"name\": " + json_quoted(finding.name) +
+        text += std::string(i ? ", " : "") +
+                "{\"name\": " + json_quoted(std::string(name_of(finding.flaw))) +
                 ", \"defect\": " + (finding.defect ? "true" : "false") +
                 ", \"message\": " + json_quoted(finding.message) + "}";
     }
@@ -57,11 +57,12 @@ struct LintCommand {
         bool healthy = true;
         size_t count = 0;
         for (const std::string& file : files) {
-            const auto image = load_image(file, problems);
-            if (!image) continue;
-            maps::Verdict verdict = maps::examine(*image, *wrap_named(wrap));
+            auto examined = maps::examine(file, *wrap_named(wrap), problems);
+            if (!examined) continue;
+            maps::Verdict& verdict = examined->verdict;
             if (!expect.empty() && name_of(verdict.look) != expect)
-                verdict.findings.push_back({"unexpected", "it was to be " + expect, true});
+                verdict.findings.push_back(
+                    {maps::Flaw::unexpected, "it was to be " + expect, true});
             healthy = healthy && !verdict.has_defects();
             text += json ? (count ? ",\n" : "") + as_json(file, verdict) : as_text(file, verdict);
             ++count;

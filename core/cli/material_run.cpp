@@ -5,7 +5,7 @@
 namespace wrinkle::cli {
 namespace {
 
-constexpr std::array<const char*, 3> purpose_names = {"eval", "render", "bake"};
+constexpr std::array<const char*, 4> purpose_names = {"eval", "render", "bake", "bake"};
 
 }  // namespace
 
@@ -16,6 +16,7 @@ void compile_runs(const std::string& file, const CommonOptions& common, const Re
     const Project project = open_project(file, common, own);
     MaterialOptions options;
     options.given_differentials = purpose != Purpose::render;
+    if (purpose == Purpose::bake_moments) options.covariances = Covariances::kept;
     options.vertex_tangents = !common.no_tangents;
     options.runs_calls = purpose_names[static_cast<size_t>(purpose)];
     for (size_t i = 0; i == 0 || (i < overrides.runs && !own.has_errors()); ++i) {

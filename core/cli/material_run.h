@@ -19,8 +19,9 @@ struct MaterialRun {
 // What is done with a run that compiled, its number from 0; it is gone afterwards.
 using UseRun = std::function<void(size_t, const MaterialRun&, Diagnostics&)>;
 
-// What a run computes: with differentials that come with the points, but on the screen.
-enum class Purpose : uint8_t { eval, render, bake };
+// What a run computes: with differentials that come with the points, but on the screen. Bakes of
+// moments know what varies (covariances_for() in bake/maps.h).
+enum class Purpose : uint8_t { eval, render, bake, bake_moments };
 
 // Reads the file once, compiles it for every run and uses each before the next, so that a long
 // sweep takes the memory of one; up to the first run with an error.

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <memory>
 #include <new>
+#include <utility>
 
 #include "image/format.h"
 #include "image/module.h"
@@ -96,54 +97,48 @@ Opened open_within(const fs::path& path, const ImageLimits& limits, Diagnostics&
 }
 
 struct NonFinite {
-    size_t count = 0, first = 0;  // the place of the first among the values
+    size_t count = 0;
+    size_t x = 0, y = 0;  // of the first from the bottom left
 };
 
-void note_non_finite(const Image& image, size_t begin, size_t end, NonFinite& found) {
+// Rows come from the top, so the last row with one holds the first.
+void note_non_finite(const ImageInfo& info, uint32_t y, const float* row, NonFinite& found) {
     const auto is_bad = [](float value) { return !std::isfinite(value); };
-    const float* values = image.data.data();
-    const auto count = std::count_if(values + begin, values + end, is_bad);
+    const float* end = row + size_t{info.width} * info.channels;
+    const auto count = std::count_if(row, end, is_bad);
     if (count == 0) return;
-    found.count += static_cast<size_t>(count);
-    const float* first = std::find_if(values + begin, values + end, is_bad);
-    found.first = static_cast<size_t>(first - values);  // rows come from the top, so it is less
+    const auto first = static_cast<size_t>(std::find_if(row, end, is_bad) - row);
+    found = {found.count + static_cast<size_t>(count), first / info.channels, y};
 }
 
-void warn_of_non_finite(const fs::path& path, const Image& image, const NonFinite& found,
-                        Diagnostics& diagnostics) {
-    const size_t first = found.first / image.channels;
-    const size_t x = first % image.width, y = first / image.width;
+void warn_of_non_finite(const fs::path& path, const NonFinite& found, Diagnostics& diagnostics) {
     Diagnostic warning;
     warning.severity = Severity::warning;
     warning.message = quoted(path) + "has " + std::to_string(found.count) +
-                      " values that are NaN or infinite, the first at column " + std::to_string(x) +
-                      ", row " + std::to_string(y) + " from the bottom left";
+                      " values that are NaN or infinite, the first at column " +
+                      std::to_string(found.x) + ", row " + std::to_string(found.y) +
+                      " from the bottom left";
     warning.expected = "finite numbers; they are used as they are";
     diagnostics.add(std::move(warning));
 }
 
-// The file's first row is the top one, the image's first row the bottom one.
-void keep_rows(const std::vector<std::byte>& stored, uint32_t top, uint32_t count, Image& image,
-               NonFinite& non_finite) {
-    const size_t values = size_t{image.width} * image.channels;
-    const size_t stride = values * bytes_of(image.source);
-    const bool any_number = image.source == PixelType::half || image.source == PixelType::float32;
-    for (uint32_t i = 0; i < count; ++i) {
-        const uint32_t y = image.height - 1 - top - i;
-        values_from(image.source, stored.data() + i * stride, {image.texel(0, y), values});
-        if (any_number) note_non_finite(image, y * values, (y + 1) * values, non_finite);
-    }
-}
+// Where row y from the bottom is to be put, and what is done with it there; false stops.
+struct RowsTaker {
+    std::function<float*(uint32_t y)> place;
+    std::function<bool(uint32_t y)> taken;
+};
 
-// In bands, so that what was read is still at hand when it is put into its place.
-std::optional<Image> decode(const fs::path& path, const Opened& opened, Diagnostics& diagnostics) {
+// In bands, so that what was read is still at hand when it is put into its place. The file's first
+// row is the top one.
+bool decode(const fs::path& path, const Opened& opened, const RowsTaker& rows,
+            Diagnostics& diagnostics) {
     const ImageInfo& info = opened.info;
     const WrinkleImageModule* module = opened.reader.get_deleter().module;
     const uint32_t band = module->band(opened.reader.get());
-    std::vector<std::byte> stored(size_t{std::min(band, info.height)} * info.width * info.channels *
-                                  bytes_of(info.source));
-    Image image = make_image(info.width, info.height, info.channels, info.source);
-    image.has_alpha = info.has_alpha;
+    const size_t values = size_t{info.width} * info.channels;
+    const size_t stride = values * bytes_of(info.source);
+    const bool any_number = info.source == PixelType::half || info.source == PixelType::float32;
+    std::vector<std::byte> stored(std::min(band, info.height) * stride);
     NonFinite non_finite;
     for (uint32_t top = 0; top < info.height; top += band) {
         const uint32_t count = std::min(band, info.height - top);
@@ -151,12 +146,60 @@ std::optional<Image> decode(const fs::path& path, const Opened& opened, Diagnost
         if (!module->read(opened.reader.get(), top, count, stored.data(), {text, sizeof text})) {
             diagnostics.error(quoted(path) + "is damaged or truncated: " + text,
                               "a complete file; export it again");
-            return {};
+            return false;
         }
-        keep_rows(stored, top, count, image, non_finite);
+        for (uint32_t i = 0; i < count; ++i) {
+            const uint32_t y = info.height - 1 - top - i;
+            float* row = rows.place(y);
+            values_from(info.source, stored.data() + i * stride, {row, values});
+            if (any_number) note_non_finite(info, y, row, non_finite);
+            if (!rows.taken(y)) return false;
+        }
     }
-    if (non_finite.count > 0) warn_of_non_finite(path, image, non_finite, diagnostics);
+    if (non_finite.count > 0) warn_of_non_finite(path, non_finite, diagnostics);
+    return true;
+}
+
+std::optional<Image> decode_whole(const fs::path& path, const Opened& opened,
+                                  Diagnostics& diagnostics) {
+    const ImageInfo& info = opened.info;
+    Image image = make_image(info.width, info.height, info.channels, info.source);
+    image.has_alpha = info.has_alpha;
+    const RowsTaker rows = {[&](uint32_t y) { return image.texel(0, y); },
+                            [](uint32_t) { return true; }};
+    if (!decode(path, opened, rows, diagnostics)) return {};
     return image;
+}
+
+std::optional<ImageInfo> decode_rows(const fs::path& path, const Opened& opened,
+                                     const TakeImageRow& take, Diagnostics& diagnostics) {
+    std::vector<float> row(size_t{opened.info.width} * opened.info.channels);
+    const RowsTaker rows = {[&](uint32_t) { return row.data(); },
+                            [&](uint32_t) { return take(opened.info, row.data()); }};
+    if (!decode(path, opened, rows, diagnostics)) return {};
+    return opened.info;
+}
+
+// What `read` makes of a file that was opened.
+template <class Read>
+auto opened_and(const fs::path& path, const ImageLimits& limits, Diagnostics& diagnostics,
+                Read read) -> decltype(read(std::declval<const Opened&>())) {
+    try {
+        const Opened opened = open_within(path, limits, diagnostics);
+        if (!opened.reader) return {};
+        return read(opened);
+    } catch (const std::bad_alloc&) {
+        diagnostics.error(quoted(path) + "does not fit into memory", "a smaller image");
+        return {};
+    }
+}
+
+// Nothing where the environment's are no limits.
+std::optional<ImageLimits> usual_limits(Diagnostics& diagnostics) {
+    const size_t before = diagnostics.error_count();
+    const ImageLimits limits = image_limits_from_environment(diagnostics);
+    if (diagnostics.error_count() > before) return {};
+    return limits;
 }
 
 }  // namespace
@@ -180,21 +223,27 @@ std::optional<float> read_image_number(const fs::path& path, const std::string& 
 
 std::optional<Image> load_image(const fs::path& path, const ImageLimits& limits,
                                 Diagnostics& diagnostics) {
-    try {
-        const Opened opened = open_within(path, limits, diagnostics);
-        if (!opened.reader) return {};
-        return decode(path, opened, diagnostics);
-    } catch (const std::bad_alloc&) {
-        diagnostics.error(quoted(path) + "does not fit into memory", "a smaller image");
-        return {};
-    }
+    return opened_and(path, limits, diagnostics, [&](const Opened& opened) {
+        return decode_whole(path, opened, diagnostics);
+    });
 }
 
 std::optional<Image> load_image(const fs::path& path, Diagnostics& diagnostics) {
-    const size_t before = diagnostics.error_count();
-    const ImageLimits limits = image_limits_from_environment(diagnostics);
-    if (diagnostics.error_count() > before) return {};
-    return load_image(path, limits, diagnostics);
+    const auto limits = usual_limits(diagnostics);
+    return limits ? load_image(path, *limits, diagnostics) : std::nullopt;
+}
+
+std::optional<ImageInfo> read_image_rows(const fs::path& path, const ImageLimits& limits,
+                                         const TakeImageRow& take, Diagnostics& diagnostics) {
+    return opened_and(path, limits, diagnostics, [&](const Opened& opened) {
+        return decode_rows(path, opened, take, diagnostics);
+    });
+}
+
+std::optional<ImageInfo> read_image_rows(const fs::path& path, const TakeImageRow& take,
+                                         Diagnostics& diagnostics) {
+    const auto limits = usual_limits(diagnostics);
+    return limits ? read_image_rows(path, *limits, take, diagnostics) : std::nullopt;
 }
 
 }  // namespace wrinkle

@@ -13,6 +13,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 
@@ -52,6 +53,15 @@ std::optional<Image> load_image(const std::filesystem::path& path, const ImageLi
                                 Diagnostics& diagnostics);
 // With the limits of the environment.
 std::optional<Image> load_image(const std::filesystem::path& path, Diagnostics& diagnostics);
+
+// The same picture row by row, from the top, in memory for a few: width * channels numbers each.
+// What `take` does not want to go on with ends without an error, and gives nothing.
+using TakeImageRow = std::function<bool(const ImageInfo& info, const float* row)>;
+std::optional<ImageInfo> read_image_rows(const std::filesystem::path& path,
+                                         const ImageLimits& limits, const TakeImageRow& take,
+                                         Diagnostics& diagnostics);
+std::optional<ImageInfo> read_image_rows(const std::filesystem::path& path,
+                                         const TakeImageRow& take, Diagnostics& diagnostics);
 
 // A number that an ImageWriter put beside the pixels, or nothing, silently.
 std::optional<float> read_image_number(const std::filesystem::path& path, const std::string& name);

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "ir/by_id.h"
+#include "ir/finish.h"
 #include "ir/gradient_sum.h"
 #include "ir/normal_variance.h"
 #include "ir/open_function.h"
@@ -272,7 +273,8 @@ Id expand_one(void* context, Module& target, const Module& source, Id id,
         expander.nothing = target.number(0);
         expander.screen.emplace(target);
         expander.algebra.emplace(target, *expander.screen);
-        if (wants_normal_variance(source)) expander.variance.emplace(target, *expander.screen);
+        if (expander.options.covariances == Covariances::kept || wants_normal_variance(source))
+            expander.variance.emplace(target, *expander.screen);
         expander.functions.emplace(target, *expander.screen, source);
     }
     const Op op = source[id].op;
@@ -286,67 +288,6 @@ Id expand_one(void* context, Module& target, const Module& source, Id id,
         return expander.nothing;
     }
     return expander.opaque(source, id, mapped);
-}
-
-// 1/|v| of a vector that is there, or poison.
-Id inverse_length_of(const Module& m, Id id) {
-    if (m[id].op != Op::inversesqrt_) return poison;
-    const Inst& square = m[m[id].arg[0]];
-    return square.op == Op::dot_ && square.arg[0] == square.arg[1] ? square.arg[0] : poison;
-}
-
-// The last rewriting: detach and covariances say nothing any more, and a vector that is divided by
-// its length elsewhere too is made unit by that quotient.
-struct Finisher {
-    std::vector<bool> inverse_known;  // by Id of the source: of its length
-
-    explicit Finisher(const Module& source) : inverse_known(source.size(), false) {
-        if (!source.has(Op::inversesqrt_)) return;
-        std::vector<Id> roots;
-        for (const ModuleOutput& output : source.outputs)
-            roots.push_back(output.value);
-        const std::vector<bool> needed = reachable(source, roots);
-        for (Id id = 1; id < source.size(); ++id)
-            if (needed[id] && source[id].level == 0)
-                inverse_known[inverse_length_of(source, id)] = true;
-        inverse_known[poison] = false;
-    }
-};
-
-// Without regions.
-bool reads_detached(const Module& m) {
-    if (!m.has(Op::detach_)) return false;
-    Id first = 1;
-    while (m[first].op != Op::detach_)
-        ++first;
-    for (Id id = first + 1; id < m.size(); ++id)
-        for (const Id operand : m[id].arg)
-            if (m[operand].op == Op::detach_) return true;
-    return false;
-}
-
-bool divides_by_length(const Module& m) {
-    for (Id id = 1; m.has(Op::inversesqrt_) && id < m.size(); ++id)
-        if (inverse_length_of(m, id) != poison) return true;
-    return false;
-}
-
-// Whether that leaves all as it is but outputs that are detached: then these are what is detached.
-bool take_outputs(Module& m) {
-    if (m.region_count() > 1 || m.has(Op::with_covariance_)) return false;
-    if (divides_by_length(m) || reads_detached(m)) return false;
-    for (ModuleOutput& output : m.outputs)
-        if (m[output.value].op == Op::detach_) output.value = m[output.value].arg[0];
-    return true;
-}
-
-Id finish(void* context, Module& target, const Module& source, Id id, std::span<const Id> mapped) {
-    if (source[id].op == Op::detach_ || source[id].op == Op::with_covariance_) return mapped[0];
-    const auto& finisher = *static_cast<const Finisher*>(context);
-    if (source[id].op != Op::normalize_ || !finisher.inverse_known[source[id].arg[0]])
-        return poison;
-    const Value v{&target, mapped[0]};
-    return (v * inversesqrt(dot(v, v))).id;
 }
 
 // A number as a literal of its value; poison of a graph input, which stays.
@@ -390,9 +331,7 @@ Module expand(Module source, const ExpandOptions& options) {
     Expander expander(options, source);
     Module expanded = rebuild(std::move(source), expand_one, &expander);
     if (expander.functions) expander.functions->finish(expanded);
-    if (take_outputs(expanded)) return expanded;
-    Finisher finisher(expanded);
-    return rebuild(std::move(expanded), finish, &finisher);
+    return finish(std::move(expanded), options.covariances);
 }
 
 }  // namespace wrinkle

@@ -13,9 +13,15 @@
 
 namespace wrinkle {
 
+// What is left of `with_covariance`: nothing, or all of it, on every slope and normal that a bump
+// is made of and that is read from a picture too. A module that keeps it is not run: what asks for
+// it (ir/covariance.h) writes that down, and drops the rest.
+enum class Covariances : uint8_t { dropped, kept };
+
 struct ExpandOptions {
     bool vertex_tangents = true;  // false: `auto` frames of uv0 are derived (--no-tangents)
     BackFaces back_faces = BackFaces::mirror;
+    Covariances covariances = Covariances::dropped;
 };
 
 // Decides the method of every frame and the uv set it belongs to, and reports a method that does

@@ -1,10 +1,8 @@
 #include "ir/normal_variance.h"
 
 #include <algorithm>
-#include <map>
-#include <utility>
 
-#include "ir/change_by_source.h"
+#include "ir/covariance.h"
 #include "ir/rewrite.h"
 
 namespace wrinkle {
@@ -55,44 +53,6 @@ Value level_in_use(Module& m, ScreenDerivatives& screen, Id read) {
     return {&m, sample_lod_of(m, inst.extra, x.id, y.id)};
 }
 
-// weight * the product of what a and b change across the normal.
-struct Term {
-    Value a, b, weight;
-};
-
-class Terms {
-public:
-    // What a source adds, by its change of the normal before that is made unit.
-    void add_source(Module& m, const SourceChange& change) {
-        const Value covariance{&m, m[change.source].arg[1]};
-        if (m.type(change.source) == Type::vec3_) {
-            for (size_t i = 0; i < 3; ++i)
-                add(change.columns[i], change.columns[i], covariance);
-            return;
-        }
-        add(change.columns[0], change.columns[0], covariance.x());
-        add(change.columns[1], change.columns[1], covariance.y());
-        add(change.columns[0], change.columns[1], covariance.z() * 2);
-    }
-    const std::vector<Term>& list() const { return terms_; }
-
-private:
-    void add(const Scaled& a, const Scaled& b, Value weight) {
-        if (!a.vector || !b.vector) return;
-        if (a.factor) weight = weight * a.factor;
-        if (b.factor) weight = weight * b.factor;
-        const auto [place, is_new] =
-            places_.try_emplace(std::pair(a.vector.id, b.vector.id), terms_.size());
-        if (is_new)
-            terms_.push_back({a.vector, b.vector, weight});
-        else
-            terms_[place->second].weight = terms_[place->second].weight + weight;
-    }
-
-    std::vector<Term> terms_;
-    std::map<std::pair<Id, Id>, size_t> places_;
-};
-
 }  // namespace
 
 // The variance along each direction across the mean, half of 1 - |mean|^2, in the units of
@@ -133,14 +93,11 @@ Value NormalVariance::of(Value normal) {
     Module& m = *target_;
     const Inst unit = m[normal.id];
     const Value bumped{&m, unit.op == Op::normalize_ ? unit.arg[0] : poison};
-    Terms terms;
-    if (bumped)
-        for (const SourceChange& change : changes_by_source(bumped))
-            terms.add_source(m, change);
     Value sum;
-    for (const Term& term : terms.list()) {
-        const Value across = dot(term.a, term.b) - dot(normal, term.a) * dot(normal, term.b);
-        const Value part = across * term.weight;
+    for (const auto& [a, b, weight] :
+         bumped ? covariance_terms(bumped) : std::vector<CovarianceTerm>()) {
+        const Value across = dot(a, b) - dot(normal, a) * dot(normal, b);
+        const Value part = across * weight;
         sum = sum ? sum + part : part;
     }
     return sum ? named("variance", max(sum / dot(bumped, bumped), 0)) : number(normal, 0);

@@ -3,7 +3,6 @@
 #include <cassert>
 
 #include "graph/order.h"
-#include "ir/expand.h"
 #include "ir/rewrite.h"
 #include "ir/verify.h"
 #include "lower/check.h"
@@ -64,7 +63,8 @@ Compiled compile_material(const Project& project, const Registry& registry,
     if (diagnostics.has_errors()) return compiled;
     if (!options.runs_calls.empty() && !may_expand(project, options.runs_calls, diagnostics))
         return compiled;
-    const ExpandOptions frames{options.vertex_tangents, project.top().back_faces};
+    const ExpandOptions frames{options.vertex_tangents, project.top().back_faces,
+                               options.covariances};
     LowerOptions lowering = options.lower;
     lowering.files = &files;
     Lowered lowered = options.uniform_parameters

@@ -2,6 +2,7 @@
 // check, lower, bake, expand, explicit lod.
 #pragma once
 
+#include "ir/expand.h"
 #include "lower/lower.h"
 
 namespace wrinkle {
@@ -10,7 +11,8 @@ struct MaterialOptions {
     bool uniform_parameters = false;   // false: parameters become literals (graph inputs never do)
     bool given_differentials = false;  // dx, dy come with the point, samples have an explicit lod
     bool vertex_tangents = true;       // false: --no-tangents
-    bool reached_only = false;         // judge only what the outputs need (live preview)
+    Covariances covariances = Covariances::dropped;  // kept for plan_maps() alone (bake/maps.h)
+    bool reached_only = false;  // judge only what the outputs need (live preview)
     // Who runs the module, every call of a sub-graph on its own ("eval", "render"): refused where
     // there are too many (lower/expanded_calls.h). "": nobody, as for a text.
     std::string runs_calls = {};

@@ -30,6 +30,23 @@ constexpr std::array looks = {
     LookText{"color", "no map of a bump"},
 };
 
+struct FlawText {
+    std::string_view name, words;
+};
+constexpr std::array flaws = {
+    FlawText{"tilt", "the bump leans to one side"},
+    FlawText{"unsigned_z", "blue holds z from 0 to 1, not from -1 to 1"},
+    FlawText{"length", "most of its vectors are not of length 1"},
+    FlawText{"offset", "its 8 bits lie half a step beside the middle"},
+    FlawText{"banding", "its 8 bits make stairs of slopes"},
+    FlawText{"seam_u", "it does not tile, but the texture repeats"},
+    FlawText{"seam_v", "it does not tile, but the texture repeats"},
+    FlawText{"gray", "its three channels hold one height"},
+    FlawText{"not_finite", "it holds numbers that are not finite"},
+    FlawText{"unexpected", "it is not what it was to be"},
+};
+static_assert(flaws.size() == static_cast<size_t>(Flaw::unexpected) + 1);
+
 template <typename... Values>
 std::string text(const char* format, Values... values) {
     char buffer[256];
@@ -37,8 +54,8 @@ std::string text(const char* format, Values... values) {
     return buffer;
 }
 
-bool is_integer(const Image& image) {
-    return image.source == PixelType::u8 || image.source == PixelType::u16;
+bool is_integer(const ImageInfo& info) {
+    return info.source == PixelType::u8 || info.source == PixelType::u16;
 }
 
 bool is_normal(Look look) {
@@ -47,11 +64,11 @@ bool is_normal(Look look) {
 
 class Examination {
 public:
-    Examination(const Image& image, Wrap wrap, const std::function<bool()>& stopped)
-        : image_(image),
+    Examination(const ImageInfo& info, const Measuring& measured, Wrap wrap)
+        : info_(info),
+          measured_(measured),
           wrap_(wrap),
-          stopped_(stopped),
-          channels_(image.channels - (image.has_alpha ? 1 : 0)) {}
+          channels_(info.channels - (info.has_alpha ? 1 : 0)) {}
 
     Verdict run() {
         if (!check_finite()) return verdict_;
@@ -59,39 +76,35 @@ public:
             look_at_vectors();
         else
             verdict_.look = channels_ == 2 ? Look::two_channel : Look::height;
-        if (!is_stopped() && (is_normal(verdict_.look) || verdict_.look == Look::two_channel))
-            check_green();
-        if (!is_stopped() && is_normal(verdict_.look)) check_normals();
+        if (is_normal(verdict_.look) || verdict_.look == Look::two_channel) check_green();
+        if (is_normal(verdict_.look)) check_normals();
         const bool relief = is_normal(verdict_.look) || verdict_.look == Look::height;
-        if (!is_stopped() && relief) check_steps();
-        if (!is_stopped() && relief) check_seams();
+        if (relief) check_steps();
+        if (relief) check_seams();
         return verdict_;
     }
 
 private:
-    bool is_stopped() const { return stopped_ && stopped_(); }
     void measure(const char* name, double value) { verdict_.evidence.push_back({name, value}); }
-    void find(const char* name, std::string message, bool defect = true) {
-        verdict_.findings.push_back({name, std::move(message), defect});
+    void find(Flaw flaw, std::string message, bool defect = true) {
+        verdict_.findings.push_back({flaw, std::move(message), defect});
     }
 
     // Nothing can be said of the means of NaN.
     bool check_finite() {
-        const auto bad = std::count_if(image_.data.begin(), image_.data.end(),
-                                       [](float value) { return !std::isfinite(value); });
-        if (bad == 0) return true;
+        if (measured_.not_finite() == 0) return true;
         verdict_.look = channels_ == 1 ? Look::height : Look::color;
-        find("not_finite", text("%zu values are NaN or infinite", static_cast<size_t>(bad)));
+        find(Flaw::not_finite, text("%zu values are NaN or infinite", measured_.not_finite()));
         return false;
     }
 
     void look_at_vectors() {
-        vectors_ = measure_vectors(image_);
+        vectors_ = measured_.vectors();
         measure("empty", vectors_.empty);
         measure("gray", vectors_.gray);
         if (vectors_.gray > 0.995 || vectors_.empty == 1) {
             verdict_.look = Look::height;
-            return find("gray", "three equal channels hold one height", false);
+            return find(Flaw::gray, "three equal channels hold one height", false);
         }
         measure("unit", vectors_.unit);
         measure("downward", vectors_.downward);
@@ -118,7 +131,7 @@ private:
 
     void check_green() {
         const bool made = verdict_.look == Look::two_channel || has_unsigned_z();
-        const CurlMeasures curl = measure_curl(image_, made, wrap_);
+        const CurlMeasures curl = measured_.curl(made);
         measure("curl_gl", curl.gl);
         measure("curl_dx", curl.dx);
         measure("curl_correlation", curl.correlation);
@@ -130,24 +143,24 @@ private:
         measure("signed_z", vectors_.signed_z);
         measure("unsigned_z", vectors_.unsigned_z);
         if (has_unsigned_z())
-            find("unsigned_z", text("blue is z from 0 to 1 within %.4f, and (1 + z) / 2 only "
-                                    "within %.4f",
-                                    vectors_.unsigned_z, vectors_.signed_z));
+            find(Flaw::unsigned_z, text("blue is z from 0 to 1 within %.4f, and (1 + z) / 2 only "
+                                        "within %.4f",
+                                        vectors_.unsigned_z, vectors_.signed_z));
         else if (vectors_.unit <= 0.75)
-            find("length",
+            find(Flaw::length,
                  text("only %.1f %% of the vectors have length 1 within 0.1", 100 * vectors_.unit));
         const auto& mean = vectors_.mean;
         const double tilt = std::atan2(std::hypot(mean[0], mean[1]), mean[2]) * 57.29577951308232;
         measure("tilt_degrees", tilt);
         if (tilt > leaning_degrees)
-            find("tilt", text("the mean normal leans by %.2f degrees, (%.4f, %.4f, %.4f)", tilt,
-                              mean[0], mean[1], mean[2]));
-        if (image_.source == PixelType::u8) check_offset();
+            find(Flaw::tilt, text("the mean normal leans by %.2f degrees, (%.4f, %.4f, %.4f)", tilt,
+                                  mean[0], mean[1], mean[2]));
+        if (info_.source == PixelType::u8) check_offset();
     }
 
     // Half a step, the same for red and green.
     void check_offset() {
-        const OffsetMeasures offset = measure_offset(image_);
+        const OffsetMeasures offset = measured_.offset();
         measure("offset_red", offset.red);
         measure("offset_green", offset.green);
         const auto is_half = [](double steps) {
@@ -156,26 +169,27 @@ private:
         if (offset.tilted < 0.01 || !is_half(offset.red) || !is_half(offset.green) ||
             std::abs(offset.red - offset.green) > 0.2)
             return;
-        find("offset", text("red and green lie %+.2f and %+.2f steps of 255 beside 127.5: %d was "
-                            "taken for the middle",
-                            offset.red, offset.green, offset.red > 0 ? 128 : 127));
+        find(Flaw::offset,
+             text("red and green lie %+.2f and %+.2f steps of 255 beside 127.5: %d was "
+                  "taken for the middle",
+                  offset.red, offset.green, offset.red > 0 ? 128 : 127));
     }
 
     void check_steps() {
-        if (!is_integer(image_)) return;
+        if (!is_integer(info_)) return;
         const uint32_t last = verdict_.look == Look::height ? 1 : 2;
         for (uint32_t channel = 0; channel < last; ++channel) {
-            const StepMeasures steps = measure_steps(image_, channel);
+            const StepMeasures steps = measured_.steps(channel);
             const std::string name = last == 1 ? "" : channel == 0 ? "red_" : "green_";
             measure((name + "levels").c_str(), static_cast<double>(steps.levels));
             measure((name + "still").c_str(), steps.still);
             const bool stairs = steps.levels > 4 && steps.still > still_share && steps.one > 0 &&
                                 steps.still + steps.one > step_share;
             if (steps.eight_bits && steps.levels > 4)
-                return find("banding", text("a file of 16 bits holds %zu values, all of 8 bits",
-                                            steps.levels));
-            if (stairs && image_.source == PixelType::u8)
-                return find("banding",
+                return find(Flaw::banding, text("a file of 16 bits holds %zu values, all of 8 bits",
+                                                steps.levels));
+            if (stairs && info_.source == PixelType::u8)
+                return find(Flaw::banding,
                             text("%.1f %% of neighbours are equal and %.1f %% one level of 255 "
                                  "apart: slopes are stairs; 16 bits have none",
                                  100 * steps.still, 100 * steps.one));
@@ -185,13 +199,13 @@ private:
     void check_seams() {
         const uint32_t channels = verdict_.look == Look::height ? 1 : 2;
         for (const bool across_u : {true, false}) {
-            const SeamMeasures seam = measure_seam(image_, channels, across_u);
-            const char* name = across_u ? "seam_u" : "seam_v";
-            measure(name, seam.inside > 0 ? seam.border / seam.inside : 0);
-            const double least = is_integer(image_) ? u8_step : 0;
+            const SeamMeasures seam = measured_.seam(channels, across_u);
+            const Flaw flaw = across_u ? Flaw::seam_u : Flaw::seam_v;
+            measure(name_of(flaw).data(), seam.inside > 0 ? seam.border / seam.inside : 0);
+            const double least = is_integer(info_) ? u8_step : 0;
             if (seam.border <= seam_factor * seam.inside || seam.border <= least) continue;
             find(
-                name,
+                flaw,
                 text("across %s the border steps by %.4g where 99 of 100 %s inside step by "
                      "less than %.4g: it does not tile",
                      across_u ? "u" : "v", seam.border, across_u ? "columns" : "rows", seam.inside),
@@ -199,9 +213,9 @@ private:
         }
     }
 
-    const Image& image_;
+    const ImageInfo& info_;
+    const Measuring& measured_;
     Wrap wrap_;
-    const std::function<bool()>& stopped_;
     uint32_t channels_;
     Verdict verdict_;
     VectorMeasures vectors_;
@@ -217,6 +231,14 @@ std::string_view description_of(Look look) {
     return looks[static_cast<size_t>(look)].description;
 }
 
+std::string_view name_of(Flaw flaw) {
+    return flaws[static_cast<size_t>(flaw)].name;
+}
+
+std::string_view words_of(Flaw flaw) {
+    return flaws[static_cast<size_t>(flaw)].words;
+}
+
 bool Verdict::has_defects() const {
     return std::any_of(findings.begin(), findings.end(),
                        [](const Finding& finding) { return finding.defect; });
@@ -228,8 +250,28 @@ std::optional<double> Verdict::measure(std::string_view name) const {
     return {};
 }
 
-Verdict examine(const Image& image, Wrap wrap, const std::function<bool()>& stopped) {
-    return Examination(image, wrap, stopped).run();
+Verdict examine(const Image& image, Wrap wrap) {
+    const ImageInfo info = {"",          image.width, image.height, image.channels, image.has_alpha,
+                            image.source};
+    Measuring measuring(info, wrap);
+    for (uint32_t y = image.height; y-- > 0;)
+        measuring.add(image.texel(0, y));
+    return Examination(info, measuring, wrap).run();
+}
+
+std::optional<ExaminedFile> examine(const std::filesystem::path& file, Wrap wrap,
+                                    Diagnostics& diagnostics,
+                                    const std::function<bool()>& stopped) {
+    std::optional<Measuring> measuring;
+    const auto take = [&](const ImageInfo& info, const float* row) {
+        if (stopped && stopped()) return false;
+        if (!measuring) measuring.emplace(info, wrap);
+        measuring->add(row);
+        return true;
+    };
+    const auto info = read_image_rows(file, take, diagnostics);
+    if (!info) return {};
+    return ExaminedFile{*info, Examination(*info, *measuring, wrap).run()};
 }
 
 }  // namespace wrinkle::maps

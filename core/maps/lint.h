@@ -24,14 +24,17 @@
 //   not_finite NaN or infinity
 #pragma once
 
+#include <filesystem>
 #include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "base/diagnostics.h"
 #include "base/texture_options.h"
 #include "image/image.h"
+#include "image/load.h"
 #include "maps/map.h"
 
 namespace wrinkle::maps {
@@ -53,8 +56,24 @@ struct Measure {
     double value = 0;
 };
 
+// As above; and `unexpected`, which whoever knows what the picture was to be adds.
+enum class Flaw : uint8_t {
+    tilt,
+    unsigned_z,
+    length,
+    offset,
+    banding,
+    seam_u,
+    seam_v,
+    gray,
+    not_finite,
+    unexpected
+};
+std::string_view name_of(Flaw flaw);   // "seam_u"
+std::string_view words_of(Flaw flaw);  // what is wrong, half a sentence without its numbers
+
 struct Finding {
-    std::string name;     // as above
+    Flaw flaw = Flaw::unexpected;
     std::string message;  // one sentence with its numbers
     bool defect = true;
 };
@@ -68,8 +87,17 @@ struct Verdict {
     std::optional<double> measure(std::string_view name) const;
 };
 
-// `wrap` says whether the picture is to repeat. `stopped` is asked between a measure and the next;
-// where it says true the verdict is what was found until then, and nobody's.
-Verdict examine(const Image& image, Wrap wrap, const std::function<bool()>& stopped = {});
+// `wrap` says whether the picture is to repeat.
+Verdict examine(const Image& image, Wrap wrap);
+
+// Of a file, in memory for a few of its rows; nothing with errors. `stopped` is asked between a row
+// and the next: where it says true there is no verdict, and no error.
+struct ExaminedFile {
+    ImageInfo info;
+    Verdict verdict;
+};
+std::optional<ExaminedFile> examine(const std::filesystem::path& file, Wrap wrap,
+                                    Diagnostics& diagnostics,
+                                    const std::function<bool()>& stopped = {});
 
 }  // namespace wrinkle::maps

@@ -37,6 +37,37 @@ Slope slope_of_normal(const float* texel, uint32_t channels, float green) {
 
 }  // namespace
 
+void slopes_of_normals(const float* texels, uint32_t stride, uint32_t channels, float green,
+                       uint32_t count, float* du, float* dv) {
+    for (uint32_t x = 0; x < count; ++x, texels += stride) {
+        const Slope slope = slope_of_normal(texels, channels, green);
+        du[x] = slope.du;
+        dv[x] = slope.dv;
+    }
+}
+
+void sobel_row(const ThreeRows& heights, uint32_t count, Wrap wrap, float* du, float* dv) {
+    const auto& [above, here, below] = heights;
+    // Of each column, and of the columns beyond the borders, which come first and last.
+    thread_local std::vector<float> sums, steps;
+    sums.resize(count + 2);
+    steps.resize(count + 2);
+    float* sum = sums.data() + 1;
+    float* step = steps.data() + 1;
+    for (uint32_t x = 0; x < count; ++x) {
+        sum[x] = above[x] + 2 * here[x] + below[x];
+        step[x] = above[x] - below[x];
+    }
+    const uint32_t left = neighbour(0, -1, count, wrap);
+    const uint32_t right = neighbour(count - 1, 1, count, wrap);
+    sum[-1] = sum[left], step[-1] = step[left];
+    sum[count] = sum[right], step[count] = step[right];
+    for (uint32_t x = 0; x < count; ++x) {
+        du[x] = sum[x + 1] - sums[x];
+        dv[x] = steps[x] + 2 * step[x] + step[x + 1];
+    }
+}
+
 Rows::Rows(const Source& source) : source_(source) {
     assert(source.kind != Kind::slopes && source.kind != Kind::moments);
     const Image& image = *source.image;
@@ -56,27 +87,13 @@ void Rows::slopes(uint32_t y, float* du, float* dv) const {
 
 void Rows::sobel(uint32_t y, float* du, float* dv) const {
     const uint32_t count = width();
-    const float* above = heights(neighbour(y, 1, height(), source_.wrap));
-    const float* here = heights(y);
-    const float* below = heights(neighbour(y, -1, height(), source_.wrap));
-    // Of each column, and of the columns beyond the borders, which come first and last.
-    thread_local std::vector<float> sums, steps;
-    sums.resize(count + 2);
-    steps.resize(count + 2);
-    float* sum = sums.data() + 1;
-    float* step = steps.data() + 1;
-    for (uint32_t x = 0; x < count; ++x) {
-        sum[x] = above[x] + 2 * here[x] + below[x];
-        step[x] = above[x] - below[x];
-    }
-    const uint32_t left = neighbour(0, -1, count, source_.wrap);
-    const uint32_t right = neighbour(count - 1, 1, count, source_.wrap);
-    sum[-1] = sum[left], step[-1] = step[left];
-    sum[count] = sum[right], step[count] = step[right];
+    const ThreeRows rows = {heights(neighbour(y, 1, height(), source_.wrap)), heights(y),
+                            heights(neighbour(y, -1, height(), source_.wrap))};
+    sobel_row(rows, count, source_.wrap, du, dv);
     const float across = 1 / (8 * source_.texel_width), up = 1 / (8 * source_.texel_height);
     for (uint32_t x = 0; x < count; ++x) {
-        du[x] = (sum[x + 1] - sums[x]) * across;
-        dv[x] = (steps[x] + 2 * step[x] + step[x + 1]) * up;
+        du[x] *= across;
+        dv[x] *= up;
     }
 }
 
@@ -91,13 +108,18 @@ void Rows::decode(uint32_t y, float* du, float* dv) const {
     const float across = source_.factor / (uv ? static_cast<float>(width()) : 1);
     const float up = source_.factor / (uv ? static_cast<float>(height()) : 1);
     const float green = source_.green == Green::dx ? -1.0f : 1.0f;
+    if (normal) {
+        slopes_of_normals(texel, image.channels, channels, green, width(), du, dv);
+        for (uint32_t x = 0; x < width(); ++x) {
+            du[x] *= across;
+            dv[x] *= up;
+        }
+        return;
+    }
     for (uint32_t x = 0; x < width(); ++x, texel += image.channels) {
         const float second = channels > 1 ? texel[1] : middle / 2;
-        const Slope slope =
-            normal ? slope_of_normal(texel, channels, green)
-                   : Slope{scale * (2 * texel[0] - middle), scale * (2 * second - middle)};
-        du[x] = slope.du * across;
-        dv[x] = slope.dv * up;
+        du[x] = scale * (2 * texel[0] - middle) * across;
+        dv[x] = scale * (2 * second - middle) * up;
     }
 }
 

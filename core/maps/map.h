@@ -48,6 +48,17 @@ struct Source {
     float texel_height = 1;
 };
 
+// What the row of a normal map says of slopes: `channels` of each texel count, which is `stride`
+// numbers.
+void slopes_of_normals(const float* texels, uint32_t stride, uint32_t channels, float green,
+                       uint32_t count, float* du, float* dv);
+
+// Three rows of heights, and their slopes along the middle one before they are divided by 8.
+struct ThreeRows {
+    const float *above, *here, *below;
+};
+void sobel_row(const ThreeRows& heights, uint32_t count, Wrap wrap, float* du, float* dv);
+
 // Rows of a map, computed as they are asked for; any thread may ask for any row.
 class Rows {
 public:

@@ -10,180 +10,236 @@ namespace {
 constexpr double unit_tolerance = 0.1;
 constexpr float spike = 4;
 
-template <typename Use>
-void each_texel(const Image& image, Use use) {
-    const size_t count = size_t{image.width} * image.height;
-    for (size_t i = 0; i < count; ++i)
-        use(&image.data[i * image.channels]);
-}
-
-float highest_steps(PixelType type) {
-    return type == PixelType::u8 ? 255.0f : 65535.0f;
+bool is_integer_type(PixelType type) {
+    return type == PixelType::u8 || type == PixelType::u16;
 }
 
 }  // namespace
 
-VectorMeasures measure_vectors(const Image& image) {
-    VectorMeasures sums;
-    double lowest_blue = INFINITY, highest_blue = -INFINITY;
-    size_t empty = 0;
-    each_texel(image, [&](const float* t) {
+void VectorSums::add(const float* t, uint32_t width, uint32_t channels) {
+    constexpr double shortest = (1 - unit_tolerance) * (1 - unit_tolerance),
+                     longest = (1 + unit_tolerance) * (1 + unit_tolerance);
+    for (uint32_t i = 0; i < width; ++i, t += channels) {
         if (t[0] == 0 && t[1] == 0 && t[2] == 0) {
-            ++empty;
-            return;
+            ++empty_;
+            continue;
         }
         const double x = 2.0 * t[0] - 1, y = 2.0 * t[1] - 1, z = 2.0 * t[2] - 1;
-        const double made = std::sqrt(std::max(0.0, 1 - x * x - y * y));
-        sums.unit += std::abs(std::sqrt(x * x + y * y + z * z) - 1) < unit_tolerance;
-        sums.downward += z < -unit_tolerance;
-        const auto [low, high] = std::minmax({t[0], t[1], t[2]});
-        sums.gray += high - low < 2.5 * u8_step;
-        const double values[] = {x, y, z};
-        for (size_t c = 0; c < 3; ++c)
-            sums.mean[c] += values[c];
+        const double flat = x * x + y * y, square = flat + z * z;
+        const double made = std::sqrt(std::max(0.0, 1 - flat));
+        unit_ += square > shortest && square < longest;
+        downward_ += z < -unit_tolerance;
+        const float low = std::min(std::min(t[0], t[1]), t[2]);
+        const float high = std::max(std::max(t[0], t[1]), t[2]);
+        gray_ += high - low < 2.5 * u8_step;
+        sums_.mean[0] += x;
+        sums_.mean[1] += y;
+        sums_.mean[2] += z;
         const double with_sign = t[2] - (1 + made) / 2, without = t[2] - made;
-        sums.signed_z += with_sign * with_sign;
-        sums.unsigned_z += without * without;
-        sums.between_z += (1 - made) * (1 - made) / 4;
-        lowest_blue = std::min<double>(lowest_blue, t[2]);
-        highest_blue = std::max<double>(highest_blue, t[2]);
-    });
-    const double all = static_cast<double>(image.width) * image.height;
-    sums.empty = static_cast<double>(empty) / all;
-    const double count = std::max(all - static_cast<double>(empty), 1.0);
-    for (double* share :
-         {&sums.unit, &sums.downward, &sums.gray, &sums.mean[0], &sums.mean[1], &sums.mean[2]})
-        *share /= count;
-    for (double* square : {&sums.signed_z, &sums.unsigned_z, &sums.between_z})
+        sums_.signed_z += with_sign * with_sign;
+        sums_.unsigned_z += without * without;
+        sums_.between_z += (1 - made) * (1 - made) / 4;
+        lowest_blue_ = std::min<double>(lowest_blue_, t[2]);
+        highest_blue_ = std::max<double>(highest_blue_, t[2]);
+    }
+}
+
+VectorMeasures VectorSums::measures(double texels) const {
+    VectorMeasures result = sums_;
+    result.empty = static_cast<double>(empty_) / texels;
+    const double count = std::max(texels - static_cast<double>(empty_), 1.0);
+    result.unit = static_cast<double>(unit_) / count;
+    result.downward = static_cast<double>(downward_) / count;
+    result.gray = static_cast<double>(gray_) / count;
+    for (double& mean : result.mean)
+        mean /= count;
+    for (double* square : {&result.signed_z, &result.unsigned_z, &result.between_z})
         *square = std::sqrt(*square / count);
-    sums.blue_spread = highest_blue - lowest_blue;
-    return sums;
+    result.blue_spread = highest_blue_ - lowest_blue_;
+    return result;
+}
+
+CurlSums::CurlSums(uint32_t width, uint32_t height, Wrap wrap)
+    : width_(width), height_(height), wrap_(wrap) {
+    for (SlopeRow* row : {&last_[0], &last_[1], &last_[2]}) {
+        row->du.resize(width);
+        row->dv.resize(width);
+    }
+}
+
+void CurlSums::Sums::add(const SlopeRow& above, const SlopeRow& here, const SlopeRow& below,
+                         Wrap wrap) {
+    const auto count = static_cast<uint32_t>(here.du.size());
+    thread_local std::vector<float> unused, u_along_v, v_along_u;
+    for (std::vector<float>* row : {&unused, &u_along_v, &v_along_u})
+        row->resize(count);
+    sobel_row({above.du.data(), here.du.data(), below.du.data()}, count, wrap, unused.data(),
+              u_along_v.data());
+    sobel_row({above.dv.data(), here.dv.data(), below.dv.data()}, count, wrap, v_along_u.data(),
+              unused.data());
+    for (uint32_t x = 0; x < count; ++x) {
+        const double a = u_along_v[x] / 8, b = v_along_u[x] / 8;
+        uu += a * a;
+        vv += b * b;
+        uv += a * b;
+    }
+}
+
+void CurlSums::add(const float* row, uint32_t stride, uint32_t channels) {
+    SlopeRow& here = last_[rows_ % 3];
+    slopes_of_normals(row, stride, channels, 1, width_, here.du.data(), here.dv.data());
+    for (std::vector<float>* slopes : {&here.du, &here.dv})
+        for (float& value : *slopes)
+            value = std::isfinite(value) ? std::clamp(value, -spike, spike) : 0;
+    if (rows_ == 0) first_ = here;
+    if (rows_ == 1) second_ = here;
+    if (rows_ >= 2) sums_.add(last_[(rows_ - 2) % 3], last_[(rows_ - 1) % 3], here, wrap_);
+    ++rows_;
+}
+
+CurlMeasures CurlSums::measures() const {
+    // The first row and the last one see each other, or themselves.
+    Sums all = sums_;
+    const SlopeRow& end = last_[(height_ - 1) % 3];
+    const bool repeats = wrap_ == Wrap::repeat;
+    all.add(repeats ? end : first_, first_, height_ > 1 ? second_ : first_, wrap_);
+    if (height_ > 1) all.add(last_[(height_ - 2) % 3], end, repeats ? first_ : end, wrap_);
+    const double count = static_cast<double>(width_) * height_;
+    CurlMeasures curl;
+    curl.gl = std::sqrt(std::max(0.0, all.uu - 2 * all.uv + all.vv) / count);
+    curl.dx = std::sqrt(std::max(0.0, all.uu + 2 * all.uv + all.vv) / count);
+    curl.correlation = all.uu > 0 && all.vv > 0 ? all.uv / std::sqrt(all.uu * all.vv) : 0;
+    return curl;
+}
+
+void OffsetSums::add(const float* t, uint32_t width, uint32_t channels) {
+    for (uint32_t x = 0; x < width; ++x, t += channels) {
+        const double red = t[0] * 255.0 - 127.5, green = t[1] * 255.0 - 127.5;
+        if (std::abs(red) < 1 && std::abs(green) < 1) continue;
+        red_ += red;
+        green_ += green;
+        ++tilted_;
+    }
+}
+
+OffsetMeasures OffsetSums::measures(double texels) const {
+    const double count = std::max<double>(static_cast<double>(tilted_), 1);
+    return {red_ / count, green_ / count, static_cast<double>(tilted_) / texels};
+}
+
+void StepSums::add(const float* row, uint32_t width, uint32_t channels, uint32_t channel) {
+    const float highest = type_ == PixelType::u8 ? 255.0f : 65535.0f;
+    const bool has_above = !here_.empty();
+    std::swap(here_, above_);
+    here_.resize(width);
+    for (uint32_t x = 0; x < width; ++x) {
+        const float t = std::clamp(row[size_t{x} * channels + channel], 0.0f, 1.0f);
+        here_[x] = static_cast<int>(t * highest + 0.5f);
+    }
+    for (const int value : here_)
+        seen_[static_cast<size_t>(value)] = 1;
+    const auto compare = [&](const int* a, const int* b, uint32_t count) {
+        uint32_t still = 0, one = 0;
+        for (uint32_t x = 0; x < count; ++x) {
+            const int step = std::abs(a[x] - b[x]);
+            still += step == 0;
+            one += step == 1;
+        }
+        still_ += still;
+        one_ += one;
+        pairs_ += count;
+    };
+    compare(here_.data(), here_.data() + 1, width - 1);
+    if (has_above) compare(here_.data(), above_.data(), width);
+}
+
+StepMeasures StepSums::measures() const {
+    StepMeasures steps;
+    steps.eight_bits = type_ == PixelType::u16;
+    for (size_t i = 0; i < seen_.size(); ++i) {
+        steps.levels += seen_[i];
+        if (seen_[i] && i % 257 != 0) steps.eight_bits = false;
+    }
+    const double pairs = std::max<double>(static_cast<double>(pairs_), 1);
+    steps.still = static_cast<double>(still_) / pairs;
+    steps.one = static_cast<double>(one_) / pairs;
+    return steps;
 }
 
 namespace {
 
-// One of the two slopes as a picture, so that the filter of slopes can be put on it again.
-struct SlopePictures {
-    Image du, dv;
-};
+double step_of(float a, float b) {
+    return std::isfinite(a - b) ? std::abs(static_cast<double>(a) - b) : 0;
+}
 
-SlopePictures slope_pictures(const Image& image, bool made_z) {
-    Image two = image;
-    if (made_z && image.channels > 2) {  // z is made for pictures of two channels
-        two = make_image(image.width, image.height, 2, image.source);
-        for (size_t i = 0; i < two.data.size() / 2; ++i)
-            std::copy_n(&image.data[i * image.channels], 2, &two.data[i * 2]);
-    }
-    Source source;
-    source.image = &two;
-    source.kind = Kind::normal;
-    const Rows rows(source);
-    SlopePictures slopes{make_image(image.width, image.height, 1),
-                         make_image(image.width, image.height, 1)};
-    for (uint32_t y = 0; y < image.height; ++y)
-        rows.slopes(y, slopes.du.texel(0, y), slopes.dv.texel(0, y));
-    for (Image* slope : {&slopes.du, &slopes.dv})
-        for (float& value : slope->data)
-            value = std::isfinite(value) ? std::clamp(value, -spike, spike) : 0;
-    return slopes;
+double steps_between(const std::vector<float>& a, const std::vector<float>& b) {
+    double sum = 0;
+    for (size_t x = 0; x < a.size(); ++x)
+        sum += step_of(a[x], b[x]);
+    return sum;
 }
 
 }  // namespace
 
-CurlMeasures measure_curl(const Image& image, bool made_z, Wrap wrap) {
-    const SlopePictures slopes = slope_pictures(image, made_z);
-    Source of_du, of_dv;
-    of_du.image = &slopes.du;
-    of_dv.image = &slopes.dv;
-    of_du.wrap = of_dv.wrap = wrap;
-    const Rows du(of_du), dv(of_dv);
-    std::vector<float> unused(image.width), u_along_v(image.width), v_along_u(image.width);
-    double uu = 0, vv = 0, uv = 0;
-    for (uint32_t y = 0; y < image.height; ++y) {
-        du.slopes(y, unused.data(), u_along_v.data());
-        dv.slopes(y, v_along_u.data(), unused.data());
-        for (uint32_t x = 0; x < image.width; ++x) {
-            const double a = u_along_v[x], b = v_along_u[x];
-            uu += a * a;
-            vv += b * b;
-            uv += a * b;
-        }
-    }
-    const double count = static_cast<double>(image.width) * image.height;
-    CurlMeasures curl;
-    curl.gl = std::sqrt(std::max(0.0, uu - 2 * uv + vv) / count);
-    curl.dx = std::sqrt(std::max(0.0, uu + 2 * uv + vv) / count);
-    curl.correlation = uu > 0 && vv > 0 ? uv / std::sqrt(uu * vv) : 0;
-    return curl;
+void SeamSums::add(const float* row, uint32_t channels, uint32_t channel) {
+    const size_t width = across_u_.size();
+    std::swap(here_, above_);
+    here_.resize(width);
+    for (size_t x = 0; x < width; ++x)
+        here_[x] = row[x * channels + channel];
+    for (size_t x = 0; x + 1 < width; ++x)
+        across_u_[x] += step_of(here_[x], here_[x + 1]);
+    across_u_.back() += step_of(here_.back(), here_.front());
+    if (first_.empty())
+        first_ = here_;
+    else
+        across_v_.push_back(steps_between(above_, here_));
 }
 
-OffsetMeasures measure_offset(const Image& image) {
-    OffsetMeasures offset;
-    size_t tilted = 0;
-    each_texel(image, [&](const float* t) {
-        const double red = t[0] * 255.0 - 127.5, green = t[1] * 255.0 - 127.5;
-        if (std::abs(red) < 1 && std::abs(green) < 1) return;
-        offset.red += red;
-        offset.green += green;
-        ++tilted;
-    });
-    if (tilted > 0) {
-        offset.red /= static_cast<double>(tilted);
-        offset.green /= static_cast<double>(tilted);
-    }
-    offset.tilted = static_cast<double>(tilted) / (static_cast<double>(image.width) * image.height);
-    return offset;
+std::vector<double> SeamSums::across_v() const {
+    std::vector<double> sums = across_v_;
+    sums.push_back(steps_between(here_, first_));
+    return sums;
 }
 
-StepMeasures measure_steps(const Image& image, uint32_t channel) {
-    StepMeasures steps;
-    if (image.source != PixelType::u8 && image.source != PixelType::u16) return steps;
-    const float highest = highest_steps(image.source);
-    const auto value = [&](uint32_t x, uint32_t y) {
-        return static_cast<int>(std::lround(image.texel(x, y)[channel] * highest));
-    };
-    std::vector<char> seen(65536);
-    size_t still = 0, one = 0, pairs = 0;
-    const auto compare = [&](int a, int b) {
-        still += a == b;
-        one += std::abs(a - b) == 1;
-        ++pairs;
-    };
-    for (uint32_t y = 0; y < image.height; ++y)
-        for (uint32_t x = 0; x < image.width; ++x) {
-            const int here = value(x, y);
-            seen[static_cast<size_t>(here)] = 1;
-            if (x + 1 < image.width) compare(here, value(x + 1, y));
-            if (y + 1 < image.height) compare(here, value(x, y + 1));
-        }
-    steps.eight_bits = image.source == PixelType::u16;
-    for (size_t i = 0; i < seen.size(); ++i) {
-        steps.levels += seen[i] ? 1 : 0;
-        if (seen[i] && i % 257 != 0) steps.eight_bits = false;
-    }
-    steps.still = pairs ? static_cast<double>(still) / static_cast<double>(pairs) : 0;
-    steps.one = pairs ? static_cast<double>(one) / static_cast<double>(pairs) : 0;
-    return steps;
+Measuring::Measuring(const ImageInfo& info, Wrap wrap)
+    : info_(info),
+      colors_(info.channels - (info.has_alpha ? 1 : 0)),
+      curl_(info.width, info.height, wrap),
+      made_curl_(info.width, info.height, wrap) {
+    const uint32_t count = std::min(colors_, 2u);
+    if (is_integer_type(info.source)) steps_.assign(count, StepSums(info.source));
+    seams_.assign(count, SeamSums(info.width));
 }
 
-SeamMeasures measure_seam(const Image& image, uint32_t channels, bool across_u) {
-    const uint32_t lines = across_u ? image.width : image.height;
-    const uint32_t length = across_u ? image.height : image.width;
-    std::vector<double> sums(lines);  // of the steps from each line to the next
-    const auto add = [&](uint32_t line, const float* a, const float* b) {
-        double sum = 0;
-        for (uint32_t c = 0; c < channels; ++c)
-            sum += std::isfinite(a[c] - b[c]) ? std::abs(static_cast<double>(a[c]) - b[c]) : 0;
-        sums[line] += sum;
-    };
-    for (uint32_t y = 0; y < image.height; ++y)  // in the order of memory
-        for (uint32_t x = 0; x < image.width; ++x)
-            if (across_u)
-                add(x, image.texel(x, y), image.texel((x + 1) % lines, y));
-            else
-                add(y, image.texel(x, y), image.texel(x, (y + 1) % lines));
-    for (double& sum : sums)
-        sum /= static_cast<double>(length) * channels;
+void Measuring::add(const float* row) {
+    const uint32_t width = info_.width, channels = info_.channels;
+    not_finite_ += static_cast<size_t>(std::count_if(row, row + size_t{width} * channels,
+                                                     [](float t) { return !std::isfinite(t); }));
+    if (not_finite_ > 0) return;  // nothing can be said of the means of NaN
+    if (colors_ >= 3) {
+        vectors_.add(row, width, channels);
+        curl_.add(row, channels, colors_);
+    }
+    if (colors_ >= 2) {
+        made_curl_.add(row, channels, 2);
+        if (info_.source == PixelType::u8) offset_.add(row, width, channels);
+    }
+    for (uint32_t channel = 0; channel < seams_.size(); ++channel)
+        seams_[channel].add(row, channels, channel);
+    for (uint32_t channel = 0; channel < steps_.size(); ++channel)
+        steps_[channel].add(row, width, channels, channel);
+}
+
+SeamMeasures Measuring::seam(uint32_t channels, bool across_u) const {
+    const uint32_t length = across_u ? info_.height : info_.width;
+    std::vector<double> sums(across_u ? info_.width : info_.height);
+    for (uint32_t channel = 0; channel < channels; ++channel) {
+        const std::vector<double> one =
+            across_u ? seams_[channel].across_u() : seams_[channel].across_v();
+        for (size_t line = 0; line < sums.size(); ++line)
+            sums[line] += one[line] / (static_cast<double>(length) * channels);
+    }
     const double border = sums.back();
     sums.pop_back();
     std::vector<double>& inside = sums;

@@ -1,10 +1,13 @@
-// The statistics that lint decides by. Sums run in double, row by row, on one thread: equal numbers
-// everywhere.
+// The statistics that lint decides by, gathered in one pass over the rows of a picture, from the
+// top: no row is needed but the last three and the first two. Sums run in double, row by row, on
+// one thread: equal numbers everywhere.
 #pragma once
 
 #include <array>
+#include <cstdint>
+#include <vector>
 
-#include "image/image.h"
+#include "image/load.h"
 #include "maps/map.h"
 
 namespace wrinkle::maps {
@@ -24,7 +27,6 @@ struct VectorMeasures {
     double unsigned_z = 0;   // rms of blue less z
     double between_z = 0;    // rms of the one less the other: how far they can be told apart
 };
-VectorMeasures measure_vectors(const Image& image);
 
 // Slopes as gl has them, differentiated once more by the same filter. Spikes count as slope 4.
 struct CurlMeasures {
@@ -32,29 +34,126 @@ struct CurlMeasures {
     double dx = 0;           // the same with green turned
     double correlation = 0;  // of the two terms, -1 to 1; 0 where there is no slope
 };
-CurlMeasures measure_curl(const Image& image, bool made_z, Wrap wrap);
 
 // Of the texels that are not flat (127 or 128 in red and green), in steps of 1/255 from 127.5.
 struct OffsetMeasures {
     double red = 0, green = 0;
     double tilted = 0;  // their share
 };
-OffsetMeasures measure_offset(const Image& image);
 
-// Of one channel.
+// Of one channel of integers.
 struct StepMeasures {
     double still = 0;         // share of neighbours (to the right, above) that are equal
     double one = 0;           // share that is one level apart
     size_t levels = 0;        // different values
     bool eight_bits = false;  // a deeper file whose values are all those of 8 bits
 };
-StepMeasures measure_steps(const Image& image, uint32_t channel);
 
 // The mean step over the border against the steps inside, of the first `channels` channels.
 struct SeamMeasures {
     double border = 0;
     double inside = 0;  // that 99 of 100 columns (or rows) stay below
 };
-SeamMeasures measure_seam(const Image& image, uint32_t channels, bool across_u);
+
+class VectorSums {
+public:
+    void add(const float* row, uint32_t width, uint32_t channels);
+    VectorMeasures measures(double texels) const;
+
+private:
+    VectorMeasures sums_;
+    double lowest_blue_ = 2, highest_blue_ = -1;
+    size_t empty_ = 0, unit_ = 0, downward_ = 0, gray_ = 0;
+};
+
+// Slopes of rows as they come, in a window of three.
+class CurlSums {
+public:
+    CurlSums(uint32_t width, uint32_t height, Wrap wrap);
+    void add(const float* row, uint32_t stride, uint32_t channels);  // of a normal map
+    CurlMeasures measures() const;
+
+private:
+    struct SlopeRow {
+        std::vector<float> du, dv;
+    };
+    struct Sums {
+        double uu = 0, vv = 0, uv = 0;
+        void add(const SlopeRow& above, const SlopeRow& here, const SlopeRow& below, Wrap wrap);
+    };
+
+    uint32_t width_, height_;
+    Wrap wrap_;
+    uint32_t rows_ = 0;
+    std::array<SlopeRow, 3> last_;  // row i at i % 3
+    SlopeRow first_, second_;
+    Sums sums_;
+};
+
+class OffsetSums {
+public:
+    void add(const float* row, uint32_t width, uint32_t channels);
+    OffsetMeasures measures(double texels) const;
+
+private:
+    double red_ = 0, green_ = 0;
+    size_t tilted_ = 0;
+};
+
+class StepSums {
+public:
+    explicit StepSums(PixelType type) : type_(type), seen_(65536) {}
+    void add(const float* row, uint32_t width, uint32_t channels, uint32_t channel);
+    StepMeasures measures() const;
+
+private:
+    PixelType type_;
+    std::vector<uint8_t> seen_;
+    std::vector<int> above_, here_;
+    size_t still_ = 0, one_ = 0, pairs_ = 0;
+};
+
+// Of one channel, both ways.
+class SeamSums {
+public:
+    explicit SeamSums(uint32_t width) : across_u_(width) {}
+    void add(const float* row, uint32_t channels, uint32_t channel);
+    // From each column, or row, to the next, the last one over the border.
+    const std::vector<double>& across_u() const { return across_u_; }
+    std::vector<double> across_v() const;
+
+private:
+    std::vector<double> across_u_, across_v_;
+    std::vector<float> first_, above_, here_;
+};
+
+// All of a picture, its rows given one after the other.
+class Measuring {
+public:
+    Measuring(const ImageInfo& info, Wrap wrap);
+    void add(const float* row);
+
+    size_t not_finite() const { return not_finite_; }
+    VectorMeasures vectors() const { return vectors_.measures(texels()); }
+    // `made_z`: of the z that makes red and green unit, whatever blue holds.
+    CurlMeasures curl(bool made_z) const { return (made_z ? made_curl_ : curl_).measures(); }
+    OffsetMeasures offset() const {  // of 8 bits
+        return offset_.measures(texels());
+    }
+    StepMeasures steps(uint32_t channel) const { return steps_.at(channel).measures(); }
+    SeamMeasures seam(uint32_t channels, bool across_u) const;
+
+private:
+    double texels() const { return static_cast<double>(info_.width) * info_.height; }
+
+    ImageInfo info_;
+    uint32_t colors_;  // channels without alpha
+    size_t not_finite_ = 0;
+    VectorSums vectors_;
+    CurlSums curl_, made_curl_;
+    OffsetSums offset_;
+    std::vector<StepSums> steps_;  // of red and green
+    std::vector<SeamSums> seams_;
+};
 
 }  // namespace wrinkle::maps

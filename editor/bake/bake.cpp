@@ -97,6 +97,7 @@ private:
         if (problems_.has_errors()) return false;
         MaterialOptions options;
         options.given_differentials = true;
+        options.covariances = covariances_for(requests());
         options.runs_calls = "the bake";
         compiled_ = compile_material(project, registry_, options, problems_);
         if (compiled_.ok) read_textures(textures_, compiled_, project, problems_);
@@ -114,19 +115,24 @@ private:
         return false;
     }
 
+    std::vector<MapRequest> requests() const {
+        std::vector<MapRequest> result;
+        for (const AskedMap& map : asked_)
+            result.push_back(map.request);
+        return result;
+    }
+
     bool plan() {
-        std::vector<MapRequest> requests;
-        for (const AskedMap& map : asked_) {
+        for (const AskedMap& map : asked_)
             types_.push_back(map.stored->type);
-            requests.push_back(map.request);
-        }
         MapOptions options;
         options.tangent_space = !choices_.object_space;
         options.vertex_tangents = !mesh_.tangents.empty();
         options.green_down = choices_.green_down;
         options.scale = choices_.tuning.scale;
-        options.width = options.height = choices_.size;
-        plan_ = plan_maps(compiled_.module, requests, options, problems_);
+        options.width = choices_.width;
+        options.height = choices_.height();
+        plan_ = plan_maps(compiled_.module, requests(), options, problems_);
         return plan_ && check_inputs(mesh_, {&*plan_, 1}, choices_.mesh, problems_) &&
                !progress_.cancelled;
     }
@@ -134,7 +140,7 @@ private:
     bool bake_squares() {
         const std::vector<glm::ivec2> first = {glm::ivec2(0)};
         const std::vector<glm::ivec2>& squares = choices_.udim ? uvs_.squares : first;
-        progress_.begin(uint64_t{choices_.size} * choices_.size * squares.size());
+        progress_.begin(uint64_t{choices_.width} * choices_.height() * squares.size());
         return std::all_of(squares.begin(), squares.end(),
                            [&](glm::ivec2 square) { return bake(square); });
     }
@@ -146,8 +152,8 @@ private:
         for (const fs::path& path : baked_files(choices_, suffix)) {
             const size_t map = files.size();
             const StoredAs& stored = *asked_[map].stored;
-            WriterOptions options = writer_options(plan_->maps[map], stored.type, choices_.size,
-                                                   choices_.size, choices_.tuning.scale);
+            WriterOptions options = writer_options(plan_->maps[map], stored.type, choices_.width,
+                                                   choices_.height(), choices_.tuning.scale);
             options.compression = choices_.compression_in(stored);
             options.tile = choices_.tile_in(stored);
             files.push_back({path, std::move(options)});
@@ -161,7 +167,7 @@ private:
         input.plan = &*plan_;
         input.textures = textures;
         input.types = types_;
-        input.layout = {choices_.size, choices_.size, square, choices_.tuning.samples};
+        input.layout = {choices_.width, choices_.height(), square, choices_.tuning.samples};
         input.dilate = choices_.tuning.dilate;
         PictureTakers take;
         take.rows = [&](size_t map, std::span<const std::byte> rows) {
@@ -171,7 +177,7 @@ private:
             progress_.done += texels;
             return !progress_.cancelled;
         };
-        return bake_picture(input, 0, choices_.size, take, report_);
+        return bake_picture(input, 0, choices_.height(), take, report_);
     }
 
     bool finish() {

@@ -1,6 +1,7 @@
 #include "editor/bake/choices.h"
 
 #include <algorithm>
+#include <array>
 #include <iterator>
 
 #include "bake/map_files.h"
@@ -12,25 +13,51 @@ namespace wrinkle::editor {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr StoredAs kinds[] = {
-    {"png u8", "PNG, 8 bits", ".png", PixelType::u8},
-    {"png u16", "PNG, 16 bits", ".png", PixelType::u16},
-    {"tif u8", "TIFF, 8 bits", ".tif", PixelType::u8},
-    {"tif u16", "TIFF, 16 bits", ".tif", PixelType::u16},
-    {"tif float", "TIFF, floats", ".tif", PixelType::float32},
-    {"exr half", "OpenEXR, halves", ".exr", PixelType::half},
-    {"exr float", "OpenEXR, floats", ".exr", PixelType::float32},
+struct FormatName {
+    std::string_view format, name;
 };
+constexpr FormatName format_names[] = {
+    {"png", "PNG"}, {"tif", "TIFF"}, {"exr", "OpenEXR"}, {"hdr", "Radiance"}};
+
+std::string label_of(std::string_view format, PixelType type) {
+    constexpr std::array numbers = {"8 bits", "16 bits", "halves", "floats"};
+    std::string name(format);
+    for (const FormatName& each : format_names)
+        if (each.format == format) name = each.name;
+    return name + ", " + numbers[static_cast<size_t>(type)];
+}
+
+std::vector<StoredAs> all_kinds() {
+    std::vector<StoredAs> kinds;
+    for (const std::string format : bake_formats) {
+        const std::vector<std::string_view> types =
+            split(format_to_write("x." + format)->types, ' ');
+        for (const PixelType type :
+             {PixelType::u8, PixelType::u16, PixelType::half, PixelType::float32})
+            if (std::find(types.begin(), types.end(), name_of(type)) != types.end())
+                kinds.push_back({format + " " + std::string(name_of(type)), label_of(format, type),
+                                 "." + format, type});
+    }
+    return kinds;
+}
 
 template <class Matches>
 const StoredAs& kind_where(Matches&& matches) {
-    const auto found = std::find_if(std::begin(kinds), std::end(kinds), matches);
-    return found == std::end(kinds) ? kinds[0] : *found;
+    const auto kinds = stored_kinds();
+    const auto found = std::find_if(kinds.begin(), kinds.end(), matches);
+    return found == kinds.end() ? kinds[0] : *found;
+}
+
+uint32_t listed_size(int texels, uint32_t otherwise) {
+    const auto size = static_cast<uint32_t>(texels);
+    const auto* found = std::find(std::begin(bake_sizes), std::end(bake_sizes), size);
+    return found == std::end(bake_sizes) ? otherwise : size;
 }
 
 }  // namespace
 
 std::span<const StoredAs> stored_kinds() {
+    static const std::vector<StoredAs> kinds = all_kinds();
     return kinds;
 }
 
@@ -40,7 +67,7 @@ const StoredAs& stored_for(const StoredAs& chosen, std::string_view map) {
 }
 
 std::vector<std::string_view> compressions_of(const StoredAs& stored) {
-    const Writable* format = format_to_write("x" + std::string(stored.extension));
+    const Writable* format = format_to_write("x" + stored.extension);
     std::vector<std::string_view> names;
     if (format && *format->compressions) names = split(format->compressions, ' ');
     return names;
@@ -53,7 +80,7 @@ std::string BakeChoices::compression_in(const StoredAs& kind) const {
 }
 
 uint32_t BakeChoices::tile_in(const StoredAs& kind) const {
-    const Writable* format = format_to_write("x" + std::string(kind.extension));
+    const Writable* format = format_to_write("x" + kind.extension);
     return format && format->tiles ? tuning.tile : 0;
 }
 
@@ -96,9 +123,8 @@ BakeChoices choices_of(const BakeSettings& settings) {
     BakeChoices choices;
     for (const std::string_view map : split(settings.maps, ','))
         if (!map.empty()) choices.maps.emplace_back(map);
-    const auto size = static_cast<uint32_t>(settings.size);
-    if (std::find(std::begin(bake_sizes), std::end(bake_sizes), size) != std::end(bake_sizes))
-        choices.size = size;
+    choices.width = listed_size(settings.size, choices.width);
+    choices.square_or_height = listed_size(settings.height, 0);
     choices.object_space = settings.space == "object";
     choices.green_down = settings.green == "dx";
     choices.udim = settings.udim != 0;
@@ -117,7 +143,8 @@ BakeSettings settings_of(const BakeChoices& choices) {
     settings.maps.clear();
     for (const std::string& map : choices.maps)
         settings.maps += (settings.maps.empty() ? "" : ",") + map;
-    settings.size = static_cast<int>(choices.size);
+    settings.size = static_cast<int>(choices.width);
+    settings.height = static_cast<int>(choices.square_or_height);
     settings.space = choices.object_space ? "object" : "tangent";
     settings.green = choices.green_down ? "dx" : "gl";
     settings.stored = choices.stored->key;
@@ -132,8 +159,8 @@ std::vector<fs::path> baked_files(const BakeChoices& choices, const std::string&
     std::string ignored;
     const bool one = choices.one_file();
     for (const AskedMap& map : asked_maps(choices, ignored))
-        files.push_back(map_path(choices.into, one, map.request.name, suffix,
-                                 std::string(map.stored->extension)));
+        files.push_back(
+            map_path(choices.into, one, map.request.name, suffix, map.stored->extension));
     return files;
 }
 

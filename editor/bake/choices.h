@@ -15,12 +15,12 @@
 
 namespace wrinkle::editor {
 
-// A format and the type of its numbers; those that go together, and no others.
+// A format and the type of its numbers: those of `wrinkle bake` that go together, and no others.
 struct StoredAs {
-    std::string_view key;  // of the settings
-    std::string_view label;
-    std::string_view extension;
-    PixelType type;
+    std::string key;    // of the settings: "png u8"
+    std::string label;  // "PNG, 8 bits"
+    std::string extension;
+    PixelType type = PixelType::u8;
 
     bool integers() const { return type == PixelType::u8 || type == PixelType::u16; }
 };
@@ -32,19 +32,22 @@ const StoredAs& stored_for(const StoredAs& chosen, std::string_view map);
 std::vector<std::string_view> compressions_of(const StoredAs& stored);
 inline constexpr uint32_t bake_tiles[] = {0, 64, 128, 256, 512};  // 0: rows
 
-inline constexpr uint32_t bake_sizes[] = {256, 512, 1024, 2048, 4096, 8192, 16384};  // texels
+inline constexpr uint32_t bake_sizes[] = {
+    16, 32, 64, 128, 256, 512, 1024, 2048, 4096, 8192, 16384, 32768, most_baked_side};
 
 struct BakeChoices {
     std::string mesh;               // a shape's name, or the path of an OBJ or glTF file
     std::vector<std::string> maps;  // by name, in the order of the graph's
     std::string packs;              // as `--pack` has them, with a ; between two
-    uint32_t size = 1024;           // texels, both ways
+    uint32_t width = 1024;          // texels
+    uint32_t square_or_height = 0;  // texels; 0: as wide
     bool object_space = false, green_down = false, udim = false;
     const StoredAs* stored = stored_kinds().data();
     BakeTuning tuning;
     // A folder; or of one map its file, when it ends like one of that format.
     std::filesystem::path into;
 
+    uint32_t height() const { return square_or_height ? square_or_height : width; }
     // What of the tuning the format of these files knows.
     std::string compression_in(const StoredAs& kind) const;
     uint32_t tile_in(const StoredAs& kind) const;

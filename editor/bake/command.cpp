@@ -35,7 +35,9 @@ std::string call(const BakeChoices& choices, const fs::path& graph, const Stored
     add("--map", maps, !maps.empty());
     for (const std::string& pack : packs)
         add("--pack", pack);
-    add("--size", std::to_string(choices.size));
+    const std::string wide = std::to_string(choices.width);
+    const bool square = choices.height() == choices.width;
+    add("--size", square ? wide : wide + "x" + std::to_string(choices.height()));
     add("--space", "object", choices.object_space);
     if (choices.green_down) text += " --dx";
     if (choices.udim) text += " --udim";
@@ -43,7 +45,7 @@ std::string call(const BakeChoices& choices, const fs::path& graph, const Stored
     add("--samples", std::to_string(tuning.samples), tuning.samples != usual.samples);
     add("--dilate", std::to_string(tuning.dilate), tuning.dilate != usual.dilate);
     add("--type", std::string(name_of(stored.type)));
-    add("--format", std::string(stored.extension.substr(1)), !one);
+    add("--format", stored.extension.substr(1), !one);
     add("--compression", choices.compression_in(stored), !choices.compression_in(stored).empty());
     add("--tile", std::to_string(choices.tile_in(stored)), choices.tile_in(stored) != 0);
     add("-o", out.string());

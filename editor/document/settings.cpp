@@ -29,9 +29,11 @@ void each_setting(S& settings, Visitor&& visit) {
     visit("problems", settings.problems, 0.0F, 0.9F);
     visit("scale", settings.scale, 1.0F, 3.0F);
     visit("theme", settings.theme, 0, 32);
-    visit("recent", settings.recent, 0, 0);
+    visit("recent", settings.recent, Settings::most_recent);
+    visit("dismissed", settings.dismissed, Settings::most_dismissed);
     visit("bake_maps", settings.bake.maps, 0, 4096);
     visit("bake_size", settings.bake.size, 1, 65536);
+    visit("bake_height", settings.bake.height, 0, 65536);
     visit("bake_space", settings.bake.space, 0, 32);
     visit("bake_green", settings.bake.green, 0, 32);
     visit("bake_stored", settings.bake.stored, 0, 32);
@@ -65,11 +67,12 @@ struct Reader {
         if (fits) field = value.as_string();
         note(name, fits);
     }
-    void operator()(const char* name, std::vector<fs::path>& field, int, int) {
+    template <class Text>
+    void operator()(const char* name, std::vector<Text>& field, size_t most) {
         const Value value = root.find(name);
         note(name, value.is(Kind::array));
         for (const json::Member& item : value.children())
-            if (item.value.is(Kind::string) && field.size() < Settings::most_recent)
+            if (item.value.is(Kind::string) && field.size() < most)
                 field.emplace_back(item.value.as_string());
     }
     void note(const char* name, bool fits) {
@@ -95,10 +98,13 @@ struct Writer {
     void operator()(const char* name, const std::string& field, int, int) {
         members.emplace_back(name, Value::string(field));
     }
-    void operator()(const char* name, const std::vector<fs::path>& field, int, int) {
+    template <class Text>
+    void operator()(const char* name, const std::vector<Text>& field, size_t) {
         std::vector<Value> items;
-        for (const fs::path& file : field)  // JSON can spell no other names
-            if (is_utf8(file.string())) items.push_back(Value::string(file.string()));
+        for (const Text& each : field) {  // JSON can spell no other names
+            const std::string text(each);
+            if (is_utf8(text)) items.push_back(Value::string(text));
+        }
         members.emplace_back(name, Value::array(items));
     }
 };

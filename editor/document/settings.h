@@ -15,6 +15,7 @@ namespace wrinkle::editor {
 struct BakeSettings {
     std::string maps = "normal";  // "normal,height"
     int size = 1024;              // texels
+    int height = 0;               // texels; 0: as wide
     std::string space = "tangent", green = "gl";
     std::string stored = "png u8";
     int udim = 0;
@@ -25,7 +26,7 @@ struct BakeSettings {
 };
 
 struct Settings {
-    static constexpr size_t most_recent = 10;
+    static constexpr size_t most_recent = 10, most_dismissed = 500;
 
     int width = 1600, height = 900;  // of the window
     // Panes as fractions (panels/panes.h); 0 is the usual size.
@@ -34,6 +35,8 @@ struct Settings {
     float scale = 1;                            // of the interface
     std::vector<std::filesystem::path> recent;  // absolute, the latest first
     BakeSettings bake;
+    // Remarks about pictures that nobody wants to see again, by their marks (images/remarks.h).
+    std::vector<std::string> dismissed;  // the latest last
 
     bool operator==(const Settings&) const = default;
 };

@@ -34,20 +34,6 @@ std::string size_words(const ImageInfo& info) {
            counted(info.channels, "channel") + ", " + bits[static_cast<size_t>(info.source)];
 }
 
-struct DefectWords {
-    std::string_view name, words;
-};
-constexpr std::array defects = {
-    DefectWords{"tilt", "the bump leans to one side"},
-    DefectWords{"unsigned_z", "blue holds z from 0 to 1, not from -1 to 1"},
-    DefectWords{"length", "most of its vectors are not of length 1"},
-    DefectWords{"offset", "its 8 bits lie half a step beside the middle"},
-    DefectWords{"banding", "its 8 bits make stairs of slopes"},
-    DefectWords{"seam_u", "it does not tile, but the texture repeats"},
-    DefectWords{"seam_v", "it does not tile, but the texture repeats"},
-    DefectWords{"not_finite", "it holds numbers that are not finite"},
-};
-
 class Facts {
 public:
     explicit Facts(const Examined& examined) : info_(examined.info), verdict_(examined.verdict) {}
@@ -111,12 +97,6 @@ std::string summary_of(const Examined& examined) {
 std::string curl_words(const Verdict& verdict) {
     return fact_text("The curl test gives %+.2f: green points up at +1, down at -1",
                      verdict.measure("curl_correlation").value_or(0));
-}
-
-std::string defect_words(std::string_view finding) {
-    for (const DefectWords& each : defects)
-        if (each.name == finding) return std::string(each.words);
-    return std::string(finding);
 }
 
 std::vector<Fact> facts_of(const Examined& examined) {

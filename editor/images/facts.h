@@ -13,8 +13,6 @@ namespace wrinkle::editor {
 std::string summary_of(const Examined& examined);
 // "The curl test gives +0.87: green points up at +1, down at -1"
 std::string curl_words(const maps::Verdict& verdict);
-// Of a finding by its name: what is wrong, half a sentence without its numbers.
-std::string defect_words(std::string_view finding);
 
 struct Fact {
     std::string name, value;  // "Mean normal", "leans by 0.03°"

@@ -14,9 +14,6 @@ namespace {
 void keep_answer(State& state, ImageAnswer answer) {
     Images& images = state.images;
     std::erase(images.wanted, answer.file);
-    std::erase_if(images.dismissed, [&](const std::string& mark) {
-        return mark.starts_with(dismissal_mark(answer.file, ""));
-    });
     images.known[answer.file] = std::move(answer.examined);
     ++images.changes;
 }
@@ -25,16 +22,15 @@ Examined read_and_examine(const fs::path& file, const std::function<bool()>& sto
     Examined result;
     result.stamp = stamp_of(file);
     Diagnostics problems;
-    const auto image = load_image(file, problems);
-    if (!image) {
+    auto found = maps::examine(file, Wrap::repeat, problems, stopped);
+    if (!found) {
         result.problem = file.filename().string() + " cannot be used";
         for (const Diagnostic& each : problems.list())
             if (each.severity == Severity::error) result.problem = each.message;
         return result;
     }
-    result.info = {"",           image->width, image->height, image->channels, image->has_alpha,
-                   image->source};
-    result.verdict = maps::examine(*image, Wrap::repeat, stopped);
+    result.info = found->info;
+    result.verdict = std::move(found->verdict);
     return result;
 }
 

@@ -3,13 +3,13 @@
 //
 // Pictures of the top graph are looked at when it is opened and when their files change, dropped
 // ones before they get a node. What a node makes of its picture is set against what the picture is:
-// a remark, shown among the problems and on the node until it is mended or dismissed.
+// a remark, shown among the problems and on the node until it is mended or dismissed, for
+// good: the settings keep that, by the version of the file.
 #pragma once
 
 #include <filesystem>
 #include <functional>
 #include <map>
-#include <set>
 #include <string>
 #include <vector>
 
@@ -26,9 +26,9 @@ struct State;
 struct UsedFile;
 
 struct Examined {
-    Stamp stamp;            // of the version that was looked at
-    std::string problem;    // one sentence: why it could not be read; else the rest holds
-    ImageInfo info;         // all but the format
+    Stamp stamp;          // of the version that was looked at
+    std::string problem;  // one sentence: why it could not be read; else the rest holds
+    ImageInfo info;
     maps::Verdict verdict;  // as of a picture that is to repeat
 };
 // On any thread. Where `stopped` comes to say true the answer is nobody's.
@@ -59,8 +59,7 @@ struct Images {
     std::map<std::string, std::filesystem::path> paths;  // by the names that the graph writes
     std::map<std::filesystem::path, Examined> known;
     std::vector<std::filesystem::path> wanted;  // still to be looked at; the first one is, now
-    std::set<std::string> dismissed;
-    uint64_t changes = 0;  // of all that remarks follow from, but the document
+    uint64_t changes = 0;                       // of all that remarks follow from, but the document
 
     std::vector<Remark> remarks;
     Document remarks_of;

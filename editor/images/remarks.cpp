@@ -91,7 +91,9 @@ private:
     }
 
     void add(std::string about, std::string message, std::string evidence, Remedy remedy = {}) {
-        if (images_.dismissed.contains(dismissal_mark(file_, about))) return;
+        const std::vector<std::string>& dismissed = state_.keeping.settings.dismissed;
+        const std::string mark = dismissal_mark(file_, examined_->stamp, about);
+        if (std::find(dismissed.begin(), dismissed.end(), mark) != dismissed.end()) return;
         Remark remark;
         remark.problem.severity = Severity::warning;
         remark.problem.pointer = "/nodes/" + node_->id + "/in/" + port_->name;
@@ -158,13 +160,15 @@ private:
         bool seam = false;
         for (const maps::Finding& finding : examined_->verdict.findings) {
             if (!finding.defect) continue;
-            const bool is_seam = finding.name.starts_with("seam_");
+            const bool is_seam =
+                finding.flaw == maps::Flaw::seam_u || finding.flaw == maps::Flaw::seam_v;
             if (is_seam && (seam || literal_.wrap != Wrap::repeat)) continue;
             seam |= is_seam;
-            const bool of_z = finding.name == "unsigned_z" || finding.name == "length";
+            const bool of_z =
+                finding.flaw == maps::Flaw::unsigned_z || finding.flaw == maps::Flaw::length;
             if (of_z && (!is_normals() || !has_green())) continue;
-            add(is_seam ? "seam" : finding.name, defect_words(finding.name), finding.message,
-                remedy_of(is_seam, of_z));
+            add(is_seam ? "seam" : std::string(name_of(finding.flaw)),
+                std::string(words_of(finding.flaw)), finding.message, remedy_of(is_seam, of_z));
         }
     }
     Remedy remedy_of(bool seam, bool of_z) const {
@@ -285,12 +289,20 @@ void apply_remedy(State& state, const Remark& remark) {
 }
 
 void dismiss_remark(State& state, const Remark& remark) {
-    state.images.dismissed.insert(dismissal_mark(remark.file, remark.about));
+    const auto known = state.images.known.find(remark.file);
+    if (known == state.images.known.end()) return;
+    std::vector<std::string>& dismissed = state.keeping.settings.dismissed;
+    dismissed.push_back(dismissal_mark(remark.file, known->second.stamp, remark.about));
+    if (dismissed.size() > Settings::most_dismissed) dismissed.erase(dismissed.begin());
     ++state.images.changes;
 }
 
-std::string dismissal_mark(const fs::path& file, std::string_view about) {
-    return file.string() + '\n' + std::string(about);
+std::string dismissal_mark(const fs::path& file, const Stamp& version, std::string_view about) {
+    std::error_code error;
+    const fs::path absolute = fs::absolute(file, error);
+    return (error ? file : absolute).string() + '\n' + std::to_string(version.seconds) + '.' +
+           std::to_string(version.nanoseconds) + ' ' + std::to_string(version.size) + '\n' +
+           std::string(about);
 }
 
 }  // namespace wrinkle::editor

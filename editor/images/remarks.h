@@ -19,7 +19,8 @@ Document remedied(const State& state, const Remark& remark);
 void apply_remedy(State& state, const Remark& remark);  // one step
 void dismiss_remark(State& state, const Remark& remark);
 
-// What a dismissal is kept by; of all remarks about a file the beginning of it.
-std::string dismissal_mark(const std::filesystem::path& file, std::string_view about);
+// What a dismissal is kept by: a newer version of the file is remarked upon anew.
+std::string dismissal_mark(const std::filesystem::path& file, const Stamp& version,
+                           std::string_view about);
 
 }  // namespace wrinkle::editor

@@ -118,19 +118,34 @@ void draw_maps_row(State& state) {
     end_bake_row(top);
 }
 
-void draw_size_row(State& state) {
-    uint32_t& size = state.bake_dialog.choices.size;
-    const float top = ImGui::GetCursorPosY();
-    begin_bake_row(state, "Size");
+// One of several numbers; `word` says each.
+template <class Numbers, class Word>
+void draw_numbers(State& state, const char* id, const std::string& target, const Numbers& numbers,
+                  uint32_t& chosen, float wide, Word word) {
     Choices all;
-    for (const uint32_t each : bake_sizes) {
-        if (each == size) all.chosen = static_cast<int>(all.labels.size());
-        all.labels.push_back(grouped(each) + " px");
-        all.targets.push_back("bake:size:" + std::to_string(each));
+    for (const uint32_t each : numbers) {
+        if (each == chosen) all.chosen = static_cast<int>(all.labels.size());
+        all.labels.push_back(word(each));
+        all.targets.push_back(target + ":" + std::to_string(each));
     }
-    const int picked =
-        choose(state, "##bake-size", "bake:size", grouped(size) + " px", all, control_wide);
-    if (picked >= 0) size = bake_sizes[picked];
+    const int picked = choose(state, id, target, word(chosen), all, wide);
+    if (picked >= 0) chosen = numbers[static_cast<size_t>(picked)];
+}
+
+// As wide as it is tall, unless a height is chosen.
+void draw_size_row(State& state) {
+    BakeChoices& choices = state.bake_dialog.choices;
+    const float top = ImGui::GetCursorPosY();
+    constexpr float gap = 8, each_wide = (control_wide - gap) / 2;
+    begin_bake_row(state, "Size", "Width and height of a map, in texels");
+    draw_numbers(state, "##bake-size", "bake:size", bake_sizes, choices.width, each_wide,
+                 [](uint32_t texels) { return grouped(texels) + " px"; });
+    ImGui::SetCursorPos({bake_padding + label_wide + each_wide + gap, top});
+    std::vector<uint32_t> heights(std::begin(bake_sizes), std::end(bake_sizes));
+    heights.insert(heights.begin(), 0);
+    draw_numbers(
+        state, "##bake-height", "bake:height", heights, choices.square_or_height, each_wide,
+        [](uint32_t texels) { return texels ? "\u00D7 " + grouped(texels) + " px" : "Square"; });
     end_bake_row(top);
 }
 
@@ -176,26 +191,12 @@ void draw_packs_row(State& state) {
     end_bake_row(top);
 }
 
-// One of several numbers; `word` says each.
-template <class Numbers, class Word>
-void draw_numbers(State& state, const char* id, const std::string& target, const Numbers& numbers,
-                  uint32_t& chosen, Word word) {
-    Choices all;
-    for (const uint32_t each : numbers) {
-        if (each == chosen) all.chosen = static_cast<int>(all.labels.size());
-        all.labels.push_back(word(each));
-        all.targets.push_back(target + ":" + std::to_string(each));
-    }
-    const int picked = choose(state, id, target, word(chosen), all, half_wide);
-    if (picked >= 0) chosen = numbers[static_cast<size_t>(picked)];
-}
-
 void draw_edge_rows(State& state) {
     BakeTuning& tuning = state.bake_dialog.choices.tuning;
     const float top = ImGui::GetCursorPosY();
     begin_bake_row(state, "Samples", bake_words::samples);
     draw_numbers(state, "##bake-samples", "bake:samples", bake_sample_counts, tuning.samples,
-                 [](uint32_t count) { return std::to_string(count); });
+                 half_wide, [](uint32_t count) { return std::to_string(count); });
     begin_beside(state, top, "Dilation", bake_words::dilate);
     ImGui::SetNextItemWidth(half_wide);
     ImGui::PushStyleColor(ImGuiCol_Border, theme::control);
@@ -213,12 +214,12 @@ void draw_stored(State& state) {
     for (const StoredAs& each : stored_kinds()) {
         if (&each == choices.stored) all.chosen = static_cast<int>(all.labels.size());
         all.labels.emplace_back(each.label);
-        all.targets.push_back("bake:stored:" + std::string(each.key));
+        all.targets.push_back("bake:stored:" + each.key);
     }
     for (std::string& target : all.targets)
         std::replace(target.begin(), target.end(), ' ', '-');
-    const int picked = choose(state, "##bake-stored", "bake:stored",
-                              std::string(choices.stored->label), all, half_wide);
+    const int picked =
+        choose(state, "##bake-stored", "bake:stored", choices.stored->label, all, half_wide);
     if (picked >= 0) choices.stored = &stored_kinds()[static_cast<size_t>(picked)];
 }
 
@@ -255,7 +256,7 @@ void draw_stored_rows(State& state) {
     begin_bake_row(state, "Tiled", bake_words::tile);
     const bool tiles = choices.tile_in(*choices.stored) == choices.tuning.tile;
     ImGui::BeginDisabled(!tiles || compressions_of(*choices.stored).empty());
-    draw_numbers(state, "##bake-tile", "bake:tile", bake_tiles, choices.tuning.tile,
+    draw_numbers(state, "##bake-tile", "bake:tile", bake_tiles, choices.tuning.tile, half_wide,
                  [](uint32_t side) { return side ? std::to_string(side) + " px" : "In rows"; });
     ImGui::EndDisabled();
     begin_beside(state, top, "UDIM", bake_words::udim);

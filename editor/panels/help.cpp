@@ -235,7 +235,7 @@ void draw_hover_docs(State& state) {
     const ImGuiIO& io = ImGui::GetIO();
     const bool still = io.MouseDelta.x == 0 && io.MouseDelta.y == 0 && !io.MouseDown[0] &&
                        state.gesture.kind == Gesture::Kind::none && !state.palette.open &&
-                       state.popup.kind == Popup::Kind::none;
+                       !state.help.open && state.popup.kind == Popup::Kind::none;
     state.help.rested = still ? state.help.rested + io.DeltaTime : 0;
     std::string name, title, facts, doc, image;
     const bool any = still && hover_words(state, name, title, facts, doc, image);

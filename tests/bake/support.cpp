@@ -4,13 +4,14 @@
 
 namespace wrinkle::test {
 
-Module bake_module_of(const std::string& text, bool tangents) {
+Module bake_module_of(const std::string& text, bool tangents, Covariances covariances) {
     Diagnostics diagnostics;
     const Project project = load_project(read_document(text, "test.json", diagnostics),
                                          WRINKLE_SOURCE_DIR "/graphs", {}, diagnostics);
     MaterialOptions options;
     options.given_differentials = true;
     options.vertex_tangents = tangents;
+    options.covariances = covariances;
     const Compiled compiled = compile_material(project, linked_nodes(), options, diagnostics);
     EXPECT_TRUE(compiled.ok) << to_text(diagnostics);
     return compiled.module;
@@ -43,6 +44,7 @@ LanePicture bake_lanes(const Mesh& mesh, const Program& program, const BakeHow& 
     input.mesh = &mesh;
     input.program = &program;
     input.unit = unit;
+    input.textures = how.textures;
     input.dilate = how.dilate;
     const auto take = [&](const BakedRows& rows) {
         for (size_t row = 0; row < rows.count; ++row)

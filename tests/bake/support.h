@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -14,7 +15,8 @@ namespace wrinkle::test {
 
 // A graph of these nodes and outputs (JSON objects without braces), compiled for a bake.
 Module bake_module(const std::string& nodes, const std::string& outputs, bool tangents = true);
-Module bake_module_of(const std::string& text, bool tangents = true);
+Module bake_module_of(const std::string& text, bool tangents = true,
+                      Covariances covariances = Covariances::kept);
 
 BakePlan plan_of(const Module& module, const std::vector<std::string>& maps,
                  const MapOptions& options = {}, bool integers = true);
@@ -39,6 +41,7 @@ private:
 struct BakeHow {
     uint32_t width = 128, height = 128, samples = 1, dilate = 0, threads = 1;
     uint32_t first = 0, last = ~0U;
+    std::span<const Texture> textures = {};
 };
 LanePicture bake_lanes(const Mesh& mesh, const Program& program, const BakeHow& how = {},
                        const std::vector<uint32_t>& unit = {});

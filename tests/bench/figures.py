@@ -111,6 +111,20 @@ def our_times(folder):
     return "Wrinkle", {size: (statistics.median(t), min(t)) for size, t in times.items()}
 
 
+PEER_GOAL = (100, 10)  # at so many layers, so many times as fast as each
+
+
+def goal_lines(medians):
+    """Whether that is met, of {name: {layers: milliseconds}}."""
+    layers, least = PEER_GOAL
+    for name, times in medians.items():
+        if name == "Wrinkle":
+            continue
+        ratio = times[layers] / medians["Wrinkle"][layers]
+        yield (f"at {layers} layers at least {least} x as fast as {name}: {ratio:.2f} x, "
+               f"{'met' if ratio >= least else 'MISSED'}")
+
+
 def peers(folder):
     """By turns, so that what else the machine does meets all; npm installs into build/peers."""
     work = os.path.join(HERE, "../../build/peers")
@@ -130,6 +144,9 @@ def peers(folder):
         for name, times in best.items():
             cells = (f"{t:9.3f} {t / best['Wrinkle'][size]:6.1f}x" for size, t in times.items())
             print(f"{name:38}" + "".join(f"{cell:>18}" for cell in cells))
+        if not which:
+            medians = best
+    print("\n" + "\n".join(goal_lines(medians)))
 
 
 def main():

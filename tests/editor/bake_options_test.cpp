@@ -2,48 +2,19 @@
 // remembered, and is in the command that the dialog copies.
 #include <cstdlib>
 
+#include "baking.h"
 #include "base/text.h"
 #include "editor/bake/bake.h"
 #include "editor/document/folders.h"
 #include "editor/panels/bake_dialog.h"
-#include "headless.h"
 
 namespace wrinkle::editor {
 namespace {
 namespace fs = std::filesystem;
-using Names = std::vector<std::string>;
 
-const char* const rough_rock = R"({
-  "wrinkle": 1,
-  "nodes": {
-    "noise": { "type": "gradient_noise", "in": { "scale": 3.0 } },
-    "normal": { "type": "resolve", "in": { "gradient": { "from": "noise.height" } } }
-  },
-  "outputs": {
-    "normal": { "from": "normal.normal" },
-    "height": { "from": "noise.height" },
-    "roughness": { "from": "noise.height" }
-  }
-}
-)";
-
-const StoredAs* stored_kind(std::string_view key) {
-    for (const StoredAs& each : stored_kinds())
-        if (each.key == key) return &each;
-    ADD_FAILURE() << key;
-    return stored_kinds().data();
-}
-
-class BakeOptionRows : public Headless {
+class BakeOptionRows : public Baking {
 protected:
-    BakeOptionRows() { open(rough_rock); }
-    static BakeChoices choices(const Names& maps) {
-        BakeChoices chosen;
-        chosen.mesh = "sphere";
-        chosen.maps = maps;
-        chosen.size = 256;
-        return chosen;
-    }
+    BakeOptionRows() { open(rock); }
     void bake(BakeChoices chosen, const fs::path& into) {
         chosen.into = into;
         start_bake(state, chosen);
@@ -55,10 +26,6 @@ protected:
                        (folder.path() / out).string());
     }
     std::string bytes(const fs::path& name) const { return text_of(folder.path() / name); }
-    void expect_same(const fs::path& ours, const fs::path& theirs) const {
-        EXPECT_GT(bytes(ours).size(), 100U) << ours;
-        EXPECT_TRUE(bytes(ours) == bytes(theirs)) << ours << " and " << theirs;
-    }
     // The bake and the command that the dialog would copy give the same files.
     void expect_the_command_bakes_it(const BakeChoices& chosen, const std::string& into) {
         bake(chosen, "ours/" + into);
@@ -128,6 +95,49 @@ TEST_F(BakeOptionRows, TheCommandBakesTheSame) {
     chosen.stored = stored_kind("exr half");
     chosen.tuning.compression = "piz";
     expect_the_command_bakes_it(chosen, "in/folders");
+}
+
+TEST_F(BakeOptionRows, MomentsOfPicturesAreThoseOfTheProgram) {
+    open(R"({"wrinkle": 1, "nodes": {
+        "map": {"type": "tangent_normal_map", "in": {"image": ")" +
+         texture("weave_normal.png") + R"("}},
+        "normal": {"type": "resolve", "in": {"gradient": {"from": "map.gradient"}}}},
+        "outputs": {"normal": {"from": "normal.normal"}}})");
+    BakeChoices chosen = choices({"normal", "slopes"});
+    chosen.width = 64;  // a texel is many of the picture's
+    expect_the_command_bakes_it(chosen, "maps");
+}
+
+// What `wrinkle bake` takes, and no more.
+TEST_F(BakeOptionRows, EveryFormatAndTypeOfTheProgramIsOffered) {
+    std::vector<std::string> offered, taken;
+    for (const StoredAs& kind : stored_kinds())
+        offered.push_back(kind.key);
+    for (const std::string format : {"png", "tif", "exr", "hdr"})
+        for (const std::string type : {"u8", "u16", "half", "float"}) {
+            const fs::path out = folder.path() / (type + "." + format);
+            program_output("bake " + file.string() + " --mesh sphere --size 16 --type " + type +
+                           " -o " + out.string());
+            if (fs::exists(out)) taken.push_back(format + " " + type);
+        }
+    EXPECT_EQ(offered, taken);
+    BakeChoices chosen = choices({"normal"});
+    chosen.stored = stored_kind("hdr float");
+    expect_the_command_bakes_it(chosen, "maps");
+}
+
+TEST_F(BakeOptionRows, MapsNeedNotBeSquare) {
+    play(
+        "key Ctrl+B\nclick bake:size\nclick bake:size:256\nclick bake:height\n"
+        "click bake:height:64\nclick bake:into\nkey Ctrl+A\ntype maps\nclick bake:start\nfinish");
+    EXPECT_EQ(state.tasks.failed, "");
+    program_output("bake " + file.string() + " --mesh sphere --size 256x64 -o " +
+                   (folder.path() / "theirs.png").string());
+    expect_same("maps/normal.png", "theirs.png");
+    EXPECT_EQ(usual_bake(state).height(), 64U);
+    BakeChoices chosen = choices({"normal"});
+    chosen.square_or_height = 128;
+    expect_the_command_bakes_it(chosen, "maps");
 }
 
 TEST_F(BakeOptionRows, WhatIsAskedForInTheDialogIsBakedAndRemembered) {

@@ -6,29 +6,16 @@
 
 #include <csignal>
 
+#include "baking.h"
 #include "editor/canvas/field.h"
 #include "editor/commands/commands.h"
 #include "editor/document/files.h"
 #include "editor/panels/bake_dialog.h"
-#include "headless.h"
 
 namespace wrinkle::editor {
 namespace {
 namespace fs = std::filesystem;
 using Names = std::vector<std::string>;
-
-const char* const rock = R"({
-  "wrinkle": 1,
-  "nodes": {
-    "noise": { "type": "gradient_noise", "in": { "scale": 3.0 } },
-    "normal": { "type": "resolve", "in": { "gradient": { "from": "noise.height" } } }
-  },
-  "outputs": {
-    "normal": { "from": "normal.normal" },
-    "height": { "from": "noise.height" }
-  }
-}
-)";
 
 // Two triangles over one square, the second mirrored, and the same again a square further right.
 const char* const folded = R"(v 0 0 0
@@ -46,16 +33,8 @@ f 2/2 4/1 3/3
 f 1/4 2/5 3/6
 )";
 
-class EditorBake : public Headless {
+class EditorBake : public Baking {
 protected:
-    static BakeChoices choices(const Names& maps, const std::string& into) {
-        BakeChoices chosen;
-        chosen.mesh = "sphere";
-        chosen.maps = maps;
-        chosen.size = 256;
-        chosen.into = into;
-        return chosen;
-    }
     void bake(const BakeChoices& chosen) {
         start_bake(state, chosen);
         play("finish");
@@ -65,16 +44,11 @@ protected:
         return program_output("bake " + file.string() + " --size 256 " + options + " -o " +
                               (folder.path() / out).string());
     }
-    void expect_same(const std::string& ours, const std::string& theirs) const {
-        const std::string bytes = text_of(folder.path() / ours);
-        EXPECT_GT(bytes.size(), 100U) << ours;
-        EXPECT_TRUE(bytes == text_of(folder.path() / theirs)) << ours << " and " << theirs;
-    }
     bool exists(const std::string& name) const { return fs::exists(folder.path() / name); }
     // Until some of it is done.
     void start_long_bake(const std::string& into) {
         BakeChoices chosen = choices({"normal", "height"}, into);
-        chosen.size = 16384;
+        chosen.width = 16384;
         start_bake(state, chosen);
         ASSERT_TRUE(state.tasks.running);
         while (state.tasks.running->progress().done == 0 && !state.tasks.running->ended())
@@ -98,22 +72,16 @@ TEST_F(EditorBake, TheDialogWritesTheBytesOfTheProgram) {
 
 TEST_F(EditorBake, EveryChoiceIsAnOptionOfTheProgram) {
     open(rock);
-    const auto kind = [](std::string_view key) {
-        for (const StoredAs& each : stored_kinds())
-            if (each.key == key) return &each;
-        ADD_FAILURE() << key;
-        return stored_kinds().data();
-    };
     const std::string mesh = folder.write("folded.obj", folded).string();
     BakeChoices chosen = choices({"normal"}, "one.tif");
     chosen.object_space = chosen.green_down = true;
-    chosen.stored = kind("tif u16");
+    chosen.stored = stored_kind("tif u16");
     bake(chosen);
     program("--mesh sphere --space object --dx --type u16", "theirs.tif");
     expect_same("one.tif", "theirs.tif");
 
     chosen = choices({"normal", "derivative"}, "deep/er");
-    chosen.stored = kind("exr float");
+    chosen.stored = stored_kind("exr float");
     chosen.mesh = mesh;
     chosen.udim = true;
     bake(chosen);
@@ -257,7 +225,7 @@ TEST_F(EditorBake, TheLastChoicesComeBack) {
     EXPECT_TRUE(exists("graph_maps/height.tif"));
     const BakeChoices again = usual_bake(state);
     EXPECT_EQ(again.maps, Names{"height"});
-    EXPECT_EQ(again.size, 512U);
+    EXPECT_EQ(again.width, 512U);
     EXPECT_TRUE(again.green_down && again.object_space);
     EXPECT_EQ(again.stored->key, "tif u16");
     std::string trouble;
@@ -269,7 +237,7 @@ TEST_F(EditorBake, TheLastChoicesComeBack) {
     odd.stored = "gif";
     state.keeping.settings.bake = odd;
     EXPECT_EQ(usual_bake(state).maps, Names{"normal"});
-    EXPECT_EQ(usual_bake(state).size, 1024U);
+    EXPECT_EQ(usual_bake(state).width, 1024U);
     EXPECT_EQ(usual_bake(state).stored->key, "png u8");
 }
 

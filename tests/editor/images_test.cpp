@@ -10,6 +10,7 @@
 #include "editor/document/files.h"
 #include "editor/document/used_files.h"
 #include "editor/images/facts.h"
+#include "editor/images/remarks.h"
 #include "headless.h"
 
 namespace wrinkle::editor {
@@ -105,6 +106,38 @@ TEST_F(Pictures, TheOtherGreenIsRemarkedAndMendedByOneClick) {
         click dismiss:1
         assert no-target problem:1
         assert clean)");
+}
+
+TEST_F(Pictures, WhatIsDismissedIsSoInTheNextSessionToo) {
+    const auto next_session = [&] {
+        const std::string graph = text_of(file);
+        std::string trouble = write_settings(state.keeping.folders, state.keeping.settings);
+        EXPECT_EQ(trouble, "");
+        state.images = {};
+        state.keeping.settings = {};
+        use_settings(state, read_settings(state.keeping.folders, trouble));
+        EXPECT_EQ(trouble, "");
+        open(graph);
+        play("wait");
+    };
+    turned_green("down.png");
+    open_reading("tangent_normal_map", "\"textures/down.png\"");
+    next_session();
+    ASSERT_EQ(remarked(), Names{"green: Read as dx"});
+    play("click dismiss:1\nassert clean");
+    next_session();
+    EXPECT_EQ(remarked(), Names{});
+    changed("rivets_normal.png", "down.png", [](float* t) {
+        t[1] = 1 - t[1];
+        t[2] = 0.9F * t[2];
+    });
+    next_session();
+    const Names of_the_new_one = remarked();
+    EXPECT_TRUE(std::find(of_the_new_one.begin(), of_the_new_one.end(), "green: Read as dx") !=
+                of_the_new_one.end());
+    for (size_t i = 0; i < 2 * Settings::most_dismissed; ++i)
+        dismiss_remark(state, state.images.remarks[0]);
+    EXPECT_EQ(state.keeping.settings.dismissed.size(), Settings::most_dismissed);
 }
 
 TEST_F(Pictures, AnEncodingThatSaysSoNeedlesslyGoesWithItsMend) {

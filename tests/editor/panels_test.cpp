@@ -177,6 +177,8 @@ TEST_F(Headless, HelpIsOfTheSelectedNode) {
     const auto field = *state.targets.find("field:softer.amount");
     queue.motion(field.middle_x(), field.middle_y());
     play("wait 60\nassert target tip:amount");
+    play("key F1\nwait 60\nassert target help:shortcuts\nassert no-target tip:amount");
+    play("key Escape\nwait 60\nassert target tip:amount");
 }
 
 TEST_F(Headless, EveryNodeHasAPage) {

@@ -3,6 +3,7 @@
 
 #include <atomic>
 #include <cmath>
+#include <cstring>
 #include <thread>
 
 #include "image/half.h"
@@ -187,6 +188,35 @@ TEST_F(LoadTest, NanAndInfinityAreKeptAndReportedOnce) {
                                                  "column 2, row 1 from the bottom left"),
               std::string::npos)
         << diagnostics.list()[0].message;
+}
+
+TEST_F(LoadTest, RowsAreThoseOfTheWholePictureFromTheTop) {
+    Image image = sample_image(37, 150, 3);  // more than a band of rows
+    *image.texel(5, 70) = NAN;
+    Diagnostics saving, diagnostics, whole;
+    ASSERT_TRUE(save_image(image, folder / "rows.exr", {.type = f32}, saving));
+    const auto back = load_image(folder / "rows.exr", whole);
+    ASSERT_TRUE(back);
+    uint32_t count = 0, different = 0, most = 151;
+    const TakeImageRow take = [&](const ImageInfo& info, const float* row) {
+        const size_t bytes = size_t{info.width} * info.channels * sizeof(float);
+        different += std::memcmp(row, back->texel(0, info.height - 1 - count), bytes) != 0;
+        return ++count < most;
+    };
+    const auto info = read_image_rows(folder / "rows.exr", take, diagnostics);
+    ASSERT_TRUE(info);
+    EXPECT_EQ(info->format, "exr");
+    EXPECT_EQ(count, 150u);
+    EXPECT_EQ(different, 0u);
+    EXPECT_EQ(to_text(diagnostics), to_text(whole));
+    EXPECT_NE(to_text(diagnostics).find("row 70 from the bottom"), std::string::npos);
+    count = 0, most = 80;
+    Diagnostics stopped;
+    EXPECT_FALSE(read_image_rows(folder / "rows.exr", take, stopped));
+    EXPECT_EQ(count, 80u);
+    EXPECT_TRUE(stopped.list().empty());
+    EXPECT_FALSE(read_image_rows(folder / "none.exr", take, stopped));
+    EXPECT_EQ(stopped.error_count(), 1u);
 }
 
 TEST_F(LoadTest, SeveralThreadsMayReadAtOnce) {

@@ -5,7 +5,9 @@
 
 #include <algorithm>
 
+#include "maps/measures.h"
 #include "maps/support.h"
+#include "support/files.h"
 
 namespace wrinkle::maps {
 namespace {
@@ -18,7 +20,7 @@ const Waves detailed{64, 48, 3};
 std::vector<std::string> defects_of(const Verdict& verdict) {
     std::vector<std::string> names;
     for (const Finding& finding : verdict.findings)
-        if (finding.defect) names.push_back(finding.name);
+        if (finding.defect) names.emplace_back(name_of(finding.flaw));
     return names;
 }
 
@@ -172,7 +174,7 @@ TEST(Lint, AHeightInThreeChannelsIsAHeight) {
     const Verdict verdict = examine(gray, Wrap::repeat);
     EXPECT_EQ(name_of(verdict.look), "height");
     ASSERT_EQ(verdict.findings.size(), 1u);
-    EXPECT_EQ(verdict.findings[0].name, "gray");
+    EXPECT_EQ(verdict.findings[0].flaw, Flaw::gray);
     EXPECT_FALSE(verdict.has_defects());
 }
 
@@ -208,6 +210,78 @@ TEST(Lint, TwoChannelsAndColors) {
     for (size_t i = 0; i < colors.data.size(); ++i)
         colors.data[i] = static_cast<float>(i * 7919 % 97) / 300 + (i % 3 == 0 ? 0.5f : 0.1f);
     expect(colors, Look::color, {});
+}
+
+// Where a picture that repeats is cut says nothing of it.
+TEST(Lint, APictureThatRepeatsIsTheSameWhereverItIsCut) {
+    const Image whole = normal_image(detailed);
+    for (const auto& [right, up] : {std::pair(0u, 1u), {0u, 47u}, {1u, 0u}, {20u, 30u}}) {
+        Image cut = whole;
+        for (uint32_t y = 0; y < whole.height; ++y)
+            for (uint32_t x = 0; x < whole.width; ++x)
+                std::copy_n(whole.texel((x + right) % whole.width, (y + up) % whole.height), 3,
+                            cut.texel(x, y));
+        for (const bool made_z : {false, true}) {
+            const auto measured = [&](Image image) {
+                if (made_z)
+                    for (size_t i = 2; i < image.data.size(); i += 3)
+                        image.data[i] = 0;
+                return examine(image, Wrap::repeat);
+            };
+            const Verdict a = measured(whole), b = measured(cut);
+            ASSERT_EQ(a.evidence.size(), b.evidence.size());
+            EXPECT_GT(a.measure("curl_dx").value_or(0), 0.01);
+            for (size_t i = 0; i < a.evidence.size(); ++i) {
+                const std::string& name = a.evidence[i].name;
+                if (name.starts_with("seam") || name.ends_with("still")) continue;  // of a border
+                EXPECT_NEAR(a.evidence[i].value, b.evidence[i].value, 1e-9)
+                    << name << " " << right << " " << up;
+            }
+        }
+    }
+}
+
+// A border that does not repeat sees itself: the picture beside its mirror image has no more curl
+// than it has alone.
+TEST(Lint, ABorderThatClampsIsThatOfTheMirroredPicture) {
+    const Image image = normal_image({64, 47, 3});
+    Image twice = make_image(64, 94, 3, image.source);
+    for (uint32_t y = 0; y < 94; ++y)
+        for (uint32_t x = 0; x < 64; ++x)
+            std::copy_n(image.texel(x, y < 47 ? y : 93 - y), 3, twice.texel(x, y));
+    const auto curl = [](const Image& of) {
+        const CurlMeasures measured = [&] {
+            CurlSums sums(of.width, of.height, Wrap::clamp);
+            for (uint32_t y = of.height; y-- > 0;)
+                sums.add(of.texel(0, y), 3, 3);
+            return sums.measures();
+        }();
+        // The mirrored half turns the sign of d/dv, and so the one term against the other.
+        return measured.gl * measured.gl + measured.dx * measured.dx;
+    };
+    EXPECT_NEAR(curl(image), curl(twice), 1e-9);
+}
+
+TEST(Lint, AFileIsWhatItsPictureIs) {
+    const test::TemporaryFolder folder;
+    Image image = normal_image(detailed);
+    quantise(image, PixelType::u8);
+    Diagnostics problems;
+    const auto file = folder.path() / "normal.png";
+    ASSERT_TRUE(save_image(image, file, {}, problems));
+    const Verdict whole = examine(image, Wrap::repeat);
+    const auto read = examine(file, Wrap::repeat, problems);
+    ASSERT_TRUE(read);
+    EXPECT_EQ(read->info.width, 64u);
+    EXPECT_EQ(read->verdict.look, whole.look);
+    ASSERT_EQ(read->verdict.evidence.size(), whole.evidence.size());
+    for (size_t i = 0; i < whole.evidence.size(); ++i)
+        EXPECT_EQ(read->verdict.evidence[i].value, whole.evidence[i].value)
+            << whole.evidence[i].name;
+    EXPECT_FALSE(examine(file, Wrap::repeat, problems, [] { return true; }));
+    EXPECT_TRUE(problems.list().empty());
+    EXPECT_FALSE(examine(folder.path() / "none.png", Wrap::repeat, problems));
+    EXPECT_EQ(problems.error_count(), 1u);
 }
 
 TEST(Lint, NanIsADefectAndOneTexelIsEnough) {
