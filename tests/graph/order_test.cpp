@@ -40,6 +40,9 @@ TEST(Order, CyclesNameTheirNodes) {
         "'a' (remove one of these wires)\n"
         "g.json:5:35: error: node 'self': the wires form a cycle: 'self' reads 'self' (remove "
         "one of these wires)\n");
+    EXPECT_EQ(problems_of(graph_of(node("self", "self"))),
+              "g.json:2:35: error: node 'self': the wires form a cycle: 'self' reads 'self' "
+              "(remove one of these wires)\n");
 }
 
 TEST(Order, ACycleStillHasAnOrder) {

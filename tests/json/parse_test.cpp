@@ -185,6 +185,11 @@ TEST(Parse, DuplicateKeysKeepTheFirst) {
               "g.json:2:16: error: key \"x\" stands twice (first at line 2, column 8)\n"
               "g.json:2:2: error: key \"a\" stands twice (first at line 1, column 2)\n");
     EXPECT_EQ(one_line(v), "{ \"a\": 1, \"b\": 4 }");
+    std::string keys;
+    for (const Member& member : v.children())
+        keys += member.key;
+    EXPECT_EQ(keys, "ab");
+    EXPECT_EQ(v.size(), 2u);
     EXPECT_EQ(diagnostics.list()[0].pointer, "/a/x");
 }
 
