@@ -81,6 +81,8 @@ void Module::make_room(size_t expected) {
     table_.make_room(expected);
     inst_.reserve(expected);
     origin.reserve(expected);
+    called_.resize(expected);
+    named.reserve(expected / 8);  // most have no name of their own
 }
 
 Id Module::intern(const Inst& inst) {
