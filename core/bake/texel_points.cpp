@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cassert>
+#include <cmath>
 #include <cstring>
 #include <glm/geometric.hpp>
 
@@ -49,6 +50,14 @@ glm::dvec3 brought_back(const glm::dvec3& weights) {
 
 bool is_outside(const glm::dvec3& weights) {
     return weights.x < 0 || weights.y < 0 || weights.z < 0;
+}
+
+// Whether whatever weights that sum up to 1 make the very float of these of them: their sum is off
+// by less than a float shows. A sum of zeros has no sign.
+bool is_constant(float a, float b, float c) {
+    const auto bits = std::bit_cast<uint32_t>(a);
+    return bits == std::bit_cast<uint32_t>(b) && bits == std::bit_cast<uint32_t>(c) &&
+           (a != 0 || bits == 0) && std::isfinite(a);
 }
 
 constexpr uint32_t most_in_row = 64;
@@ -179,19 +188,21 @@ MetTriangles::Met& TexelPoints::meet(uint32_t triangle, MetTriangles& met) const
         {uv->first.x, uv->first.y}, {uv->second.x, uv->second.y}, {uv->third.x, uv->third.y}};
     const uint32_t* corners = mesh_.indices.data() + 3 * size_t{triangle};
     const auto at = [&](const Source& source, size_t k) {
-        return static_cast<double>(source.values[size_t{corners[k]} * source.stride]);
+        return source.values[size_t{corners[k]} * source.stride];
     };
-    one.linear.resize(linear_.size());
-    for (size_t i = 0; i < linear_.size(); ++i) {
-        const Source& source = linear_[i];
-        one.linear[i] = {{at(source, 0), at(source, 1), at(source, 2)}, source.plane};
+    one.linear.clear();
+    one.constant.clear();
+    for (const Source& source : linear_) {
+        const float a = at(source, 0), b = at(source, 1), c = at(source, 2);
+        if (is_constant(a, b, c))
+            one.constant.push_back({a, source.plane});
+        else
+            one.linear.push_back({{a, b, c}, source.plane});
     }
-    one.constant.resize(changes_.size());
-    for (size_t i = 0; i < changes_.size(); ++i) {
-        const Source& source = changes_[i];
+    for (const Source& source : changes_) {
         const double value = blend<double>(at(source, 0), at(source, 1), at(source, 2),
                                            change(one.uv, source.variant));
-        one.constant[i] = {static_cast<float>(value), source.plane};
+        one.constant.push_back({static_cast<float>(value), source.plane});
     }
     return one;
 }

@@ -44,7 +44,11 @@ void interpolate(const TriangleRow& row, const TrianglePlanes& planes, float* ou
     // Copies, which what is stored cannot change.
     const TriangleRow places = row;
     const LinearPlane* const end = planes.linear + planes.linear_count;
+    const ConstantPlane* const constant_end = planes.constant + planes.constant_count;
     for (size_t k = 0; k < places.count; k += double_lanes) {
+        for (const ConstantPlane* each = planes.constant; each != constant_end; ++each)
+            store(out + each->plane * stride + k, NarrowFloats{} + each->value);
+        if (planes.linear_count == 0) continue;
         const auto u = load<Doubles>(places.u + k);
         const CornerWeights weights = weights_at(places, u, places.count - k);
         for (const LinearPlane* each = planes.linear; each != end; ++each) {
@@ -52,12 +56,6 @@ void interpolate(const TriangleRow& row, const TrianglePlanes& planes, float* ou
                                each->corner[2] * weights.c;
             store(out + each->plane * stride + k, __builtin_convertvector(at, NarrowFloats));
         }
-    }
-    for (size_t i = 0; i < planes.constant_count; ++i) {
-        const ConstantPlane& each = planes.constant[i];
-        const NarrowFloats value = NarrowFloats{} + each.value;
-        for (size_t k = 0; k < places.count; k += double_lanes)
-            store(out + each.plane * stride + k, value);
     }
 }
 

@@ -142,6 +142,19 @@ TEST(UvRaster, ALevelEdgesCentresBelongToTheTriangleAbove) {
         }
 }
 
+TEST(UvRaster, ALineOwnsNothingHoweverItsCornersAreRounded) {
+    std::mt19937 random(3);
+    std::uniform_real_distribution<float> any(0.05F, 0.45F);
+    for (int i = 0; i < 400; ++i) {
+        Mesh line = mesh_of({{0, 0}, {0, 0}, {0, 0}});
+        const glm::vec2 middle(any(random), any(random));
+        line.uvs[0] = {glm::vec2(0), middle * 2.0F, middle};
+        const Coverage got = cover(line);
+        ASSERT_EQ(got.owned, 0U) << i;
+        ASSERT_EQ(std::count(got.owners.begin(), got.owners.end(), none), side * side) << i;
+    }
+}
+
 TEST(UvRaster, TheFirstTriangleOwnsWhatOthersCoverToo) {
     const std::vector<Corner> both = {{0, 0}, {512, 0}, {0, 512}, {512, 0}, {0, 0}, {0, 512}};
     const Coverage got = cover(mesh_of(both));
