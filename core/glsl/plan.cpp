@@ -155,54 +155,70 @@ void Plan::use(Id id) {
     Value& value = values_[id];
     const Inst& inst = (*module_)[id];
     value.role = role_of(id);
-    if (inst.op == Op::literal_) {
-        value.literal = static_cast<uint32_t>(literals_.size());
-        append_literal(literals_, inst.type, inst.value);
-        value.literal_size = static_cast<uint8_t>(literals_.size() - value.literal);
-        return;
-    }
-    if (inst.op == Op::construct_ && is_splat(id)) value.operands = value.operands.first(1);
-    if (single_call(id)) value.operands = module_->operands(inst.arg[0]);
     if (detached_) value.operands = plain_operands(value.operands);
-    if (inst.op == Op::loop_) value.operands = with_captures(id);
-    note(id);
-}
-
-// What stands outside functions for it, and what is found by it.
-void Plan::note(Id id) {
-    const Inst& inst = (*module_)[id];
     switch (inst.op) {
-        case Op::detach_:
-            detached_ = true;
-            break;
+        case Op::literal_:
+            return use_literal(inst, value);
         case Op::input_:
-            inputs_used[input_slot(input_of(inst.extra), variant_of(inst.extra))] = true;
-            implicit = implicit || (!given_ && variant_of(inst.extra) != Variant::value);
-            break;
+            return use_input(inst.extra);
         case Op::parameter_:
             parameters_used[inst.extra] = true;
-            break;
+            return;
+        case Op::construct_:
+            if (is_splat(id)) value.operands = value.operands.first(1);
+            return;
         case Op::sample_:
             implicit = true;
             [[fallthrough]];
         case Op::sample_lod_:
         case Op::sample_grad_:
         case Op::image_size_:
-            if (!seen_resource_[inst.extra]) resources.push_back({inst.extra, module_->origin[id]});
-            seen_resource_[inst.extra] = true;
-            break;
+            return use_resource(id);
+        case Op::loop_:
+            value.operands = with_captures(id);
+            return;
         case Op::call_:
-            if (!seen_function_[inst.extra]) functions.push_back(inst.extra);
-            seen_function_[inst.extra] = true;
-            break;
-        case Op::normalize_:  // normalize(n - gradient)
-            if (const Id sum = operands(id)[0];
-                inst.type == Type::vec3_ && (*module_)[sum].op == Op::sub_)
-                gradients_.push_back(operands(sum)[1]);
-            break;
+            return use_function(inst.extra);
+        case Op::result_:
+            if (single_call(id)) value.operands = operands(inst.arg[0]);
+            return;
+        case Op::normalize_:
+            return use_normalize(inst);
+        case Op::detach_:
+            detached_ = true;
+            return;
         default:
-            break;
+            return;
     }
+}
+
+void Plan::use_literal(const Inst& inst, Value& value) {
+    value.literal = static_cast<uint32_t>(literals_.size());
+    append_literal(literals_, inst.type, inst.value);
+    value.literal_size = static_cast<uint8_t>(literals_.size() - value.literal);
+}
+
+void Plan::use_input(uint32_t extra) {
+    inputs_used[input_slot(input_of(extra), variant_of(extra))] = true;
+    implicit = implicit || (!given_ && variant_of(extra) != Variant::value);
+}
+
+void Plan::use_resource(Id sample) {
+    const uint32_t resource = (*module_)[sample].extra;
+    if (!seen_resource_[resource]) resources.push_back({resource, module_->origin[sample]});
+    seen_resource_[resource] = true;
+}
+
+void Plan::use_function(uint32_t region) {
+    if (!seen_function_[region]) functions.push_back(region);
+    seen_function_[region] = true;
+}
+
+// normalize(n - gradient)
+void Plan::use_normalize(const Inst& inst) {
+    const Id sum = plain(inst.arg[0]);
+    if (inst.type == Type::vec3_ && (*module_)[sum].op == Op::sub_)
+        gradients_.push_back(operands(sum)[1]);
 }
 
 }  // namespace wrinkle

@@ -89,7 +89,11 @@ private:
     void find_members();
     void walk();
     void use(Id id);
-    void note(Id id);
+    void use_literal(const Inst& inst, Value& value);
+    void use_input(uint32_t extra);
+    void use_resource(Id sample);
+    void use_function(uint32_t region);
+    void use_normalize(const Inst& inst);
     Role role_of(Id id) const;
     std::span<const Id> plain_operands(std::span<const Id> operands);
     std::span<const Id> with_captures(Id loop);
