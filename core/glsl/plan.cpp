@@ -15,6 +15,7 @@ Plan::Plan(const Module& module, bool given)
       values_(module.size()),
       seen_function_(module.region_count()),
       seen_resource_(module.resources.size()) {
+    operands_.reserve(module.size() * size_t{2});
     literals_.reserve(module.size());
     if (module.region_count() > 1) find_members();
     walk();
@@ -83,34 +84,33 @@ bool Plan::is_splat(Id construct) const {
            std::all_of(parts.begin(), parts.end(), [&](Id part) { return part == parts[0]; });
 }
 
-std::span<const Id> Plan::plain_operands(std::span<const Id> operands) {
-    std::vector<Id>& list = operand_lists_.emplace_back();
+void Plan::list_operands(Id id) {
+    const Module& m = *module_;
+    const Op op = m[id].op;
+    std::span<const Id> operands = m.operands(id);
+    if (op == Op::construct_ && is_splat(id)) operands = operands.first(1);
+    if (single_call(id)) operands = m.operands(m[id].arg[0]);
     for (const Id operand : operands)
-        list.push_back(plain(operand));
-    return list;
+        operands_.push_back(plain(operand));
+    if (op == Op::loop_) list_captures(m.region(m[id].extra));
 }
 
-// Behind its operands what the body reads from outside that must be a temporary there, in the order
-// it is met.
-std::span<const Id> Plan::with_captures(Id loop) {
+// What the body reads from outside that must be a temporary there, in the order it is met.
+void Plan::list_captures(const Region& loop) {
     const Module& m = *module_;
-    const Region& region = m.region(m[loop].extra);
-    std::vector<Id>& list = operand_lists_.emplace_back();
-    list.assign(operands(loop).begin(), operands(loop).end());
     std::unordered_set<Id> seen;
-    std::vector<Id> open(region.results.rbegin(), region.results.rend());
+    std::vector<Id> open(loop.results.rbegin(), loop.results.rend());
     while (!open.empty()) {
         const Id id = plain(open.back());
         open.pop_back();
         if (role(id) == Role::leaf || !seen.insert(id).second) continue;
-        if (m[id].level < region.level && (role(id) == Role::value || m[id].op == Op::result_)) {
-            list.push_back(id);
+        if (m[id].level < loop.level && (role(id) == Role::value || m[id].op == Op::result_)) {
+            operands_.push_back(id);
             continue;
         }
         const auto parts = operands(id);
         open.insert(open.end(), parts.rbegin(), parts.rend());
     }
-    return list;
 }
 
 void Plan::find_gradients() {
@@ -140,7 +140,7 @@ void Plan::walk() {
                 met = Met::open;
                 const Op op = m[id].op;
                 if (op == Op::loop_ || op == Op::call_) open(m.region(m[id].extra).results);
-                open(values_[id].operands = m.operands(id));
+                open(m.operands(id));
                 if (stack.back() != id) continue;
             }
             stack.pop_back();
@@ -155,17 +155,20 @@ void Plan::use(Id id) {
     Value& value = values_[id];
     const Inst& inst = (*module_)[id];
     value.role = role_of(id);
-    if (detached_) value.operands = plain_operands(value.operands);
+    if (inst.op == Op::literal_) {
+        value.begin = static_cast<uint32_t>(literals_.size());
+        append_literal(literals_, inst.type, inst.value);
+        value.count = static_cast<uint32_t>(literals_.size()) - value.begin;
+        return;
+    }
+    value.begin = static_cast<uint32_t>(operands_.size());
+    list_operands(id);
+    value.count = static_cast<uint32_t>(operands_.size()) - value.begin;
     switch (inst.op) {
-        case Op::literal_:
-            return use_literal(inst, value);
         case Op::input_:
             return use_input(inst.extra);
         case Op::parameter_:
             parameters_used[inst.extra] = true;
-            return;
-        case Op::construct_:
-            if (is_splat(id)) value.operands = value.operands.first(1);
             return;
         case Op::sample_:
             implicit = true;
@@ -174,28 +177,13 @@ void Plan::use(Id id) {
         case Op::sample_grad_:
         case Op::image_size_:
             return use_resource(id);
-        case Op::loop_:
-            value.operands = with_captures(id);
-            return;
         case Op::call_:
             return use_function(inst.extra);
-        case Op::result_:
-            if (single_call(id)) value.operands = operands(inst.arg[0]);
-            return;
         case Op::normalize_:
             return use_normalize(inst);
-        case Op::detach_:
-            detached_ = true;
-            return;
         default:
             return;
     }
-}
-
-void Plan::use_literal(const Inst& inst, Value& value) {
-    value.literal = static_cast<uint32_t>(literals_.size());
-    append_literal(literals_, inst.type, inst.value);
-    value.literal_size = static_cast<uint8_t>(literals_.size() - value.literal);
 }
 
 void Plan::use_input(uint32_t extra) {
