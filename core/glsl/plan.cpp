@@ -15,6 +15,7 @@ Plan::Plan(const Module& module, bool given)
       values_(module.size()),
       seen_function_(module.region_count()),
       seen_resource_(module.resources.size()) {
+    operands_.reserve(module.size() * size_t{2});
     literals_.reserve(module.size());
     if (module.region_count() > 1) find_members();
     walk();
@@ -83,34 +84,33 @@ bool Plan::is_splat(Id construct) const {
            std::all_of(parts.begin(), parts.end(), [&](Id part) { return part == parts[0]; });
 }
 
-std::span<const Id> Plan::plain_operands(std::span<const Id> operands) {
-    std::vector<Id>& list = operand_lists_.emplace_back();
+void Plan::list_operands(Id id) {
+    const Module& m = *module_;
+    const Op op = m[id].op;
+    std::span<const Id> operands = m.operands(id);
+    if (op == Op::construct_ && is_splat(id)) operands = operands.first(1);
+    if (single_call(id)) operands = m.operands(m[id].arg[0]);
     for (const Id operand : operands)
-        list.push_back(plain(operand));
-    return list;
+        operands_.push_back(plain(operand));
+    if (op == Op::loop_) list_captures(m.region(m[id].extra));
 }
 
-// Behind its operands what the body reads from outside that must be a temporary there, in the order
-// it is met.
-std::span<const Id> Plan::with_captures(Id loop) {
+// What the body reads from outside that must be a temporary there, in the order it is met.
+void Plan::list_captures(const Region& loop) {
     const Module& m = *module_;
-    const Region& region = m.region(m[loop].extra);
-    std::vector<Id>& list = operand_lists_.emplace_back();
-    list.assign(operands(loop).begin(), operands(loop).end());
     std::unordered_set<Id> seen;
-    std::vector<Id> open(region.results.rbegin(), region.results.rend());
+    std::vector<Id> open(loop.results.rbegin(), loop.results.rend());
     while (!open.empty()) {
         const Id id = plain(open.back());
         open.pop_back();
         if (role(id) == Role::leaf || !seen.insert(id).second) continue;
-        if (m[id].level < region.level && (role(id) == Role::value || m[id].op == Op::result_)) {
-            list.push_back(id);
+        if (m[id].level < loop.level && (role(id) == Role::value || m[id].op == Op::result_)) {
+            operands_.push_back(id);
             continue;
         }
         const auto parts = operands(id);
         open.insert(open.end(), parts.rbegin(), parts.rend());
     }
-    return list;
 }
 
 void Plan::find_gradients() {
@@ -140,7 +140,7 @@ void Plan::walk() {
                 met = Met::open;
                 const Op op = m[id].op;
                 if (op == Op::loop_ || op == Op::call_) open(m.region(m[id].extra).results);
-                open(values_[id].operands = m.operands(id));
+                open(m.operands(id));
                 if (stack.back() != id) continue;
             }
             stack.pop_back();
@@ -156,53 +156,57 @@ void Plan::use(Id id) {
     const Inst& inst = (*module_)[id];
     value.role = role_of(id);
     if (inst.op == Op::literal_) {
-        value.literal = static_cast<uint32_t>(literals_.size());
+        value.begin = static_cast<uint32_t>(literals_.size());
         append_literal(literals_, inst.type, inst.value);
-        value.literal_size = static_cast<uint8_t>(literals_.size() - value.literal);
+        value.count = static_cast<uint32_t>(literals_.size()) - value.begin;
         return;
     }
-    if (inst.op == Op::construct_ && is_splat(id)) value.operands = value.operands.first(1);
-    if (single_call(id)) value.operands = module_->operands(inst.arg[0]);
-    if (detached_) value.operands = plain_operands(value.operands);
-    if (inst.op == Op::loop_) value.operands = with_captures(id);
-    note(id);
-}
-
-// What stands outside functions for it, and what is found by it.
-void Plan::note(Id id) {
-    const Inst& inst = (*module_)[id];
+    value.begin = static_cast<uint32_t>(operands_.size());
+    list_operands(id);
+    value.count = static_cast<uint32_t>(operands_.size()) - value.begin;
     switch (inst.op) {
-        case Op::detach_:
-            detached_ = true;
-            break;
         case Op::input_:
-            inputs_used[input_slot(input_of(inst.extra), variant_of(inst.extra))] = true;
-            implicit = implicit || (!given_ && variant_of(inst.extra) != Variant::value);
-            break;
+            return use_input(inst.extra);
         case Op::parameter_:
             parameters_used[inst.extra] = true;
-            break;
+            return;
         case Op::sample_:
             implicit = true;
             [[fallthrough]];
         case Op::sample_lod_:
         case Op::sample_grad_:
         case Op::image_size_:
-            if (!seen_resource_[inst.extra]) resources.push_back({inst.extra, module_->origin[id]});
-            seen_resource_[inst.extra] = true;
-            break;
+            return use_resource(id);
         case Op::call_:
-            if (!seen_function_[inst.extra]) functions.push_back(inst.extra);
-            seen_function_[inst.extra] = true;
-            break;
-        case Op::normalize_:  // normalize(n - gradient)
-            if (const Id sum = operands(id)[0];
-                inst.type == Type::vec3_ && (*module_)[sum].op == Op::sub_)
-                gradients_.push_back(operands(sum)[1]);
-            break;
+            return use_function(inst.extra);
+        case Op::normalize_:
+            return use_normalize(inst);
         default:
-            break;
+            return;
     }
+}
+
+void Plan::use_input(uint32_t extra) {
+    inputs_used[input_slot(input_of(extra), variant_of(extra))] = true;
+    implicit = implicit || (!given_ && variant_of(extra) != Variant::value);
+}
+
+void Plan::use_resource(Id sample) {
+    const uint32_t resource = (*module_)[sample].extra;
+    if (!seen_resource_[resource]) resources.push_back({resource, module_->origin[sample]});
+    seen_resource_[resource] = true;
+}
+
+void Plan::use_function(uint32_t region) {
+    if (!seen_function_[region]) functions.push_back(region);
+    seen_function_[region] = true;
+}
+
+// normalize(n - gradient)
+void Plan::use_normalize(const Inst& inst) {
+    const Id sum = plain(inst.arg[0]);
+    if (inst.type == Type::vec3_ && (*module_)[sum].op == Op::sub_)
+        gradients_.push_back(operands(sum)[1]);
 }
 
 }  // namespace wrinkle

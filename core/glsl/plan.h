@@ -39,11 +39,12 @@ public:
 
     // Operands as text needs them, of what the outputs use. Of a loop: its initial state, then what
     // its body captures.
-    std::span<const Id> operands(Id id) const { return values_[id].operands; }
+    std::span<const Id> operands(Id id) const {
+        return std::span(operands_).subspan(values_[id].begin, values_[id].count);
+    }
     size_t used_count() const { return used_; }  // of what the outputs use
     std::string_view literal(Id id) const {      // its text
-        const Value& value = values_[id];
-        return std::string_view(literals_).substr(value.literal, value.literal_size);
+        return std::string_view(literals_).substr(values_[id].begin, values_[id].count);
     }
     bool single_call(Id result) const;  // the member of a call that has one
     bool is_splat(Id construct) const;  // one scalar in every lane
@@ -76,10 +77,8 @@ private:
     enum class Met : uint8_t { never, open, used };  // in the walk from the outputs
     // What is asked of a value again and again, close together.
     struct Value {
-        std::span<const Id> operands;  // the module's where they are the same
-        uint32_t name = 0;             // 1 + index in Module::named, 0 for none
-        uint32_t literal = 0;          // in the texts of all
-        uint8_t literal_size = 0;
+        uint32_t begin = 0, count = 0;  // of its operands among all; of a literal its letters
+        uint32_t name = 0;              // 1 + index in Module::named, 0 for none
         Role role = Role::leaf;
         Met met = Met::never;
         bool gradient = false;
@@ -89,20 +88,23 @@ private:
     void find_members();
     void walk();
     void use(Id id);
-    void note(Id id);
+    void list_operands(Id id);
+    void list_captures(const Region& loop);
+    void use_input(uint32_t extra);
+    void use_resource(Id sample);
+    void use_function(uint32_t region);
+    void use_normalize(const Inst& inst);
     Role role_of(Id id) const;
-    std::span<const Id> plain_operands(std::span<const Id> operands);
-    std::span<const Id> with_captures(Id loop);
     void find_gradients();
 
     const Module* module_;
     bool given_;
     std::vector<Value> values_;  // by Id
     size_t used_ = 0;
-    bool detached_ = false;                       // there is a detach among it
-    std::vector<std::vector<Id>> operand_lists_;  // that the module does not have
-    std::string literals_;                        // the texts of all
-    std::vector<Id> gradients_;                   // that resolves subtract
+    bool detached_ = false;      // there is a detach among it
+    std::vector<Id> operands_;   // of all, as they are met
+    std::string literals_;       // the texts of all
+    std::vector<Id> gradients_;  // that resolves subtract
     std::unordered_map<Id, std::vector<Id>> members_;
     std::vector<bool> seen_function_, seen_resource_;
 };

@@ -215,7 +215,7 @@ Scope collect(const Plan& plan, Values& values, std::span<const Id> roots, int l
     stack.reserve(usual_room);
     const auto push = [&](Id id) {
         if (values.state[id].epoch == scope.epoch || plan.role(id) == Role::leaf) return;
-        if (plan.module()[id].level >= level) stack.push_back(id);
+        if (level == 0 || plan.module()[id].level >= level) stack.push_back(id);
     };
     for (size_t r = 0; r < roots.size(); ++r) {
         push(roots[r]);
