@@ -7,11 +7,13 @@
 
 namespace {
 
-// A graph of ten thousand nodes and the pictures of a bake reach all over their memory: pages of
-// 2 MiB, where the system has them to give, spare misses of the table of pages. A user's
-// MIMALLOC_LARGE_OS_PAGES=0 stands above this.
-[[maybe_unused]] const bool large_pages = [] {
+// A user's MIMALLOC_... of the environment stand above these.
+[[maybe_unused]] const bool settled = [] {
+    // A graph of ten thousand nodes and the pictures of a bake reach all over their memory: pages
+    // of 2 MiB, where the system has them to give, spare misses of the table of pages.
     mi_option_set_enabled_default(mi_option_large_os_pages, true);
+    // What one graph let go, the next one takes: it goes back to the system after a second's rest.
+    mi_option_set_default(mi_option_decommit_delay, 1000);
     return true;
 }();
 

@@ -146,20 +146,20 @@ bool is_plain_comment(std::string_view text) {
 
 }  // namespace
 
-// Of a text that is there or of the free place for it; until the next make_room().
-size_t NameSet::place_of(std::string_view name, uint32_t hash) const {
-    const size_t mask = entries_.size() - 1;
-    size_t place = hash & mask;
+// Of a text that is there or the free one for it; until the next make_room().
+size_t NameSet::slot_of(std::string_view name, uint32_t hash) const {
+    const size_t mask = slots_.size() - 1;
     const auto is_other = [&](const Entry& entry) {
-        return entry.name.length > 0 && (entry.hash != hash || text(entry.name) != name);
+        return entry.hash != hash || text(entry.name) != name;
     };
-    while (is_other(entries_[place]))
-        place = (place + 1) & mask;
-    return place;
+    size_t slot = hash & mask;
+    while (slots_[slot] > 0 && is_other(entries_[slots_[slot] - 1]))
+        slot = (slot + 1) & mask;
+    return slot;
 }
 
 bool NameSet::has(std::string_view name, uint32_t hash) const {
-    return !entries_.empty() && entries_[place_of(name, hash)].name.length > 0;
+    return !slots_.empty() && slots_[slot_of(name, hash)] > 0;
 }
 
 bool NameSet::taken_outside(std::string_view name, uint32_t hash) const {
@@ -170,25 +170,25 @@ bool NameSet::taken_outside(std::string_view name, uint32_t hash) const {
 
 void NameSet::make_room(size_t more) {
     constexpr size_t least = 32;
-    size_t size = std::max(entries_.size(), least);
-    while ((count_ + more) * 2 > size)
+    size_t size = std::max(slots_.size(), least);
+    while ((entries_.size() + more) * 2 > size)
         size *= 2;
-    if (size == entries_.size()) return;
-    const std::vector<Entry> before = std::exchange(entries_, std::vector<Entry>(size));
-    for (const Entry& entry : before) {
-        if (entry.name.length == 0) continue;
-        size_t place = entry.hash & (size - 1);
-        while (entries_[place].name.length > 0)
-            place = (place + 1) & (size - 1);
-        entries_[place] = entry;
+    if (size == slots_.size()) return;
+    entries_.reserve(size / 2);
+    slots_.assign(size, 0);
+    for (size_t i = 0; i < entries_.size(); ++i) {
+        size_t slot = entries_[i].hash & (size - 1);
+        while (slots_[slot] > 0)
+            slot = (slot + 1) & (size - 1);
+        slots_[slot] = static_cast<uint32_t>(i + 1);
     }
 }
 
-Name NameSet::fill(Entry& entry, size_t begin, uint32_t hash) {
-    ++count_;
-    entry.name = {static_cast<uint32_t>(begin), static_cast<uint32_t>(pool_.size() - begin)};
-    entry.hash = hash;
-    return entry.name;
+Name NameSet::fill(size_t slot, size_t begin, uint32_t hash) {
+    const Name name{static_cast<uint32_t>(begin), static_cast<uint32_t>(pool_.size() - begin)};
+    entries_.push_back({name, hash});
+    slots_[slot] = static_cast<uint32_t>(entries_.size());
+    return name;
 }
 
 Name NameSet::add(const WantedName& wanted) {
@@ -202,16 +202,17 @@ Name NameSet::add(const WantedName& wanted) {
     }
     const std::string_view name = text_behind(begin);
     const uint32_t hash = hash_of(name);
-    if ((count_ + 2) * 2 > entries_.size()) make_room(2);  // a numbered name is added to its own
-    Entry& entry = entries_[place_of(name, hash)];
-    if (entry.name.length > 0) {
+    make_room(2);  // a numbered name is added to its own
+    const size_t slot = slot_of(name, hash);
+    if (slots_[slot] > 0) {
         pool_.cut(begin);
-        return numbered(entry);
+        return numbered(entries_[slots_[slot] - 1]);
     }
-    const Name added = fill(entry, begin, hash);
-    return taken_outside(name, hash) ? numbered(entry) : added;
+    const Name added = fill(slot, begin, hash);
+    return taken_outside(name, hash) ? numbered(entries_.back()) : added;
 }
 
+// There is room for one more, so what is taken stays where it is.
 Name NameSet::numbered(Entry& taken) {
     const std::string stem(text(taken.name));
     const size_t begin = pool_.size();
@@ -220,9 +221,8 @@ Name NameSet::numbered(Entry& taken) {
         pool_.add(stem).add('_').add(std::to_string(taken.next++));
         const std::string_view name = text_behind(begin);
         const uint32_t hash = hash_of(name);
-        Entry& entry = entries_[place_of(name, hash)];
-        if (entry.name.length > 0 || taken_outside(name, hash)) continue;
-        return fill(entry, begin, hash);
+        const size_t slot = slot_of(name, hash);
+        if (slots_[slot] == 0 && !taken_outside(name, hash)) return fill(slot, begin, hash);
     }
 }
 

@@ -38,24 +38,25 @@ public:
     void make_room(size_t more);  // for so many names at once
 
 private:
-    // Open addressing, at most half full; a text is hashed once.
     struct Entry {
         Name name;
         uint32_t hash = 0;
         uint32_t next = 2;  // the number to try behind it
     };
     std::string_view text_behind(size_t begin) const { return pool_.view().substr(begin); }
-    size_t place_of(std::string_view name, uint32_t hash) const;
+    size_t slot_of(std::string_view name, uint32_t hash) const;
     bool has(std::string_view name, uint32_t hash) const;
     bool taken_outside(std::string_view name, uint32_t hash) const;
-    // The last text of the pool becomes this free entry's.
-    Name fill(Entry& entry, size_t begin, uint32_t hash);
+    // The last text of the pool becomes this free slot's.
+    Name fill(size_t slot, size_t begin, uint32_t hash);
     Name numbered(Entry& taken);
 
     const NameSet* outer_;
     Line pool_;  // all texts, then what is being made
     std::vector<Entry> entries_;
-    size_t count_ = 0;
+    // Open addressing, at most half full: an entry's number from 1 on, 0 where none is. What is
+    // asked for in any order is so a quarter of the memory that the entries take.
+    std::vector<uint32_t> slots_;
 };
 
 // The name of a surface input's change: "dpdx", "duv0_dy"; of the input itself its own.
