@@ -156,6 +156,7 @@ void Plan::use(Id id) {
     const Inst& inst = (*module_)[id];
     value.role = role_of(id);
     if (inst.op == Op::literal_) {
+        value.literal = true;
         value.begin = static_cast<uint32_t>(literals_.size());
         append_literal(literals_, inst.type, inst.value);
         value.count = static_cast<uint32_t>(literals_.size()) - value.begin;

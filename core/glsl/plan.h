@@ -40,7 +40,9 @@ public:
     // Operands as text needs them, of what the outputs use. Of a loop: its initial state, then what
     // its body captures.
     std::span<const Id> operands(Id id) const {
-        return std::span(operands_).subspan(values_[id].begin, values_[id].count);
+        const Value& value = values_[id];
+        return value.literal ? std::span<const Id>()
+                             : std::span(operands_).subspan(value.begin, value.count);
     }
     size_t used_count() const { return used_; }  // of what the outputs use
     std::string_view literal(Id id) const {      // its text
@@ -82,6 +84,7 @@ private:
         Role role = Role::leaf;
         Met met = Met::never;
         bool gradient = false;
+        bool literal = false;
     };
 
     void find_names();
