@@ -86,6 +86,19 @@ TEST(Regions, a_loops_state_changes_at_once) {
     EXPECT_EQ(text.find("break"), std::string::npos);
 }
 
+TEST(Regions, a_loops_state_that_is_a_literal_waits_for_no_other) {
+    Module m;
+    node(m, "reset", "Reset");
+    const auto s = m.begin_region(RegionKind::loop, "", std::array{Type::float_, Type::float_});
+    const Id go_on = m.add(Op::lt_, {s[0], s[1]});
+    const Id next = m.add(Op::add_, {s[0], m.add(Op::sin_, {s[1]})});
+    const RegionUse loop = m.end_region(std::array{go_on, next, m.number(0.123456789)}, 3);
+    const auto results = m.apply(loop, std::array{x_of(m), m.add(Op::cos_, {x_of(m)})});
+    output(m, "o", m.add(Op::sub_, {results[0], results[1]}));
+    const std::string text = source(m);
+    EXPECT_NE(text.find("        reset_state_2 = 0.12345679;\n"), std::string::npos) << text;
+}
+
 TEST(Regions, nested_loops_and_loops_in_functions) {
     Module m;
     node(m, "sum", "Sum");
