@@ -122,14 +122,9 @@ void Body::append_comment_of(Line& line, uint32_t group) {
     if (group == 0 || node.path.empty()) return;
     line.add("// ");
     append_comment_text(line, node.path);
-    if (!node.title.empty()) line.add(": ");
-    append_comment_text(line, node.title);
-    if (commented_[group]) {
-        line.add(" (continued)");
-    } else if (!node.note.empty()) {
-        line.add(". ");
-        append_comment_text(line, node.note);
-    }
+    if (node.title > 0) line.add(": ");
+    append_comment_text(line, m_.titles[node.title]);
+    if (commented_[group]) line.add(" (continued)");
     commented_[group] = true;
 }
 
@@ -182,7 +177,7 @@ void Body::statements(std::span<const Id> ids, int indent, uint32_t next) {
         const bool single = groups[i + 1] != groups[i] && groups[i + 1] != no_node;
         const Op op = m_[ids[i]].op;
         if (op != Op::loop_ && op != Op::call_) {
-            assign(ids[i], indent, single);
+            assign(ids[i], indent, groups[i], single);
             continue;
         }
         comment(indent, groups[i]);
@@ -193,15 +188,14 @@ void Body::statements(std::span<const Id> ids, int indent, uint32_t next) {
     }
 }
 
-void Body::assign(Id id, int indent, bool single) {
+void Body::assign(Id id, int indent, uint32_t group, bool single) {
     ValueState& state = values_.state[id];
-    state.name = locals_.add(wanted_name(plan_, values_, id));
-    state.width = state.name.length;
+    state.call(locals_.add(wanted_name(plan_, values_, id)));
     line_.clear();
-    line_.add(info(m_.type(id)).name).add(' ').add(locals_.text(state.name)).add(" = ");
+    line_.add(info(m_.type(id)).name).add(' ').add(locals_.text(state.name())).add(" = ");
     write_definition(context_, id, line_);
     line_.add(';');
-    commented_line(indent, line_, group_of(plan_, values_, id), single);
+    commented_line(indent, line_, group, single);
 }
 
 std::vector<std::string> Body::name_members(Id tuple) {
@@ -212,7 +206,7 @@ std::vector<std::string> Body::name_members(Id tuple) {
         const Name name =
             locals_.add(member == poison ? nobody : wanted_name(plan_, values_, member));
         names.emplace_back(locals_.text(name));
-        values_.state[member].name = name;
+        values_.state[member].call(name);
     }
     return names;
 }

@@ -43,7 +43,7 @@ private:
     void code(int indent, std::string_view line, uint32_t node);
     // `next`: the group of what follows; no_node: unknown.
     void statements(std::span<const Id> ids, int indent, uint32_t next = no_node);
-    void assign(Id id, int indent, bool single);
+    void assign(Id id, int indent, uint32_t group, bool single);
     void call(Id id, int indent);
     void loop(Id id, int indent);
     std::vector<std::string> name_members(Id tuple);

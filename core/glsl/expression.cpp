@@ -128,7 +128,7 @@ int Writer::binding(Id id) const {
 
 void Writer::read(Id id, int least) {
     if (plan_.role(id) == Role::value && context_.values.state[id].statement) {
-        text_.add(context_.names.text(context_.values.state[id].name));
+        text_.add(context_.names.text(context_.values.state[id].name()));
         return;
     }
     const bool enclosed = least > 0 && binding(id) < least;
@@ -204,7 +204,7 @@ void Writer::leaf(Id id) {
 void Writer::view(Id id) {
     const Inst& inst = m_[id];
     if (inst.op == Op::result_) {
-        text_.add(context_.names.text(context_.values.state[id].name));
+        text_.add(context_.names.text(context_.values.state[id].name()));
         return;
     }
     read(plan_.plain(inst.arg[0]), postfix);

@@ -17,18 +17,24 @@ namespace wrinkle {
 
 // What is known of a value in the scope at hand.
 struct ValueState {
-    uint32_t epoch = 0;  // of the scope that it belongs to
-    uint32_t uses = 0;
-    uint32_t width = 0;      // where it is read: of its text, about; of a temporary's name
-    uint32_t place = 0;      // among the scope's statements
-    Name name;               // of a temporary, once it is written
-    uint8_t depth = 1;       // of its text, in operations
-    bool ordered = false;    // it is in the scope's order
-    bool root = false;       // a result of the scope
-    bool statement = false;  // a temporary; also loops and calls with several results
-    bool captured = false;   // by a loop
-    bool implicit = false;   // its folded text takes implicit derivatives
-    bool shared = false;     // read by temporaries of the surface point only
+    uint32_t epoch = 0;          // of the scope that it belongs to
+    uint32_t uses = 0;           // until it is decided what is a temporary
+    uint32_t place = 0;          // among the scope's statements
+    uint32_t name_begin = 0;     // of a temporary, once it is written
+    uint32_t width = 0;          // where it is read: of its text, about; of a temporary's name
+    uint8_t depth = 1;           // of its text, in operations
+    bool ordered : 1 = false;    // it is in the scope's order
+    bool root : 1 = false;       // a result of the scope
+    bool statement : 1 = false;  // a temporary; also loops and calls with several results
+    bool captured : 1 = false;   // by a loop
+    bool implicit : 1 = false;   // its folded text takes implicit derivatives
+    bool shared : 1 = false;     // read by temporaries of the surface point only
+
+    Name name() const { return {name_begin, width}; }
+    void call(Name name) {
+        name_begin = name.begin;
+        width = name.length;
+    }
 };
 
 // The values of a module; a scope overwrites the states of what it computes, and of nothing else.

@@ -43,6 +43,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/text_list.h"
 #include "base/texture_options.h"
 #include "ir/intern_table.h"
 #include "ir/open_input.h"
@@ -119,9 +120,8 @@ struct Resource {
 
 // A node instance. Entry 0 is the graph itself.
 struct NodeInstance {
-    std::string path;   // "weave"; in a sub-graph "strap/weave"
-    std::string title;  // the type's title
-    std::string note;   // one line for the generated text, may be empty
+    std::string path;    // "weave"; in a sub-graph "strap/weave"
+    uint32_t title = 0;  // of its type, in Module::titles
 };
 
 // What a value is called in generated text.
@@ -229,6 +229,7 @@ public:
 
     // Side tables; passes carry them along.
     std::vector<NodeInstance> nodes;
+    TextList titles;
     std::vector<Parameter> parameters;
     std::vector<Resource> resources;
     std::vector<OpenInput> open_inputs;

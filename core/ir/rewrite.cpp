@@ -113,6 +113,7 @@ Module rebuild(Module&& source, Replace replace, void* context) {
     Module target;
     target.make_room(2 * size_t{source.size()});  // what is expanded is longer
     target.nodes = std::move(source.nodes);
+    target.titles = std::move(source.titles);
     target.parameters = std::move(source.parameters);
     target.resources = std::move(source.resources);
     target.open_inputs = std::move(source.open_inputs);

@@ -7,6 +7,7 @@
 #include <cstring>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <span>
 
 #include "base/text.h"
 #include "base/text_hash.h"
@@ -122,7 +123,11 @@ public:
     bool number_unsigned(uint64_t) { return number(); }
     bool number_float(double, const std::string&) { return number(); }
     bool string(std::string& text) { return add_string(text); }
-    bool key(std::string& text) { return add_string(text); }
+    bool key(std::string& text) {
+        add_string(text);
+        if (open_.back().added > 2 * few) keep_key();
+        return true;
+    }
     bool binary(std::vector<uint8_t>&) { return false; }
     bool start_object(size_t) { return open(Kind::object); }
     bool start_array(size_t) { return open(Kind::array); }
@@ -162,8 +167,15 @@ public:
 private:
     struct Open {
         uint32_t entry = 0;
-        uint32_t added = 0;  // entries right below: values, and in an object keys
+        uint32_t first_key = 0;  // of its own in keys_
+        uint32_t added = 0;      // entries right below: values, and in an object keys
     };
+    struct Key {
+        uint32_t hash;
+        uint32_t entry;
+    };
+    // Of so many members keys are compared with each other; of more hashed while they are at hand.
+    static constexpr uint32_t few = 8;
 
     uint32_t offset_of(const char* at) const {
         return static_cast<uint32_t>(at - tree_.source.data());
@@ -222,7 +234,8 @@ private:
             return false;
         }
         add(kind, offset);
-        open_.push_back({static_cast<uint32_t>(tree_.entries.size() - 1)});
+        open_.push_back(
+            {static_cast<uint32_t>(tree_.entries.size() - 1), static_cast<uint32_t>(keys_.size())});
         return true;
     }
 
@@ -235,27 +248,44 @@ private:
         entry.place = static_cast<uint32_t>(tree_.entries.size());
         if (entry.kind == Kind::array) return true;
         entry.length /= 2;
-        if (entry.length > 1) find_duplicates(ends.entry);
+        if (entry.length > few)
+            find_duplicates(ends);
+        else if (entry.length > 1)
+            find_few_duplicates(ends.entry, entry.place);
+        keys_.resize(ends.first_key);
         return true;
     }
 
-    // Marks each member whose key stood before; of many keys with a hash table.
-    void find_duplicates(uint32_t object) {
-        constexpr uint32_t few = 8;
-        const std::vector<Entry>& entries = tree_.entries;
-        const uint32_t end = entries[object].place;
-        if (entries[object].length <= few) return find_few_duplicates(object, end);
-        slots_.assign(std::bit_ceil(size_t{entries[object].length} * 2), 0);
+    // Of the object at hand; with the ninth key those before.
+    void keep_key() {
+        const Open& in = open_.back();
+        const auto latest = static_cast<uint32_t>(tree_.entries.size() - 1);
+        if (keys_.size() == in.first_key)
+            for (uint32_t k = in.entry + 1; k < latest; k = tree_.after(k + 1))
+                keys_.push_back(key_at(k));
+        keys_.push_back(key_at(latest));
+    }
+    Key key_at(uint32_t entry) const {
+        return {static_cast<uint32_t>(text_hash(tree_.text(tree_.entries[entry]))), entry};
+    }
+
+    // Marks each member whose key stood before. The last key may have no value.
+    void find_duplicates(const Open& ended) {
+        const uint32_t count = tree_.entries[ended.entry].length;
+        const std::span<const Key> keys = std::span(keys_).subspan(ended.first_key, count);
+        slots_.assign(std::bit_ceil(size_t{count} * 2), 0);
         const size_t mask = slots_.size() - 1;
-        for (uint32_t k = object + 1; k < end; k = tree_.after(k + 1)) {
-            const std::string_view key = tree_.text(entries[k]);
-            size_t slot = text_hash(key) & mask;
-            while (slots_[slot] != 0 && tree_.text(entries[slots_[slot]]) != key)
+        for (uint32_t i = 0; i < count; ++i) {
+            const auto is_other = [&](const Key& key) {
+                return key.hash != keys[i].hash || !same_text(key.entry, keys[i].entry);
+            };
+            size_t slot = keys[i].hash & mask;
+            while (slots_[slot] != 0 && is_other(keys[slots_[slot] - 1]))
                 slot = (slot + 1) & mask;
             if (slots_[slot] == 0)
-                slots_[slot] = k;
+                slots_[slot] = i + 1;
             else
-                duplicate(object, slots_[slot], k);
+                duplicate(ended.entry, keys[slots_[slot] - 1].entry, keys[i].entry);
         }
     }
 
@@ -292,6 +322,7 @@ private:
     Feed feed_;
     uint32_t cursor_ = 0;     // end of the last token understood
     std::vector<Open> open_;  // the whole text, and containers in it
+    std::vector<Key> keys_;   // of open objects with many
     std::vector<uint32_t> slots_;
 };
 

@@ -1,5 +1,7 @@
 #include "lower/flat.h"
 
+#include <unordered_map>
+
 #include "base/text.h"
 
 namespace wrinkle {
@@ -26,6 +28,7 @@ public:
           functions_(functions),
           max_nodes_(max_nodes),
           instances_(lowered.module.nodes),
+          titles_(lowered.module.titles),
           places_(lowered.places) {
         uses_.push_back(make_use(root.file));
         if (root.instance == 0) {
@@ -74,12 +77,18 @@ private:
         return use;
     }
 
-    uint32_t add_instance(uint32_t use, uint32_t node, const std::string& title) {
+    uint32_t add_instance(uint32_t use, uint32_t node, const NodeType& type) {
         NodeInstance& instance = instances_.emplace_back();
         instance.path = uses_[use].prefix + document(use).nodes[node]->id;
-        instance.title = title;
+        instance.title = title_of(type);
         places_.push_back({uses_[use].file, node});
         return static_cast<uint32_t>(instances_.size() - 1);
+    }
+
+    uint32_t title_of(const NodeType& type) {
+        const auto [known, added] = title_of_type_.try_emplace(&type, 0);
+        if (added) known->second = titles_.add(type.title);
+        return known->second;
     }
 
     uint32_t inner_use(uint32_t use, uint32_t node) {
@@ -88,7 +97,7 @@ private:
         Use inner = make_use(file);
         inner.parent = use;
         inner.node = node;
-        inner.instance = add_instance(use, node, types_.subgraph(file).title);
+        inner.instance = add_instance(use, node, types_.subgraph(file));
         inner.prefix = instances_.back().path + "/";
         const auto index = static_cast<uint32_t>(uses_.size());
         uses_[use].nodes[node] = index;
@@ -111,7 +120,7 @@ private:
         flat.type = types_.of(uses_[use].file, node);
         flat.node = node;
         flat.muted = source.muted;
-        flat.instance = add_instance(use, node, flat.type->title);
+        flat.instance = add_instance(use, node, *flat.type);
         const uint32_t inner = project_.files[uses_[use].file].subgraphs[node];
         if (inner != Project::File::none && !source.muted) flat.function = inner;
         const bool reroute = source.type == reroute_type;
@@ -311,6 +320,8 @@ private:
     const FunctionPlan& functions_;
     const size_t max_nodes_;
     std::vector<NodeInstance>& instances_;
+    TextList& titles_;
+    std::unordered_map<const NodeType*, uint32_t> title_of_type_;
     std::vector<NodePlace>& places_;
     FlatGraph graph_;
     std::vector<Use> uses_;

@@ -56,7 +56,7 @@ public:
           files_(options.files ? *options.files : own_files_),
           nodes_left_(options.max_nodes),
           facts_(result_.module) {
-        result_.module.nodes[0].title = project.top().name;
+        result_.module.nodes[0].title = result_.module.titles.add(project.top().name);
         result_.places.push_back({});
     }
 

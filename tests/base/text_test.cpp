@@ -7,6 +7,8 @@
 #include <limits>
 #include <random>
 
+#include "base/text_list.h"
+
 namespace wrinkle {
 namespace {
 
@@ -70,6 +72,16 @@ TEST(Text, Utf8IsWellFormed) {
          {"\x80", "\xC3", "\xC3x", "\xC0\x80", "\xE0\x80\x80", "\xED\xA0\x80", "\xF0\x80\x80\x80",
           "\xF4\x90\x80\x80", "\xF5\x80\x80\x80", "\xFF"})
         EXPECT_FALSE(is_utf8(bad));
+}
+
+TEST(Text, AListHoldsEachTextOnce) {
+    TextList list;
+    EXPECT_EQ(list.add(""), 0u);
+    const uint32_t weave = list.add("weave"), noise = list.add("noise");
+    EXPECT_NE(weave, noise);
+    EXPECT_EQ(list.add(std::string("weave")), weave);
+    const TextList moved = std::move(list);
+    EXPECT_EQ(moved[weave] + moved[noise] + moved[0], "weavenoise");
 }
 
 }  // namespace

@@ -5,7 +5,7 @@ namespace wrinkle::test {
 uint32_t node(Module& module, const std::string& path, const std::string& title) {
     for (uint32_t i = 0; i < module.nodes.size(); ++i)
         if (module.nodes[i].path == path) return module.current_node = i;
-    module.nodes.push_back({path, title, ""});
+    module.nodes.push_back({path, module.titles.add(title)});
     return module.current_node = static_cast<uint32_t>(module.nodes.size() - 1);
 }
 
@@ -70,7 +70,7 @@ Id base(Module& m) {
 
 Module base_and_detail(SurfaceInput detail_uv, bool detail_first) {
     Module m;
-    m.nodes[0].title = "Woven strap over a baked shape";
+    m.nodes[0].title = m.titles.add("Woven strap over a baked shape");
     node(m, "base", "Tangent normal map");
     node(m, "tile", "Tile");
     node(m, "weave", "Tangent normal map");

@@ -81,7 +81,7 @@ TEST(Schedule, a_chain_of_100000_nodes) {
     Module m;
     Id value = m.swizzle(m.input(SurfaceInput::position_), "x");
     for (int k = 0; k < 100000; ++k) {
-        m.nodes.push_back({"n" + std::to_string(k), "Sine", ""});
+        m.nodes.push_back({"n" + std::to_string(k), m.titles.add("Sine")});
         m.current_node = static_cast<uint32_t>(m.nodes.size() - 1);
         value = m.add(Op::sin_, {m.add(Op::add_, {value, m.number(0.5)})});
         name(m, "out", value);
@@ -96,7 +96,7 @@ TEST(Schedule, equal_names_by_the_ten_thousand) {
     Module m;
     Id sum = m.swizzle(m.input(SurfaceInput::position_), "x");
     for (int k = 0; k < 10000; ++k) {
-        m.nodes.push_back({"same", "Sine", ""});
+        m.nodes.push_back({"same", m.titles.add("Sine")});
         m.current_node = static_cast<uint32_t>(m.nodes.size() - 1);
         const Id value = m.add(Op::sin_, {m.add(Op::mul_, {sum, parameter(m, "amount", k)})});
         sum = m.add(Op::add_, {value, m.add(Op::mul_, {value, value})});
@@ -109,7 +109,7 @@ TEST(Schedule, ten_thousand_layers) {
     Module m;
     Id sum = poison;
     for (int k = 0; k < 10000; ++k) {
-        m.nodes.push_back({"layer" + std::to_string(k), "Tangent normal map", ""});
+        m.nodes.push_back({"layer" + std::to_string(k), m.titles.add("Tangent normal map")});
         m.current_node = static_cast<uint32_t>(m.nodes.size() - 1);
         const Id uv = m.add(Op::mul_, {m.input(SurfaceInput::uv0_), m.number(1 + k)});
         const Id texel = image(m, "image", "a.png", uv);

@@ -19,7 +19,7 @@ constexpr int shorter = 20'000;  // 13 bytes of stack for each: enough to tell
 // height = ((uv.x * a + uv.y) * a + uv.y) * a ...
 Module chain(int count) {
     Module m;
-    m.nodes.push_back({"bump", "Bump", ""});
+    m.nodes.push_back({"bump", m.titles.add("Bump")});
     const Value a{&m, m.parameter(m.add_parameter({1, "amount", Type::float_, {0.5}, false}))};
     const Value uv{&m, m.input(SurfaceInput::uv0_)};
     Value x = uv.x();

@@ -241,7 +241,7 @@ TEST_F(Expand, RefusesFramesThatDoNotFit) {
         {WR_FRAME_derived, WR_SCALE_surface, SurfaceInput::uv1_, "'surface'"},
         {WR_FRAME_vertex, WR_SCALE_unit, SurfaceInput::uv1_, "'vertex'"},
     };
-    m.nodes.push_back({"cloth", "Tangent normal map", ""});
+    m.nodes.push_back({"cloth", m.titles.add("Tangent normal map")});
     m.current_node = 1;
     for (const Misfit& misfit : misfits) {
         m.outputs = {

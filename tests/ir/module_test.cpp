@@ -272,7 +272,7 @@ TEST_F(ModuleTest, NumbersThatAPluginMayGetWrong) {
 }
 
 TEST_F(ModuleTest, ProblemsAndOriginsNameTheNode) {
-    m.nodes.push_back({"weave", "Weave", ""});
+    m.nodes.push_back({"weave", m.titles.add("Weave")});
     m.current_node = 1;
     const Id sum = add(Op::add_, {f, g});
     refusal(Op::add_, {uv, v});
@@ -316,8 +316,8 @@ TEST_F(GradientTest, AmountsMultiply) {
 }
 
 TEST_F(GradientTest, BasesDoNotMix) {
-    m.nodes.push_back({"first", "Resolve", ""});
-    m.nodes.push_back({"second", "Resolve", ""});
+    m.nodes.push_back({"first", m.titles.add("Resolve")});
+    m.nodes.push_back({"second", m.titles.add("Resolve")});
     m.current_node = 1;
     const Id normal = m.add(Op::resolve_, {a}, 1);
     const Id base = m.add(Op::base_, {normal});

@@ -94,7 +94,7 @@ TEST_F(RewriteTest, FieldsInFieldsHaveALimit) {
 }
 
 TEST_F(RewriteTest, BakingEqualsWritingLiterals) {
-    m.nodes.push_back({"bump", "Bump", ""});
+    m.nodes.push_back({"bump", m.titles.add("Bump")});
     const Value amount{&m, m.parameter(m.add_parameter({1, "amount", Type::float_, {2}, false}))};
     const Value tint{&m, m.parameter(m.add_parameter({1, "tint", Type::vec2_, {0, 1}, false}))};
     const Value input{&m, m.parameter(m.add_parameter({0, "wear", Type::float_, {3}, true}))};
@@ -162,7 +162,7 @@ TEST_F(RewriteTest, ReachableGoesThroughRegions) {
 }
 
 TEST_F(RewriteTest, PrintedFormIsStable) {
-    m.nodes.push_back({"weave", "Weave", ""});
+    m.nodes.push_back({"weave", m.titles.add("Weave")});
     const Value amount{&m, m.parameter(m.add_parameter({1, "amount", Type::float_, {2}, false}))};
     m.current_node = 1;
     const Id x = m.begin_region(RegionKind::function, "wave", std::array{Type::float_})[0];

@@ -193,6 +193,47 @@ TEST(Parse, DuplicateKeysKeepTheFirst) {
     EXPECT_EQ(diagnostics.list()[0].pointer, "/a/x");
 }
 
+// Objects in objects, of 1 to 24 members each; the first of equal keys is kept, counted with a set.
+TEST(Parse, EveryDuplicateOfObjectsOfAnySizeIsFound) {
+    std::mt19937 random(7);
+    size_t expected = 0;
+    std::set<size_t> kept;  // how many members of an object were
+    const auto object = [&](const auto& self, int depth) -> std::string {
+        std::set<uint32_t> met;
+        std::string text;
+        const uint32_t count = 1 + random() % 24;
+        for (uint32_t i = 0; i < count; ++i) {
+            const uint32_t key = random() % 40;
+            expected += !met.insert(key).second;
+            const bool inner = depth < 3 && random() % 8 == 0;
+            text += (i ? ",\"" : "{\"") + std::string(key % 7, 'k') + std::to_string(key) +
+                    "\":" + (inner ? self(self, depth + 1) : "0");
+        }
+        kept.insert(met.size());
+        return text + "}";
+    };
+    for (int i = 0; i < 200; ++i) {
+        Diagnostics diagnostics;
+        expected = 0;
+        parse(object(object, 0), "g.json", diagnostics);
+        EXPECT_EQ(diagnostics.error_count(), expected);
+    }
+    EXPECT_GT(*kept.rbegin(), 12u);
+}
+
+// A text may end behind any key; what stands before is compared all the same.
+TEST(Parse, DuplicatesOfATextThatEnds) {
+    for (int members = 1; members <= 20; ++members) {
+        std::string text = "{\"k0\":0";
+        for (int i = 1; i < members; ++i)
+            text += ",\"k" + std::to_string(i) + "\":{\"in\":0,\"in\":1}";
+        Diagnostics diagnostics;
+        const Value root = parse(text + ",\"k0\":2,\"k1\"", "g.json", diagnostics).root;
+        EXPECT_EQ(diagnostics.error_count(), static_cast<size_t>(members) + 1) << members;
+        EXPECT_EQ(root.size(), static_cast<size_t>(members));
+    }
+}
+
 TEST(Parse, AMillionDuplicatesAreCounted) {
     std::string text = "{";
     for (int i = 0; i < 300000; ++i)

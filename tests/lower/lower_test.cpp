@@ -77,7 +77,7 @@ TEST(Lower, OnlyWhatOutputsNeedIsBuilt) {
                          .module;
     ASSERT_EQ(m.nodes.size(), 2u);
     EXPECT_EQ(m.nodes[1].path, "b");
-    EXPECT_EQ(m.nodes[1].title, "Number");
+    EXPECT_EQ(m.titles[m.nodes[1].title], "Number");
 }
 
 TEST(Lower, HardRangesClampLiteralsAndWires) {

@@ -15,11 +15,11 @@ namespace {
 // Two nodes: "weave" samples, "soft" is a number; normal and roughness.
 Module sample() {
     Module m;
-    m.nodes[0].title = "Weave";
+    m.nodes[0].title = m.titles.add("Weave");
     const auto node = [&](const char* path) {
         NodeInstance instance;
         instance.path = path;
-        instance.title = "Node";
+        instance.title = m.titles.add("Node");
         m.nodes.push_back(instance);
         m.current_node = static_cast<uint32_t>(m.nodes.size() - 1);
     };
