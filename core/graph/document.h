@@ -122,6 +122,8 @@ inline std::string_view table_key(const Box& box) {
     return box.id;
 }
 
+class Wires;
+
 struct Document {
     std::string file;  // as given to read_document; "" for a new one
     std::string name;
@@ -136,11 +138,14 @@ struct Document {
     std::vector<Extra> unknown;         // top-level keys
     json::Value source;                 // the whole as it was read; null for a new one
     bool edited = false;                // set by every edit that changes something
-    bool links_hold = false;            // as read: check_links found nothing
     // Why not all of the text is in here, a clause or a problem: writing it would lose the rest.
     std::string lost;
 
+    std::shared_ptr<const Wires> read_wires;  // as read; null: check_links found something
+
     const Node* find(std::string_view id) const;
+    // Where all of them hold and nothing was edited, else null.
+    const Wires* wires() const { return edited ? nullptr : read_wires.get(); }
 };
 
 // A Diagnostic at a thing of the document: its file, line, column, pointer and node are filled in.

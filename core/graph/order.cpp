@@ -22,35 +22,6 @@ struct Walk {
 constexpr size_t shown = 8;                                     // nodes of a cycle in its report
 constexpr size_t most_cycles = Diagnostics::default_limit + 1;  // the rest is not told apart
 
-// What every input of every node reads, looked up once.
-class Wires {
-public:
-    static constexpr uint32_t none = ~0u;
-
-    explicit Wires(const Document& document) {
-        first_.reserve(document.nodes.size() + 1);
-        for (const NodePtr& node : document.nodes) {
-            first_.push_back(static_cast<uint32_t>(read_.size()));
-            for (const Input& input : node->inputs)
-                read_.push_back(input.link.is_node() ? index_of(document, input.link) : none);
-        }
-        first_.push_back(static_cast<uint32_t>(read_.size()));
-    }
-
-    // Nodes by input; `none` where an input reads no node, or one that there is not.
-    std::span<const uint32_t> of(size_t node) const {
-        return std::span(read_).subspan(first_[node], first_[node + 1] - first_[node]);
-    }
-
-private:
-    static uint32_t index_of(const Document& document, const Link& link) {
-        const size_t index = document.nodes.index_of(link.node);
-        return index == Table<NodePtr>::npos ? none : static_cast<uint32_t>(index);
-    }
-
-    std::vector<uint32_t> first_, read_;
-};
-
 // Depth first with a stack of its own.
 class Walker {
 public:
@@ -154,10 +125,10 @@ private:
 
 class Checker {
 public:
-    Checker(const Document& document, Diagnostics& diagnostics)
+    Checker(const Document& document, const Wires& wires, Diagnostics& diagnostics)
         : document_(document),
           diagnostics_(diagnostics),
-          wires_(document),
+          wires_(wires),
           ids_(document.nodes),
           inputs_(document.inputs) {}
 
@@ -212,12 +183,28 @@ private:
 
     const Document& document_;
     Diagnostics& diagnostics_;
-    const Wires wires_;
+    const Wires& wires_;
     Names<NodePtr> ids_;
     Names<GraphInput> inputs_;
 };
 
+uint32_t index_of(const Document& document, const Link& link) {
+    if (!link.is_node()) return Wires::none;
+    const size_t index = document.nodes.index_of(link.node);
+    return index == Table<NodePtr>::npos ? Wires::none : static_cast<uint32_t>(index);
+}
+
 }  // namespace
+
+Wires::Wires(const Document& document) {
+    first_.reserve(document.nodes.size() + 1);
+    for (const NodePtr& node : document.nodes) {
+        first_.push_back(static_cast<uint32_t>(read_.size()));
+        for (const Input& input : node->inputs)
+            read_.push_back(index_of(document, input.link));
+    }
+    first_.push_back(static_cast<uint32_t>(read_.size()));
+}
 
 std::vector<uint32_t> evaluation_order(const Document& document) {
     const Wires wires(document);
@@ -225,7 +212,11 @@ std::vector<uint32_t> evaluation_order(const Document& document) {
 }
 
 void check_links(const Document& document, Diagnostics& diagnostics) {
-    Checker(document, diagnostics).run();
+    check_links(document, Wires(document), diagnostics);
+}
+
+void check_links(const Document& document, const Wires& wires, Diagnostics& diagnostics) {
+    Checker(document, wires, diagnostics).run();
 }
 
 }  // namespace wrinkle

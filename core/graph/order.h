@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "graph/document.h"
+#include "graph/wires.h"
 
 namespace wrinkle {
 
@@ -15,5 +15,6 @@ std::vector<uint32_t> evaluation_order(const Document& document);
 // Errors for links to nodes, graph inputs that do not exist, and for each
 // wire that closes a cycle, with the nodes on it. Part of read_document; an edited one asks again.
 void check_links(const Document& document, Diagnostics& diagnostics);
+void check_links(const Document& document, const Wires& wires, Diagnostics& diagnostics);
 
 }  // namespace wrinkle

@@ -185,8 +185,9 @@ Document read_document(std::string bytes, std::string file, Diagnostics& diagnos
     if (document.lost.empty()) document.lost = reader.lost();
     if (parsed.complete && reader.all_read()) {
         const size_t before = report.list().error_count();
-        check_links(document, report.list());
-        document.links_hold = report.list().error_count() == before;
+        auto wires = std::make_shared<const Wires>(document);
+        check_links(document, *wires, report.list());
+        if (report.list().error_count() == before) document.read_wires = std::move(wires);
     }
     add_in_order(report.list(), diagnostics);
     return document;

@@ -28,7 +28,7 @@ bool is_connected(const Project::File& file) {
     }
     for (const Output& output : document.outputs)
         if (is_broken(output.from)) return false;
-    if (document.links_hold && !document.edited) return true;
+    if (document.wires()) return true;
     Diagnostics problems;
     check_links(document, problems);
     return !problems.has_errors();

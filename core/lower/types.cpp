@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "graph/wires.h"
 #include "lower/literal.h"
 
 namespace wrinkle {
@@ -140,6 +141,7 @@ const NodeType* Types::reroute(size_t file, const Node& node) const {
 
 void Types::look_up_inputs(size_t file) {
     const Table<NodePtr>& nodes = project_->files[file].document.nodes;
+    const Wires* wires = project_->files[file].document.wires();
     constexpr size_t inputs_of_a_node = 2;  // about
     File& found = files_[file];
     found.first.reserve(nodes.size() + 1);
@@ -147,22 +149,30 @@ void Types::look_up_inputs(size_t file) {
     for (size_t i = 0; i < nodes.size(); ++i) {
         found.first.push_back(static_cast<uint32_t>(found.inputs.size()));
         const NodeType* type = found.nodes[i];
-        for (const Input& input : nodes[i]->inputs) {
+        for (size_t k = 0; k < nodes[i]->inputs.size(); ++k) {
+            const Input& input = nodes[i]->inputs[k];
             NamedInput& named = found.inputs.emplace_back();
             if (type) named.port = type->find_input(input.port);
-            if (input.kind == Input::Kind::link) named.source = source(file, input.link);
+            if (input.kind == Input::Kind::link)
+                named.source = wires ? source(file, wires->of(i)[k], input.link.port)
+                                     : source(file, input.link);
         }
     }
     found.first.push_back(static_cast<uint32_t>(found.inputs.size()));
 }
 
 LinkSource Types::source(size_t file, const Link& link) const {
-    LinkSource source;
-    if (!link.is_node()) return source;
+    if (!link.is_node()) return {};
     const size_t node = project_->files[file].document.nodes.index_of(link.node);
-    if (node == Table<NodePtr>::npos) return source;
-    source.node = static_cast<uint32_t>(node);
-    if (const NodeType* type = of(file, node)) source.output = type->find_output(link.port);
+    const bool found = node != Table<NodePtr>::npos;
+    return source(file, found ? static_cast<uint32_t>(node) : LinkSource::none, link.port);
+}
+
+LinkSource Types::source(size_t file, uint32_t node, std::string_view output) const {
+    LinkSource source;
+    if (node == LinkSource::none) return source;
+    source.node = node;
+    if (const NodeType* type = of(file, node)) source.output = type->find_output(output);
     return source;
 }
 

@@ -66,6 +66,7 @@ private:
     void type_reroutes(size_t file);
     const NodeType* reroute(size_t file, const Node& node) const;
     void look_up_inputs(size_t file);
+    LinkSource source(size_t file, uint32_t node, std::string_view output) const;
 
     const Project* project_;
     std::vector<File> files_;
