@@ -5,7 +5,6 @@
 #include "cli/bake_run.h"
 #include "cli/interrupt.h"
 #include "cli/output.h"
-#include "image/writable.h"
 
 namespace wrinkle::cli {
 namespace fs = std::filesystem;
@@ -36,17 +35,9 @@ struct BakeCommand {
         return exit_usage;
     }
 
-    // What a format cannot hold is said before hours of work.
     bool can_be_written(const PartHeader& header, std::string& why) const {
-        for (const MapFile& file : header.files(options.output, 0, options.threads)) {
-            const WriteProblem problem =
-                find_write_problem(format_to_write(file.path), file.options);
-            if (problem.message.empty()) continue;
-            why = file.path.string() + " " + problem.message +
-                  (problem.expected.empty() ? "" : " (" + problem.expected + ")");
-            return false;
-        }
-        return true;
+        why = why_not_held(header.files(options.output, 0, options.threads));
+        return why.empty();
     }
 
     BakeOutcome carry_out(const BakeJob& job, const PartHeader& header) const {

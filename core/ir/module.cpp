@@ -182,7 +182,10 @@ Id Module::not_written(Op op, std::span<const Id> args) {
         return poison;
     }
     if (args.size() > Inst{}.arg.size()) {
-        problem(std::string(row.name) + " takes at most 4 operands");
+        if (row.arity < 0)
+            problem(std::string(row.name) + " takes at most 4 operands");
+        else
+            refused(op, std::vector<Type>(args.size()), Type::poison_);
         return poison;
     }
     for (const Id arg : args)

@@ -196,7 +196,8 @@ Type result_type(Op op, std::span<const Type> operands, Type wanted, std::string
     if (row.arity >= 0 && operands.size() != static_cast<size_t>(row.arity)) {
         if (why)
             *why = std::string(row.name) + " takes " + std::to_string(row.arity) +
-                   " operands, not " + std::to_string(operands.size());
+                   (row.arity == 1 ? " operand, not " : " operands, not ") +
+                   std::to_string(operands.size());
         return Type::poison_;
     }
     switch (row.rule) {

@@ -17,33 +17,31 @@ constexpr double still_share = 0.6, step_share = 0.97;  // of neighbours, from w
 constexpr double seam_factor = 2;
 constexpr double good_z = 0.03;  // rms, of 8 bits of JPEG too
 
-struct LookText {
-    std::string_view name, description;
-};
-constexpr std::array looks = {
-    LookText{"height", "a height map"},
-    LookText{"normal_gl", "a tangent-space normal map, green up"},
-    LookText{"normal_dx", "a tangent-space normal map, green down"},
-    LookText{"normal", "a tangent-space normal map whose slopes do not tell where green points"},
-    LookText{"normal_object", "an object-space normal map"},
-    LookText{"two_channel", "slopes or normals in two channels"},
-    LookText{"color", "no map of a bump"},
-};
-
-struct FlawText {
+struct NamedWords {
     std::string_view name, words;
 };
+constexpr std::array looks = {
+    NamedWords{"height", "a height map"},
+    NamedWords{"normal_gl", "a tangent-space normal map, green up"},
+    NamedWords{"normal_dx", "a tangent-space normal map, green down"},
+    NamedWords{"normal", "a tangent-space normal map whose slopes do not tell where green points"},
+    NamedWords{"normal_object", "an object-space normal map"},
+    NamedWords{"two_channel", "slopes or normals in two channels"},
+    NamedWords{"color", "no map of a bump"},
+};
+static_assert(looks.size() == static_cast<size_t>(Look::color) + 1);
+
 constexpr std::array flaws = {
-    FlawText{"tilt", "the bump leans to one side"},
-    FlawText{"unsigned_z", "blue holds z from 0 to 1, not from -1 to 1"},
-    FlawText{"length", "most of its vectors are not of length 1"},
-    FlawText{"offset", "its 8 bits lie half a step beside the middle"},
-    FlawText{"banding", "its 8 bits make stairs of slopes"},
-    FlawText{"seam_u", "it does not tile, but the texture repeats"},
-    FlawText{"seam_v", "it does not tile, but the texture repeats"},
-    FlawText{"gray", "its three channels hold one height"},
-    FlawText{"not_finite", "it holds numbers that are not finite"},
-    FlawText{"unexpected", "it is not what it was to be"},
+    NamedWords{"tilt", "the bump leans to one side"},
+    NamedWords{"unsigned_z", "blue holds z from 0 to 1, not from -1 to 1"},
+    NamedWords{"length", "most of its vectors are not of length 1"},
+    NamedWords{"offset", "its 8 bits lie half a step beside the middle"},
+    NamedWords{"banding", "its 8 bits make stairs of slopes"},
+    NamedWords{"seam_u", "it does not tile, but the texture repeats"},
+    NamedWords{"seam_v", "it does not tile, but the texture repeats"},
+    NamedWords{"gray", "its three channels hold one height"},
+    NamedWords{"not_finite", "it holds numbers that are not finite"},
+    NamedWords{"unexpected", "it is not what it was to be"},
 };
 static_assert(flaws.size() == static_cast<size_t>(Flaw::unexpected) + 1);
 
@@ -228,7 +226,7 @@ std::string_view name_of(Look look) {
 }
 
 std::string_view description_of(Look look) {
-    return looks[static_cast<size_t>(look)].description;
+    return looks[static_cast<size_t>(look)].words;
 }
 
 std::string_view name_of(Flaw flaw) {

@@ -131,5 +131,23 @@ TEST(Names, equal_after_cleaning_follow_graph_order) {
     EXPECT_NE(shader.source.find("float a_b_out_2 = sin(a_b_amount_2);"), std::string::npos);
 }
 
+// Nodes that pass a value on call it theirs as well: it is its maker's.
+TEST(Names, the_first_output_that_a_value_is_names_it) {
+    Module m;
+    node(m, "maker", "Maker");
+    const Id value = m.add(Op::sin_, {parameter(m, "amount", 1)});
+    m.name(value, m.current_node, "inner");
+    name(m, "made", value);
+    for (const std::string path : {"passes", "passes_too"}) {
+        node(m, path, "Pass");
+        name(m, "passed", value);
+    }
+    output(m, "o", m.add(Op::mul_, {value, value}));
+    const Shader shader = emit(m, {});
+    EXPECT_EQ(compile_errors(shader), "");
+    EXPECT_NE(shader.source.find("float maker_made = sin(maker_amount);"), std::string::npos)
+        << shader.source;
+}
+
 }  // namespace
 }  // namespace wrinkle::test

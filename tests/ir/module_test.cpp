@@ -252,7 +252,7 @@ TEST_F(ModuleTest, TypesThatDoNotFit) {
     EXPECT_EQ(refusal(Op::construct_, {f, g}, 0, Type::vec3_),
               "construct of (float, float) makes no sense: it takes as many lanes as the vector "
               "has");
-    EXPECT_EQ(refusal(Op::sqrt_, {f, g}), "sqrt takes 1 operands, not 2");
+    EXPECT_EQ(refusal(Op::sqrt_, {f, g}), "sqrt takes 1 operand, not 2");
 }
 
 TEST_F(ModuleTest, NumbersThatAPluginMayGetWrong) {
@@ -261,6 +261,7 @@ TEST_F(ModuleTest, NumbersThatAPluginMayGetWrong) {
     EXPECT_EQ(refusal(Op::parameter_, {}, 77), "'parameter' is not written as an op");
     EXPECT_EQ(refusal(Op::construct_, {f, f, f, f, f}, 0, Type::vec4_),
               "construct takes at most 4 operands");
+    EXPECT_EQ(refusal(Op::sqrt_, {f, f, f, f, f}), "sqrt takes 1 operand, not 5");
     EXPECT_EQ(refusal(Op::neg_, {123456}), "neg is given a value that does not exist");
     EXPECT_EQ(refusal(Op::sample_, {uv}, 3), "sample is given an image that does not exist");
     const Id matrix = m.construct(Type::mat3_, {v, w, v});

@@ -22,6 +22,26 @@ TEST(OpTable, EachOpHasApplicationsOrIsTestedElsewhere) {
 #undef X
 }
 
+// Of any type: what is counted first is how many there are.
+TEST(OpTable, AnOperandTooManyIsRefusedByItsNumber) {
+    Module m;
+    const Id leaf = new_leaf(m, Type::float_);
+    const auto expect = [&](Op op, const std::string& name, int arity) {
+        m.problems.clear();
+        const std::vector<Id> args(static_cast<size_t>(arity) + 1, leaf);
+        EXPECT_EQ(m.add(op, args), poison) << name;
+        ASSERT_EQ(m.problems.size(), 1u) << name;
+        EXPECT_EQ(m.problems[0].message, name + " takes " + std::to_string(arity) +
+                                             (arity == 1 ? " operand" : " operands") + ", not " +
+                                             std::to_string(arity + 1));
+    };
+#define X(name, number, arity, rule, glsl, precedence, flags)                 \
+    if (arity >= 0 && Rule::rule != Rule::leaf && Op::name##_ != Op::result_) \
+        expect(Op::name##_, #name, arity);
+    WR_OPS(X)
+#undef X
+}
+
 void expect_folds(const Application& a, Numbers& numbers) {
     Module m;
     std::vector<Id> args;

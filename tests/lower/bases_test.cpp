@@ -58,6 +58,20 @@ TEST(Bases, UnconstrainedItIsTheSurface) {
     EXPECT_EQ(m[m[m.outputs[0].value].arg[0]].extra, poison);
 }
 
+// A wire says a base, and what comes along it is the surface's own normal: by its value alone.
+TEST(Bases, ANormalThatANodeLeavesAsItIsIsTheSurface) {
+    const auto text = [](const std::string& amount) {
+        return graph(R"("same": {"type": "times", "in": {"amount": )" + amount + R"(}},
+"on": {"type": "layer", "in": {"base": {"from": "same.normal"}, "height": {"from": "surface.facing"}}},
+"b": {"type": "bump", "in": {"height": {"from": "surface.facing"}}},
+"sum": {"type": "sum", "in": {"a": {"from": "b.gradient"}, "b": {"from": "on.gradient"}}})",
+                     R"("normal": {"from": "sum.gradient"}, "on": {"from": "on.gradient"})");
+    };
+    const Module m = lowered_module(text("1"));
+    EXPECT_EQ(m[m[m.outputs[1].value].arg[0]].extra, poison);
+    EXPECT_NE(problems(text("2")).find("adds gradients of different bases"), std::string::npos);
+}
+
 TEST(Bases, TwoInOneSumAreAnErrorWithBothNames) {
     EXPECT_EQ(problems(graph(R"("b": {"type": "bump", "in": {"height": {"from": "surface.facing"}}},
                                 "first": {"type": "resolve", "in": {"gradient": {"from": "b.gradient"}}},

@@ -37,6 +37,11 @@ Node layer = node("layer", "Layer", "A bump on a base.")
                  .in<Normal>("base", surface::normal, "What it stands on")
                  .out<Gradient>("gradient", "The bump")
                  .body([](Float height, vec3) { return gradient_from_height(height); });
+Node times = node("times", "Times", "A normal of another length.")
+                 .in<Normal>("normal", surface::normal, "It")
+                 .count("amount", 1, 1, 8, "Its length")
+                 .out<Normal>("normal", "The longer one")
+                 .body([](vec3 normal, int amount) { return normal * amount; });
 Node picture = node("picture", "Picture", "Reads an image.")
                    .in<Image>("image", "It", encoding("srgb"))
                    .in<vec2>("uv", surface::uv0, "Where")
@@ -220,10 +225,10 @@ const wr_node c_nodes[] = {
 }  // namespace
 
 const wr_plugin* test_plugin() {
-    static Node* const nodes[] = {&number_node,  &pass_height, &bump,    &scale,      &sum,
-                                  &resolve_node, &layer,       &picture, &normal_map, &vector_node,
-                                  &options,      &field_at,    &march,   &width,      &many,
-                                  &old_name,     &wrong_frame};
+    static Node* const nodes[] = {&number_node,  &pass_height, &bump,       &scale,   &sum,
+                                  &resolve_node, &layer,       &times,      &picture, &normal_map,
+                                  &vector_node,  &options,     &field_at,   &march,   &width,
+                                  &many,         &old_name,    &wrong_frame};
     static std::vector<const wr_node*> list;
     for (Node* each : nodes)
         list.push_back(each->descriptor());
