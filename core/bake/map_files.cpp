@@ -7,7 +7,6 @@
 #include <algorithm>
 
 #include "image/stored.h"
-#include "image/writable.h"
 
 namespace wrinkle {
 namespace {
@@ -74,16 +73,6 @@ WriterOptions writer_options(const BakedMap& map, PixelType type, uint32_t width
     options.type = type;
     if (scale != 1) options.numbers.push_back({"wrinkle:scale", static_cast<float>(scale)});
     return options;
-}
-
-std::string why_not_held(std::span<const MapFile> files) {
-    for (const MapFile& file : files) {
-        const WriteProblem problem = find_write_problem(format_to_write(file.path), file.options);
-        if (problem.message.empty()) continue;
-        return file.path.string() + " " + problem.message +
-               (problem.expected.empty() ? "" : " (" + problem.expected + ")");
-    }
-    return {};
 }
 
 std::optional<MapFiles> MapFiles::open(const std::vector<MapFile>& files,

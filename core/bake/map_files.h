@@ -42,10 +42,6 @@ struct MapFile {
     WriterOptions options;
 };
 
-// Why one of the files cannot hold its map, to be said before hours of work; "" when all can:
-// "maps/height.hdr cannot hold 1 channel (one of: 3)".
-std::string why_not_held(std::span<const MapFile> files);
-
 // All files of one picture: none has its name before all are written.
 class MapFiles {
 public:

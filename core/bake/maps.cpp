@@ -40,7 +40,8 @@ public:
     }
 
     std::optional<BakePlan> plan(const std::vector<MapRequest>& requests) {
-        layout(requests);
+        for (const MapRequest& request : requests)
+            add(request);
         std::string why;
         const Module runs = drop_covariances(std::move(module_));
         plan_.program = compile_program(runs, why);
@@ -48,12 +49,6 @@ public:
         if (diagnostics_.has_errors()) return {};
         plan_.resources = runs.resources;
         return std::move(plan_);
-    }
-
-    std::vector<BakedMap>& layout(const std::vector<MapRequest>& requests) {
-        for (const MapRequest& request : requests)
-            add(request);
-        return plan_.maps;
     }
 
 private:
@@ -251,15 +246,6 @@ Covariances covariances_for(const std::vector<MapRequest>& requests) {
 std::optional<BakePlan> plan_maps(const Module& module, const std::vector<MapRequest>& requests,
                                   const MapOptions& options, Diagnostics& diagnostics) {
     return MapPlanner(module, options, diagnostics).plan(requests);
-}
-
-std::vector<BakedMap> layout_of_maps(const Module& module, const std::vector<MapRequest>& requests,
-                                     const MapOptions& options) {
-    Diagnostics untold;
-    MapPlanner planner(module, options, untold);
-    std::vector<BakedMap> maps = std::move(planner.layout(requests));
-    if (untold.has_errors()) maps.clear();
-    return maps;
 }
 
 void store_map(const BakedMap& map, const float* lanes, const uint8_t* covered, size_t count,

@@ -93,10 +93,6 @@ Covariances covariances_for(const std::vector<MapRequest>& requests);
 std::optional<BakePlan> plan_maps(const Module& module, const std::vector<MapRequest>& requests,
                                   const MapOptions& options, Diagnostics& diagnostics);
 
-// The maps of that plan alone, for which no program is made; none with errors, which are not told.
-std::vector<BakedMap> layout_of_maps(const Module& module, const std::vector<MapRequest>& requests,
-                                     const MapOptions& options);
-
 // The stored numbers of `count` texels, interleaved; each lane is a plane of `count` numbers, one
 // after the other. Where `covered` is 0 there is no surface.
 void store_map(const BakedMap& map, const float* lanes, const uint8_t* covered, size_t count,

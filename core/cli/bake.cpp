@@ -5,6 +5,7 @@
 #include "cli/bake_run.h"
 #include "cli/interrupt.h"
 #include "cli/output.h"
+#include "image/writable.h"
 
 namespace wrinkle::cli {
 namespace fs = std::filesystem;
@@ -35,9 +36,17 @@ struct BakeCommand {
         return exit_usage;
     }
 
+    // What a format cannot hold is said before hours of work.
     bool can_be_written(const PartHeader& header, std::string& why) const {
-        why = why_not_held(header.files(options.output, 0, options.threads));
-        return why.empty();
+        for (const MapFile& file : header.files(options.output, 0, options.threads)) {
+            const WriteProblem problem =
+                find_write_problem(format_to_write(file.path), file.options);
+            if (problem.message.empty()) continue;
+            why = file.path.string() + " " + problem.message +
+                  (problem.expected.empty() ? "" : " (" + problem.expected + ")");
+            return false;
+        }
+        return true;
     }
 
     BakeOutcome carry_out(const BakeJob& job, const PartHeader& header) const {

@@ -62,9 +62,8 @@ WriteProblem find_write_problem(const Writable* format, const WriterOptions& opt
         return {"cannot hold values of type " + std::string(name_of(options.type)),
                 "one of: " + std::string(format->types)};
     if (*format->channels && !has_word(format->channels, std::to_string(channels)))
-        return {
-            "cannot hold " + std::to_string(channels) + (channels == 1 ? " channel" : " channels"),
-            "one of: " + std::string(format->channels)};
+        return {"cannot hold " + std::to_string(channels) + " channels",
+                "one of: " + std::string(format->channels)};
     if (channels == 2 && !options.has_alpha && std::string_view(format->plugin) == "png")
         return {"cannot hold red and green alone", "three channels, or a .tif or .exr file"};
     if (!options.compression.empty() && !has_word(format->compressions, options.compression))

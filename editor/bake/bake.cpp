@@ -97,7 +97,7 @@ private:
         if (problems_.has_errors()) return false;
         MaterialOptions options;
         options.given_differentials = true;
-        options.covariances = covariances_for(requests_of(asked_));
+        options.covariances = covariances_for(requests());
         options.runs_calls = "the bake";
         compiled_ = compile_material(project, registry_, options, problems_);
         if (compiled_.ok) read_textures(textures_, compiled_, project, problems_);
@@ -115,12 +115,24 @@ private:
         return false;
     }
 
+    std::vector<MapRequest> requests() const {
+        std::vector<MapRequest> result;
+        for (const AskedMap& map : asked_)
+            result.push_back(map.request);
+        return result;
+    }
+
     bool plan() {
         for (const AskedMap& map : asked_)
             types_.push_back(map.stored->type);
-        MapOptions options = map_options(choices_);
+        MapOptions options;
+        options.tangent_space = !choices_.object_space;
         options.vertex_tangents = !mesh_.tangents.empty();
-        plan_ = plan_maps(compiled_.module, requests_of(asked_), options, problems_);
+        options.green_down = choices_.green_down;
+        options.scale = choices_.tuning.scale;
+        options.width = choices_.width;
+        options.height = choices_.height();
+        plan_ = plan_maps(compiled_.module, requests(), options, problems_);
         return plan_ && check_inputs(mesh_, {&*plan_, 1}, choices_.mesh, problems_) &&
                !progress_.cancelled;
     }
@@ -136,7 +148,17 @@ private:
     bool bake(glm::ivec2 square) {
         const std::string suffix =
             choices_.udim ? "." + std::to_string(udim_number(square)) : std::string();
-        auto writers = MapFiles::open(map_files(choices_, plan_->maps, suffix), disk_);
+        std::vector<MapFile> files;
+        for (const fs::path& path : baked_files(choices_, suffix)) {
+            const size_t map = files.size();
+            const StoredAs& stored = *asked_[map].stored;
+            WriterOptions options = writer_options(plan_->maps[map], stored.type, choices_.width,
+                                                   choices_.height(), choices_.tuning.scale);
+            options.compression = choices_.compression_in(stored);
+            options.tile = choices_.tile_in(stored);
+            files.push_back({path, std::move(options)});
+        }
+        auto writers = MapFiles::open(files, disk_);
         if (!writers) return false;
         written_.push_back(std::move(*writers));
         const std::vector<Texture> textures = textures_.textures_of(plan_->resources);
@@ -220,17 +242,6 @@ void start_bake(State& state, const BakeChoices& choices) {
     const size_t count = asked_maps(choices, ignored).size();
     start_task(state, {"Baking " + counted(count, "map"), work,
                        [choices](State& s) { start_bake(s, choices); }, "texels"});
-}
-
-std::string why_not_stored(const State& state, const BakeChoices& choices) {
-    if (!state.built.module) return {};
-    std::string why;
-    const std::vector<AskedMap> asked = asked_maps(choices, why);
-    const std::vector<BakedMap> maps =
-        layout_of_maps(*state.built.module, requests_of(asked), map_options(choices));
-    if (!why.empty() || maps.empty()) return {};
-    why = why_not_held(map_files(choices, maps, choices.udim ? ".1001" : ""));
-    return why.empty() ? why : why + ".";
 }
 
 fs::path place_of(const State& state, const BakeChoices& choices) {

@@ -22,10 +22,6 @@ TaskOutcome bake_maps(const BakeJob& job, const Registry& registry, TaskProgress
 // The same of the document as it is now, as a task; the choices become the settings.
 void start_bake(State& state, const BakeChoices& choices);
 
-// Why a file would not hold what the graph as it was last compiled makes for it, one sentence; ""
-// when all would, or there is no such graph.
-std::string why_not_stored(const State& state, const BakeChoices& choices);
-
 // Where they go on the disk: relative paths begin beside the graph, "~" at home.
 std::filesystem::path place_of(const State& state, const BakeChoices& choices);
 

@@ -4,6 +4,8 @@
 #include <array>
 #include <iterator>
 
+#include "bake/map_files.h"
+#include "bake/maps.h"
 #include "base/text.h"
 #include "image/writable.h"
 
@@ -152,23 +154,6 @@ BakeSettings settings_of(const BakeChoices& choices) {
     return settings;
 }
 
-MapOptions map_options(const BakeChoices& choices) {
-    MapOptions options;
-    options.tangent_space = !choices.object_space;
-    options.green_down = choices.green_down;
-    options.scale = choices.tuning.scale;
-    options.width = choices.width;
-    options.height = choices.height();
-    return options;
-}
-
-std::vector<MapRequest> requests_of(const std::vector<AskedMap>& asked) {
-    std::vector<MapRequest> requests;
-    for (const AskedMap& map : asked)
-        requests.push_back(map.request);
-    return requests;
-}
-
 std::vector<fs::path> baked_files(const BakeChoices& choices, const std::string& suffix) {
     std::vector<fs::path> files;
     std::string ignored;
@@ -176,22 +161,6 @@ std::vector<fs::path> baked_files(const BakeChoices& choices, const std::string&
     for (const AskedMap& map : asked_maps(choices, ignored))
         files.push_back(
             map_path(choices.into, one, map.request.name, suffix, map.stored->extension));
-    return files;
-}
-
-std::vector<MapFile> map_files(const BakeChoices& choices, std::span<const BakedMap> maps,
-                               const std::string& suffix) {
-    std::vector<MapFile> files;
-    std::string ignored;
-    const std::vector<AskedMap> asked = asked_maps(choices, ignored);
-    for (const fs::path& path : baked_files(choices, suffix)) {
-        const StoredAs& stored = *asked[files.size()].stored;
-        WriterOptions options = writer_options(maps[files.size()], stored.type, choices.width,
-                                               choices.height(), choices.tuning.scale);
-        options.compression = choices.compression_in(stored);
-        options.tile = choices.tile_in(stored);
-        files.push_back({path, std::move(options)});
-    }
     return files;
 }
 

@@ -8,7 +8,6 @@
 #include <string_view>
 #include <vector>
 
-#include "bake/map_files.h"
 #include "bake/maps.h"
 #include "bake/options.h"
 #include "editor/document/settings.h"
@@ -72,15 +71,8 @@ std::vector<AskedMap> asked_maps(const BakeChoices& choices, std::string& why);
 // type.
 std::string bake_command(const BakeChoices& choices, const std::filesystem::path& graph);
 
-// What plan_maps() is asked for; whether the mesh has tangents is for whoever knows it.
-MapOptions map_options(const BakeChoices& choices);
-std::vector<MapRequest> requests_of(const std::vector<AskedMap>& asked);
-
 // The files of a picture, by map; of a UDIM tile with its number: ".1001".
 std::vector<std::filesystem::path> baked_files(const BakeChoices& choices,
                                                const std::string& suffix = {});
-// The same with what each is to hold: all that is asked for, as it was planned.
-std::vector<MapFile> map_files(const BakeChoices& choices, std::span<const BakedMap> maps,
-                               const std::string& suffix);
 
 }  // namespace wrinkle::editor

@@ -57,11 +57,8 @@ void draw_sentence(ImU32 color, const std::string& text) {
 
 void draw_consequences(State& state) {
     BakeDialog& dialog = state.bake_dialog;
-    if (!dialog.looked || *dialog.looked != dialog.choices ||
-        dialog.looked_at != state.built.module) {
+    if (!dialog.looked || *dialog.looked != dialog.choices) {
         dialog.looked = dialog.choices;
-        dialog.looked_at = state.built.module;
-        dialog.unfit = why_not_stored(state, dialog.choices);
         dialog.replaces = what_is_replaced(state);
     }
     const std::string why = why_no_bake(state);
@@ -146,7 +143,6 @@ std::string why_no_bake(const State& state) {
     if (choices.into.empty()) return "Say where the maps go.";
     if (state.built.problems.has_errors())
         return "The graph has errors. They are in the list of problems.";
-    if (!state.bake_dialog.unfit.empty()) return state.bake_dialog.unfit;
     if (state.tasks.running) return state.tasks.running->order().name + " is not done yet.";
     return {};
 }

@@ -5,7 +5,6 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -62,10 +61,8 @@ struct Browser {
 struct BakeDialog {
     bool open = false, opening = false;
     BakeChoices choices;
-    std::optional<BakeChoices> looked;        // for which the rest was found
-    std::shared_ptr<const Module> looked_at;  // of the graph
-    std::string unfit;                        // what a file would not hold, one sentence
-    std::string replaces;                     // which files are there already, one sentence
+    std::optional<BakeChoices> looked;  // for which `replaces` was found
+    std::string replaces;               // which files are there already, one sentence
 };
 
 // The page that stands in for a canvas without a graph.

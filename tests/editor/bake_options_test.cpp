@@ -215,27 +215,6 @@ TEST_F(BakeOptionRows, WhatCannotBeIsSaidBeforeItIsTried) {
     EXPECT_FALSE(fs::exists(folder.path() / "maps"));
 }
 
-// The reason that the program gives, before anything is baked.
-TEST_F(BakeOptionRows, AMapThatAFormatCannotHoldIsRefusedInTheDialog) {
-    play("key Ctrl+B\nclick bake:stored\nclick bake:stored:hdr-float\nwait");
-    EXPECT_EQ(why_no_bake(state), "");
-    play("click bake:map:height\nwait");
-    const std::string why = why_no_bake(state);
-    EXPECT_NE(why.find("height.hdr cannot hold 1 channel (one of: 3)."), why.npos) << why;
-    const std::string said = program_output("bake " + file.string() +
-                                            " --mesh sphere --size 256 --map normal,height "
-                                            "--type float --format hdr -o " +
-                                            (folder.path() / "theirs").string());
-    EXPECT_NE(said.find("height.hdr cannot hold 1 channel (one of: 3)"), said.npos) << said;
-    play("click bake:start\nkey Enter\nwait");
-    EXPECT_TRUE(state.bake_dialog.open);
-    EXPECT_EQ(state.tasks.running, nullptr);
-    play("click bake:stored\nclick bake:stored:exr-float\nwait");
-    EXPECT_EQ(why_no_bake(state), "");
-    play("click bake:stored\nclick bake:stored:hdr-float\nclick bake:map:height\nwait");
-    EXPECT_EQ(why_no_bake(state), "");
-}
-
 TEST_F(BakeOptionRows, SettingsThatFitNoOptionAreLeft) {
     BakeSettings odd;
     odd.tuning.samples = 5;
