@@ -144,9 +144,7 @@ void TexelPoints::fill(const Coverage& coverage, const TexelRect& rect, size_t s
     for (const UvSample& sample : coverage.samples) {
         const glm::dvec2 uv = layout_.uv(sample.place.x, sample.place.y);
         const std::array<double, interpolated_behind> u = {uv.x};
-        const Run run = {u.data(), uv.y, 1};
-        fill_run(sample.triangle, run, stride, out, met);
-        fill_places(run, stride, out++);
+        out = fill_row({&sample.triangle, 1}, u.data(), uv.y, stride, out, met);
     }
 }
 
@@ -163,8 +161,14 @@ float* TexelPoints::fill_row(std::span<const uint32_t> owners, const double* u, 
             fill_covered(first);
             covered = end;
         } else {
-            fill_run(owners[first], {u + first, v, end - first}, stride, out, met);
-            out += end - first;
+            // Most runs are short and of triangles that are known.
+            MetTriangles::Met& one = met.met[owners[first] % met.met.size()];
+            if (one.triangle != owners[first]) learn(owners[first], one);
+            const PlaceRow run = {u + first, v, end - first};
+            interpolate_(one.planes, run, out, stride);
+            for (const Source& source : views_)
+                fill_view(one, run, source, out + source.plane * stride);
+            out += run.count;
         }
         first = end;
     }
@@ -177,15 +181,11 @@ glm::dvec3 TexelPoints::change(const UvTriangle& triangle, Variant variant) cons
                                   : triangle.du() / static_cast<double>(layout_.width);
 }
 
-MetTriangles::Met& TexelPoints::meet(uint32_t triangle, MetTriangles& met) const {
-    MetTriangles::Met& one = met.met[triangle % met.met.size()];
-    if (one.triangle == triangle) return one;
+void TexelPoints::learn(uint32_t triangle, MetTriangles::Met& one) const {
     const auto uv = uv_triangle(mesh_, triangle);
     assert(uv);
     one.triangle = triangle;
     one.uv = *uv;
-    one.row = {
-        {uv->first.x, uv->first.y}, {uv->second.x, uv->second.y}, {uv->third.x, uv->third.y}};
     const uint32_t* corners = mesh_.indices.data() + 3 * size_t{triangle};
     const auto at = [&](const Source& source, size_t k) {
         return source.values[size_t{corners[k]} * source.stride];
@@ -204,38 +204,29 @@ MetTriangles::Met& TexelPoints::meet(uint32_t triangle, MetTriangles& met) const
                                            change(one.uv, source.variant));
         one.constant.push_back({static_cast<float>(value), source.plane});
     }
-    return one;
+    one.planes = {{uv->first.x, uv->first.y}, {uv->second.x, uv->second.y},
+                  {uv->third.x, uv->third.y}, one.linear.data(),
+                  one.linear.size(),          one.constant.data(),
+                  one.constant.size()};
 }
 
-void TexelPoints::fill_run(uint32_t triangle, const Run& run, size_t stride, float* out,
-                           MetTriangles& met) const {
-    MetTriangles::Met& one = meet(triangle, met);
-    one.row.u = run.u;
-    one.row.v = run.v;
-    one.row.count = run.count;
-    const TrianglePlanes planes = {one.linear.data(), one.linear.size(), one.constant.data(),
-                                   one.constant.size()};
-    interpolate_(one.row, planes, out, stride);
-    for (const Source& source : views_)
-        fill_view(one, source, out + source.plane * stride);
-}
-
-void TexelPoints::fill_places(const Run& run, size_t stride, float* out) const {
+void TexelPoints::fill_places(const PlaceRow& row, size_t stride, float* out) const {
     for (const Source& source : places_) {
         float* to = out + source.plane * stride;
-        for (size_t i = 0; i < run.count; ++i)
-            to[i] = static_cast<float>(source.lane == 0 ? run.u[i] : run.v);
+        for (size_t i = 0; i < row.count; ++i)
+            to[i] = static_cast<float>(source.lane == 0 ? row.u[i] : row.v);
     }
 }
 
-void TexelPoints::fill_view(const MetTriangles::Met& one, const Source& source, float* out) const {
+void TexelPoints::fill_view(const MetTriangles::Met& one, const PlaceRow& row, const Source& source,
+                            float* out) const {
     const uint32_t* corners = mesh_.indices.data() + 3 * size_t{one.triangle};
     const auto at = [&](const glm::dvec3& w) {
         return blend<glm::dvec3>(mesh_.normals[corners[0]], mesh_.normals[corners[1]],
                                  mesh_.normals[corners[2]], w);
     };
-    for (size_t i = 0; i < one.row.count; ++i) {
-        const glm::dvec3 weights = one.uv.weights({one.row.u[i], one.row.v});
+    for (size_t i = 0; i < row.count; ++i) {
+        const glm::dvec3 weights = one.uv.weights({row.u[i], row.v});
         const glm::dvec3 normal = at(is_outside(weights) ? brought_back(weights) : weights);
         const double length = glm::length(normal);
         const glm::dvec3 unit = normal / length;

@@ -28,7 +28,7 @@ struct MetTriangles {
     struct Met {
         uint32_t triangle = Coverage::none;
         UvTriangle uv;
-        TriangleRow row;  // of `uv`, where its points lie being those of the last row
+        TrianglePlanes planes;  // in the vectors below
         std::vector<LinearPlane> linear;
         std::vector<ConstantPlane> constant;
     };
@@ -51,12 +51,6 @@ public:
               MetTriangles& met) const;
 
 private:
-    // Points side by side; those of a triangle, or whatever owns them.
-    struct Run {
-        const double* u;  // of each; read as far as whole vectors go
-        double v;
-        size_t count;
-    };
     // Of one input: its number at vertex i stands at values[i * stride].
     struct Source {
         size_t plane;
@@ -68,14 +62,13 @@ private:
 
     void add(const Program::Input& input, size_t plane);
     glm::dvec3 change(const UvTriangle& triangle, Variant variant) const;
-    MetTriangles::Met& meet(uint32_t triangle, MetTriangles& met) const;
-    // Texels side by side; what follows their points.
+    void learn(uint32_t triangle, MetTriangles::Met& one) const;
+    // Points side by side; what follows them.
     float* fill_row(std::span<const uint32_t> owners, const double* u, double v, size_t stride,
                     float* out, MetTriangles& met) const;
-    void fill_run(uint32_t triangle, const Run& run, size_t stride, float* out,
-                  MetTriangles& met) const;
-    void fill_places(const Run& run, size_t stride, float* out) const;
-    void fill_view(const MetTriangles::Met& one, const Source& source, float* out) const;
+    void fill_places(const PlaceRow& row, size_t stride, float* out) const;
+    void fill_view(const MetTriangles::Met& one, const PlaceRow& row, const Source& source,
+                   float* out) const;
 
     const Mesh& mesh_;
     UvLayout layout_;

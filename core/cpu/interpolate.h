@@ -13,14 +13,6 @@ namespace wrinkle {
 
 inline constexpr size_t interpolated_behind = 8;
 
-struct TriangleRow {
-    // s and t are linear in the place: 0 at `first`, and change by this per unit of u and v.
-    double first[2], second[2], third[2];
-    const double* u = nullptr;
-    double v = 0;
-    size_t count = 0;
-};
-
 // What a plane holds, from the number at the first place on.
 struct LinearPlane {
     double corner[3];
@@ -32,14 +24,22 @@ struct ConstantPlane {
 };
 
 struct TrianglePlanes {
+    // s and t are linear in the place: 0 at `first`, and change by this per unit of u and v.
+    double first[2], second[2], third[2];
     const LinearPlane* linear = nullptr;
     size_t linear_count = 0;
     const ConstantPlane* constant = nullptr;
     size_t constant_count = 0;
 };
 
+struct PlaceRow {
+    const double* u;  // of each; read as far as whole vectors go
+    double v;
+    size_t count;
+};
+
 // Plane i begins at out + i * stride.
-using Interpolate = void (*)(const TriangleRow& row, const TrianglePlanes& planes, float* out,
+using Interpolate = void (*)(const TrianglePlanes& triangle, const PlaceRow& row, float* out,
                              size_t stride);
 
 }  // namespace wrinkle

@@ -26,11 +26,11 @@ struct CornerWeights {
     }
 };
 
-CornerWeights weights_at(const TriangleRow& row, Doubles u, size_t left) {
-    const Doubles x = u - row.first[0];
-    const double y = row.v - row.first[1];
-    const Doubles s = row.second[0] * x + row.second[1] * y;
-    const Doubles t = row.third[0] * x + row.third[1] * y;
+CornerWeights weights_at(const TrianglePlanes& triangle, Doubles u, double v, size_t left) {
+    const Doubles x = u - triangle.first[0];
+    const double y = v - triangle.first[1];
+    const Doubles s = triangle.second[0] * x + triangle.second[1] * y;
+    const Doubles t = triangle.third[0] * x + triangle.third[1] * y;
     CornerWeights weights = {1 - s - t, s, t};
     const Doubles low = s < t ? s : t;
     const Doubles least = weights.a < low ? weights.a : low;
@@ -40,17 +40,18 @@ CornerWeights weights_at(const TriangleRow& row, Doubles u, size_t left) {
     return weights;
 }
 
-void interpolate(const TriangleRow& row, const TrianglePlanes& planes, float* out, size_t stride) {
+void interpolate(const TrianglePlanes& triangle, const PlaceRow& row, float* out, size_t stride) {
     // Copies, which what is stored cannot change.
-    const TriangleRow places = row;
+    const TrianglePlanes planes = triangle;
+    const PlaceRow places = row;
     const LinearPlane* const end = planes.linear + planes.linear_count;
     const ConstantPlane* const constant_end = planes.constant + planes.constant_count;
     for (size_t k = 0; k < places.count; k += double_lanes) {
         for (const ConstantPlane* each = planes.constant; each != constant_end; ++each)
             store(out + each->plane * stride + k, NarrowFloats{} + each->value);
-        if (planes.linear_count == 0) continue;
+        if (planes.linear == end) continue;
         const auto u = load<Doubles>(places.u + k);
-        const CornerWeights weights = weights_at(places, u, places.count - k);
+        const CornerWeights weights = weights_at(planes, u, places.v, places.count - k);
         for (const LinearPlane* each = planes.linear; each != end; ++each) {
             const Doubles at = each->corner[0] * weights.a + each->corner[1] * weights.b +
                                each->corner[2] * weights.c;

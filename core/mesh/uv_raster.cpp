@@ -79,6 +79,24 @@ RasterEdge edge_of(const Triangle& t, size_t k) {
     return {t.x[k], t.y[k], int64_t{t.x[next]} - t.x[k], int64_t{t.y[next]} - t.y[k]};
 }
 
+// Calls take(texel, count) for each row's texels between the edges. How many edges there are is
+// known here, so that what they go on by stays in registers.
+template <size_t lefts, size_t rights, class Take>
+void each_row(std::array<EdgeRows, 2> left, std::array<EdgeRows, 2> right, const TexelRect& rect,
+              const Interval& rows, const Interval& columns, Take take) {
+    int64_t texel = (rows.low - rect.y) * rect.width - rect.x;
+    for (int64_t rest = rows.high - rows.low; rest >= 0; --rest) {
+        Interval row = columns;
+        for (size_t i = 0; i < lefts; ++i)
+            row.low = std::max(row.low, -left[i].next());
+        for (size_t i = 0; i < rights; ++i)
+            row.high = std::min(row.high, right[i].next());
+        if (!row.empty())
+            take(static_cast<size_t>(texel + row.low), static_cast<size_t>(row.high - row.low + 1));
+        texel += rect.width;
+    }
+}
+
 // The texels from `first` on, `count` of them, that `box` meets.
 template <class Box>
 Interval texels_met(const Box& box, uint32_t first, uint32_t count) {
@@ -194,10 +212,17 @@ void UvRaster::find_borders() {
 }
 
 std::vector<RowCandidate> UvRaster::in_rows(uint32_t y, uint32_t height) const {
-    std::vector<RowCandidate> found;
     const auto low = static_cast<int32_t>(y), high = static_cast<int32_t>(y + height - 1);
+    std::vector<uint32_t> met(rows_.size() + 1);
+    size_t count = 0;
     for (uint32_t i = 0; i < rows_.size(); ++i) {
-        if (rows_[i].high < low || rows_[i].low > high) continue;
+        met[count] = i;  // no branch asks, as most of them could not be foreseen
+        count +=
+            static_cast<size_t>(rows_[i].high >= low) & static_cast<size_t>(rows_[i].low <= high);
+    }
+    std::vector<RowCandidate> found;
+    found.reserve(count);
+    for (const uint32_t i : std::span(met).first(count)) {
         const Texels& columns = triangles_[i].columns;
         if (!texels_met(columns, 0, layout_.width).empty())
             found.push_back({i, columns.low, columns.high});
@@ -205,13 +230,25 @@ std::vector<RowCandidate> UvRaster::in_rows(uint32_t y, uint32_t height) const {
     return found;
 }
 
+// No branch asks which are met, as it could not be foreseen.
+void UvRaster::find_met(const TexelRect& rect, std::span<const RowCandidate> candidates,
+                        Coverage& out) {
+    const auto low = static_cast<int32_t>(rect.x);
+    const auto high = static_cast<int32_t>(rect.x + rect.width - 1);
+    out.met.resize(candidates.size());
+    size_t count = 0;
+    for (const RowCandidate& each : candidates) {
+        out.met[count] = each.triangle;
+        count += static_cast<size_t>(each.low <= high) & static_cast<size_t>(each.high >= low);
+    }
+    out.met.resize(count);
+}
+
 void UvRaster::cover(const TexelRect& rect, std::span<const RowCandidate> candidates,
                      Coverage& out) const {
     out.edges.clear();
     out.samples.clear();
-    out.met.clear();
-    for (const RowCandidate& each : candidates)
-        if (!texels_met(each, rect.x, rect.width).empty()) out.met.push_back(each.triangle);
+    find_met(rect, candidates, out);
     own_centres(rect, out);
     if (across_ == 1) return;
     out.slots.assign(out.owners.size(), Coverage::none);
@@ -240,16 +277,12 @@ void UvRaster::each_span(const TexelRect& rect, uint32_t index, Take take) const
         if (edge.dy < 0) left[lefts++] = EdgeRows(edge, rows.low);
         if (edge.dy > 0) right[rights++] = EdgeRows(edge, rows.low);
     }
-    int64_t texel = (rows.low - rect.y) * rect.width - rect.x;
-    for (int64_t y = rows.low; y <= rows.high; ++y, texel += rect.width) {
-        Interval row = columns;
-        for (size_t i = 0; i < lefts; ++i)
-            row.low = std::max(row.low, -left[i].next());
-        for (size_t i = 0; i < rights; ++i)
-            row.high = std::min(row.high, right[i].next());
-        if (!row.empty())
-            take(static_cast<size_t>(texel + row.low), static_cast<size_t>(row.high - row.low + 1));
-    }
+    if (lefts == 2)
+        each_row<2, 1>(left, right, rect, rows, columns, take);
+    else if (rights == 2)
+        each_row<1, 2>(left, right, rect, rows, columns, take);
+    else
+        each_row<1, 1>(left, right, rect, rows, columns, take);
 }
 
 void UvRaster::own_centres(const TexelRect& rect, Coverage& out) const {

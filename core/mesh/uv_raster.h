@@ -97,6 +97,8 @@ private:
     };
 
     static Texels texels_of(const int32_t (&places)[3]);
+    static void find_met(const TexelRect& rect, std::span<const RowCandidate> candidates,
+                         Coverage& out);
     void add(const Mesh& mesh, size_t index);
     void find_borders();
     // Calls take(texel, count) for the centres in each row that the triangle covers.
