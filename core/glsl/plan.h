@@ -104,7 +104,6 @@ private:
     bool given_;
     std::vector<Value> values_;  // by Id
     size_t used_ = 0;
-    bool detached_ = false;      // there is a detach among it
     std::vector<Id> operands_;   // of all, as they are met
     std::string literals_;       // the texts of all
     std::vector<Id> gradients_;  // that resolves subtract

@@ -15,10 +15,7 @@ struct Layered {
     Value base;
 
     Layered() {
-        m.module.nodes = {{"", "", ""},
-                          {"dents", "Resolve", ""},
-                          {"scratches", "Scratches", ""},
-                          {"sum", "Add", ""}};
+        m.module.nodes = {{}, {"dents"}, {"scratches"}, {"sum"}};
         m.module.current_node = 1;
         first = m.resolve(m.from_height(m.sin(m.position().x() * 6) * 0.05));
         base = op(Op::base_, first);
