@@ -5,6 +5,7 @@
 
 #include <array>
 
+#include "graph/edit.h"
 #include "lower/fixture.h"
 
 namespace wrinkle {
@@ -42,6 +43,25 @@ TEST(Types, OfReroutesDoNotDependOnTheOrderOfTheNodes) {
             EXPECT_EQ(types.link(0, {id, "out"}), std::nullopt) << id << " in " << text;
         EXPECT_EQ(types.link(0, {"free", "out"}), PortType::float_);
     }
+}
+
+// Wires are looked up as a text is read; those of an edited graph lead elsewhere.
+TEST(Types, OfAnEditedGraphReadTheNodesThatItHas) {
+    Diagnostics problems;
+    Project project =
+        test::project(test::graph(R"("gone": {"type": "number"}, "b": {"type": "bump"},
+                       "s": {"type": "scale", "in": {"gradient": {"from": "b.gradient"}}})",
+                                  R"("g": {"from": "s.gradient"})"),
+                      problems);
+    const auto source = [&] {
+        const size_t reader = project.top().nodes.index_of("s");
+        return Types(project, test::registry()).inputs(0, reader)[0].source.node;
+    };
+    EXPECT_EQ(source(), project.top().nodes.index_of("b"));
+    project = load_project(remove_node(project.top(), "gone"), project.root, {}, problems);
+    ASSERT_EQ(project.top().nodes.size(), 2u);
+    EXPECT_EQ(source(), project.top().nodes.index_of("b"));
+    EXPECT_EQ(to_text(problems), "");
 }
 
 }  // namespace
