@@ -28,6 +28,8 @@ constexpr int64_t texel_at(int64_t place) {
     return place >> 8;
 }
 
+constexpr size_t group = 32;  // of triangles that follow each other
+
 // One edge of a counter-clockwise triangle, from (ax, ay) by (dx, dy). What lies to its left is
 // inside; of the edge itself, where it runs downwards or to the right.
 struct RasterEdge {
@@ -162,6 +164,7 @@ UvRaster::UvRaster(const Mesh& mesh, const UvLayout& layout)
     rows_.resize(mesh.triangle_count());
     for (size_t i = 0; i < mesh.triangle_count(); ++i)
         add(mesh, i);
+    find_group_rows();
     if (across_ > 1) find_borders();
 }
 
@@ -193,6 +196,17 @@ void UvRaster::add(const Mesh& mesh, size_t index) {
     rows_[index] = texels_of(t.y);
 }
 
+void UvRaster::find_group_rows() {
+    group_rows_.resize((rows_.size() + group - 1) / group);
+    for (size_t i = 0; i < rows_.size(); ++i) {
+        Texels& all = group_rows_[i / group];
+        const bool first = all.low > all.high;
+        if (rows_[i].low > rows_[i].high) continue;
+        all.low = first ? rows_[i].low : std::min(all.low, rows_[i].low);
+        all.high = std::max(all.high, rows_[i].high);
+    }
+}
+
 void UvRaster::find_borders() {
     std::vector<UvEdge> edges;
     edges.reserve(3 * triangles_.size());
@@ -213,19 +227,15 @@ void UvRaster::find_borders() {
 
 std::vector<RowCandidate> UvRaster::in_rows(uint32_t y, uint32_t height) const {
     const auto low = static_cast<int32_t>(y), high = static_cast<int32_t>(y + height - 1);
-    std::vector<uint32_t> met(rows_.size() + 1);
-    size_t count = 0;
-    for (uint32_t i = 0; i < rows_.size(); ++i) {
-        met[count] = i;  // no branch asks, as most of them could not be foreseen
-        count +=
-            static_cast<size_t>(rows_[i].high >= low) & static_cast<size_t>(rows_[i].low <= high);
-    }
+    const auto meets = [&](const Texels& rows) { return rows.high >= low && rows.low <= high; };
     std::vector<RowCandidate> found;
-    found.reserve(count);
-    for (const uint32_t i : std::span(met).first(count)) {
-        const Texels& columns = triangles_[i].columns;
-        if (!texels_met(columns, 0, layout_.width).empty())
-            found.push_back({i, columns.low, columns.high});
+    for (size_t first = 0; first < rows_.size(); first += group) {
+        if (!meets(group_rows_[first / group])) continue;
+        for (size_t i = first; i < std::min(first + group, rows_.size()); ++i) {
+            const Texels& columns = triangles_[i].columns;
+            if (meets(rows_[i]) && !texels_met(columns, 0, layout_.width).empty())
+                found.push_back({static_cast<uint32_t>(i), columns.low, columns.high});
+        }
     }
     return found;
 }

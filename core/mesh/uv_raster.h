@@ -100,6 +100,7 @@ private:
     static void find_met(const TexelRect& rect, std::span<const RowCandidate> candidates,
                          Coverage& out);
     void add(const Mesh& mesh, size_t index);
+    void find_group_rows();
     void find_borders();
     // Calls take(texel, count) for the centres in each row that the triangle covers.
     template <class Take>
@@ -113,7 +114,8 @@ private:
     UvLayout layout_;
     uint32_t across_ = 1;  // samples in a row of a texel
     std::vector<Triangle> triangles_;
-    std::vector<Texels> rows_;  // that each of them meets
+    std::vector<Texels> rows_;        // that each of them meets
+    std::vector<Texels> group_rows_;  // that each group of them meets
 };
 
 }  // namespace wrinkle
