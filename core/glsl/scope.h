@@ -18,7 +18,7 @@ namespace wrinkle {
 // What is known of a value in the scope at hand.
 struct ValueState {
     uint32_t epoch = 0;          // of the scope that it belongs to
-    uint32_t uses = 0;           // until it is decided what is a temporary
+    uint32_t uses = 0;           // how often it is read
     uint32_t place = 0;          // among the scope's statements
     uint32_t name_begin = 0;     // of a temporary, once it is written
     uint32_t width = 0;          // where it is read: of its text, about; of a temporary's name

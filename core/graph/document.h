@@ -134,14 +134,13 @@ struct Document {
     Table<Position> positions;
     Table<Box> frames;
     Table<Box> notes;
-    std::vector<Extra> unknown_layout;  // entries of "layout" of another shape
-    std::vector<Extra> unknown;         // top-level keys
-    json::Value source;                 // the whole as it was read; null for a new one
-    bool edited = false;                // set by every edit that changes something
+    std::vector<Extra> unknown_layout;        // entries of "layout" of another shape
+    std::vector<Extra> unknown;               // top-level keys
+    json::Value source;                       // the whole as it was read; null for a new one
+    bool edited = false;                      // set by every edit that changes something
+    std::shared_ptr<const Wires> read_wires;  // as read; null: check_links found something
     // Why not all of the text is in here, a clause or a problem: writing it would lose the rest.
     std::string lost;
-
-    std::shared_ptr<const Wires> read_wires;  // as read; null: check_links found something
 
     const Node* find(std::string_view id) const;
     // Where all of them hold and nothing was edited, else null.
