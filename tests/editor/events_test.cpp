@@ -151,7 +151,9 @@ TEST_F(Events, AnyAreSurvivedAndUndone) {
     fs::current_path(before);
     std::printf("%zu events in %zu gestures: %zu edits, %llu texts generated\n", events.count(),
                 gestures, edits_, static_cast<unsigned long long>(state.counters.builds));
-    EXPECT_GE(edits_ * 20, events.count()) << "the hands aim too badly";
+    // One event in 11 edits on a quiet machine, one in 21 on a busy one: what comes from other
+    // threads comes later then, and the same hand meets something else.
+    EXPECT_GE(edits_ * 40, events.count()) << "the hands aim too badly";
 }
 
 }  // namespace
