@@ -151,8 +151,8 @@ TEST_F(Events, AnyAreSurvivedAndUndone) {
     fs::current_path(before);
     std::printf("%zu events in %zu gestures: %zu edits, %llu texts generated\n", events.count(),
                 gestures, edits_, static_cast<unsigned long long>(state.counters.builds));
-    // One event in 11 edits on a quiet machine, one in 21 on a busy one: what comes from other
-    // threads comes later then, and the same hand meets something else.
+    // As a rule one event in 11 edits. A build of clang's once made one in 21 and another time one
+    // in 14, for a reason that is not known: hands that miss everything are to be seen here.
     EXPECT_GE(edits_ * 40, events.count()) << "the hands aim too badly";
 }
 
