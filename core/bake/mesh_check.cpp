@@ -17,13 +17,16 @@ void warn(const std::string& mesh, std::string message, std::string expected,
 }
 
 constexpr const char* beyond_first = "UDIM tiles (--udim) have the other squares";
+const std::string numbered_squares = "with u from 0 to 10 and v on one side of 0";
 
 std::string nothing_to_bake(const UvSurvey& uvs, bool udim, std::string& expected) {
     expected = "a mesh with a uv layout";
     if (uvs.triangles == uvs.without_area) return "no triangle has an area in uv";
-    if (udim ? !uvs.squares.empty() : uvs.first_square > 0) return "";
-    expected = udim ? "uvs in the tiles 1001 to 1100" : beyond_first;
-    return "no triangle lies in the uv square from (0, 0) to (1, 1)";
+    if (udim ? !uvs.squares.empty() : uvs.in_square > 0) return "";
+    expected = uvs.squares.empty() ? "uvs " + numbered_squares : beyond_first;
+    return udim ? "no triangle lies in a square of uv that UDIM has a number for"
+                : "no triangle lies in the uv square from (0, 0) to (1, 1), and the layout lies in "
+                  "several others";
 }
 
 }  // namespace
@@ -46,14 +49,14 @@ bool check_uvs(const UvSurvey& uvs, bool udim, const std::string& name, Diagnost
     if (uvs.without_area > 0)
         warn(name, share(uvs.without_area, uvs.triangles) + " have no area in uv and no texel", "",
              diagnostics);
-    if (!udim && uvs.first_square < area)
-        warn(name, share(area - uvs.first_square, uvs.triangles) + " lie outside of the uv square",
-             beyond_first, diagnostics);
+    if (!udim && uvs.in_square < area)
+        warn(name, share(area - uvs.in_square, uvs.triangles) + " lie outside of the uv square",
+             uvs.squares.size() > 1 ? beyond_first : "uvs " + numbered_squares, diagnostics);
     if (udim && uvs.beyond_udim > 0)
         warn(name,
              share(uvs.beyond_udim, uvs.triangles) +
-                 " reach out of the tiles 1001 to 1100 and are cut off there",
-             "", diagnostics);
+                 " reach into squares of uv that UDIM has no number for and are cut off there",
+             "uvs " + numbered_squares, diagnostics);
     if (uvs.mirrored > 0)
         warn(name, share(uvs.mirrored, uvs.triangles) + " are mirrored in uv",
              "their tangents' w is -1; engines must read it", diagnostics);

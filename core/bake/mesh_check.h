@@ -12,8 +12,8 @@ namespace wrinkle {
 
 bool has_uv_layout(const Mesh& mesh, const std::string& name, Diagnostics& diagnostics);
 
-// An error where nothing lies in the square from (0, 0) to (1, 1), or with `udim` in any; warnings
-// tell of what the uvs will not do.
+// An error where nothing lies in the square that is baked, or with `udim` in any that has a number;
+// warnings tell of what the uvs will not do.
 bool check_uvs(const UvSurvey& uvs, bool udim, const std::string& name, Diagnostics& diagnostics);
 
 // Whether it has what the programs read.

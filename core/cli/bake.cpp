@@ -39,6 +39,13 @@ struct BakeCommand {
     // What a format cannot hold is said before hours of work.
     bool can_be_written(const PartHeader& header, std::string& why) const {
         for (const MapFile& file : header.files(options.output, 0, options.threads)) {
+            if (!file.path.has_extension()) {
+                why = file.path.string() +
+                      " has no extension to choose the format by; the file of one map has one, "
+                      "such as " +
+                      file.path.string() + ".png";
+                return false;
+            }
             const WriteProblem problem =
                 find_write_problem(format_to_write(file.path), file.options);
             if (problem.message.empty()) continue;

@@ -56,7 +56,7 @@ WriteProblem find_write_problem(const Writable* format, const WriterOptions& opt
     if (options.width == 0 || options.height == 0 || channels == 0)
         return {"has no pixels", "at least one pixel"};
     if (!format)
-        return {"has an extension that is no image format to write",
+        return {"does not end in the extension of an image format",
                 ".png, .jpg, .tif, .exr or .hdr"};
     if (!has_word(format->types, name_of(options.type)))
         return {"cannot hold values of type " + std::string(name_of(options.type)),

@@ -27,7 +27,7 @@ namespace wrinkle {
 struct UvLayout {
     uint32_t width = 1024;  // texels, 1 to 65536
     uint32_t height = 1024;
-    glm::ivec2 corner{0};  // of the square: (0, 0) but for UDIM tiles
+    glm::ivec2 corner{0};  // of the square (mesh/uv_survey.h)
     uint32_t samples = 1;  // of an edge texel: 1, 4, 16 or 64
 
     // Of a place in texels.

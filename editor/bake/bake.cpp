@@ -138,8 +138,8 @@ private:
     }
 
     bool bake_squares() {
-        const std::vector<glm::ivec2> first = {glm::ivec2(0)};
-        const std::vector<glm::ivec2>& squares = choices_.udim ? uvs_.squares : first;
+        const std::vector<glm::ivec2> one = {uvs_.square};
+        const std::vector<glm::ivec2>& squares = choices_.udim ? uvs_.squares : one;
         progress_.begin(uint64_t{choices_.width} * choices_.height() * squares.size());
         return std::all_of(squares.begin(), squares.end(),
                            [&](glm::ivec2 square) { return bake(square); });

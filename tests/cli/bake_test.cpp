@@ -168,7 +168,7 @@ TEST_F(BakeTest, TellsOfUvsThatOverlapAreMirroredOrLieOutside) {
 TEST_F(BakeTest, RefusesMeshesThatCannotBeBaked) {
     put("bare.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 3\n");
     put("point.obj", square("vt 0.5 0.5\nvt 0.5 0.5\nvt 0.5 0.5\nvt 0.5 0.5\n"));
-    put("away.obj", square("vt 5 5\nvt 6 5\nvt 6 6\nvt 5 6\n"));
+    put("away.obj", square("vt 5 5\nvt 7 5\nvt 7 6\nvt 5 6\n"));
     put("g.json", R"({"wrinkle": 1, "nodes": {"c": {"type": "combine_vec3"}},
                       "outputs": {"tint": {"from": "surface.color0"}}})");
     const auto refused = [&](const std::string& mesh, const Names& more = {}) {
@@ -206,7 +206,10 @@ TEST_F(BakeTest, WrongUsageIsSaidBeforeAnyWork) {
     wrong({"--map", "normal,"});
     EXPECT_TRUE(says(wrong({"-MF", "x.d"}), "go with -MD"));
     EXPECT_TRUE(says(wrong({"--type", "half"}), "cannot hold values of type half"));
-    EXPECT_TRUE(says(wrong({}, "m.bmp"), ".png"));
+    EXPECT_TRUE(says(wrong({}, "m.bmp"), "m.bmp does not end in the extension of an image format"));
+    const std::string folder_name = wrong({"--map", "normal"}, "maps");
+    EXPECT_TRUE(says(folder_name, "maps has no extension to choose the format by"));
+    EXPECT_TRUE(says(folder_name, "maps.png")) << "the file of one map";
     wrong({"--tile", "64"});
     EXPECT_EQ(run({"bake", graph, "-o", "m.png"}).code, 2);
     EXPECT_EQ(run({"bake", "--merge", "a", "--mesh", "cube", "-o", "m.png"}).code, 2);

@@ -183,7 +183,7 @@ TEST_F(EditorBake, AMeshThatCannotBeBakedOntoIsSaid) {
     const std::string bare = folder.write("bare.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
     EXPECT_EQ(refused(bare), "No map can be baked. bare.obj: the mesh has no uvs (set 0).");
     const std::string far = folder.write("far.obj",
-                                         "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 5 5\nvt 6 5\nvt 5 6\n"
+                                         "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 5 5\nvt 7 5\nvt 5 6\n"
                                          "f 1/1 2/2 3/3\n");
     EXPECT_NE(refused(far).find("no triangle lies in the uv square"), std::string::npos);
     EXPECT_NE(refused(folder.path() / "gone.obj").find("gone.obj: "), std::string::npos);

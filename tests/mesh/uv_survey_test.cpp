@@ -14,7 +14,8 @@ TEST(UvSurvey, ShapesLieInTheFirstSquareUnmirrored) {
         const UvSurvey survey = survey_uvs(shape.make());
         EXPECT_EQ(survey.mirrored, 0U) << shape.name;
         EXPECT_EQ(survey.beyond_udim, 0U) << shape.name;
-        EXPECT_EQ(survey.first_square + survey.without_area, survey.triangles) << shape.name;
+        EXPECT_EQ(survey.in_square + survey.without_area, survey.triangles) << shape.name;
+        EXPECT_EQ(survey.square, glm::ivec2(0)) << shape.name;
         ASSERT_EQ(survey.squares.size(), 1U) << shape.name;
         EXPECT_EQ(udim_number(survey.squares[0]), 1001);
     }
@@ -27,7 +28,8 @@ TEST(UvSurvey, CountsWhatIsMirroredOutsideOrWithoutArea) {
         uv = glm::vec2(3 - uv.x, uv.y + 1);  // touches the squares beside, no more
     UvSurvey survey = survey_uvs(plane);
     EXPECT_EQ(survey.mirrored, all);
-    EXPECT_EQ(survey.first_square, 0U);
+    EXPECT_EQ(survey.in_square, all);
+    EXPECT_EQ(survey.square, glm::ivec2(2, 1));
     ASSERT_EQ(survey.squares.size(), 1U);
     EXPECT_EQ(udim_number(survey.squares[0]), 1013);
     for (glm::vec2& uv : plane.uvs[0])
@@ -44,6 +46,49 @@ TEST(UvSurvey, CountsWhatIsMirroredOutsideOrWithoutArea) {
     EXPECT_EQ(survey_uvs(plane).without_area, all);
     plane.uvs[0][plane.indices[0]].x = 1e30F;
     EXPECT_GT(survey_uvs(plane).beyond_udim, 0U);
+}
+
+// A plane in the unit square for each of these corners, each of `side` squares.
+UvSurvey survey_at(const std::vector<glm::vec2>& corners, float side = 1) {
+    Mesh mesh;
+    const Mesh plane = *make_shape("plane");
+    for (const glm::vec2 corner : corners) {
+        const auto first = static_cast<uint32_t>(mesh.vertex_count());
+        mesh.positions.insert(mesh.positions.end(), plane.positions.begin(), plane.positions.end());
+        for (const glm::vec2 uv : plane.uvs[0])
+            mesh.uvs[0].push_back(corner + uv * side);
+        for (const uint32_t index : plane.indices)
+            mesh.indices.push_back(first + index);
+    }
+    return survey_uvs(mesh);
+}
+
+std::vector<int> numbers(const UvSurvey& survey) {
+    std::vector<int> result;
+    for (const glm::ivec2 square : survey.squares)
+        result.push_back(udim_number(square));
+    return result;
+}
+
+TEST(UvSurvey, RowsCountDownwardWhereTheLayoutLiesBelowOne) {
+    EXPECT_EQ(numbers(survey_at({{0, 0}, {3, 2}})), (std::vector{1001, 1024}));
+    EXPECT_EQ(numbers(survey_at({{0, 0}, {3, -2}})), (std::vector{1001, 1024}));
+    EXPECT_EQ(numbers(survey_at({{9, -898}})), std::vector{9990});
+    EXPECT_EQ(numbers(survey_at({{9, 898}})), std::vector{9990});
+    const UvSurvey both = survey_at({{0, 1}, {0, -1}, {-1, 0}, {10, 0}, {0, 899}});
+    EXPECT_EQ(numbers(both), std::vector{1011});
+    EXPECT_EQ(both.beyond_udim, both.triangles * 4 / 5);
+    // Cut at the borders of what has numbers.
+    const UvSurvey wide = survey_at({{-3, 0}}, 5);
+    EXPECT_EQ(numbers(wide).front(), 1001);
+    EXPECT_EQ(numbers(wide).back(), 1042);
+}
+
+TEST(UvSurvey, ALayoutInOneOtherSquareIsBakedThere) {
+    EXPECT_EQ(survey_at({{-4, 7}}).square, glm::ivec2(-4, 7));
+    EXPECT_EQ(survey_at({{0, -1}}).in_square, survey_at({{0, -1}}).triangles);
+    EXPECT_EQ(survey_at({{0, -1}, {0, -2}}).square, glm::ivec2(0));
+    EXPECT_EQ(survey_at({{0, -1}, {0, -2}}).in_square, 0U);
 }
 
 }  // namespace
