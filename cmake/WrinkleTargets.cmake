@@ -6,6 +6,7 @@
 
 option(WRINKLE_WERROR "Treat warnings as errors" ON)
 option(WRINKLE_SANITIZE "Build with AddressSanitizer and UndefinedBehaviorSanitizer" OFF)
+option(WRINKLE_FUZZ "The same, and have libFuzzer see what code it reaches (clang)" OFF)
 
 set(CMAKE_CXX_STANDARD 20)
 set(CMAKE_CXX_STANDARD_REQUIRED ON)
@@ -35,6 +36,10 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_L
 endif()
 if(WRINKLE_WERROR)
     add_compile_options(-Werror)
+endif()
+if(WRINKLE_FUZZ)
+    set(WRINKLE_SANITIZE ON)
+    add_compile_options(-fsanitize=fuzzer-no-link)
 endif()
 if(WRINKLE_SANITIZE)
     add_compile_options(-fsanitize=address,undefined -fno-sanitize-recover=all
