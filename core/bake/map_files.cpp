@@ -71,6 +71,7 @@ WriterOptions writer_options(const BakedMap& map, PixelType type, uint32_t width
         options.channels.push_back(channel.name);
     options.has_alpha = map.has_alpha;
     options.type = type;
+    options.numbers.push_back({layout_mark, 1});
     if (scale != 1) options.numbers.push_back({"wrinkle:scale", static_cast<float>(scale)});
     return options;
 }

@@ -40,6 +40,9 @@ struct ImageNumber {
     float value = 0;
 };
 
+// The name of the number that is kept with a picture on the uv layout of a mesh, which need not tile.
+inline constexpr const char* layout_mark = "wrinkle:layout";
+
 struct WriterOptions {
     uint32_t width = 0;
     uint32_t height = 0;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "image/writer.h"
 #include "maps/measures.h"
 
 namespace wrinkle::maps {
@@ -15,6 +16,8 @@ constexpr double certain_curl = 0.1;                    // correlation from whic
 constexpr double leaning_degrees = 1.5;                 // of the mean normal
 constexpr double still_share = 0.6, step_share = 0.97;  // of neighbours, from which it is banding
 constexpr double seam_factor = 2;
+constexpr double mixed_share = 0.15;  // of the curl's regions, each way
+constexpr double least_background = 0.02, least_plain = 0.1, shore_factor = 4;
 constexpr double good_z = 0.03;  // rms, of 8 bits of JPEG too
 
 struct NamedWords {
@@ -37,9 +40,11 @@ constexpr std::array flaws = {
     NamedWords{"length", "most of its vectors are not of length 1"},
     NamedWords{"offset", "its 8 bits lie half a step beside the middle"},
     NamedWords{"banding", "its 8 bits make stairs of slopes"},
+    NamedWords{"mixed", "its green points up in some regions and down in others"},
     NamedWords{"seam_u", "it does not tile, but the texture repeats"},
     NamedWords{"seam_v", "it does not tile, but the texture repeats"},
     NamedWords{"gray", "its three channels hold one height"},
+    NamedWords{"one_value", "it is the same height everywhere"},
     NamedWords{"not_finite", "it holds numbers that are not finite"},
     NamedWords{"unexpected", "it is not what it was to be"},
 };
@@ -62,10 +67,11 @@ bool is_normal(Look look) {
 
 class Examination {
 public:
-    Examination(const ImageInfo& info, const Measuring& measured, Wrap wrap)
+    Examination(const ImageInfo& info, const Measuring& measured, Wrap wrap, bool is_layout = false)
         : info_(info),
           measured_(measured),
           wrap_(wrap),
+          is_layout_(is_layout),
           channels_(info.channels - (info.has_alpha ? 1 : 0)) {}
 
     Verdict run() {
@@ -76,6 +82,8 @@ public:
             verdict_.look = channels_ == 2 ? Look::two_channel : Look::height;
         if (is_normal(verdict_.look) || verdict_.look == Look::two_channel) check_green();
         if (is_normal(verdict_.look)) check_normals();
+        if (verdict_.look == Look::height && measured_.is_one_value())
+            find(Flaw::one_value, "all of its texels hold one height", false);
         const bool relief = is_normal(verdict_.look) || verdict_.look == Look::height;
         if (relief) check_steps();
         if (relief) check_seams();
@@ -133,7 +141,12 @@ private:
         measure("curl_gl", curl.gl);
         measure("curl_dx", curl.dx);
         measure("curl_correlation", curl.correlation);
-        if (verdict_.look != Look::normal || std::abs(curl.correlation) < certain_curl) return;
+        if (verdict_.look != Look::normal) return;
+        if (std::min(curl.regions_gl, curl.regions_dx) > mixed_share)
+            return find(Flaw::mixed, text("green points up by %.0f %% of the slopes' curl and down "
+                                          "by %.0f %%, region by region",
+                                          100 * curl.regions_gl, 100 * curl.regions_dx));
+        if (std::abs(curl.correlation) < certain_curl) return;
         verdict_.look = curl.correlation > 0 ? Look::normal_gl : Look::normal_dx;
     }
 
@@ -194,7 +207,17 @@ private:
         }
     }
 
+    // The borders of islands are cuts, and the picture's border is one more. Normals fade to flat
+    // around some islands; those have much that is flat.
+    bool is_atlas(const IslandMeasures& islands) const {
+        const bool cut =
+            islands.background > least_background && islands.shore > shore_factor * islands.inside;
+        return is_layout_ || cut || (is_normal(verdict_.look) && islands.plain > least_plain);
+    }
+
     void check_seams() {
+        const IslandMeasures islands = measured_.islands(is_normal(verdict_.look));
+        const bool atlas = is_atlas(islands);
         const uint32_t channels = verdict_.look == Look::height ? 1 : 2;
         for (const bool across_u : {true, false}) {
             const SeamMeasures seam = measured_.seam(channels, across_u);
@@ -202,18 +225,24 @@ private:
             measure(name_of(flaw).data(), seam.inside > 0 ? seam.border / seam.inside : 0);
             const double least = is_integer(info_) ? u8_step : 0;
             if (seam.border <= seam_factor * seam.inside || seam.border <= least) continue;
-            find(
-                flaw,
-                text("across %s the border steps by %.4g where 99 of 100 %s inside step by "
-                     "less than %.4g: it does not tile",
-                     across_u ? "u" : "v", seam.border, across_u ? "columns" : "rows", seam.inside),
-                wrap_ == Wrap::repeat);
+            if (!verdict_.measure("background")) {
+                measure("background", islands.background);
+                measure("shore", islands.inside > 0 ? islands.shore / islands.inside : 0);
+                measure("plain", islands.plain);
+            }
+            find(flaw,
+                 text("across %s the border steps by %.4g where 99 of 100 %s inside step by "
+                      "less than %.4g: it does not tile%s",
+                      across_u ? "u" : "v", seam.border, across_u ? "columns" : "rows", seam.inside,
+                      atlas ? ", as an atlas of islands need not" : ""),
+                 wrap_ == Wrap::repeat && !atlas);
         }
     }
 
     const ImageInfo& info_;
     const Measuring& measured_;
     Wrap wrap_;
+    bool is_layout_;  // of a mesh, as its file says
     uint32_t channels_;
     Verdict verdict_;
     VectorMeasures vectors_;
@@ -269,7 +298,8 @@ std::optional<ExaminedFile> examine(const std::filesystem::path& file, Wrap wrap
     };
     const auto info = read_image_rows(file, take, diagnostics);
     if (!info) return {};
-    return ExaminedFile{*info, Examination(*info, *measuring, wrap).run()};
+    const bool is_layout = read_image_number(file, layout_mark).has_value();
+    return ExaminedFile{*info, Examination(*info, *measuring, wrap, is_layout).run()};
 }
 
 }  // namespace wrinkle::maps

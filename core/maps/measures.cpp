@@ -9,6 +9,8 @@ namespace {
 
 constexpr double unit_tolerance = 0.1;
 constexpr float spike = 4;
+constexpr double certain_region = 0.5;     // correlation
+constexpr double least_of_regions = 4096;  // texels
 
 bool is_integer_type(PixelType type) {
     return type == PixelType::u8 || type == PixelType::u16;
@@ -67,21 +69,25 @@ CurlSums::CurlSums(uint32_t width, uint32_t height, Wrap wrap)
     }
 }
 
-void CurlSums::Sums::add(const SlopeRow& above, const SlopeRow& here, const SlopeRow& below,
-                         Wrap wrap) {
-    const auto count = static_cast<uint32_t>(here.du.size());
+void CurlSums::add(const SlopeRow& above, const SlopeRow& here, const SlopeRow& below, uint32_t y,
+                   RegionSums& sums) const {
+    const uint32_t count = width_;
     thread_local std::vector<float> unused, u_along_v, v_along_u;
     for (std::vector<float>* row : {&unused, &u_along_v, &v_along_u})
         row->resize(count);
-    sobel_row({above.du.data(), here.du.data(), below.du.data()}, count, wrap, unused.data(),
+    sobel_row({above.du.data(), here.du.data(), below.du.data()}, count, wrap_, unused.data(),
               u_along_v.data());
-    sobel_row({above.dv.data(), here.dv.data(), below.dv.data()}, count, wrap, v_along_u.data(),
+    sobel_row({above.dv.data(), here.dv.data(), below.dv.data()}, count, wrap_, v_along_u.data(),
               unused.data());
-    for (uint32_t x = 0; x < count; ++x) {
-        const double a = u_along_v[x] / 8, b = v_along_u[x] / 8;
-        uu += a * a;
-        vv += b * b;
-        uv += a * b;
+    uint32_t x = 0;
+    for (uint32_t column = 0; column < regions; ++column) {
+        Sums& region = sums[size_t{y} * regions / height_][column];
+        for (const size_t end = (column + 1) * size_t{count} / regions; x < end; ++x) {
+            const double a = u_along_v[x] / 8, b = v_along_u[x] / 8;
+            region.uu += a * a;
+            region.vv += b * b;
+            region.uv += a * b;
+        }
     }
 }
 
@@ -93,22 +99,43 @@ void CurlSums::add(const float* row, uint32_t stride, uint32_t channels) {
             value = std::isfinite(value) ? std::clamp(value, -spike, spike) : 0;
     if (rows_ == 0) first_ = here;
     if (rows_ == 1) second_ = here;
-    if (rows_ >= 2) sums_.add(last_[(rows_ - 2) % 3], last_[(rows_ - 1) % 3], here, wrap_);
+    if (rows_ >= 2) add(last_[(rows_ - 2) % 3], last_[(rows_ - 1) % 3], here, rows_ - 1, sums_);
     ++rows_;
 }
 
 CurlMeasures CurlSums::measures() const {
     // The first row and the last one see each other, or themselves.
-    Sums all = sums_;
+    RegionSums sums = sums_;
     const SlopeRow& end = last_[(height_ - 1) % 3];
     const bool repeats = wrap_ == Wrap::repeat;
-    all.add(repeats ? end : first_, first_, height_ > 1 ? second_ : first_, wrap_);
-    if (height_ > 1) all.add(last_[(height_ - 2) % 3], end, repeats ? first_ : end, wrap_);
+    add(repeats ? end : first_, first_, height_ > 1 ? second_ : first_, 0, sums);
+    if (height_ > 1) add(last_[(height_ - 2) % 3], end, repeats ? first_ : end, height_ - 1, sums);
+    Sums all;
+    for (const auto& row : sums)
+        for (const Sums& region : row) {
+            all.uu += region.uu;
+            all.vv += region.vv;
+            all.uv += region.uv;
+        }
     const double count = static_cast<double>(width_) * height_;
     CurlMeasures curl;
     curl.gl = std::sqrt(std::max(0.0, all.uu - 2 * all.uv + all.vv) / count);
     curl.dx = std::sqrt(std::max(0.0, all.uu + 2 * all.uv + all.vv) / count);
     curl.correlation = all.uu > 0 && all.vv > 0 ? all.uv / std::sqrt(all.uu * all.vv) : 0;
+    double weights = 0;
+    for (const auto& row : sums)
+        for (const Sums& region : row) {
+            const double weight = std::sqrt(region.uu * region.vv);
+            weights += weight;
+            if (region.uv > certain_region * weight) curl.regions_gl += weight;
+            if (region.uv < -certain_region * weight) curl.regions_dx += weight;
+        }
+    if (weights == 0 || count < least_of_regions) {
+        curl.regions_gl = curl.regions_dx = 0;
+        return curl;
+    }
+    curl.regions_gl /= weights;
+    curl.regions_dx /= weights;
     return curl;
 }
 
@@ -210,6 +237,9 @@ Measuring::Measuring(const ImageInfo& info, Wrap wrap)
     const uint32_t count = std::min(colors_, 2u);
     if (is_integer_type(info.source)) steps_.assign(count, StepSums(info.source));
     seams_.assign(count, SeamSums(info.width));
+    islands_ = {IslandSums(IslandSums::Background::zero),
+                IslandSums(IslandSums::Background::middle)};
+    if (colors_ >= 3) islands_.emplace_back(IslandSums::Background::normals);
 }
 
 void Measuring::add(const float* row) {
@@ -227,8 +257,21 @@ void Measuring::add(const float* row) {
     }
     for (uint32_t channel = 0; channel < seams_.size(); ++channel)
         seams_[channel].add(row, channels, channel);
+    for (IslandSums& islands : islands_)
+        islands.add(row, width, channels);
+    for (size_t i = 0; i < size_t{width} * channels; i += channels) {
+        lowest_ = std::min(lowest_, row[i]);
+        highest_ = std::max(highest_, row[i]);
+    }
     for (uint32_t channel = 0; channel < steps_.size(); ++channel)
         steps_[channel].add(row, width, channels, channel);
+}
+
+IslandMeasures Measuring::islands(bool of_normals) const {
+    if (of_normals) return islands_.back().measures(texels());
+    const IslandMeasures zero = islands_[0].measures(texels());
+    const IslandMeasures middle = islands_[1].measures(texels());
+    return zero.background > middle.background ? zero : middle;
 }
 
 SeamMeasures Measuring::seam(uint32_t channels, bool across_u) const {

@@ -93,5 +93,15 @@ TEST_F(BakeTilesTest, SquaresWithoutANumberAreCutOffOrRefused) {
     EXPECT_TRUE(exists("both.1001.exr") && exists("both.1011.exr") && !exists("both.1021.exr"));
 }
 
+TEST_F(BakeTilesTest, LintDoesNotHoldALayoutToTile) {
+    graph = WRINKLE_SOURCE_DIR "/graphs/noise_rock.json";
+    ASSERT_EQ(bake("cylinder", "n.png", {"--size", "256", "--map", "roughness"}).code, 0);
+    const Ran ran = run({"lint", "n.png"});
+    EXPECT_EQ(ran.code, 0);
+    EXPECT_TRUE(says(ran.out, "note: seam_v")) << "its two caps";
+    EXPECT_EQ(run({"lint", "n.png", "--wrap", "repeat"}).code, 1);
+    EXPECT_EQ(run({"lint", "n.png", "--wrap", "clamp"}).code, 0);
+}
+
 }  // namespace
 }  // namespace wrinkle::test

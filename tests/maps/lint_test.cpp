@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "image/writer.h"
 #include "maps/measures.h"
 #include "maps/support.h"
 #include "support/files.h"
@@ -164,6 +165,106 @@ TEST(Lint, SeamsThatDoNotTile) {
     const auto defects = defects_of(examine(low, Wrap::repeat));
     EXPECT_NE(std::find(defects.begin(), defects.end(), "seam_v"), defects.end());
     EXPECT_EQ(std::find(defects.begin(), defects.end(), "seam_u"), defects.end());
+}
+
+// The waves within a strip at the left border, on what an atlas has between its islands.
+Image strip_on(const Image& waves, const std::vector<float>& background) {
+    Image image = waves;
+    for (uint32_t y = 0; y < image.height; ++y)
+        for (uint32_t x = image.width / 3; x < image.width; ++x)
+            std::copy(background.begin(), background.end(), image.texel(x, y));
+    return image;
+}
+
+TEST(Lint, AnAtlasNeedNotTile) {
+    const Waves smooth{512, 384, 9};
+    const Image normals = normal_image(smooth), heights = in_range(height_image(smooth));
+    for (const Image& atlas : {strip_on(normals, {0.5F, 0.5F, 1}), strip_on(normals, {0, 0, 0}),
+                               strip_on(heights, {0}), strip_on(heights, {0.5F})}) {
+        const Verdict verdict = examine(atlas, Wrap::repeat);
+        EXPECT_EQ(defects_of(verdict), std::vector<std::string>{});
+        ASSERT_EQ(verdict.findings.size(), 1U);
+        EXPECT_EQ(name_of(verdict.findings[0].flaw), "seam_u");
+        EXPECT_NE(verdict.findings[0].message.find("atlas"), std::string::npos);
+    }
+    // Normals that fade to flat at the border of their island.
+    Image faded = strip_on(normals, {0.5F, 0.5F, 1});
+    for (uint32_t y = 0; y < faded.height; ++y)
+        for (uint32_t x = 0; x < faded.width / 3; ++x)
+            for (uint32_t c = 0; c < 2; ++c) {
+                float& t = faded.texel(x, y)[c];
+                t = 0.5F + (t - 0.5F) * std::min(1.0F, static_cast<float>(170 - x) / 100);
+            }
+    EXPECT_EQ(examine(faded, Wrap::repeat).measure("shore").value_or(9) < 4, true);
+    EXPECT_EQ(defects_of(examine(faded, Wrap::repeat)), std::vector<std::string>{});
+    // A plateau that the waves run into without a cut is not what lies between islands.
+    Image plateau = heights;
+    for (float& value : plateau.data)
+        value = std::max(value - 0.5F, 0.0F);
+    Image cut = make_image(401, 384, 1, PixelType::float32);
+    for (uint32_t y = 0; y < cut.height; ++y)
+        std::copy_n(plateau.texel(0, y), cut.width, cut.texel(0, y));
+    expect(cut, Look::height, {"seam_u"});
+}
+
+TEST(Lint, TheFileOfALayoutNeedNotTile) {
+    const test::TemporaryFolder folder;
+    const Waves smooth{512, 384, 9};
+    const Image waves = in_range(height_image(smooth));
+    const auto findings = [&](const std::vector<ImageNumber>& numbers) {
+        WriterOptions options;
+        options.width = 401;
+        options.height = 384;
+        options.channels = {"Y"};
+        options.type = PixelType::u16;
+        options.numbers = numbers;
+        Diagnostics problems;
+        const auto file = folder.path() / "height.png";
+        auto writer = ImageWriter::open(file, options, problems);
+        for (uint32_t y = 384; y-- > 0;)
+            writer->write({waves.texel(0, y), 401}, problems);
+        EXPECT_TRUE(writer->finish(problems)) << to_text(problems);
+        return examine(file, Wrap::repeat, problems)->verdict;
+    };
+    EXPECT_EQ(defects_of(findings({})), std::vector<std::string>{"seam_u"});
+    EXPECT_EQ(defects_of(findings({{layout_mark, 1}})), std::vector<std::string>{});
+}
+
+TEST(Lint, GreenOfRegionsThatDisagreeIsMixed) {
+    const Waves waves{128, 96, 3};
+    const Image up = normal_image(waves);
+    Image mixed = turned_green(up);
+    for (uint32_t y = 0; y < mixed.height; ++y)
+        std::copy_n(up.texel(0, y), 3 * 48, mixed.texel(0, y));
+    const Verdict verdict = examine(mixed, Wrap::repeat);
+    EXPECT_LT(verdict.measure("curl_correlation").value_or(0), -0.1) << "one way on the whole";
+    const auto defects = defects_of(verdict);
+    EXPECT_NE(std::find(defects.begin(), defects.end(), "mixed"), defects.end());
+    EXPECT_EQ(name_of(verdict.look), "normal");
+    // One region of 64 is an exception.
+    Image nearly = up;
+    for (uint32_t y = 0; y < 12; ++y)
+        for (uint32_t x = 0; x < 16; ++x)
+            nearly.texel(x, y)[1] = 1 - nearly.texel(x, y)[1];
+    EXPECT_EQ(name_of(examine(nearly, Wrap::repeat).look), "normal_gl");
+}
+
+TEST(Lint, AHeightOfOneValueIsNoted) {
+    for (const uint32_t channels : {1u, 3u}) {
+        Image flat = make_image(8, 8, channels, PixelType::u8);
+        std::fill(flat.data.begin(), flat.data.end(), 0.25F);
+        const auto notes = [](const Image& image) {
+            std::vector<std::string> names;
+            for (const Finding& finding : examine(image, Wrap::repeat).findings)
+                if (!finding.defect) names.emplace_back(name_of(finding.flaw));
+            return names;
+        };
+        EXPECT_EQ(notes(flat).back(), "one_value");
+        flat.data[0] = 0.5F;
+        flat.data[channels - 1] = 0.5F;
+        const auto names = notes(flat);
+        EXPECT_EQ(std::count(names.begin(), names.end(), "one_value"), 0);
+    }
 }
 
 TEST(Lint, AHeightInThreeChannelsIsAHeight) {
