@@ -1,7 +1,9 @@
-// wrinkle eval FILE: a graph's outputs at surface points, as JSON.
+// wrinkle eval FILE: a graph's outputs at surface points, as JSON, CSV or NPY.
+#include <filesystem>
 #include <memory>
 
 #include "base/text.h"
+#include "cli/eval_text.h"
 #include "cli/evaluation.h"
 #include "cli/meshes.h"
 #include "cli/output.h"
@@ -10,64 +12,116 @@
 namespace wrinkle::cli {
 namespace {
 
+// A normal is a direction: where single precision lost it, the point is named.
+void check_normals(const std::vector<OutputColumn>& columns, size_t first,
+                   const PointSource& source, Diagnostics& diagnostics) {
+    for (const OutputColumn& column : columns) {
+        if (column.port_type != WR_PORT_normal) continue;
+        for (size_t i = 0; i < column.values.size(); i += 3) {
+            const double* n = column.values.data() + i;
+            const double square = n[0] * n[0] + n[1] * n[1] + n[2] * n[2];
+            if (square > 0.5 && square < 2) continue;
+            source.report(first + i / 3, Severity::warning,
+                          "'" + column.name + "' has no direction: its numbers are " +
+                              "too large or too small for the precision",
+                          "inputs between 1e-15 and 1e15, or --precision double", diagnostics);
+        }
+    }
+}
+
 struct EvalCommand {
     CommonOptions common;
-    std::string file, at, precision = "float";
-    MeshPlace place;
+    std::string file, precision = "float", output = "-", format;
+    PointOptions at;
 
     int run() const {
         if (!check_usage()) return exit_usage;
         Diagnostics diagnostics;
         const Nodes nodes = load_nodes(common, diagnostics);
         const Overrides overrides = parse_overrides(common, diagnostics);
-        const std::vector<Point> points = at.empty() ? points_on_mesh(place, common, diagnostics)
-                                                     : points_of_option(at, diagnostics);
+        const PointSource source = open_points(at, common, diagnostics);
+        const EvalForm form = chosen_form();
         TextureStore textures;
-        std::string text = overrides.is_sweep() ? "{\"runs\": [\n" : "{";
+        std::vector<Result> results;
         const auto use = [&](size_t i, const MaterialRun& run, Diagnostics& problems) {
             read_textures(textures, run.compiled, run.project, problems);
-            if (!problems.has_errors() && !diagnostics.has_errors())
-                text += result(i, run, overrides, points, textures, problems);
+            if (problems.has_errors() || diagnostics.has_errors()) return;
+            std::string text = numbers(form, run, source, textures, problems);
+            if (form == EvalForm::json) return add_json(results, i, overrides, std::move(text));
+            results.push_back({path_of_run(output, overrides, i), std::move(text)});
         };
         compile_runs(file, common, nodes.registry, overrides, Purpose::eval, use, diagnostics);
-        text += overrides.is_sweep() ? "\n]}\n" : "}\n";
+        if (form == EvalForm::json && !results.empty())
+            results[0].text += overrides.is_sweep() ? "\n]}\n" : "}\n";
         const int code = report(diagnostics, common.diagnostics);
         if (code != exit_fine) return code;
-        return write_result("-", text) ? exit_fine : exit_environment;
+        return write_results(std::move(results)) ? exit_fine : exit_environment;
     }
 
+    // What is wrong with the call, or nothing.
+    std::string sentence() const {
+        if (at.mesh.empty() && at.at.empty())
+            return "eval needs points: --at JSON, --at FILE.csv|npy, or --mesh NAME|PATH with "
+                   "--uv U,V or --at";
+        if (at.mesh.empty() && !at.uv.empty()) return "--uv goes with --mesh";
+        if (!at.mesh.empty() && at.at.empty() && !is_uv(at.uv))
+            return "--mesh needs a place: --uv U,V such as 0.5,0.25, or --at FILE.csv|npy";
+        if (!at.at.empty() && !at.uv.empty()) return "--uv and --at are two ways of one place";
+        if (at.at == "-" && file == "-")
+            return "the graph and the points cannot both come from standard input";
+        if (format.empty() && output != "-" && !form_named(extension_of(output)))
+            return "-o " + output + " does not end in .json, .csv or .npy; name it so, or --format";
+        if (output == "-" && chosen_form() != EvalForm::json && is_sweep())
+            return "a sweep writes a file for each of its runs: -o OUT";
+        return "";
+    }
     bool check_usage() const {
-        std::string sentence;
-        if (at.empty() == place.mesh.empty())
-            sentence = "eval needs points: --at JSON, or --mesh NAME|PATH with --uv U,V";
-        else if (at.empty() && !is_uv(place.uv))
-            sentence = "--mesh needs a place: --uv U,V such as 0.5,0.25";
-        else if (!at.empty() && !place.uv.empty())
-            sentence = "--uv goes with --mesh";
-        else if (at == "-" && file == "-")
-            sentence = "the graph and the points cannot both come from standard input";
-        if (!sentence.empty()) complain(sentence);
-        return sentence.empty();
+        const std::string wrong = sentence();
+        if (!wrong.empty()) complain(wrong);
+        return wrong.empty();
     }
 
-    std::string result(size_t number, const MaterialRun& run, const Overrides& overrides,
-                       const std::vector<Point>& points, const TextureStore& textures,
-                       Diagnostics& diagnostics) const {
+    static std::string extension_of(const std::string& path) {
+        const std::string extension = std::filesystem::path(path).extension().string();
+        return extension.empty() ? "" : extension.substr(1);
+    }
+    static std::optional<EvalForm> form_named(const std::string& name) {
+        if (name == "json") return EvalForm::json;
+        if (name == "csv") return EvalForm::csv;
+        if (name == "npy") return EvalForm::npy;
+        return {};
+    }
+    EvalForm chosen_form() const {
+        return form_named(format.empty() ? extension_of(output) : format).value_or(EvalForm::json);
+    }
+    bool is_sweep() const {
+        Diagnostics ignored;
+        return parse_overrides(common, ignored).is_sweep();
+    }
+
+    std::string numbers(EvalForm form, const MaterialRun& run, const PointSource& source,
+                        const TextureStore& textures, Diagnostics& diagnostics) const {
         const Precision wanted = precision == "double" ? Precision::full : Precision::single;
-        const auto columns = evaluate_at(run, textures, points, wanted, diagnostics);
-        if (!columns) return {};
-        const std::string numbers = points_json(*columns, points.size(), wanted);
-        if (!overrides.is_sweep()) return numbers;
-        return (number > 0 ? ",\n" : "") + std::string("{\"set\": ") + set_json(overrides, number) +
-               ", " + numbers + "}";
+        EvalText text(form, wanted, source.count);
+        const auto take = [&](size_t first, size_t count,
+                              const std::vector<OutputColumn>& columns) {
+            check_normals(columns, first, source, diagnostics);
+            text.add(count, columns);
+        };
+        if (!evaluate_blocks(run, textures, source, wanted, take, diagnostics)) return {};
+        return text.take();
     }
 
-    static std::string points_json(const std::vector<OutputColumn>& columns, size_t count,
-                                   Precision precision) {
-        std::string text = "\"points\": [";
-        for (size_t point = 0; point < count; ++point)
-            text += (point > 0 ? ",\n  " : "\n  ") + values_json(columns, point, precision);
-        return text + (count > 0 ? "\n]" : "]");
+    // All runs of a sweep are one text.
+    void add_json(std::vector<Result>& results, size_t run, const Overrides& overrides,
+                  std::string numbers) const {
+        if (results.empty())
+            results.push_back({output, overrides.is_sweep() ? "{\"runs\": [\n" : "{"});
+        std::string& text = results[0].text;
+        if (!overrides.is_sweep()) text += numbers;
+        if (overrides.is_sweep())
+            text += (run > 0 ? ",\n" : "") + std::string("{\"set\": ") + set_json(overrides, run) +
+                    ", " + numbers + "}";
     }
 
     static std::string set_json(const Overrides& overrides, size_t run) {
@@ -86,20 +140,26 @@ struct EvalCommand {
 void declare_eval(CLI::App& app, Run& run) {
     auto command = std::make_shared<EvalCommand>();
     EvalCommand& c = *command;
-    CLI::App& sub = *app.add_subcommand("eval", "A graph's outputs at surface points, as JSON");
+    CLI::App& sub =
+        *app.add_subcommand("eval", "A graph's outputs at surface points, as JSON, CSV or NPY");
     sub.add_option("FILE", c.file, "A graph; - reads standard input")->required();
-    sub.add_option("--at", c.at,
+    sub.add_option("--at", c.at.at,
                    "A point such as {\"normal\": [0, 0, 1], \"uv0\": [0.5, 0.5], \"dx\": {...}}, "
-                   "an array of them, @FILE, or - for standard input")
-        ->type_name("JSON");
-    sub.add_option("--mesh", c.place.mesh, "A point of this instead: " + mesh_help())
+                   "an array of them, @FILE, - for standard input, or a table FILE.csv|npy with "
+                   "columns such as uv0.x,uv0.y,dx.uv0.x; with --mesh places, of which uv0 is read")
+        ->type_name("JSON|FILE");
+    sub.add_option("--mesh", c.at.mesh, "Points of this: " + mesh_help())
         ->type_name("NAME|PATH")
         ->check(check_mesh);
-    sub.add_option("--uv", c.place.uv, "Where on it, in uv0")->type_name("U,V");
-    sub.add_option("--size", c.place.size, "dx and dy are one texel of N x N of uv0")
+    sub.add_option("--uv", c.at.uv, "One place on it, in uv0")->type_name("U,V");
+    sub.add_option("--size", c.at.size, "dx and dy are one texel of N x N of uv0")
         ->type_name("N")
         ->check(CLI::Range(1, 1 << 20))
         ->capture_default_str();
+    sub.add_option("-o", c.output, "A file in place of standard output: .json, .csv or .npy")
+        ->type_name("OUT");
+    sub.add_option("--format", c.format, "Of the result; default: as OUT ends, else json")
+        ->check(CLI::IsMember({"json", "csv", "npy"}));
     sub.add_option("--precision", c.precision, "Of the arithmetic")
         ->check(CLI::IsMember({"float", "double"}))
         ->capture_default_str();

@@ -1,5 +1,6 @@
 #include "cli/evaluation.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "base/text.h"
@@ -7,51 +8,90 @@
 namespace wrinkle::cli {
 namespace {
 
-bool within_float(const std::vector<Point>& points, const PointSet& set, const Program& program,
-                  Diagnostics& diagnostics) {
+constexpr size_t block = 16384;  // points
+
+bool within_float(const PointSource& source, size_t first, const PointSet& set,
+                  const Program& program, Diagnostics& diagnostics) {
     const std::vector<BeyondFloat> beyond = beyond_float(program, set);
     for (const BeyondFloat& each : beyond)
-        report_at(points[each.point].source, points[each.point].name + ": " + each.message(),
-                  "--precision double does", diagnostics);
+        source.report(first + each.point, Severity::error, each.message(),
+                      "--precision double does", diagnostics);
     return beyond.empty();
 }
 
-std::string number_json(double value, Precision precision) {
-    if (!std::isfinite(value)) return "null";
-    return precision == Precision::single ? shortest(static_cast<float>(value)) : shortest(value);
+void append_number_json(std::string& text, double value, Precision precision) {
+    if (!std::isfinite(value))
+        text += "null";
+    else if (precision == Precision::single)
+        append_shortest(text, static_cast<float>(value));
+    else
+        text += shortest(value);
 }
 
 }  // namespace
+
+bool evaluate_blocks(const MaterialRun& run, const TextureStore& textures,
+                     const PointSource& source, Precision precision, const TakeColumns& take,
+                     Diagnostics& diagnostics) {
+    std::string why;
+    const Program program = compile_program(run.compiled.module, why);
+    if (!why.empty()) diagnostics.error(why);
+    const std::vector<InputNeed> needs = needed_inputs(program);
+    if (!why.empty() || !source.check(needs, diagnostics)) return false;
+    const std::vector<Texture> images = textures.textures_of(run.compiled.module.resources);
+    bool fine = true;
+    PointSet set;
+    size_t first = 0;
+    do {
+        set.count = std::min(block, source.count - first);
+        const bool filled = source.fill(needs, first, set, diagnostics) &&
+                            (precision == Precision::full ||
+                             within_float(source, first, set, program, diagnostics));
+        fine = fine && filled;
+        if (fine) take(first, set.count, evaluate_columns(program, set, images, precision));
+        first += set.count;
+    } while (first < source.count);
+    return fine;
+}
 
 std::optional<std::vector<OutputColumn>> evaluate_at(const MaterialRun& run,
                                                      const TextureStore& textures,
                                                      const std::vector<Point>& points,
                                                      Precision precision,
                                                      Diagnostics& diagnostics) {
-    std::string why;
-    const Program program = compile_program(run.compiled.module, why);
-    if (!why.empty()) diagnostics.error(why);
-    if (!why.empty() || !all_given(points, program, diagnostics)) return {};
-    const PointSet set = point_set(points, program);
-    if (precision == Precision::single && !within_float(points, set, program, diagnostics))
-        return {};
-    const std::vector<Texture> images = textures.textures_of(run.compiled.module.resources);
-    return evaluate_columns(program, set, images, precision);
+    std::vector<OutputColumn> whole;
+    const auto take = [&](size_t first, size_t, const std::vector<OutputColumn>& columns) {
+        if (first == 0) whole = columns;
+        for (size_t i = 0; first > 0 && i < columns.size(); ++i)
+            whole[i].values.insert(whole[i].values.end(), columns[i].values.begin(),
+                                   columns[i].values.end());
+    };
+    if (!evaluate_blocks(run, textures, source_of(points), precision, take, diagnostics)) return {};
+    return whole;
+}
+
+void append_values_json(std::string& text, const std::vector<OutputColumn>& columns, size_t point,
+                        Precision precision) {
+    text += '{';
+    for (const OutputColumn& column : columns) {
+        if (text.back() != '{') text += ", ";
+        text += json_quoted(column.name);
+        text += ": ";
+        if (column.lanes > 1) text += '[';
+        for (size_t lane = 0; lane < column.lanes; ++lane) {
+            if (lane > 0) text += ", ";
+            append_number_json(text, column.values[point * column.lanes + lane], precision);
+        }
+        if (column.lanes > 1) text += ']';
+    }
+    text += '}';
 }
 
 std::string values_json(const std::vector<OutputColumn>& columns, size_t point,
                         Precision precision) {
-    std::string text = "{";
-    for (const OutputColumn& column : columns) {
-        text += (text.size() > 1 ? ", " : "") + json_quoted(column.name) + ": ";
-        if (column.lanes > 1) text += "[";
-        for (size_t lane = 0; lane < column.lanes; ++lane) {
-            const double value = column.values[point * column.lanes + lane];
-            text += (lane > 0 ? ", " : "") + number_json(value, precision);
-        }
-        if (column.lanes > 1) text += "]";
-    }
-    return text + "}";
+    std::string text;
+    append_values_json(text, columns, point, precision);
+    return text;
 }
 
 }  // namespace wrinkle::cli

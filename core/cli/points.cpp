@@ -1,14 +1,10 @@
 #include "cli/points.h"
 
 #include <algorithm>
-#include <charconv>
-#include <cmath>
 
 #include "base/text.h"
-#include "cli/meshes.h"
 #include "graph/document.h"
 #include "json/parse.h"
-#include "mesh/sample.h"
 
 namespace wrinkle::cli {
 namespace {
@@ -100,39 +96,6 @@ Point read_point(const json::Value& value, size_t number, Diagnostics& diagnosti
     return point;
 }
 
-std::optional<glm::dvec2> parse_uv(const std::string& text) {
-    const auto parts = split(text, ',');
-    glm::dvec2 uv(0);
-    if (parts.size() != 2) return {};
-    for (int i = 0; i < 2; ++i) {
-        const std::string_view part = parts[static_cast<size_t>(i)];
-        const auto [end, problem] = std::from_chars(part.data(), part.data() + part.size(), uv[i]);
-        if (problem != std::errc{} || end != part.data() + part.size() || !std::isfinite(uv[i]))
-            return {};
-    }
-    return uv;
-}
-
-template <typename Vector>
-Point::Slot slot_of(const Vector& vector) {
-    Point::Slot slot{true, {}};
-    for (int i = 0; i < Vector::length(); ++i)
-        slot.lanes[static_cast<size_t>(i)] = vector[i];
-    return slot;
-}
-
-void set_attributes(Point& point, Variant variant, const SurfaceAttributes& value,
-                    const AttributePresence& has) {
-    point[{SurfaceInput::position_, variant}] = slot_of(value.position);
-    if (has.normal) point[{SurfaceInput::normal_, variant}] = slot_of(value.normal);
-    if (has.tangent) point[{SurfaceInput::tangent_, variant}] = slot_of(value.tangent);
-    if (has.color) point[{SurfaceInput::color0_, variant}] = slot_of(value.color);
-    for (size_t set = 0; set < max_uv_sets; ++set) {
-        const auto input = static_cast<SurfaceInput>(static_cast<size_t>(SurfaceInput::uv0_) + set);
-        if (has.uv[set]) point[{input, variant}] = slot_of(value.uv[set]);
-    }
-}
-
 }  // namespace
 
 std::vector<Point> read_points(const json::Value& value, Diagnostics& diagnostics) {
@@ -159,53 +122,6 @@ std::vector<Point> points_of_option(const std::string& at, Diagnostics& diagnost
     diagnostics.append(own);
     if (own.has_errors()) return {};
     return read_points(parsed.root, diagnostics);
-}
-
-bool is_uv(const std::string& text) {
-    return parse_uv(text).has_value();
-}
-
-std::vector<Point> points_on_mesh(const MeshPlace& place, const CommonOptions& options,
-                                  Diagnostics& diagnostics) {
-    const std::optional<Mesh> mesh = open_mesh(place.mesh, options, diagnostics);
-    const auto uv = parse_uv(place.uv);
-    if (!mesh || !uv) return {};
-    const auto sampled = sample_mesh(*mesh, *uv, place.size, diagnostics);
-    if (!sampled) return {};
-    Point point;
-    point.name = place.mesh + " at " + place.uv;
-    point[{SurfaceInput::facing_}] = {true, {1}};
-    set_attributes(point, Variant::value, sampled->value, sampled->has);
-    set_attributes(point, Variant::dx, sampled->dx, sampled->has);
-    set_attributes(point, Variant::dy, sampled->dy, sampled->has);
-    return {point};
-}
-
-bool all_given(const std::vector<Point>& points, const Program& program, Diagnostics& diagnostics) {
-    bool fine = true;
-    const std::vector<InputNeed> needs = needed_inputs(program);
-    for (const Point& point : points)
-        for (const InputNeed& need : needs) {
-            if (point[need].given) continue;
-            report_at(point.source, point.name + " lacks '" + name_of(need) + "'",
-                      "the graph needs it", diagnostics);
-            fine = false;
-        }
-    return fine;
-}
-
-PointSet point_set(const std::vector<Point>& points, const Program& program) {
-    PointSet set;
-    set.count = points.size();
-    for (const InputNeed& need : needed_inputs(program)) {
-        const size_t count = lanes_of(need);
-        std::vector<double>& values = set.at(need.input, need.variant);
-        for (const Point& point : points) {
-            const auto& lanes = point[need].lanes;
-            values.insert(values.end(), lanes.begin(), lanes.begin() + static_cast<long>(count));
-        }
-    }
-    return set;
 }
 
 }  // namespace wrinkle::cli

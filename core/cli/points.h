@@ -1,4 +1,4 @@
-// Surface points given as numbers: read from JSON, or taken from a mesh.
+// Surface points given as JSON.
 //
 //   {"position": [x, y, z], "normal": [...], "uv0": [u, v], ..., "facing": 1,
 //    "dx": {"position": [...], "uv0": [...], ...}, "dy": {...}}
@@ -26,7 +26,7 @@ struct Point {
     };
     std::array<Slot, size_t{surface_input_count} * 3> slots;
     std::string name;    // "point 3", for messages
-    json::Value source;  // where it was read; null when it comes from a mesh
+    json::Value source;  // where it was read
 
     Slot& operator[](const InputNeed& input) { return slots[index(input)]; }
     const Slot& operator[](const InputNeed& input) const { return slots[index(input)]; }
@@ -42,21 +42,5 @@ std::vector<Point> read_points(const json::Value& value, Diagnostics& diagnostic
 
 // The value of --at: JSON itself, "@FILE", or "-" for standard input.
 std::vector<Point> points_of_option(const std::string& at, Diagnostics& diagnostics);
-
-// "U,V" on a mesh as cli/meshes.h takes it, dx and dy one texel of a size * size layout.
-struct MeshPlace {
-    std::string mesh;
-    std::string uv;
-    uint32_t size = 1024;
-};
-bool is_uv(const std::string& text);
-std::vector<Point> points_on_mesh(const MeshPlace& place, const CommonOptions& options,
-                                  Diagnostics& diagnostics);
-
-// Reports what is needed and absent; true when nothing is.
-bool all_given(const std::vector<Point>& points, const Program& program, Diagnostics& diagnostics);
-
-// The same as arrays of what the program reads; all is given.
-PointSet point_set(const std::vector<Point>& points, const Program& program);
 
 }  // namespace wrinkle::cli

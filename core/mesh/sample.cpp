@@ -22,7 +22,7 @@ bool is_far(const Mesh& mesh, size_t triangle, dvec2 uv) {
         const double c = uvs[corners[2]][axis];
         const double low = std::min({a, b, c});
         const double high = std::max({a, b, c});
-        const double margin = 1e-5 * (high - low);
+        const double margin = uv_box_margin * (high - low);
         return uv[axis] < low - margin || uv[axis] > high + margin;
     };
     return beside(0) || beside(1);
@@ -41,10 +41,13 @@ struct Cover {
 // near.
 constexpr double slack = 1e-6;
 
-std::optional<Cover> find_cover(const Mesh& mesh, dvec2 uv) {
+// Among the triangles nth(0) to nth(count - 1), in the mesh's order.
+template <class Nth>
+std::optional<Cover> find_cover(const Mesh& mesh, size_t count, Nth nth, dvec2 uv) {
     std::optional<Cover> near;
     double best = -slack;
-    for (size_t t = 0; t < mesh.triangle_count(); ++t) {
+    for (size_t i = 0; i < count; ++i) {
+        const size_t t = nth(i);
         if (is_far(mesh, t, uv)) continue;
         const std::optional<UvTriangle> map = uv_triangle(mesh, t);
         if (!map) continue;
@@ -85,6 +88,21 @@ AttributePresence presence_of(const Mesh& mesh) {
     return has;
 }
 
+SurfacePoint point_of(const Mesh& mesh, const Cover& cover, dvec2 uv, uint32_t size) {
+    const uint32_t* corners = mesh.indices.data() + 3 * cover.triangle;
+    SurfacePoint point;
+    point.value = blend_all(mesh, corners, cover.map.weights(uv));
+    point.dx = blend_all(mesh, corners, cover.map.du() / static_cast<double>(size));
+    point.dy = blend_all(mesh, corners, cover.map.dv() / static_cast<double>(size));
+    const double texel = 1.0 / size;
+    point.value.uv[0] = uv;
+    point.dx.uv[0] = {texel, 0};
+    point.dy.uv[0] = {0, texel};
+    point.has = presence_of(mesh);
+    point.triangle = static_cast<uint32_t>(cover.triangle);
+    return point;
+}
+
 }  // namespace
 
 std::optional<SurfacePoint> sample_mesh(const Mesh& mesh, dvec2 uv, uint32_t size,
@@ -97,25 +115,24 @@ std::optional<SurfacePoint> sample_mesh(const Mesh& mesh, dvec2 uv, uint32_t siz
         diagnostics.error("the size of the uv layout is 0", "at least 1 texel");
         return std::nullopt;
     }
-    const std::optional<Cover> cover = find_cover(mesh, uv);
+    const std::optional<Cover> cover = find_cover(
+        mesh, mesh.triangle_count(), [](size_t i) { return i; }, uv);
     if (!cover) {
         diagnostics.error("no triangle of the mesh covers the uv (" + shortest(uv.x) + ", " +
                               shortest(uv.y) + ")",
                           "a place inside its uv layout");
         return std::nullopt;
     }
-    const uint32_t* corners = mesh.indices.data() + 3 * cover->triangle;
-    SurfacePoint point;
-    point.value = blend_all(mesh, corners, cover->map.weights(uv));
-    point.dx = blend_all(mesh, corners, cover->map.du() / static_cast<double>(size));
-    point.dy = blend_all(mesh, corners, cover->map.dv() / static_cast<double>(size));
-    const double texel = 1.0 / size;
-    point.value.uv[0] = uv;
-    point.dx.uv[0] = {texel, 0};
-    point.dy.uv[0] = {0, texel};
-    point.has = presence_of(mesh);
-    point.triangle = static_cast<uint32_t>(cover->triangle);
-    return point;
+    return point_of(mesh, *cover, uv, size);
+}
+
+std::optional<SurfacePoint> sample_mesh(const Mesh& mesh, const UvGrid& grid, dvec2 uv,
+                                        uint32_t size) {
+    const std::span<const uint32_t> near = grid.near(uv);
+    const std::optional<Cover> cover = find_cover(
+        mesh, near.size(), [&](size_t i) { return near[i]; }, uv);
+    if (!cover) return {};
+    return point_of(mesh, *cover, uv, size);
 }
 
 }  // namespace wrinkle

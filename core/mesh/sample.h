@@ -16,6 +16,7 @@
 
 #include "base/diagnostics.h"
 #include "mesh/mesh.h"
+#include "mesh/uv_grid.h"
 
 namespace wrinkle {
 
@@ -46,5 +47,10 @@ struct SurfacePoint {
 // The uv is not wrapped. Errors: no uv0, size 0, no triangle with area in uv covers it.
 std::optional<SurfacePoint> sample_mesh(const Mesh& mesh, glm::dvec2 uv, uint32_t size,
                                         Diagnostics& diagnostics);
+
+// The same of one place after the other, by a grid of the mesh: nothing where no triangle covers
+// the uv. The mesh has uv0, the size is at least 1.
+std::optional<SurfacePoint> sample_mesh(const Mesh& mesh, const UvGrid& grid, glm::dvec2 uv,
+                                        uint32_t size);
 
 }  // namespace wrinkle

@@ -147,6 +147,7 @@ TEST_F(EvalTest, RefusesWrongUsage) {
         {"eval", "g.json", "--mesh", "plane", "--uv", "0.5"},
         {"eval", "g.json", "--mesh", "nothing", "--uv", "0,0"},
         {"eval", "g.json", "--at", "{}", "--mesh", "plane", "--uv", "0,0"},
+        {"eval", "g.json", "--at", "{}", "--uv", "0,0"},
         {"eval", "-", "--at", "-"},
         {"eval", "g.json", "--at", "{}", "--precision", "half"},
         {"eval", "g.json", "--mesh", "plane", "--uv", "0,0", "--size", "0"},

@@ -1,0 +1,69 @@
+// Surface points as a table: a CSV file with a line of names, or an NPY file (cli/npy.h).
+//
+//   uv0.x,uv0.y,normal.x,normal.y,normal.z,dx.uv0.x,dx.uv0.y
+//   0.25,0.5,0,0,1,0.001,0
+//
+// A column is one component of a surface value: its name, .x .y .z .w, and dx. or dy. before it for
+// the change to the next pixel; `facing` has no component. Columns stand in any order; of a value
+// all are there. Numbers are finite. Errors name the file, a CSV's line, and the point.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/diagnostics.h"
+#include "cpu/columns.h"
+
+namespace wrinkle::cli {
+
+// Of one number a point: "uv0.x", "dx.normal.z", "facing".
+std::string column_name(const std::string& value, size_t lane, size_t lanes);
+
+enum class TableForm : uint8_t { csv, npy };
+
+class PointTable {
+public:
+    // Nothing with errors. `name` is the file's, for messages.
+    static std::optional<PointTable> read(TableForm form, std::string bytes,
+                                          const std::string& name, Diagnostics& diagnostics);
+
+    size_t count() const { return count_; }
+    bool gives(const InputNeed& need) const { return places(need)[0].given; }
+    // Component `lane` of a value that it gives.
+    double at(const InputNeed& need, size_t lane, size_t point) const {
+        return number(places(need)[lane], point);
+    }
+    Location where(size_t point) const;
+
+private:
+    struct Place {
+        bool given = false, is_double = true;
+        size_t offset = 0;  // in a record
+    };
+    using Places = std::array<Place, 4>;
+
+    Places& places(const InputNeed& need) {
+        return places_[static_cast<size_t>(need.input)][static_cast<size_t>(need.variant)];
+    }
+    const Places& places(const InputNeed& need) const {
+        return places_[static_cast<size_t>(need.input)][static_cast<size_t>(need.variant)];
+    }
+    double number(const Place& place, size_t point) const;
+    void problem(uint32_t line, std::string message, std::string expected,
+                 Diagnostics& diagnostics) const;
+    void add_column(const std::string& name, size_t offset, bool is_double,
+                    Diagnostics& diagnostics);
+    void read_csv(std::string_view text, Diagnostics& diagnostics);
+    size_t read_names(std::string_view line, Diagnostics& diagnostics);
+    void read_npy_table(Diagnostics& diagnostics);
+    void check_lanes(Diagnostics& diagnostics) const;
+    void check_numbers(Diagnostics& diagnostics) const;
+
+    std::string name_, bytes_;  // records
+    size_t first_ = 0, record_ = 0, count_ = 0;
+    uint32_t first_line_ = 0;  // of the first point; 0 without lines
+    std::array<std::array<Places, 3>, surface_input_count> places_;
+};
+
+}  // namespace wrinkle::cli

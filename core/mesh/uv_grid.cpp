@@ -1,0 +1,95 @@
+#include "mesh/uv_grid.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "mesh/uv_triangle.h"
+
+namespace wrinkle {
+namespace {
+
+constexpr uint32_t most_squares = 2048;  // both ways
+
+struct Box {
+    glm::dvec2 low, high;
+};
+
+Box box_of(const Mesh& mesh, size_t triangle) {
+    const uint32_t* corners = mesh.indices.data() + 3 * triangle;
+    const auto& uvs = mesh.uvs[0];
+    Box box{};
+    for (int axis = 0; axis < 2; ++axis) {
+        const auto [low, high] =
+            std::minmax({double{uvs[corners[0]][axis]}, double{uvs[corners[1]][axis]},
+                         double{uvs[corners[2]][axis]}});
+        const double margin = uv_box_margin * (high - low);
+        box.low[axis] = low - margin;
+        box.high[axis] = high + margin;
+    }
+    return box;
+}
+
+}  // namespace
+
+uint32_t UvGrid::cell_of(double place, int axis) const {
+    const double size = high_[axis] - low_[axis];
+    const double cell = size > 0 ? std::floor((place - low_[axis]) / size * side_) : 0;
+    return static_cast<uint32_t>(std::clamp<double>(cell, 0, side_ - 1));
+}
+
+UvGrid::Cells UvGrid::cells_of(const Mesh& mesh, size_t triangle) const {
+    const Box box = box_of(mesh, triangle);
+    return {{cell_of(box.low.x, 0), cell_of(box.low.y, 1)},
+            {cell_of(box.high.x, 0), cell_of(box.high.y, 1)}};
+}
+
+// About as many squares as triangles, but fewer where large triangles would fill too many.
+void UvGrid::choose_side(const Mesh& mesh) {
+    const double root = std::sqrt(static_cast<double>(covering_.size()));
+    side_ = std::clamp<uint32_t>(static_cast<uint32_t>(root), 1, most_squares);
+    const auto entries = [&] {
+        uint64_t count = 0;
+        for (const uint32_t triangle : covering_)
+            count += cells_of(mesh, triangle).count();
+        return count;
+    };
+    while (side_ > 1 && entries() > 16 * uint64_t{covering_.size()})
+        side_ /= 2;
+}
+
+UvGrid::UvGrid(const Mesh& mesh) {
+    for (size_t t = 0; t < mesh.triangle_count(); ++t) {
+        if (!has_uv_area(mesh, t)) continue;
+        const Box box = box_of(mesh, t);
+        low_ = covering_.empty()
+                   ? box.low
+                   : glm::dvec2(std::min(low_.x, box.low.x), std::min(low_.y, box.low.y));
+        high_ = covering_.empty()
+                    ? box.high
+                    : glm::dvec2(std::max(high_.x, box.high.x), std::max(high_.y, box.high.y));
+        covering_.push_back(static_cast<uint32_t>(t));
+    }
+    choose_side(mesh);
+    first_.resize(size_t{side_} * side_ + 1);
+    const auto each_cell = [&](uint32_t triangle, auto use) {
+        const Cells cells = cells_of(mesh, triangle);
+        for (uint32_t y = cells.low[1]; y <= cells.high[1]; ++y)
+            for (uint32_t x = cells.low[0]; x <= cells.high[0]; ++x)
+                use(size_t{y} * side_ + x);
+    };
+    for (const uint32_t triangle : covering_)
+        each_cell(triangle, [&](size_t cell) { ++first_[cell + 1]; });
+    for (size_t cell = 0; cell + 1 < first_.size(); ++cell)
+        first_[cell + 1] += first_[cell];
+    triangles_.resize(first_.back());
+    std::vector<uint32_t> next(first_.begin(), first_.end() - 1);
+    for (const uint32_t triangle : covering_)
+        each_cell(triangle, [&](size_t cell) { triangles_[next[cell]++] = triangle; });
+}
+
+std::span<const uint32_t> UvGrid::near(glm::dvec2 uv) const {
+    const size_t cell = size_t{cell_of(uv.y, 1)} * side_ + cell_of(uv.x, 0);
+    return std::span(triangles_).subspan(first_[cell], first_[cell + 1] - first_[cell]);
+}
+
+}  // namespace wrinkle
