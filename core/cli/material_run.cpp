@@ -7,13 +7,27 @@ namespace {
 
 constexpr std::array<const char*, 4> purpose_names = {"eval", "render", "bake", "bake"};
 
+// What glTF asks of a double-sided material: seen from behind a bump is a dent.
+void show_back_faces(Project& project, const std::string& mesh, Diagnostics& diagnostics) {
+    Document& top = project.files[0].document;
+    if (!top.source.is(json::Kind::object) || top.source.has("back_faces")) return;
+    top.back_faces = BackFaces::flip;
+    Diagnostic said;
+    said.severity = Severity::warning;
+    said.where.file = mesh;
+    said.message = "a material is doubleSided, so back faces are drawn by the rule 'flip'";
+    said.expected = "\"back_faces\" in the graph chooses the rule";
+    diagnostics.add(std::move(said));
+}
+
 }  // namespace
 
 void compile_runs(const std::string& file, const CommonOptions& common, const Registry& registry,
                   const Overrides& overrides, Purpose purpose, const UseRun& use,
-                  Diagnostics& diagnostics) {
+                  Diagnostics& diagnostics, const std::string& double_sided) {
     Diagnostics own;
-    const Project project = open_project(file, common, own);
+    Project project = open_project(file, common, own);
+    if (!double_sided.empty()) show_back_faces(project, double_sided, own);
     MaterialOptions options;
     options.given_differentials = purpose != Purpose::render;
     if (purpose == Purpose::bake_moments) options.covariances = Covariances::kept;

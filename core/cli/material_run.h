@@ -24,10 +24,12 @@ using UseRun = std::function<void(size_t, const MaterialRun&, Diagnostics&)>;
 enum class Purpose : uint8_t { eval, render, bake, bake_moments };
 
 // Reads the file once, compiles it for every run and uses each before the next, so that a long
-// sweep takes the memory of one; up to the first run with an error.
+// sweep takes the memory of one; up to the first run with an error. For a mesh named by
+// `double_sided`, whose back faces are meant to be seen, a graph that does not set its "back_faces"
+// has the rule `flip`, and a warning says so.
 void compile_runs(const std::string& file, const CommonOptions& common, const Registry& registry,
                   const Overrides& overrides, Purpose purpose, const UseRun& use,
-                  Diagnostics& diagnostics);
+                  Diagnostics& diagnostics, const std::string& double_sided = "");
 
 // The function form with differentials from the screen, as `wrinkle compile` writes it by default.
 Shader emit_function(const MaterialRun& run, const std::string& name, Diagnostics& diagnostics);

@@ -34,12 +34,14 @@ std::string check_mesh(const std::string& name_or_path) {
 }
 
 std::optional<Mesh> open_mesh(const std::string& name_or_path, const CommonOptions& options,
-                              Diagnostics& diagnostics, std::vector<std::string>* read) {
+                              Diagnostics& diagnostics, std::vector<std::string>* read,
+                              bool* double_sided) {
     std::optional<Mesh> mesh = make_shape(name_or_path);
     MeshFileOptions file;
     file.root = options.root;
     std::vector<std::filesystem::path> external;
     file.read = &external;
+    file.double_sided = double_sided;
     if (!mesh) {
         mesh = load_mesh(name_or_path, file, diagnostics);
         if (read) read->push_back(name_or_path);

@@ -23,8 +23,9 @@ bool is_mesh_path(const std::string& name_or_path);
 std::string check_mesh(const std::string& name_or_path);
 
 // The mesh, without tangents for --no-tangents; nothing with errors that name the file. `read`
-// takes the paths of all files that it is made of.
+// takes the paths of all files that it is made of, `double_sided` whether a material of a glTF is.
 std::optional<Mesh> open_mesh(const std::string& name_or_path, const CommonOptions& options,
-                              Diagnostics& diagnostics, std::vector<std::string>* read = nullptr);
+                              Diagnostics& diagnostics, std::vector<std::string>* read = nullptr,
+                              bool* double_sided = nullptr);
 
 }  // namespace wrinkle::cli

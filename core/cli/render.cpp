@@ -27,7 +27,8 @@ struct RenderCommand {
         PictureOptions options;
         if (!read_options(options)) return exit_usage;
         Diagnostics diagnostics;
-        const auto drawn_on = open_mesh(mesh, common, diagnostics);
+        bool double_sided = false;
+        const auto drawn_on = open_mesh(mesh, common, diagnostics, nullptr, &double_sided);
         if (!environment.empty())
             if (auto picture = load_environment(environment, diagnostics))
                 options.environment = std::move(*picture);
@@ -44,7 +45,8 @@ struct RenderCommand {
             read_textures(textures, run.compiled, run.project, problems);
             shaders.push_back(emit_function(run, material_name(file), problems));
         };
-        compile_runs(file, common, nodes.registry, overrides, Purpose::render, use, diagnostics);
+        compile_runs(file, common, nodes.registry, overrides, Purpose::render, use, diagnostics,
+                     double_sided ? mesh : "");
         if (displace && !diagnostics.has_errors())
             meshes = displaced(*drawn_on, nodes, overrides, textures, diagnostics);
         const int code = report(diagnostics, common.diagnostics);

@@ -75,6 +75,7 @@ public:
         if (failed_) return {};
         return std::move(mesh_);
     }
+    bool is_double_sided() const { return double_sided_; }
 
 private:
     struct Place {
@@ -134,6 +135,9 @@ private:
                 mesh_.vertex_count() + part.vertex_count() > limits_.max_corners)
                 return error("more than " + std::to_string(limits_.max_corners / 3) + " triangles",
                              "split the file or simplify the mesh");
+            const auto material = static_cast<size_t>(primitives[i].material);
+            double_sided_ |=
+                material < model_.materials.size() && model_.materials[material].doubleSided;
             complete(part);
             transform(part, to_scene);
             append(mesh_, part);
@@ -264,7 +268,7 @@ private:
     const MeshLimits& limits_;
     Diagnostics& diagnostics_;
     std::string where_;
-    bool failed_ = false;
+    bool failed_ = false, double_sided_ = false;
     uint64_t elements_read_ = 0;
     Mesh mesh_;
 };
@@ -275,7 +279,10 @@ std::optional<Mesh> read_gltf(std::string_view bytes, const std::filesystem::pat
                               const MeshFileOptions& options, Diagnostics& diagnostics) {
     tinygltf::Model model;
     if (!read_gltf_file(bytes, path, options, model, diagnostics)) return {};
-    return GltfReader(model, path.string(), options.limits, diagnostics).read();
+    GltfReader reader(model, path.string(), options.limits, diagnostics);
+    auto mesh = reader.read();
+    if (options.double_sided) *options.double_sided = mesh && reader.is_double_sided();
+    return mesh;
 }
 
 }  // namespace wrinkle

@@ -45,6 +45,7 @@ struct MeshFileOptions {
     std::filesystem::path root;  // "": the mesh's folder alone
     MeshLimits limits;
     std::vector<std::filesystem::path>* read = nullptr;  // takes the external files too
+    bool* double_sided = nullptr;  // takes whether a glTF's material is `doubleSided`
 };
 
 std::optional<Mesh> load_mesh(const std::filesystem::path& path, const MeshFileOptions& options,

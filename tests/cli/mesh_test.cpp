@@ -1,4 +1,5 @@
 // Mesh files on the command line: what render and eval do with them, and what is said of bad ones.
+#include <algorithm>
 #include <cmath>
 
 #include "cli/support.h"
@@ -182,6 +183,36 @@ TEST_F(LightingOptionsTest, RefuseWrongUsageAndBadPictures) {
     EXPECT_EQ(eight.code, 1);
     EXPECT_TRUE(says(eight.err, "holds u8 values, no radiance"));
     EXPECT_FALSE(exists("g.png"));
+}
+
+// A triangle that the camera sees from behind, its bump a tilt along x.
+TEST_F(MeshFileTest, ADoubleSidedGltfIsDrawnByTheRuleFlip) {
+    const auto with = [&](const std::string& name, const std::string& material) {
+        std::string text = gltf_of("back.bin");
+        text.insert(text.find("\"attributes\""), "\"material\": 0, ");
+        text.insert(text.size() - 1, ", \"materials\": [" + material + "]");
+        put(name, text);
+    };
+    std::string clockwise = triangle_bytes();
+    std::swap_ranges(clockwise.begin() + 12, clockwise.begin() + 24, clockwise.begin() + 24);
+    put("back.bin", clockwise);
+    with("both.gltf", R"({"doubleSided": true})");
+    with("one.gltf", R"({"doubleSided": false})");
+    const std::string graph = tilt_graph("0.75");
+    put("free.json", graph);
+    for (const std::string rule : {"mirror", "flip"})
+        put(rule + ".json", R"({"back_faces": ")" + rule + "\", " + graph.substr(1));
+    const auto drawn = [&](const std::string& file, const std::string& mesh, bool warned) {
+        const Ran ran = run({"render", file + ".json", "-o", "p.png", "--mesh", mesh + ".gltf",
+                             "--view", "normal", "--size", "32x32", "--background", "plain"});
+        EXPECT_EQ(ran.code, 0) << ran.err;
+        EXPECT_EQ(ran.err.find("doubleSided") != std::string::npos, warned) << file << ran.err;
+        return get("p.png");
+    };
+    const std::string flip = drawn("flip", "both", false), mirror = drawn("mirror", "both", false);
+    EXPECT_NE(flip, mirror);
+    EXPECT_EQ(drawn("free", "both", true), flip);
+    EXPECT_EQ(drawn("free", "one", false), mirror);
 }
 
 }  // namespace
