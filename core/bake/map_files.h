@@ -27,8 +27,8 @@ struct Clamped {
 std::vector<std::byte> stored_rows(const BakedMap& map, PixelType type, const BakedRows& rows,
                                    uint32_t width, size_t lanes, Clamped& clamped);
 
-// Of a map's file in the size of its layout; layout_mark is kept, and a scale other than 1 as
-// "wrinkle:scale".
+// The options of a map's file in the size of its layout; layout_mark is kept, and a scale other
+// than 1 as "wrinkle:scale".
 WriterOptions writer_options(const BakedMap& map, PixelType type, uint32_t width, uint32_t height,
                              double scale);
 

@@ -13,7 +13,7 @@ namespace wrinkle {
 bool has_uv_layout(const Mesh& mesh, const std::string& name, Diagnostics& diagnostics);
 
 // An error where nothing lies in the square that is baked, or with `udim` in any that has a number;
-// warnings tell of what the uvs will not do.
+// warnings name what the uvs will not do.
 bool check_uvs(const UvSurvey& uvs, bool udim, const std::string& name, Diagnostics& diagnostics);
 
 // Whether it has what the programs read.

@@ -1,6 +1,6 @@
-// What eval writes: a graph's outputs at its points as JSON, CSV or NPY.
+// The text that eval writes: a graph's outputs at its points as JSON, CSV or NPY.
 //
-//   json  "points": [{"normal": [0, 0, 1], "height": 0.5}, ...]; a number that is not finite is null
+//   json  "points": [{"normal": [0, 0, 1], "height": 0.5}, ...]; null for what is not finite
 //   csv   normal.x,normal.y,normal.z,height and a line for each point; nan, inf, -inf
 //   npy   records of the same names (cli/npy.h), <f4, with double precision <f8
 //

@@ -51,7 +51,7 @@ struct LintCommand {
     std::string expect, wrap = "repeat", diagnostics = "text";
     bool json = false, wrap_given = false;
 
-    // Who says so knows better than the picture that looks like an atlas.
+    // An option that is given overrides the guess that an image is an atlas.
     static void hold_to_repeat(maps::Verdict& verdict) {
         for (maps::Finding& finding : verdict.findings)
             finding.defect |=

@@ -29,12 +29,11 @@ struct NpyTable {
     size_t count = 0;   // records
 };
 
-// What was found and what would be right.
 struct NpyProblem {
     std::string message, expected;
 };
 
-// Nothing with the problem.
+// Empty with the problem.
 std::optional<NpyTable> read_npy(std::string_view bytes, NpyProblem& problem);
 
 // The bytes before the records of a table of floats, or doubles.

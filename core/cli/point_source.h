@@ -16,7 +16,7 @@ struct PointSource {
     size_t count = 0;
     // Reports what is needed and no point has; true when nothing is.
     std::function<bool(const std::vector<InputNeed>& needs, Diagnostics& diagnostics)> check;
-    // What is needed of the points first ... first + set.count - 1; false with errors.
+    // Writes the needed values of the points first ... first + set.count - 1; false with errors.
     std::function<bool(const std::vector<InputNeed>& needs, size_t first, PointSet& set,
                        Diagnostics& diagnostics)>
         fill;
@@ -29,7 +29,7 @@ struct PointSource {
 // `points` outlives the source.
 PointSource source_of(const std::vector<Point>& points);
 
-// Where the points of a call come from: --at, or --mesh with --at or --uv.
+// The options that choose points: --at, or --mesh with --at or --uv.
 struct PointOptions {
     std::string at;        // JSON, "@FILE", "FILE.csv", "FILE.npy", "-"; points, or places as uv0
     std::string mesh;      // "" or as cli/meshes.h takes it

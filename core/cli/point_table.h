@@ -4,7 +4,7 @@
 //   0.25,0.5,0,0,1,0.001,0
 //
 // A column is one component of a surface value: its name, .x .y .z .w, and dx. or dy. before it for
-// the change to the next pixel; `facing` has no component. Columns stand in any order; of a value
+// the change to the next pixel; `facing` has no component. Columns may have any order; of a value
 // all are there. Numbers are finite. Errors name the file, a CSV's line, and the point.
 #pragma once
 
@@ -17,14 +17,14 @@
 
 namespace wrinkle::cli {
 
-// Of one number a point: "uv0.x", "dx.normal.z", "facing".
+// The name of one column: "uv0.x", "dx.normal.z", "facing".
 std::string column_name(const std::string& value, size_t lane, size_t lanes);
 
 enum class TableForm : uint8_t { csv, npy };
 
 class PointTable {
 public:
-    // Nothing with errors. `name` is the file's, for messages.
+    // Empty with errors. `name` is the file's, for messages.
     static std::optional<PointTable> read(TableForm form, std::string bytes,
                                           const std::string& name, Diagnostics& diagnostics);
 

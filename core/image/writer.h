@@ -40,7 +40,7 @@ struct ImageNumber {
     float value = 0;
 };
 
-// The name of the number that is kept with a picture on the uv layout of a mesh, which need not tile.
+// The name of the number that marks an image on the uv layout of a mesh, which need not tile.
 inline constexpr const char* layout_mark = "wrinkle:layout";
 
 struct WriterOptions {

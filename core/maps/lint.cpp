@@ -207,7 +207,7 @@ private:
         }
     }
 
-    // The borders of islands are cuts, and the picture's border is one more. Normals fade to flat
+    // The borders of islands are cuts, and the image's border is one more. Normals fade to flat
     // around some islands; those have much that is flat.
     bool is_atlas(const IslandMeasures& islands) const {
         const bool cut =

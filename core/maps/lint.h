@@ -20,7 +20,7 @@
 //   banding    steps of one level with plateaus between them, or 8 bits in a deeper file
 //   mixed      green points up in some regions and down in others, so the whole is `normal`
 //   seam_u, seam_v   the first and last columns or rows differ more than any neighbours inside.
-//              A defect only where the picture is to repeat and is not an atlas: islands on a
+//              A defect only where the image is to repeat and is not an atlas: islands on a
 //              background that is flat or empty, or a file that `wrinkle bake` wrote
 //   gray       a height with three channels
 //   one_value  a height that is the same everywhere, which makes no bump

@@ -34,8 +34,8 @@ struct CurlMeasures {
     double gl = 0;           // rms of du/dv - dv/du
     double dx = 0;           // the same with green turned
     double correlation = 0;  // of the two terms, -1 to 1; 0 where there is no slope
-    // Shares of the curl terms in regions, 8 by 8 of the picture, whose own correlation is above
-    // 0.5, and below -0.5; 0 of pictures of less than 4096 texels, whose regions say little.
+    // Shares of the curl terms in regions, 8 by 8 of the image, whose own correlation is above
+    // 0.5, and below -0.5; 0 of images of less than 4096 texels, as such regions decide little.
     double regions_gl = 0, regions_dx = 0;
 };
 
@@ -59,7 +59,7 @@ struct SeamMeasures {
     double inside = 0;  // that 99 of 100 columns (or rows) stay below
 };
 
-// Of a picture as islands on one background. Black and, of normals, flat count as background, of
+// An image as islands on one background. Black and, of normals, flat count as background, of
 // heights 0 or the middle, within 2.5 / 255.
 struct IslandMeasures {
     double background = 0;  // share of texels

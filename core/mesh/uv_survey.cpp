@@ -9,7 +9,7 @@
 namespace wrinkle {
 namespace {
 
-// Of a square that is baked: floats hold 1/16 there, and the corner is an int.
+// A limit of the square that is baked: floats hold 1/16 there, and the corner is an int.
 constexpr double farthest_square = 1 << 20;
 
 // The whole numbers whose squares the open interval reaches into.

@@ -29,7 +29,7 @@ UvSurvey survey_uvs(const Mesh& mesh);
 inline constexpr int udim_columns = 10;
 inline constexpr int udim_rows = 899;  // four digits: 1001 to 9990
 
-// Of one of UvSurvey::squares.
+// The number of one of UvSurvey::squares.
 constexpr int udim_number(glm::ivec2 square) {
     return 1001 + square.x + udim_columns * (square.y < 0 ? -square.y : square.y);
 }
