@@ -18,10 +18,11 @@ namespace wrinkle::cli {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr std::string_view form = "wrinkle cache 1\n";
+constexpr std::string_view form = "wrinkle cache 2\n";
 constexpr std::string_view temporary = ".tmp";
 constexpr auto temporary_life = std::chrono::hours(1);
-constexpr char digits[] = "0123456789abcdef";
+constexpr std::string_view digits = "0123456789abcdef";
+constexpr size_t key_size = 64;
 
 bool write_all(int file, std::string_view bytes) {
     while (!bytes.empty()) {
@@ -33,24 +34,36 @@ bool write_all(int file, std::string_view bytes) {
     return true;
 }
 
+std::string sum_of(const std::string& key, std::string_view bytes) {
+    return sha256(key + sha256(bytes));
+}
+
 struct Kept {
     fs::path path;
     fs::file_time_type used;
     uint64_t size = 0;
 };
 
-// What lies in a folder, but for temporary files: the old ones are removed.
+// A folder may hold files of its owner: `--cache .` is easily typed.
+bool is_key(std::string_view name) {
+    return name.size() == key_size && name.find_first_not_of(digits) == name.npos;
+}
+
+// The entries in a folder. Old temporary files of entries are removed.
 std::vector<Kept> kept_in(const fs::path& folder) {
     std::vector<Kept> found;
     const auto now = fs::file_time_type::clock::now();
     std::error_code error;
     fs::directory_iterator entry(folder, error);
     for (; !error && entry != fs::directory_iterator(); entry.increment(error)) {
+        const std::string name = entry->path().filename().string();
+        const size_t key_end = std::min(name.find(temporary), name.size());
+        if (!is_key(std::string_view(name).substr(0, key_end))) continue;
         std::error_code gone;  // another program may prune too
         Kept kept{entry->path(), entry->last_write_time(gone), 0};
         if (!gone) kept.size = entry->file_size(gone);
         if (gone) continue;
-        if (kept.path.filename().string().find(temporary) == std::string::npos)
+        if (key_end == name.size())
             found.push_back(std::move(kept));
         else if (now - kept.used > temporary_life)
             fs::remove(kept.path, gone);
@@ -66,14 +79,16 @@ fs::path Cache::place(const std::string& key) const {
 
 std::optional<std::string> Cache::find(const std::string& key) const {
     const fs::path path = place(key);
+    std::error_code ignored;
+    if (!fs::is_regular_file(path, ignored) || fs::file_size(path, ignored) > limit_ / parts)
+        return {};
     std::string why;
     auto bytes = read_file(path, why);
-    constexpr size_t head = form.size() + 65;  // with the sum and the end of its line
+    constexpr size_t head = form.size() + key_size + 1;  // with the sum and the end of its line
     if (!bytes || bytes->size() < head || !bytes->starts_with(form)) return {};
-    const std::string sum = bytes->substr(form.size(), 64);
+    const std::string sum = bytes->substr(form.size(), key_size);
     bytes->erase(0, head);
-    if (sha256(*bytes) != sum) return {};
-    std::error_code ignored;
+    if (sum_of(key, *bytes) != sum) return {};
     fs::last_write_time(path, fs::file_time_type::clock::now(), ignored);
     return bytes;
 }
@@ -81,7 +96,7 @@ std::optional<std::string> Cache::find(const std::string& key) const {
 bool Cache::store(const std::string& key, std::string_view bytes, std::string& why) {
     const fs::path path = place(key);
     const auto failed = [&] {
-        why = path.parent_path().string() + ": " + std::strerror(errno);
+        why = path.string() + ": " + std::strerror(errno);
         return false;
     };
     std::error_code error;
@@ -90,14 +105,14 @@ bool Cache::store(const std::string& key, std::string_view bytes, std::string& w
     const int file = mkstemp(name.data());
     if (file < 0) return failed();
     const bool written = fchmod(file, 0644) == 0 && write_all(file, form) &&
-                         write_all(file, sha256(bytes) + "\n") && write_all(file, bytes);
+                         write_all(file, sum_of(key, bytes) + "\n") && write_all(file, bytes);
     const bool closed = close(file) == 0;
     if (!written || !closed || rename(name.c_str(), path.c_str()) != 0) {
         failed();
         unlink(name.c_str());
         return false;
     }
-    grown_[static_cast<size_t>(std::find(digits, digits + parts, key[0]) - digits)] = true;
+    grown_[digits.find(key[0])] = true;
     return true;
 }
 

@@ -1,12 +1,16 @@
-// What was made before, kept in a folder under the sum of all that it was made from.
+// A folder of results, each in a file that is named by its key: the SHA-256 of all that it depends
+// on.
 //
 // An entry is written under a temporary name and renamed, so readers and other writers see it whole
 // or not at all, and a program that is killed leaves at most a temporary file, which goes when it
-// is an hour old. It begins with the sum of what it holds: a damaged one counts as none, and the
-// next to be stored takes its place. Any number of programs and threads may share a folder.
+// is an hour old. It begins with the SHA-256 of its key and of the
+// SHA-256 of its bytes. An entry counts as absent if
+// it is damaged, was stored under another key, is not a regular file, or is larger than its folder
+// may be; the next to be stored replaces it. Any number of programs and threads may share a folder.
 //
-// The entries lie in 16 folders by the first digit of their key. Each may hold a sixteenth of the
-// limit; the entries that were not used for the longest time go first.
+// The entries are in 16 folders by the first digit of their key. Each may hold a sixteenth of the
+// limit; the entries that were not used for the longest time go first. Files with names that are
+// not those of entries are left alone.
 #pragma once
 
 #include <array>

@@ -119,35 +119,37 @@ std::string cache_key(const Project& project, const Types& types, const std::str
     return identity.empty() ? std::string() : sha256(join_fields(fields));
 }
 
-bool take_entry(const Cache& cache, const std::string& key, const Project& project,
+bool take_entry(const Compilation& with, const std::string& key, const Project& project,
                 CompiledGraph& result) {
-    const auto bytes = cache.find(key);
+    const auto bytes = with.cache->find(key);
     const auto fields = bytes ? split_fields(*bytes) : std::nullopt;
-    if (!fields || fields->size() < 3) return false;
-    const std::string* at = fields->data() + 3;
-    const size_t texts = number((*fields)[0]);
-    const size_t left = fields->size() - 3;
-    if (texts > left / 3 || (left - texts * 3) % fields_of_warning != 0) return false;
-    result.reflection = (*fields)[1];
-    result.cost = (*fields)[2];
+    std::vector<Text> texts = blank_texts(with.options);
+    const size_t before_warnings = 2 + texts.size();
+    if (!fields || fields->size() < before_warnings ||
+        (fields->size() - before_warnings) % fields_of_warning != 0)
+        return false;
+    const std::string* at = fields->data();
+    result.reflection = *at++;
+    result.cost = *at++;
+    for (Text& text : texts)
+        text.bytes = *at++;
+    result.texts = std::move(texts);
     result.diagnostics = Diagnostics();
-    for (size_t i = 0; i < texts; ++i, at += 3)
-        result.texts.push_back({at[0], at[1], at[2]});
     for (; at != fields->data() + fields->size(); at += fields_of_warning)
         result.diagnostics.add(warning_of(at, project));
     return true;
 }
 
-void store_entry(Cache& cache, const std::string& key, const Project& project,
+void store_entry(const Compilation& with, const std::string& key, const Project& project,
                  CompiledGraph& result) {
     if (result.diagnostics.dropped() > 0) return;
-    Fields fields = {std::to_string(result.texts.size()), result.reflection, result.cost};
+    Fields fields = {result.reflection, result.cost};
     for (const Text& text : result.texts)
-        fields.insert(fields.end(), {text.stage, text.suffix, text.bytes});
+        fields.push_back(text.bytes);
     for (const Diagnostic& warning : result.diagnostics.list())
         add_warning(warning, project, fields);
     std::string why;
-    if (cache.store(key, join_fields(fields), why)) return;
+    if (with.cache->store(key, join_fields(fields), why)) return;
     Diagnostic warning;
     warning.severity = Severity::warning;
     warning.message = "the cache cannot be written: " + why;

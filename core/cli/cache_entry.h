@@ -16,12 +16,13 @@ namespace wrinkle::cli {
 std::string cache_key(const Project& project, const Types& types, const std::string& name,
                       const Compilation& with);
 
-// Fills in texts, reflection and all warnings; false when there is no whole entry.
-bool take_entry(const Cache& cache, const std::string& key, const Project& project,
+// Fills in texts, reflection, costs and all warnings; false when there is no whole entry. An entry
+// holds bytes only: the command decides how many texts there are and to which files they go.
+bool take_entry(const Compilation& with, const std::string& key, const Project& project,
                 CompiledGraph& result);
 
 // A graph with more warnings than are listed is not kept. That nothing can be written is a warning.
-void store_entry(Cache& cache, const std::string& key, const Project& project,
+void store_entry(const Compilation& with, const std::string& key, const Project& project,
                  CompiledGraph& result);
 
 }  // namespace wrinkle::cli

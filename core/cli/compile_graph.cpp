@@ -23,12 +23,11 @@ void make_texts(const std::string& file, const Project& project, const Compilati
         result.cost = cost_of(made.compiled.module, options.emit.differentials, wanted.json, file,
                               result.diagnostics);
     if (result.diagnostics.has_errors()) return;
-    const std::string suffix(options.emit.target->suffix);
-    if (options.emit.form == Form::function)
-        result.texts.push_back({"", "", std::move(shader.source)});
-    else
-        result.texts = {{"vertex", vertex_suffix + suffix, std::move(shader.vertex)},
-                        {"fragment", fragment_suffix + suffix, std::move(shader.fragment)}};
+    result.texts = blank_texts(wanted);
+    for (Text& text : result.texts)
+        text.bytes = std::move(text.stage.empty()       ? shader.source
+                               : text.stage == "vertex" ? shader.vertex
+                                                        : shader.fragment);
     result.reflection = to_json(shader.reflection);
 }
 
@@ -88,6 +87,12 @@ Form form_of(const TextOptions& options) {
     return options.form == "shader" ? Form::shader : Form::function;
 }
 
+std::vector<Text> blank_texts(const TextOptions& options) {
+    if (form_of(options) == Form::function) return {{"", "", ""}};
+    const std::string suffix(find_target(options.target)->suffix);
+    return {{"vertex", vertex_suffix + suffix, ""}, {"fragment", fragment_suffix + suffix, ""}};
+}
+
 CompiledGraph compile_graph(const std::string& file, const Compilation& with) {
     CompiledGraph result;
     const Project read = open_project(file, with.common, result.diagnostics);
@@ -98,10 +103,10 @@ CompiledGraph compile_graph(const std::string& file, const Compilation& with) {
         const Types types(project, with.registry);
         result.inputs = inputs_of(project, types);
         if (with.cache) key = cache_key(project, types, name_for(file, with.options), with);
-        if (!key.empty() && take_entry(*with.cache, key, project, result)) return result;
+        if (!key.empty() && take_entry(with, key, project, result)) return result;
     }
     make_texts(file, project, with, result);
-    if (!key.empty() && !result.texts.empty()) store_entry(*with.cache, key, project, result);
+    if (!key.empty() && !result.texts.empty()) store_entry(with, key, project, result);
     return result;
 }
 

@@ -35,6 +35,9 @@ struct Text {
     std::string bytes;
 };
 
+// One text for each file that a target and form that exist have, `bytes` still empty.
+std::vector<Text> blank_texts(const TextOptions& options);
+
 struct CompiledGraph {
     std::vector<Text> texts;  // none with an error
     std::string reflection;   // JSON

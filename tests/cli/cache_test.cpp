@@ -1,12 +1,14 @@
 // wrinkle compile --cache: a hit is a miss in everything but time, and nothing that happens to the
 // folder makes a wrong text.
 #include <signal.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <chrono>
 #include <fstream>
 
+#include "base/sha256.h"
 #include "cli/support.h"
 
 namespace wrinkle::test {
@@ -23,13 +25,14 @@ protected:
         return run(args);
     }
 
-    std::vector<fs::path> entries() const {
+    std::vector<fs::path> entries(const std::string& cache = "cache") const {
         std::vector<fs::path> found;
-        if (exists("cache"))
-            for (const auto& each : fs::recursive_directory_iterator(folder / "cache"))
+        if (exists(cache))
+            for (const auto& each : fs::recursive_directory_iterator(folder / cache))
                 if (each.is_regular_file()) found.push_back(each.path());
         return found;
     }
+    fs::path entry_in(const std::string& cache) const { return entries(cache).at(0); }
 
     // Another byte in every entry.
     void damage(size_t from_end) const {
@@ -39,6 +42,20 @@ protected:
             file.put('#');
         }
     }
+
+    // The payload of an entry, behind its first line and its sum.
+    static std::string payload(const fs::path& entry) {
+        return bytes_of(entry).substr(head.size() + 65);
+    }
+
+    // An entry as anyone can write it who can write to the folder: its sum is right.
+    static void forge(const fs::path& entry, const std::string& bytes) {
+        std::ofstream(entry, std::ios::binary)
+            << head << sha256(entry.filename().string() + sha256(bytes)) << '\n'
+            << bytes;
+    }
+
+    static inline const std::string head = "wrinkle cache 2\n";
 
     // Everything below out/ in one text.
     std::string made() const {
@@ -75,11 +92,107 @@ TEST_F(CacheTest, AHitTakesTheTextFromTheEntry) {
     ASSERT_EQ(compile({"--name", "n"}).code, 0);
     const fs::path entry = entries().at(0);
     ASSERT_EQ(run({"compile", "h.json", "--name", "n", "--cache", "other"}).code, 0);
-    for (const auto& each : fs::recursive_directory_iterator(folder / "other"))
-        if (each.is_regular_file())
-            fs::copy_file(each.path(), entry, fs::copy_options::overwrite_existing);
+    forge(entry, payload(entry_in("other")));
     ASSERT_EQ(compile({"--name", "n"}).code, 0);
     EXPECT_EQ(get("out/g"), run({"compile", "h.json", "--name", "n"}).out);
+}
+
+TEST_F(CacheTest, AnEntryStoredUnderAnotherKeyIsMadeAgain) {
+    put("g.json", tilt_graph());
+    put("h.json", tilt_graph("0.25"));
+    ASSERT_EQ(compile({"--name", "n"}).code, 0);
+    const std::string right = get("out/g");
+    const fs::path entry = entries().at(0);
+    const std::string stored = bytes_of(entry);
+    ASSERT_EQ(run({"compile", "h.json", "--name", "n", "--cache", "other"}).code, 0);
+    fs::copy_file(entry_in("other"), entry, fs::copy_options::overwrite_existing);
+    const Ran ran = compile({"--name", "n"});
+    EXPECT_EQ(ran.code, 0) << ran.err;
+    EXPECT_EQ(get("out/g"), right);
+    EXPECT_EQ(bytes_of(entry), stored);
+}
+
+// Fields of a payload, as join_fields() writes them.
+std::string fields(const Names& each) {
+    std::string bytes;
+    for (const std::string& field : each)
+        bytes += std::to_string(field.size()) + "\n" + field;
+    return bytes;
+}
+
+TEST_F(CacheTest, AForgedEntryWritesNoFileButTheOutputs) {
+    put("g.json", tilt_graph());
+    for (const bool pair : {false, true}) {
+        const Names more = {"--form", pair ? "shader" : "function"};
+        fs::remove_all(folder / "cache");
+        ASSERT_EQ(compile(more).code, 0);
+        const fs::path entry = entries().at(0);
+        const Names before = files();
+        // With counts, stages and suffixes as entries once held them, and texts by the dozen.
+        for (const Names& forged :
+             {Names{"1", "", "", "", "/../../escaped", "evil"},
+              Names{"2", "", "", "vertex", ".vert", "a", "fragment", "/../../escaped", "evil"},
+              Names{"", "", "evil", "evil", "evil", "/../../escaped", "evil", "", "", "", ""},
+              Names{"/../../escaped", "/../../escaped", "/../../escaped"}}) {
+            forge(entry, fields(forged));
+            EXPECT_EQ(compile(more).code, 0);
+            EXPECT_EQ(files(), before) << testing::PrintToString(forged);
+            EXPECT_FALSE(fs::exists(folder / "escaped"));
+            EXPECT_FALSE(fs::exists(folder.parent_path() / "escaped"));
+        }
+    }
+}
+
+// A program that reads a pipe or /dev/zero to its end waits for ever, or until memory is used up.
+TEST_F(CacheTest, AnEntryThatIsNotARegularFileIsMadeAgain) {
+    put("g.json", tilt_graph());
+    ASSERT_EQ(compile({}).code, 0);
+    const std::string right = get("out/g");
+    const fs::path entry = entries().at(0);
+    const std::string stored = bytes_of(entry);
+    memory = rlim_t{2} << 30;
+    const auto is_made_again = [&](const std::string& kind) {
+        const Ran ran = compile({});
+        EXPECT_EQ(ran.code, 0) << kind << ran.err;
+        EXPECT_EQ(ran.err, "") << kind;
+        EXPECT_EQ(get("out/g"), right) << kind;
+        EXPECT_TRUE(fs::is_regular_file(fs::symlink_status(entry))) << kind;
+        EXPECT_EQ(bytes_of(entry), stored) << kind;
+        fs::remove(entry);
+    };
+    fs::remove(entry);
+    ASSERT_EQ(mkfifo(entry.c_str(), 0600), 0);
+    is_made_again("a pipe");
+    fs::create_symlink("/dev/zero", entry);
+    is_made_again("a link to a device");
+    fs::create_symlink(entry.filename(), entry);
+    is_made_again("a link to itself");
+    std::ofstream(entry) << "wrinkle cache 2\n";
+    fs::resize_file(entry, uint64_t{1} << 40);
+    is_made_again("a file of a terabyte");
+    fs::create_directories(entry);
+    const Ran ran = compile({});
+    EXPECT_EQ(ran.code, 0);
+    EXPECT_EQ(get("out/g"), right);
+    EXPECT_TRUE(says(ran.err, "warning: the cache cannot be written: cache/")) << ran.err;
+    EXPECT_TRUE(says(ran.err, entry.filename().string() + ": Is a directory")) << ran.err;
+}
+
+TEST_F(CacheTest, FilesThatAreNotEntriesAreLeftAlone) {
+    put("g.json", tilt_graph());
+    ASSERT_EQ(compile({}).code, 0);
+    const fs::path entry = entries().at(0);
+    fs::remove(entry);
+    const fs::path texts[] = {entry.parent_path() / "thesis.txt",
+                              entry.parent_path() / "notes.tmp.txt"};
+    for (const fs::path& text : texts) {
+        std::ofstream(text) << std::string(4000, 'x');
+        fs::last_write_time(text, fs::file_time_type::clock::now() - std::chrono::hours(9));
+    }
+    ASSERT_EQ(compile({"--cache-size", "0"}).code, 0);
+    for (const fs::path& text : texts)
+        EXPECT_TRUE(fs::exists(text)) << text;
+    EXPECT_FALSE(fs::exists(entry));
 }
 
 TEST_F(CacheTest, WarningsComeFromTheEntryToo) {
@@ -180,17 +293,22 @@ TEST_F(CacheTest, WhatWasNotUsedForLongGoesFirst) {
     ASSERT_EQ(compile({}).code, 0);
     const fs::path entry = entries().at(0);
     const auto now = fs::file_time_type::clock::now();
-    const fs::path old = entry.parent_path() / "old", used = entry.parent_path() / "used";
+    const fs::path old = entry.parent_path() / std::string(64, 'd'),
+                   used = entry.parent_path() / std::string(64, 'e'),
+                   killed = entry.parent_path() / (std::string(64, 'f') + ".tmpabcdef"),
+                   at_work = entry.parent_path() / (std::string(64, 'e') + ".tmpabcdef");
     for (const fs::path& path : {old, used}) {
         std::ofstream(path) << std::string(4000, 'x');
         fs::last_write_time(path, now - std::chrono::hours(path == old ? 3 : 2));
     }
-    std::ofstream(entry.parent_path() / "k.tmpabcdef") << "killed";
-    fs::last_write_time(entry.parent_path() / "k.tmpabcdef", now - std::chrono::hours(2));
-    std::ofstream(entry.parent_path() / "l.tmpabcdef") << "at work";
+    std::ofstream(killed) << "killed";
+    fs::last_write_time(killed, now - std::chrono::hours(2));
+    std::ofstream(at_work) << "at work";
     fs::remove(entry);
     ASSERT_EQ(compile({"--cache-size", std::to_string(16 * 7000)}).code, 0);
-    EXPECT_EQ(entries().size(), 3u) << "the entry, `used`, and the temporary file of somebody";
+    EXPECT_EQ(entries().size(), 3u);
+    EXPECT_TRUE(fs::exists(at_work));
+    EXPECT_FALSE(fs::exists(killed));
     EXPECT_FALSE(fs::exists(old));
     EXPECT_TRUE(fs::exists(used));
     EXPECT_TRUE(fs::exists(entry));
