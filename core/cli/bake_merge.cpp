@@ -17,34 +17,6 @@ std::string shard_text(uint64_t shard, const PartHeader& header) {
     return "shard " + std::to_string(shard) + " of " + std::to_string(header.shards);
 }
 
-// Rows that the part holds of a picture, before `band`, a row of tiles of all pictures.
-uint64_t rows_before(const PartHeader& header, size_t picture, uint64_t band) {
-    uint64_t rows = 0;
-    for (uint64_t b = std::max(header.first, picture * uint64_t{header.bands()}); b < band; ++b)
-        rows += header.rows_of(b);
-    return rows;
-}
-
-// A part whose files are not as long as bake.json says is no part.
-bool has_its_rows(const fs::path& folder, const PartHeader& header, Diagnostics& diagnostics) {
-    for (size_t picture = 0; picture < header.pictures.size(); ++picture) {
-        const uint64_t end = std::min<uint64_t>(header.last, (picture + 1) * header.bands());
-        const uint64_t rows = rows_before(header, picture, end);
-        for (size_t map = 0; rows > 0 && map < header.maps.size(); ++map) {
-            const fs::path file = rows_file(folder, picture, map);
-            std::error_code error;
-            const uint64_t size = fs::file_size(file, error);
-            if (!error && size >= rows * header.row_bytes(map)) continue;
-            diagnostics.add(
-                file_problem(Severity::error, file.string(),
-                             error ? "cannot be read: " + error.message() : "ends early",
-                             "bake " + shard_text(header.shard, header) + " again"));
-            return false;
-        }
-    }
-    return true;
-}
-
 bool check_parts(const std::vector<fs::path>& folders, const std::vector<PartHeader>& headers,
                  Diagnostics& diagnostics) {
     for (size_t i = 0; i < headers.size(); ++i) {
@@ -64,7 +36,8 @@ bool check_parts(const std::vector<fs::path>& folders, const std::vector<PartHea
                                              : shard_text(header.shard, header) + " is there twice",
                                          "every shard once"));
         else
-            has_its_rows(folders[i], header, diagnostics);
+            has_its_rows(folders[i], header, "bake " + shard_text(header.shard, header) + " again",
+                         diagnostics);
         if (diagnostics.has_errors()) return false;
     }
     if (headers.size() == headers[0].shards) return true;

@@ -1,182 +1,62 @@
 #include "cli/bake_parts.h"
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <cerrno>
-#include <charconv>
 #include <cstring>
+#include <fstream>
 
 #include "bake/file_problem.h"
 #include "base/file.h"
-#include "base/text.h"
-#include "json/parse.h"
 
 namespace wrinkle::cli {
 namespace fs = std::filesystem;
 namespace {
 
-std::string quoted_list(const std::vector<std::string>& words) {
-    std::string text = "[";
-    for (const std::string& word : words)
-        text += (text.size() > 1 ? ", " : "") + json_quoted(word);
-    return text + "]";
+// The XXH64 of the first `size` bytes of a file; nothing with the reason in `why`.
+std::optional<Xxh64> sum_of_rows(const fs::path& path, uint64_t size, std::string& why) {
+    Xxh64 sum;
+    if (size == 0) return sum;
+    std::error_code error;
+    const uint64_t found = fs::file_size(path, error);
+    if (error)
+        why = fs::exists(path) ? "is not a regular file" : "cannot be read: " + error.message();
+    else if (found < size)
+        why = "ends early";
+    if (!why.empty()) return {};
+    std::ifstream file(path, std::ios::binary);
+    std::vector<char> block(size_t{1} << 20);
+    while (size > 0 && file) {
+        file.read(block.data(), static_cast<std::streamsize>(std::min(size, block.size())));
+        const auto count = static_cast<size_t>(file.gcount());
+        sum.add(std::as_bytes(std::span(block.data(), count)));
+        size -= count;
+    }
+    if (size == 0) return sum;
+    why = "cannot be read";
+    return {};
 }
 
-std::string map_json(const PartHeader::Map& map) {
-    const WriterOptions& w = map.writer;
-    std::string numbers = "{";
-    for (const ImageNumber& number : w.numbers)
-        numbers += (numbers.size() > 1 ? ", " : "") + json_quoted(number.name) + ": " +
-                   shortest(number.value);
-    return "{\"name\": " + json_quoted(map.name) +
-           ", \"extension\": " + json_quoted(map.extension) +
-           ", \"channels\": " + quoted_list(w.channels) +
-           ", \"alpha\": " + (w.has_alpha ? "true" : "false") +
-           ", \"type\": " + json_quoted(name_of(w.type)) +
-           ", \"compression\": " + json_quoted(w.compression) +
-           ", \"tile\": " + std::to_string(w.tile) + ", \"numbers\": " + numbers + "}}";
-}
-
-// Texts, as some of the numbers may be infinite.
-std::string report_json(const BakeReport& found) {
-    std::vector<std::string> words = {std::to_string(found.overlapped),
-                                      shortest(found.overlap_uv.x), shortest(found.overlap_uv.y),
-                                      std::to_string(found.overlap_triangle),
-                                      std::to_string(found.not_finite)};
-    for (const Clamped& lost : found.clamped)
-        words.insert(words.end(),
-                     {std::to_string(lost.numbers), shortest(lost.least), shortest(lost.greatest)});
-    return quoted_list(words);
-}
-
-std::string header_json(const PartHeader& header) {
-    std::string maps;
-    for (const PartHeader::Map& map : header.maps)
-        maps += (maps.empty() ? "\n    " : ",\n    ") + map_json(map);
-    return "{\n  \"wrinkle_bake\": 1,\n  \"identity\": " + json_quoted(header.identity) +
-           ",\n  \"shard\": [" + std::to_string(header.shard) + ", " +
-           std::to_string(header.shards) + "],\n  \"size\": [" + std::to_string(header.width()) +
-           ", " + std::to_string(header.height()) + "],\n  \"maps\": [" + maps +
-           "],\n  \"pictures\": " + quoted_list(header.pictures) + ",\n  \"rows_of_tiles\": [" +
-           std::to_string(header.first) + ", " + std::to_string(header.last) +
-           "],\n  \"done\": " + std::to_string(header.done) +
-           ",\n  \"found\": " + report_json(header.found) + "\n}\n";
-}
-
-// Values of a header; whatever does not fit leaves `fine` false.
-struct HeaderReader {
-    bool fine = true;
-
-    json::Value item(const json::Value& from, std::string_view key, json::Kind kind) {
-        const json::Value value = from.is(json::Kind::object) ? from.find(key) : json::Value();
-        fine = fine && value.is(kind);
-        return value;
+// Takes over what the folder holds of the same bake. With damage it takes nothing, and warns: what
+// was found in the rows that are whole cannot be told from what was found in the others.
+void take_what_is_done(const fs::path& folder, PartHeader& header, Diagnostics& diagnostics) {
+    Diagnostics damage;
+    const auto before = read_header(folder, damage);
+    const bool is_same = before && before->identity == header.identity &&
+                         before->shard == header.shard && before->shards == header.shards &&
+                         before->first == header.first && before->last == header.last;
+    if (is_same && has_its_rows(folder, *before, "", damage)) {
+        header.done = before->done;
+        header.found = before->found;
+        header.sums = before->sums;
     }
-    std::string text(const json::Value& from, std::string_view key) {
-        const json::Value value = item(from, key, json::Kind::string);
-        return fine ? std::string(value.as_string()) : "";
+    for (Diagnostic problem : damage.list()) {
+        problem.severity = Severity::warning;
+        problem.message += "; all rows are baked again";
+        problem.expected.clear();
+        diagnostics.add(std::move(problem));
     }
-    bool flag(const json::Value& from, std::string_view key) {
-        const json::Value value = item(from, key, json::Kind::boolean);
-        return fine && value.as_boolean();
-    }
-    uint64_t whole(const json::Value& value) {
-        fine = fine && value.is(json::Kind::number) && value.as_number() >= 0 &&
-               value.as_number() < 1e15;
-        return fine ? static_cast<uint64_t>(value.as_number()) : 0;
-    }
-    std::vector<std::string> texts(const json::Value& from, std::string_view key) {
-        std::vector<std::string> list;
-        const json::Value values = item(from, key, json::Kind::array);
-        for (const json::Member& member : values.children()) {
-            fine = fine && member.value.is(json::Kind::string);
-            if (fine) list.emplace_back(member.value.as_string());
-        }
-        return list;
-    }
-    std::pair<uint64_t, uint64_t> pair(const json::Value& from, std::string_view key) {
-        const json::Value values = item(from, key, json::Kind::array);
-        fine = fine && values.size() == 2;
-        return fine ? std::pair(whole(values.at(0)), whole(values.at(1)))
-                    : std::pair<uint64_t, uint64_t>(0, 0);
-    }
-    BakeReport report(const json::Value& from) {
-        const std::vector<std::string> words = texts(from, "found");
-        fine = fine && words.size() >= 5 && words.size() % 3 == 2;
-        BakeReport found;
-        if (!fine) return found;
-        const auto read = [&](size_t i, auto& number) {
-            const char* end = words[i].data() + words[i].size();
-            const auto [stop, problem] = std::from_chars(words[i].data(), end, number);
-            fine = fine && problem == std::errc() && stop == end;
-        };
-        read(0, found.overlapped);
-        read(1, found.overlap_uv.x);
-        read(2, found.overlap_uv.y);
-        read(3, found.overlap_triangle);
-        read(4, found.not_finite);
-        for (size_t i = 5; i < words.size(); i += 3) {
-            Clamped& lost = found.clamped.emplace_back();
-            read(i, lost.numbers);
-            read(i + 1, lost.least);
-            read(i + 2, lost.greatest);
-        }
-        return found;
-    }
-    PartHeader::Map map(const json::Value& from) {
-        PartHeader::Map map{text(from, "name"), text(from, "extension"), {}};
-        WriterOptions& w = map.writer;
-        w.channels = texts(from, "channels");
-        w.has_alpha = flag(from, "alpha");
-        w.compression = text(from, "compression");
-        w.tile = static_cast<uint32_t>(whole(item(from, "tile", json::Kind::number)));
-        const std::string type = text(from, "type");
-        bool known = false;
-        for (const PixelType each :
-             {PixelType::u8, PixelType::u16, PixelType::half, PixelType::float32})
-            if (name_of(each) == type) {
-                w.type = each;
-                known = true;
-            }
-        for (const json::Member& number : item(from, "numbers", json::Kind::object).children())
-            if (number.value.is(json::Kind::number))
-                w.numbers.push_back(
-                    {std::string(number.key), static_cast<float>(number.value.as_number())});
-        fine = fine && known && !w.channels.empty();
-        return map;
-    }
-};
-
-std::optional<PartHeader> parse_header(const json::Value& root) {
-    HeaderReader reader;
-    PartHeader header;
-    header.identity = reader.text(root, "identity");
-    const auto shard = reader.pair(root, "shard");
-    const auto size = reader.pair(root, "size");
-    const auto bands = reader.pair(root, "rows_of_tiles");
-    header.shard = static_cast<uint32_t>(shard.first);
-    header.shards = static_cast<uint32_t>(shard.second);
-    header.pictures = reader.texts(root, "pictures");
-    header.first = bands.first;
-    header.last = bands.second;
-    header.done = reader.whole(reader.item(root, "done", json::Kind::number));
-    header.found = reader.report(root);
-    for (const json::Member& map : reader.item(root, "maps", json::Kind::array).children()) {
-        header.maps.push_back(reader.map(map.value));
-        header.maps.back().writer.width = static_cast<uint32_t>(size.first);
-        header.maps.back().writer.height = static_cast<uint32_t>(size.second);
-    }
-    // They become parts of paths.
-    const auto is_name = [](const std::string& text) { return text.find('/') == text.npos; };
-    for (const PartHeader::Map& map : header.maps)
-        reader.fine = reader.fine && is_name(map.name) && is_name(map.extension);
-    reader.fine =
-        reader.fine && std::all_of(header.pictures.begin(), header.pictures.end(), is_name);
-    const bool sane = reader.fine && !header.maps.empty() && size.first > 0 && size.second > 0 &&
-                      size.first <= 65536 && size.second <= 65536 && header.first <= header.done &&
-                      header.done <= header.last &&
-                      header.last <= header.pictures.size() * uint64_t{header.bands()};
-    if (!sane) return {};
-    return header;
 }
 
 }  // namespace
@@ -184,6 +64,14 @@ std::optional<PartHeader> parse_header(const json::Value& root) {
 size_t PartHeader::row_bytes(size_t map) const {
     const WriterOptions& w = maps[map].writer;
     return size_t{w.width} * w.channels.size() * bytes_of(w.type);
+}
+
+uint64_t PartHeader::bytes_of_rows(size_t picture, size_t map) const {
+    uint64_t rows = 0;
+    const uint64_t end = std::min(done, (picture + 1) * uint64_t{bands()});
+    for (uint64_t band = std::max(first, picture * uint64_t{bands()}); band < end; ++band)
+        rows += rows_of(band);
+    return rows * row_bytes(map);
 }
 
 uint32_t PartHeader::rows_of(uint64_t band) const {
@@ -226,25 +114,6 @@ PartHeader header_of(const BakeJob& job) {
     return header;
 }
 
-std::optional<PartHeader> read_header(const fs::path& folder, Diagnostics& diagnostics) {
-    const fs::path file = header_file(folder);
-    std::string why;
-    const auto text = read_file(file, why);
-    if (!text) {
-        diagnostics.add(
-            file_problem(Severity::error, file.string(), why, "a folder that bake --shard wrote"));
-        return {};
-    }
-    Diagnostics own;
-    auto header = parse_header(json::parse(*text, file.string(), own).root);
-    if (!header || own.has_errors()) {
-        diagnostics.add(file_problem(Severity::error, file.string(),
-                                     "does not tell of a part of a bake", "bake that shard again"));
-        return {};
-    }
-    return header;
-}
-
 fs::path header_file(const fs::path& folder) {
     return folder / "bake.json";
 }
@@ -253,17 +122,34 @@ fs::path rows_file(const fs::path& folder, size_t picture, size_t map) {
     return folder / (std::to_string(picture) + "-" + std::to_string(map) + ".rows");
 }
 
+bool has_its_rows(const fs::path& folder, const PartHeader& header, const std::string& remedy,
+                  Diagnostics& diagnostics) {
+    for (size_t i = 0; i < header.files_with_rows(); ++i) {
+        const size_t picture = header.picture_of(header.first) + i / header.maps.size();
+        const size_t map = i % header.maps.size();
+        const fs::path file = rows_file(folder, picture, map);
+        std::string why;
+        const auto sum = sum_of_rows(file, header.bytes_of_rows(picture, map), why);
+        if (sum && sum->digest() == header.sums[i]) continue;
+        if (sum) why = "does not hold the rows that were baked: their checksum is another";
+        diagnostics.add(file_problem(Severity::error, file.string(), why, remedy));
+        return false;
+    }
+    return true;
+}
+
 std::optional<PartWriter> PartWriter::open(const fs::path& folder, PartHeader header, bool resume,
                                            Diagnostics& diagnostics) {
     std::error_code error;
     fs::create_directories(folder, error);
-    Diagnostics ignored;
-    const auto before = resume ? read_header(folder, ignored) : std::nullopt;
-    if (before && before->identity == header.identity && before->shard == header.shard &&
-        before->shards == header.shards) {
-        header.done = before->done;
-        header.found = before->found;
+    if (fs::exists(header_file(folder), error) && !is_regular_file(header_file(folder), error)) {
+        diagnostics.add(file_problem(Severity::error, header_file(folder).string(),
+                                     "is not a regular file", "remove it, or another folder"));
+        return {};
     }
+    if (resume && fs::exists(header_file(folder), error))
+        take_what_is_done(folder, header, diagnostics);
+    if (header.done == header.first) fs::remove(header_file(folder), error);  // of any size
     PartWriter writer;
     writer.folder_ = folder;
     writer.header_ = std::move(header);
@@ -289,17 +175,18 @@ bool PartWriter::write_header(Diagnostics& diagnostics) const {
 bool PartWriter::begin(size_t picture, Diagnostics& diagnostics) {
     picture_ = picture;
     files_.clear();
-    const uint64_t start = std::max(header_.first, picture * uint64_t{header_.bands()});
-    uint64_t rows = 0;  // that are done of it
-    for (uint64_t band = start; band < header_.done; ++band)
-        rows += header_.rows_of(band);
+    sums_.clear();
     for (size_t map = 0; map < header_.maps.size(); ++map) {
         const fs::path path = rows_file(folder_, picture, map);
-        const uint64_t kept = rows * header_.row_bytes(map);
-        std::FILE* file = std::fopen(path.c_str(), kept > 0 ? "r+b" : "wb");
+        const uint64_t kept = header_.bytes_of_rows(picture, map);
+        if (kept == 0) unlink(path.c_str());  // a pipe or a link there would take the rows
+        std::string why;
+        auto sum = sum_of_rows(path, kept, why);
+        std::FILE* file = sum ? std::fopen(path.c_str(), kept > 0 ? "r+b" : "wb") : nullptr;
         if (!file) return fail(map, diagnostics);
         files_.emplace_back(file);
-        // Rows that bake.json does not tell of are written again.
+        sums_.push_back(std::move(*sum));
+        // Rows that bake.json does not count are written again.
         if (std::fseek(file, static_cast<long>(kept), SEEK_SET) != 0) return fail(map, diagnostics);
     }
     return true;
@@ -307,14 +194,18 @@ bool PartWriter::begin(size_t picture, Diagnostics& diagnostics) {
 
 bool PartWriter::rows(size_t map, std::span<const std::byte> bytes, Diagnostics& diagnostics) {
     std::FILE* file = files_[map].get();
-    if (std::fwrite(bytes.data(), 1, bytes.size(), file) == bytes.size() && std::fflush(file) == 0)
-        return true;
-    return fail(map, diagnostics);
+    if (std::fwrite(bytes.data(), 1, bytes.size(), file) != bytes.size() || std::fflush(file) != 0)
+        return fail(map, diagnostics);
+    sums_[map].add(bytes);
+    return true;
 }
 
 bool PartWriter::done(uint64_t bands, const BakeReport& found, Diagnostics& diagnostics) {
     header_.done = bands;
     header_.found = found;
+    header_.sums.resize(header_.files_with_rows());
+    for (size_t map = 0; map < sums_.size(); ++map)
+        header_.sums[header_.sum_index(picture_, map)] = sums_[map].digest();
     return write_header(diagnostics);
 }
 

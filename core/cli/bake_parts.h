@@ -1,11 +1,13 @@
-// A folder that holds a part of a bake: what is done of a shard, or of a bake that can go on.
+// A folder that holds a part of a bake: a shard, or a bake that can be resumed.
 //
-//   bake.json   what was asked for, and how many rows of tiles are done
+//   bake.json   the request, how many rows of tiles are done, and checksums
 //   P-M.rows    those of map M of picture P, one after the other from the top, in the file's type
 //
 // The rows of tiles of all pictures are counted one picture after the other; a part holds those
 // from `first` to `last`, without `last`, of which those before `done` are in the files. bake.json
-// is written after the rows it tells of, so a program may be killed at any time.
+// holds the XXH64 of the done rows of each file, and the SHA-256 of its own text. It is replaced
+// after the rows that it counts are in their files, which may by then hold more: a program may be
+// killed at any time. Checking a part reads all its rows once, O(bytes).
 #pragma once
 
 #include <cstdio>
@@ -18,6 +20,7 @@
 
 #include "bake/picture.h"
 #include "base/diagnostics.h"
+#include "base/xxh64.h"
 #include "cli/bake_job.h"
 
 namespace wrinkle::cli {
@@ -32,7 +35,8 @@ struct PartHeader {
     std::vector<Map> maps;
     std::vector<std::string> pictures;  // the suffixes of their files
     uint64_t first = 0, last = 0, done = 0;
-    BakeReport found;  // in what is done
+    std::vector<std::string> sums;  // of the done rows of each file, by sum_index()
+    BakeReport found;               // in what is done
 
     uint32_t width() const { return maps[0].writer.width; }
     uint32_t height() const { return maps[0].writer.height; }
@@ -40,23 +44,39 @@ struct PartHeader {
     size_t row_bytes(size_t map) const;
     // Of row of tiles `band` of its picture.
     uint32_t rows_of(uint64_t band) const;
+    uint64_t picture_of(uint64_t band) const { return band / bands(); }
+    // How many files hold rows that are done.
+    size_t files_with_rows() const {
+        return done == first ? 0 : (picture_of(done - 1) - picture_of(first) + 1) * maps.size();
+    }
+    // How many bytes the file of a map of a picture holds of the done rows of this part.
+    uint64_t bytes_of_rows(size_t picture, size_t map) const;
+    size_t sum_index(size_t picture, size_t map) const {
+        return (picture - picture_of(first)) * maps.size() + map;
+    }
     // Of one map it is OUT, of several OUT/MAP.EXT.
     std::vector<MapFile> files(const std::string& output, size_t picture, uint32_t threads) const;
 };
 
 PartHeader header_of(const BakeJob& job);
 
-// Nothing with an error that names the folder.
+// Nothing with an error that names the file.
 std::optional<PartHeader> read_header(const std::filesystem::path& folder,
                                       Diagnostics& diagnostics);
+std::string header_json(const PartHeader& header);
 
 std::filesystem::path header_file(const std::filesystem::path& folder);
 std::filesystem::path rows_file(const std::filesystem::path& folder, size_t picture, size_t map);
 
+// True if the folder holds the rows that the header counts, each byte of them; otherwise false
+// with the first file that does not in `diagnostics`, as an error with this remedy.
+bool has_its_rows(const std::filesystem::path& folder, const PartHeader& header,
+                  const std::string& remedy, Diagnostics& diagnostics);
+
 class PartWriter {
 public:
-    // Goes on where the same bake was stopped, if `resume` is set and the folder holds it; else
-    // from the beginning. header().done says where.
+    // Continues where the same bake was stopped, if `resume` is set and the folder holds it; else
+    // begins at the first row, with a warning if the folder was damaged. header().done says where.
     static std::optional<PartWriter> open(const std::filesystem::path& folder, PartHeader header,
                                           bool resume, Diagnostics& diagnostics);
 
@@ -76,7 +96,8 @@ private:
     std::filesystem::path folder_;
     PartHeader header_;
     size_t picture_ = 0;
-    std::vector<std::unique_ptr<std::FILE, Close>> files_;  // of the picture at hand
+    std::vector<std::unique_ptr<std::FILE, Close>> files_;  // of this picture, by map
+    std::vector<Xxh64> sums_;                               // of what was written to them
 };
 
 }  // namespace wrinkle::cli

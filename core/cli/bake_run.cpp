@@ -86,8 +86,9 @@ BakeOutcome bake_part(const BakeJob& job, const fs::path& folder, PartHeader hea
                       Progress& progress) {
     BakeOutcome outcome;
     PictureBaker baker(job, progress);
-    auto part =
-        PartWriter::open(folder, std::move(header), job.options.resume, outcome.environment);
+    Diagnostics opened;
+    auto part = PartWriter::open(folder, std::move(header), job.options.resume, opened);
+    (part ? outcome.warnings : outcome.environment).append(opened);
     const uint64_t bands = job.bands();
     if (part) baker.report = part->header().found;
     bool whole = part.has_value();

@@ -1,14 +1,34 @@
 // Bakes in parts: shards, what is stopped and goes on, what is merged; always the same bytes.
 #include <signal.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 
 #include <chrono>
 #include <thread>
 
+#include "base/sha256.h"
+#include "base/xxh64.h"
 #include "cli/bake_support.h"
 
 namespace wrinkle::test {
 namespace {
+
+// A bake.json as a program writes it that has this in it.
+std::string sealed(std::string header) {
+    header.erase(header.rfind(",\n  \"sum\""));
+    return header + ",\n  \"sum\": \"" + sha256(header) + "\"\n}\n";
+}
+
+std::string with(std::string text, const std::string& from, const std::string& to) {
+    const size_t at = text.find(from);
+    EXPECT_NE(at, text.npos) << from;
+    return at == text.npos ? text : text.replace(at, from.size(), to);
+}
+
+std::string flipped(std::string bytes, size_t at) {
+    bytes.at(at) = static_cast<char>(bytes[at] ^ 1);
+    return bytes;
+}
 
 class BakePartsTest : public BakeTest {
 protected:
@@ -72,15 +92,10 @@ TEST_F(BakePartsTest, AMergeWantsEveryShardOnce) {
     EXPECT_TRUE(says(refused({"p1", "p2", "nowhere"}), "nowhere/bake.json: error: cannot be read"));
     const std::string header = get("p2/bake.json");
     put("p2/bake.json", header.substr(0, 60));
-    EXPECT_TRUE(says(refused({"p1", "p2", "p3"}), "p2/bake.json: error: does not tell of a part"));
-    std::string hostile = header;
-    hostile.replace(hostile.find("\"normal\""), 8, "\"/tmp/../x\"");
-    put("p2/bake.json", hostile);
-    EXPECT_TRUE(says(refused({"p1", "p2", "p3"}), "does not tell of a part"));
-    std::string halted = header;
-    const size_t done = halted.find("\"done\": ");
-    halted.replace(done, halted.find('\n', done) - done, "\"done\": 1,");
-    put("p2/bake.json", halted);
+    EXPECT_TRUE(says(refused({"p1", "p2", "p3"}), "p2/bake.json: error: is damaged, or does not"));
+    put("p2/bake.json", sealed(test::with(header, "\"normal\"", "\"/tmp/../x\"")));
+    EXPECT_TRUE(says(refused({"p1", "p2", "p3"}), "p2/bake.json: error: is damaged, or does not"));
+    put("p2/bake.json", sealed(test::with(header, "\"done\": 3,", "\"done\": 2,")));
     EXPECT_TRUE(says(refused({"p1", "p2", "p3"}), "p2: error: shard 2 of 3 is not finished"));
     put("p2/bake.json", header);
     const std::string rows = get("p2/0-1.rows");
@@ -97,6 +112,95 @@ TEST_F(BakePartsTest, AMergeRefusesPartsOfAnotherBake) {
     EXPECT_TRUE(says(refused({"p1", "p2"}), "p2: error: is a part of another bake than p1"));
     EXPECT_EQ(bake("sphere", "p2", with({"--shard", "2/2"})).code, 0);
     EXPECT_TRUE(says(refused({"p1", "p2"}), "another bake"));
+}
+
+TEST_F(BakePartsTest, AMergeRefusesRowsThatWereDamaged) {
+    for (const char* part : {"1", "2", "3"})
+        shard(std::string(part) + "/3", std::string("p") + part);
+    const Names all = {"p1", "p2", "p3"};
+    const std::string rows = get("p2/0-1.rows");
+    ASSERT_GT(rows.size(), 100U);
+    const auto check = [&](const std::string& bytes, const std::string& why) {
+        put("p2/0-1.rows", bytes);
+        EXPECT_TRUE(says(refused(all), "p2/0-1.rows: error: " + why));
+    };
+    const std::string damaged = "does not hold the rows that were baked";
+    check("", "ends early");
+    check(rows.substr(0, rows.size() - 1), "ends early");
+    for (const size_t at : {size_t{0}, rows.size() / 2, rows.size() - 1})
+        check(flipped(rows, at), damaged);
+    check(std::string(rows.size(), '\0'), damaged);
+    check(get("p2/0-0.rows").substr(0, rows.size()), damaged);
+    fs::remove(folder / "p2/0-1.rows");
+    EXPECT_TRUE(says(refused(all), "p2/0-1.rows: error: cannot be read"));
+    EXPECT_TRUE(says(refused(all), "bake shard 2 of 3 again"));
+    ASSERT_EQ(mkfifo((folder / "p2/0-1.rows").c_str(), 0600), 0);
+    EXPECT_TRUE(says(refused(all), "p2/0-1.rows: error: is not a regular file"));
+    fs::remove(folder / "p2/0-1.rows");
+    put("p2/0-1.rows", rows);
+    const std::string first = get("p1/0-1.rows");
+    put("p1/0-1.rows", rows);
+    EXPECT_TRUE(says(refused(all), "p1/0-1.rows: error: " + damaged));
+    put("p1/0-1.rows", first);
+    EXPECT_EQ(merge(all).code, 0);
+}
+
+TEST_F(BakePartsTest, AMergeRefusesAHeaderWithOneByteFlipped) {
+    shard("1/2", "p1");
+    shard("2/2", "p2");
+    const std::string header = get("p2/bake.json");
+    for (size_t at = 0; at < header.size(); at += 13) {
+        put("p2/bake.json", flipped(header, at));
+        EXPECT_TRUE(says(refused({"p1", "p2"}), "p2/bake.json: error: ")) << at;
+    }
+    put("p2/bake.json", header);
+    EXPECT_EQ(merge({"p1", "p2"}).code, 0);
+}
+
+TEST_F(BakePartsTest, AHeaderHasTheSumsOfTheRowsOnDisk) {
+    shard("1/2", "p1");
+    const json::Value sums = parsed(get("p1/bake.json")).find("sums");
+    ASSERT_EQ(sums.size(), 2U);
+    for (size_t map = 0; map < 2; ++map) {
+        Xxh64 sum;
+        const std::string rows = get("p1/0-" + std::to_string(map) + ".rows");
+        sum.add(std::as_bytes(std::span(rows)));
+        EXPECT_EQ(sums.at(map).as_string(), sum.digest());
+    }
+}
+
+// Reading a pipe or /dev/zero to its end takes for ever, or all memory.
+TEST_F(BakePartsTest, AHeaderThatIsNotARegularFileIsRefused) {
+    shard("1/2", "p1");
+    shard("2/2", "p2");
+    memory = rlim_t{4} << 30;
+    const fs::path header = folder / "p2/bake.json";
+    const auto check = [&](const std::string& why) {
+        EXPECT_TRUE(says(refused({"p1", "p2"}), "p2/bake.json: error: " + why));
+    };
+    const auto check_bake = [&](const Names& more) {
+        Names all = maps;
+        all.insert(all.end(), {"--shard", "2/2"});
+        all.insert(all.end(), more.begin(), more.end());
+        const Ran ran = bake("teapot", "p2", all);
+        EXPECT_EQ(ran.code, 3);
+        EXPECT_TRUE(says(ran.err, "p2/bake.json: error: is not a regular file"));
+    };
+    fs::remove(header);
+    ASSERT_EQ(mkfifo(header.c_str(), 0600), 0);
+    check("is not a regular file");
+    check_bake({"--resume"});
+    check_bake({});
+    fs::remove(header);
+    fs::create_symlink("/dev/zero", header);
+    check("is not a regular file");
+    check_bake({"--resume"});
+    fs::remove(header);
+    put("p2/bake.json", "{");
+    fs::resize_file(header, uint64_t{1} << 40);
+    check("is larger than any bake.json");
+    EXPECT_EQ(bake("teapot", "p2", with({"--shard", "2/2", "--resume"})).code, 0);
+    EXPECT_EQ(merge({"p1", "p2"}).code, 0);
 }
 
 // Slow enough to be stopped: every texel in one thread.
@@ -171,6 +275,34 @@ TEST_F(BakeStoppedTest, WhatWasKilledGoesOn) {
     EXPECT_TRUE(same_files("out/roughness.png", "whole/roughness.png"));
 }
 
+// Killed after some rows, then damaged: rows that are not those that were baked are baked again.
+TEST_F(BakeStoppedTest, DamagedRowsAreBakedAgainAndSaidSo) {
+    ASSERT_EQ(bake("plane", "whole", slow).code, 0);
+    Names all = slow;
+    all.emplace_back("--resume");
+    const auto resumed = [&](const std::string& file, auto damage, const std::string& why) {
+        const pid_t child = begin("out", {"--resume"});
+        ASSERT_TRUE(under_way(child, "out.part"));
+        ASSERT_EQ(end(child, SIGKILL), SIGKILL);
+        put("out.part/" + file, damage(get("out.part/" + file)));
+        const Ran ran = bake("plane", "out", all);
+        ASSERT_EQ(ran.code, 0) << ran.err;
+        EXPECT_TRUE(says(ran.err, "out.part/" + file + ": warning: " + why)) << ran.err;
+        EXPECT_TRUE(says(ran.err, "all rows are baked again"));
+        for (const char* name : {"/normal.png", "/roughness.png", "/height.png"})
+            EXPECT_TRUE(same_files("out" + std::string(name), "whole" + std::string(name))) << file;
+        fs::remove_all(folder / "out");
+    };
+    const auto empty = [](const std::string&) { return std::string(); };
+    const auto flip = [](const std::string& bytes) { return flipped(bytes, 1000); };
+    const auto flip_done = [](const std::string& text) {
+        return test::with(text, "\"done\": ", "\"done\": 1");
+    };
+    resumed("0-1.rows", empty, "ends early");
+    resumed("0-2.rows", flip, "does not hold the rows that were baked");
+    resumed("bake.json", flip_done, "is damaged");
+}
+
 TEST_F(BakeStoppedTest, AnotherBakeBeginsAnew) {
     const pid_t child = begin("out", {"--resume"});
     ASSERT_TRUE(under_way(child, "out.part"));
@@ -180,6 +312,17 @@ TEST_F(BakeStoppedTest, AnotherBakeBeginsAnew) {
     other.emplace_back("--resume");
     ASSERT_EQ(bake("cube", "out", other).code, 0);
     EXPECT_TRUE(same_files("out/normal.png", "whole/normal.png"));
+}
+
+TEST_F(BakePartsTest, APipeInPlaceOfRowsIsReplaced) {
+    fs::create_directories(folder / "p1");
+    ASSERT_EQ(mkfifo((folder / "p1/0-1.rows").c_str(), 0600), 0);
+    put("aside", "of somebody");
+    fs::create_symlink("../aside", folder / "p1/0-0.rows");
+    shard("1/2", "p1");
+    shard("2/2", "p2");
+    EXPECT_EQ(get("aside"), "of somebody");
+    EXPECT_EQ(merge({"p1", "p2"}).code, 0);
 }
 
 TEST_F(BakePartsTest, RowsThatCannotBeWrittenAreOfAMap) {

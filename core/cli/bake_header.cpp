@@ -1,0 +1,232 @@
+// bake.json of a part, written and read.
+#include <algorithm>
+#include <charconv>
+
+#include "bake/file_problem.h"
+#include "base/file.h"
+#include "base/sha256.h"
+#include "base/text.h"
+#include "cli/bake_parts.h"
+#include "json/parse.h"
+
+namespace wrinkle::cli {
+namespace fs = std::filesystem;
+namespace {
+
+constexpr uint64_t max_header_bytes = uint64_t{1} << 28;  // with the sums of a million files
+constexpr std::string_view before_sum = ",\n  \"sum\": \"", after_sum = "\"\n}\n";
+
+std::string with_sum(std::string text) {
+    const std::string sum = sha256(text);
+    return std::move(text.append(before_sum).append(sum).append(after_sum));
+}
+
+bool has_right_sum(const std::string& text) {
+    const size_t end = text.rfind(before_sum);
+    return end != text.npos && with_sum(text.substr(0, end)) == text;
+}
+
+std::optional<std::string> read_header_text(const fs::path& file, std::string& why) {
+    std::error_code error;
+    const uint64_t size = fs::file_size(file, error);
+    if (error && fs::exists(file))
+        why = "is not a regular file";
+    else if (!error && size > max_header_bytes)
+        why = "is larger than any bake.json";
+    else
+        return read_file(file, why);
+    return {};
+}
+
+std::string quoted_list(const std::vector<std::string>& words) {
+    std::string text = "[";
+    for (const std::string& word : words)
+        text += (text.size() > 1 ? ", " : "") + json_quoted(word);
+    return text + "]";
+}
+
+std::string map_json(const PartHeader::Map& map) {
+    const WriterOptions& w = map.writer;
+    std::string numbers = "{";
+    for (const ImageNumber& number : w.numbers)
+        numbers += (numbers.size() > 1 ? ", " : "") + json_quoted(number.name) + ": " +
+                   shortest(number.value);
+    return "{\"name\": " + json_quoted(map.name) +
+           ", \"extension\": " + json_quoted(map.extension) +
+           ", \"channels\": " + quoted_list(w.channels) +
+           ", \"alpha\": " + (w.has_alpha ? "true" : "false") +
+           ", \"type\": " + json_quoted(name_of(w.type)) +
+           ", \"compression\": " + json_quoted(w.compression) +
+           ", \"tile\": " + std::to_string(w.tile) + ", \"numbers\": " + numbers + "}}";
+}
+
+// Texts, as some of the numbers may be infinite.
+std::string report_json(const BakeReport& found) {
+    std::vector<std::string> words = {std::to_string(found.overlapped),
+                                      shortest(found.overlap_uv.x), shortest(found.overlap_uv.y),
+                                      std::to_string(found.overlap_triangle),
+                                      std::to_string(found.not_finite)};
+    for (const Clamped& lost : found.clamped)
+        words.insert(words.end(),
+                     {std::to_string(lost.numbers), shortest(lost.least), shortest(lost.greatest)});
+    return quoted_list(words);
+}
+
+// Values of a header; whatever does not fit leaves `fine` false.
+struct HeaderReader {
+    bool fine = true;
+
+    json::Value item(const json::Value& from, std::string_view key, json::Kind kind) {
+        const json::Value value = from.is(json::Kind::object) ? from.find(key) : json::Value();
+        fine = fine && value.is(kind);
+        return value;
+    }
+    std::string text(const json::Value& from, std::string_view key) {
+        const json::Value value = item(from, key, json::Kind::string);
+        return fine ? std::string(value.as_string()) : "";
+    }
+    bool flag(const json::Value& from, std::string_view key) {
+        const json::Value value = item(from, key, json::Kind::boolean);
+        return fine && value.as_boolean();
+    }
+    uint64_t whole(const json::Value& value) {
+        fine = fine && value.is(json::Kind::number) && value.as_number() >= 0 &&
+               value.as_number() < 1e15;
+        return fine ? static_cast<uint64_t>(value.as_number()) : 0;
+    }
+    std::vector<std::string> texts(const json::Value& from, std::string_view key) {
+        std::vector<std::string> list;
+        const json::Value values = item(from, key, json::Kind::array);
+        for (const json::Member& member : values.children()) {
+            fine = fine && member.value.is(json::Kind::string);
+            if (fine) list.emplace_back(member.value.as_string());
+        }
+        return list;
+    }
+    std::pair<uint64_t, uint64_t> pair(const json::Value& from, std::string_view key) {
+        const json::Value values = item(from, key, json::Kind::array);
+        fine = fine && values.size() == 2;
+        return fine ? std::pair(whole(values.at(0)), whole(values.at(1)))
+                    : std::pair<uint64_t, uint64_t>(0, 0);
+    }
+    BakeReport report(const json::Value& from) {
+        const std::vector<std::string> words = texts(from, "found");
+        fine = fine && words.size() >= 5 && words.size() % 3 == 2;
+        BakeReport found;
+        if (!fine) return found;
+        const auto read = [&](size_t i, auto& number) {
+            const char* end = words[i].data() + words[i].size();
+            const auto [stop, problem] = std::from_chars(words[i].data(), end, number);
+            fine = fine && problem == std::errc() && stop == end;
+        };
+        read(0, found.overlapped);
+        read(1, found.overlap_uv.x);
+        read(2, found.overlap_uv.y);
+        read(3, found.overlap_triangle);
+        read(4, found.not_finite);
+        for (size_t i = 5; i < words.size(); i += 3) {
+            Clamped& lost = found.clamped.emplace_back();
+            read(i, lost.numbers);
+            read(i + 1, lost.least);
+            read(i + 2, lost.greatest);
+        }
+        return found;
+    }
+    PartHeader::Map map(const json::Value& from) {
+        PartHeader::Map map{text(from, "name"), text(from, "extension"), {}};
+        WriterOptions& w = map.writer;
+        w.channels = texts(from, "channels");
+        w.has_alpha = flag(from, "alpha");
+        w.compression = text(from, "compression");
+        w.tile = static_cast<uint32_t>(whole(item(from, "tile", json::Kind::number)));
+        const std::string type = text(from, "type");
+        bool known = false;
+        for (const PixelType each :
+             {PixelType::u8, PixelType::u16, PixelType::half, PixelType::float32})
+            if (name_of(each) == type) {
+                w.type = each;
+                known = true;
+            }
+        for (const json::Member& number : item(from, "numbers", json::Kind::object).children())
+            if (number.value.is(json::Kind::number))
+                w.numbers.push_back(
+                    {std::string(number.key), static_cast<float>(number.value.as_number())});
+        fine = fine && known && !w.channels.empty();
+        return map;
+    }
+};
+
+std::optional<PartHeader> parse_header(const json::Value& root) {
+    HeaderReader reader;
+    PartHeader header;
+    header.identity = reader.text(root, "identity");
+    const auto shard = reader.pair(root, "shard");
+    const auto size = reader.pair(root, "size");
+    const auto bands = reader.pair(root, "rows_of_tiles");
+    header.shard = static_cast<uint32_t>(shard.first);
+    header.shards = static_cast<uint32_t>(shard.second);
+    header.pictures = reader.texts(root, "pictures");
+    header.first = bands.first;
+    header.last = bands.second;
+    header.done = reader.whole(reader.item(root, "done", json::Kind::number));
+    header.found = reader.report(root);
+    header.sums = reader.texts(root, "sums");
+    for (const json::Member& map : reader.item(root, "maps", json::Kind::array).children()) {
+        header.maps.push_back(reader.map(map.value));
+        header.maps.back().writer.width = static_cast<uint32_t>(size.first);
+        header.maps.back().writer.height = static_cast<uint32_t>(size.second);
+    }
+    // They become parts of paths.
+    const auto is_name = [](const std::string& text) { return text.find('/') == text.npos; };
+    for (const PartHeader::Map& map : header.maps)
+        reader.fine = reader.fine && is_name(map.name) && is_name(map.extension);
+    reader.fine =
+        reader.fine && std::all_of(header.pictures.begin(), header.pictures.end(), is_name);
+    const bool sane = reader.fine && !header.maps.empty() && size.first > 0 && size.second > 0 &&
+                      size.first <= 65536 && size.second <= 65536 && header.first <= header.done &&
+                      header.done <= header.last &&
+                      header.last <= header.pictures.size() * uint64_t{header.bands()} &&
+                      header.sums.size() == header.files_with_rows();
+    if (!sane) return {};
+    return header;
+}
+
+}  // namespace
+
+std::string header_json(const PartHeader& header) {
+    std::string maps;
+    for (const PartHeader::Map& map : header.maps)
+        maps += (maps.empty() ? "\n    " : ",\n    ") + map_json(map);
+    std::string text =
+        "{\n  \"wrinkle_bake\": 2,\n  \"identity\": " + json_quoted(header.identity) +
+        ",\n  \"shard\": [" + std::to_string(header.shard) + ", " + std::to_string(header.shards) +
+        "],\n  \"size\": [" + std::to_string(header.width()) + ", " +
+        std::to_string(header.height()) + "],\n  \"maps\": [" + maps +
+        "],\n  \"pictures\": " + quoted_list(header.pictures) + ",\n  \"rows_of_tiles\": [" +
+        std::to_string(header.first) + ", " + std::to_string(header.last) +
+        "],\n  \"done\": " + std::to_string(header.done) +
+        ",\n  \"sums\": " + quoted_list(header.sums) +
+        ",\n  \"found\": " + report_json(header.found);
+    return with_sum(std::move(text));
+}
+
+std::optional<PartHeader> read_header(const fs::path& folder, Diagnostics& diagnostics) {
+    const fs::path file = header_file(folder);
+    std::string why;
+    const auto text = read_header_text(file, why);
+    if (!text) {
+        diagnostics.add(
+            file_problem(Severity::error, file.string(), why, "a folder that bake --shard wrote"));
+        return {};
+    }
+    std::optional<PartHeader> header;
+    Diagnostics own;
+    if (has_right_sum(*text)) header = parse_header(json::parse(*text, file.string(), own).root);
+    if (!header)
+        diagnostics.add(file_problem(Severity::error, file.string(),
+                                     "is damaged, or does not describe a part of a bake",
+                                     "bake that shard again"));
+    return header;
+}
+
+}  // namespace wrinkle::cli
