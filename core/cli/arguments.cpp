@@ -1,14 +1,19 @@
 #include "cli/arguments.h"
 
 #include <algorithm>
-#include <deque>
+#include <filesystem>
+#include <span>
+#include <vector>
 
 #include "base/file.h"
 
 namespace wrinkle::cli {
 namespace {
 
-constexpr size_t most_files = 1000;  // one that names itself goes beyond any number
+namespace fs = std::filesystem;
+
+constexpr size_t max_depth = 16, max_files = 1000;
+constexpr uint64_t max_bytes = uint64_t{16} << 20;
 constexpr std::string_view blanks = " \t\r\n\f\v";
 
 // CLI11 has no long names behind a single dash, as compilers spell these.
@@ -52,41 +57,67 @@ std::string renamed(std::string word) {
     return word;
 }
 
-// Puts what the file holds in front of what is left.
-bool open_file(const std::string& file, std::deque<std::string>& left, std::string& why) {
-    std::vector<std::string> words;
-    const auto text = read_file(file, why);
-    if (text && split_words(*text, words)) {
-        left.insert(left.begin(), words.begin(), words.end());
+// Words of the command line and of the files that it names.
+class Expansion {
+public:
+    explicit Expansion(std::string& why) : why_(why) {}
+
+    // Goes at most max_depth calls deep.
+    bool add(std::span<const std::string> from) {
+        for (const std::string& word : from) {
+            plain_ = plain_ || word == "--";
+            const bool is_points = !words.empty() && words.back() == "--at";
+            if (plain_ || is_points || word.size() < 2 || word[0] != '@')
+                words.push_back(renamed(word));
+            else if (!add_file(word.substr(1)))
+                return false;
+        }
         return true;
     }
-    why = file + ": " + (text ? "a quote is not closed" : why);
-    return false;
-}
+
+    std::vector<std::string> words;
+
+private:
+    bool add_file(const std::string& file) {
+        const fs::path path = real_path(file);
+        if (std::find(open_.begin(), open_.end(), path) != open_.end())
+            return fail(file, "names itself, or a file that names it");
+        if (open_.size() == max_depth)
+            return fail(file, "is more than " + std::to_string(max_depth) + " files deep");
+        if (++files_ > max_files)
+            return fail(file, "is one of more than " + std::to_string(max_files) + " files");
+        std::string why;
+        const auto text = read_file(path, why);
+        if (!text) return fail(file, why);
+        bytes_ += text->size();
+        if (bytes_ > max_bytes) return fail(file, "these words are of more than 16 MB");
+        std::vector<std::string> held;
+        if (!split_words(*text, held)) return fail(file, "a quote is not closed");
+        open_.push_back(path);
+        const bool added = add(held);
+        open_.pop_back();
+        return added;
+    }
+
+    bool fail(const std::string& file, const std::string& why) {
+        why_ = file + ": " + why;
+        return false;
+    }
+
+    std::string& why_;
+    std::vector<fs::path> open_;  // that are being read, the outermost first
+    size_t files_ = 0;
+    uint64_t bytes_ = 0;
+    bool plain_ = false;  // behind "--"
+};
 
 }  // namespace
 
 std::optional<std::vector<std::string>> command_words(int argc, const char* const* argv,
                                                       std::string& why) {
-    std::deque<std::string> left(argv + 1, argv + argc);
-    std::vector<std::string> words;
-    size_t files = 0;
-    bool plain = false;
-    while (!left.empty()) {
-        const std::string word = std::move(left.front());
-        left.pop_front();
-        plain = plain || word == "--";
-        const bool is_points = !words.empty() && words.back() == "--at";
-        if (plain || is_points || word.size() < 2 || word[0] != '@') {
-            words.push_back(renamed(word));
-        } else if (++files > most_files) {
-            why = word.substr(1) + ": names itself, or a file that names it";
-            return {};
-        } else if (!open_file(word.substr(1), left, why)) {
-            return {};
-        }
-    }
-    return words;
+    Expansion expansion(why);
+    if (!expansion.add(std::vector<std::string>(argv + 1, argv + argc))) return {};
+    return std::move(expansion.words);
 }
 
 }  // namespace wrinkle::cli

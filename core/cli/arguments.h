@@ -2,8 +2,8 @@
 //
 // @FILE stands for the words that a file holds: separated by white space, with '...' and "..."
 // round what holds some, and a backslash before a character (not between '...') that stands for
-// itself. Such a file may name others. `--at @FILE` is a file of points, and after `--` every word
-// is itself.
+// itself. Such a file may name others, 16 deep, 1000 in all, of 16 MB together; none that is being
+// read. `--at @FILE` is a file of points, and after `--` every word is itself.
 #pragma once
 
 #include <optional>
@@ -14,7 +14,7 @@
 namespace wrinkle::cli {
 
 // Without the program's name. Nothing, with the reason in `why`, when a file cannot be read, ends
-// inside quotes, or names itself.
+// inside quotes, names itself, or exceeds a limit.
 std::optional<std::vector<std::string>> command_words(int argc, const char* const* argv,
                                                       std::string& why);
 

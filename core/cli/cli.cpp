@@ -37,7 +37,7 @@ int run_cli(int argc, const char* const* argv) {
     auto words = command_words(argc, argv, why);
     if (!words) {
         complain(why);
-        return exit_input;
+        return exit_usage;
     }
     std::reverse(words->begin(), words->end());  // CLI11 takes them last first
     try {

@@ -165,12 +165,35 @@ TEST_F(CompileTest, WordsComeFromAFile) {
 TEST_F(CompileTest, RefusesAFileOfWordsThatIsNone) {
     put("open", "compile 'g.json");
     put("itself", "@itself @itself");
-    for (const auto& [words, fault] : {std::pair{"@none", "none: cannot be read"},
-                                       {"@open", "open: a quote is not closed"},
-                                       {"@itself", "itself: names itself"}}) {
-        const Ran ran = run({words});
-        EXPECT_EQ(ran.code, 1);
-        EXPECT_TRUE(says(ran.err, fault));
+    put("one", "@two");
+    put("two", "@./one");
+    std::string words;
+    while (words.size() < 2'000'000)
+        words += "word ";
+    put("large", words + "@large");
+    for (int i = 0; i < 20; ++i)
+        put("deep" + std::to_string(i), "@deep" + std::to_string(i + 1));
+    put("thousand", [] {
+        std::string text;
+        for (int i = 0; i < 1001; ++i)
+            text += "@empty ";
+        return text;
+    }());
+    put("empty", "");
+    put("laughs", "@long @long @long @long @long @long @long @long @long");
+    put("long", words);
+    memory = rlim_t{2} << 30;
+    for (const auto& [word, fault] : {std::pair{"@none", "none: cannot be read"},
+                                      {"@open", "open: a quote is not closed"},
+                                      {"@itself", "itself: names itself"},
+                                      {"@one", "./one: names itself, or a file that names it"},
+                                      {"@large", "large: names itself"},
+                                      {"@deep0", "deep16: is more than 16 files deep"},
+                                      {"@thousand", "empty: is one of more than 1000 files"},
+                                      {"@laughs", "long: these words are of more than 16 MB"}}) {
+        const Ran ran = run({word});
+        EXPECT_EQ(ran.code, 2) << word;
+        EXPECT_TRUE(says(ran.err, fault)) << word;
     }
 }
 
