@@ -63,6 +63,27 @@ json::Value detached(const json::Value& value) {
     }
 }
 
+// "; type tile.scale=[0.5,0.5]" for a vector that got its numbers in another form, or only one.
+std::string array_to_type(const Override& change, const Port& port) {
+    const size_t equals = change.text.find('=');
+    const auto lanes = static_cast<size_t>(port.is_value() ? lanes_of(port.type) : 0);
+    std::vector<std::string> numbers;
+    for (std::string_view part : split(std::string_view(change.text).substr(equals + 1), ',')) {
+        constexpr std::string_view around = " ()[]{}";
+        part.remove_prefix(std::min(part.find_first_not_of(around), part.size()));
+        part = part.substr(0, part.find_last_not_of(around) + 1);
+        double number = 0;
+        if (!to_number(part, number)) return {};
+        numbers.emplace_back(part);
+    }
+    if (numbers.size() == 1) numbers.resize(lanes, numbers[0]);
+    if (lanes < 2 || numbers.size() != lanes) return {};
+    std::string array;
+    for (const std::string& number : numbers)
+        array += (array.empty() ? "[" : ",") + number;
+    return "; type " + change.text.substr(0, equals) + "=" + array + "]";
+}
+
 class Applier {
 public:
     Applier(Project project, const Registry& registry, Diagnostics& diagnostics)
@@ -89,7 +110,8 @@ private:
         bool fine = true;
         for (const LiteralProblem& problem : literal_problems(value, port)) {
             if (problem.severity == Severity::warning) continue;
-            refuse(change, "the value " + problem.message, problem.expected);
+            refuse(change, "the value " + problem.message,
+                   problem.expected + array_to_type(change, port));
             fine = false;
         }
         return fine;

@@ -231,5 +231,25 @@ TEST_F(BadInputTest, BadValuesOfSetAreNamed) {
     }
 }
 
+// The text to type is in the message, and typing it works.
+TEST_F(BadInputTest, ABadVectorOfSetIsShownAsAnArray) {
+    put("g.json", R"({"wrinkle": 1, "nodes": {"tile": {"type": "uv_transform"}},
+        "outputs": {"x": {"from": "tile.uv"}}})");
+    for (const auto& [typed, shown] : {std::pair{"0.5,0.25", "[0.5,0.25]"},
+                                       {"(0.5, 0.25)", "[0.5,0.25]"},
+                                       {"0.5", "[0.5,0.5]"},
+                                       {"[0.5]", "[0.5,0.5]"}}) {
+        const Ran ran = run({"compile", "g.json", "--set", std::string("tile.scale=") + typed});
+        EXPECT_EQ(ran.code, 1);
+        const std::string right = std::string("tile.scale=") + shown;
+        EXPECT_TRUE(says(ran.err, "; type " + right + ")")) << typed;
+        EXPECT_EQ(run({"compile", "g.json", "--set", right}).code, 0);
+    }
+    for (const char* typed : {"wide", "1,2,3", "true"}) {
+        const Ran ran = run({"compile", "g.json", "--set", std::string("tile.scale=") + typed});
+        EXPECT_TRUE(says(ran.err, "expected an array of 2 numbers)")) << typed;
+    }
+}
+
 }  // namespace
 }  // namespace wrinkle::test
