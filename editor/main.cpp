@@ -142,7 +142,9 @@ int main(int argc, char** argv) {
                    "Writes how long frames took, and edits until their pixels were there");
     app.add_option("--size", arguments.size, "Width and height of the window")->expected(2);
     app.add_option("--state", arguments.state, "Keeps settings and recovery files in this folder");
-    app.add_option("--plugin-path", arguments.plugin_paths, "A plugin, or a folder of plugins");
+    app.add_option("--plugin-path", arguments.plugin_paths, "A plugin, or a folder of plugins")
+        ->allow_extra_args(false)  // one a time: what follows may be the graph
+        ->take_all();
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
