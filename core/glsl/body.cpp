@@ -47,8 +47,11 @@ void Body::output_function(Id value, const std::string& name, const std::string&
     text_.line(0, type_name(m_.type(root)) + " " + name + "(" + argument + ") {");
     const std::vector<Id> ids = schedule(plan_, values_, scope, scope.order);
     locals_.make_room(ids.size());
-    const bool folded = plan_.role(root) == Role::value && !values_.state[root].statement;
-    const uint32_t group = folded        ? group_of(plan_, values_, root)
+    Id read = root;  // what the line computes, of which the output may be a part
+    while (plan_.role(read) == Role::view && m_[read].op != Op::result_)
+        read = plan_.operands(read)[0];
+    const bool folded = plan_.role(read) == Role::value && !values_.state[read].statement;
+    const uint32_t group = folded        ? group_of(plan_, values_, read)
                            : ids.empty() ? no_node
                                          : group_of(plan_, values_, ids.back());
     statements(ids, 1, group);

@@ -155,6 +155,7 @@ void Plan::use(Id id) {
     Value& value = values_[id];
     const Inst& inst = (*module_)[id];
     value.role = role_of(id);
+    value.reads = finds_reads(inst, module_->operands(id));
     if (inst.op == Op::literal_) {
         value.literal = true;
         value.begin = static_cast<uint32_t>(literals_.size());
@@ -185,6 +186,16 @@ void Plan::use(Id id) {
         default:
             return;
     }
+}
+
+bool Plan::finds_reads(const Inst& inst, std::span<const Id> operands) const {
+    const auto reads = [&](Id id) { return values_[id].reads; };
+    if (inst.op == Op::sample_ || inst.op == Op::sample_lod_ || inst.op == Op::sample_grad_ ||
+        inst.op == Op::image_size_ || std::any_of(operands.begin(), operands.end(), reads))
+        return true;
+    if (inst.op != Op::loop_ && inst.op != Op::call_) return false;
+    const auto& results = module_->region(inst.extra).results;
+    return std::any_of(results.begin(), results.end(), reads);
 }
 
 void Plan::use_input(uint32_t extra) {

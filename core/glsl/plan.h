@@ -57,6 +57,8 @@ public:
         const uint32_t name = values_[id].name;
         return name > 0 ? &module_->named[name - 1] : nullptr;
     }
+    // True if the value comes from a texture: the surface point has none.
+    bool reads_texture(Id id) const { return values_[id].reads; }
     // What a resolve subtracts from the normal, and its terms.
     bool is_gradient(Id id) const { return values_[id].gradient; }
 
@@ -84,7 +86,8 @@ private:
         Role role = Role::leaf;
         Met met = Met::never;
         bool gradient = false;
-        bool literal = false;
+        bool literal : 1 = false;
+        bool reads : 1 = false;  // a texture, or a value that does
     };
 
     void find_names();
@@ -93,6 +96,7 @@ private:
     void use(Id id);
     void list_operands(Id id);
     void list_captures(const Region& loop);
+    bool finds_reads(const Inst& inst, std::span<const Id> operands) const;
     void use_input(uint32_t extra);
     void use_resource(Id sample);
     void use_function(uint32_t region);

@@ -251,7 +251,8 @@ uint32_t group_of(const Plan& plan, const Values& values, Id id) {
     const Module& m = plan.module();
     if (values.anonymous) return 0;
     if (const Named* name = plan.name(id)) return name->node ? name->node : surface_group;
-    return values.state[id].shared || m[id].op == Op::input_ ? surface_group : m.origin[id];
+    const bool shared = values.state[id].shared && !plan.reads_texture(id);
+    return shared || m[id].op == Op::input_ ? surface_group : m.origin[id];
 }
 
 WantedName wanted_name(const Plan& plan, const Values& values, Id id) {
@@ -261,7 +262,7 @@ WantedName wanted_name(const Plan& plan, const Values& values, Id id) {
     if (name) return {name->node ? std::string_view(m.nodes[name->node].path) : "", name->name};
     if (m[id].op == Op::input_) return {{}, change_name(m[id].extra)};
     const std::string_view word = plan.is_gradient(id) ? "gradient" : word_for(m, id);
-    if (values.state[id].shared) return {"surface", word};
+    if (group_of(plan, values, id) == surface_group) return {"surface", word};
     return {m.nodes[m.origin[id]].path, word};
 }
 

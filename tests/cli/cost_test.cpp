@@ -51,6 +51,31 @@ TEST_F(CostTest, WhoCallsAFunctionPaysForIt) {
     EXPECT_LT(number_of(cost.find("surface_point"), "alu"), total * 0.05);
 }
 
+// Also where nothing but the conversion to the output reads the texel.
+TEST_F(CostTest, AnImageReadIsBookedOnTheNodeThatReads) {
+    const std::pair<const char*, const char*> cases[] = {
+        {R"("image", "in": {"image": "a.png"})", "alpha"},
+        {R"("derivative_map", "in": {"image": "a.png", "scale": "unit"})", "gradient"},
+        {R"("height_map", "in": {"image": "a.png", "scale": "unit"})", "gradient"},
+        {R"("hex_tile_height_map", "in": {"image": "a.png", "scale": "unit"})", "gradient"},
+        {R"("slope_moments_map", "in": {"slopes": "a.png", "moments": "b.png"})", "derivative"}};
+    for (const char* name : {"a.png", "b.png"})
+        fs::copy_file(samples + "textures/rivets_normal.png", folder / name);
+    for (const auto& [node, output] : cases) {
+        put("g.json", std::string(R"({"wrinkle": 1, "nodes": {"map": {"type": )") + node +
+                          R"(}}, "outputs": {"x": {"from": "map.)" + output + R"("}}})");
+        const Ran ran = run({"compile", "g.json", "--cost", "--json"});
+        ASSERT_EQ(ran.code, 0) << ran.err;
+        const json::Value cost = cost_in(ran);
+        for (const char* number : {"texture_reads", "texture_queries"}) {
+            EXPECT_EQ(number_of(cost.find("surface_point"), number), 0) << node;
+            EXPECT_EQ(number_of(cost.find("nodes").at(0), number),
+                      number_of(cost.find("total"), number))
+                << node;
+        }
+    }
+}
+
 TEST_F(CostTest, TheTextIsWrittenBesideItWhereAPlaceIsNamed) {
     put("g.json", ramp_graph());
     const Ran costs = run({"compile", "g.json", "--cost"});
