@@ -10,8 +10,8 @@ namespace wrinkle {
 namespace {
 
 // First among fragment outputs, in this order; others follow in graph order.
-constexpr std::array<std::string_view, 7> standard_outputs = {
-    "normal", "color", "roughness", "metalness", "occlusion", "height", "displacement"};
+constexpr std::array<std::string_view, 8> standard_outputs = {
+    "normal", "color", "roughness", "metalness", "occlusion", "height", "displacement", "emission"};
 
 struct Stage {
     const Plan& plan;

@@ -210,6 +210,13 @@ std::string value_of(const Material& material, const std::string& output, const 
     return found ? type + "(" + call(material, *found) + ")" : missing;
 }
 
+// Added to what is lit; black for an output that is not a colour or a number.
+std::string emission_of(const Material& material) {
+    const OutputFunction* found = find_output(material, "emission");
+    const bool adds = found && (found->type == "vec3" || found->type == "float");
+    return adds ? "max(vec3(" + call(material, *found) + "), 0.0)" : "vec3(0.0)";
+}
+
 std::string assign(const std::string& type, const std::string& name, const std::string& value) {
     return "    " + type + " WrView_" + name + " = " + value + ";\n";
 }
@@ -224,10 +231,12 @@ std::string shaded_body(const Material& m) {
     text += assign("float", "roughness", value_of(m, "roughness", "float", "0.5"));
     text += assign("float", "metalness", value_of(m, "metalness", "float", "0.0"));
     text += assign("float", "occlusion", value_of(m, "occlusion", "float", "1.0"));
+    text += assign("vec3", "emission", emission_of(m));
     return text + R"(    vec3 n = normalize(WrView_normal_to_world * WrView_bumped);
     vec3 v = normalize(WrView_vector_to_world * WrView_to_eye);
     vec3 value = WrView_shade(n, v, WrView_base, clamp(WrView_roughness, 0.0, 1.0),
-                              clamp(WrView_metalness, 0.0, 1.0), WrView_occlusion);
+                              clamp(WrView_metalness, 0.0, 1.0), WrView_occlusion)
+                 + WrView_emission;
     vec3 shown = WrView_display(value);
 )";
 }

@@ -247,6 +247,31 @@ TEST_F(RendererTest, HasASkyAboveAGroundThatOcclusionDarkens) {
         ASSERT_NEAR(dark[i].value.g, open[i].value.g / 2, 1e-5);
 }
 
+TEST_F(RendererTest, EmissionIsAddedToWhatIsLit) {
+    Material lit;
+    lit.text = "vec3 color() { return vec3(0.2, 0.4, 0.8); }\n";
+    lit.outputs = {{"color", "color", "vec3"}};
+    for (const Lighting lighting : {Lighting::ggx, Lighting::phong}) {
+        renderer->set_lighting(lighting);
+        const auto dark = draw(lit, View::shaded);
+        const std::tuple<const char*, const char*, vec3> cases[] = {
+            {"vec3", "vec3(0.25, 0.5, 3.0)", vec3(0.25F, 0.5F, 3)},
+            {"float", "0.75", vec3(0.75F)},
+            {"float", "-1.0", vec3(0)},
+            {"vec2", "vec2(1.0)", vec3(0)}};
+        for (const auto& [type, value, emitted] : cases) {
+            Material glowing = lit;
+            glowing.text += std::string(type) + " emission() { return " + value + "; }\n";
+            glowing.outputs.push_back({"emission", "emission", type});
+            const auto bright = draw(glowing, View::shaded);
+            const auto pixel = size_t{32} * 64 + 32;
+            for (int k = 0; k < 3; ++k)
+                EXPECT_NEAR(bright[pixel].value[k], dark[pixel].value[k] + emitted[k], 1e-5)
+                    << value;
+        }
+    }
+}
+
 TEST_F(RendererTest, SmoothsEdgesWithSamples) {
     TargetOptions options{size, size};
     options.samples = 4;
