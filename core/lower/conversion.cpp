@@ -84,7 +84,7 @@ std::string alternative(PortType from, PortType to, const Registry& registry) {
         text += name_of(types[i]);
     }
     for (const NodeType& type : registry.list())
-        if (makes(type, from, to))
+        if (type.family != "comparison" && makes(type, from, to))
             return text + "; node '" + type.id + "' makes " + std::string(name_of(to)) + " from " +
                    std::string(name_of(from));
     return text;

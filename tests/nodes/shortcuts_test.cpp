@@ -6,8 +6,10 @@
 #include <numbers>
 #include <random>
 
+#include "lower/conversion.h"
 #include "nodes/normals.h"
 #include "nodes/plane.h"
+#include "support/linked_nodes.h"
 
 namespace wrinkle::test {
 namespace {
@@ -20,6 +22,16 @@ std::string json(const Normal& v) {
 }
 double tilt_of(const std::vector<double>& normal) {
     return angle_between({normal.at(0), normal.at(1), normal.at(2)}, {0, 0, 1});
+}
+
+// A node that shows what goes wrong is not a remedy.
+TEST(Shortcuts, HintsOfWrongWiresNameNone) {
+    for (uint32_t from = 1; from <= port_type_count; ++from)
+        for (uint32_t to = 1; to <= port_type_count; ++to)
+            EXPECT_EQ(
+                alternative(static_cast<PortType>(from), static_cast<PortType>(to), linked_nodes())
+                    .find("compare_"),
+                std::string::npos);
 }
 
 // The gradients of a volume are normally distributed here, mean length 1.6.
