@@ -22,9 +22,12 @@ struct TestCommand {
         TestRun run(nodes.registry, common, options);
         for (const auto& file : tests)
             run.test(file, diagnostics);
-        const int code = report(diagnostics, common.diagnostics);
         const TestTally& tally = run.tally();
-        if (!tally.environment.empty()) complain(tally.environment);
+        const bool json = common.diagnostics == "json";
+        if (json) diagnostics.append(run.failures());
+        if (json && !tally.environment.empty()) diagnostics.error(tally.environment);
+        const int code = report(diagnostics, common.diagnostics);
+        if (!json && !tally.environment.empty()) complain(tally.environment);
         std::printf("%zu passed, %zu failed\n", tally.passed, tally.failed);
         if (!tally.environment.empty()) return exit_environment;
         return tally.failed > 0 ? int{exit_input} : code;

@@ -112,12 +112,14 @@ void TestRun::values(const TestCase& test, const MaterialRun& run, const Texture
         if (options_.update && is_finite(*columns, point))
             pass();
         else if (options_.update)
-            fail(test, "point " + std::to_string(point) + ": " +
-                           values_json(*columns, point, precision) + " is not finite");
+            fail(test, test.points[point].source, "",
+                 "point " + std::to_string(point) + ": " + values_json(*columns, point, precision) +
+                     " is not finite");
         else if (sentences.empty())
             pass();
         else
-            fail(test, "point " + std::to_string(point) + ", " + joined(sentences));
+            fail(test, test.points[point].source, "",
+                 "point " + std::to_string(point) + ", " + joined(sentences));
     }
     if (options_.update) update_values(test, *columns, differs);
 }
@@ -148,7 +150,7 @@ void TestRun::text(const TestCase& test, const Shader& shader) {
     const std::string difference =
         expected ? text_difference(*expected, shader.source) : why + "; --update writes it";
     if (difference.empty()) return pass();
-    fail(test, golden.string() + ": " + difference);
+    fail(test, {}, "/glsl", golden.string() + ": " + difference);
     if (!options_.report.empty()) write(report_path(test, ".glsl"), shader.source);
 }
 
@@ -174,7 +176,7 @@ void TestRun::picture(const TestCase& test, const Shader& shader, const Mesh& st
     const auto expected = load_image(golden, missing);
     const double distance = expected ? picture_difference(*expected, picture->image) : -1;
     if (distance >= 0 && distance <= test.render->tolerance) return pass();
-    fail(test,
+    fail(test, {}, "/render",
          golden.string() + ": " +
              (!expected      ? missing.list().front().message + "; --update writes it"
               : distance < 0 ? "is of another size"
@@ -210,9 +212,17 @@ fs::path TestRun::report_path(const TestCase& test, const std::string& extension
     return fs::path(options_.report) / (name + test.name + extension);
 }
 
-void TestRun::fail(const TestCase& test, const std::string& sentence) {
+// At `place`, or at `pointer` if that is null.
+void TestRun::fail(const TestCase& test, const json::Value& place, const char* pointer,
+                   const std::string& sentence) {
     ++tally_.failed;
     std::printf("FAIL %s: %s\n", test.file.c_str(), sentence.c_str());
+    Diagnostic failure;
+    if (place.has_location())
+        failure = diagnose(place, "", sentence, "");
+    else
+        failure.where.file = test.file, failure.pointer = pointer, failure.message = sentence;
+    failures_.add(std::move(failure));
 }
 
 }  // namespace wrinkle::cli

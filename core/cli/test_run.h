@@ -27,6 +27,8 @@ public:
     // Prints what failed. A file that cannot be run is one failed case, with its problems reported.
     void test(const std::filesystem::path& file, Diagnostics& diagnostics);
     const TestTally& tally() const { return tally_; }
+    // Cases that were run and failed, as problems: file, JSON pointer of the case, sentence.
+    const Diagnostics& failures() const { return failures_; }
 
 private:
     void run(const TestCase& test, Diagnostics& diagnostics);
@@ -42,12 +44,14 @@ private:
     bool save(const Image& image, const std::filesystem::path& path);
     std::filesystem::path report_path(const TestCase& test, const std::string& extension) const;
     void pass() { ++tally_.passed; }
-    void fail(const TestCase& test, const std::string& sentence);
+    void fail(const TestCase& test, const json::Value& place, const char* pointer,
+              const std::string& sentence);
 
     const Registry& registry_;
     const CommonOptions& common_;
     const TestOptions& options_;
     TestTally tally_;
+    Diagnostics failures_;
 };
 
 }  // namespace wrinkle::cli

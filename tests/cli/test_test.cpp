@@ -37,6 +37,32 @@ TEST_F(TestTest, FailsWithAllThatIsToBeKnown) {
     EXPECT_TRUE(ran.out.ends_with("0 passed, 1 failed\n"));
 }
 
+TEST_F(TestTest, FailedCasesAreDiagnosticsInJson) {
+    put("a.json", tilt_graph());
+    std::string text = one_degree_off;
+    put("a.test.json", text.insert(1, "\"glsl\": true,"));
+    put("b.json", tilt_graph());
+    put("b.test.json", tilted);
+    const Ran ran = run({"test", "a.test.json", "b.test.json", "--diagnostics", "json"});
+    EXPECT_EQ(ran.code, 1);
+    EXPECT_TRUE(ran.out.ends_with("1 passed, 2 failed\n")) << ran.out;
+    const json::Value list = parsed(ran.err).find("diagnostics");
+    ASSERT_EQ(list.size(), 2U) << ran.err;
+    for (size_t i = 0; i < 2; ++i) {
+        EXPECT_EQ(list.at(i).find("file").as_string(), "a.test.json");
+        EXPECT_EQ(list.at(i).find("severity").as_string(), "error");
+    }
+    EXPECT_EQ(list.at(0).find("pointer").as_string(), "/points/0");
+    EXPECT_EQ(list.at(0).find("line").as_number(), 2);
+    EXPECT_TRUE(says(std::string(list.at(0).find("message").as_string()), "output 'normal'"));
+    EXPECT_EQ(list.at(1).find("pointer").as_string(), "/glsl");
+    put("c.json", tilt_graph());
+    put("c.test.json", R"({"render": {}})");
+    const Ran dark = run({"test", "c.test.json", "--diagnostics", "json"}, "", without_gl());
+    EXPECT_EQ(dark.code, 3);
+    EXPECT_EQ(parsed(dark.err).find("diagnostics").size(), 1U) << dark.err;
+}
+
 TEST_F(TestTest, TolerancesAreThoseOfTheFile) {
     put("a.json", tilt_graph());
     std::string text = one_degree_off;
