@@ -5,6 +5,7 @@
 #include "base/file.h"
 #include "cli/output.h"
 #include "cli/test_run.h"
+#include "cli/test_schema.h"
 
 namespace wrinkle::cli {
 namespace {
@@ -13,8 +14,14 @@ struct TestCommand {
     CommonOptions common;
     TestOptions options;
     std::vector<std::string> paths;
+    bool schema = false;
 
     int run() const {
+        if (schema) return write_result("-", case_schema()) ? exit_fine : exit_environment;
+        if (paths.empty()) {
+            complain("test needs NAME.test.json, or a folder with such files; --help lists more");
+            return exit_usage;
+        }
         Diagnostics diagnostics;
         const Nodes nodes = load_nodes(common, diagnostics);
         const auto tests = find_tests(paths, diagnostics);
@@ -40,8 +47,8 @@ void declare_test(CLI::App& app, Run& run) {
     auto command = std::make_shared<TestCommand>();
     TestCommand& c = *command;
     CLI::App& sub = *app.add_subcommand("test", "Runs the regression cases of graphs");
-    sub.add_option("PATH", c.paths, "NAME.test.json, or folders that are searched for such files")
-        ->required();
+    sub.add_option("PATH", c.paths, "NAME.test.json, or folders that are searched for such files");
+    sub.add_flag("--schema", c.schema, "Prints the JSON Schema of such files, and runs none");
     sub.add_flag("--update", c.options.update,
                  "Writes golden files and the 'expect' values that differ");
     sub.add_option("--report", c.options.report,

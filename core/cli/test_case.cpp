@@ -5,6 +5,7 @@
 #include "base/text.h"
 #include "cli/meshes.h"
 #include "cli/session.h"
+#include "cli/test_schema.h"
 #include "graph/document.h"
 #include "json/parse.h"
 
@@ -23,7 +24,7 @@ public:
     void read(const Value& root, bool updating) {
         if (!wants(root, Kind::object, "a test file")) return;
         for (const json::Member& member : root.children())
-            read_key(member);
+            if (is_known(member, case_keys())) read_key(member);
         if (test_.points.empty() && !test_.glsl && !test_.render)
             error(root, "there is no case in this file", "points, \"glsl\": true or render");
         if (updating) return;
@@ -55,9 +56,6 @@ private:
             test_.glsl = wants(value, Kind::boolean, "glsl") && value.as_boolean();
         else if (key == "render")
             read_render(value);
-        else
-            unknown(member,
-                    {"set", "points", "expect", "tolerance_deg", "tolerance", "glsl", "render"});
     }
 
     void read_set(const Value& value) {
@@ -85,6 +83,7 @@ private:
         if (!wants(value, Kind::object, "render")) return;
         RenderCase& render = test_.render.emplace();
         for (const json::Member& member : value.children()) {
+            if (!is_known(member, render_keys())) continue;
             if (member.key == "tolerance")
                 read_tolerance(member, render.tolerance);
             else if (member.key == "mesh")
@@ -97,8 +96,6 @@ private:
                 render.picture.against = member.value.as_string();
             else if (member.key == "displace" && wants(member.value, Kind::boolean, "displace"))
                 render.picture.displace = member.value.as_boolean();
-            else if (member.key != "against" && member.key != "displace")
-                unknown(member, {"mesh", "size", "view", "against", "displace", "tolerance"});
         }
     }
 
@@ -138,9 +135,12 @@ private:
         return text;
     }
 
-    void unknown(const json::Member& member, const std::vector<std::string>& names) {
+    bool is_known(const json::Member& member, std::span<const CaseKey> keys) {
+        const std::vector<std::string> names = names_of(keys);
+        if (std::find(names.begin(), names.end(), member.key) != names.end()) return true;
         error(member.value, "unknown key '" + std::string(member.key) + "'",
               did_you_mean(member.key, names, list(names)));
+        return false;
     }
 
     bool wants(const Value& value, Kind kind, const char* what) {

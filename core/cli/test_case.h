@@ -1,20 +1,5 @@
-// Regression cases of a graph NAME.json, from NAME.test.json beside it:
-//
-//   {
-//     "set": ["bump.amount=2"],                 values as --set takes them; no sweeps
-//     "points": [{"normal": [0, 0, 1], ...}],   as eval --at takes them; each is a case
-//     "expect": [{"normal": [0, 0, 1]}],        for each point some or all outputs
-//     "tolerance_deg": 0.05,                    of normals, an angle
-//     "tolerance": 1e-4,                        of every other number, absolute
-//     "glsl": true,                             the text is that of golden/NAME.glsl; a case
-//     "render": {"mesh": "sphere", "size": "512x512", "view": "shaded", "against": "",
-//                "displace": false,             as render --displace
-//                "tolerance": 1}                the picture is golden/NAME.png; a case. Tolerance:
-//   }                                           root mean square of all channels, 8-bit steps
-//
-// "mesh" is a shape's name, or a file: relative to the graph, and inside the root.
-// Every key may be left out; what stands above are the defaults, but for points, expect and set.
-// Unknown keys are errors.
+// Regression cases of a graph NAME.json, from NAME.test.json beside it. docs/test-cases.md is their
+// reference; cli/test_schema.h has their keys. Every key may be left out; unknown ones are errors.
 #pragma once
 
 #include <filesystem>
