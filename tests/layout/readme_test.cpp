@@ -2,6 +2,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <filesystem>
+#include <regex>
+#include <sstream>
 #include <string>
 
 #include "support/files.h"
@@ -30,6 +33,29 @@ TEST(Readme, ShowsAProgramThatIsBuilt) {
     const size_t found = page.find("\n" + readme.substr(begin, end - begin), program);
     ASSERT_NE(program, std::string::npos);
     EXPECT_LT(found, page.find("\n```\n", program));
+}
+
+// Files that the commands read are in the repository, or the page says that they are the reader's.
+TEST(Readme, FilesOfItsCommandsExistOrAreDeclared) {
+    const std::string readme = bytes_of(repository / "README.md");
+    const size_t declared = readme.find("Files of your own are ");
+    ASSERT_NE(declared, std::string::npos);
+    const std::string own = readme.substr(declared, readme.find(". ", declared) - declared);
+    static const std::regex file(R"((-o )?([\w./*]+\.(?:json|glb|obj|hdr|exr|png|log|so))\b)");
+    size_t files = 0;
+    std::istringstream lines(readme);
+    for (std::string line; std::getline(lines, line);) {
+        if (!line.starts_with("    wrinkle ") && !line.starts_with("    ./run ")) continue;
+        for (std::sregex_iterator at(line.begin(), line.end(), file), end; at != end; ++at) {
+            const std::string name = (*at)[2];
+            if ((*at)[1].matched || name == "*.json") continue;
+            ++files;
+            EXPECT_TRUE(own.find("`" + name + "`") != own.npos ||
+                        std::filesystem::exists(repository / name))
+                << name << " in: " << line;
+        }
+    }
+    EXPECT_GT(files, 15U);
 }
 
 // Base and detail in function form are at most 26 lines.
