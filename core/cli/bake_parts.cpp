@@ -38,8 +38,8 @@ std::optional<Xxh64> sum_of_rows(const fs::path& path, uint64_t size, std::strin
     return {};
 }
 
-// Takes over what the folder holds of the same bake. With damage it takes nothing, and warns: what
-// was found in the rows that are whole cannot be told from what was found in the others.
+// Takes over the done rows of the same bake. A damaged folder is not taken at all, with warnings:
+// `found` counts over all done rows, and has no share for those of one file.
 void take_what_is_done(const fs::path& folder, PartHeader& header, Diagnostics& diagnostics) {
     Diagnostics damage;
     const auto before = read_header(folder, damage);

@@ -49,7 +49,7 @@ struct PartHeader {
     size_t files_with_rows() const {
         return done == first ? 0 : (picture_of(done - 1) - picture_of(first) + 1) * maps.size();
     }
-    // How many bytes the file of a map of a picture holds of the done rows of this part.
+    // Size in bytes of the done rows in the file of a map of a picture.
     uint64_t bytes_of_rows(size_t picture, size_t map) const;
     size_t sum_index(size_t picture, size_t map) const {
         return (picture - picture_of(first)) * maps.size() + map;
@@ -60,7 +60,7 @@ struct PartHeader {
 
 PartHeader header_of(const BakeJob& job);
 
-// Nothing with an error that names the file.
+// std::nullopt with an error that names the file.
 std::optional<PartHeader> read_header(const std::filesystem::path& folder,
                                       Diagnostics& diagnostics);
 std::string header_json(const PartHeader& header);

@@ -99,9 +99,9 @@ const std::vector<CaseKey>& case_keys() {
          R"("type": "array", "items": {"type": "object", "minProperties": 1,)"
          R"( "additionalProperties": {"type": ["number", "array"], "items": {"type": "number"}}})",
          "", R"([{"height": 0.25}])"},
-        {"tolerance_deg", "Of outputs of type normal: an angle in degrees", tolerance_schema,
+        {"tolerance_deg", "For outputs of type normal: an angle in degrees", tolerance_schema,
          shortest(defaults.tolerance_deg), "0.1"},
-        {"tolerance", "Of every other number: an absolute difference", tolerance_schema,
+        {"tolerance", "For every other number: an absolute difference", tolerance_schema,
          shortest(defaults.tolerance), "0.001"},
         {"glsl", "A case: the GLSL of the function form is golden/NAME.glsl",
          R"("type": "boolean")", boolean(defaults.glsl), "true"},

@@ -13,7 +13,7 @@
 namespace wrinkle::test {
 namespace {
 
-// A bake.json as a program writes it that has this in it.
+// The text of a bake.json with the sum that belongs to it.
 std::string sealed(std::string header) {
     header.erase(header.rfind(",\n  \"sum\""));
     return header + ",\n  \"sum\": \"" + sha256(header) + "\"\n}\n";
@@ -317,11 +317,11 @@ TEST_F(BakeStoppedTest, AnotherBakeBeginsAnew) {
 TEST_F(BakePartsTest, APipeInPlaceOfRowsIsReplaced) {
     fs::create_directories(folder / "p1");
     ASSERT_EQ(mkfifo((folder / "p1/0-1.rows").c_str(), 0600), 0);
-    put("aside", "of somebody");
+    put("aside", "another file");
     fs::create_symlink("../aside", folder / "p1/0-0.rows");
     shard("1/2", "p1");
     shard("2/2", "p2");
-    EXPECT_EQ(get("aside"), "of somebody");
+    EXPECT_EQ(get("aside"), "another file");
     EXPECT_EQ(merge({"p1", "p2"}).code, 0);
 }
 

@@ -15,7 +15,7 @@ protected:
         schema = parsed(ran.out);
         put("a.json", tilt_graph());
     }
-    // What `wrinkle test` says of a file with this key.
+    // The errors of `wrinkle test` for a file with this key.
     std::string problems(const std::string& group, std::string_view key,
                          const std::string& value) const {
         const std::string member = "{\"" + std::string(key) + "\": " + value + "}";
