@@ -115,7 +115,8 @@ TEST(Targets, OfOpenGlHaveNoNumbers) {
 TEST(Targets, OutputsFollowOneAnotherWithoutGaps) {
     Module m;
     const Id value = m.swizzle(m.input(SurfaceInput::uv0_), "x");
-    for (const char* name : {"second", "displacement", "first", "height", "color", "more", "most"})
+    for (const char* name :
+         {"second", "displacement", "first", "height", "color", "emission", "most"})
         output(m, name, value);
     for (const Target& target : targets()) {
         const Shader shader = emit(m, options(std::string(target.name).c_str(), Form::shader));
@@ -128,7 +129,8 @@ TEST(Targets, OutputsFollowOneAnotherWithoutGaps) {
         EXPECT_EQ(at["color"], 0);
         EXPECT_EQ(at["height"], 1);
         EXPECT_EQ(at["displacement"], 2);
-        EXPECT_EQ(at["second"], 3);
+        EXPECT_EQ(at["emission"], 3);
+        EXPECT_EQ(at["second"], 4);
         EXPECT_EQ(at["most"], 6);
     }
 }
