@@ -4,6 +4,7 @@
 #include "gpu/program.h"
 #include "graph/write.h"
 #include "ir/print.h"
+#include "registry/plugin_code.h"
 
 namespace wrinkle::certify {
 namespace {
@@ -92,6 +93,7 @@ private:
 
     bool deterministic(const Subject& subject) {
         Diagnostics diagnostics;
+        if (type_.code) type_.code->build_again();
         const Compiled again = compile(subject.project, bench_, {}, diagnostics);
         const std::string difference =
             again.ok ? text_difference(text_of(subject.compiled.module), text_of(again.module))

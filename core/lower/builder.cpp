@@ -2,6 +2,7 @@
 // is not trusted: every number is checked before the module sees it.
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <optional>
 
 #include "base/text.h"
@@ -10,6 +11,8 @@
 #include "lower/emission.h"
 #include "lower/field.h"
 #include "lower/lowering.h"
+#include "registry/library.h"
+#include "registry/standard.h"
 
 namespace wrinkle {
 namespace {
@@ -35,19 +38,14 @@ public:
 
     void run() {
         module_.current_node = lowering_.graph().nodes[node_].instance;
-        std::string why;
-        const NodeType::Build build = type_.ready(why);
-        if (!build) {
-            module_.problem(why, "`wrinkle plugins` says more");
-            module_.current_node = 0;
-            return;
-        }
-        build(&face_);
-        if (module_.depth() > 0) refuse("leaves a loop or a function open");
+        Unbuilt reason;
+        const bool built = type_.run(&face_, reason);
+        if (!built) module_.problem(reason.why, reason.remedy);
+        if (built && module_.depth() > 0) refuse("leaves a loop or a function open");
         const std::array<Id, 1> nothing{poison};
         while (module_.depth() > 0)
             module_.end_region(nothing);
-        for (uint32_t p = 0; p < type_.ports.size(); ++p)
+        for (uint32_t p = 0; built && p < type_.ports.size(); ++p)
             if (type_.ports[p].kind == Port::Kind::output && !lowering_.has_output(node_, p))
                 refuse("gives no value to its output '" + type_.ports[p].name + "'");
         // Of two outputs of one value the one that is read is the better name.
@@ -293,7 +291,7 @@ private:
             return;
         }
         const std::vector<Id> ids =
-            module_.begin_region(region, name && is_utf8(name) ? name : "", parameters);
+            module_.begin_region(region, is_plain(name) ? name : "", parameters);
         for (size_t i = 0; i < ids.size(); ++i)
             params[i] = ids[i];
     }
@@ -317,6 +315,8 @@ private:
 
     void apply(wr_region region, const wr_value* args, uint32_t count, wr_value* results,
                uint32_t result_count) {
+        // Before the results are written: they may be in the same place.
+        const std::vector<wr_value> arguments(args, args + (args ? count : 0));
         for (uint32_t i = 0; results && i < result_count; ++i)
             results[i] = poison;
         if (region == 0) return;
@@ -324,8 +324,8 @@ private:
             refuse("applies a loop or a function that does not exist");
             return;
         }
-        if (!usable({args, count})) return;
-        const std::vector<Id> ids = module_.apply(regions_[region - 1], {args, count});
+        if (!usable(arguments)) return;
+        const std::vector<Id> ids = module_.apply(regions_[region - 1], arguments);
         for (size_t i = 0; i < ids.size() && i < result_count; ++i)
             results[i] = ids[i];
     }
@@ -364,14 +364,14 @@ private:
     }
 
     void name(wr_value value, const char* name) {
-        if (value != poison && value < module_.size() && name && is_utf8(name))
+        if (value != poison && value < module_.size() && is_plain(name))
             module_.name(value, module_.current_node, name);
     }
-
-    void error(const char* text) {
-        const std::string message = text && is_utf8(text) ? text : "reports an error";
-        refuse(message, "");
+    static bool is_plain(const char* name) {
+        return name && strnlen(name, longest_name + 1) <= longest_name && is_utf8(name);
     }
+
+    void error(const char* text) { refuse(text ? plugin_text(text) : "reports an error", ""); }
 
     Lowering& lowering_;
     Module& module_;

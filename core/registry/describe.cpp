@@ -97,7 +97,7 @@ std::optional<Described> describe_plugin(const PluginFile& file, const DescribeO
 }
 
 std::optional<PluginListing> read_from_code(const std::string& path, Diagnostics& diagnostics) {
-    const auto sum = sum_of({path, path, path}, diagnostics);
+    const auto sum = sum_of({path, path, path, {}}, diagnostics);
     if (!sum) return std::nullopt;
     return probe_plugin(path, *sum, path, probe_limit, diagnostics);
 }

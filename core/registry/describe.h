@@ -8,6 +8,7 @@
 
 #include <chrono>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -26,6 +27,7 @@ struct PluginFile {
     std::string path;    // whose bytes are read and loaded
     std::string place;   // where it lies, with its manifest; another than `path` of a copy
     std::string origin;  // what the user calls it
+    std::shared_ptr<const void> kept{};  // what `path` needs to be there
 };
 
 struct DescribeOptions {

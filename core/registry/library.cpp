@@ -2,8 +2,11 @@
 
 #include <dlfcn.h>
 
+#include <algorithm>
 #include <exception>
+#include <iterator>
 
+#include "base/text.h"
 #include "registry/descriptor.h"
 
 namespace wrinkle {
@@ -25,7 +28,8 @@ const wr_plugin* enter(void* library, const std::string& origin, Diagnostics& di
     if (!entry) {
         add_fault(diagnostics, origin,
                   "it is no plugin of Wrinkle: it does not export wrinkle_plugin",
-                  "declare it extern \"C\" with WR_EXPORT");
+                  "end it with WRINKLE_PLUGIN(\"id\", \"version\", nodes...), in C with "
+                  "WR_EXPORT const wr_plugin* wrinkle_plugin(void)");
         return nullptr;
     }
     on_stage("enter");
@@ -40,7 +44,45 @@ const wr_plugin* enter(void* library, const std::string& origin, Diagnostics& di
     return plugin;
 }
 
+size_t utf8_size(char first) {
+    const auto byte = static_cast<unsigned char>(first);
+    return byte < 0x80 ? 1 : byte < 0xE0 ? 2 : byte < 0xF0 ? 3 : 4;
+}
+
+// One character of well-formed UTF-8.
+bool is_unprintable(std::string_view character) {
+    const auto byte = [&](size_t i) { return static_cast<unsigned char>(character[i]); };
+    if (character.size() == 1) return byte(0) < 0x20 || byte(0) == 0x7F;
+    if (character.size() == 2)  // C1 controls, U+061C
+        return (byte(0) == 0xC2 && byte(1) < 0xA0) || character == "\u061C";
+    static constexpr std::string_view marks[] = {"\u200E", "\u200F", "\u2028", "\u2029", "\u202A",
+                                                 "\u202B", "\u202C", "\u202D", "\u202E", "\u2066",
+                                                 "\u2067", "\u2068", "\u2069"};
+    return std::find(std::begin(marks), std::end(marks), character) != std::end(marks);
+}
+
 }  // namespace
+
+std::string plugin_text(std::string_view text) {
+    constexpr size_t longest = 4096;
+    if (!is_utf8(text)) return "(a text that is not valid UTF-8)";
+    std::string line;
+    for (size_t at = 0; at < text.size();) {
+        const size_t size = utf8_size(text[at]);
+        if (line.size() + size > longest) return line + "...";
+        const std::string_view character = text.substr(at, size);
+        line += is_unprintable(character) ? " " : character;
+        at += size;
+    }
+    return line;
+}
+
+std::string sentence_of(const Diagnostics& problems) {
+    std::string text;
+    for (const Diagnostic& problem : problems.list())
+        text += (text.empty() ? "" : "; ") + problem.message;
+    return text;
+}
 
 std::string words_of_exception() {
     try {

@@ -3,66 +3,81 @@
 #include "base/file.h"
 #include "base/sha256.h"
 #include "registry/library.h"
-#include "registry/probe.h"
 
 namespace wrinkle {
 namespace {
 
-// "it hung ...; it ...": what is wrong, without the path.
-std::string sentence(const Diagnostics& problems) {
-    std::string text;
-    for (const Diagnostic& problem : problems.list())
-        text += (text.empty() ? "" : "; ") + problem.message;
-    return text;
-}
+constexpr size_t most_kept = size_t{64} << 20;  // bytes
 
 }  // namespace
 
-PluginCode::PluginCode(std::string path, std::string origin, const PluginListing& listing,
-                       bool tried, std::chrono::milliseconds limit)
-    : path_(std::move(path)),
-      origin_(std::move(origin)),
+PluginCode::PluginCode(PluginFile file, const PluginListing& listing, bool tried,
+                       std::chrono::milliseconds limit)
+    : file_(std::move(file)),
       listing_(to_json(listing)),
       sha256_(listing.sha256),
-      tried_(tried),
-      limit_(limit) {}
+      limit_(limit),
+      checked_(tried) {}
 
-PluginCode::Build PluginCode::build_of(size_t node, std::string& why) {
+std::shared_ptr<const std::string> PluginCode::calls(size_t node, std::span<const int32_t> options,
+                                                     Unbuilt& reason) {
     const std::lock_guard lock(mutex_);
-    if (load_once(why)) return builds_.at(node);
-    why = "the plugin " + origin_ + " cannot be used: " + why;
-    return nullptr;
+    Key key(node, {options.begin(), options.end()});
+    auto found = runs_.find(key);
+    if (found == runs_.end()) {
+        reason.remedy = "`wrinkle plugins` says more";
+        if (!check(reason.why)) return nullptr;
+        BuildRun run = probe_build(file_.path, {node, twice_}, options, limit_);
+        reason.why = run.why;
+        if (!run.started) return nullptr;
+        kept_ += run.calls ? run.calls->size() : 0;
+        if (kept_ > most_kept) {
+            runs_.clear();
+            kept_ = run.calls ? run.calls->size() : 0;
+        }
+        found = runs_.emplace(std::move(key), std::move(run)).first;
+    }
+    if (!found->second.calls) {
+        reason.why = found->second.why;
+        reason.remedy = "the node's author can mend this";
+    }
+    return found->second.calls;
 }
 
-bool PluginCode::load(std::string& why) {
+bool PluginCode::try_out(std::string& why) {
     const std::lock_guard lock(mutex_);
-    return load_once(why);
+    return check(why);
 }
 
-bool PluginCode::load_once(std::string& why) {
-    if (!loaded_) why_ = take();
-    loaded_ = true;
-    why = why_;
-    return why_.empty();
+void PluginCode::build_again() {
+    const std::lock_guard lock(mutex_);
+    twice_ = !twice_;
+    runs_.clear();
+    kept_ = 0;
 }
 
-std::string PluginCode::take() {
-    std::string why;
-    const auto bytes = read_file(path_, why);
-    if (!bytes) return "it " + why;
-    if (sha256(*bytes) != sha256_) return "its file was changed since its nodes were listed";
+bool PluginCode::check(std::string& why) {
+    std::string unread;
+    const auto bytes = read_file(file_.path, unread);
+    if (!bytes) {
+        why = "it " + unread;
+    } else if (sha256(*bytes) != sha256_) {
+        why = "its file was changed since its nodes were listed";
+    } else {
+        if (!checked_) why_ = check_nodes();
+        checked_ = true;
+        why = why_;
+    }
+    return why.empty();
+}
+
+std::string PluginCode::check_nodes() {
     Diagnostics problems;
-    if (!tried_ && !probe_plugin(path_, sha256_, origin_, limit_, problems))
-        return sentence(problems);
-    auto loaded = load_library(path_, origin_, problems);
-    if (!loaded) return sentence(problems);
-    loaded->sha256 = sha256_;
-    if (to_json(*loaded) != listing_)
-        return "its nodes are not those that its manifest lists; "
-               "`wrinkle plugins --manifest` writes it anew";
-    for (const NodeType& type : loaded->types)
-        builds_.push_back(type.build);
-    return {};
+    const auto listing = probe_plugin(file_.path, sha256_, file_.origin, limit_, problems);
+    if (!listing) return sentence_of(problems);
+    if (to_json(*listing) == listing_) return {};
+    return "its nodes are not those that its manifest lists; "
+           "`wrinkle plugins --manifest` writes it anew";
 }
 
 }  // namespace wrinkle

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <map>
+#include <memory>
 #include <set>
 
 #include "base/folders.h"
@@ -19,27 +20,29 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// A temporary file with the same bytes, removed with this.
+// The same bytes in a file without a name, which is gone with this and with the program.
 class Copy {
 public:
     explicit Copy(const std::string& path) {
         std::error_code error;
-        name_ = (fs::temp_directory_path(error) / "wrinkle-plugin-XXXXXX.so").string();
-        const int file = mkostemps(name_.data(), 3, O_CLOEXEC);
-        if (file >= 0) close(file);
-        if (file >= 0) fs::copy_file(path, name_, fs::copy_options::overwrite_existing, error);
-        if (file >= 0 && error) unlink(name_.c_str());
-        if (file < 0 || error) name_.clear();
+        std::string name = (fs::temp_directory_path(error) / "wrinkle-plugin-XXXXXX").string();
+        file_ = mkostemp(name.data(), O_CLOEXEC);
+        if (file_ < 0) return;
+        fs::copy_file(path, name, fs::copy_options::overwrite_existing, error);
+        unlink(name.c_str());
+        if (!error) name_ = "/proc/" + std::to_string(getpid()) + "/fd/" + std::to_string(file_);
     }
     Copy(const Copy&) = delete;
     Copy& operator=(const Copy&) = delete;
     ~Copy() {
-        if (!name_.empty()) unlink(name_.c_str());
+        if (file_ >= 0) close(file_);
     }
 
-    const std::string& name() const { return name_; }  // "" when there can be none
+    // As every process of the user sees it; "" when there can be none.
+    const std::string& name() const { return name_; }
 
 private:
+    int file_ = -1;
     std::string name_;
 };
 
@@ -109,15 +112,16 @@ private:
             add_fault(problems, report.path, std::string(cannot_be_loaded) + ": it is no file");
             return false;
         }
-        const Copy copy(options_.copies ? real : "");
-        if (copy.name().empty()) return take({real, real, report.path}, report, problems);
+        if (!options_.copies) return take({real, real, report.path, {}}, report, problems);
+        const auto copy = std::make_shared<const Copy>(real);
+        if (copy->name().empty()) return take({real, real, report.path, {}}, report, problems);
         Diagnostics of_the_copy;
-        if (take({copy.name(), real, report.path}, report, of_the_copy)) {
+        if (take({copy->name(), real, report.path, copy}, report, of_the_copy)) {
             problems.append(of_the_copy);
             return true;
         }
         const bool in_its_place = of_the_copy.list().back().message.starts_with(cannot_be_loaded);
-        if (in_its_place) return take({real, real, report.path}, report, problems);
+        if (in_its_place) return take({real, real, report.path, {}}, report, problems);
         problems.append(of_the_copy);
         return false;
     }
@@ -139,10 +143,12 @@ private:
                       "remove one of them");
             return false;
         }
-        const auto code = std::make_shared<PluginCode>(file.path, report.path, listing,
-                                                       !report.by_manifest, options_.limit);
+        // A copy is another place than the one that an entry of the cache was read from.
+        const bool tried = described->by == DescribedBy::probe ||
+                           (described->by == DescribedBy::cache && !options_.copies);
+        const auto code = std::make_shared<PluginCode>(file, listing, tried, options_.limit);
         std::string why;
-        if (options_.copies && !code->load(why)) {
+        if (options_.copies && !code->try_out(why)) {
             add_fault(problems, report.path, why);
             return false;
         }
@@ -152,7 +158,7 @@ private:
             type.code_index = index++;
         }
         if (!registry_.add(std::move(listing.types), report.path, problems)) return false;
-        report.state = options_.copies ? PluginReport::State::loaded : PluginReport::State::found;
+        report.state = PluginReport::State::found;
         ids_.emplace(report.id, report.path);
         return true;
     }
@@ -188,7 +194,7 @@ std::string line(const PluginReport& report) {
     if (!report.id.empty()) text += "    " + report.id + " " + report.version + "\n";
     if (report.state == PluginReport::State::refused)
         return text + "    refused: " + report.why + "\n";
-    text += report.state == PluginReport::State::loaded ? "    loaded" : "    found";
+    text += "    found";
     text += report.by_manifest ? " by its manifest:" : ":";
     for (const std::string& node : report.nodes)
         text += " " + node;

@@ -13,9 +13,9 @@
 // that have a node of one id, the first in this order is taken; so is a built-in node. The other is
 // refused as a whole, with both paths.
 //
-// What a plugin offers is known without its code in this process (registry/describe.h); the code is
-// loaded when one of its nodes is first lowered, and stays until the program ends. A plugin that
-// crashes or hangs while it is loaded is refused like any other.
+// No code of a plugin is ever loaded into this process: what it offers (registry/describe.h) and
+// what its nodes do (registry/plugin_code.h) comes from another. A plugin that crashes or hangs
+// while it is loaded is refused like any other.
 //
 // A refused plugin is an error when its file or place was named, a warning when it was found in a
 // folder; the other plugins are taken all the same.
@@ -33,8 +33,7 @@
 namespace wrinkle {
 
 struct PluginReport {
-    // found: its nodes are in the registry; loaded: its code is in this process too.
-    enum class State : uint8_t { found, loaded, refused };
+    enum class State : uint8_t { found, refused };  // found: its nodes are in the registry
     std::string path;
     std::string id;  // "" when it did not come so far
     std::string version;
@@ -59,8 +58,8 @@ std::vector<std::string> plugin_places(std::span<const std::string> options);
 std::filesystem::path plugin_cache();
 
 struct PluginOptions {
-    // Loads a copy of each file at once: the file itself may be written anew and loaded again while
-    // the program runs. One that only loads in its place is loaded there.
+    // Keeps a copy of each file: the file itself may be written anew and loaded again while the
+    // program runs. One that only loads in its place is loaded there.
     bool copies = false;
     // With `copies`: what this registry has of a file that is refused now is kept.
     const Registry* former = nullptr;

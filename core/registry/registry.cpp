@@ -2,6 +2,7 @@
 
 #include "registry/descriptor.h"
 #include "registry/plugin_code.h"
+#include "registry/recording.h"
 
 namespace wrinkle {
 
@@ -22,8 +23,17 @@ uint32_t NodeType::find_output(std::string_view port) const {
     return none;
 }
 
-NodeType::Build NodeType::ready(std::string& why) const {
-    return code ? code->build_of(code_index, why) : build;
+bool NodeType::run(const wr_builder* builder, Unbuilt& reason) const {
+    if (!code) return build(builder), true;
+    std::vector<int32_t> options(ports.size(), 0);
+    for (uint32_t p = 0; p < ports.size(); ++p)
+        if (ports[p].is_option()) options[p] = builder->option(builder, p);
+    const auto calls = code->calls(code_index, options, reason);
+    bool whole = false;
+    if (calls) whole = replay(*calls, builder);
+    if (calls && !whole) reason.why = "its build() wrote over what it had recorded";
+    if (!whole) reason.why = "the plugin " + origin + " cannot be used: " + reason.why;
+    return whole;
 }
 
 bool Registry::add_plugin(const wr_plugin* plugin, std::string_view origin,

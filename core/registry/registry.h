@@ -62,6 +62,11 @@ struct Rename {
 
 class PluginCode;  // registry/plugin_code.h
 
+// Why a node cannot be built, and the remedy.
+struct Unbuilt {
+    std::string why, remedy;
+};
+
 struct NodeType {
     using Build = void (*)(const wr_builder*);
 
@@ -73,7 +78,7 @@ struct NodeType {
     std::vector<Port> ports;
     std::vector<Rename> renames;
     Build build = nullptr;             // null where `code` has it
-    std::shared_ptr<PluginCode> code;  // of a plugin that is loaded when first needed
+    std::shared_ptr<PluginCode> code;  // of a plugin, which runs elsewhere
     size_t code_index = 0;             // which node of it this is
     std::string origin;                // "built-in" or the plugin's path
 
@@ -81,9 +86,9 @@ struct NodeType {
     // The index of a port: inputs, options and fields share one name space, outputs have their own.
     uint32_t find_input(std::string_view name) const;
     uint32_t find_output(std::string_view name) const;
-    // What builds the node, its plugin loaded now if need be; null with the reason in `why`. Safe
-    // to call from several threads.
-    Build ready(std::string& why) const;
+    // Makes the calls of the node's build(). False, without any call, when its plugin's code cannot
+    // be used or did not come to an end. Safe to call from several threads.
+    bool run(const wr_builder* builder, Unbuilt& reason) const;
 };
 
 class Registry {

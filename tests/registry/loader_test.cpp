@@ -6,6 +6,7 @@
 
 #include "base/file.h"
 #include "registry/loaded.h"
+#include "registry/plugin_code.h"
 #include "support/files.h"
 
 namespace wrinkle {
@@ -35,8 +36,9 @@ TEST(PluginLoader, LoadsOne) {
 
 TEST(PluginLoader, SaysWhyItRefuses) {
     EXPECT_EQ(refusal(folder + "/no_symbol.so"),
-              "it is no plugin of Wrinkle: it does not export wrinkle_plugin (declare it extern "
-              "\"C\" with WR_EXPORT)");
+              "it is no plugin of Wrinkle: it does not export wrinkle_plugin (end it with "
+              "WRINKLE_PLUGIN(\"id\", \"version\", nodes...), in C with WR_EXPORT const wr_plugin* "
+              "wrinkle_plugin(void))");
     EXPECT_EQ(refusal(folder + "/null_result.so"), "its wrinkle_plugin() returned null");
     EXPECT_EQ(refusal(folder + "/wrong_abi.so"),
               "it is made for plugin interface 77 (this program has interface 1)");
@@ -133,16 +135,18 @@ TEST(PluginLoader, KeepsTheLastGoodVersionOfABrokenOne) {
     const fs::path file = temporary.path() / "mine.so";
     fs::copy_file(folder + "/good.so", file);
     const Loaded before = load({file.string()}, {.copies = true});
-    ASSERT_EQ(before.reports[0].state, PluginReport::State::loaded);
+    ASSERT_EQ(before.reports[0].state, PluginReport::State::found);
     for (const char* broken : {"no_symbol", "wrong_abi", "missing_symbol"}) {
         fs::copy_file(folder + "/" + broken + ".so", file, fs::copy_options::overwrite_existing);
         PluginOptions options{.copies = true};
         options.former = &before.registry;
         const Loaded after = load({file.string(), folder + "/second.so"}, options);
         EXPECT_EQ(after.registry.ids(), (std::vector<std::string>{"small", "smaller"})) << broken;
-        std::string why;
-        EXPECT_EQ(after.registry.find("small")->ready(why),
-                  before.registry.find("small")->ready(why));
+        Unbuilt reason;
+        const std::vector<int32_t> numbers(2);
+        const auto calls = before.registry.find("small")->code->calls(0, numbers, reason);
+        EXPECT_NE(calls, nullptr) << reason.why;
+        EXPECT_EQ(after.registry.find("small")->code->calls(0, numbers, reason), calls);
         EXPECT_TRUE(after.reports[0].why.ends_with("; what was loaded of it before is kept"))
             << after.reports[0].why;
         EXPECT_TRUE(load({file.string()}, {.copies = true}).registry.list().empty());

@@ -18,9 +18,9 @@
 //           of copies. Results do not depend on it. A graph's files are read when it is loaded, its
 //           images by the first evaluate() and kept until the last copy is gone; who wants them
 //           anew loads the graph anew.
-// Plugins   Their nodes are built by their own code, in this process. What they offer is found out
-//           in a process of its own, which this one waits for: a program that takes the ends of all
-//           its children (waitpid(-1)) leaves that to the library while it is made.
+// Plugins   Their code runs in processes of its own, which this one starts and waits for, when they
+//           are found and when a graph with their nodes is compiled. A program that takes the ends
+//           of all its children (waitpid(-1)) leaves these to the library.
 // Versions  The soname changes with every version that is not 0.1.x: structs grow. Sources go on
 //           compiling. This header wants C++17.
 #pragma once

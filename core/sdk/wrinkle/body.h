@@ -99,6 +99,43 @@ constexpr bool callable(Ports<P...>) {
     return std::is_invocable_v<F, typename P::Value...> || takes_struct<F, typename P::Value...>();
 }
 
+// The body, or another function where its parameters do not fit: one that is taken last, one that
+// is taken before a conversion, and one that makes a body of one `auto` ambiguous.
+template <class F>
+struct OrAnything : F {
+    using F::operator();
+    void operator()(...) const;
+};
+template <class F>
+struct OrTheSame : F {
+    using F::operator();
+    template <class... T>
+    void operator()(T...) const;
+};
+template <class F>
+struct OrOne : F {
+    using F::operator();
+    template <class T>
+    void operator()(T&&) const;  // another signature than that of the body, which it would hide
+};
+
+template <class F>
+constexpr bool is_generic = !requires {
+    &F::operator();
+};
+
+// The parameters fit, and still it cannot be called: the compiler has said what is wrong in it.
+template <class F, class... P>
+constexpr bool has_own_error(Ports<P...>) {
+    if constexpr (!std::is_invocable_v<OrAnything<F>, typename P::Value...> ||
+                  !std::is_invocable_v<OrTheSame<F>, typename P::Value...>)
+        return true;
+    else if constexpr (!std::is_invocable_v<OrOne<F>, Anything>)
+        return false;
+    else
+        return !std::is_invocable_v<OrAnything<F>, Anything>;
+}
+
 template <class R, class P>
 constexpr bool gives(Ports<P>) {
     return std::is_convertible_v<R, typename P::Value>;
@@ -146,10 +183,14 @@ template <class F, class Inputs, class Outputs>
 constexpr void check_body() {
     static_assert(Outputs::count > 0, "a node needs an output: declare one with .out<T>()");
     static_assert(std::is_empty_v<F>, "a node has no state: its body must not capture anything");
+    constexpr bool fits = callable<F>(Inputs{}) || has_own_error<F>(Inputs{});
     static_assert(
-        callable<F>(Inputs{}),
+        fits || is_generic<F>,
         "the body's parameters must match the declared inputs, choices, counts, flags and "
         "fields in their order; or it takes one struct with these members in this order");
+    static_assert(fits || !is_generic<F>,
+                  "the body cannot be called: an error in it is shown above, or else it must have "
+                  "as many parameters as there are inputs, choices, counts, flags and fields");
     if constexpr (callable<F>(Inputs{})) {
         static_assert(gives<decltype(call<F>(Inputs{}))>(Outputs{}),
                       "the body must return the declared output, or a std::tuple of the outputs in "

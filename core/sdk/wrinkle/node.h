@@ -158,7 +158,10 @@ public:
     template <class F>
     constexpr Node body(F) const {
         detail::check_body<F, Inputs, Outputs>();
-        return Node(d_, detail::build<F, Inputs, Outputs>);
+        if constexpr (detail::callable<F>(Inputs{}))
+            return Node(d_, detail::build<F, Inputs, Outputs>);
+        else
+            return Node(d_, nullptr);
     }
 
 private:

@@ -12,6 +12,9 @@
 //   encoding("srgb")  of an image given as a bare path
 #pragma once
 
+#include <concepts>
+#include <type_traits>
+
 #include "wrinkle/gradient.h"
 #include "wrinkle/image.h"
 #include "wrinkle/surface.h"
@@ -22,9 +25,21 @@ struct Height;
 struct Color;
 struct Normal;
 
-// What a port of type T is on the wire, and in a body.
+// What a port of type T is on the wire, and in a body. Of a type that no port has: a sentence.
 template <class T>
-struct PortTraits;
+struct PortTraits {
+    static_assert(
+        !std::is_floating_point_v<T>,
+        "write .in<Float> and .out<Float>: numbers of a node are Float, with a capital F");
+    static_assert(!std::same_as<T, bool>, "write .flag(name, value, doc): a bool is not on a wire");
+    static_assert(!std::is_integral_v<T> || std::same_as<T, bool>,
+                  "write .count(name, value, low, high, doc): an integer is not on a wire");
+    static_assert(std::is_arithmetic_v<T>,
+                  "the type of a port is Float, vec2, vec3, vec4, Height, Color, Normal, Gradient, "
+                  "Derivative or Image");
+    static constexpr uint32_t type = WR_PORT_float;
+    using Value = Float;
+};
 // clang-format off
 #define WRINKLE_PORT(T, name, Body) \
     template <> struct PortTraits<T> { \

@@ -2,7 +2,7 @@
 // surface::uv0, ... They serve as values in a body and as defaults of ports.
 #pragma once
 
-#include "wrinkle/value.h"
+#include "wrinkle/math.h"
 
 namespace wrinkle::sdk::surface {
 
@@ -27,5 +27,37 @@ inline constexpr Property<vec4> color0{WR_SURFACE_color0};
 inline constexpr Property<vec3> view{WR_SURFACE_view};
 inline constexpr Property<Float> facing{WR_SURFACE_facing};
 #pragma GCC visibility pop
+
+// The functions of math.h, of a property as of its value: normalize(surface::normal).
+namespace detail {
+template <class T>
+T value_of(Property<T> property) {
+    return property;
+}
+template <class T>
+const T& value_of(const T& value) {
+    return value;
+}
+}  // namespace detail
+// clang-format off
+#define WRINKLE_OF_PROPERTY(name) \
+    template <class T, class... More> \
+    auto name(Property<T> property, const More&... more) { \
+        return sdk::name(detail::value_of(property), detail::value_of(more)...); \
+    }
+WRINKLE_OF_PROPERTY(abs) WRINKLE_OF_PROPERTY(sign) WRINKLE_OF_PROPERTY(floor)
+WRINKLE_OF_PROPERTY(ceil) WRINKLE_OF_PROPERTY(fract) WRINKLE_OF_PROPERTY(exp)
+WRINKLE_OF_PROPERTY(exp2) WRINKLE_OF_PROPERTY(sin) WRINKLE_OF_PROPERTY(cos)
+WRINKLE_OF_PROPERTY(tan) WRINKLE_OF_PROPERTY(asin) WRINKLE_OF_PROPERTY(acos)
+WRINKLE_OF_PROPERTY(atan) WRINKLE_OF_PROPERTY(ddx) WRINKLE_OF_PROPERTY(ddy)
+WRINKLE_OF_PROPERTY(fwidth) WRINKLE_OF_PROPERTY(min) WRINKLE_OF_PROPERTY(max)
+WRINKLE_OF_PROPERTY(clamp) WRINKLE_OF_PROPERTY(saturate) WRINKLE_OF_PROPERTY(mix)
+WRINKLE_OF_PROPERTY(mod) WRINKLE_OF_PROPERTY(divide) WRINKLE_OF_PROPERTY(sqrt)
+WRINKLE_OF_PROPERTY(inversesqrt) WRINKLE_OF_PROPERTY(log) WRINKLE_OF_PROPERTY(log2)
+WRINKLE_OF_PROPERTY(pow) WRINKLE_OF_PROPERTY(dot) WRINKLE_OF_PROPERTY(length)
+WRINKLE_OF_PROPERTY(distance) WRINKLE_OF_PROPERTY(normalize) WRINKLE_OF_PROPERTY(reflect)
+WRINKLE_OF_PROPERTY(detach)
+#undef WRINKLE_OF_PROPERTY
+// clang-format on
 
 }  // namespace wrinkle::sdk::surface

@@ -25,10 +25,22 @@ class Float;
 class Int;
 class Uint;
 
+// A value is known when a point is computed, and the body runs before: C++ cannot branch on it.
+// clang-format off
+#define WRINKLE_NO_BRANCH \
+    template <std::same_as<bool> B> explicit operator B() const { \
+        static_assert(!std::same_as<B, bool>, \
+            "write select(condition, a, b) in place of if and ?:, and loop() in place of while: " \
+            "a value of a node is not known while its body runs"); \
+        return false; \
+    }
+// clang-format on
+
 class Bool {
 public:
     static constexpr uint32_t type = WR_TYPE_bool;
     wr_value id;
+    WRINKLE_NO_BRANCH
     explicit Bool(Raw raw) : id(raw.id) {}
     template <std::same_as<bool> B>
     Bool(B value) : Bool(literal(type, value)) {}
@@ -38,6 +50,7 @@ class Int {
 public:
     static constexpr uint32_t type = WR_TYPE_int;
     wr_value id;
+    WRINKLE_NO_BRANCH
     explicit Int(Raw raw) : id(raw.id) {}
     template <std::same_as<int> I>
     Int(I value) : Int(literal(type, value)) {}
@@ -49,6 +62,7 @@ class Uint {
 public:
     static constexpr uint32_t type = WR_TYPE_uint;
     wr_value id;
+    WRINKLE_NO_BRANCH
     explicit Uint(Raw raw) : id(raw.id) {}
     template <std::same_as<unsigned> I>
     Uint(I value) : Uint(literal(type, value)) {}
@@ -60,12 +74,14 @@ public:
     static constexpr uint32_t type = WR_TYPE_float;
     static constexpr uint32_t lanes = 1;
     wr_value id;
+    WRINKLE_NO_BRANCH
     explicit Float(Raw raw) : id(raw.id) {}
     Float(double value) : Float(literal(type, value)) {}
     explicit Float(Int x) : Float(emit(WR_OP_to_float, {x.id})) {}
     explicit Float(Uint x) : Float(emit(WR_OP_to_float, {x.id})) {}
     explicit Float(Bool x) : Float(emit(WR_OP_to_float, {x.id})) {}
 };
+#undef WRINKLE_NO_BRANCH
 
 inline Int::Int(Float x) : Int(emit(WR_OP_to_int, {x.id})) {}
 inline Int::Int(Uint x) : Int(emit(WR_OP_to_int, {x.id})) {}
@@ -252,6 +268,23 @@ WRINKLE_BITS(Uint)
 WRINKLE_BINARY(Bool, Bool, &&, Bool, and)
 WRINKLE_BINARY(Bool, Bool, ||, Bool, or)
 // clang-format on
+// With a bool of C++: its own && would ask the value for one.
+template <std::same_as<bool> B>
+Bool operator&&(Bool a, B b) {
+    return a && Bool(b);
+}
+template <std::same_as<bool> B>
+Bool operator&&(B a, Bool b) {
+    return Bool(a) && b;
+}
+template <std::same_as<bool> B>
+Bool operator||(Bool a, B b) {
+    return a || Bool(b);
+}
+template <std::same_as<bool> B>
+Bool operator||(B a, Bool b) {
+    return Bool(a) || b;
+}
 inline Bool operator!(Bool a) {
     return Bool(emit(WR_OP_not, {a.id}));
 }

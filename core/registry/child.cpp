@@ -1,0 +1,140 @@
+#include "registry/child.h"
+
+#include <fcntl.h>
+#include <poll.h>
+#include <signal.h>
+#include <spawn.h>
+#include <string.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <vector>
+
+#include "base/folders.h"
+#include "base/text.h"
+#include "registry/probe.h"
+
+namespace wrinkle {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr auto short_while = std::chrono::milliseconds(10);
+
+std::string probe_program() {
+    return (installation_folder() / "lib/wrinkle/wrinkle-plugin-probe").string();
+}
+
+class Process {
+public:
+    // Not started when `error` is set.
+    Process(const std::string& program, std::span<const std::string> words) {
+        int ends[2];
+        if (pipe2(ends, O_CLOEXEC) != 0) {
+            error = errno;
+            return;
+        }
+        posix_spawn_file_actions_t files;
+        posix_spawn_file_actions_init(&files);
+        for (const int file : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+            posix_spawn_file_actions_addopen(&files, file, "/dev/null", O_RDWR, 0);
+        posix_spawn_file_actions_adddup2(&files, ends[1], probe_output);
+        posix_spawn_file_actions_addclosefrom_np(&files, probe_output + 1);
+        posix_spawnattr_t attributes;
+        posix_spawnattr_init(&attributes);
+        posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
+        std::vector<char*> arguments{const_cast<char*>(program.c_str())};
+        for (const std::string& word : words)
+            arguments.push_back(const_cast<char*>(word.c_str()));
+        arguments.push_back(nullptr);
+        error =
+            posix_spawn(&process_, program.c_str(), &files, &attributes, arguments.data(), environ);
+        posix_spawnattr_destroy(&attributes);
+        posix_spawn_file_actions_destroy(&files);
+        close(ends[1]);
+        output_ = ends[0];
+        fcntl(output_, F_SETFL, O_NONBLOCK);
+    }
+    Process(const Process&) = delete;
+    Process& operator=(const Process&) = delete;
+    ~Process() {
+        if (output_ >= 0) close(output_);
+    }
+
+    ChildResult finish(std::chrono::milliseconds limit) {
+        ChildResult result;
+        const auto end = Clock::now() + limit;
+        bool open = true;
+        while (!has_ended(result)) {
+            result.late = Clock::now() >= end;
+            result.too_large = result.output.size() > max_child_output;
+            if (result.late || result.too_large) break;
+            pollfd waiting{open ? output_ : -1, POLLIN, 0};
+            poll(&waiting, 1, static_cast<int>(short_while.count()));
+            open = open && take(result.output);
+        }
+        kill(-process_, SIGKILL);  // before it is waited for: the number of its group is still its
+        while (waitpid(process_, nullptr, 0) < 0 && errno == EINTR) {
+        }
+        if (open) take(result.output);  // no longer: a child that left the group may hold it open
+        return result;
+    }
+
+    int error = 0;
+
+private:
+    // How it ended is not known where the program ignores the ends of its children: then its
+    // output, or the lack of it, has to say it.
+    bool has_ended(ChildResult& result) const {
+        siginfo_t how{};
+        const int failed =
+            waitid(P_PID, static_cast<id_t>(process_), &how, WEXITED | WNOHANG | WNOWAIT);
+        if (failed != 0 && errno == ECHILD) return true;
+        if (how.si_pid != process_) return false;
+        (how.si_code == CLD_EXITED ? result.exit_code : result.signal) = how.si_status;
+        return true;
+    }
+
+    // False at the end of what there is, and when nothing has come.
+    bool take(std::string& output) const {
+        char part[1 << 16];
+        ssize_t count = 0;
+        while ((count = read(output_, part, sizeof part)) > 0 && output.size() <= max_child_output)
+            output.append(part, static_cast<size_t>(count));
+        return count < 0 && (errno == EAGAIN || errno == EINTR);
+    }
+
+    pid_t process_ = -1;
+    int output_ = -1;
+};
+
+std::string signal_text(int number) {
+    const char* name = sigabbrev_np(number);
+    const char* words = sigdescr_np(number);
+    return (name ? "SIG" + std::string(name) : "signal " + std::to_string(number)) +
+           (words ? " (" + std::string(words) + ")" : "");
+}
+
+}  // namespace
+
+std::optional<ChildResult> run_child(std::span<const std::string> words,
+                                     std::chrono::milliseconds limit, std::string& why) {
+    const std::string program = probe_program();
+    Process process(program, words);
+    if (process.error == 0) return process.finish(limit);
+    why = program + ": " + strerror(process.error);
+    return std::nullopt;
+}
+
+std::string ending(const ChildResult& result, const std::string& doing,
+                   std::chrono::milliseconds limit) {
+    if (result.late)
+        return "hung " + doing + ": it was ended after " +
+               shortest(std::chrono::duration<double>(limit).count()) + " s";
+    if (result.signal != 0) return "crashed " + doing + ": " + signal_text(result.signal);
+    if (result.exit_code == child_has_no_output) return "closed the files of its process " + doing;
+    return "ended the program " + doing + ", with exit code " + std::to_string(result.exit_code);
+}
+
+}  // namespace wrinkle
