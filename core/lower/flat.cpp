@@ -3,6 +3,7 @@
 #include <unordered_map>
 
 #include "base/text.h"
+#include "lower/mute.h"
 
 namespace wrinkle {
 namespace {
@@ -257,7 +258,8 @@ private:
         written_.assign(ports.size(), FlatNode::none);
         for (uint32_t i = 0; i < inputs.size(); ++i)
             if (inputs[i].port != NodeType::none) written_[inputs[i].port] = i;
-        if (flat.muted) forget_what_is_not_passed(*flat.type);
+        if (flat.muted)
+            forget_what_is_not_passed(*flat.type, document(use).nodes[flat.node]->inputs);
         for (uint32_t p = 0; p < ports.size(); ++p) {
             if (written_[p] == FlatNode::none) continue;
             const Wire wire = port_wire(use, flat.node, written_[p]);
@@ -266,11 +268,15 @@ private:
         }
     }
 
-    void forget_what_is_not_passed(const NodeType& type) {
+    void forget_what_is_not_passed(const NodeType& type, const std::vector<Input>& inputs) {
+        const auto is_connected = [&](uint32_t port) {
+            return written_[port] != FlatNode::none &&
+                   inputs[written_[port]].kind == Input::Kind::link;
+        };
         std::vector<bool> passed(type.ports.size(), false);
         for (uint32_t p = 0; p < type.ports.size(); ++p)
             if (type.ports[p].kind == Port::Kind::output)
-                if (const uint32_t in = passed_input(type, p); in != NodeType::none)
+                if (const uint32_t in = passed_input(type, p, is_connected); in != NodeType::none)
                     passed[in] = true;
         for (uint32_t p = 0; p < type.ports.size(); ++p)
             if (!passed[p]) written_[p] = FlatNode::none;
@@ -354,10 +360,9 @@ std::vector<uint32_t> chosen_outputs(const Document& document, const LowerOption
     return chosen;
 }
 
-uint32_t passed_input(const NodeType& type, uint32_t output) {
-    for (uint32_t i = 0; i < type.ports.size(); ++i)
-        if (type.ports[i].is_value() && type.ports[i].type == type.ports[output].type) return i;
-    return NodeType::none;
+uint32_t passed_input(const FlatGraph& graph, const FlatNode& node, uint32_t output) {
+    return passed_input(*node.type, output,
+                        [&](uint32_t port) { return graph.wire(node, port).carries(); });
 }
 
 std::optional<FlatGraph> flatten(const Project& project, const Types& types,

@@ -82,8 +82,8 @@ struct FlatRoot {
 std::vector<uint32_t> chosen_outputs(const Document& document, const LowerOptions& options,
                                      Diagnostics& diagnostics);
 
-// Of a muted node: the input that its output passes on, or NodeType::none.
-uint32_t passed_input(const NodeType& type, uint32_t output);
+// Of a muted node of the graph (lower/mute.h).
+uint32_t passed_input(const FlatGraph& graph, const FlatNode& node, uint32_t output);
 
 // The nodes and wires; `order` is left empty. The instances that are met are appended to those of
 // `lowered`. Nothing: more nodes than these.

@@ -35,10 +35,10 @@ void write_outputs(Lowering& lowering, const Project& project) {
 
 // In the order of the nodes, so that a long row of muted ones asks no deeper than one.
 void pass_through(Lowering& lowering, uint32_t node) {
-    const NodeType& type = *lowering.graph().nodes[node].type;
-    for (uint32_t p = 0; p < type.ports.size(); ++p) {
-        if (type.ports[p].kind != Port::Kind::output) continue;
-        const uint32_t passed = passed_input(type, p);
+    const FlatNode& flat = lowering.graph().nodes[node];
+    for (uint32_t p = 0; p < flat.type->ports.size(); ++p) {
+        if (flat.type->ports[p].kind != Port::Kind::output) continue;
+        const uint32_t passed = passed_input(lowering.graph(), flat, p);
         if (passed != NodeType::none) lowering.input(node, passed);
     }
 }

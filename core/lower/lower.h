@@ -9,8 +9,8 @@
 //   hard range. A wire into a port with a hard range is clamped by an instruction.
 // * A node in a sub-graph is the instance "outer/inner". The top graph's inputs are parameters with
 //   `graph_input` set.
-// * A muted node passes its first input of each output's type through; where there is none the
-//   output is that type's zero (of a normal the surface's).
+// * A muted node passes for each output an input of its type through, the first connected one, else
+//   the first; where there is none the output is that type's zero (of a normal the surface's).
 // * The gradients that a node makes stand on the surface, or on the normal at its input `base` (of
 //   type normal). An input of type gradient that a height, derivative or normal is connected to
 //   takes the base of the gradients it is joined with by wires; with none it is the surface.

@@ -49,7 +49,7 @@ Id Lowering::output(uint32_t node, uint32_t port) {
     const FlatNode& flat = graph_.nodes[node];
     if (flat.is_pass()) return input(node, 0);
     if (flat.muted) {
-        const uint32_t passed = passed_input(*flat.type, port);
+        const uint32_t passed = passed_input(graph_, flat, port);
         return passed == NodeType::none ? zero(flat.type->ports[port].type) : input(node, passed);
     }
     return slot(node, port) == unset ? poison : slot(node, port);

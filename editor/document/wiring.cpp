@@ -20,15 +20,14 @@ std::optional<Link> passed_on(const Model& model, const Node& node, const std::s
     const uint32_t out = type ? type->find_output(output) : NodeType::none;
     if (out == NodeType::none) return std::nullopt;
     const PortType made = type->ports[out].type;
-    const Port* convertible = nullptr;
+    const Input* convertible = nullptr;
     for (const Port& port : type->ports) {
         if (!port.is_value()) continue;
         const Input* input = node.find(port.name);
         if (port.type == made && is_link(input)) return input->link;
-        if (!convertible && converts(port.type, made)) convertible = &port;
+        if (!convertible && is_link(input) && converts(port.type, made)) convertible = input;
     }
-    const Input* input = convertible ? node.find(convertible->name) : nullptr;
-    return is_link(input) ? std::optional(input->link) : std::nullopt;
+    return convertible ? std::optional(convertible->link) : std::nullopt;
 }
 
 // The first source before `link` that stays.

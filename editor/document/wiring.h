@@ -38,7 +38,7 @@ std::optional<Passage> passage(const NodeType& type, PortType given,
                                std::optional<PortType> wanted);
 
 // Without the nodes. A wire that one of them fed is fed by what the node passes on: its first
-// connected input of the output's type, else its first input that converts to it.
+// connected input of the output's type, else its first connected one that converts to it.
 Document delete_and_heal(const Model& model, const Document& document,
                          const std::set<std::string>& ids);
 // Without the nodes and the wires at them.

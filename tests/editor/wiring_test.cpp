@@ -55,6 +55,34 @@ TEST_F(Headless, DeletingHealsTheWireOrLeavesAGap) {
         assert clean)");
 }
 
+TEST_F(Headless, AMutedNodePassesOnWhatItsDeletionWouldConnect) {
+    open(R"({ "wrinkle": 1, "nodes": {
+        "noise": { "type": "gradient_noise" },
+        "sum": { "type": "add", "in": { "a": 1, "b": { "from": "noise.value" } } } },
+        "outputs": { "roughness": { "from": "sum.result" } } })");
+    const std::string both = state.code.text.source;
+    state.view.selected = {"sum"};
+    play("key M\nassert errors 0\nwait");
+    const std::string muted = state.code.text.source;
+    EXPECT_NE(muted, both);
+    EXPECT_NE(muted.find("noise"), muted.npos);
+    play("key Ctrl+Z");
+    state.view.selected = {"sum"};
+    play("key Delete\nassert wire noise.value roughness\nwait");
+    EXPECT_EQ(state.code.text.source, muted);
+}
+
+TEST_F(Headless, DeletionTakesTheFirstConnectedInputThatConverts) {
+    open(R"({ "wrinkle": 1, "nodes": {
+        "noise": { "type": "gradient_noise" },
+        "bump": { "type": "gradient_from_height", "in": { "height": { "from": "noise.height" } } },
+        "tilt": { "type": "gradient_scale", "in": { "gradient": { "from": "bump.gradient" } } },
+        "normal": { "type": "resolve", "in": { "gradient": { "from": "tilt.gradient" } } } },
+        "outputs": { "normal": { "from": "normal.normal" } } })");
+    state.view.selected = {"bump"};
+    play("key Delete\nassert wire noise.height tilt.gradient\nassert errors 0");
+}
+
 TEST_F(Headless, ARowOfDeletedNodesHealsAtOnce) {
     open(small_graph);
     play("key Ctrl+A");

@@ -200,6 +200,24 @@ TEST(Lower, MutedNodesPassTheirFirstInputOfEachType) {
     EXPECT_TRUE(m.is_literal(m.outputs[4].value, 0));
 }
 
+TEST(Lower, MutedNodesPassTheFirstConnectedInputBeforeAConstantOne) {
+    const auto passed = [](const std::string& inputs) {
+        const Module m = lowered(graph(R"("p": {"type": "bump"}, "q": {"type": "scale", "in":
+                                {"gradient": {"from": "p.gradient"}}},
+                             "s": {"type": "sum", "muted": true, "in": {)" +
+                                           inputs + "}}",
+                                       R"("p": {"from": "p.gradient"}, "q": {"from": "q.gradient"},
+                             "s": {"from": "s.gradient"})"))
+                             .module;
+        const Id value = m.outputs[2].value;
+        return value == m.outputs[0].value ? "p" : value == m.outputs[1].value ? "q" : "neither";
+    };
+    EXPECT_STREQ(passed(R"("a": {"from": "p.gradient"}, "b": {"from": "q.gradient"})"), "p");
+    EXPECT_STREQ(passed(R"("a": {"from": "q.gradient"}, "b": {"from": "p.gradient"})"), "q");
+    EXPECT_STREQ(passed(R"("b": {"from": "q.gradient"})"), "q");
+    EXPECT_STREQ(passed(""), "neither");
+}
+
 TEST(Lower, BackFacesTurnTheNormalThatNodesSee) {
     const auto normal = [](const std::string& rule) {
         Module m = lowered(graph("", R"("normal": {"from": "surface.normal"})",
