@@ -71,8 +71,10 @@ void write_block(const std::optional<Block>& block, const std::vector<Declaratio
                  Text& text) {
     if (block) text.line(0, {layout(block->binding, "std140, "), "uniform ", block->name, " {"});
     for (const Declaration& member : members)
-        text.line(block ? 1 : 0, {block ? "" : "uniform ", member.type, " ", member.name, ";",
-                                  member.doc.empty() ? "" : "  // ", member.doc});
+        text.line(block ? 1 : 0,
+                  {block ? "" : "uniform ", member.type, " ", member.name, ";",
+                   member.doc.empty() ? "" : "  // ", member.doc},
+                  member.node);
     if (block) text.line(0, "};");
 }
 

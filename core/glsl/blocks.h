@@ -26,9 +26,10 @@ void assign_bindings(const EmitOptions& options, Reflection& reflection);
 // "layout(set = 0, binding = 2) " of an image; "" where it is found by name.
 std::string binding_text(const Binding& binding);
 
-// A member's declaration, and what a comment says of it.
+// A member's declaration, what a comment says of it, and the node that it belongs to.
 struct Declaration {
     std::string_view type, name, doc;
+    uint32_t node = no_node;
 };
 
 // Appends the block of the members; each as a uniform of its own where there is no block.

@@ -16,7 +16,7 @@ void write_function_form(const Plan& plan, const EmitOptions& options, Interface
     text.line(0, title);
     write_precision(*options.target, text);
     write_struct(face.reflection, text);
-    write_uniforms(face.reflection, text);
+    write_uniforms(plan.module(), face.reflection, text);
     write_functions(plan, face, *options.target, text);
     shader.source = std::move(text.text);
     face.reflection.lines = std::move(text.nodes);

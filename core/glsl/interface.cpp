@@ -124,10 +124,11 @@ constexpr size_t farthest_comment = 48;
 struct CommentedLines {
     struct Ends {
         size_t code = 0, comment = 0;
+        uint32_t node = no_node;
     };
     Line code, comments;
     std::vector<Ends> ends;
-    void end_line() { ends.push_back({code.size(), comments.size()}); }
+    void end_line(uint32_t node = no_node) { ends.push_back({code.size(), comments.size(), node}); }
 };
 
 // The comments stand in one column, unless that is too far.
@@ -145,7 +146,7 @@ void write(const CommentedLines& lines, int indent, size_t farthest, Text& text)
         line.add("  ").pad(column + 2).add("// ");
         append_comment_text(
             line, lines.comments.view().substr(begin.comment, ends.comment - begin.comment));
-        text.line(indent, line.view());
+        text.line(indent, line.view(), ends.node);
         begin = ends;
     }
 }
@@ -213,20 +214,24 @@ void write_struct(const Reflection& reflection, Text& text) {
     text.line(0, "};");
 }
 
-void write_uniforms(const Reflection& reflection, Text& text) {
+void write_uniforms(const Module& module, const Reflection& reflection, Text& text) {
     CommentedLines lines;
     for (const SamplerInfo& sampler : reflection.samplers) {
         const std::string binding = binding_text(sampler.binding);
         lines.code.add(binding).add("uniform sampler2D ").add(sampler.name).add(';');
         lines.comments.add(sampler.written).add(" (").add(name_of(sampler.options.encoding));
         lines.comments.add(", ").add(name_of(sampler.options.wrap)).add(')');
-        lines.end_line();
+        const auto& readers = module.resources[sampler.resource].readers;
+        lines.end_line(readers.empty() ? no_node : readers.front().node);
     }
     const bool numbered = !reflection.samplers.empty() && reflection.samplers[0].binding.set >= 0;
     write(lines, 0, farthest_comment + (numbered ? 32 : 0), text);
     std::vector<Declaration> numbers;
-    for (const UniformInfo& uniform : reflection.uniforms)
-        numbers.push_back({info(uniform.type).name, uniform.name, ""});
+    for (const UniformInfo& uniform : reflection.uniforms) {
+        const Parameter& parameter = module.parameters[uniform.parameter];
+        numbers.push_back({info(uniform.type).name, uniform.name, "",
+                           parameter.graph_input ? no_node : parameter.node});
+    }
     write_block(reflection.parameter_block, numbers, text);
 }
 

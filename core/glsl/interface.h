@@ -20,7 +20,7 @@ Text roomy_text(const Plan& plan);
 
 // What is appended to it.
 void write_struct(const Reflection& reflection, Text& text);
-void write_uniforms(const Reflection& reflection, Text& text);
+void write_uniforms(const Module& module, const Reflection& reflection, Text& text);
 void write_precision(const Target& target, Text& text);  // before fragment code
 
 // "WrinkleSurface_NAME s", or "" where there is no struct.

@@ -108,8 +108,9 @@ struct Reflection {
     std::string vertex_entry = "main", fragment_entry = "main";  // shader form
     bool uniform_control_flow = false;  // the functions take screen derivatives
 
-    // lines[i] is the index in Module::nodes that line i + 1 came from, or no_node; of the fragment
-    // stage in the shader form. Empty for SPIR-V, which has no lines.
+    // lines[i] is the index in Module::nodes that line i + 1 came from, or no_node; of a uniform's
+    // line the node that it is a number of, or that reads the image first. Of the fragment stage in
+    // the shader form. Empty for SPIR-V, which has no lines.
     std::vector<uint32_t> lines;
     std::vector<std::string> node_paths;  // by index in Module::nodes
 };

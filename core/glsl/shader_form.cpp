@@ -160,7 +160,7 @@ Text fragment_text(const Stage& stage) {
                          function.variable + ";");
     if (stage.world) write_frame(stage, false, text);
     write_struct(r, text);
-    write_uniforms(r, text);
+    write_uniforms(stage.plan.module(), r, text);
     write_functions(stage.plan, stage.face, *stage.options.target, text);
     if (stage.world) write_normal_to_world(text);
     write_main(stage, text);

@@ -22,12 +22,12 @@ struct Text {
         nodes.push_back(node);
     }
     // The pieces, one behind the other.
-    void line(int indent, std::initializer_list<std::string_view> pieces) {
+    void line(int indent, std::initializer_list<std::string_view> pieces, uint32_t node = no_node) {
         text.append(4 * static_cast<size_t>(indent), ' ');
         for (const std::string_view piece : pieces)
             text += piece;
         text += '\n';
-        nodes.push_back(no_node);
+        nodes.push_back(node);
     }
 };
 
