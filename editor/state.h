@@ -81,6 +81,7 @@ struct State {
     Offer offer;
     BoxText box_text;
     Tasks tasks;
+    int field_wait = 0;  // frames that typing may still wait for a field (panels/fields.h)
     std::string status;  // what the last action did, or why it was refused
 
     Model model;

@@ -15,6 +15,7 @@
 #include "editor/document/files.h"
 #include "editor/document/refresh.h"
 #include "editor/look/theme.h"
+#include "editor/panels/fields.h"
 #include "editor/panels/ui.h"
 #include "gpu/context.h"
 #include "gpu/target.h"
@@ -241,7 +242,7 @@ void Window::draw_frame(State& state) {
                        ? 1.0F / 60
                        : std::clamp(static_cast<float>(now - handle_->last), 0.001F, 0.2F);
     handle_->last = now;
-    handle_->queue.apply(io);
+    handle_->queue.apply(io, typing_waits(state));
     state.dropped.arrived = handle_->queue.take_drops();
     ImGui_ImplOpenGL3_NewFrame();
     ImGui::NewFrame();

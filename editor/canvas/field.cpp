@@ -1,6 +1,7 @@
 #include "editor/canvas/field.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -42,6 +43,33 @@ double rounded(double value, double range) {
     return std::strtod(text, nullptr) + 0.0;  // never -0
 }
 
+std::string shown_unit(const Port& port) {
+    if (lanes_of_field(port) > 1) return "";  // there is no room for units
+    if (port.unit == "x") return " \u00D7";
+    if (port.unit == "deg") return "\u00B0";
+    return port.unit.empty() ? "" : " " + port.unit;
+}
+
+// With an exponent only where a number has many zeros.
+std::string spelled(float value) {
+    const float size = std::fabs(value);
+    if (size != 0 && (size < 1e-4F || size >= 1e7F)) return shortest(value);
+    char text[48];
+    const auto end = std::to_chars(text, text + sizeof text, value, std::chars_format::fixed);
+    return {text, end.ptr};
+}
+
+std::string rounded_to(float value, int decimals, bool exponent) {
+    char text[64];
+    std::snprintf(text, sizeof text, exponent ? "%.*e" : "%.*f", decimals,
+                  static_cast<double>(value));
+    std::string shown = text;
+    if (exponent || decimals == 0) return shown;
+    shown.erase(shown.find_last_not_of('0') + 1);
+    if (shown.ends_with('.')) shown.pop_back();
+    return shown == "-0" ? "0" : shown;
+}
+
 }  // namespace
 
 int lanes_of_field(const Port& port) {
@@ -62,19 +90,20 @@ std::array<double, 4> numbers_at(const Node& node, const Port& port) {
     return numbers;
 }
 
-std::string shown_number(double value, const Port& port) {
-    char text[48];
-    const double size = std::fabs(value);
-    const int decimals = is_count(port) ? 0 : size != 0 && size < 0.01 ? 4 : size >= 1000 ? 0 : 2;
-    std::snprintf(text, sizeof text, "%.*f", decimals, value);
-    std::string shown = text;
-    if (lanes_of_field(port) > 1) return shown;  // there is no room for units
-    if (port.unit == "x") return shown + " \u00D7";
-    if (port.unit == "deg") return shown + "\u00B0";
-    return port.unit.empty() ? shown : shown + " " + port.unit;
+std::string shown_number(double value, const Port& port, const Fits& fits) {
+    const std::string unit = shown_unit(port);
+    const auto value_as_float = static_cast<float>(value + 0.0);  // never -0
+    std::string text = spelled(value_as_float);
+    if (fits(text + unit)) return text + unit;
+    const bool less_than_one = text.starts_with("0.") || text.starts_with("-0.");
+    if (less_than_one) text.erase(text.find('0'), 1);
+    const bool exponent = text.find('e') != text.npos;
+    for (int decimals = 8; !fits(text + unit) && decimals-- > 0;)
+        text = rounded_to(value_as_float, decimals, exponent);
+    return text + unit;
 }
 
-std::string shown_value(const Node& node, const Port& port) {
+std::string shown_value(const Node& node, const Port& port, const Fits& fits) {
     const double first = numbers_at(node, port)[0];
     if (port.kind == Port::Kind::choice) {
         const auto index = static_cast<size_t>(first);
@@ -86,7 +115,7 @@ std::string shown_value(const Node& node, const Port& port) {
         const std::string_view file = input ? literal_image(input->value).file : "";
         return file.empty() ? "choose..." : std::filesystem::path(file).filename().string();
     }
-    if (lanes_of_field(port) > 0) return shown_number(first, port);
+    if (lanes_of_field(port) > 0) return shown_number(first, port, fits);
     if (port.default_kind == Port::Default::surface)
         return std::string(surface_properties()[port.default_surface].name);
     return {};

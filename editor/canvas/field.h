@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <string>
 
 #include "graph/document.h"
@@ -16,9 +17,13 @@ int lanes_of_field(const Port& port);
 // flag the first one.
 std::array<double, 4> numbers_at(const Node& node, const Port& port);
 
-// "0.60", "4", "uv0", "fbm", "bricks.png"
-std::string shown_value(const Node& node, const Port& port);
-std::string shown_number(double value, const Port& port);
+// A number with its unit, "0.015 m", in the shortest text that reads back as the value. Where `fits`
+// refuses that, ".015"; and where it refuses that too, the number rounded to as many decimals as fit,
+// or to none.
+using Fits = std::function<bool(const std::string& text)>;
+std::string shown_number(double value, const Port& port, const Fits& fits);
+// "0.6", "4", "uv0", "fbm", "bricks.png"
+std::string shown_value(const Node& node, const Port& port, const Fits& fits);
 
 // Lane `lane` set to `value`, clamped to the hard range; the default is not written.
 Document with_number(const Document& document, std::string_view node, const Port& port, int lane,

@@ -92,9 +92,16 @@ void CardMaker::write_field(Field& field, const Port& port) const {
     if (field.lanes > 0 && port.has_soft_range())
         field.part = static_cast<float>(
             std::clamp((value - port.soft_min) / (port.soft_max - port.soft_min), 0.0, 1.0));
-    const std::string shown =
-        field.lanes > 1 ? shown_number(value, port) : shown_value(node_, port);
     const float room = field.width - 14 - (field.listed ? 12.0F : 0.0F);
+    // The name of a single number leaves its value room for some digits, or is cut.
+    constexpr float digits_room = 64;
+    const float name = field.lanes > 1 ? 0 : width(card_text::body, port.name) + 6;
+    const float number_room = std::min(room, std::max(room - name, digits_room));
+    const Fits fits = [&](const std::string& text) {
+        return width(card_text::body, text) <= number_room;
+    };
+    const std::string shown =
+        field.lanes > 1 ? shown_number(value, port, fits) : shown_value(node_, port, fits);
     field.value = cut(card_text::body, shown, room);
     const float left = room - width(card_text::body, field.value) - 6;
     if (field.lanes <= 1 && left > 16) field.name = cut(card_text::body, port.name, left);

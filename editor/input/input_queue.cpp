@@ -134,6 +134,12 @@ bool is_valid(const InputEvent& event) {
     }
 }
 
+// A key that comes up is none: held back it would repeat.
+bool is_typing(const InputEvent& event) {
+    return event.kind == InputEvent::Kind::character ||
+           (event.kind == InputEvent::Kind::key && event.down);
+}
+
 }  // namespace
 
 int key_named(std::string_view name) {
@@ -164,9 +170,14 @@ void InputQueue::type(std::string_view utf8) {
         character(next_code_point(utf8, at));
 }
 
-void InputQueue::apply(ImGuiIO& io) {
+void InputQueue::apply(ImGuiIO& io, bool typing_waits) {
     Frame frame;
     while (!events_.empty() && frame.takes(events_.front())) {
+        if (typing_waits && events_.front().of_key) {
+            events_.pop_front();
+            continue;
+        }
+        if (typing_waits && is_typing(events_.front())) break;
         if (is_valid(events_.front())) {
             frame.note(events_.front());
             write(events_.front(), io);

@@ -23,6 +23,7 @@ struct InputEvent {
     bool down = false;                    // key, button
     float x = 0, y = 0;                   // motion, drop: position; wheel: amount
     std::vector<std::string> files = {};  // drop
+    bool of_key = false;                  // character: of the key that went down just before
 };
 
 // Files let go over the window; logical pixels.
@@ -36,7 +37,9 @@ public:
     void push(const InputEvent& event) { events_.push_back(event); }
     void key(int code, bool down) { push({InputEvent::Kind::key, code, down, 0, 0}); }
     void character(unsigned code) {
-        push({InputEvent::Kind::character, static_cast<int>(code), false, 0, 0});
+        const bool of_key =
+            !events_.empty() && events_.back().down && events_.back().kind == InputEvent::Kind::key;
+        push({InputEvent::Kind::character, static_cast<int>(code), false, 0, 0, {}, of_key});
     }
     void button(int button, bool down) { push({InputEvent::Kind::button, button, down, 0, 0}); }
     void motion(float x, float y) { push({InputEvent::Kind::motion, 0, false, x, y}); }
@@ -61,8 +64,10 @@ public:
     bool empty() const { return events_.empty(); }
 
     // Writes one frame's worth into `io`; before ImGui::NewFrame(). What was dropped in that frame
-    // is left for take_drops().
-    void apply(ImGuiIO& io);
+    // is left for take_drops(). With `typing_waits` the first key that goes down or character, and
+    // what follows it, stays for a later frame; the letter of a key that has gone down before, the
+    // one that opened a field, is dropped.
+    void apply(ImGuiIO& io, bool typing_waits = false);
     std::vector<FileDrop> take_drops() { return std::exchange(drops_, {}); }
 
 private:

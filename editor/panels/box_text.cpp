@@ -9,21 +9,25 @@
 #include "editor/document/edits.h"
 #include "editor/look/draw.h"
 #include "editor/look/theme.h"
+#include "editor/panels/fields.h"
 
 namespace wrinkle::editor {
 namespace {
 
 // True when the text is done with.
-bool draw_entry(BoxText& entry, ImVec2 size) {
-    if (entry.opening) ImGui::SetKeyboardFocusHere();
-    if (entry.box.note)
-        return ImGui::InputTextMultiline(
-            "##text", &entry.text, size,
-            ImGuiInputTextFlags_CtrlEnterForNewLine | ImGuiInputTextFlags_EnterReturnsTrue);
+bool draw_entry(State& state, ImVec2 size) {
+    BoxText& entry = state.box_text;
+    if (entry.opening) focus_field(state);
     ImGui::SetNextItemWidth(size.x);
-    return ImGui::InputText(
-        "##text", &entry.text,
-        ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
+    const bool done = entry.box.note
+                          ? ImGui::InputTextMultiline("##text", &entry.text, size,
+                                                      ImGuiInputTextFlags_CtrlEnterForNewLine |
+                                                          ImGuiInputTextFlags_EnterReturnsTrue)
+                          : ImGui::InputText("##text", &entry.text,
+                                             ImGuiInputTextFlags_EnterReturnsTrue |
+                                                 ImGuiInputTextFlags_AutoSelectAll);
+    note_field(state);
+    return done;
 }
 
 }  // namespace
@@ -47,7 +51,7 @@ void draw_box_text(State& state) {
     ImGui::Begin("##box-text", nullptr,
                  ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
                      ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize);
-    const bool done = draw_entry(entry, size - ImVec2(8, 8));
+    const bool done = draw_entry(state, size - ImVec2(8, 8));
     const bool away = !entry.opening && !ImGui::IsWindowFocused(ImGuiFocusedFlags_ChildWindows);
     entry.opening = false;
     ImGui::End();

@@ -9,6 +9,7 @@
 #include "editor/document/edits.h"
 #include "editor/look/draw.h"
 #include "editor/look/theme.h"
+#include "editor/panels/fields.h"
 
 namespace wrinkle::editor {
 namespace {
@@ -150,7 +151,7 @@ int on_query_tab(ImGuiInputTextCallbackData* data) {
 
 bool draw_query(State& state) {
     Palette& palette = state.palette;
-    if (palette.opening) ImGui::SetKeyboardFocusHere();
+    if (palette.opening) focus_field(state);
     const std::string filter = filter_of(palette);
     ImFont* small = state.fonts.regular(14);
     const float chip = filter.empty() ? 0 : text_width(small, 14, filter) + 20;
@@ -173,6 +174,7 @@ bool draw_query(State& state) {
         "##query", palette.commands ? "Search commands" : "Search nodes", &palette.query,
         ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_CallbackCompletion, on_query_tab,
         &palette);
+    note_field(state);
     ImGui::PopStyleVar();
     ImGui::PopStyleColor(2);
     ImGui::SetCursorScreenPos(at + ImVec2(0, query_tall + 4));

@@ -12,6 +12,7 @@
 #include "editor/look/draw.h"
 #include "editor/look/theme.h"
 #include "editor/panels/browser.h"
+#include "editor/panels/fields.h"
 #include "editor/panels/panels.h"
 #include "editor/panels/search.h"
 #include "graph/edit.h"
@@ -61,7 +62,7 @@ int on_entry_tab(ImGuiInputTextCallbackData* data) {
 // True when it is done with.
 bool draw_text_entry(State& state) {
     Popup& popup = state.popup;
-    if (popup.opening) ImGui::SetKeyboardFocusHere();
+    if (popup.opening) focus_field(state);
     ImGui::SetNextItemWidth(-1);
     // Each value has a field of its own, so that Tab leaves nothing of the last one in it.
     const std::string id = "##" + popup.node +
@@ -71,6 +72,7 @@ bool draw_text_entry(State& state) {
                          ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll |
                              ImGuiInputTextFlags_CallbackCompletion,
                          on_entry_tab, &popup);
+    note_field(state);
     if (!entered && popup.next == 0) return false;
     popup.kind == Popup::Kind::text ? accept_number(state) : accept_name(state);
     return true;
@@ -98,13 +100,14 @@ bool draw_query(State& state, bool field) {
         if (tab) popup.next = io.KeyShift ? -1 : 1;
         return !popup.opening && ImGui::IsKeyPressed(io.KeyMap[ImGuiKey_Enter], false);
     }
-    if (popup.opening) ImGui::SetKeyboardFocusHere();
+    if (popup.opening) focus_field(state);
     ImGui::SetNextItemWidth(-1);
     const std::string before = popup.query;
     const bool entered = ImGui::InputTextWithHint(
         "##query", "Type a part of the name", &popup.query,
         ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_CallbackCompletion, on_entry_tab,
         &popup);
+    note_field(state);
     if (popup.query != before) popup.chosen = 0;
     return entered;
 }

@@ -10,6 +10,7 @@
 #include "editor/panels/bake_dialog.h"
 #include "editor/panels/box_text.h"
 #include "editor/panels/browser.h"
+#include "editor/panels/fields.h"
 #include "editor/panels/help.h"
 #include "editor/panels/offer_panel.h"
 #include "editor/panels/palette.h"
@@ -93,6 +94,7 @@ void draw_panes(State& state, const Regions& regions) {
 void draw_ui(State& state) {
     state.targets.clear();
     state.thumbnails.begin_frame();
+    age_field_wait(state);
     run_keys(state);
     tend_tasks(state);
     refresh(state);

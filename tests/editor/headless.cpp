@@ -14,6 +14,7 @@
 #include "editor/document/files.h"
 #include "editor/document/refresh.h"
 #include "editor/look/theme.h"
+#include "editor/panels/fields.h"
 #include "editor/panels/ui.h"
 #include "graph/read.h"
 #include "nodes/all.h"
@@ -162,7 +163,7 @@ void Headless::frame() {
         io.DisplaySize = {1600 / scale, 900 / scale};
         io.DisplayFramebufferScale = {scale, scale};
     }
-    queue.apply(io);
+    queue.apply(io, typing_waits(state));
     state.dropped.arrived = queue.take_drops();
     ImGui::NewFrame();
     draw_ui(state);
