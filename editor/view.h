@@ -26,10 +26,14 @@ struct View {
     // Where the cards at the borders stand, once they have been put somewhere; canvas units.
     std::optional<ImVec2> surface_at, outputs_at;
     std::optional<Link> selected_wire;  // by its reading end; node "" is an output of the graph
-    // A step of the history that pushed the outputs' card aside: from where to where.
+    std::set<std::string> reveal;       // new nodes that the next frame brings in sight
+    // A step of the history that moved the cards at the borders: from where to where.
+    struct Borders {
+        std::optional<ImVec2> surface, outputs;
+    };
     struct Push {
         uint64_t serial = 0;  // of the state after it
-        ImVec2 from{0, 0}, to{0, 0};
+        Borders from, to;
     };
     std::vector<Push> pushes;
     bool all_surface = false, all_outputs = false;

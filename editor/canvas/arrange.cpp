@@ -2,12 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 #include "editor/canvas/grid.h"
 #include "editor/look/draw.h"
 #include "graph/edit.h"
-#include "graph/order.h"
 
 namespace wrinkle::editor {
 namespace {
@@ -39,24 +37,6 @@ ImVec2 in_line(const Card& card, const Extent& box, Side side) {
     if (side == Side::bottom) at.y = box.high.y - card.size.y;
     if (side == Side::middle_y) at.y = std::round((box.low.y + box.high.y - card.size.y) / 2);
     return at;
-}
-
-// Depth in wires among the given nodes alone.
-std::map<std::string, size_t> depths_among(const Document& document,
-                                           const std::set<std::string>& ids) {
-    std::map<std::string, size_t> depth;
-    for (const uint32_t index : evaluation_order(document)) {
-        const Node& node = *document.nodes[index];
-        if (!ids.contains(node.id)) continue;
-        size_t deepest = 0;
-        for (const Input& input : node.inputs) {
-            const auto source = depth.find(input.link.node);
-            if (input.kind == Input::Kind::link && source != depth.end())
-                deepest = std::max(deepest, source->second + 1);
-        }
-        depth[node.id] = deepest;
-    }
-    return depth;
 }
 
 }  // namespace
@@ -100,28 +80,6 @@ Document snapped(const State& state) {
     for (const Card* card : selected_cards(state))
         places.push_back(
             {card->id, std::round(card->at.x / grid) * grid, std::round(card->at.y / grid) * grid});
-    return move_nodes(state.document(), places);
-}
-
-Document tidied_selection(const State& state) {
-    const std::vector<const Card*> cards = selected_cards(state);
-    if (cards.empty()) return state.document();
-    const auto depth = depths_among(state.document(), state.view.selected);
-    const Extent box = bounds(cards);
-    std::map<size_t, float> width, left, next;
-    for (const Card* card : cards)
-        width[depth.at(card->id)] = std::max(width[depth.at(card->id)], card->size.x);
-    float x = box.low.x;
-    for (const auto& [column, wide] : width) {
-        left[column] = x;
-        x += grid_up(wide) + 64;
-    }
-    std::vector<NodePosition> places;
-    for (const Card* card : cards) {
-        const size_t column = depth.at(card->id);
-        places.push_back({card->id, left[column], box.low.y + next[column]});
-        next[column] += grid_up(card->size.y) + 32;
-    }
     return move_nodes(state.document(), places);
 }
 

@@ -1,5 +1,5 @@
-// Places of the selected cards: in line, evenly apart, on the grid, in columns. They change
-// nothing but the layout.
+// Places of the selected cards: in line, evenly apart, on the grid. They change nothing but the
+// layout.
 #pragma once
 
 #include "editor/state.h"
@@ -12,7 +12,5 @@ Document aligned(const State& state, Side side);
 // With equal gaps between the outermost two.
 Document distributed(const State& state, bool across);
 Document snapped(const State& state);  // to the grid of 8
-// The selected nodes in columns by their depth among themselves, where they are.
-Document tidied_selection(const State& state);
 
 }  // namespace wrinkle::editor

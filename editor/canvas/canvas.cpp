@@ -3,8 +3,10 @@
 #include <cmath>
 
 #include "editor/canvas/boxes.h"
+#include "editor/canvas/card_names.h"
 #include "editor/canvas/gestures/gestures.h"
 #include "editor/canvas/layout.h"
+#include "editor/canvas/new_cards.h"
 #include "editor/document/edits.h"
 #include "editor/document/levels.h"
 #include "editor/document/refresh.h"
@@ -186,7 +188,8 @@ bool points_at_layout(const Gesture& g) {
 
 void zoom_by_wheel(State& state) {
     const ImGuiIO& io = ImGui::GetIO();
-    if (io.MouseWheel != 0) zoom_at(state.view, io.MousePos, std::pow(1.1F, io.MouseWheel));
+    if (io.MouseWheel != 0)
+        zoom_at(state.view, state.layout, io.MousePos, std::pow(1.1F, io.MouseWheel));
 }
 
 void press_right(State& state, const Hit& hit) {
@@ -201,6 +204,22 @@ void press_right(State& state, const Hit& hit) {
     } else if (hit.kind == Hit::Kind::nothing && !io.KeyAlt) {
         open_palette(state, io.MousePos, {});
     }
+}
+
+// The name of a card that has no room for it.
+void explain_small_card(State& state) {
+    const Hit& hit = state.hovered;
+    const bool at_card = hit.kind != Hit::Kind::nothing && hit.kind != Hit::Kind::wire &&
+                         hit.card < state.layout.cards.size();
+    if (!at_card || state.view.zoom >= plain_zoom) return;
+    const Card& card = state.layout.cards[hit.card];
+    for (const CardName& name : card_names(state))
+        if (name.card == hit.card && !name.cut) return;
+    const std::string& name = card.kind == Card::Kind::outputs ? card.name : card.id;
+    show_tooltip(about_hit(state, {Hit::Kind::card, hit.card}), state.fonts.bold(16), name,
+                 card.label);
+    const ImVec2 mouse = ImGui::GetIO().MousePos;
+    state.targets.add("tip:" + card.id, {mouse.x, mouse.y, mouse.x, mouse.y});
 }
 
 }  // namespace
@@ -251,11 +270,13 @@ void draw_canvas(State& state) {
                                ImGuiButtonFlags_MouseButtonRight);
     update_gesture(state, ImGui::IsItemHovered());
     refresh(state);
+    reveal_new(state);
     ImDrawList& list = *ImGui::GetWindowDrawList();
     list.PushClipRect(view.corner, view.corner + view.extent, true);
     draw_graph(state, list);
     draw_gesture(state, list);
     list.PopClipRect();
+    explain_small_card(state);
     name_targets(state);
     name_boxes(state);
 }

@@ -18,6 +18,7 @@
 //   Escape                   takes the gesture back
 #pragma once
 
+#include "editor/look/tooltip.h"
 #include "editor/state.h"
 
 namespace wrinkle::editor {
@@ -30,6 +31,8 @@ void draw_graph(const State& state, ImDrawList& list);
 void draw_gesture(const State& state, ImDrawList& list);  // what the hand is doing
 void update_gesture(State& state, bool active);
 void name_targets(State& state);
+// What a tooltip about a card's part must not cover: its row.
+About about_hit(const State& state, const Hit& hit);
 
 // Connects the loose end of a wire; says why when it cannot.
 void connect_wire(State& state, const Gesture& wire, const Card& card, const Pin& pin);

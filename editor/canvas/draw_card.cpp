@@ -6,7 +6,9 @@
 #include "editor/canvas/painter.h"
 #include "editor/look/heat.h"
 #include "editor/look/icons.h"
+#include "editor/look/tooltip.h"
 #include "editor/words.h"
+#include "lower/mute.h"
 
 namespace wrinkle::editor {
 namespace {
@@ -23,7 +25,8 @@ void draw_badge(const Painter& p, ImVec2 center, float size, const Diagnostic& p
 }
 
 void explain(const Painter& p, const Diagnostic& problem) {
-    show_tooltip(p.state.fonts.bold(16), sentence(problem.message), sentence(problem.expected));
+    show_tooltip(about_hit(p.state, p.state.hovered), p.state.fonts.bold(16),
+                 sentence(problem.message), sentence(problem.expected));
 }
 
 void draw_field(const Painter& p, const Card& card, const Field& field, bool hovered,
@@ -149,7 +152,8 @@ void draw_cost(const Painter& p, const Card& card, ImVec2 high, bool hovered) {
         hovered || p.view.heat ? magnified_width(p.state.fonts, card_text::small, words) : 0;
     const ImVec2 low = end - ImVec2(width + 6, 1) * z, edge = end + ImVec2(5, 15) * z;
     if (hovered && ImGui::IsMouseHoveringRect(low, edge))
-        show_tooltip(p.state.fonts.bold(16), words, in_full(*price, costs));
+        show_tooltip({p.at(card.at + ImVec2(0, card.size.y - cost_height)), high, true},
+                     p.state.fonts.bold(16), words, in_full(*price, costs));
     ImU32 color = theme::text_dim;
     if (p.view.heat) {
         const HeatColor heat = heat_color(p.heat(*price));
@@ -192,10 +196,20 @@ void draw_hatch(const Painter& p, ImVec2 low, ImVec2 high) {
 // The value that goes past a muted node.
 void draw_passage(const Painter& p, const Card& card) {
     const Pin* output = main_pin(card);
-    const auto input = std::find_if(card.pins.begin(), card.pins.end(), [&](const Pin& pin) {
-        return !pin.output && output && pin.type == output->type;
+    const uint32_t out =
+        card.type && output ? card.type->find_output(output->port) : NodeType::none;
+    if (out == NodeType::none) return;
+    const auto pin_of = [&](uint32_t port) {
+        return std::find_if(card.pins.begin(), card.pins.end(), [&](const Pin& pin) {
+            return !pin.output && pin.port == card.type->ports[port].name;
+        });
+    };
+    const uint32_t in = passed_input(*card.type, out, [&](uint32_t port) {
+        const auto pin = pin_of(port);
+        return pin != card.pins.end() && pin->connected;
     });
-    if (!output || input == card.pins.end()) return;
+    const auto input = in == NodeType::none ? card.pins.end() : pin_of(in);
+    if (input == card.pins.end()) return;
     const ImVec2 from = p.at(pin_at(card, *input)), to = p.at(pin_at(card, *output));
     draw_dashed(p.list, {from, from + (to - from) * 0.33F, from + (to - from) * 0.67F, to},
                 theme::text_dim, 1.5F, 6, 4);

@@ -3,7 +3,9 @@
 #include <cmath>
 
 #include "editor/canvas/canvas.h"
+#include "editor/canvas/card_names.h"
 #include "editor/canvas/painter.h"
+#include "editor/look/heat.h"
 
 namespace wrinkle::editor {
 namespace {
@@ -16,6 +18,26 @@ void draw_grid(const Painter& p) {
     for (float y = p.view.corner.y + first(p.view.pan.y); y < end.y; y += step)
         for (float x = p.view.corner.x + first(p.view.pan.x); x < end.x; x += step)
             p.list.AddRectFilled({x - 1, y - 1}, {x + 1, y + 1}, theme::grid);
+}
+
+ImU32 name_color(const Painter& p, const CardName& name) {
+    const Card& card = p.state.layout.cards[name.card];
+    const Price* price = p.view.heat && !name.beside ? p.price(card) : nullptr;
+    const ImU32 color = price        ? heat_color(p.heat(*price)).text
+                        : card.muted ? theme::text_off
+                                     : theme::text;
+    return p.fades(name.card) ? theme::with_alpha(color, 0.35F) : color;
+}
+
+// Of cards that are too small for their headers.
+void draw_names(const Painter& p) {
+    ImFont* font = p.state.fonts.regular(card_name_size);
+    for (const CardName& name : card_names(p.state)) {
+        if (name.beside)
+            p.list.AddRectFilled(name.low - ImVec2(1, 0), name.high + ImVec2(1, 0),
+                                 theme::with_alpha(theme::canvas, 0.8F), 2);
+        draw_text(p.list, font, card_name_size, name.low, name_color(p, name), name.text);
+    }
 }
 
 void draw_ghost(const Painter& p) {
@@ -70,6 +92,7 @@ void draw_graph(const State& state, ImDrawList& list) {
             draw_card(p, i);
             if (p.fades(i)) fade(list, first);
         }
+    draw_names(p);
     draw_ghost(p);
     draw_box(p);
     draw_hint(p);

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "editor/canvas/painter.h"
+#include "editor/look/tooltip.h"
 
 namespace wrinkle::editor {
 namespace {
@@ -47,13 +48,13 @@ void draw_conversion(const Painter& p, const Wire& wire, ImVec2 at) {
     p.list.AddPolyline(tip, 3, theme::text, 0, 1.5F * z);
 }
 
-void explain(const Painter& p, const Wire& wire) {
+void explain(const Painter& p, const Wire& wire, const About& pill) {
     const std::string given(name_of(wire.from_type)), wanted(name_of(wire.to_type));
     std::string title = given + " to " + wanted;
     title[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(title[0])));
     if (wire.conversion != Conversion::illegal)
-        return show_tooltip(p.state.fonts.bold(16), title, doc(wire.conversion));
-    show_tooltip(p.state.fonts.bold(16), "A " + given + " is not a " + wanted + ".",
+        return show_tooltip(pill, p.state.fonts.bold(16), title, doc(wire.conversion));
+    show_tooltip(pill, p.state.fonts.bold(16), "A " + given + " is not a " + wanted + ".",
                  alternative(wire.from_type, wire.to_type, *p.state.registry));
 }
 
@@ -93,10 +94,11 @@ void draw_wire(const Painter& p, size_t index) {
         draw_line(p, wire, k, color, thickness);
     const bool pill = wire.conversion != Conversion::same && wire.conversion != Conversion::rename;
     if (!pill || p.zoom < 0.5F) return;
-    draw_conversion(p, wire, k.at(0.5F));
-    const ImVec2 off = ImGui::GetIO().MousePos - k.at(0.5F);
-    if (hovered && std::fabs(off.x) < 25 * p.zoom && std::fabs(off.y) < 12 * p.zoom)
-        explain(p, wire);
+    const ImVec2 middle = k.at(0.5F), half = ImVec2(25, 12) * p.zoom;
+    draw_conversion(p, wire, middle);
+    const ImVec2 off = ImGui::GetIO().MousePos - middle;
+    if (hovered && std::fabs(off.x) < half.x && std::fabs(off.y) < half.y)
+        explain(p, wire, {middle - half, middle + half});
 }
 
 }  // namespace

@@ -6,6 +6,8 @@
 namespace wrinkle::editor {
 
 inline constexpr float grid = 8;
+// Between cards that are placed in columns.
+inline constexpr float row_gap = 32, column_gap = 64;
 
 inline float grid_up(float length) {
     return std::ceil(length / grid) * grid;

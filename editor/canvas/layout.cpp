@@ -250,10 +250,8 @@ void drag_cards(const State& state, Layout& layout) {
 
 }  // namespace
 
-std::vector<ImVec2> places_off_canvas(const State& state, const Document& document) {
+std::vector<Extent> places_off_canvas(const State& state, const Document& document) {
     std::vector<ImVec2> sizes;
-    if (document.positions.size() >= document.nodes.size())
-        return places_of(document, std::vector<ImVec2>(document.nodes.size(), ImVec2(0, 0)));
     const Model model = make_model(document, state.folder(), *state.registry);
     const Readers readers = find_readers(document);
     for (size_t i = 0; i < document.nodes.size(); ++i) {
@@ -263,7 +261,10 @@ std::vector<ImVec2> places_off_canvas(const State& state, const Document& docume
             make_card(state.fonts, node, type, readers.of(i), has_picture(state.view, node, type))
                 .size);
     }
-    return places_of(document, sizes);
+    std::vector<Extent> extents;
+    for (const ImVec2 at : places_of(document, sizes))
+        extents.push_back({at, at + sizes[extents.size()]});
+    return extents;
 }
 
 void update_layout(State& state) {

@@ -23,23 +23,22 @@ void update_layout(State& state);
 // Where nodes stand by the document, and where those without a place go: in columns by their
 // depth, below the cards that have one; `sizes` are those of the cards, by index.
 std::vector<ImVec2> places_of(const Document& document, const std::vector<ImVec2>& sizes);
-// The same of a document that is not on the canvas.
-std::vector<ImVec2> places_off_canvas(const State& state, const Document& document);
+// The same of a document that is not on the canvas, with the size of each card.
+std::vector<Extent> places_off_canvas(const State& state, const Document& document);
 
 // Where a pin is, in canvas units.
 ImVec2 pin_at(const Card& card, const Pin& pin);
-
-// Every node in the column of its depth, below the one before it, with room between them.
-Document tidied(const State& state);
-
-// A place where a new card of about that size covers nobody, near `at`; on the grid.
-ImVec2 free_place(const Layout& layout, ImVec2 at);
 
 // Canvas units to screen pixels and back.
 ImVec2 to_screen(const View& view, ImVec2 at);
 ImVec2 to_canvas(const View& view, ImVec2 at);
 ImVec2 pointed_at(const View& view);  // the pointer, or the canvas's middle; screen
+// All cards in sight, or the selected ones; between what floats over the canvas's upper and lower
+// border (panels/overlays.cpp).
 void fit(View& view, const Layout& layout, bool selection_only);
-void zoom_at(View& view, ImVec2 screen, float factor);
+// As far out as 5 %, or as shows all cards; as far in as 400 %.
+void zoom_at(View& view, const Layout& layout, ImVec2 screen, float factor);
+// Moves the view as little as brings the card into it.
+void bring_in_sight(View& view, const Card& card);
 
 }  // namespace wrinkle::editor

@@ -9,7 +9,7 @@
 namespace wrinkle::editor {
 namespace {
 
-constexpr float pin_radius = 12;  // screen pixels, at any zoom
+constexpr float pin_radius = 12;  // screen pixels
 constexpr float wire_radius = 6;
 
 bool within(ImVec2 at, ImVec2 low, ImVec2 high) {
@@ -32,12 +32,26 @@ bool is_handle(const State& state, const Card& card, ImVec2 mouse) {
     return card.reroute && within(at, {9, 0}, {23, reroute_height});
 }
 
-Hit nearest_pin(const State& state, ImVec2 mouse) {
-    Hit hit;
-    float best = pin_radius * pin_radius;
+// The topmost card under the pointer, or Hit::no_card.
+size_t card_at(const State& state, ImVec2 mouse) {
     const auto& cards = state.layout.cards;
-    const Extent near = around(state.view, mouse, pin_radius);
-    for (size_t i = 0; i < cards.size(); ++i) {
+    const ImVec2 at = to_canvas(state.view, mouse);
+    for (size_t i = cards.size(); i-- > 0;)
+        if (within(at, cards[i].at, cards[i].at + cards[i].size)) return i;
+    return Hit::no_card;
+}
+
+// On a card, and where pins are not drawn, a pin is caught in the strip that it has at zoom 1:
+// as cards shrink, the rest of them stays what moves them. A card hides the pins below it.
+Hit nearest_pin(const State& state, ImVec2 mouse, size_t card) {
+    Hit hit;
+    const float zoom = state.view.zoom;
+    const bool narrow = card != Hit::no_card || zoom < plain_zoom;
+    const float radius = pin_radius * (narrow ? std::min(zoom, 1.0F) : 1.0F);
+    float best = radius * radius;
+    const auto& cards = state.layout.cards;
+    const Extent near = around(state.view, mouse, radius);
+    for (size_t i = card == Hit::no_card ? 0 : card; i < cards.size(); ++i) {
         if (!state.layout.card_boxes[i].touches(near)) continue;
         for (size_t k = 0; k < cards[i].pins.size(); ++k) {
             const ImVec2 at = to_screen(state.view, pin_at(cards[i], cards[i].pins[k]));
@@ -83,21 +97,27 @@ bool near_wire(const State& state, const Wire& wire, ImVec2 mouse) {
 }  // namespace
 
 Hit pick(const State& state, ImVec2 mouse) {
-    const Hit pin = nearest_pin(state, mouse);
+    const size_t card = card_at(state, mouse);
+    const Hit pin = nearest_pin(state, mouse, card);
     if (pin.kind == Hit::Kind::pin) return pin;
-    const auto& cards = state.layout.cards;
+    if (card != Hit::no_card) return part_of_card(state, card, mouse);
     const Extent near = around(state.view, mouse, wire_radius);
-    for (size_t i = cards.size(); i-- > 0;) {
-        if (!state.layout.card_boxes[i].touches(near)) continue;
-        const ImVec2 low = to_screen(state.view, cards[i].at);
-        if (within(mouse, low, low + cards[i].size * state.view.zoom))
-            return part_of_card(state, i, mouse);
-    }
     for (size_t i = state.layout.wires.size(); i-- > 0;)
         if (state.layout.wire_boxes[i].touches(near) &&
             near_wire(state, state.layout.wires[i], mouse))
             return {Hit::Kind::wire, 0, i};
     return pick_box(state, mouse).value_or(Hit{});
+}
+
+About about_hit(const State& state, const Hit& hit) {
+    const Card& card = state.layout.cards[hit.card];
+    constexpr float pin = 8;  // half of one, over the border
+    float top = 0, tall = card.size.y;
+    if (hit.kind == Hit::Kind::header) tall = header_height;
+    if (hit.kind == Hit::Kind::field) top = card.fields[hit.part].y, tall = field_height;
+    if (hit.kind == Hit::Kind::pin) top = card.pins[hit.part].y - row_height / 2, tall = row_height;
+    return {to_screen(state.view, card.at + ImVec2(-pin, top)),
+            to_screen(state.view, card.at + ImVec2(card.size.x + pin, top + tall)), true};
 }
 
 namespace {

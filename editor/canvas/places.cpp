@@ -1,12 +1,10 @@
-// Where cards stand: those without a place, all of them when the graph is tidied, and a new one.
+// Places of cards that have none in the document.
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "editor/canvas/grid.h"
 #include "editor/canvas/layout.h"
 #include "editor/look/draw.h"
-#include "graph/edit.h"
 #include "graph/order.h"
 
 namespace wrinkle::editor {
@@ -27,8 +25,6 @@ std::vector<size_t> depths(const Document& document) {
     }
     return depth;
 }
-
-constexpr float row_gap = 32, column_gap = 64;
 
 // Columns by depth, each as wide as its widest card; nodes of one column below each other, from
 // `corner` on. A column without a node takes no room.
@@ -78,34 +74,6 @@ std::vector<ImVec2> places_of(const Document& document, const std::vector<ImVec2
     for (const size_t i : without)
         places[i] = columns.take(i, sizes[i]);
     return places;
-}
-
-Document tidied(const State& state) {
-    const Document& document = state.document();
-    std::vector<ImVec2> sizes(document.nodes.size(), ImVec2(0, 0));
-    for (const Card& card : state.layout.cards)
-        if (card.kind == Card::Kind::node) sizes[document.nodes.index_of(card.id)] = card.size;
-    std::vector<size_t> all(sizes.size());
-    std::iota(all.begin(), all.end(), size_t{0});
-    Columns columns(document, sizes, all, {0, 0});
-    std::vector<NodePosition> places;
-    for (const size_t i : all) {
-        const ImVec2 at = columns.take(i, sizes[i]);
-        places.push_back({document.nodes[i]->id, at.x, at.y});
-    }
-    return move_nodes(document, places);
-}
-
-ImVec2 free_place(const Layout& layout, ImVec2 at) {
-    at = {std::round(at.x / 8) * 8, std::round(at.y / 8) * 8};
-    const auto covered = [&] {
-        return std::any_of(layout.cards.begin(), layout.cards.end(), [&](const Card& card) {
-            return std::fabs(card.at.x - at.x) < 24 && std::fabs(card.at.y - at.y) < 24;
-        });
-    };
-    while (covered())
-        at = at + ImVec2(32, 32);
-    return at;
 }
 
 }  // namespace wrinkle::editor

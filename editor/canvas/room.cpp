@@ -23,6 +23,12 @@ struct Moved {
     float by = 0;
 };
 
+void put_borders(State& state, const View::Borders& at) {
+    state.view.surface_at = at.surface;
+    state.view.outputs_at = at.outputs;
+    state.layout_stale = true;
+}
+
 }  // namespace
 
 Document with_room(const State& state, const Document& document, const Card& card,
@@ -57,19 +63,20 @@ Document with_room(const State& state, const Document& document, const Card& car
     return move_nodes(document, places);
 }
 
-void push_outputs(State& state, ImVec2 from, ImVec2 to) {
-    state.view.outputs_at = to;
-    state.view.pushes.push_back({state.history.serial(), from, to});
+void push_borders(State& state, const View::Borders& to) {
+    View& view = state.view;
+    view.pushes.push_back({state.history.serial(), {view.surface_at, view.outputs_at}, to});
+    put_borders(state, to);
 }
 
-void follow_undo(View& view, uint64_t serial) {
-    for (const View::Push& push : view.pushes)
-        if (push.serial == serial) view.outputs_at = push.from;
+void follow_undo(State& state, uint64_t serial) {
+    for (const View::Push& push : state.view.pushes)
+        if (push.serial == serial) put_borders(state, push.from);
 }
 
-void follow_redo(View& view, uint64_t serial) {
-    for (const View::Push& push : view.pushes)
-        if (push.serial == serial) view.outputs_at = push.to;
+void follow_redo(State& state, uint64_t serial) {
+    for (const View::Push& push : state.view.pushes)
+        if (push.serial == serial) put_borders(state, push.to);
 }
 
 }  // namespace wrinkle::editor

@@ -13,10 +13,10 @@ namespace wrinkle::editor {
 Document with_room(const State& state, const Document& document, const Card& card,
                    std::optional<ImVec2>& outputs_at);
 
-// The outputs' card, aside with the step that was committed last, and back with undo.
-void push_outputs(State& state, ImVec2 from, ImVec2 to);
+// The cards at the borders move with the step that was committed last, and back with undo.
+void push_borders(State& state, const View::Borders& to);
 // What undo and redo of the step that leads to the state `serial` do to it.
-void follow_undo(View& view, uint64_t serial);
-void follow_redo(View& view, uint64_t serial);
+void follow_undo(State& state, uint64_t serial);
+void follow_redo(State& state, uint64_t serial);
 
 }  // namespace wrinkle::editor

@@ -6,6 +6,19 @@
 #include "editor/look/draw.h"
 
 namespace wrinkle::editor {
+namespace {
+
+// Left and right, above and below; the path and the zoom are 44 pixels over the canvas's borders.
+const ImVec2 wide_margin(32, 60), least_margin(24, 48);
+
+float fitting_zoom(const View& view, ImVec2 low, ImVec2 high, ImVec2 margin) {
+    const ImVec2 size = high - low;
+    const ImVec2 room(std::max(view.extent.x - 2 * margin.x, 1.0F),
+                      std::max(view.extent.y - 2 * margin.y, 1.0F));
+    return std::min(room.x / std::max(size.x, 1.0F), room.y / std::max(size.y, 1.0F));
+}
+
+}  // namespace
 
 ImVec2 to_screen(const View& view, ImVec2 at) {
     return view.corner + view.pan + at * view.zoom;
@@ -32,20 +45,31 @@ void fit(View& view, const Layout& layout, bool selection_only) {
         high = first ? end : ImVec2(std::max(high.x, end.x), std::max(high.y, end.y));
         first = false;
     }
-    const ImVec2 size = high - low;
-    const ImVec2 room = view.extent - ImVec2(64, 88);
-    const float scale = std::min(room.x / std::max(size.x, 1.0F), room.y / std::max(size.y, 1.0F));
-    view.zoom = std::clamp(scale, 0.05F, 1.0F);
+    view.zoom = std::min(fitting_zoom(view, low, high, wide_margin), 1.0F);
     // Fields are worth a little of the margin.
-    if (view.zoom > detail_zoom * 0.95F) view.zoom = std::max(view.zoom, detail_zoom);
+    if (view.zoom < detail_zoom && fitting_zoom(view, low, high, least_margin) >= detail_zoom)
+        view.zoom = detail_zoom;
     view.pan = view.extent * 0.5F - (low + high) * (0.5F * view.zoom);
     view.pan = {std::round(view.pan.x), std::round(view.pan.y)};
 }
 
-void zoom_at(View& view, ImVec2 screen, float factor) {
+void zoom_at(View& view, const Layout& layout, ImVec2 screen, float factor) {
     const ImVec2 fixed = to_canvas(view, screen);
-    view.zoom = std::clamp(view.zoom * factor, 0.05F, 4.0F);
+    const float least = std::min(0.05F, fitting_zoom(view, layout.low, layout.high, wide_margin));
+    view.zoom = std::clamp(view.zoom * factor, least, 4.0F);
     view.pan = screen - view.corner - fixed * view.zoom;
+}
+
+void bring_in_sight(View& view, const Card& card) {
+    const ImVec2 low = to_screen(view, card.at) - view.corner;
+    const ImVec2 high = low + card.size * view.zoom;
+    // Of one that is larger than the canvas the upper left corner.
+    const auto shift = [](float from, float to, float margin, float room) {
+        if (to > room - margin) from -= to - (room - margin), to = 0;
+        return std::max(from, margin);
+    };
+    view.pan = view.pan + ImVec2(shift(low.x, high.x, least_margin.x, view.extent.x) - low.x,
+                                 shift(low.y, high.y, least_margin.y, view.extent.y) - low.y);
 }
 
 }  // namespace wrinkle::editor

@@ -1,7 +1,10 @@
 #include "editor/code/code.h"
 
 #include <algorithm>
+#include <set>
 
+#include "editor/document/wiring.h"
+#include "editor/state.h"
 #include "editor/words.h"
 #include "lower/material.h"
 #include "spirv/spirv.h"
@@ -60,6 +63,24 @@ const std::string& CodeText::node(size_t line) const {
 
 Form form_of(const CodeOptions& options) {
     return is_translated(target_of(options)) ? Form::shader : options.form;
+}
+
+std::string why_no_line(const State& state) {
+    const CodeText& text = state.code.text;
+    if (state.view.selected.size() != 1 || text.nodes.empty()) return {};
+    const std::string& id = *state.view.selected.begin();
+    const Node* node = state.document().find(id);
+    if (!node || std::find(text.nodes.begin(), text.nodes.end(), id) != text.nodes.end()) return {};
+    std::set<std::string> read;
+    for (const Output& output : state.document().outputs)
+        if (output.from.kind == Input::Kind::link) read.insert(output.from.link.node);
+    if (!with_upstream(state.document(), read).contains(id))
+        return id + " has no line: no output of the graph reads it.";
+    if (node->muted) return id + " has no line: it is muted, and passes on what it is given.";
+    if (node->type == reroute_type) return id + " has no line: a reroute passes on its input.";
+    return id +
+           " has no line of its own: what it makes is a part of lines of the nodes that read "
+           "it, or a constant, or not needed by the outputs.";
 }
 
 CodeText lines_of(std::string text) {

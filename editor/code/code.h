@@ -15,6 +15,8 @@
 
 namespace wrinkle::editor {
 
+struct State;
+
 struct CodeOptions {
     std::string target = std::string(targets().front().name);
     Form form = Form::function;
@@ -47,6 +49,10 @@ CodeText make_code(const CodeJob& job, const Registry& registry);
 
 // The shader form where the target has no other.
 Form form_of(const CodeOptions& options);
+
+// Why no line of the text is the selected node's, in one sentence; "" when one is, or when it is not
+// just one node that is selected.
+std::string why_no_line(const State& state);
 
 // The lines of any text, without nodes.
 CodeText lines_of(std::string text);

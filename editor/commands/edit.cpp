@@ -26,14 +26,14 @@ void undo(State& state) {
     const std::string name = state.history.undo_name();
     const uint64_t serial = state.history.serial();
     state.history.undo();
-    follow_undo(state.view, serial);
+    follow_undo(state, serial);
     state.status = "Undid: " + name;
 }
 
 void redo(State& state) {
     const std::string name = state.history.redo_name();
     state.history.redo();
-    follow_redo(state.view, state.history.serial());
+    follow_redo(state, state.history.serial());
     state.status = "Redid: " + name;
 }
 

@@ -1,5 +1,7 @@
 #include "editor/canvas/arrange.h"
 #include "editor/canvas/layout.h"
+#include "editor/canvas/room.h"
+#include "editor/canvas/tidy.h"
 #include "editor/commands/groups.h"
 #include "editor/document/edits.h"
 #include "editor/document/group.h"
@@ -15,9 +17,10 @@ void add_node(State& state) {
 }
 
 void tidy(State& state) {
-    state.view.surface_at.reset();
-    state.view.outputs_at.reset();
-    state.commit("Tidy", tidied(state));
+    Tidied tidy = tidied(state);
+    const uint64_t before = state.history.serial();
+    state.commit("Tidy", std::move(tidy.document));
+    if (state.history.serial() != before) push_borders(state, tidy.borders);
     state.view.fitted = false;
 }
 

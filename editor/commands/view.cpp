@@ -18,7 +18,8 @@ void show_commands(State& state) {
 template <int Step>
 void zoom(State& state) {
     const View& view = state.view;
-    zoom_at(state.view, {view.corner.x + view.extent.x / 2, view.corner.y + view.extent.y / 2},
+    zoom_at(state.view, state.layout,
+            {view.corner.x + view.extent.x / 2, view.corner.y + view.extent.y / 2},
             Step > 0 ? 1.21F : 1 / 1.21F);
 }
 

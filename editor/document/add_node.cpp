@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "editor/canvas/layout.h"
+#include "editor/canvas/new_cards.h"
 #include "editor/canvas/room.h"
 #include "editor/document/edits.h"
 #include "editor/document/wiring.h"
@@ -35,9 +36,8 @@ Node fresh_node(const Document& document, const NodeType& type) {
 
 std::string commit_new(State& state, const NodeType& type, const std::string& id,
                        Document document) {
-    state.commit("Add " + type.title, std::move(document));
-    state.view.selected = {id};
-    state.view.selected_wire.reset();
+    state.commit("Add " + type.title, settled(state, document));
+    show_new(state, {id});
     return id;
 }
 
@@ -78,7 +78,8 @@ bool add_in_wire(State& state, const NodeType& type) {
     if (!through) return false;
     Node node = fresh_node(state.document(), type);
     const std::string id = node.id;
-    const ImVec2 at = free_place(state.layout, (wire->start + wire->end) * 0.5F - ImVec2(64, 40));
+    const ImVec2 middle = (wire->start + wire->end) * 0.5F;
+    const ImVec2 at = free_place(state, middle - ImVec2(64, 40), node, &type);
     Document document = add_node(state.document(), std::move(node), at.x, at.y);
     const Connection place{wire->from, wire->node, wire->port};
     commit_new(state, type, id, insert_in_wire(document, place, id, *through));
@@ -100,7 +101,7 @@ bool type_matches(const NodeType& type, const Gesture& wire) {
 void add_node_of_type(State& state, const NodeType& type, ImVec2 at, const Gesture& wire) {
     Node node = fresh_node(state.document(), type);
     const std::string id = node.id;
-    const ImVec2 place = free_place(state.layout, at);
+    const ImVec2 place = free_place(state, at, node, &type);
     Document document = add_node(state.document(), std::move(node), place.x, place.y);
     if (const Port* port = wire.kind == Gesture::Kind::wire ? port_for(type, wire) : nullptr)
         document = wire.from_output ? connect(document, wire.from, id, port->name)
@@ -123,7 +124,8 @@ void add_node_to_selection(State& state, const NodeType& type, ImVec2 at) {
         right = first ? std::max(right, card->at.x + card->size.x) : card->at.x + card->size.x;
         if (!first) first = card;
     }
-    const ImVec2 place = free_place(state.layout, first ? ImVec2(right + 64, first->at.y) : at);
+    const ImVec2 place =
+        free_place(state, first ? ImVec2(right + 64, first->at.y) : at, *document.find(id), &type);
     commit_new(state, type, id, move_node(document, id, place.x, place.y));
 }
 

@@ -5,6 +5,7 @@
 #include "base/file.h"
 #include "editor/canvas/boxes.h"
 #include "editor/canvas/layout.h"
+#include "editor/canvas/new_cards.h"
 #include "editor/document/copies.h"
 #include "editor/document/edits.h"
 #include "editor/document/misfits.h"
@@ -117,8 +118,10 @@ Document with_outer_wires(const State& state, Document document, const std::stri
     return document;
 }
 
-ImVec2 corner_of(const Document& document, const std::vector<ImVec2>& places) {
-    std::vector<ImVec2> corners = places;
+ImVec2 corner_of(const Document& document, const std::vector<Extent>& places) {
+    std::vector<ImVec2> corners;
+    for (const Extent& place : places)
+        corners.push_back(place.low);
     for (const BoxId& id : all_boxes(document)) {
         const Rectangle& rect = find_box(document, id)->rect;
         corners.push_back({static_cast<float>(rect.x), static_cast<float>(rect.y)});
@@ -139,22 +142,22 @@ void paste_nodes(State& state, const Document& source, const std::string& text) 
         const GraphInput* there = link.is_input() ? source.inputs.find(link.port) : nullptr;
         return link.is_surface() || (here && there && here->type == there->type);
     });
-    const std::vector<ImVec2> places = places_off_canvas(state, source);
+    const std::vector<Extent> places = places_off_canvas(state, source);
     const std::set<BoxId> boxes = boxes_of(source);
     const ImVec2 wanted = to_canvas(state.view, pointed_at(state.view)) - corner_of(source, places);
     const ImVec2 by = free_offset(state, places, source, boxes, wanted);
     std::vector<NodePosition> at;
     std::set<std::string> fresh;
     for (size_t i = 0; i < copies.nodes.size(); ++i) {
-        at.push_back({copies.nodes[i].id, places[i].x + by.x, places[i].y + by.y});
+        at.push_back({copies.nodes[i].id, places[i].low.x + by.x, places[i].low.y + by.y});
         fresh.insert(copies.nodes[i].id);
     }
     const Document added = add_nodes(state.document(), copies.nodes, at);
     const Document wired = with_outer_wires(state, added, text, copies);
     const BoxCopies boxed = with_boxes(wired, source, boxes, by);
-    state.commit("Paste " + in_words(source),
-                 without_misfits(boxed.document, fresh, state.folder(), *state.registry));
-    state.view.selected = fresh;
+    state.commit("Paste " + in_words(source), without_misfits(settled(state, boxed.document), fresh,
+                                                              state.folder(), *state.registry));
+    show_new(state, fresh);
     state.view.boxes = boxed.ids;
 }
 

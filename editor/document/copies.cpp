@@ -1,9 +1,7 @@
 #include "editor/document/copies.h"
 
-#include <algorithm>
-#include <cmath>
-
 #include "editor/canvas/boxes.h"
+#include "editor/canvas/new_cards.h"
 #include "editor/look/draw.h"
 #include "graph/edit.h"
 
@@ -16,8 +14,10 @@ std::string stem_of(std::string_view id) {
     return std::string(last == id.npos ? id : id.substr(0, last + 1));
 }
 
-bool is_near(double x, double y, double other_x, double other_y) {
-    return std::fabs(x - other_x) < 24 && std::fabs(y - other_y) < 24;
+Extent extent_of(const Box& box) {
+    const ImVec2 low(static_cast<float>(box.rect.x), static_cast<float>(box.rect.y));
+    return {low,
+            low + ImVec2(static_cast<float>(box.rect.width), static_cast<float>(box.rect.height))};
 }
 
 }  // namespace
@@ -38,25 +38,15 @@ BoxCopies with_boxes(const Document& target, const Document& source, const std::
     return copies;
 }
 
-ImVec2 free_offset(const State& state, const std::vector<ImVec2>& places, const Document& source,
+ImVec2 free_offset(const State& state, const std::vector<Extent>& places, const Document& source,
                    const std::set<BoxId>& boxes, ImVec2 by) {
-    by = {std::round(by.x / 8) * 8, std::round(by.y / 8) * 8};
-    const auto is_on_card = [&](const ImVec2& place) {
-        for (const Card& card : state.layout.cards)
-            if (is_near(place.x + by.x, place.y + by.y, card.at.x, card.at.y)) return true;
-        return false;
-    };
-    const auto is_on_box = [&](const BoxId& id) {
-        const Rectangle& rect = find_box(source, id)->rect;
-        for (const Box& box : id.note ? state.document().notes : state.document().frames)
-            if (is_near(rect.x + by.x, rect.y + by.y, box.rect.x, box.rect.y)) return true;
-        return false;
-    };
-    for (int tries = 0; tries < 256 && (std::any_of(places.begin(), places.end(), is_on_card) ||
-                                        std::any_of(boxes.begin(), boxes.end(), is_on_box));
-         ++tries)
-        by = by + ImVec2(32, 32);
-    return by;
+    std::vector<Extent> fixed = card_extents(state), moving = places;
+    for (const BoxId& id : boxes)
+        moving.push_back(extent_of(*find_box(source, id)));
+    if (!boxes.empty())
+        for (const BoxId& id : all_boxes(state.document()))
+            fixed.push_back(extent_of(*find_box(state.document(), id)));
+    return free_shift(fixed, std::move(moving), by);
 }
 
 Copies copies_of(const Document& source, const std::set<std::string>& ids, const Document& target,

@@ -32,9 +32,9 @@ struct BoxCopies {
 BoxCopies with_boxes(const Document& target, const Document& source, const std::set<BoxId>& ids,
                      ImVec2 by);
 
-// `by`, or more of it, on the grid: so far that of cards at `places` and of the boxes of `source`
-// none comes to stand on a card or box that is there.
-ImVec2 free_offset(const State& state, const std::vector<ImVec2>& places, const Document& source,
+// Near `by`, on the grid: so far that cards at `places` and the boxes of `source` cover no card; boxes
+// cover no box either.
+ImVec2 free_offset(const State& state, const std::vector<Extent>& places, const Document& source,
                    const std::set<BoxId>& boxes, ImVec2 by);
 
 }  // namespace wrinkle::editor

@@ -1,5 +1,6 @@
 // What is done with the selected nodes.
 #include "editor/canvas/boxes.h"
+#include "editor/canvas/new_cards.h"
 #include "editor/document/copies.h"
 #include "editor/document/edits.h"
 #include "editor/document/wiring.h"
@@ -43,13 +44,13 @@ void duplicate_selected(State& state, bool with_inputs) {
     const Document source =
         with_inputs ? state.document() : without_outer_wires(state.model, state.document(), ids);
     Copies copies = copies_of(source, ids, state.document(), [](const Link&) { return true; });
-    std::vector<ImVec2> from;
+    std::vector<Extent> from;
     std::vector<NodePosition> places;
     std::set<std::string> fresh;
     for (const Card& card : state.layout.cards) {
         const auto copy = copies.new_id.find(card.id);
         if (card.kind != Card::Kind::node || copy == copies.new_id.end()) continue;
-        from.push_back(card.at);
+        from.push_back({card.at, card.at + card.size});
         places.push_back({copy->second, card.at.x, card.at.y});
         fresh.insert(copy->second);
     }
@@ -60,8 +61,8 @@ void duplicate_selected(State& state, bool with_inputs) {
     const BoxCopies boxed =
         with_boxes(add_nodes(state.document(), std::move(copies.nodes), places), source, boxes, by);
     state.commit(fresh.empty() ? "Duplicate frame" : "Duplicate " + nodes_in_words(fresh.size()),
-                 boxed.document);
-    if (!fresh.empty() || !boxed.ids.empty()) state.view.selected = fresh;
+                 settled(state, boxed.document));
+    if (!fresh.empty() || !boxed.ids.empty()) show_new(state, fresh);
     state.view.boxes = boxed.ids;
 }
 

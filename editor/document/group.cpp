@@ -4,6 +4,7 @@
 
 #include "base/file.h"
 #include "editor/canvas/layout.h"
+#include "editor/canvas/new_cards.h"
 #include "editor/document/edits.h"
 #include "editor/document/wiring.h"
 #include "editor/look/draw.h"
@@ -170,9 +171,12 @@ void group_selected(State& state) {
         state.status = file + " was not written: " + disk_words(why) + ".";
         return;
     }
-    const ImVec2 at = free_place(state.layout, middle_of(state));
-    state.commit("Group in " + file, move_node(group->outer, group->node, at.x, at.y));
-    state.view.selected = {group->node};
+    // The type of what the file now holds is made with the next model; without it the card is as wide.
+    const ImVec2 at = free_place(state, middle_of(state), *group->outer.find(group->node), nullptr,
+                                 state.view.selected);
+    state.commit("Group in " + file,
+                 settled(state, move_node(group->outer, group->node, at.x, at.y)));
+    show_new(state, {group->node});
 }
 
 }  // namespace wrinkle::editor

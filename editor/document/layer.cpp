@@ -32,6 +32,12 @@ ImVec2 clear_place(const State& state, const Document& document, ImVec2 at, ImVe
     };
     for (bool moved = true; moved;) {
         moved = false;
+        for (const Card& card : state.layout.cards) {
+            if (card.kind == Card::Kind::node) continue;
+            if (!meets(card.at.x, card.at.y, card.size.x, card.size.y)) continue;
+            at.y = std::ceil((card.at.y + card.size.y + 24) / 8) * 8;
+            moved = true;
+        }
         for (const Position& place : document.positions) {
             const Node* node = document.find(place.id);
             const Card* card = state.layout.find(place.id);

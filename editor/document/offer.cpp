@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "editor/canvas/layout.h"
+#include "editor/canvas/new_cards.h"
 #include "editor/document/edits.h"
 #include "editor/document/wiring.h"
 #include "editor/look/draw.h"
@@ -75,16 +76,17 @@ void accept_offer(State& state, size_t choice) {
     node.type = chosen.type->id;
     node.version = static_cast<int>(chosen.type->version);
     const std::string id = node.id;
-    const ImVec2 at = free_place(state.layout, to_canvas(state.view, offer.at) - ImVec2(224, 40));
+    const ImVec2 wanted = to_canvas(state.view, offer.at) - ImVec2(224, 40);
+    const ImVec2 at = free_place(state, wanted, node, chosen.type);
     Document document = state.document();
     if (offer.lifted)
         document = cut_wires(state.model, document,
                              {{offer.from, offer.lifted->node, offer.lifted->port}});
     document = add_node(document, std::move(node), at.x, at.y);
     state.commit("Insert " + chosen.type->title,
-                 insert_in_wire(document, {offer.from, offer.node, offer.port}, id,
+                 insert_in_wire(settled(state, document), {offer.from, offer.node, offer.port}, id,
                                 {chosen.in, chosen.out}));
-    state.view.selected = {id};
+    show_new(state, {id});
 }
 
 }  // namespace wrinkle::editor

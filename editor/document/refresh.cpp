@@ -1,7 +1,9 @@
 #include "editor/document/refresh.h"
 
+#include "editor/canvas/boxes.h"
 #include "editor/canvas/layout.h"
 #include "editor/document/change.h"
+#include "editor/document/edits.h"
 #include "editor/preview/feed.h"
 
 namespace wrinkle::editor {
@@ -88,10 +90,24 @@ void follow_document(State& state) {
     }
 }
 
+// Undo, a file that is read again, a gesture that is taken back: what is gone is not selected.
+void forget_what_is_gone(State& state) {
+    const Document& now = state.document();
+    View& view = state.view;
+    std::erase_if(view.selected, [&](const std::string& id) {
+        return !now.find(id) && id != Link::surface && id != Link::input && id != Card::outputs_id;
+    });
+    std::erase_if(view.boxes, [&](const BoxId& id) { return !find_box(now, id); });
+    if (!view.selected_wire) return;
+    const auto& [node, port] = *view.selected_wire;
+    if (!link_at(now, node, port)) view.selected_wire.reset();
+}
+
 }  // namespace
 
 void refresh(State& state) {
     Follow& follow = state.follow;
+    forget_what_is_gone(state);
     if (!state.fresh)
         begin(state);
     else if (!same_document(follow.asked_of, state.document()))

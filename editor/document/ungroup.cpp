@@ -1,5 +1,6 @@
 // The nodes of a sub-graph in place of the node that stands for it.
 #include "editor/canvas/layout.h"
+#include "editor/canvas/new_cards.h"
 #include "editor/document/copies.h"
 #include "editor/document/each_wire.h"
 #include "editor/document/edits.h"
@@ -14,7 +15,7 @@ namespace {
 class Ungrouper {
 public:
     Ungrouper(const Document& outer, const Node& node, const Document& inner,
-              std::vector<ImVec2> places)
+              std::vector<Extent> places)
         : node_(node), inner_(inner), places_(std::move(places)), result(outer) {}
 
     void run(ImVec2 at) {
@@ -36,20 +37,20 @@ public:
 private:
     const Node& node_;
     const Document& inner_;
-    const std::vector<ImVec2> places_;
+    const std::vector<Extent> places_;
 
 public:
     Document result;
 
 private:
     void place(ImVec2 at) {
-        ImVec2 low = places_.empty() ? ImVec2(0, 0) : places_.front();
-        for (const ImVec2& each : places_)
-            low = {std::min(low.x, each.x), std::min(low.y, each.y)};
+        ImVec2 low = places_.empty() ? ImVec2(0, 0) : places_.front().low;
+        for (const Extent& each : places_)
+            low = {std::min(low.x, each.low.x), std::min(low.y, each.low.y)};
         std::vector<NodePosition> positions;
         for (size_t i = 0; i < copies.nodes.size(); ++i)
-            positions.push_back(
-                {copies.nodes[i].id, places_[i].x - low.x + at.x, places_[i].y - low.y + at.y});
+            positions.push_back({copies.nodes[i].id, places_[i].low.x - low.x + at.x,
+                                 places_[i].low.y - low.y + at.y});
         result = add_nodes(result, copies.nodes, positions);
     }
 
@@ -138,7 +139,7 @@ void ungroup_selected(State& state) {
         fresh.insert(id);
     state.commit("Ungroup " + node->id,
                  without_misfits(ungrouper.result, fresh, state.folder(), *state.registry));
-    state.view.selected = std::move(fresh);
+    show_new(state, fresh);
 }
 
 }  // namespace wrinkle::editor

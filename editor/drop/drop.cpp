@@ -7,6 +7,7 @@
 #include "editor/canvas/canvas.h"
 #include "editor/canvas/field.h"
 #include "editor/canvas/layout.h"
+#include "editor/canvas/new_cards.h"
 #include "editor/document/edits.h"
 #include "editor/document/files.h"
 #include "editor/document/layer.h"
@@ -93,7 +94,7 @@ void add_on_wire(State& state, const Picture& picture, const Wire& wire) {
         document = with_bump_on_wire(state, made.document, wire, {made.id, bump->name},
                                      picture.at + ImVec2(-88, -60), why);
     state.commit("Add " + made.id, document ? std::move(*document) : made.document, picture.merge);
-    state.view.selected = {made.id};
+    show_new(state, {made.id});
     if (!document) state.status = why;
 }
 
@@ -108,7 +109,7 @@ bool add_on_ground(State& state, const Picture& picture) {
         document =
             with_bump_shown(state, document, {made.id, bump->name}, picture.at + ImVec2(512, 0));
     state.commit("Add " + made.id, std::move(document), picture.merge);
-    state.view.selected = {made.id};
+    show_new(state, {made.id});
     state.status = made.id + " is a " + picture.type->title + ": " + picture.kind.why + ".";
     return shown;
 }

@@ -193,25 +193,4 @@ void draw_error(ImDrawList& list, ImVec2 c, float size, ImU32 color) {
     draw_mark(list, c, half);
 }
 
-void show_tooltip(ImFont* bold, std::string_view title, std::string_view text) {
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(12, 8));
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 5);
-    ImGui::PushStyleColor(ImGuiCol_PopupBg, theme::bar);
-    ImGui::PushStyleColor(ImGuiCol_Border, theme::line);
-    ImGui::BeginTooltip();
-    ImGui::PushTextWrapPos(360);
-    ImGui::PushFont(bold);
-    ImGui::TextUnformatted(title.data(), title.data() + title.size());
-    ImGui::PopFont();
-    if (!text.empty()) {
-        ImGui::PushStyleColor(ImGuiCol_Text, theme::text_dim);
-        ImGui::TextUnformatted(text.data(), text.data() + text.size());
-        ImGui::PopStyleColor();
-    }
-    ImGui::PopTextWrapPos();
-    ImGui::EndTooltip();
-    ImGui::PopStyleColor(2);
-    ImGui::PopStyleVar(2);
-}
-
 }  // namespace wrinkle::editor

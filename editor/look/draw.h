@@ -51,7 +51,4 @@ void draw_warning(ImDrawList& list, ImVec2 center, float size, ImU32 color);
 // An octagon with one.
 void draw_error(ImDrawList& list, ImVec2 center, float size, ImU32 color);
 
-// A bold line and a plain one in a box at the pointer.
-void show_tooltip(ImFont* bold, std::string_view title, std::string_view text);
-
 }  // namespace wrinkle::editor

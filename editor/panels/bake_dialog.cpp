@@ -6,6 +6,7 @@
 #include "editor/document/words.h"
 #include "editor/look/draw.h"
 #include "editor/look/theme.h"
+#include "editor/look/tooltip.h"
 #include "editor/panels/bake_rows.h"
 #include "editor/panels/panels.h"
 
@@ -80,7 +81,8 @@ void draw_copy_button(State& state) {
     const bool copy = button(state, "Copy command", "bake:copy", false, {136, 28});
     ImGui::EndDisabled();
     const bool hovered = ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled);
-    if (!any && hovered) ImGui::SetTooltip("Of a graph that has a file, when a map is chosen");
+    const About about = last_item();
+    if (!any && hovered) show_tooltip(about, "Of a graph that has a file, when a map is chosen");
     if (!any || (!copy && !hovered)) return;
     BakeChoices choices = dialog.choices;
     choices.into = fs::absolute(place_of(state, choices)).lexically_normal();
@@ -89,11 +91,7 @@ void draw_copy_button(State& state) {
         ImGui::SetClipboardText(command.c_str());
         state.status = "The command is on the clipboard. It bakes the graph as it is saved.";
     }
-    ImGui::BeginTooltip();
-    ImGui::PushTextWrapPos(bake_wide);
-    ImGui::TextUnformatted(command.c_str());
-    ImGui::PopTextWrapPos();
-    ImGui::EndTooltip();
+    if (const Tooltip tip(about, bake_wide); tip) ImGui::TextUnformatted(command.c_str());
 }
 
 // True when the dialog is done with.

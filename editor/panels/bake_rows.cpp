@@ -9,6 +9,7 @@
 #include "editor/bake/bake.h"
 #include "editor/look/draw.h"
 #include "editor/look/theme.h"
+#include "editor/look/tooltip.h"
 #include "editor/panels/browser.h"
 #include "editor/panels/panels.h"
 #include "editor/panels/preview_parts.h"
@@ -32,7 +33,7 @@ void begin_bake_row(const State& state, const char* label, const char* tip = nul
               theme::text_dim, label);
     const bool near = ImGui::IsWindowHovered() &&
                       ImGui::IsMouseHoveringRect(at, at + ImVec2(label_wide, bake_row_tall - 4));
-    if (near && tip) ImGui::SetTooltip("%s", tip);
+    if (near && tip) show_tooltip({at, at + ImVec2(label_wide, bake_row_tall - 4)}, tip);
     ImGui::SetCursorScreenPos(at + ImVec2(label_wide, 0));
 }
 

@@ -6,6 +6,7 @@
 #include "editor/look/draw.h"
 #include "editor/look/icons.h"
 #include "editor/look/theme.h"
+#include "editor/look/tooltip.h"
 #include "editor/panels/panels.h"
 #include "editor/panels/questions.h"
 
@@ -22,11 +23,11 @@ bool is_used(std::string_view menu) {
 }
 
 // What a command does, its key, and why it cannot be run now.
-void explain(const State& state, const Command& command) {
+void explain(const State& state, const Command& command, const About& about) {
     if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
-    const std::string title(command.title), keys(command.keys), why(command.why_not(state));
-    ImGui::SetTooltip("%s%s%s%s%s", title.c_str(), keys.empty() ? "" : "   ", keys.c_str(),
-                      why.empty() ? "" : "\n", why.c_str());
+    const std::string keys(command.keys), why(command.why_not(state));
+    show_tooltip(about, std::string(command.title) + (keys.empty() ? "" : "   ") + keys +
+                            (why.empty() ? "" : "\n") + why);
 }
 
 void draw_menu_item(State& state, const Command& command) {
@@ -40,7 +41,7 @@ void draw_menu_item(State& state, const Command& command) {
     const bool on = command.on && command.on(state);
     const ImU32 color = enabled ? theme::text_dim : theme::text_off;
     draw_icon(*ImGui::GetWindowDrawList(), on ? "check" : command.id, at + ImVec2(8, 8), color);
-    if (!enabled) explain(state, command);
+    if (!enabled) explain(state, command, beside_window());
     if (chosen) command.run(state);
 }
 
@@ -83,7 +84,7 @@ float draw_command_search(State& state) {
     if (words) draw_text(list, font, 14, low + ImVec2(30, 4), theme::text_dim, "Search commands");
     if (window >= wordless)
         draw_text(list, font, 14, {high.x - 8, low.y + 4}, theme::text_dim, search->keys, true);
-    if (ImGui::IsItemHovered() && window < wordless) explain(state, *search);
+    if (ImGui::IsItemHovered() && window < wordless) explain(state, *search, last_item());
     if (pressed) search->run(state);
     return left;
 }
@@ -148,7 +149,7 @@ void draw_tool(State& state, const Tool& tool, bool words) {
     ImGui::EndDisabled();
     name_item(state, std::string("tool:") + tool.id);
     paint_tool(state, tool, *command, words, enabled);
-    explain(state, *command);
+    explain(state, *command, last_item());
     if (pressed) command->run(state);
     ImGui::SameLine(0, 4);
 }

@@ -10,6 +10,8 @@
 #include "editor/drop/drop.h"
 #include "editor/look/draw.h"
 #include "editor/look/theme.h"
+#include "editor/look/tooltip.h"
+#include "editor/panels/fields.h"
 #include "editor/panels/file_actions.h"
 #include "editor/panels/panels.h"
 #include "editor/panels/preview_parts.h"
@@ -141,13 +143,14 @@ bool enter(State& state) {
 
 bool draw_field(State& state) {
     Browser& browser = state.browser;
-    if (browser.focus) ImGui::SetKeyboardFocusHere();
+    if (browser.focus) focus_field(state);
     browser.focus = false;
     ImGui::SetNextItemWidth(-1);
     const bool was_empty = browser.text.empty();
     const char* hint = saves(browser) ? "Name of the file" : "Type a part of the name, or a path";
     const bool entered = ImGui::InputTextWithHint("##name", hint, &browser.text,
                                                   ImGuiInputTextFlags_EnterReturnsTrue);
+    note_field(state);
     name_item(state, "browser:name");
     name_item(state, "answer:path");
     if (!browser.trouble.empty()) {
@@ -201,7 +204,7 @@ void draw_places(State& state) {
         ImGui::PushID(static_cast<int>(i));
         const bool taken = ImGui::Selectable(name.c_str(), false, 0, {places_width - 12, 22});
         name_item(state, "browser:place" + std::to_string(i));
-        if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", path.string().c_str());
+        if (ImGui::IsItemHovered()) show_tooltip(beside_window(), path.string());
         ImGui::PopID();
         if (taken && folder) go_to(state.browser, path);
         if (taken && !folder) {

@@ -8,6 +8,7 @@
 #include "editor/document/change.h"
 #include "editor/look/draw.h"
 #include "editor/look/theme.h"
+#include "editor/look/tooltip.h"
 #include "editor/panels/panels.h"
 
 namespace wrinkle::editor {
@@ -200,18 +201,26 @@ void scroll_to_selected(State& state) {
     if (y < top || y > top + tall - 3 * line_height) ImGui::SetScrollY(y - tall / 3);
 }
 
-void draw_problem(State& state) {
+// A line over the text.
+void draw_strip(State& state, ImU32 color, const std::string& text) {
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const float width = ImGui::GetContentRegionAvail().x;
     ImDrawList& list = *ImGui::GetWindowDrawList();
     list.AddRectFilled(at, at + ImVec2(width, 28), theme::bar);
-    list.AddRectFilled(at, at + ImVec2(4, 28), theme::warn);
+    list.AddRectFilled(at, at + ImVec2(4, 28), color);
     ImFont* font = state.fonts.regular(14);
-    const std::string text =
-        (state.code.text.starts.empty() ? "No text yet. " : "The last text that could be made. ") +
-        sentence(state.code.problem);
-    draw_text(list, font, 14, at + ImVec2(12, 7), theme::text, fitting(font, 14, text, width - 20));
+    const std::string shown = fitting(font, 14, text, width - 20);
+    draw_text(list, font, 14, at + ImVec2(12, 7), theme::text, shown);
+    if (shown != text && ImGui::IsMouseHoveringRect(at, at + ImVec2(width, 28)))
+        show_tooltip({at, at + ImVec2(width, 28)}, text);
     ImGui::SetCursorPosY(ImGui::GetCursorPosY() + 28);
+}
+
+void draw_problem(State& state) {
+    draw_strip(
+        state, theme::warn,
+        (state.code.text.starts.empty() ? "No text yet. " : "The last text that could be made. ") +
+            sentence(state.code.problem));
 }
 
 }  // namespace
@@ -224,6 +233,11 @@ void draw_code(State& state) {
     ImGui::PushStyleColor(ImGuiCol_ChildBg, theme::code);
     const bool empty = state.code.text.starts.empty() && holds_nothing(state.document());
     if (!state.code.problem.empty() && !empty) draw_problem(state);
+    if (const std::string why = why_no_line(state); !why.empty() && state.code.problem.empty()) {
+        const ImVec2 at = ImGui::GetCursorScreenPos();
+        draw_strip(state, theme::accent, why);
+        state.targets.add("code:why", {at.x, at.y, at.x + 28, at.y + 28});
+    }
     const CodeText& text = state.code.text;
     ImGui::BeginChild("##lines", {0, 0}, false,
                       ImGuiWindowFlags_NoNavInputs | ImGuiWindowFlags_HorizontalScrollbar);

@@ -3,9 +3,11 @@
 #include <algorithm>
 
 #include "base/text.h"
+#include "editor/canvas/canvas.h"
 #include "editor/commands/commands.h"
 #include "editor/look/draw.h"
 #include "editor/look/theme.h"
+#include "editor/look/tooltip.h"
 #include "editor/panels/image_section.h"
 #include "editor/panels/panels.h"
 
@@ -241,16 +243,12 @@ void draw_hover_docs(State& state) {
     const bool any = still && hover_words(state, name, title, facts, doc, image);
     state.help.waiting = any && state.help.rested < rest;
     if (!any || state.help.waiting) return;
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(12, 8));
-    ImGui::BeginTooltip();
-    ImGui::PushTextWrapPos(tip_width);
+    const Tooltip tip(about_hit(state, state.hovered), tip_width);
+    if (!tip) return;
     write_wrapped(state, title, theme::text, true);
     write_wrapped(state, doc, theme::text);
     write_wrapped(state, facts, theme::text_dim, false, 14);
     if (!image.empty()) write_wrapped(state, image + " F1 says more.", theme::text);
-    ImGui::PopTextWrapPos();
-    ImGui::EndTooltip();
-    ImGui::PopStyleVar();
     state.targets.add("tip:" + name, {io.MousePos.x, io.MousePos.y, io.MousePos.x, io.MousePos.y});
 }
 

@@ -5,6 +5,7 @@
 #include "editor/document/offer.h"
 #include "editor/look/draw.h"
 #include "editor/look/theme.h"
+#include "editor/look/tooltip.h"
 #include "editor/panels/panels.h"
 
 namespace wrinkle::editor {
@@ -27,7 +28,7 @@ int draw_offered(State& state) {
         if (button(state, label.c_str(), "offer:" + choice.type->id, i == offer.chosen,
                    {width - 24, 28}))
             taken = i;
-        if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", choice.type->doc.c_str());
+        if (ImGui::IsItemHovered()) show_tooltip(beside_window(), choice.type->doc);
     }
     const bool enter = ImGui::IsKeyPressed(io.KeyMap[ImGuiKey_Enter], false);
     return enter && !offer.opening && count > 0 ? offer.chosen : taken;

@@ -102,8 +102,10 @@ void draw_crumbs(State& state) {
     for (const Crumb& crumb : crumbs)
         width += crumb.width + crumb_gap;
     const Overlay overlay("##crumbs", view.corner + ImVec2(margin, margin), {width, tall});
+    const ImVec2 low = overlay.low();
+    state.targets.add("crumbs", {low.x, low.y, low.x + width, low.y + tall});
     ImDrawList& list = Overlay::list();
-    ImVec2 at = overlay.low() + ImVec2(12, 6);
+    ImVec2 at = low + ImVec2(12, 6);
     std::optional<size_t> pressed;
     for (const Crumb& crumb : crumbs) {
         const bool leads = crumb.depth < state.outer.size();

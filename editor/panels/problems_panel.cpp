@@ -8,6 +8,7 @@
 #include "editor/images/remarks.h"
 #include "editor/look/draw.h"
 #include "editor/look/theme.h"
+#include "editor/look/tooltip.h"
 #include "editor/panels/panels.h"
 #include "editor/panels/popups.h"
 #include "lower/conversion.h"
@@ -218,8 +219,10 @@ Pressed draw_problem(State& state, const Diagnostic& problem, size_t index, cons
               fitting(fonts.regular(16), 16, message, right - x));
     draw_text(list, fonts.regular(14), 14, at + ImVec2(44, 35), theme::text_dim,
               fitting(fonts.regular(14), 14, evidence(problem), right - 44));
+    const ImVec2 corner = ImGui::GetWindowPos();
+    const About panel{corner, corner + ImGui::GetWindowSize()};
     if (ImGui::IsItemHovered() && text_width(fonts.regular(16), 16, message) > right - x)
-        ImGui::SetTooltip("%s", message.c_str());
+        show_tooltip(panel, message);
     const Pressed pressed = draw_fixes(state, fix, at + ImVec2(width - 8, 14), index);
     ImGui::PopID();
     if (pressed == Pressed::fix)

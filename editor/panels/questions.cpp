@@ -9,6 +9,7 @@
 #include "editor/document/levels.h"
 #include "editor/document/words.h"
 #include "editor/look/theme.h"
+#include "editor/look/tooltip.h"
 #include "editor/panels/panels.h"
 
 namespace wrinkle::editor {
@@ -187,7 +188,7 @@ void draw_recent_files(State& state) {
     for (size_t i = 0; i < recent.size(); ++i) {
         ImGui::PushID(static_cast<int>(i));
         const bool chosen = ImGui::MenuItem(recent[i].filename().string().c_str());
-        if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", recent[i].string().c_str());
+        if (ImGui::IsItemHovered()) show_tooltip(beside_window(), recent[i].string());
         name_item(state, "recent:" + std::to_string(i + 1));
         ImGui::PopID();
         if (chosen) intend(state, {Intent::Kind::open, recent[i]});

@@ -7,6 +7,7 @@
 #include "editor/commands/commands.h"
 #include "editor/look/draw.h"
 #include "editor/look/theme.h"
+#include "editor/look/tooltip.h"
 #include "editor/panels/file_actions.h"
 #include "editor/panels/panels.h"
 #include "editor/panels/samples.h"
@@ -137,7 +138,7 @@ bool draw_card(State& state, const Sample& sample) {
     }
     draw_text(list, state.fonts.regular(14), 14, at + ImVec2(card_width - 8, picture_tall - 17),
               on_picture, counted(sample.nodes, "node"), true);
-    if (hovered) ImGui::SetTooltip("%s", sample.name.c_str());
+    if (hovered) show_tooltip({at, at + size}, sample.name);
     return clicked;
 }
 

@@ -8,6 +8,7 @@
 #include "editor/look/draw.h"
 #include "editor/look/icons.h"
 #include "editor/look/theme.h"
+#include "editor/look/tooltip.h"
 #include "editor/panels/hints.h"
 #include "editor/panels/panels.h"
 #include "editor/panels/regions.h"
@@ -101,7 +102,7 @@ void draw_under_side(State& state, const Writer& w, float left, float right) {
         const ImVec2 low(left, w.y - 4), high(left + w.width(cost), w.y + 18);
         state.targets.add("status:cost", {low.x, low.y, high.x, high.y});
         if (ImGui::IsMouseHoveringRect(low, high))
-            show_tooltip(state.fonts.bold(16), cost, in_full(costs->total, *costs));
+            show_tooltip({low, high}, state.fonts.bold(16), cost, in_full(costs->total, *costs));
         left = w.write(left, theme::text_dim, cost) + 16;
     }
     float x = right - w.width(saved.text);

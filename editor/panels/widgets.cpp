@@ -4,6 +4,7 @@
 #include "editor/look/draw.h"
 #include "editor/look/icons.h"
 #include "editor/look/theme.h"
+#include "editor/look/tooltip.h"
 #include "editor/panels/panels.h"
 
 namespace wrinkle::editor {
@@ -42,7 +43,7 @@ bool icon_button(State& state, const char* icon, const std::string& target,
         list.AddRectFilled(low, high,
                            ImGui::IsItemActive() ? theme::accent_fill : theme::accent_soft, 5);
     draw_icon(list, icon, (low + high) * 0.5F, enabled ? theme::text : theme::text_off);
-    if (hovered) ImGui::SetTooltip("%s", tooltip.c_str());
+    if (hovered) show_tooltip(last_item(), tooltip);
     return pressed;
 }
 
@@ -63,7 +64,7 @@ int segments(State& state, std::span<const Segment> all, int chosen, float width
         const bool own = static_cast<int>(i) == chosen, hovered = ImGui::IsItemHovered();
         if (own || hovered) list.AddRectFilled(low, high, theme::accent_soft, 5);
         if (own) list.AddRect(low, high, theme::accent, 5);
-        if (hovered && !all[i].tooltip.empty()) ImGui::SetTooltip("%s", all[i].tooltip.c_str());
+        if (hovered && !all[i].tooltip.empty()) show_tooltip({low, high}, all[i].tooltip);
         ImFont* font = own ? state.fonts.bold(16) : state.fonts.regular(16);
         const std::string label = fitting(font, 16, all[i].label, each - 4);
         const float x = low.x + (each - text_width(font, 16, label)) / 2;

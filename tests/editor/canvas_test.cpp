@@ -4,6 +4,7 @@
 #include "editor/canvas/canvas.h"
 #include "editor/canvas/layout.h"
 #include "editor/document/refresh.h"
+#include "editor/look/draw.h"
 #include "graph/edit.h"
 #include "headless.h"
 
@@ -54,6 +55,31 @@ TEST_F(Headless, OnlyWhatIsSeenIsDrawn) {
     EXPECT_LT(canvas_vertices(), near / 4);
 }
 
+TEST_F(Headless, AllCardsAreInSightBelowThePathHoweverLargeTheGraph) {
+    for (const float far : {0.0F, 900.0F, 20'000.0F, 400'000.0F}) {
+        open(sums(3));
+        state.commit("far", move_node(state.document(), "n2", double{far} + 512, double{far} / 2));
+        frame();
+        state.view.outputs_at = ImVec2(far + 900, far / 3);
+        state.layout_stale = true;
+        play("key Home");
+        const View& view = state.view;
+        const auto crumbs = *state.targets.find("crumbs");
+        for (const Card& card : state.layout.cards) {
+            const ImVec2 low = to_screen(view, card.at), high = low + card.size * view.zoom;
+            EXPECT_GE(low.x, view.corner.x) << card.id << " of " << far;
+            EXPECT_LE(high.x, view.corner.x + view.extent.x) << card.id << " of " << far;
+            EXPECT_GE(low.y, crumbs.y1) << card.id << " of " << far;
+            EXPECT_LE(high.y, view.corner.y + view.extent.y - 44) << card.id << " of " << far;
+        }
+        const float zoom = view.zoom;
+        for (int i = 0; i < 3; ++i)
+            play("wheel canvas -3");
+        EXPECT_LE(view.zoom, zoom * 1.001F) << "the wheel reaches what shows all";
+        EXPECT_GE(view.zoom, std::min(zoom, 0.05F) * 0.999F);
+    }
+}
+
 TEST_F(Headless, NamesOnTheCanvasAreWorkedOutWhenAskedFor) {
     open(sums(2000));
     fit(state.view, state.layout, false);
@@ -82,7 +108,7 @@ TEST_F(Headless, ACardIsMadeAnewOnlyWhenItsNodeHasChanged) {
     state.commit("value", set_value(state.document(), "n5", "b", json::Value::number(7)));
     frame();
     EXPECT_EQ(state.layout.made, 1U);
-    EXPECT_EQ(state.layout.find("n5")->fields.at(0).value, "7.00");
+    EXPECT_EQ(state.layout.find("n5")->fields.at(0).value, "7");
     state.commit("wire", connect(state.document(), {"n9", "result"}, "n20", "b"));
     frame();
     EXPECT_EQ(state.layout.made, 2U);  // n20, and n9 whose readers have changed

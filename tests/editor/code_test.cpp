@@ -133,6 +133,15 @@ std::string node_by_text(const State& state, size_t line) {
         for (size_t i = line; i-- > 0;)
             if (indent_of(code.line(i)) == indent_of(own) && code.line(i).ends_with(" {"))
                 return node_by_text(state, i);
+    constexpr std::string_view image = "uniform sampler2D ";
+    if (words.starts_with(image)) {
+        std::string found;  // of two that fit the longer one: "tile" and "tile_uv"
+        for (const NodePtr& node : state.document().nodes)
+            if (words.substr(image.size()).starts_with(identifier(node->id) + "_") &&
+                node->id.size() > found.size())
+                found = node->id;
+        return found;
+    }
     if (const size_t name = words.find(" = "); name != words.npos && words.find(' ') == name)
         for (const NodePtr& node : state.document().nodes)
             if (words.starts_with(identifier(node->id) + "_")) return node->id;
@@ -182,6 +191,58 @@ TEST_F(Headless, AClickOnALineSelectsItsNodeAndHoveringMarksIt) {
         EXPECT_EQ(state.view.selected,
                   node.empty() ? std::set<std::string>() : std::set<std::string>{node});
     }
+}
+
+TEST_F(Headless, ALineOfAUniformLeadsToItsNode) {
+    open_file(state, fs::path(WRINKLE_SOURCE_DIR) / "graphs/everything.json");
+    for (const char* target : {"glsl330", "glsl450"}) {
+        state.code.options.uniforms = true;
+        state.code.options.target = target;
+        frame();
+        frame();
+        const CodeText& text = state.code.text;
+        size_t uniforms = 0, images = 0;
+        bool block = false;
+        for (size_t i = 0; i < text.starts.size(); ++i) {
+            const std::string line(text.line(i));
+            block = (block || line.find("uniform Wrinkle") != line.npos) && line != "};";
+            const bool image = line.find("uniform sampler2D ") != line.npos;
+            const bool number = line.starts_with("uniform float ") ||
+                                line.starts_with("uniform vec") ||
+                                (block && line.starts_with("    "));
+            if (!image && !number) continue;
+            const std::string node = text.node(i);
+            EXPECT_NE(line.find(" " + node + "_"), line.npos) << node << ": " << line;
+            EXPECT_TRUE(state.document().find(node)) << line;
+            image ? ++images : ++uniforms;
+        }
+        EXPECT_GE(uniforms, 10U) << target;
+        EXPECT_EQ(images, 3U) << target;
+    }
+}
+
+TEST_F(Headless, ANodeWithoutALineSaysWhy) {
+    open(small_graph);
+    play("click canvas+0,330\nassert no-target code:why\nclick node:normal\nwait");
+    EXPECT_EQ(why_no_line(state), "");
+    play("assert no-target code:why\nclick node:number\nassert target code:why");
+    EXPECT_EQ(why_no_line(state), "number has no line: no output of the graph reads it.");
+    play("click canvas+0,330\nassert no-target code:why");
+    size_t without = 0;
+    for (const fs::path& graph : sample_graphs()) {
+        open_file(state, graph);
+        frame();
+        const auto& nodes = state.code.text.nodes;
+        for (const NodePtr& node : state.document().nodes) {
+            state.view.selected = {node->id};
+            const bool has = std::find(nodes.begin(), nodes.end(), node->id) != nodes.end();
+            const std::string why = why_no_line(state);
+            EXPECT_EQ(why.empty(), has) << graph << " " << node->id;
+            EXPECT_TRUE(has || why.starts_with(node->id + " has no line")) << why;
+            without += !has;
+        }
+    }
+    EXPECT_GT(without, 5U);
 }
 
 TEST_F(Headless, TheFormIsChosenAndTheTextCopied) {

@@ -25,6 +25,7 @@ TEST_F(Headless, AGroupKeepsAllWiresAndCanBeOpened) {
         assert wire softer.gradient normal.gradient
         key Ctrl+Shift+Z
         assert node group
+        click node:group
         key Tab
         assert clean
         assert nodes 2

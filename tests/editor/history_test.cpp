@@ -7,6 +7,7 @@
 
 #include "editor/canvas/field.h"
 #include "editor/canvas/layout.h"
+#include "editor/canvas/tidy.h"
 #include "editor/document/edits.h"
 #include "editor/document/files.h"
 #include "editor/document/refresh.h"
@@ -146,7 +147,7 @@ private:
         switch (pick(6)) {
             case 0:
                 refresh(state_);
-                return state_.commit("Tidy", tidied(state_));
+                return state_.commit("Tidy", tidied(state_).document);
             case 1:
                 return state_.commit("Name", set_name(now, "Name " + std::to_string(pick(50))));
             case 2:

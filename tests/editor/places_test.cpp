@@ -1,6 +1,8 @@
 // Where cards stand that nobody has put anywhere, and those of the graphs that come along.
 #include "editor/canvas/layout.h"
+#include "editor/canvas/tidy.h"
 #include "editor/document/files.h"
+#include "editor/look/draw.h"
 #include "headless.h"
 
 namespace wrinkle::editor {
@@ -80,19 +82,89 @@ TEST_F(Headless, TheGraphsThatComeWithItDoNotOverlap) {
     }
 }
 
-TEST_F(Headless, TidiedGraphsDoNotOverlap) {
-    for (const fs::path& graph : all_graphs()) {
+class Tidying : public Headless {
+protected:
+    void open_sample(const fs::path& graph) {
         open_file(state, graph);
         state.model = make_model(state.document(), graph.parent_path(), built_in_registry());
-        state.layout_stale = true;
-        update_layout(state);
-        const Document tidy = tidied(state);
-        state.history = History(tidy);
         state.view = {};
         state.layout_stale = true;
         update_layout(state);
+    }
+    void tidy() {
+        const Tidied tidy = tidied(state);
+        state.history = History(tidy.document);
+        state.view = {};
+        state.view.surface_at = tidy.borders.surface;
+        state.view.outputs_at = tidy.borders.outputs;
+        state.layout_stale = true;
+        update_layout(state);
+    }
+};
+
+TEST_F(Tidying, NoCardCoversAnother) {
+    for (const fs::path& graph : all_graphs()) {
+        open_sample(graph);
+        tidy();
         EXPECT_EQ(overlaps(state.layout, Document()), "") << graph;
     }
+}
+
+// Sampled here, finer than by the editor.
+bool runs_behind(const Wire& wire, const Card& card) {
+    const Curve curve = wire_curve(wire.start, wire.end, 1);
+    for (int i = 0; i <= 500; ++i) {
+        const ImVec2 at = curve.at(static_cast<float>(i) / 500);
+        if (at.x > card.at.x && at.x < card.at.x + card.size.x && at.y > card.at.y &&
+            at.y < card.at.y + card.size.y)
+            return true;
+    }
+    return false;
+}
+
+TEST_F(Tidying, NoWireRunsBehindACard) {
+    size_t wires = 0, hidden = 0;
+    for (const fs::path& graph : all_graphs()) {
+        open_sample(graph);
+        tidy();
+        for (const Wire& wire : state.layout.wires) {
+            ++wires;
+            for (size_t i = 0; i < state.layout.cards.size(); ++i) {
+                if (i == wire.from_card || i == wire.to_card) continue;
+                if (!runs_behind(wire, state.layout.cards[i])) continue;
+                ++hidden;
+                std::printf("%s: %s behind %s\n", graph.filename().c_str(),
+                            wire.from.text().c_str(), state.layout.cards[i].id.c_str());
+            }
+        }
+    }
+    EXPECT_GT(wires, 500U);
+    EXPECT_EQ(hidden, 0U);
+}
+
+TEST_F(Tidying, FramesGoWithTheirNodesAndUndoBringsAllBack) {
+    open(small_graph);
+    state.view.selected = {"softer", "normal"};
+    play("key C\nkey Enter\ndrag node:noise node:number\nclick canvas+0,330");
+    const Rectangle before = state.document().frames.begin()->rect;
+    const ImVec2 output = state.layout.find("$output", Card::Kind::outputs)->at;
+    play("key Ctrl+L\nassert status Tidy");
+    const Rectangle after = state.document().frames.begin()->rect;
+    EXPECT_NE(before, after);
+    for (const char* id : {"softer", "normal"}) {
+        const Card& card = *state.layout.find(id);
+        EXPECT_GE(card.at.x, after.x) << id;
+        EXPECT_GE(card.at.y, after.y + 30) << id << " is below the title";
+        EXPECT_LE(card.at.x + card.size.x, after.x + after.width) << id;
+        EXPECT_LE(card.at.y + card.size.y, after.y + after.height) << id;
+    }
+    const Card& normal = *state.layout.find("normal");
+    EXPECT_GT(state.layout.find("$output", Card::Kind::outputs)->at.x, normal.at.x + normal.size.x);
+    EXPECT_EQ(hidden_wires(state.layout), 0U);
+    play("key Ctrl+Z");
+    EXPECT_EQ(state.document().frames.begin()->rect, before);
+    EXPECT_EQ(state.layout.find("$output", Card::Kind::outputs)->at.x, output.x);
+    EXPECT_EQ(state.layout.find("$output", Card::Kind::outputs)->at.y, output.y);
 }
 
 }  // namespace

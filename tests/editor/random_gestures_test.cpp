@@ -6,6 +6,7 @@
 #include "editor/canvas/canvas.h"
 #include "editor/canvas/gestures/gestures.h"
 #include "editor/canvas/layout.h"
+#include "editor/canvas/tidy.h"
 #include "editor/document/clipboard.h"
 #include "editor/document/edits.h"
 #include "editor/document/offer.h"

@@ -49,9 +49,8 @@ bool drop_in_wire(State& state, const Document& moved) {
     const Connection place{wire.from, wire.node, wire.port};
     const Document wired = insert_in_wire(moved, place, card.id, *passage_in(state, card, wire));
     std::optional<ImVec2> outputs_at;
-    const std::optional<ImVec2> from = state.view.outputs_at;
     state.commit("Insert " + card.id + " in a wire", with_room(state, wired, card, outputs_at));
-    if (outputs_at && from) push_outputs(state, *from, *outputs_at);
+    if (outputs_at) push_borders(state, {state.view.surface_at, outputs_at});
     return true;
 }
 
