@@ -8,8 +8,8 @@
 
 namespace wrinkle {
 
-// `is_connected(port)` says whether a wire leads to an input. NodeType::none where the output's type
-// has no input. Both are indices in NodeType::ports.
+// `is_connected(port)` says whether a wire leads to an input. NodeType::none where the output's
+// type has no input. Both are indices in NodeType::ports.
 template <class IsConnected>
 uint32_t passed_input(const NodeType& type, uint32_t output, IsConnected is_connected) {
     uint32_t first = NodeType::none;

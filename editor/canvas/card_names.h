@@ -1,7 +1,7 @@
 // Names of cards that are too small for their headers: below plain_zoom. A name has one size on the
-// screen at any zoom. It is in its card where it fits whole, else beside it on free ground, else cut
-// to the card; no name covers a card of another node or another name. A card without room for three
-// letters has none: the pointer on it shows it. O(cards in sight + pixels).
+// screen at any zoom. It is in its card where it fits whole, else beside it on free ground, else
+// cut to the card; no name covers a card of another node or another name. A card without room for
+// three letters has none: the pointer on it shows it. O(cards in sight + pixels).
 #pragma once
 
 #include <string>

@@ -17,9 +17,9 @@ int lanes_of_field(const Port& port);
 // flag the first one.
 std::array<double, 4> numbers_at(const Node& node, const Port& port);
 
-// A number with its unit, "0.015 m", in the shortest text that reads back as the value. Where `fits`
-// refuses that, ".015"; and where it refuses that too, the number rounded to as many decimals as fit,
-// or to none.
+// A number with its unit, "0.015 m", in the shortest text that reads back as the value. Where
+// `fits` refuses that, ".015"; and where it refuses that too, the number rounded to as many
+// decimals as fit, or to none.
 using Fits = std::function<bool(const std::string& text)>;
 std::string shown_number(double value, const Port& port, const Fits& fits);
 // "0.6", "4", "uv0", "fbm", "bricks.png"

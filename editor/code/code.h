@@ -50,8 +50,8 @@ CodeText make_code(const CodeJob& job, const Registry& registry);
 // The shader form where the target has no other.
 Form form_of(const CodeOptions& options);
 
-// Why no line of the text is the selected node's, in one sentence; "" when one is, or when it is not
-// just one node that is selected.
+// Why no line of the text is the selected node's, in one sentence; "" when one is, or when it is
+// not just one node that is selected.
 std::string why_no_line(const State& state);
 
 // The lines of any text, without nodes.

@@ -32,8 +32,8 @@ struct BoxCopies {
 BoxCopies with_boxes(const Document& target, const Document& source, const std::set<BoxId>& ids,
                      ImVec2 by);
 
-// Near `by`, on the grid: so far that cards at `places` and the boxes of `source` cover no card; boxes
-// cover no box either.
+// Near `by`, on the grid: so far that cards at `places` and the boxes of `source` cover no card;
+// boxes cover no box either.
 ImVec2 free_offset(const State& state, const std::vector<Extent>& places, const Document& source,
                    const std::set<BoxId>& boxes, ImVec2 by);
 

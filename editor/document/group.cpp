@@ -171,7 +171,8 @@ void group_selected(State& state) {
         state.status = file + " was not written: " + disk_words(why) + ".";
         return;
     }
-    // The type of what the file now holds is made with the next model; without it the card is as wide.
+    // The type of what the file now holds is made with the next model; without it the card is as
+    // wide.
     const ImVec2 at = free_place(state, middle_of(state), *group->outer.find(group->node), nullptr,
                                  state.view.selected);
     state.commit("Group in " + file,
