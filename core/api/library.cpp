@@ -1,4 +1,5 @@
 #include "api/parts.h"
+#include "base/limits.h"
 #include "glsl/target.h"
 #include "lower/override.h"
 #include "nodes/all.h"
@@ -25,6 +26,7 @@ std::vector<std::string> targets() noexcept {
 Library::Library(const LibraryOptions& options) noexcept {
     try {
         auto parts = std::make_shared<Parts>();
+        report_limits(parts->problems);
         parts->registry.add_plugin(built_in_nodes(), Registry::built_in, parts->problems);
         const auto places =
             options.default_plugins ? plugin_places(options.plugin_paths) : options.plugin_paths;

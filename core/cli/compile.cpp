@@ -28,6 +28,7 @@ struct Outcome {
     std::string unwritten;  // why not; "" when its files are there
     std::string cost;
     Rule rule;
+    bool over_limit = false;
 };
 
 struct CompileCommand {
@@ -75,29 +76,35 @@ struct CompileCommand {
     }
 
     // A graph's files come all together or not at all, whatever becomes of the other graphs. Those
-    // of one graph alone wait for its dependency file.
+    // of one graph alone wait for its dependency file. Graphs that are made at the same time share
+    // the limits of one; what is too large for its share is made again, alone.
     std::vector<Outcome> compile_all(const Compilation& with) const {
         const size_t count = outputs.files.size();
+        const unsigned wanted = jobs ? jobs : std::max(1u, std::thread::hardware_concurrency());
+        const size_t threads = std::min<size_t>(wanted, count);
+        Compilation shared = with;
+        shared.sharing = threads;
         std::vector<Outcome> outcomes(count);
         std::vector<std::exception_ptr> failures(count);
         std::atomic<size_t> next{0};
         const auto work = [&] {
             for (size_t i = next++; i < count; i = next++) {
                 try {
-                    outcomes[i] = compile_one(outputs.files[i], with);
+                    outcomes[i] = compile_one(outputs.files[i], shared);
                 } catch (...) {
                     failures[i] = std::current_exception();
                 }
             }
         };
-        const unsigned wanted = jobs ? jobs : std::max(1u, std::thread::hardware_concurrency());
         std::vector<std::jthread> helpers;
-        for (size_t i = 1; i < std::min<size_t>(wanted, count); ++i)
+        for (size_t i = 1; i < threads; ++i)
             helpers.emplace_back(work);
         work();
         helpers.clear();
         for (const std::exception_ptr& failure : failures)
             if (failure) std::rethrow_exception(failure);
+        for (size_t i = 0; i < count && threads > 1; ++i)
+            if (outcomes[i].over_limit) outcomes[i] = compile_one(outputs.files[i], with);
         return outcomes;
     }
 
@@ -105,6 +112,7 @@ struct CompileCommand {
         Outcome outcome;
         CompiledGraph graph = compile_graph(file, with);
         outcome.diagnostics = std::move(graph.diagnostics);
+        outcome.over_limit = graph.over_limit;
         if (outcome.diagnostics.has_errors()) return outcome;
         outcome.cost = std::move(graph.cost);
         std::vector<Result> results;

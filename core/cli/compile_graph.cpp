@@ -19,6 +19,7 @@ void make_texts(const std::string& file, const Project& project, const Compilati
     const ShaderOptions options = shader_options(file, with);
     MadeShader made = make_shader(project, with.registry, options, result.diagnostics);
     Shader& shader = made.shader;
+    result.over_limit = made.compiled.over_limit || shader.over_limit;
     if (wanted.cost && !result.diagnostics.has_errors())
         result.cost = cost_of(made.compiled.module, options.emit.differentials, wanted.json, file,
                               result.diagnostics);
@@ -72,6 +73,8 @@ ShaderOptions shader_options(const std::string& file, const Compilation& with) {
     options.material.uniform_parameters = wanted.params == "uniform";
     options.material.vertex_tangents = !with.common.no_tangents;
     if (wanted.cost) options.material.runs_calls = "--cost";
+    options.material.lower.max_values /= with.sharing;
+    options.emit.max_bytes /= with.sharing;
     options.emit.form = form_of(wanted);
     options.emit.differentials = differentials_of(wanted);
     options.emit.name = name_for(file, wanted);

@@ -44,6 +44,7 @@ struct CompiledGraph {
     std::string cost;         // as --cost prints it
     std::vector<InputFile> inputs;
     Diagnostics diagnostics;
+    bool over_limit = false;  // it is too large for its share of the limits
 };
 
 struct Compilation {
@@ -52,6 +53,7 @@ struct Compilation {
     const Registry& registry;
     const Overrides& overrides;  // no sweep
     Cache* cache = nullptr;      // none: everything is made
+    uint64_t sharing = 1;        // so many graphs at a time share the limits of one
 };
 
 ShaderOptions shader_options(const std::string& file, const Compilation& with);

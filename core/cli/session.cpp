@@ -3,6 +3,7 @@
 #include <cstdio>
 
 #include "base/file.h"
+#include "base/limits.h"
 #include "cli/output.h"
 #include "glsl/target.h"
 #include "nodes/all.h"
@@ -63,6 +64,7 @@ void declare_common(CLI::App& command, CommonOptions& options, bool with_set) {
 
 Nodes load_nodes(const CommonOptions& options, Diagnostics& diagnostics) {
     Nodes nodes;
+    report_limits(diagnostics);
     nodes.registry.add_plugin(built_in_nodes(), Registry::built_in, diagnostics);
     nodes.plugins = load_plugins(nodes.registry, plugin_places(options.plugin_paths), diagnostics,
                                  {.cache = plugin_cache()});

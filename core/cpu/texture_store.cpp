@@ -1,5 +1,7 @@
 #include "cpu/texture_store.h"
 
+#include <algorithm>
+
 #include "image/load.h"
 
 namespace wrinkle {
@@ -7,8 +9,12 @@ namespace wrinkle {
 std::shared_ptr<const MipChain> TextureStore::read(const std::string& file, Diagnostics& problems) {
     const bool is_new = texels_.try_emplace(file).second;
     if (!is_new) return find(file);
-    auto image = load_image(file, problems);
+    ImageLimits limits = image_limits_from_environment(problems);
+    if (problems.has_errors()) return nullptr;
+    limits.left_bytes = most_bytes_ - std::min(most_bytes_, bytes_);
+    auto image = load_image(file, limits, problems);
     if (!image || image->empty()) return nullptr;
+    bytes_ += bytes_with_mips(*image);
     auto chain = std::make_shared<const MipChain>(build_mips(std::move(*image)));
     texels_[file] = std::make_shared<const Texels>(chain);
     return chain;

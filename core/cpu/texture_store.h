@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/diagnostics.h"
+#include "base/limits.h"
 #include "cpu/texture.h"
 #include "ir/module.h"
 
@@ -15,7 +16,8 @@ namespace wrinkle {
 
 class TextureStore {
 public:
-    // Reads a file that was not asked for before. Why one cannot be read is said that time alone.
+    // Reads a file that was not asked for before; one that all together are too large with is
+    // refused (Limit::all_images_bytes). Why one cannot be read is said that time alone.
     std::shared_ptr<const MipChain> read(const std::string& file, Diagnostics& problems);
 
     // Null for one that was not, or could not be, read.
@@ -24,10 +26,15 @@ public:
     // Textures by resource index; a black one for an image that is not there.
     std::vector<Texture> textures_of(std::span<const Resource> resources) const;
 
-    void forget() { texels_.clear(); }
+    void forget() {
+        texels_.clear();
+        bytes_ = 0;
+    }
 
 private:
     std::map<std::string, std::shared_ptr<const Texels>> texels_;
+    uint64_t bytes_ = 0;  // of all of them
+    uint64_t most_bytes_ = limit_of(Limit::all_images_bytes);
 };
 
 }  // namespace wrinkle

@@ -10,7 +10,7 @@ namespace {
 void write_function_form(const Plan& plan, const EmitOptions& options, Interface& face,
                          Shader& shader) {
     assign_bindings(options, face.reflection);
-    Text text = roomy_text(plan);
+    Text text = roomy_text(plan, options.max_bytes);
     std::string title = title_of(plan.module(), face.reflection.name);
     if (plan.implicit) title += " Call in uniform control flow.";
     text.line(0, title);
@@ -39,6 +39,16 @@ bool refused(const Module& module, const EmitOptions& options, Shader& shader) {
     return !shader.problems.empty();
 }
 
+void write_texts(const Module& module, const EmitOptions& options, Shader& shader) {
+    const Plan plan(module, options.differentials == Differentials::given);
+    Interface face = make_interface(plan, options);
+    if (options.form == Form::function)
+        write_function_form(plan, options, face, shader);
+    else
+        write_shader_form(plan, options, face, shader);
+    shader.reflection = std::move(face.reflection);
+}
+
 }  // namespace
 
 std::string material_name(const std::filesystem::path& file) {
@@ -48,13 +58,13 @@ std::string material_name(const std::filesystem::path& file) {
 Shader emit(const Module& module, const EmitOptions& options) {
     Shader shader;
     if (refused(module, options, shader)) return shader;
-    const Plan plan(module, options.differentials == Differentials::given);
-    Interface face = make_interface(plan, options);
-    if (options.form == Form::function)
-        write_function_form(plan, options, face, shader);
-    else
-        write_shader_form(plan, options, face, shader);
-    shader.reflection = std::move(face.reflection);
+    try {
+        write_texts(module, options, shader);
+    } catch (const OverLimit& over) {
+        shader = {};
+        shader.problems.push_back({over.node, over.message, over.expected});
+        shader.over_limit = true;
+    }
     return shader;
 }
 

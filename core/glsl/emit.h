@@ -33,6 +33,7 @@
 #include <string>
 #include <vector>
 
+#include "base/limits.h"
 #include "glsl/reflection.h"
 #include "glsl/target.h"
 #include "ir/module.h"
@@ -48,6 +49,7 @@ struct EmitOptions {
     std::string name = "material";  // NAME; made an identifier where it is none
     const Target* target = &targets().front();
     int set = 0, first_binding = 0;
+    uint64_t max_bytes = limit_of(Limit::text_bytes);  // of a stage's text; beyond is a problem
 };
 
 struct Shader {
@@ -56,6 +58,7 @@ struct Shader {
     std::string fragment;  // shader form
     Reflection reflection;
     std::vector<Problem> problems;  // the texts are empty when there are any
+    bool over_limit = false;        // one of them is of EmitOptions::max_bytes
 };
 
 // NAME of a graph's file: its stem; "stdin" of "-".

@@ -192,11 +192,12 @@ Interface make_interface(const Plan& plan, const EmitOptions& options) {
     return face;
 }
 
-Text roomy_text(const Plan& plan) {
+Text roomy_text(const Plan& plan, uint64_t most) {
     constexpr size_t letters_a_value = 28, values_a_line = 2;  // about
     constexpr size_t outside = 1000;
     Text text;
-    text.text.reserve(letters_a_value * plan.used_count() + outside);
+    text.most = most;
+    text.text.reserve(std::min<size_t>(letters_a_value * plan.used_count() + outside, most));
     text.nodes.reserve(plan.used_count() / values_a_line);
     return text;
 }

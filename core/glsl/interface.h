@@ -15,8 +15,8 @@ struct Interface {
 
 Interface make_interface(const Plan& plan, const EmitOptions& options);
 
-// A text with room for all that is written of the module.
-Text roomy_text(const Plan& plan);
+// A text with room for all that is written of the module, of at most so many bytes.
+Text roomy_text(const Plan& plan, uint64_t most);
 
 // What is appended to it.
 void write_struct(const Reflection& reflection, Text& text);

@@ -148,7 +148,7 @@ void write_main(const Stage& stage, Text& text) {
 
 Text fragment_text(const Stage& stage) {
     const Reflection& r = stage.face.reflection;
-    Text text = roomy_text(stage.plan);
+    Text text = roomy_text(stage.plan, stage.options.max_bytes);
     text.line(0, stage.options.target->version);
     text.line(0, title_of(stage.plan.module(), r.name));
     write_precision(*stage.options.target, text);

@@ -75,6 +75,7 @@ bool check_members(const Material& material, Diagnostics& diagnostics) {
 
 struct KeptImage {
     Texture texture;
+    uint64_t bytes;
     bool is_file;        // read by us, so it can be read again
     bool stale = false;  // still drawn with, until the next material
 };
@@ -119,7 +120,8 @@ bool Renderer::State::upload(const std::string& file, const MipChain& chain, boo
                           "at most " + std::to_string(limit) + " texels a side");
         return false;
     }
-    images.insert_or_assign(file, KeptImage{Texture::upload(chain), is_file});
+    images.insert_or_assign(
+        file, KeptImage{Texture::upload(chain), bytes_with_mips(chain.levels[0]), is_file});
     return true;
 }
 
@@ -134,12 +136,18 @@ bool Renderer::State::bring_up_images(const Material& material, Diagnostics& dia
         return false;
     }
     bool fine = true;
+    ImageLimits limits = image_limits_from_environment(diagnostics);
+    limits.left_bytes = limit_of(Limit::all_images_bytes);
     for (const MaterialSampler& sampler : material.samplers) {
         const auto kept = images.find(sampler.file);
-        if (kept != images.end() && !kept->second.stale) continue;
-        std::optional<Image> image = load_image(sampler.file, diagnostics);
-        fine =
-            image && upload(sampler.file, build_mips(std::move(*image)), true, diagnostics) && fine;
+        const bool fresh = kept != images.end() && !kept->second.stale;
+        if (!fresh) {
+            std::optional<Image> image = load_image(sampler.file, limits, diagnostics);
+            fine = image &&
+                   upload(sampler.file, build_mips(std::move(*image)), true, diagnostics) && fine;
+        }
+        if (const auto now = images.find(sampler.file); now != images.end())
+            limits.left_bytes -= std::min(limits.left_bytes, now->second.bytes);
     }
     return fine;
 }

@@ -65,6 +65,17 @@ void refuse_size(const fs::path& path, const std::string& what, uint64_t found, 
                           std::to_string(found) + " to raise the limit");
 }
 
+void refuse_together(const fs::path& path, uint64_t found, uint64_t left,
+                     Diagnostics& diagnostics) {
+    const uint64_t all = limit_of(Limit::all_images_bytes);
+    diagnostics.error(quoted(path) + "has a size in memory of " + std::to_string(found) +
+                          " with its mips, and of the limit of " + std::to_string(all) +
+                          " for all images of the graph " + std::to_string(left) + " are left",
+                      "fewer or smaller images, or set " +
+                          std::string(row_of(Limit::all_images_bytes).variable) + "=" +
+                          std::to_string(all - left + found) + " to raise the limit");
+}
+
 bool within_limits(const fs::path& path, const ImageInfo& info, const ImageLimits& limits,
                    Diagnostics& diagnostics) {
     if (info.width == 0 || info.height == 0) {
@@ -84,6 +95,8 @@ bool within_limits(const fs::path& path, const ImageInfo& info, const ImageLimit
     else if (bytes > limits.max_bytes)
         refuse_size(path, "a size in memory of", bytes, limits.max_bytes, "WRINKLE_IMAGE_MAX_BYTES",
                     diagnostics);
+    else if (bytes_with_mips(info) > limits.left_bytes)
+        refuse_together(path, bytes_with_mips(info), limits.left_bytes, diagnostics);
     else
         return true;
     return false;
@@ -203,6 +216,16 @@ std::optional<ImageLimits> usual_limits(Diagnostics& diagnostics) {
 }
 
 }  // namespace
+
+uint64_t bytes_with_mips(const ImageInfo& info) {
+    const uint64_t pixels = uint64_t{info.width} * info.height;
+    const uint64_t packed = info.source == PixelType::u8 ? pixels * sizeof(uint32_t) : 0;
+    return pixels * info.channels * sizeof(float) / 3 * 4 + packed;
+}
+
+uint64_t bytes_with_mips(const Image& image) {
+    return bytes_with_mips({"", image.width, image.height, image.channels, false, image.source});
+}
 
 std::optional<ImageInfo> read_image_info(const fs::path& path, const ImageLimits& limits,
                                          Diagnostics& diagnostics) {

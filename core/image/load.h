@@ -18,19 +18,20 @@
 #include <string>
 
 #include "base/diagnostics.h"
+#include "base/limits.h"
 #include "image/image.h"
 
 namespace wrinkle {
 
 // What a file's header may ask for; checked before any pixel is decoded.
 struct ImageLimits {
-    uint32_t max_side = 16384;                // of width and of height, texels
-    uint64_t max_pixels = uint64_t{1} << 27;  // width * height
-    uint64_t max_bytes = uint64_t{2} << 30;   // width * height * channels * 4, in memory
+    uint64_t max_side = limit_of(Limit::image_side);      // of width and of height, texels
+    uint64_t max_pixels = limit_of(Limit::image_pixels);  // width * height
+    uint64_t max_bytes = limit_of(Limit::image_bytes);    // width * height * channels * 4
+    uint64_t left_bytes = ~uint64_t{0};  // of Limit::all_images_bytes, mips included
 };
 
-// The defaults, changed by WRINKLE_IMAGE_MAX_SIDE, WRINKLE_IMAGE_MAX_PIXELS and
-// WRINKLE_IMAGE_MAX_BYTES (whole numbers from 1); a value that is no such number is reported.
+// Those of this process (base/limits.h); a variable that is no number is reported.
 ImageLimits image_limits_from_environment(Diagnostics& diagnostics);
 
 struct ImageInfo {
@@ -41,6 +42,11 @@ struct ImageInfo {
     bool has_alpha = false;
     PixelType source = PixelType::float32;
 };
+
+// What sampling it takes in memory: floats, their mips (a third more), and of bytes a packed level
+// (cpu/texels.h).
+uint64_t bytes_with_mips(const ImageInfo& info);
+uint64_t bytes_with_mips(const Image& image);
 
 // The header alone. Errors as load_image.
 std::optional<ImageInfo> read_image_info(const std::filesystem::path& path,

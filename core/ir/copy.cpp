@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <unordered_set>
 
+#include "base/limits.h"
+
 namespace wrinkle {
 namespace {
 
@@ -41,13 +43,24 @@ std::vector<Id> Copier::few_needed(std::span<const Id> roots) const {
     return list;
 }
 
+// What becomes too large names the node that it is written for, not what it is made of.
+Id Copier::write_for(Id id) {
+    try {
+        return write(id);
+    } catch (OverLimit& over) {
+        over.node = source_->origin[id];
+        const auto& nodes = into_functions_ ? target_->nodes : source_->nodes;
+        over.path = nodes[over.node].path;
+        throw;
+    }
+}
+
 void Copier::run(std::span<const Id> roots) {
     written_.set(poison, poison);
     const uint32_t node = target_->current_node;
     const auto rewrite = [&](Id id) {
         target_->current_node = source_->origin[id];
-        const Id written = write(id);
-        written_.set(id, written);
+        written_.set(id, write_for(id));
     };
     if (into_functions_) {
         const std::vector<bool> reached = reachable(*source_, roots);

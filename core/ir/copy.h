@@ -56,6 +56,7 @@ private:
     // Whether what was written for it, and for all below it, is the same but for names.
     bool is_kept(Id id) const { return into_functions_ ? renamed_[id] : written_.at(id) == id; }
     Id replaced(Id id, std::span<const Id> args);
+    Id write_for(Id id);
     Id write(Id id);
     Id write_apply(const Inst& inst, std::span<const Id> args);
     Id write_leaf(const Inst& inst);

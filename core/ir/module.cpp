@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/limits.h"
 #include "ir/fold.h"
 #include "ir/simplify.h"
 #include "ir/typing.h"
@@ -65,9 +66,13 @@ std::string base_in_words(const Module& m, Id base) {
     return "the normal of node '" + (node < m.nodes.size() ? m.nodes[node].path : "") + "'";
 }
 
+OverLimit too_many(const Module& m) {
+    return {Limit::graph_values, m.most_values, m.current_node, m.nodes[m.current_node].path};
+}
+
 }  // namespace
 
-Module::Module() {
+Module::Module() : most_values(limit_of(Limit::graph_values)) {
     inst_.push_back({});
     origin.push_back(0);
     regions_.push_back({});
@@ -96,6 +101,7 @@ Id Module::intern_leaf(const Inst& inst) {
 }
 
 Id Module::append(const Inst& inst, Id& place) {
+    if (inst_.size() > most_values) throw too_many(*this);
     const Id added = place = size();
     inst_.push_back(inst);
     origin.push_back(current_node);
@@ -385,16 +391,6 @@ void Module::name(Id value, uint32_t node, std::string_view name) {
 
 void Module::problem(std::string message, std::string expected) {
     problems.push_back({current_node, std::move(message), std::move(expected)});
-}
-
-std::vector<Id> Module::begin_region(RegionKind kind, std::string name,
-                                     std::span<const Type> params) {
-    open_.push_back({kind, std::move(name), {params.begin(), params.end()}});
-    if (depth() > deepest_region) return std::vector<Id>(params.size(), poison);
-    std::vector<Id> ids;
-    for (uint32_t k = 0; k < params.size(); ++k)
-        ids.push_back(region_parameter(depth(), k, params[k]));
-    return ids;
 }
 
 }  // namespace wrinkle

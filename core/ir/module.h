@@ -239,6 +239,10 @@ public:
     std::vector<uint32_t> origin;  // by Id
     uint32_t current_node = 0;     // the origin of what is added now
 
+    // So many instructions at most: what makes one more throws OverLimit (base/limits.h), which
+    // names the current node.
+    uint64_t most_values;
+
     // An instruction that add() gave before, of another module too, with its operands renamed
     // alike: it is checked, folded and simplified already. Neither a loop nor a call.
     Id add_known(const Inst& known, std::span<const Id> args, uint32_t extra);

@@ -78,6 +78,16 @@ bool Module::fits(const RegionBody& body) {
     return false;
 }
 
+std::vector<Id> Module::begin_region(RegionKind kind, std::string name,
+                                     std::span<const Type> params) {
+    open_.push_back({kind, std::move(name), {params.begin(), params.end()}});
+    if (depth() > deepest_region) return std::vector<Id>(params.size(), poison);
+    std::vector<Id> ids;
+    for (uint32_t k = 0; k < params.size(); ++k)
+        ids.push_back(region_parameter(depth(), k, params[k]));
+    return ids;
+}
+
 RegionUse Module::end_region(std::span<const Id> results, uint32_t max_iterations) {
     assert(!open_.empty());
     const int level = depth();

@@ -111,6 +111,7 @@ Id substitute(Module& module, Id root, std::span<const Id> from, std::span<const
 
 Module rebuild(Module&& source, Replace replace, void* context) {
     Module target;
+    target.most_values = source.most_values;
     target.make_room(2 * size_t{source.size()});  // what is expanded is longer
     target.nodes = std::move(source.nodes);
     target.titles = std::move(source.titles);

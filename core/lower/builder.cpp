@@ -5,6 +5,7 @@
 #include <cstring>
 #include <optional>
 
+#include "base/limits.h"
 #include "base/text.h"
 #include "ir/surface.h"
 #include "lower/decode.h"
@@ -40,6 +41,7 @@ public:
         module_.current_node = lowering_.graph().nodes[node_].instance;
         Unbuilt reason;
         const bool built = type_.run(&face_, reason);
+        if (over_) throw at_this_node(*over_);
         if (!built) module_.problem(reason.why, reason.remedy);
         if (built && module_.depth() > 0) refuse("leaves a loop or a function open");
         const std::array<Id, 1> nothing{poison};
@@ -57,42 +59,43 @@ private:
     static wr_builder calls_of_host() {
         wr_builder face{};
         face.size = sizeof face;
-        face.input = [](const wr_builder* b, uint32_t port) { return self(b).input(port); };
-        face.image = [](const wr_builder* b, uint32_t port) { return self(b).image(port); };
-        face.option = [](const wr_builder* b, uint32_t port) { return self(b).option(port); };
-        face.field = [](const wr_builder* b, uint32_t port, wr_value at) {
-            return self(b).field(port, at);
-        };
-        face.literal = [](const wr_builder* b, uint32_t type, const double* lanes) {
-            return self(b).literal(type, lanes);
-        };
-        face.surface = [](const wr_builder* b, uint32_t i) { return self(b).surface(i); };
-        face.emit = [](const wr_builder* b, uint32_t op, uint32_t type, const wr_value* args,
-                       uint32_t count,
-                       uint32_t extra) { return self(b).emit(op, type, args, count, extra); };
-        face.sample = [](const wr_builder* b, uint32_t op, wr_image image, const wr_value* args,
-                         uint32_t count) { return self(b).sample(op, image, args, count); };
-        face.begin_region = [](const wr_builder* b, uint32_t kind, const char* name,
-                               const uint32_t* types, uint32_t count, wr_value* params) {
-            self(b).begin_region(kind, name, types, count, params);
-        };
-        face.end_region = [](const wr_builder* b, const wr_value* results, uint32_t count,
-                             uint32_t max) { return self(b).end_region(results, count, max); };
-        face.apply = [](const wr_builder* b, wr_region region, const wr_value* args, uint32_t count,
-                        wr_value* results, uint32_t result_count) {
-            self(b).apply(region, args, count, results, result_count);
-        };
-        face.output = [](const wr_builder* b, uint32_t port, wr_value value) {
-            self(b).output(port, value);
-        };
-        face.error = [](const wr_builder* b, const char* text) { self(b).error(text); };
-        face.name = [](const wr_builder* b, wr_value value, const char* name) {
-            self(b).name(value, name);
-        };
+        face.input = call<&Builder::input>;
+        face.image = call<&Builder::image>;
+        face.option = call<&Builder::option>;
+        face.field = call<&Builder::field>;
+        face.literal = call<&Builder::literal>;
+        face.surface = call<&Builder::surface>;
+        face.emit = call<&Builder::emit>;
+        face.sample = call<&Builder::sample>;
+        face.begin_region = call<&Builder::begin_region>;
+        face.end_region = call<&Builder::end_region>;
+        face.apply = call<&Builder::apply>;
+        face.output = call<&Builder::output>;
+        face.error = call<&Builder::error>;
+        face.name = call<&Builder::name>;
         face.get_extension = [](const wr_builder*, const char*) -> const void* { return nullptr; };
         return face;
     }
-    static Builder& self(const wr_builder* b) { return *static_cast<Builder*>(b->host); }
+
+    // Exceptions do not cross a plugin's code: once there are too many values, calls give nothing,
+    // and run() throws.
+    template <auto member, class Result, class... Arguments>
+    static Result call(const wr_builder* b, Arguments... arguments) {
+        Builder& own = *static_cast<Builder*>(b->host);
+        try {
+            if (!own.over_) return (own.*member)(arguments...);
+        } catch (const OverLimit& over) {
+            own.over_.emplace(over);
+        }
+        return Result();
+    }
+
+    // Not at the nodes whose values it reads again.
+    OverLimit at_this_node(OverLimit over) const {
+        over.node = lowering_.graph().nodes[node_].instance;
+        over.path = module_.nodes[over.node].path;
+        return over;
+    }
 
     // A call that makes no sense; said once for each text.
     Id refuse(const std::string& message,
@@ -380,6 +383,7 @@ private:
     wr_builder face_;
     std::vector<Named> unread_;  // outputs that no wire leads from
     std::vector<RegionUse> regions_;
+    std::optional<OverLimit> over_;
     int skipped_ = 0;  // regions that were nested too deep
 };
 

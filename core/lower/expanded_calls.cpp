@@ -2,6 +2,7 @@
 
 #include <limits>
 
+#include "base/limits.h"
 #include "lower/reached.h"
 #include "lower/types.h"
 
@@ -31,13 +32,13 @@ uint64_t expanded_calls(const Project& project) {
 }
 
 bool may_expand(const Project& project, const std::string& doing, Diagnostics& diagnostics) {
-    const uint64_t calls = expanded_calls(project);
-    if (calls <= most_expanded_calls) return true;
+    const uint64_t calls = expanded_calls(project), most = limit_of(Limit::graph_calls);
+    if (calls <= most) return true;
     const std::string many =
         calls == countless ? "more than " + std::to_string(countless - 1) : std::to_string(calls);
     diagnostics.add(diagnose(project.top(),
                              doing + " would make " + many + " calls of sub-graphs, and makes " +
-                                 std::to_string(most_expanded_calls) + " at most",
+                                 std::to_string(most) + " at most",
                              "'wrinkle compile' makes a function of each sub-graph"));
     return false;
 }

@@ -10,10 +10,8 @@ namespace wrinkle {
 // stands for more. Linear in the files.
 uint64_t expanded_calls(const Project& project);
 
-// Above it programs that run without functions are refused.
-inline constexpr uint64_t most_expanded_calls = 100'000;
-
-// An error that names the count where it is above that. False then. `doing`: "eval", "render".
+// An error that names the count where it is above Limit::graph_calls, for programs that run without
+// functions. False then. `doing`: "eval", "render".
 bool may_expand(const Project& project, const std::string& doing, Diagnostics& diagnostics);
 
 }  // namespace wrinkle

@@ -56,11 +56,23 @@ public:
           files_(options.files ? *options.files : own_files_),
           nodes_left_(options.max_nodes),
           facts_(result_.module) {
+        result_.module.most_values = options.max_values;
         result_.module.nodes[0].title = result_.module.titles.add(project.top().name);
         result_.places.push_back({});
     }
 
     Lowered run() {
+        try {
+            return run_all();
+        } catch (const OverLimit& over) {
+            diagnostics_.add(over_limit(over, project_, result_.places));
+            result_.over_limit = true;
+            return std::move(result_);
+        }
+    }
+
+private:
+    Lowered run_all() {
         FlatRoot top;
         top.outputs = chosen_outputs(project_.top(), options_, diagnostics_);
         functions_ = plan_functions(project_, types_, options_, top.outputs);
@@ -75,7 +87,6 @@ public:
         return std::move(result_);
     }
 
-private:
     struct Frame {
         FlatGraph graph;
         std::optional<Lowering> lowering;
@@ -252,6 +263,11 @@ Lowered lower(const Project& project, const Types& types, const LowerOptions& op
 Lowered lower(const Project& project, const Registry& registry, const LowerOptions& options,
               Diagnostics& diagnostics) {
     return lower(project, Types(project, registry), options, diagnostics);
+}
+
+Diagnostic over_limit(const OverLimit& over, const Project& project,
+                      const std::vector<NodePlace>& places) {
+    return diagnose(project, places[over.node], over.path, over.message, over.expected);
 }
 
 void report_problems(const Module& module, const Project& project,

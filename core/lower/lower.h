@@ -27,6 +27,7 @@
 #include <string>
 #include <vector>
 
+#include "base/limits.h"
 #include "graph/named_files.h"
 #include "ir/module.h"
 #include "lower/types.h"
@@ -34,7 +35,8 @@
 namespace wrinkle {
 
 struct LowerOptions {
-    uint32_t max_nodes = 1'000'000;  // built, with each use that is written out counted by itself
+    uint64_t max_nodes = limit_of(Limit::graph_nodes);
+    uint64_t max_values = limit_of(Limit::graph_values);  // beyond: OverLimit is thrown
     // A graph of so many nodes, every use counted, has no functions.
     uint64_t inline_up_to = 256;
     std::vector<std::string> outputs;  // only these; empty: all
@@ -56,12 +58,17 @@ struct Lowered {
     // With literals: whether frames and bases are those that parameters would have. False: the
     // module is not complete and not to be used.
     bool decides_alike = true;
+    bool over_limit = false;  // an error said so: the module is not complete
 };
 
 Lowered lower(const Project& project, const Registry& registry, const LowerOptions& options,
               Diagnostics& diagnostics);
 Lowered lower(const Project& project, const Types& types, const LowerOptions& options,
               Diagnostics& diagnostics);
+
+// At the node that made it so. `places`: of the module's nodes.
+Diagnostic over_limit(const OverLimit& over, const Project& project,
+                      const std::vector<NodePlace>& places);
 
 // The problems that a module's passes recorded, as diagnostics at their nodes.
 void report_problems(const std::vector<Problem>& problems, const Module& module,

@@ -41,12 +41,30 @@ Lowered lower_baked(const Project& project, const Types& types, LowerOptions opt
     Diagnostics wrong;
     options.literals = true;
     Lowered lowered = lower(project, types, options, wrong);
-    if (lowered.decides_alike && wrong.list().empty()) return lowered;
+    if (lowered.over_limit) diagnostics.append(wrong);
+    if (lowered.over_limit || (lowered.decides_alike && wrong.list().empty())) return lowered;
     options.literals = false;
     lowered = lower(project, types, options, diagnostics);
     if (!diagnostics.has_errors())
         lowered.module = settle_frames(std::move(lowered.module), frames, Parameters::baked);
     return lowered;
+}
+
+// What follows lowering. What becomes too large is an error at the node that makes it so.
+void expand_into(Compiled& compiled, Module lowered, const ExpandOptions& frames,
+                 const Project& project, const MaterialOptions& options, Diagnostics& diagnostics) {
+    try {
+        Module module = expand(std::move(lowered), frames);
+        report_problems(module, project, compiled.places, diagnostics);
+        if (diagnostics.has_errors()) return;
+        if (options.given_differentials) module = explicit_lod(std::move(module));
+        assert(verify(module).empty());
+        compiled.module = std::move(module);
+        compiled.ok = true;
+    } catch (const OverLimit& over) {
+        diagnostics.add(over_limit(over, project, compiled.places));
+        compiled.over_limit = true;
+    }
 }
 
 }  // namespace
@@ -70,16 +88,11 @@ Compiled compile_material(const Project& project, const Registry& registry,
     Lowered lowered = options.uniform_parameters
                           ? lower(project, types, lowering, diagnostics)
                           : lower_baked(project, types, lowering, frames, diagnostics);
+    compiled.over_limit = lowered.over_limit;
     if (diagnostics.has_errors()) return compiled;
     assert(verify(lowered.module).empty());
-    Module module = expand(std::move(lowered.module), frames);
-    report_problems(module, project, lowered.places, diagnostics);
-    if (diagnostics.has_errors()) return compiled;
-    if (options.given_differentials) module = explicit_lod(std::move(module));
-    assert(verify(module).empty());
-    compiled.module = std::move(module);
     compiled.places = std::move(lowered.places);
-    compiled.ok = true;
+    expand_into(compiled, std::move(lowered.module), frames, project, options, diagnostics);
     return compiled;
 }
 

@@ -23,6 +23,7 @@ struct Compiled {
     Module module;
     std::vector<NodePlace> places;  // of module.nodes
     bool ok = false;                // false: an error was reported; the module is not to be used
+    bool over_limit = false;        // that error is of LowerOptions::max_values
 };
 
 // Compiles nothing when `diagnostics` holds an error already.

@@ -32,13 +32,14 @@
 #include <vector>
 
 #include "base/diagnostics.h"
+#include "base/limits.h"
 #include "mesh/mesh.h"
 
 namespace wrinkle {
 
 struct MeshLimits {
-    uint64_t max_bytes = uint64_t{1} << 30;    // of a file, and of all external ones together
-    uint64_t max_corners = uint64_t{1} << 26;  // three per triangle; of an accessor, elements
+    uint64_t max_bytes = limit_of(Limit::mesh_bytes);
+    uint64_t max_corners = limit_of(Limit::mesh_corners);
 };
 
 struct MeshFileOptions {

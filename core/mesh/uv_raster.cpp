@@ -9,40 +9,15 @@
 #include <optional>
 #include <tuple>
 
+#include "mesh/uv_raster_parts.h"
 #include "mesh/uv_triangle.h"
 
 namespace wrinkle {
 namespace {
 
-constexpr int64_t units = 256;          // of a texel
 constexpr double furthest = 1LL << 29;  // so that products of differences fit into 64 bits
-constexpr uint32_t marked = ~0U - 1;    // of a slot that is not numbered yet
-
-int64_t floor_div(int64_t a, int64_t b) {  // b > 0
-    return a >= 0 ? a / b : -((-a + b - 1) / b);
-}
-
-// The texel that a number of units lies in.
-constexpr int64_t texel_at(int64_t place) {
-    static_assert(units == 256);
-    return place >> 8;
-}
 
 constexpr size_t group = 32;  // of triangles that follow each other
-
-// One edge of a counter-clockwise triangle, from (ax, ay) by (dx, dy). What lies to its left is
-// inside; of the edge itself, where it runs downwards or to the right.
-struct RasterEdge {
-    int64_t ax, ay, dx, dy;
-
-    int64_t least() const { return dy < 0 || (dy == 0 && dx > 0) ? 0 : 1; }
-    bool has_inside(int64_t x, int64_t y) const { return dx * (y - ay) - dy * (x - ax) >= least(); }
-};
-
-struct Interval {
-    int64_t low, high;  // both included
-    bool empty() const { return low > high; }
-};
 
 // How far the texels reach whose centres an edge that is not level has inside, row by row upwards:
 // as far as the edge's value at the row's first texel, divided by its change from one to the next.
@@ -75,12 +50,6 @@ private:
     int64_t divisor_ = 1, quotient_ = 0, remainder_ = 0, quotient_step_ = 0, remainder_step_ = 0;
 };
 
-template <class Triangle>
-RasterEdge edge_of(const Triangle& t, size_t k) {
-    const size_t next = (k + 1) % 3;
-    return {t.x[k], t.y[k], int64_t{t.x[next]} - t.x[k], int64_t{t.y[next]} - t.y[k]};
-}
-
 // Calls take(texel, count) for each row's texels between the edges. How many edges there are is
 // known here, so that what they go on by stays in registers.
 template <size_t lefts, size_t rights, class Take>
@@ -97,13 +66,6 @@ void each_row(std::array<EdgeRows, 2> left, std::array<EdgeRows, 2> right, const
             take(static_cast<size_t>(texel + row.low), static_cast<size_t>(row.high - row.low + 1));
         texel += rect.width;
     }
-}
-
-// The texels from `first` on, `count` of them, that `box` meets.
-template <class Box>
-Interval texels_met(const Box& box, uint32_t first, uint32_t count) {
-    return {std::max<int64_t>(box.low, first),
-            std::min<int64_t>(box.high, int64_t{first} + count - 1)};
 }
 
 template <class Box>
@@ -164,6 +126,7 @@ UvRaster::UvRaster(const Mesh& mesh, const UvLayout& layout)
     rows_.resize(mesh.triangle_count());
     for (size_t i = 0; i < mesh.triangle_count(); ++i)
         add(mesh, i);
+    drop_repeats();
     find_group_rows();
     if (across_ > 1) find_borders();
 }
@@ -194,6 +157,24 @@ void UvRaster::add(const Mesh& mesh, size_t index) {
     t.columns = texels_of(t.x);
     triangles_[index] = t;
     rows_[index] = texels_of(t.y);
+}
+
+// Only where the triangles' boxes hold the layout many times over.
+void UvRaster::drop_repeats() {
+    constexpr int64_t many = 16;
+    const int64_t all = int64_t{layout_.width} * layout_.height;
+    int64_t held = 0;
+    for (size_t i = 0; i < triangles_.size() && held <= many * all; ++i) {
+        const Interval columns = texels_met(triangles_[i].columns, 0, layout_.width);
+        const Interval rows = texels_met(rows_[i], 0, layout_.height);
+        if (!columns.empty() && !rows.empty())
+            held += (columns.high - columns.low + 1) * (rows.high - rows.low + 1);
+    }
+    if (held <= many * all) return;
+    each_third_repeat(triangles_, [&](uint32_t index) {
+        triangles_[index].columns = {};
+        rows_[index] = {};
+    });
 }
 
 void UvRaster::find_group_rows() {
@@ -300,11 +281,13 @@ void UvRaster::own_centres(const TexelRect& rect, Coverage& out) const {
     out.overlapped = 0;
     out.overlap_triangle = Coverage::none;
     size_t taken = 0;
-    for (const uint32_t index : out.met)
+    for (const uint32_t index : out.met) {
         each_span(rect, index, [&](size_t first, size_t count) {
             fill_span(out.owners.data() + first, count, index);
             taken += count;
         });
+        if (taken > out.owners.size()) return own_in_order(rect, out);  // more than there are
+    }
     const auto empty = std::count(out.owners.begin(), out.owners.end(), Coverage::none);
     out.owned = out.owners.size() - static_cast<size_t>(empty);
     if (taken != out.owned) own_in_order(rect, out);
@@ -313,88 +296,27 @@ void UvRaster::own_centres(const TexelRect& rect, Coverage& out) const {
 // Once more where triangles overlap, as there the first one owns.
 void UvRaster::own_in_order(const TexelRect& rect, Coverage& out) const {
     std::fill(out.owners.begin(), out.owners.end(), Coverage::none);
+    out.open.open_all(out.owners.size());
     const auto take = [&out](uint32_t index, size_t texel) {
         uint32_t& owner = out.owners[texel];
         if (owner == Coverage::none) {
             owner = index;
-        } else if (out.overlapped++ == 0 || texel < out.overlap_texel) {
+            return;
+        }
+        out.open.close(texel);
+        if (out.overlapped++ == 0 || texel < out.overlap_texel) {
             out.overlap_texel = static_cast<uint32_t>(texel);
             out.overlap_triangle = index;
         }
     };
     for (const uint32_t index : out.met)
         each_span(rect, index, [&](size_t first, size_t count) {
-            for (size_t texel = first; texel < first + count; ++texel)
+            const size_t end = first + count;
+            for (size_t texel = out.open.from(first); texel < end; texel = out.open.from(texel + 1))
                 take(index, texel);
         });
-}
-
-void UvRaster::mark_borders(const TexelRect& rect, uint32_t index, Coverage& out) const {
-    const Triangle& t = triangles_[index];
-    for (size_t k = 0; k < 3; ++k) {
-        if (!(t.borders >> k & 1U)) continue;
-        const RasterEdge edge = edge_of(t, k);
-        const int64_t low = std::min(edge.ay, edge.ay + edge.dy);
-        const int64_t high = std::max(edge.ay, edge.ay + edge.dy);
-        const int64_t last = std::min(texel_at(high), int64_t{rect.y} + rect.height - 1);
-        for (int64_t y = std::max<int64_t>(texel_at(low), rect.y); y <= last; ++y) {
-            const auto x_at = [&](int64_t at) {
-                return edge.ax + floor_div(edge.dx * (std::clamp(at, low, high) - edge.ay) *
-                                               (edge.dy < 0 ? -1 : 1),
-                                           std::max<int64_t>(std::abs(edge.dy), 1));
-            };
-            const int64_t from = edge.dy == 0 ? edge.ax : x_at(y * units);
-            const int64_t to = edge.dy == 0 ? edge.ax + edge.dx : x_at((y + 1) * units);
-            const int64_t left = texel_at(std::min(from, to) - 1);  // floor_div rounds
-            const int64_t right = texel_at(std::max(from, to) + 1);
-            for (int64_t x = std::max<int64_t>(left, rect.x);
-                 x <= std::min(right, int64_t{rect.x} + rect.width - 1); ++x)
-                out.slots[static_cast<size_t>((y - rect.y) * rect.width + x - rect.x)] = marked;
-        }
-    }
-}
-
-void UvRaster::own_samples(const TexelRect& rect, uint32_t index, Coverage& out) const {
-    const Triangle& t = triangles_[index];
-    const RasterEdge edges[] = {edge_of(t, 0), edge_of(t, 1), edge_of(t, 2)};
-    const Interval rows = texels_met(rows_[index], rect.y, rect.height);
-    const Interval columns = texels_met(t.columns, rect.x, rect.width);
-    const int64_t step = units / across_;
-    const auto covers = [&](int64_t x, int64_t y) {
-        return edges[0].has_inside(x, y) && edges[1].has_inside(x, y) && edges[2].has_inside(x, y);
-    };
-    for (int64_t y = rows.low; y <= rows.high; ++y)
-        for (int64_t x = columns.low; x <= columns.high; ++x) {
-            const uint32_t slot =
-                out.slots[static_cast<size_t>((y - rect.y) * rect.width + x - rect.x)];
-            if (slot == Coverage::none) continue;
-            uint32_t* owners = out.sub_owners.data() + size_t{slot} * layout_.samples;
-            for (uint32_t i = 0; i < layout_.samples; ++i)
-                if (owners[i] == Coverage::none &&
-                    covers(x * units + step / 2 + i % across_ * step,
-                           y * units + step / 2 + i / across_ * step))
-                    owners[i] = index;
-        }
-}
-
-void UvRaster::gather_edges(const TexelRect& rect, Coverage& out) const {
-    const double step = 1.0 / across_;
-    for (uint32_t texel = 0; texel < out.slots.size(); ++texel) {
-        if (out.slots[texel] == Coverage::none) continue;
-        const uint32_t* owners = out.sub_owners.data() + size_t{out.slots[texel]} * layout_.samples;
-        const auto covered = static_cast<uint32_t>(
-            layout_.samples - std::count(owners, owners + layout_.samples, Coverage::none));
-        const bool whole = covered == layout_.samples && out.owners[texel] != Coverage::none;
-        if (covered == 0 || whole) continue;
-        out.owned -= out.owners[texel] != Coverage::none;
-        out.owners[texel] = Coverage::none;
-        out.edges.push_back({texel, static_cast<uint32_t>(out.samples.size()), covered});
-        for (uint32_t i = 0; i < layout_.samples; ++i)
-            if (owners[i] != Coverage::none)
-                out.samples.push_back({owners[i],
-                                       {rect.x + texel % rect.width + (0.5 + i % across_) * step,
-                                        rect.y + texel / rect.width + (0.5 + i / across_) * step}});
-    }
+    const auto empty = std::count(out.owners.begin(), out.owners.end(), Coverage::none);
+    out.owned = out.owners.size() - static_cast<size_t>(empty);
 }
 
 }  // namespace wrinkle

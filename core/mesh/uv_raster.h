@@ -21,6 +21,7 @@
 #include <vector>
 
 #include "mesh/mesh.h"
+#include "mesh/uv_overlap.h"
 
 namespace wrinkle {
 
@@ -63,6 +64,7 @@ struct Coverage {
     uint32_t overlap_triangle = none;
 
     std::vector<uint32_t> slots, sub_owners, met;  // room to work in
+    OpenTexels open;
 };
 
 // A triangle that rows may meet, and the texels of these that it may meet, both included.
@@ -91,7 +93,7 @@ private:
     };
     // Counter-clockwise, in 1/256 texel.
     struct Triangle {
-        int32_t x[3], y[3];
+        int32_t x[3] = {}, y[3] = {};
         Texels columns;       // that it meets; as rows_: none without an area
         uint8_t borders = 0;  // bit k: the edge from corner k on is a border of its island
     };
@@ -100,6 +102,7 @@ private:
     static void find_met(const TexelRect& rect, std::span<const RowCandidate> candidates,
                          Coverage& out);
     void add(const Mesh& mesh, size_t index);
+    void drop_repeats();
     void find_group_rows();
     void find_borders();
     // Calls take(texel, count) for the centres in each row that the triangle covers.

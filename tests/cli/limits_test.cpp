@@ -31,6 +31,22 @@ std::string chain_graph() {
            "}, \"outputs\": {\"value\": {\"from\": \"n199.result\"}}}";
 }
 
+// So many nodes of a type in a row, each fed by the one before; the first by a wave of uv0.
+std::string row_of(const std::string& type, const std::string& in, const std::string& out, int n) {
+    std::string nodes = R"("wave": {"type": "waves"})", from = "wave.height";
+    for (int i = 0; i < n; ++i) {
+        const std::string id = "n" + std::to_string(i);
+        nodes += ", \"" + id + "\": {\"type\": \"" + type + "\", \"in\": {\"" + in +
+                 "\": {\"from\": \"" + from + "\"}}}";
+        from = id + "." + out;
+    }
+    return "{\"wrinkle\": 1, \"nodes\": {" + nodes + "}, \"outputs\": {\"value\": {\"from\": \"" +
+           from + "\"}}}";
+}
+std::string tilts(int n) {
+    return row_of("gradient_tilt", "gradient", "tilt", n);
+}
+
 std::string points(const std::string& point, size_t count) {
     std::string text = "[" + point;
     for (size_t i = 1; i < count; ++i)
@@ -56,6 +72,119 @@ TEST_F(LimitsTest, ASweepTakesTheMemoryOfOneRun) {
     const Ran ran = run({"eval", "g.json", "--at", R"({"uv0": [0, 0]})", "--set", "n0.b=0:1:2000"});
     EXPECT_EQ(ran.code, 0) << ran.err;
     EXPECT_EQ(parsed(ran.out).find("runs").size(), 2000u);
+}
+
+TEST_F(LimitsTest, ARowOfSlopesOfSlopesIsRefusedAtANode) {
+    LIMITED_MEMORY;
+    memory = 1'000'000'000;
+    for (const int n : {12, 20, 60}) {
+        put("g.json", tilts(n));
+        const Ran ran = run({"compile", "g.json", "-o", "g.glsl"});
+        EXPECT_EQ(ran.code, 1) << n << ": " << ran.err;
+        EXPECT_TRUE(says(ran.err, ": error: node 'n")) << n;
+        EXPECT_TRUE(says(ran.err, "the graph becomes more than")) << n;
+        EXPECT_TRUE(says(ran.err, "bake that into an image")) << n;
+        EXPECT_FALSE(exists("g.glsl")) << n;
+    }
+    for (const std::vector<std::string>& rest :
+         {std::vector<std::string>{"check", "g.json"},
+          std::vector<std::string>{"eval", "g.json", "--at", "{}"},
+          std::vector<std::string>{"bake", "g.json", "--mesh", "plane", "-o", "g.png"}}) {
+        const Ran ran = run(rest);
+        EXPECT_EQ(ran.code, 1) << rest[0];
+        EXPECT_TRUE(says(ran.err, "node 'n")) << rest[0];
+        EXPECT_TRUE(says(ran.err, "the graph becomes more than 1000000 values")) << rest[0];
+    }
+}
+
+TEST_F(LimitsTest, ARowOfReliefsInReliefsIsRefusedAtANode) {
+    LIMITED_MEMORY;
+    memory = 1'000'000'000;
+    for (const int n : {8, 40}) {
+        put("g.json", row_of("parallax_occlusion", "height", "height", n));
+        const Ran ran = run({"compile", "g.json"});
+        EXPECT_EQ(ran.code, 1) << n << ": " << ran.err;
+        EXPECT_EQ(ran.out, "") << n;
+        EXPECT_TRUE(says(ran.err, ": error: node 'n")) << n;
+        EXPECT_TRUE(says(ran.err, "the graph becomes more than")) << n;
+    }
+}
+
+TEST_F(LimitsTest, AVariableRaisesOrLowersALimit) {
+    put("g.json", tilts(4));
+    EXPECT_EQ(run({"compile", "g.json"}).code, 0);
+    const Ran values = run({"compile", "g.json"}, "", {"WRINKLE_GRAPH_MAX_VALUES=300"});
+    EXPECT_EQ(values.code, 1);
+    EXPECT_TRUE(says(values.err, "the graph becomes more than 300 values"));
+    EXPECT_TRUE(says(values.err, "WRINKLE_GRAPH_MAX_VALUES above 300"));
+    const Ran text = run({"compile", "g.json"}, "", {"WRINKLE_TEXT_MAX_BYTES=3000"});
+    EXPECT_EQ(text.code, 1);
+    EXPECT_EQ(text.out, "");
+    EXPECT_TRUE(says(text.err, "the graph becomes more than 3000 bytes of text"));
+    const Ran wrong = run({"compile", "g.json"}, "", {"WRINKLE_TEXT_MAX_BYTES=many"});
+    EXPECT_EQ(wrong.code, 1);
+    EXPECT_TRUE(says(wrong.err, "environment variable WRINKLE_TEXT_MAX_BYTES is 'many'"));
+}
+
+// Whatever is counted when it is met: a text as before, or the sentence; never anything else.
+TEST_F(LimitsTest, AnyLimitOfValuesGivesTheWholeTextOrTheSentence) {
+    put("g.json", row_of("parallax_occlusion", "height", "height", 1));
+    const std::string whole = run({"compile", "g.json"}).out;
+    ASSERT_NE(whole, "");
+    int refused = 0, made = 0;
+    for (int most = 1; most < 4000; most += most / 8 + 1) {
+        const Ran ran =
+            run({"compile", "g.json"}, "", {"WRINKLE_GRAPH_MAX_VALUES=" + std::to_string(most)});
+        made += ran.code == 0;
+        refused += ran.code == 1;
+        EXPECT_EQ(ran.out, ran.code == 0 ? whole : "") << most;
+        if (ran.code == 0) continue;
+        EXPECT_EQ(ran.code, 1) << most << ran.err;
+        EXPECT_TRUE(says(ran.err, "becomes more than " + std::to_string(most) + " values"));
+    }
+    EXPECT_GT(refused, 10);
+    EXPECT_GT(made, 3);
+}
+
+TEST_F(LimitsTest, GraphsMadeAtTheSameTimeAreRefusedAsAlone) {
+    put("small.json", ramp_graph());
+    put("large.json", tilts(5));
+    const std::vector<std::string> limit = {"WRINKLE_GRAPH_MAX_VALUES=3000"};
+    EXPECT_EQ(run({"compile", "large.json"}, "", {"WRINKLE_GRAPH_MAX_VALUES=750"}).code, 1);
+    const Ran alone = run({"compile", "large.json"}, "", limit);
+    ASSERT_EQ(alone.code, 0) << "more than a quarter, and less than all" << alone.err;
+    put("large2.json", tilts(5));
+    put("small2.json", ramp_graph());
+    const Ran many = run(
+        {"compile", "small.json", "large.json", "large2.json", "small2.json", "-j4", "-o", "out"},
+        "", limit);
+    EXPECT_EQ(many.code, 0) << many.err;
+    EXPECT_EQ(many.err, "");
+    EXPECT_NE(get("out/large.glsl"), "");
+    EXPECT_NE(get("out/large2.glsl"), "");
+}
+
+TEST_F(LimitsTest, ImagesOfOneGraphShareTheirMemory) {
+    const std::string pixels(size_t{64} * 64, '\x7f');
+    put("a.pgm", "P5 64 64 255\n" + pixels);
+    put("b.pgm", "P5 64 64 255\n" + pixels);
+    put("g.json", R"({"wrinkle": 1, "nodes": {"a": {"type": "height_map", "in": {"image": "a.pgm"}},
+        "b": {"type": "height_map", "in": {"image": "b.pgm"}},
+        "sum": {"type": "height_add", "in": {"a": {"from": "a.height"}, "b": {"from": "b.height"}}}},
+        "outputs": {"height": {"from": "sum.height"}}})");
+    const std::vector<std::string> eval = {
+        "eval", "g.json", "--at",
+        R"({"uv0": [0, 0], "dx": {"uv0": [0, 0]}, "dy": {"uv0": [0, 0]}})"};
+    constexpr int one = 64 * 64 * 4 / 3 * 4 + 64 * 64 * 4;
+    const Ran both = run(eval, "", {"WRINKLE_IMAGES_MAX_BYTES=" + std::to_string(2 * one)});
+    EXPECT_EQ(both.code, 0) << both.err;
+    const Ran less = run(eval, "", {"WRINKLE_IMAGES_MAX_BYTES=" + std::to_string(2 * one - 1)});
+    EXPECT_EQ(less.code, 1);
+    EXPECT_EQ(less.out, "");
+    EXPECT_TRUE(says(less.err, "node 'b'")) << "the first fits";
+    EXPECT_TRUE(
+        says(less.err, "for all images of the graph " + std::to_string(one - 1) + " are left"));
+    EXPECT_TRUE(says(less.err, "WRINKLE_IMAGES_MAX_BYTES=" + std::to_string(2 * one)));
 }
 
 TEST_F(LimitsTest, ManyBadPointsAreCounted) {

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <chrono>
 #include <limits>
 #include <random>
 #include <set>
@@ -165,6 +167,45 @@ TEST(UvRaster, TheFirstTriangleOwnsWhatOthersCoverToo) {
     EXPECT_EQ(got.overlapped, owned);
     EXPECT_EQ(got.overlap_triangle, 1U);
     EXPECT_EQ(got.overlap_texel, 0U);
+}
+
+TEST(UvRaster, AnOverlapOfManyTrianglesCountsEachTexelOnce) {
+    std::vector<Corner> corners;
+    for (int i = 0; i < 5; ++i)  // no two alike, so that none is left out
+        corners.insert(corners.end(), {{0, 0}, {512 + i, 0}, {0, 512 + i}});
+    const Coverage one = cover(mesh_of({{0, 0}, {512, 0}, {0, 512}}));
+    const Coverage got = cover(mesh_of(corners));
+    EXPECT_GE(got.overlapped, one.owned);
+    EXPECT_LE(got.overlapped, got.owned);
+    EXPECT_EQ(got.overlap_triangle, 1U);
+    EXPECT_EQ(got.overlap_texel, 0U);
+}
+
+// As many as overflow a count of pairs in 32 bits, with guards against hours.
+TEST(UvRaster, AMillionTrianglesOnOnePlaceAreOwnedByTheFirst) {
+    for (const bool alike : {true, false}) {
+        std::vector<Corner> corners;
+        const int count = alike ? 1'000'000 : 100'000;
+        for (int i = 0; i < count; ++i) {
+            const int shift = alike ? 0 : i % 97;
+            std::array<Corner, 3> t{{{1024 - shift, 0}, {0, 1024 - shift / 7}, {0, shift}}};
+            std::rotate(t.begin(), t.begin() + i % 3, t.end());
+            if (i % 2 == 1) std::swap(t[0], t[1]);  // mirrored
+            corners.insert(corners.end(), t.begin(), t.end());
+        }
+        const Mesh mesh = mesh_of(corners);
+        const auto start = std::chrono::steady_clock::now();
+        const Coverage got = cover(mesh, 4);
+        EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(15)) << alike;
+        const Coverage two = cover(mesh_of({corners.begin(), corners.begin() + 6}), 4);
+        EXPECT_LE(got.overlapped, got.owners.size());
+        EXPECT_GE(got.overlapped, two.overlapped);
+        EXPECT_EQ(got.overlap_triangle, two.overlap_triangle);
+        if (!alike) continue;
+        EXPECT_EQ(got.overlapped, two.overlapped);
+        EXPECT_EQ(got.owners, two.owners);
+        EXPECT_EQ(got.edges.size(), two.edges.size());
+    }
 }
 
 // Sum over texels of what is covered of each.

@@ -1,0 +1,62 @@
+#include "base/limits.h"
+
+#include <charconv>
+#include <cstdlib>
+#include <limits>
+#include <optional>
+#include <utility>
+
+namespace wrinkle {
+namespace {
+
+// Nothing where it is not a whole number from 1.
+std::optional<uint64_t> number_in(std::string_view text) {
+    uint64_t value = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc() || end != text.data() + text.size() || value == 0) return {};
+    return value;
+}
+
+const char* text_of(const LimitRow& row) {
+    return std::getenv(row.variable.data());  // rows are literals, and end in zero
+}
+
+std::string remedy(Limit limit, uint64_t value) {
+    const std::string raise =
+        std::string(row_of(limit).variable) + " above " + std::to_string(value);
+    return "fewer nodes in a row that need the slope of what comes before, or bake that into an "
+           "image first; set " +
+           raise + " where it must be";
+}
+
+}  // namespace
+
+uint64_t limit_of(Limit limit) {
+    const char* text = text_of(row_of(limit));
+    return text ? number_in(text).value_or(row_of(limit).usual) : row_of(limit).usual;
+}
+
+bool report_limits(Diagnostics& diagnostics) {
+    bool fine = true;
+    for (const LimitRow& row : limit_rows) {
+        const char* text = text_of(row);
+        if (!text || number_in(text)) continue;
+        fine = false;
+        diagnostics.error(
+            "environment variable " + std::string(row.variable) + " is '" + text + "'",
+            "a whole number from 1 to " + std::to_string(std::numeric_limits<uint64_t>::max()));
+    }
+    return fine;
+}
+
+OverLimit::OverLimit(Limit which, uint64_t value, uint32_t at, std::string called)
+    : std::runtime_error("the graph becomes more than " + std::to_string(value) + " " +
+                         std::string(row_of(which).unit) +
+                         (which == Limit::text_bytes ? " of text" : "")),
+      limit(which),
+      node(at),
+      path(std::move(called)),
+      message(what()),
+      expected(remedy(which, value)) {}
+
+}  // namespace wrinkle

@@ -1,0 +1,79 @@
+// How large inputs, and what is made of them, may become: one row each, with the environment
+// variable that changes it. Sizes are counted before they are made, so a run refuses what is too
+// large in time and in words, and its answer does not depend on the machine's speed or memory.
+//
+// A variable holds a whole number from 1. Any other text is an error (report_limits), and the usual
+// value is used. docs/limits.md is this table for people.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+#include "base/diagnostics.h"
+
+namespace wrinkle {
+
+enum class Limit : uint8_t {
+    graph_nodes,
+    graph_calls,
+    graph_values,
+    text_bytes,
+    image_side,
+    image_pixels,
+    image_bytes,
+    all_images_bytes,
+    mesh_bytes,
+    mesh_corners,
+};
+
+struct LimitRow {
+    std::string_view variable;
+    uint64_t usual;
+    std::string_view unit;
+    std::string_view doc;
+};
+
+inline constexpr std::array<LimitRow, 10> limit_rows = {{
+    {"WRINKLE_GRAPH_MAX_NODES", 1'000'000, "nodes",
+     "Nodes of a graph, each use of a sub-graph that is inlined counted by itself"},
+    {"WRINKLE_GRAPH_MAX_CALLS", 100'000, "calls",
+     "Calls of sub-graphs in what runs without functions: eval, bake, render"},
+    {"WRINKLE_GRAPH_MAX_VALUES", 1'000'000, "values",
+     "Values that a graph computes, derivatives and reads of fields among them"},
+    {"WRINKLE_TEXT_MAX_BYTES", uint64_t{16} << 20, "bytes", "The text of one shader stage"},
+    {"WRINKLE_IMAGE_MAX_SIDE", 16384, "texels", "Width and height of an image"},
+    {"WRINKLE_IMAGE_MAX_PIXELS", uint64_t{1} << 27, "texels", "Width times height of an image"},
+    {"WRINKLE_IMAGE_MAX_BYTES", uint64_t{2} << 30, "bytes",
+     "An image in memory: width * height * channels * 4"},
+    {"WRINKLE_IMAGES_MAX_BYTES", uint64_t{4} << 30, "bytes",
+     "All images of a graph in memory together, with their mips"},
+    {"WRINKLE_MESH_MAX_BYTES", uint64_t{1} << 30, "bytes",
+     "A mesh's file, and all external files of it together"},
+    {"WRINKLE_MESH_MAX_CORNERS", uint64_t{1} << 26, "corners",
+     "Corners of a mesh's triangles, three each; elements of an accessor"},
+}};
+
+constexpr const LimitRow& row_of(Limit limit) {
+    return limit_rows[static_cast<size_t>(limit)];
+}
+
+// What holds in this process: the variable's value, else the usual one.
+uint64_t limit_of(Limit limit);
+
+// An error for each variable that is not a whole number from 1; false then.
+bool report_limits(Diagnostics& diagnostics);
+
+// Thrown by what grows while it is made: the values of a module and generated text.
+struct OverLimit : std::runtime_error {
+    OverLimit(Limit which, uint64_t value, uint32_t at, std::string called);
+
+    Limit limit;
+    uint32_t node;     // of Module::nodes: whose part went beyond it; 0: the graph's
+    std::string path;  // of that node; "" where who throws does not know it
+    std::string message, expected;
+};
+
+}  // namespace wrinkle

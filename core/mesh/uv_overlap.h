@@ -1,0 +1,53 @@
+// Many triangles on one place of a uv layout, in time that does not grow with how often they cover
+// it.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+namespace wrinkle {
+
+// Texels of a rectangle that one triangle covers at most. Each leaves after its second triangle, so
+// however many cover it, it is met twice. Nearly constant time a call (path halving).
+class OpenTexels {
+public:
+    void open_all(size_t count) {
+        next_.resize(count + 1);
+        std::iota(next_.begin(), next_.end(), 0U);
+    }
+    // The first open texel from `texel` on; the count of all where there is none.
+    size_t from(size_t texel) {
+        auto at = static_cast<uint32_t>(texel);
+        while (next_[at] != at)
+            at = next_[at] = next_[next_[at]];
+        return at;
+    }
+    void close(size_t texel) { next_[texel] = static_cast<uint32_t>(texel + 1); }
+
+private:
+    std::vector<uint32_t> next_;  // itself of an open texel
+};
+
+// Calls drop(index) for each triangle that two before it repeat, corner for corner in any order: the
+// first owns, the second shows the overlap, further ones change nothing. n log n.
+template <class Triangle, class Drop>
+void each_third_repeat(const std::vector<Triangle>& triangles, Drop drop) {
+    using Place = std::array<std::pair<int32_t, int32_t>, 3>;
+    std::vector<std::pair<Place, uint32_t>> places;
+    places.reserve(triangles.size());
+    for (uint32_t i = 0; i < triangles.size(); ++i) {
+        const Triangle& t = triangles[i];
+        Place place{{{t.x[0], t.y[0]}, {t.x[1], t.y[1]}, {t.x[2], t.y[2]}}};
+        std::sort(place.begin(), place.end());
+        places.emplace_back(place, i);
+    }
+    std::sort(places.begin(), places.end());
+    for (size_t i = 2; i < places.size(); ++i)
+        if (places[i].first == places[i - 2].first) drop(places[i].second);
+}
+
+}  // namespace wrinkle
