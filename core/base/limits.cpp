@@ -24,8 +24,9 @@ const char* text_of(const LimitRow& row) {
 std::string remedy(Limit limit, uint64_t value) {
     const std::string raise =
         std::string(row_of(limit).variable) + " above " + std::to_string(value);
-    return "fewer nodes in a row that need the slope of what comes before, or bake that into an "
-           "image first; set " +
+    return "fewer nodes in a row that need the slope of what comes before or read it as a field, "
+           "or "
+           "bake that into an image first; set " +
            raise + " where it must be";
 }
 

@@ -27,6 +27,7 @@ int run_cli(int argc, const char* const* argv) {
     app.set_version_flag("--version", version);
     app.require_subcommand(1);
     app.get_formatter()->column_width(34);
+    app.footer("Sizes have limits, which environment variables change: `wrinkle man` lists them.");
     Run run;
     for (auto declare : {declare_check, declare_compile, declare_eval, declare_render, declare_bake,
                          declare_convert, declare_lint, declare_test, declare_format,

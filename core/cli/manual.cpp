@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <memory>
 
+#include "base/limits.h"
 #include "cli/cli.h"
 #include "cli/output.h"
 
@@ -122,6 +123,15 @@ Wrong usage.
 The environment failed: an output cannot be written, there is no GL.
 )";
 
+std::string environment() {
+    std::string text = ".SH ENVIRONMENT\nLimits of sizes, each a whole number from 1.\n";
+    for (const LimitRow& row : limit_rows)
+        text += entry("\\fB" + std::string(row.variable) + "\\fR",
+                      std::string(row.doc) + "; default: " + std::to_string(row.usual) + " " +
+                          std::string(row.unit));
+    return text;
+}
+
 struct ManCommand {
     std::string name, folder;
 
@@ -170,7 +180,7 @@ std::string manual_page(const CLI::App& app) {
            "\"...\" round those with white space.\n"
            ".TP\n\\fB\\-\\fR\nIn place of a file is standard input or standard output.\n"
            ".SH OPTIONS\n" +
-           options_of(app) + exit_codes + ".SH SEE ALSO\n" + pages + "\n";
+           options_of(app) + environment() + exit_codes + ".SH SEE ALSO\n" + pages + "\n";
 }
 
 std::string manual_page(const CLI::App& app, const CLI::App& command) {

@@ -208,6 +208,27 @@ TEST(Border, PluginsThatAreNone) {
     EXPECT_TRUE(made.load_text(tilt_graph()).compile({}).ok);
 }
 
+TEST(Border, AGraphThatGrowsBeyondALimitIsAProblemAtItsNode) {
+    std::string nodes = R"("wave": {"type": "waves"})", from = "wave.height";
+    for (int i = 0; i < 20; ++i) {
+        const std::string id = "n" + std::to_string(i);
+        nodes += ", \"" + id +
+                 "\": {\"type\": \"gradient_tilt\", \"in\": {\"gradient\": " + "{\"from\": \"" +
+                 from + "\"}}}";
+        from = id + ".tilt";
+    }
+    const Graph graph =
+        library().load_text("{ \"wrinkle\": 1, \"nodes\": {" + nodes +
+                            "}, \"outputs\": {\"tilt\": {\"from\": \"" + from + "\"}} }");
+    for (const Problems& problems :
+         {graph.compile({}).problems, graph.check(), graph.evaluate(up()).problems}) {
+        ASSERT_EQ(problems.size(), 1u);
+        EXPECT_TRUE(problems[0].is_error);
+        EXPECT_TRUE(problems[0].node.starts_with("n1")) << problems[0].node;
+        EXPECT_EQ(problems[0].message, "the graph becomes more than 1000000 values");
+    }
+}
+
 TEST(Border, ManyProblemsAreCounted) {
     std::string nodes;
     for (int i = 0; i < 1200; ++i)
