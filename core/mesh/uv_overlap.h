@@ -32,7 +32,7 @@ private:
     std::vector<uint32_t> next_;  // itself of an open texel
 };
 
-// Calls drop(index) for each triangle that two before it repeat, corner for corner in any order: the
+// Calls drop(index) for each triangle that has the corners of two before it, in any order: the
 // first owns, the second shows the overlap, further ones change nothing. n log n.
 template <class Triangle, class Drop>
 void each_third_repeat(const std::vector<Triangle>& triangles, Drop drop) {

@@ -23,8 +23,8 @@ enum class Wiring : uint8_t { one_input, all_inputs };
 // No inputs where nothing of `from` fits `to`.
 Link link(const NodeType& from, const NodeType& to, Wiring wiring);
 
-// The text of a graph whose nodes are a, b, a, b ... The first reads a wave of the surface's uv0, and
-// so do inputs that need a wire.
+// The text of a graph whose nodes are a, b, a, b ... The first reads a wave of the surface's uv0,
+// and so do inputs that need a wire.
 std::string chain(const Link& there, const Link& back, int length);
 
 }  // namespace wrinkle::test

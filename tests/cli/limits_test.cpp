@@ -170,7 +170,8 @@ TEST_F(LimitsTest, ImagesOfOneGraphShareTheirMemory) {
     put("b.pgm", "P5 64 64 255\n" + pixels);
     put("g.json", R"({"wrinkle": 1, "nodes": {"a": {"type": "height_map", "in": {"image": "a.pgm"}},
         "b": {"type": "height_map", "in": {"image": "b.pgm"}},
-        "sum": {"type": "height_add", "in": {"a": {"from": "a.height"}, "b": {"from": "b.height"}}}},
+        "sum": {"type": "height_add",
+                "in": {"a": {"from": "a.height"}, "b": {"from": "b.height"}}}},
         "outputs": {"height": {"from": "sum.height"}}})");
     const std::vector<std::string> eval = {
         "eval", "g.json", "--at",
