@@ -10,7 +10,8 @@
     { "surface", "unit" }
 #define SCALE_DOC                                                                             \
     "surface: slopes are lengths of object space per uv unit; unit: slopes do not depend on " \
-    "the size of the surface or on tiling"
+    "the size of the surface or on tiling. On a projection of the position, surface is the bump " \
+    "that triplanar nodes make"
 #define BASE_DOC                                                                              \
     "The normal to put the bump on: the surface's, or that of a resolve, to bump its result " \
     "further"

@@ -5,6 +5,7 @@
 #include "graph/order.h"
 #include "lower/conversion.h"
 #include "lower/literal.h"
+#include "lower/projected.h"
 #include "lower/reached.h"
 
 namespace wrinkle {
@@ -281,7 +282,10 @@ void check(const Project& project, const Registry& registry, const Types& types,
         report_unknown(document, diagnostics);
         Checker checker(project, registry, types, f, files, diagnostics);
         for (size_t i = 0; i < document.nodes.size(); ++i)
-            if (!options.reached_only || reached[f][i]) checker.node(i);
+            if (!options.reached_only || reached[f][i]) {
+                checker.node(i);
+                warn_of_projection(document, *document.nodes[i], registry, diagnostics);
+            }
         for (const GraphInput& input : document.inputs)
             checker.graph_input(input);
         for (const Output& output : document.outputs)
