@@ -24,7 +24,7 @@ void check_normals(const std::vector<OutputColumn>& columns, size_t first,
             source.report(first + i / 3, Severity::warning,
                           "'" + column.name + "' has no direction: its numbers are " +
                               "too large or too small for the precision",
-                          "inputs between 1e-15 and 1e15, or --precision double", diagnostics);
+                          "inputs between 1e-18 and 1e18, or --precision double", diagnostics);
         }
     }
 }
@@ -58,7 +58,7 @@ struct EvalCommand {
         return write_results(std::move(results)) ? exit_fine : exit_environment;
     }
 
-    // What is wrong with the call, or nothing.
+    // Empty for a call that is right.
     std::string sentence() const {
         if (at.mesh.empty() && at.at.empty())
             return "eval needs points: --at JSON, --at FILE.csv|npy, or --mesh NAME|PATH with "
@@ -158,7 +158,7 @@ void declare_eval(CLI::App& app, Run& run) {
         ->capture_default_str();
     sub.add_option("-o", c.output, "A file in place of standard output: .json, .csv or .npy")
         ->type_name("OUT");
-    sub.add_option("--format", c.format, "Of the result; default: as OUT ends, else json")
+    sub.add_option("--format", c.format, "The form of the result; default: as OUT ends, else json")
         ->check(CLI::IsMember({"json", "csv", "npy"}));
     sub.add_option("--precision", c.precision, "Of the arithmetic")
         ->check(CLI::IsMember({"float", "double"}))

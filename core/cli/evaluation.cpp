@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/text.h"
+#include "mesh/mesh.h"
 
 namespace wrinkle::cli {
 namespace {
@@ -17,6 +18,40 @@ bool within_float(const PointSource& source, size_t first, const PointSet& set,
         source.report(first + each.point, Severity::error, each.message(),
                       "--precision double does", diagnostics);
     return beyond.empty();
+}
+
+// The longer of the two changes of a value at point `k`; 0 where it is not read.
+double change_of(const PointSet& set, SurfaceInput input, size_t k) {
+    double most = 0;
+    for (const Variant variant : {Variant::dx, Variant::dy}) {
+        const std::vector<double>& values = set.at(input, variant);
+        const size_t lanes = lanes_of({input, variant});
+        double square = 0;
+        for (size_t i = 0; !values.empty() && i < lanes; ++i)
+            square += values[k * lanes + i] * values[k * lanes + i];
+        most = std::max(most, std::sqrt(square));
+    }
+    return most;
+}
+
+// A frame made of a uv's changes fades there, in double precision too (core/ir/gradient_frame.cpp).
+constexpr double least_change_product = 1e-18;
+
+void warn_of_small_changes(const PointSource& source, size_t first, const PointSet& set,
+                           Diagnostics& diagnostics) {
+    for (int i = 0; i < static_cast<int>(max_uv_sets); ++i) {
+        const auto uv = static_cast<SurfaceInput>(static_cast<int>(SurfaceInput::uv0_) + i);
+        if (set.at(uv, Variant::dx).empty()) continue;
+        for (size_t k = 0; k < set.count; ++k) {
+            const double product =
+                change_of(set, SurfaceInput::position_, k) * change_of(set, uv, k);
+            if (product > 0 && product < least_change_product)
+                source.report(first + k, Severity::warning,
+                              "the changes of position and " + name_of({uv, Variant::value}) +
+                                  " are so small that a frame 'derived' of them fades",
+                              "lengths whose product is above 1e-18", diagnostics);
+        }
+    }
 }
 
 void append_number_json(std::string& text, double value, Precision precision) {
@@ -40,14 +75,15 @@ bool evaluate_blocks(const MaterialRun& run, const TextureStore& textures,
     if (!why.empty() || !source.check(needs, diagnostics)) return false;
     const std::vector<Texture> images = textures.textures_of(run.compiled.module.resources);
     bool fine = true;
-    PointSet set;
     size_t first = 0;
     do {
+        PointSet set;
         set.count = std::min(block, source.count - first);
         const bool filled = source.fill(needs, first, set, diagnostics) &&
                             (precision == Precision::full ||
                              within_float(source, first, set, program, diagnostics));
         fine = fine && filled;
+        if (fine) warn_of_small_changes(source, first, set, diagnostics);
         if (fine) take(first, set.count, evaluate_columns(program, set, images, precision));
         first += set.count;
     } while (first < source.count);

@@ -114,6 +114,42 @@ TEST_F(EvalTest, WhatJsonCannotSayIsNull) {
     EXPECT_TRUE(says(run({"eval", "g.json", "--at", R"({"uv0": [9, 0]})"}).out, "\"value\": null"));
 }
 
+TEST_F(EvalTest, NormalsThatThePrecisionLosesAreNamed) {
+    put("g.json", tilt_graph());
+    const std::string fine = R"({"normal": [0, 0, 1]})";
+    for (const std::string lost : {"1e20", "1e-30"}) {
+        const std::string at = "[" + fine + R"(, {"normal": [0, 0, )" + lost + "]}]";
+        const Ran ran = run({"eval", "g.json", "--at", at});
+        EXPECT_EQ(ran.code, 0);
+        EXPECT_TRUE(says(ran.err, "--at:1:25: warning: point 1: 'normal' has no direction"));
+        EXPECT_EQ(ran.err.find("point 0"), std::string::npos);
+        const Ran exact = run({"eval", "g.json", "--at", at, "--precision", "double"});
+        EXPECT_EQ(exact.err, "");
+    }
+}
+
+TEST_F(EvalTest, ChangesThatAFrameFadesByAreNamed) {
+    put("g.json", R"({"wrinkle": 1, "nodes": {
+        "bump": {"type": "gradient_from_tangent_normal", "in": {"normal": [0.6, 0, 0.8],
+                 "frame": "derived"}},
+        "end": {"type": "resolve", "in": {"gradient": {"from": "bump.gradient"}}}},
+        "outputs": {"normal": {"from": "end.normal"}}})");
+    const auto said = [&](const std::string& size, const std::string& precision) {
+        const std::string at = R"({"normal": [0, 0, 1], "position": [0, 0, 0], "uv0": [0, 0],
+            "dx": {"position": [)" +
+                               size + ", 0, 0], \"uv0\": [" + size + R"(, 0]},
+            "dy": {"position": [0, )" +
+                               size + ", 0], \"uv0\": [0, " + size + "]}}";
+        const Ran ran = run({"eval", "g.json", "--at", at, "--precision", precision});
+        EXPECT_EQ(ran.code, 0) << ran.err;
+        return ran.err;
+    };
+    for (const std::string precision : {"float", "double"}) {
+        EXPECT_EQ(said("1e-8", precision), "");
+        EXPECT_TRUE(says(said("5e-10", precision), "point 0: the changes of position and uv0 are"));
+    }
+}
+
 TEST_F(EvalTest, ReportsABadPoint) {
     put("g.json", ramp_graph());
     const std::vector<std::pair<std::string, std::string>> cases = {

@@ -3,8 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdio>
 
 #include "property/material.h"
+#include "support/files.h"
 
 namespace wrinkle::test {
 namespace {
@@ -106,6 +108,55 @@ TEST(Base, APerturbedNormalIsReachedFromAnyBase) {
         const dvec3 truth = glm::normalize(sphere().normal(sample.st) + dvec3(0.1, 0.3, -0.2));
         EXPECT_LE(angle_deg(material.vector(0, around), truth), 1e-6);
         EXPECT_LE(angle_deg(material.vector(1, around), truth), 1e-6);
+    }
+}
+
+// A slope put on a base by its tangents made square to the base again, as the reference demo does.
+dvec3 on_rebuilt_tangents(dvec3 n1, dvec2 slope) {
+    const dvec3 along_x(1, 0, 0);
+    const dvec3 tangent = glm::normalize(along_x - n1 * glm::dot(n1, along_x));
+    return glm::normalize(n1 - tangent * slope.x - glm::cross(n1, tangent) * slope.y);
+}
+
+// The table in docs/surface-gradient.md, its rows made again.
+TEST(Base, RebuiltTangentsDifferByTheTableOfTheDocs) {
+    Material m;
+    const Value frame = m.frame(m.uv0(), WR_FRAME_derived, WR_SCALE_unit);
+    const Value first =
+        m.resolve(m.from_slope(vec2(m.input(texel).x(), m.input(texel).y()), frame));
+    const Value detail = op(Op::derivative_, m.uv1(), frame);
+    m.output("base", first);
+    m.output("normal",
+             m.resolve({&m.module, m.module.gradient(Op::gradient_from_derivative_, detail.id,
+                                                     op(Op::base_, first).id)}));
+    const Expanded material(m);
+    const std::string docs = bytes_of(WRINKLE_SOURCE_DIR "/docs/surface-gradient.md");
+    Surroundings around = point_at(plane_with(dmat2(1)), dvec2(0.3, 0.4), dmat2(0.01));
+    const auto difference = [&](double base, double tilt, int across, int direction) {
+        const auto slope = [](double degrees, int turn) {
+            const double angle = glm::radians(5.0 * turn);
+            return std::tan(glm::radians(degrees)) * dvec2(std::cos(angle), std::sin(angle));
+        };
+        const dvec2 first_slope = slope(base, across), second = slope(tilt, direction);
+        around.inputs[input_extra(texel, Variant::value)] = {first_slope.x, first_slope.y, 0, 0};
+        around.inputs[input_extra(SurfaceInput::uv1_, Variant::value)] = {second.x, second.y};
+        const dvec3 n1 = material.vector(0, around);
+        EXPECT_NEAR(angle_deg(n1, dvec3(0, 0, 1)), base, 1e-9);
+        return angle_deg(material.vector(1, around), on_rebuilt_tangents(n1, second));
+    };
+    const std::pair<double, double> rows[] = {{32, 5}, {32, 10}, {32, 20}, {32, 32}, {60, 32}};
+    for (const auto& [base, tilt] : rows) {
+        double along_u = 0, most = 0;
+        for (int across = 0; across < 72; ++across)
+            for (int direction = 0; direction < 72; ++direction) {
+                const double here = difference(base, tilt, across, direction);
+                if (across == 0) along_u = std::fmax(along_u, here);
+                most = std::fmax(most, here);
+            }
+        char row[80];
+        std::snprintf(row, sizeof row, "| %.0f° | %.0f° | %.1f° | %.1f° |\n", base, tilt, along_u,
+                      most);
+        EXPECT_NE(docs.find(row), docs.npos) << row;
     }
 }
 

@@ -118,11 +118,29 @@ TEST_P(CloseAndFar, DifferencesOfFloatsGiveTheBumpToTheirPrecision) {
 }
 
 // Given in full precision, a change may be as small as floats of the area carry.
-TEST_P(CloseAndFar, GivenDifferentialsGiveTheBumpAtAnySize) {
+TEST_P(CloseAndFar, GivenDifferentialsGiveTheBumpOverTwelveDecades) {
     for (const double pixel : {1e4, 1e2, 1.0, 1e-3, 1e-5, 1e-6, 1e-7, 1e-8}) {
         const Worst worst = worst_of(GetParam(), pixel, false);
         EXPECT_LE(worst.degrees, 0.01) << pixel;
     }
+}
+
+// The one limit of a frame made of changes: the product of a length and a change of uv.
+TEST(DerivedFrame, FadesWhereTheProductOfChangesIsBelowItsFloor) {
+    Material m;
+    const Value frame = m.frame(m.uv0(), WR_FRAME_derived, WR_SCALE_unit);
+    m.output("normal", m.resolve(m.from_slope(m.vector(dvec2(0.5, 0)), frame)));
+    const Expanded material(m);
+    const Surface surface = plane_with(dmat2(1));
+    const auto tilt = [&](double pixel) {
+        const Surroundings around = point_at(surface, dvec2(0.3, 0.4), dmat2(pixel));
+        return angle_deg(material.vector(0, around), surface.normal(dvec2(0.3, 0.4)));
+    };
+    const double whole = glm::degrees(std::atan(0.5));
+    EXPECT_NEAR(tilt(1), whole, 1e-9);
+    EXPECT_NEAR(tilt(1.01e-9), whole, 1e-9) << "a product of 1.02e-18";
+    EXPECT_NEAR(tilt(5e-10), glm::degrees(std::atan(0.5 / 4)), 1e-9) << "of 0.25e-18";
+    EXPECT_LT(tilt(1e-11), 0.01);
 }
 
 INSTANTIATE_TEST_SUITE_P(Kinds, CloseAndFar, testing::ValuesIn(kinds),
