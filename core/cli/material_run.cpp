@@ -7,7 +7,7 @@ namespace {
 
 constexpr std::array<const char*, 4> purpose_names = {"eval", "render", "bake", "bake"};
 
-// What glTF asks of a double-sided material: seen from behind a bump is a dent.
+// glTF defines a double-sided material so: seen from behind a bump is a dent.
 void show_back_faces(Project& project, const std::string& mesh, Diagnostics& diagnostics) {
     Document& top = project.files[0].document;
     if (!top.source.is(json::Kind::object) || top.source.has("back_faces")) return;

@@ -215,6 +215,48 @@ TEST_F(BakeTest, WrongUsageIsSaidBeforeAnyWork) {
     EXPECT_EQ(run({"bake", "--merge", "a", "--mesh", "cube", "-o", "m.png"}).code, 2);
 }
 
+// The samples are of texels that an island's border crosses; what lies inside is the value at its
+// centre, so a map that only reads an image of its own size is that image.
+TEST_F(BakeTest, SamplesChangeTheBordersOfIslandsAlone) {
+    const Image source = picture(WRINKLE_SOURCE_DIR "/graphs/textures/rivets_normal.png");
+    fs::copy_file(WRINKLE_SOURCE_DIR "/graphs/textures/rivets_normal.png", folder / "r.png");
+    put("g.json", R"({"wrinkle": 1, "nodes": {
+        "m": {"type": "tangent_normal_map", "in": {"image": "r.png"}},
+        "e": {"type": "resolve", "in": {"gradient": {"from": "m.gradient"}}},
+        "one": {"type": "add", "in": {"a": 1, "b": 0}}},
+        "outputs": {"normal": {"from": "e.normal"}, "covered": {"from": "one.result"}}})");
+    graph = "g.json";
+    const std::string size = std::to_string(source.width) + "x" + std::to_string(source.height);
+    const auto baked = [&](const std::string& samples) {
+        const Ran ran = bake(
+            "teapot", "s" + samples,
+            {"--map", "normal,covered", "--size", size, "--dilate", "0", "--samples", samples});
+        EXPECT_EQ(ran.code, 0) << ran.err;
+        return picture("s" + samples + "/normal.png");
+    };
+    const Image once = baked("1"), mean = baked("4"), covered = picture("s1/covered.png");
+    const auto difference = [&](const Image& a, const Image& b, uint32_t x, uint32_t y) {
+        float most = 0;
+        for (uint32_t c = 0; c < 3; ++c)
+            most = std::fmax(most, std::fabs(a.texel(x, y)[c] - b.texel(x, y)[c]) * 255);
+        return most;
+    };
+    size_t inside = 0, changed = 0;
+    for (uint32_t y = 1; y + 1 < source.height; ++y)
+        for (uint32_t x = 1; x + 1 < source.width; ++x) {
+            if (covered.texel(x, y)[0] == 0) continue;
+            EXPECT_LT(difference(once, source, x, y), 1.01) << x << " " << y;
+            bool around = true;
+            for (uint32_t k = 0; k < 9; ++k)
+                around = around && covered.texel(x + k % 3 - 1, y + k / 3 - 1)[0] == 1;
+            inside += around;
+            EXPECT_TRUE(!around || difference(once, mean, x, y) == 0) << x << " " << y;
+            changed += difference(once, mean, x, y) > 1.01;
+        }
+    EXPECT_GT(inside, 10000U);
+    EXPECT_GT(changed, 10U) << "at borders the mean is another number";
+}
+
 TEST_F(BakeTest, IntegersThatCannotHoldAMapAreToldOf) {
     const Ran ran = bake("sphere", "h.png", {"--map", "height", "--size", "32"});
     EXPECT_EQ(ran.code, 0);
