@@ -9,6 +9,7 @@
 #include <cstdio>
 
 #include "base/file.h"
+#include "base/printable.h"
 #include "editor/document/files.h"
 #include "editor/document/recovery.h"
 #include "editor/window.h"
@@ -26,7 +27,7 @@ struct Arguments {
 };
 
 int complain(const std::string& sentence, int code) {
-    std::fprintf(stderr, "wrinkle-editor: %s\n", sentence.c_str());
+    std::fprintf(stderr, "wrinkle-editor: %s\n", printable(sentence).c_str());
     return code;
 }
 

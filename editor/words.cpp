@@ -4,10 +4,12 @@
 #include <cmath>
 #include <cstdio>
 
+#include "base/printable.h"
+
 namespace wrinkle::editor {
 
 std::string sentence(std::string_view text) {
-    std::string result(text);
+    std::string result = printable(text);  // names of files and nodes among it
     if (result.empty()) return result;
     const std::string_view word = text.substr(0, text.find(' '));
     const bool name = word.find_first_of("0123456789._/:") != word.npos;

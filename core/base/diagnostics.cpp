@@ -5,6 +5,7 @@
 #include <set>
 #include <stdexcept>
 
+#include "base/printable.h"
 #include "base/text.h"
 
 namespace wrinkle {
@@ -52,7 +53,7 @@ std::string to_text(const Diagnostic& diagnostic) {
     if (!diagnostic.node.empty()) text += "node '" + diagnostic.node + "': ";
     text += diagnostic.message;
     if (!diagnostic.expected.empty()) text += " (" + diagnostic.expected + ")";
-    return text;
+    return printable(text);
 }
 
 std::string to_text(const Diagnostics& diagnostics) {

@@ -55,7 +55,8 @@ private:
     size_t dropped_ = 0;
 };
 
-// "graph.json:12:7: error: node 'weave': unknown port 'amout' (did you mean 'amount'?)"
+// "graph.json:12:7: error: node 'weave': unknown port 'amout' (did you mean 'amount'?)": one line,
+// as printable() makes it.
 std::string to_text(const Diagnostic& diagnostic);
 // One line per problem and, when some were dropped, a last line with their count.
 std::string to_text(const Diagnostics& diagnostics);

@@ -8,7 +8,6 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstdlib>
-#include <cstring>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -17,10 +16,6 @@ namespace wrinkle {
 namespace fs = std::filesystem;
 
 namespace {
-
-std::string reason() {
-    return std::strerror(errno);
-}
 
 std::error_code last_error() {
     return {errno, std::generic_category()};
@@ -60,43 +55,40 @@ bool is_special(const fs::path& path) {
 
 bool holds(const fs::path& path, std::string_view bytes) {
     std::string ignored;
-    std::error_code error;
-    if (!fs::is_regular_file(path, error)) return false;
-    const auto old = read_file(path, ignored);
+    const auto old = read_file(path, bytes.size(), ignored);
     return old && *old == bytes;
 }
 
 // Files may be larger than memory.
 template <typename Use>
 std::error_code each_block(const fs::path& path, Use use) {
-    std::FILE* file = std::fopen(path.c_str(), "rb");
+    std::string ignored;
+    const OpenedFile file = open_to_read(path, ignored);
     if (!file) return last_error();
     std::vector<char> block(size_t{1} << 20);
     std::error_code error;
     while (!error) {
-        const size_t count = std::fread(block.data(), 1, block.size(), file);
+        const size_t count = std::fread(block.data(), 1, block.size(), file.get());
         if (count == 0) break;
         error = use(std::string_view(block.data(), count));
     }
-    if (std::ferror(file) && !error) error = last_error();
-    std::fclose(file);
+    if (std::ferror(file.get()) && !error) error = last_error();
     return error;
 }
 
 bool hold_the_same(const fs::path& one, const fs::path& other) {
     std::error_code error;
-    if (!fs::is_regular_file(other, error)) return false;
     if (fs::file_size(one, error) != fs::file_size(other, error) || error) return false;
-    std::FILE* file = std::fopen(other.c_str(), "rb");
+    std::string ignored;
+    const OpenedFile file = open_to_read(other, ignored);
     if (!file) return false;
     std::vector<char> block;
     error = each_block(one, [&](std::string_view bytes) {
         block.resize(bytes.size());
-        const size_t count = std::fread(block.data(), 1, block.size(), file);
+        const size_t count = std::fread(block.data(), 1, block.size(), file.get());
         const bool same = count == bytes.size() && bytes == std::string_view(block.data(), count);
         return same ? std::error_code() : make_error_code(std::errc::invalid_argument);
     });
-    std::fclose(file);
     return !error;
 }
 
@@ -156,31 +148,6 @@ private:
 };
 
 }  // namespace
-
-std::optional<std::string> read_file(const fs::path& path, std::string& why) {
-    std::error_code error;
-    if (fs::is_directory(path, error)) {
-        why = "is a folder, not a file";
-        return {};
-    }
-    std::FILE* file = std::fopen(path.c_str(), "rb");
-    if (!file) {
-        why = "cannot be read: " + reason();
-        return {};
-    }
-    std::string bytes;
-    char buffer[1 << 16];
-    size_t count = 0;
-    while ((count = std::fread(buffer, 1, sizeof buffer, file)) > 0)
-        bytes.append(buffer, count);
-    const bool failed = std::ferror(file) != 0;
-    std::fclose(file);
-    if (failed) {
-        why = "cannot be read: " + reason();
-        return {};
-    }
-    return bytes;
-}
 
 bool write_file(const fs::path& path, std::string_view bytes, std::string& why) {
     Replacement file({path, bytes});

@@ -1,7 +1,15 @@
 // Files, read whole and written whole or not at all.
+//
+// One rule holds for every file that is read: it is a regular file, links followed, of at most so
+// many bytes, which are counted while it is read. A folder, pipe, device or socket is refused at
+// once, without waiting for a writer. What a file names goes through inside() first. Streams are
+// read where the user names one, and nowhere else.
 #pragma once
 
+#include <cstdint>
+#include <cstdio>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -10,8 +18,28 @@
 
 namespace wrinkle {
 
-// The whole file, or nothing with the reason in `why` ("cannot be read: No such file or ...").
+struct CloseFile {
+    void operator()(std::FILE* file) const { std::fclose(file); }
+};
+using OpenedFile = std::unique_ptr<std::FILE, CloseFile>;
+
+// A regular file to read from, or null with the reason in `why` ("cannot be read: No such ...",
+// "is a pipe, not a file").
+OpenedFile open_to_read(const std::filesystem::path& path, std::string& why);
+
+// WRINKLE_FILE_MAX_BYTES where it is a number from 1, else 1 GiB.
+uint64_t default_max_bytes();
+
+// The whole file, or nothing with the reason in `why`.
 std::optional<std::string> read_file(const std::filesystem::path& path, std::string& why);
+std::optional<std::string> read_file(const std::filesystem::path& path, uint64_t max_bytes,
+                                     std::string& why);
+
+// What a stream is called in messages: "<stdin>" for "-", "/dev/stdin" and the like, "<fd 63>" for
+// "/dev/fd/63", as `<(COMMAND)` of a shell is spelled; "" for all else.
+std::string stream_title(std::string_view name);
+// The whole of such a stream, up to default_max_bytes().
+std::optional<std::string> read_stream(std::string_view name, std::string& why);
 
 // Writes to a temporary name beside `path` and renames it. A file that already holds these bytes
 // is left untouched, so build systems see no change; one that is replaced keeps its permissions. A

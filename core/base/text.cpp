@@ -5,6 +5,9 @@
 #include <charconv>
 #include <cmath>
 #include <cstdint>
+#include <cstdio>
+
+#include "base/printable.h"
 
 namespace wrinkle {
 namespace {
@@ -74,27 +77,30 @@ void append_shortest(std::string& text, float value) {
     text.append(buffer, end);
 }
 
+// What may not be printed is escaped too, so that JSON on a terminal forges no line.
 std::string json_quoted(std::string_view text) {
-    static constexpr char hex[] = "0123456789abcdef";
     std::string quoted = "\"";
-    for (const char c : text) {
-        const auto byte = static_cast<unsigned char>(c);
-        if (c == '"' || c == '\\') {
+    while (!text.empty()) {
+        const Character character = first_character(text);
+        const uint32_t code = character.code;
+        if (code == '"' || code == '\\') {
             quoted += '\\';
-            quoted += c;
-        } else if (c == '\n') {
+            quoted += text[0];
+        } else if (code == '\n') {
             quoted += "\\n";
-        } else if (c == '\t') {
+        } else if (code == '\t') {
             quoted += "\\t";
-        } else if (c == '\r') {
+        } else if (code == '\r') {
             quoted += "\\r";
-        } else if (byte < 0x20) {
-            quoted += "\\u00";
-            quoted += hex[byte >> 4];
-            quoted += hex[byte & 15];
+        } else if (is_printable(character)) {
+            quoted += text.substr(0, character.bytes);
         } else {
-            quoted += c;
+            constexpr uint32_t replacement = 0xFFFD;  // JSON is UTF-8
+            char escape[8];
+            std::snprintf(escape, sizeof escape, "\\u%04x", character.valid ? code : replacement);
+            quoted += escape;
         }
+        text.remove_prefix(character.bytes);
     }
     return quoted + "\"";
 }
@@ -157,25 +163,10 @@ std::vector<std::string_view> split(std::string_view text, char separator) {
 }
 
 bool is_utf8(std::string_view text) {
-    size_t i = 0;
-    while (i < text.size()) {
-        const auto lead = static_cast<unsigned char>(text[i]);
-        const size_t length = lead < 0x80   ? 1
-                              : lead < 0xC2 ? 0
-                              : lead < 0xE0 ? 2
-                              : lead < 0xF0 ? 3
-                              : lead < 0xF5 ? 4
-                                            : 0;
-        if (length == 0 || i + length > text.size()) return false;
-        uint32_t code = length == 1 ? lead : lead & (0x7Fu >> length);
-        for (size_t k = 1; k < length; ++k) {
-            const auto next = static_cast<unsigned char>(text[i + k]);
-            if ((next & 0xC0) != 0x80) return false;
-            code = code << 6 | (next & 0x3Fu);
-        }
-        const bool overlong = (length == 3 && code < 0x800) || (length == 4 && code < 0x10000);
-        if (overlong || code > 0x10FFFF || (code >= 0xD800 && code <= 0xDFFF)) return false;
-        i += length;
+    while (!text.empty()) {
+        const Character character = first_character(text);
+        if (!character.valid) return false;
+        text.remove_prefix(character.bytes);
     }
     return true;
 }

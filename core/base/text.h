@@ -13,7 +13,7 @@ std::string shortest(double value);
 std::string shortest(float value);
 void append_shortest(std::string& text, float value);
 
-// A quoted JSON string with the escapes that JSON demands; UTF-8 passes unchanged.
+// A quoted JSON string. What is_printable() passes unchanged; a byte that is not UTF-8: U+FFFD.
 std::string json_quoted(std::string_view text);
 
 // A C-like identifier: every byte outside [A-Za-z0-9_] becomes '_', runs of '_' become one (GLSL

@@ -12,6 +12,7 @@
 #include <optional>
 #include <set>
 
+#include "base/printable.h"
 #include "certify/certify.h"
 #include "cli/cli.h"
 #include "cli/output.h"
@@ -116,7 +117,8 @@ int certify_here(const CertifyOptions& options, int pipe) {
     const certify::Bench bench{loaded.registry, pictures->path(), gpu.missing.empty(), {}};
     const TypeList types = types_of(loaded);
     const PluginReport& plugin = loaded.reports.front();
-    std::printf("%s\n    %s %s\n", options.file.c_str(), plugin.id.c_str(), plugin.version.c_str());
+    std::printf("%s\n    %s %s\n", printable(options.file).c_str(), plugin.id.c_str(),
+                plugin.version.c_str());
     size_t failed = 0;
     for (const NodeType* type : types) {
         std::fflush(stdout);

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/diagnostics.h"
+#include "base/printable.h"
 #include "cli/arguments.h"
 #include "cli/output.h"
 
@@ -20,6 +21,13 @@ int guarded(const Run& run) {
     return exit_environment;
 }
 
+// A word of the command line may be the name of a file that a glob found.
+std::string one_line_failure(const CLI::App* app, const CLI::Error& error) {
+    const std::string sentence = printable(error.what());
+    return CLI::FailureMessage::simple(
+        app, CLI::Error(error.get_name(), sentence, error.get_exit_code()));
+}
+
 }  // namespace
 
 int run_cli(int argc, const char* const* argv) {
@@ -28,6 +36,7 @@ int run_cli(int argc, const char* const* argv) {
     app.require_subcommand(1);
     app.get_formatter()->column_width(34);
     app.footer("Sizes have limits, which environment variables change: `wrinkle man` lists them.");
+    app.failure_message(one_line_failure);
     Run run;
     for (auto declare : {declare_check, declare_compile, declare_eval, declare_render, declare_bake,
                          declare_convert, declare_lint, declare_test, declare_format,

@@ -1,5 +1,6 @@
 #include "cli/cost.h"
 
+#include "base/printable.h"
 #include "base/text.h"
 
 namespace wrinkle::cli {
@@ -23,7 +24,8 @@ std::string printed_costs(std::span<const GraphCost> costs, bool several, bool j
             text += (text.empty() ? "\n" : ",\n") + ("{\"file\": " + json_quoted(each.file)) +
                     ", \"cost\":\n" + each.report + "}";
         else
-            text += (text.empty() ? "" : "\n") + (several ? each.file + "\n" : "") + each.report;
+            text += (text.empty() ? "" : "\n") + (several ? printable(each.file) + "\n" : "") +
+                    each.report;
     }
     return json ? "{\"version\": 1, \"graphs\": [" + text + "\n]}\n" : text;
 }

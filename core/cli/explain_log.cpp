@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "base/companion.h"
+#include "base/printable.h"
 #include "base/text.h"
 #include "cli/compile_graph.h"
 #include "cli/output.h"
@@ -94,7 +95,7 @@ struct ExplainCommand {
         return text.target == "spirv" ? "SPIR-V has no lines that a log could name" : "";
     }
 
-    // What names no line is passed on as it is.
+    // What names no line is passed on.
     int print(const Explained& explained, std::string_view said) const {
         Diagnostics found;
         std::string printed;
@@ -104,7 +105,8 @@ struct ExplainCommand {
             said.remove_prefix(std::min(end + 1, said.size()));
             const LogLine read = read_log_line(line);
             if (read.line > 0) found.add(explained.explain(read));
-            printed += read.line > 0 ? to_text(explained.explain(read)) : std::string(line);
+            printed += read.line > 0 ? to_text(explained.explain(read))
+                                     : printable(line.substr(0, line.find_last_not_of('\r') + 1));
             printed += '\n';
         }
         const bool json = common.diagnostics == "json";

@@ -2,6 +2,8 @@
 #include <cstdio>
 #include <memory>
 
+#include "base/file.h"
+#include "base/printable.h"
 #include "cli/output.h"
 #include "cli/session.h"
 #include "graph/edit.h"
@@ -58,6 +60,11 @@ struct RewriteCommand {
     bool upgrade = false;
 
     int run() const {
+        for (const std::string& file : files)
+            if (file != "-" && !check_only && !stream_title(file).empty()) {
+                complain(file + " is a stream, which cannot be rewritten; - is stdin to stdout");
+                return exit_usage;
+            }
         Diagnostics diagnostics;
         Registry registry;
         if (upgrade) registry = std::move(load_nodes(common, diagnostics).registry);
@@ -67,7 +74,8 @@ struct RewriteCommand {
             const auto text = read_text(file, diagnostics);
             if (!text) continue;
             Diagnostics own;
-            const Document document = read_document(*text, file == "-" ? "<stdin>" : file, own);
+            const std::string stream = stream_title(file);
+            const Document document = read_document(*text, stream.empty() ? file : stream, own);
             diagnostics.append(own);
             if (own.has_errors()) continue;
             const std::string result =
@@ -76,7 +84,7 @@ struct RewriteCommand {
                 results.push_back({file, result});
             } else if (result != *text) {
                 would_change = true;
-                std::printf("%s would change\n", file.c_str());
+                std::printf("%s would change\n", printable(file).c_str());
             }
         }
         const int code = report(diagnostics, common.diagnostics);

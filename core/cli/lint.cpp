@@ -2,6 +2,7 @@
 #include <cstdio>
 #include <memory>
 
+#include "base/printable.h"
 #include "base/text.h"
 #include "cli/cli.h"
 #include "cli/output.h"
@@ -17,7 +18,7 @@ std::string number(double value) {
 }
 
 std::string as_text(const std::string& file, const maps::Verdict& verdict) {
-    std::string text = file + ": " + std::string(name_of(verdict.look)) + ": " +
+    std::string text = printable(file) + ": " + std::string(name_of(verdict.look)) + ": " +
                        std::string(description_of(verdict.look)) + "\n";
     text += "  evidence:";
     for (const maps::Measure& measure : verdict.evidence)

@@ -3,6 +3,7 @@
 #include <cstdio>
 
 #include "base/file.h"
+#include "base/printable.h"
 #include "cli/cli.h"
 
 namespace wrinkle::cli {
@@ -49,8 +50,7 @@ int report(const Diagnostics& diagnostics, const std::string& format) {
 }
 
 void complain(std::string_view sentence) {
-    std::fprintf(stderr, "wrinkle: error: %.*s\n", static_cast<int>(sentence.size()),
-                 sentence.data());
+    std::fprintf(stderr, "wrinkle: error: %s\n", printable(sentence).c_str());
 }
 
 }  // namespace wrinkle::cli

@@ -23,7 +23,7 @@ bool write_results(const std::vector<Result>& results, std::string& why);  // pr
 // Prints the problems to standard error, as text or as JSON, and gives the exit code they mean.
 int report(const Diagnostics& diagnostics, const std::string& format);
 
-// One sentence to standard error.
+// One sentence to standard error, escaped as printable() does.
 void complain(std::string_view sentence);
 
 }  // namespace wrinkle::cli

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/file.h"
 #include "base/text.h"
 #include "graph/document.h"
 #include "json/parse.h"
@@ -113,8 +114,9 @@ std::vector<Point> points_of_option(const std::string& at, Diagnostics& diagnost
     std::optional<std::string> text = at;
     std::string name = "--at";
     if (at == "-" || at.starts_with('@')) {
-        name = at == "-" ? "<stdin>" : at.substr(1);
-        text = read_text(at == "-" ? at : name, diagnostics);
+        const std::string file = at == "-" ? at : at.substr(1);
+        name = stream_title(file).empty() ? file : stream_title(file);
+        text = read_text(file, diagnostics);
     }
     if (!text) return {};
     Diagnostics own;

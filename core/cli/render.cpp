@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "base/file.h"
+#include "base/printable.h"
 #include "base/text.h"
 #include "cli/meshes.h"
 #include "cli/output.h"
@@ -141,7 +142,7 @@ struct RenderCommand {
 
     void print(const gpu::AngleStatistics& angles, const std::string& path) const {
         std::fprintf(path == "-" ? stderr : stdout, "%s: mean %.4f degrees, max %.4f degrees\n",
-                     path.c_str(), angles.mean_degrees, angles.max_degrees);
+                     printable(path).c_str(), angles.mean_degrees, angles.max_degrees);
     }
 };
 

@@ -11,15 +11,6 @@
 namespace wrinkle::cli {
 namespace {
 
-std::string standard_input() {
-    std::string text;
-    char buffer[1 << 16];
-    size_t count = 0;
-    while ((count = std::fread(buffer, 1, sizeof buffer, stdin)) > 0)
-        text.append(buffer, count);
-    return text;
-}
-
 void list_targets() {
     std::string text;
     for (const Target& each : targets())
@@ -72,12 +63,12 @@ Nodes load_nodes(const CommonOptions& options, Diagnostics& diagnostics) {
 }
 
 std::optional<std::string> read_text(const std::string& file, Diagnostics& diagnostics) {
-    if (file == "-") return standard_input();
+    const std::string stream = stream_title(file);
     std::string why;
-    auto text = read_file(file, why);
+    auto text = stream.empty() ? read_file(file, why) : read_stream(file, why);
     if (!text) {
         Diagnostic problem;
-        problem.where.file = file;
+        problem.where.file = stream.empty() ? file : stream;
         problem.message = why;
         diagnostics.add(std::move(problem));
     }
@@ -94,8 +85,12 @@ Project open_project(const std::string& file, const CommonOptions& options,
                      Diagnostics& diagnostics) {
     ProjectOptions project;
     project.root = options.root;
-    if (file != "-") return load_project(file, project, diagnostics);
-    Document top = read_document(standard_input(), "<stdin>", diagnostics, project.limits);
+    const std::string stream = stream_title(file);
+    if (stream.empty()) return load_project(file, project, diagnostics);
+    Document top;
+    top.file = stream;
+    if (auto text = read_text(file, diagnostics))
+        top = read_document(std::move(*text), stream, diagnostics, project.limits);
     return load_project(std::move(top), ".", project, diagnostics);
 }
 

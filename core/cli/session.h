@@ -31,11 +31,11 @@ struct Nodes {
 };
 Nodes load_nodes(const CommonOptions& options, Diagnostics& diagnostics);
 
-// "-" reads standard input, whose folder is the working folder.
+// The folder of a stream, such as "-", is the working folder.
 Project open_project(const std::string& file, const CommonOptions& options,
                      Diagnostics& diagnostics);
 
-// The whole of standard input, or of a file; nothing with an error.
+// The whole of a file that the user names, or of a stream; nothing with an error.
 std::optional<std::string> read_text(const std::string& file, Diagnostics& diagnostics);
 
 // A problem at a value. Those beyond the list's limit are only counted: finding the pointer of an

@@ -5,6 +5,7 @@
 
 #include "base/difference.h"
 #include "base/file.h"
+#include "base/printable.h"
 #include "base/text.h"
 #include "cli/meshes.h"
 #include "cli/output.h"
@@ -64,8 +65,7 @@ void TestRun::test(const fs::path& file, Diagnostics& diagnostics) {
     if (const auto test = read_test_case(file, options_.update, diagnostics))
         run(*test, diagnostics);
     if (diagnostics.error_count() == errors) return;
-    ++tally_.failed;
-    std::printf("FAIL %s: cannot be run\n", file.c_str());
+    fail(file, "cannot be run");
 }
 
 void TestRun::run(const TestCase& test, Diagnostics& diagnostics) {
@@ -216,7 +216,7 @@ fs::path TestRun::report_path(const TestCase& test, const std::string& extension
 void TestRun::fail(const TestCase& test, const json::Value& place, const char* pointer,
                    const std::string& sentence) {
     ++tally_.failed;
-    std::printf("FAIL %s: %s\n", test.file.c_str(), sentence.c_str());
+    std::printf("FAIL %s\n", printable(test.file.string() + ": " + sentence).c_str());
     Diagnostic failure;
     if (place.has_location())
         failure = diagnose(place, "", sentence, "");

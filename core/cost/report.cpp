@@ -6,6 +6,7 @@
 #include <set>
 #include <string_view>
 
+#include "base/printable.h"
 #include "base/text.h"
 #include "cost/counted_shader.h"
 #include "cost/limits.h"
@@ -80,7 +81,7 @@ std::string to_text(const CostReport& report) {
                        std::to_string(report.texture_units) + " of " +
                        std::to_string(guaranteed_texture_units) + " texture units\n";
     for (const NodeCost& each : report.nodes)
-        text += cells(each.cost, each.texture_units) + each.node + "\n";
+        text += cells(each.cost, each.texture_units) + printable(each.node) + "\n";
     if (!(report.shared == ShaderCost{})) text += cells(report.shared, 0) + "(the surface point)\n";
     return text;
 }

@@ -4,6 +4,7 @@
 #include <array>
 #include <utility>
 
+#include "base/printable.h"
 #include "base/text.h"
 #include "base/text_hash.h"
 
@@ -115,22 +116,6 @@ constexpr std::pair<Op, std::string_view> op_words[] = {{Op::image_size_, "size"
                                                         {Op::length_, "extent"},
                                                         {Op::reflect_, "reflected"},
                                                         {Op::transpose_, "transposed"}};
-
-bool is_continuation(char c) {
-    return (static_cast<unsigned char>(c) & 0xC0) == 0x80;
-}
-
-// How many bytes the text's first character has if it ends a line, turns the direction of writing
-// or is another control character; else 0.
-size_t unseen_at(std::string_view text) {
-    const auto byte = [&](size_t i) { return static_cast<unsigned char>(text[i]); };
-    if (byte(0) < 0x20 || byte(0) == 0x7F) return 1;
-    if (byte(0) == 0xC2 && text.size() > 1 && byte(1) < 0xA0) return 2;  // U+0080 to U+009F
-    if (byte(0) != 0xE2 || text.size() < 3) return 0;
-    const unsigned low = (byte(1) & 0x3FU) << 6 | (byte(2) & 0x3FU);  // behind U+2000
-    const bool line_or_turn = 0x28 <= low && low <= 0x2E;
-    return line_or_turn || low == 0x0E || low == 0x0F || (0x66 <= low && low <= 0x69) ? 3 : 0;
-}
 
 bool is_plain_comment(std::string_view text) {
     static constexpr auto plain = [] {
@@ -246,13 +231,16 @@ std::string_view change_name(uint32_t input_extra) {
 std::string comment_text(std::string_view text) {
     if (is_plain_comment(text)) return std::string(text);
     std::string line;
-    size_t end = std::min(text.size(), longest_comment);
-    while (end > 0 && end < text.size() && is_continuation(text[end]))
-        --end;
-    for (size_t at = 0; at < end;) {
-        const size_t unseen = std::min(unseen_at(text.substr(at)), end - at);
-        line += unseen > 0 ? ' ' : text[at] == '\\' ? '/' : text[at];
-        at += std::max(unseen, size_t{1});
+    while (!text.empty()) {
+        const Character character = first_character(text);
+        if (line.size() + character.bytes > longest_comment) break;
+        if (text[0] == '\\')
+            line += '/';
+        else if (is_printable(character))
+            line += text.substr(0, character.bytes);
+        else
+            line += ' ';
+        text.remove_prefix(character.bytes);
         if (line.ends_with("?\?/")) line.back() = ' ';  // a backslash to old compilers
     }
     return line;

@@ -48,10 +48,8 @@ private:
                         "keep it below the root, or choose another with --root");
         if (known_.empty()) known_[project_.files[0].path] = 0;
         if (const auto known = known_.find(*path); known != known_.end()) return known->second;
-        std::string why = "is not a regular file";
-        std::error_code error;
-        const bool special = fs::is_fifo(*path, error) || fs::is_other(*path, error);
-        auto bytes = special ? std::nullopt : read_file(*path, why);
+        std::string why;
+        auto bytes = read_file(*path, why);
         if (!bytes) return fail(why, "expected a graph file");
         return add(*path, display_name(document, name), std::move(*bytes));
     }

@@ -1,10 +1,10 @@
 #include "image/format.h"
 
 #include <array>
-#include <cerrno>
 #include <cstdio>
-#include <cstring>
 #include <string_view>
+
+#include "base/file.h"
 
 namespace wrinkle {
 namespace fs = std::filesystem;
@@ -38,24 +38,11 @@ bool is_pnm(std::string_view head) {
 }
 
 std::string read_head(const fs::path& path, std::string& why) {
-    std::error_code error;
-    if (fs::is_directory(path, error)) {
-        why = "is a folder, not a file";
-        return {};
-    }
-    if (fs::exists(path, error) && !fs::is_regular_file(path, error)) {
-        why = "is no regular file";  // opening a pipe would wait for its writer
-        return {};
-    }
-    std::FILE* file = std::fopen(path.c_str(), "rb");
-    if (!file) {
-        why = "cannot be read: " + std::string(std::strerror(errno));
-        return {};
-    }
+    const OpenedFile file = open_to_read(path, why);
+    if (!file) return {};
     char buffer[16];
-    const size_t count = std::fread(buffer, 1, sizeof buffer, file);
-    if (count == 0) why = std::ferror(file) ? "cannot be read" : "is empty (0 bytes)";
-    std::fclose(file);
+    const size_t count = std::fread(buffer, 1, sizeof buffer, file.get());
+    if (count == 0) why = std::ferror(file.get()) ? "cannot be read" : "is empty (0 bytes)";
     return std::string(buffer, count);
 }
 

@@ -94,7 +94,7 @@ struct FileGate {
             why = "cannot be read: " + error.message();
         else if (size > bytes_left)
             why = "is larger than the limit for a mesh";
-        else if (const auto bytes = read_file(name, why)) {
+        else if (const auto bytes = read_file(name, bytes_left, why)) {
             out.assign(bytes->begin(), bytes->end());
             bytes_left -= std::min<uint64_t>(bytes_left, bytes->size());
             if (taken) taken->emplace_back(name);

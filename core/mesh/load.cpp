@@ -83,11 +83,6 @@ std::optional<Mesh> load_mesh_bytes(std::string_view bytes, const fs::path& path
 std::optional<Mesh> load_mesh(const fs::path& path, const MeshFileOptions& options,
                               Diagnostics& diagnostics) {
     std::error_code ignored;
-    if (fs::exists(path, ignored) && !fs::is_directory(path, ignored) &&
-        !fs::is_regular_file(path, ignored)) {
-        error(path, "is no regular file", "an OBJ, .gltf or .glb file", diagnostics);
-        return {};
-    }
     if (fs::is_regular_file(path, ignored) &&
         fs::file_size(path, ignored) > options.limits.max_bytes) {
         error(path, "is larger than " + std::to_string(options.limits.max_bytes) + " bytes",
@@ -95,7 +90,7 @@ std::optional<Mesh> load_mesh(const fs::path& path, const MeshFileOptions& optio
         return {};
     }
     std::string why;
-    const auto bytes = read_file(path, why);
+    const auto bytes = read_file(path, options.limits.max_bytes, why);
     if (!bytes) {
         error(path, why, "an OBJ, .gltf or .glb file", diagnostics);
         return {};

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstring>
 
+#include "base/printable.h"
 #include "base/text.h"
 
 namespace wrinkle {
@@ -38,10 +39,6 @@ bool read_struct(const T* source, T& copy) {
     if (source->size < first_size<T>) return false;
     std::memcpy(&copy, source, std::min<size_t>(source->size, sizeof(T)));
     return true;
-}
-
-bool is_control(char c) {
-    return static_cast<unsigned char>(c) < 0x20 || c == 0x7F;
 }
 
 class Reader {
@@ -121,7 +118,7 @@ private:
             return fault(std::string(what) + " has no end within " + std::to_string(most) +
                          " bytes");
         if (!is_utf8(found)) return fault(std::string(what) + " is not valid UTF-8");
-        if (std::any_of(found.begin(), found.end(), is_control))
+        if (printable(found) != found)
             return fault(std::string(what) + " holds a control character", "one line of text");
         copy = found;
         return true;

@@ -10,6 +10,7 @@
 #include <set>
 
 #include "base/folders.h"
+#include "base/printable.h"
 #include "base/text.h"
 #include "registry/describe.h"
 #include "registry/library.h"
@@ -190,10 +191,10 @@ private:
 };
 
 std::string line(const PluginReport& report) {
-    std::string text = report.path + "\n";
+    std::string text = printable(report.path) + "\n";
     if (!report.id.empty()) text += "    " + report.id + " " + report.version + "\n";
     if (report.state == PluginReport::State::refused)
-        return text + "    refused: " + report.why + "\n";
+        return text + "    refused: " + printable(report.why) + "\n";
     text += "    found";
     text += report.by_manifest ? " by its manifest:" : ":";
     for (const std::string& node : report.nodes)

@@ -28,6 +28,19 @@ TEST(Diagnostics, ReadLikeACompilersMessages) {
     EXPECT_EQ(to_text(file), "a.json: warning: hm");
 }
 
+TEST(Diagnostics, AreOneLineWhateverTheNamesHold) {
+    const std::string name = "x\nother.json:1:1: error: \x1B[2J\u202E";
+    const std::string shown = "x\\nother.json:1:1: error: \\x1b[2J\\u202e";
+    Diagnostic d{Severity::error, {name, 1, 2}, name, name, name, name};
+    EXPECT_EQ(to_text(d),
+              shown + ":1:2: error: node '" + shown + "': " + shown + " (" + shown + ")");
+    Diagnostics list;
+    list.add(std::move(d));
+    const std::string json = to_json(list);
+    EXPECT_EQ(json.find('\x1B'), json.npos);
+    EXPECT_NE(json.find(R"(x\nother.json:1:1: error: \u001b[2J\u202e)"), json.npos) << json;
+}
+
 TEST(Diagnostics, AsJson) {
     Diagnostics list;
     EXPECT_EQ(to_json(list), "{\"version\": 1, \"diagnostics\": [], \"dropped\": 0}\n");

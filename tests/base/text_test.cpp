@@ -32,6 +32,8 @@ TEST(Text, JsonStringsEscapeWhatTheyMust) {
     EXPECT_EQ(json_quoted("a\"b\\c/d"), R"("a\"b\\c/d")");
     EXPECT_EQ(json_quoted("\n\t\r"), R"("\n\t\r")");
     EXPECT_EQ(json_quoted(std::string_view("\0\x1f", 2)), R"("\u0000\u001f")");
+    EXPECT_EQ(json_quoted("\x7F\u0085\u061C\u2028\u202E\xFF"),
+              R"("\u007f\u0085\u061c\u2028\u202e\ufffd")");
 }
 
 TEST(Text, IdentifiersFitC) {

@@ -142,7 +142,7 @@ TEST_F(Subgraph, SpecialFilesAreNotOpened) {
     put("in/top.json", text_with({"graph:pipe", "graph:parts"}));
     load("in/top.json");
     EXPECT_EQ(report(),
-              "DIR/in/top.json:2:1: error: node 'n0': sub-graph \"pipe\" is not a regular file "
+              "DIR/in/top.json:2:1: error: node 'n0': sub-graph \"pipe\" is a pipe, not a file "
               "(expected a graph file)\n"
               "DIR/in/top.json:3:1: error: node 'n1': sub-graph \"parts\" is a folder, not a file "
               "(expected a graph file)\n");

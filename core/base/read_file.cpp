@@ -1,0 +1,118 @@
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <charconv>
+#include <cstdlib>
+#include <cstring>
+
+#include "base/file.h"
+
+namespace wrinkle {
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr uint64_t usual_max_bytes = uint64_t{1} << 30;
+constexpr const char* max_bytes_variable = "WRINKLE_FILE_MAX_BYTES";
+
+std::string unread() {
+    return "cannot be read: " + std::string(std::strerror(errno));
+}
+
+const char* kind_of(mode_t mode) {
+    return S_ISDIR(mode)    ? "folder"
+           : S_ISFIFO(mode) ? "pipe"
+           : S_ISSOCK(mode) ? "socket"
+                            : "device";
+}
+
+// A whole number in `text`, all of it.
+std::optional<uint64_t> number_in(std::string_view text) {
+    uint64_t number = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+    if (error != std::errc() || end != text.data() + text.size()) return {};
+    return number;
+}
+
+// The size is not asked for first: a file may grow while it is read.
+std::optional<std::string> read_all(std::FILE* file, uint64_t max_bytes, std::string& why) {
+    std::string bytes;
+    char buffer[1 << 16];
+    size_t count = 0;
+    while ((count = std::fread(buffer, 1, sizeof buffer, file)) > 0) {
+        if (bytes.size() + count > max_bytes) {
+            why = "is larger than " + std::to_string(max_bytes) + " bytes; " + max_bytes_variable +
+                  " sets another limit";
+            return {};
+        }
+        bytes.append(buffer, count);
+    }
+    if (!std::ferror(file)) return bytes;
+    why = unread();
+    return {};
+}
+
+// The number of the open file that the user names; nothing where the name is a path.
+std::optional<int> stream_number(std::string_view name) {
+    if (name == "-" || name == "/dev/stdin") return 0;
+    for (const std::string_view folder : {"/dev/fd/", "/proc/self/fd/"}) {
+        if (!name.starts_with(folder)) continue;
+        const auto number = number_in(name.substr(folder.size()));
+        if (number && *number <= 1'000'000) return static_cast<int>(*number);
+    }
+    return {};
+}
+
+}  // namespace
+
+// Not waiting at open() matters for pipes alone: regular files are read as ever.
+OpenedFile open_to_read(const fs::path& path, std::string& why) {
+    const int handle = open(path.c_str(), O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC);
+    if (handle < 0) {
+        why = errno == ENXIO ? "is a socket, not a file" : unread();
+        return {};
+    }
+    struct stat found {};
+    const bool regular = fstat(handle, &found) == 0 && S_ISREG(found.st_mode);
+    OpenedFile file(regular ? fdopen(handle, "rb") : nullptr);
+    if (file) return file;
+    why = regular ? unread() : "is a " + std::string(kind_of(found.st_mode)) + ", not a file";
+    close(handle);
+    errno = EINVAL;  // for those that ask for the system's reason
+    return {};
+}
+
+uint64_t default_max_bytes() {
+    const char* text = std::getenv(max_bytes_variable);
+    const auto number = number_in(text ? text : "");
+    return number && *number > 0 ? *number : usual_max_bytes;
+}
+
+std::optional<std::string> read_file(const fs::path& path, std::string& why) {
+    return read_file(path, default_max_bytes(), why);
+}
+
+std::optional<std::string> read_file(const fs::path& path, uint64_t max_bytes, std::string& why) {
+    const OpenedFile file = open_to_read(path, why);
+    if (!file) return {};
+    return read_all(file.get(), max_bytes, why);
+}
+
+std::string stream_title(std::string_view name) {
+    const auto number = stream_number(name);
+    if (!number) return {};
+    return *number == 0 ? "<stdin>" : "<fd " + std::to_string(*number) + ">";
+}
+
+std::optional<std::string> read_stream(std::string_view name, std::string& why) {
+    const int handle = fcntl(stream_number(name).value_or(-1), F_DUPFD_CLOEXEC, 0);
+    const OpenedFile file(handle < 0 ? nullptr : fdopen(handle, "rb"));
+    if (file) return read_all(file.get(), default_max_bytes(), why);
+    why = unread();
+    if (handle >= 0) close(handle);
+    return {};
+}
+
+}  // namespace wrinkle
