@@ -2,6 +2,7 @@
 #include "base/text.h"
 #include "compile/inputs.h"
 #include "compile/shader.h"
+#include "compile/text_sums.h"
 
 namespace wrinkle::api {
 namespace {
@@ -158,10 +159,10 @@ Shader Graph::compile(const CompileOptions& wanted) const noexcept {
                 make_shader(parts.project, parts.library->registry, options, problems).shader;
             result.ok = !problems.has_errors();
             if (result.ok) {
+                result.reflection = reflection_json(made);
                 result.source = std::move(made.source);
                 result.vertex = std::move(made.vertex);
                 result.fragment = std::move(made.fragment);
-                result.reflection = to_json(made.reflection);
             }
         }
         result.problems = problems_of(problems);

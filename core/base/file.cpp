@@ -28,12 +28,12 @@ std::string sentence(const std::error_code& error) {
 
 enum class Sync : bool { no, yes };
 
-std::error_code write_all(const fs::path& path, std::string_view bytes, Sync sync) {
+// Into a device or a pipe.
+std::error_code write_all(const fs::path& path, std::string_view bytes) {
     std::FILE* file = std::fopen(path.c_str(), "wb");
     if (!file) return last_error();
     std::error_code error;
-    if (std::fwrite(bytes.data(), 1, bytes.size(), file) != bytes.size() ||
-        std::fflush(file) != 0 || (sync == Sync::yes && fsync(fileno(file)) != 0))
+    if (std::fwrite(bytes.data(), 1, bytes.size(), file) != bytes.size() || std::fflush(file) != 0)
         error = last_error();
     if (std::fclose(file) != 0 && !error) error = last_error();
     return error;
@@ -107,36 +107,20 @@ std::error_code copy_into(const fs::path& from, const fs::path& to) {
 class Replacement {
 public:
     explicit Replacement(const FileBytes& file) : file_(file), target_(link_target(file.path)) {}
-    Replacement(Replacement&& other) noexcept
-        : file_(other.file_),
-          target_(std::move(other.target_)),
-          temporary_(std::exchange(other.temporary_, {})) {}
-    ~Replacement() {
-        std::error_code ignored;
-        if (!temporary_.empty()) fs::remove(temporary_, ignored);
-    }
 
     std::error_code write(Sync sync = Sync::no) {
         std::error_code error;
         if (fs::is_directory(target_, error)) return make_error_code(std::errc::is_a_directory);
+        error.clear();
         if (is_special(target_) || holds(target_, file_.bytes)) return {};
-        temporary_ = target_;
-        temporary_ += ".tmp" + std::to_string(getpid());
-        return write_all(temporary_, file_.bytes, sync);
+        if (auto made = Temporary::beside(target_, error)) temporary_.emplace(std::move(*made));
+        if (!error) error = temporary_->write(file_.bytes);
+        return error || sync == Sync::no ? error : temporary_->sync();
     }
 
     std::error_code place() {
-        if (is_special(target_)) return write_all(target_, file_.bytes, Sync::no);
-        return temporary_.empty() ? std::error_code() : put(std::exchange(temporary_, {}), target_);
-    }
-
-    static std::error_code put(const fs::path& written, const fs::path& target) {
-        std::error_code error, ignored;
-        const fs::file_status old = fs::status(target, error);
-        if (fs::is_regular_file(old)) fs::permissions(written, old.permissions(), error);
-        fs::rename(written, target, error);
-        if (error) fs::remove(written, ignored);
-        return error;
+        if (is_special(target_)) return write_all(target_, file_.bytes);
+        return temporary_ ? temporary_->place(target_) : std::error_code();
     }
 
     const fs::path& target() const { return target_; }
@@ -144,7 +128,7 @@ public:
 private:
     FileBytes file_;
     fs::path target_;
-    fs::path temporary_;  // "": nothing to put in place
+    std::optional<Temporary> temporary_;  // none: nothing to put in place
 };
 
 }  // namespace
@@ -180,15 +164,14 @@ bool write_files(std::span<const FileBytes> files, std::string& why) {
     return true;
 }
 
-bool replace_file(const fs::path& written, const fs::path& path, std::string& why) {
+bool replace_file(Temporary& written, const fs::path& path, std::string& why) {
     const fs::path target = link_target(path);
-    std::error_code error, ignored;
-    if (!is_special(target) && !hold_the_same(written, target)) {
-        error = Replacement::put(written, target);
-    } else {
-        if (is_special(target)) error = copy_into(written, target);
-        fs::remove(written, ignored);
-    }
+    std::error_code error;
+    if (is_special(target))
+        error = copy_into(written.path(), target);
+    else if (!hold_the_same(written.path(), target))
+        error = written.place(target);
+    written.remove();
     if (error) why = sentence(error);
     return !error;
 }

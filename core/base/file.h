@@ -16,6 +16,8 @@
 #include <string_view>
 #include <system_error>
 
+#include "base/temporary.h"
+
 namespace wrinkle {
 
 struct CloseFile {
@@ -41,7 +43,7 @@ std::string stream_title(std::string_view name);
 // The whole of such a stream, up to default_max_bytes().
 std::optional<std::string> read_stream(std::string_view name, std::string& why);
 
-// Writes to a temporary name beside `path` and renames it. A file that already holds these bytes
+// Writes to a Temporary beside `path` and renames it. A file that already holds these bytes
 // is left untouched, so build systems see no change; one that is replaced keeps its permissions. A
 // symbolic link stays: the file it leads to is replaced. What is no regular file (a device, a pipe)
 // is opened and written to. False with the reason in `why`.
@@ -52,17 +54,16 @@ bool write_file(const std::filesystem::path& path, std::string_view bytes, std::
 std::error_code write_file_synced(const std::filesystem::path& path, std::string_view bytes);
 
 // The same for several files: none is replaced before all have been written under their temporary
-// names. `why` then names the file too.
+// names, and they are replaced in this order, so that a killed program leaves the last one old as
+// long as any is. `why` then names the file too.
 struct FileBytes {
     std::filesystem::path path;
     std::string_view bytes;
 };
 bool write_files(std::span<const FileBytes> files, std::string& why);
 
-// Puts a file that was written elsewhere, best beside it, in the place of `path`, as write_file()
-// does; it is gone afterwards in any case.
-bool replace_file(const std::filesystem::path& written, const std::filesystem::path& path,
-                  std::string& why);
+// Puts a file that was written beside it in the place of `path`, as write_file() does.
+bool replace_file(Temporary& written, const std::filesystem::path& path, std::string& why);
 
 // Where writing to `path` ends: symbolic links are followed, the last may lead nowhere yet.
 std::filesystem::path link_target(const std::filesystem::path& path);

@@ -5,6 +5,7 @@
 #include "cli/output.h"
 #include "cli/outputs.h"
 #include "compile/shader.h"
+#include "compile/text_sums.h"
 
 namespace wrinkle::cli {
 namespace {
@@ -24,12 +25,12 @@ void make_texts(const std::string& file, const Project& project, const Compilati
         result.cost = cost_of(made.compiled.module, options.emit.differentials, wanted.json, file,
                               result.diagnostics);
     if (result.diagnostics.has_errors()) return;
+    result.reflection = reflection_json(shader);
     result.texts = blank_texts(wanted);
     for (Text& text : result.texts)
         text.bytes = std::move(text.stage.empty()       ? shader.source
                                : text.stage == "vertex" ? shader.vertex
                                                         : shader.fragment);
-    result.reflection = to_json(shader.reflection);
 }
 
 Differentials differentials_of(const TextOptions& options) {

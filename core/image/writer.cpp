@@ -1,12 +1,7 @@
 #include "image/writer.h"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <cassert>
-#include <cerrno>
-#include <cstdio>
-#include <cstring>
 #include <utility>
 
 #include "base/file.h"
@@ -26,19 +21,6 @@ std::string named(const fs::path& path) {
     return "image '" + path.string() + "' ";
 }
 
-// Asked of the system first: its reason is better than OpenImageIO's.
-bool can_create(const fs::path& path, std::string& why) {
-    std::FILE* file = std::fopen(path.c_str(), "wb");
-    if (!file) why = std::strerror(errno);
-    return file && std::fclose(file) == 0;
-}
-
-fs::path temporary_beside(const fs::path& path) {
-    fs::path temporary = link_target(path);
-    return temporary.replace_filename("." + path.stem().string() + ".tmp" +
-                                      std::to_string(getpid()) + path.extension().string());
-}
-
 }  // namespace
 
 struct ImageWriter::State {
@@ -51,7 +33,8 @@ struct ImageWriter::State {
         uint32_t rows_left() const { return height - written - waiting_rows(); }
     };
 
-    fs::path path, temporary;
+    fs::path path;
+    std::optional<Temporary> temporary;
     PixelType type = PixelType::u8;
     uint32_t granule = 0;  // rows that go to the file at once
     std::vector<Level> levels;
@@ -62,8 +45,6 @@ struct ImageWriter::State {
 
     ~State() {
         if (file) module->drop(file);
-        std::error_code ignored;
-        if (!temporary.empty()) fs::remove(temporary, ignored);
     }
 
     bool fail(const std::string& why, Diagnostics& diagnostics) {
@@ -115,7 +96,7 @@ bool ImageWriter::State::begin(const Writable& format, const WriterOptions& opti
     what.number_count = static_cast<uint32_t>(numbers.size());
     what.threads = options.threads;
     char text[512] = "";
-    file = module->begin(temporary.c_str(), &what, {text, sizeof text});
+    file = module->begin(temporary->path().c_str(), &what, {text, sizeof text});
     return file || fail(text, diagnostics);
 }
 
@@ -180,12 +161,13 @@ std::optional<ImageWriter> ImageWriter::open(const fs::path& path, const WriterO
     state->plan(options);
     std::string why;
     state->module = image_module(why);
-    const fs::path temporary = temporary_beside(path);
-    if (!state->module || !can_create(temporary, why)) {
-        state->fail(why, diagnostics);
+    std::error_code error;
+    if (auto made = Temporary::beside(link_target(path), error))
+        state->temporary.emplace(std::move(*made));
+    if (!state->module || error) {
+        state->fail(state->module ? error.message() : why, diagnostics);
         return {};
     }
-    state->temporary = temporary;
     if (!state->begin(*format, options, diagnostics)) return {};
     return ImageWriter(std::move(state));
 }
@@ -237,8 +219,7 @@ bool ImageWriter::finish(Diagnostics& diagnostics) {
     if (!close(diagnostics)) return false;
     State& state = *state_;
     std::string why;
-    const fs::path temporary = std::exchange(state.temporary, {});
-    return replace_file(temporary, state.path, why) || state.fail(why, diagnostics);
+    return replace_file(*state.temporary, state.path, why) || state.fail(why, diagnostics);
 }
 
 }  // namespace wrinkle

@@ -99,9 +99,11 @@ TEST_F(Files, APipeIsWrittenTo) {
     char bytes[16] = "";
     EXPECT_EQ(read(reader, bytes, sizeof bytes), 7);
     EXPECT_STREQ(bytes, "through");
-    ASSERT_TRUE(write_file(folder_ / "x", "again", why_)) << why_;
-    ASSERT_TRUE(replace_file(folder_ / "x", pipe, why_)) << why_;
-    EXPECT_FALSE(fs::exists(folder_ / "x"));
+    std::error_code error;
+    auto beside = Temporary::beside(pipe, error);
+    ASSERT_TRUE(beside && !beside->write("again"));
+    ASSERT_TRUE(replace_file(*beside, pipe, why_)) << why_;
+    EXPECT_EQ(std::distance(fs::directory_iterator(folder_), {}), 2);  // nothing temporary
     EXPECT_EQ(read(reader, bytes, sizeof bytes), 5);
     close(reader);
 }
