@@ -8,9 +8,10 @@
 #include "base/file.h"
 
 namespace wrinkle::cli {
+namespace fs = std::filesystem;
 namespace {
 
-namespace fs = std::filesystem;
+std::vector<std::string> opened;
 
 constexpr size_t max_depth = 16, max_files = 1000;
 constexpr uint64_t max_bytes = uint64_t{16} << 20;
@@ -51,6 +52,12 @@ bool split_words(std::string_view text, std::vector<std::string>& words) {
     return true;
 }
 
+bool is_file_name(const std::string& word) {
+    std::error_code ignored;
+    return word.size() > 1 && (word[0] == '@' || word[0] == '-') && word != "--" &&
+           fs::exists(fs::symlink_status(word, ignored));
+}
+
 std::string renamed(std::string word) {
     for (const auto& [flag, name] : compiler_flags)
         if (word == flag) return name;
@@ -66,6 +73,7 @@ public:
     bool add(std::span<const std::string> from) {
         for (const std::string& word : from) {
             plain_ = plain_ || word == "--";
+            if (!plain_ && is_file_name(word)) return refuse(word);
             const bool is_points = !words.empty() && words.back() == "--at";
             if (plain_ || is_points || word.size() < 2 || word[0] != '@')
                 words.push_back(renamed(word));
@@ -88,6 +96,7 @@ private:
             return fail(file, "is one of more than " + std::to_string(max_files) + " files");
         std::string why;
         const auto text = read_file(path, why);
+        opened.push_back(file);
         if (!text) return fail(file, why);
         bytes_ += text->size();
         if (bytes_ > max_bytes) return fail(file, "these words are of more than 16 MB");
@@ -97,6 +106,14 @@ private:
         const bool added = add(held);
         open_.pop_back();
         return added;
+    }
+
+    bool refuse(const std::string& word) {
+        why_ = "'" + word + "' is the name of a file here; ./" + word + " or -- " + word +
+               " names that file";
+        if (word[0] == '@')
+            why_ += ", @./" + word.substr(1) + " takes the words of " + word.substr(1);
+        return false;
     }
 
     bool fail(const std::string& file, const std::string& why) {
@@ -115,9 +132,14 @@ private:
 
 std::optional<std::vector<std::string>> command_words(int argc, const char* const* argv,
                                                       std::string& why) {
+    opened.clear();
     Expansion expansion(why);
     if (!expansion.add(std::vector<std::string>(argv + 1, argv + argc))) return {};
     return std::move(expansion.words);
+}
+
+const std::vector<std::string>& option_files() {
+    return opened;
 }
 
 }  // namespace wrinkle::cli

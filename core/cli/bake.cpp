@@ -1,7 +1,9 @@
 // wrinkle bake FILE --mesh NAME|PATH -o OUT: a graph's maps on the uv layout of a mesh.
 #include <memory>
 
+#include "base/overwrite.h"
 #include "base/text.h"
+#include "cli/arguments.h"
 #include "cli/bake_run.h"
 #include "cli/interrupt.h"
 #include "cli/output.h"
@@ -25,6 +27,8 @@ struct BakeCommand {
         if (!job) return report(diagnostics, options.common.diagnostics);
         const PartHeader header = header_of(*job);
         if (!wishes.is_shard() && !can_be_written(header, why)) return usage(why);
+        if (!may_be_written(*job, header, diagnostics))
+            return report(diagnostics, options.common.diagnostics);
         BakeOutcome outcome = carry_out(*job, header);
         diagnostics.append(outcome.warnings);
         report(diagnostics, options.common.diagnostics);
@@ -54,6 +58,27 @@ struct BakeCommand {
             return false;
         }
         return true;
+    }
+
+    std::string depfile_place() const {
+        return options.depfile.path.empty() ? options.output + ".d" : options.depfile.path;
+    }
+
+    // No file that was read is replaced, and the dependency file can hold all names.
+    bool may_be_written(const BakeJob& job, const PartHeader& header,
+                        Diagnostics& diagnostics) const {
+        std::vector<std::string> places;
+        for (size_t picture = 0; header.shards == 1 && picture < job.pictures.size(); ++picture)
+            for (const MapFile& file : header.files(options.output, picture, options.threads))
+                places.push_back(file.path.string());
+        std::string why;
+        if (options.depfile.wanted) why = depfile_fault({{places, job.inputs}}, options.depfile);
+        if (options.depfile.wanted) places.push_back(depfile_place());
+        std::vector<std::string> read = option_files();
+        read.insert(read.end(), job.inputs.begin(), job.inputs.end());
+        if (why.empty()) why = overwrite_fault(places, read);
+        if (!why.empty()) diagnostics.error(why);
+        return why.empty();
     }
 
     BakeOutcome carry_out(const BakeJob& job, const PartHeader& header) const {
@@ -90,8 +115,7 @@ struct BakeCommand {
     bool write_depfile(const BakeJob& job, const BakeOutcome& outcome) const {
         const Depfile& depfile = options.depfile;
         if (!depfile.wanted || outcome.end != BakeEnd::done) return true;
-        const std::string path = depfile.path.empty() ? options.output + ".d" : depfile.path;
-        return write_result(path, make_rules({{outcome.files, job.inputs}}, depfile));
+        return write_result(depfile_place(), make_rules({{outcome.files, job.inputs}}, depfile));
     }
 
     int merge() const {

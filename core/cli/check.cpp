@@ -1,6 +1,7 @@
 // wrinkle check FILE...: every problem at once.
 #include <memory>
 
+#include "cli/graph_files.h"
 #include "cli/material_run.h"
 #include "cli/output.h"
 
@@ -15,7 +16,7 @@ struct CheckCommand {
         Diagnostics diagnostics;
         const Nodes nodes = load_nodes(common, diagnostics);
         const Overrides overrides = parse_overrides(common, diagnostics);
-        for (const std::string& file : files)
+        for (const std::string& file : graphs_among(files, diagnostics))
             check_file(nodes.registry, overrides, file, diagnostics);
         return report(diagnostics, common.diagnostics);
     }

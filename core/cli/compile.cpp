@@ -3,13 +3,18 @@
 #include <atomic>
 #include <exception>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <thread>
 
 #include "base/companion.h"
+#include "base/file.h"
+#include "base/overwrite.h"
+#include "cli/arguments.h"
 #include "cli/compile_graph.h"
 #include "cli/cost.h"
+#include "cli/graph_files.h"
 #include "cli/output.h"
 #include "cli/outputs.h"
 #include "compile/shader.h"
@@ -39,13 +44,14 @@ struct CompileCommand {
     uint64_t cache_size = default_cache_size;
     unsigned jobs = 0;  // 0: one for each processor
 
-    int run() const {
+    int run() {
+        Diagnostics diagnostics;
+        outputs.files = graphs_among(outputs.files, diagnostics);
         if (const std::string why = wrong_usage(); !why.empty()) return usage(why);
         if (std::string why; needs_compilers() && !have_spirv_tools(why)) {
             complain(why + "; " + companion_remedy);
             return exit_environment;
         }
-        Diagnostics diagnostics;
         const Nodes nodes = load_nodes(common, diagnostics);
         const Overrides overrides = parse_overrides(common, diagnostics);
         if (overrides.is_sweep()) return usage("compile takes no sweep; give --set one value");
@@ -53,6 +59,8 @@ struct CompileCommand {
         std::optional<Cache> cache;
         if (!cache_folder.empty()) cache.emplace(cache_folder, cache_size);
         const Compilation with{common, text, nodes.registry, overrides, cache ? &*cache : nullptr};
+        if (outputs.several()) refuse_overwriting(with, diagnostics);
+        if (diagnostics.has_errors()) return report(diagnostics, common.diagnostics);
         const std::vector<Outcome> outcomes = compile_all(with);
         if (cache) cache->prune();
         return finish(outcomes, diagnostics);
@@ -75,37 +83,73 @@ struct CompileCommand {
         return outputs.conflict();
     }
 
+    // Of several graphs the first is written before the last is compiled, so what all of them read
+    // is known beforehand. Where no output exists there is nothing to replace.
+    void refuse_overwriting(const Compilation& with, Diagnostics& diagnostics) const {
+        const std::vector<std::string> places = outputs.all_places();
+        std::vector<std::string> read = option_files();
+        read.insert(read.end(), outputs.files.begin(), outputs.files.end());
+        std::error_code ignored;
+        const auto exists = [&](const std::string& place) { return fs::exists(place, ignored); };
+        if (std::any_of(places.begin(), places.end(), exists)) {
+            std::vector<std::vector<std::string>> found(outputs.files.size());
+            each_graph([&](size_t i) { found[i] = inputs_read(outputs.files[i], with); });
+            for (const std::vector<std::string>& inputs : found)
+                read.insert(read.end(), inputs.begin(), inputs.end());
+        }
+        if (const std::string why = overwrite_fault(places, read); !why.empty())
+            diagnostics.error(why);
+    }
+
+    static std::vector<std::string> inputs_read(const std::string& file, const Compilation& with) {
+        std::vector<std::string> paths;
+        if (!stream_title(file).empty()) return paths;  // it is read once
+        Diagnostics later;
+        const Project project = open_project(file, with.common, later);
+        for (InputFile& input : inputs_of(project, Types(project, with.registry)))
+            paths.push_back(std::move(input.path));
+        return paths;
+    }
+
     // A graph's files come all together or not at all, whatever becomes of the other graphs. Those
     // of one graph alone wait for its dependency file. Graphs that are made at the same time share
     // the limits of one; what is too large for its share is made again, alone.
     std::vector<Outcome> compile_all(const Compilation& with) const {
-        const size_t count = outputs.files.size();
-        const unsigned wanted = jobs ? jobs : std::max(1u, std::thread::hardware_concurrency());
-        const size_t threads = std::min<size_t>(wanted, count);
+        std::vector<Outcome> outcomes(outputs.files.size());
         Compilation shared = with;
-        shared.sharing = threads;
-        std::vector<Outcome> outcomes(count);
+        shared.sharing = threads();
+        each_graph([&](size_t i) { outcomes[i] = compile_one(outputs.files[i], shared); });
+        for (size_t i = 0; i < outcomes.size() && shared.sharing > 1; ++i)
+            if (outcomes[i].over_limit) outcomes[i] = compile_one(outputs.files[i], with);
+        return outcomes;
+    }
+
+    // All processors, or as many as --jobs says.
+    size_t threads() const {
+        const unsigned wanted = jobs ? jobs : std::max(1u, std::thread::hardware_concurrency());
+        return std::min<size_t>(wanted, outputs.files.size());
+    }
+
+    void each_graph(const std::function<void(size_t)>& use) const {
+        const size_t count = outputs.files.size();
         std::vector<std::exception_ptr> failures(count);
         std::atomic<size_t> next{0};
         const auto work = [&] {
             for (size_t i = next++; i < count; i = next++) {
                 try {
-                    outcomes[i] = compile_one(outputs.files[i], shared);
+                    use(i);
                 } catch (...) {
                     failures[i] = std::current_exception();
                 }
             }
         };
         std::vector<std::jthread> helpers;
-        for (size_t i = 1; i < threads; ++i)
+        for (size_t i = 1; i < threads(); ++i)
             helpers.emplace_back(work);
         work();
         helpers.clear();
         for (const std::exception_ptr& failure : failures)
             if (failure) std::rethrow_exception(failure);
-        for (size_t i = 0; i < count && threads > 1; ++i)
-            if (outcomes[i].over_limit) outcomes[i] = compile_one(outputs.files[i], with);
-        return outcomes;
     }
 
     Outcome compile_one(const std::string& file, const Compilation& with) const {
@@ -120,18 +164,33 @@ struct CompileCommand {
         for (Text& each : graph.texts)
             if (!outputs.is_standard_output() || each.stage.empty() || each.stage == outputs.stage)
                 results.push_back({outputs.place(file, each.suffix), std::move(each.bytes)});
-        if (!outputs.reflect.empty())
-            results.push_back({outputs.reflection_place(file), std::move(graph.reflection)});
+        Result reflection{outputs.reflection_place(file), std::move(graph.reflection)};
         for (const Result& result : results)
             outcome.rule.made.push_back(result.path);
+        if (!outputs.reflect.empty()) outcome.rule.made.push_back(reflection.path);
         for (InputFile& input : graph.inputs)
             outcome.rule.from.push_back(std::move(input.path));
+        if (!may_be_written(outcome)) return outcome;
         if (outputs.depfile.wanted && !outputs.several())
             results.push_back(
                 {outputs.depfile_place(), make_rules({outcome.rule}, outputs.depfile)});
+        if (!outputs.reflect.empty()) results.push_back(std::move(reflection));  // the last one
         if (outputs.several()) make_folders(results);
         write_results(results, outcome.unwritten);
         return outcome;
+    }
+
+    // Said before anything of the graph is written.
+    bool may_be_written(Outcome& outcome) const {
+        std::string why;
+        if (outputs.depfile.wanted) why = depfile_fault({outcome.rule}, outputs.depfile);
+        if (why.empty() && !outputs.several()) {
+            std::vector<std::string> read = option_files();
+            read.insert(read.end(), outcome.rule.from.begin(), outcome.rule.from.end());
+            why = overwrite_fault(outputs.all_places(), read);
+        }
+        if (!why.empty()) outcome.diagnostics.error(why);
+        return why.empty();
     }
 
     static void make_folders(const std::vector<Result>& results) {

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <memory>
 
+#include "base/overwrite.h"
 #include "base/text.h"
 #include "cli/cli.h"
 #include "cli/map_kind.h"
@@ -55,6 +56,8 @@ private:
 
     std::string wrong_usage() const {
         if (input == "-" || output == "-") return "convert reads and writes files, no streams";
+        const std::string read[] = {input}, made[] = {output};
+        if (const std::string why = overwrite_fault(made, read); !why.empty()) return why;
         if (!std::isfinite(scale)) return "--scale is no number";
         if (texel.size() > 2) return "--texel takes one size or two";
         for (const float size : texel)

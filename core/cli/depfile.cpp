@@ -1,18 +1,35 @@
 #include "cli/depfile.h"
 
 #include <set>
+#include <string_view>
 
 namespace wrinkle::cli {
 namespace {
 
+// tests/ninja reads every printable character back by both programs.
+constexpr std::string_view with_backslash = " #:";
+constexpr std::string_view unreadable = "\"&'*;<=>?^`|";
+
 std::string escaped(const std::string& name) {
     std::string text;
     for (const char c : name) {
-        if (c == ' ' || c == '#' || c == '\\') text += '\\';
+        if (with_backslash.find(c) != with_backslash.npos) text += '\\';
         if (c == '$') text += '$';
         text += c;
     }
     return text;
+}
+
+bool is_readable(std::string_view name, bool target) {
+    for (size_t i = 0; i < name.size(); ++i) {
+        const char c = name[i], next = i + 1 < name.size() ? name[i + 1] : ' ';
+        const bool control = static_cast<unsigned char>(c) < 0x20 || c == 0x7F;
+        if (control || unreadable.find(c) != unreadable.npos || (target && c == '%')) return false;
+        if (c == '\\' &&
+            (next == '\\' || next == '$' || with_backslash.find(next) != with_backslash.npos))
+            return false;
+    }
+    return !name.empty() && name[0] != '~' && name.back() != ' ' && name.back() != ':';
 }
 
 std::string rule(const std::vector<std::string>& made, const std::vector<std::string>& from) {
@@ -34,6 +51,23 @@ void declare_depfile(CLI::App& command, Depfile& depfile) {
         ->type_name("NAME");
     command.add_flag("--depfile-phony", depfile.phony,
                      "-MP: a target for each input, so that Make goes on when one was removed");
+}
+
+std::string depfile_fault(const std::vector<Rule>& rules, const Depfile& depfile) {
+    const auto check = [](const std::string& name, bool target) {
+        if (is_readable(name, target)) return std::string();
+        return "no dependency file can hold the name '" + name +
+               "'; rename the file, or leave -MD out";
+    };
+    std::string why;
+    if (!depfile.target.empty()) why = check(depfile.target, true);
+    for (const Rule& each : rules) {
+        for (const std::string& name : each.made)
+            if (why.empty() && depfile.target.empty()) why = check(name, true);
+        for (const std::string& name : each.from)
+            if (why.empty()) why = check(name, depfile.phony);
+    }
+    return why;
 }
 
 std::string make_rules(const std::vector<Rule>& rules, const Depfile& depfile) {

@@ -4,6 +4,7 @@
 
 #include "base/file.h"
 #include "base/printable.h"
+#include "cli/graph_files.h"
 #include "cli/output.h"
 #include "cli/session.h"
 #include "graph/edit.h"
@@ -70,7 +71,8 @@ struct RewriteCommand {
         if (upgrade) registry = std::move(load_nodes(common, diagnostics).registry);
         bool would_change = false;
         std::vector<Result> results;
-        for (const std::string& file : files) {
+        for (const std::string& file : graphs_among(files, diagnostics)) {
+            if (report_no_graph(file, diagnostics)) continue;
             const auto text = read_text(file, diagnostics);
             if (!text) continue;
             Diagnostics own;

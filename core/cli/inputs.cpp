@@ -2,7 +2,9 @@
 #include <memory>
 #include <set>
 
+#include "base/printable.h"
 #include "base/text.h"
+#include "cli/graph_files.h"
 #include "cli/output.h"
 #include "cli/session.h"
 #include "compile/inputs.h"
@@ -21,7 +23,7 @@ struct InputsCommand {
         std::string entries;
         std::vector<std::string> all;
         std::set<std::string> seen;
-        for (const std::string& file : files) {
+        for (const std::string& file : graphs_among(files, diagnostics)) {
             Diagnostics own;
             const Project project = open_project(file, common, own);
             diagnostics.append(own);
@@ -32,6 +34,11 @@ struct InputsCommand {
         }
         const int code = report(diagnostics, common.diagnostics);
         if (code != exit_fine) return code;
+        for (const std::string& path : all)
+            if (!json && printable(path) != path) {
+                complain("the name '" + path + "' cannot be a line of a list; --json lists it");
+                return exit_input;
+            }
         const std::string text =
             json ? "{\"version\": 1, \"graphs\": [" + entries + "\n]}\n" : lines(all);
         return write_result("-", text) ? exit_fine : exit_environment;

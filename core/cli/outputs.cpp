@@ -27,22 +27,34 @@ std::string Outputs::depfile_place() const {
     return !depfile.path.empty() ? depfile.path : is_standard_output() ? "-" : output + ".d";
 }
 
+std::vector<std::string> Outputs::places_of(const std::string& file) const {
+    const bool pair = form == Form::shader && !is_standard_output();
+    std::vector<std::string> places;
+    if (texts) places.push_back(place(file, pair ? vertex_suffix + suffix : ""));
+    if (texts && pair) places.push_back(place(file, fragment_suffix + suffix));
+    if (!reflect.empty()) places.push_back(reflection_place(file));
+    return places;
+}
+
+std::vector<std::string> Outputs::all_places() const {
+    std::vector<std::string> places;
+    if (costs) places.emplace_back("-");
+    for (const std::string& file : files)
+        for (std::string& place : places_of(file))
+            places.push_back(std::move(place));
+    if (depfile.wanted) places.push_back(depfile_place());
+    return places;
+}
+
 std::string Outputs::conflict() const {
     if (!texts && depfile.wanted) return "-MD goes with -o: it says what the output depends on";
     if (several() && ((texts && is_standard_output()) || reflect == "-"))
         return "several graphs need a folder: " +
                std::string(reflect == "-" ? "--reflect FOLDER" : "-o FOLDER");
-    std::vector<std::string> places;
+    std::vector<std::string> places = all_places();
     std::vector<std::string> stems;
-    if (costs) places.emplace_back("-");
-    for (const std::string& file : files) {
-        const bool pair = form == Form::shader && !is_standard_output();
-        if (texts) places.push_back(place(file, pair ? vertex_suffix + suffix : ""));
-        if (texts && pair) places.push_back(place(file, fragment_suffix + suffix));
-        if (!reflect.empty()) places.push_back(reflection_place(file));
+    for (const std::string& file : files)
         if (texts || !reflect.empty()) stems.push_back(stem_of(file));
-    }
-    if (depfile.wanted) places.push_back(depfile_place());
     const auto twice = [](std::vector<std::string>& list) {
         std::sort(list.begin(), list.end());
         const auto found = std::adjacent_find(list.begin(), list.end());

@@ -28,6 +28,8 @@ struct Outputs {
     std::string place(const std::string& file, const std::string& suffix) const;
     std::string reflection_place(const std::string& file) const;  // "": none is wanted
     std::string depfile_place() const;
+    std::vector<std::string> places_of(const std::string& file) const;  // "-" among them
+    std::vector<std::string> all_places() const;
     // Why two texts would come to one place, or several to standard output; "" when all is well.
     std::string conflict() const;
 };

@@ -1,6 +1,7 @@
 // wrinkle plugins: what was found, and what an author asks of one plugin.
 #include <memory>
 
+#include "base/overwrite.h"
 #include "cli/certify.h"
 #include "cli/output.h"
 #include "cli/session.h"
@@ -28,6 +29,11 @@ struct PluginsCommand {
         const auto listing = read_from_code(manifest, diagnostics);
         if (!listing) return report(diagnostics, "text");
         const std::string file = manifest_of(manifest);
+        const std::string read[] = {manifest}, made[] = {file};
+        if (const std::string why = overwrite_fault(made, read); !why.empty()) {
+            complain(why);
+            return exit_usage;
+        }
         const bool written =
             write_result(file, to_json(*listing)) && write_result("-", file + "\n");
         return written ? exit_fine : exit_environment;

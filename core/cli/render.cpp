@@ -6,11 +6,14 @@
 #include <memory>
 
 #include "base/file.h"
+#include "base/overwrite.h"
 #include "base/printable.h"
 #include "base/text.h"
+#include "cli/arguments.h"
 #include "cli/meshes.h"
 #include "cli/output.h"
 #include "cli/picture.h"
+#include "compile/inputs.h"
 #include "image/load.h"
 
 namespace wrinkle::cli {
@@ -29,7 +32,9 @@ struct RenderCommand {
         if (!read_options(options)) return exit_usage;
         Diagnostics diagnostics;
         bool double_sided = false;
-        const auto drawn_on = open_mesh(mesh, common, diagnostics, nullptr, &double_sided);
+        std::vector<std::string> read = option_files();
+        const auto drawn_on = open_mesh(mesh, common, diagnostics, &read, &double_sided);
+        if (!environment.empty()) read.push_back(environment);
         if (!environment.empty())
             if (auto picture = load_environment(environment, diagnostics))
                 options.environment = std::move(*picture);
@@ -42,7 +47,8 @@ struct RenderCommand {
         std::vector<Shader> shaders;
         std::vector<Mesh> meshes;
         TextureStore textures;
-        const auto use = [&](size_t, const MaterialRun& run, Diagnostics& problems) {
+        const auto use = [&](size_t i, const MaterialRun& run, Diagnostics& problems) {
+            if (i == 0) refuse_overwriting(run.project, nodes, overrides, read, problems);
             read_textures(textures, run.compiled, run.project, problems);
             shaders.push_back(emit_function(run, material_name(file), problems));
         };
@@ -53,6 +59,17 @@ struct RenderCommand {
         const int code = report(diagnostics, common.diagnostics);
         if (code != exit_fine) return code;
         return draw(shaders, *drawn_on, meshes, textures, options, overrides);
+    }
+
+    void refuse_overwriting(const Project& project, const Nodes& nodes, const Overrides& overrides,
+                            std::vector<std::string> read, Diagnostics& diagnostics) const {
+        for (const InputFile& input : inputs_of(project, Types(project, nodes.registry)))
+            read.push_back(input.path);
+        std::vector<std::string> places;
+        for (size_t i = 0; i < overrides.runs; ++i)
+            places.push_back(path_of_run(output, overrides, i));
+        if (const std::string why = overwrite_fault(places, read); !why.empty())
+            diagnostics.error(why);
     }
 
     // Of each run.

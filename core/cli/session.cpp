@@ -4,6 +4,7 @@
 
 #include "base/file.h"
 #include "base/limits.h"
+#include "cli/graph_files.h"
 #include "cli/output.h"
 #include "glsl/target.h"
 #include "nodes/all.h"
@@ -86,6 +87,10 @@ Project open_project(const std::string& file, const CommonOptions& options,
     ProjectOptions project;
     project.root = options.root;
     const std::string stream = stream_title(file);
+    Document none;
+    none.file = file;
+    if (report_no_graph(file, diagnostics))
+        return load_project(std::move(none), ".", project, diagnostics);
     if (stream.empty()) return load_project(file, project, diagnostics);
     Document top;
     top.file = stream;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/file.h"
 #include "base/text.h"
 #include "cli/meshes.h"
 #include "cli/session.h"
@@ -191,6 +192,10 @@ void find_below(const fs::path& top, std::vector<fs::path>& tests, Diagnostics& 
              at.increment(problem)) {
             if (at->is_directory(ignored) && !at->is_symlink(ignored))
                 folders.push_back(at->path());
+            else if (is_test(at->path()) && !inside(top, link_target(at->path())))
+                diagnostics.error(
+                    at->path().string() + ": leads outside the folder " + top.string(),
+                    "name it itself, or remove the link");
             else if (is_test(at->path()))
                 tests.push_back(at->path());
         }

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/graph_files.h"
 #include "cli/picture.h"
 #include "cli/points.h"
 #include "json/value.h"
@@ -34,8 +35,6 @@ struct TestCase {
 
     std::filesystem::path golden(const std::string& extension) const;
 };
-
-inline constexpr std::string_view test_suffix = ".test.json";
 
 // Nothing with a problem reported. With `updating`, `expect` may have another length than points.
 std::optional<TestCase> read_test_case(const std::filesystem::path& file, bool updating,

@@ -5,6 +5,7 @@
 
 #include "base/difference.h"
 #include "base/file.h"
+#include "base/overwrite.h"
 #include "base/printable.h"
 #include "base/text.h"
 #include "cli/meshes.h"
@@ -73,6 +74,8 @@ void TestRun::run(const TestCase& test, Diagnostics& diagnostics) {
     common.set = test.set;
     const std::string graph = test.graph.string();
     Diagnostics own;
+    for (const fs::path& file : {test.graph, test.golden(".glsl"), test.golden(".png")})
+        refuse_outside(file, test, own);
     const Overrides overrides = parse_overrides(common, own);
     if (overrides.is_sweep()) own.error(test.file.string() + ": 'set' holds a sweep", "one value");
     std::optional<MaterialRun> given, screen;
@@ -98,6 +101,15 @@ void TestRun::run(const TestCase& test, Diagnostics& diagnostics) {
     if (still && displaced) moved = displaced_mesh(*still, *given, textures, own);
     if (still && !own.has_errors()) picture(test, shader, *still, moved, textures, own);
     diagnostics.append_once(own);
+}
+
+// What a test names by its own name stays below the root, as what a graph names does.
+void TestRun::refuse_outside(const fs::path& file, const TestCase& test, Diagnostics& diagnostics) {
+    const fs::path folder = test.file.has_parent_path() ? test.file.parent_path() : ".";
+    const fs::path root = common_.root.empty() ? folder : fs::path(common_.root);
+    if (inside(root, link_target(file))) return;
+    diagnostics.error(file.string() + ": leads outside the root " + root.string(),
+                      "a file below it, or another root with --root");
 }
 
 void TestRun::values(const TestCase& test, const MaterialRun& run, const TextureStore& textures,
@@ -151,7 +163,7 @@ void TestRun::text(const TestCase& test, const Shader& shader) {
         expected ? text_difference(*expected, shader.source) : why + "; --update writes it";
     if (difference.empty()) return pass();
     fail(test, {}, "/glsl", golden.string() + ": " + difference);
-    if (!options_.report.empty()) write(report_path(test, ".glsl"), shader.source);
+    if (may_report(test, golden)) write(report_path(test, ".glsl"), shader.source);
 }
 
 void TestRun::picture(const TestCase& test, const Shader& shader, const Mesh& still,
@@ -182,7 +194,16 @@ void TestRun::picture(const TestCase& test, const Shader& shader, const Mesh& st
               : distance < 0 ? "is of another size"
                              : "the picture differs by " + std::to_string(distance) + " of 255, " +
                                    shortest(test.render->tolerance) + " allowed"));
-    if (!options_.report.empty()) save(picture->image, report_path(test, ".png"));
+    if (may_report(test, golden)) save(picture->image, report_path(test, ".png"));
+}
+
+bool TestRun::may_report(const TestCase& test, const fs::path& golden) {
+    if (options_.report.empty()) return false;
+    const std::string read[] = {golden, test.file, test.graph};
+    const std::string made[] = {report_path(test, golden.extension())};
+    const std::string why = overwrite_fault(made, read);
+    if (!why.empty()) tally_.environment = why;
+    return why.empty();
 }
 
 bool TestRun::write(const fs::path& path, std::string_view bytes) {

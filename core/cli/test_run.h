@@ -32,6 +32,9 @@ public:
 
 private:
     void run(const TestCase& test, Diagnostics& diagnostics);
+    void refuse_outside(const std::filesystem::path& file, const TestCase& test,
+                        Diagnostics& diagnostics);
+    bool may_report(const TestCase& test, const std::filesystem::path& golden);
     void values(const TestCase& test, const MaterialRun& run, const TextureStore& textures,
                 Diagnostics& diagnostics);
     void update_values(const TestCase& test, const std::vector<OutputColumn>& columns,

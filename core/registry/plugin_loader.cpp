@@ -9,6 +9,7 @@
 #include <memory>
 #include <set>
 
+#include "base/file.h"
 #include "base/folders.h"
 #include "base/printable.h"
 #include "base/text.h"
@@ -108,9 +109,9 @@ private:
     }
 
     bool take(const std::string& real, PluginReport& report, Diagnostics& problems) {
-        std::error_code error;
-        if (!fs::is_regular_file(real, error)) {
-            add_fault(problems, report.path, std::string(cannot_be_loaded) + ": it is no file");
+        std::string why;
+        if (!open_to_read(real, why)) {
+            add_fault(problems, report.path, std::string(cannot_be_loaded) + ": it " + why);
             return false;
         }
         if (!options_.copies) return take({real, real, report.path, {}}, report, problems);

@@ -6,7 +6,9 @@
 
 #include "bake/mesh_check.h"
 #include "bake/picture.h"
+#include "base/overwrite.h"
 #include "base/progress_text.h"
+#include "compile/inputs.h"
 #include "compile/textures.h"
 #include "editor/document/folders.h"
 #include "editor/words.h"
@@ -95,6 +97,8 @@ private:
     bool compile() {
         const Project project = project_to_compile(job_.model, job_.document, problems_);
         if (problems_.has_errors()) return false;
+        for (InputFile& input : inputs_of(project, Types(project, registry_)))
+            read_.push_back(std::move(input.path));
         MaterialOptions options;
         options.given_differentials = true;
         options.covariances = covariances_for(requests());
@@ -106,7 +110,10 @@ private:
 
     bool read_mesh() {
         auto mesh = make_shape(choices_.mesh);
-        if (!mesh) mesh = load_mesh(choices_.mesh, {}, problems_);
+        if (!mesh) {
+            mesh = load_mesh(choices_.mesh, {}, problems_);
+            read_.push_back(choices_.mesh);
+        }
         if (!mesh || !has_uv_layout(*mesh, choices_.mesh, problems_)) return false;
         mesh_ = std::move(*mesh);
         uvs_ = survey_uvs(mesh_);
@@ -140,16 +147,26 @@ private:
     bool bake_squares() {
         const std::vector<glm::ivec2> one = {uvs_.square};
         const std::vector<glm::ivec2>& squares = choices_.udim ? uvs_.squares : one;
+        std::vector<std::string> made;
+        for (const glm::ivec2 square : squares)
+            for (const fs::path& path : baked_files(choices_, suffix_of(square)))
+                made.push_back(path.string());
+        if (const std::string why = overwrite_fault(made, read_); !why.empty()) {
+            problems_.error(why);
+            return false;
+        }
         progress_.begin(uint64_t{choices_.width} * choices_.height() * squares.size());
         return std::all_of(squares.begin(), squares.end(),
                            [&](glm::ivec2 square) { return bake(square); });
     }
 
+    std::string suffix_of(glm::ivec2 square) const {
+        return choices_.udim ? "." + std::to_string(udim_number(square)) : std::string();
+    }
+
     bool bake(glm::ivec2 square) {
-        const std::string suffix =
-            choices_.udim ? "." + std::to_string(udim_number(square)) : std::string();
         std::vector<MapFile> files;
-        for (const fs::path& path : baked_files(choices_, suffix)) {
+        for (const fs::path& path : baked_files(choices_, suffix_of(square))) {
             const size_t map = files.size();
             const StoredAs& stored = *asked_[map].stored;
             WriterOptions options = writer_options(plan_->maps[map], stored.type, choices_.width,
@@ -218,6 +235,7 @@ private:
     std::vector<PixelType> types_;   // by map
     std::vector<MapFiles> written_;  // of each square, without their names until all are whole
     BakeReport report_;
+    std::vector<std::string> read_;  // the files that the maps must not replace
 };
 
 }  // namespace

@@ -1,7 +1,9 @@
 #include "editor/code/export.h"
 
 #include "base/file.h"
+#include "base/overwrite.h"
 #include "base/text.h"
+#include "compile/inputs.h"
 #include "editor/words.h"
 
 namespace wrinkle::editor {
@@ -36,7 +38,15 @@ TaskOutcome export_code(const CodeJob& job, const Registry& registry, const fs::
     const std::string fragment = end_of(".frag", job.options);
     if (has_stages(job.options))
         files = {{file.string() + vertex, text.vertex}, {file.string() + fragment, text.fragment}};
-    std::string why;
+    std::vector<std::string> read, made;
+    Diagnostics ignored;
+    const Project project = project_to_compile(job.model, job.document, ignored);
+    for (const InputFile& input : inputs_of(project, Types(project, registry)))
+        read.push_back(input.path);
+    for (const FileBytes& each : files)
+        made.push_back(each.path.string());
+    std::string why = overwrite_fault(made, read);
+    if (!why.empty()) return {false, name + " was not written: " + why + "."};
     if (!write_files(files, why))
         return {false, name + " was not written: " + disk_words(why) + "."};
     const std::string stages = vertex + " and " + fragment;

@@ -31,7 +31,9 @@ TEST(Diagnostics, ReadLikeACompilersMessages) {
 TEST(Diagnostics, AreOneLineWhateverTheNamesHold) {
     const std::string name = "x\nother.json:1:1: error: \x1B[2J\u202E";
     const std::string shown = "x\\nother.json:1:1: error: \\x1b[2J\\u202e";
-    Diagnostic d{Severity::error, {name, 1, 2}, name, name, name, name};
+    Diagnostic d = unknown_port();
+    d.where = {name, 1, 2};
+    d.pointer = d.node = d.message = d.expected = name;
     EXPECT_EQ(to_text(d),
               shown + ":1:2: error: node '" + shown + "': " + shown + " (" + shown + ")");
     Diagnostics list;

@@ -19,9 +19,8 @@ protected:
         }
     }
 
-    std::string graph(const std::string& type, const std::string& port,
-                      const std::string& title = "t") {
-        return R"({"wrinkle": 1, "title": ")" + title + R"(", "nodes": {
+    std::string graph(const std::string& type, const std::string& port) {
+        return R"({"wrinkle": 1, "nodes": {
             "n": {"type": ")" +
                type + R"(", "in": {")" + port + R"(": 1}}},
             "outputs": {"value": {"from": "n.result"}}})";
@@ -55,6 +54,8 @@ TEST_F(PrintedNamesTest, NamesOfFilesAreEscaped) {
              {"test", evil + ".test.json"},
              {"format", "--check", evil + "unformatted.json"},
              {"lint", missing},
+             {"inputs", evil + "unformatted.json"},
+             {"inputs", "--json", evil + "unformatted.json"},
              {"check", "@" + missing},
              {evil},
              {"check", "a.json", "--" + evil}})
@@ -62,10 +63,14 @@ TEST_F(PrintedNamesTest, NamesOfFilesAreEscaped) {
 }
 
 TEST_F(PrintedNamesTest, CommentsOfEveryLanguageHoldNoControlCharacters) {
-    put("g.json", graph("add", "a", evil_json));
+    put(evil + ".png", "P6\n1 1\n255\nabc");
+    put("g.json",
+        R"({"wrinkle": 1, "nodes": {"m\u061cn\u202e": {"type": "image", "in": {"image": ")" +
+            evil_json + R"(.png"}}}, "outputs": {"color": {"from": "m\u061cn\u202e.color"}}})");
     for (const std::string target : {"glsl330", "essl300", "glsl450", "hlsl", "msl"}) {
         const Ran ran = run({"compile", "g.json", "--target", target, "--form", "shader"});
         EXPECT_EQ(ran.code, 0) << ran.err;
+        EXPECT_TRUE(says(ran.out, "// m n"));
         expect_harmless(ran, target);
     }
 }

@@ -76,15 +76,11 @@ TEST_F(SpecialFilesTest, AreRefusedByEveryCommand) {
 
 TEST_F(SpecialFilesTest, AreRefusedWhereTestsNameThem) {
     put("g.test.json", R"({"glsl": true})");
-    for (const auto& [target, kind] : {std::pair{"../pipe", "is a pipe, not a file"},
-                                       {"/dev/zero", "is a device, not a file"}}) {
-        fs::remove_all(folder / "golden");
-        fs::create_directory(folder / "golden");
-        fs::create_symlink(target, folder / "golden/g.glsl");
-        const Ran ran = run({"test", "g.test.json"});
-        EXPECT_EQ(ran.code, 1) << ran.err;
-        EXPECT_TRUE(says(ran.out, kind));
-    }
+    fs::create_directory(folder / "golden");
+    fs::create_symlink("../pipe", folder / "golden/g.glsl");
+    const Ran ran = run({"test", "g.test.json"});
+    EXPECT_EQ(ran.code, 1) << ran.err;
+    EXPECT_TRUE(says(ran.out, "is a pipe, not a file"));
 }
 
 TEST_F(SpecialFilesTest, AreRefusedAsPluginsAndTheirManifests) {

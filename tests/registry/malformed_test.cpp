@@ -125,7 +125,9 @@ TEST_F(DamagedFile, OrNoneIsRefused) {
     const Loaded loaded = load({folder.path().string()});
     ASSERT_EQ(loaded.reports.size(), 3u);
     for (const PluginReport& report : loaded.reports)
-        EXPECT_EQ(report.why, "it cannot be loaded: it is no file") << report.path;
+        EXPECT_TRUE(report.why.starts_with("it cannot be loaded: it ")) << report.why;
+    EXPECT_EQ(loaded.reports[1].why, "it cannot be loaded: it is a device, not a file");
+    EXPECT_EQ(loaded.reports[2].why, "it cannot be loaded: it is a folder, not a file");
     EXPECT_FALSE(loaded.diagnostics.has_errors());
 }
 

@@ -1,0 +1,66 @@
+// `wrinkle test` stays below its root: links that lead out are neither read nor written through.
+#include "cli/support.h"
+
+namespace wrinkle::test {
+namespace {
+
+class GoldenLinksTest : public CliTest {
+protected:
+    void SetUp() override {
+        CliTest::SetUp();
+        put("t/g.json", tilt_graph());
+        put("t/g.test.json", R"({"glsl": true})");
+        put("outside/g.glsl", "secret");
+    }
+
+    void expect_refused(const std::vector<std::string>& more = {}) {
+        for (const bool update : {false, true}) {
+            std::vector<std::string> words{"test", "t"};
+            if (update) words.emplace_back("--update");
+            words.insert(words.end(), more.begin(), more.end());
+            const Ran ran = run(words);
+            EXPECT_EQ(ran.code, 1) << ran.out;
+            EXPECT_TRUE(says(ran.err, "leads outside the"));
+            EXPECT_EQ(ran.out.find("secret"), ran.out.npos);
+            EXPECT_EQ(get("outside/g.glsl"), "secret");
+            EXPECT_FALSE(exists("outside/new.glsl"));
+        }
+    }
+};
+
+TEST_F(GoldenLinksTest, AFolderOfGoldenFilesThatLeadsOutIsRefused) {
+    fs::create_symlink("../outside", folder / "t/golden");
+    expect_refused();
+}
+
+TEST_F(GoldenLinksTest, AGoldenFileThatLeadsOutIsRefused) {
+    fs::create_directory(folder / "t/golden");
+    fs::create_symlink("../../outside/g.glsl", folder / "t/golden/g.glsl");
+    expect_refused();
+    fs::remove(folder / "t/golden/g.glsl");
+    fs::create_symlink("../../outside/new.glsl", folder / "t/golden/g.glsl");  // dangling
+    expect_refused();
+}
+
+TEST_F(GoldenLinksTest, AGraphThatLeadsOutIsRefused) {
+    put("outside/other.json", tilt_graph());
+    fs::remove(folder / "t/g.json");
+    fs::create_symlink("../outside/other.json", folder / "t/g.json");
+    expect_refused();
+}
+
+TEST_F(GoldenLinksTest, ATestThatIsFoundAndLeadsOutIsRefused) {
+    put("outside/h.test.json", R"({"glsl": true})");
+    fs::create_symlink("../outside/h.test.json", folder / "t/h.test.json");
+    expect_refused();
+}
+
+TEST_F(GoldenLinksTest, LinksBelowTheRootAreFollowed) {
+    fs::create_symlink("../outside", folder / "t/golden");
+    EXPECT_EQ(run({"test", "t", "--update", "--root", "."}).code, 0);
+    EXPECT_EQ(get("outside/g.glsl"), run({"compile", "t/g.json"}).out);
+    EXPECT_EQ(run({"test", "t", "--root", "."}).code, 0);
+}
+
+}  // namespace
+}  // namespace wrinkle::test
