@@ -1,5 +1,7 @@
 #include "editor/state.h"
 
+#include "base/file.h"
+
 namespace wrinkle::editor {
 namespace fs = std::filesystem;
 
@@ -13,13 +15,20 @@ const Card* Layout::find(std::string_view id, Card::Kind kind) const {
     return nullptr;
 }
 
-fs::path folder_of(const fs::path& path) {
-    const fs::path parent = path.parent_path();
-    return parent.empty() ? fs::path(".") : parent;
+namespace {
+
+fs::path folder_of(const fs::path& path, const fs::path& unsaved_folder) {
+    return path.empty() ? real_path(unsaved_folder) : real_path(path).parent_path();
 }
 
+}  // namespace
+
 fs::path State::folder() const {
-    return folder_of(path);
+    return folder_of(path, unsaved_folder);
+}
+
+fs::path State::root() const {
+    return folder_of(outer.empty() ? path : outer.front().path, unsaved_folder);
 }
 
 std::string file_name_of(const fs::path& path) {

@@ -37,7 +37,6 @@ namespace wrinkle::editor {
 
 // "strap.json"; "untitled.json" where there is no file yet.
 std::string file_name_of(const std::filesystem::path& path);
-std::filesystem::path folder_of(const std::filesystem::path& path);
 
 struct Counters {
     uint64_t builds = 0;    // texts generated
@@ -54,6 +53,7 @@ struct State {
     Look look;
     History history;
     std::filesystem::path path;
+    std::filesystem::path unsaved_folder;  // of a graph without a file; "": the working folder
     std::vector<Level> outer;  // the graphs that this one was opened from, the outermost first
     static constexpr uint64_t never_saved = ~uint64_t{0};
     uint64_t saved_serial = 0;
@@ -106,9 +106,12 @@ struct State {
     const Costs* costs() const;
     const Document& costs_of() const;
     bool dirty() const { return history.serial() != saved_serial; }
+    // The folder that the document's files are named from: absolute, links resolved, as
+    // load_project() has it. That of a graph without a file is `unsaved_folder`.
     std::filesystem::path folder() const;
-    std::string title() const;      // of the window
-    std::string file_name() const;  // of `path`, by file_name_of()
+    std::filesystem::path root() const;  // no name leads out of it
+    std::string title() const;           // of the window
+    std::string file_name() const;       // of `path`, by file_name_of()
     const NodeType* type_of(std::string_view node) const { return model.type_of(node); }
 
     // One step of history; says so in the status.

@@ -54,6 +54,15 @@ int produced(int key, int scancode) {
     return key;
 }
 
+// Also while a script plays, which cannot drop files as another program does.
+void listen_for_drops(GLFWwindow* window) {
+    glfwSetDropCallback(window, [](GLFWwindow* w, int count, const char** files) {
+        double x = 0, y = 0;
+        glfwGetCursorPos(w, &x, &y);
+        queue_of(w).window_drop(x, y, {files, files + count});
+    });
+}
+
 void listen(GLFWwindow* window) {
     glfwSetKeyCallback(window, [](GLFWwindow* w, int key, int scancode, int action, int) {
         if (action != GLFW_REPEAT) return queue_of(w).key(produced(key, scancode), action);
@@ -66,11 +75,6 @@ void listen(GLFWwindow* window) {
         window, [](GLFWwindow* w, double x, double y) { queue_of(w).window_motion(x, y); });
     glfwSetScrollCallback(window, [](GLFWwindow* w, double x, double y) {
         queue_of(w).wheel(static_cast<float>(x), static_cast<float>(y));
-    });
-    glfwSetDropCallback(window, [](GLFWwindow* w, int count, const char** files) {
-        double x = 0, y = 0;
-        glfwGetCursorPos(w, &x, &y);
-        queue_of(w).window_drop(x, y, {files, files + count});
     });
     glfwSetCursorEnterCallback(window, [](GLFWwindow* w, int entered) {
         const bool held = glfwGetMouseButton(w, 0) || glfwGetMouseButton(w, 2);
@@ -131,6 +135,7 @@ void adopt(GLFWwindow* window, InputQueue& queue, bool scripted) {
     glfwSetWindowUserPointer(window, &queue);
     use_clipboard(window);
     ImGui_ImplOpenGL3_Init("#version 330 core");
+    listen_for_drops(window);
     if (!scripted) listen(window);
 }
 

@@ -148,9 +148,11 @@ Project load_project(const fs::path& file, const ProjectOptions& options,
 Project load_project(Document top, const fs::path& folder, const ProjectOptions& options,
                      Diagnostics& diagnostics) {
     const std::string here = folder.empty() ? "." : folder.native();
+    const std::string name = top.file.substr(top.file.rfind('/') + 1);
     Project project;
     File& file = project.files.emplace_back();
-    file.path = real_path(here + '/' + top.file.substr(top.file.rfind('/') + 1));
+    // Without a name real_path() would give the folder, and its parent would become the root.
+    file.path = name.empty() ? real_path(here) / "" : real_path(here + '/' + name);
     file.document = std::move(top);
     project.root = options.root.empty() ? file.path.parent_path() : real_path(options.root);
     Loader(project, options, diagnostics).run();

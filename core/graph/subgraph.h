@@ -24,7 +24,7 @@ struct ProjectOptions {
 struct Project {
     struct File {
         Document document;
-        std::filesystem::path path;  // canonical
+        std::filesystem::path path;  // canonical; of a top document without a name its folder, "/"
         // For each node the index of its sub-graph's file; none: not a sub-graph, or not readable.
         std::vector<uint32_t> subgraphs;
         static constexpr uint32_t none = ~0u;
@@ -41,8 +41,8 @@ struct Project {
 Project load_project(const std::filesystem::path& file, const ProjectOptions& options,
                      Diagnostics& diagnostics);
 
-// The same for a top document in memory. Its files are relative to `folder` (that of its file;
-// the working folder for standard input).
+// The same for a top document in memory, which needs no name. Its files are relative to `folder`
+// (that of its file; the working folder for standard input).
 Project load_project(Document top, const std::filesystem::path& folder,
                      const ProjectOptions& options, Diagnostics& diagnostics);
 

@@ -20,7 +20,8 @@ void reload(State& state) {
 }
 
 void save_as(State& state) {
-    browse(state, Browser::Purpose::save_graph, state.folder() / state.file_name());
+    browse(state, Browser::Purpose::save_graph,
+           state.path.empty() ? state.folder() / state.file_name() : state.path);
 }
 
 void open(State& state) {

@@ -7,8 +7,8 @@
 
 #include "base/file.h"
 #include "editor/document/levels.h"
-#include "editor/document/moved_paths.h"
 #include "editor/document/recovery.h"
+#include "editor/document/words.h"
 #include "graph/read.h"
 #include "graph/write.h"
 
@@ -74,6 +74,11 @@ std::string words_on_outside(const std::vector<std::string>& names) {
                                : text;
 }
 
+MovedPaths moved_to(const State& state, const fs::path& path, OutsideFiles files) {
+    const Model model = make_model(state.document(), state.folder(), *state.registry, state.root());
+    return move_paths(state.document(), model, state.folder(), path.parent_path(), files);
+}
+
 void keep_settings(State& state) {
     Keeping& keeping = state.keeping;
     keeping.settings.side = state.panes.side;
@@ -108,9 +113,11 @@ void let_go(State& state) {
     state.fresh = false;
 }
 
-void new_file(State& state) {
+void new_file(State& state, const fs::path& folder) {
     close_outer(state);
     begin(state, {}, {});
+    std::error_code ignored;
+    state.unsaved_folder = real_path(fs::is_directory(folder, ignored) ? folder : fs::path());
     state.status = "New graph";
 }
 
@@ -160,11 +167,23 @@ bool save_file(State& state) {
     return true;
 }
 
-bool save_file_as(State& state, const fs::path& path) {
-    const Model model = make_model(state.document(), state.folder(), *state.registry);
-    MovedPaths moved = move_paths(state.document(), model, state.folder(), path.parent_path());
+std::vector<std::string> files_outside(const State& state, const fs::path& path) {
+    return moved_to(state, path, OutsideFiles::referred).outside;
+}
+
+bool save_file_as(State& state, const fs::path& path, OutsideFiles files) {
+    MovedPaths moved = moved_to(state, path, files);
+    std::string why;
+    NewCopies copies;
+    if (!copies.make(moved.copies, why)) {
+        state.status = name_of(path) + " was not saved: " + why + ".";
+        return false;
+    }
     if (!write_to(state, path, moved.document)) return false;
-    const std::string saved = state.status + words_on_outside(moved.outside);
+    copies.keep();
+    const std::string saved =
+        state.status + (moved.copies.empty() ? words_on_outside(moved.outside)
+                                             : " and copied " + listed(moved.outside));
     state.commit("Name files from " + path.parent_path().string(), std::move(moved.document));
     state.status = saved;
     state.saved_serial = state.history.serial();

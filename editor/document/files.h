@@ -7,12 +7,13 @@
 
 #include <filesystem>
 
+#include "editor/document/moved_paths.h"
 #include "editor/state.h"
 
 namespace wrinkle::editor {
 
-// An empty graph without a file.
-void new_file(State& state);
+// An empty graph without a file, in `folder` if that is there, else in the working folder.
+void new_file(State& state, const std::filesystem::path& folder = {});
 // Opens a graph. A file that does not exist is a new graph under that name.
 void open_file(State& state, const std::filesystem::path& path);
 // The same inside the graphs that are open around it (levels.h).
@@ -25,8 +26,11 @@ void let_go(State& state);
 bool save_file(State& state);
 // Writes under another name, which is the document's from then on. Replaces what is there, unless
 // that is read-only. In another folder pictures and sub-graphs are named from there, as a step that
-// can be undone; the status names those that are not below it.
-bool save_file_as(State& state, const std::filesystem::path& path);
+// can be undone; those that are not below it are copied, or named by the status.
+bool save_file_as(State& state, const std::filesystem::path& path,
+                  OutsideFiles files = OutsideFiles::referred);
+// The files that the document names and that are not below the folder of `path`, as it names them.
+std::vector<std::string> files_outside(const State& state, const std::filesystem::path& path);
 
 // Compares with the disk now. A changed file is read again when nothing here is unsaved, as a step
 // that can be undone; otherwise it is asked which one to keep.

@@ -40,10 +40,17 @@ void answer_open(State& state) {
     }
 }
 
-void write_as(State& state, const fs::path& path) {
-    if (save_file_as(state, path)) return done(state);
+void write_as(State& state, const fs::path& path, OutsideFiles files) {
+    if (save_file_as(state, path, files)) return done(state);
     state.question.kind = Question::Kind::save_as;
     state.question.trouble = state.status;
+}
+
+// Asks first what is to become of files that would be out of the graph's reach.
+void begin_write_as(State& state, const fs::path& path) {
+    if (files_outside(state, path).empty()) return write_as(state, path, OutsideFiles::referred);
+    state.question.kind = Question::Kind::outside;
+    state.question.file = path;
 }
 
 void answer_name(State& state) {
@@ -60,7 +67,7 @@ void answer_name(State& state) {
         state.question.kind = Question::Kind::replace;
         state.question.file = path;
     } else {
-        write_as(state, path);
+        begin_write_as(state, path);
     }
 }
 
@@ -147,7 +154,15 @@ void answer_stop(State& state) {
 }
 
 void answer_replace(State& state) {
-    write_as(state, state.question.file);
+    begin_write_as(state, fs::path(state.question.file));
+}
+
+void answer_copy(State& state) {
+    write_as(state, fs::path(state.question.file), OutsideFiles::copied);
+}
+
+void answer_refer(State& state) {
+    write_as(state, fs::path(state.question.file), OutsideFiles::referred);
 }
 
 }  // namespace wrinkle::editor

@@ -24,6 +24,7 @@ struct Question {
         unsaved,  // save changes?
         changed,  // the file on the disk is another one
         replace,  // save as would write over `file`
+        outside,  // files that the graph names are not below the folder of `file`: copy them?
         recover,  // the edits in the journal `file`?
         running,  // stop what runs in the background, to quit?
         failed,   // the file could not be written (`trouble`): another name?
@@ -54,6 +55,8 @@ void answer_save(State& state);
 void answer_path(State& state);     // of open and save_as: `text`
 void answer_save_as(State& state);  // under another name than the one that failed
 void answer_replace(State& state);
+void answer_copy(State& state);   // of outside: the files go along
+void answer_refer(State& state);  // of outside: they stay
 void answer_stop(State& state);
 void answer_recover(State& state);
 void answer_forget(State& state);

@@ -77,7 +77,8 @@ bool read_graph(std::string_view payload, Recoverable& found) {
     const size_t first = payload.find('\0');
     const size_t second = first == payload.npos ? first : payload.find('\0', first + 1);
     if (second == payload.npos) return false;
-    found.graph = fs::path(payload.substr(0, first));
+    const fs::path path(payload.substr(0, first));
+    (path.has_filename() ? found.graph : found.folder) = path;
     found.refused = payload.substr(first + 1, second - first - 1);
     found.text = payload.substr(second + 1);
     return true;

@@ -7,8 +7,8 @@
 //
 // A record is `KIND LENGTH SUM\n`, LENGTH bytes and "\n"; SUM is the checksum of these bytes and of
 // the sum before it, so a record holds only after those that it follows. KIND is `graph` (path,
-// reason why its file must not be written over, text, with zero bytes between) or `edit`
-// (text_delta.h).
+// reason why its file must not be written over, text, with zero bytes between; a path that ends
+// with "/" is the folder of a graph without a file) or `edit` (text_delta.h).
 #pragma once
 
 #include <atomic>
@@ -27,9 +27,10 @@ namespace wrinkle::editor {
 // What a journal says that is no program's any more.
 struct Recoverable {
     std::filesystem::path journal;
-    std::filesystem::path graph;  // absolute; empty of one that had no file yet
-    std::string refused;          // why that file must not be written over, "" when it may
-    std::string text;             // the document after its last edit
+    std::filesystem::path graph;   // absolute; empty of one that had no file yet
+    std::filesystem::path folder;  // absolute, of one that had no file yet; empty: not known
+    std::string refused;           // why that file must not be written over, "" when it may
+    std::string text;              // the document after its last edit
     size_t edits = 0;
     int64_t when = 0;  // of the last edit, seconds since 1970
 };
@@ -46,7 +47,7 @@ public:
     void swap(Journal& other) noexcept;
 
     // Brings the file up to the text of `document`. After an error nothing of it is kept, and what
-    // was kept before still is.
+    // was kept before still is. `graph` is the file, or a folder and "/" where there is none.
     std::error_code keep(const std::filesystem::path& state_folder,
                          const std::filesystem::path& graph, const std::string& refused,
                          const Document& document);

@@ -29,8 +29,9 @@ bool keep_edits_now(State& state) {
     if (keeping.folders.state.empty()) return false;
     const uint64_t serial = state.history.serial();
     if (keeping.journal.exists() && keeping.journalled == serial) return true;
-    const std::error_code error = keeping.journal.keep(keeping.folders.state, state.path,
-                                                       state.save_refused, state.document());
+    const fs::path graph = state.path.empty() ? state.folder() / "" : state.path;
+    const std::error_code error =
+        keeping.journal.keep(keeping.folders.state, graph, state.save_refused, state.document());
     if (error) {
         say_failure(state, error);
         return false;
@@ -82,7 +83,7 @@ void recover(State& state, const Recoverable& found) {
     // The program that died may have saved after this one had read the file.
     const bool is_open = !state.path.empty() && same_file(taken.graph, state.path);
     if (taken.graph.empty())
-        new_file(state);
+        new_file(state, taken.folder);
     else if (!is_open || state.dirty() || compare(state.keeping.disk, state.path) != OnDisk::same)
         open_file(state, taken.graph);
     Diagnostics shown_by_the_build;

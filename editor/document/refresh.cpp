@@ -49,8 +49,7 @@ void ask(State& state) {
 }
 
 void remodel(State& state) {
-    state.model = make_model(state.document(), state.folder(), *state.registry,
-                             state.outer.empty() ? "" : folder_of(state.outer.front().path));
+    state.model = make_model(state.document(), state.folder(), *state.registry, state.root());
 }
 
 void begin(State& state) {

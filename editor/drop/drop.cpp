@@ -9,7 +9,6 @@
 #include "editor/canvas/layout.h"
 #include "editor/canvas/new_cards.h"
 #include "editor/document/edits.h"
-#include "editor/document/files.h"
 #include "editor/document/layer.h"
 #include "editor/document/refresh.h"
 #include "editor/drop/image_kind.h"
@@ -18,6 +17,13 @@
 
 namespace wrinkle::editor {
 namespace fs = std::filesystem;
+std::string path_in_graph(const State& state, const fs::path& file) {
+    const auto place = inside(state.folder(), file);
+    std::error_code error;
+    const fs::path root = fs::canonical(state.folder(), error);
+    return place && !error ? place->lexically_relative(root).generic_string() : "";
+}
+
 namespace {
 
 enum class Kind : uint8_t { picture, environment, mesh, graph };
@@ -36,14 +42,6 @@ bool on_preview(const State& state, const FileDrop& drop) {
     const auto rect = state.targets.find("preview");
     return rect && drop.x >= rect->x0 && drop.x < rect->x1 && drop.y >= rect->y0 &&
            drop.y < rect->y1;
-}
-
-// As the graph writes it; "" for a file outside its folder.
-std::string path_in_graph(const State& state, const fs::path& file) {
-    const auto place = inside(state.folder(), file);
-    std::error_code error;
-    const fs::path root = fs::canonical(state.folder(), error);
-    return place && !error ? place->lexically_relative(root).generic_string() : "";
 }
 
 const Port* picture_port(const NodeType& type, const std::string& name) {
@@ -209,15 +207,6 @@ fs::path canonical_or_same(const fs::path& file) {
     return error ? file : found;
 }
 
-void add_pictures(State& state, const FileDrop& drop, const std::vector<std::string>& files) {
-    Arrival arrival;
-    arrival.at = to_canvas(state.view, {drop.x, drop.y});
-    arrival.merge = "drop " + std::to_string(state.history.serial());
-    for (const std::string& file : files)
-        arrival.files.push_back(canonical_or_same(file));
-    await(state, std::move(arrival));
-}
-
 void handle(State& state, const FileDrop& drop) {
     std::vector<std::string> pictures;
     for (const std::string& file : drop.files) {
@@ -237,25 +226,6 @@ void handle(State& state, const FileDrop& drop) {
     state.dropped.by_name = false;
 }
 
-// Where the copies go: beside the textures that are there.
-fs::path copy_folder(const State& state) {
-    std::error_code ignored;
-    const fs::path textures = state.folder() / "textures";
-    return fs::is_directory(textures, ignored) ? textures : state.folder();
-}
-
-// A copy under a name that no other file has; "" when it cannot be made.
-std::string copied(State& state, const fs::path& file) {
-    const fs::path folder = copy_folder(state);
-    fs::path to = folder / file.filename();
-    std::error_code error, ignored;
-    for (int i = 2; fs::exists(to, ignored); ++i)
-        to = folder / (file.stem().string() + std::to_string(i) + file.extension().string());
-    if (fs::copy_file(file, to, error)) return to.string();
-    state.status = file.filename().string() + " was not copied: " + disk_words(error) + ".";
-    return {};
-}
-
 void set_picture(State& state, const std::string& id, const std::string& name,
                  const std::string& file) {
     const NodeType* type = state.type_of(id);
@@ -263,22 +233,16 @@ void set_picture(State& state, const std::string& id, const std::string& name,
     if (port) state.commit(id + ": " + name, with_file(state.document(), id, *port, file));
 }
 
-void copy_and_use(State& state, const std::string& file) {
-    const std::string place = copied(state, file);
-    const Dropped to = state.dropped;
-    if (!place.empty()) use_picture(state, to.node, to.port, place);
-}
-
-void copy_and_add(State& state, const FileDrop& drop) {
-    std::vector<std::string> files;
-    for (const std::string& file : drop.files) {
-        const std::string place = path_in_graph(state, file).empty() ? copied(state, file) : file;
-        if (!place.empty()) files.push_back(place);
-    }
-    add_pictures(state, drop, files);
-}
-
 }  // namespace
+
+void add_pictures(State& state, const FileDrop& drop, const std::vector<std::string>& files) {
+    Arrival arrival;
+    arrival.at = to_canvas(state.view, {drop.x, drop.y});
+    arrival.merge = "drop " + std::to_string(state.history.serial());
+    for (const std::string& file : files)
+        arrival.files.push_back(canonical_or_same(file));
+    await(state, std::move(arrival));
+}
 
 void add_picture(State& state, const std::string& file) {
     Arrival arrival;
@@ -304,34 +268,6 @@ void handle_drops(State& state) {
     for (const FileDrop& drop : arrived)
         handle(state, drop);
     place_arrivals(state);
-}
-
-void draw_copy_question(State& state) {
-    Dropped& dropped = state.dropped;
-    if (dropped.asked && !ImGui::IsPopupOpen("##copy")) ImGui::OpenPopup("##copy");
-    if (!ImGui::BeginPopupModal("##copy", nullptr,
-                                ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_AlwaysAutoResize))
-        return;
-    const std::string name = dropped.outside.files.empty()
-                                 ? ""
-                                 : fs::path(dropped.outside.files.front()).filename().string();
-    ImGui::Text("%s lies outside the graph's folder, where a graph cannot read it.", name.c_str());
-    const std::string label = "Copy into " + copy_folder(state).filename().string();
-    const bool copy = button(state, label.c_str(), "copy:yes");
-    ImGui::SameLine();
-    const bool cancel = button(state, "Cancel", "copy:no") ||
-                        ImGui::IsKeyPressed(ImGui::GetIO().KeyMap[ImGuiKey_Escape]);
-    if (copy || cancel) {
-        const FileDrop drop = std::move(dropped.outside);
-        dropped.outside = {};
-        dropped.asked = false;
-        ImGui::CloseCurrentPopup();
-        if (copy && dropped.by_name)
-            copy_and_use(state, drop.files.front());
-        else if (copy)
-            copy_and_add(state, drop);
-    }
-    ImGui::EndPopup();
 }
 
 }  // namespace wrinkle::editor

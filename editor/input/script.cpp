@@ -85,6 +85,7 @@ std::optional<bool> holds(const State& state, const std::vector<std::string>& w)
     if (what == "errors") return state.built.problems.error_count() == number(w[2]);
     if (what == "node") return state.document().find(w[2]) != nullptr;
     if (what == "no-node") return state.document().find(w[2]) == nullptr;
+    if (what == "thumbnail") return state.node_feed.pictures.places.contains(w[2]);
     if (what == "status") return state.status.find(rest(w, 2)) != std::string::npos;
     if (what == "target") return state.targets.find(w[2]).has_value();
     if (what == "no-target") return !state.targets.find(w[2]);
@@ -161,8 +162,8 @@ bool Script::drop(const std::vector<std::string>& w, const State& state, InputQu
 
 void Script::count(const std::string& step, const std::vector<std::string>& words) {
     const bool commits = typing_ && step == "key" && words[1] == "Enter";
-    const bool waits =
-        step == "wait" || step == "assert" || step == "shot" || step == "section" || step == "lose";
+    const bool waits = step == "wait" || step == "assert" || step == "await" || step == "shot" ||
+                       step == "section" || step == "lose";
     if (!commits && !waits) ++actions_;
     if (!waits) typing_ = step == "type";
 }
@@ -242,7 +243,7 @@ bool Script::see(const Line& line, const State& state, const Screen& screen) {
         screen.lose_driver();
         return true;
     }
-    if (what != "assert") return fail("'" + what + "' is no step");
+    if (what != "assert" && what != "await") return fail("'" + what + "' is no step");
     if (w[1] == "actions" && w.size() > 2)
         return actions_ <= number(w[2]) || fail(std::to_string(actions_) + " actions");
     const auto result = holds(state, w);
@@ -262,6 +263,9 @@ Script::Progress Script::step(const State& state, InputQueue& queue, const Scree
     if (settle_-- > 0) return Progress::running;
     if (next_ == lines_.size()) return Progress::done;
     settle_ = settle_frames;
+    const auto& words = lines_[next_].words;
+    if (words[0] == "await" && words.size() > 1 && holds(state, words) == false)
+        return Progress::running;
     if (!run(lines_[next_], state, queue, screen)) return Progress::failed;
     ++next_;
     return Progress::running;

@@ -8,11 +8,12 @@
 //   say TEXT        (to standard output: so far it has come)
 //   drop FILE... NAME               files by their path, a relative one from the graph's folder
 //   finish                          waits for what runs in the background
+//   await CONDITION                 waits until it holds, one that `assert` knows
 //   section NAME                    of the timings (editor/timings.h)
 //   lose driver                     as if the graphics driver had dropped all that it had
 //   assert nodes N | wires N | errors N | dirty | clean | node ID | no-node ID | wire FROM TO |
 //          no-wire FROM TO | value NODE.PORT JSON | code TEXT | status TEXT | target NAME |
-//          no-target NAME | stale | picture | other | actions N
+//          no-target NAME | stale | picture | other | thumbnail NODE | actions N
 //
 // Actions are what a hand has done: each click, drag, drop, chord of keys, and each text that was
 // typed and committed with Enter counts as one. The assertion holds for N and less.

@@ -5,6 +5,7 @@
 #include <ctime>
 #include <vector>
 
+#include "base/file.h"
 #include "editor/document/files.h"
 #include "editor/document/levels.h"
 #include "editor/document/words.h"
@@ -82,6 +83,19 @@ Sheet running_sheet(const State& state) {
             {{"Quit", "answer:stop", answer_stop}, {"Go on", "answer:cancel", cancel}}};
 }
 
+// Of a graph that goes to another folder than its files.
+Sheet outside_sheet(const State& state) {
+    const std::filesystem::path& file = state.question.file;
+    const std::vector<std::string> names = files_outside(state, file);
+    const std::string folder = real_path(file.parent_path()).string();
+    return {"Copy " + (names.size() < 4 ? listed(names) : counted(names.size(), "file")) + " too?",
+            "A graph reads files below its own folder only, and these are not below " + folder +
+                ". Without a copy there, " + file.filename().string() + " does not find them.",
+            {{"Copy and save", "answer:copy", answer_copy},
+             {"Save without", "answer:refer", answer_refer},
+             cancelled}};
+}
+
 Sheet sheet_of(const State& state) {
     const Question& question = state.question;
     const std::string file = state.file_name();
@@ -106,6 +120,8 @@ Sheet sheet_of(const State& state) {
             return {question.file.filename().string() + " is there already.",
                     "Its present contents would be lost.",
                     {{"Replace", "answer:replace", answer_replace}, cancelled}};
+        case Question::Kind::outside:
+            return outside_sheet(state);
         case Question::Kind::recover:
             return recovery_sheet(state);
         case Question::Kind::running:

@@ -3,6 +3,7 @@
 
 #include "base/text.h"
 #include "editor/canvas/field.h"
+#include "editor/document/files.h"
 #include "editor/drop/image_kind.h"
 #include "headless.h"
 
@@ -198,6 +199,71 @@ TEST_F(Headless, APictureFromElsewhereIsCopiedWhenAsked) {
     play("drop " + from.string() + " canvas\nclick copy:yes\nassert nodes 2\nassert errors 0");
     EXPECT_TRUE(fs::exists(folder.path() / "textures/rivets_normal.png"));
     play(R"(assert value rivets_normal.image "textures/rivets_normal.png")");
+}
+
+// Two images of another folder, which a drop brings.
+struct Elsewhere {
+    Elsewhere() {
+        for (const char* name : {"rivets_normal.png", "weave_normal.png"})
+            fs::copy_file(fs::path(WRINKLE_SOURCE_DIR) / "graphs/textures" / name,
+                          folder.path() / name);
+    }
+    std::string path(const char* name) const { return (folder.path() / name).string(); }
+    TemporaryFolder folder;
+};
+
+TEST_F(Headless, AnUnsavedGraphReadsImagesOfItsFolder) {
+    texture("rivets_normal.png");
+    texture("weave_normal.png");
+    new_file(state, folder.path());
+    play(R"(
+        drop textures/rivets_normal.png textures/weave_normal.png canvas
+        assert nodes 4
+        assert wire weave_normal.gradient gradient_add.b
+        assert errors 0
+        assert value weave_normal.image "textures/weave_normal.png")");
+}
+
+TEST_F(Headless, AnUnsavedGraphGetsTheFolderOfImagesThatItRefersTo) {
+    const Elsewhere other;
+    new_file(state, folder.path());
+    play("drop " + other.path("rivets_normal.png") + " canvas\nclick copy:refer\nassert errors 0");
+    EXPECT_EQ(state.folder(), fs::canonical(other.folder.path()));
+    EXPECT_TRUE(fs::is_empty(folder.path()));
+    play(R"(
+        assert nodes 2
+        assert value rivets_normal.image "rivets_normal.png"
+        drop weave_normal.png canvas
+        assert nodes 3
+        assert errors 0)");
+}
+
+TEST_F(Headless, ReferringIsNotOfferedToAGraphThatNamesOtherFilesOrHasAFile) {
+    const Elsewhere other;
+    texture("pebbles_height.png");
+    new_file(state, folder.path());
+    play("drop textures/pebbles_height.png canvas\ndrop " + other.path("rivets_normal.png") +
+         " canvas\nassert target copy:yes\nassert no-target copy:refer\nclick copy:no");
+    open(empty_graph);
+    play("drop " + other.path("rivets_normal.png") +
+         " canvas\nassert target copy:yes\nassert no-target copy:refer\nclick copy:no");
+}
+
+TEST_F(Headless, AGraphWithARelativePathHasAnAbsoluteFolder) {
+    state.path = "graph.json";
+    EXPECT_EQ(state.folder(), fs::current_path());
+    state.path = "./graph.json";
+    EXPECT_EQ(state.folder(), fs::current_path());
+    state.path.clear();
+    EXPECT_EQ(state.folder(), fs::current_path());
+}
+
+TEST_F(Headless, AGraphThatIsALinkReadsImagesOfTheFolderThatItLeadsTo) {
+    const Elsewhere other;
+    other.folder.write("graph.json", empty_graph);
+    fs::create_symlink(other.folder.path() / "graph.json", folder.path() / "link.json");
+    open_file(state, folder.path() / "link.json");
+    play("drop " + other.path("rivets_normal.png") + " canvas\nassert nodes 2\nassert errors 0");
 }
 
 TEST_F(Headless, WhatIsNoPictureIsRefused) {

@@ -245,6 +245,20 @@ TEST_F(Headless, AGraphWithoutAFileIsRecoveredToo) {
     EXPECT_TRUE(state.path.empty());
 }
 
+TEST_F(Headless, AGraphWithoutAFileIsRecoveredInItsFolder) {
+    texture("rivets_normal.png");
+    new_file(state, folder.path());
+    play("drop textures/rivets_normal.png canvas\nassert nodes 2\nassert errors 0");
+    const fs::path left = die(home);
+    new_file(state);
+    ASSERT_NE(state.folder(), fs::canonical(folder.path()));
+    come_back(home, left);
+    look_for_recoverable(state);
+    offer_recovery(state);
+    play("wait\nclick answer:recover\nassert nodes 2\nassert errors 0");
+    EXPECT_EQ(state.folder(), fs::canonical(folder.path()));
+}
+
 TEST_F(Headless, ARecoveredPartOfADamagedFileDoesNotReplaceIt) {
     const std::string broken = std::string(small_graph).substr(0, 300);
     open(broken);

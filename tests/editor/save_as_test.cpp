@@ -75,6 +75,84 @@ TEST_F(SaveAs, WhatIsNotBelowTheFolderIsNamedAllTheSameAndSaid) {
     EXPECT_TRUE(said) << to_text(state.built.problems);
 }
 
+// A graph in a folder of its own that reads images and a sub-graph of other folders.
+constexpr const char* far_reaching = R"({
+  "wrinkle": 1,
+  "nodes": {
+    "own": { "type": "height_map", "in": { "image": "near/a.png" } },
+    "plain": { "type": "height_map", "in": { "image": "textures/c.png" } },
+    "part": { "type": "graph:parts/part.json" }
+  },
+  "outputs": { "height": { "from": "part.height" }, "other": { "from": "plain.height" } }
+})";
+constexpr const char* part_with_image = R"({
+  "wrinkle": 1,
+  "nodes": { "map": { "type": "height_map", "in": { "image": "../textures/d.png" } } },
+  "outputs": { "height": { "from": "map.height" } }
+})";
+
+class TakenAlong : public SaveAs {
+protected:
+    TakenAlong() {
+        for (const char* name : {"near", "textures", "parts"})
+            fs::create_directories(folder.path() / name);
+        for (const char* name : {"near/a.png", "textures/c.png", "textures/d.png"})
+            fs::copy_file(fs::path(WRINKLE_SOURCE_DIR) / "graphs/textures/weave_height.png",
+                          folder.path() / name);
+        folder.write("parts/part.json", part_with_image);
+        open(far_reaching);
+    }
+    // Through the file browser, up to the question about the files.
+    void save_in(const fs::path& there) {
+        play("key Ctrl+Shift+S\nkey Ctrl+A\ntype " + (there / "moved.json").string() +
+             "\nkey Enter");
+    }
+};
+
+TEST_F(TakenAlong, FilesOutsideTheNewFolderAreCopied) {
+    const TemporaryFolder other;
+    save_in(other.path());
+    play("click answer:copy\nassert clean\nassert errors 0");
+    EXPECT_EQ(state.path.filename(), "moved.json");
+    for (const char* name : {"near/a.png", "textures/c.png", "textures/d.png", "parts/part.json"})
+        EXPECT_EQ(text_of(other.path() / name), text_of(folder.path() / name)) << name;
+    EXPECT_EQ(program_output("check " + (other.path() / "moved.json").string()), "");
+}
+
+TEST_F(TakenAlong, BelowTheOldFolderOnlyWhatIsNotThereIsCopied) {
+    const fs::path near = folder.path() / "near";
+    save_in(near);
+    play("click answer:copy\nassert clean\nassert errors 0");
+    EXPECT_EQ(image_of(state.document(), "own"), "a.png");
+    EXPECT_EQ(image_of(state.document(), "plain"), "textures/c.png");
+    EXPECT_EQ(program_output("check " + (near / "moved.json").string()), "");
+}
+
+TEST_F(TakenAlong, AnotherFileOfTheSameNameIsKeptAndNothingIsWritten) {
+    const TemporaryFolder other;
+    fs::create_directories(other.path() / "textures");
+    other.write("textures/c.png", "another");
+    save_in(other.path());
+    play("click answer:copy\nassert status there is another c.png");
+    EXPECT_EQ(text_of(other.path() / "textures/c.png"), "another");
+    EXPECT_FALSE(fs::exists(other.path() / "moved.json"));
+    EXPECT_FALSE(fs::exists(other.path() / "near"));
+    EXPECT_EQ(state.path, file);
+}
+
+TEST_F(TakenAlong, TheQuestionIsNotAskedWhereAllFilesAreInReach) {
+    play("key Ctrl+Shift+S\nkey Ctrl+A\ntype " + (folder.path() / "beside.json").string() +
+         "\nkey Enter\nassert no-target answer:copy\nassert clean\nassert errors 0");
+    EXPECT_EQ(state.path.filename(), "beside.json");
+}
+
+TEST_F(TakenAlong, FilesMayStayWhereTheyAre) {
+    const TemporaryFolder other;
+    save_in(other.path());
+    play("click answer:refer\nassert clean\nassert status Not below its folder");
+    EXPECT_FALSE(fs::exists(other.path() / "textures"));
+}
+
 TEST_F(SaveAs, AndBackAgainGivesTheSameNames) {
     open_with_files();
     const fs::path other = folder.path() / "elsewhere";

@@ -162,6 +162,20 @@ TEST_F(Subgraph, ATopDocumentInMemory) {
     EXPECT_FALSE(resolve_file(project, 0, std::string_view("a\0b", 3)).has_value());
 }
 
+TEST_F(Subgraph, ATopDocumentWithoutANameHasItsFolderAsRoot) {
+    put("in/a.json", text_with({"t"}));
+    Diagnostics quiet;
+    for (const fs::path& given : {folder / "in", folder / "in" / ""}) {
+        Document top = read_document(text_with({"graph:a.json"}), "", quiet);
+        const Project project = load_project(std::move(top), given, {}, diagnostics);
+        EXPECT_EQ(report(), "");
+        EXPECT_EQ(project.files.size(), 2u);
+        EXPECT_EQ(project.root, folder / "in");
+        EXPECT_EQ(*resolve_file(project, 0, "x/y.png"), folder / "in/x/y.png");
+        EXPECT_FALSE(resolve_file(project, 0, "../y.png").has_value());
+    }
+}
+
 TEST_F(Subgraph, AMissingTopFile) {
     const Project project = load("in/absent.json");
     EXPECT_EQ(report(), "DIR/in/absent.json: error: cannot be read: No such file or directory\n");
