@@ -61,4 +61,31 @@ std::vector<std::vector<bool>> reached_nodes(const Project& project) {
     return Walk(project).run();
 }
 
+Project reached_part(Project project) {
+    const std::vector<std::vector<bool>> reached = reached_nodes(project);
+    std::vector<bool> used(project.files.size(), false);
+    used[0] = true;
+    for (size_t f = 0; f < project.files.size(); ++f) {
+        Project::File& file = project.files[f];
+        std::vector<NodePtr> nodes;
+        std::vector<uint32_t> subgraphs;
+        for (size_t n = 0; n < reached[f].size(); ++n) {
+            if (!reached[f][n]) continue;
+            nodes.push_back(file.document.nodes[n]);
+            subgraphs.push_back(file.subgraphs[n]);
+            if (subgraphs.back() != Project::File::none) used[subgraphs.back()] = true;
+        }
+        if (nodes.size() == reached[f].size()) continue;
+        file.document.nodes = Table<NodePtr>(std::move(nodes));
+        file.document.edited = true;  // the wires as they were read lead to former places
+        file.subgraphs = std::move(subgraphs);
+    }
+    for (size_t f = 0; f < project.files.size(); ++f)
+        if (!used[f]) {
+            project.files[f].document = Document();
+            project.files[f].subgraphs.clear();
+        }
+    return project;
+}
+
 }  // namespace wrinkle

@@ -10,4 +10,7 @@ namespace wrinkle {
 
 std::vector<std::vector<bool>> reached_nodes(const Project& project);
 
+// The project without all other nodes; the files keep their places, one that is not used is empty.
+Project reached_part(Project project);
+
 }  // namespace wrinkle

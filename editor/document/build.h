@@ -17,8 +17,8 @@ namespace wrinkle::editor {
 
 // One compilation. The texts that `wrinkle compile` writes are made in editor/code.
 struct Build {
-    Diagnostics problems;  // of the whole document
-    Diagnostics live;      // why `uniform` is empty
+    Diagnostics problems;  // of the whole document, also of what no output needs
+    Diagnostics live;      // why `uniform` is empty: of what the outputs need
     std::optional<Shader> uniform;
     std::shared_ptr<const Module> module;  // that `uniform` was made from
     std::optional<Costs> costs;            // of `uniform`, estimated

@@ -1,5 +1,6 @@
 #include "editor/document/model.h"
 
+#include <algorithm>
 #include <map>
 
 #include "editor/document/wiring.h"
@@ -7,6 +8,7 @@
 #include "graph/edit.h"
 #include "graph/order.h"
 #include "lower/conversion.h"
+#include "lower/reached.h"
 
 namespace wrinkle::editor {
 namespace {
@@ -16,6 +18,15 @@ std::string refusal(const Link& from, PortType given, std::string_view to, PortT
     return from.text() + " cannot feed " + std::string(to) + ": a " + std::string(name_of(given)) +
            " is not a " + std::string(name_of(wanted)) + ". " +
            sentence(alternative(given, wanted, registry));
+}
+
+// True of a problem that was found by reading what is left of the project.
+bool is_of(const Diagnostic& problem, const Project& part) {
+    return std::any_of(part.files.begin(), part.files.end(), [&](const Project::File& file) {
+        const bool used = &file == part.files.data() || !file.document.file.empty();
+        return used && file.document.file == problem.where.file &&
+               (problem.node.empty() || file.document.find(problem.node));
+    });
 }
 
 }  // namespace
@@ -57,10 +68,27 @@ Project project_with(const Model& model, const Document& document) {
     return project;
 }
 
+void report_unread(const Document& document, Diagnostics& problems) {
+    const std::string wanted = R"(expected a value, or {"from": "node.port"})";
+    for (const NodePtr& node : document.nodes)
+        for (const Input& input : node->inputs)
+            if (input.kind == Input::Kind::broken)
+                problems.add(diagnose_port(document, *node, input.port,
+                                           "port '" + input.port + "' could not be read", wanted));
+    for (const Output& output : document.outputs)
+        if (output.from.kind != Input::Kind::link)
+            problems.add(diagnose(document, output,
+                                  "output '" + output.name + "' could not be read",
+                                  R"(expected {"from": "node.port"})"));
+}
+
 Project project_to_compile(const Model& model, const Document& document, Diagnostics& problems) {
-    check_links(document, problems);
-    problems.append(model.project_problems);
-    return project_with(model, document);
+    Project project = reached_part(project_with(model, document));
+    report_unread(project.top(), problems);
+    check_links(project.top(), problems);
+    for (const Diagnostic& problem : model.project_problems.list())
+        if (is_of(problem, project)) problems.add(problem);
+    return project;
 }
 
 std::string wire_problem(const Model& model, const Document& document, const Registry& registry,

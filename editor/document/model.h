@@ -33,7 +33,10 @@ Model make_model(const Document& document, const std::filesystem::path& folder,
 
 // The same project with another top document, for compiling.
 Project project_with(const Model& model, const Document& document);
-// The same, and what is wrong with its wires and sub-graphs: with errors nothing is made of it.
+// What reading a text could not use: check() takes it as reported.
+void report_unread(const Document& document, Diagnostics& problems);
+// The part of it that the outputs need, and what is wrong with the wires and sub-graphs of that:
+// with errors nothing is made of it.
 Project project_to_compile(const Model& model, const Document& document, Diagnostics& problems);
 
 // Whether a wire may go there by its type, and if not, why: "" when it may.

@@ -175,7 +175,7 @@ void draw_angle_here(State& state, const Area& area, const PreviewPicture& pictu
 
 std::string first_reason(const State& state) {
     for (const Diagnostics* list :
-         {&state.built.problems, &state.built.live, &state.preview_problems})
+         {&state.built.live, &state.built.problems, &state.preview_problems})
         for (const Diagnostic& problem : list->list())
             if (problem.severity == Severity::error)
                 return sentence((problem.node.empty() ? "" : problem.node + ": ") +

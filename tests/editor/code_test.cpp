@@ -5,6 +5,7 @@
 #include "editor/code/export.h"
 #include "editor/code/tokens.h"
 #include "editor/document/files.h"
+#include "graph/edit.h"
 #include "headless.h"
 
 namespace wrinkle::editor {
@@ -263,6 +264,60 @@ TEST_F(Headless, TheFormIsChosenAndTheTextCopied) {
     EXPECT_NE(state.code.text.source.find("uniform float softer_amount"), std::string::npos);
     const char* copied = ImGui::GetClipboardText();
     EXPECT_EQ(std::string(copied ? copied : ""), state.code.text.source);
+}
+
+// Nodes that no output needs and of which each is wrong in another way.
+const char* const junk = R"(
+    "a": { "type": "sine", "in": { "angle": { "from": "b.result" } } },
+    "b": { "type": "sine", "in": { "angle": { "from": "a.result" } } },
+    "unknown": { "type": "no_such_node" },
+    "lost": { "type": "height_map", "in": { "image": "not_there.png" } },
+    "part": { "type": "graph:not_there.json" },
+    "wire": { "type": "sine", "in": { "angle": { "from": "nowhere.result" } } },
+    "unread": { "type": "sine", "in": { "angle": { "from": 7 } } },
+)";
+
+TEST_F(Headless, WhatNoOutputNeedsIsAProblemAndBlocksNeitherTextNorPreview) {
+    const std::string graph = small_graph;
+    const size_t nodes = graph.find("\"nodes\": {") + 10;
+    open(small_graph);
+    const std::string text = state.built.uniform.value().source, code = state.code.text.source;
+    ASSERT_FALSE(code.empty());
+    open(graph.substr(0, nodes) + junk + graph.substr(nodes));
+    for (const char* node : {"unknown", "lost", "part", "wire", "unread"}) {
+        bool said = false;
+        for (const Diagnostic& problem : state.built.problems.list())
+            said |= problem.node == node && problem.severity == Severity::error;
+        EXPECT_TRUE(said) << node;
+    }
+    EXPECT_NE(to_text(state.built.problems).find("cycle"), std::string::npos);
+    EXPECT_FALSE(state.built.live.has_errors()) << to_text(state.built.live);
+    ASSERT_TRUE(state.built.uniform);
+    EXPECT_EQ(state.built.uniform->source, text);
+    EXPECT_EQ(state.code.text.source, code);
+    EXPECT_EQ(state.code.problem, "");
+    EXPECT_NE(program_output("check " + file.string()).find("no_such_node"), std::string::npos);
+    // An edited document says its problems by another way.
+    state.commit("Move", move_node(state.document(), "noise", 5, 7));
+    state.commit("Wire", connect(state.document(), {"number", "result"}, "softer", "amount"));
+    frame();
+    frame();
+    EXPECT_TRUE(state.built.uniform) << to_text(state.built.live);
+    EXPECT_FALSE(state.code.text.source.empty());
+    EXPECT_EQ(state.code.problem, "");
+}
+
+TEST_F(Headless, WhatAnOutputNeedsBlocksTheText) {
+    for (const char* wrong : {"\"noise\": { \"type\": \"no_such_node\" }",
+                              "\"noise\": { \"type\": \"graph:not_there.json\" }"}) {
+        std::string graph = small_graph;
+        const size_t at = graph.find("\"noise\": {");
+        graph.replace(at, graph.find('\n', at) - 1 - at, wrong);
+        open(graph);
+        EXPECT_FALSE(state.built.uniform);
+        EXPECT_TRUE(state.built.problems.has_errors());
+        EXPECT_NE(state.code.problem, "") << wrong;
+    }
 }
 
 TEST_F(Headless, TheLastTextStaysWhenTheGraphBreaks) {
