@@ -208,8 +208,7 @@ bool Window::renew(State& state, std::string& why) {
     if (state.preview) state.preview->leave_context();
     state.thumbnails.forget();
     state.node_feed.atlas.forget();
-    state.node_feed.pictures = {};
-    state.node_feed.asked = 0;  // so that all are made anew
+    state.node_feed.forget();
     ImGui_ImplOpenGL3_Shutdown();
     GLFWwindow* window = make_window(options);
     if (!window) {

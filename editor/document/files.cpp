@@ -110,6 +110,10 @@ void let_go(State& state) {
     state.dropped.waiting.clear();
     state.images.paths.clear();
     ++state.images.changes;
+    if (state.preview) state.preview->forget_material();
+    state.node_feed.forget();
+    state.built = Build();
+    state.preview_problems = Diagnostics();
     state.fresh = false;
 }
 

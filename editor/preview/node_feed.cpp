@@ -15,7 +15,7 @@ bool is_asked(const State& state) {
     const NodeFeed& feed = state.node_feed;
     const auto shown = std::count_if(state.layout.cards.begin(), state.layout.cards.end(),
                                      [](const Card& card) { return card.picture_y >= 0; });
-    return feed.asked > 0 && static_cast<size_t>(shown) == feed.asked_nodes.size() &&
+    return feed.has_asked() && static_cast<size_t>(shown) == feed.asked_nodes.size() &&
            feed.images == feed.asked_images && state.registry == feed.asked_registry &&
            same_document(feed.asked_of, state.document());
 }
@@ -38,16 +38,16 @@ bool looks_the_same(const Document& before, const Document& after) {
 void feed_node_pictures(State& state) {
     NodeFeed& feed = state.node_feed;
     if (!feed.maker) return;
-    if (auto newest = feed.maker->take(); newest && !newest->places.empty()) {
+    if (auto newest = feed.maker->take(); newest && newest->version >= feed.first) {
         feed.pictures = std::move(*newest);
         feed.atlas.fill(feed.pictures.texels, NodePictures::width, NodePictures::height);
     }
     const bool busy = state.follow.building() || (state.preview && !state.preview->idle()) ||
                       state.gesture.kind != Gesture::Kind::none;
-    if (busy || !state.built.running() || is_asked(state)) return;
+    if (busy || is_asked(state)) return;
     std::set<std::string> wanted = wanted_nodes(state);
     const Document& now = state.document();
-    const bool same = feed.asked > 0 && wanted == feed.asked_nodes &&
+    const bool same = feed.has_asked() && wanted == feed.asked_nodes &&
                       feed.images == feed.asked_images && state.registry == feed.asked_registry &&
                       looks_the_same(feed.asked_of, now);
     feed.asked_of = now;

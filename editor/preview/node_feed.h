@@ -17,6 +17,7 @@ struct NodeFeed {
     PictureAtlas atlas;
     NodePictures pictures;  // the newest; its texels are in the atlas
     uint64_t asked = 0;     // the newest job's version
+    uint64_t first = 1;     // of the graph that is open; older pictures are another's
     uint64_t images = 0;    // when it changes, image files are read again
     // What that job was of.
     Document asked_of;
@@ -24,6 +25,12 @@ struct NodeFeed {
     const Registry* asked_registry = nullptr;
     uint64_t asked_images = 0;
 
+    bool has_asked() const { return asked >= first; }
+    // Another graph is open, or the textures are lost.
+    void forget() {
+        pictures = {};
+        first = asked + 1;
+    }
     bool idle() const { return !maker || maker->idle(); }
 };
 

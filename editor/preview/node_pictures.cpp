@@ -24,16 +24,15 @@ struct Shown {
 
 // The document with an output for each wanted node that makes something to see.
 std::vector<Shown> show_nodes(Document& document, const Model& model,
-                              const std::set<std::string>& wanted) {
+                              const std::vector<std::string>& wanted) {
     document.outputs = Table<Output>();
     std::vector<Shown> shown;
-    const std::vector<NodePtr> nodes(document.nodes.begin(), document.nodes.end());
-    for (const NodePtr& node : nodes) {
-        const NodeType* type = model.type_of(node->id);
+    for (const std::string& node : wanted) {
+        const NodeType* type = model.type_of(node);
         const std::string port = type ? shown_port(*type) : "";
-        if (port.empty() || !wanted.contains(node->id)) continue;
-        shown.push_back({node->id, "picture" + std::to_string(shown.size())});
-        document = set_output(document, shown.back().output, {node->id, port});
+        if (port.empty()) continue;
+        shown.push_back({node, "picture" + std::to_string(shown.size())});
+        document = set_output(document, shown.back().output, {node, port});
     }
     return shown;
 }
@@ -131,20 +130,38 @@ NodePictures NodePainter::draw(const NodePictureJob& job) {
     NodePictures pictures;
     pictures.version = job.version;
     if (std::exchange(images_, job.images) != job.images) textures_.forget();
+    std::vector<std::string> wanted;
+    for (const NodePtr& node : job.document.nodes)
+        if (job.nodes.contains(node->id)) wanted.push_back(node->id);
+    // All in one program. Where something is wrong with one, each half by itself, so that the others
+    // are seen.
+    std::vector<std::vector<std::string>> groups{std::move(wanted)};
+    while (!groups.empty()) {
+        const std::vector<std::string> group = std::move(groups.back());
+        groups.pop_back();
+        if (draw_group(job, group, pictures) || group.size() < 2) continue;
+        const auto middle = group.begin() + static_cast<std::ptrdiff_t>(group.size() / 2);
+        groups.emplace_back(middle, group.end());
+        groups.emplace_back(group.begin(), middle);
+    }
+    return pictures;
+}
+
+bool NodePainter::draw_group(const NodePictureJob& job, const std::vector<std::string>& nodes,
+                             NodePictures& pictures) {
     Document document = job.document;
-    const std::vector<Shown> shown = show_nodes(document, job.model, job.nodes);
-    if (shown.empty()) return pictures;
+    const std::vector<Shown> shown = show_nodes(document, job.model, nodes);
+    if (shown.empty()) return true;
     MaterialOptions options;
     options.given_differentials = true;
-    options.reached_only = true;
     options.runs_calls = "the pictures";
     Diagnostics problems;
-    const Compiled compiled =
-        compile_material(project_with(job.model, document), *job.registry, options, problems);
-    if (!compiled.ok) return pictures;
+    const Project project = project_to_compile(job.model, document, problems);
+    const Compiled compiled = compile_material(project, *job.registry, options, problems);
+    if (!compiled.ok) return false;
     std::string why;
     const Program program = compile_program(compiled.module, why);
-    if (!why.empty()) return pictures;
+    if (!why.empty()) return false;
     Results results = make_results(program, texel_count);
     Diagnostics said_elsewhere;
     for (const Resource& resource : compiled.module.resources)
@@ -160,7 +177,7 @@ NodePictures NodePainter::draw(const NodePictureJob& job) {
         append(pictures.texels, static_cast<PortType>(program.outputs[i].port_type),
                results.values[i]);
     }
-    return pictures;
+    return true;
 }
 
 }  // namespace wrinkle::editor

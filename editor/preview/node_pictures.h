@@ -42,10 +42,15 @@ struct NodePictures {
 // Keeps the images that it has read.
 class NodePainter {
 public:
-    // No pictures when the graph does not compile.
+    // No picture of a node that does not compile; whatever else is wrong with the graph, and whether
+    // it has outputs, does not count.
     NodePictures draw(const NodePictureJob& job);
 
 private:
+    // False when they do not compile together; nothing is drawn then.
+    bool draw_group(const NodePictureJob& job, const std::vector<std::string>& nodes,
+                    NodePictures& pictures);
+
     uint64_t images_ = 0;
     TextureStore textures_;
 };

@@ -113,6 +113,16 @@ void PreviewPainter::use_light(const PreviewJob& job) {
     }
 }
 
+void PreviewPainter::begin_graph(uint64_t graph) {
+    if (std::exchange(graph_, graph) == graph) return;
+    const int slot = last_.slot;
+    last_ = PreviewPicture();
+    last_.slot = slot;
+    has_material_ = false;
+    tried_ = nullptr;
+    refusal_ = Diagnostics();
+}
+
 // A material that was refused once is not tried again until it, the images or the light change.
 bool PreviewPainter::use_material(const PreviewJob& job) {
     const bool reread = std::exchange(images_, job.images) != job.images;
@@ -203,8 +213,10 @@ bool PreviewPainter::draw_sides(const PreviewJob& job, PreviewPicture& picture) 
 
 PreviewPicture PreviewPainter::draw(const PreviewJob& job, int held) {
     const auto start = std::chrono::steady_clock::now();
+    begin_graph(job.graph);
     PreviewPicture picture = last_;
     picture.version = job.version;
+    picture.graph = job.graph;
     picture.problems = Diagnostics();
     const auto before = std::tuple(renderer_.programs_linked(), images_, mesh_, scale_);
     use_light(job);

@@ -2,7 +2,8 @@
 // included; the thread of preview.h owns one.
 //
 // The last good picture stays: a material that the driver refuses, an image or a mesh that cannot
-// be read, a view that the graph cannot give leave its textures as they were and say why.
+// be read, a view that the graph cannot give leave its textures as they were and say why. It goes
+// when another graph is opened.
 #pragma once
 
 #include <array>
@@ -22,6 +23,7 @@ namespace wrinkle::editor {
 
 struct PreviewJob {
     uint64_t version = 0;
+    uint64_t graph = 0;  // when it changes, what is drawn so far is another graph's
     std::shared_ptr<const gpu::Material> material;     // nullptr: none yet
     std::map<std::string, std::vector<float>> values;  // of its uniforms, where they have changed
     std::shared_ptr<const Displacement> displacement;  // nullptr: none
@@ -44,6 +46,7 @@ struct AngleFigures {
 
 struct PreviewPicture {
     uint64_t version = 0;             // of the job that it answers
+    uint64_t graph = 0;               // of that job
     uint32_t texture = 0, other = 0;  // side A and B, bottom row first; 0: there is none
     int slot = -1;                    // which textures they are
     int width = 0, height = 0;
@@ -73,6 +76,7 @@ private:
     struct Slot {
         std::optional<gpu::Target> a, b;
     };
+    void begin_graph(uint64_t graph);
     bool use_material(const PreviewJob& job);
     bool use_mesh(const PreviewJob& job, Diagnostics& problems);
     void use_light(const PreviewJob& job);
@@ -93,7 +97,7 @@ private:
     Diagnostics dark_;     // of the environment
     bool has_material_ = false, relit_ = false;
     bool slow_ = true;  // the next picture may be
-    uint64_t images_ = 0;
+    uint64_t images_ = 0, graph_ = 0;
     // What the renderer has of the job.
     uint64_t mesh_read_ = 0, mesh_images_ = 0, light_read_ = 0;
     std::string mesh_, environment_;

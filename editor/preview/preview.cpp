@@ -52,6 +52,12 @@ void Preview::set_material(std::shared_ptr<const gpu::Material> material,
     changed_ = true;
 }
 
+void Preview::forget_material() {
+    ++job_.graph;
+    set_material(nullptr, nullptr);
+    picture_ = PreviewPicture();
+}
+
 void Preview::set_uniform(const std::string& name, std::span<const float> value) {
     job_.values[name].assign(value.begin(), value.end());
     changed_ = true;
@@ -106,7 +112,7 @@ void Preview::ask() {
 
 const PreviewPicture& Preview::picture() {
     if (worker_)
-        if (auto newer = worker_->take()) {
+        if (auto newer = worker_->take(); newer && newer->graph == job_.graph) {
             held_ = newer->slot;
             picture_ = std::move(*newer);
         }

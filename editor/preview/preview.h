@@ -25,6 +25,8 @@ public:
 
     void set_material(std::shared_ptr<const gpu::Material> material,
                       std::shared_ptr<const Displacement> displacement);
+    // Another graph is open: nothing is shown until it has a material.
+    void forget_material();
     void set_uniform(const std::string& name, std::span<const float> value);
     // Their files are read again, by the next picture.
     void forget_images();

@@ -93,6 +93,50 @@ TEST(NodePictures, ABrokenGraphHasNone) {
                     .places.empty());
 }
 
+TEST(NodePictures, ANodeThatDependsOnNothingBrokenHasAThumbnail) {
+    const NodePictures whole = pictures_of(ramp);
+    const NodePictures pictures = pictures_of(std::string(ramp) + R"(,
+"unknown": { "type": "no_such_node" },
+"after": { "type": "sine", "in": { "angle": { "from": "unknown.value" } } },
+"lost": { "type": "height_map", "in": { "image": "not_there.png" } },
+"a": { "type": "sine", "in": { "angle": { "from": "b.result" } } },
+"b": { "type": "sine", "in": { "angle": { "from": "a.result" } } })");
+    EXPECT_EQ(pictures.places.size(), whole.places.size());
+    for (const auto& [node, place] : whole.places)
+        for (const uint32_t x : {0U, 50U, 127U}) {
+            const Texel texel = texel_of(whole, node, x, 20);
+            expect_texel(texel_of(pictures, node, x, 20), texel.r, texel.g, texel.b);
+        }
+}
+
+TEST_F(Headless, ThumbnailsAreMadeBeforeThereIsAnOutput) {
+    NodePictureMaker maker;
+    state.node_feed.maker = &maker;
+    open(R"({ "wrinkle": 1, "nodes": { "noise": { "type": "gradient_noise" } } })");
+    frame();
+    maker.settle();
+    frame();
+    EXPECT_TRUE(state.node_feed.pictures.places.contains("noise"));
+    state.node_feed.maker = nullptr;
+}
+
+TEST_F(Headless, ThumbnailsOfTheFormerGraphAreForgotten) {
+    NodePictureMaker maker;
+    state.node_feed.maker = &maker;
+    open(small_graph);
+    frame();
+    maker.settle();
+    frame();
+    EXPECT_EQ(state.node_feed.pictures.places.size(), 2U);
+    open(R"({ "wrinkle": 1, "nodes": { "normal": { "type": "no_such_node" } } })");
+    EXPECT_TRUE(state.node_feed.pictures.places.empty());
+    frame();
+    maker.settle();
+    frame();
+    EXPECT_TRUE(state.node_feed.pictures.places.empty());
+    state.node_feed.maker = nullptr;
+}
+
 TEST_F(Headless, ThePictureOfAMapIsTheMap) {
     const std::string name = texture("rivets_normal.png");
     const NodePictures pictures = pictures_of(

@@ -145,6 +145,29 @@ TEST_F(WithPreview, TheLastGoodPictureStaysWhenTheGraphBreaks) {
     EXPECT_FALSE(state.preview_stale);
 }
 
+TEST_F(WithPreview, ANewGraphShowsNothingOfTheFormerOne) {
+    begin(two_bumps);
+    ASSERT_NE(see().texture, 0U);
+    preview_->show({}, "", {}, side, side + 1);  // is on its way when the other graph comes
+    new_file(state);
+    EXPECT_EQ(preview_->shown().texture, 0U);
+    EXPECT_EQ(see().texture, 0U);
+    EXPECT_EQ(see().texture, 0U);
+    EXPECT_TRUE(state.built.problems.list().empty()) << to_text(state.built.problems);
+    begin(two_bumps);
+    EXPECT_NE(see().texture, 0U);
+    EXPECT_FALSE(state.preview_stale);
+}
+
+TEST_F(WithPreview, AGraphThatDoesNotCompileShowsNothingOfTheOneBefore) {
+    begin(two_bumps);
+    ASSERT_NE(see().texture, 0U);
+    begin(R"({ "wrinkle": 1, "nodes": { "normal": { "type": "no_such_node" } },
+               "outputs": { "normal": { "from": "normal.normal" } } })");
+    EXPECT_EQ(see().texture, 0U);
+    EXPECT_TRUE(state.preview_stale);
+}
+
 TEST_F(WithPreview, AShaderThatTheDriverRefusesIsAProblemOfItsNode) {
     begin(two_bumps);
     const auto before = pixels_of(see().texture);
