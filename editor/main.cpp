@@ -47,10 +47,10 @@ void begin(State& state, const Arguments& arguments) {
 }
 
 void add_nodes(State& state, const Arguments& arguments) {
-    Diagnostics problems;
     state.plugins.places = plugin_places(arguments.plugin_paths);
     state.plugins.cache = plugin_cache();
-    load_plugins(state, problems);
+    load_plugins(state);
+    const Diagnostics& problems = state.plugins.problems;
     if (!problems.list().empty()) std::fputs(to_text(problems).c_str(), stderr);
 }
 

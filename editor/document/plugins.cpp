@@ -11,13 +11,13 @@ namespace wrinkle::editor {
 namespace {
 
 // What a user should know first: a plugin that was refused, else any other problem.
-std::string first_trouble(const Plugins& plugins, const Diagnostics& problems) {
+std::string first_trouble(const Plugins& plugins) {
     for (const PluginReport& report : plugins.reports) {
         if (report.state != PluginReport::State::refused) continue;
         const std::string name = std::filesystem::path(report.path).filename().string();
-        return (name.empty() ? report.path : name) + " was refused: " + report.why;
+        return (name.empty() ? report.path : name) + " was refused: see the problems.";
     }
-    return sentence(problems.list().front().message);
+    return sentence(plugins.problems.list().front().message);
 }
 
 size_t from_plugins(const Registry& registry) {
@@ -28,29 +28,29 @@ size_t from_plugins(const Registry& registry) {
 
 }  // namespace
 
-void load_plugins(State& state, Diagnostics& problems) {
-    auto registry = std::make_shared<Registry>();
-    registry->add_plugin(built_in_nodes(), Registry::built_in, problems);
+void load_plugins(State& state) {
     Plugins& plugins = state.plugins;
+    plugins.problems = Diagnostics();
+    auto registry = std::make_shared<Registry>();
+    registry->add_plugin(built_in_nodes(), Registry::built_in, plugins.problems);
     PluginOptions options{.copies = true, .cache = plugins.cache};
     if (!plugins.registries.empty()) options.former = plugins.registries.back().get();
-    plugins.reports = wrinkle::load_plugins(*registry, plugins.places, problems, options);
+    plugins.reports = wrinkle::load_plugins(*registry, plugins.places, plugins.problems, options);
     state.registry = registry.get();
     plugins.registries.push_back(std::move(registry));
 }
 
 void reload_plugins(State& state) {
-    Diagnostics problems;
-    load_plugins(state, problems);
+    load_plugins(state);
     if (state.follow.compiler) state.follow.compiler->use(*state.registry);
     if (state.code.maker) state.code.maker->use(*state.registry);
     state.offer = {};
     state.fresh = false;
     state.status =
-        problems.list().empty()
+        state.plugins.problems.list().empty()
             ? "Plugins are loaded anew: " + counted(from_plugins(*state.registry), "node") +
                   " from them."
-            : first_trouble(state.plugins, problems);
+            : first_trouble(state.plugins);
 }
 
 }  // namespace wrinkle::editor

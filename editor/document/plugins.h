@@ -21,11 +21,12 @@ struct Plugins {
     std::vector<std::string> places;                          // files and folders
     std::filesystem::path cache;                              // of what probes found
     std::vector<PluginReport> reports;                        // of the last load
+    Diagnostics problems;                                     // of the last load
     std::vector<std::shared_ptr<const Registry>> registries;  // the newest last
 };
 
-// The built-in nodes and those of the plugins; what was refused, in `problems`.
-void load_plugins(State& state, Diagnostics& problems);
+// The built-in nodes and those of the plugins; what was refused, in Plugins::problems.
+void load_plugins(State& state);
 // The same while the editor runs, with the result in the status.
 void reload_plugins(State& state);
 

@@ -27,13 +27,15 @@ const std::vector<Diagnostic>& told(const State& state) {
     return state.tasks.warnings_of == state.path ? state.tasks.warnings.list() : none;
 }
 
-// The graph's, or the picture's where it has none; behind them remarks about its pictures, and what
-// was told.
+// The graph's, or the picture's where it has none, and those of the plugins; behind them remarks
+// about its pictures, and what was told.
 std::vector<const Diagnostic*> shown(const State& state) {
     const Diagnostics& own =
         state.built.problems.list().empty() ? state.preview_problems : state.built.problems;
     std::vector<const Diagnostic*> all;
     for (const Diagnostic& problem : own.list())
+        all.push_back(&problem);
+    for (const Diagnostic& problem : state.plugins.problems.list())
         all.push_back(&problem);
     for (const Remark& remark : state.images.remarks)
         all.push_back(&remark.problem);
@@ -59,8 +61,10 @@ std::string counts(const std::vector<const Diagnostic*>& problems) {
 
 std::string evidence(const Diagnostic& problem) {
     std::string text = sentence(problem.expected);
-    if (problem.where.line == 0) return text;
+    const bool whole_file = problem.where.line == 0;
+    if (whole_file && (problem.where.file.empty() || !problem.node.empty())) return text;
     if (!text.empty()) text += "   ";
+    if (whole_file) return text + problem.where.file;
     return text + problem.where.file + ", line " + std::to_string(problem.where.line) +
            ", column " + std::to_string(problem.where.column);
 }
@@ -221,8 +225,9 @@ Pressed draw_problem(State& state, const Diagnostic& problem, size_t index, cons
               fitting(fonts.regular(14), 14, evidence(problem), right - 44));
     const ImVec2 corner = ImGui::GetWindowPos();
     const About panel{corner, corner + ImGui::GetWindowSize()};
-    if (ImGui::IsItemHovered() && text_width(fonts.regular(16), 16, message) > right - x)
-        show_tooltip(panel, message);
+    const bool cut = text_width(fonts.regular(16), 16, message) > right - x ||
+                     text_width(fonts.regular(14), 14, evidence(problem)) > right - 44;
+    if (ImGui::IsItemHovered() && cut) show_tooltip(panel, message + "\n" + evidence(problem));
     const Pressed pressed = draw_fixes(state, fix, at + ImVec2(width - 8, 14), index);
     ImGui::PopID();
     if (pressed == Pressed::fix)

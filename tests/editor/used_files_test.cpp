@@ -114,7 +114,7 @@ TEST_F(Watching, APluginIsLoadedAnewAndItsLostNodesAreKept) {
     fs::copy_file(built / "good.so", plugins / "mine.so");
     state.plugins.places = {plugins.string()};
     Diagnostics problems;
-    load_plugins(state, problems);
+    load_plugins(state);
     EXPECT_EQ(to_text(problems), "");
     const char* const graph = R"({ "wrinkle": 1, "nodes": { "s": { "type": "small" } } })";
     open(graph);
@@ -148,8 +148,7 @@ TEST_F(Watching, ABrokenRebuildOfAPluginKeepsTheLastGoodOne) {
     fs::create_directory(plugins);
     fs::copy_file(built / "good.so", plugins / "mine.so");
     state.plugins.places = {plugins.string()};
-    Diagnostics problems;
-    load_plugins(state, problems);
+    load_plugins(state);
     open(R"({ "wrinkle": 1, "nodes": { "s": { "type": "small" } },
               "outputs": { "a": { "from": "s.value" } } })");
     look();
@@ -170,6 +169,31 @@ TEST_F(Watching, ABrokenRebuildOfAPluginKeepsTheLastGoodOne) {
     state.fresh = false;
 }
 
+TEST_F(Watching, APluginThatIsRefusedIsAProblemWithItsWholeReason) {
+    const fs::path plugins = folder.path() / "plugins", built = TEST_PLUGINS;
+    fs::create_directory(plugins);
+    fs::copy_file(built / "wrong_abi.so", plugins / "mine.so");
+    state.plugins.places = {plugins.string()};
+    load_plugins(state);
+    new_file(state);
+    state.start.left = true;
+    frame();
+    frame();
+    play("assert target problem:1\nassert no-target problem:2\nkey F8");
+    ASSERT_EQ(state.plugins.reports.size(), 1U);
+    const std::string why = state.plugins.reports[0].why;
+    EXPECT_NE(why.find("interface 77"), std::string::npos) << why;
+    const Diagnostic& problem = state.plugins.problems.list().at(0);
+    EXPECT_EQ(why.find(problem.message), 0U) << problem.message;
+    EXPECT_EQ(fs::path(problem.where.file).filename(), "mine.so");
+    replace(plugins / "mine.so", built / "good.so");
+    reload_plugins(state);
+    frame();
+    frame();
+    play("assert no-target problem:1");
+    state.registry = &built_in_registry();
+}
+
 TEST_F(Watching, APluginThatIsCutShortIsRefusedAndTheEditorGoesOn) {
     const fs::path plugins = folder.path() / "plugins", built = TEST_PLUGINS;
     fs::create_directory(plugins);
@@ -178,9 +202,8 @@ TEST_F(Watching, APluginThatIsCutShortIsRefusedAndTheEditorGoesOn) {
     for (size_t part = 0; part < 8; ++part) {
         std::ofstream(plugins / "mine.so", std::ios::binary)
             << whole.substr(0, whole.size() * part / 8);
-        Diagnostics problems;
-        load_plugins(state, problems);
-        EXPECT_FALSE(problems.list().empty());
+        load_plugins(state);
+        EXPECT_FALSE(state.plugins.problems.list().empty());
         EXPECT_EQ(state.registry->find("small"), nullptr);
     }
     reload_plugins(state);
