@@ -18,8 +18,8 @@ void new_file(State& state, const std::filesystem::path& folder = {});
 void open_file(State& state, const std::filesystem::path& path);
 // The same inside the graphs that are open around it (levels.h).
 void load_file(State& state, const std::filesystem::path& path);
-// Another graph is on the canvas: gestures in the former one end, and nothing that was made of it is
-// shown any more.
+// Another graph is on the canvas: gestures in the former one end, and nothing that was made of it
+// is shown any more.
 void let_go(State& state);
 
 // False when nothing was written, and why in the status; asks for a name where there is none, and

@@ -20,8 +20,8 @@ enum class OutsideFiles : uint8_t {
 struct MovedPaths {
     Document document;                 // names the same files from the new folder
     std::vector<std::string> outside;  // below the old folder and not below the new one
-    // Of `copied`: from the place of each copy to the file, also of what sub-graphs name. Sub-graphs
-    // that are copied read their own files below the new folder as they did below the old one.
+    // With `copied`: from the place of each copy to the file, also of what sub-graphs name. Such a
+    // sub-graph reads its own files below the new folder as it did below the old one.
     std::map<std::filesystem::path, std::filesystem::path> copies;
 };
 
@@ -38,8 +38,8 @@ public:
     NewCopies& operator=(const NewCopies&) = delete;
     ~NewCopies();
 
-    // Makes MovedPaths::copies. False with the reason in `why`: "there is another weave.png". A file
-    // that is not there is passed over, and so is a copy that exists with the same bytes.
+    // Makes MovedPaths::copies. False with the reason in `why`: "there is another weave.png". A
+    // missing file is passed over, and so is a copy that exists with the same bytes.
     bool make(const std::map<std::filesystem::path, std::filesystem::path>& copies,
               std::string& why);
     void keep() { made_.clear(); }

@@ -98,10 +98,7 @@ Sheet outside_sheet(const State& state) {
 
 Sheet sheet_of(const State& state) {
     const Question& question = state.question;
-    const std::string file = state.file_name();
     switch (question.kind) {
-        case Question::Kind::none:
-            break;
         case Question::Kind::unsaved:
             return {"Save changes to " + listed(unsaved(state, question.then)) + "?",
                     question.then.kind == Intent::Kind::leave
@@ -111,7 +108,7 @@ Sheet sheet_of(const State& state) {
                      {"Discard", "answer:discard", discard},
                      cancelled}};
         case Question::Kind::changed:
-            return {file + " was changed by another program.",
+            return {state.file_name() + " was changed by another program.",
                     "Mine keeps what is shown here. Theirs loads the file; undo brings yours back.",
                     {{"Keep mine", "answer:mine", take_mine},
                      {"Load theirs", "answer:theirs", take_theirs},
@@ -127,14 +124,15 @@ Sheet sheet_of(const State& state) {
         case Question::Kind::running:
             return running_sheet(state);
         case Question::Kind::failed:
-            return {file + " could not be saved.",
+            return {state.file_name() + " could not be saved.",
                     "",
                     {{"Save as...", "answer:save-as", answer_save_as},
                      {"Try again", "answer:save", answer_save},
                      cancelled}};
+        case Question::Kind::none:
         case Question::Kind::open:
         case Question::Kind::save_as:
-            break;  // the file browser's
+            break;  // the last two are the file browser's
     }
     return {};
 }

@@ -133,8 +133,8 @@ NodePictures NodePainter::draw(const NodePictureJob& job) {
     std::vector<std::string> wanted;
     for (const NodePtr& node : job.document.nodes)
         if (job.nodes.contains(node->id)) wanted.push_back(node->id);
-    // All in one program. Where something is wrong with one, each half by itself, so that the others
-    // are seen.
+    // All in one program. If that does not compile, each half by itself, so that one broken node
+    // hides no other.
     std::vector<std::vector<std::string>> groups{std::move(wanted)};
     while (!groups.empty()) {
         const std::vector<std::string> group = std::move(groups.back());

@@ -42,8 +42,8 @@ struct NodePictures {
 // Keeps the images that it has read.
 class NodePainter {
 public:
-    // No picture of a node that does not compile; whatever else is wrong with the graph, and whether
-    // it has outputs, does not count.
+    // No picture of a node that does not compile. Other nodes that are wrong do not matter, nor do
+    // the graph's outputs.
     NodePictures draw(const NodePictureJob& job);
 
 private:

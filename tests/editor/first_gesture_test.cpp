@@ -1,6 +1,6 @@
 // The first thing that a new user does: two images dropped by another program on the window of an
-// editor that was started without a file, in a folder of any kind and with no settings. Skipped only
-// where there is no Xvfb.
+// editor that was started without a file, in a folder of any kind and with no settings. Skipped
+// only where there is no Xvfb.
 #include <sys/wait.h>
 
 #include <cstdlib>

@@ -33,9 +33,8 @@ class PluginDeath : public Headless {
 protected:
     void SetUp() override {
         state.plugins.places = {plugin};
-        Diagnostics problems;
-        load_plugins(state, problems);
-        EXPECT_EQ(to_text(problems), "");
+        load_plugins(state);
+        EXPECT_EQ(to_text(state.plugins.problems), "");
     }
     void TearDown() override { state.registry = &built_in_registry(); }
 };
