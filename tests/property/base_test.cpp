@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <cstdio>
+#include <numbers>
 
 #include "property/material.h"
 #include "support/files.h"
@@ -118,6 +119,17 @@ dvec3 on_rebuilt_tangents(dvec3 n1, dvec2 slope) {
     return glm::normalize(n1 - tangent * slope.x - glm::cross(n1, tangent) * slope.y);
 }
 
+constexpr double degree = std::numbers::pi / 180;
+
+// A point of the plane z = 0, its uv0 along x and y.
+Surroundings on_level_plane() {
+    Surroundings around = point_at(plane_with(dmat2(1)), dvec2(0.3, 0.4), dmat2(0.01));
+    around.inputs[input_extra(SurfaceInput::normal_, Variant::value)] = {0, 0, 1};
+    around.inputs[input_extra(SurfaceInput::position_, Variant::dx)] = {0.01, 0, 0};
+    around.inputs[input_extra(SurfaceInput::position_, Variant::dy)] = {0, 0.01, 0};
+    return around;
+}
+
 // The table in docs/surface-gradient.md, its rows made again.
 TEST(Base, RebuiltTangentsDifferByTheTableOfTheDocs) {
     Material m;
@@ -131,11 +143,11 @@ TEST(Base, RebuiltTangentsDifferByTheTableOfTheDocs) {
                                                      op(Op::base_, first).id)}));
     const Expanded material(m);
     const std::string docs = bytes_of(WRINKLE_SOURCE_DIR "/docs/surface-gradient.md");
-    Surroundings around = point_at(plane_with(dmat2(1)), dvec2(0.3, 0.4), dmat2(0.01));
+    Surroundings around = on_level_plane();
     const auto difference = [&](double base, double tilt, int across, int direction) {
         const auto slope = [](double degrees, int turn) {
-            const double angle = glm::radians(5.0 * turn);
-            return std::tan(glm::radians(degrees)) * dvec2(std::cos(angle), std::sin(angle));
+            const double angle = 5 * turn * degree;
+            return std::tan(degrees * degree) * dvec2(std::cos(angle), std::sin(angle));
         };
         const dvec2 first_slope = slope(base, across), second = slope(tilt, direction);
         around.inputs[input_extra(texel, Variant::value)] = {first_slope.x, first_slope.y, 0, 0};

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "property/in_float.h"
 
@@ -136,10 +137,10 @@ TEST(DerivedFrame, FadesWhereTheProductOfChangesIsBelowItsFloor) {
         const Surroundings around = point_at(surface, dvec2(0.3, 0.4), dmat2(pixel));
         return angle_deg(material.vector(0, around), surface.normal(dvec2(0.3, 0.4)));
     };
-    const double whole = glm::degrees(std::atan(0.5));
-    EXPECT_NEAR(tilt(1), whole, 1e-9);
-    EXPECT_NEAR(tilt(1.01e-9), whole, 1e-9) << "a product of 1.02e-18";
-    EXPECT_NEAR(tilt(5e-10), glm::degrees(std::atan(0.5 / 4)), 1e-9) << "of 0.25e-18";
+    const auto degrees = [](double slope) { return std::atan(slope) * 180 / std::numbers::pi; };
+    EXPECT_NEAR(tilt(1), degrees(0.5), 1e-6);
+    EXPECT_NEAR(tilt(1.01e-9), degrees(0.5), 1e-6) << "a product of 1.02e-18";
+    EXPECT_NEAR(tilt(5e-10), degrees(0.5 / 4), 1e-6) << "of 0.25e-18";
     EXPECT_LT(tilt(1e-11), 0.01);
 }
 
