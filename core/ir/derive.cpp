@@ -151,6 +151,20 @@ Id Direction::compute(Id id) {
     return module_->is_literal(change, 0) ? poison : change;
 }
 
+struct Direction::Screen {
+    Direction x, y;
+};
+
+Direction::Screen& Direction::screen() {
+    if (!screen_) {
+        own_screen_ =
+            std::make_shared<Screen>(Screen{screen_direction(*module_, Variant::dx, false),
+                                            screen_direction(*module_, Variant::dy, false)});
+        screen_ = own_screen_->x.screen_ = own_screen_->y.screen_ = own_screen_.get();
+    }
+    return *screen_;
+}
+
 // Forward differences over one texel of the level in use, times the change of uv. `read` is the
 // sample itself or a swizzle of it.
 Id Direction::texture(Id sample, Id read) {
@@ -161,12 +175,8 @@ Id Direction::texture(Id sample, Id read) {
     if (!change) return poison;
     Id lod = inst.arg[1];
     if (inst.op == Op::sample_) {
-        if (!screen_x_) {
-            screen_x_ = std::make_unique<Direction>(screen_direction(m, Variant::dx, false));
-            screen_y_ = std::make_unique<Direction>(screen_direction(m, Variant::dy, false));
-        }
-        lod = sample_lod_of(m, inst.extra, screen_x_->tangent_or_zero(inst.arg[0]),
-                            screen_y_->tangent_or_zero(inst.arg[0]));
+        const Id x = screen().x.tangent_or_zero(inst.arg[0]);
+        lod = sample_lod_of(m, inst.extra, x, screen().y.tangent_or_zero(inst.arg[0]));
     } else if (inst.op == Op::sample_grad_) {
         lod = sample_lod_of(m, inst.extra, inst.arg[1], inst.arg[2]);
     }

@@ -104,7 +104,12 @@ private:
     std::vector<Id> open_, spare_list_;  // memory of tangent()
     std::map<std::pair<uint32_t, std::vector<bool>>, DerivedFunction> functions_;
     std::unordered_map<Id, std::vector<Id>> loops_;
-    std::unique_ptr<Direction> screen_x_, screen_y_;  // for the level of textures
+    // For the level of textures. Both share one pair, themselves: a row of images, each read at a uv
+    // that the one before gives, would double them with every image.
+    struct Screen;
+    Screen& screen();
+    std::shared_ptr<Screen> own_screen_;
+    Screen* screen_ = nullptr;
 };
 
 // The change to the next pixel, in x and in y: every interpolated input changes by its own
