@@ -104,8 +104,8 @@ private:
     std::vector<Id> open_, spare_list_;  // memory of tangent()
     std::map<std::pair<uint32_t, std::vector<bool>>, DerivedFunction> functions_;
     std::unordered_map<Id, std::vector<Id>> loops_;
-    // For the level of textures. Both share one pair, themselves: a row of images, each read at a uv
-    // that the one before gives, would double them with every image.
+    // For the level of textures. The pair is its own pair: in a row of images, each read at a uv
+    // that the one before gives, they would double with every image.
     struct Screen;
     Screen& screen();
     std::shared_ptr<Screen> own_screen_;
