@@ -72,7 +72,7 @@ TEST_F(GraphFilesTest, AFileWhoseNameLooksLikeAnOptionIsRefused) {
     put("@opts.json", "--plugin-path evil.so");
     put("opts.json", "--name x");
     const Ran all = shell("wrinkle check *");
-    EXPECT_EQ(all.code, 1);
+    EXPECT_EQ(all.code, 2);
     EXPECT_TRUE(says(all.err,
                      "'@opts.json' is the name of a file here; ./@opts.json or -- "
                      "@opts.json names that file, @./opts.json takes the words of "
