@@ -5,6 +5,7 @@
 #include "editor/document/edits.h"
 #include "editor/document/wiring.h"
 #include "editor/document/words.h"
+#include "editor/look/draw.h"
 #include "graph/edit.h"
 
 namespace wrinkle::editor {
