@@ -70,7 +70,9 @@ TEST_F(PrintedNamesTest, CommentsOfEveryLanguageHoldNoControlCharacters) {
     for (const std::string target : {"glsl330", "essl300", "glsl450", "hlsl", "msl"}) {
         const Ran ran = run({"compile", "g.json", "--target", target, "--form", "shader"});
         EXPECT_EQ(ran.code, 0) << ran.err;
-        if (target != "hlsl" && target != "msl") EXPECT_TRUE(says(ran.out, "// m n"));
+        if (target != "hlsl" && target != "msl") {
+            EXPECT_TRUE(says(ran.out, "// m n"));
+        }
         expect_harmless(ran, target);
     }
 }
