@@ -9,8 +9,10 @@ namespace wrinkle {
 std::shared_ptr<const MipChain> TextureStore::read(const std::string& file, Diagnostics& problems) {
     const bool is_new = texels_.try_emplace(file).second;
     if (!is_new) return find(file);
-    ImageLimits limits = image_limits_from_environment(problems);
-    if (problems.has_errors()) return nullptr;
+    Diagnostics wrong_limits;
+    ImageLimits limits = image_limits_from_environment(wrong_limits);
+    problems.append_once(wrong_limits);
+    if (wrong_limits.has_errors()) return nullptr;
     limits.left_bytes = most_bytes_ - std::min(most_bytes_, bytes_);
     auto image = load_image(file, limits, problems);
     if (!image || image->empty()) return nullptr;

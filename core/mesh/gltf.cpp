@@ -61,9 +61,9 @@ void list_triangles(int mode, const std::vector<uint32_t>& in, std::vector<uint3
 
 class GltfReader {
 public:
-    GltfReader(const tinygltf::Model& model, const std::string& file, const MeshLimits& limits,
+    GltfReader(const tinygltf::Model& model, std::string file, const MeshLimits& limits,
                Diagnostics& diagnostics)
-        : model_(model), file_(file), limits_(limits), diagnostics_(diagnostics) {}
+        : model_(model), file_(std::move(file)), limits_(limits), diagnostics_(diagnostics) {}
 
     std::optional<Mesh> read() {
         for (const std::string& extension : model_.extensionsRequired)
@@ -264,7 +264,7 @@ private:
     }
 
     const tinygltf::Model& model_;
-    const std::string& file_;
+    std::string file_;
     const MeshLimits& limits_;
     Diagnostics& diagnostics_;
     std::string where_;

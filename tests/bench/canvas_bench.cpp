@@ -63,7 +63,7 @@ void put_pointer(float x, float y) {
 void measure_view(State& state, const char* name, float zoom) {
     View& view = state.view;
     fit(view, state.layout, false);
-    if (zoom > 0) zoom_at(view, {672, 442}, zoom / view.zoom);
+    if (zoom > 0) zoom_at(view, state.layout, {672, 442}, zoom / view.zoom);
     draw(state);
     std::vector<double> panning, zooming;
     size_t vertices = 0;
@@ -75,7 +75,7 @@ void measure_view(State& state, const char* name, float zoom) {
         vertices = std::max(vertices, static_cast<size_t>(ImGui::GetDrawData()->TotalVtxCount));
     }
     for (int i = 0; i < 200; ++i) {
-        zoom_at(view, {672, 442}, i % 20 < 10 ? 1.03F : 1 / 1.03F);
+        zoom_at(view, state.layout, {672, 442}, i % 20 < 10 ? 1.03F : 1 / 1.03F);
         zooming.push_back(draw(state));
     }
     const Spread pan = spread(panning), zooms = spread(zooming);
