@@ -12,14 +12,12 @@
 #include <utility>
 #include <vector>
 
+#include "base/system_error.h"
+
 namespace wrinkle {
 namespace fs = std::filesystem;
 
 namespace {
-
-std::error_code last_error() {
-    return {errno, std::generic_category()};
-}
 
 std::string sentence(const std::error_code& error) {
     const bool folder = error == std::errc::is_a_directory;

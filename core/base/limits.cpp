@@ -1,20 +1,19 @@
 #include "base/limits.h"
 
-#include <charconv>
 #include <cstdlib>
 #include <limits>
 #include <optional>
 #include <utility>
 
+#include "base/words.h"
+
 namespace wrinkle {
 namespace {
 
 // Nothing where it is not a whole number from 1.
-std::optional<uint64_t> number_in(std::string_view text) {
-    uint64_t value = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc() || end != text.data() + text.size() || value == 0) return {};
-    return value;
+std::optional<uint64_t> limit_in(std::string_view text) {
+    const auto number = whole_number(text);
+    return number && *number > 0 ? number : std::nullopt;
 }
 
 const char* text_of(const LimitRow& row) {
@@ -34,14 +33,14 @@ std::string remedy(Limit limit, uint64_t value) {
 
 uint64_t limit_of(Limit limit) {
     const char* text = text_of(row_of(limit));
-    return text ? number_in(text).value_or(row_of(limit).usual) : row_of(limit).usual;
+    return text ? limit_in(text).value_or(row_of(limit).usual) : row_of(limit).usual;
 }
 
 bool report_limits(Diagnostics& diagnostics) {
     bool fine = true;
     for (const LimitRow& row : limit_rows) {
         const char* text = text_of(row);
-        if (!text || number_in(text)) continue;
+        if (!text || limit_in(text)) continue;
         fine = false;
         diagnostics.error(
             "environment variable " + std::string(row.variable) + " is '" + text + "'",

@@ -3,11 +3,11 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <charconv>
 #include <cstdlib>
 #include <cstring>
 
 #include "base/file.h"
+#include "base/words.h"
 
 namespace wrinkle {
 namespace fs = std::filesystem;
@@ -26,14 +26,6 @@ const char* kind_of(mode_t mode) {
            : S_ISFIFO(mode) ? "pipe"
            : S_ISSOCK(mode) ? "socket"
                             : "device";
-}
-
-// A whole number in `text`, all of it.
-std::optional<uint64_t> number_in(std::string_view text) {
-    uint64_t number = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-    if (error != std::errc() || end != text.data() + text.size()) return {};
-    return number;
 }
 
 // The size is not asked for first: a file may grow while it is read.
@@ -59,7 +51,7 @@ std::optional<int> stream_number(std::string_view name) {
     if (name == "-" || name == "/dev/stdin") return 0;
     for (const std::string_view folder : {"/dev/fd/", "/proc/self/fd/"}) {
         if (!name.starts_with(folder)) continue;
-        const auto number = number_in(name.substr(folder.size()));
+        const auto number = whole_number(name.substr(folder.size()));
         if (number && *number <= 1'000'000) return static_cast<int>(*number);
     }
     return {};
@@ -86,7 +78,7 @@ OpenedFile open_to_read(const fs::path& path, std::string& why) {
 
 uint64_t default_max_bytes() {
     const char* text = std::getenv(max_bytes_variable);
-    const auto number = number_in(text ? text : "");
+    const auto number = whole_number(text ? text : "");
     return number && *number > 0 ? *number : usual_max_bytes;
 }
 

@@ -12,16 +12,14 @@
 #include <string>
 #include <utility>
 
+#include "base/system_error.h"
+
 namespace wrinkle {
 namespace fs = std::filesystem;
 
 namespace {
 
 constexpr std::string_view prefix = ".wrinkle-tmp-";
-
-std::error_code last_error() {
-    return {errno, std::generic_category()};
-}
 
 // Unlocked means that its writer is dead, or between making the file and locking it: that one sees
 // that its file has no name any more, and makes another.

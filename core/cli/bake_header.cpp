@@ -8,6 +8,7 @@
 #include "base/text.h"
 #include "cli/bake_parts.h"
 #include "json/parse.h"
+#include "json/write.h"
 
 namespace wrinkle::cli {
 namespace fs = std::filesystem;
@@ -38,13 +39,6 @@ std::optional<std::string> read_header_text(const fs::path& file, std::string& w
     return {};
 }
 
-std::string quoted_list(const std::vector<std::string>& words) {
-    std::string text = "[";
-    for (const std::string& word : words)
-        text += (text.size() > 1 ? ", " : "") + json_quoted(word);
-    return text + "]";
-}
-
 std::string map_json(const PartHeader::Map& map) {
     const WriterOptions& w = map.writer;
     std::string numbers = "{";
@@ -53,7 +47,7 @@ std::string map_json(const PartHeader::Map& map) {
                    shortest(number.value);
     return "{\"name\": " + json_quoted(map.name) +
            ", \"extension\": " + json_quoted(map.extension) +
-           ", \"channels\": " + quoted_list(w.channels) +
+           ", \"channels\": " + json::string_array(w.channels) +
            ", \"alpha\": " + (w.has_alpha ? "true" : "false") +
            ", \"type\": " + json_quoted(name_of(w.type)) +
            ", \"compression\": " + json_quoted(w.compression) +
@@ -69,7 +63,7 @@ std::string report_json(const BakeReport& found) {
     for (const Clamped& lost : found.clamped)
         words.insert(words.end(),
                      {std::to_string(lost.numbers), shortest(lost.least), shortest(lost.greatest)});
-    return quoted_list(words);
+    return json::string_array(words);
 }
 
 // Values of a header; whatever does not fit leaves `fine` false.
@@ -202,10 +196,10 @@ std::string header_json(const PartHeader& header) {
         ",\n  \"shard\": [" + std::to_string(header.shard) + ", " + std::to_string(header.shards) +
         "],\n  \"size\": [" + std::to_string(header.width()) + ", " +
         std::to_string(header.height()) + "],\n  \"maps\": [" + maps +
-        "],\n  \"pictures\": " + quoted_list(header.pictures) + ",\n  \"rows_of_tiles\": [" +
+        "],\n  \"pictures\": " + json::string_array(header.pictures) + ",\n  \"rows_of_tiles\": [" +
         std::to_string(header.first) + ", " + std::to_string(header.last) +
         "],\n  \"done\": " + std::to_string(header.done) +
-        ",\n  \"sums\": " + quoted_list(header.sums) +
+        ",\n  \"sums\": " + json::string_array(header.sums) +
         ",\n  \"found\": " + report_json(header.found);
     return with_sum(std::move(text));
 }

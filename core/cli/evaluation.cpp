@@ -54,6 +54,22 @@ void warn_of_small_changes(const PointSource& source, size_t first, const PointS
     }
 }
 
+// Lengths are squared; the square of one beyond is zero or infinite in single precision.
+constexpr double min_length = 1e-18, max_length = 1e18;
+
+void warn_of_lost_normals(const PointSource& source, size_t first, const PointSet& set,
+                          Diagnostics& diagnostics) {
+    const std::vector<double>& normals = set.at(SurfaceInput::normal_, Variant::value);
+    for (size_t k = 0; k < normals.size() / 3; ++k) {
+        const double* n = normals.data() + 3 * k;
+        const double length = std::hypot(n[0], n[1], n[2]);
+        if (length > 0 && (length < min_length || length > max_length))
+            source.report(first + k, Severity::warning,
+                          "the surface normal's length cannot be squared in single precision",
+                          "a length between 1e-18 and 1e18, or --precision double", diagnostics);
+    }
+}
+
 void append_number_json(std::string& text, double value, Precision precision) {
     if (!std::isfinite(value))
         text += "null";
@@ -84,6 +100,8 @@ bool evaluate_blocks(const MaterialRun& run, const TextureStore& textures,
                              within_float(source, first, set, program, diagnostics));
         fine = fine && filled;
         if (fine) warn_of_small_changes(source, first, set, diagnostics);
+        if (fine && precision == Precision::single)
+            warn_of_lost_normals(source, first, set, diagnostics);
         if (fine) take(first, set.count, evaluate_columns(program, set, images, precision));
         first += set.count;
     } while (first < source.count);

@@ -5,6 +5,7 @@
 #include "base/companion.h"
 #include "base/printable.h"
 #include "base/text.h"
+#include "base/words.h"
 #include "cli/compile_graph.h"
 #include "cli/output.h"
 #include "glsl/log.h"
@@ -13,12 +14,6 @@
 
 namespace wrinkle::cli {
 namespace {
-
-std::string_view trimmed(std::string_view text) {
-    const size_t begin = std::min(text.find_first_not_of(" \t\r"), text.size());
-    const size_t end = text.find_last_not_of(" \t\r");
-    return text.substr(begin, end == text.npos ? 0 : end + 1 - begin);
-}
 
 // One text that was given to a driver.
 class Explained {

@@ -6,6 +6,7 @@
 #include <cstring>
 
 #include "base/text.h"
+#include "base/words.h"
 #include "cli/npy.h"
 
 namespace wrinkle::cli {
@@ -46,12 +47,6 @@ std::vector<std::string> all_column_names() {
         for (size_t lane = 0; lane < lanes_of(need); ++lane)
             names.push_back(column_name(name_of(need), lane, lanes_of(need)));
     return names;
-}
-
-std::string_view trimmed(std::string_view text) {
-    const size_t first = text.find_first_not_of(" \t\r");
-    if (first == text.npos) return {};
-    return text.substr(first, text.find_last_not_of(" \t\r") + 1 - first);
 }
 
 std::string_view unquoted(std::string_view text) {

@@ -3,16 +3,10 @@
 #include "base/text.h"
 #include "cli/test_case.h"
 #include "cpu/columns.h"
+#include "json/write.h"
 
 namespace wrinkle::cli {
 namespace {
-
-std::string quoted_list(const std::vector<std::string>& words) {
-    std::string text;
-    for (const std::string& word : words)
-        text += (text.empty() ? "[" : ", ") + json_quoted(word);
-    return text + "]";
-}
 
 std::string numbers(size_t count) {
     if (count == 1) return R"({"type": "number"})";
@@ -75,7 +69,7 @@ const std::vector<CaseKey>& render_keys() {
         {"size", "Width and height in pixels", R"("type": "string", "pattern": "^[0-9]+x[0-9]+$")",
          json_quoted(std::to_string(picture.width) + "x" + std::to_string(picture.height)),
          R"("256x256")"},
-        {"view", "As `wrinkle render --view`", "\"enum\": " + quoted_list(view_names()),
+        {"view", "As `wrinkle render --view`", "\"enum\": " + json::string_array(view_names()),
          json_quoted(view_names()[static_cast<size_t>(picture.view)]), R"("normal")"},
         {"against", "The output that the difference view compares with; empty: the surface",
          R"("type": "string")", json_quoted(picture.against), R"("wrong")"},

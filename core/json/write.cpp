@@ -143,4 +143,11 @@ std::string pretty(const Value& value, size_t indent, size_t column, size_t widt
     return Writer(*tree, index_of(value), indent, column, width).run();
 }
 
+std::string string_array(const std::vector<std::string>& words) {
+    std::string text = "[";
+    for (const std::string& word : words)
+        text += (text.size() > 1 ? ", " : "") + json_quoted(word);
+    return text + "]";
+}
+
 }  // namespace wrinkle::json

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "json/value.h"
 
@@ -15,5 +16,8 @@ std::string one_line(const Value& value);
 // deeper. The first line is not indented; `indent` is what the following ones begin with, and
 // `column` where the first one starts.
 std::string pretty(const Value& value, size_t indent = 0, size_t column = 0, size_t width = 100);
+
+// ["a", "b"], and [] of none.
+std::string string_array(const std::vector<std::string>& words);
 
 }  // namespace wrinkle::json

@@ -72,7 +72,7 @@ TEST(PluginDeathInAnEditor, LeavesTheWindowTheEditsAndTheirRecovery) {
                   .find("reached"),
               std::string::npos);
     EXPECT_EQ(text_of(file), graph("crashes"));
-    ASSERT_EQ(list_recoverable(home.path()).size(), 1U);
+    ASSERT_EQ(list_recoverable(home.path() / "state").size(), 1U);
     EXPECT_NE(run("wait\nclick answer:recover\nassert nodes 1\nassert dirty\nassert errors 1\n"
                   "key Ctrl+S\nassert clean\nsay reached\n")
                   .find("reached"),
