@@ -95,7 +95,7 @@ private:
 };
 
 // Every call, with numbers of every kind, null and too many among them.
-void build(const wr_builder* b) {
+void make_every_call(const wr_builder* b) {
     const wr_value x = b->input(b, 0);
     const wr_image image = b->image(b, 1);
     const double lanes[9] = {0.5, -1, 1e300, 4, 5, 6, 7, 8, 1e-300};
@@ -127,13 +127,13 @@ void build(const wr_builder* b) {
 std::string recorded() {
     const std::vector<int32_t> options{0, 0, 0, 0, 7};
     Recorder recorder(options, [] { std::abort(); });
-    build(recorder.builder());
+    make_every_call(recorder.builder());
     return recorder.calls();
 }
 
 TEST(Recording, ReplayedMakesTheCallsThatWereMade) {
     Host direct, later;
-    build(&direct.face);
+    make_every_call(&direct.face);
     EXPECT_TRUE(replay(recorded(), &later.face));
     // What only the host knows to be out of range has a number of no value in a replay, and an
     // array that is too long is not there.
