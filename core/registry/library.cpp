@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <exception>
+#include <filesystem>
 #include <iterator>
 
 #include "base/text.h"
@@ -107,7 +108,9 @@ std::optional<PluginListing> load_library(const std::string& path, const std::st
                                           Diagnostics& diagnostics, OnStage on_stage) {
     if (!on_stage) on_stage = [](const char*) {};
     on_stage("load");
-    void* library = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
+    // A name without a slash would be searched for among the system's libraries.
+    const std::string file = std::filesystem::absolute(path).string();
+    void* library = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);
     if (!library) {
         add_fault(diagnostics, origin, std::string(cannot_be_loaded) + ": " + last_error(path));
         return std::nullopt;

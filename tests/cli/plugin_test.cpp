@@ -44,6 +44,14 @@ TEST_F(PluginTest, FindingsAreKeptInTheCache) {
     EXPECT_EQ(run({"plugins", "--plugin-path", "p"}, "", {"XDG_CACHE_HOME=/proc"}).out, first.out);
 }
 
+// The system searches for a library by a name without a slash elsewhere.
+TEST_F(PluginTest, AManifestIsMadeOfAPluginInTheWorkingFolder) {
+    place("ripples.so");
+    const Ran written = run({"plugins", "--manifest", "ripples.so"});
+    EXPECT_EQ(written.code, 0) << written.err;
+    EXPECT_TRUE(exists("ripples.so.json"));
+}
+
 TEST_F(PluginTest, AManifestIsWrittenBesideThePlugin) {
     place("p/ripples.so");
     const Ran written = run({"plugins", "--manifest", "p/ripples.so"});
