@@ -28,15 +28,25 @@ const char* kind_of(mode_t mode) {
                             : "device";
 }
 
-// The size is not asked for first: a file may grow while it is read.
+std::string too_large(uint64_t max_bytes) {
+    return "is larger than " + std::to_string(max_bytes) + " bytes; " + max_bytes_variable +
+           " sets another limit";
+}
+
+// Counted while reading too: a file may grow, and a stream has no size.
 std::optional<std::string> read_all(std::FILE* file, uint64_t max_bytes, std::string& why) {
+    struct stat found {};
+    if (fstat(fileno(file), &found) == 0 && S_ISREG(found.st_mode) &&
+        static_cast<uint64_t>(found.st_size) > max_bytes) {
+        why = too_large(max_bytes);
+        return {};
+    }
     std::string bytes;
     char buffer[1 << 16];
     size_t count = 0;
     while ((count = std::fread(buffer, 1, sizeof buffer, file)) > 0) {
         if (bytes.size() + count > max_bytes) {
-            why = "is larger than " + std::to_string(max_bytes) + " bytes; " + max_bytes_variable +
-                  " sets another limit";
+            why = too_large(max_bytes);
             return {};
         }
         bytes.append(buffer, count);
