@@ -21,14 +21,24 @@ namespace {
 
 std::string sentence(const std::error_code& error) {
     const bool folder = error == std::errc::is_a_directory;
-    return "cannot be written: " + (folder ? std::string("it is a folder") : error.message());
+    const bool unread = error == std::errc::no_such_device_or_address;
+    return "cannot be written: " + (folder   ? std::string("it is a folder")
+                                    : unread ? "it is a pipe that no program reads"
+                                             : error.message());
 }
 
 enum class Sync : bool { no, yes };
 
-// Into a device or a pipe.
+// A device, or a pipe that has a reader: opening waits for none.
+std::FILE* open_special(const fs::path& path) {
+    const int handle = open(path.c_str(), O_WRONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC);
+    if (handle < 0) return nullptr;
+    fcntl(handle, F_SETFL, fcntl(handle, F_GETFL) & ~O_NONBLOCK);
+    return fdopen(handle, "wb");
+}
+
 std::error_code write_all(const fs::path& path, std::string_view bytes) {
-    std::FILE* file = std::fopen(path.c_str(), "wb");
+    std::FILE* file = open_special(path);
     if (!file) return last_error();
     std::error_code error;
     if (std::fwrite(bytes.data(), 1, bytes.size(), file) != bytes.size() || std::fflush(file) != 0)
@@ -91,7 +101,7 @@ bool hold_the_same(const fs::path& one, const fs::path& other) {
 }
 
 std::error_code copy_into(const fs::path& from, const fs::path& to) {
-    std::FILE* file = std::fopen(to.c_str(), "wb");
+    std::FILE* file = open_special(to);
     if (!file) return last_error();
     std::error_code error = each_block(from, [&](std::string_view bytes) {
         const size_t count = std::fwrite(bytes.data(), 1, bytes.size(), file);

@@ -89,6 +89,13 @@ TEST_F(Files, PermissionsAreKept) {
     EXPECT_EQ(fs::status(folder_ / "x").permissions(), fs::perms::owner_all);
 }
 
+TEST_F(Files, APipeWithoutAReaderIsAnError) {
+    const fs::path pipe = folder_ / "pipe";
+    ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+    EXPECT_FALSE(write_file(pipe, "bytes", why_));
+    EXPECT_EQ(why_, "cannot be written: it is a pipe that no program reads");
+}
+
 // Written to as it is; its reader is there already, so opening does not wait.
 TEST_F(Files, APipeIsWrittenTo) {
     const fs::path pipe = folder_ / "pipe";
