@@ -1,5 +1,14 @@
-#include "cli/cli.h"
+#include <cstdio>
 
+#include "cli/cli.h"
+#include "cli/output.h"
+
+// What a command printed may still be in the buffer of standard output.
 int main(int argc, char** argv) {
-    return wrinkle::cli::run_cli(argc, argv);
+    using namespace wrinkle::cli;
+    const int code = run_cli(argc, argv);
+    const bool printed = std::fflush(stdout) == 0 && std::ferror(stdout) == 0;
+    if (printed || code == exit_environment) return code;
+    complain("standard output cannot be written");
+    return exit_environment;
 }
