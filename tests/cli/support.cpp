@@ -38,9 +38,13 @@ pid_t CliTest::start(const std::vector<std::string>& args, int in, int out, int 
     const auto settings = pointers(all);
     const pid_t child = fork();
     if (child != 0) return child;
-    dup2(in, 0);
-    dup2(out, 1);
-    dup2(err, 2);
+    const int streams[] = {in, out, err};
+    for (int i = 0; i < 3; ++i) {
+        if (streams[i] >= 0)
+            dup2(streams[i], i);
+        else
+            close(i);
+    }
     unsetenv("WRINKLE_PLUGIN_PATH");
     for (char* entry : settings)
         if (entry) putenv(entry);
@@ -48,6 +52,7 @@ pid_t CliTest::start(const std::vector<std::string>& args, int in, int out, int 
     if (memory != RLIM_INFINITY) setrlimit(RLIMIT_AS, &limit);
     const rlimit full{file_size, file_size};
     if (file_size != RLIM_INFINITY && setrlimit(RLIMIT_FSIZE, &full) == 0) signal(SIGXFSZ, SIG_IGN);
+    alarm(seconds);  // survives exec
     const bool changed = !as_nobody || geteuid() != 0 || setuid(65534) == 0;
     if (chdir(folder.c_str()) == 0 && changed) execv(program.c_str(), argv.data());
     _exit(127);

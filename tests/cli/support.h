@@ -35,6 +35,10 @@ protected:
     // Without waiting for it; what it says is lost.
     pid_t start(const std::vector<std::string>& args) const;
 
+    // With these descriptors as standard input, output and error; a negative one is closed.
+    pid_t start(const std::vector<std::string>& args, int in, int out, int err,
+                const std::vector<std::string>& environment) const;
+
     fs::path put(const std::string& name, std::string_view bytes) const;
     std::string get(const std::string& name) const;
     bool exists(const std::string& name) const { return fs::exists(folder / name); }
@@ -47,10 +51,8 @@ protected:
     rlim_t memory = RLIM_INFINITY;     // bytes of address space that the process may have
     rlim_t file_size = RLIM_INFINITY;  // bytes of a file that it writes, as if the disk were full
     bool as_nobody = false;            // gives up root's rights to read everything
+    unsigned seconds = 0;              // after which SIGALRM ends the process; 0: never
 
-private:
-    pid_t start(const std::vector<std::string>& args, int in, int out, int err,
-                const std::vector<std::string>& environment) const;
 };
 
 // An EGL without drivers.

@@ -1,0 +1,214 @@
+// Every command with nowhere to write to: a full disk, a standard output that is full, closed or no
+// longer read. Each output is then whole, as it was before or as it is meant to be.
+#include <fcntl.h>
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <map>
+
+#include "hostile/support.h"
+
+namespace wrinkle::hostile {
+namespace {
+
+using Names = std::vector<std::string>;
+
+// A command, and what it writes: files and folders relative to the project's folder.
+struct Command {
+    Names args;
+    std::set<std::string> outputs = {};
+};
+
+const std::vector<Command>& commands() {
+    static const std::vector<Command> all = {
+        {{"check", "graph.json"}},
+        {{"check", "wrong.json", "--diagnostics", "json"}},
+        {{"compile", "graph.json"}},
+        {{"compile", "graph.json", "--cost"}},
+        {{"compile", "graph.json", "-o", "out.glsl", "--reflect", "r.json", "-MD", "-MF", "out.d"},
+         {"out.glsl", "r.json", "out.d"}},
+        {{"compile", "graph.json", "-o", "out", "--form", "shader"}, {"out.vert", "out.frag"}},
+        {{"compile", "graph.json", "other.json", "-o", "out", "--reflect", "out"}, {"out"}},
+        {{"compile", "graph.json", "-o", "out.glsl", "--cache", "kept"}, {"out.glsl", "kept"}},
+        {{"eval", "graph.json", "--mesh", "plane", "--uv", "0.5,0.5"}},
+        {{"render", "graph.json", "-o", "out.png", "--size", "8x8"}, {"out.png"}},
+        {{"render", "graph.json", "-o", "-", "--size", "8x8"}},
+        {{"bake", "graph.json", "--mesh", "plane", "--size", "8", "-o", "out.png"}, {"out.png"}},
+        {{"bake", "graph.json", "--mesh", "plane", "--size", "8", "-o", "out", "--map",
+          "normal,derivative"},
+         {"out"}},
+        {{"bake", "graph.json", "--mesh", "plane", "--size", "8", "-o", "part", "--shard", "1/2"},
+         {"part"}},
+        {{"convert", "height.png", "-o", "out.exr", "--to", "slopes", "--mips"}, {"out.exr"}},
+        {{"convert", "height.png", "-o", "out.png", "--to", "normal"}, {"out.png"}},
+        {{"lint", "height.png", "--json"}},
+        {{"test", ".", "--report", "out"}, {"out"}},
+        {{"test", ".", "--update"}, {"golden", "graph.test.json"}},
+        {{"format", "ugly.json"}, {"ugly.json"}},
+        {{"inputs", "graph.json", "--json"}},
+        {{"nodes", "--json"}},
+        {{"nodes", "--schema"}},
+        {{"plugins"}},
+        {{"plugins", "--manifest", "nodes.so"}, {"nodes.so.json"}},
+        {{"new-plugin", "my_node"}, {"my_node"}},
+        {{"explain-log", "graph.json", "driver.log"}},
+        {{"completion", "bash"}},
+        {{"man", "compile"}},
+    };
+    return all;
+}
+
+class HostileOutputs : public HostileTest {
+protected:
+    void SetUp() override {
+        HostileTest::SetUp();
+        put("graph.json", test::tilt_graph());
+        put("other.json", test::tilt_graph("0.5"));
+        put("ugly.json", R"({"nodes": {}, "wrinkle":1})");
+        put("wrong.json", R"({"wrinkle": 1, "nodes": {"x": {"type": "none"}}})");
+        put("graph.test.json", R"({"points": [{"normal": [0, 0, 1]}],
+ "expect": [{"normal": [0, 0, 1]}], "glsl": true, "render": {"size": "8x8"}})");
+        put("driver.log", "0:3(1): error: bad\n");
+        fs::copy_file(WRINKLE_SOURCE_DIR "/graphs/textures/bricks_height.png",
+                      folder / "height.png");
+        fs::copy_file(WRINKLE_RIPPLES, folder / "nodes.so");
+        run({"test", "."});  // what a first run caches
+        baseline();
+        for (const std::string& name : files())
+            if (fs::is_regular_file(folder / name)) originals_[name] = get(name);
+    }
+
+    void restore() {
+        clean();
+        for (const auto& [name, bytes] : originals_)
+            if (!exists(name) || get(name) != bytes) put(name, bytes);
+    }
+
+    std::map<std::string, std::string> outputs_of(const Command& command) const {
+        std::map<std::string, std::string> found;
+        for (const std::string& name : files())
+            for (const std::string& output : command.outputs)
+                if ((name == output || name.starts_with(output + "/")) &&
+                    fs::is_regular_file(folder / name))
+                    found[name] = get(name);
+        return found;
+    }
+
+    // After a run that could not write: every file is as it was, or as a good run leaves it.
+    void expect_whole(const Command& command, const std::map<std::string, std::string>& good,
+                      const std::string& label) {
+        for (const auto& [name, bytes] : outputs_of(command)) {
+            const auto old = originals_.find(name);
+            const auto meant = good.find(name);
+            const bool whole = (old != originals_.end() && old->second == bytes) ||
+                               (meant != good.end() && meant->second == bytes);
+            EXPECT_TRUE(whole) << label << ": '" << name << "' is cut or strange, " << bytes.size()
+                               << " bytes";
+        }
+    }
+
+    // What a run of the command writes when nothing is wrong.
+    std::map<std::string, std::string> good_outputs(const Command& command) {
+        restore();
+        run(command.args);
+        auto found = outputs_of(command);
+        restore();
+        return found;
+    }
+
+    // Runs with these descriptors; what it prints goes where they lead.
+    int run_with(const Names& args, int in, int out, int err) {
+        const pid_t child = start(args, in, out, err, {});
+        int status = 0;
+        waitpid(child, &status, 0);
+        return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+    }
+
+private:
+    std::map<std::string, std::string> originals_;
+};
+
+std::string words_of(const Names& args) {
+    std::string words;
+    for (const std::string& arg : args)
+        words += " " + arg;
+    return words;
+}
+
+bool is_cached(const std::pair<const std::string, std::string>& file) {
+    return file.first.starts_with("kept/");
+}
+
+TEST_F(HostileOutputs, OnAFullDiskAreWhole) {
+    for (const Command& command : commands()) {
+        const auto good = good_outputs(command);
+        for (const rlim_t size : {rlim_t{1}, rlim_t{100}, rlim_t{1000}, rlim_t{5000}}) {
+            const std::string label =
+                words_of(command.args) + " with files of " + std::to_string(size) + " bytes";
+            // Messages are no files here: they must be seen.
+            int pipes[2] = {};
+            ASSERT_EQ(pipe(pipes), 0);
+            file_size = size;
+            const int nothing = open("/dev/null", O_RDWR);
+            const int code = run_with(command.args, nothing, nothing, pipes[1]);
+            file_size = RLIM_INFINITY;
+            close(nothing);
+            close(pipes[1]);
+            close(pipes[0]);
+            EXPECT_GE(code, 0) << label;
+            EXPECT_LE(code, 3) << label;
+            auto made = outputs_of(command);
+            if (code == 0) {
+                // A cache that cannot be written is a warning: the outputs are all the same.
+                std::erase_if(made, is_cached);
+                auto wanted = good;
+                std::erase_if(wanted, is_cached);
+                EXPECT_EQ(made, wanted) << label;
+            }
+            expect_whole(command, good, label);
+            restore();
+        }
+    }
+}
+
+TEST_F(HostileOutputs, WithoutAUsableStandardOutputEndByTheContract) {
+    const int nothing = open("/dev/null", O_RDWR), full = open("/dev/full", O_RDWR);
+    for (const Command& command : commands()) {
+        const auto good = good_outputs(command);
+        const bool prints = !run(command.args).out.empty();
+        restore();
+        int broken[2] = {};
+        ASSERT_EQ(pipe(broken), 0);
+        close(broken[0]);
+        const std::vector<std::tuple<std::string, int, int, int>> ways = {
+            {"full output", nothing, full, nothing},
+            {"closed output", nothing, -1, nothing},
+            {"closed error", nothing, nothing, -1},
+            {"full error", nothing, nothing, full},
+            {"closed input", -1, nothing, nothing},
+            {"all closed", -1, -1, -1},
+            {"unread output", nothing, broken[1], nothing},
+            {"unread error", nothing, nothing, broken[1]},
+        };
+        for (const auto& [way, in, out, err] : ways) {
+            const std::string label = words_of(command.args) + " with " + way;
+            int code = run_with(command.args, in, out, err);
+            // SIGPIPE ends the program, as it ends every filter whose reader is gone.
+            if (way.starts_with("unread") && code == 128 + SIGPIPE) code = 0;
+            EXPECT_GE(code, 0) << label;
+            EXPECT_LE(code, 3) << label;
+            if (prints && (way == "full output" || way == "closed output")) {
+                EXPECT_EQ(code, 3) << label;
+            }
+            expect_whole(command, good, label);
+            restore();
+        }
+        close(broken[1]);
+    }
+    close(nothing);
+    close(full);
+}
+
+}  // namespace
+}  // namespace wrinkle::hostile

@@ -1,0 +1,13 @@
+// Strings that break out of what they are put into: comments, terminals, paths, shells, Make, JSON,
+// HTML, format strings. Each that is code contains the word HOSTILE.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace wrinkle::hostile {
+
+// At least 50, some of them not UTF-8.
+const std::vector<std::string>& payloads();
+
+}  // namespace wrinkle::hostile
