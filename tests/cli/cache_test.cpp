@@ -156,8 +156,11 @@ TEST_F(CacheTest, AnEntryThatIsNotARegularFileIsMadeAgain) {
         EXPECT_EQ(ran.code, 0) << kind << ran.err;
         EXPECT_EQ(ran.err, "") << kind;
         EXPECT_EQ(get("out/g"), right) << kind;
-        EXPECT_TRUE(fs::is_regular_file(fs::symlink_status(entry))) << kind;
-        EXPECT_EQ(bytes_of(entry), stored) << kind;
+        const bool regular = fs::is_regular_file(fs::symlink_status(entry));
+        EXPECT_TRUE(regular) << kind;
+        if (regular) {
+            EXPECT_EQ(bytes_of(entry), stored) << kind;
+        }
         fs::remove(entry);
     };
     fs::remove(entry);
