@@ -29,9 +29,14 @@ std::string sentence(const std::error_code& error) {
 
 enum class Sync : bool { no, yes };
 
-// A device, or a pipe that has a reader: opening waits for none.
+// A device, or a pipe, whose reader may open it a second later.
 std::FILE* open_special(const fs::path& path) {
-    const int handle = open(path.c_str(), O_WRONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC);
+    int handle = -1;
+    for (int i = 0; i < 100; ++i) {
+        handle = open(path.c_str(), O_WRONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC);
+        if (handle >= 0 || errno != ENXIO) break;
+        usleep(10'000);
+    }
     if (handle < 0) return nullptr;
     fcntl(handle, F_SETFL, fcntl(handle, F_GETFL) & ~O_NONBLOCK);
     return fdopen(handle, "wb");

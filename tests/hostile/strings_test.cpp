@@ -1,5 +1,5 @@
-// Every string of a graph and of its sub-graph is replaced by every payload. In the code of a generated
-// text the payload is then an identifier or nothing.
+// Every string of a graph and of its sub-graph is replaced by every payload. In the code of a
+// generated text the payload is then an identifier or nothing.
 #include <algorithm>
 #include <cctype>
 
