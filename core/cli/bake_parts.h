@@ -49,7 +49,7 @@ struct PartHeader {
     size_t files_with_rows() const {
         return done == first ? 0 : (picture_of(done - 1) - picture_of(first) + 1) * maps.size();
     }
-    // Size in bytes of the done rows in the file of a map of a picture.
+    // Bytes of the finished rows in the file of one map of one image.
     uint64_t bytes_of_rows(size_t picture, size_t map) const;
     size_t sum_index(size_t picture, size_t map) const {
         return (picture - picture_of(first)) * maps.size() + map;
@@ -96,7 +96,7 @@ private:
     std::filesystem::path folder_;
     PartHeader header_;
     size_t picture_ = 0;
-    std::vector<std::unique_ptr<std::FILE, Close>> files_;  // of this picture, by map
+    std::vector<std::unique_ptr<std::FILE, Close>> files_;  // of this image, by map
     std::vector<Xxh64> sums_;                               // of what was written to them
 };
 

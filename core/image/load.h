@@ -31,7 +31,7 @@ struct ImageLimits {
     uint64_t left_bytes = ~uint64_t{0};  // of Limit::all_images_bytes, mips included
 };
 
-// Those of this process (base/limits.h); a variable that is no number is reported.
+// Those of this process (base/limits.h); one that is not a number is reported.
 ImageLimits image_limits_from_environment(Diagnostics& diagnostics);
 
 struct ImageInfo {
