@@ -23,7 +23,7 @@ const std::string bump_columns =
     "dx.uv0.x,dx.uv0.y,dy.uv0.x,dy.uv0.y";
 
 template <class T>
-std::string bytes_of(T value) {
+std::string raw(T value) {
     std::string bytes(sizeof value, '\0');
     std::memcpy(bytes.data(), &value, sizeof value);
     return bytes;
@@ -36,7 +36,7 @@ std::string npy(const std::string& descr, const std::string& shape, const std::s
         "{'descr': " + descr + ", 'fortran_order': " + order + ", 'shape': " + shape + ", }";
     header.append(63 - (10 + header.size()) % 64, ' ');
     header += '\n';
-    return "\x93NUMPY\x01" + std::string(1, '\0') + bytes_of(static_cast<uint16_t>(header.size())) +
+    return "\x93NUMPY\x01" + std::string(1, '\0') + raw(static_cast<uint16_t>(header.size())) +
            header + data;
 }
 
@@ -111,7 +111,7 @@ TEST_F(EvalTableTest, ATableGivesTheNumbersOfJson) {
     }
     for (const auto& row : rows)
         for (const double value : row)
-            data += bytes_of(value);
+            data += raw(value);
     put("p.npy", npy(descr + "]", "(" + std::to_string(rows.size()) + ",)", data));
     for (const std::string precision : {"float", "double"}) {
         const auto eval = [&](const std::string& at) {
@@ -148,8 +148,8 @@ TEST_F(EvalTableTest, ResultsAreTheSameInEveryForm) {
             numbers.push_back(point.value.find("wave"));
             for (const json::Value& number : numbers) {
                 csv += std::string(number.spelling()) + (&number == &numbers.back() ? "\n" : ",");
-                records += doubles ? bytes_of(number.as_number())
-                                   : bytes_of(static_cast<float>(number.as_number()));
+                records += doubles ? raw(number.as_number())
+                                   : raw(static_cast<float>(number.as_number()));
             }
         }
         EXPECT_EQ(eval({"--format", "csv"}), csv);
@@ -179,7 +179,7 @@ TEST_F(EvalTableTest, PlacesOfAMeshAreThoseOfSingleCalls) {
                     v = 0.95F - 0.07F * static_cast<float>(i);
         places.push_back(text_of(u) + "," + text_of(v));
         csv += places.back() + "\n";
-        records += bytes_of(u) + bytes_of(v);
+        records += raw(u) + raw(v);
     }
     put("p.csv", csv);
     put("p.npy", npy("[('uv0.x', '<f4'), ('uv0.y', '<f4')]", "(12,)", records));
@@ -247,7 +247,7 @@ TEST_F(EvalTableTest, ReportsABadCsv) {
 
 TEST_F(EvalTableTest, ReportsABadNpy) {
     const std::string uv = "[('uv0.x', '<f4'), ('uv0.y', '<f4')]",
-                      two = bytes_of(0.5F) + bytes_of(1.F);
+                      two = raw(0.5F) + raw(1.F);
     const std::string whole = npy(uv, "(1,)", two);
     const std::vector<std::pair<std::string, std::string>> cases = {
         {"", "is not a whole NPY file"},
@@ -269,7 +269,7 @@ TEST_F(EvalTableTest, ReportsABadNpy) {
         {npy(uv, "(1,)", two, "True"), "has Fortran order"},
         {npy(uv + ", 'more': 1", "(1,)", two), "has a header that cannot be read"},
         {npy("[('uv0.x', '<f4') 'more']", "(1,)", two), "has a header that cannot be read"},
-        {npy(uv, "(1,)", bytes_of(0.5F) + bytes_of(std::stof("inf"))), "is not a finite number"},
+        {npy(uv, "(1,)", raw(0.5F) + raw(std::stof("inf"))), "is not a finite number"},
     };
     for (const auto& [bytes, words] : cases) {
         put("p.npy", bytes);
@@ -277,7 +277,7 @@ TEST_F(EvalTableTest, ReportsABadNpy) {
     }
     // An aligned record has gaps.
     put("p.npy", npy("[('uv0.x', '<f4'), ('', '|V4'), ('uv0.y', '<f8')]", "(1,)",
-                     bytes_of(0.5F) + "gaps" + bytes_of(1.0)));
+                     raw(0.5F) + "gaps" + raw(1.0)));
     EXPECT_EQ(run({"eval", "ramp.json", "--at", "p.npy", "--format", "csv"}).out, "value\n1\n");
 }
 
