@@ -29,10 +29,8 @@ using OpenedFile = std::unique_ptr<std::FILE, CloseFile>;
 // "is a pipe, not a file").
 OpenedFile open_to_read(const std::filesystem::path& path, std::string& why);
 
-// WRINKLE_FILE_MAX_BYTES where it is a number from 1, else 1 GiB.
-uint64_t default_max_bytes();
-
-// The whole file, or nothing with the reason in `why`.
+// The whole file of at most `max_bytes` (default: Limit::file_bytes), or nothing with the reason in
+// `why`.
 std::optional<std::string> read_file(const std::filesystem::path& path, std::string& why);
 std::optional<std::string> read_file(const std::filesystem::path& path, uint64_t max_bytes,
                                      std::string& why);
@@ -40,7 +38,7 @@ std::optional<std::string> read_file(const std::filesystem::path& path, uint64_t
 // What a stream is called in messages: "<stdin>" for "-", "/dev/stdin" and the like, "<fd 63>" for
 // "/dev/fd/63", as `<(COMMAND)` of a shell is spelled; "" for all else.
 std::string stream_title(std::string_view name);
-// The whole of such a stream, up to default_max_bytes().
+// The whole of such a stream, up to Limit::file_bytes.
 std::optional<std::string> read_stream(std::string_view name, std::string& why);
 
 // Writes to a Temporary beside `path` and renames it. A file that already holds these bytes

@@ -17,6 +17,7 @@
 namespace wrinkle {
 
 enum class Limit : uint8_t {
+    file_bytes,
     graph_nodes,
     graph_calls,
     graph_values,
@@ -36,7 +37,9 @@ struct LimitRow {
     std::string_view doc;
 };
 
-inline constexpr std::array<LimitRow, 10> limit_rows = {{
+inline constexpr std::array<LimitRow, 11> limit_rows = {{
+    {"WRINKLE_FILE_MAX_BYTES", uint64_t{1} << 30, "bytes",
+     "A file that is read, and standard input; not images and meshes, which have their own"},
     {"WRINKLE_GRAPH_MAX_NODES", 1'000'000, "nodes",
      "Nodes of a graph, each use of a sub-graph that is inlined counted by itself"},
     {"WRINKLE_GRAPH_MAX_CALLS", 100'000, "calls",

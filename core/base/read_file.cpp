@@ -3,19 +3,16 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <cstdlib>
 #include <cstring>
 
 #include "base/file.h"
+#include "base/limits.h"
 #include "base/words.h"
 
 namespace wrinkle {
 namespace fs = std::filesystem;
 
 namespace {
-
-constexpr uint64_t usual_max_bytes = uint64_t{1} << 30;
-constexpr const char* max_bytes_variable = "WRINKLE_FILE_MAX_BYTES";
 
 std::string unread() {
     return "cannot be read: " + std::string(std::strerror(errno));
@@ -29,8 +26,8 @@ const char* kind_of(mode_t mode) {
 }
 
 std::string too_large(uint64_t max_bytes) {
-    return "is larger than " + std::to_string(max_bytes) + " bytes; " + max_bytes_variable +
-           " sets another limit";
+    return "is larger than " + std::to_string(max_bytes) + " bytes; " +
+           std::string(row_of(Limit::file_bytes).variable) + " sets another limit";
 }
 
 // Counted while reading too: a file may grow, and a stream has no size.
@@ -86,14 +83,8 @@ OpenedFile open_to_read(const fs::path& path, std::string& why) {
     return {};
 }
 
-uint64_t default_max_bytes() {
-    const char* text = std::getenv(max_bytes_variable);
-    const auto number = whole_number(text ? text : "");
-    return number && *number > 0 ? *number : usual_max_bytes;
-}
-
 std::optional<std::string> read_file(const fs::path& path, std::string& why) {
-    return read_file(path, default_max_bytes(), why);
+    return read_file(path, limit_of(Limit::file_bytes), why);
 }
 
 std::optional<std::string> read_file(const fs::path& path, uint64_t max_bytes, std::string& why) {
@@ -111,7 +102,7 @@ std::string stream_title(std::string_view name) {
 std::optional<std::string> read_stream(std::string_view name, std::string& why) {
     const int handle = fcntl(stream_number(name).value_or(-1), F_DUPFD_CLOEXEC, 0);
     const OpenedFile file(handle < 0 ? nullptr : fdopen(handle, "rb"));
-    if (file) return read_all(file.get(), default_max_bytes(), why);
+    if (file) return read_all(file.get(), limit_of(Limit::file_bytes), why);
     why = unread();
     if (handle >= 0) close(handle);
     return {};

@@ -19,8 +19,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::string_view prefix = ".wrinkle-tmp-";
-
 // Unlocked means that its writer is dead, or between making the file and locking it: that one sees
 // that its file has no name any more, and makes another.
 void remove_if_dead(const fs::path& file) {
@@ -42,7 +40,7 @@ void remove_dead_ones(const fs::path& folder) {
     }
     std::error_code error;
     for (fs::directory_iterator at(folder, error), end; !error && at != end; at.increment(error))
-        if (at->path().filename().native().starts_with(prefix)) remove_if_dead(at->path());
+        if (Temporary::is_name(at->path().filename().native())) remove_if_dead(at->path());
 }
 
 std::string extension_of(const fs::path& target) {

@@ -22,6 +22,9 @@ public:
     Temporary& operator=(Temporary&&) = delete;
     ~Temporary() { remove(); }
 
+    // Whether a file called so is one, of a program that runs or is dead.
+    static bool is_name(std::string_view file) { return file.starts_with(prefix); }
+
     const std::filesystem::path& path() const { return path_; }
     std::error_code write(std::string_view bytes) const;
     std::error_code sync() const;
@@ -33,6 +36,8 @@ public:
 
 private:
     Temporary(std::filesystem::path path, int handle) : path_(std::move(path)), handle_(handle) {}
+
+    static constexpr std::string_view prefix = ".wrinkle-tmp-";
 
     std::filesystem::path path_;
     int handle_ = -1;  // -1: it is gone

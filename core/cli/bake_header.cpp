@@ -1,12 +1,10 @@
-// bake.json of a part, written and read.
+#include "cli/bake_header.h"
+
 #include <algorithm>
 #include <charconv>
 
-#include "bake/file_problem.h"
-#include "base/file.h"
 #include "base/sha256.h"
 #include "base/text.h"
-#include "cli/bake_parts.h"
 #include "json/parse.h"
 #include "json/write.h"
 
@@ -14,29 +12,11 @@ namespace wrinkle::cli {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr uint64_t max_header_bytes = uint64_t{1} << 28;  // with the sums of a million files
 constexpr std::string_view before_sum = ",\n  \"sum\": \"", after_sum = "\"\n}\n";
-
-std::string with_sum(std::string text) {
-    const std::string sum = sha256(text);
-    return std::move(text.append(before_sum).append(sum).append(after_sum));
-}
 
 bool has_right_sum(const std::string& text) {
     const size_t end = text.rfind(before_sum);
     return end != text.npos && with_sum(text.substr(0, end)) == text;
-}
-
-std::optional<std::string> read_header_text(const fs::path& file, std::string& why) {
-    std::error_code error;
-    const uint64_t size = fs::file_size(file, error);
-    if (error && fs::exists(file))
-        why = "is not a regular file";
-    else if (!error && size > max_header_bytes)
-        why = "is larger than any bake.json";
-    else
-        return read_file(file, why);
-    return {};
 }
 
 std::string map_json(const PartHeader::Map& map) {
@@ -187,6 +167,43 @@ std::optional<PartHeader> parse_header(const json::Value& root) {
 
 }  // namespace
 
+size_t PartHeader::row_bytes(size_t map) const {
+    const WriterOptions& w = maps[map].writer;
+    return size_t{w.width} * w.channels.size() * bytes_of(w.type);
+}
+
+uint64_t PartHeader::bytes_of_rows(size_t picture, size_t map) const {
+    uint64_t rows = 0;
+    const uint64_t end = std::min(done, (picture + 1) * uint64_t{bands()});
+    for (uint64_t band = std::max(first, picture * uint64_t{bands()}); band < end; ++band)
+        rows += rows_of(band);
+    return rows * row_bytes(map);
+}
+
+uint32_t PartHeader::rows_of(uint64_t band) const {
+    const auto in_picture = static_cast<uint32_t>(band % bands());
+    return std::min(bake_tile, height() - in_picture * bake_tile);
+}
+
+std::vector<MapFile> PartHeader::files(const std::string& output, size_t picture,
+                                       uint32_t threads) const {
+    std::vector<MapFile> files;
+    for (const Map& map : maps) {
+        const bool one_file = maps.size() == 1;
+        const std::string extension =
+            one_file ? fs::path(output).extension().string() : map.extension;
+        files.push_back(
+            {map_path(output, one_file, map.name, pictures[picture], extension), map.writer});
+        files.back().options.threads = threads;
+    }
+    return files;
+}
+
+std::string with_sum(std::string text) {
+    const std::string sum = sha256(text);
+    return std::move(text.append(before_sum).append(sum).append(after_sum));
+}
+
 std::string header_json(const PartHeader& header) {
     std::string maps;
     for (const PartHeader::Map& map : header.maps)
@@ -204,23 +221,10 @@ std::string header_json(const PartHeader& header) {
     return with_sum(std::move(text));
 }
 
-std::optional<PartHeader> read_header(const fs::path& folder, Diagnostics& diagnostics) {
-    const fs::path file = header_file(folder);
-    std::string why;
-    const auto text = read_header_text(file, why);
-    if (!text) {
-        diagnostics.add(
-            file_problem(Severity::error, file.string(), why, "a folder that bake --shard wrote"));
-        return {};
-    }
-    std::optional<PartHeader> header;
-    Diagnostics own;
-    if (has_right_sum(*text)) header = parse_header(json::parse(*text, file.string(), own).root);
-    if (!header)
-        diagnostics.add(file_problem(Severity::error, file.string(),
-                                     "is damaged, or does not describe a part of a bake",
-                                     "bake that shard again"));
-    return header;
+std::optional<PartHeader> header_of_json(const std::string& text) {
+    Diagnostics ignored;
+    if (!has_right_sum(text)) return {};
+    return parse_header(json::parse(text, "bake.json", ignored).root);
 }
 
 }  // namespace wrinkle::cli

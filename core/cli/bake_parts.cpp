@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
-#include <fstream>
 
 #include "bake/file_problem.h"
 #include "base/file.h"
@@ -18,24 +17,20 @@ namespace {
 std::optional<Xxh64> sum_of_rows(const fs::path& path, uint64_t size, std::string& why) {
     Xxh64 sum;
     if (size == 0) return sum;
-    std::error_code error;
-    const uint64_t found = fs::file_size(path, error);
-    if (error)
-        why = fs::exists(path) ? "is not a regular file" : "cannot be read: " + error.message();
-    else if (found < size)
-        why = "ends early";
-    if (!why.empty()) return {};
-    std::ifstream file(path, std::ios::binary);
-    std::vector<char> block(size_t{1} << 20);
-    while (size > 0 && file) {
-        file.read(block.data(), static_cast<std::streamsize>(std::min(size, block.size())));
-        const auto count = static_cast<size_t>(file.gcount());
-        sum.add(std::as_bytes(std::span(block.data(), count)));
+    const OpenedFile file = open_to_read(path, why);
+    if (!file) return {};
+    std::vector<std::byte> block(size_t{1} << 20);
+    while (size > 0) {
+        const size_t count =
+            std::fread(block.data(), 1, std::min<uint64_t>(size, block.size()), file.get());
+        if (count == 0) {
+            why = std::ferror(file.get()) ? "cannot be read" : "ends early";
+            return {};
+        }
+        sum.add(std::span(block.data(), count));
         size -= count;
     }
-    if (size == 0) return sum;
-    why = "cannot be read";
-    return {};
+    return sum;
 }
 
 // Takes over the done rows of the same bake. A damaged folder is not taken at all, with warnings:
@@ -60,38 +55,6 @@ void take_what_is_done(const fs::path& folder, PartHeader& header, Diagnostics& 
 }
 
 }  // namespace
-
-size_t PartHeader::row_bytes(size_t map) const {
-    const WriterOptions& w = maps[map].writer;
-    return size_t{w.width} * w.channels.size() * bytes_of(w.type);
-}
-
-uint64_t PartHeader::bytes_of_rows(size_t picture, size_t map) const {
-    uint64_t rows = 0;
-    const uint64_t end = std::min(done, (picture + 1) * uint64_t{bands()});
-    for (uint64_t band = std::max(first, picture * uint64_t{bands()}); band < end; ++band)
-        rows += rows_of(band);
-    return rows * row_bytes(map);
-}
-
-uint32_t PartHeader::rows_of(uint64_t band) const {
-    const auto in_picture = static_cast<uint32_t>(band % bands());
-    return std::min(bake_tile, height() - in_picture * bake_tile);
-}
-
-std::vector<MapFile> PartHeader::files(const std::string& output, size_t picture,
-                                       uint32_t threads) const {
-    std::vector<MapFile> files;
-    for (const Map& map : maps) {
-        const bool one_file = maps.size() == 1;
-        const std::string extension =
-            one_file ? fs::path(output).extension().string() : map.extension;
-        files.push_back(
-            {map_path(output, one_file, map.name, pictures[picture], extension), map.writer});
-        files.back().options.threads = threads;
-    }
-    return files;
-}
 
 PartHeader header_of(const BakeJob& job) {
     PartHeader header;
@@ -120,6 +83,20 @@ fs::path header_file(const fs::path& folder) {
 
 fs::path rows_file(const fs::path& folder, size_t picture, size_t map) {
     return folder / (std::to_string(picture) + "-" + std::to_string(map) + ".rows");
+}
+
+std::optional<PartHeader> read_header(const fs::path& folder, Diagnostics& diagnostics) {
+    const fs::path file = header_file(folder);
+    std::string why, remedy = "a folder that bake --shard wrote";
+    const auto text = read_file(file, why);
+    auto header = text ? header_of_json(*text) : std::nullopt;
+    if (text && !header) {
+        why = "is damaged, or does not describe a part of a bake";
+        remedy = "bake that shard again";
+    }
+    if (!header)
+        diagnostics.add(file_problem(Severity::error, file.string(), why, std::move(remedy)));
+    return header;
 }
 
 bool has_its_rows(const fs::path& folder, const PartHeader& header, const std::string& remedy,

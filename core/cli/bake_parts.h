@@ -18,52 +18,18 @@
 #include <string>
 #include <vector>
 
-#include "bake/picture.h"
 #include "base/diagnostics.h"
 #include "base/xxh64.h"
+#include "cli/bake_header.h"
 #include "cli/bake_job.h"
 
 namespace wrinkle::cli {
-
-struct PartHeader {
-    struct Map {
-        std::string name, extension;
-        WriterOptions writer;  // but for its threads
-    };
-    std::string identity;
-    uint32_t shard = 1, shards = 1;
-    std::vector<Map> maps;
-    std::vector<std::string> pictures;  // the suffixes of their files
-    uint64_t first = 0, last = 0, done = 0;
-    std::vector<std::string> sums;  // of the done rows of each file, by sum_index()
-    BakeReport found;               // in what is done
-
-    uint32_t width() const { return maps[0].writer.width; }
-    uint32_t height() const { return maps[0].writer.height; }
-    uint32_t bands() const { return (height() + bake_tile - 1) / bake_tile; }
-    size_t row_bytes(size_t map) const;
-    // Of row of tiles `band` of its picture.
-    uint32_t rows_of(uint64_t band) const;
-    uint64_t picture_of(uint64_t band) const { return band / bands(); }
-    // How many files hold rows that are done.
-    size_t files_with_rows() const {
-        return done == first ? 0 : (picture_of(done - 1) - picture_of(first) + 1) * maps.size();
-    }
-    // Bytes of the finished rows in the file of one map of one image.
-    uint64_t bytes_of_rows(size_t picture, size_t map) const;
-    size_t sum_index(size_t picture, size_t map) const {
-        return (picture - picture_of(first)) * maps.size() + map;
-    }
-    // Of one map it is OUT, of several OUT/MAP.EXT.
-    std::vector<MapFile> files(const std::string& output, size_t picture, uint32_t threads) const;
-};
 
 PartHeader header_of(const BakeJob& job);
 
 // std::nullopt with an error that names the file.
 std::optional<PartHeader> read_header(const std::filesystem::path& folder,
                                       Diagnostics& diagnostics);
-std::string header_json(const PartHeader& header);
 
 std::filesystem::path header_file(const std::filesystem::path& folder);
 std::filesystem::path rows_file(const std::filesystem::path& folder, size_t picture, size_t map);

@@ -1,14 +1,7 @@
 #include "cli/certify.h"
 
-#include <poll.h>
-#include <signal.h>
-#include <sys/wait.h>
-#include <unistd.h>
-
 #include <algorithm>
-#include <cerrno>
 #include <cstdio>
-#include <cstring>
 #include <optional>
 #include <set>
 
@@ -22,8 +15,6 @@
 
 namespace wrinkle::cli {
 namespace {
-
-constexpr int longest_node_ms = 300'000;  // a shader compiler on one slow core takes its time
 
 using TypeList = std::vector<const NodeType*>;
 
@@ -84,13 +75,6 @@ struct Gpu {
     }
 };
 
-// Tells the parent which node is at work, its name cut short where a pipe would not take it at
-// once.
-void announce(int pipe, const std::string& node) {
-    const std::string line = node.substr(0, 200) + "\n";
-    if (write(pipe, line.data(), line.size()) < 0) return;
-}
-
 int summary(size_t nodes, size_t failed, const Gpu& gpu, bool gpu_wanted) {
     if (gpu.missing.empty())
         std::printf("GPU: %s\n", gpu::Context::renderer_name().c_str());
@@ -99,86 +83,6 @@ int summary(size_t nodes, size_t failed, const Gpu& gpu, bool gpu_wanted) {
     std::printf("%zu ok, %zu failed\n", nodes - failed, failed);
     if (failed > 0) return exit_input;
     return gpu.missing.empty() || !gpu_wanted ? exit_fine : exit_environment;
-}
-
-// The whole of it, in the process that may be lost.
-int certify_here(const CertifyOptions& options, int pipe) {
-    Diagnostics diagnostics;
-    Loaded loaded;
-    load(options.file, loaded, diagnostics);
-    if (!loaded.fine()) return report(diagnostics, options.diagnostics);
-    std::string why;
-    const auto pictures = certify::PictureFolder::make(why);
-    if (!pictures) {
-        complain(why);
-        return exit_environment;
-    }
-    const Gpu gpu(!options.no_gpu);
-    const certify::Bench bench{loaded.registry, pictures->path(), gpu.missing.empty(), {}};
-    const TypeList types = types_of(loaded);
-    const PluginReport& plugin = loaded.reports.front();
-    std::printf("%s\n    %s %s\n", printable(options.file).c_str(), plugin.id.c_str(),
-                plugin.version.c_str());
-    size_t failed = 0;
-    for (const NodeType* type : types) {
-        std::fflush(stdout);
-        announce(pipe, type->id);
-        certify::Report found = certify::certify(*type, bench);
-        const auto meant = [&](const certify::Finding& finding) {
-            return std::find(options.allow.begin(), options.allow.end(), finding.check) !=
-                   options.allow.end();
-        };
-        std::erase_if(found.findings, meant);
-        failed += found.findings.empty() ? 0 : 1;
-        std::fputs(certify::to_text(found, bench.gpu).c_str(), stdout);
-        for (const certify::Finding& finding : found.findings)
-            diagnostics.add(to_diagnostic(finding, found, options.file));
-    }
-    const int code = summary(types.size(), failed, gpu, !options.no_gpu);
-    if (options.diagnostics == "json") report(diagnostics, options.diagnostics);
-    return code;
-}
-
-// The name of the node that was at work when `child` closed the pipe or went silent too long.
-struct Watched {
-    std::string node;
-    bool silent = false;
-};
-Watched watch(int pipe) {
-    Watched watched;
-    char buffer[256];
-    std::string line;
-    for (;;) {
-        pollfd wait{pipe, POLLIN, 0};
-        const int ready = poll(&wait, 1, longest_node_ms);
-        if (ready < 0 && errno == EINTR) continue;
-        watched.silent = ready == 0;
-        const ssize_t count = ready > 0 ? read(pipe, buffer, sizeof buffer) : 0;
-        if (count <= 0) return watched;
-        for (ssize_t i = 0; i < count; ++i) {
-            if (buffer[i] != '\n') {
-                line += buffer[i];
-                continue;
-            }
-            watched.node = std::move(line);
-            line.clear();
-        }
-    }
-}
-
-int lost(const CertifyOptions& options, const Watched& watched, int status) {
-    Diagnostic problem;
-    problem.where.file = options.file;
-    problem.node = watched.node;
-    problem.message = watched.silent
-                          ? "it did not come to an end within 5 minutes"
-                          : "it ended the program: " + std::string(strsignal(WTERMSIG(status)));
-    problem.expected = watched.node.empty() ? "it happened while the plugin was loaded"
-                                            : "build() runs while a graph is compiled";
-    Diagnostics diagnostics;
-    diagnostics.add(std::move(problem));
-    report(diagnostics, options.diagnostics);
-    return exit_input;
 }
 
 }  // namespace
@@ -207,27 +111,39 @@ void declare_certify(CLI::App& command, CertifyOptions& options) {
 }
 
 int certify_plugin(const CertifyOptions& options) {
-    int ends[2];
-    std::fflush(nullptr);
-    const pid_t child = pipe(ends) == 0 ? fork() : -1;
-    if (child < 0) {
-        complain(std::string("no process can be started: ") + std::strerror(errno));
+    Diagnostics diagnostics;
+    Loaded loaded;
+    load(options.file, loaded, diagnostics);
+    if (!loaded.fine()) return report(diagnostics, options.diagnostics);
+    std::string why;
+    const auto pictures = certify::PictureFolder::make(why);
+    if (!pictures) {
+        complain(why);
         return exit_environment;
     }
-    if (child == 0) {
-        close(ends[0]);
-        const int code = certify_here(options, ends[1]);
-        std::fflush(nullptr);
-        _exit(code);
+    const Gpu gpu(!options.no_gpu);
+    const certify::Bench bench{loaded.registry, pictures->path(), gpu.missing.empty(), {}};
+    const TypeList types = types_of(loaded);
+    const PluginReport& plugin = loaded.reports.front();
+    std::printf("%s\n    %s %s\n", printable(options.file).c_str(), plugin.id.c_str(),
+                plugin.version.c_str());
+    size_t failed = 0;
+    for (const NodeType* type : types) {
+        std::fflush(stdout);
+        certify::Report found = certify::certify(*type, bench);
+        const auto meant = [&](const certify::Finding& finding) {
+            return std::find(options.allow.begin(), options.allow.end(), finding.check) !=
+                   options.allow.end();
+        };
+        std::erase_if(found.findings, meant);
+        failed += found.findings.empty() ? 0 : 1;
+        std::fputs(certify::to_text(found, bench.gpu).c_str(), stdout);
+        for (const certify::Finding& finding : found.findings)
+            diagnostics.add(to_diagnostic(finding, found, options.file));
     }
-    close(ends[1]);
-    const Watched watched = watch(ends[0]);
-    close(ends[0]);
-    if (watched.silent) kill(child, SIGKILL);
-    int status = 0;
-    while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
-    }
-    return WIFEXITED(status) ? WEXITSTATUS(status) : lost(options, watched, status);
+    const int code = summary(types.size(), failed, gpu, !options.no_gpu);
+    if (options.diagnostics == "json") report(diagnostics, options.diagnostics);
+    return code;
 }
 
 }  // namespace wrinkle::cli

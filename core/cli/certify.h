@@ -1,8 +1,7 @@
 // wrinkle plugins --test FILE: holds a plugin's nodes to what the built-in ones are held to
 // (core/certify), and prints a report.
 //
-// The work is done in a process of its own, so that a node that crashes or hangs is named like any
-// other fault. Exit code: 1 when anything was found or the plugin is refused; else 3 when the GPU
+// Exit code: 1 when anything was found or the plugin is refused; else 3 when the GPU
 // check could not be run and --no-gpu did not ask for that; else 0.
 #pragma once
 

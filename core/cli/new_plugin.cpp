@@ -151,6 +151,21 @@ fs::path first_missing(fs::path path) {
     return missing;
 }
 
+// Whether `folder` holds nothing but what a killed run left of these files.
+bool is_unfinished(const fs::path& folder, const std::vector<ScaffoldFile>& files) {
+    const auto is_left = [&](const fs::path& path) {
+        const std::string name = path.filename().string();
+        std::string why;
+        const auto is_it = [&](const ScaffoldFile& file) {
+            return name == file.name && read_file(path, why) == file.text;
+        };
+        return Temporary::is_name(name) || std::any_of(files.begin(), files.end(), is_it);
+    };
+    std::error_code error;
+    fs::directory_iterator entries(folder, error);
+    return !error && std::all_of(begin(entries), end(entries), is_left);
+}
+
 struct NewPluginCommand {
     std::string name, folder;
 
@@ -170,13 +185,13 @@ struct NewPluginCommand {
         std::error_code error;
         if (fs::exists(place, error) && !fs::is_directory(place, error))
             return place.string() + ": is no folder";
-        if (!error && fs::exists(place, error) && !fs::is_empty(place, error))
+        const auto files = scaffold(name, sdk_prefix());
+        if (!error && fs::exists(place, error) && !is_unfinished(place, files))
             return place.string() + ": the folder is not empty; --folder names another one";
         const fs::path whole = fs::absolute(place, error);
         const fs::path made = first_missing(whole);
         if (!error) fs::create_directories(whole, error);
         std::string why = error ? place.string() + ": " + error.message() : "";
-        const auto files = scaffold(name, sdk_prefix());
         std::vector<FileBytes> bytes;
         for (const ScaffoldFile& file : files)
             bytes.push_back({place / file.name, file.text});

@@ -2,8 +2,10 @@
 #include <unistd.h>
 
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <memory>
+#include <optional>
 
 #include "base/file.h"
 #include "base/overwrite.h"
@@ -144,16 +146,17 @@ struct RenderCommand {
 
     // The image library writes files, so the bytes go through one.
     static bool save_to_stdout(const Image& image, Diagnostics& environment) {
-        std::error_code none;
-        const fs::path folder = fs::temp_directory_path(none);
-        if (none) environment.error("there is no folder for temporary files: " + none.message());
-        if (none) return false;
-        const fs::path path = folder / ("wrinkle-" + std::to_string(getpid()) + ".png");
-        if (!save_image(image, path, {}, environment)) return false;
+        std::error_code none, ignored;
+        std::string folder = (fs::temp_directory_path(none) / "wrinkle-XXXXXX").string();
+        if (none || !mkdtemp(folder.data())) {
+            environment.error("a temporary folder cannot be made: " + folder);
+            return false;
+        }
+        const fs::path path = fs::path(folder) / "picture.png";
         std::string why;
-        const auto bytes = read_file(path, why);
-        std::error_code ignored;
-        fs::remove(path, ignored);
+        std::optional<std::string> bytes;
+        if (save_image(image, path, {}, environment)) bytes = read_file(path, why);
+        fs::remove_all(folder, ignored);
         return bytes && write_result("-", *bytes);
     }
 

@@ -5,9 +5,8 @@
 #include <algorithm>
 #include <exception>
 #include <filesystem>
-#include <iterator>
 
-#include "base/text.h"
+#include "base/printable.h"
 #include "registry/descriptor.h"
 
 namespace wrinkle {
@@ -45,35 +44,16 @@ const wr_plugin* enter(void* library, const std::string& origin, Diagnostics& di
     return plugin;
 }
 
-size_t utf8_size(char first) {
-    const auto byte = static_cast<unsigned char>(first);
-    return byte < 0x80 ? 1 : byte < 0xE0 ? 2 : byte < 0xF0 ? 3 : 4;
-}
-
-// One character of well-formed UTF-8.
-bool is_unprintable(std::string_view character) {
-    const auto byte = [&](size_t i) { return static_cast<unsigned char>(character[i]); };
-    if (character.size() == 1) return byte(0) < 0x20 || byte(0) == 0x7F;
-    if (character.size() == 2)  // C1 controls, U+061C
-        return (byte(0) == 0xC2 && byte(1) < 0xA0) || character == "\u061C";
-    static constexpr std::string_view marks[] = {"\u200E", "\u200F", "\u2028", "\u2029", "\u202A",
-                                                 "\u202B", "\u202C", "\u202D", "\u202E", "\u2066",
-                                                 "\u2067", "\u2068", "\u2069"};
-    return std::find(std::begin(marks), std::end(marks), character) != std::end(marks);
-}
-
 }  // namespace
 
 std::string plugin_text(std::string_view text) {
     constexpr size_t longest = 4096;
-    if (!is_utf8(text)) return "(a text that is not valid UTF-8)";
     std::string line;
-    for (size_t at = 0; at < text.size();) {
-        const size_t size = utf8_size(text[at]);
-        if (line.size() + size > longest) return line + "...";
-        const std::string_view character = text.substr(at, size);
-        line += is_unprintable(character) ? " " : character;
-        at += size;
+    while (!text.empty()) {
+        const Character character = first_character(text);
+        if (line.size() + character.bytes > longest) return line + "...";
+        line += is_printable(character) ? text.substr(0, character.bytes) : " ";
+        text.remove_prefix(character.bytes);
     }
     return line;
 }

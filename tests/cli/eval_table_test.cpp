@@ -148,8 +148,8 @@ TEST_F(EvalTableTest, ResultsAreTheSameInEveryForm) {
             numbers.push_back(point.value.find("wave"));
             for (const json::Value& number : numbers) {
                 csv += std::string(number.spelling()) + (&number == &numbers.back() ? "\n" : ",");
-                records += doubles ? raw(number.as_number())
-                                   : raw(static_cast<float>(number.as_number()));
+                records +=
+                    doubles ? raw(number.as_number()) : raw(static_cast<float>(number.as_number()));
             }
         }
         EXPECT_EQ(eval({"--format", "csv"}), csv);
@@ -246,8 +246,7 @@ TEST_F(EvalTableTest, ReportsABadCsv) {
 }
 
 TEST_F(EvalTableTest, ReportsABadNpy) {
-    const std::string uv = "[('uv0.x', '<f4'), ('uv0.y', '<f4')]",
-                      two = raw(0.5F) + raw(1.F);
+    const std::string uv = "[('uv0.x', '<f4'), ('uv0.y', '<f4')]", two = raw(0.5F) + raw(1.F);
     const std::string whole = npy(uv, "(1,)", two);
     const std::vector<std::pair<std::string, std::string>> cases = {
         {"", "is not a whole NPY file"},

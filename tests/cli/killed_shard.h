@@ -19,8 +19,8 @@ case "$*" in
         touch $here/killed
         for word; do case $last in -o) part=$word ;; esac; last=$word; done
         WRINKLE "$@" &
-        until begun=$(sed -n 's/.*"rows_of_tiles": \[\(.*\),.*/\1/p' "$part/bake.json" 2>/dev/null) &&
-            [ "$begun" ] && ! grep -q "\"done\": $begun\$" "$part/bake.json"; do :; done
+        until begun=$(sed -n 's/.*"rows_of_tiles": \[\([0-9]*\),.*/\1/p' "$part/bake.json" 2>/dev/null) &&
+            [ "$begun" ] && ! grep -q "\"done\": $begun,\$" "$part/bake.json"; do :; done
         kill -9 $!
         kill -9 $$
     fi ;;

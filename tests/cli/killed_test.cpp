@@ -14,21 +14,6 @@ protected:
     Names calls = {"write", "pwrite64", "writev", "pwritev", "rename", "unlink",
                    "flock", "fchmod",   "fsync",  "mkdir",   "openat"};
 
-    // Killed on its way into the `n`th such call; fine where it has less.
-    Ran run_killed(const std::string& call, int n, const Names& words) {
-        const std::string wrinkle = std::exchange(program, STRACE);
-        Names args = {"-f",   "-qq",
-                      "-o",   "/dev/null",
-                      "-e",   "trace=" + call,
-                      "-e",   "inject=" + call + ":signal=KILL:when=" + std::to_string(n),
-                      wrinkle};
-        args.insert(args.end(), words.begin(), words.end());
-        // LeakSanitizer cannot look at a process that is traced.
-        const Ran ran = run(args, "", {"ASAN_OPTIONS=detect_leaks=0:intercept_tls_get_addr=0"});
-        program = wrinkle;
-        return ran;
-    }
-
     std::vector<std::string> contents(const Names& names) const {
         std::vector<std::string> bytes;
         for (const std::string& name : names)
@@ -54,7 +39,7 @@ protected:
                 SCOPED_TRACE(call + " " + std::to_string(n));
                 for (size_t i = 0; i < names.size(); ++i)
                     put(names[i], old[i]);
-                const Ran ran = run_killed(call, n, words);
+                const Ran ran = run_killed_at(call, n, words);
                 std::vector<bool> is_new;
                 for (size_t i = 0; i < names.size(); ++i) {
                     const std::string bytes = get(names[i]);

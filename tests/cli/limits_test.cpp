@@ -6,12 +6,6 @@
 
 #include "cli/support.h"
 
-#if defined(__SANITIZE_ADDRESS__)
-#define LIMITED_MEMORY GTEST_SKIP() << "the sanitizer needs all of the address space"
-#else
-#define LIMITED_MEMORY static_cast<void>(0)
-#endif
-
 namespace wrinkle::test {
 namespace {
 

@@ -53,8 +53,7 @@ TEST_F(OverwriteTest, NoCommandReplacesWhatItReads) {
         expect_refused({"compile", "g.json", "-o", "out", "-MD", "-MF", name});
     }
     expect_refused({"compile", "g.json", "@words", "-o", "words"});
-    expect_refused(
-        {"convert", "map.png", "--from", "height", "--to", "normal", "-o", "map.png"});
+    expect_refused({"convert", "map.png", "--from", "height", "--to", "normal", "-o", "map.png"});
     expect_refused({"render", "g.json", "-o", "map.png"});
     const Names bake = {"bake", "g.json", "--mesh", "plane.obj", "--size", "8", "--map", "color"};
     for (const Names& more :

@@ -33,33 +33,41 @@ protected:
         return run(words);
     }
 
+    // What compile says of each way, after "the plugin p/dying.so cannot be used: ".
+    void expect_at_the_node(const std::vector<std::pair<const char*, const char*>>& deaths) {
+        for (const auto& [way, words] : deaths) {
+            const Ran ran = run_on(way, {"compile"});
+            EXPECT_EQ(ran.code, 1) << way;
+            EXPECT_EQ(ran.out, "") << way;
+            EXPECT_EQ(ran.err, at_the_node + "the plugin p/dying.so cannot be used: " + words +
+                                   " (the node's author can mend this)\n")
+                << way;
+        }
+    }
+
     const std::string at_the_node = "g.json:4:5: error: node 'mine': ";
 };
 
-// What check says of each way, after "the plugin p/dying.so cannot be used: ".
-const std::pair<const char*, const char*> deaths[] = {
-    {"ends", "it ended the program in build(), with exit code 0"},
-    {"ends_at_once", "it ended the program in build(), with exit code 0"},
-    {"aborts", "it crashed in build(): SIGABRT (Aborted)"},
-    {"crashes", "it crashed in build(): SIGSEGV (Segmentation fault)"},
-    {"recurses", "it crashed in build(): SIGSEGV (Segmentation fault)"},
-    {"hangs", "it hung in build(): it was ended after 5 s"},
-    {"emits", "it makes more than 100000 calls in build()"},
-    {"takes_memory", "its build() threw an exception: std::bad_alloc"},
-    {"allocates", "it crashed in build(): SIGSEGV (Segmentation fault)"},
-    {"closes", "it closed the files of its process in build()"},
-    {"throws", "its build() threw an exception: thrown other.json:1:1: error: forged"},
-};
-
 TEST_F(PluginDeath, InBuildIsAnErrorAtTheNode) {
-    for (const auto& [way, words] : deaths) {
-        const Ran ran = run_on(way, {"compile"});
-        EXPECT_EQ(ran.code, 1) << way;
-        EXPECT_EQ(ran.out, "") << way;
-        EXPECT_EQ(ran.err, at_the_node + "the plugin p/dying.so cannot be used: " + words +
-                               " (the node's author can mend this)\n")
-            << way;
-    }
+    expect_at_the_node({
+        {"ends", "it ended the program in build(), with exit code 0"},
+        {"ends_at_once", "it ended the program in build(), with exit code 0"},
+        {"aborts", "it crashed in build(): SIGABRT (Aborted)"},
+        {"crashes", "it crashed in build(): SIGSEGV (Segmentation fault)"},
+        {"recurses", "it crashed in build(): SIGSEGV (Segmentation fault)"},
+        {"hangs", "it hung in build(): it was ended after 5 s"},
+        {"emits", "it makes more than 100000 calls in build()"},
+        {"closes", "it closed the files of its process in build()"},
+        {"throws", "its build() threw an exception: thrown other.json:1:1: error: forged"},
+    });
+}
+
+TEST_F(PluginDeath, OfTooMuchMemoryIsAnErrorAtTheNode) {
+    LIMITED_MEMORY;
+    expect_at_the_node({
+        {"takes_memory", "its build() threw an exception: std::bad_alloc"},
+        {"allocates", "it crashed in build(): SIGSEGV (Segmentation fault)"},
+    });
 }
 
 TEST_F(PluginDeath, IsAMessageOfEveryCommand) {

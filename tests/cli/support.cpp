@@ -90,6 +90,19 @@ Ran CliTest::run(const std::vector<std::string>& args, const std::string& input,
     return ran;
 }
 
+Ran CliTest::run_killed_at(const std::string& call, int n, const std::vector<std::string>& args) {
+    const std::string wrinkle = std::exchange(program, "/usr/bin/env");
+    std::vector<std::string> words = {"strace", "-f", "-qq", "-o", "/dev/null"};
+    words.insert(words.end(), {"-e", "trace=" + call, "-e"});
+    words.push_back("inject=" + call + ":signal=KILL:when=" + std::to_string(n));
+    words.push_back(wrinkle);
+    words.insert(words.end(), args.begin(), args.end());
+    // LeakSanitizer cannot look at a process that is traced.
+    const Ran ran = run(words, "", {"ASAN_OPTIONS=detect_leaks=0:intercept_tls_get_addr=0"});
+    program = wrinkle;
+    return ran;
+}
+
 fs::path CliTest::put(const std::string& name, std::string_view bytes) const {
     return temporary.put("work" / fs::path(name), bytes);
 }

@@ -13,6 +13,13 @@
 #include "json/parse.h"
 #include "support/files.h"
 
+// First in a test that limits the memory of a program.
+#if defined(__SANITIZE_ADDRESS__)
+#define LIMITED_MEMORY GTEST_SKIP() << "the sanitizer needs all of the address space"
+#else
+#define LIMITED_MEMORY static_cast<void>(0)
+#endif
+
 namespace wrinkle::test {
 
 namespace fs = std::filesystem;
@@ -31,6 +38,10 @@ protected:
     // In `folder`. `environment` entries are "NAME=value".
     Ran run(const std::vector<std::string>& args, const std::string& input = "",
             const std::vector<std::string>& environment = {}) const;
+
+    // The same, killed on its way into the `n`th call of the system that is called so; where there
+    // are fewer it comes to its end.
+    Ran run_killed_at(const std::string& call, int n, const std::vector<std::string>& args);
 
     // Without waiting for it; what it says is lost.
     pid_t start(const std::vector<std::string>& args) const;
@@ -52,7 +63,6 @@ protected:
     rlim_t file_size = RLIM_INFINITY;  // bytes of a file that it writes, as if the disk were full
     bool as_nobody = false;            // gives up root's rights to read everything
     unsigned seconds = 0;              // after which SIGALRM ends the process; 0: never
-
 };
 
 // An EGL without drivers.

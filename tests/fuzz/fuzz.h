@@ -13,5 +13,8 @@ std::string graph(std::string_view bytes);       // a graph's text: read, edited
 std::string mesh(std::string_view bytes);        // an OBJ, .gltf or .glb file
 std::string image(std::string_view bytes);       // an image file of any format
 std::string descriptor(std::string_view bytes);  // choices made while a plugin is described
+std::string listing(std::string_view bytes);     // what a plugin's process or manifest lists
+std::string calls(std::string_view bytes);       // recorded calls of a plugin's build()
+std::string bake_part(std::string_view bytes);   // bake.json of a part of a bake, without its sum
 
 }  // namespace wrinkle::fuzz

@@ -8,6 +8,7 @@
 #include <charconv>
 #include <cstdlib>
 
+#include "fuzz/calls_fuzz.h"
 #include "fuzz/damage.h"
 #include "fuzz/fuzz.h"
 #include "fuzz/samples.h"
@@ -76,6 +77,15 @@ TEST(Fuzz, Images) {
 }
 TEST(Fuzz, Descriptors) {
     play({"descriptor", descriptor, descriptor_samples(), 20000});
+}
+TEST(Fuzz, Listings) {
+    play({"listing", listing, listing_samples(), 20000});
+}
+TEST(Fuzz, RecordedCalls) {
+    play({"calls", calls, right_calls(), 2000});
+}
+TEST(Fuzz, PartsOfBakes) {
+    play({"bake_part", bake_part, bake_part_samples(), 20000});
 }
 
 // The players would notice: a damaged sample differs, often from where it did before.

@@ -1,34 +1,17 @@
 // Untouched bytes come back, every problem has a line, canonical text of what had no problem has
 // none and is a fixed point, and what has no error compiles.
+#include "fuzz/compiled.h"
 #include "fuzz/fuzz.h"
-#include "glsl/emit.h"
 #include "graph/edit.h"
+#include "graph/read.h"
 #include "graph/write.h"
-#include "lower/material.h"
-#include "nodes/all.h"
 
 namespace wrinkle::fuzz {
 namespace {
 
 const Registry& registry() {
-    static const Registry made = [] {
-        Registry registry;
-        Diagnostics ignored;
-        registry.add_plugin(built_in_nodes(), Registry::built_in, ignored);
-        return registry;
-    }();
+    static const Registry made = with_built_in_nodes();
     return made;
-}
-
-std::string compiled(const Document& document) {
-    Diagnostics diagnostics;
-    const Project project = load_project(document, WRINKLE_SOURCE_DIR "/graphs", {}, diagnostics);
-    const Compiled material = compile_material(project, registry(), {}, diagnostics);
-    if (material.ok == diagnostics.has_errors()) return "an error without a word, or with success";
-    if (!material.ok) return "";
-    const Shader shader = emit(material.module, {});
-
-    return shader.source.empty() == shader.problems.empty() ? "neither a text nor a problem" : "";
 }
 
 std::string canonical(const Document& document) {
@@ -56,7 +39,7 @@ std::string graph(std::string_view bytes) {
     canonical_text(document);
     if (diagnostics.has_errors()) return "";
     const std::string wrong = canonical(document);
-    return wrong.empty() ? compiled(document) : wrong;
+    return wrong.empty() ? wrong_with_compiled(document, registry(), false) : wrong;
 }
 
 }  // namespace wrinkle::fuzz

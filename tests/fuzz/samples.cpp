@@ -2,8 +2,11 @@
 
 #include <random>
 
+#include "cli/bake_header.h"
+#include "fuzz/compiled.h"
 #include "image/support.h"
 #include "mesh/files.h"
+#include "registry/listing.h"
 #include "support/samples.h"
 
 namespace wrinkle::fuzz {
@@ -69,6 +72,39 @@ std::vector<std::string> descriptor_samples() {
         for (char& byte : sample)
             byte = static_cast<char>(random() % 256);
     samples.emplace_back();
+    return samples;
+}
+
+std::vector<std::string> listing_samples() {
+    std::vector<std::string> samples;
+    const Registry registry = with_built_in_nodes();
+    for (const NodeType& type : registry.list())
+        samples.push_back(to_json(PluginListing{"fuzz", "1", "0", {type}}));
+    return samples;
+}
+
+std::vector<std::string> bake_part_samples() {
+    cli::PartHeader one;
+    one.identity = "identity";
+    one.maps.push_back({"normal", ".exr", {}});
+    one.maps[0].writer = {.width = 64, .height = 32, .channels = {"R", "G", "B"}};
+    one.maps[0].writer.numbers.push_back({"height_scale", 2});
+    one.pictures = {""};
+    one.last = one.bands();
+    cli::PartHeader two = one;
+    two.maps.push_back({"height", ".png", {}});
+    two.maps[1].writer = {.width = 64, .height = 32, .channels = {"Y"}, .type = PixelType::u16};
+    two.pictures = {".1001", ".1002", ".1003"};
+    two.shards = two.shard = 2;
+    two.first = two.bands();
+    two.last = two.done = 3 * uint64_t{two.bands()};
+    two.sums.assign(4, "0123456789abcdef");
+    two.found.clamped.push_back({3, -1, 2});
+    std::vector<std::string> samples;
+    for (const cli::PartHeader& header : {one, two}) {
+        const std::string text = header_json(header);
+        samples.push_back(text.substr(0, text.rfind(",\n")));
+    }
     return samples;
 }
 

@@ -114,6 +114,13 @@ TEST_F(BadImage, HugeHeadersAreRefusedBeforeDecoding) {
     refusal(put("worst.pfm", "PF\n2147483647 2147483647\n-1.0\n"));
 }
 
+// A text of 2 GB, says the header of a file of 28 bytes.
+TEST_F(BadImage, SizesInAHeaderOfOpenExrAreHeldAgainstTheFile) {
+    const char bytes[] = "v/1\x01\x02\0\0\0tyNpe\0string\0\x0dmxxc\x8a\x96";
+    const Diagnostic error = refusal(put("text.exr", std::string(bytes, sizeof bytes - 1)));
+    EXPECT_NE(error.message.find("has a bad header value"), std::string::npos) << error.message;
+}
+
 TEST_F(BadImage, TheEnvironmentSetsTheLimits) {
     const fs::path path = put("a.pfm", "Pf\n6 4\n-1.0\n" + std::string(96, '\0'));
     setenv("WRINKLE_IMAGE_MAX_SIDE", "5", 1);

@@ -1,0 +1,55 @@
+// bake.json of a part of a bake (cli/bake_parts.h), as data and as text.
+//
+// The text ends with the SHA-256 of all before it: a damaged one is refused, never believed. It is
+// read as bytes of a stranger all the same, since whoever changes it can make the sum right.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "bake/map_files.h"
+#include "bake/picture.h"
+
+namespace wrinkle::cli {
+
+struct PartHeader {
+    struct Map {
+        std::string name, extension;
+        WriterOptions writer;  // but for its threads
+    };
+    std::string identity;
+    uint32_t shard = 1, shards = 1;
+    std::vector<Map> maps;
+    std::vector<std::string> pictures;  // the suffixes of their files
+    uint64_t first = 0, last = 0, done = 0;
+    std::vector<std::string> sums;  // of the done rows of each file, by sum_index()
+    BakeReport found;               // in what is done
+
+    uint32_t width() const { return maps[0].writer.width; }
+    uint32_t height() const { return maps[0].writer.height; }
+    uint32_t bands() const { return (height() + bake_tile - 1) / bake_tile; }
+    size_t row_bytes(size_t map) const;
+    // Of row of tiles `band` of its picture.
+    uint32_t rows_of(uint64_t band) const;
+    uint64_t picture_of(uint64_t band) const { return band / bands(); }
+    // How many files hold rows that are done.
+    size_t files_with_rows() const {
+        return done == first ? 0 : (picture_of(done - 1) - picture_of(first) + 1) * maps.size();
+    }
+    // Bytes of the finished rows in the file of one map of one image.
+    uint64_t bytes_of_rows(size_t picture, size_t map) const;
+    size_t sum_index(size_t picture, size_t map) const {
+        return (picture - picture_of(first)) * maps.size() + map;
+    }
+    // Of one map it is OUT, of several OUT/MAP.EXT.
+    std::vector<MapFile> files(const std::string& output, size_t picture, uint32_t threads) const;
+};
+
+std::string header_json(const PartHeader& header);
+// Nothing where the text is damaged or describes no part.
+std::optional<PartHeader> header_of_json(const std::string& text);
+// `text` without its end, as header_json() ends it.
+std::string with_sum(std::string text);
+
+}  // namespace wrinkle::cli
