@@ -24,8 +24,8 @@ inline constexpr std::string_view cannot_be_loaded = "it cannot be loaded";
 // Of the one that is being handled.
 std::string words_of_exception();
 
-// What a plugin says, fit for a diagnostic: one line of at most 4096 bytes, with a blank in place of
-// each character that is not printable (base/printable.h).
+// What a plugin says, fit for a diagnostic: one line of at most 4096 bytes, with a blank for each
+// character that is not printable (base/printable.h).
 std::string plugin_text(std::string_view text);
 
 // "it hung ...; it ...": what is wrong, without the path.

@@ -73,14 +73,22 @@ WrinkleImageHeader header_of(const ImageSpec& spec, int channels) {
     return header;
 }
 
-// OpenEXR's C library compares the sizes in a header with that of the file. Its C++ library, which
-// OpenImageIO uses, takes as much memory as they say.
+// OpenEXR's C library compares the sizes of a header's attributes with that of the file, and goes on
+// where it can. Its C++ library, which OpenImageIO uses, takes as much memory as they say.
 void refuse_damaged_exr(const char* path) {
+    bool is_damaged = false;
     exr_context_initializer_t start = EXR_DEFAULT_CONTEXT_INITIALIZER;
-    start.error_handler_fn = [](exr_const_context_t, exr_result_t, const char*) {};
+    start.user_data = &is_damaged;
+    start.error_handler_fn = [](exr_const_context_t context, exr_result_t result, const char*) {
+        void* damaged = nullptr;
+        if (result == EXR_ERR_ATTR_SIZE_MISMATCH &&
+            exr_get_user_data(context, &damaged) == EXR_ERR_SUCCESS)
+            *static_cast<bool*>(damaged) = true;
+    };
     exr_context_t context = nullptr;
-    const exr_result_t result = exr_start_read(&context, path, &start);
+    exr_result_t result = exr_start_read(&context, path, &start);
     exr_finish(&context);
+    if (is_damaged) result = EXR_ERR_FILE_BAD_HEADER;
     if (result != EXR_ERR_SUCCESS) throw Failure(exr_get_default_error_message(result));
 }
 
