@@ -31,32 +31,6 @@ struct Opened {
     Reader reader{nullptr, CloseReader{nullptr}};
 };
 
-Opened open_reader(const fs::path& path, Diagnostics& diagnostics) {
-    Opened opened;
-    std::string why;
-    const ImageFormat format = sniff_format(path, why);
-    if (format.name.empty()) {
-        diagnostics.error(quoted(path) + why, readable_formats);
-        return opened;
-    }
-    const WrinkleImageModule* module = image_module(why);
-    if (!module) {
-        diagnostics.error(quoted(path) + "cannot be read: " + why, companion_remedy);
-        return opened;
-    }
-    char text[512] = "";
-    WrinkleImageHeader header = {};
-    WrinkleImageReader* reader =
-        module->open(path.c_str(), format.plugin.c_str(), &header, {text, sizeof text});
-    opened.reader = Reader(reader, CloseReader{module});
-    if (!reader)
-        diagnostics.error(quoted(path) + "cannot be read as " + format.name + ": " + text,
-                          "a complete file with one to four channels; export it again");
-    opened.info = {format.name,     header.width,          header.height,
-                   header.channels, header.has_alpha != 0, static_cast<PixelType>(header.type)};
-    return opened;
-}
-
 void refuse_size(const fs::path& path, const std::string& what, uint64_t found, uint64_t limit,
                  const char* variable, Diagnostics& diagnostics) {
     diagnostics.error(quoted(path) + "has " + what + " " + std::to_string(found) +
@@ -102,10 +76,35 @@ bool within_limits(const fs::path& path, const ImageInfo& info, const ImageLimit
     return false;
 }
 
+uint32_t side_of(const ImageLimits& limits) {
+    return static_cast<uint32_t>(std::min<uint64_t>(limits.max_side, UINT32_MAX));
+}
+
 Opened open_within(const fs::path& path, const ImageLimits& limits, Diagnostics& diagnostics) {
-    Opened opened = open_reader(path, diagnostics);
-    if (opened.reader && !within_limits(path, opened.info, limits, diagnostics))
+    Opened opened;
+    std::string why;
+    const ImageFormat format = sniff_format(path, why);
+    if (format.name.empty()) {
+        diagnostics.error(quoted(path) + why, readable_formats);
+        return opened;
+    }
+    const WrinkleImageModule* module = image_module(why);
+    if (!module) {
+        diagnostics.error(quoted(path) + "cannot be read: " + why, companion_remedy);
+        return opened;
+    }
+    char text[512] = "";
+    WrinkleImageHeader header = {};
+    WrinkleImageReader* reader = module->open(path.c_str(), format.plugin.c_str(), side_of(limits),
+                                              &header, {text, sizeof text});
+    opened.reader = Reader(reader, CloseReader{module});
+    opened.info = {format.name,     header.width,          header.height,
+                   header.channels, header.has_alpha != 0, static_cast<PixelType>(header.type)};
+    if ((reader || header.width > 0) && !within_limits(path, opened.info, limits, diagnostics))
         opened.reader.reset();
+    else if (!reader)
+        diagnostics.error(quoted(path) + "cannot be read as " + format.name + ": " + text,
+                          "a complete file with one to four channels; export it again");
     return opened;
 }
 
@@ -240,7 +239,8 @@ std::optional<float> read_image_number(const fs::path& path, const std::string& 
     const WrinkleImageModule* module = image_module(why);
     float value = 0;
     if (!module || !plugin_keeps_numbers(format.plugin)) return {};
-    if (!module->number(path.c_str(), format.plugin.c_str(), name.c_str(), &value)) return {};
+    if (!module->number(path.c_str(), format.plugin.c_str(), side_of({}), name.c_str(), &value))
+        return {};
     return value;
 }
 

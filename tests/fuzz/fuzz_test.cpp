@@ -1,10 +1,12 @@
-// A fixed number of damaged samples for each reader; WRINKLE_FUZZ=N plays N times as many. The
-// input at work lies in the build folder as fuzz_NAME.input: what is left there after a crash
+// A fixed number of damaged samples for each reader, made here and kept in corpus/ (inputs by which
+// libFuzzer reached all the code that it did); WRINKLE_FUZZ=N plays N times as many. The input at
+// work lies in the build folder as fuzz_NAME.input: what is left there after a crash
 // caused it.
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cstdlib>
 
@@ -16,12 +18,23 @@
 
 namespace wrinkle::fuzz {
 namespace {
+namespace fs = std::filesystem;
 
 uint32_t times() {
     const char* text = std::getenv("WRINKLE_FUZZ");
     uint32_t value = 1;
     if (text) std::from_chars(text, text + std::char_traits<char>::length(text), value);
     return value;
+}
+
+// In the order of their names, so that damage has the same number everywhere.
+std::vector<fs::path> corpus(const std::string& name) {
+    std::vector<fs::path> files;
+    for (const auto& entry :
+         fs::directory_iterator(WRINKLE_SOURCE_DIR "/tests/fuzz/corpus/" + name))
+        files.push_back(entry.path());
+    std::sort(files.begin(), files.end());
+    return files;
 }
 
 struct Reader {
@@ -52,9 +65,13 @@ private:
     int file_;
 };
 
-void play(const Reader& reader) {
+void play(Reader reader) {
     for (const std::string& sample : reader.samples)
         EXPECT_EQ(reader.play(sample), "") << "an undamaged sample";
+    for (const fs::path& file : corpus(reader.name)) {
+        reader.samples.push_back(test::bytes_of(file));
+        EXPECT_EQ(reader.play(reader.samples.back()), "") << file;
+    }
     const AtWork work(reader.name);
     const uint32_t count = reader.inputs * times();
     for (uint32_t number = 0; number < count; ++number) {
@@ -63,7 +80,7 @@ void play(const Reader& reader) {
         ASSERT_TRUE(work.keep(input)) << work.path();
         ASSERT_EQ(reader.play(input), "") << "input " << number << ", kept in " << work.path();
     }
-    std::filesystem::remove(work.path());
+    fs::remove(work.path());
 }
 
 TEST(Fuzz, Graphs) {

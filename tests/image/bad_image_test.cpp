@@ -114,11 +114,21 @@ TEST_F(BadImage, HugeHeadersAreRefusedBeforeDecoding) {
     refusal(put("worst.pfm", "PF\n2147483647 2147483647\n-1.0\n"));
 }
 
-// A text of 2 GB, says the header of a file of 28 bytes.
-TEST_F(BadImage, SizesInAHeaderOfOpenExrAreHeldAgainstTheFile) {
+// A text of 2 GB, says the header of a file of 28 bytes, or a row of 2^27 texels.
+TEST_F(BadImage, SizesInAHeaderOfOpenExrAreHeldAgainstTheFileAndTheLimits) {
     const char bytes[] = "v/1\x01\x02\0\0\0tyNpe\0string\0\x0dmxxc\x8a\x96";
     const Diagnostic error = refusal(put("text.exr", std::string(bytes, sizeof bytes - 1)));
     EXPECT_NE(error.message.find("has a bad header value"), std::string::npos) << error.message;
+    Diagnostics none;
+    ASSERT_TRUE(
+        save_image(sample_image(4, 3, 3), folder / "wide.exr", {.type = PixelType::half}, none))
+        << to_text(none);
+    std::string wide = bytes_of(folder / "wide.exr");
+    const size_t at = wide.find("dataWindow") + sizeof "dataWindow" + sizeof "box2i" + 4;
+    wide.replace(at + 8, 4, std::string("\0\0\0\x08", 4));
+    const Diagnostic refused = refusal(put("wide.exr", wide));
+    EXPECT_NE(refused.message.find("has width 134217729, over the limit of"), std::string::npos)
+        << refused.message;
 }
 
 TEST_F(BadImage, TheEnvironmentSetsTheLimits) {

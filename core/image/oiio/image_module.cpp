@@ -73,9 +73,10 @@ WrinkleImageHeader header_of(const ImageSpec& spec, int channels) {
     return header;
 }
 
-// OpenEXR's C library compares the sizes of a header's attributes with that of the file, and goes on
-// where it can. Its C++ library, which OpenImageIO uses, takes as much memory as they say.
-void refuse_damaged_exr(const char* path) {
+// OpenEXR's C++ library, which OpenImageIO uses, takes as much memory as a header says before anybody
+// can look at it: for its attributes, and for rows. The C library holds sizes against the file's.
+// The size of a picture beyond `max_side` is left in `header`.
+void refuse_greedy_exr(const char* path, uint32_t max_side, WrinkleImageHeader& header) {
     bool is_damaged = false;
     exr_context_initializer_t start = EXR_DEFAULT_CONTEXT_INITIALIZER;
     start.user_data = &is_damaged;
@@ -87,16 +88,25 @@ void refuse_damaged_exr(const char* path) {
     };
     exr_context_t context = nullptr;
     exr_result_t result = exr_start_read(&context, path, &start);
+    exr_attr_box2i_t box = {};
+    if (result == EXR_ERR_SUCCESS) result = exr_get_data_window(context, 0, &box);
     exr_finish(&context);
     if (is_damaged) result = EXR_ERR_FILE_BAD_HEADER;
     if (result != EXR_ERR_SUCCESS) throw Failure(exr_get_default_error_message(result));
+    const int64_t width = int64_t{box.max.x} - box.min.x + 1;
+    const int64_t height = int64_t{box.max.y} - box.min.y + 1;
+    if (width <= max_side && height <= max_side) return;
+    header.width = static_cast<uint32_t>(std::clamp<int64_t>(width, 1, UINT32_MAX));
+    header.height = static_cast<uint32_t>(std::clamp<int64_t>(height, 1, UINT32_MAX));
+    header.channels = 1;
+    throw Failure("it is larger than the limit");
 }
 
-WrinkleImageReader* open_image(const char* path, const char* format, WrinkleImageHeader* header,
-                               WrinkleImageText why) {
+WrinkleImageReader* open_image(const char* path, const char* format, uint32_t max_side,
+                               WrinkleImageHeader* header, WrinkleImageText why) {
     return guarded(why, [&]() -> WrinkleImageReader* {
         set_up_once();
-        if (std::string_view(format) == "openexr") refuse_damaged_exr(path);
+        if (std::string_view(format) == "openexr") refuse_greedy_exr(path, max_side, *header);
         auto reader = std::make_unique<WrinkleImageReader>();
         reader->input = ImageInput::create(format);
         if (!reader->input) throw Failure(OIIO::geterror());
@@ -139,10 +149,13 @@ void close_image(WrinkleImageReader* reader) {
     guarded({ignored, 1}, [&]() -> int32_t { return owned->input->close(); });
 }
 
-int32_t read_number(const char* path, const char* format, const char* name, float* value) {
+int32_t read_number(const char* path, const char* format, uint32_t max_side, const char* name,
+                    float* value) {
     char ignored[1];
     return guarded({ignored, 1}, [&]() -> int32_t {
         set_up_once();
+        WrinkleImageHeader header = {};
+        if (std::string_view(format) == "openexr") refuse_greedy_exr(path, max_side, header);
         const auto input = ImageInput::create(format);
         ImageSpec spec;
         return input && input->open(path, spec) && find_number(spec, name, *value);

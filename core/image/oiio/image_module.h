@@ -11,7 +11,7 @@
 
 #include <stdint.h>
 
-#define WRINKLE_IMAGE_MODULE_VERSION 3u
+#define WRINKLE_IMAGE_MODULE_VERSION 4u
 #define WRINKLE_IMAGE_MODULE_SYMBOL "wrinkle_image_module"
 
 #ifdef __cplusplus
@@ -56,9 +56,10 @@ typedef struct WrinkleImageText {
 typedef struct WrinkleImageModule {
     uint32_t size; /* of this struct as the module knows it */
     uint32_t version;
-    /* Reads the header of a file of the format named; NULL with the reason. */
-    WrinkleImageReader* (*open)(const char* path, const char* format, WrinkleImageHeader* header,
-                                WrinkleImageText why);
+    /* Reads the header of a file of the format named; NULL with the reason. An OpenEXR file wider
+     * or higher than `max_side` is refused with its size in `header`. */
+    WrinkleImageReader* (*open)(const char* path, const char* format, uint32_t max_side,
+                                WrinkleImageHeader* header, WrinkleImageText why);
     /* How many rows `read` likes to take at once: a row of tiles, or some scan lines. */
     uint32_t (*band)(const WrinkleImageReader* reader);
     /* Decodes width * count * channels values of header.type; 0 with the reason. `first` is a
@@ -67,7 +68,8 @@ typedef struct WrinkleImageModule {
                     WrinkleImageText why);
     void (*close)(WrinkleImageReader* reader);
     /* A number that the writer below has put beside the pixels of a file; 0 when there is none. */
-    int32_t (*number)(const char* path, const char* format, const char* name, float* value);
+    int32_t (*number)(const char* path, const char* format, uint32_t max_side, const char* name,
+                      float* value);
     /* Opens a file for writing; NULL with the reason. Whoever gets a reason from this or from what
      * follows removes the file. */
     WrinkleImageWriter* (*begin)(const char* path, const WrinkleImageWrite* what,
