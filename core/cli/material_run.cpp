@@ -2,23 +2,12 @@
 
 #include <array>
 
+#include "compile/double_sided.h"
+
 namespace wrinkle::cli {
 namespace {
 
 constexpr std::array<const char*, 4> purpose_names = {"eval", "render", "bake", "bake"};
-
-// glTF defines a double-sided material so: seen from behind a bump is a dent.
-void show_back_faces(Project& project, const std::string& mesh, Diagnostics& diagnostics) {
-    Document& top = project.files[0].document;
-    if (!top.source.is(json::Kind::object) || top.source.has("back_faces")) return;
-    top.back_faces = BackFaces::flip;
-    Diagnostic said;
-    said.severity = Severity::warning;
-    said.where.file = mesh;
-    said.message = "a material is doubleSided, so back faces are drawn by the rule 'flip'";
-    said.expected = "\"back_faces\" in the graph chooses the rule";
-    diagnostics.add(std::move(said));
-}
 
 }  // namespace
 
@@ -27,7 +16,7 @@ void compile_runs(const std::string& file, const CommonOptions& common, const Re
                   Diagnostics& diagnostics, const std::string& double_sided) {
     Diagnostics own;
     Project project = open_project(file, common, own);
-    if (!double_sided.empty()) show_back_faces(project, double_sided, own);
+    if (!double_sided.empty()) follow_double_sided(project.files[0].document, double_sided, own);
     MaterialOptions options;
     options.given_differentials = purpose != Purpose::render;
     if (purpose == Purpose::bake_moments) options.covariances = Covariances::kept;

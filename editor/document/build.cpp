@@ -3,6 +3,7 @@
 #include <chrono>
 #include <set>
 
+#include "compile/double_sided.h"
 #include "editor/words.h"
 #include "graph/order.h"
 #include "lower/check.h"
@@ -94,7 +95,10 @@ Build build(const Model& model, const Document& document, const Registry& regist
     if (!document.edited) result.problems.append(links);  // of an edited one check() says them
     result.problems.append(model.project_problems);
     if (!holds_nothing(document)) check(project, registry, result.problems);
-    const Project needed = project_to_compile(model, document, result.live);
+    Document drawn = document;
+    if (!request.double_sided.empty() && !holds_nothing(document))
+        follow_double_sided(drawn, request.double_sided, result.problems);
+    const Project needed = project_to_compile(model, drawn, result.live);
     if (!result.live.has_errors()) {
         // Without outputs check() has said that nothing is made.
         if (!document.outputs.empty())
@@ -103,7 +107,7 @@ Build build(const Model& model, const Document& document, const Registry& regist
         append_new(result.problems, result.live);
         build_displacement(needed, registry, result);
     }
-    build_shown(model, document, registry, name, result);
+    build_shown(model, drawn, registry, name, result);
     const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - start;
     result.milliseconds = time.count();
     return result;

@@ -55,6 +55,7 @@ void send(State& state, const Change::Place& place) {
 PreviewRequest wanted_request(const State& state) {
     PreviewRequest request = state.view.preview_request;
     request.displaced = state.view.preview_view.displaced;
+    if (state.preview) request.double_sided = state.preview->picture().double_sided;
     if (state.view.compare.mode == CompareView::Mode::off) {
         request.against = Against::nothing;
         request.name.clear();

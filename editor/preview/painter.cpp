@@ -21,9 +21,11 @@ namespace {
 // that takes longer than this.
 constexpr double slow_milliseconds = 20, strip_milliseconds = 8;
 
-std::optional<Mesh> open_mesh(const std::string& name, Diagnostics& problems) {
+std::optional<Mesh> open_mesh(const std::string& name, bool& double_sided, Diagnostics& problems) {
     if (auto shape = make_shape(name)) return shape;
-    return load_mesh(name, {}, problems);
+    MeshFileOptions options;
+    options.double_sided = &double_sided;
+    return load_mesh(name, options, problems);
 }
 
 void resize(Mesh& mesh, float factor) {
@@ -77,7 +79,8 @@ bool PreviewPainter::use_mesh(const PreviewJob& job, Diagnostics& problems) {
     if (job.view.mesh == mesh_ && job.view.scale == scale_ && wanted == displacement_ &&
         job.meshes == mesh_read_ && images == mesh_images_)
         return true;
-    auto mesh = open_mesh(job.view.mesh, problems);
+    bool double_sided = false;
+    auto mesh = open_mesh(job.view.mesh, double_sided, problems);
     if (!mesh || !(job.view.scale > 0)) return !mesh_.empty();
     resize(*mesh, job.view.scale);
     framing_ = gpu::default_camera(*mesh, job.view.mesh);
@@ -87,6 +90,7 @@ bool PreviewPainter::use_mesh(const PreviewJob& job, Diagnostics& problems) {
     }
     renderer_.set_mesh(*mesh);
     mesh_ = job.view.mesh;
+    double_sided_ = double_sided;
     scale_ = job.view.scale;
     displacement_ = wanted;
     mesh_read_ = job.meshes;
@@ -236,6 +240,7 @@ PreviewPicture PreviewPainter::draw(const PreviewJob& job, int held) {
     gpu::Context::finish();
     picture.refused = refusal_.has_errors();
     picture.lost = gpu::Context::was_lost();
+    picture.double_sided = double_sided_ ? mesh_ : "";
     Diagnostics problems = refusal_;
     problems.append(dark_);
     problems.append(picture.problems);

@@ -277,6 +277,7 @@ TEST_F(BakeStoppedTest, WhatWasKilledGoesOn) {
 
 // Killed after some rows, then damaged: rows that are not those that were baked are baked again.
 TEST_F(BakeStoppedTest, DamagedRowsAreBakedAgainAndSaidSo) {
+    MANY_PROCESSES;
     ASSERT_EQ(bake("plane", "whole", slow).code, 0);
     Names all = slow;
     all.emplace_back("--resume");

@@ -23,6 +23,7 @@ TEST_F(CertifyTest, OfAFinePluginEndsWithZero) {
 }
 
 TEST_F(CertifyTest, PassesTheBuiltInNodesAsAPlugin) {
+    MANY_PROCESSES;
     const Ran ran = run({"plugins", "--test", nodes, "--no-gpu"});
     EXPECT_EQ(ran.code, 0) << ran.out << ran.err;
     EXPECT_TRUE(says(ran.out, "\nresolve  ok: "));

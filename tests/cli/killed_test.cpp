@@ -10,6 +10,11 @@ using Names = std::vector<std::string>;
 
 class KilledTest : public CliTest {
 protected:
+    void SetUp() override {
+        CliTest::SetUp();
+        MANY_PROCESSES;
+    }
+
     // What a run may be stopped at: strace counts each call by itself.
     Names calls = {"write", "pwrite64", "writev", "pwritev", "rename", "unlink",
                    "flock", "fchmod",   "fsync",  "mkdir",   "openat"};

@@ -13,11 +13,14 @@
 #include "json/parse.h"
 #include "support/files.h"
 
-// First in a test that limits the memory of a program.
 #if defined(__SANITIZE_ADDRESS__)
+// First in a test that limits the memory of a program.
 #define LIMITED_MEMORY GTEST_SKIP() << "the sanitizer needs all of the address space"
+// First in a test that takes minutes under sanitizers and runs no code that others do not.
+#define MANY_PROCESSES GTEST_SKIP() << "processes under a sanitizer are slow to start"
 #else
 #define LIMITED_MEMORY static_cast<void>(0)
+#define MANY_PROCESSES static_cast<void>(0)
 #endif
 
 namespace wrinkle::test {

@@ -1,18 +1,12 @@
 // The preview's thread and what it is asked for. Skipped only where there is no GL.
-#include <epoxy/gl.h>
-
 #include <cmath>
 #include <numbers>
 
-#include "editor/document/files.h"
-#include "editor/document/refresh.h"
-#include "editor/preview/feed.h"
-#include "gpu/context.h"
 #include "gpu/from_glsl.h"
 #include "graph/edit.h"
 #include "graph/read.h"
-#include "headless.h"
 #include "lower/material.h"
+#include "with_preview.h"
 
 namespace wrinkle::editor {
 namespace {
@@ -38,57 +32,6 @@ const char* const two_bumps = R"({
   "outputs": { "normal": { "from": "normal.normal" } }
 }
 )";
-
-constexpr int side = 200;
-
-class WithPreview : public Headless {
-protected:
-    void SetUp() override {
-        Diagnostics why;
-        context_ = gpu::Context::offscreen(why);
-        if (!context_ || !context_->make_current()) GTEST_SKIP() << to_text(why);
-        preview_ = std::make_unique<Preview>();
-        ASSERT_TRUE(preview_->has_thread());
-        state.preview = preview_.get();
-    }
-    void TearDown() override {
-        state.preview = nullptr;
-        preview_.reset();
-        if (context_) context_->release_current();
-    }
-
-    // The picture of the newest document, of `side` pixels.
-    const PreviewPicture& see() {
-        refresh(state);
-        preview_->show(state.view.preview_view, other_normal(state), state.view.compare, side,
-                       side);
-        preview_->settle();
-        refresh(state);
-        return preview_->shown();
-    }
-    void begin(const char* graph) {
-        file = folder.write("graph.json", graph);
-        open_file(state, file);
-        state.view.preview_view.mesh = "plane";
-        state.view.preview_view.yaw = state.view.preview_view.pitch = 0;
-    }
-    void compare(Against against, const char* name) {
-        state.view.preview_request.against = against;
-        state.view.preview_request.name = name;
-        state.view.compare.mode = CompareView::Mode::split;
-        state.view.compare.difference = true;
-    }
-    static std::vector<uint8_t> pixels_of(uint32_t texture) {
-        std::vector<uint8_t> pixels(4 * side * side);
-        glBindTexture(GL_TEXTURE_2D, texture);
-        glGetTexImage(GL_TEXTURE_2D, 0, GL_RGBA, GL_UNSIGNED_BYTE, pixels.data());
-        return pixels;
-    }
-    void edit(Document document) { state.commit("edit", std::move(document)); }
-
-    std::optional<gpu::Context> context_;
-    std::unique_ptr<Preview> preview_;
-};
 
 TEST_F(WithPreview, APictureIsDrawnOnTheOtherThread) {
     begin(two_bumps);

@@ -182,6 +182,7 @@ TEST_F(HostileOutputs, OnAFullDiskAreWhole) {
 // SIGKILL at each call by which a command changes the disk. What is left is whole, and the same
 // command then does its work.
 TEST_F(HostileOutputs, KilledAtEachChangeOfTheDiskAreWholeAndRunAgain) {
+    MANY_PROCESSES;
     const Names calls = {"write", "pwrite64", "writev", "rename", "unlink",
                          "flock", "fchmod",   "fsync",  "mkdir"};
     for (const Command& command : commands()) {

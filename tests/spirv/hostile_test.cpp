@@ -206,6 +206,8 @@ bool is_id(const std::string& text) {
            text.find("\u0085") == text.npos;
 }
 
+constexpr size_t stride = WRINKLE_NAME_STRIDE;
+
 class HostileNames : public testing::TestWithParam<Field> {
 protected:
     // False where a file cannot have that name.
@@ -226,7 +228,8 @@ protected:
 
 TEST_P(HostileNames, StayInTheirPlace) {
     size_t taken = 0;
-    for (const std::string& text : strings) {
+    for (size_t i = 0; i < strings.size(); i += stride) {
+        const std::string& text = strings[i];
         const Hostile hostile{GetParam().name, text};
         const TemporaryFolder folder;
         if (!make_files(hostile, folder)) continue;
@@ -244,7 +247,7 @@ TEST_P(HostileNames, StayInTheirPlace) {
             ++taken;
         }
     }
-    EXPECT_GT(taken, 20u);
+    EXPECT_GT(taken, 20 / stride);
 }
 
 INSTANTIATE_TEST_SUITE_P(Fields, HostileNames, testing::ValuesIn(fields),

@@ -73,8 +73,9 @@ WrinkleImageHeader header_of(const ImageSpec& spec, int channels) {
     return header;
 }
 
-// OpenEXR's C++ library, which OpenImageIO uses, takes as much memory as a header says before anybody
-// can look at it: for its attributes, and for rows. The C library holds sizes against the file's.
+// OpenEXR's C++ library, which OpenImageIO uses, takes as much memory as a header says before
+// anybody can look at it: for its attributes, and for rows. The C library holds their sizes against
+// the file's.
 // The size of a picture beyond `max_side` is left in `header`.
 void refuse_greedy_exr(const char* path, uint32_t max_side, WrinkleImageHeader& header) {
     bool is_damaged = false;
