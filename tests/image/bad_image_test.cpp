@@ -118,7 +118,9 @@ TEST_F(BadImage, HugeHeadersAreRefusedBeforeDecoding) {
 TEST_F(BadImage, SizesInAHeaderOfOpenExrAreHeldAgainstTheFileAndTheLimits) {
     const char bytes[] = "v/1\x01\x02\0\0\0tyNpe\0string\0\x0dmxxc\x8a\x96";
     const Diagnostic error = refusal(put("text.exr", std::string(bytes, sizeof bytes - 1)));
-    EXPECT_NE(error.message.find("has a bad header value"), std::string::npos) << error.message;
+    EXPECT_NE(error.message.find("its attribute 'tyNpe' is larger than the file"),
+              std::string::npos)
+        << error.message;
     Diagnostics none;
     ASSERT_TRUE(
         save_image(sample_image(4, 3, 3), folder / "wide.exr", {.type = PixelType::half}, none))

@@ -2,7 +2,6 @@
 
 #include "image/oiio/image_module.h"
 
-#include <OpenEXR/openexr.h>
 #include <OpenImageIO/imageio.h>
 
 #include <algorithm>
@@ -11,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "image/oiio/exr_header.h"
 #include "image/oiio/guard.h"
 #include "image/oiio/image_writer.h"
 
@@ -73,32 +73,12 @@ WrinkleImageHeader header_of(const ImageSpec& spec, int channels) {
     return header;
 }
 
-// OpenEXR's C++ library, which OpenImageIO uses, takes as much memory as a header says before
-// anybody can look at it: for its attributes, and for rows. The C library holds their sizes against
-// the file's.
 // The size of a picture beyond `max_side` is left in `header`.
 void refuse_greedy_exr(const char* path, uint32_t max_side, WrinkleImageHeader& header) {
-    bool is_damaged = false;
-    exr_context_initializer_t start = EXR_DEFAULT_CONTEXT_INITIALIZER;
-    start.user_data = &is_damaged;
-    start.error_handler_fn = [](exr_const_context_t context, exr_result_t result, const char*) {
-        void* damaged = nullptr;
-        if (result == EXR_ERR_ATTR_SIZE_MISMATCH &&
-            exr_get_user_data(context, &damaged) == EXR_ERR_SUCCESS)
-            *static_cast<bool*>(damaged) = true;
-    };
-    exr_context_t context = nullptr;
-    exr_result_t result = exr_start_read(&context, path, &start);
-    exr_attr_box2i_t box = {};
-    if (result == EXR_ERR_SUCCESS) result = exr_get_data_window(context, 0, &box);
-    exr_finish(&context);
-    if (is_damaged) result = EXR_ERR_FILE_BAD_HEADER;
-    if (result != EXR_ERR_SUCCESS) throw Failure(exr_get_default_error_message(result));
-    const int64_t width = int64_t{box.max.x} - box.min.x + 1;
-    const int64_t height = int64_t{box.max.y} - box.min.y + 1;
-    if (width <= max_side && height <= max_side) return;
-    header.width = static_cast<uint32_t>(std::clamp<int64_t>(width, 1, UINT32_MAX));
-    header.height = static_cast<uint32_t>(std::clamp<int64_t>(height, 1, UINT32_MAX));
+    const ExrSize size = size_of_exr(path);
+    if (size.width <= max_side && size.height <= max_side) return;
+    header.width = static_cast<uint32_t>(std::clamp<int64_t>(size.width, 1, UINT32_MAX));
+    header.height = static_cast<uint32_t>(std::clamp<int64_t>(size.height, 1, UINT32_MAX));
     header.channels = 1;
     throw Failure("it is larger than the limit");
 }
