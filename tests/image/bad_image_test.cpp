@@ -133,6 +133,18 @@ TEST_F(BadImage, SizesInAHeaderOfOpenExrAreHeldAgainstTheFileAndTheLimits) {
         << refused.message;
 }
 
+TEST_F(BadImage, SeveralChannelsWhoseZeroIsWhite) {
+    Diagnostics none;
+    ASSERT_TRUE(
+        save_image(sample_image(33, 257, 4), folder / "a.tif", {.compression = "zip"}, none))
+        << to_text(none);
+    std::string bytes = bytes_of(folder / "a.tif");
+    const size_t at = bytes.find(std::string("\x06\x01\x03\0\x01\0\0\0\x02\0", 10));
+    ASSERT_NE(at, bytes.npos) << "the tag of RGB";
+    bytes[at + 8] = 0;
+    EXPECT_NE(refusal(put("a.tif", bytes)).message.find("white is zero"), std::string::npos);
+}
+
 TEST_F(BadImage, TheEnvironmentSetsTheLimits) {
     const fs::path path = put("a.pfm", "Pf\n6 4\n-1.0\n" + std::string(96, '\0'));
     setenv("WRINKLE_IMAGE_MAX_SIDE", "5", 1);

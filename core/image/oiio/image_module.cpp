@@ -60,6 +60,9 @@ void refuse_unreadable(const ImageSpec& spec, const std::string& format) {
                          spec.width != spec.full_width || spec.height != spec.full_height;
     if (format == "openexr" && cropped)
         throw Failure("its data window differs from its display window");
+    // OpenImageIO inverts strips of several channels beyond their ends.
+    if (spec.get_int_attribute("tiff:PhotometricInterpretation", 1) == 0 && spec.nchannels > 1)
+        throw Failure("white is zero in it, which is readable of one channel alone");
 }
 
 WrinkleImageHeader header_of(const ImageSpec& spec, int channels) {
