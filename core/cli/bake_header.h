@@ -1,7 +1,7 @@
 // bake.json of a part of a bake (cli/bake_parts.h), as data and as text.
 //
-// The text ends with the SHA-256 of all before it: a damaged one is refused, never believed. It is
-// read as bytes of a stranger all the same, since whoever changes it can make the sum right.
+// The text ends with the SHA-256 of all before it, so damage is found. Whoever changes the text can
+// change the sum too: what it says is checked like that of any file.
 #pragma once
 
 #include <optional>
