@@ -1,7 +1,7 @@
 // bake.json of a part of a bake (cli/bake_parts.h), as data and as text.
 //
-// The text ends with the SHA-256 of all before it, so damage is found. Whoever changes the text can
-// change the sum too: what it says is checked like that of any file.
+// The text ends with the SHA-256 of all before it, which detects damage and authenticates nothing:
+// header_of_json() validates every value.
 #pragma once
 
 #include <optional>

@@ -52,7 +52,7 @@ struct PreviewPicture {
     int width = 0, height = 0;
     bool refused = false;      // the material, so the picture is of a former one
     bool lost = false;         // the driver dropped the context: all has to be made anew
-    std::string double_sided;  // the mesh, where a material of it is
+    std::string double_sided;  // the mesh, if one of its materials is
     Diagnostics problems;
     AngleFigures angles;
     double milliseconds = 0;  // of the drawing, until its last pixel
@@ -102,7 +102,7 @@ private:
     // What the renderer has of the job.
     uint64_t mesh_read_ = 0, mesh_images_ = 0, light_read_ = 0;
     std::string mesh_, environment_;
-    bool double_sided_ = false;  // a material of the mesh
+    bool double_sided_ = false;  // one of the materials of mesh_ is
     float scale_ = 0;
     std::shared_ptr<const Displacement> displacement_;
     TextureStore textures_;  // of the displacement

@@ -20,7 +20,7 @@ struct PreviewRequest {
     Against against = Against::nothing;
     std::string name;        // the output, the node, or a `blend` of compare_bump_blend: "udn"
     bool displaced = false;  // by the output `displacement`
-    std::string double_sided = {};  // the mesh, where a material of it is
+    std::string double_sided = {};  // the mesh, if one of its materials is
     bool operator==(const PreviewRequest&) const = default;
 };
 

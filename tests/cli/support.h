@@ -16,7 +16,7 @@
 #if defined(__SANITIZE_ADDRESS__)
 // First in a test that limits the memory of a program.
 #define LIMITED_MEMORY GTEST_SKIP() << "the sanitizer needs all of the address space"
-// First in a test that takes minutes under sanitizers and runs no code that others do not.
+// First in a test that takes minutes under sanitizers and whose code other tests run too.
 #define MANY_PROCESSES GTEST_SKIP() << "processes under a sanitizer are slow to start"
 #else
 #define LIMITED_MEMORY static_cast<void>(0)

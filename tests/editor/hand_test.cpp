@@ -128,7 +128,7 @@ TEST_P(HandAtRate, EveryTapArrivesInOrder) {
     std::printf("%zu taps, %zu edits at %d frames a second\n", taps(), found->edits, GetParam());
 }
 
-#if defined(__SANITIZE_ADDRESS__)  // whose frames are slow at any rate
+#if defined(__SANITIZE_ADDRESS__)  // every frame is slow there
 INSTANTIATE_TEST_SUITE_P(FramesASecond, HandAtRate, ::testing::Values(20));
 #else
 INSTANTIATE_TEST_SUITE_P(FramesASecond, HandAtRate, ::testing::Values(5, 20, 60));

@@ -1,8 +1,8 @@
-// The sizes in the header of an OpenEXR file, looked at before it is opened: OpenEXR's C++ library,
-// which OpenImageIO uses, takes as much memory as they say before anybody can ask it.
+// Checks the sizes in the header of an OpenEXR file before the file is opened: OpenEXR's C++
+// library, which OpenImageIO uses, allocates what the attributes and the data window ask for.
 //
-// The C library looks as well, but it goes on where attributes are damaged, and not as the C++
-// library does. Layout: openexr.com, "OpenEXR File Layout".
+// OpenEXR's C library does not replace this check: it skips damaged attributes, and then reads
+// other sizes than the C++ library. Layout: openexr.com, "OpenEXR File Layout".
 #pragma once
 
 #include <cstdint>

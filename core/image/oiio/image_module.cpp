@@ -60,7 +60,7 @@ void refuse_unreadable(const ImageSpec& spec, const std::string& format) {
                          spec.width != spec.full_width || spec.height != spec.full_height;
     if (format == "openexr" && cropped)
         throw Failure("its data window differs from its display window");
-    // OpenImageIO inverts strips of several channels beyond their ends.
+    // OpenImageIO 2.4 writes beyond the end of such a strip as it inverts it.
     if (spec.get_int_attribute("tiff:PhotometricInterpretation", 1) == 0 && spec.nchannels > 1)
         throw Failure("white is zero in it, which is readable of one channel alone");
 }
@@ -76,8 +76,8 @@ WrinkleImageHeader header_of(const ImageSpec& spec, int channels) {
     return header;
 }
 
-// The size of a picture beyond `max_side` is left in `header`.
-void refuse_greedy_exr(const char* path, uint32_t max_side, WrinkleImageHeader& header) {
+// An image beyond `max_side` leaves its size in `header`.
+void refuse_oversized_exr(const char* path, uint32_t max_side, WrinkleImageHeader& header) {
     const ExrSize size = size_of_exr(path);
     if (size.width <= max_side && size.height <= max_side) return;
     header.width = static_cast<uint32_t>(std::clamp<int64_t>(size.width, 1, UINT32_MAX));
@@ -90,7 +90,7 @@ WrinkleImageReader* open_image(const char* path, const char* format, uint32_t ma
                                WrinkleImageHeader* header, WrinkleImageText why) {
     return guarded(why, [&]() -> WrinkleImageReader* {
         set_up_once();
-        if (std::string_view(format) == "openexr") refuse_greedy_exr(path, max_side, *header);
+        if (std::string_view(format) == "openexr") refuse_oversized_exr(path, max_side, *header);
         auto reader = std::make_unique<WrinkleImageReader>();
         reader->input = ImageInput::create(format);
         if (!reader->input) throw Failure(OIIO::geterror());
@@ -139,7 +139,7 @@ int32_t read_number(const char* path, const char* format, uint32_t max_side, con
     return guarded({ignored, 1}, [&]() -> int32_t {
         set_up_once();
         WrinkleImageHeader header = {};
-        if (std::string_view(format) == "openexr") refuse_greedy_exr(path, max_side, header);
+        if (std::string_view(format) == "openexr") refuse_oversized_exr(path, max_side, header);
         const auto input = ImageInput::create(format);
         ImageSpec spec;
         return input && input->open(path, spec) && find_number(spec, name, *value);
