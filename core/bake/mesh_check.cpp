@@ -1,7 +1,7 @@
 #include "bake/mesh_check.h"
 
-#include "bake/file_problem.h"
 #include "bake/texel_points.h"
+#include "base/file_problem.h"
 
 namespace wrinkle {
 namespace {

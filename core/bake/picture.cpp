@@ -1,6 +1,6 @@
 #include "bake/picture.h"
 
-#include "bake/file_problem.h"
+#include "base/file_problem.h"
 #include "base/text.h"
 
 namespace wrinkle {

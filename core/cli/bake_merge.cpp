@@ -5,7 +5,7 @@
 #include <cstring>
 #include <memory>
 
-#include "bake/file_problem.h"
+#include "base/file_problem.h"
 #include "cli/bake_run.h"
 #include "cli/interrupt.h"
 
