@@ -5,9 +5,7 @@
 namespace wrinkle {
 
 void follow_double_sided(Document& document, const std::string& mesh, Diagnostics& diagnostics) {
-    const bool is_written =
-        document.source.is(json::Kind::object) && document.source.has("back_faces");
-    if (is_written || document.back_faces != BackFaces::mirror) return;
+    if (document.back_faces) return;
     document.back_faces = BackFaces::flip;
     diagnostics.add(
         file_problem(Severity::warning, mesh,

@@ -1,12 +1,11 @@
-// A graph file as a value: what it says, in its order, and where it said it.
+// Document: the contents of a graph file, in file order, with source locations.
 //
-// A Document is an immutable snapshot, cheap to copy: the parts of two copies are shared, a node is
-// one shared_ptr, and an edit (graph/edit.h: Document -> Document) replaces only what it changes,
-// so two snapshots are compared by pointer. It knows no node types: ports, literal values and types
-// are taken as written and checked in core/lower. What the format does not know is kept verbatim.
-//
-// Positions are those of the text as read: a thing that was edited has none of its own and is
-// reported at its node, else at the file. JSON pointers follow the present names.
+// A Document is an immutable snapshot, cheap to copy: two copies share their parts, each node is a
+// shared_ptr, and an edit (graph/edit.h: Document -> Document) replaces only the parts that it
+// changes, so snapshots are compared by pointer. It does not know node types: ports, literal values
+// and types are stored as written and checked in core/lower. Unknown keys are stored verbatim.
+// Locations refer to the text as read: an edited part has no location and is reported at its node,
+// else at the file. JSON pointers use the current names.
 #pragma once
 
 #include <memory>
@@ -22,7 +21,7 @@
 
 namespace wrinkle {
 
-// "weave.gradient": an output of a node, a property of the surface or an input of the graph.
+// Reference to an output of a node ("weave.gradient"), a surface property or a graph input.
 struct Link {
     static constexpr std::string_view surface = "surface";
     static constexpr std::string_view input = "input";
@@ -37,19 +36,19 @@ struct Link {
     bool operator==(const Link&) const = default;
 };
 
-// A key that the format does not know, or a known one with a value of the wrong kind (already
-// reported), kept as it was.
+// A key that the format does not define, or a known key with a value of the wrong kind (already
+// reported), stored verbatim.
 struct Extra {
     std::string key;
     json::Value value;
 };
 
-// What stands at a port in a node's "in".
+// Value of one port in a node's "in".
 struct Input {
     enum class Kind : uint8_t {
         literal,  // `value` is the literal
-        link,     // `link` says whence; `value` is the {"from": ...} object
-        broken,   // looks like a link but is none, already reported; `value` as it was
+        link,     // `link` is the source; `value` is the {"from": ...} object
+        broken,   // has "from" but is not a valid link, already reported; `value` as read
     };
     std::string port;
     Kind kind = Kind::literal;
@@ -59,15 +58,16 @@ struct Input {
 
 struct Node {
     std::string id;
-    std::string type;  // "" when it is missing, already reported
+    std::string type;  // "" if missing, already reported
     int version = 1;
     bool muted = false;
     std::vector<Input> inputs;  // in file order, each port once
     std::vector<Extra> unknown;
-    json::Value source;  // its JSON as it was read; written back as it was if it is no object
+    json::Value source;  // JSON as read; written back verbatim if it is not an object
 
     const Input* find(std::string_view port) const;
-    // The file of a sub-graph, "weave.json" of "graph:weave.json"; nothing for another type.
+    // Returns the file of a sub-graph, "weave.json" for "graph:weave.json"; std::nullopt for other
+    // types.
     std::optional<std::string_view> subgraph() const;
 };
 using NodePtr = std::shared_ptr<const Node>;
@@ -75,11 +75,11 @@ inline std::string_view table_key(const NodePtr& node) {
     return node->id;
 }
 
-// An input of the whole graph, read by nodes as {"from": "input.NAME"}.
+// An input of the graph, read by nodes as {"from": "input.NAME"}.
 struct GraphInput {
     std::string name;
-    std::string type;           // a type on wires (docs/graph-format.md), unchecked
-    json::Value default_value;  // null when absent
+    std::string type;           // port type (docs/graph-format.md), unchecked
+    json::Value default_value;  // null if absent
     std::string doc;
     std::vector<Extra> unknown;
     json::Value source;
@@ -90,15 +90,15 @@ inline std::string_view table_key(const GraphInput& input) {
 
 struct Output {
     std::string name;
-    Input from;  // `port` is the output's name; anything but a link is reported and kept as broken
+    Input from;  // `port` is the output name; a non-link value is reported and stored as broken
 };
 inline std::string_view table_key(const Output& output) {
     return output.name;
 }
 
-// Layout, in canvas units, y down. Numbers that were not edited keep their spelling in `source`.
+// Layout, in canvas units, y down. Unedited numbers are written with the spelling in `source`.
 struct Position {
-    std::string id;  // of a node; may be that of none
+    std::string id;  // node id; the node need not exist
     double x = 0, y = 0;
     json::Value source;
 };
@@ -106,8 +106,8 @@ struct Rectangle {
     double x = 0, y = 0, width = 0, height = 0;
     bool operator==(const Rectangle&) const = default;
 };
-// {"title": "Rust", "rect": [x, y, width, height]} under "$frames"; a note has "text" in place of
-// "title" and stands under "$notes". Other keys are kept.
+// {"title": "Rust", "rect": [x, y, width, height]} in "$frames"; a note is in "$notes" and has
+// "text" instead of "title". Other keys are preserved.
 struct Box {
     std::string id;
     std::string text;
@@ -125,44 +125,48 @@ inline std::string_view table_key(const Box& box) {
 class Wires;
 
 struct Document {
-    std::string file;  // as given to read_document; "" for a new one
+    std::string file;  // as given to read_document; "" for a new document
     std::string name;
-    BackFaces back_faces = BackFaces::mirror;
-    Table<NodePtr> nodes;  // in file order
+    std::optional<BackFaces> back_faces;  // unset: `mirror`
+    Table<NodePtr> nodes;                 // in file order
     Table<GraphInput> inputs;
     Table<Output> outputs;
     Table<Position> positions;
     Table<Box> frames;
     Table<Box> notes;
-    std::vector<Extra> unknown_layout;        // entries of "layout" of another shape
+    std::vector<Extra> unknown_layout;        // entries of "layout" with another shape
     std::vector<Extra> unknown;               // top-level keys
-    json::Value source;                       // the whole as it was read; null for a new one
+    json::Value source;                       // the root as read; null for a new document
     bool edited = false;                      // set by every edit that changes something
-    std::shared_ptr<const Wires> read_wires;  // as read; null: check_links found something
-    // Why not all of the text is in here, a clause or a problem: writing it would lose the rest.
+    std::shared_ptr<const Wires> read_wires;  // as read; null if incomplete or with link errors
+    // Reason why part of the text was not read, as a clause or a problem: saving would lose that
+    // part.
     std::string lost;
 
     const Node* find(std::string_view id) const;
-    // Where all of them hold and nothing was edited, else null.
+    BackFaces back_face_rule() const { return back_faces.value_or(BackFaces::mirror); }
+    // Returns the wires as read if all are valid and nothing was edited, else null.
     const Wires* wires() const { return edited ? nullptr : read_wires.get(); }
 };
 
-// A Diagnostic at a thing of the document: its file, line, column, pointer and node are filled in.
+// Diagnostic about a part of the document, with its file, line, column, pointer and node.
 Diagnostic diagnose(const Document&, std::string message, std::string expected = {});
 Diagnostic diagnose(const Document&, const Node&, std::string message, std::string expected = {});
-// At a port's value; at the node when the port is not written. `node.inputs` need not have it.
+// Located at a port's value; at the node if the port is not written. `node.inputs` may lack the
+// port.
 Diagnostic diagnose_port(const Document&, const Node&, std::string_view port, std::string message,
                          std::string expected = {});
 Diagnostic diagnose(const Document&, const GraphInput&, std::string message,
                     std::string expected = {});
 Diagnostic diagnose(const Document&, const Output&, std::string message, std::string expected = {});
-// At a value inside any of them, such as one key of an image; `node` may be "".
+// Located at a value inside any of them, such as one key of an image; `node` may be "".
 Diagnostic diagnose(const json::Value&, std::string node, std::string message,
                     std::string expected = {});
 
-// Why a text cannot be a node's id, "" when it can; 1 to 128 characters of UTF-8, no dot, no
-// control character, not beginning with '$', not "surface" or "input". Names of graph inputs and
-// outputs follow the same rule, but may be those two words (`reserved` = false).
+// Returns the reason why a text cannot be a node id, "" if it can. A valid id is 1 to 128
+// characters of UTF-8 without a dot or control character, does not begin with '$', and is not
+// "surface" or "input". Names of graph inputs and outputs follow the same rule, but may be those
+// two words (`reserved` = false).
 std::string id_problem(std::string_view id, bool reserved = true);
 
 }  // namespace wrinkle

@@ -26,7 +26,7 @@ void mark_edited(Document& document) {
     if (!document.positions.empty() || !document.frames.empty() || !document.notes.empty())
         forget(document.unknown, "layout");
     if (!document.name.empty()) forget(document.unknown, "name");
-    if (document.back_faces != BackFaces::mirror) forget(document.unknown, "back_faces");
+    if (document.back_faces) forget(document.unknown, "back_faces");
 }
 
 void mark_edited(Node& node) {
@@ -38,7 +38,7 @@ void mark_edited(Node& node) {
 
 Node copy_of(const Node& node) {
     Node copy = node;
-    if (!copy.source.is(json::Kind::object)) copy.source = {};  // it becomes a node by the edit
+    if (!copy.source.is(json::Kind::object)) copy.source = {};  // the edit makes it a node
     return copy;
 }
 
@@ -62,7 +62,8 @@ Document with_node(const Document& document, Node node) {
     return changed;
 }
 
-// The document with `change(copy of the node)`; change says whether it changed anything.
+// Returns the document with `change` applied to a copy of the node; `change` returns false for no
+// change.
 template <class Change>
 Document change_node(const Document& document, std::string_view id, Change change) {
     const Node* node = document.find(id);
@@ -107,7 +108,7 @@ Document with_table(const Document& document, Table<T> Document::*table, Table<T
     return changed;
 }
 
-// Every link of the document: `change` gives what shall stand in its place.
+// Applies `change` to every node that has a link for which change.applies() is true.
 template <class Change>
 void change_links(Document& document, Change change) {
     std::vector<NodePtr> nodes(document.nodes.begin(), document.nodes.end());
@@ -282,7 +283,7 @@ Document set_name(const Document& document, std::string_view name) {
     return changed;
 }
 
-Document set_back_faces(const Document& document, BackFaces choice) {
+Document set_back_faces(const Document& document, std::optional<BackFaces> choice) {
     if (document.back_faces == choice) return document;
     Document changed = document;
     changed.back_faces = choice;

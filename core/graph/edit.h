@@ -1,8 +1,9 @@
-// Edits: Document -> Document. Pure; whatever is not changed is shared with the original, and an
-// edit that would change nothing, names something that does not exist, or gives an impossible name
-// returns the original itself (`edited` unchanged, all tables `same`).
+// Edits: Document -> Document. Pure functions; the result shares unchanged parts with the original.
+// An edit that has no effect, refers to a missing item, or gives an invalid name returns the
+// original (`edited` unchanged, all tables `same`).
 #pragma once
 
+#include <optional>
 #include <set>
 #include <string>
 #include <string_view>
@@ -12,18 +13,19 @@
 
 namespace wrinkle {
 
-// `id` must be free and valid; a new node is appended, with its position when one is given.
+// `id` must be free and valid; a new node is appended, with its position if one is given.
 Document add_node(const Document&, Node node);
 Document add_node(const Document&, Node node, double x, double y);
-// With its wires in and out, its outputs and its position.
+// Also removes its links in and out, its outputs and its position.
 Document remove_node(const Document&, std::string_view id);
-// All links, outputs and the layout follow.
+// Also updates all links, outputs and the layout.
 Document rename_node(const Document&, std::string_view id, std::string_view new_id);
-// `base`, or `base2`, `base3`, ... whichever is neither in the document nor taken.
+// Returns `base`, or the first of `base2`, `base3`, ... that is neither in the document nor in
+// `taken`.
 std::string free_id(const Document&, std::string_view base,
                     const std::set<std::string>& taken = {});
 
-// Several nodes at once, in one pass over the document.
+// Edits of several nodes, in one pass over the document.
 struct NodePosition {
     std::string id;
     double x = 0, y = 0;
@@ -34,8 +36,8 @@ Document remove_nodes(const Document&, const std::set<std::string>& ids);
 Document move_nodes(const Document&, const std::vector<NodePosition>& places);
 Document mute_nodes(const Document&, const std::set<std::string>& ids, bool muted);
 
-// A node brought to a version of its type. Renamed inputs take their values along, every link to a
-// renamed output follows; the renames are applied in their order.
+// Upgrade of a node to a version of its type. Values of renamed inputs and links to renamed outputs
+// are carried over; the renames are applied in order.
 struct NodeUpgrade {
     struct Rename {
         std::string old_name, new_name;
@@ -46,9 +48,9 @@ struct NodeUpgrade {
 };
 Document upgrade_nodes(const Document&, const std::vector<NodeUpgrade>& upgrades);
 
-// The ends need not exist, and a cycle is not refused: `check_links` reports them.
+// The ends need not exist, and a cycle is not rejected: `check_links` reports both.
 Document connect(const Document&, const Link& from, std::string_view id, std::string_view port);
-Document disconnect(const Document&, std::string_view id, std::string_view port);  // only a link
+Document disconnect(const Document&, std::string_view id, std::string_view port);  // links only
 Document set_value(const Document&, std::string_view id, std::string_view port, json::Value value);
 Document reset_value(const Document&, std::string_view id, std::string_view port);  // value or link
 Document set_muted(const Document&, std::string_view id, bool muted);
@@ -56,22 +58,22 @@ Document set_type(const Document&, std::string_view id, std::string_view type, i
 
 Document set_output(const Document&, std::string_view name, const Link& from);
 Document remove_output(const Document&, std::string_view name);
-Document set_graph_input(const Document&, GraphInput input);  // added or replaced by its name
-Document remove_graph_input(const Document&, std::string_view name);  // its readers stay
+Document set_graph_input(const Document&, GraphInput input);          // adds or replaces by name
+Document remove_graph_input(const Document&, std::string_view name);  // links to it remain
 Document set_name(const Document&, std::string_view name);
-Document set_back_faces(const Document&, BackFaces choice);
+Document set_back_faces(const Document&, std::optional<BackFaces> choice);
 
-// Layout alone.
+// Layout only.
 Document move_node(const Document&, std::string_view id, double x, double y);
-Document set_frame(const Document&, Box frame);  // added or replaced by its id
+Document set_frame(const Document&, Box frame);  // adds or replaces by id
 Document remove_frame(const Document&, std::string_view id);
 Document set_note(const Document&, Box note);
 Document remove_note(const Document&, std::string_view id);
 
-// Whether a wire from `from` to node `id` would close a cycle.
+// Returns true if a wire from `from` to node `id` would close a cycle.
 bool would_cycle(const Document&, const Link& from, std::string_view id);
-// All nodes whose wire with `id` would close one, itself among them: of a wire that begins at `id`
-// those that it depends on, of one that ends there those that depend on it.
+// Returns `id` and all nodes that would close a cycle if wired with it: if the wire begins at `id`,
+// the nodes that `id` depends on; otherwise the nodes that depend on `id`.
 std::set<std::string> cycle_partners(const Document&, std::string_view id, bool begins);
 
 }  // namespace wrinkle

@@ -11,15 +11,15 @@ using json::Kind;
 using json::one_line;
 using json::Value;
 
-// The members of one object, each on a line of its own.
+// Writes the members of one object, each on its own line.
 class Block {
 public:
     Block(std::string& out, size_t indent) : out_(out), indent_(indent) { out_ += '{'; }
-    // One that was begun before, perhaps with members in it.
+    // Continues an object that is already open; `empty`: it has no members yet.
     Block(std::string& out, size_t indent, bool empty)
         : out_(out), indent_(indent), empty_(empty) {}
 
-    // Begins a member; the caller writes its value.
+    // Begins a member; the caller appends its value.
     std::string& key(std::string_view name) {
         out_ += empty_ ? "\n" : ",\n";
         empty_ = false;
@@ -59,7 +59,7 @@ bool is_kept_whole(const Value& source) {
     return source.has_location() && !source.is(Kind::object);
 }
 
-// "type", "version" and "muted", as far as they are written.
+// Returns those of "type", "version" and "muted" that are written.
 std::vector<std::pair<const char*, std::string>> head(const Node& node) {
     std::vector<std::pair<const char*, std::string>> members;
     if (!has(node.unknown, "type") && !node.type.empty())
@@ -133,9 +133,9 @@ void write_head(Block& top, const Document& document) {
         if (extra.key == "$schema") top.verbatim(extra);
     if (!has(document.unknown, "wrinkle")) top.key("wrinkle") += "1";
     if (!document.name.empty()) top.key("name") += json_quoted(document.name);
-    if (document.back_faces != BackFaces::mirror)
+    if (document.back_faces)
         top.key("back_faces") +=
-            json_quoted(back_faces_names[static_cast<size_t>(document.back_faces)]);
+            json_quoted(back_faces_names[static_cast<size_t>(*document.back_faces)]);
     if (document.inputs.empty()) return;
     Block block(top.key("inputs"), 4);
     for (const GraphInput& input : document.inputs)

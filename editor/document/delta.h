@@ -1,8 +1,10 @@
-// What one edit changed, both ways: from a snapshot to the next and back. It holds the entries that
-// differ, so that a history of any length costs what was edited and not what was there.
+// Difference between a snapshot and the next, applicable in both directions. It stores only the
+// entries that differ, so the memory of a history is proportional to the edits, not to the
+// documents.
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -10,15 +12,15 @@
 
 namespace wrinkle::editor {
 
-// Whether two snapshots share everything that an edit can change.
+// Returns true if two snapshots share everything that an edit can change.
 bool same_document(const Document& a, const Document& b);
 
-// Entries of a table that were replaced by others, in the order of the table. An entry counts as
-// unchanged when it is shared or equal.
+// Runs of table entries that were replaced by others, in table order. An entry is unchanged if it
+// is shared or equal.
 template <class T>
 struct TableDelta {
     struct Run {
-        size_t at = 0;  // in the table before
+        size_t at = 0;  // index in the table before the edit
         std::vector<T> before, after;
     };
     std::vector<Run> runs;
@@ -29,15 +31,15 @@ public:
     Delta() = default;  // changes nothing
     Delta(const Document& before, const Document& after);
 
-    // The snapshot at the other end; what was not changed is shared with the one given.
+    // Returns the other snapshot; unchanged entries are shared with the given one.
     Document forward(const Document& before) const;
     Document backward(const Document& after) const;
 
 private:
-    // What is not an entry of a table.
+    // Fields that are not table entries.
     struct Head {
         std::string name;
-        BackFaces back_faces = BackFaces::mirror;
+        std::optional<BackFaces> back_faces;
         bool edited = false;
     };
     struct Tables {
@@ -49,7 +51,7 @@ private:
     };
     Head heads_[2];
     std::shared_ptr<const Tables> tables_;
-    // Of two snapshots that were read from different texts: both whole.
+    // Both complete snapshots if they were read from different texts.
     std::shared_ptr<const std::pair<Document, Document>> whole_;
 
     Document apply(const Document& from, bool back) const;

@@ -1,5 +1,5 @@
-// Back faces of a mesh that glTF says are to be seen: the preview draws them as `wrinkle render`
-// does, and says so.
+// Tests of back faces of double-sided glTF meshes: the preview draws them as `wrinkle render` does
+// and reports it.
 #include "graph/edit.h"
 #include "with_preview.h"
 
@@ -17,7 +17,7 @@ const char* const tilted = R"({
 }
 )";
 
-// A triangle in the plane z = 0, turned away from the camera.
+// A triangle in the plane z = 0, facing away from the camera.
 std::string triangle(const std::string& double_sided) {
     return R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}],
         "nodes": [{"mesh": 0}], "materials": [{"doubleSided": )" +
@@ -39,7 +39,7 @@ protected:
         state.view.preview_view.view = gpu::View::normal;
         state.view.preview_view.mesh = mesh;
         see();
-        const PreviewPicture& picture = see();  // by the rule that the mesh asks for
+        const PreviewPicture& picture = see();  // with the back-face rule of the mesh
         EXPECT_NE(picture.texture, 0U) << to_text(picture.problems);
         return pixels_of(picture.texture);
     }
@@ -62,6 +62,9 @@ TEST_F(DoubleSided, MeshesAreDrawnByTheRuleFlipWhereTheGraphChoosesNone) {
     edit(set_back_faces(state.document(), BackFaces::flip));
     EXPECT_EQ(drawn_on(one), flip);
     EXPECT_EQ(drawn_on(both), flip);
+    EXPECT_FALSE(is_said());
+    edit(set_back_faces(state.document(), BackFaces::mirror));
+    EXPECT_EQ(drawn_on(both), mirror);
     EXPECT_FALSE(is_said());
 }
 

@@ -1,4 +1,5 @@
-// Each edit, seen in the text it leaves; what it must not touch is compared line by line.
+// Tests of each edit by the document it writes; parts that must not change are compared line by
+// line.
 #include "graph/edit.h"
 
 #include <gtest/gtest.h>
@@ -14,7 +15,7 @@ namespace {
 
 using json::Value;
 
-// The lines that differ, "-old" and "+new"; for texts that differ in one stretch.
+// Lines that differ, as "-old" and "+new"; for texts that differ in one contiguous range.
 std::string diff(const std::string& before, const std::string& after) {
     const auto a = split(before, '\n');
     const auto b = split(after, '\n');
@@ -107,7 +108,7 @@ TEST_F(Edit, NothingChangedIsTheSameDocument) {
     expect_unchanged(set_frame(sample, *sample.frames.find("f1")));
     expect_unchanged(remove_note(sample, "n2"));
     expect_unchanged(set_name(sample, sample.name));
-    expect_unchanged(set_back_faces(sample, BackFaces::mirror));
+    expect_unchanged(set_back_faces(sample, {}));
 }
 
 TEST_F(Edit, UndoIsTheOldSnapshot) {
@@ -223,6 +224,7 @@ TEST_F(Edit, NameAndBackFaces) {
     EXPECT_EQ(after(set_name(sample, "Strap")),
               "-  \"name\": \"Woven strap over a baked shape\",\n+  \"name\": \"Strap\",\n");
     EXPECT_EQ(after(set_back_faces(sample, BackFaces::none)), "+  \"back_faces\": \"none\",\n");
+    EXPECT_EQ(after(set_back_faces(sample, BackFaces::mirror)), "+  \"back_faces\": \"mirror\",\n");
 }
 
 TEST_F(Edit, BrokenThingsAreReplacedByTheEdit) {
@@ -268,7 +270,7 @@ TEST_F(Edit, SeveralNodesAreOneEdit) {
 }
 
 TEST_F(Edit, UpgradesRenameEachSideAlone) {
-    // An input and an output share the name: only the side that was renamed follows.
+    // An input and an output share the name: only the renamed side changes.
     const NodeUpgrade inputs{"tile", 2, {{"uv", "coordinates"}}, {}};
     const Document in = upgrade_nodes(sample, {inputs});
     EXPECT_EQ(in.find("tile")->inputs[0].port, "coordinates");
@@ -281,12 +283,12 @@ TEST_F(Edit, UpgradesRenameEachSideAlone) {
     const NodeUpgrade last{"normal", 1, {}, {{"normal", "bent"}}};
     EXPECT_EQ(upgrade_nodes(sample, {last}).outputs.find("normal")->from.link.text(),
               "normal.bent");
-    // Nothing to rename, and a new name that is taken.
+    // A missing port, a new name that is in use, and a missing node type.
     EXPECT_FALSE(upgrade_nodes(sample, {{"sum", 1, {{"c", "d"}, {"a", "b"}}, {}}}).edited);
     EXPECT_FALSE(upgrade_nodes(sample, {{"nobody", 9, {}, {}}}).edited);
 }
 
-// With a document a node this would take hours.
+// With one document per node this would take hours.
 TEST_F(Edit, ManyNodesTakeOnePass) {
     std::vector<Node> nodes(100'000);
     std::vector<NodeUpgrade> upgrades;

@@ -1,4 +1,4 @@
-// What comes back out: the bytes as they were, or canonical text.
+// Tests of writing graphs: unchanged bytes, or canonical text.
 #include "graph/write.h"
 
 #include <gtest/gtest.h>
@@ -50,6 +50,18 @@ TEST(Write, CanonicalTextOfAFlatText) {
   }
 }
 )");
+}
+
+// On a mesh with a doubleSided material, an explicit "mirror" differs from the default.
+TEST(Write, AChosenRuleOfBackFacesStays) {
+    const std::string mirror = R"({
+  "wrinkle": 1,
+  "back_faces": "mirror",
+  "nodes": {},
+  "outputs": {}
+}
+)";
+    EXPECT_EQ(canonical_text(read_quietly(mirror)), mirror);
 }
 
 TEST(Write, CanonicalTextIsAFixedPoint) {
