@@ -25,7 +25,7 @@ void toggle_more(State& state, const Card& card) {
     state.layout_stale = true;
 }
 
-// A name is renamed where it stands; the rest of a sub-graph's card opens it.
+// Double-click: the name is renamed in place; the rest of a sub-graph's card opens the sub-graph.
 bool is_on_name(const State& state, const Card& card) {
     const ImVec2 at = to_canvas(state.view, ImGui::GetIO().MousePos) - card.at;
     return at.y < header_height && at.x < name_left + card.name_width + 4;
@@ -63,7 +63,7 @@ void press(State& state, const Hit& hit) {
     state.view.selected_wire.reset();
     if (io.KeyAlt) return begin_gesture(state, Kind::pan);
     if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) double_click(state, hit);
-    if (!state.layout.nodes.same(state.document().nodes)) return;  // the hit is of another graph
+    if (!state.layout.nodes.same(state.document().nodes)) return;  // the hit is in another graph
     if (state.popup.kind != Popup::Kind::none || state.box_text.open) return;
     switch (hit.kind) {
         case Hit::Kind::pin: {
@@ -180,7 +180,7 @@ void cancel(State& state) {
     state.layout_stale = true;
 }
 
-// Gestures that remember cards or wires by their place in the layout.
+// Returns true for gestures that store layout indices of cards or wires.
 bool points_at_layout(const Gesture& g) {
     return g.kind == Kind::cut || g.kind == Kind::reroute || g.kind == Kind::lazy ||
            g.kind == Kind::move;
@@ -206,7 +206,7 @@ void press_right(State& state, const Hit& hit) {
     }
 }
 
-// The name of a card that has no room for it.
+// Shows the name of a small card in a tooltip if the canvas does not show it in full.
 void explain_small_card(State& state) {
     const Hit& hit = state.hovered;
     const bool at_card = hit.kind != Hit::Kind::nothing && hit.kind != Hit::Kind::wire &&
@@ -261,15 +261,15 @@ void draw_canvas(State& state) {
     View& view = state.view;
     view.corner = ImGui::GetCursorScreenPos();
     view.extent = ImGui::GetContentRegionAvail();
-    if (!view.fitted && view.extent.x > 0) {
-        fit(view, state.layout, false);
-        view.fitted = true;
-    }
     ImGui::InvisibleButton("canvas", view.extent,
                            ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonMiddle |
                                ImGuiButtonFlags_MouseButtonRight);
     update_gesture(state, ImGui::IsItemHovered());
     refresh(state);
+    if (!view.fitted && view.extent.x > 0) {
+        fit(view, state.layout, false);
+        view.fitted = true;
+    }
     reveal_new(state);
     ImDrawList& list = *ImGui::GetWindowDrawList();
     list.PushClipRect(view.corner, view.corner + view.extent, true);

@@ -47,6 +47,7 @@ std::string_view hint_of_open(const State& state) {
         case Popup::Kind::rename:
             return "Enter renames   Esc leaves the name";
         case Popup::Kind::choice:
+            return "Up and Down choose   Enter takes it   Esc leaves it";
         case Popup::Kind::file:
             return "Type to narrow the list   Enter takes it   Esc leaves it";
         case Popup::Kind::color:

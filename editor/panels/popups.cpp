@@ -20,7 +20,7 @@
 namespace wrinkle::editor {
 namespace {
 
-constexpr size_t most_without_field = 8;  // choices that need no field to narrow them
+constexpr size_t most_without_field = 8;  // most choices without a query field
 constexpr float choice_tall = 24, choices_shown = 10;
 
 const Port* port_of(const State& state) {
@@ -59,12 +59,12 @@ int on_entry_tab(ImGuiInputTextCallbackData* data) {
     return 0;
 }
 
-// True when it is done with.
+// Returns true when editing is finished.
 bool draw_text_entry(State& state) {
     Popup& popup = state.popup;
     if (popup.opening) focus_field(state);
     ImGui::SetNextItemWidth(-1);
-    // Each value has a field of its own, so that Tab leaves nothing of the last one in it.
+    // Each value has its own ImGui id, so that Tab does not carry over the text of the last field.
     const std::string id = "##" + popup.node +
                            std::to_string(popup.port_index * 4 + static_cast<uint32_t>(popup.lane));
     const bool entered =
@@ -78,7 +78,7 @@ bool draw_text_entry(State& state) {
     return true;
 }
 
-// The indices of the names that answer what was typed, best first.
+// Returns the indices of the names that match the query, best first.
 std::vector<size_t> narrowed(const std::vector<std::string>& names, const std::string& query) {
     std::vector<std::pair<int, size_t>> found;
     for (size_t i = 0; i < names.size(); ++i)
@@ -91,7 +91,7 @@ std::vector<size_t> narrowed(const std::vector<std::string>& names, const std::s
     return shown;
 }
 
-// True on Enter.
+// Returns true on Enter; Tab sets `next`.
 bool draw_query(State& state, bool field) {
     Popup& popup = state.popup;
     const ImGuiIO& io = ImGui::GetIO();
@@ -112,10 +112,9 @@ bool draw_query(State& state, bool field) {
     return entered;
 }
 
-// True when one was taken.
-bool draw_list(State& state, const std::vector<std::string>& names, size_t& taken) {
+// `field`: draw a query field that filters the list. Returns true if a name was chosen (`taken`).
+bool draw_list(State& state, const std::vector<std::string>& names, bool field, size_t& taken) {
     Popup& popup = state.popup;
-    const bool field = names.size() > most_without_field;
     const bool entered = draw_query(state, field);
     const std::vector<size_t> shown = narrowed(names, popup.query);
     const ImGuiIO& io = ImGui::GetIO();
@@ -147,7 +146,7 @@ bool draw_list(State& state, const std::vector<std::string>& names, size_t& take
     ImGui::EndChild();
     const int chosen = clicked >= 0 ? clicked : entered && !shown.empty() ? popup.chosen : -1;
     if (chosen >= 0) taken = shown[static_cast<size_t>(chosen)];
-    if (entered && chosen < 0) popup.opening = true;  // the keyboard goes back to the field
+    if (entered && chosen < 0) popup.opening = true;  // focus the field again
     return chosen >= 0;
 }
 
@@ -156,8 +155,10 @@ bool draw_choices(State& state) {
     if (!port) return true;
     const std::string node = state.popup.node;
     const bool flag = port->kind == Port::Kind::flag;
+    const std::vector<std::string> names =
+        flag ? std::vector<std::string>{"no", "yes"} : port->choices;
     size_t taken = 0;
-    if (!draw_list(state, flag ? std::vector<std::string>{"no", "yes"} : port->choices, taken))
+    if (!draw_list(state, names, names.size() > most_without_field, taken))
         return state.popup.next != 0;
     const Document& now = state.document();
     state.commit(node + ": " + port->name,
@@ -166,7 +167,7 @@ bool draw_choices(State& state) {
     return true;
 }
 
-// Without a node the picture is added.
+// Chooses an image for the port; if the popup has no node, adds the image.
 bool draw_files(State& state) {
     const bool adds = state.popup.node.empty();
     const Port* port = adds ? nullptr : port_of(state);
@@ -179,7 +180,7 @@ bool draw_files(State& state) {
         return true;
     }
     size_t taken = 0;
-    if (!draw_list(state, files, taken)) return state.popup.next != 0;
+    if (!draw_list(state, files, true, taken)) return state.popup.next != 0;
     if (adds)
         add_picture(state, files[taken]);
     else
@@ -188,7 +189,7 @@ bool draw_files(State& state) {
     return true;
 }
 
-// All that is picked while it is open is one step.
+// All changes until the popup closes are one undo step.
 bool draw_color(State& state) {
     const Port* port = port_of(state);
     const Node* node = state.document().find(state.popup.node);
@@ -249,7 +250,7 @@ void open_next(State& state, const Popup& popup) {
         const Field& field = card.fields[static_cast<size_t>(i)];
         if (field.index != popup.port_index || field.lane != popup.lane) continue;
         int to = (i + popup.next + count) % count;
-        // A colour is one thing to change.
+        // The components of a color are one field.
         while (popup.kind == Popup::Kind::color && to != i &&
                card.fields[static_cast<size_t>(to)].index == popup.port_index)
             to = (to + popup.next + count) % count;
@@ -261,7 +262,7 @@ bool is_list(Popup::Kind kind) {
     return kind == Popup::Kind::choice || kind == Popup::Kind::file;
 }
 
-// True when it is to be closed.
+// Returns true when the popup is to be closed.
 bool draw_window(State& state) {
     const Popup::Kind kind = state.popup.kind;
     ImGui::Begin("##popup", nullptr,

@@ -1,4 +1,4 @@
-// The canvas with thousands of nodes: what is drawn, found and laid out anew, counted.
+// Tests of a canvas with thousands of nodes: counts of drawn vertices, targets and rebuilt cards.
 #include <cmath>
 
 #include "editor/canvas/canvas.h"
@@ -11,7 +11,7 @@
 namespace wrinkle::editor {
 namespace {
 
-// `count` sums in rows of 40, each of the one before it.
+// A chain of `count` additions, in rows of 40.
 std::string sums(int count) {
     std::string nodes, places;
     for (int i = 0; i < count; ++i) {
@@ -43,8 +43,8 @@ TEST_F(Headless, OnlyWhatIsSeenIsDrawn) {
     fit(state.view, state.layout, false);
     frame();
     const size_t all = canvas_vertices();
-    EXPECT_GT(all, 2000U * 8);   // each is there
-    EXPECT_LT(all, 2000U * 40);  // and is no more than a rectangle and its wires
+    EXPECT_GT(all, 2000U * 8);   // every card is drawn
+    EXPECT_LT(all, 2000U * 40);  // as at most a rectangle and its wires
     state.view.zoom = 1;
     state.view.pan = {0, 0};
     frame();
@@ -80,6 +80,23 @@ TEST_F(Headless, AllCardsAreInSightBelowThePathHoweverLargeTheGraph) {
     }
 }
 
+TEST_F(Headless, TidyingBringsAllCardsInSight) {
+    for (const char* how : {"key Ctrl+L", "click tool:tidy"}) {
+        open(sums(3));
+        state.commit("far", move_node(state.document(), "n2", 3000, -2000));
+        frame();
+        play(how);
+        const View& view = state.view;
+        for (const Card& card : state.layout.cards) {
+            const ImVec2 low = to_screen(view, card.at), high = low + card.size * view.zoom;
+            EXPECT_GE(low.x, view.corner.x) << card.id << " by " << how;
+            EXPECT_GE(low.y, view.corner.y) << card.id << " by " << how;
+            EXPECT_LE(high.x, view.corner.x + view.extent.x) << card.id << " by " << how;
+            EXPECT_LE(high.y, view.corner.y + view.extent.y) << card.id << " by " << how;
+        }
+    }
+}
+
 TEST_F(Headless, NamesOnTheCanvasAreWorkedOutWhenAskedFor) {
     open(sums(2000));
     fit(state.view, state.layout, false);
@@ -111,7 +128,7 @@ TEST_F(Headless, ACardIsMadeAnewOnlyWhenItsNodeHasChanged) {
     EXPECT_EQ(state.layout.find("n5")->fields.at(0).value, "7");
     state.commit("wire", connect(state.document(), {"n9", "result"}, "n20", "b"));
     frame();
-    EXPECT_EQ(state.layout.made, 2U);  // n20, and n9 whose readers have changed
+    EXPECT_EQ(state.layout.made, 2U);  // n20, and n9, which has a new user
     state.commit("delete", remove_node(state.document(), "n20"));
     frame();
     EXPECT_LE(state.layout.made, 4U);
@@ -141,7 +158,7 @@ TEST_F(Headless, ADragMovesItsCardAndTheWiresAtIt) {
     EXPECT_EQ(state.layout.find("n5")->at.x, before.find("n5")->at.x);
 }
 
-// Against what stands in the layout, every card of it: nothing is lost by looking only nearby.
+// Hit tests at every pin and header of the layout: the search of nearby cards misses none.
 TEST_F(Headless, EveryPinAndHeaderIsFoundUnderThePointer) {
     open(sums(200));
     for (const float zoom : {0.3F, 0.7F, 1.0F, 2.5F}) {

@@ -1,4 +1,4 @@
-// Tooltips: never over what they are about, and none while the mouse holds something.
+// Tests of tooltips: position and visibility.
 #include <imgui_internal.h>
 
 #include "editor/canvas/layout.h"
@@ -7,7 +7,7 @@
 namespace wrinkle::editor {
 namespace {
 
-// `noise` has a wire of a wrong type, `softer` a value that is no number.
+// Wrong values: `noise.scale` and `softer.amount` are texts; `noise.point` is a number.
 const char* const faulty = R"({ "wrinkle": 1, "nodes": {
     "noise": { "type": "gradient_noise", "in": { "scale": "three", "point": 4 } },
     "softer": { "type": "gradient_scale", "in": { "gradient": { "from": "noise.height" },
@@ -31,7 +31,8 @@ protected:
         for (int i = 0; i < 70; ++i)
             frame();
     }
-    // Whether a tooltip is there, apart from the target and on the screen.
+    // Returns "" if the target has a tooltip that does not cover it and is on the screen, else the
+    // error.
     std::string wrong(const std::string& target) {
         const auto at = state.targets.find(target);
         if (!at) return target + " is not there";
@@ -58,7 +59,7 @@ TEST_F(Tips, CoverNothingThatTheyAreAbout) {
 
 TEST_F(Tips, CoverNothingThatTheyAreAboutAtTheRightBorder) {
     open(small_graph);
-    ImGui::GetIO().DisplaySize.x = 900;  // the canvas has the whole window
+    ImGui::GetIO().DisplaySize.x = 900;  // the canvas is as wide as the window
     frame();
     frame();
     state.view.zoom = 1;
@@ -84,7 +85,7 @@ TEST_F(Tips, AMessageIsReadWithItsButton) {
         if (!at) break;
         point({at->x0, at->y0, at->x0 + 300, at->y1});
         const ImGuiWindow* window = tip();
-        if (!window) continue;  // the whole message is there
+        if (!window) continue;  // the complete message is visible
         seen += target;
         EXPECT_LE(window->Pos.y + window->Size.y, state.targets.find("problem:1")->y0);
     }
@@ -99,6 +100,19 @@ TEST_F(Tips, AreGoneWhileANumberIsDragged) {
     queue.button(0, true);
     queue.motion(at.middle_x() + 30, at.middle_y());
     for (int i = 0; i < 90; ++i) {
+        frame();
+        EXPECT_FALSE(i > 1 && tip()) << i;
+    }
+    queue.button(0, false);
+    play("wait");
+}
+
+TEST_F(Tips, AreGoneWhileTheMouseIsPressed) {
+    open(small_graph);
+    point(*state.targets.find("status:cost"));
+    EXPECT_TRUE(tip());
+    queue.button(0, true);
+    for (int i = 0; i < 30; ++i) {
         frame();
         EXPECT_FALSE(i > 1 && tip()) << i;
     }
