@@ -1,4 +1,4 @@
-// What the machine does not give, and inputs that are large: one sentence, in time and in memory.
+// Tests of missing resources and large inputs: one message each, with limits on time and memory.
 #include <sys/stat.h>
 
 #include <algorithm>
@@ -11,7 +11,7 @@ namespace {
 
 using LimitsTest = CliTest;
 
-// n199 = (uv0.x + 1)^(2^199) by repeated squaring.
+// A graph with n199 = (uv0.x + 1)^(2^199) by repeated squaring.
 std::string chain_graph() {
     std::string nodes = R"("split": {"type": "separate_vec2", "in": {"vector": {"from":
         "surface.uv0"}}}, "n0": {"type": "add", "in": {"a": {"from": "split.x"}, "b": 1}})";
@@ -25,7 +25,7 @@ std::string chain_graph() {
            "}, \"outputs\": {\"value\": {\"from\": \"n199.result\"}}}";
 }
 
-// So many nodes of a type in a row, each fed by the one before; the first by a wave of uv0.
+// `n` nodes of `type` in a row; each reads the previous one, the first reads a wave of uv0.
 std::string row_of(const std::string& type, const std::string& in, const std::string& out, int n) {
     std::string nodes = R"("wave": {"type": "waves"})", from = "wave.height";
     for (int i = 0; i < n; ++i) {
@@ -120,7 +120,7 @@ TEST_F(LimitsTest, AVariableRaisesOrLowersALimit) {
     EXPECT_TRUE(says(wrong.err, "environment variable WRINKLE_TEXT_MAX_BYTES is 'many'"));
 }
 
-// Whatever is counted when it is met: a text as before, or the sentence; never anything else.
+// With any limit, the output is either the complete source or empty with the one message.
 TEST_F(LimitsTest, AnyLimitOfValuesGivesTheWholeTextOrTheSentence) {
     put("g.json", row_of("parallax_occlusion", "height", "height", 1));
     const std::string whole = run({"compile", "g.json"}).out;
@@ -209,15 +209,15 @@ TEST_F(LimitsTest, AFolderThatCannotBeSearchedIsAnError) {
     put("x/locked/b.test.json", "{}");
     fs::permissions(folder / "x/locked", fs::perms::none);
     fs::permissions(folder, fs::perms::all);
-    as_nobody = true;
-    if (run({"--version"}).code != 0) GTEST_SKIP() << "nobody may not run the program";
+    unprivileged = true;
+    if (run({"--version"}).code != 0) GTEST_SKIP() << "capabilities cannot be dropped";
     const Ran ran = run({"test", "x"});
     EXPECT_NE(ran.code, 0) << ran.out;
     EXPECT_TRUE(says(ran.err, "x/locked: cannot be searched"));
     fs::permissions(folder / "x/locked", fs::perms::owner_all);
 }
 
-// Written to from one end, read at the other.
+// A pipe that is written at one end and read at the other.
 TEST_F(LimitsTest, APipeTakesAText) {
     put("g.json", tilt_graph());
     ASSERT_EQ(mkfifo((folder / "pipe").c_str(), 0600), 0);

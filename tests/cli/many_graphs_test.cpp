@@ -1,6 +1,6 @@
-// Many graphs in one call, and what can happen meanwhile: a bad one among them, a full disk, a
-// folder that is closed, a sub-graph that disappears, the end of the process. The others are built,
-// the exit code says the worst, and no file is there in part.
+// Tests of many graphs in one call with failures: an invalid graph, a full disk, a folder without
+// write permission, a sub-graph that disappears, a killed process. The other graphs are compiled,
+// the exit code is that of the worst error, and no file is incomplete.
 #include <signal.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -20,7 +20,7 @@ using Names = std::vector<std::string>;
 class ManyGraphsTest : public CliTest {
 protected:
     static std::string name(int i) { return "g" + std::to_string(i); }
-    // g0.json ...; the name of each, and what follows.
+    // Writes the graphs g0.json, g1.json, ...; returns their names.
     Names put_graphs(int count, const std::string& slope_begin = "0.") const {
         Names names;
         for (int i = 0; i < count; ++i) {
@@ -33,7 +33,7 @@ protected:
         args.insert(args.end(), more.begin(), more.end());
         return args;
     }
-    // What a folder of texts holds that no compilation by itself writes.
+    // Returns the files in `made` that differ from those of the same name in `right`, or have none.
     Names strangers(const std::string& made, const std::string& right) const {
         Names found;
         for (const auto& each : fs::directory_iterator(folder / made)) {
@@ -67,8 +67,8 @@ TEST_F(ManyGraphsTest, AFolderThatIsClosedIsSaidOnce) {
     fs::create_directories(folder / "closed");
     fs::permissions(folder / "closed", fs::perms::owner_read | fs::perms::owner_exec);
     fs::permissions(folder, fs::perms::all);
-    as_nobody = true;
-    if (run({"--version"}).code != 0) GTEST_SKIP() << "nobody may not run the program";
+    unprivileged = true;
+    if (run({"--version"}).code != 0) GTEST_SKIP() << "capabilities cannot be dropped";
     const Ran one = run({"compile", "g0.json", "-o", "closed/g0.glsl"});
     EXPECT_EQ(one.code, 3);
     EXPECT_TRUE(says(one.err, "closed/g0.glsl: cannot be written: Permission denied"));
@@ -78,7 +78,7 @@ TEST_F(ManyGraphsTest, AFolderThatIsClosedIsSaidOnce) {
     fs::permissions(folder / "closed", fs::perms::owner_all);
 }
 
-// In a file system of few pages, by those who may mount one.
+// Uses a small file system; skipped without the right to mount one.
 TEST_F(ManyGraphsTest, AFullDiskHoldsWholeFilesOnly) {
     const Names graphs = put_graphs(24);
     ASSERT_EQ(run(with({"compile", "-o", "right"}, graphs)).code, 0);
@@ -105,7 +105,7 @@ TEST_F(ManyGraphsTest, AFullDiskHoldsWholeFilesOnly) {
         EXPECT_EQ(strangers("made", "right"), Names{}) << get("list");
         EXPECT_FALSE(fs::is_empty(folder / "made")) << "what fits is there";
     }
-    // A cache that is full is a warning.
+    // A full cache is only a warning.
     ASSERT_EQ(small_disk("head -c 100k /dev/zero > disk/full\n'" + program +
                          "' compile --cache disk/cache -o texts" + all +
                          " 2> err\necho $? > code\nrm -r disk/*"),
@@ -142,7 +142,8 @@ TEST_F(ManyGraphsTest, AKilledCompilerLeavesWholeFiles) {
     RecordProperty("killed_in_the_middle", static_cast<int>(unfinished));
 }
 
-// Taken away and put back while it is read: an error that names it, or the whole text.
+// The sub-graph is removed and restored while it is read: an error that names it, or the complete
+// output.
 TEST_F(ManyGraphsTest, ASubgraphThatComesAndGoesIsThereOrMissing) {
     put("sub.json", tilt_graph());
     Names graphs;

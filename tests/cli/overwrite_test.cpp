@@ -1,4 +1,4 @@
-// An output that is an input of the same run is refused before anything is written.
+// Tests that an output that is an input of the same run is an error before anything is written.
 #include "cli/support.h"
 
 namespace wrinkle::test {
@@ -10,7 +10,7 @@ class OverwriteTest : public CliTest {
 protected:
     void SetUp() override {
         CliTest::SetUp();
-        put("map.png", "P6\n2 2\n255\nabcdefghijkl");  // its first bytes decide what it is
+        put("map.png", "P6\n2 2\n255\nabcdefghijkl");  // its first bytes determine the format
         put("inner.json", tilt_graph("0.5"));
         put("g.json", R"({"wrinkle": 1, "nodes": {
             "sub": {"type": "graph:inner.json"},
@@ -46,8 +46,9 @@ protected:
 };
 
 TEST_F(OverwriteTest, NoCommandReplacesWhatItReads) {
-    for (const std::string name : {"g.json", "./g.json", "link.json", "hard.json", "inner.json",
-                                   "map.png", "../work/g.json"}) {
+    const std::string by_parent = "../" + folder.filename().string() + "/g.json";
+    for (const std::string& name : Names{"g.json", "./g.json", "link.json", "hard.json",
+                                         "inner.json", "map.png", by_parent}) {
         expect_refused({"compile", "g.json", "-o", name});
         expect_refused({"compile", "g.json", "-o", "out", "--reflect", name});
         expect_refused({"compile", "g.json", "-o", "out", "-MD", "-MF", name});

@@ -1,7 +1,10 @@
 #include "cli/support.h"
 
 #include <fcntl.h>
+#include <linux/capability.h>
 #include <signal.h>
+#include <sys/prctl.h>
+#include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -22,16 +25,26 @@ std::vector<char*> pointers(const std::vector<std::string>& strings) {
     return result;
 }
 
+// A program that root starts after this has no capabilities: file permissions apply to it. It is
+// still root: another user might not reach a program below /root.
+bool drop_capabilities() {
+    for (int capability = 0; prctl(PR_CAPBSET_READ, capability) >= 0; ++capability)
+        if (prctl(PR_CAPBSET_DROP, capability) != 0) return false;
+    __user_cap_header_struct header{_LINUX_CAPABILITY_VERSION_3, 0};
+    const __user_cap_data_struct none[2]{};
+    return syscall(SYS_capset, &header, none) == 0;
+}
+
 }  // namespace
 
-// What the three files are is copied into the child.
+// The child process gets duplicates of the three descriptors.
 pid_t CliTest::start(const std::vector<std::string>& args, int in, int out, int err,
                      const std::vector<std::string>& environment) const {
     const fs::path beside = folder.parent_path();
     std::vector<std::string> words{program};
     words.insert(words.end(), args.begin(), args.end());
     const auto argv = pointers(words);
-    // The plugins of the user who runs the tests are none of theirs.
+    // Excludes the plugins of the user who runs the tests.
     std::vector<std::string> all{"WRINKLE_NO_DEFAULT_PLUGINS=1",
                                  "XDG_CACHE_HOME=" + (beside / "cache").string()};
     all.insert(all.end(), environment.begin(), environment.end());
@@ -49,7 +62,7 @@ pid_t CliTest::start(const std::vector<std::string>& args, int in, int out, int 
     for (char* entry : settings)
         if (entry) putenv(entry);
     const rlimit limit{memory, memory};
-#if defined(__SANITIZE_ADDRESS__)  // it reserves more than any limit
+#if defined(__SANITIZE_ADDRESS__)  // ASan reserves more address space than any limit
     (void)limit;
 #else
     if (memory != RLIM_INFINITY) setrlimit(RLIMIT_AS, &limit);
@@ -57,7 +70,7 @@ pid_t CliTest::start(const std::vector<std::string>& args, int in, int out, int 
     const rlimit full{file_size, file_size};
     if (file_size != RLIM_INFINITY && setrlimit(RLIMIT_FSIZE, &full) == 0) signal(SIGXFSZ, SIG_IGN);
     alarm(seconds);  // survives exec
-    const bool changed = !as_nobody || geteuid() != 0 || setuid(65534) == 0;
+    const bool changed = !unprivileged || geteuid() != 0 || drop_capabilities();
     if (chdir(folder.c_str()) == 0 && changed) execv(program.c_str(), argv.data());
     _exit(127);
 }
@@ -69,7 +82,8 @@ pid_t CliTest::start(const std::vector<std::string>& args) const {
     return child;
 }
 
-// Standard input is a file whose offset is shared with the process, so what was read shows.
+// Standard input is a file that shares its offset with the process, so the bytes read can be
+// counted.
 Ran CliTest::run(const std::vector<std::string>& args, const std::string& input,
                  const std::vector<std::string>& environment) const {
     const fs::path beside = folder.parent_path();
@@ -97,7 +111,7 @@ Ran CliTest::run_killed_at(const std::string& call, int n, const std::vector<std
     words.push_back("inject=" + call + ":signal=KILL:when=" + std::to_string(n));
     words.push_back(wrinkle);
     words.insert(words.end(), args.begin(), args.end());
-    // LeakSanitizer cannot look at a process that is traced.
+    // LeakSanitizer cannot run in a traced process.
     const Ran ran = run(words, "", {"ASAN_OPTIONS=detect_leaks=0:intercept_tls_get_addr=0"});
     program = wrinkle;
     return ran;

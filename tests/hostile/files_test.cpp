@@ -1,5 +1,5 @@
-// Every file that the program reads is replaced by what is not a plain file inside the root, and by
-// files that are empty, huge or damaged.
+// Tests that replace every file that the program reads by special files and links that lead out of
+// the root, and by empty, huge or damaged files.
 #include <sys/socket.h>
 #include <sys/stat.h>
 #include <sys/un.h>
@@ -20,7 +20,7 @@ struct Position {
     Names args;
     std::set<std::string> outputs = {};
 
-    // The user names the file, or the plugin that it belongs to: it may be outside of the root.
+    // Returns true if the user names the file, or its plugin: it may then be outside of the root.
     bool is_named() const {
         return file.ends_with(".so.json") ||
                std::any_of(args.begin(), args.end(), [&](const std::string& arg) {
@@ -110,10 +110,10 @@ protected:
         for (size_t kind = 0; kind < std::size(kind_names); ++kind) {
             fs::remove_all(path);
             place(static_cast<Kind>(kind), path, original, position.is_named());
-            as_nobody = static_cast<Kind>(kind) == Kind::unreadable;
+            unprivileged = static_cast<Kind>(kind) == Kind::unreadable;
             HostileTest::attack(position.file + " is " + kind_names[kind], position.args,
                                 position.outputs);
-            as_nobody = false;
+            unprivileged = false;
             clean();
             fs::remove_all(path);
             put(position.file, original);
@@ -131,7 +131,7 @@ private:
  "buffers": [{"uri": "mesh.bin", "byteLength": 36}]})");
     }
 
-    // A cache with one entry, and the two parts of a bake.
+    // Creates a cache with one entry and the two parts of a bake.
     void make_caches() {
         EXPECT_EQ(run({"compile", "plain.json", "-o", "x.glsl", "--cache", "kept"}).code, 0);
         EXPECT_EQ(run({"compile", "plain.json", "-o", "y.glsl", "--cache", "kept"}).code, 0);
