@@ -17,7 +17,7 @@ namespace {
 
 constexpr double step = 1e-4;  // pixels
 constexpr size_t derivative_points = 200;
-constexpr size_t least_smooth_share = 50;  // one in so many may be at a jump or a kink
+constexpr size_t least_smooth_share = 50;  // at most one in this many at a jump or a kink
 
 double largest(const std::vector<double>& values) {
     double size = 0;
@@ -26,8 +26,8 @@ double largest(const std::vector<double>& values) {
     return size;
 }
 
-// Central differences at two steps: where they disagree by more than the rounding of the values,
-// there is a jump or a kink.
+// Central differences at two step sizes; `value` is their Richardson extrapolation. `smooth` is
+// false if they differ by more than 1e-5 of their size plus rounding error: a jump or a kink.
 struct Slope {
     double value;
     bool smooth;
@@ -37,7 +37,7 @@ Slope slope_of(double wide, double narrow, double scale, double rounding) {
     return {(4 * narrow - wide) / 3, std::fabs(wide - narrow) <= 1e-5 * size + rounding};
 }
 
-// Of a quotient of differences: a few hundred units in the last place of the values.
+// Rounding error of a difference quotient: 256 ulp of the largest value, divided by the step.
 double rounding_of(const std::vector<double>& values) {
     return 256 * std::numeric_limits<double>::epsilon() * largest(values) / step;
 }
@@ -47,12 +47,12 @@ bool is_number(const ModuleOutput& output) {
            output.port_type != WR_PORT_derivative;
 }
 
-// Outputs stand in threes.
+// Outputs are stored in groups of three.
 enum Column : size_t { value, derived, bump, columns };
 
-// Each number among the outputs (a normal is constant under differentiation) with its change to the
-// next pixel in x: derived from what it is made of, and as bumps have it, where what is detached
-// counts as constant.
+// Returns a module with three outputs per number output (a normal is constant under
+// differentiation): the value, its derivative per pixel in x, and the same derivative with detached
+// values constant, as in bumps.
 Module with_derivatives(const Subject& subject, const Bench& bench) {
     Diagnostics diagnostics;
     Module lowered = lower(subject.project, bench.registry, {}, diagnostics).module;
@@ -64,7 +64,7 @@ Module with_derivatives(const Subject& subject, const Bench& bench) {
         lowered.outputs.push_back(
             {output.name, output.port_type, op(Op::ddx_, Value{&lowered, output.value}).id});
     }
-    const ExpandOptions options{.back_faces = subject.project.top().back_faces};
+    const ExpandOptions options{.back_faces = subject.project.top().back_face_rule()};
     Module module = explicit_lod(expand(settle_frames(lowered, options), options));
     Direction direction = screen_direction(module, Variant::dx, false);
     for (size_t k = 0; k < module.outputs.size(); k += columns)
@@ -73,7 +73,7 @@ Module with_derivatives(const Subject& subject, const Bench& bench) {
     return module;
 }
 
-// Values here, and half a step and a whole one to either side.
+// Values at the points, and one step and half a step to either side in x.
 struct Around {
     Values here, right, left, near_right, near_left;
 };
@@ -111,7 +111,8 @@ private:
         const std::string port = port_of(module.outputs[output].name);
         const std::vector<double>& here = around.here[output + derived];
         const double scale = largest(here), rounding = rounding_of(around.here[output]);
-        // Where inputs vary, what is detached to filter (a pixel's size) does too.
+        // "detach" is checked for constant inputs only: with varying inputs, values detached for
+        // filtering (the pixel size) vary too.
         const bool bumps = module.outputs[output].port_type == WR_PORT_height &&
                            (inputs == Inputs::defaults || inputs == Inputs::numbers);
         size_t kinks = 0;

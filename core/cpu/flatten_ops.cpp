@@ -1,4 +1,4 @@
-// Flattening of single instructions: which scalar steps an op on vectors is.
+// Flattening of single instructions: splits vector ops into scalar steps.
 #include "cpu/flatten.h"
 
 namespace wrinkle {
@@ -10,14 +10,14 @@ size_t lane_count(Type type) {
     return info(type).lanes;
 }
 
-// A float stands for every lane beside a vector.
+// Returns component k; a float operand next to a vector is broadcast to all components.
 uint32_t lane_of(const Lanes& lanes, size_t k) {
     return lanes.size() == 1 ? lanes[0] : lanes[k];
 }
 
 }  // namespace
 
-// An op on vectors that is one step.
+// Adds a vector op as a single step.
 Flattener::Lanes Flattener::add_vector(Op op, size_t outputs, const Lanes& in) {
     Step step;
     step.op = op;
@@ -101,8 +101,8 @@ Flattener::Lanes Flattener::rearranged(const Inst& inst, const std::vector<Lanes
         for (const Lanes& part : args)
             result.insert(result.end(), part.begin(), part.end());
     else if (inst.op == Op::swizzle_)
-        for (uint32_t k = 0; k < (inst.extra & 0xF); ++k)
-            result.push_back(args[0][inst.extra >> (4 + 4 * k) & 0xF]);
+        for (int k = 0; k < swizzle_count(inst.extra); ++k)
+            result.push_back(args[0][static_cast<size_t>(swizzle_component(inst.extra, k))]);
     else if (inst.op == Op::column_)
         result.assign(args[0].begin() + inst.extra * 3, args[0].begin() + inst.extra * 3 + 3);
     else
@@ -157,7 +157,7 @@ Flattener::Lanes Flattener::vector_op(const Inst& inst, const std::vector<Lanes>
     return add_vector(Op::cross_, 3, both);
 }
 
-// A mat3 times each vec3 column of the other operand.
+// Multiplies a mat3 with each vec3 column of the other operand.
 Flattener::Lanes Flattener::transformed(const std::vector<Lanes>& args) {
     const Lanes& m = args[0];
     Lanes result;

@@ -10,7 +10,7 @@ namespace {
 
 constexpr size_t widest_code = 100;
 
-// Parameters of a region that has no names for them are known by their place: a, b, c, ...
+// Returns the parameter's name in the region; without one, a letter by index: a, b, c, ...
 std::string parameter_name(const Region& region, size_t index) {
     if (index < region.param_names.size() && !region.param_names[index].empty())
         return region.param_names[index];
@@ -22,7 +22,7 @@ std::string result_name(const Region& region, size_t index) {
     return "result_" + std::to_string(index + 1);
 }
 
-// "// weave gives height, normal": of a sub-graph.
+// Returns "// weave gives height, normal" for a sub-graph; "" for a region without result names.
 std::string comment_on(const Region& region) {
     std::string text;
     for (const std::string& name : region.result_names)
@@ -46,8 +46,7 @@ void Body::output_function(Id value, const std::string& name, const std::string&
     decide(plan_, values_, scope, roots);
     text_.line(0, type_name(m_.type(root)) + " " + name + "(" + argument + ") {");
     const std::vector<Id> ids = schedule(plan_, values_, scope, scope.order);
-    locals_.make_room(ids.size());
-    Id read = root;  // what the line computes, of which the output may be a part
+    Id read = root;  // the value that the line computes; the output may be a part of it
     while (plan_.role(read) == Role::view && m_[read].op != Op::result_)
         read = plan_.operands(read)[0];
     const bool folded = plan_.role(read) == Role::value && !values_.state[read].statement;
@@ -56,13 +55,13 @@ void Body::output_function(Id value, const std::string& name, const std::string&
                                          : group_of(plan_, values_, ids.back());
     statements(ids, 1, group);
     line_.clear();
-    line_.add("return ");
+    line_.append("return ");
     write(context_, root, line_);
-    line_.add(';');
+    line_.append(";");
     if (folded)
         commented_line(1, line_, group, true);
     else
-        code(1, line_.view(), group == no_node ? no_node : node_of(group));
+        code(1, line_, group == no_node ? no_node : node_of(group));
     text_.line(0, "}");
 }
 
@@ -113,49 +112,50 @@ void Body::region_function(uint32_t index, const std::string& name) {
     text_.line(0, "}");
 }
 
-// "// weave: Tangent normal map"; nothing where a group has none.
-void Body::append_comment_of(Line& line, uint32_t group) {
+// Appends "// weave: Tangent normal map"; appends nothing if the group has no comment.
+void Body::append_comment_of(std::string& line, uint32_t group) {
     commented_.resize(m_.nodes.size());
     if (group == surface_group) {
         const bool again = std::exchange(surface_commented_, true);
-        line.add(again ? "// the surface point (continued)" : "// the surface point");
+        line.append(again ? "// the surface point (continued)" : "// the surface point");
         return;
     }
     const NodeInstance& node = m_.nodes[group];
     if (group == 0 || node.path.empty()) return;
-    line.add("// ");
+    line.append("// ");
     append_comment_text(line, node.path);
-    if (node.title > 0) line.add(": ");
+    if (node.title > 0) line.append(": ");
     append_comment_text(line, m_.titles[node.title]);
-    if (commented_[group]) line.add(" (continued)");
+    if (commented_[group]) line.append(" (continued)");
     commented_[group] = true;
 }
 
 void Body::comment(int indent, uint32_t group) {
     if (std::exchange(group_, group) == group) return;
-    Line line;
+    std::string line;
     append_comment_of(line, group);
-    if (line.size() > 0) text_.line(indent, line.view(), node_of(group));
+    if (!line.empty()) text_.line(indent, line, node_of(group));
 }
 
-// A group has its comment beside its first line where that fits; one line of the surface point
-// needs none. The comment is appended to the line.
-void Body::commented_line(int indent, Line& line, uint32_t group, bool single) {
-    if (group == group_) return code(indent, line.view(), node_of(group));
+// Writes a statement. The first line of a group has the group's comment at its end, or on the line
+// above if it does not fit. A single line of the surface point has no comment unless the group
+// continues. Appends the comment to `line`.
+void Body::commented_line(int indent, std::string& line, uint32_t group, bool single) {
+    if (group == group_) return code(indent, line, node_of(group));
     group_ = group;
     const size_t code_end = line.size();
-    line.add("  ");
+    line.append("  ");
     const size_t begin = line.size();
     if (!single || group != surface_group || surface_commented_) append_comment_of(line, group);
     const bool none = line.size() == begin;
     if (!none && 4 * static_cast<size_t>(indent) + line.size() <= widest_code)
-        return text_.line(indent, line.view(), node_of(group));
-    const std::string_view whole = line.view();
+        return text_.line(indent, line, node_of(group));
+    const std::string_view whole = line;
     if (!none) text_.line(indent, whole.substr(begin), node_of(group));
     code(indent, whole.substr(0, code_end), node_of(group));
 }
 
-// A line that is too long goes on after a comma, or after a space.
+// Wraps a line that is too long after a comma, else after a space.
 void Body::code(int indent, std::string_view line, uint32_t node) {
     constexpr int deeper = 2;
     for (int level = indent;; level = indent + deeper) {
@@ -191,13 +191,19 @@ void Body::statements(std::span<const Id> ids, int indent, uint32_t next) {
     }
 }
 
-void Body::assign(Id id, int indent, uint32_t group, bool single) {
+std::string_view Body::name_value(Id id, const WantedName& wanted) {
     ValueState& state = values_.state[id];
-    state.call(locals_.add(wanted_name(plan_, values_, id)));
+    state.name = locals_.add(wanted);
+    state.width = static_cast<uint32_t>(state.name.size());
+    return state.name;
+}
+
+void Body::assign(Id id, int indent, uint32_t group, bool single) {
+    const std::string_view name = name_value(id, wanted_name(plan_, values_, id));
     line_.clear();
-    line_.add(info(m_.type(id)).name).add(' ').add(locals_.text(state.name())).add(" = ");
+    line_.append(info(m_.type(id)).name).append(" ").append(name).append(" = ");
     write_definition(context_, id, line_);
-    line_.add(';');
+    line_.append(";");
     commented_line(indent, line_, group, single);
 }
 
@@ -205,16 +211,14 @@ std::vector<std::string> Body::name_members(Id tuple) {
     const std::string& path = m_.nodes[m_.origin[tuple]].path;
     std::vector<std::string> names;
     for (const Id member : plan_.members(tuple)) {
-        const WantedName nobody{path, "state"};
-        const Name name =
-            locals_.add(member == poison ? nobody : wanted_name(plan_, values_, member));
-        names.emplace_back(locals_.text(name));
-        values_.state[member].call(name);
+        const WantedName unread{path, "state"};
+        names.emplace_back(
+            name_value(member, member == poison ? unread : wanted_name(plan_, values_, member)));
     }
     return names;
 }
 
-// Several results: the first is returned, the others are handed out.
+// Writes a call with several results: it returns the first; the others are `out` arguments.
 void Body::call(Id id, int indent) {
     const Region& region = m_.region(m_[id].extra);
     std::string text;
@@ -249,7 +253,7 @@ void Body::loop(Id id, int indent) {
     code(indent, "}", node);
 }
 
-// The condition is of the state at hand; what it does not need comes after the break.
+// The loop condition reads the current state. Statements that it does not need follow the break.
 void Body::loop_body(Id id, const std::vector<std::string>& state, int indent) {
     const Region& region = m_.region(m_[id].extra);
     if (context_.parameters.size() <= region.level) context_.parameters.resize(region.level + 1u);
@@ -277,7 +281,7 @@ void Body::go_on(Id condition, int indent, uint32_t node) {
     code(indent, "if (!" + text_of(context_, condition, postfix) + ") break;", node);
 }
 
-// Members of the state that a value's text reads.
+// Returns the indices of the state members that a value's text reads.
 std::vector<uint32_t> Body::state_read(Id value, uint8_t level) {
     std::vector<uint32_t> result;
     std::vector<Id> open{value};
@@ -293,7 +297,8 @@ std::vector<uint32_t> Body::state_read(Id value, uint8_t level) {
     return result;
 }
 
-// All members change at once: a value that reads a member assigned before it waits in a temporary.
+// Assigns all members simultaneously: a value that reads a member assigned before it is stored in a
+// temporary first.
 void Body::next_state(Id loop, std::span<const Id> next, const std::vector<std::string>& state,
                       int indent) {
     const uint8_t level = m_.region(m_[loop].extra).level;

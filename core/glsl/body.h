@@ -1,11 +1,10 @@
-// The statements of one function: temporaries node by node, loops, the results.
+// Emits the statements of one function: temporaries grouped by node, loops, results.
 #pragma once
 
 #include <string>
 #include <string_view>
 
 #include "glsl/expression.h"
-#include "glsl/line.h"
 #include "glsl/names.h"
 #include "glsl/text.h"
 
@@ -19,11 +18,11 @@ public:
           m_(plan.module()),
           values_(values),
           locals_(&globals),
-          context_{plan, values, symbols, locals_, target, {}},
+          context_{plan, values, symbols, target, {}},
           text_(text) {}
 
-    // Whole functions, appended to the text. An output's takes `argument` ("WrinkleSurface_x s" or
-    // nothing); a region's returns its first result and hands out the others.
+    // Append a complete function. An output's function takes `argument` ("WrinkleSurface_x s" or
+    // ""); a region's returns its first result and has `out` parameters for the others.
     void output_function(Id value, const std::string& name, const std::string& argument);
     void region_function(uint32_t region, const std::string& name);
 
@@ -34,15 +33,16 @@ private:
                           const std::vector<std::string>& parameters,
                           const std::vector<std::string>& outs) const;
 
-    void append_comment_of(Line& line, uint32_t group);
+    void append_comment_of(std::string& line, uint32_t group);
     void comment(int indent, uint32_t group);
-    void commented_line(int indent, Line& line, uint32_t group, bool single);
+    void commented_line(int indent, std::string& line, uint32_t group, bool single);
     uint32_t node_of(uint32_t group) const {
         return group == surface_group || group == 0 ? no_node : group;
     }
     void code(int indent, std::string_view line, uint32_t node);
-    // `next`: the group of what follows; no_node: unknown.
+    // `next`: group of the line after these statements; no_node: unknown.
     void statements(std::span<const Id> ids, int indent, uint32_t next = no_node);
+    std::string_view name_value(Id id, const WantedName& wanted);
     void assign(Id id, int indent, uint32_t group, bool single);
     void call(Id id, int indent);
     void loop(Id id, int indent);
@@ -59,8 +59,8 @@ private:
     NameSet locals_;
     ExpressionContext context_;
     Text& text_;
-    Line line_;                    // that is being written
-    uint32_t group_ = no_node;     // whose comment stands above
+    std::string line_;             // buffer for the current line
+    uint32_t group_ = no_node;     // group of the last comment
     std::vector<bool> commented_;  // by node
     bool surface_commented_ = false;
 };

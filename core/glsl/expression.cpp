@@ -11,7 +11,7 @@ namespace {
 constexpr int name_precedence = 20, call_precedence = 18, postfix = 17, prefix = 16;
 constexpr int relational = 12, conditional = 3;
 
-// Operands of built-in functions where GLSL takes a float beside vectors.
+// Returns true if the GLSL built-in accepts a float for this operand together with vectors.
 bool takes_float(Op op, size_t operand, bool others_float) {
     switch (op) {
         case Op::mod_:
@@ -35,7 +35,8 @@ std::string_view suffix_of(Variant variant) {
     return variant == Variant::dx ? "_dx" : variant == Variant::dy ? "_dy" : "";
 }
 
-// An operation's own letters: all in all, and more for each operand where their number differs.
+// Characters of an operation without its operands: `all` fixed ones, plus `each` per operand if the
+// number of operands varies.
 struct OwnWidth {
     uint8_t all = 0, each = 0;
 };
@@ -49,8 +50,7 @@ constexpr OwnWidth own_width_of(Op op) {
     if (op == Op::select_) return {6};
     if (op == Op::sign_nonzero_) return {19};
     if (op == Op::input_) return {4 + 2 + 2 + 17};
-    if (op >= Op::sample_ && op <= Op::image_size_)
-        return {static_cast<uint8_t>(spelling + 16 + commas)};
+    if (reads_image(op)) return {static_cast<uint8_t>(spelling + 16 + commas)};
     if (info(op).precedence) return {static_cast<uint8_t>(spelling + 2)};
     return {static_cast<uint8_t>(spelling + commas), arity < 0 ? comma : uint8_t{0}};
 }
@@ -64,14 +64,14 @@ constexpr auto own_widths = [] {
 
 class Writer {
 public:
-    Writer(const ExpressionContext& context, Line& text)
+    Writer(const ExpressionContext& context, std::string& text)
         : context_(context), plan_(context.plan), m_(context.plan.module()), text_(text) {}
 
     void read(Id id, int least);
     void define(Id id);
 
 private:
-    int binding(Id id) const;  // of what is no temporary
+    int binding(Id id) const;  // precedence; the value is not a temporary
     int leaf_binding(Id id) const;
     int definition_binding(Id id) const;
     void plainly(Id id);
@@ -87,7 +87,7 @@ private:
     const ExpressionContext& context_;
     const Plan& plan_;
     const Module& m_;
-    Line& text_;
+    std::string& text_;
 };
 
 int Writer::leaf_binding(Id id) const {
@@ -128,16 +128,16 @@ int Writer::binding(Id id) const {
 
 void Writer::read(Id id, int least) {
     if (plan_.role(id) == Role::value && context_.values.state[id].statement) {
-        text_.add(context_.names.text(context_.values.state[id].name()));
+        text_.append(context_.values.state[id].name);
         return;
     }
     const bool enclosed = least > 0 && binding(id) < least;
-    if (enclosed) text_.add('(');
+    if (enclosed) text_.append("(");
     plainly(id);
-    if (enclosed) text_.add(')');
+    if (enclosed) text_.append(")");
 }
 
-// What is no temporary.
+// Writes a value that is not a temporary.
 void Writer::plainly(Id id) {
     switch (plan_.role(id)) {
         case Role::leaf:
@@ -150,12 +150,12 @@ void Writer::plainly(Id id) {
 }
 
 void Writer::list(std::span<const Id> ids) {
-    text_.add('(');
+    text_.append("(");
     for (size_t i = 0; i < ids.size(); ++i) {
-        if (i > 0) text_.add(", ");
+        if (i > 0) text_.append(", ");
         read(ids[i], 0);
     }
-    text_.add(')');
+    text_.append(")");
 }
 
 void Writer::input(Id id) {
@@ -163,32 +163,32 @@ void Writer::input(Id id) {
     const Variant variant = variant_of(m_[id].extra);
     const bool change = plan_.role(id) != Role::leaf;
     if (change)
-        text_.add(variant == Variant::dx ? context_.target.change_x : context_.target.change_y)
-            .add("(");
-    text_.add("s.");
+        text_.append(variant == Variant::dx ? context_.target.change_x : context_.target.change_y)
+            .append("(");
+    text_.append("s.");
     if (!change)
-        text_.add(info(which).name).add(suffix_of(variant));
+        text_.append(info(which).name).append(suffix_of(variant));
     else if (which == SurfaceInput::position_)
-        text_.add("position_relative");
+        text_.append("position_relative");
     else
-        text_.add(info(which).name);
-    if (change) text_.add(')');
+        text_.append(info(which).name);
+    if (change) text_.append(")");
 }
 
 void Writer::leaf(Id id) {
     const Inst& inst = m_[id];
     switch (inst.op) {
         case Op::literal_:
-            text_.add(plan_.literal(id));
+            text_.append(plan_.literal(id));
             break;
         case Op::input_:
             input(id);
             break;
         case Op::parameter_:
-            text_.add(context_.symbols.parameters[inst.extra]);
+            text_.append(context_.symbols.parameters[inst.extra]);
             break;
         case Op::region_param_:
-            text_.add(context_.parameters[inst.level][inst.extra]);
+            text_.append(context_.parameters[inst.level][inst.extra]);
             break;
         case Op::construct_:
             define(id);
@@ -197,38 +197,38 @@ void Writer::leaf(Id id) {
             view(id);
             break;
         default:
-            text_.add("0.0");
+            text_.append("0.0");
     }
 }
 
 void Writer::view(Id id) {
     const Inst& inst = m_[id];
     if (inst.op == Op::result_) {
-        text_.add(context_.names.text(context_.values.state[id].name()));
+        text_.append(context_.values.state[id].name);
         return;
     }
     read(plan_.plain(inst.arg[0]), postfix);
     if (inst.op == Op::column_) {
-        text_.add('[').add(std::to_string(inst.extra)).add(']');
+        text_.append("[").append(std::to_string(inst.extra)).append("]");
         return;
     }
-    text_.add('.');
-    for (uint32_t i = 0; i < (inst.extra & 0xF); ++i)
-        text_.add("xyzw"[inst.extra >> (4 + 4 * i) & 0xF]);
+    text_.append(".");
+    for (int i = 0; i < swizzle_count(inst.extra); ++i)
+        text_ += "xyzw"[swizzle_component(inst.extra, i)];
 }
 
 void Writer::sample(Id id) {
     const std::string& image = context_.symbols.resources[m_[id].extra];
     if (m_[id].op == Op::image_size_) {
-        text_.add("vec2(textureSize(").add(image).add(", 0))");
+        text_.append("vec2(textureSize(").append(image).append(", 0))");
         return;
     }
-    text_.add(info(m_[id].op).glsl).add("(").add(image);
+    text_.append(info(m_[id].op).glsl).append("(").append(image);
     for (const Id operand : plan_.operands(id)) {
-        text_.add(", ");
+        text_.append(", ");
         read(operand, 0);
     }
-    text_.add(')');
+    text_.append(")");
 }
 
 void Writer::builtin(Id id) {
@@ -239,19 +239,19 @@ void Writer::builtin(Id id) {
         info(inst.op).rule == Rule::floats || info(inst.op).rule == Rule::broadcast;
     const auto floats =
         static_cast<size_t>(std::count_if(operands.begin(), operands.end(), is_float));
-    text_.add(info(inst.op).glsl).add("(");
+    text_.append(info(inst.op).glsl).append("(");
     for (size_t k = 0; k < operands.size(); ++k) {
         const bool widened = broadcasts && is_float(operands[k]) && floats < operands.size() &&
                              !takes_float(inst.op, k, floats == 2);
-        if (k > 0) text_.add(", ");
-        if (widened) text_.add(info(inst.type).name).add("(");
+        if (k > 0) text_.append(", ");
+        if (widened) text_.append(info(inst.type).name).append("(");
         read(operands[k], 0);
-        if (widened) text_.add(')');
+        if (widened) text_.append(")");
     }
-    text_.add(')');
+    text_.append(")");
 }
 
-// A constant of equal lanes is a plain number beside a vector.
+// If the other operand is a vector, a constant with equal components is written as a scalar.
 void Writer::operand(Id id, size_t k, int least) {
     const auto operands = plan_.operands(id);
     const Id own = operands[k], other = operands[1 - k];
@@ -266,12 +266,12 @@ void Writer::operation(Id id) {
     const OpInfo& op = info(m_[id].op);
     const auto operands = plan_.operands(id);
     if (operands.size() == 1) {
-        text_.add(op.glsl);
+        text_.append(op.glsl);
         read(operands[0], prefix + 1);
         return;
     }
     operand(id, 0, op.precedence);
-    text_.add(" ").add(op.glsl).add(" ");
+    text_.append(" ").append(op.glsl).append(" ");
     operand(id, 1, op.precedence + 1);
 }
 
@@ -281,7 +281,7 @@ void Writer::define(Id id) {
         case Op::input_:
             return input(id);
         case Op::construct_:
-            text_.add(info(inst.type).name);
+            text_.append(info(inst.type).name);
             return list(plan_.operands(id));
         case Op::sample_:
         case Op::sample_lod_:
@@ -290,16 +290,16 @@ void Writer::define(Id id) {
             return sample(id);
         case Op::sign_nonzero_:
             read(plan_.plain(inst.arg[0]), relational + 1);
-            text_.add(" < 0.0 ? -1.0 : 1.0");
+            text_.append(" < 0.0 ? -1.0 : 1.0");
             return;
         case Op::select_:
             read(plan_.plain(inst.arg[0]), conditional + 1);
-            text_.add(" ? ");
+            text_.append(" ? ");
             read(plan_.plain(inst.arg[1]), conditional + 1);
-            text_.add(" : ");
+            text_.append(" : ");
             return read(plan_.plain(inst.arg[2]), conditional);
         case Op::result_:
-            text_.add(context_.symbols.functions[m_[inst.arg[0]].extra]);
+            text_.append(context_.symbols.functions[m_[inst.arg[0]].extra]);
             return list(plan_.operands(id));
         default:
             return info(inst.op).precedence ? operation(id) : builtin(id);
@@ -312,17 +312,17 @@ std::string member_name(SurfaceInput input, Variant variant) {
     return std::string(info(input).name).append(suffix_of(variant));
 }
 
-void write(const ExpressionContext& context, Id id, Line& text, int least) {
+void write(const ExpressionContext& context, Id id, std::string& text, int least) {
     Writer(context, text).read(id, least);
 }
 
 std::string text_of(const ExpressionContext& context, Id id, int least) {
-    Line text;
+    std::string text;
     write(context, id, text, least);
-    return std::string(text.view());
+    return text;
 }
 
-void write_definition(const ExpressionContext& context, Id id, Line& text) {
+void write_definition(const ExpressionContext& context, Id id, std::string& text) {
     Writer(context, text).define(id);
 }
 
@@ -346,7 +346,8 @@ uint32_t leaf_width(const Plan& plan, Id leaf) {
             return width;
         }
         case Op::swizzle_:
-            return leaf_width(plan, plan.plain(inst.arg[0])) + 1 + (inst.extra & 0xF);
+            return leaf_width(plan, plan.plain(inst.arg[0])) + 1 +
+                   static_cast<uint32_t>(swizzle_count(inst.extra));
         default:
             return 2;
     }

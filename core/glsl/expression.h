@@ -1,4 +1,4 @@
-// Expressions as text, with the fewest parentheses.
+// Emits expressions with the fewest parentheses.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@
 
 namespace wrinkle {
 
-// Names of what stands outside functions.
+// Names of global declarations.
 struct Symbols {
     std::vector<std::string> parameters;  // by index in Module::parameters; "" unused
     std::vector<std::string> resources;   // by index in Module::resources
@@ -21,7 +21,6 @@ struct ExpressionContext {
     const Plan& plan;
     const Values& values;
     const Symbols& symbols;
-    const NameSet& names;  // of the values
     const Target& target;
     // Names of region parameters, by level and index.
     std::vector<std::vector<std::string>> parameters;
@@ -30,14 +29,14 @@ struct ExpressionContext {
 // The member of the function's struct that holds an input.
 std::string member_name(SurfaceInput input, Variant variant);
 
-// Appends what stands where a value is read: a temporary's name, or its text, in parentheses where
-// it binds less than `least` (20 names, 18 calls, 17 postfix, ... as in the op table).
-void write(const ExpressionContext& context, Id id, Line& text, int least = 0);
+// Appends a use of the value: the temporary's name, or the value's expression, in parentheses if
+// its precedence is below `least` (20 names, 18 calls, 17 postfix, ... as in the op table).
+void write(const ExpressionContext& context, Id id, std::string& text, int least = 0);
 std::string text_of(const ExpressionContext& context, Id id, int least = 0);
-// Appends its text, even of a temporary.
-void write_definition(const ExpressionContext& context, Id id, Line& text);
+// Appends the value's expression, also for a temporary.
+void write_definition(const ExpressionContext& context, Id id, std::string& text);
 
-// Widths for folding decisions: of a leaf, and of an operation without its operands.
+// Widths in characters for folding decisions: of a leaf; of an operation without its operands.
 uint32_t leaf_width(const Plan& plan, Id leaf);
 uint32_t own_width(const Plan& plan, Id id);
 

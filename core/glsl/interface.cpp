@@ -37,7 +37,7 @@ void add_uniforms(const Plan& plan, Interface& face) {
     }
 }
 
-// The reader at the node of the first sample gives the name.
+// Returns the name hint of a sampler: node and port of the reader at the node of the first sample.
 std::string sampler_name(const Module& m, const Plan::UsedResource& used) {
     const auto& readers = m.resources[used.resource].readers;
     if (readers.empty()) return at_node(node_path(m, used.node), "image");
@@ -99,59 +99,60 @@ void add_functions(const Plan& plan, Interface& face) {
         face.symbols.functions[region] = face.globals.unique(prefix + m.region(region).name);
 }
 
-void write_doc(const MemberInfo& member, Line& line) {
+void write_doc(const MemberInfo& member, std::string& line) {
     const std::string_view doc = info(member.input).doc;
     if (member.relative)
-        line.add("position seen from the eye, object axes, length units");
+        line.append("position seen from the eye, object axes, length units");
     else if (member.variant != Variant::value)
-        line.add("change of ")
-            .add(info(member.input).name)
-            .add(" to the next pixel in ")
-            .add(member.variant == Variant::dx ? 'x' : 'y');
+        line.append("change of ")
+            .append(info(member.input).name)
+            .append(" to the next pixel in ")
+            .append(member.variant == Variant::dx ? "x" : "y");
     else if (member.input == SurfaceInput::normal_)
-        line.add("interpolated normal, object space, of any length but zero");
+        line.append("interpolated normal, object space, of any length but zero");
     else if (member.input == SurfaceInput::tangent_)
-        line.add("interpolated tangent of uv0, object space; w: sign of the bitangent");
+        line.append("interpolated tangent of uv0, object space; w: sign of the bitangent");
     else if (!doc.empty() && doc[0] >= 'A' && doc[0] <= 'Z')
-        line.add(static_cast<char>(doc[0] - 'A' + 'a')).add(doc.substr(1));
+        line.append(1, static_cast<char>(doc[0] - 'A' + 'a')).append(doc.substr(1));
     else
-        line.add(doc);
+        line.append(doc);
 }
 
 constexpr size_t farthest_comment = 48;
 
-// Lines of code that have a comment each, made one after the other.
+// Lines of code with one comment each, appended in order.
 struct CommentedLines {
     struct Ends {
         size_t code = 0, comment = 0;
         uint32_t node = no_node;
     };
-    Line code, comments;
+    std::string code, comments;
     std::vector<Ends> ends;
     void end_line(uint32_t node = no_node) { ends.push_back({code.size(), comments.size(), node}); }
 };
 
-// The comments stand in one column, unless that is too far.
+// Aligns the comments in one column. Lines wider than `farthest` do not move the column; their
+// comments follow the code.
 void write(const CommentedLines& lines, int indent, size_t farthest, Text& text) {
     size_t column = 0, code_begin = 0;
     for (const CommentedLines::Ends& ends : lines.ends) {
         const size_t width = ends.code - std::exchange(code_begin, ends.code);
         if (width <= farthest) column = std::max(column, width);
     }
-    Line line;
+    std::string line;
     CommentedLines::Ends begin;
     for (const CommentedLines::Ends& ends : lines.ends) {
-        line.clear();
-        line.add(lines.code.view().substr(begin.code, ends.code - begin.code));
-        line.add("  ").pad(column + 2).add("// ");
-        append_comment_text(
-            line, lines.comments.view().substr(begin.comment, ends.comment - begin.comment));
-        text.line(indent, line.view(), ends.node);
+        line.assign(lines.code, begin.code, ends.code - begin.code);
+        line.resize(std::max(line.size(), column) + 2, ' ');
+        line.append("// ");
+        const std::string_view comments = lines.comments;
+        append_comment_text(line, comments.substr(begin.comment, ends.comment - begin.comment));
+        text.line(indent, line, ends.node);
         begin = ends;
     }
 }
 
-// The shader form's own names. Taken in both forms, so that a uniform is called the same in both.
+// Names of the shader form, taken in both forms so that a uniform has the same name in both.
 const NameSet& fixed_names() {
     static const NameSet fixed = [] {
         NameSet names = NameSet::with_reserved_words();
@@ -166,7 +167,8 @@ const NameSet& fixed_names() {
     return fixed;
 }
 
-// NAME follows an underscore wherever it stands, and two are reserved.
+// Strips leading underscores: NAME always follows an underscore, and GLSL reserves double
+// underscores.
 std::string behind_underscores(const std::string& name) {
     return name.substr(std::min(name.find_first_not_of('_'), name.size()));
 }
@@ -193,7 +195,7 @@ Interface make_interface(const Plan& plan, const EmitOptions& options) {
 }
 
 Text roomy_text(const Plan& plan, uint64_t most) {
-    constexpr size_t letters_a_value = 28, values_a_line = 2;  // about
+    constexpr size_t letters_a_value = 28, values_a_line = 2;  // estimates
     constexpr size_t outside = 1000;
     Text text;
     text.most = most;
@@ -207,7 +209,7 @@ void write_struct(const Reflection& reflection, Text& text) {
     text.line(0, {"struct ", reflection.struct_name, " {"});
     CommentedLines lines;
     for (const MemberInfo& member : reflection.members) {
-        lines.code.add(info(member.type).name).add(' ').add(member.name).add(';');
+        lines.code.append(info(member.type).name).append(" ").append(member.name).append(";");
         write_doc(member, lines.comments);
         lines.end_line();
     }
@@ -219,9 +221,11 @@ void write_uniforms(const Module& module, const Reflection& reflection, Text& te
     CommentedLines lines;
     for (const SamplerInfo& sampler : reflection.samplers) {
         const std::string binding = binding_text(sampler.binding);
-        lines.code.add(binding).add("uniform sampler2D ").add(sampler.name).add(';');
-        lines.comments.add(sampler.written).add(" (").add(name_of(sampler.options.encoding));
-        lines.comments.add(", ").add(name_of(sampler.options.wrap)).add(')');
+        lines.code.append(binding).append("uniform sampler2D ").append(sampler.name).append(";");
+        lines.comments.append(sampler.written)
+            .append(" (")
+            .append(name_of(sampler.options.encoding));
+        lines.comments.append(", ").append(name_of(sampler.options.wrap)).append(")");
         const auto& readers = module.resources[sampler.resource].readers;
         lines.end_line(readers.empty() ? no_node : readers.front().node);
     }

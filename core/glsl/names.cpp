@@ -6,7 +6,6 @@
 
 #include "base/printable.h"
 #include "base/text.h"
-#include "base/text_hash.h"
 
 namespace wrinkle {
 namespace {
@@ -21,7 +20,7 @@ bool has_kept_prefix(std::string_view name) {
                        [&](std::string_view prefix) { return name.starts_with(prefix); });
 }
 
-// Most names are what legal() would make of them.
+// Returns true if legal() would return the name unchanged, as for most names.
 bool is_legal(std::string_view name) {
     if (name.empty() || name.size() > longest_name || name.back() == '_') return false;
     if (!is_identifier(name)) return false;
@@ -40,16 +39,12 @@ std::string legal(std::string_view wanted) {
     return name;
 }
 
-uint32_t hash_of(std::string_view name) {
-    return static_cast<uint32_t>(text_hash(name));
-}
-
-// A sample, or what constants and swizzles make of it.
+// Returns true for a texture sample, also after up to five swizzles and sums, differences or
+// products with a constant.
 bool is_texel(const Module& m, Id id) {
     for (int steps = 0; steps < 6; ++steps) {
         const Inst& inst = m[id];
-        if (inst.op == Op::sample_ || inst.op == Op::sample_lod_ || inst.op == Op::sample_grad_)
-            return true;
+        if (is_sample(inst.op)) return true;
         const bool scaled = (inst.op == Op::add_ || inst.op == Op::sub_ || inst.op == Op::mul_) &&
                             m.is_constant(inst.arg[1]);
         if (!scaled && inst.op != Op::swizzle_) return false;
@@ -131,83 +126,27 @@ bool is_plain_comment(std::string_view text) {
 
 }  // namespace
 
-// Of a text that is there or the free one for it; until the next make_room().
-size_t NameSet::slot_of(std::string_view name, uint32_t hash) const {
-    const size_t mask = slots_.size() - 1;
-    const auto is_other = [&](const Entry& entry) {
-        return entry.hash != hash || text(entry.name) != name;
-    };
-    size_t slot = hash & mask;
-    while (slots_[slot] > 0 && is_other(entries_[slots_[slot] - 1]))
-        slot = (slot + 1) & mask;
-    return slot;
-}
-
-bool NameSet::has(std::string_view name, uint32_t hash) const {
-    return !slots_.empty() && slots_[slot_of(name, hash)] > 0;
-}
-
-bool NameSet::taken_outside(std::string_view name, uint32_t hash) const {
+bool NameSet::is_taken_outside(const std::string& name) const {
     for (const NameSet* outer = outer_; outer; outer = outer->outer_)
-        if (outer->has(name, hash)) return true;
+        if (outer->next_.contains(name)) return true;
     return false;
 }
 
-void NameSet::make_room(size_t more) {
-    constexpr size_t least = 32;
-    size_t size = std::max(slots_.size(), least);
-    while ((entries_.size() + more) * 2 > size)
-        size *= 2;
-    if (size == slots_.size()) return;
-    entries_.reserve(size / 2);
-    slots_.assign(size, 0);
-    for (size_t i = 0; i < entries_.size(); ++i) {
-        size_t slot = entries_[i].hash & (size - 1);
-        while (slots_[slot] > 0)
-            slot = (slot + 1) & (size - 1);
-        slots_[slot] = static_cast<uint32_t>(i + 1);
-    }
-}
-
-Name NameSet::fill(size_t slot, size_t begin, uint32_t hash) {
-    const Name name{static_cast<uint32_t>(begin), static_cast<uint32_t>(pool_.size() - begin)};
-    entries_.push_back({name, hash});
-    slots_[slot] = static_cast<uint32_t>(entries_.size());
-    return name;
-}
-
-Name NameSet::add(const WantedName& wanted) {
-    const size_t begin = pool_.size();
-    if (!wanted.first.empty()) pool_.add(wanted.first).add('_');
-    pool_.add(wanted.second);
-    if (!is_legal(text_behind(begin))) {
-        const std::string made = legal(std::string(text_behind(begin)));
-        pool_.cut(begin);
-        pool_.add(made);
-    }
-    const std::string_view name = text_behind(begin);
-    const uint32_t hash = hash_of(name);
-    make_room(2);  // a numbered name is added to its own
-    const size_t slot = slot_of(name, hash);
-    if (slots_[slot] > 0) {
-        pool_.cut(begin);
-        return numbered(entries_[slots_[slot] - 1]);
-    }
-    const Name added = fill(slot, begin, hash);
-    return taken_outside(name, hash) ? numbered(entries_.back()) : added;
-}
-
-// There is room for one more, so what is taken stays where it is.
-Name NameSet::numbered(Entry& taken) {
-    const std::string stem(text(taken.name));
-    const size_t begin = pool_.size();
+std::string_view NameSet::add(const WantedName& wanted) {
+    constexpr uint32_t first_number = 2;
+    std::string name(wanted.first);
+    if (!name.empty()) name += '_';
+    name += wanted.second;
+    if (!is_legal(name)) name = legal(name);
+    const auto [entry, added] = next_.try_emplace(std::move(name), first_number);
+    if (added && !is_taken_outside(entry->first)) return entry->first;
+    const std::string& stem = entry->first;  // stays valid while the map grows
+    uint32_t& next = entry->second;
     for (;;) {
-        pool_.cut(begin);
-        pool_.add(stem).add('_').add(std::to_string(taken.next++));
-        const std::string_view name = text_behind(begin);
-        const uint32_t hash = hash_of(name);
-        const size_t slot = slot_of(name, hash);
-        if (slots_[slot] == 0 && !taken_outside(name, hash)) return fill(slot, begin, hash);
+        std::string numbered = stem + "_" + std::to_string(next++);
+        if (is_taken_outside(numbered)) continue;
+        const auto [found, free] = next_.try_emplace(std::move(numbered), first_number);
+        if (free) return found->first;
     }
 }
 
@@ -246,11 +185,11 @@ std::string comment_text(std::string_view text) {
     return line;
 }
 
-void append_comment_text(Line& line, std::string_view text) {
+void append_comment_text(std::string& line, std::string_view text) {
     if (is_plain_comment(text))
-        line.add(text);
+        line.append(text);
     else
-        line.add(comment_text(text));
+        line.append(comment_text(text));
 }
 
 std::string_view word_for(const Module& module, Id id) {

@@ -1,73 +1,51 @@
-// Identifiers for generated text: legal in every target, unique, and the same tomorrow.
+// Identifiers for generated code: legal in every target, unique, deterministic.
 #pragma once
 
 #include <string>
 #include <string_view>
-#include <vector>
+#include <unordered_map>
 
-#include "glsl/line.h"
 #include "ir/module.h"
 
 namespace wrinkle {
 
-// What somebody would like to be called: two words joined by an underscore, or the second alone.
+// Name hint of a value: two words joined by an underscore, or only the second.
 struct WantedName {
     std::string_view first, second;
     size_t size() const { return first.size() + !first.empty() + second.size(); }
 };
 
-// A name by its place among all texts of its set; it holds while the set grows. Length 0: none.
-struct Name {
-    uint32_t begin = 0, length = 0;
-};
-
-// The names of one scope. `outer`, where given, must outlive it; its names are taken here too.
+// Names of one scope. Names of `outer` are taken here too; `outer` must outlive this set.
 class NameSet {
 public:
     explicit NameSet(const NameSet* outer = &reserved_words()) : outer_(outer) {}
-    // Keywords, words kept for later versions, and the built-in functions that a text may call.
+    // Keywords, words reserved for future versions, and built-in functions.
     static const NameSet& reserved_words();
     static NameSet with_reserved_words();
 
-    // What is wanted, made an identifier; "_2", "_3", ... is added where it is taken.
-    Name add(const WantedName& wanted);
-    std::string unique(std::string_view wanted) { return std::string(text(add({{}, wanted}))); }
-    std::string_view text(Name name) const {
-        return text_behind(name.begin).substr(0, name.length);
-    }
-    void make_room(size_t more);  // for so many names at once
+    // Returns the hint as a legal identifier, with "_2", "_3", ... appended if it is taken. The
+    // view is valid as long as the set.
+    std::string_view add(const WantedName& wanted);
+    std::string unique(std::string_view wanted) { return std::string(add({{}, wanted})); }
 
 private:
-    struct Entry {
-        Name name;
-        uint32_t hash = 0;
-        uint32_t next = 2;  // the number to try behind it
-    };
-    std::string_view text_behind(size_t begin) const { return pool_.view().substr(begin); }
-    size_t slot_of(std::string_view name, uint32_t hash) const;
-    bool has(std::string_view name, uint32_t hash) const;
-    bool taken_outside(std::string_view name, uint32_t hash) const;
-    // The last text of the pool becomes this free slot's.
-    Name fill(size_t slot, size_t begin, uint32_t hash);
-    Name numbered(Entry& taken);
+    bool is_taken_outside(const std::string& name) const;
 
     const NameSet* outer_;
-    Line pool_;  // all texts, then what is being made
-    std::vector<Entry> entries_;
-    // Open addressing, at most half full: an entry's number from 1 on, 0 where none is. What is
-    // asked for in any order is so a quarter of the memory that the entries take.
-    std::vector<uint32_t> slots_;
+    std::unordered_map<std::string, uint32_t> next_;  // by name: the next number to append
 };
 
-// The name of a surface input's change: "dpdx", "duv0_dy"; of the input itself its own.
+// Returns the name of a surface input's differential: "dpdx", "duv0_dy"; for the input's value, the
+// input's name.
 std::string_view change_name(uint32_t input_extra);
 
-// What a value is, in one word, for temporaries that are no node's output: "texel", "sum", ...
+// Returns one word that describes a value, for temporaries that are not a node's output: "texel",
+// "sum", ...
 std::string_view word_for(const Module& module, Id id);
 
-// The name as it may stand in a line comment: one line, that reads as it is written. No control
-// characters, Unicode's ends of lines and turns of direction included, no backslash, not too long.
+// Sanitises text for a line comment: one line of at most 160 bytes without backslashes and control
+// characters, including Unicode line separators and direction marks.
 std::string comment_text(std::string_view text);
-void append_comment_text(Line& line, std::string_view text);
+void append_comment_text(std::string& line, std::string_view text);
 
 }  // namespace wrinkle

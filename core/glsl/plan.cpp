@@ -23,7 +23,7 @@ Plan::Plan(const Module& module, bool given)
     find_gradients();
 }
 
-// The first that calls a value a node's output, else the first.
+// Selects one name per value: the first that is a node's output, else the first.
 void Plan::find_names() {
     const std::vector<Named>& named = module_->named;
     for (uint32_t i = 0; i < named.size(); ++i) {
@@ -95,7 +95,8 @@ void Plan::list_operands(Id id) {
     if (op == Op::loop_) list_captures(m.region(m[id].extra));
 }
 
-// What the body reads from outside that must be a temporary there, in the order it is met.
+// Appends the captures of a loop: outer values that its body reads and that must be temporaries, in
+// the order of a walk through the body.
 void Plan::list_captures(const Region& loop) {
     const Module& m = *module_;
     std::unordered_set<Id> seen;
@@ -190,9 +191,7 @@ void Plan::use(Id id) {
 
 bool Plan::finds_reads(const Inst& inst, std::span<const Id> operands) const {
     const auto reads = [&](Id id) { return values_[id].reads; };
-    if (inst.op == Op::sample_ || inst.op == Op::sample_lod_ || inst.op == Op::sample_grad_ ||
-        inst.op == Op::image_size_ || std::any_of(operands.begin(), operands.end(), reads))
-        return true;
+    if (reads_image(inst.op) || std::any_of(operands.begin(), operands.end(), reads)) return true;
     if (inst.op != Op::loop_ && inst.op != Op::call_) return false;
     const auto& results = module_->region(inst.extra).results;
     return std::any_of(results.begin(), results.end(), reads);
@@ -214,7 +213,7 @@ void Plan::use_function(uint32_t region) {
     seen_function_[region] = true;
 }
 
-// normalize(n - gradient)
+// Records the gradient of normalize(n - gradient).
 void Plan::use_normalize(const Inst& inst) {
     const Id sum = plain(inst.arg[0]);
     if (inst.type == Type::vec3_ && (*module_)[sum].op == Op::sub_)

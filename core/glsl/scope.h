@@ -1,10 +1,10 @@
-// One function or loop body before it is text: the values it computes, which of them become
-// temporaries, and their order.
-//
-// A value becomes a temporary when it stands at a node's output, is read more than once or inside a
-// loop, or when folding it into its one reader would make that line too wide or too deep; a value
-// with implicit derivatives also when its reader may skip it. Temporaries of one node stand
-// together as far as dependencies allow, else in the order of a walk from the results.
+// Statement selection for one function or loop body: the values it computes, those that become
+// temporaries, and their order. A value becomes a temporary if
+//   - it is a node's output, has several users, or is captured by a loop;
+//   - folding it into its only user would make that line too wide or too deep; or
+//   - it takes implicit derivatives and its user may skip its evaluation.
+// Temporaries of one node are adjacent as far as dependencies allow, else in post-order from the
+// results.
 #pragma once
 
 #include <span>
@@ -15,59 +15,55 @@
 
 namespace wrinkle {
 
-// What is known of a value in the scope at hand.
+// State of a value in the current scope.
 struct ValueState {
-    uint32_t epoch = 0;          // of the scope that it belongs to
-    uint32_t uses = 0;           // how often it is read
-    uint32_t place = 0;          // among the scope's statements
-    uint32_t name_begin = 0;     // of a temporary, once it is written
-    uint32_t width = 0;          // where it is read: of its text, about; of a temporary's name
-    uint8_t depth = 1;           // of its text, in operations
-    bool ordered : 1 = false;    // it is in the scope's order
+    uint32_t epoch = 0;          // identifies the scope that the value belongs to
+    uint32_t uses = 0;           // number of uses
+    uint32_t place = 0;          // index among the scope's statements
+    uint32_t width = 0;          // characters at a use: estimate of its text, or a temporary's name
+    std::string_view name;       // name of a temporary, once it is written
+    uint8_t depth = 1;           // nested operations in its text
+    bool ordered : 1 = false;    // in Scope::order
     bool root : 1 = false;       // a result of the scope
-    bool statement : 1 = false;  // a temporary; also loops and calls with several results
-    bool captured : 1 = false;   // by a loop
+    bool statement : 1 = false;  // a temporary, a loop, or a call with several results
+    bool captured : 1 = false;   // captured by a loop
     bool implicit : 1 = false;   // its folded text takes implicit derivatives
-    bool shared : 1 = false;     // read by temporaries of the surface point only
-
-    Name name() const { return {name_begin, width}; }
-    void call(Name name) {
-        name_begin = name.begin;
-        width = name.length;
-    }
+    bool shared : 1 = false;     // used only by values of the surface point
 };
 
-// The values of a module; a scope overwrites the states of what it computes, and of nothing else.
+// State of all values of a module; collect() resets only the states of values in its scope.
 struct Values {
     explicit Values(const Plan& plan)
         : state(plan.module().size()), group_numbers(plan.module().nodes.size() + 1) {}
     std::vector<ValueState> state;        // by Id
-    std::vector<uint32_t> group_numbers;  // zeros: memory of schedule()
+    std::vector<uint32_t> group_numbers;  // scratch of schedule(); all zero between calls
     uint32_t epoch = 0;
-    bool anonymous = false;  // a helper function, shared by nodes: no node's names or comments
+    bool anonymous = false;  // in a helper function, which nodes share: no node names or comments
 };
 
 struct Scope {
     uint32_t epoch = 0;
-    std::vector<Id> order;  // post-order from the roots, leaves left out
-    size_t first_part = 0;  // how many of these the first root needs
+    std::vector<Id> order;  // post-order from the roots, without leaves
+    size_t first_part = 0;  // length of the prefix that the first root needs
 };
 
-// `level` 0: a function's body, else a loop's: values of lower levels stand outside.
+// Collects the values that `roots` need. `level` is 0 for a function's body, else the loop's level;
+// values of lower levels are computed outside the loop and are not in its scope.
 Scope collect(const Plan& plan, Values& values, std::span<const Id> roots, int level);
 
-// Decides what is a temporary.
+// Selects the temporaries of the scope.
 void decide(const Plan& plan, Values& values, const Scope& scope, std::span<const Id> roots);
 
-// The statements among `part` of the scope's order, as they are to be written.
+// Returns the statements in `part` of the scope's order, in the order of emission.
 std::vector<Id> schedule(const Plan& plan, Values& values, const Scope& scope,
                          std::span<const Id> part);
 
-// Whose comment a statement stands under: a node, or the surface point shared by all.
+// Group of a statement, by which statements are ordered and commented: a node's index, or
+// surface_group for the surface point, which all nodes share.
 inline constexpr uint32_t surface_group = ~1U;
 uint32_t group_of(const Plan& plan, const Values& values, Id id);
 
-// The name that a value would like: of its node and port, or of the surface point.
+// Returns the name hint of a value: its node and port, or the surface point.
 WantedName wanted_name(const Plan& plan, const Values& values, Id id);
 
 }  // namespace wrinkle

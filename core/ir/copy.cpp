@@ -19,6 +19,19 @@ bool is_global(const Module& module, Id id) {
            module[id].op == Op::image_size_;
 }
 
+bool is_of_globals(const Module& module, Id value) {
+    std::unordered_set<Id> seen;
+    std::vector<Id> open{value};
+    while (!open.empty()) {
+        const Id id = open.back();
+        open.pop_back();
+        if (!seen.insert(id).second || is_global(module, id)) continue;
+        if (info(module[id].op).rule == Rule::leaf || is_sample(module[id].op)) return false;
+        append_dependencies(module, id, false, open);
+    }
+    return true;
+}
+
 void append_dependencies(const Module& module, Id id, bool into_functions, std::vector<Id>& out) {
     const Inst& inst = module[id];
     const auto operands = module.operands(id);
@@ -43,7 +56,8 @@ std::vector<Id> Copier::few_needed(std::span<const Id> roots) const {
     return list;
 }
 
-// What becomes too large names the node that it is written for, not what it is made of.
+// Writes an instruction. If the module becomes too large, OverLimit names the node of the source
+// instruction, not that of its operands.
 Id Copier::write_for(Id id) {
     try {
         return write(id);
@@ -108,11 +122,11 @@ Id Copier::write_apply(const Inst& inst, std::span<const Id> args) {
     return target_->apply_region(target_->intern_region(std::move(region)), args);
 }
 
-// What the owner puts in its place, or poison.
+// Returns the replacement from the Replace callback, or poison.
 Id Copier::replaced(Id id, std::span<const Id> args) {
     if (!replace_) return poison;
     const Inst& inst = (*source_)[id];
-    if (inst.op != Op::call_ || !source_->region(inst.extra).is_open())
+    if (!into_functions_ || inst.op != Op::call_ || !source_->region(inst.extra).is_open())
         return replace_(context_, *target_, *source_, id, args);
     std::vector<Id> with_results(args.begin(), args.end());
     for (const Id result : source_->region(inst.extra).results)
@@ -126,20 +140,19 @@ Id Copier::write(Id id) {
     if (args_.size() < operands.size()) args_.resize(operands.size());
     const std::span args(args_.data(), operands.size());
     const bool based = has_base(inst);
-    bool kept = shift_ == 0 && (!based || is_kept(inst.extra));
+    // Within one module, an instruction with unchanged operands stays one value.
+    bool kept = !into_functions_ && shift_ == 0 && (!based || is_kept(inst.extra));
     for (size_t i = 0; i < args.size(); ++i) {
         kept = kept && is_kept(operands[i]);
         args[i] = written_.at(operands[i]);
     }
     if (const Id other = replaced(id, args)) return other;
     if (inst.op == Op::loop_ || inst.op == Op::call_) return write_apply(inst, args);
-    if (into_functions_ && kept) renamed_[id] = true;
     if (info(inst.op).rule == Rule::leaf) return write_leaf(inst);
-    if (!into_functions_ && kept) return id;
+    if (kept) return id;
     if (inst.op == Op::result_) return target_->result(args[0], inst.extra);
     const uint32_t extra = based ? written_.at(inst.extra) : inst.extra;
-    return kept ? target_->add_known(inst, args, extra)
-                : target_->add(inst.op, args, extra, inst.type);
+    return target_->add(inst.op, args, extra, inst.type);
 }
 
 }  // namespace wrinkle

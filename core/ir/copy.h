@@ -1,4 +1,4 @@
-// Writing expressions again with some of their leaves or levels changed: the loop below every pass.
+// Copies expressions with some leaves or region levels replaced: the loop of every pass.
 #pragma once
 
 #include <span>
@@ -9,7 +9,8 @@
 
 namespace wrinkle {
 
-// What was written for the ids of a module; `count` of them are kept in a list, 0 keeps few.
+// Map from ids of the source module to the ids written for them in the target module. With `count`
+// > 0 it is a vector of `count` entries; with 0 it is a hash map, for few ids.
 class Written {
 public:
     explicit Written(size_t count) : all_(count, none) {}
@@ -25,36 +26,35 @@ private:
 
 class Copier {
 public:
-    // `into_functions`: a whole module is written again, the bodies of called functions too. They
-    // are closed, so within one module, source and target alike, there is no need.
+    // `into_functions`: the bodies of called functions are copied too, as a copy of a complete
+    // module requires. Functions are closed, so a copy within one module (source and target are the
+    // same) does not need it.
     Copier(Module& target, const Module& source, bool into_functions)
         : target_(&target),
           source_(&source),
           into_functions_(into_functions),
-          written_(into_functions ? source.size() : 0),
-          renamed_(into_functions ? source.size() : 0, false) {}
+          written_(into_functions ? source.size() : 0) {}
 
     void map(Id from, Id to) { written_.set(from, to); }
     void set_replace(Replace replace, void* context) {
         replace_ = replace;
         context_ = context;
     }
-    // Regions at `first` and deeper move by `shift` levels.
+    // Adds `shift` to the level of regions at level `first` and deeper.
     void set_shift(int first, int shift) {
         first_level_ = first;
         shift_ = shift;
     }
 
     void run(std::span<const Id> roots);
-    // Of something the roots needed.
+    // Precondition: `id` is mapped or the roots of run() need it.
     Id operator[](Id id) const { return written_.at(id); }
     bool has(Id id) const { return written_.has(id); }
 
 private:
     std::vector<Id> few_needed(std::span<const Id> roots) const;
     int shifted(int level) const { return level >= first_level_ ? level + shift_ : level; }
-    // Whether what was written for it, and for all below it, is the same but for names.
-    bool is_kept(Id id) const { return into_functions_ ? renamed_[id] : written_.at(id) == id; }
+    bool is_kept(Id id) const { return written_.at(id) == id; }
     Id replaced(Id id, std::span<const Id> args);
     Id write_for(Id id);
     Id write(Id id);
@@ -69,14 +69,19 @@ private:
     Replace replace_ = nullptr;
     void* context_ = nullptr;
     Written written_;
-    std::vector<uint8_t> renamed_;  // of a whole module: written as it was, and so all below it
-    std::vector<Id> args_;          // those of what is being written stand first
+    std::vector<Id> args_;  // scratch: operands of the instruction being written come first
 };
 
-// Stands outside every function in generated code and may be read from anywhere.
+// Returns true for constants, parameters and image sizes: generated code has them outside every
+// function, and any function may read them.
 bool is_global(const Module& module, Id id);
 
-// What an instruction reads: its operands, its base, and what the region it applies gives.
+// Returns true if `value` is computed from global values only, without a texture read, so that a
+// function can compute it without a parameter.
+bool is_of_globals(const Module& module, Id value);
+
+// Appends the ids that an instruction reads: its operands, its base, and the results of the region
+// that it applies (of a called function only with `into_functions`).
 void append_dependencies(const Module& module, Id id, bool into_functions, std::vector<Id>& out);
 
 }  // namespace wrinkle

@@ -11,11 +11,7 @@
 namespace wrinkle {
 namespace {
 
-bool is_sample(const Inst& inst) {
-    return inst.op == Op::sample_ || inst.op == Op::sample_lod_ || inst.op == Op::sample_grad_;
-}
-
-// The inputs that change along it.
+// Returns the surface inputs that change along the axis, a bit per SurfaceInput.
 uint32_t changing_inputs(Change change) {
     const auto bit = [](SurfaceInput input) { return 1U << static_cast<uint32_t>(input); };
     if (change == Change::none) return 0;
@@ -33,8 +29,8 @@ uint32_t changing_inputs(Change change) {
 
 std::vector<Id> reads_of(const Module& m, Id value) {
     const Inst& inst = m[value];
-    if (is_sample(inst)) return {inst.arg[0]};
-    if (inst.op == Op::swizzle_ && is_sample(m[inst.arg[0]])) return {m[inst.arg[0]].arg[0]};
+    if (is_sample(inst.op)) return {inst.arg[0]};
+    if (inst.op == Op::swizzle_ && is_sample(m[inst.arg[0]].op)) return {m[inst.arg[0]].arg[0]};
     const Id of = inst.op == Op::result_ ? inst.arg[0] : value;
     const auto operands = m.operands(of);
     std::vector<Id> reads(operands.begin(), operands.end());
@@ -62,7 +58,7 @@ Id Direction::change_alone(Id value, Id operand, Id change) {
 
 Id Direction::tangent(Id value) {
     if (value == poison || memo_.has(value)) return memo_.at(value);
-    // A loop's body asks again meanwhile, with lists of its own.
+    // The body of a loop calls tangent() again from compute(), with a list of its own.
     std::vector<Id> list = std::exchange(spare_list_, {});
     unknown_below(value, list);
     const uint32_t node = module_->current_node;
@@ -77,7 +73,8 @@ Id Direction::tangent(Id value) {
     return memo_.at(value);
 }
 
-// What the tangent of a value needs, in the order of ids; all of it is marked.
+// Collects the values needed for the tangent of `value` that have none yet, in id order, and marks
+// them.
 void Direction::unknown_below(Id value, std::vector<Id>& list) {
     list.clear();
     open_.assign(1, value);
@@ -90,7 +87,7 @@ void Direction::unknown_below(Id value, std::vector<Id>& list) {
         if (is_constant(inst)) continue;
         for (const Id operand : module_->operands(id))
             open_.push_back(operand);
-        // What a loop captures is differentiated once, outside, whatever stands inside.
+        // Captured values of a loop are differentiated once, outside, independently of its body.
         if (inst.op == Op::loop_)
             for (const Id captured : region_body(*module_, module_->region(inst.extra)).captured)
                 open_.push_back(captured);
@@ -119,7 +116,7 @@ Id Direction::change_of_input(uint32_t index) {
     return id;
 }
 
-// Before expansion: as an op, which expand() replaces.
+// Before expansion the derivative is an op (ddx, ddy), which expand() replaces.
 Id Direction::change_of_open_result(Id result) {
     if (change_ == Change::screen_x) return module_->add(Op::ddx_, {result});
     if (change_ == Change::screen_y) return module_->add(Op::ddy_, {result});
@@ -134,9 +131,9 @@ Id Direction::compute(Id id) {
     if (inst.op == Op::detach_ || inst.op == Op::with_covariance_) return memo_.at(inst.arg[0]);
     if (inst.op == Op::result_)
         return (*module_)[inst.arg[0]].op == Op::loop_ ? loop_member(inst) : call_member(inst);
-    if (is_sample(inst)) return texture(id, id);
-    // Differences of the components that are read, not of all four.
-    if (inst.op == Op::swizzle_ && is_sample((*module_)[inst.arg[0]]))
+    if (is_sample(inst.op)) return texture(id, id);
+    // Takes differences of the components that are read, not of all four.
+    if (inst.op == Op::swizzle_ && is_sample((*module_)[inst.arg[0]].op))
         return texture(inst.arg[0], id);
     std::array<Id, 4> changes{};
     size_t count = 0;
@@ -165,8 +162,8 @@ Direction::Screen& Direction::screen() {
     return *screen_;
 }
 
-// Forward differences over one texel of the level in use, times the change of uv. `read` is the
-// sample itself or a swizzle of it.
+// Forward differences over one texel of the mip level in use, times the derivative of uv. `read` is
+// the sample itself or a swizzle of it.
 Id Direction::texture(Id sample, Id read) {
     Module& m = *module_;
     const Inst inst = m[sample];
@@ -271,7 +268,8 @@ void Direction::forget(size_t first) {
     log_.resize(first);
 }
 
-// Marks the members of the state that change once those marked do; false when none was added.
+// Marks the members of the state that become active because of those marked; returns false if none
+// was added.
 bool Direction::spread(const Region& region, std::vector<bool>& changing) {
     bool grew = false;
     for (size_t k = 0; k < changing.size(); ++k) {
@@ -281,7 +279,8 @@ bool Direction::spread(const Region& region, std::vector<bool>& changing) {
     return grew;
 }
 
-// The members that change have their tangents behind the state, in order; the others are constant.
+// Seeds the state: the tangents of active members are parameters after the state, in order; the
+// other members are constant.
 void Direction::seed_state(const Region& region, const std::vector<bool>& changing) {
     auto next = static_cast<uint32_t>(changing.size());
     for (uint32_t k = 0; k < changing.size(); ++k) {
@@ -293,8 +292,8 @@ void Direction::seed_state(const Region& region, const std::vector<bool>& changi
     }
 }
 
-// The tangents of a loop's members: a loop over the state and, beside it, the tangents of those
-// members that change.
+// Returns the tangents of a loop's members: results of a loop over the state followed by the
+// tangents of its active members.
 std::vector<Id> Direction::widened_loop(Id loop) {
     const Inst inst = (*module_)[loop];
     Region region = module_->region(inst.extra);

@@ -1,9 +1,8 @@
 #include "ir/expand.h"
 
-#include <algorithm>
+#include <unordered_map>
 #include <utility>
 
-#include "ir/by_id.h"
 #include "ir/finish.h"
 #include "ir/gradient_sum.h"
 #include "ir/normal_variance.h"
@@ -20,53 +19,29 @@ constexpr double smallest_depth = 1e-6;
 constexpr double smallest_cosine = 1.1920929e-7;
 
 struct Derivative {
-    Value slope;  // in the uv; of a normal its xy, and -xy strength / depth is meant
+    Value slope;  // in the uv; normals: xy, and the slope is -xy strength / depth
     Frame frame;
-    Value strength, depth;  // of a normal
+    Value strength, depth;  // normals only
 };
 
-// Of operands of opaque ops, by Id: who reads it last; poison where that one reads it twice.
-std::vector<Id> last_readers(const Module& m) {
-    std::vector<Id> readers(m.size(), poison);
-    for (Id id = 1; id < m.size(); ++id)
-        if (is_opaque(m[id].op))
-            for (const Id operand : m[id].arg)
-                readers[operand] = readers[operand] == id ? poison : id;
-    return readers;
-}
-
 struct Expander {
-    Expander(const ExpandOptions& o, const Module& source)
-        : options(o),
-          facts(source),
-          last_reader(last_readers(source)),
-          places(source.size(), 0),
-          frames(places),
-          derivatives(places),
-          gradients(places),
-          bases(places) {}
+    Expander(const ExpandOptions& o, const Module& source) : options(o), facts(source) {}
 
     const ExpandOptions& options;
-    const ValueFacts facts;             // of the source
-    const std::vector<Id> last_reader;  // of things, by source Id
+    const ValueFacts facts;  // for the source
     Module* target = nullptr;
-    Id nothing = poison;  // what an opaque value maps to: never read, as every reader is opaque too
+    Id nothing = poison;  // id of opaque values; never read, as every user is opaque
     std::optional<OpenFunctions> functions;
     std::optional<ScreenDerivatives> screen;
     std::optional<GradientAlgebra> algebra;
-    std::optional<NormalVariance> variance;  // where something asks for it
+    std::optional<NormalVariance> variance;  // only if an output or the options need it
     // By source Id.
-    Places places;
-    ById<Frame> frames;
-    ById<Derivative> derivatives;
-    ById<GradientSum> gradients;
-    ById<Value> bases;  // the resolved normal; empty for the surface
+    std::unordered_map<Id, Frame> frames;
+    std::unordered_map<Id, Derivative> derivatives;
+    std::unordered_map<Id, GradientSum> gradients;
+    std::unordered_map<Id, Value> bases;  // the resolved normal; empty for the surface
 
     Value value(Id id) const { return {target, id}; }
-    template <class T>
-    T read(ById<T>& things, Id id, Id reader) {
-        return last_reader[id] == reader ? things.take(id) : things.at(id);
-    }
     Value base_normal(const Module& source, Id gradient) const;
     Value resolved(const Module& source, Id gradient);
     Id opaque(const Module& source, Id id, std::span<const Id> mapped);
@@ -85,7 +60,7 @@ Value Expander::base_normal(const Module& source, Id gradient) const {
     return base == poison ? Value{} : bases.at(base);
 }
 
-// A normal that may have any length, without the positive number it is a multiple of.
+// Strips a positive literal factor from a normal that may have any length.
 Value any_length(Value normal, double& factor) {
     const Module& m = *normal.module;
     const Inst& inst = m[normal.id];
@@ -95,7 +70,7 @@ Value any_length(Value normal, double& factor) {
     return {normal.module, inst.arg[0]};
 }
 
-// SurfgradFromPerturbedNormal: (k n - v) / |k|, k = n.v, the division left for later.
+// SurfgradFromPerturbedNormal: (k n - v) / |k|, k = n.v, with the division pending.
 GradientSum Expander::from_normal(Value n, Value v) {
     double factor = 1;
     v = any_length(v, factor);
@@ -109,7 +84,7 @@ GradientSum Expander::from_normal(Value n, Value v) {
     return result;
 }
 
-// TspaceNormalToDerivative: -xy / max(|z|, max(|x|,|y|)/128), the division left for later.
+// TspaceNormalToDerivative: -xy / max(|z|, max(|x|,|y|)/128), with the division pending.
 Derivative Expander::normal_derivative(Value m, Value strength, const Frame& frame) {
     double factor = 1;
     m = any_length(m, factor);
@@ -138,8 +113,8 @@ GradientSum Expander::source_gradient(const Module& source, Id id, std::span<con
     const Inst& inst = source[id];
     switch (inst.op) {
         case Op::gradient_from_derivative_: {
-            if (!derivatives.find(inst.arg[0])) return {};
-            return from_derivative(read(derivatives, inst.arg[0], id));
+            const auto found = derivatives.find(inst.arg[0]);
+            return found == derivatives.end() ? GradientSum{} : from_derivative(found->second);
         }
         case Op::gradient_from_height_: {
             if (is_position_alone(facts.dependencies(inst.arg[0])))
@@ -174,18 +149,17 @@ void Expander::gradient(const Module& source, Id id, std::span<const Id> mapped)
     const Inst& inst = source[id];
     GradientSum result;
     if (inst.op == Op::gradient_add_) {
-        result = algebra->add(read(gradients, inst.arg[0], id), read(gradients, inst.arg[1], id));
+        result = algebra->add(gradients.at(inst.arg[0]), gradients.at(inst.arg[1]));
     } else if (inst.op == Op::gradient_scale_) {
-        result = algebra->scale(read(gradients, inst.arg[0], id), value(mapped[1]));
+        result = algebra->scale(gradients.at(inst.arg[0]), value(mapped[1]));
     } else if (inst.op == Op::gradient_mix_) {
         const Value t = value(mapped[2]);
-        result = algebra->scale(read(gradients, inst.arg[0], id), number(t, 1) - t);
-        result =
-            algebra->add(std::move(result), algebra->scale(read(gradients, inst.arg[1], id), t));
+        result = algebra->scale(gradients.at(inst.arg[0]), number(t, 1) - t);
+        result = algebra->add(std::move(result), algebra->scale(gradients.at(inst.arg[1]), t));
     } else {
         result = source_gradient(source, id, mapped);
     }
-    gradients.set(id, std::move(result));
+    gradients.emplace(id, std::move(result));
 }
 
 Value Expander::resolved(const Module& source, Id gradient) {
@@ -203,10 +177,10 @@ void report_base(Module& target) {
 void Expander::base(const Module& source, Id id, std::span<const Id> mapped) {
     const Inst& inst = source[id];
     if (source[inst.arg[0]].op == Op::resolve_) {
-        bases.set(id, value(mapped[0]));
+        bases.emplace(id, value(mapped[0]));
         return;
     }
-    bases.set(id, {});
+    bases.emplace(id, Value{});
     if (mapped[0] != surface_normal(*target, options.back_faces) &&
         mapped[0] != unit_normal(*target))
         report_base(*target);
@@ -225,21 +199,22 @@ Id Expander::opaque(const Module& source, Id id, std::span<const Id> mapped) {
         case Op::frame_: {
             const Id direction = mapped.size() > 1 ? mapped[1] : poison;
             const uint32_t uv = facts.dependencies(inst.arg[0]);
-            frames.set(id, make_frame(*target, *screen, mapped[0], direction,
-                                      settled_frame(*target, inst.extra, uv, options)));
+            frames.emplace(id, make_frame(*target, *screen, mapped[0], direction,
+                                          settled_frame(*target, inst.extra, uv, options)));
             break;
         }
         case Op::derivative_:
-            derivatives.set(id, {value(mapped[0]), read(frames, inst.arg[1], id), {}, {}});
+            derivatives.emplace(id, Derivative{value(mapped[0]), frames.at(inst.arg[1]), {}, {}});
             break;
         case Op::normal_derivative_:
-            derivatives.set(id, normal_derivative(value(mapped[0]), value(mapped[1]),
-                                                  read(frames, inst.arg[2], id)));
+            derivatives.emplace(
+                id, normal_derivative(value(mapped[0]), value(mapped[1]), frames.at(inst.arg[2])));
             break;
         case Op::slope_: {
-            const Derivative* d = derivatives.find(inst.arg[0]);
-            if (!d) return target->zero(Type::vec2_);
-            return d->depth ? (d->slope * (-d->strength / d->depth)).id : d->slope.id;
+            const auto found = derivatives.find(inst.arg[0]);
+            if (found == derivatives.end()) return target->zero(Type::vec2_);
+            const auto& [slope, frame, strength, depth] = found->second;
+            return depth ? (slope * (-strength / depth)).id : slope.id;
         }
         case Op::gradient_vector_: {
             const Value on_base = base_normal(source, inst.arg[0]);
@@ -290,7 +265,7 @@ Id expand_one(void* context, Module& target, const Module& source, Id id,
     return expander.opaque(source, id, mapped);
 }
 
-// A number as a literal of its value; poison of a graph input, which stays.
+// Returns the parameter as a constant of its value; poison for a graph input, which stays one.
 Id baked(Module& target, const Parameter& parameter) {
     if (parameter.graph_input) return poison;
     return target.constant(parameter.type,
@@ -300,7 +275,7 @@ Id baked(Module& target, const Parameter& parameter) {
 struct Settler {
     const ExpandOptions& options;
     const Parameters parameters;
-    const ValueFacts facts;  // of the source
+    const ValueFacts facts;  // for the source
 };
 
 Id settle_one(void* context, Module& target, const Module& source, Id id,

@@ -73,7 +73,7 @@ bool fold_range(Op op, double a, double b, double c, double& r) {
             return true;
         }
         case Op::mix_:
-            r = a + (b - a) * c;
+            r = a * (1 - c) + b * c;
             return true;
         case Op::step_:
             r = b < a ? 0 : 1;

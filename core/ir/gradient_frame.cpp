@@ -1,8 +1,6 @@
 #include "ir/gradient_frame.h"
 
-#include <algorithm>
 #include <bit>
-#include <cmath>
 
 #include "ir/surface.h"
 
@@ -15,76 +13,27 @@ constexpr uint32_t bit(SurfaceInput input) {
 constexpr uint32_t all_uv_sets = bit(SurfaceInput::uv0_) | bit(SurfaceInput::uv1_) |
                                  bit(SurfaceInput::uv2_) | bit(SurfaceInput::uv3_);
 
-// Below it a length counts as zero; well under (pixel size)^4 of any sensible scene.
+// Squared lengths and determinants below this count as zero; well under (pixel size)^4 of any
+// sensible scene.
 constexpr double tiny_square = 1e-36;
-// Of the angle between a guessed tangent and the normal; far above the rounding of floats.
+// Least squared sine of the angle between a guessed tangent and the normal; far above the rounding
+// of floats.
 constexpr double smallest_sine_square = 1e-10;
 
-// The one uv set that these inputs are, if they are one.
+// Returns the uv set if the inputs are exactly one uv set.
 std::optional<SurfaceInput> single_uv_set(uint32_t dependencies) {
     if (std::popcount(dependencies) != 1 || !(dependencies & all_uv_sets)) return {};
     return static_cast<SurfaceInput>(std::countr_zero(dependencies));
 }
 
-// d(uv)/du and d(uv)/dv along a set.
-using Jacobian = std::array<double, 4>;
-
-// Of a uv that is the set times constants, and moved by constants: what its derivative would fold
-// to, number by number. Nothing of another.
-std::optional<Jacobian> jacobian_of_tiling(const Module& m, Id uv, Id set) {
-    std::array<Id, 8> factors{};  // the outermost first
-    size_t count = 0;
-    while (uv != set) {
-        const Inst& inst = m[uv];
-        const bool product = inst.op == Op::mul_;
-        if (!product && inst.op != Op::add_ && inst.op != Op::sub_) return {};
-        const bool swapped = inst.op != Op::sub_ && m.is_constant(inst.arg[0]);
-        if (!swapped && !m.is_constant(inst.arg[1])) return {};
-        if (product && count == factors.size()) return {};
-        if (product) factors[count++] = inst.arg[swapped ? 0 : 1];
-        uv = inst.arg[swapped ? 1 : 0];
-    }
-    Jacobian j{1, 0, 0, 1};
-    while (count-- > 0) {
-        const auto lanes = m.lanes_of(factors[count]);
-        const bool scalar = m.type(factors[count]) == Type::float_;
-        for (size_t i = 0; i < j.size(); ++i)
-            j[i] *= lanes[scalar ? 0 : i % 2];
-        for (const size_t row : {0u, 2u})  // what does not change has no sign
-            if (j[row] == 0 && j[row + 1] == 0) j[row] = j[row + 1] = 0;
-    }
-    return j;
-}
-
-std::optional<Jacobian> constant_jacobian(const Module& m, Value u, Value v) {
-    if (!m.is_constant(u.id) || !m.is_constant(v.id)) return {};
-    const auto a = m.lanes_of(u.id), b = m.lanes_of(v.id);
-    return Jacobian{a[0], a[1], b[0], b[1]};
-}
-
-// In numbers, too: as instructions they would fold one by one.
-bool bring_constant_to_set(const Jacobian& j, Frame& frame) {
-    const double det = std::abs(j[0] * j[3] - j[1] * j[2]);
-    const double scale = det > 0 ? 1 / std::sqrt(std::max(det, tiny_square)) : 0;
-    std::array<double, 4> rows{};
-    std::transform(j.begin(), j.end(), rows.begin(), [&](double x) { return x * scale; });
-    if (!std::all_of(rows.begin(), rows.end(), [](double x) { return std::isfinite(x); }))
-        return false;
-    frame.numbers = rows;
-    return true;
-}
-
-// The rows of J^T / sqrt|det J|, J = d(uv)/d(set); nothing is stored where J is the identity.
+// Sets the frame's rows to those of J^T / sqrt|det J|, J = d(uv)/d(set); leaves them empty if `uv`
+// is the set itself.
 void bring_to_set(Module& target, ScreenDerivatives& changes, Id uv, SurfaceInput set,
                   Frame& frame) {
     const Id whole = target.input(set);
     if (uv == whole) return;
-    const auto tiling = jacobian_of_tiling(target, uv, whole);
-    if (tiling && bring_constant_to_set(*tiling, frame)) return;
     const Value u = changes.in_uv_set(set, 0, uv);
     const Value v = changes.in_uv_set(set, 1, uv);
-    const auto constant = constant_jacobian(target, u, v);
-    if (constant && bring_constant_to_set(*constant, frame)) return;
     const Value det = abs(u.x() * v.y() - u.y() * v.x());
     const Value scale = select(greater(det, 0), inversesqrt(max(det, tiny_square)), number(u, 0));
     frame.row_u = vec2(u.x() * scale, u.y() * scale);
@@ -108,7 +57,7 @@ Choice chosen(uint32_t extra, uint32_t dependencies, const ExpandOptions& option
     return choice;
 }
 
-// The one input that a frame of this method is told by.
+// Returns the surface input that a frame of this method is a function of, if it is a single one.
 std::optional<SurfaceInput> source_of(uint32_t method, uint32_t dependencies) {
     if (method != WR_FRAME_exact) return single_uv_set(dependencies);
     if (is_position_alone(dependencies)) return SurfaceInput::position_;
@@ -135,7 +84,7 @@ void report(Module& target, const Choice& choice, Fit fit) {
     target.problem("the frame '" + name + "' goes with the scale 'surface'", expected);
 }
 
-// Bits 16 on: 0 not settled, 1 no single source, else 2 + the surface input.
+// Bits 16 and up of a settled frame: 0 not settled, 1 no single source, else 2 + the surface input.
 constexpr uint32_t set_shift = 16;
 
 TangentBasis vertex_basis(Module& target, bool raw) {
@@ -150,7 +99,7 @@ TangentBasis vertex_basis(Module& target, bool raw) {
     return {t, b, scale, sign * scale};
 }
 
-// GenBasisTB of the reference, sign(0) = +1. `call` names its parts.
+// GenBasisTB of the reference, sign(0) = +1. `call` names its intermediate values.
 template <class Call>
 TangentBasis derived_basis(Module& target, Id uv, ScreenDerivatives& screen, Call call) {
     const Value uv_x = screen.along_surface(Variant::dx, uv);
@@ -171,23 +120,19 @@ TangentBasis guessed_basis(Module& target, Id direction) {
     const Value n{&target, unit_normal(target)};
     const Value d{&target, direction};
     const Value part = d - n * dot(n, d);
-    // What rounding leaves of a direction along n is no direction.
+    // A direction along n leaves only rounding errors, which define no tangent.
     const Value square = dot(part, part);
     const Value seen = greater(square - dot(d, d) * smallest_sine_square, 0);
     const Value scale = select(seen, inversesqrt(max(square, tiny_square)), number(n, 0));
     return {part, cross(n, d), scale, scale};
 }
 
-bool is_zero(double factor) {
-    return factor == 0;
-}
 bool is_zero(Value factor) {
     return factor.module->is_literal(factor.id, 0);
 }
 
-// By components, so that a diagonal J of constants falls away.
-template <class Factor>
-Value slope_along(Value slope, Factor x, Factor y) {
+// Computed by components, so that a diagonal J of constants simplifies.
+Value slope_along(Value slope, Value x, Value y) {
     if (is_zero(y)) return slope.x() * x;
     if (is_zero(x)) return slope.y() * y;
     return slope.x() * x + slope.y() * y;
@@ -260,10 +205,6 @@ uint32_t settled_frame(Module& target, uint32_t extra, uint32_t dependencies,
                                                        << set_shift;
 }
 
-bool fits_its_scale(uint32_t extra, uint32_t dependencies) {
-    return fit_of(chosen(extra, dependencies, {}), dependencies) == Fit::fits;
-}
-
 Frame make_frame(Module& target, ScreenDerivatives& screen, Id uv, Id direction, uint32_t settled) {
     const uint32_t method = settled & 0xFF;
     const uint32_t set = settled >> set_shift;
@@ -318,10 +259,6 @@ TangentBasis tangent_basis(Module& target, const FrameKey& key, ScreenDerivative
 }
 
 Value slope_in_basis(const Frame& frame, Value slope) {
-    if (frame.numbers) {
-        const auto& [ux, uy, vx, vy] = *frame.numbers;
-        return vec2(slope_along(slope, ux, uy), slope_along(slope, vx, vy));
-    }
     if (!frame.row_u) return slope;
     if (frame.key.basis == Basis::exact)
         return vec2(dot(slope, frame.row_u), dot(slope, frame.row_v));

@@ -1,23 +1,23 @@
-// Frames: what turns a slope dh/d(u,v) into a surface gradient. Part of the expansion pass.
+// Frames convert a slope dh/d(u,v) to a surface gradient. Part of the expansion pass.
 //
 // A frame is resolved to one of a few bases of the tangent plane, its FrameKey; every uv that is a
 // function of one uv set shares that set's basis, so layers on it add as 2-vectors.
-// J = d(uv)/d(set) brings a slope in the uv to the set: dh/d(set) = J^T dh/d(uv), divided by
-// sqrt|det J| so that tiling does not steepen a `unit` slope; det J = 0 is flat.
+// J = d(uv)/d(set) converts a slope in the uv to one in the set: dh/d(set) = J^T dh/d(uv), divided
+// by sqrt|det J| so that tiling does not steepen a `unit` slope; det J = 0 gives a flat gradient.
 //
 //   vertex    T, B of MikkTSpace: B = sign(w) N x T from the un-normalised interpolated N and T;
 //             T, B and N share the factor 1/|N|
 //   derived   Mikkelsen 2020, GenBasisTB: T = normalize(sgn(det) (v_y Px - v_x Py)),
 //             B = sgn(det) flip n x T, on the projected screen differentials; orthonormal,
-//             sign-corrected, invariant under n -> -n. Here b = n x (v_y Px - v_x Py) comes first,
-//             which drops what is along n, then t = b x n of the same length
-//   guess     T = the direction's part in the tangent plane, B = n x T; flat where the direction
+//             sign-corrected, invariant under n -> -n. Here b = n x (v_y Px - v_x Py) is computed
+//             first, which removes the component along n, then t = b x n of the same length
+//   guess     T = the direction's component in the tangent plane, B = n x T; flat if the direction
 //             is parallel to n
-//   exact     no basis of its own: a slope goes to screen differentials by the chain rule,
+//   exact     no basis: a slope is converted to screen differentials by the chain rule,
 //             s . d(uv)/dx (eq. 3)
-//   pixel     an exact frame of changes that are screen differentials already
-//   space     the exact frame of a uv that changes with the position alone: a slope goes to a
-//             gradient in space, s.x grad u + s.y grad v, with no differential of the screen
+//   pixel     an exact frame for slopes that already are screen differentials
+//   space     the exact frame of a uv that depends on the position only: a slope is converted to a
+//             gradient in space, s.x grad u + s.y grad v, without a screen differential
 #pragma once
 
 #include <array>
@@ -31,23 +31,23 @@
 
 namespace wrinkle {
 
-// The changes of values to the next pixel or along something, each direction made when first asked
-// for.
+// Derivatives of values to the next pixel or along another axis; each Direction is created when it
+// is first used.
 class ScreenDerivatives {
 public:
     explicit ScreenDerivatives(Module& target) : target_(&target) {}
 
-    // Along the tangent plane of the surface: for heights and uvs.
+    // Screen derivative along the tangent plane of the surface: for heights and uvs.
     Value along_surface(Variant axis, Id value);
-    // Of the value as it stands on the screen: the ops ddx and ddy.
+    // Screen derivative of the value itself: the ops ddx and ddy.
     Value on_screen(Variant axis, Id value);
-    // The position's own, also along the normal.
+    // Differential of the position, including its component along the normal.
     Value position(Variant axis);
-    // Along x, y or z, as 0 to 2, of what changes with the position alone.
+    // Derivative along x, y or z (axis 0 to 2), for values that depend on the position only.
     Value in_space(int axis, Id value);
-    // Along u or v of a uv set, as 0 and 1.
+    // Derivative along u or v (axis 0 or 1) of a uv set.
     Value in_uv_set(SurfaceInput set, int axis, Id value);
-    // Along any of these; poison for zero.
+    // Derivative along any of these; poison represents zero.
     Id along(Change change, Id value);
 
 private:
@@ -64,16 +64,15 @@ struct FrameKey {
     bool operator==(const FrameKey&) const = default;
 };
 
-// A frame met in the source: its basis, and what brings a slope in its uv into that basis.
+// A frame of the source module: its basis, and the rows that convert a slope in its uv to it.
 struct Frame {
     FrameKey key;
     Value row_u, row_v;  // vec2: slope . row_u is the slope along the basis' u; empty: identity
-    Value row_z;         // vec2, the third of a frame in space, whose others are along x and y
-    std::optional<std::array<double, 4>> numbers;  // row_u and row_v where they are constant
+    Value row_z;         // vec2: third row of a frame in space; the first two are along x and y
 };
 
-// T = t t_factor and B = b b_factor; zero where degenerate. The factors go to the slopes, which are
-// two numbers where the vectors are six.
+// T = t t_factor and B = b b_factor; zero if degenerate. The factors are applied to the slopes,
+// which have two components, instead of to the vectors, which have six.
 struct TangentBasis {
     Value t, b;                // vec3
     Value t_factor, b_factor;  // float; empty: 1
@@ -81,22 +80,21 @@ struct TangentBasis {
     Value along(Value slope) const;  // T s.x + B s.y
 };
 
-// `extra` of a frame op once settled: WR_FRAME with the method decided, and the uv set that its uv
-// is a function of; one that is settled stays. `dependencies` are those of the uv. Where method and
-// scale do not fit, a problem is recorded and one that fits is taken.
+// Returns the `extra` of a settled frame op: WR_FRAME with the method decided, and the uv set that
+// its uv is a function of. An `extra` that is already settled is returned unchanged. `dependencies`
+// are those of the uv. If method and scale do not match, a problem is recorded and a matching
+// method is used.
 uint32_t settled_frame(Module& target, uint32_t extra, uint32_t dependencies,
                        const ExpandOptions& options);
-// Whether method and scale fit, as `extra` of a frame op says them.
-bool fits_its_scale(uint32_t extra, uint32_t dependencies);
 
 Frame make_frame(Module& target, ScreenDerivatives& screen, Id uv, Id direction, uint32_t settled);
 
-// The basis' vectors; `raw` leaves out the factor 1/|N| of a vertex basis.
+// Returns the vectors of the basis; `raw` omits the factor 1/|N| of a vertex basis.
 TangentBasis tangent_basis(Module& target, const FrameKey& key, ScreenDerivatives& screen,
                            bool raw);
 
-// A slope brought into the frame's basis (screen differentials dh/dx, dh/dy for an exact one, a
-// vec3 for one in space).
+// Returns the slope converted to the frame's basis (screen differentials dh/dx, dh/dy for an exact
+// one, a vec3 for one in space).
 Value slope_in_basis(const Frame& frame, Value slope);
 
 }  // namespace wrinkle

@@ -7,22 +7,21 @@
 namespace wrinkle {
 namespace {
 
-constexpr int longest_chain = 8;
+constexpr int max_chain = 8;
 
 uint64_t bits_of(double value) {
     return std::bit_cast<uint64_t>(value);
 }
 
-// What is looked for was written member by member just now. A processor has to wait before it can
-// read several of such at once, so they are read one by one too; first those that tell most apart.
+// Compares member by member: the members of `a` were just written one by one, and a load of several
+// members at once would wait for these stores.
 bool identical(const Inst& a, const Inst& b) {
     return a.arg[0] == b.arg[0] && a.op == b.op && a.arg[1] == b.arg[1] && a.extra == b.extra &&
            bits_of(a.value) == bits_of(b.value) && a.type == b.type && a.arg[2] == b.arg[2] &&
            a.arg[3] == b.arg[3] && a.level == b.level;
 }
 
-// Multilinear, then mixed downwards: literals differ in the highest bits of their value alone, and
-// a slot is taken from the lowest bits.
+// A sum of products, mixed towards the low bits: short literals differ in high bits only.
 uint64_t hash_of(const Inst& inst) {
     uint64_t h = static_cast<uint64_t>(inst.op) * 0x9E3779B97F4A7C15U +
                  static_cast<uint64_t>(inst.type) * 0x8CB92BA72F3D8DD7U +
@@ -34,7 +33,7 @@ uint64_t hash_of(const Inst& inst) {
     return h ^ h >> 29;
 }
 
-// Poison where there is none: operands of loops and calls stand in a list.
+// Returns poison for leaves, and for loops and calls, which have their operands in a list.
 Id newest_operand(const Inst& inst) {
     if (inst.op == Op::loop_ || inst.op == Op::call_) return poison;
     return std::max(std::max(inst.arg[0], inst.arg[1]), std::max(inst.arg[2], inst.arg[3]));
@@ -42,26 +41,25 @@ Id newest_operand(const Inst& inst) {
 
 }  // namespace
 
-// A sixteenth of what there is are different leaves, or so, and half of the slots are taken at
-// most.
-void InternTable::make_room(size_t expected) {
+// About a sixteenth of the instructions are distinct leaves, and at most half of the slots are
+// used.
+void InternTable::reserve(size_t expected) {
     slots_.assign(std::bit_ceil(std::max<size_t>(expected / 8, 128)), poison);
 }
 
-Id& InternTable::place_of(const Inst& wanted, const std::vector<Inst>& inst) {
+Id& InternTable::find(const Inst& wanted, const std::vector<Inst>& inst) {
     const Id operand = newest_operand(wanted);
-    if (operand == poison) return place_of_leaf(wanted, inst);
-    if (inst.size() > readers_.size()) readers_.resize(inst.capacity());
-    Id* place = &readers_[operand].first;
-    for (int looks = 0; *place != poison && !identical(inst[*place], wanted); ++looks) {
-        if (looks == longest_chain) return place_of_leaf(wanted, inst);
-        place = &readers_[*place].next;
+    if (operand == poison) return find_in_table(wanted, inst);
+    if (inst.size() > users_.size()) users_.resize(inst.capacity());
+    Id* slot = &users_[operand].first;
+    for (int steps = 0; *slot != poison && !identical(inst[*slot], wanted); ++steps) {
+        if (steps == max_chain) return find_in_table(wanted, inst);
+        slot = &users_[*slot].next;
     }
-    return *place;
+    return *slot;
 }
 
-// Here, too, who has more readers than are looked at one by one.
-Id& InternTable::place_of_leaf(const Inst& wanted, const std::vector<Inst>& inst) {
+Id& InternTable::find_in_table(const Inst& wanted, const std::vector<Inst>& inst) {
     Id& slot = slot_of(wanted, inst);
     if (slot != poison || ++taken_ * 2 <= slots_.size()) return slot;
     grow(inst);

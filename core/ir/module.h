@@ -1,37 +1,45 @@
-// The expression language: a module of immutable, interned instructions.
+// The expression language: a module of immutable SSA instructions with hash consing.
 //
-// An instruction is 32 bytes in one vector and is named by its index, its Id. Operands always have
-// smaller ids, so id order is a topological order and every pass is a loop. add() interns: equal
-// expressions are one value. It also checks types, folds constants and applies peepholes, so an
-// expression is simplified by being written. Id 0 is poison: the result of anything that made no
-// sense; ops on poison are poison, silently.
+// An instruction is 32 bytes in one vector and is identified by its index, its Id. Operands always
+// have smaller ids, so id order is a topological order and every pass is a loop. add() interns:
+// equal expressions are one value. It also checks types, folds constants and applies peepholes, so
+// an expression is simplified while it is written.
 //
-// Regions are the one concept for loops and functions. A region's body is ordinary instructions
-// over region_param(level, k). An instruction's level is the greatest level of its operands; 0 is
-// outside every region. What a loop body uses from lower levels is captured, so loop-invariant code
-// stands outside by itself. Functions are closed: end_region() turns what they capture (but
-// literals, parameters of the user, resources) into further parameters, and renames their
-// parameters to level 1 so that equal functions are one region wherever they were recorded. A
-// loop's region has its parameters at the level where it stands.
+// `poison` is Id 0. It is not LLVM's poison (deferred undefined behaviour), but has three uses:
+//   error value       the result of an invalid add(), which records a problem. An op with a poison
+//                     operand is poison, without another problem.
+//   absent Id         an unused operand, the surface as base of a gradient, an empty Value, a free
+//                     slot of InternTable, "none" as the result of a query (open_result(),
+//                     simplified()) or of a Replace callback.
+//   zero derivative   the result of Direction::tangent() (ir/derive.h). It must not become an
+//                     operand: tangent_or_zero() returns an instruction instead.
+//
+// Regions represent both loops and functions. A region's body is ordinary instructions over
+// region_param(level, k). A level is a region depth: that of an instruction is the greatest level
+// of its operands; 0 is outside every region. A loop body captures the values of lower levels that
+// it uses, so loop-invariant code is outside the loop without a pass for it. Functions are closed:
+// end_region() turns their captured values (except literals, parameters of the user, image sizes
+// and values computed from these) into further parameters, and renames their parameters to level 1
+// so that equal functions are one region wherever they were recorded. A loop's region has its
+// parameters at its own level.
 //   function: results are its outputs. A sub-graph's is open until expand() (ir/open_input.h).
-//   loop:     parameters are the state; results[0] is a bool "go on", results[1..] the next state.
-//             It runs while "go on" holds for the state at hand, at most `max_iterations` times;
-//             its value is the last state. (The results are computed first; where "go on" is false
-//             the next state is dropped.)
-// `loop` and `call` have type tuple; result(k) takes a member.
+//   loop:     parameters are the state; results[0] is the loop condition, a bool, results[1..] the
+//             next state. It runs while the condition holds for the current state, at most
+//             `max_iterations` times; its value is the last state. (The results are computed first;
+//             if the condition is false the next state is dropped.)
+// `loop` and `call` have type tuple; result(k) extracts a member.
 //
 // Literals are scalars in double; a vector constant is a construct of literals. A node's
-// unconnected numbers enter as `parameter`s, so that frames, bases and errors never depend on a
-// value; settle_frames() (ir/expand.h) can turn them into literals while it decides on frames.
-// Where that decides the same they enter as literals (lower/dropped.h).
+// unconnected numbers are `parameter`s, so that frames, bases and errors never depend on a value;
+// settle_frames() (ir/expand.h) can turn them into literals while it decides on frames.
 //
-// A gradient-typed instruction holds its base in `extra` (the Id of a `base` instruction; 0 is the
-// surface or, of gradient_zero, any). Adding or mixing gradients of two bases is a problem, not a
-// picture. A resolve's `extra` is an identity of the node instance that made it, so two resolves
-// never become one base by folding.
+// A gradient-typed instruction stores its base in `extra` (the Id of a `base` instruction; 0 is the
+// surface or, of gradient_zero, any). Adding or mixing gradients of two bases is an error. A
+// resolve's `extra` identifies the node instance that made it, so that hash consing never merges
+// two resolves into one base.
 //
-// Side tables: origin[id] is the node instance that first wrote the instruction; `named` says
-// what values are called; problems lists what add() refused, by origin.
+// Side tables: origin[id] is the node instance that first wrote the instruction; `named` holds the
+// names of values; problems lists the errors of add(), by origin.
 #pragma once
 
 #include <array>
@@ -45,14 +53,15 @@
 
 #include "base/text_list.h"
 #include "base/texture_options.h"
+#include "ir/inst.h"
 #include "ir/intern_table.h"
 #include "ir/open_input.h"
 
 namespace wrinkle {
 
-// `extra` of an input: which surface input, and the value itself or its change to the next pixel.
-// The change of `position` in shaders is taken from a camera-relative position in object axes, for
-// precision.
+// `extra` of an input: which surface input, and the value itself or its differential to the next
+// pixel. In shaders the differential of `position` is taken from a camera-relative position in
+// object axes, for precision.
 enum class Variant : uint8_t { value, dx, dy };
 constexpr uint32_t input_extra(SurfaceInput input, Variant variant) {
     return static_cast<uint32_t>(input) | static_cast<uint32_t>(variant) << 8;
@@ -67,40 +76,40 @@ constexpr Variant variant_of(uint32_t extra) {
 enum class RegionKind : uint8_t { function, loop };
 struct Region {
     RegionKind kind = RegionKind::function;
-    uint8_t level = 1;  // of its parameters
+    uint8_t level = 1;  // level of its parameters
     uint32_t max_iterations = 0;
     std::vector<Type> params;
     std::vector<Id> results;
-    // Of an open function its first parameter in Module::open_inputs; its results stand at level 0.
+    // Open functions: the first parameter in Module::open_inputs; the results are at level 0.
     static constexpr uint32_t closed = ~0U;
     uint32_t first_input = closed;
-    // No part of its identity. Names of parameters and results: of a sub-graph's, else empty.
+    // Not part of its identity. Names of parameters and results: a sub-graph's, else empty.
     std::string name;
     std::vector<std::string> param_names, result_names;
 
     bool is_open() const { return first_input != closed; }
 };
 
-// What a region's body is made of, but for what every region may read (literals, parameters of the
-// user, resources).
+// The values and calls of a region's body, except values that every region may read (literals,
+// parameters of the user, image sizes).
 struct RegionBody {
-    std::vector<Id> captured;  // of lower levels, as met from left to right
+    std::vector<Id> captured;  // at lower levels, in order of first use from left to right
     std::vector<uint32_t> called;
-    bool parameters_fit = true;  // its own are there, with these types
+    bool parameters_fit = true;  // its region_params exist, with these types
 };
 
-// A recorded region and, of a function, the values it captured: they became further parameters, and
-// apply() passes them after the arguments. (Equal functions share a region and may capture
+// A recorded region and, for a function, the values it captured: they became further parameters,
+// and apply() passes them after the arguments. (Equal functions share a region and may capture
 // different values.)
 struct RegionUse {
     uint32_t region = 0;
     std::vector<Id> captured;
 };
 
-// A number the user may change. Its place in Module::parameters is its identity.
+// A number the user may change. Its index in Module::parameters is its identity.
 struct Parameter {
     uint32_t node = 0;  // Module::nodes; 0 for a graph input
-    std::string port;   // "amount"; of a graph input its name
+    std::string port;   // "amount"; for a graph input its name
     Type type = Type::float_;
     std::array<double, 4> value{};
     bool graph_input = false;  // stays a uniform when parameters are baked
@@ -109,27 +118,27 @@ struct Parameter {
 // An image that shaders sample. Equal file and options are one resource.
 struct Resource {
     std::string file;  // resolved path, to be opened
-    std::string name;  // as the graph writes it
+    std::string name;  // as written in the graph
     TextureOptions options;
     struct Reader {
         uint32_t node;
         std::string port;
     };
-    std::vector<Reader> readers;  // node ports, in the order met
+    std::vector<Reader> readers;  // node ports, in order of lowering
 };
 
 // A node instance. Entry 0 is the graph itself.
 struct NodeInstance {
     std::string path;    // "weave"; in a sub-graph "strap/weave"
-    uint32_t title = 0;  // of its type, in Module::titles
+    uint32_t title = 0;  // its type's title, index in Module::titles
 };
 
-// What a value is called in generated text.
+// The name of a value in generated source.
 struct Named {
     Id value;
-    uint32_t node;     // who calls it so; 0: the surface point, for all nodes
+    uint32_t node;     // the node that names it; 0: the surface point, for all nodes
     std::string name;  // "gradient"
-    bool output;       // of that node: stands in a line of its own, and beats other names
+    bool output;       // an output of that node: is a separate statement, and has precedence
 };
 
 struct ModuleOutput {
@@ -147,11 +156,11 @@ struct Problem {
 class Module {
 public:
     Module();
-    void make_room(size_t expected);  // for so many instructions; before the first
+    void make_room(size_t expected);  // reserves memory; before the first instruction
 
-    // The general form. `type` is used by construct, result and region_param only; elsewhere the
-    // type follows from the operands. Poison (and a problem, unless an operand is poison) when they
-    // do not fit.
+    // The general form. `type` is used by construct only; elsewhere the type follows from the
+    // operands. Returns poison (and records a problem, unless an operand is poison) if they do not
+    // fit.
     Id add(Op op, std::span<const Id> args, uint32_t extra = 0, Type type = Type::poison_);
     Id add(Op op, std::initializer_list<Id> args, uint32_t extra = 0, Type type = Type::poison_) {
         return add(op, std::span<const Id>(args.begin(), args.size()), extra, type);
@@ -169,16 +178,16 @@ public:
     // Gradient sources: as add(), on the given base (0: the surface).
     Id gradient(Op op, Id operand, Id base);
 
-    // Regions are recorded one inside the other. begin gives the parameters; between begin and end,
-    // what is added and uses them is the body.
+    // Regions are recorded in nested pairs of begin and end. begin_region() returns the parameters;
+    // the values added before end_region() that use them are the body.
     std::vector<Id> begin_region(RegionKind kind, std::string name, std::span<const Type> params);
     RegionUse end_region(std::span<const Id> results, uint32_t max_iterations = 0);
-    // Calls a function or runs a loop; one Id per output or per member of the state.
+    // Calls a function or runs a loop; returns one Id per output or per member of the state.
     std::vector<Id> apply(const RegionUse& use, std::span<const Id> args);
-    // A region that is already closed and levelled, as passes that rebuild make them.
+    // Interns a region that is already closed and has its levels, as passes that rebuild make them.
     uint32_t intern_region(Region region);
-    // The tuple that a region gives for these arguments (captured values included), and a member of
-    // it.
+    // apply_region() returns the tuple of a region applied to these arguments (captured values
+    // included), result() a member of a tuple.
     Id apply_region(uint32_t region, std::span<const Id> args);
     Id result(Id tuple, uint32_t member);
     // A parameter of an open function (ir/open_input.h).
@@ -186,9 +195,10 @@ public:
     bool is_open_input(Id id) const {
         return inst_[id].op == Op::region_param_ && inst_[id].level == 0;
     }
-    // What the function gives for this result of a call of an open one; poison of anything else.
+    // If `id` is a result of a call of an open function, returns the value of that result in the
+    // function's body; otherwise poison.
     Id open_result(Id id) const;
-    // Derivatives of nested loops cost more with every level, and so do their runs.
+    // Derivatives of nested loops cost more with every level, and so does their execution.
     static constexpr int deepest_region = 16;
     static constexpr int deepest_call = 48;  // passes over called functions recurse
     int depth() const { return static_cast<int>(open_.size()); }
@@ -202,12 +212,12 @@ public:
         if (arity < 0) return listed_operands(inst);
         return std::span(inst.arg.data(), static_cast<size_t>(arity));
     }
-    // Whether one of this op was ever written, needed or not.
+    // Returns true if an instruction of this op was ever written, needed or not.
     bool has(Op op) const { return has_[static_cast<size_t>(op)]; }
     const Region& region(uint32_t index) const { return regions_[index]; }
     uint32_t region_count() const { return static_cast<uint32_t>(regions_.size()); }
 
-    // A scalar literal, or a construct of such, of this value.
+    // Returns true for a scalar literal of this value, or a construct of such literals.
     bool is_literal(Id id, double value) const {
         const Inst& inst = inst_[id];
         if (inst.op == Op::literal_) return inst.value == value;
@@ -220,14 +230,15 @@ public:
 
     uint32_t add_parameter(Parameter parameter);
     uint32_t add_resource(const Resource& resource);  // merges with an equal one
-    // Its index; as many as there are where there is none.
+    // Returns the index; the number of resources if there is none.
     uint32_t find_resource(std::string_view file, const TextureOptions& options) const;
 
     void problem(std::string message, std::string expected = {});
-    // Calls a value so, wherever it becomes a line of its own; what already has a name keeps it.
+    // Names a value for generated source, used if it becomes a separate statement; an existing name
+    // is retained.
     void name(Id value, uint32_t node, std::string_view name);
 
-    // Side tables; passes carry them along.
+    // Side tables; passes carry them over.
     std::vector<NodeInstance> nodes;
     TextList titles;
     std::vector<Parameter> parameters;
@@ -237,16 +248,13 @@ public:
     std::vector<ModuleOutput> outputs;
     std::vector<Problem> problems;
     std::vector<uint32_t> origin;  // by Id
-    uint32_t current_node = 0;     // the origin of what is added now
+    uint32_t current_node = 0;     // the origin of instructions added now
 
-    // So many instructions at most: what makes one more throws OverLimit (base/limits.h), which
-    // names the current node.
+    // Maximum number of instructions: adding one more throws OverLimit (base/limits.h), which names
+    // the current node.
     uint64_t most_values;
 
-    // An instruction that add() gave before, of another module too, with its operands renamed
-    // alike: it is checked, folded and simplified already. Neither a loop nor a call.
-    Id add_known(const Inst& known, std::span<const Id> args, uint32_t extra);
-    // A parameter of the region at this level, as passes that rebuild regions need it.
+    // Returns a parameter of the region at this level, for passes that rebuild regions.
     Id region_parameter(int level, uint32_t index, Type type);
     std::array<double, 9> lanes_of(Id constant) const;
 
@@ -257,8 +265,6 @@ private:
         std::vector<Type> params;
     };
     Id intern(const Inst& inst);
-    Id intern_leaf(const Inst& inst);
-    Id append(const Inst& inst, Id& place);
     bool has_constant_parts(Id construct) const;
     bool has_literal_parts(Id construct, double value) const;
     uint32_t intern_list(std::span<const Id> ids);
@@ -272,7 +278,7 @@ private:
     bool fits(const OpenRegion& open, std::span<const Id> results);
     bool fits(const RegionBody& body);
     int calls_below(const RegionBody& body) const;
-    uint32_t interned_region(uint64_t hash, const Region& region) const;  // 0: none is
+    uint32_t interned_region(uint64_t hash, const Region& region) const;  // 0: there is none
     uint32_t intern_region(Region region, const RegionBody& body);
 
     std::vector<Inst> inst_;
@@ -280,12 +286,12 @@ private:
     std::array<bool, tables::op_count> has_{};
     std::vector<std::vector<Id>> lists_;
     std::map<std::vector<Id>, uint32_t> list_table_;
-    std::vector<Region> regions_;  // [0] is none
+    std::vector<Region> regions_;  // [0] is unused
     std::multimap<uint64_t, uint32_t> region_table_;
     std::vector<uint8_t> free_levels_;  // by region: the greatest level that a loop's body captures
-    std::vector<int> call_depths_;      // by region: how many calls stand inside each other
+    std::vector<int> call_depths_;      // by region: greatest number of nested calls
     std::vector<OpenRegion> open_;
-    std::vector<bool> called_;  // by Id: by name()
+    std::vector<bool> called_;  // by Id: has a name from name()
 };
 
 RegionBody region_body(const Module& module, const Region& region);

@@ -8,17 +8,13 @@
 namespace wrinkle {
 namespace {
 
-bool reads_picture(Op op) {
-    return op == Op::sample_ || op == Op::sample_lod_ || op == Op::sample_grad_;
-}
-
 bool is_arrangement(Op op) {
     return op == Op::swizzle_ || op == Op::construct_ || op == Op::neg_ || op == Op::add_ ||
            op == Op::sub_;
 }
 
-// The one read that the value is a sum and multiple of, as decoding makes it; poison if it is
-// anything else. A mean stays a mean under these alone.
+// Returns the single texture read that the value is an affine function of, as decoding makes it;
+// poison otherwise. Only affine functions map a mean to a mean.
 Id picture_of(const Module& m, Id value) {
     std::vector<Id> open{value}, seen;
     Id read = poison;
@@ -30,7 +26,7 @@ Id picture_of(const Module& m, Id value) {
         const Inst& inst = m[id];
         const bool scaled =
             inst.op == Op::mul_ && (m.is_constant(inst.arg[0]) || m.is_constant(inst.arg[1]));
-        if (reads_picture(inst.op)) {
+        if (is_sample(inst.op)) {
             if (read != poison && read != id) return poison;
             read = id;
         } else if (is_arrangement(inst.op) || scaled) {
@@ -55,8 +51,8 @@ Value level_in_use(Module& m, ScreenDerivatives& screen, Id read) {
 
 }  // namespace
 
-// The variance along each direction across the mean, half of 1 - |mean|^2, in the units of
-// `normal`.
+// Returns the variance along each direction across the mean, half of 1 - |mean|^2, in the units of
+// `normal`; std::nullopt if `normal` is not a function of a single texture read.
 std::optional<Value> NormalVariance::lost_by_reading(Value normal, double factor) {
     const Id read = picture_of(*target_, normal.id);
     if (read == poison) return {};
@@ -68,8 +64,8 @@ std::optional<Value> NormalVariance::lost_by_reading(Value normal, double factor
     return named("lost", lost * minified * (0.5 / unit));
 }
 
-// Directions across a unit mean vary alike: I - m m^T. Of -xy/z that is (I + s s^T) / z^2 with the
-// slopes s, and of xy with z held, as it is written here, I + s s^T.
+// All directions across a unit mean have the same variance: I - m m^T. For -xy/z that is (I + s
+// s^T) / z^2 with the slopes s, and for xy with z constant, as written here, I + s s^T.
 Value NormalVariance::tangent_normal(Value normal, Value depth, double factor) {
     const std::optional<Value> lost = lost_by_reading(normal, factor);
     if (!lost) return normal.xy();
@@ -88,7 +84,7 @@ Value NormalVariance::varying(Value value, Value covariance) {
     return op(Op::with_covariance_, value, covariance);
 }
 
-// Only what is across the normal turns it: dot(a, b) - dot(n, a) dot(n, b), over |bumped|^2.
+// Only components across the normal rotate it: dot(a, b) - dot(n, a) dot(n, b), over |bumped|^2.
 Value NormalVariance::of(Value normal) {
     Module& m = *target_;
     const Inst unit = m[normal.id];
@@ -105,7 +101,7 @@ Value NormalVariance::of(Value normal) {
 
 bool wants_normal_variance(const Module& source) {
     if (!source.has(Op::normal_variance_)) return false;
-    // What no output needs asks for nothing.
+    // Values that no output needs do not count.
     std::vector<Id> roots;
     for (const ModuleOutput& output : source.outputs)
         roots.push_back(output.value);

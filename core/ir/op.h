@@ -1,5 +1,5 @@
-// Ops and types of the expression language, read from the one table in wrinkle/plugin.h.
-// The semantics at the corners are written above that table.
+// Ops and types of the expression language, from the table in wrinkle/plugin.h. Edge cases of the
+// semantics are documented above that table.
 #pragma once
 
 #include <wrinkle/plugin.h>
@@ -42,7 +42,7 @@ struct SurfaceInfo {
     std::string_view doc;
 };
 
-// The tables, read through info(): every pass asks them for every instruction.
+// The tables behind info(); every pass reads them for every instruction.
 namespace tables {
 
 inline constexpr TypeInfo types[] = {
@@ -59,7 +59,7 @@ inline constexpr SurfaceInfo surface_inputs[] = {
 
 inline constexpr size_t op_count = 256;
 inline constexpr auto ops = [] {
-    std::array<OpInfo, op_count + 1> table{};  // the last: an op that there is not
+    std::array<OpInfo, op_count + 1> table{};  // the last entry: unknown ops
 #define X(name, number, arity, rule, glsl, precedence, flags) \
     table[number] = {#name, arity, Rule::rule, glsl, precedence, flags};
     WR_OPS(X)
@@ -85,6 +85,28 @@ constexpr int surface_input_count = 10;
 constexpr bool is_opaque(Op op) {
     return info(op).flags & WR_FLAG_OPAQUE;
 }
+// Returns true if the op reads texels.
+constexpr bool is_sample(Op op) {
+    return op == Op::sample_ || op == Op::sample_lod_ || op == Op::sample_grad_;
+}
+// Returns true if `extra` is an index into Module::resources.
+constexpr bool reads_image(Op op) {
+    return is_sample(op) || op == Op::image_size_;
+}
+// Returns true if the op creates a gradient; `extra` is its base.
+constexpr bool is_gradient_source(Op op) {
+    return (op >= Op::gradient_from_derivative_ && op <= Op::gradient_from_normal_) ||
+           op == Op::gradient_from_outward_normal_;
+}
+
+// The components of a swizzle by its `extra`, WR_SWIZZLE.
+constexpr int swizzle_count(uint32_t extra) {
+    return static_cast<int>(extra & 0xF);
+}
+constexpr int swizzle_component(uint32_t extra, int lane) {
+    return static_cast<int>(extra >> (4 + 4 * lane) & 0xF);
+}
+
 constexpr bool is_float_type(Type t) {
     return t >= Type::float_ && t <= Type::vec4_;
 }

@@ -10,8 +10,8 @@ namespace {
 
 std::string swizzle_text(uint32_t extra) {
     std::string text = ".";
-    for (uint32_t i = 0; i < (extra & 0xF); ++i)
-        text += "xyzw"[extra >> (4 + 4 * i) & 3];
+    for (int i = 0; i < swizzle_count(extra); ++i)
+        text += "xyzw"[swizzle_component(extra, i)];
     return text;
 }
 

@@ -1,4 +1,4 @@
-// Regions of a Module: closing functions over what they capture, interning, applying.
+// Regions of a Module: closing functions over captured values, interning, applying.
 #include <algorithm>
 #include <cassert>
 #include <unordered_set>
@@ -112,6 +112,7 @@ RegionUse Module::end_region(std::span<const Id> results, uint32_t max_iteration
 
     RegionUse use;
     use.captured = std::exchange(body.captured, {});
+    std::erase_if(use.captured, [&](Id id) { return is_of_globals(*this, id); });
     Copier copier(*this, *this, false);
     copier.set_shift(level, 1 - level);
     for (const Id id : use.captured) {
@@ -127,7 +128,7 @@ RegionUse Module::end_region(std::span<const Id> results, uint32_t max_iteration
     return use;
 }
 
-// How many calls stand inside each other in the body.
+// Returns the greatest number of nested calls in the body.
 int Module::calls_below(const RegionBody& body) const {
     int deepest = 0;
     for (const uint32_t region : body.called)

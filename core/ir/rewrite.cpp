@@ -12,7 +12,7 @@
 namespace wrinkle {
 namespace {
 
-// Smaller footprints than a millionth of a texel are the finest level too.
+// Footprints below a millionth of a texel are clamped; they are on the finest level too.
 constexpr double smallest_footprint = 9.094947017729282e-13;  // 2^-40
 
 struct LodWriter {
@@ -36,8 +36,8 @@ Id write_lod(void* context, Module& target, const Module& source, Id id,
                               writer.y->tangent_or_zero(mapped[0])));
 }
 
-// Loops of the root move inwards, below the levels that the new values stand at; what reads none of
-// `from` need not move and stays one value.
+// Loops of the root move to levels deeper than those of the new values. Values that depend on no
+// `from` need not move and stay one value.
 void keep_what_does_not_read(const Module& m, Id root, std::span<const Id> from, Copier& copier) {
     std::unordered_map<Id, bool> reads{{poison, false}};
     for (const Id id : from)
@@ -71,7 +71,7 @@ Id sample_lod_of(Module& module, uint32_t resource, Id uv_dx, Id uv_dy) {
     return (op(Op::log2_, square) * 0.5).id;
 }
 
-// What a value reads has a smaller id, so one walk downwards meets every reader first.
+// Operands have smaller ids, so one descending loop visits every user before its operands.
 std::vector<bool> reachable(const Module& module, std::span<const Id> roots) {
     std::vector<bool> needed(module.size(), false);
     for (const Id root : roots)
@@ -95,8 +95,10 @@ std::vector<bool> reachable(const Module& module, std::span<const Id> roots) {
     return needed;
 }
 
-Id substitute(Module& module, Id root, std::span<const Id> from, std::span<const Id> to) {
+Id substitute(Module& module, Id root, std::span<const Id> from, std::span<const Id> to,
+              Replace replace) {
     Copier copier(module, module, false);
+    copier.set_replace(replace, nullptr);
     int deepest = 0;
     for (size_t i = 0; i < from.size(); ++i) {
         copier.map(from[i], to[i]);
@@ -112,7 +114,7 @@ Id substitute(Module& module, Id root, std::span<const Id> from, std::span<const
 Module rebuild(Module&& source, Replace replace, void* context) {
     Module target;
     target.most_values = source.most_values;
-    target.make_room(2 * size_t{source.size()});  // what is expanded is longer
+    target.make_room(2 * size_t{source.size()});  // expansion adds instructions
     target.nodes = std::move(source.nodes);
     target.titles = std::move(source.titles);
     target.parameters = std::move(source.parameters);

@@ -9,14 +9,14 @@ namespace {
 
 using Args = std::span<const Id>;
 
-// `value` as a value of the type: a float beside a vector is repeated.
+// `value` converted to the type: a float combined with a vector is broadcast.
 Id widened(Module& m, Id value, Type type) {
     if (m.type(value) == type) return value;
     std::array<Id, 4> lanes{value, value, value, value};
     return m.add(Op::construct_, std::span(lanes.data(), info(type).lanes), 0, type);
 }
 
-// A scalar's least value by the way it is made, as far as one look tells.
+// A lower bound of a scalar by the form of its expression, one op deep (two below a sqrt).
 double least_of(const Module& m, Id id, bool under_root = false) {
     const Inst& inst = m[id];
     const auto literal = [&](Id operand) {
@@ -124,8 +124,8 @@ bool is_facing(const Module& m, Id id) {
     return m[id].op == Op::input_ && input_of(m[id].extra) == SurfaceInput::facing_;
 }
 
-// Of length 1 by the way it is made, looking a few ops back. A zero vector made unit has no answer
-// anyway.
+// Returns true if the value has length 1 by the form of its expression, up to four ops deep. A
+// normalized zero vector is undefined anyway.
 bool is_unit(const Module& m, Id id) {
     for (int looks = 0; looks < 4; ++looks) {
         const Inst& inst = m[id];
@@ -137,7 +137,7 @@ bool is_unit(const Module& m, Id id) {
     return false;
 }
 
-// What lengths of 1 and the side that is seen, +1 or -1, make simpler: guards of normals fall away.
+// Simplifications by unit length and by `facing`, which is +1 or -1; they remove guards of normals.
 Id simplify_unit(Module& m, Op op, Args a) {
     switch (op) {
         case Op::normalize_:
@@ -168,7 +168,7 @@ Id simplify_unit(Module& m, Op op, Args a) {
     }
 }
 
-// Small whole powers are products; pow has no answer below 0.
+// Small integer powers become products; pow is undefined below 0.
 Id simplify_power(Module& m, Args a) {
     if (m.is_constant(a[0])) return poison;
     const Id base = a[0];
@@ -179,13 +179,6 @@ Id simplify_power(Module& m, Args a) {
     return m.is_literal(a[1], 4) ? m.add(Op::mul_, {square, square}) : poison;
 }
 
-int component(uint32_t swizzle, int lane) {
-    return static_cast<int>(swizzle >> (4 + 4 * lane) & 0xF);
-}
-int component_count(uint32_t swizzle) {
-    return static_cast<int>(swizzle & 0xF);
-}
-
 uint32_t swizzle_of(std::span<const int> components) {
     auto extra = static_cast<uint32_t>(components.size());
     for (size_t i = 0; i < components.size(); ++i)
@@ -193,7 +186,8 @@ uint32_t swizzle_of(std::span<const int> components) {
     return extra;
 }
 
-// One lane of a construct, if its parts show it: the part and the component within.
+// Finds a component of a construct: the part and the component within it. Returns false if the
+// parts have fewer components.
 bool lane_of_construct(const Module& m, Id construct, int lane, Id& part, int& within) {
     for (const Id operand : m.operands(construct)) {
         const int lanes = info(m.type(operand)).lanes;
@@ -213,16 +207,17 @@ Id lane_of(Module& m, Id value, int lane) {
 }
 
 Id simplify_swizzle(Module& m, Id vector, uint32_t extra, Type type) {
-    const int count = component_count(extra);
+    const int count = swizzle_count(extra);
     bool whole = m.type(vector) == type;
     for (int i = 0; i < count; ++i)
-        whole = whole && component(extra, i) == i;
+        whole = whole && swizzle_component(extra, i) == i;
     if (whole) return vector;
     const Inst inner = m[vector];
     if (inner.op == Op::swizzle_) {
         std::array<int, 4> components{};
         for (int i = 0; i < count; ++i)
-            components[static_cast<size_t>(i)] = component(inner.extra, component(extra, i));
+            components[static_cast<size_t>(i)] =
+                swizzle_component(inner.extra, swizzle_component(extra, i));
         return m.add(Op::swizzle_, {inner.arg[0]},
                      swizzle_of(std::span(components.data(), static_cast<size_t>(count))));
     }
@@ -231,14 +226,14 @@ Id simplify_swizzle(Module& m, Id vector, uint32_t extra, Type type) {
     for (int i = 0; i < count; ++i) {
         Id part = poison;
         int within = 0;
-        if (!lane_of_construct(m, vector, component(extra, i), part, within)) return poison;
+        if (!lane_of_construct(m, vector, swizzle_component(extra, i), part, within)) return poison;
         lanes[static_cast<size_t>(i)] = lane_of(m, part, within);
     }
     if (count == 1) return lanes[0];
     return m.add(Op::construct_, std::span(lanes.data(), static_cast<size_t>(count)), 0, type);
 }
 
-// Constructs stay flat; lanes that are all taken from one vector make a swizzle of it.
+// Flattens nested constructs; components that are all taken from one vector become a swizzle of it.
 Id simplify_construct(Module& m, Args parts, Type type) {
     if (type == Type::mat3_) return poison;
     if (parts.size() == 1) return parts[0];
@@ -259,13 +254,14 @@ Id simplify_construct(Module& m, Args parts, Type type) {
         const Inst& inst = m[part];
         if (inst.op != Op::swizzle_ || (vector && inst.arg[0] != vector)) return poison;
         vector = inst.arg[0];
-        for (int i = 0; i < component_count(inst.extra); ++i)
-            components[lane++] = component(inst.extra, i);
+        for (int i = 0; i < swizzle_count(inst.extra); ++i)
+            components[lane++] = swizzle_component(inst.extra, i);
     }
     return m.add(Op::swizzle_, {vector}, swizzle_of(std::span(components.data(), lane)));
 }
 
-// A vector made of numbers of which one changes the op by its value: 0, of a factor 1 and -1 too.
+// Returns true for a vector of floats with a component that simplifies the op: 0, for a product 1
+// and -1 too.
 bool is_sparse(const Module& m, Op op, Id id) {
     if (m[id].op != Op::construct_ || m[id].type == Type::mat3_) return false;
     bool found = false;
@@ -277,7 +273,7 @@ bool is_sparse(const Module& m, Op op, Id id) {
     return found;
 }
 
-// Number by number where that leaves some out: vec2(x, 0) * s is vec2(x * s, 0).
+// Applies the op by components if that removes some: vec2(x, 0) * s is vec2(x * s, 0).
 Id simplify_sparse(Module& m, Op op, Args args, Type type) {
     if (op != Op::add_ && op != Op::sub_ && op != Op::mul_ && op != Op::dot_) return poison;
     const Id a = args[0], b = args[1];
@@ -298,8 +294,8 @@ Id simplify_sparse(Module& m, Op op, Args args, Type type) {
 
 Id simplify_gradient(Module& m, Op op, Args a) {
     const auto flat = [&](Id id) { return m[id].op == Op::gradient_zero_; };
-    // Flat on any base, or on that of the other: a flat gradient keeps its base, as one scaled by a
-    // parameter does.
+    // Flat on any base, or on that of the other gradient: a flat gradient retains its base, as one
+    // scaled by a parameter does.
     const auto nothing_beside = [&](Id id, Id other) {
         return flat(id) && (m[id].extra == poison || m[id].extra == m[other].extra);
     };

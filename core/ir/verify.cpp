@@ -57,22 +57,8 @@ std::string check_level(const Module& m, Id id) {
     return {};
 }
 
-// Whether it can be computed anywhere: from what is global alone, as a texel's size is.
-bool is_of_globals(const Module& m, Id value) {
-    std::unordered_set<Id> seen;
-    std::vector<Id> open{value};
-    while (!open.empty()) {
-        const Id id = open.back();
-        open.pop_back();
-        if (!seen.insert(id).second || is_global(m, id)) continue;
-        if (info(m[id].op).rule == Rule::leaf) return false;
-        append_dependencies(m, id, false, open);
-    }
-    return true;
-}
-
-// Inside a region: its own parameters and, in a function, nothing of outside but what is global or
-// made of that.
+// A region reads its own parameters; a function captures only global values and values computed
+// from them.
 std::string check_body(const Module& m, uint32_t index) {
     const Region& region = m.region(index);
     if (region.is_open()) return {};

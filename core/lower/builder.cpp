@@ -1,5 +1,5 @@
-// The builder that a node's build() works with: wr_builder over a module. What comes from a plugin
-// is not trusted: every number is checked before the module sees it.
+// Implementation of wr_builder, which a node's build() calls, over a module. Data from plugins is
+// not trusted: every number is checked before the module receives it.
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -50,7 +50,8 @@ public:
         for (uint32_t p = 0; built && p < type_.ports.size(); ++p)
             if (type_.ports[p].kind == Port::Kind::output && !lowering_.has_output(node_, p))
                 refuse("gives no value to its output '" + type_.ports[p].name + "'");
-        // Of two outputs of one value the one that is read is the better name.
+        // Appended last: if two outputs have one value, the name of the output that is read is
+        // used.
         module_.named.insert(module_.named.end(), unread_.begin(), unread_.end());
         module_.current_node = 0;
     }
@@ -77,8 +78,8 @@ private:
         return face;
     }
 
-    // Exceptions do not cross a plugin's code: once there are too many values, calls give nothing,
-    // and run() throws.
+    // Exceptions do not cross a plugin's code: once there are too many values, calls return empty
+    // results, and run() throws.
     template <auto member, class Result, class... Arguments>
     static Result call(const wr_builder* b, Arguments... arguments) {
         Builder& own = *static_cast<Builder*>(b->host);
@@ -90,14 +91,14 @@ private:
         return Result();
     }
 
-    // Not at the nodes whose values it reads again.
+    // Reports the limit at this node, not at the nodes that the values it copies are from.
     OverLimit at_this_node(OverLimit over) const {
         over.node = lowering_.graph().nodes[node_].instance;
         over.path = module_.nodes[over.node].path;
         return over;
     }
 
-    // A call that makes no sense; said once for each text.
+    // Records an invalid call as a problem, once per message. Returns poison.
     Id refuse(const std::string& message,
               std::string expected = "the node's author can mend this") {
         const std::vector<Problem>& problems = module_.problems;
@@ -114,7 +115,7 @@ private:
         return nullptr;
     }
 
-    // False when a value is poison, or none of this place.
+    // Returns false if a value is poison, does not exist or is out of scope.
     bool usable(std::span<const wr_value> values) {
         const Id size = module_.size();
         const int depth = module_.depth();
@@ -164,7 +165,6 @@ private:
         const Port* p = port(index, "field()");
         if (!p || !usable(std::array{at})) return poison;
         if (p->kind != Port::Kind::field) return refuse_kind(*p, "a field");
-        if (Dropped* dropped = lowering_.dropped()) dropped->give_up();  // frames in it move
         const auto domain = static_cast<SurfaceInput>(p->default_surface);
         if (module_.type(at) != info(domain).type)
             return refuse("reads the field '" + p->name + "' at a " +
@@ -209,9 +209,7 @@ private:
         const std::optional<uint32_t> checked =
             emission.detailed ? checked_extra(o, extra, count) : 0;
         if (!checked) return poison;
-        const Id made = module_.add(o, operands, *checked, static_cast<Type>(type));
-        if (Dropped* dropped = lowering_.dropped()) dropped->written(o, operands, made);
-        return made;
+        return module_.add(o, operands, *checked, static_cast<Type>(type));
     }
 
     [[gnu::cold]] Id refuse_op(uint32_t number, uint32_t count) {
@@ -225,7 +223,7 @@ private:
     }
     static std::string quoted(Op o) { return "'" + std::string(info(o).name) + "'"; }
 
-    // What `extra` becomes in the module; nothing where it is refused.
+    // Returns the `extra` for the module; std::nullopt if it is refused.
     std::optional<uint32_t> checked_extra(Op o, uint32_t extra, uint32_t count) {
         if (o == Op::resolve_) return module_.current_node;
         if (o == Op::swizzle_) return extra;
@@ -243,7 +241,7 @@ private:
         return surface ? 0 : extra;
     }
 
-    // A column, a frame's way and scale, or a base.
+    // Returns true for a valid column, frame method and scale, or base.
     bool is_possible(Op o, uint32_t extra) const {
         if (o == Op::column_) return extra < 3;
         if (o == Op::frame_) return (extra & 0xFF) <= WR_FRAME_pixel && extra >> 8 <= WR_SCALE_unit;
@@ -252,7 +250,7 @@ private:
 
     Id sample(uint32_t number, wr_image image, const wr_value* args, uint32_t count) {
         const auto o = static_cast<Op>(number);
-        if (number > 0xFFFF || !is_sampling(o))
+        if (number > 0xFFFF || !reads_image(o))
             return refuse("samples with op " + std::to_string(number) + ", which is none for it");
         if (image == 0) return poison;
         const Lowering::Image* used = lowering_.ready_image(image);
@@ -266,7 +264,6 @@ private:
         if (o == Op::image_size_) return module_.add(o, {}, resource);
         const Encoding encoding = *used->encoding;
         const bool inside = o == Op::sample_ && module_[operands[0]].level > 0;
-        if (Dropped* dropped = lowering_.dropped(); dropped && inside) dropped->give_up();
         const Id texel = inside ? sample_inside(module_, resource, operands[0])
                                 : module_.add(o, operands, resource);
         return decode(module_, encoding, texel);
@@ -286,7 +283,7 @@ private:
             refuse("begins a loop or a function in an impossible way");
             for (uint32_t i = 0; params && i < count; ++i)
                 params[i] = poison;
-            parameters.clear();  // a region all the same, so that its end has a partner
+            parameters.clear();  // still a region, so that begin and end match
         }
         const RegionKind region = kind == WR_REGION_LOOP ? RegionKind::loop : RegionKind::function;
         if (!fine && module_.depth() >= Module::deepest_region) {
@@ -318,7 +315,7 @@ private:
 
     void apply(wr_region region, const wr_value* args, uint32_t count, wr_value* results,
                uint32_t result_count) {
-        // Before the results are written: they may be in the same place.
+        // Copied before the results are written: the arrays may overlap.
         const std::vector<wr_value> arguments(args, args + (args ? count : 0));
         for (uint32_t i = 0; results && i < result_count; ++i)
             results[i] = poison;
@@ -344,7 +341,7 @@ private:
         const Id checked = checked_output(*p, value);
         lowering_.set_output(node_, index, checked);
         if (checked == poison || p->type == PortType::image_) return;
-        if (info(module_.type(checked)).lanes == 0) return;  // it is never a line of text
+        if (info(module_.type(checked)).lanes == 0) return;  // never a statement of generated code
         const FlatGraph& graph = lowering_.graph();
         const bool read = graph.wire(graph.nodes[node_], index).kind == Wire::Kind::read;
         (read ? module_.named : unread_).push_back({checked, module_.current_node, p->name, true});
@@ -381,7 +378,7 @@ private:
     const uint32_t node_;
     const NodeType& type_;
     wr_builder face_;
-    std::vector<Named> unread_;  // outputs that no wire leads from
+    std::vector<Named> unread_;  // outputs that no wire reads
     std::vector<RegionUse> regions_;
     std::optional<OverLimit> over_;
     int skipped_ = 0;  // regions that were nested too deep

@@ -1,36 +1,28 @@
-// What an op that a plugin emits is looked at for, by its number. For core/lower alone.
+// Constraints on an op that a plugin emits, by its number. Internal to core/lower.
 #pragma once
 
 #include "ir/op.h"
 
 namespace wrinkle {
 
-constexpr bool is_sampling(Op op) {
-    return op == Op::sample_ || op == Op::sample_lod_ || op == Op::sample_grad_ ||
-           op == Op::image_size_;
-}
 constexpr bool host_only(Op op) {
     return info(op).rule == Rule::leaf || op == Op::loop_ || op == Op::call_ || op == Op::result_ ||
-           is_sampling(op);
-}
-constexpr bool is_gradient_source(Op op) {
-    return (op >= Op::gradient_from_derivative_ && op <= Op::gradient_from_normal_) ||
-           op == Op::gradient_from_outward_normal_;
+           reads_image(op);
 }
 constexpr bool has_detail(Op op) {
     return op == Op::swizzle_ || op == Op::column_ || op == Op::resolve_ || op == Op::frame_ ||
            is_gradient_source(op);
 }
 
-// What a plugin's number of an op is looked at for, all ops in one table.
+// Constraints on an op emitted by a plugin; the table has all ops.
 struct Emission {
-    uint8_t least = 0, end = 0;  // operands: as many as least, fewer than end; host's: none fit
-    bool detailed = false;       // `extra` says something
+    uint8_t least = 0, end = 0;  // operand count in [least, end); empty for ops of the host only
+    bool detailed = false;       // `extra` has a meaning
     bool implicit = false;
 };
 inline constexpr auto emissions = [] {
     constexpr int8_t most_operands = 4;
-    std::array<Emission, tables::op_count + 1> table{};  // the last: an op that there is not
+    std::array<Emission, tables::op_count + 1> table{};  // the last entry: unknown ops
     for (size_t i = 0; i < tables::op_count; ++i) {
         const auto op = static_cast<Op>(i);
         const OpInfo& row = info(op);

@@ -6,16 +6,24 @@
 namespace wrinkle {
 namespace {
 
-// What `value` needs of the pixels beside it, in id order: implicit samples, ddx and ddy.
-std::vector<Id> implicit_parts(const Module& module, Id value) {
+// Returns the ddx and ddy instructions that `value` needs.
+std::vector<Id> screen_changes(const Module& module, Id value) {
     const std::vector<bool> needed = reachable(module, std::span(&value, 1));
-    std::vector<Id> parts;
-    for (Id id = 1; id < needed.size(); ++id) {
-        const Op op = module[id].op;
-        if (needed[id] && (op == Op::sample_ || op == Op::ddx_ || op == Op::ddy_))
-            parts.push_back(id);
-    }
-    return parts;
+    std::vector<Id> changes;
+    for (Id id = 1; id < needed.size(); ++id)
+        if (needed[id] && (module[id].op == Op::ddx_ || module[id].op == Op::ddy_))
+            changes.push_back(id);
+    return changes;
+}
+
+// Replaces an implicit sample with another uv by one with the differentials of its old uv.
+Id with_differentials(void*, Module& target, const Module& source, Id id,
+                      std::span<const Id> mapped) {
+    const Inst inst = source[id];
+    if (inst.op != Op::sample_ || mapped[0] == inst.arg[0]) return poison;
+    const Id dx = target.add(Op::ddx_, {inst.arg[0]});
+    const Id dy = target.add(Op::ddy_, {inst.arg[0]});
+    return target.add(Op::sample_grad_, {mapped[0], dx, dy}, inst.extra);
 }
 
 }  // namespace
@@ -23,23 +31,12 @@ std::vector<Id> implicit_parts(const Module& module, Id value) {
 Id read_field(Module& module, Id value, SurfaceInput domain, Id at) {
     if (value == poison || at == poison) return poison;
     std::vector<Id> from{module.input(domain)}, to{at};
-    const bool inside = module[at].level > 0;
-    const std::vector<Id> parts = inside ? implicit_parts(module, value) : std::vector<Id>{};
-    for (const Id sample : parts) {
-        if (module[sample].op != Op::sample_) {
-            from.push_back(sample);
-            to.push_back(sample);
-            continue;
-        }
-        const Id uv = module[sample].arg[0];
-        const Id moved = substitute(module, uv, from, to);
-        if (moved == uv) continue;
-        const Id dx = module.add(Op::ddx_, {uv});
-        const Id dy = module.add(Op::ddy_, {uv});
-        from.push_back(sample);
-        to.push_back(module.add(Op::sample_grad_, {moved, dx, dy}, module[sample].extra));
+    if (module[at].level == 0) return substitute(module, value, from, to);
+    for (const Id change : screen_changes(module, value)) {
+        from.push_back(change);
+        to.push_back(change);
     }
-    return substitute(module, value, from, to);
+    return substitute(module, value, from, to, with_differentials);
 }
 
 Id sample_inside(Module& module, uint32_t resource, Id uv) {

@@ -11,9 +11,9 @@
 namespace wrinkle {
 namespace {
 
-constexpr size_t instructions_of_a_node = 8;  // about; to make room for
+constexpr size_t instructions_of_a_node = 8;  // estimate, to reserve memory
 
-// What an output of the program holds: numbers.
+// Returns the value as an output of the program has it: numbers.
 Id as_number(Module& module, PortType type, Id value) {
     if (type == PortType::gradient_) return module.add(Op::gradient_vector_, {value});
     if (type == PortType::derivative_) return module.add(Op::slope_, {value});
@@ -33,7 +33,7 @@ void write_outputs(Lowering& lowering, const Project& project) {
     }
 }
 
-// In the order of the nodes, so that a long row of muted ones asks no deeper than one.
+// Called in the order of the nodes, so that a long chain of muted nodes recurses one level only.
 void pass_through(Lowering& lowering, uint32_t node) {
     const FlatNode& flat = lowering.graph().nodes[node];
     for (uint32_t p = 0; p < flat.type->ports.size(); ++p) {
@@ -43,7 +43,7 @@ void pass_through(Lowering& lowering, uint32_t node) {
     }
 }
 
-// The top graph, and on top of it the functions whose bodies are needed before it goes on.
+// Lowers the top graph, with a stack of the functions that must be lowered first.
 class Lowerer {
 public:
     Lowerer(const Project& project, const Types& types, const LowerOptions& options,
@@ -76,15 +76,24 @@ private:
         FlatRoot top;
         top.outputs = chosen_outputs(project_.top(), options_, diagnostics_);
         functions_ = plan_functions(project_, types_, options_, top.outputs);
-        // A function's kind depends on its arguments, so on their values.
-        if (options_.literals && functions_.any()) return given_up();
         if (diagnostics_.has_errors() || !open(top, nullptr)) return std::move(result_);
         while (!frames_.empty())
             step();
-        if (may_miss_variance()) return with_all_written_out();
-        if (dropped_ && !dropped_->decides_alike()) return given_up();
+        if (needs_inlining()) return lower_inlined();
         report_problems(result_.module, project_, result_.places, diagnostics_);
         return std::move(result_);
+    }
+
+    // The variance of a normal cannot be computed through a call.
+    bool needs_inlining() const {
+        return functions_.any() && wants_normal_variance(result_.module) &&
+               !diagnostics_.has_errors();
+    }
+
+    Lowered lower_inlined() const {
+        LowerOptions options = options_;
+        options.inline_up_to = std::numeric_limits<uint64_t>::max();
+        return Lowerer(project_, types_, options, diagnostics_).run();
     }
 
     struct Frame {
@@ -94,7 +103,7 @@ private:
         uint32_t file = 0;
         uint32_t first_input = 0;
         std::vector<OpenInput> leaves;
-        uint32_t* region = nullptr;  // of a function: where its region is wanted
+        uint32_t* region = nullptr;  // functions only: receives its region
     };
     using Variant = std::pair<uint32_t, std::string>;  // file and kinds of arguments
 
@@ -114,29 +123,10 @@ private:
             frame->leaves = inputs->leaves;
             frame->lowering.emplace(m, frame->graph, project_, files_, inputs->bound);
         } else {
-            if (options_.literals) dropped_.emplace(m, facts_, frame->graph);
-            frame->lowering.emplace(m, frame->graph, project_, files_,
-                                    dropped_ ? &*dropped_ : nullptr);
+            frame->lowering.emplace(m, frame->graph, project_, files_);
         }
         frames_.push_back(std::move(frame));
         return true;
-    }
-
-    // What varies inside a function is not known outside of it.
-    bool may_miss_variance() const {
-        return functions_.any() && wants_normal_variance(result_.module) &&
-               !diagnostics_.has_errors();
-    }
-
-    Lowered with_all_written_out() const {
-        LowerOptions options = options_;
-        options.inline_up_to = std::numeric_limits<uint64_t>::max();
-        return Lowerer(project_, types_, options, diagnostics_).run();
-    }
-
-    Lowered given_up() {
-        result_.decides_alike = false;
-        return std::move(result_);
     }
 
     bool refuse_size() {
@@ -152,7 +142,6 @@ private:
         Frame& frame = *frames_.back();
         if (frame.next == frame.graph.order.size()) return close();
         const uint32_t node = frame.graph.order[frame.next];
-        if (dropped_) dropped_->begin(node);
         const FlatNode& flat = frame.graph.nodes[node];
         if (flat.function != FlatNode::none) {
             if (!call(frame, node)) return;
@@ -163,11 +152,10 @@ private:
         } else {
             build_node(*frame.lowering, node);
         }
-        if (dropped_ && !dropped_->decides_alike()) return frames_.clear();
         ++frame.next;
     }
 
-    // False when the function has to be lowered first.
+    // Returns false if the function has to be lowered first.
     bool call(Frame& frame, uint32_t node) {
         Module& m = result_.module;
         const FlatNode& flat = frame.graph.nodes[node];
@@ -247,9 +235,8 @@ private:
     size_t nodes_left_;
     Lowered result_;
     ValueFacts facts_;
-    std::optional<Dropped> dropped_;  // where numbers are literals
     FunctionPlan functions_;
-    std::map<Variant, uint32_t> variants_;  // the open function of each
+    std::map<Variant, uint32_t> variants_;  // the open function of each variant
     std::vector<std::unique_ptr<Frame>> frames_;
 };
 

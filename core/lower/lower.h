@@ -1,8 +1,8 @@
-// Graph to module: every node that the outputs need is built once, and the result is a module with
-// opaque gradients, to be expanded (ir/expand.h).
+// Lowers a graph to a module: every node that the outputs need is built once, and the result is a
+// module with opaque gradients, to be expanded (ir/expand.h).
 //
-// * Sub-graphs are written out at each use; in a large graph those that are used more than once are
-//   functions instead, each lowered once for each kind of arguments (lower/functions.h, and
+// * Sub-graphs are inlined at each use; in a large graph those that are used more than once are
+//   functions instead, each specialised for each kind of arguments (lower/functions.h, and
 //   ir/open_input.h). Calls with equal arguments are one value. A node in one is the instance
 //   below its first use, and its unconnected numbers are parameters of that instance, for all uses.
 // * An unconnected number is a parameter, also at its default; its value is clamped to the port's
@@ -10,15 +10,12 @@
 // * A node in a sub-graph is the instance "outer/inner". The top graph's inputs are parameters with
 //   `graph_input` set.
 // * A muted node passes for each output an input of its type through, the first connected one, else
-//   the first; where there is none the output is that type's zero (of a normal the surface's).
-// * The gradients that a node makes stand on the surface, or on the normal at its input `base` (of
-//   type normal). An input of type gradient that a height, derivative or normal is connected to
-//   takes the base of the gradients it is joined with by wires; with none it is the surface.
+//   the first; if there is none the output is zero of its type (for a normal the surface's).
+// * The gradients that a node makes are based on the surface, or on the normal at its input `base`
+//   (of type normal). An input of type gradient that a height, derivative or normal is connected to
+//   takes the base of the gradients it is joined with by wires; without any it is the surface.
 // * Outputs of standard names are converted to their type. A gradient as output is its vector in
 //   object space, a derivative its slope.
-//
-// With `literals` numbers fold while they are written, which saves a pass. What a value must not
-// decide may be lost so; where it may be, lowering ends and says it (lower/dropped.h).
 //
 // Precondition: check() found no error. Constant stack; linear in the nodes that are built, however
 // often functions are called.
@@ -36,16 +33,14 @@ namespace wrinkle {
 
 struct LowerOptions {
     uint64_t max_nodes = limit_of(Limit::graph_nodes);
-    uint64_t max_values = limit_of(Limit::graph_values);  // beyond: OverLimit is thrown
-    // A graph of so many nodes, every use counted, has no functions.
+    uint64_t max_values = limit_of(Limit::graph_values);  // beyond: an error, Lowered::over_limit
+    // A graph of at most this many nodes, counted after complete inlining, has no functions.
     uint64_t inline_up_to = 256;
     std::vector<std::string> outputs;  // only these; empty: all
-    // Numbers that are no graph inputs are literals, not parameters.
-    bool literals = false;
-    NamedFiles* files = nullptr;  // what is known of the project's; null: nothing yet
+    NamedFiles* files = nullptr;       // known files of the project; null: none yet
 };
 
-// Where an entry of Module::nodes stands.
+// Location of an entry of Module::nodes.
 struct NodePlace {
     static constexpr uint32_t none = ~0u;
     uint32_t file = 0;     // in Project::files
@@ -54,11 +49,8 @@ struct NodePlace {
 
 struct Lowered {
     Module module;
-    std::vector<NodePlace> places;  // as long as module.nodes
-    // With literals: whether frames and bases are those that parameters would have. False: the
-    // module is not complete and not to be used.
-    bool decides_alike = true;
-    bool over_limit = false;  // an error said so: the module is not complete
+    std::vector<NodePlace> places;  // by index in module.nodes
+    bool over_limit = false;        // reported as an error: the module is not complete
 };
 
 Lowered lower(const Project& project, const Registry& registry, const LowerOptions& options,
@@ -66,11 +58,12 @@ Lowered lower(const Project& project, const Registry& registry, const LowerOptio
 Lowered lower(const Project& project, const Types& types, const LowerOptions& options,
               Diagnostics& diagnostics);
 
-// At the node that made it so. `places`: of the module's nodes.
+// Returns a diagnostic at the node that exceeded the limit. `places` are those of the module's
+// nodes.
 Diagnostic over_limit(const OverLimit& over, const Project& project,
                       const std::vector<NodePlace>& places);
 
-// The problems that a module's passes recorded, as diagnostics at their nodes.
+// Reports the problems that a module's passes recorded, as diagnostics at their nodes.
 void report_problems(const std::vector<Problem>& problems, const Module& module,
                      const Project& project, const std::vector<NodePlace>& places,
                      Diagnostics& diagnostics);

@@ -15,13 +15,12 @@ Type value_type(PortType type) {
 }
 
 Lowering::Lowering(Module& module, const FlatGraph& graph, const Project& project,
-                   NamedFiles& files, Dropped* dropped)
+                   NamedFiles& files)
     : module_(module),
       graph_(graph),
       project_(project),
-      back_faces_(project.top().back_faces),
+      back_faces_(project.top().back_face_rule()),
       files_(files),
-      dropped_(dropped),
       slots_(graph.wires.size(), unset),
       graph_inputs_(project.top().inputs.size(), unset) {}
 
@@ -91,7 +90,6 @@ Id Lowering::number(uint32_t node, const Port& port, std::array<double, 4> value
     if (port.has_hard_range())
         for (size_t i = 0; i < lanes; ++i)
             value[i] = std::clamp(value[i], port.hard_min, port.hard_max);
-    if (dropped_) return module_.constant(value_type(port.type), std::span(value.data(), lanes));
     Parameter parameter;
     parameter.node = graph_.nodes[node].instance;
     parameter.port = port.name;
@@ -167,7 +165,6 @@ Id Lowering::base_of(uint32_t node) {
 Id Lowering::own_base(uint32_t node) {
     const FlatNode& flat = graph_.nodes[node];
     if (!says_base(graph_, flat)) return poison;
-    if (dropped_) dropped_->give_up();  // whether it is the surface's
     const Id normal = input(node, flat.type->find_input("base"));
     if (normal == surface(WR_SURFACE_normal)) return poison;
     return module_.add(Op::base_, {normal});

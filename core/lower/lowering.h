@@ -1,5 +1,5 @@
-// The state of one lowering: the module under construction and the values at ports of flat nodes.
-// For core/lower alone.
+// State of one lowering: the module under construction and the values at ports of flat nodes.
+// Internal to core/lower.
 #pragma once
 
 #include <optional>
@@ -9,53 +9,50 @@
 #include "base/back_faces.h"
 #include "graph/named_files.h"
 #include "lower/conversion.h"
-#include "lower/dropped.h"
 #include "lower/flat.h"
 #include "lower/literal.h"
 
 namespace wrinkle {
 
-Type value_type(PortType type);  // poison of an image
+Type value_type(PortType type);  // poison for an image
 
-// An image as a graph names it; no longer than the project lives.
+// An image named by a graph; valid as long as the project.
 struct BoundImage {
     ImageLiteral literal;
-    uint32_t file = 0;  // that names it
+    uint32_t file = 0;  // the file that names it
 };
 
-// What an input of a function's body is.
+// The value or image at an input of a function's body.
 struct BoundInput {
-    Id value = poison;  // of an image unused
+    Id value = poison;  // unused for an image
     std::optional<BoundImage> image;
 };
 
 class Lowering {
 public:
-    // `dropped`: numbers are literals, and this looks on; null: they are parameters.
-    Lowering(Module& module, const FlatGraph& graph, const Project& project, NamedFiles& files,
-             Dropped* dropped = nullptr);
-    // Of a function's body: its inputs are these, in the order of the file's.
+    Lowering(Module& module, const FlatGraph& graph, const Project& project, NamedFiles& files);
+    // For a function's body: `inputs` are its inputs, in the order of the file's.
     Lowering(Module& module, const FlatGraph& graph, const Project& project, NamedFiles& files,
              std::span<const BoundInput> inputs);
 
     Module& module() { return module_; }
     const FlatGraph& graph() const { return graph_; }
 
-    // The value at an input: of its wire, literal or default, converted and clamped. Of an image a
-    // handle for image(). What the node reads must have been built.
+    // Returns the value at an input: of its wire, literal or default, converted and clamped; for an
+    // image a handle for image(). Precondition: the nodes that it reads have been built.
     Id input(uint32_t node, uint32_t port);
-    // A choice's index, a count's value, 0 or 1.
+    // Returns a choice's index, a count's value, 0 or 1 for a flag.
     int32_t option(uint32_t node, uint32_t port) const;
     void set_output(uint32_t node, uint32_t port, Id value) { slot(node, port) = value; }
     bool has_output(uint32_t node, uint32_t port) { return slot(node, port) != unset; }
     Id output(uint32_t node, uint32_t port);
 
     Id surface(uint32_t property);
-    Id zero(PortType type);  // of a normal the surface's; of an image none
+    Id zero(PortType type);  // for a normal the surface's; for an image poison
     Id convert(Id value, Conversion conversion, uint32_t node);
 
-    // The base of gradients that the node makes itself: what its input `base` says, else the
-    // surface.
+    // Returns the base of gradients that the node makes itself: the one at its input `base`, else
+    // the surface.
     Id own_base(uint32_t node);
 
     struct Image {
@@ -64,12 +61,10 @@ public:
         uint32_t resource = 0;
         bool ready = false;
     };
-    // A handle with the encoding settled and a resource behind it; 0 when there is no image.
+    // Returns a handle with its encoding decided and a resource; 0 if there is no image.
     Id image(uint32_t node, uint32_t port);
     const Image* ready_image(Id handle) const;
     std::optional<BoundImage> bound_image(Id handle) const;
-
-    Dropped* dropped() { return dropped_; }
 
 private:
     static constexpr Id unset = ~0u;
@@ -88,15 +83,14 @@ private:
     const Project& project_;
     const BackFaces back_faces_;
     NamedFiles& files_;
-    Dropped* dropped_ = nullptr;
     Id surface_normal_ = poison;
-    std::vector<Id> slots_;         // by wire: an input's or an output's value
-    std::vector<Id> graph_inputs_;  // of the graph
-    std::vector<Image> images_;     // handle - 1
+    std::vector<Id> slots_;         // by wire: value of an input or output
+    std::vector<Id> graph_inputs_;  // by input of the graph
+    std::vector<Image> images_;     // by handle - 1
     std::vector<BoundImage> named_images_;
 };
 
-// Runs the node's build() and takes its outputs; what it did wrong is a problem of the module.
+// Runs the node's build() and stores its outputs; its errors are problems of the module.
 void build_node(Lowering& lowering, uint32_t node);
 
 }  // namespace wrinkle

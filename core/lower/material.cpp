@@ -15,8 +15,8 @@ bool is_broken(const Input& input) {
     return input.kind == Input::Kind::broken;
 }
 
-// Whether every node has a type and every sub-graph could be read, and every wire leads somewhere
-// and none in a circle. Reading has reported what does not.
+// Returns true if every node has a type, every sub-graph was read, and every wire has a source and
+// is not part of a cycle. Reading has reported the others.
 bool is_connected(const Project::File& file) {
     const Document& document = file.document;
     for (size_t i = 0; i < document.nodes.size(); ++i) {
@@ -34,26 +34,13 @@ bool is_connected(const Project::File& file) {
     return !problems.has_errors();
 }
 
-// Numbers are literals from the start where that decides frames, bases and errors as parameters do.
-// Where it may not, or something is wrong, they are parameters until that is decided.
-Lowered lower_baked(const Project& project, const Types& types, LowerOptions options,
-                    const ExpandOptions& frames, Diagnostics& diagnostics) {
-    Diagnostics wrong;
-    options.literals = true;
-    Lowered lowered = lower(project, types, options, wrong);
-    if (lowered.over_limit) diagnostics.append(wrong);
-    if (lowered.over_limit || (lowered.decides_alike && wrong.list().empty())) return lowered;
-    options.literals = false;
-    lowered = lower(project, types, options, diagnostics);
-    if (!diagnostics.has_errors())
-        lowered.module = settle_frames(std::move(lowered.module), frames, Parameters::baked);
-    return lowered;
-}
-
-// What follows lowering. What becomes too large is an error at the node that makes it so.
+// Runs the passes after lowering. A module that exceeds the limit is an error at the node that
+// exceeds it.
 void expand_into(Compiled& compiled, Module lowered, const ExpandOptions& frames,
                  const Project& project, const MaterialOptions& options, Diagnostics& diagnostics) {
     try {
+        if (!options.uniform_parameters)
+            lowered = settle_frames(std::move(lowered), frames, Parameters::baked);
         Module module = expand(std::move(lowered), frames);
         report_problems(module, project, compiled.places, diagnostics);
         if (diagnostics.has_errors()) return;
@@ -81,13 +68,11 @@ Compiled compile_material(const Project& project, const Registry& registry,
     if (diagnostics.has_errors()) return compiled;
     if (!options.runs_calls.empty() && !may_expand(project, options.runs_calls, diagnostics))
         return compiled;
-    const ExpandOptions frames{options.vertex_tangents, project.top().back_faces,
+    const ExpandOptions frames{options.vertex_tangents, project.top().back_face_rule(),
                                options.covariances};
     LowerOptions lowering = options.lower;
     lowering.files = &files;
-    Lowered lowered = options.uniform_parameters
-                          ? lower(project, types, lowering, diagnostics)
-                          : lower_baked(project, types, lowering, frames, diagnostics);
+    Lowered lowered = lower(project, types, lowering, diagnostics);
     compiled.over_limit = lowered.over_limit;
     if (diagnostics.has_errors()) return compiled;
     assert(verify(lowered.module).empty());

@@ -67,13 +67,14 @@ vec3 wrinkle_parallax_bricks_normal(WrinkleSurface_parallax_bricks s) {
         vec2 march_sum_2 = s.uv0 + march_product_3 * march_least;
         // tile: UV transform (continued)
         vec2 tile_vector_3 = vec2(march_sum_2.x * 2.0, march_sum_2.y);
-        // march: Parallax occlusion (continued)
-        vec4 march_texel = textureGrad(bricks_image, tile_vector_3, tile_vector, tile_vector_2);
+        // bricks: Height map (continued)
+        vec4 bricks_texel = textureGrad(bricks_image, tile_vector_3, tile_vector, tile_vector_2);
         march_state = march_state_3;
         march_state_2 = march_state_4;
         march_state_3 = march_least;
-        march_state_4 = (march_texel.x - 1.0) * 0.03 + march_least;
+        march_state_4 = (bricks_texel.x - 1.0) * 0.03 + march_least;
     }
+    // march: Parallax occlusion (continued)
     float march_state_5 = march_state;
     float march_state_6 = march_state_2;
     float march_state_7 = march_state_3;
@@ -86,9 +87,10 @@ vec3 wrinkle_parallax_bricks_normal(WrinkleSurface_parallax_bricks s) {
         vec2 march_sum_4 = s.uv0 + march_product_3 * march_sum_3;
         // tile: UV transform (continued)
         vec2 tile_vector_4 = vec2(march_sum_4.x * 2.0, march_sum_4.y);
+        // bricks: Height map (continued)
+        vec4 bricks_texel_2 = textureGrad(bricks_image, tile_vector_4, tile_vector, tile_vector_2);
         // march: Parallax occlusion (continued)
-        vec4 march_texel_2 = textureGrad(bricks_image, tile_vector_4, tile_vector, tile_vector_2);
-        float march_sum_5 = (march_texel_2.x - 1.0) * 0.03 + march_sum_3;
+        float march_sum_5 = (bricks_texel_2.x - 1.0) * 0.03 + march_sum_3;
         bool march_test = march_sum_5 < 0.0;
         march_state_5 = march_test ? march_sum_3 : march_state_5;
         march_state_6 = march_test ? march_sum_5 : march_state_6;
@@ -104,12 +106,12 @@ vec3 wrinkle_parallax_bricks_normal(WrinkleSurface_parallax_bricks s) {
     vec2 tile_vector_5 = vec2(tile_product, march_uv.y);
     // bricks: Height map (continued)
     vec2 bricks_vector = vec2(tile_product + bricks_quotient.x, march_uv.y);
-    vec4 bricks_texel = textureGrad(bricks_image, bricks_vector, tile_vector, tile_vector_2);
-    vec4 bricks_texel_2 = textureGrad(bricks_image, tile_vector_5, tile_vector, tile_vector_2);
-    float bricks_difference = bricks_texel.x - bricks_texel_2.x;
+    vec4 bricks_texel_3 = textureGrad(bricks_image, bricks_vector, tile_vector, tile_vector_2);
+    vec4 bricks_texel_4 = textureGrad(bricks_image, tile_vector_5, tile_vector, tile_vector_2);
+    float bricks_difference = bricks_texel_3.x - bricks_texel_4.x;
     vec2 bricks_vector_2 = vec2(tile_product, march_uv.y + bricks_quotient.y);
-    vec4 bricks_texel_3 = textureGrad(bricks_image, bricks_vector_2, tile_vector, tile_vector_2);
-    vec2 bricks_vector_3 = vec2(bricks_difference, bricks_texel_3.x - bricks_texel_2.x);
+    vec4 bricks_texel_5 = textureGrad(bricks_image, bricks_vector_2, tile_vector, tile_vector_2);
+    vec2 bricks_vector_3 = vec2(bricks_difference, bricks_texel_5.x - bricks_texel_4.x);
     vec2 bricks_product_4 = bricks_vector_3 * (1.0 / bricks_root);
     vec2 bricks_smooth_slope = wrinkle_parallax_bricks_smooth_slope(tile_vector_5,
             1.0 / bricks_size);
@@ -157,13 +159,14 @@ float wrinkle_parallax_bricks_height(WrinkleSurface_parallax_bricks s) {
         vec2 march_sum_2 = s.uv0 + march_product_3 * march_least;
         // tile: UV transform (continued)
         vec2 tile_vector_3 = vec2(march_sum_2.x * 2.0, march_sum_2.y);
-        // march: Parallax occlusion (continued)
-        vec4 march_texel = textureGrad(bricks_image, tile_vector_3, tile_vector, tile_vector_2);
+        // bricks: Height map (continued)
+        vec4 bricks_texel = textureGrad(bricks_image, tile_vector_3, tile_vector, tile_vector_2);
         march_state = march_state_3;
         march_state_2 = march_state_4;
         march_state_3 = march_least;
-        march_state_4 = (march_texel.x - 1.0) * 0.03 + march_least;
+        march_state_4 = (bricks_texel.x - 1.0) * 0.03 + march_least;
     }
+    // march: Parallax occlusion (continued)
     float march_state_5 = march_state;
     float march_state_6 = march_state_2;
     float march_state_7 = march_state_3;
@@ -176,9 +179,10 @@ float wrinkle_parallax_bricks_height(WrinkleSurface_parallax_bricks s) {
         vec2 march_sum_4 = s.uv0 + march_product_3 * march_sum_3;
         // tile: UV transform (continued)
         vec2 tile_vector_4 = vec2(march_sum_4.x * 2.0, march_sum_4.y);
+        // bricks: Height map (continued)
+        vec4 bricks_texel_2 = textureGrad(bricks_image, tile_vector_4, tile_vector, tile_vector_2);
         // march: Parallax occlusion (continued)
-        vec4 march_texel_2 = textureGrad(bricks_image, tile_vector_4, tile_vector, tile_vector_2);
-        float march_sum_5 = (march_texel_2.x - 1.0) * 0.03 + march_sum_3;
+        float march_sum_5 = (bricks_texel_2.x - 1.0) * 0.03 + march_sum_3;
         bool march_test = march_sum_5 < 0.0;
         march_state_5 = march_test ? march_sum_3 : march_state_5;
         march_state_6 = march_test ? march_sum_5 : march_state_6;
@@ -192,6 +196,6 @@ float wrinkle_parallax_bricks_height(WrinkleSurface_parallax_bricks s) {
     vec2 march_uv = s.uv0 + march_product_4;
     vec2 tile_vector_5 = vec2(march_uv.x * 2.0, march_uv.y);  // tile: UV transform (continued)
     // bricks: Height map (continued)
-    vec4 bricks_texel = textureGrad(bricks_image, tile_vector_5, tile_vector, tile_vector_2);
-    return (bricks_texel.x - 1.0) * 0.03;  // march: Parallax occlusion (continued)
+    vec4 bricks_texel_3 = textureGrad(bricks_image, tile_vector_5, tile_vector, tile_vector_2);
+    return (bricks_texel_3.x - 1.0) * 0.03;  // march: Parallax occlusion (continued)
 }

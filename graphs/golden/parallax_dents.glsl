@@ -135,13 +135,14 @@ vec3 wrinkle_parallax_dents_normal(WrinkleSurface_parallax_dents s) {
         float march_least = min(march_state_3 + march_quotient_3, 0.03);
         // tile: UV transform (continued)
         vec2 tile_product_3 = (s.uv0 + march_product_3 * march_least) * 2.0;
-        // march: Parallax occlusion (continued)
-        vec4 march_texel = textureGrad(pebbles_image, tile_product_3, tile_product, tile_product_2);
-        float pebbles_texel = (march_texel.x - 1.0) * 0.03;  // pebbles: Height map (continued)
+        // pebbles: Height map (continued)
+        vec4 pebbles_texel = textureGrad(pebbles_image, tile_product_3, tile_product,
+                tile_product_2);
+        float pebbles_texel_2 = (pebbles_texel.x - 1.0) * 0.03;
         march_state = march_state_3;
         march_state_2 = march_state_4;
         march_state_3 = march_least;
-        march_state_4 = pebbles_texel + march_least;
+        march_state_4 = pebbles_texel_2 + march_least;
     }
     // march: Parallax occlusion (continued)
     float march_state_5 = march_state;
@@ -155,11 +156,11 @@ vec3 wrinkle_parallax_dents_normal(WrinkleSurface_parallax_dents s) {
                 0.0 ? march_state_6 / march_difference_4 : 0.0);
         // tile: UV transform (continued)
         vec2 tile_product_4 = (s.uv0 + march_product_3 * march_sum) * 2.0;
-        // march: Parallax occlusion (continued)
-        vec4 march_texel_2 = textureGrad(pebbles_image, tile_product_4, tile_product,
+        // pebbles: Height map (continued)
+        vec4 pebbles_texel_3 = textureGrad(pebbles_image, tile_product_4, tile_product,
                 tile_product_2);
-        float pebbles_texel_2 = (march_texel_2.x - 1.0) * 0.03;  // pebbles: Height map (continued)
-        float march_sum_2 = pebbles_texel_2 + march_sum;  // march: Parallax occlusion (continued)
+        float pebbles_texel_4 = (pebbles_texel_3.x - 1.0) * 0.03;
+        float march_sum_2 = pebbles_texel_4 + march_sum;  // march: Parallax occlusion (continued)
         bool march_test = march_sum_2 < 0.0;
         march_state_5 = march_test ? march_sum : march_state_5;
         march_state_6 = march_test ? march_sum_2 : march_state_6;
@@ -176,13 +177,13 @@ vec3 wrinkle_parallax_dents_normal(WrinkleSurface_parallax_dents s) {
     vec2 tile_product_5 = march_uv * 2.0;  // tile: UV transform (continued)
     // pebbles: Height map (continued)
     vec2 pebbles_vector = vec2(tile_product_5.x + pebbles_quotient.x, tile_product_5.y);
-    vec4 pebbles_texel_3 = textureGrad(pebbles_image, pebbles_vector, tile_product, tile_product_2);
-    vec4 pebbles_texel_4 = textureGrad(pebbles_image, tile_product_5, tile_product, tile_product_2);
-    float pebbles_difference = pebbles_texel_3.x - pebbles_texel_4.x;
+    vec4 pebbles_texel_5 = textureGrad(pebbles_image, pebbles_vector, tile_product, tile_product_2);
+    vec4 pebbles_texel_6 = textureGrad(pebbles_image, tile_product_5, tile_product, tile_product_2);
+    float pebbles_difference = pebbles_texel_5.x - pebbles_texel_6.x;
     vec2 pebbles_vector_2 = vec2(tile_product_5.x, tile_product_5.y + pebbles_quotient.y);
-    vec4 pebbles_texel_5 = textureGrad(pebbles_image, pebbles_vector_2, tile_product,
+    vec4 pebbles_texel_7 = textureGrad(pebbles_image, pebbles_vector_2, tile_product,
             tile_product_2);
-    vec2 pebbles_vector_3 = vec2(pebbles_difference, pebbles_texel_5.x - pebbles_texel_4.x);
+    vec2 pebbles_vector_3 = vec2(pebbles_difference, pebbles_texel_7.x - pebbles_texel_6.x);
     vec2 pebbles_product_4 = pebbles_vector_3 * (1.0 / pebbles_root);
     vec2 pebbles_smooth_slope = wrinkle_parallax_dents_smooth_slope(tile_product_5,
             1.0 / pebbles_size);
@@ -249,13 +250,14 @@ float wrinkle_parallax_dents_height(WrinkleSurface_parallax_dents s) {
         float march_least = min(march_state_3 + march_quotient_2, 0.03);
         // tile: UV transform (continued)
         vec2 tile_product_3 = (s.uv0 + march_product_3 * march_least) * 2.0;
-        // march: Parallax occlusion (continued)
-        vec4 march_texel = textureGrad(pebbles_image, tile_product_3, tile_product, tile_product_2);
-        float pebbles_texel = (march_texel.x - 1.0) * 0.03;  // pebbles: Height map (continued)
+        // pebbles: Height map (continued)
+        vec4 pebbles_texel = textureGrad(pebbles_image, tile_product_3, tile_product,
+                tile_product_2);
+        float pebbles_texel_2 = (pebbles_texel.x - 1.0) * 0.03;
         march_state = march_state_3;
         march_state_2 = march_state_4;
         march_state_3 = march_least;
-        march_state_4 = pebbles_texel + march_least;
+        march_state_4 = pebbles_texel_2 + march_least;
     }
     // march: Parallax occlusion (continued)
     float march_state_5 = march_state;
@@ -269,11 +271,11 @@ float wrinkle_parallax_dents_height(WrinkleSurface_parallax_dents s) {
                 0.0 ? march_state_6 / march_difference_4 : 0.0);
         // tile: UV transform (continued)
         vec2 tile_product_4 = (s.uv0 + march_product_3 * march_sum) * 2.0;
-        // march: Parallax occlusion (continued)
-        vec4 march_texel_2 = textureGrad(pebbles_image, tile_product_4, tile_product,
+        // pebbles: Height map (continued)
+        vec4 pebbles_texel_3 = textureGrad(pebbles_image, tile_product_4, tile_product,
                 tile_product_2);
-        float pebbles_texel_2 = (march_texel_2.x - 1.0) * 0.03;  // pebbles: Height map (continued)
-        float march_sum_2 = pebbles_texel_2 + march_sum;  // march: Parallax occlusion (continued)
+        float pebbles_texel_4 = (pebbles_texel_3.x - 1.0) * 0.03;
+        float march_sum_2 = pebbles_texel_4 + march_sum;  // march: Parallax occlusion (continued)
         bool march_test = march_sum_2 < 0.0;
         march_state_5 = march_test ? march_sum : march_state_5;
         march_state_6 = march_test ? march_sum_2 : march_state_6;
@@ -287,6 +289,6 @@ float wrinkle_parallax_dents_height(WrinkleSurface_parallax_dents s) {
     vec2 march_uv = s.uv0 + march_product_4;
     vec2 tile_product_5 = march_uv * 2.0;  // tile: UV transform (continued)
     // pebbles: Height map (continued)
-    vec4 pebbles_texel_3 = textureGrad(pebbles_image, tile_product_5, tile_product, tile_product_2);
-    return (pebbles_texel_3.x - 1.0) * 0.03;  // march: Parallax occlusion (continued)
+    vec4 pebbles_texel_5 = textureGrad(pebbles_image, tile_product_5, tile_product, tile_product_2);
+    return (pebbles_texel_5.x - 1.0) * 0.03;  // march: Parallax occlusion (continued)
 }
