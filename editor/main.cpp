@@ -1,5 +1,5 @@
-// wrinkle-editor FILE: the visual editor. Exit codes as those of `wrinkle`: 0 fine, 1 the script
-// failed or a file cannot be read, 2 wrong usage, 3 no window, no GL.
+// wrinkle-editor FILE: the visual editor. Exit codes: 0 success, 1 the script failed or a file
+// cannot be read or written, 2 wrong usage, 3 no window or no OpenGL.
 #include <signal.h>
 
 #include <CLI/App.hpp>
@@ -31,7 +31,7 @@ int complain(const std::string& sentence, int code) {
     return code;
 }
 
-// A script and a picture depend on no user's settings, unless they are given some.
+// With --script or --shot but without --state, no user settings are read and nothing is stored.
 Folders folders_of(const Arguments& arguments) {
     if (!arguments.state.empty()) return folders_below(std::filesystem::absolute(arguments.state));
     return arguments.script.empty() && arguments.shot.empty() ? user_folders() : Folders();
@@ -63,7 +63,7 @@ bool write_timings(const State& state, const std::string& file) {
     return false;
 }
 
-// The threads beside the interface; they end before the state that they work for.
+// Worker threads. Destroyed before the state, which they refer to.
 struct Workers {
     Preview preview{wake_window};
     Compiler compiler;
@@ -77,7 +77,7 @@ struct Workers {
                            },
                            wake_window};
     FileLooker looker{[](FileQuestion&& question) { return look_at_files(question); },
-                      {}};  // heard when the window next looks; to wake it would draw a frame
+                      {}};  // no wake, which would draw a frame: results are polled
 
     explicit Workers(State& state)
         : compiler(*state.registry, wake_window), code(*state.registry, wake_window) {
@@ -96,7 +96,7 @@ struct Workers {
 };
 
 int run(const Arguments& arguments) {
-    Timings timings;  // from here on
+    Timings timings;  // measures from here
     std::optional<Script> script;
     std::string why;
     if (!arguments.script.empty()) {
@@ -124,8 +124,8 @@ int run(const Arguments& arguments) {
     if (!trouble.empty()) state.status = trouble;
     if (!arguments.timings.empty()) state.timings = &timings;
     const bool good = window->run(state, script ? &*script : nullptr, arguments.shot, why);
-    state.tasks = {};                    // stops what runs
-    if (!good) return complain(why, 1);  // what was not saved stays in the recovery file
+    state.tasks = {};                    // stops running tasks
+    if (!good) return complain(why, 1);  // unsaved edits remain in the recovery file
     finish(state);
     return !state.timings || write_timings(state, arguments.timings) ? 0 : 1;
 }
@@ -144,14 +144,14 @@ int main(int argc, char** argv) {
     app.add_option("--size", arguments.size, "Width and height of the window")->expected(2);
     app.add_option("--state", arguments.state, "Keeps settings and recovery files in this folder");
     app.add_option("--plugin-path", arguments.plugin_paths, "A plugin, or a folder of plugins")
-        ->allow_extra_args(false)  // one a time: what follows may be the graph
+        ->allow_extra_args(false)  // one per option: the next argument may be FILE
         ->take_all();
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
         return app.exit(error) == 0 ? 0 : 2;
     }
-    signal(SIGXFSZ, SIG_IGN);  // writing says what is wrong
+    signal(SIGXFSZ, SIG_IGN);  // a write past the size limit fails instead, and is reported
     wrinkle::gpu::Context::prefer_quick_programs();
     return wrinkle::editor::run(arguments);
 }

@@ -1,7 +1,7 @@
-// All that the editor knows. Panels are free functions over it.
+// Complete state of the editor. Panels are free functions that take it.
 //
-// The document is a snapshot in `history`; everything else is view (never saved in the graph, never
-// undone) or follows from the document (`model`, `built`), brought up to date by refresh()
+// The document is a snapshot in `history`. All other data is view state (not saved in the graph,
+// not undoable) or derived from the document (`model`, `built`) and updated by refresh()
 // (document/refresh.h).
 #pragma once
 
@@ -35,13 +35,13 @@
 
 namespace wrinkle::editor {
 
-// "strap.json"; "untitled.json" where there is no file yet.
+// Returns the name without folder, "strap.json"; "untitled.json" if `path` is empty.
 std::string file_name_of(const std::filesystem::path& path);
 
 struct Counters {
-    uint64_t builds = 0;    // texts generated
+    uint64_t builds = 0;    // compilations received
     uint64_t uniforms = 0;  // values sent to the running material
-    uint64_t programs = 0;  // built for the preview
+    uint64_t programs = 0;  // linked for the preview
 };
 
 struct State {
@@ -53,11 +53,11 @@ struct State {
     Look look;
     History history;
     std::filesystem::path path;
-    std::filesystem::path unsaved_folder;  // of a graph without a file; "": the working folder
-    std::vector<Level> outer;  // the graphs that this one was opened from, the outermost first
+    std::filesystem::path unsaved_folder;  // for a graph without a file; "": working folder
+    std::vector<Level> outer;              // parent graphs, outermost first
     static constexpr uint64_t never_saved = ~uint64_t{0};
     uint64_t saved_serial = 0;
-    std::string save_refused;  // why this file is not written: what reading it would lose
+    std::string save_refused;  // why the file must not be overwritten; "": it may be
     Keeping keeping;
     Question question;
     bool quit = false;
@@ -81,40 +81,41 @@ struct State {
     Offer offer;
     BoxText box_text;
     Tasks tasks;
-    int field_wait = 0;  // frames that typing may still wait for a field (panels/fields.h)
-    std::string status;  // what the last action did, or why it was refused
+    int field_wait = 0;  // frames left in which typing waits for a field (panels/fields.h)
+    std::string status;  // result of the last action, or the reason for its failure
 
     Model model;
     Build built;
     Follow follow;
-    bool fresh = false;  // model and build exist
+    bool fresh = false;  // false: refresh() rebuilds the model and requests a build
     Layout layout;
     Document layout_of;
     bool layout_stale = true;
 
     Preview* preview = nullptr;    // nullptr without GL
-    Diagnostics preview_problems;  // of the newest picture
-    bool preview_stale = false;    // the picture is of a former graph
+    Diagnostics preview_problems;  // reported by the newest rendering
+    bool preview_stale = false;    // the rendering shows an older graph
     NodeFeed node_feed;
     Counters counters;
-    Timings* timings = nullptr;  // somebody measures
+    Timings* timings = nullptr;  // nullptr: not measured
     Targets targets;
 
     const Document& document() const { return history.now(); }
-    // What is known of the newest text's costs, and the document whose nodes they are of; nullptr:
-    // there is no text, or none of this file yet.
+    // Returns the last counted costs of this file, else those of the newest build; nullptr if it
+    // has no costs, no generated source or no build yet. Costs::nodes refers to costs_of().
     const Costs* costs() const;
     const Document& costs_of() const;
     bool dirty() const { return history.serial() != saved_serial; }
-    // The folder that the document's files are named from: absolute, links resolved, as
-    // load_project() has it. That of a graph without a file is `unsaved_folder`.
+    // Folder that file names in the document are relative to: absolute, links resolved, as in
+    // load_project(). For a graph without a file it is `unsaved_folder`.
     std::filesystem::path folder() const;
-    std::filesystem::path root() const;  // no name leads out of it
-    std::string title() const;           // of the window
-    std::string file_name() const;       // of `path`, by file_name_of()
+    std::filesystem::path root() const;  // files outside it are rejected
+    std::string title() const;           // window title
+    std::string file_name() const;       // file_name_of(path)
     const NodeType* type_of(std::string_view node) const { return model.type_of(node); }
 
-    // One step of history; says so in the status.
+    // If the document changed, adds a step to the history and sets the status to its name. A step
+    // is merged into the previous one if both have the same non-empty `merge`.
     void commit(std::string name, Document document, const std::string& merge = {});
 };
 

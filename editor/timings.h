@@ -1,8 +1,8 @@
-// How long the window took, for whoever asks (`wrinkle-editor --timings FILE`): the start, frames,
-// and the way from an edit to the first frame that shows its pixels. Milliseconds.
+// Timings of the window in milliseconds (`wrinkle-editor --timings FILE`): startup, frames, and the
+// latency from an edit to the first frame that shows its pixels.
 //
-// An edit counts from the frame that sees its new document to the end of the frame that shows the
-// picture made of it. A script's `section NAME` begins a new part.
+// An edit is measured from the frame that detects the new document to the end of the frame that
+// shows its rendering. The script step `section NAME` begins a new section.
 #pragma once
 
 #include <chrono>
@@ -18,13 +18,14 @@ public:
 
     void section(std::string name, uint64_t builds, uint64_t programs);
     void frame_begins() { frame_ = Clock::now(); }
-    // The picture that was shown is of this version; all that was asked for up to it is there.
+    // `shown` is the version of the rendering in this frame; edits up to it are complete.
     void frame_ends(uint64_t shown);
 
-    // The document changed in structure: job `compile` goes to the compiler.
+    // The structure of the document or the preview request changed; `compile` is the version of the
+    // compile job.
     void structure(uint64_t compile);
-    void compiled(uint64_t compile, uint64_t picture);  // its program is in this picture
-    void values(uint64_t picture);                      // of a running program
+    void compiled(uint64_t compile, uint64_t picture);  // version of its first rendering
+    void values(uint64_t picture);                      // only uniform values changed
 
     std::string to_json(uint64_t builds, uint64_t programs) const;
 
@@ -32,14 +33,14 @@ private:
     struct Section {
         std::string name = "start";
         std::vector<double> frames, structure, values;
-        uint64_t builds = 0, programs = 0;  // when it began
+        uint64_t builds = 0, programs = 0;  // counts at its begin
     };
     struct Pending {
         Clock::time_point since;
-        uint64_t compile = 0, picture = 0;  // 0: not known yet, none
+        uint64_t compile = 0, picture = 0;  // versions; 0: not known yet, or none
     };
     Clock::time_point start_ = Clock::now(), frame_ = start_;
-    double first_frame_ = 0, first_picture_ = 0;  // their ends
+    double first_frame_ = 0, first_picture_ = 0;  // ends, since the start
     std::vector<Section> sections_{1};
     std::vector<Pending> pending_;
 };

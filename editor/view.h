@@ -1,4 +1,4 @@
-// How the document is looked at: never saved in the graph, never undone.
+// View state of a document: not saved in the graph, not undoable.
 #pragma once
 
 #include <imgui.h>
@@ -16,34 +16,34 @@
 namespace wrinkle::editor {
 
 struct View {
-    ImVec2 pan{0, 0};  // screen pixels from the canvas's corner to the canvas origin
+    ImVec2 pan{0, 0};  // from the canvas's corner to the canvas origin, screen pixels
     float zoom = 1;
     bool fitted = false;
-    ImVec2 corner{0, 0}, extent{0, 0};  // the canvas on the screen
+    ImVec2 corner{0, 0}, extent{0, 0};  // canvas rectangle, screen pixels
     std::set<std::string> selected;
     std::set<BoxId> boxes;           // selected frames and notes
-    std::vector<std::string> order;  // raised nodes, the topmost last
-    // Where the cards at the borders stand, once they have been put somewhere; canvas units.
+    std::vector<std::string> order;  // raised cards, topmost last
+    // Positions of the border cards in canvas units; std::nullopt: not placed yet.
     std::optional<ImVec2> surface_at, outputs_at;
-    std::optional<Link> selected_wire;  // by its reading end; node "" is an output of the graph
-    std::set<std::string> reveal;       // new nodes that the next frame brings in sight
-    // A step of the history that moved the cards at the borders: from where to where.
+    std::optional<Link> selected_wire;  // by its input end; node "": an output of the graph
+    std::set<std::string> reveal;       // new nodes; the next frame scrolls to them
+    // Positions of the border cards before and after a history step that moved them.
     struct Borders {
         std::optional<ImVec2> surface, outputs;
     };
     struct Push {
-        uint64_t serial = 0;  // of the state after it
+        uint64_t serial = 0;  // serial of the state after the step
         Borders from, to;
     };
     std::vector<Push> pushes;
     bool all_surface = false, all_outputs = false;
-    bool pictures = true;          // of what nodes make, on their cards (canvas/make_card.h)
-    std::set<std::string> turned;  // nodes whose picture is not as is usual for their type
-    bool tracing = false;          // what is not on a way through the selection fades
-    bool heat = false;             // costs are tinted
+    bool pictures = true;          // node previews on the cards (canvas/make_card.h)
+    std::set<std::string> turned;  // nodes with preview visibility opposite to the default
+    bool tracing = false;          // dims cards not up- or downstream of the selection
+    bool heat = false;             // tints cards by cost
     PreviewView preview_view;
     CompareView compare;
-    // `against` counts while something is compared.
+    // `against` is ignored while `compare` is off.
     PreviewRequest preview_request{"", Against::blend, "udn", false};
 };
 

@@ -29,9 +29,9 @@ struct Window::Handle {
     bool scripted = false;
     double last = 0;
     std::string title;
-    std::array<GLFWcursor*, ImGuiMouseCursor_COUNT> cursors = {};  // nullptr: the usual arrow
+    std::array<GLFWcursor*, ImGuiMouseCursor_COUNT> cursors = {};  // nullptr: the default arrow
     ImGuiMouseCursor cursor = ImGuiMouseCursor_Arrow;
-    int drawn = 0;      // frames, in this context
+    int drawn = 0;      // frames drawn in this context
     int awake = 3;      // frames still to draw
     bool lost = false;  // the driver dropped the context
 };
@@ -46,7 +46,8 @@ InputQueue& queue_of(GLFWwindow* window) {
     return *static_cast<InputQueue*>(glfwGetWindowUserPointer(window));
 }
 
-// Letters and digits by what the key produces, so that Ctrl+Z is where the keyboard says Z.
+// Returns letters and digits as the key produces them in the current keyboard layout, so that
+// Ctrl+Z is the key labelled Z; other keys as `key`.
 int produced(int key, int scancode) {
     const char* name = glfwGetKeyName(key, scancode);
     if (name && name[0] && !name[1] && std::isalnum(static_cast<unsigned char>(name[0])))
@@ -54,7 +55,7 @@ int produced(int key, int scancode) {
     return key;
 }
 
-// Also while a script plays, which cannot drop files as another program does.
+// Also used while a script plays, because a script cannot drop files from another program.
 void listen_for_drops(GLFWwindow* window) {
     glfwSetDropCallback(window, [](GLFWwindow* w, int count, const char** files) {
         double x = 0, y = 0;
@@ -82,7 +83,7 @@ void listen(GLFWwindow* window) {
     });
 }
 
-// Shapes that GLFW 3.3 lacks stay the arrow.
+// Shapes missing in GLFW 3.3 remain the arrow.
 void make_cursors(std::array<GLFWcursor*, ImGuiMouseCursor_COUNT>& cursors) {
     constexpr std::pair<ImGuiMouseCursor, int> shapes[] = {
         {ImGuiMouseCursor_TextInput, GLFW_IBEAM_CURSOR},
@@ -115,7 +116,7 @@ GLFWwindow* make_window(const WindowOptions& options) {
     glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
     glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
     glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
-    // Not every driver can say that it was reset.
+    // Not every driver supports reset notification.
     for (const int robustness : {GLFW_LOSE_CONTEXT_ON_RESET, GLFW_NO_ROBUSTNESS}) {
         glfwWindowHint(GLFW_CONTEXT_ROBUSTNESS, robustness);
         GLFWwindow* window =
@@ -128,7 +129,7 @@ GLFWwindow* make_window(const WindowOptions& options) {
     return nullptr;
 }
 
-// What belongs to one window and its context; ImGui's own state outlives them.
+// Initialises everything bound to one window and its context. ImGui's own state outlives them.
 void adopt(GLFWwindow* window, InputQueue& queue, bool scripted) {
     glfwMakeContextCurrent(window);
     glfwSwapInterval(scripted ? 0 : 1);
@@ -139,11 +140,11 @@ void adopt(GLFWwindow* window, InputQueue& queue, bool scripted) {
     if (!scripted) listen(window);
 }
 
-// Some drivers translate a program anew for the first texture of another kind. A drop of one in the
-// second frame has that done while nobody works yet, and not when the first picture appears. What
-// it gives has to last until the frame is drawn.
+// Some drivers recompile a program for the first texture of a different kind. Drawing one pixel of
+// such a texture in the second frame does that at startup, not when the first rendering appears.
+// The returned texture must exist until the frame is drawn; std::nullopt if it cannot be made.
 std::optional<gpu::Target> rehearse() {
-    Diagnostics ignored;  // without it a later frame takes longer
+    Diagnostics ignored;  // without the texture a later frame takes longer
     std::optional<gpu::Target> texture = gpu::Target::make({.width = 3, .height = 3}, ignored);
     if (!texture) return texture;
     const auto id = reinterpret_cast<ImTextureID>(static_cast<intptr_t>(texture->texture()));
@@ -177,7 +178,7 @@ std::unique_ptr<Window> Window::open(const WindowOptions& options, std::string& 
     ImGui::CreateContext();
     ImGuiIO& io = ImGui::GetIO();
     io.IniFilename = nullptr;
-    // A script's clicks follow each other in few frames of fixed length.
+    // Seconds. Clicks of a script follow each other within a few frames of 1/60 s.
     io.MouseDoubleClickTime = options.hidden_input ? 0.06F : 0.4F;
     map_keys(io);
     io.BackendFlags |= ImGuiBackendFlags_HasMouseCursors;
@@ -199,7 +200,8 @@ bool Window::is_lost(const State& state) const {
            (state.preview && state.preview->shown().lost);
 }
 
-// A context cannot be had anew in the same window, so there is another one, of the same size.
+// Replaces the window by one of the same size, because a context cannot be recreated in the same
+// window. Returns false, with the reason in `why`, if no window can be opened.
 bool Window::renew(State& state, std::string& why) {
     Handle& h = *handle_;
     h.lost = false;
@@ -262,7 +264,7 @@ void Window::draw_frame(State& state) {
     dress(state);
 }
 
-// The title and the pointer, where they have changed.
+// Updates the window title and the cursor shape if they changed.
 void Window::dress(const State& state) {
     const ImGuiMouseCursor cursor = ImGui::GetMouseCursor();
     if (cursor != handle_->cursor && cursor >= 0) {
@@ -287,7 +289,7 @@ bool Window::save_picture(const std::string& file) const {
     return save_image(image, file, {}, problems);
 }
 
-// Takes what has happened, and sleeps where nothing did; whether there is a frame to draw.
+// Processes the events, sleeping while there are none. Returns true if a frame must be drawn.
 bool Window::listen(State& state, bool playing) {
     Handle& h = *handle_;
     if (h.awake > 0 || !h.queue.empty() || playing)
@@ -315,7 +317,7 @@ bool Window::run(State& state, Script* script, const std::string& shot, std::str
                                 [&h] { h.lost = true; }};
     const bool playing = script || !shot.empty();
     for (int frames = 1; !state.quit; ++frames) {
-        // A script that waits for a picture sleeps like a hand that does.
+        // Also with a script, the loop sleeps while a build or a rendering is pending.
         if (!listen(state, playing && (!script || is_settled(state)))) continue;
         const Turns::Frame frame = state.preview->frame();
         if (state.timings) state.timings->frame_begins();

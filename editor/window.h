@@ -1,5 +1,5 @@
-// The window: GLFW with a GL 3.3 core context through EGL, its events as input events, and the
-// frames that draw_ui() fills. It draws when something has happened, and otherwise sleeps.
+// The window: GLFW with a GL 3.3 core context through EGL. Converts its events to input events and
+// draws frames with draw_ui(). Frames are drawn only when needed; otherwise the thread sleeps.
 #pragma once
 
 #include <memory>
@@ -12,20 +12,21 @@ namespace wrinkle::editor {
 
 struct WindowOptions {
     int width = 1600, height = 900;
-    bool hidden_input = false;  // ignores the real mouse and keyboard: a script has the hand
+    bool hidden_input = false;  // ignores the real mouse and keyboard, for scripts
 };
 
-// Makes the window look for news; from any thread, while there is one.
+// Wakes the event loop to draw a frame. Callable from any thread. Precondition: a window is open.
 void wake_window();
 
 class Window {
 public:
-    // Nothing, with one sentence, when there is no display or no GL.
+    // Returns nullptr, with one sentence in `why`, if there is no display or no OpenGL 3.3.
     static std::unique_ptr<Window> open(const WindowOptions& options, std::string& why);
     ~Window();
 
-    // Until the state wants to quit. With a script until it is done; false when it failed, with
-    // the reason in `why`. `shot` is a file for a last picture, "" for none.
+    // Runs until state.quit is set, the script ends or, without a script, `shot` is written. `shot`
+    // is the file for a final screenshot; "": none. Returns false, with the reason in `why`, if the
+    // script fails, the screenshot cannot be written or a lost context cannot be replaced.
     bool run(State& state, Script* script, const std::string& shot, std::string& why);
 
 private:

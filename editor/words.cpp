@@ -9,7 +9,7 @@
 namespace wrinkle::editor {
 
 std::string sentence(std::string_view text) {
-    std::string result = printable(text);  // names of files and nodes among it
+    std::string result = printable(text);  // may contain names of files and nodes
     if (result.empty()) return result;
     const std::string_view word = text.substr(0, text.find(' '));
     const bool name = word.find_first_of("0123456789._/:") != word.npos;

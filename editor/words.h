@@ -1,4 +1,4 @@
-// Words for people.
+// Formatting of messages, numbers and durations for the user interface.
 #pragma once
 
 #include <cstddef>
@@ -9,11 +9,12 @@
 
 namespace wrinkle::editor {
 
-// With a capital letter and a full stop, unless it begins with a name of the user's: one with a
-// digit, a dot, a slash or an underscore in it, or one that a colon follows.
+// Returns `text` as a printable sentence: ends it with a full stop unless it ends with . ? or :,
+// and capitalises it unless it begins with a user-defined name, recognised by a digit or one of
+// . _ / : in the first word.
 std::string sentence(std::string_view text);
 
-// The first error on one line, "node: message"; "" where there is none.
+// Returns the first error as "node: message", or "message" if it has no node; "" if there is none.
 std::string first_error(const Diagnostics& problems);
 
 std::string grouped(size_t number);                    // "1,024"

@@ -8,7 +8,7 @@ namespace wrinkle::editor {
 
 void yield_to_interface() {
 #ifdef __linux__
-    constexpr int steps = 10;  // of niceness; 0 stands for the calling thread
+    constexpr int steps = 10;  // nice levels; `who` 0 is the calling thread
     setpriority(PRIO_PROCESS, 0, getpriority(PRIO_PROCESS, 0) + steps);
 #endif
 }

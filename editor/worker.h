@@ -1,9 +1,9 @@
-// A thread that works on the newest job it was given: one job waits at most, a newer one takes its
-// place. Results come out one at a time, the newest only.
+// Worker thread with a queue of one job and one result: a newer job replaces a pending one, and a
+// newer result replaces one that was not taken.
 //
-// Work and finish run on the thread, finish once before it ends. wake is called there after each
-// result; it may do no more than tell another thread to look. Where there are fewer cores than
-// threads the one that draws the interface goes first.
+// `work` and `finish` run on the worker thread; `finish` once, before it ends. `wake` is called
+// there after each result with the mutex locked: it may only notify another thread. The worker has
+// a lower priority than the thread that draws the interface, for machines with few cores.
 #pragma once
 
 #include <condition_variable>
@@ -15,7 +15,7 @@
 
 namespace wrinkle::editor {
 
-// Makes the calling thread give way to those that have not called this; on Linux alone.
+// Lowers the scheduling priority of the calling thread. Does nothing except on Linux.
 void yield_to_interface();
 
 template <class Job, class Result>
@@ -45,20 +45,20 @@ public:
         }
         changed_.notify_all();
     }
-    // A result that has not been taken yet.
+    // Returns the newest result once; std::nullopt if there is none or it was taken.
     std::optional<Result> take() {
         const std::lock_guard lock(mutex_);
         return std::exchange(result_, std::nullopt);
     }
-    bool busy() const {  // a job waits or is being worked on
+    bool busy() const {  // a job is pending or running
         const std::lock_guard lock(mutex_);
         return working_ || job_;
     }
-    bool idle() const {  // neither that nor a result to take
+    bool idle() const {  // not busy, and no result to take
         const std::lock_guard lock(mutex_);
         return !working_ && !job_ && !result_;
     }
-    void settle() {  // until it is no longer busy
+    void settle() {  // waits until busy() is false
         std::unique_lock lock(mutex_);
         changed_.wait(lock, [this] { return !working_ && !job_; });
     }
@@ -91,7 +91,7 @@ private:
     std::optional<Job> job_;
     std::optional<Result> result_;
     bool working_ = false, stopping_ = false;
-    std::thread thread_;  // last: it uses all of the above
+    std::thread thread_;  // declared last: the thread uses all other members
 };
 
 }  // namespace wrinkle::editor

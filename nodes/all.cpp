@@ -4,8 +4,8 @@
 
 #include "wrinkle/node.h"
 
-// Every built-in node, in the order of menus and of the reference. The variable of node `x` is
-// x_node, because the formulas of other nodes call the function x.
+// All built-in nodes, in the order of the menus and of the reference. The variable of node `x` is
+// x_node, because other nodes call the function x.
 // clang-format off
 #define WRINKLE_BUILT_IN_NODES(X) \
     /* uv.cpp, coordinates.cpp */ \

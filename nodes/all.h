@@ -1,4 +1,4 @@
-// The built-in nodes, as one plugin. Its list stands in all.cpp; nothing registers itself.
+// The built-in nodes as one plugin. all.cpp lists them; there is no self-registration.
 #pragma once
 
 #include "wrinkle/plugin.h"

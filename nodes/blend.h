@@ -1,4 +1,4 @@
-// What others do with two unit tangent-space normals in place of adding slopes.
+// Common blends of two unit tangent-space normals, for comparison with the addition of slopes.
 #pragma once
 
 #include "wrinkle/node.h"

@@ -1,28 +1,29 @@
-// Relief made of random points or strokes, a fixed number to a cell: each place looks at the cells
-// around its own.
+// Relief from random points or strokes, a fixed number per cell: each position evaluates its cell
+// and the cells around it.
 #include "nodes/footprint.h"
 #include "nodes/relief.h"
 
 namespace wrinkle::nodes {
 using namespace sdk;
 
-// Three numbers in [0, 1) of one hash, and two more.
+// Returns three numbers in [0, 1) from `bits` and two further hashes.
 static vec3 random3(Uint bits) {
     const Uint second = hash(bits);
     return {unit_float(bits), unit_float(second), unit_float(hash(second))};
 }
 
-// The one at `index` of the 27 or 9 offsets -1, 0, 1 by axis; the half guards against division that
-// is not exact.
+// Returns one component (by `stride`) of offset `index` among the 27 or 9 offsets -1, 0, 1 by axis.
+// The half guards against inexact division.
 static Float offset(Float index, double stride) {
     const Float k = floor((index + 0.5) * (1 / stride));
     return k - 3 * floor((k + 0.5) * (1.0 / 3)) - 1;
 }
 
-// Distances in cells to the nearest and the second nearest feature point (S. Worley 1996): one in a
-// cell, `jitter` away from its centre at most by half a cell. Points two cells away are not looked
-// at; at full jitter that matters to the second distance in a few of 10,000 places.
-// The search finds cells, which do not move with the place, so only two distances have a slope.
+// Returns the distances in cells to the nearest and the second nearest feature point (S. Worley
+// 1996). Each cell has one point, at most jitter / 2 cells from its centre per axis. Points two
+// cells away are ignored; at full jitter this changes the second distance at a few of 10,000
+// positions. The search returns cells, which do not depend on the position, so only the two
+// resulting distances are differentiated.
 static std::pair<Float, Float> worley(vec3 p, Float jitter) {
     const auto feature = function("feature_point", [](vec3 cell, Float jitter) {
         const Uint bits = hash(Int(cell.x()), Int(cell.y()), Int(cell.z()));
@@ -88,11 +89,11 @@ struct Scratches {
     Float amplitude;
 };
 
-// How deep a layer's strokes are at p. As with points, the search finds the cell whose stroke is
-// the deepest, and that stroke alone has a slope.
+// Returns the depth of a layer's strokes at p. As with points, the search returns the cell with the
+// deepest stroke, and only that stroke is differentiated.
 static Float strokes(const Scratches& in, vec2 p, Int layer) {
     const Float direction = radians(in.direction), spread = radians(in.spread);
-    // `from` is the way from the cell's lower left corner.
+    // `from` is the offset from the cell's lower left corner.
     const auto stroke = function("scratch", [=](vec2 cell, vec2 from, Int layer) {
         const Uint bits = hash(Int(cell.x()), Int(cell.y()), layer);
         const vec3 random = random3(bits);
@@ -147,7 +148,8 @@ Node scratches_node =
                 const vec2 p = in.uv * in.scale + vec2(0.37 * layer, 0.61 * layer);
                 depth = max(depth, strokes(in, p, layer));
             }
-            // Strokes hold their width times 2/3 of their length, which is 3/4 of the longest's.
+            // The volume of a stroke is its width times 2/3 of its length; the mean length is 3/4
+            // of the longest.
             const Float mean = saturate(in.length * in.width * in.density * (0.5 * in.layers));
             const Float grooves = footprint(in.uv * in.scale) / (4 * in.width);
             return relief_of(-mix(mean, depth, fade(grooves)), in.amplitude);

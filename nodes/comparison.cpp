@@ -1,6 +1,6 @@
-// What others do with two tangent-space normals in place of adding slopes. Angles are between the
-// result and the sum, over all pairs of normals tilted up to 45 degrees. Sources: C.
-// Barre-Brisebois and S. Hill, "Blending in Detail" (2012); the node libraries of Babylon.js,
+// Common blends of two tangent-space normals, for comparison with the addition of slopes. Angles
+// are between the result and the sum, over all pairs of normals tilted up to 45 degrees. Sources:
+// C. Barre-Brisebois and S. Hill, "Blending in Detail" (2012); the node libraries of Babylon.js,
 // MaterialX, three.js and Unity.
 #include "nodes/blend.h"
 #include "wrinkle/node.h"
@@ -25,7 +25,7 @@ Node compare_linear_node =
           "14.3 degrees off on average.")
         .body([](vec3 a, vec3 b) { return linear_blend(a, b); });
 
-// Of colours, within [-1, 1].
+// Overlay blend of one colour channel; arguments and result are in [-1, 1].
 static Float overlaid(Float a, Float b) {
     const Float x = a * 0.5 + 0.5, y = b * 0.5 + 0.5;
     return 2 * select(x < 0.5, 2 * x * y, 1 - 2 * (1 - x) * (1 - y)) - 1;
@@ -84,7 +84,7 @@ Node compare_nested_frame_node =
           "off on average, 21 at worst.")
         .body([](vec3 a, vec3 b) { return normalize(vec3(b.xy(), 0) + a * b.z()); });
 
-// On a plane, where the pixel's axes are those of the tangent frame.
+// Evaluated on a plane, where the pixel's axes are those of the tangent frame.
 Node compare_bump_over_normal_node =
     blend("compare_bump_over_normal", "Wrong: bump over a bent normal",
           "Perturbs the base by eq. 3 with the base in place of the surface's normal, as a bump "

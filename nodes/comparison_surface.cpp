@@ -1,4 +1,5 @@
-// What others do to a normal on a surface. Each node says what is wrong with it.
+// Common operations on a surface normal, for comparison. The documentation of each node states its
+// error.
 #include "nodes/blend.h"
 #include "wrinkle/node.h"
 
@@ -47,7 +48,7 @@ Node compare_blender_strength_node =
             return normalize(mix(smooth, bumped, amount));
         });
 
-// Tangent and bitangent solved from dP = T du + B dv over the pixel, less the determinant.
+// Tangent and bitangent from dP = T du + B dv over the pixel, without division by the determinant.
 Node compare_engine_basis_node =
     node("compare_engine_basis", "Wrong: unprojected derived basis",
          "A tangent-space normal in a basis derived from position and uv alone. Wrong: the basis "

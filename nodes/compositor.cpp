@@ -1,4 +1,4 @@
-// Several bumps in one node, from the bottom up.
+// Several layers of bumps in one node, from bottom to top.
 #include "wrinkle/node.h"
 
 namespace wrinkle::nodes {

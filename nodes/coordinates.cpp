@@ -1,5 +1,5 @@
-// Texture coordinates made of the place in space. As expressions of position they have exact
-// slopes: any map read there is bumped as the volume that the projection makes of it.
+// Texture coordinates from positions in space. As expressions of the position they have exact
+// derivatives: a map read there gives the bump of the volume that the projection defines.
 #include "nodes/projection.h"
 #include "wrinkle/node.h"
 

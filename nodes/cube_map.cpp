@@ -1,9 +1,9 @@
-// Cube maps: pictures looked up by a direction.
+// Cube maps: textures looked up by a direction.
 //
-// The six faces stand in one picture: as a `strip`, +x -x +y -y +z -z from left to right, or as a
-// `grid` of three by two, +x -x +y above -y +z -z. Each face is what somebody sees who looks at
-// that side of a cube from outside, y up; from above (+y), -z is up, and from below (-y), +z is.
-// That is the order and orientation of OpenGL's cube maps.
+// The six faces are stored in one image: as a `strip`, +x -x +y -y +z -z from left to right, or as
+// a `grid` of three by two, +x -x +y above -y +z -z. Each face is oriented as seen from outside the
+// cube, y up; for +y, -z is up, and for -y, +z is up. This is the order and orientation of OpenGL's
+// cube maps.
 #include "nodes/ports.h"
 #include "nodes/projection.h"
 #include "wrinkle/node.h"
@@ -13,8 +13,8 @@ using namespace sdk;
 
 enum class Arrangement { strip, grid };
 
-// No face reads a texel of its neighbour: the place stays half a texel of the level in use within
-// it, at most one that is twice as coarse as the footprint.
+// Faces do not bleed into each other: the lookup is clamped to half a texel inside the face, for a
+// mip level up to twice as coarse as the footprint.
 static vec4 read_cube(Image image, Arrangement arrangement, vec3 direction) {
     const CubeFace face = cube_face(direction, direction);
     const bool strip = arrangement == Arrangement::strip;
@@ -26,7 +26,7 @@ static vec4 read_cube(Image image, Arrangement arrangement, vec3 direction) {
     const vec2 size = image.size() / faces;
     const vec2 x = ddx(place), y = ddy(place);
     const Float footprint = max(max(length(x * size), length(y * size)), 0.5);
-    // In the coarsest level a face is one texel.
+    // Limits the footprint to a face: in the coarsest usable level a face is one texel.
     const Float least = min(min(size.x(), size.y()) / footprint, 1);
     const vec2 border = min(footprint / size, vec2(0.5));
     const vec2 inside = min(max(place, border), vec2(1) - border);
@@ -63,7 +63,7 @@ Node cube_normal_map_node =
             const vec3 normal = read_cube(in.image, in.arrangement, in.direction).xyz();
             const vec3 out = normalize(in.direction);
             const Float outward = dot(out, normal);
-            // Slopes up to 128, as those of tangent-space maps.
+            // Limits slopes to 128, as in tangent-space maps.
             const Float steepest = max(length(normal) / 128, 1e-6);
             const vec3 volume =
                 (out * outward - normal) / max(abs(outward), steepest) * in.strength;

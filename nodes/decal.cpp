@@ -1,6 +1,6 @@
-// Decals: pictures thrown onto whatever surface lies in a box, a cone, a ball or a capsule, and the
-// two ways in which their bumps join what is there. A projector looks along its direction; its
-// picture reads the right way round from where it stands.
+// Decals: images projected onto any surface inside a box, cone, sphere or capsule, and the two ways
+// to combine their bump with the existing one. A projector faces along its direction; its image is
+// not mirrored as seen from the projector.
 #include "nodes/projection.h"
 #include "wrinkle/node.h"
 
@@ -12,11 +12,12 @@ using namespace sdk;
 #define ANGLE_FADE_DOC "Exponent of the cosine to the surface: 0 reaches every side"
 #define ATTENUATION_DOC "0 to 1: how much of the decal arrives"
 
-// 1 inside, 0 from the border on; `reached` is 1 at the border.
+// Returns 1 inside, fading to 0 at the border, where `reached` is 1; `edge` is the width of the
+// fade.
 static Float inside(Float reached, Float edge) {
     return 1 - smoothstep(1 - edge, Float(1), reached);
 }
-// `towards`: from the surface to the projector, unit.
+// `towards`: unit direction from the surface to the projector.
 static Float angle_fade(vec3 normal, vec3 towards, Float exponent) {
     return detach(pow(saturate(dot(normalize(normal), towards)), exponent));
 }
@@ -77,7 +78,7 @@ Node decal_cone_node =
             const vec3 place = into(axes, way);
             const Float ahead = -place.z();
             const Float wide = max(ahead, 1e-6) * tan(radians(in.angle) * 0.5);
-            const vec2 across = place.xy() / wide;  // the unit disc
+            const vec2 across = place.xy() / wide;  // within the unit disc inside the cone
             const Float within = inside(length(across), in.edge) *
                                  inside(ahead / in.range, in.edge) * step(1e-6, ahead);
             return std::tuple{across * 0.5 + vec2(0.5),

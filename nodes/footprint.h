@@ -1,13 +1,13 @@
-// How procedural relief is filtered, so that it does not shimmer far away.
+// Filters for procedural relief, against aliasing at a distance.
 //
-// footprint(p)  how far a pixel reaches in the pattern's own coordinates: the longer of the changes
-//               of p to the next pixel in x and in y. In cells where p counts cells.
-// fade(w)       1 while the pixel is small in a cell, 0 where it covers most of one: 1 - smoothstep
-//               from 0.25 to 0.75 cells (M. Mikkelsen's filtered noise). A layer of noise is
-//               multiplied by it; a pattern with a mean of its own goes to that mean.
-// spread(p)     the same by axes: the box around the pixel, for exact box filters.
-// All are detached: they weigh a slope and add none. Differentials of zero mean a footprint of zero
-// and every detail.
+// footprint(p)  extent of a pixel in pattern coordinates: the longer of the screen differentials of
+//               p in x and y. In cells if p counts cells.
+// fade(w)       1 while the pixel is small relative to a cell, 0 if it covers most of one: 1 -
+//               smoothstep from 0.25 to 0.75 cells (M. Mikkelsen's filtered noise). A layer of
+//               noise is multiplied by it; a pattern with a non-zero mean fades to its mean.
+// spread(p)     extent of the pixel per axis: the box around it, for exact box filters.
+// All are detached: they weight a slope but do not contribute to it. Zero differentials give a zero
+// footprint, which means full detail.
 #pragma once
 
 #include "wrinkle/node.h"

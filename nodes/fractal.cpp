@@ -23,7 +23,7 @@ static constexpr auto fractal(const Declaration& declaration) {
         .choice("basis", basis_names, "The noise that is added up");
 }
 
-// Means over space of |noise| and of (1 - |noise|)^2, measured: what an octave fades to.
+// Measured spatial means of |noise| and (1 - |noise|)^2; octaves fade to them.
 struct Means {
     double absolute, ridge;
 };
@@ -47,7 +47,8 @@ static Float billows(const Fractal& fractal, Basis basis) {
     return weighted_mean(octaves_of(fractal, layer));
 }
 
-// F. K. Musgrave's ridged multifractal: an octave is as strong as the ridge below it is high.
+// F. K. Musgrave's ridged multifractal: each octave is multiplied by twice the previous one,
+// saturated.
 static Float ridges(const Fractal& fractal, Basis basis) {
     const Noise noise = noise_function(basis);
     const Layer layer{function("ridge",

@@ -1,12 +1,12 @@
-// Tangent frames as values: their vectors, a tangent from a map, a normal in tangent space, and one
-// that faces the viewer.
+// Tangent frames as values: their vectors, a tangent from a map, a normal in tangent space, and a
+// normal that faces the viewer.
 #include "nodes/ports.h"
 #include "wrinkle/node.h"
 
 namespace wrinkle::nodes {
 using namespace sdk;
 
-// The frames whose vectors exist apart from a slope, in the order of FrameMethod.
+// Frame methods that define vectors independently of a slope, in the order of FrameMethod.
 #define VECTOR_FRAMES \
     { "auto", "vertex", "derived" }
 
@@ -61,8 +61,8 @@ struct IntoTangentSpace {
     vec3 direction, base;
 };
 
-// The inverse of [T B N] by cofactors; a positive factor changes no direction, so the determinant
-// lends its sign alone.
+// Applies the inverse of [T B N] by cofactors. A positive factor does not change the direction, so
+// only the sign of the determinant is used.
 static vec3 into_frame(vec3 v, vec3 t, vec3 b, vec3 n) {
     const vec3 up = cross(t, b);
     const vec3 m =

@@ -1,4 +1,4 @@
-// Nodes on surface gradients. They compose in any order and are resolved once, at the end.
+// Nodes on surface gradients. Gradients compose in any order and are resolved once, at the end.
 #include "nodes/ports.h"
 #include "wrinkle/node.h"
 

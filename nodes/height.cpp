@@ -49,8 +49,8 @@ Node height_invert_node =
         .out<Height>("height", "The inverted height, in length units of object space")
         .body([](Float height, Float level) { return 2 * level - height; });
 
-// Quadratic within `width` of equal heights, so that value and slope are continuous; width 0 is the
-// plain maximum.
+// Smooth maximum: quadratic within `width` of equal heights, so value and slope are continuous. A
+// width of 0 gives the plain maximum.
 static Float smooth_max(Float a, Float b, Float width) {
     const Float apart = abs(a - b);
     const Float rest = max(width - apart, 0);

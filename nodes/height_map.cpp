@@ -1,4 +1,4 @@
-// Reliefs from pictures of their heights.
+// Relief from height maps.
 #include "nodes/height_slope.h"
 #include "nodes/ports.h"
 #include "wrinkle/node.h"

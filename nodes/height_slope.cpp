@@ -7,7 +7,7 @@ using namespace sdk;
 
 namespace {
 
-// How the picture is read: by the changes of uv between pixels, or by given ones where uv jumps.
+// Reads the texture with the screen differentials of uv, or with given ones if uv jumps.
 struct Reader {
     Image image;
     Changes changes;
@@ -16,14 +16,14 @@ struct Reader {
     Float at(vec2 uv) const {
         return (given ? image.sample_grad(uv, changes.x, changes.y) : image.sample(uv)).x();
     }
-    // Texels of level 0 that a pixel covers, along its longer side, but at least one.
+    // Returns the texels of level 0 that a pixel covers along its longer side, at least one.
     Float footprint() const {
         const vec2 size = image.size(), x = changes.x * size, y = changes.y * size;
         return detach(sqrt(max(max(dot(x, x), dot(y, y)), 1)));
     }
 };
 
-// What a slope is told by: a uv unit, or a texel of level 0.
+// Unit of a slope's run: a uv unit, or a texel of level 0.
 enum class Unit { uv, texel };
 
 vec2 three_taps(const Reader& read, vec2 uv, Float texels, Unit unit) {
@@ -35,8 +35,8 @@ vec2 three_taps(const Reader& read, vec2 uv, Float texels, Unit unit) {
     return unit == Unit::uv ? change / step : change * (1 / texels);
 }
 
-// The 4x4 kernel is Sobel's over bilinear reads one texel apart: each read brings (1-t, t) of its
-// two texels, and their weights (1, 2, 1)/4 and (-1, 0, 1)/2 do the rest.
+// The 4x4 kernel is a Sobel filter over bilinear reads one texel apart: each read weights its two
+// texels by (1-t, t), and the reads are weighted by (1, 2, 1)/4 and (-1, 0, 1)/2.
 vec2 smooth_slope(Image image, vec2 uv, Unit unit) {
     const auto change = function("smooth_slope", [image](vec2 at, vec2 texel) {
         const auto tap = [&](int i, int j) {
@@ -65,7 +65,7 @@ vec2 pixel_difference(const Reader& read, vec2 uv) {
                 divide(change.y() * x.x() - change.x() * y.x(), det));
 }
 
-// Of the qualities that step by texels.
+// Slope for the qualities `smooth` and `three_taps`.
 vec2 slope_of(const Reader& read, vec2 uv, HeightQuality quality, Unit unit) {
     const Float texels = read.footprint();
     const vec2 coarse = three_taps(read, uv, texels, unit);
@@ -101,7 +101,7 @@ Float read_height(Image image, vec2 uv, HeightQuality quality) {
     const Reader read = implicit(image, uv);
     const Float value = image.sample(uv).x();
     if (quality == HeightQuality::pixel) return with_slope(value, uv, pixel_difference(read, uv));
-    // What the footprint is measured in is what uv changes by: one product for both.
+    // A slope per texel, because the footprint also needs the differentials of uv * size.
     return with_slope(value, uv * image.size(), slope_of(read, uv, quality, Unit::texel));
 }
 

@@ -1,6 +1,7 @@
-// Textures without visible repeats: each hexagon of a grid reads the picture turned and moved at
-// random, and three of them are blended at every point (M. Mikkelsen, "Practical Real-Time
-// Hex-Tiling", 2022). Slopes are turned with the picture, then blended; weights are constant.
+// Textures without visible repeats: each hexagon of a grid reads a randomly rotated and moved copy
+// of the texture, and three copies are blended at every point (M. Mikkelsen, "Practical Real-Time
+// Hex-Tiling", 2022). Slopes are rotated with the texture, then blended; weights are constant under
+// differentiation.
 #include "nodes/height_slope.h"
 #include "nodes/ports.h"
 #include "wrinkle/node.h"
@@ -13,12 +14,13 @@ using namespace sdk;
 #define EXPONENT_DOC "How fast the nearest hexagon wins"
 #define CONTRAST_DOC "0.5 leaves the blend as it is, more makes its borders harder"
 
-// One of the three hexagons at a point: where it reads, and how its copy is turned.
+// One of the three hexagons at a point: the uv and the rotation of its copy.
 struct Tap {
-    vec2 uv, right, up;  // uv of a step along u, and along v
-    // dh/d(u,v) of the surface from the slope of the picture where it is read.
+    vec2 uv, right, up;  // uv in the copy; its derivatives along u and along v
+    // Converts a slope in the copy to dh/d(u,v) of the surface.
     vec2 turned_back(vec2 slope) const { return {dot(slope, right), dot(slope, up)}; }
-    // Of the copy's uv, which jumps where another hexagon takes the place of this one.
+    // Returns the differentials of the copy's uv, from those of `at`: the copy's uv itself jumps at
+    // the border to another hexagon.
     Changes changes(vec2 at) const {
         const auto turned = [this](vec2 v) { return right * v.x() + up * v.y(); };
         return {turned(ddx(at)), turned(ddy(at))};
@@ -30,11 +32,12 @@ struct Tap {
 };
 
 struct HexBlend {
-    vec3 weights;  // of sum 1: barycentric in the triangle of three centres
+    vec3 weights;  // barycentric in the triangle of three centres; sum 1
     Tap taps[3];
 };
 
-// The grid of triangles between the centres of hexagons, sheared into squares.
+// Grid of triangles between the centres of hexagons, sheared into squares. The function returns the
+// barycentric weights and the three corners of the triangle around a point.
 static auto grid_function() {
     return function("hex_grid", [](vec2 at) {
         const vec2 sheared(at.x() - at.y() * 0.57735026918962576, at.y() * 1.1547005383792515);
@@ -49,8 +52,8 @@ static auto grid_function() {
     });
 }
 
-// Of the hexagon of a corner: how far its copy is moved, in repeats, and cosine and sine of how far
-// it is turned.
+// The function returns, for the hexagon of a corner, the offset of its copy in repeats, and cosine
+// and sine of its rotation.
 static auto copy_function() {
     return function("hex_copy", [](vec2 corner, Float rotation) {
         const Uint bits = hash(Int(corner.x()), Int(corner.y()));
@@ -75,7 +78,7 @@ static HexBlend hexagons_at(vec2 uv, Float hexagons, Float rotation) {
     return {weights, {tap(first), tap(second), tap(third)}};
 }
 
-// Perlin's gain, and a sum of 1.
+// Applies Perlin's gain to the weights and normalises them to sum 1.
 static vec3 contrasted(vec3 weights, Float contrast) {
     const vec3 even = weights / dot(weights, vec3(1));
     const Float k = log(1 - contrast) / -0.6931471805599453;
@@ -85,7 +88,7 @@ static vec3 contrasted(vec3 weights, Float contrast) {
     return detach(gained / dot(gained, vec3(1)));
 }
 
-// `strength`: how much each reading has to show, 0 to 1; flat ones yield.
+// `strength`: visibility of each sample, 0 to 1; it scales the weights from 0.4 to 1.
 static vec3 blend_weights(const HexBlend& at, vec3 strength, Float exponent, Float contrast) {
     const vec3 shown = vec3(0.4) + 0.6 * strength;
     return contrasted(shown * pow(max(at.weights, vec3(1e-4)), exponent), contrast);
@@ -210,7 +213,7 @@ Node hex_tile_normal_map_node =
             };
             const vec2 a = slope(0), b = slope(1), c = slope(2);
             const vec3 square(dot(a, a), dot(b, b), dot(c, c));
-            const vec3 tilt = sqrt(square / (vec3(1) + square));  // the sine
+            const vec3 tilt = sqrt(square / (vec3(1) + square));  // sine of the tilt
             const vec3 weights = blend_weights(at, tilt, in.exponent, in.contrast);
             const Derivative d(blend(weights, a, b, c), basis);
             return std::tuple{Gradient(d, Base(in.base)), d};

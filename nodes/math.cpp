@@ -1,4 +1,4 @@
-// Arithmetic on single numbers. Every node is finite for finite input, but for overflow.
+// Arithmetic on scalars. Results are finite for finite inputs, except on overflow.
 #include "wrinkle/node.h"
 
 namespace wrinkle::nodes {

@@ -1,5 +1,5 @@
-// Smooth random relief in space. Random numbers come from integer hashes, so they are the same
-// everywhere.
+// Smooth random relief in space. Random numbers come from integer hashes, so they are the same on
+// every target.
 #include "nodes/noise.h"
 
 #include "nodes/footprint.h"
@@ -8,9 +8,9 @@
 namespace wrinkle::nodes {
 using namespace sdk;
 
-// The twelve directions to the edges of a cube (K. Perlin 2002), of length sqrt(2): by the axis
-// where they are 0, then by the signs of the other two components. One component of all of them,
-// two bits each, plus 1.
+// The twelve directions to the edges of a cube (K. Perlin 2002), of length sqrt(2), ordered by the
+// axis on which they are 0, then by the signs of the other two components. Returns one component of
+// all directions, plus 1, packed in two bits each.
 static constexpr unsigned directions(unsigned component) {
     unsigned packed = 0;
     for (unsigned which = 0; which < 12; ++which) {
@@ -33,7 +33,7 @@ static Float value_at(Int x, Int y, Int z) {
     return unit_float(hash(x, y, z)) * 2 - 1;
 }
 
-// A height at a place and its slope there: what is not used leaves no trace in the text.
+// A height at a position and its slope there. If one is unused, it is not in the generated code.
 struct Rise {
     Float height;
     vec3 slope;
@@ -43,8 +43,8 @@ static Rise mix(const Rise& a, const Rise& b, Float t) {
     return {mix(a.height, b.height, t), mix(a.slope, b.slope, t)};
 }
 
-// The eight corners of the cell round p, joined by Perlin's quintic. corner(x, y, z, way) is that
-// of a lattice point, `way` from there.
+// Interpolates the eight corners of the cell around p by Perlin's quintic. corner(x, y, z, way)
+// returns the Rise of a lattice point at the offset `way` from it.
 template <class Corner>
 static Rise lattice(vec3 p, Corner corner) {
     const vec3 cell = floor(p), f = p - cell;
@@ -67,8 +67,9 @@ static Rise lattice(vec3 p, Corner corner) {
     return {joined.height, joined.slope + steepness * across};
 }
 
-// The four corners of a simplex in the skewed lattice: the cell's, one step along the greatest
-// component, one more along the next, and the opposite one. `direction` of a lattice point.
+// Sums the four corners of a simplex in the skewed lattice: the cell's corner, one step along the
+// greatest component, one more along the next, and the opposite corner. direction(x, y, z) returns
+// the gradient of a lattice point.
 template <class Direction>
 static Rise simplex(vec3 p, Direction direction) {
     const vec3 skewed = p + dot(p, vec3(1)) * (1.0 / 3);
@@ -93,7 +94,7 @@ static Rise simplex(vec3 p, Direction direction) {
     return {sum.height * 76, sum.slope * 76};
 }
 
-// rise(p) as two functions of the text.
+// Returns rise(p) as two functions of the generated code, for height and slope.
 template <class At>
 static Noise noise_of(const char* height, const char* slope, At rise) {
     return {function(height, [&](vec3 p) { return rise(p).height; }),
@@ -127,7 +128,8 @@ std::vector<Octave> octaves_of(const Fractal& fractal, const Layer& layer) {
     std::vector<Octave> octaves{{layer(p, reach), weight}};
     for (int octave = 1; octave < fractal.octaves; ++octave) {
         p *= fractal.lacunarity;
-        // Or every octave were 0 at the origin. Not scaled with p, which would cost it digits.
+        // Without the offset, every octave would be 0 at the origin. It is not scaled with p, which
+        // would lose precision.
         const vec3 aside = vec3(19.19, 7.43, 31.71) * octave;
         reach *= detach(fractal.lacunarity);
         weight *= fractal.gain;

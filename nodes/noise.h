@@ -1,4 +1,4 @@
-// Noises on unit cells of space: functions of the generated text, which nodes call at any scale.
+// Noises on unit cells of space: functions of the generated code, which nodes call at any scale.
 #pragma once
 
 #include <vector>
@@ -7,8 +7,8 @@
 
 namespace wrinkle::nodes {
 
-// A height and, in a function of its own, its slope: where only the bump is asked for, only the
-// slope is computed. Called, it is the height with that slope for its derivative.
+// A height and its slope in separate functions: if only the bump is used, only the slope is
+// computed. The call operator returns the height with that slope as its derivative.
 template <class... More>
 struct Sloped {
     sdk::Function<sdk::Float, std::tuple<sdk::vec3, More...>> height;
@@ -20,7 +20,7 @@ struct Sloped {
 };
 using Noise = Sloped<>;
 
-// All have mean 0 and stay within [-1, 1] but for a few percent.
+// All have mean 0 and range [-1, 1], which they may exceed by a few percent.
 //   gradient  K. Perlin 2002 on hashed lattice points: C2, 0 at lattice points
 //   simplex   K. Perlin 2001 in the form of S. Gustavson 2005, with a kernel that ends at the
 //             border of its simplices: C3
@@ -29,7 +29,8 @@ enum class Basis { gradient, simplex, value };
 inline constexpr const char* basis_names[] = {"gradient", "simplex", "value"};
 Noise noise_function(Basis basis);
 
-// What a fractal adds up: a function of the text of a place and of the pixel's footprint there.
+// The layer that a fractal sums: a function of the generated code of a position and the pixel's
+// footprint there.
 using Layer = Sloped<sdk::Float>;
 
 // Octaves of a layer: each `lacunarity` times finer than the one before and `gain` times as strong.
@@ -43,10 +44,10 @@ struct Octave {
     sdk::Float height, weight;
 };
 std::vector<Octave> octaves_of(const Fractal& fractal, const Layer& layer);
-// Divided by the sum of weights, so that it keeps the range of one layer.
+// Returns the sum of heights times weights, divided by the sum of weights: the range of one layer.
 sdk::Float weighted_mean(const std::vector<Octave>& octaves);
 
-// The plain sum of noise, which fades to 0: fractional Brownian motion.
+// Fractional Brownian motion: the weighted mean of octaves of noise, each fading to 0.
 sdk::Float fbm(const Fractal& fractal, Basis basis);
 
 // The inputs of a fractal after point and scale.

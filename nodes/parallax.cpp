@@ -1,5 +1,5 @@
-// Relief that shifts with the view: what the eye meets below the surface is read instead of what
-// lies on it. One height serves march, bump and position, so they cannot disagree in scale.
+// Relief that shifts with the view: maps are read at the point below the surface where the view ray
+// hits the relief. March, bump and position use the same height and therefore the same scale.
 //
 // Sources: ProjectVecToTextureSpace, TexSpaceOffsToSurface and the level of detail of Mikkelsen's
 // framework; segment intersection at the end of the march as in its parallax occlusion.
@@ -14,11 +14,12 @@ using namespace sdk;
     "Where the eye meets the relief; its changes between pixels are those of the unshifted uv"
 #define RELIEF_HEIGHT_DOC "The height there, in length units of object space"
 
-// A view closer to the surface than this (its sine, about 6 degrees) counts as this close.
+// Least sine of the angle between view and surface (about 6 degrees); lower views are clamped.
 constexpr double lowest_view = 0.1;
 
-// A direction in space as a change of uv: its tangential part as a x + b y of the position's
-// changes to the next pixels, then a and b times those of the uv. No change of the position, no uv.
+// Converts a direction in space to an offset in uv: its tangential part is a x + b y, where x and y
+// are the screen differentials of the position; the offset is a and b times those of uv. Returns
+// zero if the position's differentials are zero.
 static vec2 in_texture_space(vec3 direction, vec2 uv) {
     constexpr double smallest_area = 1e-36;
     const vec3 n = surface::normal;
@@ -31,11 +32,11 @@ static vec2 in_texture_space(vec3 direction, vec2 uv) {
     return (ddx(uv) * dot(direction, across_y) + ddy(uv) * dot(direction, across_x)) * inverse;
 }
 
-// How the eye goes down, per length unit of depth.
+// Direction of the view ray below the surface, per length unit of depth.
 struct Descent {
     vec3 in_space;
     vec2 in_uv;
-    Float sine;  // of the angle between view and normal
+    Float sine;  // sine of the angle between view and normal
 };
 
 static Descent descent(vec2 uv) {
@@ -46,7 +47,8 @@ static Descent descent(vec2 uv) {
     return {sideways * per_depth - n, in_texture_space(sideways, uv) * per_depth, length(sideways)};
 }
 
-// The two ends of the stretch where the eye goes under: depths, and how far each end is under.
+// The segment of the view ray that enters the relief: depth of the first end and how far the ray is
+// below the relief there, then the same for the second end.
 using Stretch = std::tuple<Float, Float, Float, Float>;
 
 static Float meeting(Float depth0, Float under0, Float depth1, Float under1) {
@@ -79,8 +81,8 @@ static Stretch narrowed(Under under, Stretch stretch, int times) {
                 });
 }
 
-// How much wider a pixel is on the relief than on the surface under it: farther from the eye, and
-// turned. In levels of a texture.
+// Returns how much wider a pixel is on the relief than on the surface, in mip levels: the relief is
+// farther from the eye, and tilted.
 static Float level_change(Gradient relief, Float way, Float eye_distance) {
     constexpr double smallest_dot = 1.19e-15, least = 1.0 / (1 << 20);
     const vec3 view = surface::view, before = surface::normal;

@@ -5,9 +5,9 @@
 namespace wrinkle::nodes {
 using namespace sdk;
 
-// A tile's edge seen from inside: 1 on the tile, 0 in a groove `mortar` wide at its bottom, with
-// slopes `bevel` wide; `inside` is the distance to the groove's middle. Slopes are box-filtered to
-// the footprint; a groove narrower than a pixel gets shallower (its box filter too). Lengths in
+// Edge profile of a tile: 1 on the tile, 0 in a groove `mortar` wide at its bottom, with slopes
+// `bevel` wide; `inside` is the distance to the groove's middle. Slopes are box-filtered to the
+// footprint; a groove narrower than a pixel becomes shallower, as by its box filter. Lengths are in
 // tiles.
 struct Edges {
     Float mortar, bevel, footprint;
@@ -20,7 +20,7 @@ struct Edges {
     }
 };
 
-// Fades to the mean where a pixel covers a tile.
+// Returns the tile's height, fading to the mean as a pixel covers a tile.
 static Float tile(const Edges& edges, Float inside, Float mean) {
     return mix(mean, edges.height(inside), fade(edges.footprint));
 }
@@ -33,7 +33,7 @@ static constexpr auto with_edges(const Declaration& declaration, double mortar, 
                             slider(0.1, 0.5), limits(0.001, 1));
 }
 
-// The integral of a square wave: its period is 2, and it is a triangle between 0 and 1.
+// The integral of a square wave: a triangle wave of period 2 between 0 and 1.
 static vec2 triangle(vec2 x) {
     const vec2 turn = x * 0.5;
     return abs((turn - floor(turn)) * 2 - 1);
@@ -95,7 +95,7 @@ Node hexagons_node =
                       0.04, 0.15, "Width of the groove's bottom, in tiles"),
            0.008, "1 on a tile, 0 in the grooves")
         .body([](Hexagons in) {
-            // Centres stand on two rectangular grids, 1 by sqrt(3); the nearer one is the tile's.
+            // Centres are on two rectangular grids, 1 by sqrt(3); the nearer centre is the tile's.
             const vec2 grid(1, 1.7320508075688772);
             const vec2 p = in.uv * in.scale;
             const vec2 even = p - grid * floor(p / grid + 0.5);
@@ -108,8 +108,8 @@ Node hexagons_node =
             return relief_of(tile(edges, inside, tops * tops), in.amplitude);
         });
 
-// M. Bailey's bump of Surface Local Coordinates: in the middle of each square cell of (s, t) a
-// pyramid with four flat sides, which meet on the diagonals, and a flat border around it.
+// The bump of M. Bailey's Surface Local Coordinates: in the middle of each square cell of (s, t) a
+// pyramid with four flat sides, which join on the diagonals, and a flat border around it.
 Node pyramids_node =
     relief(on_uv(node("pyramids", "Pyramids",
                       "A four-sided pyramid in the middle of each cell of a grid, flat around it.")

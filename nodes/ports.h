@@ -1,4 +1,4 @@
-// What several nodes say of the same port.
+// Choices and documentation of ports that several nodes share.
 #pragma once
 
 #define FRAME_METHODS \

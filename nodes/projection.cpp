@@ -25,10 +25,10 @@ vec3 volume_of(const Planes& slopes, vec3 side) {
     return {y.x() + z.x() * side.z(), x.y() + z.y(), -(x.x() * side.x() + y.y() * side.y())};
 }
 
-// Below the sum of powers of a unit normal's; a zero normal has 0 over it.
+// Less than the sum of powers for any unit normal; a zero normal gives 0 / least_sum = 0.
 static constexpr double least_sum = 1e-36;
 
-// `above` is not negative and the sharpness not 0: no guard of pow's.
+// Precondition: `above` >= 0 and sharpness > 0. So the op is emitted without the guards of pow().
 static vec3 shares(vec3 above, Float sharpness) {
     const vec3 weights(emit(WR_OP_pow, {above.id, vec3(sharpness).id}));
     return detach(weights / max(weights.x() + weights.y() + weights.z(), least_sum));
@@ -40,7 +40,7 @@ static vec3 above_threshold(vec3 normal, Float threshold) {
 
 vec3 triplanar_weights(vec3 normal, Float sharpness, Float threshold) {
     const vec3 above = above_threshold(normal, threshold);
-    // Near the threshold high powers of all three would vanish.
+    // Near the threshold high powers of all three would underflow.
     const Float most = max(max(above.x(), above.y()), above.z());
     return shares(divide(above, most), sharpness);
 }

@@ -1,5 +1,5 @@
-// Ports that procedural heights share: a value without a unit, and a height of that value times an
-// amplitude in length units of object space.
+// Ports that procedural heights share: a value without a unit, and a height, which is that value
+// times an amplitude in length units of object space.
 #pragma once
 
 #include <tuple>
@@ -24,7 +24,7 @@ inline std::tuple<sdk::Float, sdk::Float> relief_of(sdk::Float value, sdk::Float
     return {value * amplitude, value};
 }
 
-// The first inputs of a pattern in space, and of one on a uv set.
+// The first inputs of a pattern in space, and of a pattern on a uv set.
 template <class Declaration>
 constexpr auto in_space(const Declaration& declaration, double scale) {
     return declaration

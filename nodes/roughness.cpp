@@ -1,4 +1,4 @@
-// What bumps too fine for the picture leave behind: roughness.
+// Roughness from bumps that are finer than a pixel, by the variance of their slopes.
 #include "nodes/footprint.h"
 #include "nodes/slope_map.h"
 #include "wrinkle/node.h"
@@ -6,8 +6,8 @@
 namespace wrinkle::nodes {
 using namespace sdk;
 
-// A GGX lobe of width alpha spreads its microfacets' slopes like a variance of alpha^2 / 2 each
-// way; variances add, here both ways at once.
+// A GGX lobe of width alpha corresponds to a slope variance of alpha^2 / 2 per axis. Variances add;
+// the sum over both axes is used here.
 Node bump_roughness_node =
     node("bump_roughness", "Roughness of bump",
          "Keeps a highlight as wide as the bump makes it where the bump is too fine for the "

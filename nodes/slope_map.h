@@ -1,5 +1,5 @@
-// What nodes have in common that read slopes dh/d(u,v) from a picture: the ports behind the
-// picture, and the bump of what was read.
+// Common parts of nodes that read slopes dh/d(u,v) from an image: the ports after the image, and
+// the bump of the slope.
 #pragma once
 
 #include <tuple>
@@ -30,7 +30,7 @@ constexpr auto slope_ports(const Declaration& declaration) {
         .template out<sdk::Derivative>("derivative", "The slopes with their frame");
 }
 
-// Of a slope as `image` holds it; `in` has what those ports give, and `uv`.
+// Returns the bump of a slope as stored in `image`; `in` holds the values of those ports, and `uv`.
 template <class In>
 std::tuple<sdk::Gradient, sdk::Derivative> bump_of_slope(sdk::vec2 read, const sdk::Image& image,
                                                          const In& in) {

@@ -1,5 +1,5 @@
-// Maps projected along all three axes at once and blended by the normal. Slopes are summed into one
-// gradient in space (Golubev, eqs. 45-49), never blended as normals.
+// Maps projected along all three axes and blended by the normal. Slopes are summed into one
+// gradient in space (Golubev, eqs. 45-49), not blended as normals.
 #include "nodes/height_slope.h"
 #include "nodes/ports.h"
 #include "nodes/projection.h"
@@ -31,7 +31,7 @@ Node triplanar_weights_node =
             return std::tuple{w, w.x(), w.y(), w.z()};
         });
 
-// A value of each plane's lookup, by weight.
+// Returns the weighted sum of `read` at the lookups of the three planes.
 template <class Read>
 static auto blend(const Planes& at, vec3 weights, Read read) {
     return read(at.x) * weights.x() + read(at.y) * weights.y() + read(at.z) * weights.z();
@@ -108,7 +108,7 @@ struct TriplanarSlopes {
     vec3 base;
 };
 
-// `read`: the slopes of a map, per uv unit, times a strength.
+// read(uv, strength) returns the slopes of a map, per uv unit, times the strength.
 template <class Read>
 static auto triplanar_slopes(const TriplanarSlopes& in, Read read) {
     const vec3 weights = triplanar_weights(in.base, in.sharpness) * in.strength;

@@ -1,4 +1,4 @@
-// Nodes that change where textures are read.
+// Nodes that transform texture coordinates.
 #include "wrinkle/node.h"
 
 namespace wrinkle::nodes {

@@ -5,7 +5,7 @@
 namespace wrinkle::nodes {
 using namespace sdk;
 
-constexpr double turn = 6.283185307179586;  // of a fraction: far out sines are not exact
+constexpr double turn = 6.283185307179586;  // times a fraction: sines of large angles are inexact
 
 struct Waves {
     vec2 uv;
@@ -15,7 +15,7 @@ struct Waves {
     Float direction, spread, lacunarity, gain, phase, amplitude;
 };
 
-// A wave's own numbers in [0, 1), the same in every graph.
+// Returns a pseudo-random number of a wave in [0, 1), the same in every graph.
 static Float number(int wave, int which) {
     return unit_float(hash(Int(wave), Int(which)));
 }
@@ -24,7 +24,7 @@ static Float plane_wave(const Waves& in, vec2 p, int wave) {
     const Float angle = radians(in.direction + in.spread * (number(wave, 0) - 0.5));
     return sin(fract(dot(p, vec2(cos(angle), sin(angle))) + number(wave, 1) - in.phase) * turn);
 }
-// A cosine is smooth in the middle of its rings.
+// A cosine, unlike a sine, is smooth at the centre of the rings.
 static Float ring_wave(const Waves& in, vec2 p, Float frequency, int wave) {
     const vec2 centre(number(wave, 0), number(wave, 1));
     return cos(fract(length(p - centre * frequency) - in.phase) * turn);

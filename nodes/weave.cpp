@@ -1,12 +1,12 @@
-// Cloth.
+// Plain weave as a relief.
 #include "nodes/footprint.h"
 #include "nodes/relief.h"
 
 namespace wrinkle::nodes {
 using namespace sdk;
 
-// One of the threads along v, one in each unit of u: round across, highest in every second cell,
-// where it lies above the other thread, and at 0.35 of that where it dives below it.
+// Height of the threads along v, one in each unit of u: round across, highest in every second cell,
+// where the thread is above the other one, and 0.35 of that where it is below.
 static auto thread_function() {
     return function("thread", [](vec2 p, Float side, Float width) {
         const Float lane = floor(p.x());
@@ -28,7 +28,7 @@ Node weave_node =
             const auto thread = thread_function();
             const vec2 p = uv * scale;
             const Float value = max(thread(p, 1, width), thread(p.yx(), -1, width));
-            const Float mean = width * (0.917 - 0.271 * width);  // fitted
+            const Float mean = width * (0.917 - 0.271 * width);  // fitted to the mean of `value`
             return relief_of(mix(mean, value, fade(footprint(p))), amplitude);
         });
 

@@ -19,12 +19,12 @@
 namespace wrinkle {
 namespace {
 
-// What one thread works with, tile after tile.
+// Scratch memory of one thread, reused for each tile.
 struct TileScratch {
     Coverage coverage;
     PlaneScratch planes;
     MetTriangles met;
-    size_t stride = 0;  // from plane to plane: of the most points yet
+    size_t stride = 0;  // floats per plane, for the largest point count so far
     AlignedVector<float> inputs, outputs;
 };
 
@@ -35,7 +35,8 @@ size_t lanes_of_outputs(const Program& program) {
     return lanes;
 }
 
-// A row of tiles, the rows before it that it was needed for, and what is seen from there.
+// Capacity of the row window: one row of tiles, the rows of tiles before it that wait for it, and
+// the margin above them that dilation reads.
 uint32_t rows_at_hand(uint32_t dilate) {
     return bake_tile + (dilate + bake_tile - 1) / bake_tile * bake_tile + dilate;
 }
@@ -128,7 +129,7 @@ private:
 
     void evaluate(const TexelRect& rect, size_t count, TileScratch& scratch) {
         const Program& program = *input_.program;
-        // Planes begin at lines of the cache, an odd number of them apart.
+        // Planes begin at cache lines, an odd number of lines apart.
         const size_t stride = (count + interpolated_behind + 31) / 32 * 32 + 16;
         if (stride > scratch.stride) {
             scratch.stride = stride;
@@ -145,7 +146,7 @@ private:
         if (count > 0) evaluate_planes(program, input_.textures, planes, count, scratch.planes);
     }
 
-    // From points in their order to texels in theirs.
+    // Scatters the results from point order to texel order.
     void place(const TexelRect& rect, TileScratch& scratch, BakeFindings& found) {
         size_t point = 0;
         for (uint32_t y = 0; y < rect.height; ++y)
@@ -164,7 +165,7 @@ private:
         }
     }
 
-    // Points from `point` on; what follows them.
+    // Writes one row of results, which begin at `point`; returns the index of the next point.
     size_t place_row(const TexelRect& rect, uint32_t y, size_t point, const TileScratch& scratch) {
         const uint32_t row = row_of(rect, y);
         const uint32_t* owners = scratch.coverage.owners.data() + size_t{y} * rect.width;
@@ -184,7 +185,7 @@ private:
         return point;
     }
 
-    // From the top of the picture.
+    // Returns the row index from the top of the image.
     uint32_t row_of(const TexelRect& rect, uint32_t y) const {
         return layout_.height - 1 - (rect.y + y);
     }
@@ -206,7 +207,7 @@ private:
     }
 
     static bool are_finite(std::span<const float> values) {
-        uint32_t endless = 0;  // without a branch, so that the loop is vectorised
+        uint32_t endless = 0;  // branch-free, so that the loop is vectorised
         for (const float value : values)
             endless |= std::bit_cast<uint32_t>(value) << 1 >= 0xFF000000U;
         return endless == 0;
@@ -232,11 +233,11 @@ private:
     const UvRaster& raster_;
     const UvLayout layout_;
     TexelPoints points_;
-    uint32_t first_, last_;  // wanted
-    uint32_t low_, high_;    // worked on: with the margins that dilation looks into
+    uint32_t first_, last_;  // requested rows
+    uint32_t low_, high_;    // computed rows: with the margins that dilation reads
     RowWindow window_;
-    Given give_[2];                    // the rows that are taken, and the next
-    std::vector<BakeFindings> found_;  // by row of tiles from low_ on
+    Given give_[2];                    // the rows passed to `take`, and the next ones
+    std::vector<BakeFindings> found_;  // per row of tiles, from low_
     tbb::enumerable_thread_specific<TileScratch> scratch_;
 };
 

@@ -12,7 +12,8 @@ namespace {
 
 constexpr int16_t nothing_near = INT16_MAX;
 
-// Of each texel of the rows, the way to the nearest covered one in its column: up is negative.
+// For each texel of the rows: the signed distance to the nearest covered texel in its column;
+// negative is up. First pass of a separable Euclidean distance transform.
 class ColumnDistances {
 public:
     ColumnDistances(const RowWindow& window, uint32_t first, uint32_t last, uint32_t low,
@@ -69,7 +70,7 @@ struct Nearest {
     int16_t way = 0;
 };
 
-// Columns are looked at from the nearest on, as long as one may be nearer than the best.
+// Visits columns by increasing distance, as long as one can be nearer than the best.
 Nearest nearest_of(const int16_t* ways, int64_t width, int64_t x, int64_t reach) {
     Nearest best;
     int64_t least = reach * reach + 1;
@@ -87,7 +88,7 @@ Nearest nearest_of(const int16_t* ways, int64_t width, int64_t x, int64_t reach)
     return best;
 }
 
-// A row as it is given on: the lanes of its texels, 0 where there is none.
+// One output row: the lanes of its texels, 0 for texels without a value.
 struct GivenRow {
     float* values;
     uint8_t* covered;
@@ -104,7 +105,7 @@ void copy_row(const RowWindow& window, uint32_t r, const GivenRow& to) {
     }
 }
 
-// `ways` are those of the row's columns.
+// `ways` holds the distances in the columns of this row.
 void widen_row(const RowWindow& window, uint32_t r, const int16_t* ways, uint32_t reach,
                const GivenRow& to) {
     const bool empty =

@@ -1,4 +1,4 @@
-// Texels beside islands, filled from the nearest texel of one. Part of bake_rows().
+// Dilation: fills texels next to islands from the nearest covered texel. Part of bake_rows().
 #pragma once
 
 #include <cstddef>
@@ -7,7 +7,7 @@
 
 namespace wrinkle {
 
-// Rows of a picture that are at hand, each as a plane of every lane.
+// Ring buffer of image rows; each row has one plane per lane.
 struct RowWindow {
     uint32_t width = 0, capacity = 0;
     size_t lanes = 0;
@@ -26,9 +26,9 @@ struct RowWindow {
     size_t covered_at(uint32_t row) const { return size_t{row % capacity} * width; }
 };
 
-// Rows first to last, without last, into `values` and `covered` one after the other, as BakedRows
-// has them. Those from low to high, without high, are at hand: as far as `reach` looks. May run on
-// many threads.
+// Writes rows [first, last) to `values` and `covered`, in the layout of BakedRows. Precondition:
+// the window holds rows [low, high), including the `reach` rows around the output that exist. Runs
+// on several threads.
 void dilate(const RowWindow& window, uint32_t first, uint32_t last, uint32_t low, uint32_t high,
             uint32_t reach, float* values, uint8_t* covered);
 

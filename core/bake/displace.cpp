@@ -9,7 +9,7 @@
 namespace wrinkle {
 namespace {
 
-// Of each vertex: a triangle's corner that it is, or -1.
+// Returns, for each vertex, the index of one triangle corner that uses it, or -1.
 std::vector<int64_t> first_corners(const Mesh& mesh) {
     std::vector<int64_t> corners(mesh.vertex_count(), -1);
     for (size_t i = 0; i < mesh.indices.size(); ++i)
@@ -17,7 +17,8 @@ std::vector<int64_t> first_corners(const Mesh& mesh) {
     return corners;
 }
 
-// The vertex whose value, less that of `vertex`, is the change: the next corner but one, or itself.
+// Returns the vertex `step` corners after `vertex` in one of its triangles, or `vertex` if no
+// triangle uses it. The difference of their values is the differential.
 uint32_t neighbour(const Mesh& mesh, const std::vector<int64_t>& corners, uint32_t vertex,
                    size_t step) {
     if (corners[vertex] < 0) return vertex;
@@ -61,7 +62,7 @@ void fill(PointSet& set, const Mesh& mesh, const std::vector<int64_t>& corners, 
     if (uv < max_uv_sets) fill(set, mesh, corners, need, mesh.uvs[uv]);
 }
 
-using Place = std::array<uint32_t, 3>;  // bits of its numbers
+using Place = std::array<uint32_t, 3>;  // bit patterns of the coordinates
 
 void join_seams(Mesh& mesh) {
     struct Sum {
@@ -70,7 +71,7 @@ void join_seams(Mesh& mesh) {
     };
     std::map<Place, Sum> places;
     const auto place = [&](size_t i) {
-        const glm::vec3 p = mesh.positions[i] + 0.0F;  // -0 and 0 are one place
+        const glm::vec3 p = mesh.positions[i] + 0.0F;  // -0 equals 0
         return Place{std::bit_cast<uint32_t>(p.x), std::bit_cast<uint32_t>(p.y),
                      std::bit_cast<uint32_t>(p.z)};
     };

@@ -1,4 +1,4 @@
-// A mesh moved by a height, for the preview of a displacement.
+// Displaces a mesh by a height, for the preview of a displacement.
 #pragma once
 
 #include <span>
@@ -9,15 +9,15 @@
 
 namespace wrinkle {
 
-// What a program reads at each vertex: its attributes, seen from straight above and in front. dx
-// and dy are their changes along the first two edges of one triangle of the vertex, so textures are
-// filtered to the size of triangles. An attribute that the mesh lacks stays empty.
+// Returns the program's inputs at each vertex: its attributes, viewed along the normal from the
+// front. dx and dy are differences along the two edges from the vertex in one of its triangles, so
+// textures are filtered to the size of triangles. Attributes that the mesh lacks stay empty.
 PointSet vertex_points(const Mesh& mesh, const Program& program);
 
-// Fills mesh.displaced: each vertex goes out along its normal by the program's output of this
-// index, a height in length units of object space. Vertices at one place, as along seams and hard
-// edges, go to one place. "" or what is wrong: the program reads something that the mesh lacks, or
-// a height is not finite.
+// Fills mesh.displaced: moves each vertex along its normal by output `output` of the program, a
+// height in length units of object space. Vertices at equal positions (seams, hard edges) move to
+// their mean. Returns "", or the problem: no normals, the program reads an attribute that the mesh
+// lacks, or a height is not finite.
 std::string displace(Mesh& mesh, const Program& program, size_t output,
                      std::span<const Texture> textures);
 

@@ -15,7 +15,7 @@ bool is_integer(PixelType type) {
     return type == PixelType::u8 || type == PixelType::u16;
 }
 
-// Less than half a step of 16 bits is no loss.
+// Half a step of 16 bits: smaller excess is lost to rounding and is not reported.
 constexpr float rounding = 0.5F / 65535;
 
 void note_clamped(std::span<const float> values, Clamped& clamped) {

@@ -1,4 +1,4 @@
-// The pictures of a bake on their way to files.
+// Writes the maps of a texture set to files.
 #pragma once
 
 #include <cstddef>
@@ -15,7 +15,7 @@
 
 namespace wrinkle {
 
-// What integers could not hold of a map.
+// Count and range of map values that were clamped to [0, 1] for an integer file.
 struct Clamped {
     uint64_t numbers = 0;
     float least = 0, greatest = 1;
@@ -23,17 +23,17 @@ struct Clamped {
     void add(const Clamped& other);
 };
 
-// Rows of one map as its file stores them: channels interleaved, of this type. On all cores.
+// Encodes rows of one map for its file: interleaved channels of `type`. Counts clamped values of
+// integer types in `clamped`. Uses all cores.
 std::vector<std::byte> stored_rows(const BakedMap& map, PixelType type, const BakedRows& rows,
                                    uint32_t width, size_t lanes, Clamped& clamped);
 
-// The options of a map's file in the size of its layout; layout_mark is kept, and a scale other
-// than 1 as "wrinkle:scale".
+// Returns the options of a map's file with the size of its layout. The file stores layout_mark, and
+// "wrinkle:scale" if `scale` is not 1.
 WriterOptions writer_options(const BakedMap& map, PixelType type, uint32_t width, uint32_t height,
                              double scale);
 
-// OUT with `suffix` (".1001") before the extension where OUT is the one map's file, else
-// OUT/NAME.1001.png.
+// If `one_file`, returns OUT with `suffix` (".1001") before the extension; else OUT/NAME.1001.png.
 std::filesystem::path map_path(const std::filesystem::path& out, bool one_file,
                                const std::string& name, const std::string& suffix,
                                const std::string& extension);
@@ -43,14 +43,14 @@ struct MapFile {
     WriterOptions options;
 };
 
-// All files of one picture: none has its name before all are written.
+// The files of one texture set. Files get their final names after all of them are written.
 class MapFiles {
 public:
-    // Makes the folders that are missing.
+    // Creates missing folders. Returns std::nullopt and appends diagnostics on failure.
     static std::optional<MapFiles> open(const std::vector<MapFile>& files,
                                         Diagnostics& diagnostics);
 
-    // The next rows of one of them.
+    // Writes the next rows of one file, by its index in open()'s `files`.
     bool write(size_t file, std::span<const std::byte> rows, Diagnostics& diagnostics);
     bool finish(Diagnostics& diagnostics);
 

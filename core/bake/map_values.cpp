@@ -6,7 +6,7 @@
 namespace wrinkle {
 namespace {
 
-// As in the decoding of normal maps.
+// The limits of normal map decoding.
 constexpr double steepest = 128;
 constexpr double smallest_depth = 1e-6;
 constexpr double tiny_volume = 1e-30;
@@ -26,7 +26,7 @@ Value in_tangent_space(Module& module, Value normal, bool vertex_tangents) {
     const Value b = times(basis.b, basis.b_factor);
     const Value n = vertex_tangents ? Value{&module, module.input(SurfaceInput::normal_)}
                                     : Value{&module, unit_normal(module)};
-    // Cramer's rule; the size of the volume drops out when the result is made unit.
+    // Cramer's rule; the magnitude of the volume cancels in the normalisation.
     const Value volume = dot(t, cross(b, n));
     const Value side = sign_nonzero(volume);
     const Value m = vec3(dot(normal, cross(b, n)) * side, dot(normal, cross(n, t)) * side,

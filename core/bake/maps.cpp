@@ -60,7 +60,7 @@ private:
         plan_.maps.push_back(std::move(map));
     }
 
-    // The first lane of a value that the program gives.
+    // Adds the value to the program's outputs if it is new; returns its first lane.
     uint32_t lane_of(Value value) {
         const auto known = lanes_.find(value.id);
         if (known != lanes_.end()) return known->second;
@@ -194,9 +194,9 @@ float srgb_coded(float linear) {
 }
 
 constexpr size_t most_channels = 8;
-constexpr size_t block = 256;  // texels that are put together at a time
+constexpr size_t block = 256;  // texels per iteration
 
-// With the number of channels known where it is a usual one.
+// `known` is the channel count if it is a common one, else 0.
 template <size_t known>
 void interleave(const float* planes, size_t channels, size_t count, float* stored) {
     const size_t step = known ? known : channels;

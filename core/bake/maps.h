@@ -1,24 +1,25 @@
-// The maps of a bake: what the channels of each picture hold, and one program that computes what
-// all of them need.
+// The maps of a bake: the contents of their channels, and one program that computes the values of
+// all of them.
 //
-//   normal      and every other output of type normal: (n + 1) / 2, in the space asked for. Tangent
-//               space is that of vertex tangents (mesh/mesh.h), or of the derived frame of uv0
-//               where a mesh has none (ir/gradient_frame.h), decoded as shaders decode it: n is a
-//               sum of T, B and N that are not normalised by themselves. Green is +v, or -v
-//   derivative  of the bump that makes the output "normal" out of the surface: dh/du and dh/dv over
-//               the map's own uv, heights in length units of object space
-//   slopes      of the same bump, as `maketx --bumpslopes` writes them: b0_h b1_dhds b2_dhdt
+//   normal      and every other output of type normal: (n + 1) / 2, in the requested space. Tangent
+//               space is that of vertex tangents (mesh/mesh.h), or of the derived frame of uv0 if
+//               the mesh has none (ir/gradient_frame.h), decoded as in shaders: n is a sum of T, B
+//               and N that are not normalised individually. Green is +v, or -v
+//   derivative  of the bump that maps the surface normal to the output "normal": dh/du and dh/dv
+//               over the map's own uv, heights in length units of object space
+//   slopes      of the same bump, as written by `maketx --bumpslopes`: b0_h b1_dhds b2_dhdt
 //               b3_dhds2 b4_dhdt2 b5_dh2dsdt; slopes per texel of the map, t downwards. b0_h is the
-//               output "height", or -1 where there is none. The last three are means: the products
-//               of the slopes and their covariance in the texel, as far as the pictures that the
-//               bump is read from know it (ir/normal_variance.h)
-//   others      as the output says; a color in an integer file is sRGB-coded
+//               output "height", or -1 without that output. The last three are means: the products
+//               of the slopes plus their covariance in the texel, as far as the textures of the
+//               bump provide it (ir/normal_variance.h)
+//   others      the value of the output; a color in an integer file is sRGB-coded
 //
-// Two channels get a third, of zeros, in an integer file: there they would be gray and alpha.
+// Maps of two channels get a third one of zeros in an integer file; otherwise readers would
+// interpret them as gray and alpha.
 //
-// A bump steeper than 128 (of the surface normal) counts as that steep. Heights and slopes are
-// divided by `scale`, slopes' products by its square; a derivative in an integer file is
-// (d / scale + 1) / 2. A packed map holds channels of the others, a color's linear.
+// The slope of a bump (against the surface normal) is limited to 128. Heights and slopes are
+// divided by `scale`, products of slopes by its square; a derivative in an integer file is
+// (d / scale + 1) / 2. A packed map holds channels of other maps; those of a color are linear.
 #pragma once
 
 #include <optional>
@@ -36,34 +37,35 @@ namespace wrinkle {
 struct PackedChannel {
     char to = 'r';         // r, g, b or a
     std::string map;       // "roughness"
-    uint32_t channel = 0;  // of that map
+    uint32_t channel = 0;  // in that map
 };
 
-// "r=occlusion g=roughness b=metalness", "orm: r=...", "r=normal.g"; nothing with an error.
+// A requested map. parse_pack() reads "r=occlusion g=roughness b=metalness", "orm: r=...",
+// "r=normal.g"; it returns std::nullopt and appends an error for other text.
 struct MapRequest {
     std::string name;
     std::vector<PackedChannel> pack;  // empty: the map of that name
-    bool integers = true;             // of the file
+    bool integers = true;             // the file stores integers
 };
 std::optional<MapRequest> parse_pack(const std::string& text, Diagnostics& diagnostics);
 std::string text_of(const MapRequest& pack);  // "orm: r=occlusion g=roughness.g"
 
 struct MapOptions {
-    bool tangent_space = true;  // else object space
+    bool tangent_space = true;  // false: object space
     bool vertex_tangents = true;
     bool green_down = false;
     double scale = 1;
-    uint32_t width = 1024, height = 1024;  // of the layout
+    uint32_t width = 1024, height = 1024;  // size of the layout
 };
 
 // stored = lane * gain + offset, then sRGB-coded.
 struct MapChannel {
     std::string name;
-    uint32_t lane = 0;  // of the plan
+    uint32_t lane = 0;  // lane in the plan
     float gain = 1;
     float offset = 0;
     bool srgb = false;
-    float empty = 0;  // stored where there is no surface
+    float empty = 0;  // stored without a surface
 };
 
 struct BakedMap {
@@ -74,27 +76,29 @@ struct BakedMap {
 
 struct BakePlan {
     Program program;
-    std::vector<Resource> resources;  // that the program samples
-    size_t lanes = 0;                 // of all outputs of the program
-    std::vector<uint32_t> unit;       // first lanes of vectors that stay unit when texels are mixed
+    std::vector<Resource> resources;  // sampled by the program
+    size_t lanes = 0;                 // total of the program's outputs
+    std::vector<uint32_t> unit;       // first lanes of vectors to normalise after averaging
     std::vector<BakedMap> maps;       // as requested
 };
 
-// The names of all maps that a graph with these outputs has: they and what is made of "normal".
+// Returns the names of all maps of a graph with these outputs: the outputs, and the maps derived
+// from "normal".
 std::vector<std::string> map_names(std::vector<std::string> outputs);
 
-// Whether integers can hold a map of this name.
+// Returns true if integers can store a map of this name.
 bool fits_integers(std::string_view map);
 
-// What plan_maps() needs to be kept in the module for these maps.
+// Returns the covariances that the module must retain for these maps.
 Covariances covariances_for(const std::vector<MapRequest>& requests);
 
-// Nothing with errors. The module was compiled with given differentials, and with the above.
+// Returns std::nullopt and appends diagnostics on failure. Precondition: the module was compiled
+// with given differentials and covariances_for(requests).
 std::optional<BakePlan> plan_maps(const Module& module, const std::vector<MapRequest>& requests,
                                   const MapOptions& options, Diagnostics& diagnostics);
 
-// The stored numbers of `count` texels, interleaved; each lane is a plane of `count` numbers, one
-// after the other. Where `covered` is 0 there is no surface.
+// Encodes `count` texels to interleaved numbers; `lanes` holds one plane of `count` numbers per
+// lane, consecutive. A texel with `covered` 0 has no surface.
 void store_map(const BakedMap& map, const float* lanes, const uint8_t* covered, size_t count,
                float* stored);
 

@@ -1,4 +1,4 @@
-// Whether a mesh can be baked onto. Errors and warnings name it as the user does.
+// Checks that a mesh can be baked onto. Errors and warnings use the mesh name given by the user.
 #pragma once
 
 #include <span>
@@ -12,11 +12,11 @@ namespace wrinkle {
 
 bool has_uv_layout(const Mesh& mesh, const std::string& name, Diagnostics& diagnostics);
 
-// An error where nothing lies in the square that is baked, or with `udim` in any that has a number;
-// warnings name what the uvs will not do.
+// Returns false and appends an error if no triangle is in the baked unit square, or with `udim` in
+// any UDIM tile. Warns about triangles without uv area, outside of these squares, or mirrored.
 bool check_uvs(const UvSurvey& uvs, bool udim, const std::string& name, Diagnostics& diagnostics);
 
-// Whether it has what the programs read.
+// Returns false and appends an error if the mesh lacks an attribute that a program reads.
 bool check_inputs(const Mesh& mesh, std::span<const BakePlan> plans, const std::string& name,
                   Diagnostics& diagnostics);
 

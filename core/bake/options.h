@@ -1,6 +1,5 @@
-// What a bake may be asked for beside maps' names: what holds unless it is asked for, and a line
-// for whoever asks. The options of `wrinkle bake` and the rows of the editor's dialog are made of
-// these.
+// Options of a bake besides the map names: defaults, limits and help texts. `wrinkle bake` and the
+// editor's bake dialog share them.
 #pragma once
 
 #include <array>
@@ -11,16 +10,16 @@ namespace wrinkle {
 
 inline constexpr std::array<uint32_t, 4> bake_sample_counts = {1, 4, 16, 64};
 inline constexpr uint32_t most_baked_side = 65536;  // texels
-inline constexpr uint32_t most_bake_tile = 4096;    // of files
-// Of files in a folder, by their extension; image/writable.h says what each can hold.
+inline constexpr uint32_t most_bake_tile = 4096;    // side of tiles in files
+// File formats by extension; image/writable.h defines the types that each can store.
 inline constexpr std::array bake_formats = {"png", "tif", "exr", "hdr"};
 
 struct BakeTuning {
     double scale = 1;
     uint32_t samples = 4;          // one of bake_sample_counts
     uint32_t dilate = 16;          // texels, up to most_dilation
-    std::string compression = {};  // "": the format's own
-    uint32_t tile = 0;             // of files; a multiple of 16, 0: rows
+    std::string compression = {};  // "": default of the format
+    uint32_t tile = 0;             // side of tiles in files; a multiple of 16, 0: rows
 
     bool operator==(const BakeTuning&) const = default;
 };

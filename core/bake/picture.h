@@ -1,5 +1,4 @@
-// One picture of a bake: rows of all its maps as their files store them, and what is to be told of
-// them when all is done.
+// Bakes one texture set: encoded rows of all its maps, and a report of problems for the end.
 #pragma once
 
 #include <cstddef>
@@ -16,36 +15,37 @@
 namespace wrinkle {
 
 struct PictureInput {
-    const Mesh* mesh = nullptr;  // as BakeInput's
+    const Mesh* mesh = nullptr;  // as in BakeInput
     const BakePlan* plan = nullptr;
-    std::span<const Texture> textures;  // of the plan's resources
-    std::vector<PixelType> types;       // of the files, by map
+    std::span<const Texture> textures;  // by resource of the plan
+    std::vector<PixelType> types;       // pixel types of the files, by map
     UvLayout layout;
     uint32_t dilate = 16;
-    uint32_t threads = 0;  // one for each core
+    uint32_t threads = 0;  // 0: one per core
 };
 
-// What was found in the pictures of a bake.
+// Findings over the texture sets of a bake.
 struct BakeReport {
     uint64_t overlapped = 0, not_finite = 0;  // texels
-    glm::dvec2 overlap_uv{0};                 // of one of them
-    uint32_t overlap_triangle = 0;            // that is hidden there
+    glm::dvec2 overlap_uv{0};                 // at one overlapped texel
+    uint32_t overlap_triangle = 0;            // a triangle hidden there
     std::vector<Clamped> clamped;             // by map
 
     void add(const BakeFindings& found, const UvLayout& layout);
-    // As warnings; the files are named as the user calls them.
+    // Appends the findings as warnings; `graph` and `mesh` are the file names as given by the user.
     void tell(const std::string& graph, const std::string& mesh, std::span<const BakedMap> maps,
               Diagnostics& warnings) const;
 };
 
-// False from either stops the bake.
+// Return false from either to cancel the bake.
 struct PictureTakers {
     std::function<bool(size_t map, std::span<const std::byte> rows)> rows;
-    // After those of all maps: down to which row, without it, and how many texels these were.
+    // Called after the rows of all maps of a band, with the band's end row (exclusive) and its
+    // texel count.
     std::function<bool(uint32_t row, uint64_t texels)> band;
 };
 
-// Rows `first` to `last` as bake_rows() has them; false when it was stopped.
+// Bakes rows [first, last) as bake_rows() does; returns false if it was cancelled.
 bool bake_picture(const PictureInput& input, uint32_t first, uint32_t last,
                   const PictureTakers& take, BakeReport& report);
 

@@ -24,7 +24,7 @@ Attribute attribute(const std::vector<Vector>& values) {
     return {&values[0][0], static_cast<uint32_t>(Vector::length())};
 }
 
-// Null for what the mesh lacks.
+// Returns null values for an attribute that the mesh lacks.
 Attribute attribute_of(const Mesh& mesh, SurfaceInput input) {
     switch (input) {
         case SurfaceInput::position_:
@@ -52,8 +52,9 @@ bool is_outside(const glm::dvec3& weights) {
     return weights.x < 0 || weights.y < 0 || weights.z < 0;
 }
 
-// Whether whatever weights that sum up to 1 make the very float of these of them: their sum is off
-// by less than a float shows. A sum of zeros has no sign.
+// Returns true if interpolation by any weights that sum to 1 yields exactly this float: the
+// rounding error of that sum is below float precision. Excludes -0, as a sum of zeros may have
+// either sign.
 bool is_constant(float a, float b, float c) {
     const auto bits = std::bit_cast<uint32_t>(a);
     return bits == std::bit_cast<uint32_t>(b) && bits == std::bit_cast<uint32_t>(c) &&
@@ -63,8 +64,8 @@ bool is_constant(float a, float b, float c) {
 constexpr uint32_t most_in_row = 64;
 static_assert(std::endian::native == std::endian::little, "bytes are gathered into bits");
 
-// A bit for each of up to most_in_row texels: whether its neighbour has another owner. Found at
-// once, as branches that ask texel by texel are hard to foresee.
+// Returns a bit mask over up to most_in_row texels: set if the next texel has another owner, and
+// for the last texel. Computed without a branch per texel, which would be unpredictable.
 uint64_t ends_of_runs(std::span<const uint32_t> owners) {
     std::array<uint8_t, most_in_row> is_end{};
     const size_t last = owners.size() - 1;
@@ -73,7 +74,7 @@ uint64_t ends_of_runs(std::span<const uint32_t> owners) {
     is_end[last] = 1;
     uint64_t ends = 0;
     for (size_t k = 0; k < sizeof ends; ++k) {
-        uint64_t bytes = 0;  // 0 or 1 each; the product has byte i in its bit 56 + i
+        uint64_t bytes = 0;  // 8 bytes of 0 or 1; the product moves byte i to bit 56 + i
         std::memcpy(&bytes, is_end.data() + k * sizeof bytes, sizeof bytes);
         ends |= (bytes * 0x0102040810204080) >> 56 << (8 * k);
     }
@@ -150,7 +151,7 @@ void TexelPoints::fill(const Coverage& coverage, const TexelRect& rect, size_t s
 
 float* TexelPoints::fill_row(std::span<const uint32_t> owners, const double* u, double v,
                              size_t stride, float* out, MetTriangles& met) const {
-    size_t first = 0, covered = 0;  // covered: the first of those that lie side by side
+    size_t first = 0, covered = 0;  // covered: start of the current covered texels
     const auto fill_covered = [&](size_t end) {
         const size_t count = end - covered;
         if (count > 0) fill_places({u + covered, v, count}, stride, out - count);
@@ -161,7 +162,7 @@ float* TexelPoints::fill_row(std::span<const uint32_t> owners, const double* u, 
             fill_covered(first);
             covered = end;
         } else {
-            // Most runs are short and of triangles that are known.
+            // Most runs are short, and their triangles are cached.
             MetTriangles::Met& one = met.met[owners[first] % met.met.size()];
             if (one.triangle != owners[first]) learn(owners[first], one);
             const PlaceRow run = {u + first, v, end - first};

@@ -1,9 +1,10 @@
-// The surface points of covered texels, as the planes that a program reads.
+// The surface points of covered texels, as the input planes of a program.
 //
-// A point is what sample_mesh() (mesh/sample.h) gives there, to the last bit, its dx and dy one
-// texel of the layout, as floats; a place outside of its triangle by the raster's rounding has what
-// stands on its border, but for uv0, which is the place itself. A bake looks at the outside from
-// straight above: `facing` is 1 and `view` the normal made unit.
+// A point has the attributes that sample_mesh() (mesh/sample.h) returns there, bit by bit, rounded
+// to float; its dx and dy are per texel of the layout. A point outside its triangle, because the
+// raster rounds corners, takes the attributes at the triangle's border, but its own uv as uv0. A
+// bake views the surface from outside along the normal: `facing` is 1, and `view` is the normalised
+// normal.
 #pragma once
 
 #include <array>
@@ -19,39 +20,41 @@
 
 namespace wrinkle {
 
-// What the program needs and the mesh lacks, such as "uv1"; "" for nothing.
+// Returns the name of an input that the program needs and the mesh lacks, such as "uv1"; else "".
 std::string missing_input(const Mesh& mesh, const Program& program);
 
-// What one thread keeps of the triangles that it met last: a row of texels meets the same ones as
+// Per-thread cache of recently used triangles: a row of texels crosses mostly the same triangles as
 // the row below.
 struct MetTriangles {
     struct Met {
         uint32_t triangle = Coverage::none;
         UvTriangle uv;
-        TrianglePlanes planes;  // in the vectors below
+        TrianglePlanes planes;  // points into the vectors below
         std::vector<LinearPlane> linear;
         std::vector<ConstantPlane> constant;
     };
-    std::array<Met, 64> met;  // by the lowest bits of a triangle's number
+    std::array<Met, 64> met;  // direct-mapped by the lowest bits of the triangle index
 };
 
 class TexelPoints {
 public:
-    // Nothing is missing. All three stay as they are.
+    // Precondition: missing_input() returns "". The mesh must outlive this object and not change.
     TexelPoints(const Mesh& mesh, const Program& program, const UvLayout& layout);
 
-    // Points in the order of `coverage`: the owned texels, then the samples.
+    // Returns the number of points. Points are ordered as in `coverage`: owned texels, then
+    // samples.
     static size_t count(const Coverage& coverage);
 
-    // Plane i, by index of Program::inputs, begins at planes + i * stride. Behind its last point as
-    // many numbers as `interpolated_behind` are written over. `met` is kept for this object alone.
-    // Planes that hold one number in the whole bake stay as fill_constants() left them.
+    // Plane i, by index of Program::inputs, begins at planes + i * stride. fill() overwrites up to
+    // `interpolated_behind` numbers after the last point of a plane. `met` must be used with this
+    // object only. fill() does not write planes that are constant over the bake; fill_constants()
+    // does.
     void fill_constants(size_t stride, float* planes) const;
     void fill(const Coverage& coverage, const TexelRect& rect, size_t stride, float* planes,
               MetTriangles& met) const;
 
 private:
-    // Of one input: its number at vertex i stands at values[i * stride].
+    // One input; its value at vertex i is values[i * stride].
     struct Source {
         size_t plane;
         Variant variant;
@@ -63,7 +66,7 @@ private:
     void add(const Program::Input& input, size_t plane);
     glm::dvec3 change(const UvTriangle& triangle, Variant variant) const;
     void learn(uint32_t triangle, MetTriangles::Met& one) const;
-    // Points side by side; what follows them.
+    // Fills the points of adjacent texels; returns the output position after them.
     float* fill_row(std::span<const uint32_t> owners, const double* u, double v, size_t stride,
                     float* out, MetTriangles& met) const;
     void fill_places(const PlaceRow& row, size_t stride, float* out) const;
@@ -72,10 +75,10 @@ private:
 
     const Mesh& mesh_;
     UvLayout layout_;
-    // Inputs by what they are over a triangle; `constants_` are so over the layout.
+    // Inputs grouped by their variation over a triangle; `constants_` are constant over the layout.
     std::vector<Source> linear_, changes_, places_, views_;
     std::vector<ConstantPlane> constants_;
-    std::vector<double> columns_;  // u of the texels' centres
+    std::vector<double> columns_;  // u of texel centres
     Interpolate interpolate_;
 };
 

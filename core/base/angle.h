@@ -1,4 +1,4 @@
-// The angle between two vectors of three numbers.
+// Angle between two 3-vectors.
 #pragma once
 
 #include <cmath>
@@ -6,8 +6,9 @@
 
 namespace wrinkle {
 
-// In degrees; lengths do not matter. By atan2: exact where acos of a dot product is not. NaN when
-// either vector has no direction. Anything with a[0], a[1], a[2].
+// Returns the angle in degrees, independent of the vector lengths. Uses atan2, which is exact where
+// acos of a dot product is not. Returns NaN if either vector is zero. Vector is any type with a[0],
+// a[1], a[2].
 template <class Vector>
 double degrees_between(const Vector& a, const Vector& b) {
     const double x = a[1] * b[2] - a[2] * b[1];

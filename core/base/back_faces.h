@@ -1,4 +1,4 @@
-// What a back face does to the surface's normal n and to the sign of bumps: one choice per graph.
+// Effect of a back face on the surface normal n and on the sign of bumps: one choice per graph.
 #pragma once
 
 #include <array>
@@ -8,12 +8,12 @@
 namespace wrinkle {
 
 enum class BackFaces : uint8_t {
-    mirror,  // n turns towards the viewer, bumps stay outward on both sides
-    flip,    // n turns, and a bump seen from behind is a dent (a thin sheet)
-    none,    // n stays
+    mirror,  // n is flipped towards the viewer; bumps point outward on both sides
+    flip,    // n is flipped; a bump seen from behind is a dent (a thin sheet)
+    none,    // n is not changed
 };
 
-// As a graph file spells them, in the order of the enumerators.
+// Spelling in graph files, in the order of the enumerators.
 inline constexpr std::array<std::string_view, 3> back_faces_names = {"mirror", "flip", "none"};
 
 }  // namespace wrinkle

@@ -1,8 +1,9 @@
-// The modules that lie beside the programs: shared objects that a program opens on first need, so
-// that a start does not pay for what they pull in.
+// Companion modules: shared objects that a program loads on first use, so that their dependencies
+// do not add to the start-up time.
 //
-// Looked for as lib/wrinkle/FILE of the installation (base/folders.h), then in each folder of the
-// environment variable WRINKLE_MODULE_PATH (separated by ':'). The first that exists is taken.
+// Search order: lib/wrinkle/FILE of the installation (base/folders.h), then each folder of the
+// environment variable WRINKLE_MODULE_PATH (separated by ':'). The first file that exists is
+// opened.
 #pragma once
 
 #include <string>
@@ -10,20 +11,20 @@
 namespace wrinkle {
 
 struct Companion {
-    void* library = nullptr;  // of dlopen; stays open
+    void* library = nullptr;  // handle returned by dlopen; stays open
     void* symbol = nullptr;
     std::string path;
-    std::string why;  // why there is no symbol; one sentence
+    std::string why;  // reason why `symbol` is null; one sentence
 };
 
-// `what` names the module in sentences: "the image module".
+// `what` names the module in messages: "the image module".
 Companion open_companion(const std::string& file, const char* symbol, const std::string& what);
 
 inline constexpr const char* companion_remedy =
     "install Wrinkle's lib/wrinkle beside its bin folder, or name the folder of the module in "
     "WRINKLE_MODULE_PATH";
 
-// "the image module FILE belongs to another version of Wrinkle"; closes the library.
+// Returns "the image module FILE belongs to another version of Wrinkle"; closes the library.
 std::string wrong_version(const Companion& companion, const std::string& what);
 
 }  // namespace wrinkle

@@ -29,12 +29,12 @@ void Diagnostics::append(const Diagnostics& other) {
     const size_t errors = error_count_ + other.error_count_;
     for (const Diagnostic& diagnostic : other.list_)
         add(diagnostic);
-    error_count_ = errors;  // the dropped ones too
+    error_count_ = errors;  // includes the dropped ones
     dropped_ += other.dropped_;
 }
 
 void Diagnostics::append_once(const Diagnostics& other) {
-    if (other.dropped_ > 0) return append(other);  // with the count of those it left out
+    if (other.dropped_ > 0) return append(other);  // also adds its count of dropped entries
     std::set<std::string> seen;
     for (const Diagnostic& diagnostic : other.list_)
         if (seen.insert(to_text(diagnostic)).second) add(diagnostic);
@@ -68,7 +68,7 @@ std::string dropped_text(const Diagnostics& diagnostics) {
     return "and " + std::to_string(diagnostics.dropped()) + " more problems";
 }
 
-// What the machine cannot give is said in one sentence, like any other problem.
+// Reports resource exhaustion as one sentence, like any other problem.
 std::string exception_text() {
     try {
         throw;

@@ -1,11 +1,11 @@
-// Where two texts part.
+// Comparison of two texts by line.
 #pragma once
 
 #include <string>
 
 namespace wrinkle {
 
-// The first line that differs, in words; "" for equal texts.
+// Describes the first line that differs; returns "" for equal texts.
 std::string text_difference(const std::string& expected, const std::string& got);
 
 }  // namespace wrinkle

@@ -29,7 +29,7 @@ std::string sentence(const std::error_code& error) {
 
 enum class Sync : bool { no, yes };
 
-// A device, or a pipe, whose reader may open it a second later.
+// Opens a device or pipe for writing; waits up to 1 s for a reader to open the pipe.
 std::FILE* open_special(const fs::path& path) {
     int handle = -1;
     for (int i = 0; i < 100; ++i) {
@@ -52,7 +52,7 @@ std::error_code write_all(const fs::path& path, std::string_view bytes) {
     return error;
 }
 
-// A folder's own bytes are its names. Some file systems cannot do it, and need not.
+// Syncs the entries of a folder. Errors are ignored: some file systems cannot do it and need not.
 void sync_folder(const fs::path& folder) {
     const int handle = open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY);
     if (handle < 0) return;
@@ -72,7 +72,7 @@ bool holds(const fs::path& path, std::string_view bytes) {
     return old && *old == bytes;
 }
 
-// Files may be larger than memory.
+// Reads in blocks: files may be larger than memory.
 template <typename Use>
 std::error_code each_block(const fs::path& path, Use use) {
     std::string ignored;
@@ -116,7 +116,7 @@ std::error_code copy_into(const fs::path& from, const fs::path& to) {
     return error;
 }
 
-// One file on its way: written under a temporary name, then put in its place.
+// Atomic write of one file: written under a temporary name, then renamed to its target.
 class Replacement {
 public:
     explicit Replacement(const FileBytes& file) : file_(file), target_(link_target(file.path)) {}
@@ -141,7 +141,7 @@ public:
 private:
     FileBytes file_;
     fs::path target_;
-    std::optional<Temporary> temporary_;  // none: nothing to put in place
+    std::optional<Temporary> temporary_;  // none: no file to rename
 };
 
 }  // namespace
@@ -190,23 +190,23 @@ bool replace_file(Temporary& written, const fs::path& path, std::string& why) {
 }
 
 fs::path link_target(const fs::path& path) {
-    constexpr int longest_chain = 40;  // the system's own limit
+    constexpr int longest_chain = 40;  // same as the system's limit
     fs::path target = path;
     std::error_code error;
     for (int i = 0; i < longest_chain && fs::is_symlink(target, error); ++i) {
         const fs::path next = fs::read_symlink(target, error);
         if (error) break;
-        target = target.parent_path() / next;  // an absolute one stands alone
+        target = target.parent_path() / next;  // an absolute `next` replaces the folder
     }
     return target;
 }
 
 fs::path real_path(const fs::path& path, std::error_code& error) {
-    // A folder is asked for in one call instead of one per folder on the way, and what stands in
-    // it in one more unless it is a link.
+    // The folder is resolved by one realpath() call instead of one call per component, and the last
+    // component by one lstat() unless it is a link.
     using Real = std::unique_ptr<char, decltype(&free)>;
     const std::string& text = path.native();
-    const size_t slash = text.rfind('/') + 1;  // 0 where there is none
+    const size_t slash = text.rfind('/') + 1;  // 0 if there is no slash
     const std::string_view name = std::string_view(text).substr(slash);
     if (!name.empty() && name != "." && name != "..") {
         const std::string folder = slash > 0 ? text.substr(0, slash) : ".";
@@ -239,8 +239,8 @@ bool is_inside(std::string_view real_root, std::string_view real) {
     return real.starts_with(real_root) && (below.empty() || below[0] == '/');
 }
 
-// What `name` is in a real folder as long as each of its parts is there, and is no link or dots:
-// one call for a part. "" otherwise.
+// Returns folder/name if every component exists and is neither a link nor dots, else "". One
+// lstat() call per component. Precondition: `folder` is a resolved path.
 std::string plain_below(std::string_view folder, std::string_view name) {
     if (!folder.starts_with('/')) return {};
     std::string path(folder);

@@ -1,9 +1,9 @@
-// Files, read whole and written whole or not at all.
+// Reading of complete files and atomic writing.
 //
-// One rule holds for every file that is read: it is a regular file, links followed, of at most so
-// many bytes, which are counted while it is read. A folder, pipe, device or socket is refused at
-// once, without waiting for a writer. What a file names goes through inside() first. Streams are
-// read where the user names one, and nowhere else.
+// Every file that is read must be a regular file (symbolic links are followed) of at most a given
+// number of bytes, which are counted while reading. A folder, pipe, device or socket is rejected
+// immediately, without waiting for a writer. Paths named in files are checked by inside() first.
+// Streams are read only where the user names one.
 #pragma once
 
 #include <cstdint>
@@ -25,57 +25,60 @@ struct CloseFile {
 };
 using OpenedFile = std::unique_ptr<std::FILE, CloseFile>;
 
-// A regular file to read from, or null with the reason in `why` ("cannot be read: No such ...",
-// "is a pipe, not a file").
+// Opens a regular file for reading; returns null and sets `why` on failure ("cannot be read: No
+// such ...", "is a pipe, not a file").
 OpenedFile open_to_read(const std::filesystem::path& path, std::string& why);
 
-// The whole file of at most `max_bytes` (default: Limit::file_bytes), or nothing with the reason in
-// `why`.
+// Returns the contents of a file of at most `max_bytes` (default: Limit::file_bytes); std::nullopt
+// with the reason in `why` on failure.
 std::optional<std::string> read_file(const std::filesystem::path& path, std::string& why);
 std::optional<std::string> read_file(const std::filesystem::path& path, uint64_t max_bytes,
                                      std::string& why);
 
-// What a stream is called in messages: "<stdin>" for "-", "/dev/stdin" and the like, "<fd 63>" for
-// "/dev/fd/63", as `<(COMMAND)` of a shell is spelled; "" for all else.
+// Returns the name of a stream for messages: "<stdin>" for "-", "/dev/stdin" and similar, "<fd 63>"
+// for "/dev/fd/63", as `<(COMMAND)` of a shell is spelled; "" for any other name.
 std::string stream_title(std::string_view name);
-// The whole of such a stream, up to Limit::file_bytes.
+// Returns all bytes of such a stream, up to Limit::file_bytes; std::nullopt with the reason in
+// `why` on failure.
 std::optional<std::string> read_stream(std::string_view name, std::string& why);
 
-// Writes to a Temporary beside `path` and renames it. A file that already holds these bytes
-// is left untouched, so build systems see no change; one that is replaced keeps its permissions. A
-// symbolic link stays: the file it leads to is replaced. What is no regular file (a device, a pipe)
-// is opened and written to. False with the reason in `why`.
+// Atomic write: writes to a Temporary in the folder of `path` and renames it. A file that already
+// has these contents is left untouched, so build systems see no change; a replaced file keeps its
+// permissions. A symbolic link is preserved: its target is replaced. A path that is not a regular
+// file (a device, a pipe) is opened and written to. Returns false with the reason in `why` on
+// failure.
 bool write_file(const std::filesystem::path& path, std::string_view bytes, std::string& why);
 
-// The same for work that nobody can make again: the bytes are on the disk before they take the
-// place of the old ones, and the new name is before it returns. The system's error, or none.
+// As write_file(), for data that cannot be regenerated: calls fsync on the new file before the
+// rename and on the folder after it. Returns the system error, or none.
 std::error_code write_file_synced(const std::filesystem::path& path, std::string_view bytes);
 
-// The same for several files: none is replaced before all have been written under their temporary
-// names, and they are replaced in this order, so that a killed program leaves the last one old as
-// long as any is. `why` then names the file too.
+// As write_file() for several files: no file is replaced before all have been written under
+// temporary names, and files are replaced in this order, so if the process is killed the last file
+// is old as long as any other is. `why` then names the file too.
 struct FileBytes {
     std::filesystem::path path;
     std::string_view bytes;
 };
 bool write_files(std::span<const FileBytes> files, std::string& why);
 
-// Puts a file that was written beside it in the place of `path`, as write_file() does.
+// Moves `written`, a temporary file in the same folder, to `path`, as write_file() does.
 bool replace_file(Temporary& written, const std::filesystem::path& path, std::string& why);
 
-// Where writing to `path` ends: symbolic links are followed, the last may lead nowhere yet.
+// Returns the path that a write to `path` modifies: follows symbolic links; the last may be
+// dangling.
 std::filesystem::path link_target(const std::filesystem::path& path);
 
-// `path` made absolute with symbolic links resolved as far as it exists. Without an error to tell
-// of, "" is the working folder, and what cannot be resolved stays as it is.
+// Returns `path` made absolute, with symbolic links resolved in the part that exists. Without
+// `error`, "" is the working folder and a path that cannot be resolved is returned unchanged.
 std::filesystem::path real_path(const std::filesystem::path& path, std::error_code& error);
 std::filesystem::path real_path(const std::filesystem::path& path);
 
-// `path` made absolute with symbolic links resolved as far as it exists, if that place is `root`
-// or below it; nothing if it climbs out.
+// Returns `path` made absolute, with symbolic links resolved in the part that exists, if the result
+// is `root` or below it; otherwise std::nullopt.
 std::optional<std::filesystem::path> inside(const std::filesystem::path& root,
                                             const std::filesystem::path& path);
-// The same of what `folder` names, where real_path() gave both the root and the folder.
+// As inside() for `folder`/`name`. Precondition: root and folder are results of real_path().
 std::optional<std::filesystem::path> inside_real(const std::filesystem::path& real_root,
                                                  std::string_view folder, std::string_view name);
 

@@ -1,4 +1,4 @@
-// A problem of a whole file, as the user calls it: a mesh, a graph.
+// Diagnostic about a file in general (a mesh, a graph), with the file name as given by the user.
 #pragma once
 
 #include <string>

@@ -18,7 +18,7 @@ fs::path user_folder(const char* variable, const char* below_home) {
 
 namespace {
 
-// "" where the code is the program's.
+// Returns the path of the shared library that contains this code; "" if it is the program itself.
 fs::path own_library() {
     static const char inside = 0;
     Dl_info ignored;
@@ -36,7 +36,7 @@ fs::path program_folder() {
     return fs::read_symlink("/proc/self/exe", error).parent_path();
 }
 
-// Asked once: a library may be known by a path that the working folder gives a meaning.
+// Evaluated once: the path of a library may be relative to the working folder, which can change.
 fs::path installation_folder() {
     static const fs::path library = own_library();
     return (library.empty() ? program_folder() : library.parent_path()).parent_path();

@@ -10,14 +10,14 @@
 namespace wrinkle {
 namespace {
 
-// Nothing where it is not a whole number from 1.
+// Returns std::nullopt unless `text` is a whole number from 1.
 std::optional<uint64_t> limit_in(std::string_view text) {
     const auto number = whole_number(text);
     return number && *number > 0 ? number : std::nullopt;
 }
 
 const char* text_of(const LimitRow& row) {
-    return std::getenv(row.variable.data());  // rows are literals, and end in zero
+    return std::getenv(row.variable.data());  // rows are literals with a terminating zero
 }
 
 std::string remedy(Limit limit, uint64_t value) {

@@ -1,9 +1,9 @@
-// How large inputs, and what is made of them, may become: one row each, with the environment
-// variable that changes it. Sizes are counted before they are made, so a run refuses what is too
-// large in time and in words, and its answer does not depend on the machine's speed or memory.
+// Limits on the size of inputs and of derived data: one row each, with the environment variable
+// that overrides it. Sizes are checked before allocation, so a run rejects oversized input early
+// with a diagnostic, and the result does not depend on the speed or memory of the machine.
 //
-// A variable holds a whole number from 1. Any other text is an error (report_limits), and the usual
-// value is used. docs/limits.md is this table for people.
+// A variable holds a whole number from 1. Any other text is an error (report_limits), and the
+// default is used. docs/limits.md documents this table.
 #pragma once
 
 #include <array>
@@ -63,19 +63,19 @@ constexpr const LimitRow& row_of(Limit limit) {
     return limit_rows[static_cast<size_t>(limit)];
 }
 
-// What holds in this process: the variable's value, else the usual one.
+// Returns the effective limit in this process: the value of the variable, else the default.
 uint64_t limit_of(Limit limit);
 
-// An error for each variable that is not a whole number from 1; false then.
+// Reports an error for each variable that is not a whole number from 1 and then returns false.
 bool report_limits(Diagnostics& diagnostics);
 
-// Thrown by what grows while it is made: the values of a module and generated text.
+// Thrown when data exceeds its limit during construction: values of a module, generated text.
 struct OverLimit : std::runtime_error {
     OverLimit(Limit which, uint64_t value, uint32_t at, std::string called);
 
     Limit limit;
-    uint32_t node;     // of Module::nodes: whose part went beyond it; 0: the graph's
-    std::string path;  // of that node; "" where who throws does not know it
+    uint32_t node;     // index into Module::nodes of the node that exceeded it; 0: the graph
+    std::string path;  // path of that node; "" if unknown at the throw
     std::string message, expected;
 };
 

@@ -11,7 +11,7 @@
 namespace wrinkle {
 namespace {
 
-// Device and inode of a file; of one that does not exist yet the path where it will be.
+// Device and inode of a file; for a file that does not exist yet, its resolved path.
 using FileId = std::tuple<dev_t, ino_t, std::string>;
 
 std::optional<FileId> id_of(const std::string& path) {

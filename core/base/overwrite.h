@@ -1,4 +1,4 @@
-// What the outputs of one run would replace.
+// Detection of outputs that would overwrite other files of the same run.
 #pragma once
 
 #include <span>
@@ -6,10 +6,10 @@
 
 namespace wrinkle {
 
-// A sentence that names the two where an output is an input of the same run, or another output; ""
-// when all may be written. Files are compared, not names: another spelling, a link and a hard link
-// lead to the same file. "-", devices and pipes are nothing that a run could replace.
-// O(n log n), one look at the disk a file.
+// Returns a sentence that names both files if an output is an input of the same run, or another
+// output; "" if all may be written. Compares files, not names: different spellings, symbolic links
+// and hard links of one file are equal. "-", devices and pipes are ignored. O(n log n) with one
+// stat call per file.
 std::string overwrite_fault(std::span<const std::string> outputs,
                             std::span<const std::string> inputs);
 

@@ -30,7 +30,7 @@ std::string too_large(uint64_t max_bytes) {
            std::string(row_of(Limit::file_bytes).variable) + " sets another limit";
 }
 
-// Counted while reading too: a file may grow, and a stream has no size.
+// Counts bytes while reading too: a file may grow, and a stream has no size.
 std::optional<std::string> read_all(std::FILE* file, uint64_t max_bytes, std::string& why) {
     struct stat found {};
     if (fstat(fileno(file), &found) == 0 && S_ISREG(found.st_mode) &&
@@ -53,7 +53,7 @@ std::optional<std::string> read_all(std::FILE* file, uint64_t max_bytes, std::st
     return {};
 }
 
-// The number of the open file that the user names; nothing where the name is a path.
+// Returns the file descriptor that the name refers to; std::nullopt if the name is a path.
 std::optional<int> stream_number(std::string_view name) {
     if (name == "-" || name == "/dev/stdin") return 0;
     for (const std::string_view folder : {"/dev/fd/", "/proc/self/fd/"}) {
@@ -66,7 +66,7 @@ std::optional<int> stream_number(std::string_view name) {
 
 }  // namespace
 
-// Not waiting at open() matters for pipes alone: regular files are read as ever.
+// O_NONBLOCK avoids waiting in open() for pipes; it does not affect regular files.
 OpenedFile open_to_read(const fs::path& path, std::string& why) {
     const int handle = open(path.c_str(), O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC);
     if (handle < 0) {
@@ -79,7 +79,7 @@ OpenedFile open_to_read(const fs::path& path, std::string& why) {
     if (file) return file;
     why = regular ? unread() : "is a " + std::string(kind_of(found.st_mode)) + ", not a file";
     close(handle);
-    errno = EINVAL;  // for those that ask for the system's reason
+    errno = EINVAL;  // for callers that read the system error
     return {};
 }
 

@@ -1,4 +1,4 @@
-// SHA-256 (FIPS 180-4), to know the contents of a file again.
+// SHA-256 (FIPS 180-4), a hash that identifies file contents.
 #pragma once
 
 #include <string>
@@ -6,7 +6,7 @@
 
 namespace wrinkle {
 
-// 64 lower-case hexadecimal digits.
+// Returns 64 lower-case hexadecimal digits.
 std::string sha256(std::string_view bytes);
 
 }  // namespace wrinkle

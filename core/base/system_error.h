@@ -1,4 +1,4 @@
-// The error of the last system call that failed.
+// Error code of the last failed system call (errno).
 #pragma once
 
 #include <cerrno>

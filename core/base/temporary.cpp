@@ -19,8 +19,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// Unlocked means that its writer is dead, or between making the file and locking it: that one sees
-// that its file has no name any more, and makes another.
+// An unlocked file belongs to a dead writer, or to one between create and flock; the latter detects
+// that its file was unlinked and creates another.
 void remove_if_dead(const fs::path& file) {
     const int handle = open(file.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
     if (handle < 0) return;
@@ -49,12 +49,12 @@ std::string extension_of(const fs::path& target) {
     return extension.size() > longest ? std::string() : extension;
 }
 
-// Locked, and with a name; -1 with errno.
+// Creates the file, locked and still linked; returns -1 and sets errno on failure.
 int create(const fs::path& file) {
     for (;;) {
         const int handle = open(file.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
         if (handle < 0) return -1;
-        flock(handle, LOCK_EX);  // file systems without locks keep what dead ones left
+        flock(handle, LOCK_EX);  // without lock support, files of dead processes are not removed
         struct stat found {};
         if (fstat(handle, &found) != 0 || found.st_nlink > 0) return handle;
         close(handle);
@@ -71,7 +71,7 @@ std::optional<Temporary> Temporary::beside(const fs::path& target, std::error_co
                              std::to_string(count++) + extension_of(target);
     fs::path file = folder / name;
     int handle = create(file);
-    if (handle < 0 && errno == EEXIST) {  // of a dead process that had this one's number
+    if (handle < 0 && errno == EEXIST) {  // left by a dead process with the same PID
         remove_if_dead(file);
         handle = create(file);
     }

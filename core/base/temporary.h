@@ -1,8 +1,9 @@
-// Files that are written under a name of their own and take their place by one rename.
+// Temporary files that replace their target by one rename (atomic write).
 //
-// ".wrinkle-tmp-PID-N.EXT" is beside the place, and locked (flock) as long as its writer lives. So
-// what a killed program left is known by its name and by being unlocked; the next Temporary in that
-// folder removes it. A folder is searched once a process. Names are no longer than 48 bytes.
+// ".wrinkle-tmp-PID-N.EXT" is in the folder of the target and is locked (flock) as long as its
+// writer runs. A file with such a name and no lock is left over from a killed program; the next
+// Temporary in that folder removes it. Each folder is searched once per process. File names are at
+// most 48 bytes long.
 #pragma once
 
 #include <filesystem>
@@ -15,24 +16,25 @@ namespace wrinkle {
 
 class Temporary {
 public:
-    // An empty file beside `target`, with its extension; nothing with the system's error.
+    // Creates an empty file in the folder of `target`, with its extension; returns std::nullopt and
+    // sets `error` on failure.
     static std::optional<Temporary> beside(const std::filesystem::path& target,
                                            std::error_code& error);
     Temporary(Temporary&& other) noexcept;
     Temporary& operator=(Temporary&&) = delete;
     ~Temporary() { remove(); }
 
-    // Whether a file called so is one, of a program that runs or is dead.
+    // Returns true for the name of a temporary file, of a running or a dead process.
     static bool is_name(std::string_view file) { return file.starts_with(prefix); }
 
     const std::filesystem::path& path() const { return path_; }
     std::error_code write(std::string_view bytes) const;
     std::error_code sync() const;
 
-    // Takes the place of `target` with the permissions of what was there. With an error it is
-    // removed.
+    // Replaces `target` and takes over the permissions of the old file. On failure the temporary
+    // file is removed.
     std::error_code place(const std::filesystem::path& target);
-    void remove();  // nothing after place()
+    void remove();  // no effect after place()
 
 private:
     Temporary(std::filesystem::path path, int handle) : path_(std::move(path)), handle_(handle) {}
@@ -40,7 +42,7 @@ private:
     static constexpr std::string_view prefix = ".wrinkle-tmp-";
 
     std::filesystem::path path_;
-    int handle_ = -1;  // -1: it is gone
+    int handle_ = -1;  // -1: removed or renamed
 };
 
 }  // namespace wrinkle

@@ -40,7 +40,7 @@ bool is_digit(char c) {
     return c >= '0' && c <= '9';
 }
 
-// What an identifier may have of it.
+// Character class of a byte in an identifier.
 enum class Part : uint8_t { none, word, joint };
 
 Part part_of(char c) {
@@ -65,7 +65,7 @@ std::string shortest(float value) {
     return spelled(value);
 }
 
-// Small whole numbers, which most constants are, need no search for the fewest digits.
+// Small integers, the most common constants, skip the search for the fewest digits.
 void append_shortest(std::string& text, float value) {
     constexpr float no_shorter_exponent = 10000;
     char buffer[64];
@@ -77,7 +77,7 @@ void append_shortest(std::string& text, float value) {
     text.append(buffer, end);
 }
 
-// What may not be printed is escaped too, so that JSON on a terminal forges no line.
+// Escapes non-printable characters too, so that JSON printed to a terminal cannot forge a line.
 std::string json_quoted(std::string_view text) {
     std::string quoted = "\"";
     while (!text.empty()) {
@@ -130,7 +130,7 @@ bool is_identifier(std::string_view text) {
 }
 
 std::string nearest(std::string_view word, std::span<const std::string> candidates) {
-    constexpr size_t longest_word = 64;  // a longer word is no slip of the hand
+    constexpr size_t longest_word = 64;  // a longer word is not a typing error
     if (word.size() > longest_word) return {};
     size_t best = std::max<size_t>(word.size() / 3, 1) + 1;
     std::string found;

@@ -1,4 +1,4 @@
-// A hash of short texts for tables in memory: names, keys, ids. Not the same on every machine.
+// Hash of short strings (names, keys, ids) for in-memory tables. Results differ between machines.
 #pragma once
 
 #include <cstdint>

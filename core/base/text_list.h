@@ -1,4 +1,4 @@
-// Texts that many share, by number: each stands once.
+// String interning: each distinct string is stored once and has a number.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@ namespace wrinkle {
 
 class TextList {
 public:
-    // Its number, the same for equal texts; 0 is "".
+    // Returns the number of `text`, equal for equal strings; 0 is "".
     uint32_t add(std::string_view text) {
         if (text.empty()) return 0;
         const auto known = numbers_.find(text);

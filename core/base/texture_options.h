@@ -1,10 +1,10 @@
-// How the numbers of an image file are to be read: a graph file's words for a texture, as small
-// enums that every folder shares. They are metadata of a texture; the arithmetic they mean (2t - 1,
-// the sRGB curve, a missing z) is written out where an expression samples the texture.
+// Sampling options of an image file: the texture settings of a graph file as small enums shared by
+// all folders. They are metadata of a texture; the arithmetic that they imply (2t - 1, the sRGB
+// curve, a missing z) is emitted where an expression samples the texture.
 //
-//   linear      the stored value                 srgb         sRGB-coded colour, made linear
+//   linear      the stored value                 srgb         sRGB-encoded colour, linearised
 //   normal_gl   2t - 1, green = +v               normal_dx    2t - 1, green = -v
-//   normal_rg   x, y in red, green; z follows    normal_ag    x in alpha, y in green; z follows
+//   normal_rg   x, y in red, green; z derived    normal_ag    x in alpha, y in green; z derived
 //   derivative  2t - 1, (dh/du, dh/dv)
 //
 // The order of the enumerators is part of the plugin ABI: append only.
@@ -37,7 +37,7 @@ struct TextureOptions {
     friend bool operator==(const TextureOptions&, const TextureOptions&) = default;
 };
 
-// The names as a graph file spells them, in the order of the enumerators.
+// Names as spelled in graph files, in the order of the enumerators.
 std::span<const std::string_view> encoding_names();
 std::span<const std::string_view> wrap_names();
 std::span<const std::string_view> filter_names();
@@ -46,7 +46,7 @@ std::string_view name_of(Encoding encoding);
 std::string_view name_of(Wrap wrap);
 std::string_view name_of(Filter filter);
 
-// Nothing for a word that is no name.
+// Return std::nullopt for an unknown name.
 std::optional<Encoding> encoding_named(std::string_view name);
 std::optional<Wrap> wrap_named(std::string_view name);
 std::optional<Filter> filter_named(std::string_view name);

@@ -1,15 +1,14 @@
-// Transcendental functions of our own: the same bits on every machine, compiler and instruction
+// Transcendental functions with bit-identical results on every machine, compiler and instruction
 // set.
 //
-// Everything is computed in double from additions, multiplications, divisions and square roots,
-// which IEEE 754 defines to the last bit, and from moves of bits; nothing of libm, no fused
-// multiply-add, no table, no branch, so loops over arrays vectorise. The float versions round the
-// double result once: within one unit in the last place of the true value, and nearly always the
-// nearest float.
+// All arithmetic is in double: additions, multiplications, divisions and square roots, which IEEE
+// 754 defines to the last bit, and bit operations; no libm, no fused multiply-add, no table, no
+// branch, so loops over arrays vectorise. The float versions round the double result once: within 1
+// ulp of the true value, and nearly always the nearest float.
 //
-// Doubles have a relative error below 1e-15 (sin and cos: an absolute one, for |x| <= 1e6; beyond,
-// it grows with |x|; pow: 1e-15 * (4 + |y log2 x|)). sin, cos and tan of more than 1e9 are NaN, and
-// outside a function's domain stands NaN or an infinity as noted; nothing traps.
+// Doubles have a relative error below 1e-15 (sin and cos: an absolute error, for |x| <= 1e6;
+// beyond, it grows with |x|; pow: 1e-15 * (4 + |y log2 x|)). sin, cos and tan of |x| > 1e9 are NaN.
+// Outside its domain a function returns NaN or an infinity as noted; no operation traps.
 //
 // Functions are always inlined, so a file compiled for another instruction set shares none of their
 // code with the rest of the program.
@@ -32,7 +31,8 @@ inline constexpr double ln2 = 0.693147180559945309417;
 inline constexpr double log2e = 1.44269504088896340736;
 inline constexpr double pi = 3.14159265358979323846;
 
-// Added to a number below 2^51, this rounds it to the nearest whole one, which the low bits hold.
+// Adding this to a number below 2^51 rounds it to the nearest integer, which the low bits then
+// hold.
 inline constexpr double to_whole = 6755399441055744.0;  // 1.5 * 2^52
 
 WRINKLE_INLINE uint64_t bits_of(double x) {
@@ -42,7 +42,7 @@ WRINKLE_INLINE double from_bits(uint64_t bits) {
     return __builtin_bit_cast(double, bits);
 }
 
-// Horner's rule, the highest power's coefficient first.
+// Horner's rule; coefficients from the highest power down.
 template <class... Rest>
 WRINKLE_INLINE double polynomial(double x, double highest, Rest... rest) {
     double sum = highest;
@@ -50,13 +50,13 @@ WRINKLE_INLINE double polynomial(double x, double highest, Rest... rest) {
     return sum;
 }
 
-// 2^k for a whole k within [-1022, 1023], given k + to_whole.
+// Returns 2^k for an integer k in [-1022, 1023], given k + to_whole.
 WRINKLE_INLINE double power_of_two(double shifted) {
     return from_bits((bits_of(shifted) + 1023) << 52);
 }
 
-// e^r * 2^k for |r| <= ln2 / 2 and |k| <= 2000 with k = shifted - to_whole; e^r by its Taylor
-// series, whose next term is below 2^-57. The power in two steps reaches subnormal results.
+// Returns e^r * 2^k for |r| <= ln2 / 2 and |k| <= 2000 with k = shifted - to_whole. e^r is a Taylor
+// series with a truncation error below 2^-57. Two power-of-two factors reach subnormal results.
 WRINKLE_INLINE double scaled_exp(double r, double shifted) {
     const double value = polynomial(r, 1.0 / 6227020800, 1.0 / 479001600, 1.0 / 39916800,
                                     1.0 / 3628800, 1.0 / 362880, 1.0 / 40320, 1.0 / 5040, 1.0 / 720,
@@ -87,19 +87,20 @@ WRINKLE_INLINE Logarithm logarithm(double x) {
                                      1.0 / 13, 1.0 / 11, 1.0 / 9, 1.0 / 7, 1.0 / 5, 1.0 / 3, 1.0);
     return {biased - (subnormal ? 1077.0 : 1023.0), 2 * s * series};
 }
-// `value` for numbers; -infinity at 0, NaN below, infinity at infinity.
+// Returns `value` for finite x > 0; -infinity at 0, NaN below 0 and for NaN, infinity at infinity.
 WRINKLE_INLINE double logarithm_at(double x, double value) {
     const double below = x == 0 ? -infinity : nan;
     return x > 0 ? (x < infinity ? value : x) : below;
 }
 
-// sin and cos by their Taylor series on [-pi/4, pi/4], where the next terms are below 2^-60.
+// sin and cos by Taylor series on [-pi/4, pi/4], with the first omitted terms below 2^-60.
 struct SineCosine {
     double sine, cosine;
     uint64_t quadrant;
 };
 WRINKLE_INLINE SineCosine sine_cosine(double x) {
-    // pi/2 in three parts of 33, 33 and 53 bits: a multiple up to 2^20 of the first two is exact.
+    // pi/2 in three parts of 33, 33 and 53 bits: products of the first two with k up to 2^20 are
+    // exact.
     constexpr double part1 = 0x1.921fb544p+0, part2 = 0x1.0b4611a6p-34,
                      part3 = 0x1.3198a2e037073p-69;
     const double usable = std::fabs(x) <= 1e9 ? x : nan;
@@ -117,7 +118,8 @@ WRINKLE_INLINE double sine_of(const SineCosine& v, uint64_t quadrant) {
     return from_bits(((bits_of(v.cosine) & odd) | (bits_of(v.sine) & ~odd)) ^ sign);
 }
 
-// The angle of (big, small), 0 <= small <= big, brought to |t| <= tan(pi/12), then by its series.
+// Returns the angle of (big, small), 0 <= small <= big: reduced to |t| <= tan(pi/12), then by
+// series.
 WRINKLE_INLINE double angle_below_diagonal(double small, double big) {
     constexpr double sqrt3 = 1.73205080756887729353, tan_twelfth = 0.26794919243112270647;
     const double x = big == 0 ? 0 : big == small ? 1 : small / big;
@@ -132,7 +134,7 @@ WRINKLE_INLINE double angle_below_diagonal(double small, double big) {
 
 }  // namespace detail
 
-// As in <cmath>, to the bit, but vectorised where the machine has no instruction for it.
+// Same bits as in <cmath>, but vectorised on machines without an instruction for it.
 #if defined(__SSE4_1__)
 WRINKLE_INLINE double floor(double x) {
     return __builtin_floor(x);
@@ -176,7 +178,7 @@ WRINKLE_INLINE double log2(double x) {
     const detail::Logarithm v = detail::logarithm(x);
     return detail::logarithm_at(x, v.exponent + v.of_mantissa * detail::log2e);
 }
-// 0 at x = 0 for y > 0; NaN for x < 0.
+// Returns 0 at x = 0 for y > 0; NaN for x < 0.
 WRINKLE_INLINE double pow(double x, double y) {
     return exp2(y * log2(x));
 }
@@ -194,7 +196,7 @@ WRINKLE_INLINE double tan(double x) {
     return detail::sine_of(v, v.quadrant) / detail::sine_of(v, v.quadrant + 1);
 }
 
-// In [-pi, pi]; 0 at (0, 0).
+// Returns an angle in [-pi, pi]; 0 at (0, 0).
 WRINKLE_INLINE double atan2(double y, double x) {
     using detail::pi;
     const double ay = std::fabs(y), ax = std::fabs(x);
@@ -207,7 +209,7 @@ WRINKLE_INLINE double atan2(double y, double x) {
 WRINKLE_INLINE double atan(double x) {
     return atan2(x, 1);
 }
-// NaN outside [-1, 1].
+// Returns NaN outside [-1, 1].
 WRINKLE_INLINE double asin(double x) {
     return atan2(x, std::sqrt((1 - x) * (1 + x)));
 }

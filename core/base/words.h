@@ -1,4 +1,4 @@
-// Small readers of text: a whole number, a text without the blanks around it.
+// Text helpers: parsing of unsigned integers, trimming.
 #pragma once
 
 #include <algorithm>
@@ -9,7 +9,7 @@
 
 namespace wrinkle {
 
-// The decimal number that is all of `text`; nothing for anything else, or beyond 64 bits.
+// Parses all of `text` as a decimal number; std::nullopt for anything else or beyond 64 bits.
 inline std::optional<uint64_t> whole_number(std::string_view text) {
     uint64_t number = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
@@ -17,7 +17,7 @@ inline std::optional<uint64_t> whole_number(std::string_view text) {
     return number;
 }
 
-// Without spaces, tabs and carriage returns at its ends.
+// Returns `text` without spaces, tabs and carriage returns at its ends.
 inline std::string_view trimmed(std::string_view text) {
     const size_t begin = std::min(text.find_first_not_of(" \t\r"), text.size());
     const size_t end = text.find_last_not_of(" \t\r");

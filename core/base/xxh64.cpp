@@ -55,11 +55,11 @@ void Xxh64::add(std::span<const std::byte> bytes) {
         add_stripe(lanes_, rest_.data());
         bytes = bytes.subspan(stripe - held);
     }
-    auto lanes = lanes_;  // bytes may alias a member, and keep it out of registers
+    auto lanes = lanes_;  // bytes may alias a member, which would keep it out of registers
     for (; bytes.size() >= stripe; bytes = bytes.subspan(stripe))
         add_stripe(lanes, bytes.data());
     lanes_ = lanes;
-    // Behind the bytes that are held, or from the start if they made a stripe.
+    // Append after the pending bytes, or at the start if these completed a stripe.
     const size_t at = size_ % stripe - bytes.size();
     if (!bytes.empty()) std::memcpy(rest_.data() + at, bytes.data(), bytes.size());
 }

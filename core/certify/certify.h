@@ -1,5 +1,5 @@
-// Holds the nodes of a plugin to what the built-in ones are held to, and says so in a report that
-// its author can act on.
+// Runs on the nodes of a plugin the checks that the built-in nodes must pass; the report contains a
+// remedy for each finding.
 #pragma once
 
 #include <span>
@@ -13,15 +13,14 @@ namespace wrinkle::certify {
 // The names of the checks.
 std::span<const std::string_view> check_names();
 
-// Every check of checks.h. A node whose build is not deterministic, or does not compile, is not
-// asked for numbers.
+// Runs every check of checks.h. If "text" or "deterministic" fails, the numeric checks are skipped.
 Report certify(const NodeType& type, const Bench& bench);
 
-// A line: "ok" with what was compared, or "failed" and below it what and where:
-//   ripples  ok: 2400 derivatives, 1200 values in float, double and on the GPU
-//   crease   failed
+// Returns a line "ok" with the number of compared values, or "failed" followed by the findings:
+//   ripples  ok: 1200 values in float, double and on the GPU, 2400 derivatives
+//   crease  failed
 //       derivative: port 'height': at point 3 ... (the remedy)
-//       graph: {"wrinkle": 1, ...}
+//           in {"wrinkle": 1, ...}
 std::string to_text(const Report& report, bool gpu);
 
 }  // namespace wrinkle::certify

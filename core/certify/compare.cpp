@@ -12,7 +12,7 @@ namespace wrinkle::certify {
 namespace {
 
 constexpr double normal_tolerance_deg = 0.05;
-constexpr double value_tolerance = 1e-4;  // of the range
+constexpr double value_tolerance = 1e-4;  // relative to the range
 constexpr unsigned nudges = 4;
 
 std::vector<Texture> textures_of(const Module& module, const ImageOf& images) {
@@ -22,8 +22,8 @@ std::vector<Texture> textures_of(const Module& module, const ImageOf& images) {
     return textures;
 }
 
-// How far two results are apart, 1 being as far as is allowed. Not finite, or one without a
-// direction: infinitely far.
+// Returns the distance of two results in units of the tolerance. Infinity if a value is not finite
+// or a normal has no direction.
 double distance(const double* a, const double* b, size_t lanes, bool normal, double range) {
     double worst = 0;
     for (size_t i = 0; i < lanes; ++i) {
@@ -35,10 +35,11 @@ double distance(const double* a, const double* b, size_t lanes, bool normal, dou
     return std::isnan(degrees) ? INFINITY : degrees / normal_tolerance_deg;
 }
 
-// Below it values that vary are rounding: of unit vectors, say.
+// Lower limit of the range, so that a variation that is only rounding error (for example of unit
+// vectors) is within tolerance.
 constexpr double smallest_range = 5e-3;
 
-// A constant has no range; its size stands in.
+// Returns max - min; for constants the largest magnitude. At least smallest_range.
 double range_of(const std::vector<double>& values) {
     const auto [low, high] = std::minmax_element(values.begin(), values.end());
     const double size = std::max(std::fabs(*low), std::fabs(*high));

@@ -1,4 +1,4 @@
-// One material on both back ends, point by point.
+// Evaluates a material on CPU and GPU and compares the results point by point.
 #pragma once
 
 #include <functional>
@@ -19,18 +19,18 @@ using Values = std::vector<std::vector<double>>;
 
 size_t lanes_of(const Module& module, size_t output);
 
-// Nothing, with the reason in `why`, when a limit of the evaluator is met.
+// Returns std::nullopt and sets `why` if a limit of the evaluator is exceeded.
 template <class T>
 std::optional<Values> on_cpu(const Module& module, const PointSet& points, const ImageOf& images,
                              std::string& why);
 
-// Through generated GLSL, by a context that is current. Nothing, with the reason in `why`, when the
-// text does not compile.
+// on_gpu() runs generated GLSL. Precondition: a context is current. Returns std::nullopt and sets
+// `why` if the source has problems or does not run.
 Shader given_text(const Module& module);  // function form, differentials given
 std::optional<Values> on_gpu(const Shader& shader, const PointSet& points, const ImageOf& images,
                              std::string& why);
 
-// Two results at one point, further apart than is allowed.
+// Two results at one point that differ by more than the tolerance.
 struct Difference {
     size_t output = 0;
     size_t point = 0;
@@ -39,14 +39,15 @@ struct Difference {
 };
 
 struct Comparison {
-    size_t values = 0;    // compared, a vector counts once
-    size_t unstable = 0;  // left out: four ulp of the inputs change the result beyond tolerance
+    size_t values = 0;    // all values, unstable ones included; a vector counts once
+    size_t unstable = 0;  // skipped: nudged inputs change them beyond tolerance
     size_t different = 0;
     std::optional<Difference> first;
 };
 
-// `a` and `b` by the rules of parity: normals to 0.05 degrees, other values to 1e-4 of their range.
-// `precise` in double says the range, and at `nudged` points which are unstable.
+// Compares `a` and `b` with the parity tolerances: normals to 0.05 degrees, other values to 1e-4 of
+// their range. `precise` holds the results in double and gives the range; a value is unstable if
+// one of the `nudged` results (inputs moved by 4 ulp) differs from it by more than the tolerance.
 struct Judge {
     const Module* module = nullptr;
     Values precise;
@@ -54,11 +55,11 @@ struct Judge {
 
     Comparison compare(const Values& a, const Values& b) const;
 };
-// Nothing, with the reason in `why`, when a limit of the evaluator is met.
+// Returns std::nullopt and sets `why` if a limit of the evaluator is exceeded.
 std::optional<Judge> make_judge(const Module& module, const PointSet& points, const ImageOf& images,
                                 std::string& why);
 
-// "0.25", or "(1, 0, 0)" of several lanes.
+// Returns "0.25", or "(1, 0, 0)" for several components.
 std::string words(const double* values, size_t lanes);
 
 }  // namespace wrinkle::certify

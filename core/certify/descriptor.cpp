@@ -26,7 +26,7 @@ bool is_angle(const Port& port) {
     return port.name == "angle" || port.name.ends_with("_angle") || port.name == "rotation";
 }
 
-// One port of a node.
+// Checks one port of a node.
 class PortCheck {
 public:
     PortCheck(const Port& port, Report& report) : port_(port), report_(report) {}

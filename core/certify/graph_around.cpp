@@ -77,12 +77,12 @@ private:
         if (port.is_option()) return option(port);
         if (port.type == PortType::image_) return image();
         const bool wired = inputs_ == Inputs::wires || (inputs_ == Inputs::mixed && random_() % 2);
-        // A base is a normal of a special kind: one that was resolved.
+        // A base must be a resolved normal.
         if (port.name == "base" && port.type == PortType::normal_)
             return wired ? resolved(port) : "";
         if (wired) return wire(port);
         if (lanes_of(port.type) == 0) return inputs_ == Inputs::defaults ? "" : wire(port);
-        // What varies over the surface by itself goes on doing so.
+        // Ports with a surface property as default retain it.
         if (port.default_kind == Port::Default::surface) return "";
         if (port.type == PortType::normal_) return wire(port);
         if (inputs_ == Inputs::defaults) return port.is_required() ? wire(port) : "";
@@ -103,7 +103,7 @@ private:
         return add(port, "dot", "\"a\": " + link("surface", "position") + ", \"b\": " + b,
                    "result");
     }
-    // A field is read at other uvs: it must differ there.
+    // A field is evaluated at other uvs, so it must depend on uv.
     std::string varying_field(const Port& port) {
         const std::string split =
             add(port, "separate_vec2", "\"vector\": " + link("surface", "uv0"), "x");
@@ -115,7 +115,7 @@ private:
                    "height");
     }
 
-    // Two of them are not parallel: axes and places beside each other mean something.
+    // Two results are not parallel, so that a pair of axes or of positions is not degenerate.
     std::string skewed_position(const Port& port) {
         const std::string b = list({number(-1, 1), number(-1, 1), number(-1, 1)});
         return add(port, "vec3_multiply", "\"a\": " + link("surface", "position") + ", \"b\": " + b,

@@ -1,6 +1,6 @@
-// A graph around one node: each of its inputs is left alone, given a number in its range, or driven
-// by something that varies over the surface; every output is an output of the graph ("out_NAME").
-// Made from the descriptor alone, so a new node is covered when it is listed.
+// Generates a graph around one node: each input has its default, a number in its range, or a link
+// to nodes that vary over the surface; every output is an output of the graph ("out_NAME").
+// Generated only from the descriptor, so a new node is covered as soon as it is registered.
 #pragma once
 
 #include <random>
@@ -11,15 +11,15 @@
 namespace wrinkle::certify {
 
 enum class Inputs : uint8_t {
-    defaults,  // images and what else is required are given all the same
+    defaults,  // images and other required inputs are set
     numbers,
     zeros,
     wires,
     mixed,
 };
-std::string_view words(Inputs inputs);  // "with default inputs"
+std::string_view words(Inputs inputs);  // "with default inputs", ...
 
-// The text of the graph. Images are named "a.exr" and "b.exr"; what drives inputs are built-in
+// Returns the JSON of the graph. Images are named "a.exr" and "b.exr"; linked nodes are built-in
 // nodes.
 std::string graph_around(const NodeType& type, Inputs inputs, std::mt19937& random);
 

@@ -12,7 +12,7 @@ std::string brief(double value) {
     return shortest(static_cast<float>(value));
 }
 
-// One side of check_finite(): the first number of each output that is none.
+// Reports the first non-finite number of each output; `side` names the back end.
 void expect_finite(const Values& values, const char* side, const Subject& subject, Inputs inputs,
                    Report& report) {
     const Module& module = subject.compiled.module;
@@ -52,7 +52,7 @@ void uniforms(const NodeType& type, Inputs inputs, const Bench& bench, Report& r
     Diagnostics diagnostics;
     if (!subject.compiled.ok) return;
     const Compiled baked = compile(subject.project, bench, {.uniform = false}, diagnostics);
-    if (!baked.ok) return;  // check_text() says so
+    if (!baked.ok) return;  // reported by check_text()
     static const PointSet points = random_points(60, 37);
     std::string why;
     const auto a = on_cpu<double>(baked.module, points, test_image, why);

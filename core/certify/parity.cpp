@@ -6,8 +6,8 @@ namespace wrinkle::certify {
 namespace {
 
 constexpr size_t parity_points = 300;
-// One value in so many may hang on the last bits: steep edges do, and are none the worse for it,
-// but where most values do nothing is proved.
+// At most one value in this many may be unstable. Steep edges are unstable without being wrong, but
+// if most values are unstable the comparison proves nothing.
 constexpr size_t least_stable_share = 2;
 
 class ParityCheck {

@@ -8,7 +8,7 @@ namespace {
 
 constexpr Variant variants[] = {Variant::value, Variant::dx, Variant::dy};
 
-// In the order in which degenerate_points() spoils them.
+// In the order of degenerate_points().
 constexpr std::string_view degenerate_names[] = {
     "no uv changes between pixels",      "the position does not change between pixels",
     "nothing changes between pixels",    "the tangent is zero",
@@ -49,7 +49,7 @@ void append(PointSet& set, SurfaceInput input, Variant variant, const Numbers& n
         values.push_back(static_cast<double>(static_cast<float>(numbers[i])));
 }
 
-// `along` less its part along the unit vector n.
+// Returns the component of `along` orthogonal to the unit vector n.
 Numbers in_plane(const Numbers& along, const Numbers& n) {
     const double k = along[0] * n[0] + along[1] * n[1] + along[2] * n[2];
     return {along[0] - k * n[0], along[1] - k * n[1], along[2] - k * n[2]};
@@ -66,7 +66,8 @@ void append_frame(PointSet& set, Draw& draw) {
     append(set, SurfaceInput::tangent_, Variant::value, tangent);
     const double pixel = std::exp2(draw.number(-12, -4));
     Numbers dx = in_plane(draw.direction(), n), dy = in_plane(draw.direction(), n);
-    // Pixels are no needles: half a turn and something.
+    // dy is dx turned by 90 degrees to either side plus a deviation, so that pixel footprints are
+    // not degenerate.
     const Numbers across{n[1] * dx[2] - n[2] * dx[1], n[2] * dx[0] - n[0] * dx[2],
                          n[0] * dx[1] - n[1] * dx[0]};
     const double side = draw.number(-1, 1) < 0 ? -1 : 1;

@@ -1,5 +1,6 @@
-// Surface points for the comparison of back ends, with every input and differential given. All
-// numbers are floats, so that float, double and GPU begin with the same ones.
+// Surface points for the comparison of back ends, with every input and differential given.
+// random_points() and degenerate_points() contain only values that are exact in float, so that
+// float, double and GPU have equal inputs.
 #pragma once
 
 #include <string_view>
@@ -8,24 +9,25 @@
 
 namespace wrinkle::certify {
 
-// As a renderer meets them: curved, with uvs of any orientation, tangents roughly in the surface,
-// interpolated normals of lengths about 1, both sides.
+// Points typical of a renderer: curved, with uvs of any orientation, tangents orthogonal to the
+// normal and not unit, interpolated normals of length 0.85 to 1, both sides.
 struct UvRange {
     double low = -1.5;
     double high = 2.5;
 };
 PointSet random_points(size_t count, unsigned seed, UvRange uvs = {});
 
-// No uv change, no position change, nothing at all, a zero tangent, w = 0, an eye in the surface;
-// everything but the normal zero; large and tiny numbers.
+// Zero differentials of the uvs, of the position, of all of them and the normal; zero tangent;
+// tangent w = 0; zero view vector; everything zero except the normal (facing 1); positions and uvs
+// times 1e3; differentials of positions and uvs times 1e-6.
 PointSet degenerate_points();
-// What is wrong with one of them: "the tangent is zero".
+// Describes one of these points: "the tangent is zero".
 std::string_view degenerate_words(size_t point);
 
-// Every number but signs moved by 4 units in the last place of a float, up or down.
+// Returns every number moved up or down by 4 float ulp, except signs (facing, tangent w).
 PointSet nudged(const PointSet& points, unsigned seed);
 
-// Every changing input moved by `step` pixels in x.
+// Returns every input moved by `step` pixels in x, along its differential.
 PointSet moved_in_x(const PointSet& points, double step);
 
 }  // namespace wrinkle::certify

@@ -1,5 +1,4 @@
-// What was found out about one node: each thing that is wrong, where it shows, both numbers, what
-// is allowed, and the remedy.
+// The result of checking one node: findings with location, compared numbers, tolerance and remedy.
 #pragma once
 
 #include <string>
@@ -10,26 +9,26 @@
 namespace wrinkle::certify {
 
 struct Finding {
-    std::string check;    // its name, as above the checks of checks.h
-    std::string port;     // "" when no port is at fault
-    std::string message;  // one sentence without its end
+    std::string check;    // name of the check (checks.h)
+    std::string port;     // "" if it concerns no single port
+    std::string message;  // one sentence without a full stop
     std::string remedy;
-    std::string graph;  // the text of the graph that shows it; "" when none is needed
+    std::string graph;  // JSON of a graph that shows it; "" if none is needed
 };
 
 struct Report {
     std::string node;
     std::vector<Finding> findings;
-    size_t derivatives = 0;  // numbers whose derivative was compared with differences
-    size_t kinks = 0;        // left out: there is a jump or a kink
-    size_t values = 0;       // compared between CPU and GPU, a vector counts once
-    size_t unstable = 0;     // left out: four ulp of the inputs change them beyond tolerance
+    size_t derivatives = 0;  // numbers with a derivative compared with differences
+    size_t kinks = 0;        // skipped: at a jump or a kink
+    size_t values = 0;       // checked for precision; a vector counts once
+    size_t unstable = 0;     // skipped: 4 ulp of the inputs change them beyond tolerance
 
-    // One finding a check and port: the first says it.
+    // Adds the finding unless one with the same check and port exists.
     void add(Finding finding);
 };
 
-// As a diagnostic at the plugin's file.
+// Returns the finding as a diagnostic at the plugin's file.
 Diagnostic to_diagnostic(const Finding& finding, const Report& report, const std::string& file);
 
 }  // namespace wrinkle::certify

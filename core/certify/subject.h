@@ -1,4 +1,4 @@
-// A node at work: a graph around it, compiled, and what it needs to run.
+// A compiled graph around the node under test, and its test environment.
 #pragma once
 
 #include <filesystem>
@@ -13,11 +13,11 @@
 
 namespace wrinkle::certify {
 
-// A folder with files of the names that graphs use; their contents are never read. It is gone when
-// this is.
+// Temporary folder with files of the names that graphs use; their contents are never read. Removed
+// by the destructor.
 class PictureFolder {
 public:
-    // Nothing, with the reason, when there can be no temporary folder.
+    // Returns std::nullopt and sets `why` if the folder or its files cannot be created.
     static std::optional<PictureFolder> make(std::string& why);
     PictureFolder(PictureFolder&& other) noexcept;
     PictureFolder& operator=(PictureFolder&&) = delete;
@@ -29,15 +29,16 @@ private:
     std::filesystem::path path_;
 };
 
-// What stands in for the pictures, on both back ends: floats, odd sizes, mips.
+// Returns the test image for a file, used on both back ends: floats, 16 x 8 or 7 x 5, with mips.
 const MipChain& test_image(const std::string& file);
 
-// What the checks of all nodes share.
+// Environment shared by the checks of all nodes.
 struct Bench {
     const Registry& registry;        // the nodes under test and the built-in ones
-    std::filesystem::path pictures;  // of a PictureFolder
+    std::filesystem::path pictures;  // path of a PictureFolder
     bool gpu = false;                // a context is current
-    // "" when the text compiles, else why not; may be empty. Besides the driver of a GPU.
+    // Returns "" if the source compiles, else the error; may be empty. If it reports no error and a
+    // GPU is available, the driver checks the source too.
     std::function<std::string(const Shader&)> text_errors = {};
 };
 
@@ -45,13 +46,14 @@ struct Subject {
     std::string text;
     Project project;
     Compiled compiled;    // parameters uniform, differentials given
-    std::string problem;  // why there is none; "" when compiled.ok
+    std::string problem;  // why it did not compile; "" if compiled.ok
 };
 
-// Draws graphs until one is legal (a frame must fit its scale).
+// Generates up to 50 random graphs until one compiles (a frame must match its scale).
 Subject compile_around(const NodeType& type, Inputs inputs, unsigned seed, const Bench& bench);
 
-// The text as a document and compiled anew. `uniform`: parameters are not written into the text.
+// project_of() reads the text as a document; compile() compiles it. `uniform`: parameters are
+// uniforms instead of literals. `given`: differentials are given.
 struct Options {
     bool uniform = true;
     bool given = true;
@@ -60,7 +62,7 @@ Compiled compile(const Project& project, const Bench& bench, Options options,
                  Diagnostics& diagnostics);
 Project project_of(const std::string& text, const Bench& bench, Diagnostics& diagnostics);
 
-// The node's port of a graph output: "height" of "out_height".
+// Returns the node's port of a graph output: "height" for "out_height".
 std::string port_of(const std::string& output);
 
 }  // namespace wrinkle::certify

@@ -13,8 +13,7 @@ constexpr const char* pure =
     "build() may look at nothing but its ports: no statics that change, no clock, no addresses, no "
     "files";
 
-// Every text of a module that is made here: in each GLSL, in each form that goes with its
-// differentials.
+// Emits the module for each GLSL target, in each form that is compatible with its differentials.
 std::vector<Shader> all_texts(const Module& module, bool given) {
     std::vector<Shader> texts;
     for (const Target& target : targets())
@@ -31,8 +30,9 @@ std::vector<Shader> all_texts(const Module& module, bool given) {
     return texts;
 }
 
-// What the driver of a desktop says to a complete pair of its own language; "" when it takes it.
-// Drivers draw to 8 outputs at least.
+// Returns the driver's log for a complete pair in the first target's language (desktop GLSL); "" if
+// the driver accepts it, or for another target, for the function form, and for more than the 8
+// outputs that every driver supports.
 std::string driver_errors(const Shader& shader) {
     if (shader.fragment.empty() || shader.reflection.functions.size() > 8) return {};
     if (shader.reflection.target != targets().front().name) return {};

@@ -17,7 +17,7 @@ constexpr size_t max_depth = 16, max_files = 1000;
 constexpr uint64_t max_bytes = uint64_t{16} << 20;
 constexpr std::string_view blanks = " \t\r\n\f\v";
 
-// CLI11 has no long names behind a single dash, as compilers spell these.
+// Compiler-style flags; CLI11 does not support long names after a single dash.
 constexpr std::pair<std::string_view, const char*> compiler_flags[] = {{"-MD", "--depfile"},
                                                                        {"-MF", "--depfile-path"},
                                                                        {"-MT", "--depfile-target"},
@@ -27,7 +27,7 @@ bool is_blank(char c) {
     return blanks.find(c) != blanks.npos;
 }
 
-// One word of `text` from `at` on, which is left behind it; false where a quote stays open.
+// Reads one word from `at` and advances `at` past it; returns false if a quote is not closed.
 bool take_word(std::string_view text, size_t& at, std::string& word) {
     char quote = 0;
     for (; at < text.size() && (quote || !is_blank(text[at])); ++at) {
@@ -64,12 +64,12 @@ std::string renamed(std::string word) {
     return word;
 }
 
-// Words of the command line and of the files that it names.
+// Expands the words of the command line and of the @FILEs that it names.
 class Expansion {
 public:
     explicit Expansion(std::string& why) : why_(why) {}
 
-    // Goes at most max_depth calls deep.
+    // Recursion is limited to max_depth files.
     bool add(std::span<const std::string> from) {
         for (const std::string& word : from) {
             plain_ = plain_ || word == "--";
@@ -122,10 +122,10 @@ private:
     }
 
     std::string& why_;
-    std::vector<fs::path> open_;  // that are being read, the outermost first
+    std::vector<fs::path> open_;  // files being read, outermost first
     size_t files_ = 0;
     uint64_t bytes_ = 0;
-    bool plain_ = false;  // behind "--"
+    bool plain_ = false;  // after "--"
 };
 
 }  // namespace

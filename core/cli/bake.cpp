@@ -1,4 +1,4 @@
-// wrinkle bake FILE --mesh NAME|PATH -o OUT: a graph's maps on the uv layout of a mesh.
+// wrinkle bake FILE --mesh NAME|PATH -o OUT: bakes a graph's maps onto the uv layout of a mesh.
 #include <memory>
 
 #include "base/overwrite.h"
@@ -40,7 +40,7 @@ struct BakeCommand {
         return exit_usage;
     }
 
-    // What a format cannot hold is said before hours of work.
+    // Checks file formats before the bake, which may take hours.
     bool can_be_written(const PartHeader& header, std::string& why) const {
         for (const MapFile& file : header.files(options.output, 0, options.threads)) {
             if (!file.path.has_extension()) {
@@ -64,7 +64,8 @@ struct BakeCommand {
         return options.depfile.path.empty() ? options.output + ".d" : options.depfile.path;
     }
 
-    // No file that was read is replaced, and the dependency file can hold all names.
+    // Returns false and reports an error if an output would overwrite an input, or if a name cannot
+    // be written to the dependency file.
     bool may_be_written(const BakeJob& job, const PartHeader& header,
                         Diagnostics& diagnostics) const {
         std::vector<std::string> places;
@@ -111,7 +112,7 @@ struct BakeCommand {
         return outcome;
     }
 
-    // Of what a build made and what it made that from.
+    // Writes the outputs and inputs of a finished bake; returns false if the write fails.
     bool write_depfile(const BakeJob& job, const BakeOutcome& outcome) const {
         const Depfile& depfile = options.depfile;
         if (!depfile.wanted || outcome.end != BakeEnd::done) return true;

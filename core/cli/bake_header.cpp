@@ -34,7 +34,7 @@ std::string map_json(const PartHeader::Map& map) {
            ", \"tile\": " + std::to_string(w.tile) + ", \"numbers\": " + numbers + "}}";
 }
 
-// Texts, as some of the numbers may be infinite.
+// Numbers are stored as strings, because some may be infinite.
 std::string report_json(const BakeReport& found) {
     std::vector<std::string> words = {std::to_string(found.overlapped),
                                       shortest(found.overlap_uv.x), shortest(found.overlap_uv.y),
@@ -46,7 +46,7 @@ std::string report_json(const BakeReport& found) {
     return json::string_array(words);
 }
 
-// Values of a header; whatever does not fit leaves `fine` false.
+// Reads the values of a header; sets `fine` to false if a value is missing or invalid.
 struct HeaderReader {
     bool fine = true;
 
@@ -150,7 +150,7 @@ std::optional<PartHeader> parse_header(const json::Value& root) {
         header.maps.back().writer.width = static_cast<uint32_t>(size.first);
         header.maps.back().writer.height = static_cast<uint32_t>(size.second);
     }
-    // They become parts of paths.
+    // Names and suffixes become parts of paths and must not contain '/'.
     const auto is_name = [](const std::string& text) { return text.find('/') == text.npos; };
     for (const PartHeader::Map& map : header.maps)
         reader.fine = reader.fine && is_name(map.name) && is_name(map.extension);

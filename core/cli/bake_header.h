@@ -1,7 +1,7 @@
-// bake.json of a part of a bake (cli/bake_parts.h), as data and as text.
+// bake.json of a part of a bake (cli/bake_parts.h): its data and its JSON text.
 //
-// The text ends with the SHA-256 of all before it, which detects damage and authenticates nothing:
-// header_of_json() validates every value.
+// The text ends with the SHA-256 of all bytes before it. The hash detects damage but does not
+// authenticate: header_of_json() validates every value.
 #pragma once
 
 #include <optional>
@@ -16,24 +16,24 @@ namespace wrinkle::cli {
 struct PartHeader {
     struct Map {
         std::string name, extension;
-        WriterOptions writer;  // but for its threads
+        WriterOptions writer;  // without the thread count
     };
     std::string identity;
     uint32_t shard = 1, shards = 1;
     std::vector<Map> maps;
-    std::vector<std::string> pictures;  // the suffixes of their files
+    std::vector<std::string> pictures;  // file name suffixes
     uint64_t first = 0, last = 0, done = 0;
-    std::vector<std::string> sums;  // of the done rows of each file, by sum_index()
-    BakeReport found;               // in what is done
+    std::vector<std::string> sums;  // checksums of the finished rows per file, by sum_index()
+    BakeReport found;               // statistics of the finished rows
 
     uint32_t width() const { return maps[0].writer.width; }
     uint32_t height() const { return maps[0].writer.height; }
     uint32_t bands() const { return (height() + bake_tile - 1) / bake_tile; }
     size_t row_bytes(size_t map) const;
-    // Of row of tiles `band` of its picture.
+    // Pixel rows in row of tiles `band`.
     uint32_t rows_of(uint64_t band) const;
     uint64_t picture_of(uint64_t band) const { return band / bands(); }
-    // How many files hold rows that are done.
+    // Number of files that hold finished rows.
     size_t files_with_rows() const {
         return done == first ? 0 : (picture_of(done - 1) - picture_of(first) + 1) * maps.size();
     }
@@ -42,14 +42,14 @@ struct PartHeader {
     size_t sum_index(size_t picture, size_t map) const {
         return (picture - picture_of(first)) * maps.size() + map;
     }
-    // Of one map it is OUT, of several OUT/MAP.EXT.
+    // Output files: OUT for one map, OUT/MAP.EXT for several.
     std::vector<MapFile> files(const std::string& output, size_t picture, uint32_t threads) const;
 };
 
 std::string header_json(const PartHeader& header);
-// Nothing where the text is damaged or describes no part.
+// Returns std::nullopt if the text is damaged or does not describe a part.
 std::optional<PartHeader> header_of_json(const std::string& text);
-// `text` without its end, as header_json() ends it.
+// Appends the SHA-256 of `text` and the closing brace, as in header_json().
 std::string with_sum(std::string text);
 
 }  // namespace wrinkle::cli

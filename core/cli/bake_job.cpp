@@ -41,7 +41,8 @@ std::string sum_of(const Mesh& mesh) {
     return sha256(join_fields(sums));
 }
 
-// The files are read again, as they were a moment ago.
+// Hash of the program, the mesh, the options and the contents of all input files, which are read
+// again.
 std::string identity_of(const BakeJob& job) {
     const BakeOptions& o = job.options;
     std::vector<std::string> fields = {

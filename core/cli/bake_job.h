@@ -1,4 +1,4 @@
-// A bake made ready: what is baked onto which squares of uv into which files.
+// Prepared bake: mesh, compiled plans, UDIM tiles and output maps.
 #pragma once
 
 #include <filesystem>
@@ -16,11 +16,11 @@
 
 namespace wrinkle::cli {
 
-// A run of a sweep on a square of uv: its maps come from one pass.
+// One run of a sweep on one UDIM tile; all its maps are baked in one pass.
 struct BakePicture {
-    size_t run = 0;  // in BakeJob::plans
+    size_t run = 0;  // index into BakeJob::plans
     glm::ivec2 square{0};
-    std::string suffix;  // ".003.1001": before the extensions of its files
+    std::string suffix;  // ".003.1001": inserted before the file extensions
 };
 
 struct BakeJob {
@@ -28,15 +28,15 @@ struct BakeJob {
     BakeWishes wishes;
     Mesh mesh;
     TextureStore textures;
-    std::vector<BakePlan> plans;  // one a run; their maps differ in nothing but values
+    std::vector<BakePlan> plans;  // one per run; their maps differ only in values
     std::vector<BakePicture> pictures;
-    std::vector<std::string> inputs;  // every file that was read
-    std::string identity;  // the sum of all that the bytes depend on; of shards and --resume
+    std::vector<std::string> inputs;  // all files read
+    std::string identity;  // hash of all that affects the bytes; set for shards and --resume
 
-    uint32_t bands() const { return (wishes.height + bake_tile - 1) / bake_tile; }  // a picture
+    uint32_t bands() const { return (wishes.height + bake_tile - 1) / bake_tile; }  // per image
 };
 
-// Nothing with errors. Warnings tell of what the mesh's uvs will not do.
+// Returns std::nullopt and reports errors on failure. Problems of the mesh's uvs are warnings.
 std::optional<BakeJob> make_bake_job(const BakeOptions& options, const BakeWishes& wishes,
                                      Diagnostics& diagnostics);
 

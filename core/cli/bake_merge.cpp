@@ -1,4 +1,4 @@
-// Parts of a bake joined to its files.
+// Merges the parts of a bake into its output files.
 #include <algorithm>
 #include <cerrno>
 #include <cstdio>
@@ -47,14 +47,14 @@ bool check_parts(const std::vector<fs::path>& folders, const std::vector<PartHea
     return false;
 }
 
-// The rows of one map of one picture, read through its parts.
+// Reads the rows of one map of one image from consecutive parts.
 class JoinedRows {
 public:
     JoinedRows(const std::vector<fs::path>& folders, const std::vector<PartHeader>& headers,
                size_t picture, size_t map)
         : folders_(folders), headers_(headers), picture_(picture), map_(map) {}
 
-    // The next row of tiles; empty with the reason in `why`.
+    // Returns row of tiles `band`, the next one; empty and the reason in `why` on failure.
     std::vector<std::byte> next(uint64_t band, std::string& why) {
         while (part_ + 1 < headers_.size() && band >= headers_[part_].last)
             open(part_ + 1);

@@ -21,7 +21,7 @@ bool parse_whole(std::string_view text, uint32_t most, uint32_t& number) {
            number <= most;
 }
 
-// "2/8"
+// Parses "2/8".
 bool parse_shard(const std::string& text, BakeWishes& wishes) {
     if (text.empty()) return true;
     const auto parts = split(text, '/');
@@ -29,7 +29,7 @@ bool parse_shard(const std::string& text, BakeWishes& wishes) {
            parse_whole(parts[0], wishes.shards, wishes.shard);
 }
 
-// "1024" or "2048x1024"
+// Parses "1024" or "2048x1024".
 bool parse_bake_size(const std::string& text, BakeWishes& wishes) {
     const auto parts = split(text, 'x');
     return parts.size() <= 2 && parse_whole(parts[0], most_baked_side, wishes.width) &&
@@ -41,7 +41,7 @@ PixelType usual_type(const std::string& extension) {
     return extension == ".hdr" ? PixelType::float32 : PixelType::u8;
 }
 
-// Of a map in a folder: what its numbers fit into.
+// Extension of a map in a folder: --format, else .exr for floats and .png for integers.
 std::string usual_extension(const BakeOptions& options, const std::string& map) {
     if (!options.format.empty()) return "." + options.format;
     const bool floats = options.type == "half" || options.type == "float";

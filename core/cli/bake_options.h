@@ -1,4 +1,4 @@
-// The options of `wrinkle bake`, and what they ask for.
+// Command line options of `wrinkle bake` and their parsed values.
 #pragma once
 
 #include <string>
@@ -25,24 +25,24 @@ struct BakeOptions : BakeTuning {
 
 void declare_bake_options(CLI::App& command, BakeOptions& options);
 
-// A map that was asked for, and how its file stores it.
+// Requested map and its file format.
 struct WantedMap {
     MapRequest request;
     std::string extension;  // ".png"
     PixelType type = PixelType::u8;
 };
 
-// What the texts of the options mean.
+// Parsed values of the options.
 struct BakeWishes {
     std::vector<WantedMap> maps;
-    bool one_file = false;  // OUT is the file of the only map, else a folder
+    bool one_file = false;  // OUT is the file of the only map; otherwise a folder
     uint32_t width = 1024, height = 1024;
     uint32_t shard = 1, shards = 1;
 
     bool is_shard() const { return shards > 1; }
 };
 
-// False with a sentence in `why`: wrong usage.
+// Parses the options; returns false and one sentence in `why` on wrong usage.
 bool read_wishes(const BakeOptions& options, BakeWishes& wishes, std::string& why);
 
 }  // namespace wrinkle::cli

@@ -13,7 +13,8 @@ namespace wrinkle::cli {
 namespace fs = std::filesystem;
 namespace {
 
-// The XXH64 of the first `size` bytes of a file; nothing with the reason in `why`.
+// Returns the XXH64 of the first `size` bytes of a file; std::nullopt and the reason in `why` on
+// failure.
 std::optional<Xxh64> sum_of_rows(const fs::path& path, uint64_t size, std::string& why) {
     Xxh64 sum;
     if (size == 0) return sum;
@@ -33,8 +34,8 @@ std::optional<Xxh64> sum_of_rows(const fs::path& path, uint64_t size, std::strin
     return sum;
 }
 
-// Takes over the done rows of the same bake. A damaged folder is not taken at all, with warnings:
-// `found` counts over all done rows, and has no share for those of one file.
+// Resumes from the finished rows of the same bake. If any file is damaged, all rows are discarded
+// with a warning, because `found` is not stored per file.
 void take_what_is_done(const fs::path& folder, PartHeader& header, Diagnostics& diagnostics) {
     Diagnostics damage;
     const auto before = read_header(folder, damage);
@@ -126,7 +127,7 @@ std::optional<PartWriter> PartWriter::open(const fs::path& folder, PartHeader he
     }
     if (resume && fs::exists(header_file(folder), error))
         take_what_is_done(folder, header, diagnostics);
-    if (header.done == header.first) fs::remove(header_file(folder), error);  // of any size
+    if (header.done == header.first) fs::remove(header_file(folder), error);  // rewritten below
     PartWriter writer;
     writer.folder_ = folder;
     writer.header_ = std::move(header);
@@ -156,14 +157,14 @@ bool PartWriter::begin(size_t picture, Diagnostics& diagnostics) {
     for (size_t map = 0; map < header_.maps.size(); ++map) {
         const fs::path path = rows_file(folder_, picture, map);
         const uint64_t kept = header_.bytes_of_rows(picture, map);
-        if (kept == 0) unlink(path.c_str());  // a pipe or a link there would take the rows
+        if (kept == 0) unlink(path.c_str());  // do not write through a pipe or a link
         std::string why;
         auto sum = sum_of_rows(path, kept, why);
         std::FILE* file = sum ? std::fopen(path.c_str(), kept > 0 ? "r+b" : "wb") : nullptr;
         if (!file) return fail(map, diagnostics);
         files_.emplace_back(file);
         sums_.push_back(std::move(*sum));
-        // Rows that bake.json does not count are written again.
+        // Overwrite rows that bake.json does not count.
         if (std::fseek(file, static_cast<long>(kept), SEEK_SET) != 0) return fail(map, diagnostics);
     }
     return true;

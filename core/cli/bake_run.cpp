@@ -9,15 +9,16 @@ namespace wrinkle::cli {
 namespace fs = std::filesystem;
 namespace {
 
-// Bakes pictures and hands their stored rows on.
+// Bakes images and passes their rows, in the pixel types of the files, to a sink.
 class PictureBaker {
 public:
     PictureBaker(const BakeJob& job, Progress& progress) : job_(job), progress_(progress) {}
 
-    // Of all rows that are baked by now, also by a run before.
+    // Statistics of all finished rows, including those of earlier runs.
     BakeReport report;
 
-    // Rows `first` to `last` of a picture; `band` may be none.
+    // Bakes rows [first, last) of an image; `take.band` may be empty. Returns false on failure or
+    // interruption.
     bool bake(size_t number, uint32_t first, uint32_t last, PictureTakers take) {
         const BakePicture& picture = job_.pictures[number];
         const BakePlan& plan = job_.plans[picture.run];

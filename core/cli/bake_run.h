@@ -1,5 +1,5 @@
-// A bake carried out: into its files, or into a folder with a part of it (cli/bake_parts.h), and
-// parts joined to files.
+// Runs a bake into its output files or into a folder with a part of it (cli/bake_parts.h), and
+// merges parts into output files.
 #pragma once
 
 #include <filesystem>
@@ -16,16 +16,17 @@ enum class BakeEnd : uint8_t { done, failed, interrupted };
 
 struct BakeOutcome {
     BakeEnd end = BakeEnd::done;
-    std::vector<std::string> files;  // that were written
-    Diagnostics warnings;            // of what the maps hold
-    Diagnostics environment;         // why it failed
+    std::vector<std::string> files;  // written files
+    Diagnostics warnings;            // about the contents of the maps
+    Diagnostics environment;         // reason of a failure
 };
 
 BakeOutcome bake_files(const BakeJob& job, const PartHeader& header, Progress& progress);
 BakeOutcome bake_part(const BakeJob& job, const std::filesystem::path& folder, PartHeader header,
                       Progress& progress);
 
-// The headers of all parts of one bake, whole, in the order of their shards; empty with errors.
+// Reads and checks the headers of all parts of one bake; sorts them and `folders` by shard. Returns
+// an empty list and reports errors if a part is missing, incomplete or damaged.
 std::vector<PartHeader> read_parts(std::vector<std::filesystem::path>& folders,
                                    Diagnostics& diagnostics);
 BakeOutcome join_parts(const std::vector<std::filesystem::path>& folders,

@@ -44,12 +44,12 @@ struct Kept {
     uint64_t size = 0;
 };
 
-// A folder may hold files of its owner: `--cache .` is easily typed.
+// The folder may hold other files of the user, for example with `--cache .`.
 bool is_key(std::string_view name) {
     return name.size() == key_size && name.find_first_not_of(digits) == name.npos;
 }
 
-// The entries in a folder. Old temporary files of entries are removed.
+// Lists the entries in a folder and deletes old temporary files of entries.
 std::vector<Kept> kept_in(const fs::path& folder) {
     std::vector<Kept> found;
     const auto now = fs::file_time_type::clock::now();
@@ -59,7 +59,7 @@ std::vector<Kept> kept_in(const fs::path& folder) {
         const std::string name = entry->path().filename().string();
         const size_t key_end = std::min(name.find(temporary), name.size());
         if (!is_key(std::string_view(name).substr(0, key_end))) continue;
-        std::error_code gone;  // another program may prune too
+        std::error_code gone;  // another process may prune concurrently
         Kept kept{entry->path(), entry->last_write_time(gone), 0};
         if (!gone) kept.size = entry->file_size(gone);
         if (gone) continue;
@@ -84,7 +84,7 @@ std::optional<std::string> Cache::find(const std::string& key) const {
         return {};
     std::string why;
     auto bytes = read_file(path, why);
-    constexpr size_t head = form.size() + key_size + 1;  // with the sum and the end of its line
+    constexpr size_t head = form.size() + key_size + 1;  // includes the hash and its newline
     if (!bytes || bytes->size() < head || !bytes->starts_with(form)) return {};
     const std::string sum = bytes->substr(form.size(), key_size);
     bytes->erase(0, head);

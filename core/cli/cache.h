@@ -1,16 +1,14 @@
-// A folder of results, each in a file that is named by its key: the SHA-256 of all that it depends
-// on.
+// Folder of cached results. The file of an entry is named by its cache key: the SHA-256 of all
+// inputs.
 //
-// An entry is written under a temporary name and renamed, so readers and other writers see it whole
-// or not at all, and a program that is killed leaves at most a temporary file, which goes when it
-// is an hour old. It begins with the SHA-256 of its key and of the
-// SHA-256 of its bytes. An entry counts as absent if
-// it is damaged, was stored under another key, is not a regular file, or is larger than its folder
-// may be; the next to be stored replaces it. Any number of programs and threads may share a folder.
+// Entries are written atomically (temporary file, rename), so any number of processes and threads
+// may share a folder. A killed process leaves at most a temporary file, which prune() deletes after
+// one hour. An entry begins with the SHA-256 of its key and of the SHA-256 of its bytes. It is a
+// miss, and is replaced by the next store(), if it is damaged, was stored under another key, is not
+// a regular file, or is larger than the limit of its folder.
 //
-// The entries are in 16 folders by the first digit of their key. Each may hold a sixteenth of the
-// limit; the entries that were not used for the longest time go first. Files with names that are
-// not those of entries are left alone.
+// Entries are in 16 folders by the first digit of their key, each limited to a sixteenth of the
+// total. Eviction is least recently used first. Files that are not named like entries are ignored.
 #pragma once
 
 #include <array>
@@ -31,11 +29,11 @@ public:
     Cache(std::filesystem::path folder, uint64_t limit)  // bytes
         : folder_(std::move(folder)), limit_(limit) {}
 
-    // `key` is a sum as sha256() writes it.
+    // `key` is a hash as sha256() returns it. Returns std::nullopt on a miss.
     std::optional<std::string> find(const std::string& key) const;
-    // False with the reason in `why`.
+    // Returns false and the reason in `why` on failure.
     bool store(const std::string& key, std::string_view bytes, std::string& why);
-    // Brings the folders that grew back below the limit; when all is stored.
+    // Evicts entries of the folders that grew until they fit the limit. Call after all stores.
     void prune();
 
 private:
@@ -46,7 +44,8 @@ private:
     std::array<std::atomic<bool>, parts> grown_{};
 };
 
-// Strings as one, and back; nothing when the bytes are not what join_fields() makes.
+// Serialises strings into one and back; split_fields() returns std::nullopt if the bytes are not an
+// output of join_fields().
 std::string join_fields(const std::vector<std::string>& fields);
 std::optional<std::vector<std::string>> split_fields(std::string_view bytes);
 

@@ -26,7 +26,7 @@ void add_images(const Project& project, const Types& types, size_t file,
     }
 }
 
-// False when the plugin of a node cannot be read.
+// Returns false if the plugin of a node cannot be read.
 bool add_plugins(const Project& project, const Types& types, size_t file,
                  std::map<std::string, std::string>& known, Fields& fields) {
     const auto& nodes = project.files[file].document.nodes;
@@ -43,7 +43,7 @@ bool add_plugins(const Project& project, const Types& types, size_t file,
 }
 
 void add_graph(const Project::File& file, Fields& fields) {
-    // A sub-graph without a name of its own is called after its file.
+    // The default name of a sub-graph is its file name.
     fields.push_back(file.path.filename().string());
     fields.push_back(write_document(file.document));
     std::string used;
@@ -52,12 +52,12 @@ void add_graph(const Project::File& file, Fields& fields) {
     fields.push_back(used);
 }
 
-// Of a warning, in the order of its members; the file by its number, since a name depends on where
-// the project lies.
+// Number of fields per warning, in the order of add_warning(). Files of the project are stored by
+// index, because paths depend on the location of the project.
 constexpr size_t fields_of_warning = 7;
 
 void add_warning(const Diagnostic& warning, const Project& project, Fields& fields) {
-    std::string file = "=" + warning.where.file;  // of no file of the project
+    std::string file = "=" + warning.where.file;  // not a file of the project
     for (size_t i = project.files.size(); i-- > 0;)
         if (project.files[i].document.file == warning.where.file) file = std::to_string(i);
     fields.insert(fields.end(),

@@ -1,9 +1,10 @@
-// What `wrinkle compile --cache` keeps of a graph, and when it is the right one.
+// Cache entries of `wrinkle compile --cache`: cache key, load and store.
 //
-// The key is the sum of everything that the texts and the warnings depend on: this very program,
-// the options, the graph with the values of --set, its sub-graphs and which node uses which, the
-// images that they name (whether each is there, and which names mean one file; no shader depends on
-// pixels or sizes), and the plugins whose nodes are used. Where a project lies does not matter.
+// The key is the hash of all inputs of the generated source and the warnings: the program (build
+// id), the options, the graph with the values of --set, its sub-graphs and which node uses which,
+// the named images (which of them exist, and which names refer to the same file; no shader depends
+// on pixels or sizes), and the plugins that define the used nodes. It does not depend on the
+// project's location.
 #pragma once
 
 #include <string>
@@ -12,16 +13,17 @@
 
 namespace wrinkle::cli {
 
-// "" when something cannot be summed: such a graph is not kept.
+// Returns "" if an input cannot be hashed; such a graph is not cached.
 std::string cache_key(const Project& project, const Types& types, const std::string& name,
                       const Compilation& with);
 
-// Fills in texts, reflection, costs and all warnings; false when there is no whole entry. An entry
-// holds bytes only: the command decides how many texts there are and to which files they go.
+// Loads generated source, reflection, costs and all warnings; returns false on a miss or if the
+// entry is incomplete. An entry holds only bytes: the number of texts comes from the options.
 bool take_entry(const Compilation& with, const std::string& key, const Project& project,
                 CompiledGraph& result);
 
-// A graph with more warnings than are listed is not kept. That nothing can be written is a warning.
+// Stores the result. A graph with more warnings than the list holds is not cached. A failed write
+// is reported as a warning.
 void store_entry(const Compilation& with, const std::string& key, const Project& project,
                  CompiledGraph& result);
 

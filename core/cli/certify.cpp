@@ -18,7 +18,7 @@ namespace {
 
 using TypeList = std::vector<const NodeType*>;
 
-// What stands beside the plugin: the built-in nodes, which drive inputs in the graphs.
+// The plugin and the built-in nodes, which drive inputs in the test graphs.
 struct Loaded {
     Registry registry;
     std::vector<PluginReport> reports;
@@ -31,8 +31,8 @@ void load(const std::string& file, bool built_in, Loaded& loaded, Diagnostics& d
     loaded.reports = load_plugins(loaded.registry, places, diagnostics);
 }
 
-// The built-in nodes may themselves come as a plugin; any other that has one of their ids is
-// refused.
+// Loads the plugin. A plugin that defines a built-in id is refused, unless it defines all built-in
+// nodes and thus replaces them.
 void load(const std::string& file, Loaded& loaded, Diagnostics& diagnostics) {
     Diagnostics refused;
     load(file, true, loaded, refused);
@@ -56,10 +56,10 @@ TypeList types_of(const Loaded& loaded) {
     return types;
 }
 
-// A context for the checks on the GPU, or why there is none.
+// GL context for the checks on the GPU, or the reason why it is unavailable.
 struct Gpu {
     std::optional<gpu::Context> context;
-    std::string missing;  // "" when there is one
+    std::string missing;  // reason; "" if there is a context
 
     explicit Gpu(bool wanted) {
         if (!wanted) {

@@ -1,8 +1,8 @@
-// wrinkle plugins --test FILE: holds a plugin's nodes to what the built-in ones are held to
+// wrinkle plugins --test FILE: tests a plugin's nodes for the properties of the built-in nodes
 // (core/certify), and prints a report.
 //
-// Exit code: 1 when anything was found or the plugin is refused; else 3 when the GPU
-// check could not be run and --no-gpu did not ask for that; else 0.
+// Exit code: 1 if there are findings or the plugin is refused; else 3 if the GPU check could not
+// run and --no-gpu was not given; else 0.
 #pragma once
 
 #include <CLI/App.hpp>
@@ -14,7 +14,7 @@ namespace wrinkle::cli {
 struct CertifyOptions {
     std::string file;
     bool no_gpu = false;
-    std::vector<std::string> allow;    // checks whose findings are meant
+    std::vector<std::string> allow;    // checks with suppressed findings
     std::string diagnostics = "text";  // json: the findings as diagnostics on standard error too
 };
 

@@ -1,4 +1,4 @@
-// wrinkle check FILE...: every problem at once.
+// wrinkle check FILE...: reports all problems of graphs.
 #include <memory>
 
 #include "cli/graph_files.h"
@@ -21,7 +21,7 @@ struct CheckCommand {
         return report(diagnostics, common.diagnostics);
     }
 
-    // Compiling finds what the document alone does not show: bases that do not match, for one.
+    // Compiles the graph to find problems beyond the document, such as mismatched bases.
     void check_file(const Registry& registry, const Overrides& overrides, const std::string& file,
                     Diagnostics& diagnostics) const {
         Diagnostics own;

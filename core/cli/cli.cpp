@@ -21,7 +21,8 @@ int guarded(const Run& run) {
     return exit_environment;
 }
 
-// A word of the command line may be the name of a file that a glob found.
+// Formats a parse error on one line. It is escaped, because it may quote a file name expanded from
+// a shell pattern.
 std::string one_line_failure(const CLI::App* app, const CLI::Error& error) {
     const std::string sentence = printable(error.what());
     return CLI::FailureMessage::simple(
@@ -49,7 +50,7 @@ int run_cli(int argc, const char* const* argv) {
         complain(why);
         return exit_usage;
     }
-    std::reverse(words->begin(), words->end());  // CLI11 takes them last first
+    std::reverse(words->begin(), words->end());  // CLI11 expects the words in reverse order
     try {
         app.parse(std::move(*words));
     } catch (const CLI::ParseError& error) {

@@ -1,8 +1,8 @@
-// The `wrinkle` program: one file per command, each declared in one function.
+// The `wrinkle` program: one file per command, each declared by one function.
 //
-// A command's declare function adds its options to the parser and sets `run` to what shall happen
-// when the command was chosen; run() returns the exit code. Errors go to standard error, results to
-// standard output or to files that appear whole or not at all.
+// declare_X() adds the options of a command to the parser and sets `run` when the command is
+// chosen; run() returns the exit code. Errors go to standard error, results to standard output or
+// to files that are written atomically.
 #pragma once
 
 #include <CLI/App.hpp>
@@ -41,7 +41,7 @@ void declare_explain_log(CLI::App& app, Run& run);
 void declare_completion(CLI::App& app, Run& run);
 void declare_man(CLI::App& app, Run& run);
 
-// The whole program but for main(): parses, runs, returns the exit code.
+// Implementation of main(): parses the command line, runs the command, returns the exit code.
 int run_cli(int argc, const char* const* argv);
 
 }  // namespace wrinkle::cli

@@ -1,4 +1,4 @@
-// wrinkle compile FILE...: graphs to shaders.
+// wrinkle compile FILE...: compiles graphs to shaders.
 #include <algorithm>
 #include <atomic>
 #include <exception>
@@ -27,10 +27,10 @@ namespace {
 
 constexpr uint64_t default_cache_size = uint64_t{1} << 30;
 
-// What became of one graph.
+// Result of compiling one graph.
 struct Outcome {
     Diagnostics diagnostics;
-    std::string unwritten;  // why not; "" when its files are there
+    std::string unwritten;  // reason of a failed write; "" on success
     std::string cost;
     Rule rule;
     bool over_limit = false;
@@ -42,7 +42,7 @@ struct CompileCommand {
     Outputs outputs;
     std::string cache_folder;
     uint64_t cache_size = default_cache_size;
-    unsigned jobs = 0;  // 0: one for each processor
+    unsigned jobs = 0;  // 0: one per processor
 
     int run() {
         Diagnostics diagnostics;
@@ -83,8 +83,9 @@ struct CompileCommand {
         return outputs.conflict();
     }
 
-    // Of several graphs the first is written before the last is compiled, so what all of them read
-    // is known beforehand. Where no output exists there is nothing to replace.
+    // Reports an error if an output would overwrite an input of any graph. The first of several
+    // graphs is written before the last is compiled, so the inputs of all graphs are collected
+    // first, unless no output exists yet.
     void refuse_overwriting(const Compilation& with, Diagnostics& diagnostics) const {
         const std::vector<std::string> places = outputs.all_places();
         std::vector<std::string> read = option_files();
@@ -103,7 +104,7 @@ struct CompileCommand {
 
     static std::vector<std::string> inputs_read(const std::string& file, const Compilation& with) {
         std::vector<std::string> paths;
-        if (!stream_title(file).empty()) return paths;  // it is read once
+        if (!stream_title(file).empty()) return paths;  // a stream can be read only once
         Diagnostics later;
         const Project project = open_project(file, with.common, later);
         for (InputFile& input : inputs_of(project, Types(project, with.registry)))
@@ -111,9 +112,9 @@ struct CompileCommand {
         return paths;
     }
 
-    // A graph's files come all together or not at all, whatever becomes of the other graphs. Those
-    // of one graph alone wait for its dependency file. Graphs that are made at the same time share
-    // the limits of one; what is too large for its share is made again, alone.
+    // The files of a graph are written together or not at all, independently of other graphs. With
+    // only one graph, its dependency file is part of that group. Graphs compiled concurrently share
+    // the limits of one; a graph that exceeds its share is compiled again with the full limits.
     std::vector<Outcome> compile_all(const Compilation& with) const {
         std::vector<Outcome> outcomes(outputs.files.size());
         Compilation shared = with;
@@ -124,7 +125,7 @@ struct CompileCommand {
         return outcomes;
     }
 
-    // All processors, or as many as --jobs says.
+    // Number of threads: --jobs or one per processor; at most one per graph.
     size_t threads() const {
         const unsigned wanted = jobs ? jobs : std::max(1u, std::thread::hardware_concurrency());
         return std::min<size_t>(wanted, outputs.files.size());
@@ -174,13 +175,13 @@ struct CompileCommand {
         if (outputs.depfile.wanted && !outputs.several())
             results.push_back(
                 {outputs.depfile_place(), make_rules({outcome.rule}, outputs.depfile)});
-        if (!outputs.reflect.empty()) results.push_back(std::move(reflection));  // the last one
+        if (!outputs.reflect.empty()) results.push_back(std::move(reflection));  // written last
         if (outputs.several()) make_folders(results);
         write_results(results, outcome.unwritten);
         return outcome;
     }
 
-    // Said before anything of the graph is written.
+    // Checks the outputs before any file of the graph is written; reports errors.
     bool may_be_written(Outcome& outcome) const {
         std::string why;
         if (outputs.depfile.wanted) why = depfile_fault({outcome.rule}, outputs.depfile);
@@ -194,12 +195,12 @@ struct CompileCommand {
     }
 
     static void make_folders(const std::vector<Result>& results) {
-        std::error_code ignored;  // writing says why
+        std::error_code ignored;  // write_results() reports the error
         for (const Result& result : results)
             fs::create_directories(fs::path(result.path).parent_path(), ignored);
     }
 
-    // In the order of the graphs, however they were compiled.
+    // Reports the results in the order of the graphs and returns the exit code.
     int finish(const std::vector<Outcome>& outcomes, Diagnostics& diagnostics) const {
         std::vector<Rule> rules;
         for (const Outcome& outcome : outcomes) {

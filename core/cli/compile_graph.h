@@ -1,5 +1,5 @@
-// One graph to what `wrinkle compile` writes and prints, made or taken from the cache: what comes
-// out is the same, down to the warnings.
+// Compiles one graph to the outputs of `wrinkle compile`, or loads them from the cache. Both give
+// the same result, including the warnings.
 #pragma once
 
 #include <string>
@@ -14,51 +14,51 @@
 
 namespace wrinkle::cli {
 
-// What decides the texts besides the graph, as the command line spells it.
+// Options that affect the generated source, as given on the command line.
 struct TextOptions {
     std::string target = std::string(targets().front().name);
-    std::string form, params = "baked", differentials = "screen";  // form "": the target's own
-    std::string name;                                              // "": from the file's
+    std::string form, params = "baked", differentials = "screen";  // form "": the target's default
+    std::string name;                                              // "": from the file name
     int set = 0, first_binding = 0;
-    bool strict = false;              // what not every machine has is an error
-    bool cost = false, json = false;  // what it costs is counted, as JSON
+    bool strict = false;              // exceeding limits guaranteed by the target is an error
+    bool cost = false, json = false;  // report the cost, as JSON
 };
 
 void declare_text(CLI::App& command, TextOptions& text);
-// Why these cannot go together, or what does not exist; "" when all is well.
+// Returns the reason if the options conflict or the target does not exist; otherwise "".
 std::string wrong_text(const TextOptions& text);
-Form form_of(const TextOptions& options);  // of a target that exists
+Form form_of(const TextOptions& options);  // precondition: the target exists
 
 struct Text {
-    std::string stage;   // "vertex" or "fragment"; "" of the function form
-    std::string suffix;  // of its file: ".vert", ".frag.spv"; of the function form ""
+    std::string stage;   // "vertex" or "fragment"; "" in function form
+    std::string suffix;  // file suffix: ".vert", ".frag.spv"; "" in function form
     std::string bytes;
 };
 
-// One text for each file that a target and form that exist have, `bytes` still empty.
+// One Text with empty `bytes` per output file. Precondition: the target and the form exist.
 std::vector<Text> blank_texts(const TextOptions& options);
 
 struct CompiledGraph {
-    std::vector<Text> texts;  // none with an error
+    std::vector<Text> texts;  // empty on error
     std::string reflection;   // JSON
-    std::string cost;         // as --cost prints it
+    std::string cost;         // report of --cost
     std::vector<InputFile> inputs;
     Diagnostics diagnostics;
-    bool over_limit = false;  // it is too large for its share of the limits
+    bool over_limit = false;  // the graph exceeds its share of the limits
 };
 
 struct Compilation {
     const CommonOptions& common;
     const TextOptions& options;
     const Registry& registry;
-    const Overrides& overrides;  // no sweep
-    Cache* cache = nullptr;      // none: everything is made
-    uint64_t sharing = 1;        // so many graphs at a time share the limits of one
+    const Overrides& overrides;  // not a sweep
+    Cache* cache = nullptr;      // nullptr: no cache
+    uint64_t sharing = 1;        // number of concurrent graphs that share the limits
 };
 
 ShaderOptions shader_options(const std::string& file, const Compilation& with);
 
-// Safe to be called from several threads with one Compilation.
+// Thread-safe; several threads may share one Compilation.
 CompiledGraph compile_graph(const std::string& file, const Compilation& with);
 
 }  // namespace wrinkle::cli

@@ -1,4 +1,4 @@
-// wrinkle completion SHELL, and the command behind its scripts.
+// wrinkle completion SHELL, and the command `complete` that its scripts call.
 #include "cli/completion.h"
 
 #include <filesystem>
@@ -15,14 +15,14 @@ namespace wrinkle::cli {
 namespace fs = std::filesystem;
 namespace {
 
-// In the order in which they are offered.
+// Candidates, sorted.
 using Found = std::set<std::string>;
 
 bool takes_value(const CLI::Option& option) {
     return option.get_items_expected_max() > 0;
 }
 
-// Below a folder, what begins as `typed` does: folders, and files that end as wanted.
+// Adds the folders and the files with suffix `end` that begin with `typed`.
 void offer_files(const std::string& typed, std::string_view end, Found& found) {
     const size_t slash = typed.rfind('/');
     const std::string folder = slash == typed.npos ? "" : typed.substr(0, slash + 1);
@@ -40,7 +40,7 @@ void offer_files(const std::string& typed, std::string_view end, Found& found) {
     }
 }
 
-// The words as a command line that is not finished.
+// Incomplete command line.
 class Line {
 public:
     Line(const CLI::App& app, std::span<const std::string> words) : app_(app), words_(words) {}
@@ -49,7 +49,7 @@ public:
         if (words_.empty()) return {};
         std::string typed = words_.back();
         read_words();
-        // A shell may take --option=value for three words.
+        // A shell may split --option=value into three words.
         if (typed == "=" && awaits_) typed.clear();
         if (awaits_) {
             offer_values(*awaits_, typed);
@@ -125,7 +125,7 @@ private:
             offer_values(*places[std::min(positionals_, places.size() - 1)], typed);
     }
 
-    // By the names that a check lists, else by what the help calls the value.
+    // Offers the names listed by the option's validator, else candidates by its type name.
     void offer_values(const CLI::Option& option, const std::string& typed) {
         const std::string kind = option.get_positional() ? option.get_name() : type_of(option);
         const std::string type = option.get_type_name();
@@ -164,8 +164,8 @@ private:
     const CLI::App& app_;
     std::span<const std::string> words_;
     const CLI::App* command_ = nullptr;
-    const CLI::Option* awaits_ = nullptr;  // its value is what is being typed
-    size_t positionals_ = 0;               // before what is being typed
+    const CLI::Option* awaits_ = nullptr;  // option with the value being typed
+    size_t positionals_ = 0;               // positional words before the typed one
     std::vector<std::string> plugin_paths_;
     Found found_;
 };

@@ -1,6 +1,6 @@
-// What a shell offers at the cursor: `wrinkle completion SHELL` prints a script that asks
-// `wrinkle complete -- WORD...`, so what is offered is made from the commands as they are declared,
-// from the files there are, and from the nodes of the plugins that would be found.
+// Shell completion. `wrinkle completion SHELL` prints a script that calls
+// `wrinkle complete -- WORD...`; the candidates are made from the declared commands, the existing
+// files and the nodes of the plugins that would be found.
 #pragma once
 
 #include <CLI/App.hpp>
@@ -10,8 +10,8 @@
 
 namespace wrinkle::cli {
 
-// `words` are those after the program's name; the last one, maybe "", is being typed. Folders end
-// with '/'. Nothing: the shell's own file names are as good as anything.
+// Returns candidates for the last of `words`, which is being typed and may be "". `words` excludes
+// the program's name. Folders end with '/'. If the result is empty, the shell offers file names.
 std::vector<std::string> completions(const CLI::App& app, std::span<const std::string> words);
 
 // The script for "bash", "zsh" or "fish".

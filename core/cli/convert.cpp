@@ -1,4 +1,4 @@
-// wrinkle convert IN -o OUT --to KIND: one map of a bump made from another.
+// wrinkle convert IN -o OUT --to KIND: converts a bump map to another kind.
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
@@ -51,7 +51,7 @@ struct ConvertCommand {
     }
 
 private:
-    // Of warnings alone nothing is made JSON.
+    // Diagnostics format if there are only warnings: never JSON.
     std::string quiet_text() const { return diagnostics == "json" ? "text" : diagnostics; }
 
     std::string wrong_usage() const {
@@ -66,7 +66,7 @@ private:
         return {};
     }
 
-    // What the user says the picture is, or, with a word about it, what it looks like.
+    // Sets `source` from --from, else detects it and reports a warning; returns false on failure.
     bool find_kind(const Image& image, maps::Source& source, Diagnostics& problems) const {
         if (!from.empty()) {
             source = source_named(from);
@@ -97,7 +97,7 @@ private:
         return target;
     }
 
-    // Half where the format has it; else what it has that holds most.
+    // Default pixel type: half if the format supports it, else the most precise supported type.
     std::string usual_type() const {
         const std::string extension = fs::path(output).extension().string();
         if (extension == ".png") return "u16";

@@ -1,4 +1,4 @@
-// What `wrinkle compile --cost` prints.
+// Output of `wrinkle compile --cost`.
 #pragma once
 
 #include <span>
@@ -9,11 +9,11 @@
 
 namespace wrinkle::cli {
 
-// The report of --cost, as a table or as JSON; "" with an error.
+// Returns the cost report as a table or as JSON; "" and an error on failure.
 std::string cost_of(const Module& module, Differentials differentials, bool json,
                     const std::string& file, Diagnostics& diagnostics);
 
-// What is printed: of one graph its table, of several each below the name of its file. With `json`
+// Printed output: the table of one graph; for several, each table below its file name. With `json`:
 // {"version": 1, "graphs": [{"file", "cost": to_json(CostReport)}]}.
 struct GraphCost {
     std::string file, report;

@@ -6,7 +6,7 @@
 namespace wrinkle::cli {
 namespace {
 
-// tests/ninja reads every printable character back by both programs.
+// tests/ninja checks every printable character with Make and Ninja.
 constexpr std::string_view with_backslash = " #:";
 constexpr std::string_view unreadable = "\"&'*;<=>?^`|";
 

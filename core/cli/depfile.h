@@ -1,4 +1,4 @@
-// Make-style dependency files, as compilers write them with -MD -MF -MT -MP.
+// Make-style dependency files, as written by compilers with -MD -MF -MT -MP.
 #pragma once
 
 #include <string>
@@ -10,26 +10,26 @@ namespace wrinkle::cli {
 
 struct Depfile {
     bool wanted = false;
-    bool phony = false;  // inputs are targets of their own, so that one may be removed
-    std::string path;    // "": the output's name with ".d"
+    bool phony = false;  // adds an empty rule per input, so that one may be removed
+    std::string path;    // "": the output path with ".d" appended
     std::string target;  // "": the outputs
 };
 
 void declare_depfile(CLI::App& command, Depfile& depfile);
 
-// What one graph made, and from what.
+// Outputs and inputs of one graph.
 struct Rule {
     std::vector<std::string> made, from;
 };
 
-// Why these rules cannot be written, a sentence; "" when they can. A dependency file holds names
-// that Make 4.3 and Ninja 1.11 read alike: none with a control character or one of "&'*;<=>?^`| in
-// it, with a backslash before a character that is escaped or at its end, with ~ at its beginning,
-// or a blank or a colon at its end; the name of a target holds no %.
+// Returns one sentence if the rules cannot be written, otherwise "". Only names that Make 4.3 and
+// Ninja 1.11 read identically are accepted. Refused are: control characters and "&'*;<=>?^`|, a
+// backslash before an escaped character or at the end, a leading ~, a trailing blank or colon, and
+// % in the name of a target.
 std::string depfile_fault(const std::vector<Rule>& rules, const Depfile& depfile);
 
-// "a b: c \<newline>  d" of each graph, names escaped for Make and Ninja. With a target of the
-// user's own it is one rule of all. Only of rules without a fault.
+// Returns "a b: c \<newline>  d" per graph, with names escaped for Make and Ninja. With a target
+// named by the user, all inputs form one rule. Precondition: depfile_fault() returns "".
 std::string make_rules(const std::vector<Rule>& rules, const Depfile& depfile);
 
 }  // namespace wrinkle::cli

@@ -1,4 +1,4 @@
-// wrinkle eval FILE: a graph's outputs at surface points, as JSON, CSV or NPY.
+// wrinkle eval FILE: evaluates a graph's outputs at surface points, as JSON, CSV or NPY.
 #include <filesystem>
 #include <memory>
 
@@ -12,7 +12,8 @@
 namespace wrinkle::cli {
 namespace {
 
-// A normal is a direction: where single precision lost it, the point is named.
+// Reports a warning for each output normal without unit length: its values exceed the range of the
+// precision.
 void check_normals(const std::vector<OutputColumn>& columns, size_t first,
                    const PointSource& source, Diagnostics& diagnostics) {
     for (const OutputColumn& column : columns) {
@@ -58,7 +59,7 @@ struct EvalCommand {
         return write_results(std::move(results)) ? exit_fine : exit_environment;
     }
 
-    // Empty for a call that is right.
+    // Returns one sentence on wrong usage, otherwise "".
     std::string sentence() const {
         if (at.mesh.empty() && at.at.empty())
             return "eval needs points: --at JSON, --at FILE.csv|npy, or --mesh NAME|PATH with "
@@ -112,7 +113,7 @@ struct EvalCommand {
         return text.take();
     }
 
-    // All runs of a sweep are one text.
+    // Appends a run; all runs of a sweep are written to one JSON text.
     void add_json(std::vector<Result>& results, size_t run, const Overrides& overrides,
                   std::string numbers) const {
         if (results.empty())

@@ -1,10 +1,10 @@
-// The text that eval writes: a graph's outputs at its points as JSON, CSV or NPY.
+// Output of `wrinkle eval`: a graph's outputs at its points as JSON, CSV or NPY.
 //
-//   json  "points": [{"normal": [0, 0, 1], "height": 0.5}, ...]; null for what is not finite
-//   csv   normal.x,normal.y,normal.z,height and a line for each point; nan, inf, -inf
-//   npy   records of the same names (cli/npy.h), <f4, with double precision <f8
+//   json  "points": [{"normal": [0, 0, 1], "height": 0.5}, ...]; null if not finite
+//   csv   normal.x,normal.y,normal.z,height and one line per point; nan, inf, -inf
+//   npy   records with the same field names (cli/npy.h): <f4, or <f8 with double precision
 //
-// Numbers read back as the same value of their precision.
+// Numbers round-trip in their precision.
 #pragma once
 
 #include <string>
@@ -21,7 +21,8 @@ public:
     EvalText(EvalForm form, Precision precision, size_t points)
         : form_(form), precision_(precision), points_(points) {}
 
-    // The next points, all of them in the end; of no points once.
+    // Appends the next `count` points; the counts must add up to `points`. With no points, call it
+    // once with count 0.
     void add(size_t count, const std::vector<OutputColumn>& columns);
     std::string take();
 

@@ -20,7 +20,7 @@ bool within_float(const PointSource& source, size_t first, const PointSet& set,
     return beyond.empty();
 }
 
-// The longer of the two changes of a value at point `k`; 0 where it is not read.
+// Length of the longer differential (dx, dy) of a value at point `k`; 0 if it is not read.
 double change_of(const PointSet& set, SurfaceInput input, size_t k) {
     double most = 0;
     for (const Variant variant : {Variant::dx, Variant::dy}) {
@@ -34,7 +34,8 @@ double change_of(const PointSet& set, SurfaceInput input, size_t k) {
     return most;
 }
 
-// A frame made of a uv's changes fades there, in double precision too (core/ir/gradient_frame.cpp).
+// Below this product of lengths, a frame derived from uv differentials fades, also in double
+// precision (core/ir/gradient_frame.cpp).
 constexpr double least_change_product = 1e-18;
 
 void warn_of_small_changes(const PointSource& source, size_t first, const PointSet& set,
@@ -54,7 +55,7 @@ void warn_of_small_changes(const PointSource& source, size_t first, const PointS
     }
 }
 
-// Lengths are squared; the square of one beyond is zero or infinite in single precision.
+// Lengths outside this range have a square that is zero or infinite in single precision.
 constexpr double min_length = 1e-18, max_length = 1e18;
 
 void warn_of_lost_normals(const PointSource& source, size_t first, const PointSet& set,

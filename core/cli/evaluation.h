@@ -1,4 +1,4 @@
-// A graph's outputs at points, in numbers.
+// Evaluates a graph's outputs at points.
 #pragma once
 
 #include <functional>
@@ -13,23 +13,24 @@
 
 namespace wrinkle::cli {
 
-// Every output at every point, block by block: `take` gets the columns of the points first ... on,
-// of no points at all once. False with a problem reported. The run was compiled with given
-// differentials, and its images are in `textures`.
+// Evaluates every output at every point in blocks. Calls `take` with the columns of `count` points
+// from `first` on; once with count 0 if there are no points. Returns false and reports a problem on
+// failure. Precondition: the run was compiled with given differentials, and `textures` holds its
+// images.
 using TakeColumns =
     std::function<void(size_t first, size_t count, const std::vector<OutputColumn>& columns)>;
 bool evaluate_blocks(const MaterialRun& run, const TextureStore& textures,
                      const PointSource& source, Precision precision, const TakeColumns& take,
                      Diagnostics& diagnostics);
 
-// The same in one piece; nothing with a problem reported.
+// Evaluates all points at once; returns std::nullopt and reports a problem on failure.
 std::optional<std::vector<OutputColumn>> evaluate_at(const MaterialRun& run,
                                                      const TextureStore& textures,
                                                      const std::vector<Point>& points,
                                                      Precision precision, Diagnostics& diagnostics);
 
-// {"normal": [0, 0, 1], "height": 0.5}: one point. Numbers read back as the same value of their
-// precision; one that is not finite is null.
+// Writes one point: {"normal": [0, 0, 1], "height": 0.5}. Numbers round-trip in their precision;
+// values that are not finite are null.
 void append_values_json(std::string& text, const std::vector<OutputColumn>& columns, size_t point,
                         Precision precision);
 std::string values_json(const std::vector<OutputColumn>& columns, size_t point,

@@ -1,4 +1,4 @@
-// wrinkle explain-log GRAPH LOG: what a driver says of a text, at the nodes it came from.
+// wrinkle explain-log GRAPH LOG: maps the messages of a shader compiler log to graph nodes.
 #include <algorithm>
 #include <memory>
 
@@ -15,7 +15,7 @@
 namespace wrinkle::cli {
 namespace {
 
-// One text that was given to a driver.
+// Maps log lines about one generated source to nodes.
 class Explained {
 public:
     Explained(const MadeShader& made, const Project& project, size_t first)
@@ -80,7 +80,7 @@ struct ExplainCommand {
             make_shader(project, nodes.registry, shader_options(graph, with), diagnostics);
         const auto said = read_text(log, diagnostics);
         if (diagnostics.has_errors() || !said) return report(diagnostics, common.diagnostics);
-        report(diagnostics, "text");  // what the graph itself is warned of
+        report(diagnostics, "text");  // warnings about the graph
         return print(Explained(made, project, first), *said);
     }
 
@@ -90,7 +90,7 @@ struct ExplainCommand {
         return text.target == "spirv" ? "SPIR-V has no lines that a log could name" : "";
     }
 
-    // What names no line is passed on.
+    // Prints the log with explained messages; lines without a location are printed unchanged.
     int print(const Explained& explained, std::string_view said) const {
         Diagnostics found;
         std::string printed;

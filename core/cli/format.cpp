@@ -1,4 +1,4 @@
-// wrinkle format and wrinkle upgrade: graph files rewritten in place.
+// wrinkle format and wrinkle upgrade: rewrite graph files in place.
 #include <cstdio>
 #include <memory>
 
@@ -13,7 +13,7 @@
 namespace wrinkle::cli {
 namespace {
 
-// What a port is called in the newest version, after all renames from `first` on.
+// Returns the name of a port in the newest version: applies all renames from `first` on.
 std::string newest_name(const NodeType& type, size_t first) {
     std::string name = type.renames[first].new_name;
     for (size_t i = first + 1; i < type.renames.size(); ++i)
@@ -21,8 +21,8 @@ std::string newest_name(const NodeType& type, size_t first) {
     return name;
 }
 
-// Inputs and outputs have name spaces of their own: a rename concerns the side that has the new
-// name and no longer the old one.
+// Inputs and outputs have separate name spaces: a rename applies to the side that has the newest
+// name and not the old one.
 NodeUpgrade upgrade_of(const Node& node, const NodeType& type) {
     NodeUpgrade upgrade;
     upgrade.id = node.id;
@@ -43,7 +43,7 @@ NodeUpgrade upgrade_of(const Node& node, const NodeType& type) {
     return upgrade;
 }
 
-// Brings every node whose type has a newer version to it.
+// Upgrades every node to the newest version of its type.
 Document upgraded(const Document& document, const Registry& registry) {
     std::vector<NodeUpgrade> upgrades;
     for (const NodePtr& node : document.nodes) {

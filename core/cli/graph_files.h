@@ -1,7 +1,7 @@
-// Which of the files that a command line names are graphs.
+// Selects the graphs among the files on a command line.
 //
 // NAME.test.json is a regression test (cli/test_case.h) and NAME.preset.json a set of values; both
-// are beside the graph NAME.json, where `*.json` finds them too.
+// are in the folder of the graph NAME.json, so `*.json` matches them too.
 #pragma once
 
 #include <string>
@@ -15,11 +15,11 @@ namespace wrinkle::cli {
 inline constexpr std::string_view test_suffix = ".test.json";
 inline constexpr std::string_view preset_suffix = ".preset.json";
 
-// What such a file is and what to do with it, as an error; false of any other name.
+// Reports an error with a hint and returns true if `file` is named like a test or a preset.
 bool report_no_graph(const std::string& file, Diagnostics& diagnostics);
 
-// Those that are graphs, with one warning of the others. Where there are no graphs among them all
-// are left, and reading them reports why.
+// Returns the graphs and reports one warning that lists the other files. If there are no graphs,
+// returns all files, and reading them reports the errors.
 std::vector<std::string> graphs_among(const std::vector<std::string>& files,
                                       Diagnostics& diagnostics);
 

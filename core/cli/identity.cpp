@@ -15,7 +15,8 @@ size_t padded(size_t size) {
     return (size + 3) & ~size_t{3};
 }
 
-// The notes of one segment: name, kind and content, each padded to four bytes.
+// Returns the build id in an ELF note segment of `left` bytes, "" if there is none. A note is a
+// header, a name and a content; name and content are padded to four bytes.
 std::string build_id_in(const char* at, size_t left) {
     ElfW(Nhdr) note;
     while (left >= sizeof note) {
@@ -45,7 +46,7 @@ void append_build_id(const dl_phdr_info* info, std::string& result) {
 
 int take_first(dl_phdr_info* info, size_t, void* result) {
     append_build_id(info, *static_cast<std::string*>(result));
-    return 1;  // the program itself comes first
+    return 1;  // stop: the first object is the program
 }
 
 int take_each(dl_phdr_info* info, size_t, void* result) {

@@ -1,16 +1,16 @@
-// Which program this is: what two builds that may write different texts differ in.
+// Identity of the running program: differs between builds that may generate different source.
 #pragma once
 
 #include <string>
 
 namespace wrinkle::cli {
 
-// The version and the sum that the linker left in the program (its build id); where there is none
-// the sum of the program's file, "" when that cannot be read either.
+// Returns the version and the linker's build id; without a build id, the version and the SHA-256 of
+// the program's file; "" if that cannot be read.
 std::string program_identity();
 
-// The build ids of all that the program has loaded, its compilers of other languages among them
-// once they are.
+// Returns the build ids of the program and all loaded libraries, including the compilers of other
+// languages if they are loaded.
 std::string loaded_identity();
 
 }  // namespace wrinkle::cli

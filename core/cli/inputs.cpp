@@ -1,4 +1,4 @@
-// wrinkle inputs FILE...: what a build system must watch.
+// wrinkle inputs FILE...: lists the input files of graphs, for build systems.
 #include <memory>
 #include <set>
 

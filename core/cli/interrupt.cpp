@@ -19,7 +19,7 @@ std::array<struct sigaction, noticed.size()> before = {};
 
 }  // namespace
 
-// What is ignored stays so, as shells want it of jobs in the background.
+// Ignored signals stay ignored: shells ignore SIGINT for background jobs.
 Interruption::Interruption() {
     caught_signal = 0;
     struct sigaction action = {};

@@ -1,18 +1,18 @@
-// Ctrl-C and the request to end, noticed instead of obeyed: what is half done is cleared away
-// first.
+// Catches SIGINT (Ctrl-C) and SIGTERM, so that a command can clean up unfinished work before it
+// ends.
 #pragma once
 
 namespace wrinkle::cli {
 
 class Interruption {
 public:
-    Interruption();   // from here on
-    ~Interruption();  // as before
+    Interruption();   // installs the handlers
+    ~Interruption();  // restores the previous handlers
     Interruption(const Interruption&) = delete;
     Interruption& operator=(const Interruption&) = delete;
 
     static bool requested();
-    // Ends the program by the signal that was caught, so that its caller sees it.
+    // Raises the caught signal again with the default action, so that the parent process sees it.
     [[noreturn]] static void obey();
 };
 

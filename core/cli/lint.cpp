@@ -1,4 +1,4 @@
-// wrinkle lint IMAGE...: what maps are, and what is wrong with them.
+// wrinkle lint IMAGE...: detects the kind of maps and reports their defects.
 #include <cstdio>
 #include <memory>
 
@@ -52,7 +52,7 @@ struct LintCommand {
     std::string expect, wrap = "repeat", diagnostics = "text";
     bool json = false, wrap_given = false;
 
-    // An option that is given overrides the guess that an image is an atlas.
+    // Makes seams defects if --wrap repeat is given, even for an image classified as an atlas.
     static void hold_to_repeat(maps::Verdict& verdict) {
         for (maps::Finding& finding : verdict.findings)
             finding.defect |=

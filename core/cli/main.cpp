@@ -3,7 +3,7 @@
 #include "cli/cli.h"
 #include "cli/output.h"
 
-// What a command printed may still be in the buffer of standard output.
+// Flushes standard output, because a buffered write may still fail.
 int main(int argc, char** argv) {
     using namespace wrinkle::cli;
     const int code = run_cli(argc, argv);

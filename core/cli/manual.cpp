@@ -1,4 +1,4 @@
-// wrinkle man [COMMAND].
+// wrinkle man [COMMAND]: prints manual pages.
 #include "cli/manual.h"
 
 #include <filesystem>
@@ -11,8 +11,8 @@
 namespace wrinkle::cli {
 namespace {
 
-// Text that roff takes as it is: its escapes, hyphens that can be copied, and no line that begins
-// with a request.
+// Escapes text for roff: backslashes, hyphens (so that they can be copied), and a leading . or ',
+// which would start a request.
 std::string plain(std::string_view text) {
     std::string result;
     for (const char c : text) {
@@ -38,7 +38,7 @@ std::string head(const std::string& name, const std::string& summary) {
            " \\- " + plain(summary) + "\n";
 }
 
-// What the help calls the value, without the check that stands behind it.
+// Value name of an option: the choices joined by |, or the type name without its validator.
 std::string value_of(const CLI::Option& option) {
     const std::string type = option.get_type_name();
     const size_t open = type.find('{');
@@ -51,8 +51,8 @@ std::string value_of(const CLI::Option& option) {
     return type.substr(0, type.find(':'));
 }
 
-// The names that the compiler's flags stand for are those of compilers (-MD and so on), which the
-// description begins with.
+// Names and value of an option. The compiler-style flags (-MD and so on) are not listed here: the
+// description of their option begins with them.
 std::string term(const CLI::Option& option) {
     std::string names;
     for (const std::string& name : option.get_snames())
@@ -156,7 +156,7 @@ struct ManCommand {
         for (const CLI::App* command : commands_of(app))
             pages.push_back(
                 {folder + "/wrinkle-" + command->get_name() + ".1", manual_page(app, *command)});
-        std::error_code ignored;  // writing says why
+        std::error_code ignored;  // write_results() reports the error
         std::filesystem::create_directories(folder, ignored);
         return write_results(pages) ? exit_fine : exit_environment;
     }

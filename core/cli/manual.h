@@ -1,5 +1,5 @@
-// Manual pages in roff (man(7)), made from the commands as they are declared: `wrinkle man` prints
-// the program's, `wrinkle man COMMAND` that of a command.
+// Manual pages in roff (man(7)), made from the declared commands: `wrinkle man` prints the page of
+// the program, `wrinkle man COMMAND` the page of a command.
 #pragma once
 
 #include <CLI/App.hpp>

@@ -1,4 +1,4 @@
-// The words of `convert` and `lint` for what a map is.
+// Names of map kinds in the options of `convert` and `lint`.
 #pragma once
 
 #include <optional>
@@ -16,8 +16,8 @@ maps::Kind kind_named(const std::string& name);
 std::vector<std::string> source_names();  // normal_gl, normal_dx, derivative, height
 maps::Source source_named(const std::string& name);
 
-// What a picture looks like, said in a warning; nothing, with an error that asks for --from, where
-// it looks like none of them.
+// Detects the kind of an image and reports it as a warning. Returns std::nullopt and reports an
+// error that suggests --from if the image matches none of them.
 std::optional<maps::Source> source_found(const Image& image, const std::string& file,
                                          Diagnostics& diagnostics);
 

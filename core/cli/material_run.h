@@ -1,5 +1,4 @@
-// Graphs compiled, as the commands need them for text, numbers or pixels: one, or one for every run
-// of a sweep.
+// Compiles graphs for evaluation, rendering or baking: once, or once per run of a sweep.
 #pragma once
 
 #include <functional>
@@ -12,26 +11,26 @@
 namespace wrinkle::cli {
 
 struct MaterialRun {
-    Project project;    // with the values of --set
-    Compiled compiled;  // baked; `ok` is false when a problem was reported
+    Project project;    // with the values of --set applied
+    Compiled compiled;  // baked parameters; `ok` is false if a problem was reported
 };
 
-// What is done with a run that compiled, its number from 0; it is gone afterwards.
+// Callback for a compiled run and its index from 0. The run is destroyed after the call.
 using UseRun = std::function<void(size_t, const MaterialRun&, Diagnostics&)>;
 
-// What a run computes: with differentials that come with the points, but on the screen. Bakes of
-// moments know what varies (covariances_for() in bake/maps.h).
+// Purpose of a run. `render` uses screen derivatives; all others use given differentials. Only
+// `bake_moments` keeps covariances (covariances_for() in bake/maps.h).
 enum class Purpose : uint8_t { eval, render, bake, bake_moments };
 
-// Reads the file once, compiles it for every run and uses each before the next, so that a long
-// sweep takes the memory of one; up to the first run with an error. For a mesh named by
-// `double_sided`, whose back faces are meant to be seen, a graph that does not set its "back_faces"
-// has the rule `flip`, and a warning says so.
+// Reads the file once, then compiles each run and passes it to `use` before the next is compiled,
+// so that a sweep needs the memory of one run. Stops at the first run with an error. If
+// `double_sided` names a mesh with visible back faces, a graph that does not set "back_faces" uses
+// the rule `flip`, which is reported as a warning.
 void compile_runs(const std::string& file, const CommonOptions& common, const Registry& registry,
                   const Overrides& overrides, Purpose purpose, const UseRun& use,
                   Diagnostics& diagnostics, const std::string& double_sided = "");
 
-// The function form with differentials from the screen, as `wrinkle compile` writes it by default.
+// Emits the function form with screen derivatives, the default of `wrinkle compile`.
 Shader emit_function(const MaterialRun& run, const std::string& name, Diagnostics& diagnostics);
 
 }  // namespace wrinkle::cli

@@ -1,7 +1,7 @@
-// Meshes as commands take them: the name of a shape, or the path of a file.
+// Mesh arguments of commands: the name of a shape, or the path of a file.
 //
-// A text without '.' and '/' is a name. External files of a glTF may lie below the mesh's own
-// folder and below --root.
+// A text without '.' and '/' is a name. External files of a glTF must be below the mesh's folder or
+// below --root.
 #pragma once
 
 #include <optional>
@@ -19,11 +19,12 @@ std::string mesh_help();  // "sphere, plane, ..., or an OBJ or glTF file"
 
 bool is_mesh_path(const std::string& name_or_path);
 
-// For CLI11: refuses a name that no shape has; "" for what is fine.
+// CLI11 validator: returns an error message for an unknown shape name, otherwise "".
 std::string check_mesh(const std::string& name_or_path);
 
-// The mesh, without tangents for --no-tangents; nothing with errors that name the file. `read`
-// takes the paths of all files that it is made of, `double_sided` whether a material of a glTF is.
+// Returns the mesh, without tangents if --no-tangents is set; std::nullopt and errors that name the
+// file on failure. Appends the paths of all read files to `read`. For a glTF, sets `double_sided`
+// to true if one of its materials is double-sided, otherwise to false.
 std::optional<Mesh> open_mesh(const std::string& name_or_path, const CommonOptions& options,
                               Diagnostics& diagnostics, std::vector<std::string>* read = nullptr,
                               bool* double_sided = nullptr);

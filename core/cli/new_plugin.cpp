@@ -1,4 +1,4 @@
-// wrinkle new-plugin NAME: a folder with a node that builds, runs and is tested, to begin from.
+// wrinkle new-plugin NAME: creates a folder with a template node that builds, runs and has a test.
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Keywords of C++ that could be names, and targets that CMake keeps for itself.
+// C++ keywords that are valid node names, and target names reserved by CMake.
 constexpr std::string_view reserved[] = {"all",
                                          "alignas",
                                          "alignof",
@@ -119,7 +119,7 @@ constexpr std::string_view reserved[] = {"all",
                                          "xor",
                                          "xor_eq"};
 
-// "" for a name that a new node may have.
+// Returns the reason if `name` is not valid for a new node, otherwise "".
 std::string why_not(const std::string& name) {
     if (!is_name(name))
         return "is no name for a node: a letter a-z, then letters, digits and _, at most " +
@@ -134,7 +134,8 @@ std::string why_not(const std::string& name) {
     return {};
 }
 
-// The folder above that of the running program, if the SDK is there: of an installation or a build.
+// Returns the parent of the program's folder if it contains the SDK (installation or build folder),
+// otherwise "".
 std::string sdk_prefix() {
     std::error_code error;
     const fs::path prefix = program_folder().parent_path();
@@ -142,7 +143,7 @@ std::string sdk_prefix() {
     return there ? prefix.string() : std::string();
 }
 
-// The highest folder on the way to `path` that is not there yet; empty if `path` is.
+// Returns the topmost missing folder on the way to `path`; empty if `path` exists.
 fs::path first_missing(fs::path path) {
     fs::path missing;
     std::error_code error;
@@ -151,7 +152,7 @@ fs::path first_missing(fs::path path) {
     return missing;
 }
 
-// Whether `folder` holds nothing but what a killed run left of these files.
+// Returns true if `folder` holds only files that an interrupted earlier run may have written.
 bool is_unfinished(const fs::path& folder, const std::vector<ScaffoldFile>& files) {
     const auto is_left = [&](const fs::path& path) {
         const std::string name = path.filename().string();
@@ -180,7 +181,7 @@ struct NewPluginCommand {
         return exit_fine;
     }
 
-    // All files or none; why not, or "".
+    // Writes all files or none; returns the reason of a failure, otherwise "".
     std::string write(const fs::path& place) const {
         std::error_code error;
         if (fs::exists(place, error) && !fs::is_directory(place, error))

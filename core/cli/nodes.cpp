@@ -1,4 +1,4 @@
-// wrinkle nodes: what there is to work with.
+// wrinkle nodes: lists the node types, or describes one.
 #include <memory>
 
 #include "base/text.h"

@@ -6,7 +6,7 @@ namespace wrinkle::cli {
 namespace {
 
 constexpr std::string_view magic = "\x93NUMPY";
-constexpr size_t alignment = 64;  // of the first record, as NumPy writes it
+constexpr size_t alignment = 64;  // bytes; NumPy aligns the first record to it
 
 size_t little_endian(std::string_view bytes, size_t first, size_t count) {
     size_t number = 0;
@@ -15,7 +15,7 @@ size_t little_endian(std::string_view bytes, size_t first, size_t count) {
     return number;
 }
 
-// The header: a dictionary as Python writes it.
+// Parses the header: a Python dictionary literal.
 class Header {
 public:
     Header(std::string_view text, NpyTable& table, NpyProblem& problem)

@@ -1,11 +1,10 @@
-// Files of NumPy's format NPY that hold a table: one dimension of records whose fields are floats.
+// Reads and writes NumPy's NPY format for tables: one dimension of records with float fields.
 //
 //   numpy.zeros(n, [("uv0.x", "<f4"), ("uv0.y", "<f4")])
 //
-// Versions 1.0 to 3.0, fields of type <f4 or <f8, and |V fields of an aligned record, which are
-// passed over. Anything else is refused: other types, big-endian numbers, Fortran order, arrays
-// without field names or of more than one dimension, files that are shorter or longer than their
-// header says.
+// Accepts versions 1.0 to 3.0, fields of type <f4 or <f8, and |V padding fields of aligned records,
+// which are skipped. Refuses other types, big-endian numbers, Fortran order, arrays without field
+// names or with more than one dimension, and files with a size that differs from their header.
 #pragma once
 
 #include <cstddef>
@@ -18,13 +17,13 @@ namespace wrinkle::cli {
 
 struct NpyField {
     std::string name;
-    size_t offset = 0;  // in a record
+    size_t offset = 0;  // bytes from the start of a record
     bool is_double = false;
 };
 
 struct NpyTable {
     std::vector<NpyField> fields;
-    size_t first = 0;   // byte of the first record
+    size_t first = 0;   // byte offset of the first record
     size_t record = 0;  // bytes
     size_t count = 0;   // records
 };
@@ -33,10 +32,10 @@ struct NpyProblem {
     std::string message, expected;
 };
 
-// Empty with the problem.
+// Returns std::nullopt and sets `problem` on failure.
 std::optional<NpyTable> read_npy(std::string_view bytes, NpyProblem& problem);
 
-// The bytes before the records of a table of floats, or doubles.
+// Returns the bytes before the records of a table of floats, or of doubles.
 std::string npy_header(const std::vector<std::string>& names, bool doubles, size_t count);
 
 }  // namespace wrinkle::cli

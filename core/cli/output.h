@@ -1,4 +1,4 @@
-// Where results go.
+// Writes results to files and standard output, and problems to standard error.
 #pragma once
 
 #include <string>
@@ -9,21 +9,22 @@
 
 namespace wrinkle::cli {
 
-// "-" is standard output; a file is written whole or not at all. False, with the reason printed,
-// when it cannot be written (exit code 3).
+// Writes a file atomically, or standard output if `path` is "-". Returns false and prints the
+// reason on failure (exit code 3).
 bool write_result(const std::string& path, std::string_view text);
 
-// Several, files first: none is replaced before all have been written beside their places.
+// Writes several results, files first. No file is replaced before all temporary files are written.
 struct Result {
     std::string path, text;
 };
 bool write_results(const std::vector<Result>& results);
 bool write_results(const std::vector<Result>& results, std::string& why);  // prints nothing
 
-// Prints the problems to standard error, as text or as JSON, and gives the exit code they mean.
+// Prints the problems to standard error, as text or as JSON. Returns exit_input if there are
+// errors, otherwise exit_fine.
 int report(const Diagnostics& diagnostics, const std::string& format);
 
-// One sentence to standard error, escaped as printable() does.
+// Prints one sentence to standard error, escaped by printable().
 void complain(std::string_view sentence);
 
 }  // namespace wrinkle::cli

@@ -1,4 +1,4 @@
-// Which file each text of a compilation goes to.
+// Output paths of `wrinkle compile`.
 #pragma once
 
 #include <string>
@@ -14,23 +14,25 @@ inline const std::string vertex_suffix = ".vert", fragment_suffix = ".frag";
 struct Outputs {
     std::string output = "-";
     Form form = Form::function;
-    std::string suffix;              // of the target's files, behind the stage's
-    std::string stage = "fragment";  // that goes to standard output
+    std::string suffix;              // file suffix of the target, after that of the stage
+    std::string stage = "fragment";  // stage that is written to standard output
     std::string reflect;
     Depfile depfile;
     std::vector<std::string> files;  // the graphs
-    bool texts = true;               // they are written; --cost alone writes none
-    bool costs = false;              // to standard output
+    bool texts = true;               // false if only --cost is given: no generated source
+    bool costs = false;              // report written to standard output
 
     bool several() const { return files.size() > 1; }
     bool is_standard_output() const { return output == "-"; }
-    // Of one graph OUT, of several OUT/STEM.glsl; with the text's suffix.
+    // Output path: "-", or OUT + `suffix`, for one graph; OUT/STEM + `suffix`, default .glsl, for
+    // several.
     std::string place(const std::string& file, const std::string& suffix) const;
-    std::string reflection_place(const std::string& file) const;  // "": none is wanted
+    std::string reflection_place(const std::string& file) const;  // "": not requested
     std::string depfile_place() const;
-    std::vector<std::string> places_of(const std::string& file) const;  // "-" among them
+    std::vector<std::string> places_of(const std::string& file) const;  // may include "-"
     std::vector<std::string> all_places() const;
-    // Why two texts would come to one place, or several to standard output; "" when all is well.
+    // Returns the reason if two outputs have the same path, or if several would be written to
+    // standard output; otherwise "".
     std::string conflict() const;
 };
 

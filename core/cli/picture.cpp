@@ -94,7 +94,7 @@ std::optional<Painter> Painter::make(const PictureOptions& options, const Mesh& 
     gpu::TargetOptions wanted;
     wanted.width = options.width;
     wanted.height = options.height;
-    wanted.samples = options.view == gpu::View::shaded ? 4 : 1;  // values are not to be averaged
+    wanted.samples = options.view == gpu::View::shaded ? 4 : 1;  // do not average values
     auto target = gpu::Target::make(wanted, diagnostics);
     if (!target) return {};
     return Painter(std::move(*context), std::move(*target), options, mesh);
@@ -108,11 +108,12 @@ Painter::Painter(gpu::Context context, gpu::Target target, const PictureOptions&
     if (!options.environment.empty()) renderer_.set_environment(options.environment);
     scene_.surroundings = options.backdrop;
     scene_.phong = options.phong;
-    options_.environment = {};  // the renderer has it
+    options_.environment = {};  // the renderer holds it
     scene_.camera = gpu::default_camera(mesh, options.mesh);
 }
 
-// What is no direction would be compared as if it were one.
+// Returns false and reports an error if the reference output of the difference view is not a
+// normal.
 bool Painter::can_compare(const Shader& shader, Diagnostics& diagnostics) const {
     if (options_.view != gpu::View::difference) return true;
     for (const FunctionInfo& output : shader.reflection.functions) {

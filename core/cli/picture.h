@@ -1,4 +1,4 @@
-// Materials drawn on a mesh, as `wrinkle render` shows them and `wrinkle test` compares them.
+// Renders materials on a mesh for `wrinkle render` and `wrinkle test`.
 #pragma once
 
 #include <optional>
@@ -15,50 +15,55 @@
 namespace wrinkle::cli {
 
 struct PictureOptions {
-    std::string mesh = "sphere";  // as cli/meshes.h takes it; it frames the picture
+    std::string mesh = "sphere";  // shape name or path (cli/meshes.h); determines the camera
     int width = 512;
     int height = 512;
     gpu::View view = gpu::View::shaded;
-    std::string against;  // of the difference view
+    std::string against;  // reference output of the difference view
     gpu::Lighting lighting = gpu::Lighting::ggx;
     gpu::Phong phong;
     Image environment;      // empty: sky and ground
-    bool backdrop = true;   // shows the environment's picture behind the mesh
-    bool displace = false;  // moves the mesh by the output `displacement`
+    bool backdrop = true;   // draws the environment map behind the mesh
+    bool displace = false;  // displaces the mesh by the output `displacement`
 };
 
-// "640x480"; nothing for a text that is no size of 1 to 16384.
+// Parses "640x480". Returns false if a side is not an integer from 1 to 16384.
 bool parse_size(const std::string& text, int& width, int& height);
 std::vector<std::string> view_names();
 std::vector<std::string> lighting_names();
 
-// "0.1,0.7,0.4,32": Ka, Kd, Ks and shininess, finite and not negative.
+// Parses Ka, Kd, Ks and shininess, such as "0.1,0.7,0.4,32". Returns false if a value is negative
+// or not finite.
 bool parse_phong(const std::string& text, gpu::Phong& phong);
 
-// A picture of the surroundings; nothing with an error for one that holds no radiance.
+// Loads an environment map. Returns std::nullopt and reports an error if the image cannot be read
+// or does not hold radiance (half or float values).
 std::optional<Image> load_environment(const std::string& file, Diagnostics& diagnostics);
 
-// The mesh in triangles fine enough to show a displacement, moved by that of the run, which was
-// compiled with given differentials and has its images in `textures`.
+// Returns the mesh, subdivided finely enough to show the displacement and displaced by the run's
+// output; std::nullopt and an error on failure. Precondition: the run was compiled with given
+// differentials, and `textures` holds its images.
 std::optional<Mesh> displaced_mesh(const Mesh& still, const MaterialRun& run,
                                    const TextureStore& textures, Diagnostics& diagnostics);
 
 struct Picture {
     Image image;
-    gpu::AngleStatistics angles;  // of the difference view
+    gpu::AngleStatistics angles;  // only in the difference view
 };
 
-// A context, a renderer in it, and what is drawn into.
+// Offscreen renderer: a GL context, a renderer and a render target.
 class Painter {
 public:
-    // Nothing where there is no GL or the size is beyond the driver: the environment's fault.
+    // Returns std::nullopt and reports an error if GL is unavailable or the driver does not support
+    // the size (exit_environment).
     static std::optional<Painter> make(const PictureOptions& options, const Mesh& mesh,
                                        Diagnostics& diagnostics);
 
-    // In place of the mesh at hand; the camera stays.
+    // Replaces the mesh; the camera is unchanged.
     void show(const Mesh& mesh) { renderer_.set_mesh(mesh); }
 
-    // The shader is that of emit_function(). What fails here is the graph's fault.
+    // Precondition: the shader is a result of emit_function(). Returns std::nullopt and reports an
+    // error of the graph on failure (exit_input).
     std::optional<Picture> draw(const Shader& shader, const TextureStore& textures,
                                 Diagnostics& diagnostics);
 
@@ -69,7 +74,7 @@ private:
     bool set_material(const gpu::Material& material, const TextureStore& textures,
                       Diagnostics& diagnostics);
 
-    gpu::Context context_;  // goes last
+    gpu::Context context_;  // destroyed last
     gpu::Target target_;
     gpu::Renderer renderer_;
     PictureOptions options_;

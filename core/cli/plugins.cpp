@@ -1,4 +1,4 @@
-// wrinkle plugins: what was found, and what an author asks of one plugin.
+// wrinkle plugins: lists the found plugins; tests one or writes its manifest.
 #include <memory>
 
 #include "base/overwrite.h"

@@ -69,7 +69,7 @@ PointSource source_of(std::shared_ptr<const PointTable> table) {
         for (const InputNeed& need : needs) {
             const size_t lanes = lanes_of(need);
             std::vector<double>& values = set.at(need.input, need.variant);
-            values.assign(set.count * lanes, 1);  // facing, where it is not given
+            values.assign(set.count * lanes, 1);  // default of `facing`
             if (!table->gives(need)) continue;
             for (size_t i = 0; i < values.size(); ++i)
                 values[i] = table->at(need, i % lanes, first + i / lanes);
@@ -79,7 +79,7 @@ PointSource source_of(std::shared_ptr<const PointTable> table) {
     return source;
 }
 
-// The numbers of a value, or none that the mesh has.
+// Components of a surface value, zero-padded.
 using Attribute = std::array<double, 4>;
 
 template <typename Vector>
@@ -132,7 +132,7 @@ bool has_attribute(const Mesh& mesh, const InputNeed& need) {
     }
 }
 
-// Places of a mesh, and the surface there.
+// Samples the surface of a mesh at the uvs of another source.
 struct PlacesOnMesh {
     PlacesOnMesh(Mesh opened, const PointOptions& options, PointSource from)
         : mesh(std::move(opened)),
@@ -200,7 +200,7 @@ PointSource source_on(std::shared_ptr<const PlacesOnMesh> on) {
     return source;
 }
 
-// One place.
+// Source of one point with only uv0.
 PointSource source_of_uv(glm::dvec2 uv) {
     PointSource source;
     source.count = 1;
@@ -217,7 +217,7 @@ PointSource source_of_uv(glm::dvec2 uv) {
     return source;
 }
 
-// The file of --at, where it holds a table.
+// Returns the table format of the file of --at; std::nullopt if it is not a table.
 std::optional<TableForm> table_form(const std::string& at) {
     if (at.ends_with(".csv")) return TableForm::csv;
     if (at.ends_with(".npy")) return TableForm::npy;
@@ -230,7 +230,7 @@ PointSource open_at(const std::string& at, Diagnostics& diagnostics) {
         const auto points =
             std::make_shared<const std::vector<Point>>(points_of_option(at, diagnostics));
         PointSource source = source_of(*points);
-        // The points live as long as the source.
+        // The capture keeps the points alive as long as the source.
         source.report = [points, report = source.report](size_t point, Severity severity,
                                                          std::string message, std::string expected,
                                                          Diagnostics& problems) {

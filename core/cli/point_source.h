@@ -1,5 +1,5 @@
-// The points of an eval, in blocks: from JSON, from a table, or places of a mesh with the surface
-// there. Memory is bounded by the table and one block.
+// Points of an evaluation in blocks: from JSON, from a table, or surface points of a mesh at given
+// uvs. Memory is bounded by the input points and one block.
 #pragma once
 
 #include <functional>
@@ -14,31 +14,32 @@ namespace wrinkle::cli {
 
 struct PointSource {
     size_t count = 0;
-    // Reports what is needed and no point has; true when nothing is.
+    // Reports needed values that the points lack; returns true if there are none.
     std::function<bool(const std::vector<InputNeed>& needs, Diagnostics& diagnostics)> check;
-    // Writes the needed values of the points first ... first + set.count - 1; false with errors.
+    // Writes the needed values of points [first, first + set.count); returns false and reports
+    // errors on failure.
     std::function<bool(const std::vector<InputNeed>& needs, size_t first, PointSet& set,
                        Diagnostics& diagnostics)>
         fill;
-    // A problem at a point.
+    // Reports a problem at a point.
     std::function<void(size_t point, Severity severity, std::string message, std::string expected,
                        Diagnostics& diagnostics)>
         report;
 };
 
-// `points` outlives the source.
+// Precondition: `points` outlives the source.
 PointSource source_of(const std::vector<Point>& points);
 
-// The options that choose points: --at, or --mesh with --at or --uv.
+// Options that select points: --at, or --mesh with --at or --uv.
 struct PointOptions {
-    std::string at;        // JSON, "@FILE", "FILE.csv", "FILE.npy", "-"; points, or places as uv0
-    std::string mesh;      // "" or as cli/meshes.h takes it
-    std::string uv;        // one place, "U,V"
-    uint32_t size = 1024;  // dx and dy are one texel of a size * size layout
+    std::string at;        // JSON, "@FILE", "FILE.csv", "FILE.npy", "-"; with --mesh, uv0 only
+    std::string mesh;      // "", or a shape name or path (cli/meshes.h)
+    std::string uv;        // one uv, "U,V"
+    uint32_t size = 1024;  // dx and dy span one texel of a size x size layout
 };
 bool is_uv(const std::string& text);
 
-// With errors reported, a source without points.
+// Returns a source without points and reports errors on failure.
 PointSource open_points(const PointOptions& options, const CommonOptions& common,
                         Diagnostics& diagnostics);
 

@@ -13,7 +13,7 @@ namespace wrinkle::cli {
 namespace {
 
 constexpr std::string_view components = "xyzw";
-constexpr size_t most_shown = 40;  // of a text that is not a number
+constexpr size_t most_shown = 40;  // characters of an invalid number in a message
 
 struct Column {
     InputNeed need;
@@ -22,7 +22,7 @@ struct Column {
 
 std::optional<Column> column_named(std::string_view name) {
     if (const auto whole = find_input(name); whole && lanes_of(*whole) == 1) {
-        if (whole->variant != Variant::value) return {};  // facing does not change
+        if (whole->variant != Variant::value) return {};  // facing has no differentials
         return Column{*whole, 0};
     }
     if (name.size() < 2 || name[name.size() - 2] != '.') return {};
@@ -54,7 +54,7 @@ std::string_view unquoted(std::string_view text) {
     return text.substr(1, text.size() - 2);
 }
 
-// The text up to the separator, which it is moved behind.
+// Returns the text before the separator and advances `text` past it.
 std::string_view take(std::string_view& text, char separator) {
     const size_t end = std::min(text.find(separator), text.size());
     const std::string_view taken = text.substr(0, end);

@@ -1,11 +1,12 @@
-// Surface points as a table: a CSV file with a line of names, or an NPY file (cli/npy.h).
+// Surface points as a table: a CSV file with a header line, or an NPY file (cli/npy.h).
 //
 //   uv0.x,uv0.y,normal.x,normal.y,normal.z,dx.uv0.x,dx.uv0.y
 //   0.25,0.5,0,0,1,0.001,0
 //
-// A column is one component of a surface value: its name, .x .y .z .w, and dx. or dy. before it for
-// the change to the next pixel; `facing` has no component. Columns may have any order; of a value
-// all are there. Numbers are finite. Errors name the file, a CSV's line, and the point.
+// A column is one component of a surface value: its name, then .x .y .z .w; the prefix dx. or dy.
+// marks the differential to the next pixel; `facing` has no component. Columns may have any order;
+// all components of a value are required. Numbers are finite. Errors name the file, the line (CSV
+// only) and the point.
 #pragma once
 
 #include <optional>
@@ -17,20 +18,20 @@
 
 namespace wrinkle::cli {
 
-// The name of one column: "uv0.x", "dx.normal.z", "facing".
+// Returns the name of one column: "uv0.x", "dx.normal.z", "facing".
 std::string column_name(const std::string& value, size_t lane, size_t lanes);
 
 enum class TableForm : uint8_t { csv, npy };
 
 class PointTable {
 public:
-    // Empty with errors. `name` is the file's, for messages.
+    // Returns std::nullopt and reports errors on failure. `name` is the file name for messages.
     static std::optional<PointTable> read(TableForm form, std::string bytes,
                                           const std::string& name, Diagnostics& diagnostics);
 
     size_t count() const { return count_; }
     bool gives(const InputNeed& need) const { return places(need)[0].given; }
-    // Component `lane` of a value that it gives.
+    // Component `lane` of a value. Precondition: gives(need).
     double at(const InputNeed& need, size_t lane, size_t point) const {
         return number(places(need)[lane], point);
     }
@@ -39,7 +40,7 @@ public:
 private:
     struct Place {
         bool given = false, is_double = true;
-        size_t offset = 0;  // in a record
+        size_t offset = 0;  // bytes from the start of a record
     };
     using Places = std::array<Place, 4>;
 
@@ -62,7 +63,7 @@ private:
 
     std::string name_, bytes_;  // records
     size_t first_ = 0, record_ = 0, count_ = 0;
-    uint32_t first_line_ = 0;  // of the first point; 0 without lines
+    uint32_t first_line_ = 0;  // line of the first point; 0: no lines (NPY)
     std::array<std::array<Places, 3>, surface_input_count> places_;
 };
 

@@ -10,7 +10,7 @@
 namespace wrinkle::cli {
 namespace {
 
-// Reads one point; problems are reported at the values they concern.
+// Reads one point and reports problems at their values.
 class PointReader {
 public:
     PointReader(Point& point, Diagnostics& diagnostics)

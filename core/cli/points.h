@@ -1,10 +1,10 @@
-// Surface points given as JSON.
+// Surface points in JSON.
 //
 //   {"position": [x, y, z], "normal": [...], "uv0": [u, v], ..., "facing": 1,
 //    "dx": {"position": [...], "uv0": [...], ...}, "dy": {...}}
 //
-// dx and dy hold the change of a value to the next pixel. Nothing but `facing` (+1) has a default;
-// what a material needs and a point lacks is an error that names it. Numbers are finite.
+// dx and dy hold the differentials to the next pixel. Only `facing` has a default (+1); a value
+// that a material needs and a point lacks is an error that names it. Numbers are finite.
 #pragma once
 
 #include <array>
@@ -26,7 +26,7 @@ struct Point {
     };
     std::array<Slot, size_t{surface_input_count} * 3> slots;
     std::string name;    // "point 3", for messages
-    json::Value source;  // where it was read
+    json::Value source;  // value that the point was read from
 
     Slot& operator[](const InputNeed& input) { return slots[index(input)]; }
     const Slot& operator[](const InputNeed& input) const { return slots[index(input)]; }
@@ -37,10 +37,10 @@ private:
     }
 };
 
-// A point, or an array of them.
+// Reads one point or an array of points.
 std::vector<Point> read_points(const json::Value& value, Diagnostics& diagnostics);
 
-// The value of --at: JSON itself, "@FILE", or "-" for standard input.
+// Reads the value of --at: JSON text, "@FILE", or "-" for standard input.
 std::vector<Point> points_of_option(const std::string& at, Diagnostics& diagnostics);
 
 }  // namespace wrinkle::cli

@@ -1,5 +1,5 @@
-// How far long work is: a line that is written over on a terminal, a line of JSON each time for
-// tools, nothing in a pipe.
+// Progress of long work: one line that is overwritten on a terminal, JSON lines for tools, or no
+// output in a pipe.
 //
 //   {"done": 131072, "total": 1048576, "per_second": 5.2e7, "seconds_left": 0.02}
 #pragma once
@@ -14,15 +14,15 @@ class Progress {
 public:
     enum class Form : uint8_t { none, line, json };
 
-    // `unit` is counted: "texels".
+    // `unit` names the counted items: "texels".
     Progress(Form form, std::string unit, uint64_t total);
-    ~Progress();  // takes the line away
+    ~Progress();  // clears the line
     Progress(const Progress&) = delete;
     Progress& operator=(const Progress&) = delete;
 
-    static Form form_for(bool json);  // a line where standard error is a terminal
+    static Form form_for(bool json);  // `line` if standard error is a terminal
 
-    // What was done in another run counts for no rate.
+    // Counts work that an earlier run finished; it does not affect the rate.
     void skip(uint64_t count);
     void add(uint64_t count);
 

@@ -1,4 +1,4 @@
-// wrinkle render FILE -o OUT: a picture of a graph.
+// wrinkle render FILE -o OUT: renders a graph on a mesh.
 #include <unistd.h>
 
 #include <cstdio>
@@ -74,7 +74,7 @@ struct RenderCommand {
             diagnostics.error(why);
     }
 
-    // Of each run.
+    // Returns the displaced mesh of each run; stops at the first error.
     std::vector<Mesh> displaced(const Mesh& still, const Nodes& nodes, const Overrides& overrides,
                                 TextureStore& textures, Diagnostics& diagnostics) const {
         std::vector<Mesh> meshes;
@@ -115,7 +115,8 @@ struct RenderCommand {
         return sentence.empty();
     }
 
-    // `still` is what the camera sees; with --displace each shader has a mesh of its own.
+    // Renders and saves the image of each run; returns the exit code. `still` determines the
+    // camera; with --displace, run i is drawn on displaced[i].
     int draw(const std::vector<Shader>& shaders, const Mesh& still,
              const std::vector<Mesh>& displaced, const TextureStore& textures,
              const PictureOptions& options, const Overrides& overrides) const {
@@ -144,7 +145,7 @@ struct RenderCommand {
         return saved;
     }
 
-    // The image library writes files, so the bytes go through one.
+    // Writes a PNG through a temporary file, because the image library only writes files.
     static bool save_to_stdout(const Image& image, Diagnostics& environment) {
         std::error_code none, ignored;
         std::string folder = (fs::temp_directory_path(none) / "wrinkle-XXXXXX").string();

@@ -1,4 +1,4 @@
-// The files that `wrinkle new-plugin` writes: a node with its graph, its test and its build.
+// Files written by `wrinkle new-plugin`: a node with its graph, test and build.
 #pragma once
 
 #include <string>
@@ -11,8 +11,8 @@ struct ScaffoldFile {
     std::string name, text;
 };
 
-// `name` is the node's id, fit to be one. `prefix` is where the SDK is installed or built, "" when
-// that is not known.
+// Precondition: `name` is a valid node id. `prefix` is the install or build folder of the SDK, ""
+// if unknown.
 std::vector<ScaffoldFile> scaffold(std::string_view name, std::string_view prefix);
 
 }  // namespace wrinkle::cli

@@ -28,7 +28,7 @@ void declare_plugin_path(CLI::App& command, CommonOptions& options) {
                     "A plugin, or a folder of plugins; comes before WRINKLE_PLUGIN_PATH and the "
                     "user's and the system's folder")
         ->type_name("DIR")
-        ->allow_extra_args(false)  // one a time: what follows may be a file
+        ->allow_extra_args(false)  // one value each: the next word may be a file
         ->take_all();
 }
 
@@ -38,7 +38,7 @@ void declare_common(CLI::App& command, CommonOptions& options, bool with_set) {
             .add_option("--set", options.set,
                         "NODE.PORT=VALUE or input.NAME=VALUE; A:B:N is a sweep of N values")
             ->type_name("WHAT=VALUE")
-            ->allow_extra_args(false)  // one a time: what follows may be a file
+            ->allow_extra_args(false)  // one value each: the next word may be a file
             ->take_all();
     command
         .add_option("--root", options.root,

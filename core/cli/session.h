@@ -1,4 +1,4 @@
-// What the commands that read graphs share: their options, the node types, the project.
+// Shared by the commands that read graphs: options, node types and the project.
 #pragma once
 
 #include <optional>
@@ -24,26 +24,26 @@ struct CommonOptions {
 void declare_plugin_path(CLI::App& command, CommonOptions& options);
 void declare_common(CLI::App& command, CommonOptions& options, bool with_set = true);
 
-// The built-in nodes and those of plugins. Plugins are looked for once a process.
+// Built-in nodes and plugin nodes. Each call of load_nodes() searches the plugin folders.
 struct Nodes {
     Registry registry;
     std::vector<PluginReport> plugins;
 };
 Nodes load_nodes(const CommonOptions& options, Diagnostics& diagnostics);
 
-// The folder of a stream, such as "-", is the working folder.
+// Loads a graph and its sub-graphs. A stream such as "-" uses the working folder.
 Project open_project(const std::string& file, const CommonOptions& options,
                      Diagnostics& diagnostics);
 
-// The whole of a file that the user names, or of a stream; nothing with an error.
+// Reads a complete file or stream; returns std::nullopt and reports an error on failure.
 std::optional<std::string> read_text(const std::string& file, Diagnostics& diagnostics);
 
-// A problem at a value. Those beyond the list's limit are only counted: finding the pointer of an
-// item takes a walk over its array.
+// Reports a problem at a value. Problems beyond the limit of the list are only counted, because
+// computing the JSON pointer of an item requires a walk over its array.
 void report_at(const json::Value& value, std::string message, std::string expected,
                Diagnostics& diagnostics);
 
-// The values of --set. Sweeps run side by side: their lengths must agree.
+// Values of --set. Sweeps advance together, so their lengths must be equal.
 struct Overrides {
     std::vector<Override> list;
     size_t runs = 1;
@@ -51,7 +51,7 @@ struct Overrides {
 };
 Overrides parse_overrides(const CommonOptions& options, Diagnostics& diagnostics);
 
-// OUT with ".003" before its extension for run 3 of a sweep, else OUT.
+// Returns `path` with ".003" inserted before the extension for run 3 of a sweep, else `path`.
 std::string path_of_run(const std::string& path, const Overrides& overrides, size_t run);
 
 }  // namespace wrinkle::cli

@@ -17,7 +17,7 @@ namespace {
 using json::Kind;
 using json::Value;
 
-// Reads the keys into the case; problems are reported at their values.
+// Reads the keys into a test case and reports problems at their values.
 class CaseReader {
 public:
     CaseReader(TestCase& test, Diagnostics& diagnostics) : test_(test), diagnostics_(diagnostics) {}
@@ -159,7 +159,7 @@ private:
     Diagnostics& diagnostics_;
 };
 
-// One after the array or object that begins at `begin` of a text that is valid JSON.
+// Returns the offset after the array or object at `begin`. Precondition: `text` is valid JSON.
 size_t end_of_container(std::string_view text, size_t begin) {
     int depth = 0;
     bool in_string = false;
@@ -181,7 +181,8 @@ bool is_test(const fs::path& path) {
     return path.filename().string().ends_with(test_suffix);
 }
 
-// A folder that cannot be read is an error: its tests would go missing unseen.
+// Adds the tests below a folder. An unreadable folder is an error, so that its tests are not
+// skipped silently. Symbolic links to folders are not followed.
 void find_below(const fs::path& top, std::vector<fs::path>& tests, Diagnostics& diagnostics) {
     std::vector<fs::path> folders{top};
     while (!folders.empty()) {

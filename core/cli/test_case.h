@@ -1,5 +1,6 @@
-// Regression cases of a graph NAME.json, from NAME.test.json beside it. docs/test-cases.md is their
-// reference; cli/test_schema.h has their keys. Every key may be left out; unknown ones are errors.
+// Regression cases of a graph NAME.json, read from NAME.test.json in the same folder. They are
+// documented in docs/test-cases.md; cli/test_schema.h lists the keys. All keys are optional;
+// unknown keys are errors.
 #pragma once
 
 #include <filesystem>
@@ -16,7 +17,7 @@ namespace wrinkle::cli {
 
 struct RenderCase {
     PictureOptions picture;
-    json::Value mesh;  // where it is named; null: not given
+    json::Value mesh;  // value of the key, for messages; null: not given
     double tolerance = 1;
 };
 
@@ -31,19 +32,21 @@ struct TestCase {
     double tolerance = 1e-4;
     bool glsl = false;
     std::optional<RenderCase> render;
-    std::string text;  // of the file
+    std::string text;  // contents of `file`
 
     std::filesystem::path golden(const std::string& extension) const;
 };
 
-// Nothing with a problem reported. With `updating`, `expect` may have another length than points.
+// Returns std::nullopt and reports a problem on failure. If `updating` is set, `expect` and
+// `points` may differ in length.
 std::optional<TestCase> read_test_case(const std::filesystem::path& file, bool updating,
                                        Diagnostics& diagnostics);
 
-// The file's text with these entries as its "expect"; nothing else changes.
+// Returns the file's text with "expect" replaced by `entries`; all else is unchanged.
 std::string with_expect(const TestCase& test, const std::vector<std::string>& entries);
 
-// Files as given and those below folders, in the order of their names.
+// Returns the given test files in order; a folder is replaced by all tests below it, sorted by
+// name.
 std::vector<std::filesystem::path> find_tests(const std::vector<std::string>& paths,
                                               Diagnostics& diagnostics);
 

@@ -13,7 +13,8 @@ namespace {
 
 using Lanes = std::vector<double>;
 
-// Nothing where the value is no number or array of `count` numbers.
+// Returns the numbers of a value; std::nullopt if it is not a number or an array, or does not hold
+// `count` numbers.
 std::optional<Lanes> lanes_of(const json::Value& value, size_t count) {
     Lanes lanes;
     if (value.is(json::Kind::number)) lanes.push_back(value.as_number());
@@ -48,7 +49,7 @@ std::string lanes_text(const Lanes& lanes) {
     return lanes.size() == 1 ? text : "[" + text + "]";
 }
 
-// "" when they agree.
+// Returns one sentence if the values differ by more than the tolerance, otherwise "".
 std::string disagreement(const TestCase& test, uint32_t port_type, const Lanes& expected,
                          const Lanes& got) {
     const bool is_normal = port_type == WR_PORT_normal;

@@ -1,4 +1,4 @@
-// How far results are from what a test expects.
+// Compares results with the expected values of a test.
 #pragma once
 
 #include <string>
@@ -9,13 +9,14 @@
 
 namespace wrinkle::cli {
 
-// One sentence for each output of the point that differs from `expected` (an object), or that
-// cannot be compared; none when all agree. `document` says which node an output comes from.
+// Returns one sentence per output of the point that differs from `expected` (an object) or that
+// cannot be compared; empty if all are equal within the tolerances. `document` provides the node of
+// each output, for messages.
 std::vector<std::string> differences(const TestCase& test, const Document& document,
                                      const json::Value& expected,
                                      const std::vector<OutputColumn>& columns, size_t point);
 
-// Root mean square of all channels in 8-bit steps; negative for pictures of different sizes.
+// Returns the RMS difference over all channels in 8-bit steps; negative if the sizes differ.
 double picture_difference(const Image& expected, const Image& got);
 
 }  // namespace wrinkle::cli

@@ -17,13 +17,13 @@ namespace wrinkle::cli {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr Precision precision = Precision::single;  // what shaders compute
+constexpr Precision precision = Precision::single;  // precision of shaders
 
 json::Value entry_of(const TestCase& test, size_t point) {
     return point < test.expect.size() ? test.expect.at(point) : json::Value();
 }
 
-// The outputs that the entry names, all of them when it names none.
+// Returns the outputs that the entry names; all outputs if it is empty.
 std::vector<OutputColumn> named_by(const json::Value& entry,
                                    const std::vector<OutputColumn>& columns) {
     std::vector<OutputColumn> result;
@@ -46,7 +46,8 @@ std::string joined(const std::vector<std::string>& sentences) {
     return text;
 }
 
-// Of the render case; a file is found as the graph's images are.
+// Opens the mesh of a render case; a path is resolved like the image paths of the graph. Returns
+// std::nullopt and reports an error on failure.
 std::optional<Mesh> mesh_of(const RenderCase& render, const Project& project,
                             const CommonOptions& common, Diagnostics& diagnostics) {
     const std::string& name = render.picture.mesh;
@@ -104,7 +105,8 @@ void TestRun::run(const TestCase& test, Diagnostics& diagnostics) {
     diagnostics.append_once(own);
 }
 
-// What a test names by its own name stays below the root, as what a graph names does.
+// Reports an error if `file`, which is derived from the name of the test, is outside the root after
+// links are resolved. The same rule applies to files that a graph names.
 void TestRun::refuse_outside(const fs::path& file, const TestCase& test, Diagnostics& diagnostics) {
     const fs::path folder = test.file.has_parent_path() ? test.file.parent_path() : ".";
     const fs::path root = common_.root.empty() ? folder : fs::path(common_.root);
@@ -137,7 +139,7 @@ void TestRun::values(const TestCase& test, const MaterialRun& run, const Texture
     if (options_.update) update_values(test, *columns, differs);
 }
 
-// Entries that agree keep their spelling.
+// Rewrites "expect"; entries within the tolerance are copied unchanged.
 void TestRun::update_values(const TestCase& test, const std::vector<OutputColumn>& columns,
                             const std::vector<bool>& differs) {
     std::vector<std::string> entries;
@@ -225,7 +227,7 @@ bool TestRun::save(const Image& image, const fs::path& path) {
     return false;
 }
 
-// The test's path as one name, so that equal names of two folders stay apart.
+// Includes the folder in the file name, so that tests in different folders do not collide.
 fs::path TestRun::report_path(const TestCase& test, const std::string& extension) const {
     std::string name;
     for (const fs::path& part : test.file.parent_path().lexically_normal())
@@ -234,7 +236,7 @@ fs::path TestRun::report_path(const TestCase& test, const std::string& extension
     return fs::path(options_.report) / (name + test.name + extension);
 }
 
-// At `place`, or at `pointer` if that is null.
+// Records a failure at `place`, or at the JSON pointer `pointer` if `place` has no location.
 void TestRun::fail(const TestCase& test, const json::Value& place, const char* pointer,
                    const std::string& sentence) {
     ++tally_.failed;

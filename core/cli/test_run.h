@@ -1,4 +1,4 @@
-// Regression cases, run one file after the other.
+// Runs regression cases, one file after the other.
 #pragma once
 
 #include <filesystem>
@@ -10,13 +10,13 @@ namespace wrinkle::cli {
 
 struct TestOptions {
     bool update = false;
-    std::string report;  // folder, "": none
+    std::string report;  // folder; "": none
 };
 
 struct TestTally {
     size_t passed = 0;
     size_t failed = 0;
-    std::string environment;  // why some could not be run or written, one sentence; exit code 3
+    std::string environment;  // why a run or a write failed, one sentence; exit code 3
 };
 
 class TestRun {
@@ -24,10 +24,11 @@ public:
     TestRun(const Registry& registry, const CommonOptions& common, const TestOptions& options)
         : registry_(registry), common_(common), options_(options) {}
 
-    // Prints what failed. A file that cannot be run is one failed case, with its problems reported.
+    // Runs a file and prints its failures. A file that cannot run counts as one failed case, and
+    // its problems are reported.
     void test(const std::filesystem::path& file, Diagnostics& diagnostics);
     const TestTally& tally() const { return tally_; }
-    // Cases that were run and failed, as problems: file, JSON pointer of the case, sentence.
+    // Failures of cases that ran, as problems: file, JSON pointer of the case, sentence.
     const Diagnostics& failures() const { return failures_; }
 
 private:

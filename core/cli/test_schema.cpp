@@ -15,7 +15,8 @@ std::string numbers(size_t count) {
            ", \"maxItems\": " + size + "}";
 }
 
-// Surface inputs; `facing` has no changes.
+// Schema properties of the surface inputs, or of their differentials if `changes` is set; `facing`
+// has no differentials.
 std::string input_properties(bool changes) {
     std::string text;
     for (const std::string& name : surface_input_names()) {

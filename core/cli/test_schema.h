@@ -1,5 +1,5 @@
-// The keys of .test.json files, once: for the reader (cli/test_case.h) and for the JSON Schema that
-// `wrinkle test --schema` prints. docs/test-cases.md has a line for each.
+// Keys of .test.json files, shared by the reader (cli/test_case.h) and the JSON Schema that
+// `wrinkle test --schema` prints. docs/test-cases.md documents each key.
 #pragma once
 
 #include <span>
@@ -9,13 +9,13 @@
 
 namespace wrinkle::cli {
 
-// Values are JSON text; `schema` holds the members of the value's schema.
+// Values are JSON text. `schema` holds the members of the JSON Schema of the value.
 struct CaseKey {
     std::string name, doc, schema, fallback, example;  // fallback "": no default
 };
 
-const std::vector<CaseKey>& case_keys();    // of the file
-const std::vector<CaseKey>& render_keys();  // of its "render"
+const std::vector<CaseKey>& case_keys();    // top-level keys
+const std::vector<CaseKey>& render_keys();  // keys of "render"
 
 std::vector<std::string> names_of(std::span<const CaseKey> keys);
 

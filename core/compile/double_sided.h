@@ -1,4 +1,4 @@
-// glTF defines a double-sided material so: seen from behind, a bump is a dent.
+// Back-face rule of glTF double-sided materials: seen from behind, a bump is a dent.
 #pragma once
 
 #include <string>
@@ -8,8 +8,8 @@
 
 namespace wrinkle {
 
-// For drawing on a mesh with such a material: a graph that does not choose its "back_faces" gets
-// the rule `flip`, and a warning at `mesh` says so.
+// Call when drawing on a mesh with a double-sided material: if the graph does not set "back_faces",
+// sets the rule `flip` and reports a warning at `mesh`.
 void follow_double_sided(Document& document, const std::string& mesh, Diagnostics& diagnostics);
 
 }  // namespace wrinkle

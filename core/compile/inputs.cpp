@@ -8,7 +8,8 @@ namespace wrinkle {
 namespace fs = std::filesystem;
 namespace {
 
-// A path made short is another place where a folder on the way is a link.
+// Returns the normalised `wanted`, or `real` if both exist and differ: with a symbolic link on the
+// path, lexical normalisation may name another file.
 std::string spelled(const fs::path& wanted, const fs::path& real) {
     const fs::path shorter = wanted.lexically_normal();
     std::error_code error;

@@ -1,8 +1,8 @@
-// Every file that a graph reads: itself, its sub-graphs, the images and plugins that its nodes
-// name; for build systems, caches and programs that watch their files.
+// Lists the input files of a graph: the graph, its sub-graphs, and the images and plugins of its
+// nodes; for build systems, caches and file watchers.
 //
-// Paths are spelled as the graph was: relative to the working folder where its own path is, so that
-// a build system meets the names that it knows. Each file comes once, graphs first.
+// Paths are spelled like the graph's path: relative to the working folder if that path is, so that
+// they match the names in a build system. Each file is listed once, graphs first.
 #pragma once
 
 #include <string>
@@ -21,7 +21,7 @@ struct InputFile {
 
 std::string_view name_of(InputFile::Kind kind);
 
-// Without standard input, and without images that lie outside the root. Files may be missing.
+// Excludes standard input and images outside the root. Listed files may be missing.
 std::vector<InputFile> inputs_of(const Project& project, const Types& types);
 
 }  // namespace wrinkle

@@ -1,5 +1,5 @@
-// A project's shader with every problem said at its place: what `wrinkle compile` and the embedded
-// library (core/api) write, byte for byte and word for word.
+// Compiles a project to a shader and reports each problem at its location. `wrinkle compile` and
+// the embedded library (core/api) share it: their output and messages are identical.
 #pragma once
 
 #include <string>
@@ -9,36 +9,37 @@
 
 namespace wrinkle {
 
-// What the numbers of a caller's resources may be.
+// Largest descriptor set and first binding that a caller may choose.
 inline constexpr int max_descriptor_set = 31, max_first_binding = 4095;
 
-// The form that a target is written in where nobody says which.
+// The default form of a target.
 Form default_form(const Target& target);
 
-// Why a target, a form and differentials do not go together, a clause; "" when they do.
+// Returns a clause with the reason why target, form and differentials are incompatible; "" if they
+// are compatible.
 std::string form_conflict(const Target& target, Form form, Differentials differentials);
 
-// Compiles. Where the project has errors already the rest of it is checked as well, so that every
-// problem is reported in one go.
+// Compiles the project. If `diagnostics` already has errors, only checks the project, so that all
+// problems are reported at once; the result is then not ok.
 Compiled compile_or_check(const Project& project, const Registry& registry,
                           const MaterialOptions& options, Diagnostics& diagnostics);
 
-// Problems of the emitter, at the nodes they name.
+// Reports the emitter's problems at the nodes that they name.
 void report_emit(const Shader& shader, const Compiled& compiled, const Project& project,
                  Diagnostics& diagnostics);
 
-// More images or outputs than every machine of the target has room for: warnings that name them,
-// with `strict` errors.
+// Reports images or outputs in excess of the limits that the target guarantees (cost/limits.h), as
+// warnings that name them, or as errors if `strict`.
 void judge_limits(const Reflection& reflection, const std::string& file, bool strict,
                   Diagnostics& diagnostics);
 
 struct ShaderOptions {
-    MaterialOptions material;  // given differentials follow `emit`
-    EmitOptions emit;          // without a conflict
-    bool strict = false;       // what not every machine has is an error
+    MaterialOptions material;  // given_differentials is set from `emit`
+    EmitOptions emit;          // without a form_conflict()
+    bool strict = false;       // exceeding a guaranteed limit is an error
 };
 
-// What the shader is good for only as long as `diagnostics` has no error.
+// Precondition of using the shader: `diagnostics` has no error.
 struct MadeShader {
     Compiled compiled;
     Shader shader;

@@ -1,4 +1,4 @@
-// The reflection that is written beside a shader's texts.
+// The reflection file that is written next to a shader's source files.
 #pragma once
 
 #include <string>
@@ -7,9 +7,9 @@
 
 namespace wrinkle {
 
-// to_json() of the reflection with one more key at its end: "sha256", the sums of the texts it is
-// of, {"function": "..."} or {"vertex": "...", "fragment": "..."}. A reader sees by it whether the
-// files it has are of one run.
+// Returns to_json() of the reflection with an additional last key "sha256": the hashes of the
+// shader's sources, {"function": "..."} or {"vertex": "...", "fragment": "..."}. They show whether
+// the files come from the same run.
 std::string reflection_json(const Shader& shader);
 
 }  // namespace wrinkle

@@ -5,7 +5,7 @@
 namespace wrinkle {
 namespace {
 
-// The image's problem said at the port that names the file.
+// Returns the image's problem at the port that names the file.
 Diagnostic at_reader(const Diagnostic& problem, const Resource& resource, const Compiled& compiled,
                      const Project& project) {
     if (resource.readers.empty()) return problem;

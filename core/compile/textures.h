@@ -1,4 +1,4 @@
-// The images of a module as pixels, for what computes numbers or pictures.
+// Loads the images that a module samples, for evaluation, baking and rendering.
 #pragma once
 
 #include "cpu/texture_store.h"
@@ -6,8 +6,8 @@
 
 namespace wrinkle {
 
-// Reads what the module samples. A problem is reported at the first node that reads the image; a
-// file that failed once is reported once.
+// Reads the images that the module samples. A problem is reported at the first node that reads the
+// image; a file that fails is reported only once.
 void read_textures(TextureStore& textures, const Compiled& compiled, const Project& project,
                    Diagnostics& diagnostics);
 

@@ -17,7 +17,7 @@ bool is_word(char c) {
     return std::isalnum(static_cast<unsigned char>(c)) || c == '_';
 }
 
-// Calls use(word, where it begins) for every word.
+// Calls use(word, index of its first character) for every word.
 template <class Use>
 void each_word(std::string_view line, Use use) {
     for (size_t at = 0; at < line.size();) {
@@ -31,7 +31,7 @@ void each_word(std::string_view line, Use use) {
     }
 }
 
-// NAME of "vec3 NAME(..." at the beginning of a line; "" of any other.
+// Returns NAME of a line that begins with "vec3 NAME(..."; "" for any other line.
 std::string_view function_begun(std::string_view line) {
     const auto stop = [&](size_t at) {
         while (at < line.size() && is_word(line[at]))
@@ -95,7 +95,7 @@ private:
         }
     }
 
-    // A function stands behind those that it calls.
+    // Functions are defined after their callees, so callers are propagated from last to first.
     void find_callers() {
         for (size_t i = 0; i < lines_.size(); ++i)
             if (has_node(nodes_[i])) add_callers(lines_[i], {nodes_[i]});
@@ -112,7 +112,7 @@ private:
         });
     }
 
-    // No name of the text has two underscores.
+    // Suffixes helper names with "__NODE", which is unique: no name of the source contains "__".
     void write(std::string_view line, uint32_t node, std::string& text) const {
         text += "#line " + std::to_string(has_node(node) ? node + 1 : 1) + "\n";
         size_t copied = 0;

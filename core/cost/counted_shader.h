@@ -1,9 +1,9 @@
-// The text whose instructions are counted: a fragment shader of GLSL 4.50 around the function form.
-// The members of its struct are interpolants and every output is written, nothing is lit.
+// Source for instruction counting: a GLSL 4.50 fragment shader around the function form. The
+// members of its struct are interpolants and every output is written, without lighting.
 //
-// A line's number says whose it is: `#line` makes it 1 + the index of its node in Module::nodes, 1
-// where it has none. A helper function has no node; each node that calls one gets a copy of
-// its own, whose lines are that node's.
+// `#line` numbers identify nodes: 1 + the index in Module::nodes, or 1 for a line without a node. A
+// helper function has no node; each node that calls it, directly or through other helpers, gets a
+// copy of it with the node's line number.
 #pragma once
 
 #include <string>
@@ -14,7 +14,7 @@ namespace wrinkle {
 
 std::string counted_shader(const Shader& shader);
 
-// The node of a line; no_node of none, and of the graph itself.
+// Returns the node of a line; no_node for a line without a node and for the graph itself.
 inline uint32_t counted_node(uint32_t line) {
     return line < 2 ? no_node : line - 1;
 }

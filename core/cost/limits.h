@@ -1,4 +1,4 @@
-// What a material needs that not every machine of its target has.
+// Checks of a material against the resource limits that its target guarantees.
 #pragma once
 
 #include <string>
@@ -7,16 +7,16 @@
 
 namespace wrinkle {
 
-// Units for images that each target gives a fragment shader at least: GL_MAX_TEXTURE_IMAGE_UNITS of
-// OpenGL 3.3 and ES 3.0, maxPerStageDescriptorSampledImages of Vulkan, sampler states of shader
-// model 5.0 and of Metal.
+// Minimum number of texture units of a fragment shader on each target:
+// GL_MAX_TEXTURE_IMAGE_UNITS of OpenGL 3.3 and ES 3.0, maxPerStageDescriptorSampledImages of
+// Vulkan, sampler states of shader model 5.0 and of Metal.
 inline constexpr size_t guaranteed_texture_units = 16;
 
-// One sentence that names what is too much, with its remedy; "" when nothing is.
+// One sentence that names the excess resources, and a hint; both "" if no limit is exceeded.
 struct Excess {
     std::string problem, remedy;
 };
 Excess texture_unit_excess(const Reflection& reflection);
-Excess draw_buffer_excess(const Reflection& reflection);  // of the shader form
+Excess draw_buffer_excess(const Reflection& reflection);  // shader form only
 
 }  // namespace wrinkle

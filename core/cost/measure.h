@@ -1,8 +1,8 @@
-// A module's cost, in one call: written as functions of GLSL 4.50, compiled, optimised as by
-// `spirv-opt -O`, counted. What `wrinkle compile --cost` prints and what the editor's cards show.
+// Measures the cost of a module: emits GLSL 4.50 functions, compiles them, optimises as
+// `spirv-opt -O` and counts. Shown by `wrinkle compile --cost` and on the editor's node cards.
 //
-// Everything is inlined, so it takes milliseconds for a material of a few nodes and seconds for one
-// of thousands. Needs the module of compilers (spirv/spirv.h); safe on any number of threads.
+// All functions are inlined, so it takes milliseconds for a material of a few nodes and seconds for
+// one of thousands. Requires the compiler module (spirv/spirv.h). Thread-safe.
 #pragma once
 
 #include <optional>
@@ -13,8 +13,8 @@
 
 namespace wrinkle {
 
-// Of an expanded module, as emit() takes it. Nothing, with the reason in `why`, when the module of
-// compilers is missing or refuses the text.
+// `module` is expanded, as for emit(). Returns std::nullopt and sets `why` if the emitter reports a
+// problem, or the compiler module is missing or rejects the source.
 std::optional<CostReport> measure_cost(const Module& module, Differentials differentials,
                                        std::string& why);
 

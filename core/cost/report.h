@@ -1,10 +1,10 @@
-// What a material costs, in total and by node, from SPIR-V that spirv-opt has left of it.
+// The cost of a material, in total and by node, counted in SPIR-V optimised by spirv-opt.
 //
-// What is counted is the function form with its calls alone: the members of its struct are
-// interpolants, each output is written, nothing is lit and nothing is turned into the world. So the
-// figures are those of docs/cost.md and no wrapper's. An instruction belongs to the node whose line
-// of the text it came from; what several nodes need stands in the line of one of them, or of none,
-// the surface point's. What the optimiser removed costs nothing.
+// Only the function form and its calls are counted: the members of its struct are interpolants,
+// each output is written, without lighting or world transform. The figures are those of
+// docs/cost.md and exclude any wrapper. An instruction belongs to the node of its source line; an
+// instruction shared by several nodes belongs to one of them, or to none (the surface point).
+// Instructions removed by the optimiser cost nothing.
 #pragma once
 
 #include <string>
@@ -18,19 +18,19 @@ namespace wrinkle {
 struct NodeCost {
     std::string node;  // path
     ShaderCost cost;
-    size_t texture_units = 0;  // of the images that it reads; others may read them too
+    size_t texture_units = 0;  // images that it reads, possibly shared with other nodes
 };
 
 struct CostReport {
     ShaderCost total;
-    std::vector<NodeCost> nodes;  // that cost something, the most numbers first
-    ShaderCost shared;            // of the surface point, and of no line
-    size_t texture_units = 0;     // in all
+    std::vector<NodeCost> nodes;  // with a cost, in decreasing order of alu
+    ShaderCost shared;            // surface point and instructions without a line
+    size_t texture_units = 0;     // total
 };
-// Of the function form that counted_shader() was made from.
+// `shader` is the function form from which counted_shader() was made; `count` is its count.
 CostReport cost_report(const Shader& shader, const SpirvCount& count);
 
-// The report for people: totals, then a line for each node.
+// Human-readable report: totals, then one line per node.
 //   ALU div reads derivs units  node
 std::string to_text(const CostReport& report);
 

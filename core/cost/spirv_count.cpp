@@ -41,8 +41,8 @@ bool any_holds(std::span<const Range> ranges, uint32_t op) {
     return std::any_of(ranges.begin(), ranges.end(), [op](Range r) { return r.holds(op); });
 }
 
-// The lanes of their result: conversions, arithmetic, products with a scalar, tests, choices and
-// comparisons, bits.
+// Instructions that cost one per component of their result: conversions, arithmetic, products with
+// a scalar, tests, selections and comparisons, bit operations.
 constexpr Range one_a_lane[] = {{109, 115}, {124, 124}, {126, 143}, {147, 147},
                                 {156, 157}, {164, 191}, {194, 205}};
 constexpr Range image_reads[] = {{87, 98}, {305, 315}, {320, 320}};
@@ -51,7 +51,7 @@ constexpr Range screen_derivatives[] = {{207, 215}};
 constexpr Range block_ends[] = {{249, 255}};
 
 struct Shape {
-    uint32_t rows = 0, columns = 0;  // a scalar 1, 1; a vector n, 1; 0: none
+    uint32_t rows = 0, columns = 0;  // scalar 1, 1; vector n, 1; 0: unknown
     uint32_t lanes() const { return rows * columns; }
 };
 
@@ -59,7 +59,7 @@ class Counter {
 public:
     explicit Counter(uint32_t bound) : type_shape_(bound), type_(bound, 0) {}
 
-    // False for what the rule does not cover.
+    // Counts one instruction; returns false and sets `why` for a function call.
     bool take(uint32_t op, std::span<const uint32_t> operands, std::string& why) {
         declare(op, operands);
         if (op == op_line) line_ = at(operands, 1);
@@ -90,7 +90,8 @@ private:
         return found.rows ? found : Shape{1, 1};
     }
 
-    // Where the first operand is a type of numbers, the second is a result of it.
+    // Records types, and result types: if the first operand is a known type, the second operand is
+    // a result of it.
     void declare(uint32_t op, std::span<const uint32_t> operands) {
         const uint32_t first = at(operands, 0);
         if (first >= type_shape_.size()) return;
@@ -173,8 +174,8 @@ private:
         }
     }
 
-    std::vector<Shape> type_shape_;  // by id of a type
-    std::vector<uint32_t> type_;     // by id of a value: its type
+    std::vector<Shape> type_shape_;  // by type id
+    std::vector<uint32_t> type_;     // type id by value id
     uint32_t line_ = 0;
     bool inside_ = false;
 };

@@ -1,16 +1,17 @@
-// What a SPIR-V module costs by the rule of docs/cost.md: every instruction of every function once,
-// also in loops. The module is one that `spirv-opt -O` has left: no call may remain.
+// Counts the cost of a SPIR-V module by the rules of docs/cost.md: every instruction of every
+// function once, also in loops. Precondition: optimised by `spirv-opt -O`, no call remains.
 //
-//   alu            numbers computed: arithmetic, comparison, choice, logic, bits and conversion the
-//                  lanes of their result; dot of n 2n-1; a matrix of c columns and r rows times a
-//                  vector (2c-1)r; clamp and fma 2 a lane, mix 3, smoothstep 7, pow 3, cross 9,
-//                  length 2n, distance 3n, normalize 3n
-//   transcendental sqrt, exp, sin ... a lane, 1 of a length or normalize, 2 a lane of pow
-//   divisions      divided lanes; these two are in alu too
+//   alu            scalar operations: arithmetic, comparison, selection, logic, bit operations and
+//                  conversion: 1 per component of the result; dot of n components 2n-1; a matrix of
+//                  c columns and r rows times a vector (2c-1)r; clamp and fma 2 per component, mix
+//                  3, smoothstep 7, pow 3; cross 9, length 2n, distance 3n, normalize 3n
+//   transcendental sqrt, exp, sin ...: 1 per component; length, distance, normalize: 1; pow: 2 per
+//                  component
+//   divisions      components divided; divisions and transcendental are also included in alu
 //   reads          samples, fetches, gathers and reads of images
-//   queries        questions about an image
-//   derivatives    of the screen: instructions; derivative_lanes: the numbers they give
-//   branches       conditional ones; loops: loops
+//   queries        image queries (size, levels, ...)
+//   derivatives    screen derivative instructions; derivative_lanes: components of their results
+//   branches       conditional branches and switches; loops: loops
 //
 // Loads, stores, extraction, construction and constants are free.
 #pragma once
@@ -33,10 +34,10 @@ struct ShaderCost {
 
 struct SpirvCount {
     ShaderCost total;
-    std::vector<ShaderCost> lines;  // [i]: of source line i, by OpLine; [0]: of no line
+    std::vector<ShaderCost> lines;  // [i]: source line i, by OpLine; [0]: no line
 };
 
-// Nothing, with the reason in `why`, for what is no module or has a call left.
+// Returns std::nullopt and sets `why` if `words` is not a SPIR-V module or contains a call.
 std::optional<SpirvCount> count_spirv(std::span<const uint32_t> words, std::string& why);
 
 }  // namespace wrinkle

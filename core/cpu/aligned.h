@@ -1,4 +1,4 @@
-// Memory that begins at a line of the cache, so that no vector lies across two.
+// Allocator with cache-line alignment (64 bytes), so that no SIMD vector straddles two lines.
 #pragma once
 
 #include <cstddef>
@@ -14,7 +14,7 @@ struct AlignedAllocator {
 
     AlignedAllocator() = default;
     template <class Other>
-    AlignedAllocator(const AlignedAllocator<Other>&) {}  // as containers ask for it
+    AlignedAllocator(const AlignedAllocator<Other>&) {}  // rebinding, as containers require
 
     T* allocate(size_t count) { return static_cast<T*>(::operator new(count * sizeof(T), line)); }
     void deallocate(T* memory, size_t) { ::operator delete(memory, line); }

@@ -1,4 +1,4 @@
-// A program's outputs at points by their names, and how its inputs are called.
+// Names of a program's inputs, and its outputs at points as named columns.
 #pragma once
 
 #include <optional>
@@ -11,10 +11,10 @@
 
 namespace wrinkle {
 
-// "uv0", "dx.uv0": an input of the surface, or its change to the next pixel.
+// Returns the name of a surface input ("uv0") or of its differential per pixel ("dx.uv0").
 std::string name_of(const InputNeed& need);
 std::optional<InputNeed> find_input(std::string_view name);
-std::vector<std::string> surface_input_names();  // without changes
+std::vector<std::string> surface_input_names();  // without differentials
 inline size_t lanes_of(const InputNeed& need) {
     return info(info(need.input).type).lanes;
 }
@@ -25,14 +25,15 @@ struct OutputColumn {
     std::string name;
     uint32_t port_type = 0;  // WR_PORT_*
     size_t lanes = 1;
-    std::vector<double> values;  // [point * lanes + lane]; of single precision exact floats
+    std::vector<double> values;  // [point * lanes + lane]; exact floats in single precision
 };
 
-// Every output at every point. Every needed input is given, of single precision within it.
+// Evaluates all outputs at all points. Precondition: every needed input is set and, for single
+// precision, finite as a float.
 std::vector<OutputColumn> evaluate_columns(const Program& program, const PointSet& points,
                                            std::span<const Texture> textures, Precision precision);
 
-// A needed number beyond float: in single precision it is infinite, which no surface has.
+// A needed input value that is not finite in single precision; surfaces have only finite inputs.
 struct BeyondFloat {
     size_t point = 0;
     InputNeed input;

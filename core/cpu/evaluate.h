@@ -1,13 +1,15 @@
-// Numbers from a module, without a GPU: a tape over scalar registers, run on tiles of 256 points.
+// CPU evaluator: compiles a module to a list of steps on scalar registers, run on tiles of 256
+// points.
 //
-// compile_program() takes a module after expand() and explicit_lod() (no opaque op, of the samples
-// sample_lod alone) and flattens it: vectors become lanes, calls are inlined, loops stay. Registers
-// are used again as soon as nobody reads them, so scratch is bounded by what lives at once. A
-// parameter has the value that the graph gives it. Linear time, no recursion over instructions.
+// compile_program() takes a module after expand() and explicit_lod() (no opaque ops; sample_lod is
+// the only sampling op) and flattens it: vectors are split into their components (lanes), calls are
+// inlined, loops remain. Registers are reused after the last use of their value, so scratch memory
+// is bounded by the values live at once. Parameters have the values of the graph. Linear time, no
+// recursion over instructions.
 //
-// evaluate() is pure and may be called from several threads, each on its own range of points; the
-// results do not depend on how points are split. float gives what shaders compute, double what they
-// should. Semantics at the corners are those above the op table (wrinkle/plugin.h).
+// evaluate() is pure and thread-safe for disjoint ranges of points; results do not depend on how
+// points are split. float computes as shaders do, double is the accurate reference. Edge cases
+// follow the comment above the op table (wrinkle/plugin.h).
 #pragma once
 
 #include <array>
@@ -20,8 +22,8 @@
 
 namespace wrinkle {
 
-// Surface points as arrays: [point * lanes + lane] by input and variant; empty where not given.
-// Units and spaces as in the table of surface inputs; dx and dy are the change to the next pixel.
+// Surface points as arrays: [point * lanes + lane] by input and variant; empty if not given. Units
+// and spaces are those of the table of surface inputs; dx and dy are differentials per pixel.
 struct PointSet {
     size_t count = 0;
     std::array<std::array<std::vector<double>, 3>, surface_input_count> values;
@@ -34,14 +36,14 @@ struct PointSet {
     }
 };
 
-// Whether values of this type stand in integer registers.
+// Returns true if values of this type are stored in integer registers.
 constexpr bool is_integer_type(Type type) {
     return type == Type::int_ || type == Type::uint_ || type == Type::bool_;
 }
 
-// One operation on a tile: on scalars, or on two or three lanes at once where that saves passes
-// over memory (dot: a then b; cross; normalize). Registers of floats and of integers (bools: 0 or
-// 1) are two files.
+// One operation on a tile. Operands are scalars; dot (a, then b), cross and normalize take two or
+// three components of a vector at once, which saves passes over memory. Float and integer registers
+// (bools are 0 or 1) are two separate register files.
 struct Step {
     enum class Kind : uint8_t {
         op,
@@ -49,28 +51,28 @@ struct Step {
         depth,        // max(max(|in[3]|, max(|in[0]|, |in[1]|) * in[2]), in[4])
         constant,     // Program::constants[extra]
         sample,       // in: u, v, lod; four outputs, of which the first `channels` are read, each
-                      // less the number of Program::presets[bias - 1] where there is a bias
+                      // minus the value of Program::presets[bias - 1] if bias is not 0
         size,         // two outputs
         move,         // out[0] = in[0]
-        masked_move,  // the same, where the innermost loop still goes on
-        loop_begin,   // extra: the greatest number of iterations
-        loop_test,    // in[0]: go on
-        loop_end,     // extra: the step of its loop_begin
+        masked_move,  // the same, in lanes in which the innermost loop is active
+        loop_begin,   // extra: the maximum number of iterations
+        loop_test,    // in[0]: the loop condition
+        loop_end,     // extra: the index of the step of its loop_begin
     };
     Kind kind = Kind::op;
     Op op = Op::poison_;
     Op second = Op::poison_;
     bool swapped = false;
-    Type type = Type::float_;  // of the operands' lanes
-    uint8_t count = 0;         // operands
+    Type type = Type::float_;  // type of the operands
+    uint8_t count = 0;         // number of operands
     uint8_t outputs = 0;
     uint8_t channels = 4;
     std::array<uint32_t, 4> out{};
     std::array<uint32_t, 6> in{};
-    uint32_t extra = 0;  // resource, or see above
+    uint32_t extra = 0;  // resource index, or as listed at Kind
     uint32_t bias = 0;
-    uint16_t loop = 0;  // loop_of() in step_loops.h, of kinds op, pair and depth
-    // One more than the resource for whose lod alone this is computed; 0: for other things as well.
+    uint16_t loop = 0;  // loop_of() in step_loops.h, for kinds op, pair and depth
+    // Resource index + 1 if the result is used only for that texture's lod; 0 if it has other uses.
     uint32_t lod_of = 0;
 };
 
@@ -85,9 +87,9 @@ struct Program {
         std::string name;
         Type type;
         uint32_t port_type;
-        std::vector<uint32_t> regs;  // one a lane
+        std::vector<uint32_t> regs;  // one per component
     };
-    // A register that holds one number from the first step to the last.
+    // A register that holds one constant during the complete program.
     struct Preset {
         double value;
         Type type;
@@ -100,19 +102,19 @@ struct Program {
     std::vector<Output> outputs;
     uint32_t float_registers = 0;
     uint32_t integer_registers = 0;
-    uint64_t serial = 0;  // of this compilation in this process; 0: none
+    uint64_t serial = 0;  // unique id of this compilation within the process; 0: none
 };
 
-// Calls are written out. A program that would have more steps than this (a second's work to make),
-// or functions that call each other deeper than this, are refused.
+// Calls are inlined. Programs with more steps than this (about a second of compile time) or with
+// deeper nested calls than this are refused.
 inline constexpr size_t max_program_steps = 4'000'000;
 inline constexpr size_t max_call_depth = 200;
 
-// An empty program, with the reason in `why`, when a limit is met.
+// Returns an empty program and the reason in `why` if a limit is exceeded.
 Program compile_program(const Module& module, std::string& why,
                         size_t max_steps = max_program_steps);
 
-// The values a program reads, each once, in the order of the enumerators.
+// Returns the inputs that a program reads, each once, in the order of the enumerators.
 struct InputNeed {
     SurfaceInput input = SurfaceInput::position_;
     Variant variant = Variant::value;
@@ -125,15 +127,15 @@ struct Results {
 };
 Results make_results(const Program& program, size_t points);
 
-// Which machine code runs the steps. Results are the same to the last bit.
+// Instruction set of the kernels. Results are identical bit for bit.
 enum class InstructionSet : uint8_t { baseline, avx2, avx512 };
 bool is_available(InstructionSet set);
-// The best there is, or the available one that the environment variable WRINKLE_ISA names:
-// "baseline", "avx2", "avx512".
+// Returns the best available set, or the available one named by the environment variable
+// WRINKLE_ISA: "baseline", "avx2", "avx512".
 InstructionSet default_instruction_set();
 
-// Points first ... first + count - 1 into `results`. Every needed input is given; textures stand by
-// resource index.
+// Evaluates points first ... first + count - 1 into `results`. Precondition: every needed input is
+// set. `textures` is indexed by resource.
 template <class T>
 void evaluate(const Program& program, const PointSet& points, std::span<const Texture> textures,
               size_t first, size_t count, Results& results,

@@ -59,7 +59,7 @@ void Flattener::move(Type type, uint32_t from, uint32_t to, bool masked) {
     push(step);
 }
 
-// Written where it is first needed, so that few numbers live at once.
+// Emits the constant at its first use, so that few constants are live at once.
 uint32_t Flattener::constant(double value, Type type) {
     const bool integer = is_integer_type(type);
     const auto [entry, added] = constants_.try_emplace({std::bit_cast<uint64_t>(value), integer});
@@ -75,7 +75,8 @@ uint32_t Flattener::constant(double value, Type type) {
     return step.out[0];
 }
 
-// What must be there before an instruction: its operands and, of a loop, what its body captures.
+// Returns the values that an instruction depends on: its operands and, for a loop, the values that
+// its body captures.
 std::vector<Id> Flattener::dependencies(Id id) const {
     const auto operands = module_->operands(id);
     std::vector<Id> found(operands.begin(), operands.end());
@@ -191,8 +192,8 @@ std::vector<Flattener::Lanes> Flattener::looped(const Inst& inst, const std::vec
     return state;
 }
 
-// The next state, taken where the loop goes on. A member may be next to another's present value, so
-// all are read before any is written.
+// Assigns the next state in the lanes in which the loop continues. The next value of one member may
+// be the current value of another, so all are copied before any is written.
 void Flattener::advance_state(const Region& region, const std::vector<Lanes>& state) {
     struct Move {
         Type type;

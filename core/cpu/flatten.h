@@ -1,5 +1,5 @@
-// From instructions to steps over registers that are written once; allocate_registers() then lets
-// short-lived ones share. Parts of compile_program().
+// Flattens instructions to steps on registers that are each written once; allocate_registers() then
+// lets registers with disjoint live ranges share storage. Internal to compile_program().
 #pragma once
 
 #include <map>
@@ -20,11 +20,11 @@ public:
 
 private:
     using Lanes = std::vector<uint32_t>;
-    // What has been computed in the scope of one level: values, and members of loops and calls.
+    // Values computed at one region depth: components of values, and members of loops and calls.
     struct Scope {
         std::unordered_map<Id, Lanes> values;
         std::unordered_map<Id, std::vector<Lanes>> tuples;
-        std::vector<Lanes> params;  // of the region whose level this is
+        std::vector<Lanes> params;  // parameters of the region at this depth
     };
 
     void compute(std::vector<Id> roots, int level);
@@ -56,26 +56,27 @@ private:
 
     const Module* module_;
     size_t max_steps_;
-    size_t depth_ = 0;  // of calls
+    size_t depth_ = 0;  // call nesting depth
     Program program_;
     std::map<std::pair<uint64_t, bool>, uint32_t> constants_;
     std::map<std::pair<uint32_t, uint32_t>, uint32_t> inputs_;
-    std::vector<Scope> context_;  // by level
+    std::vector<Scope> context_;  // by region depth
     std::vector<bool> integer_;   // by register
-    std::string why_;             // the program is refused
+    std::string why_;             // reason if the program is refused
 };
 
-// Few constants are written once, before the first step; their steps go away.
+// If the program has few constants, turns them into presets, written once before the first step,
+// and removes their steps.
 void preset_constants(Program& program);
 
-// Fills in Step::lod_of and Step::channels. Registers are still written once, but for a loop's
+// Sets Step::lod_of and Step::channels. Precondition: each register is written once, except loop
 // state.
 void mark_what_is_read(Program& program, size_t registers);
 
-// Has several steps share a pass over memory.
+// Fuses steps, so that several ops share a pass over memory.
 void fuse_steps(Program& program, size_t registers);
 
-// Gives registers that are not read any more to later steps. `integer` tells the file of each.
+// Reuses registers after their live range ends. `integer` selects the register file of each.
 void allocate_registers(Program& program, const std::vector<bool>& integer);
 
 }  // namespace wrinkle

@@ -1,5 +1,5 @@
-// Steps that share a pass over memory: a part of compile_program(). Sums of products become dots,
-// and an op whose value one other op reads becomes a pair with it. Nothing is rounded otherwise.
+// Fusion of steps that share a pass over memory; part of compile_program(). Sums of products become
+// dots, and an op is paired with the only user of its value. Rounding is unchanged.
 #include <algorithm>
 
 #include "cpu/flatten.h"
@@ -33,7 +33,7 @@ public:
             if (step.kind == Step::Kind::sample) subtract(step);
         for (uint32_t s = 0; s < steps_.size(); ++s) {
             Step& step = steps_[s];
-            // Where a loop begins, turns or ends, what was made before may be read again.
+            // Moves and loop steps are barriers: values defined before them may be read again.
             if (step.kind >= Step::Kind::move) block_ = s;
             if (step.kind != Step::Kind::op || step.type != Type::float_) continue;
             if (!depth(step) && !sum_of_products(step)) pair(step);
@@ -43,7 +43,8 @@ public:
     }
 
 private:
-    // The step that makes an operand, when nobody else reads it and it may move down to `reader`.
+    // Returns the step that defines operand i if `reader` is its only user and the step can be
+    // moved down to `reader`; otherwise null.
     Step* sole_maker(const Step& reader, uint32_t i) {
         const uint32_t maker = maker_[reader.in[i]];
         if (maker == no_step || maker < block_ || reads_[reader.in[i]] != 1) return nullptr;
@@ -55,7 +56,7 @@ private:
         return step && step->kind == Step::Kind::op && step->op == op && step->count == count;
     }
 
-    // One more than the preset that all channels of a sample are read less of; 0: none.
+    // Returns 1 + the index of the preset subtracted from all used channels of a sample; 0: none.
     uint32_t bias_of(const Step& sample) const {
         uint32_t bias = 0;
         for (uint32_t c = 0; c < 4; ++c) {
@@ -76,7 +77,8 @@ private:
         return bias;
     }
 
-    // Channels that are read less a number alone: what a normal map's decoding begins with.
+    // Folds the subtraction of one constant from all channels into the sample: the first operation
+    // of normal map decoding.
     void subtract(Step& sample) {
         sample.bias = bias_of(sample);
         for (uint32_t c = 0; c < 4 && sample.bias != 0; ++c) {
@@ -92,7 +94,7 @@ private:
                step->second == Op::max_ && !step->swapped;
     }
 
-    // The depth of a decoded normal, as ir/expand.h writes it: four passes less.
+    // Fuses the depth of a decoded normal, as ir/expand.h emits it; saves four passes.
     bool depth(Step& step) {
         if (step.op != Op::max_) return false;
         Step* inner = sole_maker(step, 0);
@@ -111,7 +113,8 @@ private:
         return true;
     }
 
-    // a * b + c * d, or a dot of two lanes and a * b: a dot, whose sum goes the same way.
+    // Fuses a * b + c * d, or a dot of two components plus a * b, into a dot with the same order of
+    // summation.
     bool sum_of_products(Step& step) {
         if (step.op != Op::add_ || step.in[0] == step.in[1]) return false;
         Step *a = sole_maker(step, 0), *b = sole_maker(step, 1);
@@ -149,7 +152,7 @@ private:
         }
     }
 
-    // The step's work is done elsewhere.
+    // Marks a step as fused into another one; drop_what_was_taken() removes it.
     static void take(Step& step) {
         step.outputs = 0;
         step.count = 0;
@@ -170,10 +173,10 @@ private:
 
     std::vector<Step>& steps_;
     const std::vector<Program::Preset>& presets_;
-    std::vector<uint32_t> maker_;   // by register, as are the following
-    std::vector<uint32_t> reader_;  // the last one
+    std::vector<uint32_t> maker_;   // by register, like the following two
+    std::vector<uint32_t> reader_;  // the last user
     std::vector<uint32_t> reads_;
-    uint32_t block_ = 0;  // steps before it are not touched
+    uint32_t block_ = 0;  // steps before it are not fused
 };
 
 }  // namespace

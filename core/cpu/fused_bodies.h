@@ -1,4 +1,4 @@
-// Loops that do several ops in one pass over memory, and what all loops over lanes share; see
+// Kernels that compute several ops in one pass over memory, and helpers shared by all kernels; see
 // kernels.h.
 #ifndef WRINKLE_ISA
 #error "say for which instruction set: define WRINKLE_ISA"
@@ -9,7 +9,7 @@
 
 #include "cpu/kernels.h"
 
-// No lane of an output is a lane of an operand (registers.cpp).
+// Precondition: outputs do not overlap operands (registers.cpp).
 #if defined(__clang__)
 #define WRINKLE_LANES _Pragma("clang loop vectorize(assume_safety)")
 #else
@@ -110,7 +110,7 @@ template <class T>
     }
 }
 
-// a . b of two or three lanes, summed from the first.
+// Dot product of two or three components, summed in order of the components.
 template <class T>
 void dot(const Step& step, const Registers<T>& registers, size_t n) {
     const T *a[3], *b[3];
@@ -143,7 +143,7 @@ void cross(const Step& step, const Registers<T>& registers, size_t n) {
     }
 }
 
-// Two or three lanes times the reciprocal of their length.
+// Multiplies two or three components by the reciprocal of their length.
 template <class T>
 void normalize(const Step& step, const Registers<T>& registers, size_t n) {
     const size_t last = step.count - 1u;

@@ -11,7 +11,7 @@ constexpr std::array<std::string_view, 3> set_names = {"baseline", "avx2", "avx5
 
 }  // namespace
 
-// __builtin_cpu_supports() asks the operating system as well: whether it keeps the registers.
+// __builtin_cpu_supports() also checks that the operating system saves the vector registers.
 bool is_available(InstructionSet set) {
 #if defined(WRINKLE_HAS_AVX)
     if (set == InstructionSet::avx2) return __builtin_cpu_supports("avx2");

@@ -1,9 +1,10 @@
-// What a triangle's corners make of places in a row: planes of numbers as a program reads them.
-// Double arithmetic, each operation rounding by itself, so every instruction set has the same bits.
+// Interpolates a triangle's corner values at a row of points, into planes of floats as a program
+// reads them. Double arithmetic with each operation rounded separately, so all instruction sets
+// give identical bits.
 //
-// A place's weights are s and t of corners 1 and 2, and 1 - s - t of corner 0; where one is below 0
-// it is brought to 0, and the sum of the others back to 1. Loops run over whole vectors: they read
-// and write up to `interpolated_behind` numbers behind the last place.
+// The barycentric weights of a point are 1 - s - t, s and t for corners 0, 1 and 2. If one is below
+// 0, negative weights are clamped to 0 and the weights are normalised to sum 1. Loops process full
+// SIMD vectors: they read and write up to `interpolated_behind` numbers past the last point.
 #pragma once
 
 #include <cstddef>
@@ -13,7 +14,8 @@ namespace wrinkle {
 
 inline constexpr size_t interpolated_behind = 8;
 
-// What a plane holds, from the number at the first place on.
+// Contents of plane number `plane`, from the first point of the row on: interpolated corner values,
+// or one constant value.
 struct LinearPlane {
     double corner[3];
     size_t plane;
@@ -24,7 +26,8 @@ struct ConstantPlane {
 };
 
 struct TrianglePlanes {
-    // s and t are linear in the place: 0 at `first`, and change by this per unit of u and v.
+    // s and t are affine in (u, v): both are 0 at `first`; `second` and `third` are the derivatives
+    // of s and t by u and v.
     double first[2], second[2], third[2];
     const LinearPlane* linear = nullptr;
     size_t linear_count = 0;
@@ -33,7 +36,7 @@ struct TrianglePlanes {
 };
 
 struct PlaceRow {
-    const double* u;  // of each; read as far as whole vectors go
+    const double* u;  // u of each point; read to the end of the last SIMD vector
     double v;
     size_t count;
 };

@@ -1,4 +1,4 @@
-// The loops of interpolate.h; see kernels.h.
+// Kernels of interpolate.h; see kernels.h.
 #ifndef WRINKLE_ISA
 #error "say for which instruction set: define WRINKLE_ISA"
 #endif
@@ -15,7 +15,7 @@ using NarrowFloats = float __attribute__((vector_size(vector_bytes / 2)));
 struct CornerWeights {
     Doubles a, b, c;
 
-    // Where `least` of them is below 0.
+    // Clamps and normalises the lanes in which `least`, the smallest weight, is below 0.
     void bring_back(Doubles least) {
         const Doubles zero{};
         const Doubles x = a < zero ? zero : a, y = b < zero ? zero : b, z = c < zero ? zero : c;
@@ -34,14 +34,14 @@ CornerWeights weights_at(const TrianglePlanes& triangle, Doubles u, double v, si
     CornerWeights weights = {1 - s - t, s, t};
     const Doubles low = s < t ? s : t;
     const Doubles least = weights.a < low ? weights.a : low;
-    // Behind the last place a row has left its triangle, as a rule.
+    // Lanes past the last point are usually outside the triangle; they are ignored here.
     const uint32_t mine = left < double_lanes ? (1U << left) - 1 : ~0U;
     if (lanes_below_zero(least) & mine) weights.bring_back(least);
     return weights;
 }
 
 void interpolate(const TrianglePlanes& triangle, const PlaceRow& row, float* out, size_t stride) {
-    // Copies, which what is stored cannot change.
+    // Local copies, which the stores below cannot alias.
     const TrianglePlanes planes = triangle;
     const PlaceRow places = row;
     const LinearPlane* const end = planes.linear + planes.linear_count;

@@ -1,4 +1,4 @@
-// The code of kernels.h, included once for each instruction set. A step's output is never one of
+// Kernels of kernels.h, included once per instruction set. A step's output register is never one of
 // its operands (registers.cpp), so the loops vectorise.
 #ifndef WRINKLE_ISA
 #error "say for which instruction set: define WRINKLE_ISA"
@@ -11,13 +11,13 @@
 #include "cpu/fused_bodies.h"
 #include "cpu/kernels.h"
 #include "cpu/sample_bodies.h"
-// Behind the one that has the vectors.
+// Included after sample_bodies.h, which includes vectors.h.
 #include "cpu/interpolate_bodies.h"
 
 namespace wrinkle::WRINKLE_ISA {
 namespace {
 
-// out = f(a), f(a, b) or f(a, b, c) on every lane.
+// Computes out = f(a), f(a, b) or f(a, b, c) on every lane.
 template <class T, class A, class Out, class F>
 void each(const Step& step, const Registers<T>& registers, size_t n) {
     const A *a = lanes_of<A>(registers, step.in[0]), *b = lanes_of<A>(registers, step.in[1]),
@@ -179,7 +179,7 @@ StepKernel<T> comparison(Op op) {
     }
 }
 
-// What int and uint have in common: two's complement makes these the same.
+// Ops that are the same for int and uint in two's complement.
 template <class T>
 StepKernel<T> words(Op op) {
     using W = uint32_t;
@@ -212,7 +212,7 @@ StepKernel<T> words(Op op) {
     }
 }
 
-// S is int32_t or uint32_t: what depends on the sign.
+// Ops that depend on the sign; S is int32_t or uint32_t.
 template <class T, class S>
 StepKernel<T> ordered(Op op) {
     switch (op) {
@@ -227,7 +227,7 @@ StepKernel<T> ordered(Op op) {
     }
 }
 
-// Towards zero; what does not fit becomes the nearest int, NaN 0.
+// Rounds towards zero; values out of range become the nearest int that T represents, NaN becomes 0.
 template <class T>
 uint32_t truncated(T x) {
     constexpr T low = T(-2147483648.0), high = sizeof(T) == 4 ? T(2147483520.0) : T(2147483647.0);
@@ -259,7 +259,7 @@ template <class T>
     return type == Type::int_ ? on_integers<T, int32_t>(op) : on_integers<T, uint32_t>(op);
 }
 
-// Once a process: small, not fast.
+// Called once per process: optimised for size, not for speed.
 template <class T>
 [[gnu::cold]] StepLoops<T> make_loops() {
     StepLoops<T> loops{};

@@ -1,8 +1,9 @@
-// The loops over the lanes of a tile, compiled once for each instruction set. Part of evaluate().
+// Kernels over the points of a tile, compiled once per instruction set. Part of evaluate().
 //
-// kernel_bodies.h, fused_bodies.h, sample_bodies.h and interpolate_bodies.h hold the code; a file
-// for each set includes them with WRINKLE_ISA as the set's name. Nothing in them may be an inline
-// function with external linkage: the linker would keep one of the copies for all.
+// The code is in kernel_bodies.h, fused_bodies.h, sample_bodies.h and interpolate_bodies.h; one
+// file per instruction set includes them with WRINKLE_ISA defined as the set's name. They must not
+// define inline functions with external linkage: the linker would use one of the copies for all
+// sets.
 #pragma once
 
 #include <type_traits>
@@ -16,7 +17,7 @@ namespace wrinkle {
 
 inline constexpr size_t tile_lanes = 256;
 
-// Where the lanes of each register of a tile stand.
+// Pointers to the lanes of each register of a tile.
 template <class T>
 struct Registers {
     T* const* floats;
@@ -27,20 +28,20 @@ struct Registers {
 template <class T>
 using StepKernel = void (*)(const Step& step, const Registers<T>& registers, size_t n);
 
-// The first channels of a level at n places, filtered bilinearly, as Texture::sample_lod<float>()
-// has them, less `bias`; out[channel][lane].
+// Samples the first channels of a level at n points with bilinear filtering, as
+// Texture::sample_lod<float>() does, and subtracts `bias`; out[channel][lane].
 using SampleLevel = void (*)(const TexelLevel& level, float bias, const float* u, const float* v,
                              float* const* out, size_t n);
 
-// By number; null where an op has no case.
+// Indexed by loop_of(); null if an op has no kernel.
 template <class T>
 using StepLoops = std::array<StepKernel<T>, loop_count>;
 
 struct Kernels {
     const StepLoops<float>& (*of_float)();
     const StepLoops<double>& (*of_double)();
-    // For the first 1 to 4 of the channels that the level stores; more may be written of a packed
-    // one.
+    // Returns the function for the first 1 to 4 of the channels that the level stores; for a packed
+    // level it may write more channels than requested.
     SampleLevel (*sample_level)(const TexelLevel& level, Wrap wrap, size_t channels);
     Interpolate interpolate;
 };

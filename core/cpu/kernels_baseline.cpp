@@ -1,3 +1,3 @@
-// The kernels for what every machine has.
+// Kernels for the baseline instruction set.
 #define WRINKLE_ISA baseline
 #include "cpu/kernel_bodies.h"

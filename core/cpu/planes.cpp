@@ -10,7 +10,7 @@ namespace wrinkle {
 struct PlaneScratch::Memory {
     TileMemory<float> tile;
     std::vector<uint8_t> taken;    // by register
-    std::vector<uint8_t> written;  // by output plane: the register lies in the plane itself
+    std::vector<uint8_t> written;  // by output plane: the register is stored in the plane itself
 };
 
 PlaneScratch::PlaneScratch() : memory_(std::make_unique<Memory>()) {}
@@ -20,7 +20,7 @@ PlaneScratch& PlaneScratch::operator=(PlaneScratch&&) noexcept = default;
 
 namespace {
 
-// Calls f(output, register, plane) for each.
+// Calls f(output, register, plane) for each output plane.
 template <class F>
 void each_plane(const Program& program, F f) {
     size_t plane = 0;
@@ -50,7 +50,7 @@ void evaluate_planes(const Program& program, std::span<const Texture> textures,
     Tile<float> tile(program, textures, set, memory);
     for (size_t first = 0; first < count; first += tile_lanes) {
         const size_t n = std::min(tile_lanes, count - first);
-        // Nobody writes the register of an input.
+        // No step writes an input register, so its memory is not modified.
         for (size_t i = 0; i < program.inputs.size(); ++i)
             tile.place(program.inputs[i].reg, const_cast<float*>(planes.inputs[i] + first));
         each_plane(program, [&, &list = written](const auto&, uint32_t reg, size_t plane) {

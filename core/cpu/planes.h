@@ -1,11 +1,11 @@
-// A program on many points, floats in and floats out: each lane of an input and of an output is an
-// array of its own with one number a point. What evaluate<float>() gives, to the last bit, without
-// doubles between; for whoever makes pictures.
+// Evaluates a program on many points in structure-of-arrays layout: each component of an input and
+// of an output is a plane, an array with one float per point. Results are those of
+// evaluate<float>(), bit for bit, without conversion to double; for rendering images.
 //
-// The caller splits the work between threads, each with a PlaneScratch of its own; how it is split,
-// and which instruction set runs it, changes no bit. Integers come as the nearest float, bools as 0
-// and 1. Outputs may not overlap inputs or each other. Planes at multiples of 64 bytes are read
-// fastest, and those of one chunk better do not lie whole multiples of 4096 bytes apart.
+// The caller splits the work between threads, each with its own PlaneScratch; the split and the
+// instruction set do not change the results. Integers are converted to the nearest float, bools to
+// 0 and 1. Outputs must not overlap inputs or each other. For speed, align planes to 64 bytes and
+// avoid multiples of 4096 bytes as the distance between planes of one chunk.
 #pragma once
 
 #include <memory>
@@ -18,11 +18,11 @@ namespace wrinkle {
 
 struct Planes {
     std::vector<const float*> inputs;  // by index of Program::inputs, `count` floats each
-    // By lane, over Program::outputs in order: those of output 0, then those of output 1, ...
+    // By component, over Program::outputs in order: those of output 0, then those of output 1, ...
     std::vector<float*> outputs;
 };
 
-// The memory of one thread's evaluations, allocated by the first and kept for the next.
+// Memory of one thread's evaluations, allocated by the first one and reused by the next.
 class PlaneScratch {
 public:
     PlaneScratch();
@@ -37,7 +37,7 @@ private:
     std::unique_ptr<Memory> memory_;
 };
 
-// Textures stand by resource index.
+// Evaluates `count` points. `textures` is indexed by resource.
 void evaluate_planes(const Program& program, std::span<const Texture> textures,
                      const Planes& planes, size_t count, PlaneScratch& scratch,
                      InstructionSet set = default_instruction_set());

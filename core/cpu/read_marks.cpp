@@ -1,4 +1,5 @@
-// Which steps serve what: parts of compile_program(), between flattening and registers.
+// Use analysis of compile_program(), between flattening and register allocation: constant
+// registers, used channels of samples, and steps used only for a lod.
 #include <algorithm>
 
 #include "cpu/flatten.h"
@@ -6,12 +7,13 @@
 namespace wrinkle {
 namespace {
 
-// As many as a small material has; their registers take a part of the nearest cache for good.
+// Sufficient for a small material; the registers permanently occupy a part of the L1 cache.
 constexpr size_t most_presets = 24;
 
 constexpr uint32_t nobody = 0, everybody = ~0u;
 
-// Whom a value serves that served `a` and serves `b` as well: one texture's lod, or more.
+// Joins two uses of a value: `nobody` (unused), one texture's lod (resource index + 1), or
+// `everybody` (several uses).
 uint32_t both(uint32_t a, uint32_t b) {
     if (a == nobody || a == b) return b;
     return b == nobody ? a : everybody;
@@ -28,7 +30,7 @@ uint8_t channels_of(const Step& sample, const std::vector<uint32_t>& serves) {
 
 void preset_constants(Program& program) {
     if (program.constants.size() > most_presets) return;
-    std::vector<uint32_t> place;  // of each step among those that stay
+    std::vector<uint32_t> place;  // index of each step among the remaining ones
     std::vector<Step> kept;
     for (const Step& step : program.steps) {
         place.push_back(static_cast<uint32_t>(kept.size()));
@@ -46,7 +48,7 @@ void mark_what_is_read(Program& program, size_t registers) {
     for (const Program::Output& output : program.outputs)
         for (const uint32_t reg : output.regs)
             serves[reg] = everybody;
-    // What a loop moves or asks is read again by steps before.
+    // Values that a loop moves or tests are read again by earlier steps, in the next iteration.
     const auto is_pure = [](const Step& step) {
         return step.kind == Step::Kind::op || step.kind == Step::Kind::sample ||
                step.kind == Step::Kind::size;

@@ -8,13 +8,13 @@ namespace {
 constexpr uint32_t never = ~0u;
 constexpr uint32_t at_the_end = never - 1;
 
-// Until which step each register is read. What stands before a loop and is read in it lives until
-// the loop's end.
+// Returns the last use of each register. A register defined before a loop and used in it is live
+// until the loop's end; inputs, presets and outputs are live until the end of the program.
 std::vector<uint32_t> last_reads(const Program& program, size_t registers) {
     std::vector<uint32_t> born(registers, 0), last(registers, 0), loop_end(program.steps.size());
     for (uint32_t s = 0; s < program.steps.size(); ++s)
         if (program.steps[s].kind == Step::Kind::loop_end) loop_end[program.steps[s].extra] = s;
-    std::vector<uint32_t> open;  // loop_begin steps around this one
+    std::vector<uint32_t> open;  // loop_begin steps of the enclosing loops
     std::vector<bool> written(registers, false);
     const auto touch = [&](uint32_t reg, uint32_t step) {
         uint32_t until = step;
@@ -48,7 +48,7 @@ std::vector<uint32_t> last_reads(const Program& program, size_t registers) {
     return last;
 }
 
-// One file of registers: which are free.
+// Free list of one register file.
 struct File {
     std::vector<uint32_t> free;
     uint32_t size = 0;

@@ -1,4 +1,4 @@
-// Bilinear reads of one level, a loop for each wrap mode, number of channels and form of the level;
+// Bilinear sampling of one level: one loop per wrap mode, number of channels and storage format;
 // see kernels.h. The arithmetic is that of Texture::sample_lod<float>().
 #ifndef WRINKLE_ISA
 #error "say for which instruction set: define WRINKLE_ISA"
@@ -18,14 +18,14 @@ namespace {
 
 #define WRINKLE_INLINE [[gnu::always_inline]] inline
 
-// The texel that lies at a coordinate or next below it, -1 too, and how far towards the next one.
+// Index of the texel at or below a coordinate (-1 is possible), and the weight of the next texel.
 struct Below {
     Ints texel;
     Floats weight;
 };
 
-// wrapped() of wrap.h, and what bilinear filters make of it. Large numbers are whole, so that
-// `repeat` has no need to ask for them.
+// wrapped() of wrap.h, then texel index and weight of the bilinear filter. Floats of large
+// magnitude are integers, so `repeat` needs no range check.
 template <Wrap wrap>
 WRINKLE_INLINE Below below(Floats x, float size) {
     Floats at = x;
@@ -53,18 +53,20 @@ WRINKLE_INLINE Floats mixed(const Floats (&corner)[4], Floats x, Floats y) {
     return low + (high - low) * y;
 }
 
-// The corners of TexelLevel::packed.
+// Corner texels of a TexelLevel::packed level.
 struct Packed {
     Ints texel[4];
 
-    // `near`: whether to try if they are neighbours; where they were not, every few vectors.
+    // `near`: tries to load the corners as neighbours; set to false if that fails. bilinear() sets
+    // it again every few vectors.
     template <Wrap wrap>
     WRINKLE_INLINE static Packed at(const TexelLevel& level, Ints i, Ints j, bool& near) {
         const int32_t row = level.width + 2;
         const uint32_t* low = level.packed + row + 1;  // texel (0, 0)
         const uint32_t* high = low + row;
         const Ints place = j * row + i;
-        // Neighbours in the picture, as where a map is baked at its own size: one read, in order.
+        // Neighbouring texels, e.g. when baking a map at its own resolution: one contiguous load
+        // and a permutation.
         for (const size_t end : {size_t{0}, vector_lanes - 1}) {
             if (!near) break;
             const int32_t start = place[end];
@@ -80,8 +82,9 @@ struct Packed {
                  gather(high + 1, place)}};
     }
 
-    // byte / 255 to the last bit without a division: three times a byte is exact, and its product
-    // with the float nearest to 1 / 765 happens to round as the quotient does (a test tries all).
+    // Computes byte / 255 to the last bit without a division: three times a byte is exact, and its
+    // product with the float nearest to 1 / 765 rounds as the quotient does (a test checks all
+    // bytes).
     template <int channel>
     WRINKLE_INLINE Floats value(size_t corner) const {
         constexpr float of_765 = 0x1.56ac02p-10F;
@@ -95,7 +98,7 @@ struct Packed {
     }
 };
 
-// The corners of TexelLevel::floats.
+// Corner texels of a TexelLevel::floats level.
 struct Stored {
     const float* floats;
     Ints place[4];
@@ -124,7 +127,7 @@ struct Stored {
     }
 };
 
-// The corners of TexelLevel::floats with one channel, neighbours read as those of a packed level.
+// Corner texels of a TexelLevel::floats level with one channel; neighbours are loaded as in Packed.
 struct Single {
     Floats corner[4];
 
@@ -180,7 +183,7 @@ WRINKLE_INLINE void vector(const TexelLevel& level, float bias, const float* u, 
 template <Wrap wrap, int channels, class Corners>
 void bilinear(const TexelLevel& of, float bias, const float* u, const float* v, float* const* to,
               size_t n) {
-    // Copies, which what is stored cannot change.
+    // Local copies, which the stores below cannot alias.
     const TexelLevel level = of;
     float* const out[] = {to[0], to[1], to[2], to[3]};
     size_t k = 0;
@@ -190,7 +193,7 @@ void bilinear(const TexelLevel& of, float bias, const float* u, const float* v, 
         vector<wrap, channels, Corners>(level, bias, u, v, out, k, near);
     }
     if (k == n) return;
-    // Behind the n-th lane stands what is not ours.
+    // The arrays end at lane n: the remaining lanes are processed in local buffers.
     float places[2][vector_lanes] = {}, values[4][vector_lanes];
     float* const rest[] = {values[0], values[1], values[2], values[3]};
     __builtin_memcpy(places[0], u + k, (n - k) * sizeof(float));

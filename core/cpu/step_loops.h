@@ -1,9 +1,9 @@
-// Every loop over a tile that a step may ask for has a number: one for each op and type of
-// operands, one for each pair of ops that share a pass over memory, one for the depth of a decoded
-// normal. compile_program() notes it in the step, each instruction set has a table of its loops.
+// Numbers of all kernels that a step may use: one for each op and type of operands, one for each
+// fused pair of ops, one for the depth of a decoded normal. compile_program() stores the number in
+// the step; each instruction set has a table of its kernels.
 //
-// A pair is out = second(first(a, b), c), or second(c, first(a, b)) where it is swapped. Each op
-// rounds by itself.
+// A pair is out = second(first(a, b), c), or second(c, first(a, b)) if swapped. Each op rounds
+// separately.
 #pragma once
 
 #include <algorithm>
@@ -30,7 +30,7 @@ constexpr bool stands_in(const std::array<Op, count>& ops, Op op) {
     return index_in(ops, op) < count;
 }
 
-// Operands are floats, ints, or uints and bools.
+// Operands are float, int, or uint and bool.
 constexpr size_t op_loop(Op op, Type type) {
     const size_t column = type == Type::float_ ? 0 : type == Type::int_ ? 1 : 2;
     return column * tables::op_count + static_cast<size_t>(op);

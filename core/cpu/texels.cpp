@@ -11,7 +11,8 @@ namespace {
 
 constexpr uint32_t nothing = ~0u;
 
-// Three times each byte in ten bits; `nothing` where a value is no byte's, or the texel not opaque.
+// Returns three times each byte in ten bits each; `nothing` if a value is not byte / 255 or the
+// texel is not opaque.
 uint32_t packed_texel(const float* values, const Image& image) {
     const auto texel = expand_texel(values, image.channels, image.has_alpha);
     if (texel[3] != 1) return nothing;
@@ -30,7 +31,7 @@ int64_t continued(int64_t i, uint32_t size, Wrap wrap) {
                                 : texel_index<Wrap::clamp>(i, int64_t{size});
 }
 
-// Empty where the image is not of opaque bytes.
+// Returns an empty vector if the image does not consist of opaque bytes.
 std::vector<uint32_t> packed_level(const Image& image, Wrap wrap) {
     if (image.source != PixelType::u8) return {};
     const size_t row = image.width + size_t{2};

@@ -1,10 +1,9 @@
-// A mip chain as tiles of floats read it. The values are the chain's own, to the last bit.
+// A mip chain in the layout that float tiles sample. Values are those of the chain, bit for bit.
 //
-// Opaque pictures of 8 bits keep their finest level in four bytes a texel, with a border of one
-// texel around it as the wrap mode continues the picture: a quarter of the memory that sampling
-// passes through, neighbours in one read, and no border to look out for. Everything else is read
-// where the chain has it. Packed levels are made by whoever asks first and then kept, one for
-// `repeat` and one for the other modes; threads may ask at once.
+// Opaque 8-bit images store their finest level in four bytes per texel, with a border of one texel
+// filled by the wrap mode: a quarter of the memory traffic of sampling, neighbouring texels in one
+// load, and no border checks. All other levels are read from the chain. Packed levels are built on
+// first use and cached, one for `repeat` and one for the other modes; thread-safe.
 #pragma once
 
 #include <array>
@@ -19,14 +18,14 @@
 namespace wrinkle {
 
 inline constexpr std::array packed_shift = {0, 11, 22};
-inline constexpr size_t packed_behind = 16;  // behind the last texel as many may be read
+inline constexpr size_t packed_behind = 16;  // padding after the last texel, read by vector loads
 
-// A level in one of two forms; the other's pointer is null. Texels stand row by row, y upward.
+// A level in one of two formats; the other's pointer is null. Texels are stored in rows, y up.
 struct TexelLevel {
-    // Three times each byte in ten bits, r lowest, at packed_shift. Texel (x, y) is number
-    // (y + 1) * (width + 2) + x + 1.
+    // Three times each byte in ten bits, r lowest, at packed_shift.
+    // Texel (x, y) has index (y + 1) * (width + 2) + x + 1.
     const uint32_t* packed = nullptr;
-    const float* floats = nullptr;  // `stored` channels a texel, as the image has them
+    const float* floats = nullptr;  // `stored` channels per texel, as in the image
     int32_t width = 0, height = 0, stored = 0;
     bool has_alpha = false;
 };
@@ -36,7 +35,7 @@ public:
     explicit Texels(std::shared_ptr<const MipChain> chain) : chain_(std::move(chain)) {}
 
     const std::shared_ptr<const MipChain>& chain() const { return chain_; }
-    // Empty where the picture is too large for 32-bit places.
+    // Returns an empty span if the image is too large for 32-bit indices.
     std::span<const TexelLevel> levels(Wrap wrap) const;
 
 private:

@@ -1,11 +1,11 @@
-// A texture as GL samples it: mips, bilinear filtering, wrap modes.
+// A texture with the sampling rules of GL: mips, bilinear filtering, wrap modes.
 //
-// Texel (x, y) of a level has its centre at ((x + 1/2) / width, (y + 1/2) / height), v upward. The
-// lod is clamped to the levels there are; between two levels results mix linearly. With the filter
-// `nearest` the nearest texel of the nearest level is taken. NaN and infinite coordinates read as
-// 0. Missing channels follow expand_texel() of image/image.h.
+// Texel (x, y) of a level has its centre at ((x + 1/2) / width, (y + 1/2) / height), v up. The lod
+// is clamped to the existing levels; results of two levels are interpolated linearly. The filter
+// `nearest` takes the nearest texel of the nearest level. NaN and infinite coordinates are treated
+// as 0. Missing channels follow expand_texel() of image/image.h.
 //
-// The mip chain is shared and never copied; tiles read it as texels.h arranges it.
+// The mip chain is shared and never copied; tiles sample it in the layout of texels.h.
 #pragma once
 
 #include <array>
@@ -29,7 +29,7 @@ public:
     const Texels& texels() const { return *texels_; }
     const TextureOptions& options() const { return options_; }
 
-    // r, g, b, a. The weights are computed in T.
+    // Returns r, g, b, a. The weights are computed in T.
     template <class T>
     std::array<T, 4> sample_lod(T u, T v, T lod) const;
 

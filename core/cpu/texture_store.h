@@ -1,4 +1,4 @@
-// Image files as textures, each read once and shared by all that sample it.
+// Cache of image files as textures; each file is loaded once and shared by all users.
 #pragma once
 
 #include <map>
@@ -16,14 +16,15 @@ namespace wrinkle {
 
 class TextureStore {
 public:
-    // Reads a file that was not asked for before; one that all together are too large with is
-    // refused (Limit::all_images_bytes). Why one cannot be read is said that time alone.
+    // Loads the file on the first request and returns its mip chain; null on failure. An image that
+    // would exceed the limit of all images together (Limit::all_images_bytes) is refused. Errors
+    // are reported only on the first request.
     std::shared_ptr<const MipChain> read(const std::string& file, Diagnostics& problems);
 
-    // Null for one that was not, or could not be, read.
+    // Returns null if the file was not requested or could not be loaded.
     std::shared_ptr<const MipChain> find(const std::string& file) const;
 
-    // Textures by resource index; a black one for an image that is not there.
+    // Returns textures by resource index; a black one for each image that is not loaded.
     std::vector<Texture> textures_of(std::span<const Resource> resources) const;
 
     void forget() {
@@ -33,7 +34,7 @@ public:
 
 private:
     std::map<std::string, std::shared_ptr<const Texels>> texels_;
-    uint64_t bytes_ = 0;  // of all of them
+    uint64_t bytes_ = 0;  // total of all images
     uint64_t most_bytes_ = limit_of(Limit::all_images_bytes);
 };
 

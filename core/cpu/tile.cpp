@@ -46,7 +46,7 @@ Tile<T>::Tile(const Program& program, std::span<const Texture> textures, Instruc
     skip_lods();
 }
 
-// No step writes a preset's register, so what stands there of the same program is right still.
+// No step writes a preset's register, so its contents remain valid for the same program.
 template <class T>
 bool Tile<T>::is_prepared() {
     const auto same_levels = [](const Texture& texture, uint32_t count) {
@@ -63,7 +63,7 @@ bool Tile<T>::is_prepared() {
     return false;
 }
 
-// Of a texture with one level nobody asks for a lod.
+// Skips the steps that compute a lod for a texture with one level, which does not read it.
 template <class T>
 void Tile<T>::skip_lods() {
     auto& next = memory_.next;
@@ -101,7 +101,7 @@ uint32_t Tile<T>::execute(uint32_t index) {
         case Step::Kind::op:
         case Step::Kind::pair:
         case Step::Kind::depth:
-            break;  // run() does them
+            break;  // done by run()
         case Step::Kind::constant:
             fill(step.out[0], step.type, program_.constants[step.extra], count_);
             break;

@@ -1,8 +1,8 @@
-// A program's steps on one tile, at most tile_lanes points, in T. Part of evaluate() and
+// Runs a program's steps on one tile of at most tile_lanes points, in T. Part of evaluate() and
 // evaluate_planes(), which fill the input registers before run() and read the outputs after it.
 //
-// TileMemory is what a tile needs to stand on: allocated for the first program, used again for
-// every other that needs no more.
+// TileMemory is the scratch memory of a tile: allocated for the first program, reused for every
+// program that needs no more.
 #pragma once
 
 #include <array>
@@ -15,7 +15,7 @@
 
 namespace wrinkle {
 
-// A loop under way: which lanes still go on, and how often it has run.
+// State of an active loop: its active lanes and the number of completed iterations.
 struct RunningLoop {
     std::array<uint8_t, tile_lanes> active;
     uint32_t iterations = 0;
@@ -26,11 +26,11 @@ template <class T>
 struct TileMemory {
     AlignedVector<T> floats;
     AlignedVector<uint32_t> integers;
-    std::vector<T*> float_places;  // of each register
+    std::vector<T*> float_places;  // by register
     std::vector<uint32_t*> integer_places;
-    std::vector<uint32_t> next;  // of each step: the first from it on that is run
+    std::vector<uint32_t> next;  // by step: the first step at or after it that is run
     std::vector<RunningLoop> loops;
-    // For whom the presets stand in their registers and `next` is right.
+    // Program::serial for which the preset registers and `next` are valid.
     uint64_t serial = 0;
     std::vector<uint32_t> level_counts;
 };
@@ -44,13 +44,13 @@ public:
     T* floats(uint32_t reg) { return memory_.float_places[reg]; }
     uint32_t* integers(uint32_t reg) { return memory_.integer_places[reg]; }
 
-    // Has a register of floats elsewhere, in as many lanes as will run: an input's that nobody
-    // writes, or an output's.
+    // Stores a float register at `lanes`, which holds as many lanes as run() will process. For
+    // input registers, which no step writes, and output registers.
     void place(uint32_t reg, T* lanes) { memory_.float_places[reg] = lanes; }
 
     void run(size_t count);
 
-    // What lane k of one of an output's registers means.
+    // Returns lane k of one of an output's registers as a number.
     double value(const Program::Output& output, uint32_t reg, size_t k) {
         if (!is_integer_type(output.type)) return static_cast<double>(floats(reg)[k]);
         const uint32_t bits = integers(reg)[k];

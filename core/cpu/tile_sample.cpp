@@ -13,7 +13,7 @@ Outputs from_lane(const Outputs& out, size_t first) {
     return {out[0] + first, out[1] + first, out[2] + first, out[3] + first};
 }
 
-// One level's channels at some of the places, by the rule of expand_texel().
+// Samples one level at some of the points; missing channels follow expand_texel().
 void sample_one(const TexelLevel& level, Wrap wrap, const Kernels& kernels,
                 const TileSample& sample) {
     const auto& out = sample.out;
@@ -32,7 +32,7 @@ void sample_one(const TexelLevel& level, Wrap wrap, const Kernels& kernels,
     if (sample.channels == 4 && opaque) std::fill_n(out[3], sample.count, 1 - sample.bias);
 }
 
-// Which level each lane reads, and how far towards the next.
+// Level of each lane, and the interpolation weight of the next level.
 struct Lods {
     std::array<float, tile_lanes> level, between;
 };
@@ -46,23 +46,23 @@ void find_lods(const float* lod, size_t n, float last, Lods& found) {
     }
 }
 
-// As where a map is baked and the uv of its layout read.
+// Returns true if all lods are equal, as when baking a map on the uv of its layout.
 bool are_same(const float* lod, size_t n) {
-    uint32_t other = 0;  // without a branch, so that the loop is vectorised
+    uint32_t other = 0;  // branch-free, so that the loop is vectorised
     for (size_t k = 0; k < n; ++k)
         other |= std::bit_cast<uint32_t>(lod[k]) ^ std::bit_cast<uint32_t>(lod[0]);
     return other == 0;
 }
 
-// As with a picture that is seen from near. NaN reads level 0.
+// Returns true if all lanes read level 0, as under magnification. NaN reads level 0.
 bool is_finest(const float* lod, size_t n) {
-    uint32_t above = 0;  // without a branch, so that the loop is vectorised
+    uint32_t above = 0;  // branch-free, so that the loop is vectorised
     for (size_t k = 0; k < n; ++k)
         above |= static_cast<uint32_t>(lod[k] > 0);
     return above == 0;
 }
 
-// The first lane behind `first` that reads another level.
+// Returns the first lane after `first` that reads another level.
 size_t run_end(const Lods& lods, size_t first, size_t n) {
     size_t end = first + 1;
     while (end < n && lods.level[end] == lods.level[first])
@@ -71,13 +71,13 @@ size_t run_end(const Lods& lods, size_t first, size_t n) {
 }
 
 bool any_between(const Lods& lods, size_t first, size_t end) {
-    uint32_t any = 0;  // without a branch, as above
+    uint32_t any = 0;  // branch-free, as above
     for (size_t k = first; k < end; ++k)
         any |= static_cast<uint32_t>(lods.between[k] > 0);
     return any != 0;
 }
 
-// The next level's values, where a lane reads them too, and then the bias.
+// Interpolates with the next level in the lanes that read it, then subtracts the bias.
 void mix_in(const TileSample& fine, const Outputs& coarse, const float* between, float bias) {
     for (size_t c = 0; c < fine.channels; ++c) {
         float* __restrict out = fine.out[c];
@@ -89,7 +89,7 @@ void mix_in(const TileSample& fine, const Outputs& coarse, const float* between,
     }
 }
 
-// Lanes that read one level, and perhaps the next.
+// Samples lanes that read the same level, and the next one if required.
 void sample_run(const Texture& texture, std::span<const TexelLevel> levels, const Kernels& kernels,
                 const TileSample& run, const Lods& lods, size_t first) {
     const auto level = static_cast<size_t>(lods.level[first]);

@@ -1,5 +1,5 @@
-// One texture at the places of a tile, in float: the same numbers as Texture::sample_lod<float>()
-// of every lane by itself.
+// Samples one texture at the points of a tile, in float. Results are those of
+// Texture::sample_lod<float>() for each lane.
 #pragma once
 
 #include <array>
@@ -11,10 +11,10 @@ namespace wrinkle {
 
 struct TileSample {
     size_t channels = 4;  // more may be written
-    float bias = 0;       // taken off every channel
+    float bias = 0;       // subtracted from every channel
     const float* u = nullptr;
     const float* v = nullptr;
-    const float* lod = nullptr;  // not read where the texture has one level
+    const float* lod = nullptr;  // not read if the texture has one level
     std::array<float*, 4> out{};
     size_t count = 0;  // at most tile_lanes
 };

@@ -1,6 +1,6 @@
-// Vectors of one instruction set, as wide as its registers, on the compiler's own vector types:
-// + - * / and comparisons are theirs. Included inside the unnamed namespace of a file that was
-// compiled for the set, so every name is that file's own; nothing rounds but what IEEE 754 rounds.
+// SIMD vectors of the register width of one instruction set, based on the compiler's vector types,
+// which define + - * / and comparisons. Included inside the unnamed namespace of a file compiled
+// for the set, so all names are local to that file. Operations round only as IEEE 754 does.
 #if defined(__AVX512F__)
 constexpr size_t vector_bytes = 64;
 #elif defined(__AVX2__)
@@ -32,10 +32,10 @@ WRINKLE_INLINE Floats to_floats(Ints v) {
     return __builtin_convertvector(v, Floats);
 }
 
-// above_zero: 0 for NaN too. whole_below: the greatest whole number that is not greater, of what an
-// int holds, in both types. gather: of 32-bit values. scaled: a number of the low 23 bits times a
-// constant, rounded once. are_lanes: whether every number is that of a lane. picked: of `from` the
-// lanes that are named. lanes_below_zero: a bit for each, that of lane 0 the lowest.
+// above_zero: max(v, 0), and 0 for NaN. whole_below: floor(v) in int range, as int and as float.
+// gather: 32-bit values by index. scaled: an integer of 23 bits times a constant, rounded once.
+// are_lanes: returns true if all numbers are lane indices. picked: permutes `from` by lane indices.
+// lanes_below_zero: a bit mask, lane 0 in the lowest bit.
 struct Whole {
     Ints number;
     Floats same;
@@ -68,7 +68,8 @@ WRINKLE_INLINE uint32_t lanes_below_zero(Doubles v) {
     return _mm512_cmp_pd_mask(v, _mm512_setzero_pd(), _CMP_LT_OQ);
 }
 WRINKLE_INLINE Floats scaled(Ints whole, float factor) {
-    // As the mantissa of a number from 2^23 on; that part of the product falls away exactly.
+    // Uses the integer as the mantissa of a float from 2^23 on; 2^23 * factor is subtracted
+    // exactly.
     const auto number = reinterpret_cast<__m512>(whole | 0x4B000000);
     return _mm512_maskz_fmadd_ps(0xFFFF, number, _mm512_set1_ps(factor),
                                  _mm512_set1_ps(-0x1p23F * factor));
@@ -101,7 +102,7 @@ WRINKLE_INLINE uint32_t lanes_below_zero(Doubles v) {
 }
 #else
 WRINKLE_INLINE bool are_lanes(Ints) {
-    return false;  // a gather is no dearer
+    return false;  // a gather is not slower
 }
 WRINKLE_INLINE Ints picked(Ints from, Ints) {
     return from;

@@ -1,4 +1,5 @@
-// How coordinates of any size find their texels. For every instruction set, so always inlined.
+// Maps texture coordinates of any size to texels by wrap mode. Always inlined, because files of all
+// instruction sets include it.
 #pragma once
 
 #include <cmath>
@@ -9,8 +10,8 @@
 
 namespace wrinkle {
 
-// A coordinate brought into [0, 1] by the wrap mode (clamp leaves room for the border's half
-// texel); 0 for NaN and what is too large to have a place.
+// Returns a coordinate in [0, 1] by the wrap mode (with clamp, texel_index() handles the half texel
+// at the border); 0 for NaN and for |x| >= 1e9.
 template <Wrap wrap, class T>
 [[gnu::always_inline]] inline T wrapped(T x) {
     const T near = std::fabs(x) < T(1e9) ? x : T(0);
@@ -20,7 +21,7 @@ template <Wrap wrap, class T>
     return period > 1 ? 2 - period : period;
 }
 
-// Texel i, at most one beside the level, of `size`.
+// Wraps texel index i, at most one outside of [0, size).
 template <Wrap wrap, class Int>
 [[gnu::always_inline]] inline Int texel_index(Int i, Int size) {
     if constexpr (wrap == Wrap::repeat) return i < 0 ? i + size : i >= size ? i - size : i;

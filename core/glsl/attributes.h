@@ -1,5 +1,5 @@
-// Where vertex shaders find the surface's properties: one table for generated and for own shaders,
-// and for the buffers of a mesh.
+// Vertex attribute locations of the surface's properties: one table for generated shaders, for the
+// application's own shaders, and for mesh buffers.
 #pragma once
 
 #include <array>
@@ -8,7 +8,7 @@
 
 namespace wrinkle {
 
-// By SurfaceInput; -1: made in the shader.
+// By SurfaceInput; -1: computed in the shader, without an attribute.
 inline constexpr std::array<int, surface_input_count> attribute_locations = {0, 1, 2, 3,  4,
                                                                              5, 6, 7, -1, -1};
 inline constexpr int attribute_count = 8;  // the locations from here on are free

@@ -24,7 +24,8 @@ std::string layout(const Binding& binding, std::string_view before) {
            ", binding = " + std::to_string(binding.binding) + ") ";
 }
 
-// Gives every member its offset, and the block its number and size.
+// Assigns an offset to every member. Returns the block with its binding and size and advances
+// `next`; std::nullopt without members.
 template <class Member, class TypeOf>
 std::optional<Block> block_of(std::vector<Member>& members, std::string name, std::string variable,
                               Binding& next, TypeOf type_of) {

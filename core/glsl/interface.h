@@ -1,5 +1,4 @@
-// What stands outside the functions: the names of everything global, the struct, the uniforms, and
-// the reflection that says so.
+// Global part of a generated shader: global names, the struct, uniforms, and their reflection.
 #pragma once
 
 #include "glsl/body.h"
@@ -15,25 +14,26 @@ struct Interface {
 
 Interface make_interface(const Plan& plan, const EmitOptions& options);
 
-// A text with room for all that is written of the module, of at most so many bytes.
+// Returns an empty Text with the limit `most` in bytes and capacity reserved for the module.
 Text roomy_text(const Plan& plan, uint64_t most);
 
-// What is appended to it.
+// Append declarations to `text`.
 void write_struct(const Reflection& reflection, Text& text);
 void write_uniforms(const Module& module, const Reflection& reflection, Text& text);
 void write_precision(const Target& target, Text& text);  // before fragment code
 
-// "WrinkleSurface_NAME s", or "" where there is no struct.
+// Returns "WrinkleSurface_NAME s", or "" if there is no struct.
 std::string argument_text(const Reflection& reflection);
 
 // Appends helper functions, then one per output.
 void write_functions(const Plan& plan, const Interface& interface, const Target& target,
                      Text& text);
 
-// The first line: the graph's name, or NAME.
+// Returns the title comment: the graph's title, or NAME if it has none.
 std::string title_of(const Module& module, const std::string& name);
 
-// The complete vertex and fragment pair; adds attributes, varyings and frame uniforms.
+// Writes the complete vertex and fragment pair; adds attributes, varyings and frame uniforms to the
+// reflection.
 void write_shader_form(const Plan& plan, const EmitOptions& options, Interface& interface,
                        Shader& shader);
 

@@ -1,4 +1,5 @@
-// Literals with a type that shows: 1.0, 3, 3u, true; what has no spelling by its bits.
+// Literals spelled with their type: 1.0, 3, 3u, true. NaN, infinities and the minimum int are
+// spelled by their bits, because GLSL has no literals for them.
 #pragma once
 
 #include <string>
@@ -9,7 +10,7 @@ namespace wrinkle {
 
 void append_literal(std::string& text, Type type, double value);
 
-// Whether that text begins with a minus.
+// Returns true if append_literal() writes a leading minus.
 bool is_negative_literal(Type type, double value);
 
 }  // namespace wrinkle

@@ -19,7 +19,8 @@ bool is_digit(char c) {
     return c >= '0' && c <= '9';
 }
 
-// What stands before a line's number: a string of the source, a file, Metal's name for a string.
+// Returns true for the word before a line number: a source string's number, a file, or Metal's name
+// for the source.
 bool is_source(std::string_view word) {
     if (word.size() == 1) return is_digit(word[0]);
     const size_t dot = word.rfind('.');
@@ -27,7 +28,7 @@ bool is_source(std::string_view word) {
     return file || word == "program_source";
 }
 
-// The word that ends before `end`.
+// Returns the word that ends before `end`.
 std::string_view word_before(std::string_view text, size_t end) {
     size_t begin = end;
     while (begin > 0 && text[begin - 1] > ' ' && text[begin - 1] != ':' && text[begin - 1] != '(')
@@ -35,7 +36,8 @@ std::string_view word_before(std::string_view text, size_t end) {
     return text.substr(begin, end - begin);
 }
 
-// Where a place ends whose number ends at `at`: behind a column and what closes it.
+// Returns the end of a location, given the end `at` of its line number: after the column, the
+// closing parenthesis, colons and spaces.
 size_t place_end(std::string_view text, size_t at, bool parenthesis) {
     if (parenthesis || text[at] == '(')
         at = std::min(text.find(')', at), text.size() - 1) + 1;

@@ -1,4 +1,4 @@
-// What compilers and drivers say of a generated text, brought back to the graph's nodes.
+// Maps the messages of shader compilers and drivers to the graph's nodes.
 #pragma once
 
 #include <string>
@@ -8,24 +8,25 @@
 
 namespace wrinkle {
 
-// A line of a log. The place is spelled as drivers and compilers do:
+// A line of a log. Known formats of its location:
 //   "0:38(12): error: ..."  "0(38) : error C1008: ..."  "ERROR: 0:38: ..."   a string of the source
 //   "ERROR: a.frag:38: ..." "a.frag:38:5: error: ..."   "a.hlsl(38,5-9): error X3004: ..."  a file
 //   "program_source:38:5: error: ..."                                         Metal
 struct LogLine {
-    size_t line = 0;  // of the text, from 1; 0: it names none
+    size_t line = 0;  // source line, from 1; 0: none given
     bool warning = false;
-    std::string_view message;  // behind the place; all of it where there is none
+    std::string_view message;  // text after the location; the entire line if there is none
 };
 LogLine read_log_line(std::string_view text);
 
-// The first line that a log names; 0 for none.
+// Returns the first source line number in a log; 0 if there is none.
 size_t line_in(std::string_view log);
 
-// The node that a line of the text came from, counted from 1; no_node where it came from none.
+// Returns the node that a source line (counted from 1) came from; no_node if none.
 uint32_t node_of_line(const Reflection& reflection, size_t line);
 
-// "<sentence>: <the log's first line>", on the node that the log's line came from.
+// Returns the problem "<sentence>: <the log's first line>" at the node of the log's first source
+// line.
 Problem problem_of_log(const std::string& sentence, std::string_view log,
                        const Reflection& reflection);
 

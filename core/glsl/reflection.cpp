@@ -46,7 +46,8 @@ std::string value_text(const UniformInfo& uniform) {
     return text + "]";
 }
 
-// Nothing where resources are found by name; of a target that numbers by kind the number alone.
+// Adds set and binding; only the binding if the target numbers by kind, and no field if resources
+// are found by name.
 void add_binding(const Binding& binding, bool sets, Fields& fields) {
     if (binding.set < 0) return;
     if (sets) fields.emplace_back("set", std::to_string(binding.set));

@@ -1,5 +1,5 @@
-// What a caller must know to use a generated text: which values to pass, which functions to call,
-// which node each line came from. Everything listed is used by the text, in the text's order.
+// Interface of a generated shader: uniforms, images, struct members, functions and attributes, and
+// the node of each line. Lists contain only used entries, in the order of the source.
 #pragma once
 
 #include <array>
@@ -14,30 +14,30 @@
 
 namespace wrinkle {
 
-// The number of a resource, where the target numbers them (Bindings in glsl/target.h).
+// Set and binding of a resource if the target numbers them (Bindings in glsl/target.h).
 struct Binding {
-    int set = -1;      // -1: it is found by its name
-    int binding = -1;  // of HLSL and Metal the register or index, by kind
+    int set = -1;      // -1: found by name
+    int binding = -1;  // HLSL: register; Metal: index; both per kind of resource
 };
 
-// A block of uniforms, laid out by std140.
+// A uniform block with std140 layout.
 struct Block {
     std::string name;      // "WrinkleParameters_NAME"
-    std::string variable;  // what HLSL puts before the names of its members, and Metal's argument
+    std::string variable;  // HLSL: prefix of member names; Metal: name of the argument
     Binding binding;
     int size = 0;  // bytes
 };
 
-// A number that stayed a parameter.
+// A uniform made from a parameter of the module.
 struct UniformInfo {
-    std::string name;  // "softer_amount"; of a graph input "input_amount"
+    std::string name;  // "softer_amount"; for a graph input "input_amount"
     Type type = Type::float_;
-    std::array<double, 4> value{};  // as the graph says
+    std::array<double, 4> value{};  // value in the graph
     std::string node;               // path; "" for a graph input
     std::string port;
     bool graph_input = false;
     uint32_t parameter = 0;  // index in Module::parameters
-    int offset = -1;         // in the block of parameters, bytes
+    int offset = -1;         // bytes in the parameter block; -1: no block
 };
 
 struct SamplerInfo {
@@ -45,20 +45,20 @@ struct SamplerInfo {
         std::string node;  // path
         std::string port;
     };
-    std::string name;     // of the sampler2D
-    std::string file;     // to be opened
-    std::string written;  // as the graph spells it
+    std::string name;     // name of the sampler2D
+    std::string file;     // path to open
+    std::string written;  // path as written in the graph
     TextureOptions options;
     std::vector<Reader> readers;
     uint32_t resource = 0;  // index in Module::resources
     Binding binding;
 };
 
-// A member of the struct that the functions take. With differentials from the screen the position's
-// are taken of `position_relative`, the position seen from the eye in object axes (precision far
-// from the origin); its input is `position`.
+// A member of the struct that the functions take. With screen differentials, the position's are
+// taken of `position_relative`: the position minus the eye, in object axes, for precision far
+// from the origin. The `input` of that member is `position`.
 struct MemberInfo {
-    std::string name;  // = property: "uv0", "position_relative"; given differentials: "uv0_dx"
+    std::string name;  // "uv0", "position_relative"; with given differentials also "uv0_dx"
     Type type = Type::float_;
     SurfaceInput input = SurfaceInput::position_;
     Variant variant = Variant::value;
@@ -70,11 +70,11 @@ struct FunctionInfo {
     std::string function;  // "wrinkle_NAME_normal"
     Type type = Type::vec3_;
     uint32_t port_type = 0;  // WR_PORT_*
-    int location = -1;       // of the fragment output, shader form only
-    std::string variable;    // its name there
+    int location = -1;       // location of the fragment output; shader form only
+    std::string variable;    // name of the fragment output
 };
 
-// A vertex attribute of the shader form, at its place in glsl/attributes.h.
+// A vertex attribute of the shader form, at its location in glsl/attributes.h.
 struct AttributeInfo {
     std::string name;
     Type type = Type::vec3_;
@@ -86,9 +86,9 @@ struct AttributeInfo {
 // A uniform of the shader form that the caller sets per object (see glsl/emit.h).
 struct FrameUniform {
     std::string name;
-    std::string type;  // GLSL
+    std::string type;  // GLSL type
     std::string doc;
-    int offset = -1;  // in the block of frame uniforms, bytes
+    int offset = -1;  // bytes in the frame block; -1: no block
 };
 
 inline constexpr uint32_t no_node = ~0U;
@@ -106,16 +106,16 @@ struct Reflection {
     std::vector<FrameUniform> frame_uniforms;  // shader form
     std::optional<Block> frame_block, parameter_block;
     std::string vertex_entry = "main", fragment_entry = "main";  // shader form
-    bool uniform_control_flow = false;  // the functions take screen derivatives
+    bool uniform_control_flow = false;  // required: the functions take screen derivatives
 
-    // lines[i] is the index in Module::nodes that line i + 1 came from, or no_node; of a uniform's
-    // line the node that it is a number of, or that reads the image first. Of the fragment stage in
-    // the shader form. Empty for SPIR-V, which has no lines.
+    // lines[i] is the index in Module::nodes that line i + 1 came from, or no_node. The line of a
+    // uniform has the node of its parameter; that of an image, its first reader. In the shader
+    // form, these are lines of the fragment stage. Empty for SPIR-V, which has no lines.
     std::vector<uint32_t> lines;
     std::vector<std::string> node_paths;  // by index in Module::nodes
 };
 
-// The reflection as JSON, one entry per line; `lines` as ranges of equal nodes.
+// Returns the reflection as JSON, one entry per line; `lines` as ranges of equal nodes.
 std::string to_json(const Reflection& reflection);
 
 }  // namespace wrinkle

@@ -5,7 +5,7 @@ namespace wrinkle {
 namespace {
 
 // GLSL 3.30 and 4.60 (sections 3.6 and 8), GLSL ES 3.00, GL_KHR_vulkan_glsl; and `s`, the argument
-// of our functions.
+// of generated functions.
 constexpr std::string_view reserved =
     "abs acos acosh active all any asin asinh asm atan atanh atomic_uint attribute bool "
     "break buffer bvec2 bvec3 bvec4 case cast ceil centroid clamp class coherent common "

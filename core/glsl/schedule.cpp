@@ -1,12 +1,13 @@
-// The order of a scope's statements: node by node, in dependency order.
+// Orders a scope's statements by list scheduling, grouped by node.
 //
-// A node whose outside needs are all written is written whole; among several the one that a walk
-// from the results meets first. Where nodes need each other's values in turn (equal expressions of
-// two nodes are one value), the first statement that can stand is next.
+// A group is ready when all operands from other groups are written; it is then written completely.
+// Among ready groups, the first in post-order from the results is next. If groups depend on each
+// other (equal expressions of two nodes are one value), the first ready statement selects the next
+// group, and all its ready statements are written.
 //
-// Statements are numbered in the order of that walk, in which each stands after what it needs. So
-// within a group the order is that of the numbers, and the first statement that can stand never
-// moves back: one that cannot yet waits for a smaller number.
+// Statements are numbered in that post-order, operands first. Within a group they are written in
+// the order of their numbers. The number of the first ready statement never decreases: a statement
+// that is not ready waits for one with a smaller number.
 #include <limits>
 #include <queue>
 
@@ -18,13 +19,13 @@ namespace {
 constexpr uint32_t is_written = std::numeric_limits<uint32_t>::max();
 constexpr uint32_t none = std::numeric_limits<uint32_t>::max();
 
-// Statements and what reads them are chained by their numbers.
+// Statements of a group and users of a statement form linked lists by index.
 struct Statement {
     Id id;
     uint32_t group = 0;
-    uint32_t next = none;   // of its group
-    uint32_t needs = 0;     // not yet written
-    uint32_t users = none;  // the first in `users_`
+    uint32_t next = none;   // next statement of the group
+    uint32_t needs = 0;     // operands not yet written
+    uint32_t users = none;  // head of its list in `users_`
 };
 
 struct User {
@@ -33,9 +34,9 @@ struct User {
 };
 
 struct Group {
-    uint32_t first;  // all before it are written
+    uint32_t first;  // all statements of the group before it are written
     uint32_t last;
-    uint32_t outside = 0;  // needs of other groups not yet written
+    uint32_t outside = 0;  // operands in other groups not yet written
 };
 
 class Scheduler {
@@ -59,11 +60,11 @@ private:
     const Scope& scope_;
     std::vector<Statement> statements_;
     std::vector<User> users_;
-    std::vector<Group> groups_;  // by their first statement
+    std::vector<Group> groups_;  // in the order of their first statements
     std::vector<Id> open_;
-    // Groups with nothing missing, the first of them on top.
+    // Ready groups, the first on top.
     std::priority_queue<uint32_t, std::vector<uint32_t>, std::greater<>> whole_;
-    uint32_t first_ = 0;  // no statement before it can stand
+    uint32_t first_ = 0;  // no statement before it is ready
     std::vector<Id> result_;
 };
 
@@ -100,7 +101,7 @@ void Scheduler::find_groups() {
         known[slot_of(statements_[group.first])] = 0;
 }
 
-// Through what is folded into a statement to the statements it reads.
+// Walks the values folded into a statement and records the statements that it reads.
 void Scheduler::find_needs(uint32_t statement) {
     Statement& own = statements_[statement];
     open_.push_back(own.id);

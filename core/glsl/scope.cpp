@@ -9,16 +9,16 @@ namespace wrinkle {
 namespace {
 
 constexpr uint32_t widest_line = 98;
-constexpr uint32_t least_room = widest_line / 2;  // whatever else the line has
+constexpr uint32_t least_room = widest_line / 2;  // for an expression on any line
 constexpr uint32_t widest_result = 84;
-constexpr uint32_t widest_expression = 72;  // of what has no name yet
+constexpr uint32_t widest_expression = 72;  // for a value that needs no name so far
 constexpr uint8_t deepest_expression = 6;
 constexpr uint32_t parentheses = 2;
 constexpr uint32_t loop_state_width = 12;
 constexpr uint32_t view_suffix = 4;
-constexpr size_t usual_room = 64;  // of a walk
+constexpr size_t usual_room = 64;  // initial capacity of a walk
 
-// What the op table says, close together: it is asked for every operand.
+// Precedence from the op table, in a compact array because it is read for every operand.
 uint8_t precedence_of(Op op) {
     static constexpr auto table = [] {
         std::array<uint8_t, tables::op_count> precedences{};
@@ -45,17 +45,17 @@ public:
     void visit(Id id);
 
 private:
-    // A value's text with what is folded into it as things stand.
+    // A value's text with the operands that are currently folded into it.
     struct Folded {
         uint32_t width = 0;
         uint8_t depth = 1;
         bool implicit = false;
         uint32_t widest_width = 0;
-        Id widest = poison;  // of what is folded in
+        Id widest = poison;  // the widest folded operand
     };
 
     ValueState& state(Id id) { return values_.state[id]; }
-    bool inside(Id id) { return state(id).epoch == scope_.epoch; }  // a leaf never is
+    bool inside(Id id) { return state(id).epoch == scope_.epoch; }  // false for a leaf
     Id base(Id id);
     Folded measure(Id id);
     void read_value(Id reader, Id operand, Id value, Folded& text);
@@ -73,7 +73,7 @@ private:
     const Scope& scope_;
 };
 
-// What a view looks at.
+// Returns the value that a swizzle or column reads; other values are returned unchanged.
 Id Folder::base(Id id) {
     while (plan_.role(id) == Role::view && m_[id].op != Op::result_)
         id = plan_.operands(id)[0];
@@ -111,12 +111,12 @@ void Folder::make_statement(Id id) {
     s.width = name_width(id);
 }
 
-// What it is shared by, and so its name, is known before.
+// Precondition: count_uses() has run, because the name depends on ValueState::shared.
 uint32_t Folder::name_width(Id id) const {
     return static_cast<uint32_t>(wanted_name(plan_, values_, id).size());
 }
 
-// What is known to become a temporary has its declaration on the line too.
+// A value that is known to become a temporary shares the line with its declaration.
 uint32_t Folder::room_for(Id id) {
     if (state(id).root && state(id).uses == 1) return widest_result;
     if (!must_name(id, false)) return widest_expression;
@@ -124,13 +124,13 @@ uint32_t Folder::room_for(Id id) {
     return std::max(widest_line - std::min(declaration, widest_line), least_room);
 }
 
-// Where folding less makes it narrower.
+// Returns true if the text exceeds its line and folding fewer operands makes it narrower.
 bool Folder::is_too_wide(Id id, const Folded& text) {
     return text.width > least_room && text.widest != poison && m_[id].op != Op::loop_ &&
            text.width > room_for(id);
 }
 
-// A chain of one precedence counts as one level, as it reads.
+// A left-associative chain of one precedence, as a + b + c, counts as one level.
 uint8_t Folder::depth_in(Id reader, Id operand, Id value) {
     const uint8_t precedence = precedence_of(m_[reader].op);
     const bool chain = operand == value && precedence > 0 &&
@@ -139,8 +139,9 @@ uint8_t Folder::depth_in(Id reader, Id operand, Id value) {
     return static_cast<uint8_t>(state(value).depth + (chain ? 0 : 1));
 }
 
-// Too deep to be folded in; or GLSL evaluates one branch of ?: only, and && and || may skip their
-// right side, where an implicit derivative would be undefined.
+// Returns true if the operand is too deep to fold, or takes implicit derivatives where the reader
+// may skip it and they are undefined: GLSL evaluates only one branch of ?:, and && and || may skip
+// their right side.
 bool Folder::must_stand_before(Id reader, Id operand, const ValueState& read, uint8_t depth) {
     const Op op = m_[reader].op;
     if (op == Op::loop_) return false;

@@ -1,4 +1,4 @@
-// The complete vertex and fragment pair round the functions.
+// Shader form: the complete vertex and fragment pair around the functions.
 #include <algorithm>
 #include <array>
 
@@ -9,7 +9,7 @@
 namespace wrinkle {
 namespace {
 
-// First among fragment outputs, in this order; others follow in graph order.
+// Fragment outputs that come first, in this order; others follow in graph order.
 constexpr std::array<std::string_view, 8> standard_outputs = {
     "normal", "color", "roughness", "metalness", "occlusion", "height", "displacement", "emission"};
 
@@ -17,15 +17,15 @@ struct Stage {
     const Plan& plan;
     const EmitOptions& options;
     Interface& face;
-    bool relative = false;  // the position seen from the eye is needed
-    bool world = false;     // an output of type normal is there
+    bool relative = false;  // the position relative to the eye is used
+    bool world = false;     // there is an output of type normal
 };
 
 std::string at(int location) {
     return "layout(location = " + std::to_string(location) + ") ";
 }
 
-// Drivers refuse locations beyond their number of draw buffers, so there are no gaps.
+// Assigns consecutive locations, because drivers reject locations beyond their draw buffers.
 void assign_locations(Interface& face) {
     std::vector<FunctionInfo*> order;
     for (FunctionInfo& function : face.reflection.functions) {
@@ -73,7 +73,7 @@ std::string varying_type(const Reflection& r, const std::string& varying) {
     return "vec3";
 }
 
-// "layout(location = 2) " where stages are matched by numbers.
+// Returns "layout(location = 2) ", or "" if the target matches varyings by name.
 std::string at_varying(const Stage& stage, size_t index) {
     return stage.options.target->bindings == Bindings::by_name ? "" : at(static_cast<int>(index));
 }

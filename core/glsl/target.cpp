@@ -7,7 +7,7 @@ namespace {
 
 constexpr std::string_view vulkan = "#version 450";
 
-// What ES leaves at medium or low precision: bumps, positions and float images need more.
+// GLSL ES has medium or low default precision; bumps, positions and float images need high.
 constexpr std::string_view es_precision =
     "precision highp float;\nprecision highp int;\nprecision highp sampler2D;\n";
 

@@ -1,4 +1,4 @@
-// Lines of text and the node that each came from.
+// Generated source and the node that each line came from.
 #pragma once
 
 #include <cstdint>
@@ -15,14 +15,14 @@ namespace wrinkle {
 struct Text {
     std::string text;
     std::vector<uint32_t> nodes;                  // by line
-    uint64_t most = limit_of(Limit::text_bytes);  // beyond: OverLimit is thrown
+    uint64_t most = limit_of(Limit::text_bytes);  // bytes; if exceeded, line() throws OverLimit
 
     void line(int indent, std::string_view content, uint32_t node = no_node) {
         text.append(content.empty() ? 0 : 4 * static_cast<size_t>(indent), ' ');
         text += content;
         end_line(node);
     }
-    // The pieces, one behind the other.
+    // Appends the concatenated pieces as one line.
     void line(int indent, std::initializer_list<std::string_view> pieces, uint32_t node = no_node) {
         text.append(4 * static_cast<size_t>(indent), ' ');
         for (const std::string_view piece : pieces)

@@ -12,7 +12,7 @@
 namespace wrinkle::gpu {
 namespace {
 
-// One triangle over the whole target; its corners' directions are linear across it.
+// One triangle that covers the target; the view direction is interpolated linearly across it.
 constexpr const char* backdrop_vertex_text = R"(#version 330 core
 uniform vec3 WrView_forward;
 uniform vec3 WrView_right;

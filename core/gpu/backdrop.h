@@ -1,5 +1,5 @@
-// The picture of the surroundings behind what is drawn: equirectangular, as gpu/environment.h takes
-// it, at its own resolution and infinitely far away. Belongs to one context.
+// Environment map drawn behind the mesh: an equirectangular image (gpu/environment.h) at its own
+// resolution, infinitely far away. Belongs to one context.
 #pragma once
 
 #include <optional>
@@ -12,21 +12,21 @@ namespace wrinkle::gpu {
 
 class Backdrop {
 public:
-    // `radiance` as radiance_of() gives it.
+    // `radiance` is the result of radiance_of().
     explicit Backdrop(const MipChain& radiance);
     Backdrop(Backdrop&& other) noexcept;
     Backdrop& operator=(Backdrop&& other) noexcept;
     ~Backdrop();
 
-    // Fills the target that is bound, its depth left alone. `factor` times the radiance goes
-    // through the display curve of the shaded view.
+    // Fills the bound target and leaves its depth unchanged. The radiance is multiplied by `factor`
+    // and passed through the display curve of the shaded view.
     void draw(const OrbitCamera& camera, float aspect, float factor, float exposure) const;
 
 private:
     Texture texture_;
     Lookup lookup_;
     std::optional<Program> program_;
-    uint32_t array_ = 0;  // without attributes
+    uint32_t array_ = 0;  // vertex array without attributes
 };
 
 }  // namespace wrinkle::gpu

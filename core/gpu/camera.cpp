@@ -14,10 +14,10 @@ struct Framing {
     std::string_view shape;
     float yaw;
     float pitch;
-    float radius;  // of the ball that the picture has to hold
+    float radius;  // bounding sphere that the image must contain
 };
 
-// The plane is looked at straight, so only its half side counts.
+// The plane is viewed head-on, so its radius is half of its side.
 constexpr std::array<Framing, 6> framings{{{"sphere", 0.35F, 0.3F, 1.0F},
                                            {"plane", 0, 0, 1.0F},
                                            {"cube", 0.6F, 0.45F, 1.55F},

@@ -1,5 +1,5 @@
-// A camera that circles a point and looks at it. World space: right-handed, +y up; yaw 0 and pitch
-// 0 look along -z. Angles in radians, lengths in world units.
+// Orbit camera. World space is right-handed, +y up; with yaw 0 and pitch 0 the view direction is
+// -z. Angles in radians, lengths in world units.
 #pragma once
 
 #include <glm/mat4x4.hpp>
@@ -13,19 +13,20 @@ namespace wrinkle::gpu {
 struct OrbitCamera {
     glm::vec3 target{0};
     float yaw = 0;               // positive moves the eye to the right
-    float pitch = 0;             // positive moves the eye up; kept within +-89 degrees
-    float distance = 4;          // of the eye from the target
-    float field_of_view = 0.5F;  // of the shorter side of the picture
+    float pitch = 0;             // positive moves the eye up; clamped to +-89 degrees
+    float distance = 4;          // from the eye to the target
+    float field_of_view = 0.5F;  // along the shorter side of the image
 };
 
-// In double: far from the origin a float's steps are larger than what is looked at.
+// In double: far from the origin the spacing of floats exceeds the size of the viewed object.
 glm::dvec3 eye_of(const OrbitCamera& camera);
 glm::dmat4 view_matrix(const OrbitCamera& camera);
-// `radius` is that of a ball round the target with all there is to see; it sets the depth range.
+// `radius` is the radius of a sphere around the target that contains the scene; it sets the depth
+// range.
 glm::mat4 projection_matrix(const OrbitCamera& camera, float aspect, float radius);
 
-// Sees all of the mesh, a little from above; flat shapes are looked at straight. `shape` is a name
-// of mesh/shapes.h, anything else is framed by its bounds.
+// Returns a camera that frames the complete mesh, slightly from above; a plane is viewed head-on.
+// `shape` is a name of mesh/shapes.h; any other mesh is framed by its bounds.
 OrbitCamera default_camera(const Mesh& mesh, std::string_view shape = {});
 
 }  // namespace wrinkle::gpu

@@ -51,7 +51,7 @@ bool is_robust_gl() {
     return epoxy_gl_version() >= 45 || epoxy_has_gl_extension("GL_KHR_robustness");
 }
 
-// Contexts that share have to be told of a reset in one way.
+// Contexts of a share group must have the same reset notification strategy.
 bool is_told_of_reset(EGLContext context) {
     if (context == EGL_NO_CONTEXT || !is_robust_gl()) return false;
     GLint strategy = GL_NO_RESET_NOTIFICATION;
@@ -73,7 +73,7 @@ EGLContext create_context(EGLDisplay display, EGLConfig config, EGLContext share
     return eglCreateContext(display, config, share, wanted.data());
 }
 
-// What was current before, to be current again afterwards.
+// Makes the context that was current at construction current again at destruction.
 class CurrentGuard {
 public:
     CurrentGuard() = default;
@@ -140,7 +140,7 @@ std::optional<Context> Context::offscreen(Diagnostics& diagnostics) {
 }
 
 std::optional<Context> Context::sharing_current(Diagnostics& diagnostics) {
-    const bool has_egl = epoxy_has_egl() && eglBindAPI(EGL_OPENGL_API);  // asked per API
+    const bool has_egl = epoxy_has_egl() && eglBindAPI(EGL_OPENGL_API);  // per API
     const EGLContext share = has_egl ? eglGetCurrentContext() : EGL_NO_CONTEXT;
     if (share == EGL_NO_CONTEXT) {
         diagnostics.error("there is no EGL context on this thread to share with");
@@ -179,7 +179,7 @@ void Context::destroy() {
 }
 
 bool Context::make_current() {
-    eglBindAPI(EGL_OPENGL_API);  // of this thread
+    eglBindAPI(EGL_OPENGL_API);  // per-thread state
     return eglMakeCurrent(display_, surface_, surface_, context_);
 }
 

@@ -1,15 +1,16 @@
 // An OpenGL 3.3 core context without a window, made through EGL.
 //
-// offscreen() needs no display: it tries Mesa's surfaceless platform, then every EGL device, and
-// works with any driver that offers one of them (llvmpipe included). sharing_current() makes a
+// offscreen() requires no display: it tries Mesa's surfaceless platform, then every EGL device, and
+// works with any driver that supports one of them (including llvmpipe). sharing_current() makes a
 // second context that shares textures, buffers and programs with the one that is current on the
-// calling thread, for drawing on another thread; that context must come from EGL.
+// calling thread, for drawing on another thread; the current context must come from EGL.
 //
 // A new context is not current. A context is current on at most one thread; every other function of
-// this folder wants one current on its thread. A Program, Texture or Lookup may be used and
-// destroyed under any context that shares with its own; a Target or Renderer only under the one it
-// was made in, because GL does not share framebuffers and vertex arrays (a Target's texture() is
-// shared). The driver stays loaded until the process ends. Failing gives one error of one sentence.
+// this folder requires a current context on its thread. A Program, Texture or Lookup may be used
+// and destroyed under any context of its share group; a Target or Renderer only under the context
+// it was made in, because GL does not share framebuffers and vertex arrays (Target::texture() is
+// shared). The driver stays loaded until the process ends. On failure, one error of one sentence is
+// reported.
 #pragma once
 
 #include <optional>
@@ -31,23 +32,23 @@ public:
     bool make_current();
     void release_current();  // no context is current on this thread afterwards
 
-    // "llvmpipe (LLVM 15.0.6, 256 bits)" and "4.5 (Core Profile) Mesa 22.3.6"; of a current
-    // context.
+    // Strings of the current context, such as "llvmpipe (LLVM 15.0.6, 256 bits)" and
+    // "4.5 (Core Profile) Mesa 22.3.6".
     static std::string renderer_name();
     static std::string version_name();
 
-    // Whether the driver has dropped the current context, as after a hang or a reset: nothing that
-    // was made in it can be used again, it is to be destroyed. Drivers without robustness
-    // (GL_KHR_robustness) never say so.
+    // Returns true if the current context was lost, for example after a GPU hang or reset. The
+    // context and its objects are then unusable and must be destroyed. Always false for drivers
+    // without GL_KHR_robustness (core in GL 4.5).
     static bool was_lost();
 
-    // For programs that draw small pictures of ever new materials. Mesa's software driver then
-    // spends half the time on a program's machine code; pictures keep their bits and take about as
-    // long. To be called before the first context and the first thread; a GALLIVM_PERF that the
-    // user has set stands, other drivers do not read it.
+    // For processes that draw small images of many different materials. Halves the time that
+    // Mesa's software driver spends on compiling a program to machine code; images remain
+    // bit-identical and take about as long to draw. Precondition: no context and no thread exists
+    // yet. Does not overwrite a GALLIVM_PERF set by the user; other drivers ignore it.
     static void prefer_quick_programs();
 
-    // Waits until all that was drawn here can be seen by contexts that share with this one.
+    // Waits until all drawing of the current context is visible to the contexts that share with it.
     static void finish();
 
 private:
@@ -57,7 +58,7 @@ private:
 
     void* display_ = nullptr;  // EGLDisplay
     void* context_ = nullptr;  // EGLContext
-    void* surface_ = nullptr;  // EGLSurface; a 1 x 1 buffer where the driver wants one
+    void* surface_ = nullptr;  // EGLSurface; a 1 x 1 buffer if the driver requires one
 };
 
 }  // namespace wrinkle::gpu

@@ -1,4 +1,4 @@
-// What GL and a material's program are told before a picture is drawn.
+// GL state and uniforms that are set before a mesh is drawn.
 #pragma once
 
 #include "gpu/object_space.h"
@@ -10,16 +10,17 @@ namespace wrinkle::gpu {
 void set_view_uniforms(const Program& program, const Scene& scene, const ViewOptions& options,
                        const ObjectSpace& space);
 
-// Binds the target; the whole of it becomes the background, or 0 of raw values.
+// Binds the target and clears it to the background, or to 0 if `raw`; clears its depth.
 void clear(const Target& target, const Scene& scene, bool raw);
 
-// Opaque, both sides, depth tested; of a mirrored object the front is wound the other way.
+// Opaque, no culling, depth test on; front faces are clockwise if the object is mirrored.
 void set_raster_state(bool mirrored);
 
-// Sees the surroundings as if they had not been turned.
+// Returns the scene's camera with its yaw reduced by environment_turn: its view of the unrotated
+// environment equals the scene camera's view of the rotated environment.
 OrbitCamera turned(const Scene& scene);
 
-// Edges in front of the triangles they belong to.
+// Switches drawing to triangle edges, with a depth offset in front of their triangles.
 void set_edges(bool on);
 
 }  // namespace wrinkle::gpu

@@ -36,7 +36,7 @@ dvec3 bilinear(const Image& image, dvec2 uv) {
                     glm::mix(texel(image, x, y + 1), texel(image, x + 1, y + 1), f.x), f.y);
 }
 
-// `solid_angle` is the sample's share of the sphere.
+// `solid_angle` is that of the sample, in steradians.
 dvec3 lookup(const MipChain& chain, dvec3 direction, double solid_angle) {
     const double height = chain.levels[0].height;
     const double level = std::log2(std::sqrt(solid_angle) * height / pi);
@@ -46,7 +46,7 @@ dvec3 lookup(const MipChain& chain, dvec3 direction, double solid_angle) {
     return bilinear(chain.levels[nearest], equirect_uv(direction));
 }
 
-// Hammersley's points: even, and the same for every texel.
+// Hammersley points: evenly distributed, and the same for every texel.
 dvec2 point(int i, int samples) {
     double inverse = 0;
     for (int bit = 0; bit < 8; ++bit)
@@ -55,12 +55,12 @@ dvec2 point(int i, int samples) {
 }
 
 struct Lobe {
-    dvec3 direction;  // round +z
+    dvec3 direction;  // around +z
     double weight;
     double solid_angle;
 };
 
-// Half vectors of GGX, mirrored at them; weighted by the cosine.
+// Light directions reflected at sampled GGX half vectors, weighted by the cosine.
 std::vector<Lobe> ggx_lobe(double roughness, int samples) {
     const double a2 = std::pow(roughness, 4);
     std::vector<Lobe> lobe;

@@ -1,7 +1,7 @@
-// What the renderer and the point runner take, from a generated shader and its reflection.
+// Converts a generated shader and its reflection to inputs of the renderer and the point runner.
 //
-// The shader is without problems and in the function form. Uniforms get the values of the graph;
-// samplers keep the file under which the image is to be opened.
+// Precondition: the shader has no problems and is in the function form. Uniforms get the values of
+// the graph; samplers get the file name under which the image is opened.
 #pragma once
 
 #include "glsl/emit.h"
@@ -10,12 +10,12 @@
 
 namespace wrinkle::gpu {
 
-// With differentials from the screen.
+// Precondition: differentials from the screen.
 Material material_from(const Shader& shader);
 
-// With given differentials. Output k of the job is function k, its value in the first components.
-// What remains to be added: the points, an attribute for each member of the struct under its name,
-// the images.
+// Precondition: given differentials. Output k of the job is function k, its value in the first
+// components. The caller adds the points, the images, and for each member of the struct an
+// attribute with the member's name.
 PointJob point_job_from(const Shader& shader);
 
 }  // namespace wrinkle::gpu

@@ -1,4 +1,4 @@
-// A mesh in GPU memory, at the attribute locations of wrapper.h. Belongs to one context.
+// A mesh in GPU memory, with the attribute locations of wrapper.h. Belongs to one context.
 #pragma once
 
 #include <array>

@@ -8,7 +8,8 @@
 namespace wrinkle::gpu {
 namespace {
 
-// Scaled to entries of at most 1: normals are normalised later, and squares must not underflow.
+// Scaled so that the largest entry is 1: normals are normalised later, and their squares must not
+// underflow.
 glm::mat3 normal_matrix(const glm::dmat3& m) {
     const glm::dmat3 result(glm::cross(m[1], m[2]), glm::cross(m[2], m[0]), glm::cross(m[0], m[1]));
     double largest = 0;
@@ -38,7 +39,7 @@ std::optional<ObjectSpace> object_space(const glm::mat4& object, const OrbitCame
     if (determinant == 0 || !std::isfinite(determinant)) return std::nullopt;
     const float reach = reach_of(bounds, object, camera.target);
     ObjectSpace space;
-    // What is far away cancels in double, before floats see it.
+    // In double, so that large translations cancel before the conversion to float.
     space.to_clip =
         projection_matrix(camera, aspect, reach) * glm::mat4(view_matrix(camera) * precise);
     space.vector_to_world = glm::mat3(object);

@@ -1,4 +1,4 @@
-// What an object matrix M means for the points, vectors and normals of a drawn object.
+// Transforms of the points, vectors and normals of a drawn object, derived from its matrix M.
 #pragma once
 
 #include <glm/mat3x3.hpp>
@@ -13,13 +13,13 @@ namespace wrinkle::gpu {
 struct ObjectSpace {
     glm::mat4 to_clip;
     glm::mat3 vector_to_world;
-    glm::mat3 normal_to_world;  // cof(M) times the sign of det(M), so that outside stays outside;
-                                // up to a positive factor
+    glm::mat3 normal_to_world;  // cof(M) times the sign of det(M), so that outside remains
+                                // outside; up to a positive factor
     glm::vec3 eye;              // in object space
-    bool mirrored;              // det(M) < 0: triangles turn their winding
+    bool mirrored;              // det(M) < 0: the winding of triangles is reversed
 };
 
-// Nothing when M has no inverse. `bounds` are the object's own, for the depth range.
+// Returns std::nullopt if M is singular. `bounds` are in object space and set the depth range.
 std::optional<ObjectSpace> object_space(const glm::mat4& object, const OrbitCamera& camera,
                                         const Bounds& bounds, float aspect);
 

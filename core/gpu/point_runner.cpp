@@ -12,7 +12,7 @@
 namespace wrinkle::gpu {
 namespace {
 
-// Points lie in rows of this length; attribute k of all points stands in the rows from k * rows on.
+// Points per row; attribute k of all points is stored in the rows from k * rows_of(job) on.
 constexpr size_t row_length = 1024;
 
 constexpr const char* point_vertex_text = R"(#version 330 core
@@ -107,7 +107,7 @@ std::optional<Program> compile(const PointJob& job, Diagnostics& diagnostics) {
     return program;
 }
 
-// The images of the samplers, alive and bound as long as this is.
+// Owns the images of the samplers and binds them; the destructor unbinds the sampler objects.
 class BoundImages {
 public:
     BoundImages(const PointJob& job, const Program& program) {

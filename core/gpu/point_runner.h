@@ -1,12 +1,12 @@
-// Runs GLSL once per point of a table and reads the results back as 32-bit floats: the way in which
-// CPU and GPU are compared on equal inputs.
+// Runs GLSL once per point of a table and reads the results back as 32-bit floats, to compare CPU
+// and GPU on equal inputs.
 //
-// Point i is one pixel of a float target. Its attributes come from float textures by texelFetch, so
-// they arrive to the last bit, and stand as local variables of `body` under their names. The body
-// assigns the vec4s out0, out1, …. Nothing is interpolated: texture() and dFdx have no meaning
-// here, use textureLod, textureGrad and given differentials.
+// Point i is one pixel of a float target. Its attributes are fetched bit-exactly from float
+// textures by texelFetch and are local variables of `body` with the attributes' names. The body
+// assigns the vec4s out0, out1, …. Nothing is interpolated, so texture() and dFdx are meaningless
+// here: use textureLod, textureGrad and given differentials.
 //
-//   globals    text before main(): structs, uniforms, samplers, functions; no #version line
+//   globals    source before main(): structs, uniforms, samplers, functions; no #version line
 //   body       "WrinkleSurface_x s; s.normal = normal; out0 = vec4(wrinkle_x_normal(s), 1);"
 #pragma once
 
@@ -28,7 +28,7 @@ struct PointAttribute {
 };
 
 struct PointImage {
-    std::string file;  // as a sampler names it
+    std::string file;  // MaterialSampler::file
     const MipChain* chain = nullptr;
 };
 
@@ -38,7 +38,7 @@ struct PointJob {
     int outputs = 1;  // 1 to 8
     size_t points = 0;
     std::vector<PointAttribute> attributes;
-    std::vector<MaterialSampler> samplers;  // files are looked up in `images` only
+    std::vector<MaterialSampler> samplers;  // files are searched only in `images`
     std::vector<MaterialUniform> uniforms;
     std::vector<PointImage> images;
 };
@@ -46,8 +46,9 @@ struct PointJob {
 // result[output][point]
 using PointResults = std::vector<std::vector<std::array<float, 4>>>;
 
-// Errors: a table of the wrong size, an image that is not given, the driver's log (lines of the
-// globals keep their numbers, those of the body begin at 200001). A context must be current.
+// Precondition: a context is current. Returns std::nullopt and reports an error for a table of the
+// wrong size, an image that is not given, or a shader that the driver rejects (the driver's log:
+// lines of the globals have their own numbers, those of the body begin at 200001).
 std::optional<PointResults> run_points(const PointJob& job, Diagnostics& diagnostics);
 
 }  // namespace wrinkle::gpu

@@ -8,7 +8,7 @@
 namespace wrinkle::gpu {
 namespace {
 
-// Drivers end their logs with newlines and a zero.
+// Drivers terminate their logs with newlines and a null character.
 std::string trimmed(std::string log) {
     while (!log.empty() && (log.back() == '\n' || log.back() == '\0'))
         log.pop_back();
@@ -90,7 +90,7 @@ void Program::use() const {
     glUseProgram(id_);
 }
 
-// GL ignores location -1, which is what an unused name has.
+// GL ignores location -1, the location of an unused name.
 void Program::set(const char* name, float value) const {
     glUniform1f(glGetUniformLocation(id_, name), value);
 }

@@ -12,8 +12,8 @@ namespace wrinkle::gpu {
 
 class Program {
 public:
-    // Nothing when the driver refuses; `log` then holds its words, the stage before them. `outputs`
-    // are the fragment shader's variables for color attachments 0, 1, …
+    // Returns std::nullopt if the driver rejects a shader; `log` then holds the stage and the
+    // driver's log. `outputs` are the fragment shader's variables for color attachments 0, 1, …
     static std::optional<Program> link(const std::string& vertex, const std::string& fragment,
                                        std::span<const std::string> outputs, std::string& log);
 
@@ -23,7 +23,7 @@ public:
 
     void use() const;
 
-    // All of these act on the program in use; a name that the program does not use is ignored.
+    // Precondition: the program is in use. A name that the program does not use is ignored.
     void set(const char* name, float value) const;
     void set(const char* name, int value) const;
     void set(const char* name, glm::vec2 value) const;

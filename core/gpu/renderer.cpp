@@ -35,14 +35,14 @@ bool same_shader(const Material& a, const Material& b) {
            a.outputs == b.outputs;
 }
 
-// The same text, read as if another output were the normal.
+// Returns the same material with another output as its normal.
 Material with_normal(Material material, const OutputFunction& normal) {
     std::erase_if(material.outputs, [](const OutputFunction& o) { return o.output == "normal"; });
     material.outputs.push_back({"normal", normal.function, normal.type});
     return material;
 }
 
-// The text's lines count from 1 in what is compiled (wrapper.h).
+// The compiled shader numbers the lines of the material's source from 1 (wrapper.h).
 Diagnostic refusal(const Material& material, const std::string& log) {
     Diagnostic problem;
     problem.message = "the driver refuses the material's shader: " + log;
@@ -76,8 +76,8 @@ bool check_members(const Material& material, Diagnostics& diagnostics) {
 struct KeptImage {
     Texture texture;
     uint64_t bytes;
-    bool is_file;        // read by us, so it can be read again
-    bool stale = false;  // still drawn with, until the next material
+    bool is_file;        // read by this renderer, which can read it again
+    bool stale = false;  // drawn until the next set_material() reads it again
 };
 
 struct Renderer::State {
@@ -93,7 +93,7 @@ struct Renderer::State {
     std::map<std::string, KeptImage> images;
     std::optional<EnvironmentTexture> environment;
     std::optional<Backdrop> backdrop;
-    Shading wanted, shading;  // of the next material, and of the one in use
+    Shading wanted, shading;  // for the next material; of the current one
     uint64_t linked = 0;
     double strips_took = 0;
 
@@ -208,10 +208,10 @@ void Renderer::State::draw_mesh(const Program& program) const {
     }
     mesh->draw();
     for (size_t i = 0; i < lookups.size(); ++i)
-        glBindSampler(static_cast<GLuint>(i), 0);  // other drawing has its own
+        glBindSampler(static_cast<GLuint>(i), 0);  // so that other drawing is not affected
 }
 
-// From the bottom. The first strip is a guess; how long it took says how high the next may be.
+// Draws strips from the bottom. The first height is a guess; each duration sets the next height.
 void Renderer::State::draw_strips(const Program& program, const Target& target,
                                   const ViewOptions& options) {
     const double milliseconds = options.strip_milliseconds;
@@ -313,7 +313,7 @@ bool wants_seen_range(const ViewOptions& options) {
            options.height_range.x == options.height_range.y;
 }
 
-// The smallest and largest height in the picture, drawn once more as numbers.
+// Returns the smallest and largest visible height, from an additional drawing of raw values.
 glm::vec2 seen_range(Renderer& renderer, const Scene& scene, const Target& target,
                      Diagnostics& diagnostics) {
     ViewOptions options;
@@ -330,7 +330,7 @@ glm::vec2 seen_range(Renderer& renderer, const Scene& scene, const Target& targe
         range = {std::min(range.x, pixels[i]), std::max(range.y, pixels[i])};
     }
     if (range.x > range.y) return {0, 1};
-    return range.x < range.y ? range : range + glm::vec2(-0.5F, 0.5F);  // one height is mid gray
+    return range.x < range.y ? range : range + glm::vec2(-0.5F, 0.5F);  // one height: mid gray
 }
 
 }  // namespace

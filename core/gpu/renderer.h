@@ -1,33 +1,35 @@
 // Draws one mesh with one material: the preview and `wrinkle render`.
 //
-// Set a mesh and a material, then draw into a target as often as you like. Changing a uniform, the
+// Set a mesh and a material, then draw into targets any number of times. Changing a uniform, the
 // scene or the camera compiles nothing; each view of a material is compiled when first drawn. Equal
 // input gives equal pixels on one driver.
 //
-// Each view has a value per pixel (`raw`) and a color that it is shown in:
+// Each view has a value per pixel (`raw`) and a display color:
 //
 //   shaded      Linear radiance under one directional light: GGX with an environment (sky and
-//               ground, or a picture: gpu/environment.h), or Phong without one. Shown times
-//               exposure, through the sRGB curve; a channel that exceeds 0.8 by x becomes
-//               0.8 + 0.2 x / (x + 0.2) before it.
-//   normal      The resolved normal n, object space, unit. Shown as 0.5 + 0.5 n.
-//   gradient    g = n - n' / (n . n'), of normal n' and surface normal n. Shown as 0.5 + 0.5 g.
-//   height      The output `height`; refused where there is none. Gray over height_range.
-//   uv          (u, v, 0) of uv0. Shown as its fraction.
-//   difference  Angle in degrees between the normal and the un-bumped one, or that of the output
-//               `against`. Heat map: ten colors of cividis (Nunez, Anderton and Renslow 2018), even
-//               steps from dark blue at 0 to yellow at heat_degrees and beyond.
-//   wireframe   0 on triangles, 1 on their edges. Shown gray, lit from the eye, and light.
+//               ground, or an environment map: gpu/environment.h), or Phong without one. Displayed
+//               times exposure, through the sRGB curve; before the curve, a channel that exceeds
+//               0.8 by x becomes 0.8 + 0.2 x / (x + 0.2).
+//   normal      The resolved normal n, object space, unit. Displayed as 0.5 + 0.5 n.
+//   gradient    g = n - n' / (n . n'), with normal n' and surface normal n. Displayed as
+//               0.5 + 0.5 g.
+//   height      The output `height`; an error if it is missing. Gray over height_range.
+//   uv          (u, v, 0) of uv0. Displayed as its fraction.
+//   difference  Angle in degrees between the normal and the un-bumped normal, or the output
+//               `against`. Heat map: ten colors of cividis (Nunez, Anderton and Renslow 2018), in
+//               equal steps from dark blue at 0 to yellow at heat_degrees and above.
+//   wireframe   0 on triangles, 1 on their edges. Displayed as gray lit from the eye, with light
+//               edges.
 //
-// Alpha of raw values is 1 on the mesh and 0 beside it; colors are opaque, with the background.
+// Alpha of raw values is 1 on the mesh and 0 elsewhere; colors are opaque, with the background.
 //
-// Missing outputs: normal = the surface's (turned towards the eye on back faces), color 0.6,
+// Missing outputs: normal = the surface normal (flipped towards the eye on back faces), color 0.6,
 // roughness 0.5, metalness 0, occlusion 1. The object matrix M acts outside the material: normals
-// go through cof(M) times the sign of det(M), which also sets what a front face is.
+// are multiplied by cof(M) times the sign of det(M); that sign also selects the front faces.
 //
-// Errors name what is at fault: the driver's log for a text it refuses (lines of the material's
-// text keep their numbers, the renderer's own begin at 100001), a missing output, an attribute that
-// the material reads and the mesh lacks, an image that cannot be read, a singular M.
+// Errors: the driver's log for a shader that it rejects (lines of the material's source have their
+// own numbers, the renderer's begin at 100001), a missing output, an attribute that the material
+// reads and the mesh lacks, an image that cannot be read, a singular M.
 #pragma once
 
 #include <cstdint>
@@ -54,15 +56,16 @@ enum class View : uint8_t { shaded, normal, gradient, height, uv, difference, wi
 std::span<const std::string_view> view_names();  // in the order of the enumerators
 std::optional<View> view_named(std::string_view name);
 
-// What lights the shaded view.
+// Lighting model of the shaded view.
 enum class Lighting : uint8_t { ggx, phong };
 
 std::span<const std::string_view> lighting_names();  // in the order of the enumerators
 
-// The light of classic texts (Phong 1975), per pixel:
+// Phong lighting (Phong 1975), per pixel:
 //     color * (ambient + diffuse * n.l) + specular * (r.v)^shininess
-// r is the direction to the light mirrored at n; the last term is absent where n.l is 0. Of a
-// material it reads normal and color alone.
+// r is the direction to the light mirrored at n; dot products are clamped to 0, and the last term
+// is 0 where n.l or r.v is 0. Reads only normal, color and emission of the material; emission is
+// added.
 struct Phong {
     float ambient = 0.1F;   // Ka
     float diffuse = 0.7F;   // Kd
@@ -74,26 +77,26 @@ struct Scene {
     glm::mat4 object{1};  // object to world
     OrbitCamera camera;
     glm::vec3 to_light{-0.5F, 0.7F, 0.6F};  // world space, any length
-    float light = 0.85F;                    // irradiance of a surface that faces it, over pi
-    float environment = 1;                  // factor on sky and ground
-    float environment_turn = 0;             // of a picture round +y, radians; from +z towards +x
+    float light = 0.85F;                    // irradiance of a surface facing the light, over pi
+    float environment = 1;                  // factor on the environment's radiance
+    float environment_turn = 0;             // rotation of a map around +y, radians; +z towards +x
     float exposure = 1;
     Phong phong;
-    bool surroundings = false;  // the picture of set_environment() behind the shaded view
-    glm::vec4 background{0.16F, 0.16F, 0.17F, 1};  // as displayed
+    bool surroundings = false;  // draws the environment map behind the shaded view
+    glm::vec4 background{0.16F, 0.16F, 0.17F, 1};  // display color
 };
 
 struct ViewOptions {
     View view = View::shaded;
-    std::string normal = "normal";  // the output that is taken for the normal
-    std::string against;  // for difference: an output with a normal; "" is the un-bumped surface
+    std::string normal = "normal";  // output used as the normal
+    std::string against;  // difference view: an output with a normal; "": the un-bumped surface
     float heat_degrees = 45;
-    glm::vec2 height_range{0, 0};  // black to white; two equal values: the range that is seen
-    bool raw = false;              // the value itself; wants an rgba32f target with one sample
-    // Above 0: drawn in strips that take about this long, each done before the next begins, so that
-    // others who share the driver get a turn between them. The pixels are the same.
+    glm::vec2 height_range{0, 0};  // black to white; if equal, the visible range
+    bool raw = false;              // writes the value; requires an rgba32f target, one sample
+    // If above 0, draws in strips of about this duration, each finished before the next begins, so
+    // that other contexts of the driver run in between. The pixels are the same.
     double strip_milliseconds = 0;
-    std::function<void()> before_strip;  // may wait until others are done; empty: nothing
+    std::function<void()> before_strip;  // may block; an empty function is not called
 };
 
 struct AngleStatistics {
@@ -111,20 +114,21 @@ public:
 
     void set_mesh(const Mesh& mesh);
 
-    // How the shaded view is lit; takes effect with the next set_material. Compiles nothing.
+    // Lighting of the shaded view; takes effect at the next set_material(). Compiles nothing.
     void set_lighting(Lighting lighting);
     void set_environment(const Image& picture);
-    void forget_environment();  // sky and ground again
+    void forget_environment();  // back to sky and ground
 
-    // Compiles the shaded view and brings up the images; on failure the former material stays. A
-    // material that differs in samplers and uniforms only compiles nothing.
+    // Compiles the shaded view and uploads the images; on failure returns false and retains the
+    // previous material. A material that differs only in samplers and uniforms compiles nothing.
     bool set_material(const Material& material, Diagnostics& diagnostics);
-    // A value of the material in use; false when it has no such uniform.
+    // Sets a uniform of the current material; returns false if it has no such uniform of this size.
     bool set_uniform(std::string_view name, std::span<const float> value);
-    uint64_t programs_linked() const;  // ever, by this renderer
+    uint64_t programs_linked() const;  // total number, by this renderer
 
-    // Keeps pixels under a name that samplers may give as their file; other files are read when a
-    // material first needs them. forget_images() makes the next set_material read those anew.
+    // Uploads an image under a name that samplers may use as their file; other files are read when
+    // a material first uses them. forget_images() makes the next set_material() read those files
+    // again.
     bool add_image(const std::string& file, const MipChain& chain, Diagnostics& diagnostics);
     void forget_images();
 
@@ -132,10 +136,11 @@ public:
     bool draw(const Scene& scene, const ViewOptions& options, const Target& target,
               Diagnostics& diagnostics);
 
-    // How long the last drawing in strips took, the making of its program apart.
+    // Returns the milliseconds of the last drawing in strips, without compiling its program.
     double strips_took() const;
 
-    // The difference view in numbers, at the given size.
+    // Returns statistics of the difference view, drawn at the given size; std::nullopt and an error
+    // on failure.
     std::optional<AngleStatistics> measure(const Scene& scene, const std::string& against,
                                            int width, int height, Diagnostics& diagnostics);
 

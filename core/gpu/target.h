@@ -1,7 +1,7 @@
-// What is drawn into: color textures of one size, with a depth buffer when wanted.
+// Render target: color textures of one size, with an optional depth buffer.
 //
-// Pixels are read from the bottom row upwards, as `Image` holds them. With several samples the
-// drawing lies in multisampled buffers until resolve() averages it into the color textures.
+// Pixels are read from the bottom row upwards, as in `Image`. With several samples the pixels are
+// in multisampled buffers until resolve() averages them into the color textures.
 #pragma once
 
 #include <cstdint>
@@ -19,31 +19,33 @@ struct TargetOptions {
     int width = 512;
     int height = 512;
     PixelFormat format = PixelFormat::rgba8;
-    int samples = 1;  // lowered to what the driver can do
+    int samples = 1;  // clamped to the driver's limit
     int colors = 1;   // 1 to 8
     bool depth = true;
 };
 
 class Target {
 public:
-    // Errors: a size below 1 or above the driver's, an incomplete framebuffer.
+    // Returns std::nullopt and reports an error for a size below 1 or above the driver's limit, or
+    // an incomplete framebuffer.
     static std::optional<Target> make(const TargetOptions& options, Diagnostics& diagnostics);
 
     Target(Target&& other) noexcept;
     Target& operator=(Target&& other) noexcept;
     ~Target();
 
-    void bind() const;     // as the framebuffer to draw into, with the viewport over all of it
-    void resolve() const;  // after drawing, before the texture is shown or read
+    void bind() const;     // as the draw framebuffer, with a viewport over all of it
+    void resolve() const;  // call after drawing, before the texture is used or read
 
     int width() const { return options_.width; }
     int height() const { return options_.height; }
     const TargetOptions& options() const { return options_; }
     uint32_t texture(int color = 0) const { return textures_[static_cast<size_t>(color)]; }
 
-    // Four floats a pixel; of an rgba8 target value / 255.
+    // Four floats per pixel; value / 255 for an rgba8 target.
     std::vector<float> read(int color = 0) const;
-    // The same as a picture with four channels; of an rgba8 target it saves as 8 bits unchanged.
+    // The same as an image with four channels; from an rgba8 target it is saved as 8 bits without
+    // loss.
     Image read_image(int color = 0) const;
 
 private:
@@ -56,7 +58,7 @@ private:
     TargetOptions options_;
     std::vector<uint32_t> textures_;
     std::vector<uint32_t> buffers_;    // renderbuffers: depth and multisampled colors
-    uint32_t framebuffer_ = 0;         // over the textures
+    uint32_t framebuffer_ = 0;         // with the textures attached
     uint32_t sample_framebuffer_ = 0;  // 0 without multisampling
 };
 

@@ -59,7 +59,7 @@ void upload_level(const Image& image, GLint level, Storage storage) {
     }
 }
 
-// Grey reads as expand_texel has it.
+// One channel is sampled as (r, r, r, 1), as in expand_texel().
 void spread_grey() {
     constexpr std::array<GLint, 4> swizzle{GL_RED, GL_RED, GL_RED, GL_ONE};
     glTexParameteriv(GL_TEXTURE_2D, GL_TEXTURE_SWIZZLE_RGBA, swizzle.data());

@@ -1,10 +1,10 @@
-// Textures in GPU memory, and how they are looked up.
+// Textures and sampler objects in GPU memory.
 //
-// A picture goes up level by level as its MipChain has it, in 32-bit floats, so that filtered
-// values equal the CPU's: drivers filter integers in steps of their own width, and a height's slope
-// magnifies a step by the picture's size. Only 8-bit pictures of several channels (colours, mostly)
-// go up as 16-bit integers, half the memory. Wrap and filter are a Lookup, apart from the texels:
-// one picture may be read in several ways.
+// The levels of a MipChain are uploaded as 32-bit floats, so that filtered values equal the CPU's:
+// drivers filter integer formats with the precision of the format, and the slope of a height
+// multiplies a quantisation step by the image size. Only 8-bit images of several channels (mostly
+// colours) are uploaded as 16-bit integers, half the memory. A Lookup holds wrap and filter,
+// separate from the texels: one texture may be sampled in several ways.
 #pragma once
 
 #include <cstdint>
@@ -17,7 +17,7 @@ namespace wrinkle::gpu {
 
 class Texture {
 public:
-    static Texture upload(const MipChain& chain);  // of an empty chain: one black texel
+    static Texture upload(const MipChain& chain);  // an empty chain gives one black texel
     // 32-bit floats, four per texel, row by row from the bottom; one level, for texelFetch.
     static Texture of_floats(int width, int height, std::span<const float> rgba);
 
@@ -33,7 +33,7 @@ private:
     uint32_t id_ = 0;
 };
 
-// linear is trilinear; nearest takes the nearest texel of the nearest level.
+// Sampler object. linear: trilinear; nearest: the nearest texel of the nearest level.
 class Lookup {
 public:
     Lookup(Wrap wrap, Filter filter);

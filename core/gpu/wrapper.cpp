@@ -10,8 +10,8 @@ namespace {
 
 struct Property {
     std::string_view name;
-    std::string_view value;  // in the fragment shader's main()
-    SurfaceInput input;      // what it is made of
+    std::string_view value;  // expression in the fragment shader's main()
+    SurfaceInput input;      // input that it is computed from
 };
 
 constexpr std::array<Property, 11> properties{{
@@ -77,9 +77,9 @@ out vec4 WrView_color;
 uniform bool WrView_raw;
 )";
 
-// Linear radiance of a point lit by one directional light and a sky over a ground. Lengths are in
-// world space. `light` is irradiance over pi, so a white diffuse surface facing it reflects
-// `light`.
+// Uniforms for the linear radiance of a point under one directional light and an environment.
+// Directions are in world space. WrView_light is irradiance over pi, so a white diffuse surface
+// that faces the light reflects WrView_light.
 constexpr std::string_view shading_text = R"(
 uniform mat3 WrView_normal_to_world;
 uniform mat3 WrView_vector_to_world;
@@ -185,7 +185,8 @@ vec3 WrView_heat(float angle) {
 }
 )";
 
-// `surface` is the surface's unit normal, turned towards the eye; flat materials keep it.
+// `surface` is the unit surface normal, flipped towards the eye; materials without a normal output
+// use it.
 constexpr std::string_view surface_text = R"(    float WrView_length = length(WrView_normal);
     vec3 surface = WrView_length > 0.0 ? WrView_normal / WrView_length : vec3(0.0, 0.0, 1.0);
     surface = gl_FrontFacing ? surface : -surface;
@@ -210,7 +211,7 @@ std::string value_of(const Material& material, const std::string& output, const 
     return found ? type + "(" + call(material, *found) + ")" : missing;
 }
 
-// Added to what is lit; black for an output that is not a colour or a number.
+// Emission is added to the lit color; black if the output is not a vec3 or a float.
 std::string emission_of(const Material& material) {
     const OutputFunction* found = find_output(material, "emission");
     const bool adds = found && (found->type == "vec3" || found->type == "float");
@@ -247,8 +248,7 @@ std::string normal_body(const Material& material) {
 )";
 }
 
-// The side of the surface that the normal is on need not be the visible one: a graph may leave back
-// faces alone.
+// The normal may be on the invisible side of the surface: a graph may leave back faces unflipped.
 std::string gradient_body(const Material& material) {
     return normal_value(material) +
            R"(    vec3 side = dot(WrView_bumped, surface) < 0.0 ? -surface : surface;

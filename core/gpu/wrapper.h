@@ -1,9 +1,9 @@
-// The vertex and fragment shader that the renderer writes round a material's text, one pair per
-// view. Everything of its own is called WrView_...; in compile logs the lines of the material keep
-// their numbers and the renderer's own after them begin at 100001.
+// Generates the vertex and fragment shader around a material's source, one pair per view. The
+// wrapper's names begin with WrView_. In compile logs the material's lines have their own numbers
+// and the wrapper's lines after them begin at 100001.
 //
-// Vertex attributes are those of glsl/attributes.h and behind them the place where a vertex is
-// drawn. The fragment's one output is WrView_color.
+// Vertex attributes are those of glsl/attributes.h, followed by the drawn position of the vertex.
+// The only fragment output is WrView_color.
 #pragma once
 
 #include <string>
@@ -22,25 +22,26 @@ struct ShaderText {
 
 struct Shading {
     Lighting lighting = Lighting::ggx;
-    bool environment = false;  // a cube WrView_surroundings, else sky and ground
+    bool environment = false;  // cube map `WrView_surroundings`, else sky and ground
 
     friend bool operator==(const Shading&, const Shading&) = default;
 };
 
-// `against` may be null: the un-bumped surface. For the height view the output must exist.
+// `against` may be null: the un-bumped surface. Precondition of the height view: the material has
+// the output `height`.
 ShaderText wrap_material(const Material& material, View view, const OutputFunction* against,
                          const Shading& shading = {});
 
-// GLSL: `vec3 WrView_display(vec3 radiance)`, what the shaded view shows of it, with its uniform
-// WrView_exposure.
+// Returns the GLSL of `vec3 WrView_display(vec3 radiance)`, the display curve of the shaded view,
+// with its uniform WrView_exposure.
 std::string_view display_text();
 
-// A displaced vertex is drawn elsewhere than its position says.
+// Location of the drawn position; it differs from the position attribute on displaced meshes.
 inline constexpr int drawn_location = attribute_count;
 
-bool is_property(std::string_view name);  // of a drawn surface
+bool is_property(std::string_view name);  // returns true for the properties of material.h
 
-// The location of a property's vertex attribute, -1 for one that needs none ("view", "facing").
+// Returns the location of a property's vertex attribute; -1 if it has none ("view", "facing").
 int attribute_location(std::string_view property);
 
 }  // namespace wrinkle::gpu

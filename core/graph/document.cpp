@@ -26,7 +26,7 @@ Diagnostic made(Location where, std::string pointer, std::string message, std::s
     return diagnostic;
 }
 
-// The file as a whole when the thing is not of the text as read.
+// Returns the file without a line if the value is not part of the text as read.
 Location place(const Document& document, const json::Value& value, bool key) {
     if (!value.has_location()) return {document.file, 0, 0};
     return key ? value.key_location() : value.location();
@@ -34,7 +34,7 @@ Location place(const Document& document, const json::Value& value, bool key) {
 
 constexpr size_t longest_id = 128;  // characters
 
-// Of letters that need no second look.
+// Fast path: accepts ASCII ids that need no further check.
 bool is_plain_id(std::string_view id) {
     if (id.empty() || id.size() > longest_id || id[0] == '$') return false;
     return std::all_of(id.begin(), id.end(),

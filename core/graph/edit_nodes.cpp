@@ -11,7 +11,7 @@ namespace {
 using editing::copy_of;
 using editing::mark_edited;
 
-// The document with every node that `change(copy of it)` says it has changed.
+// Applies `change` to a copy of every node that it concerns; returns true if there was any.
 template <class Change>
 bool change_nodes(Document& document, Change change) {
     std::vector<NodePtr> nodes(document.nodes.begin(), document.nodes.end());
@@ -120,7 +120,7 @@ bool drop(Document& document, Drop drops) {
     return true;
 }
 
-// By index the nodes that the edges lead to from `start`, itself among them.
+// Marks the nodes reachable from `start` by index, including `start`.
 std::vector<bool> reached(const std::vector<std::vector<size_t>>& edges, size_t start) {
     std::vector<bool> seen(edges.size(), false);
     std::vector<size_t> todo{start};
@@ -134,7 +134,7 @@ std::vector<bool> reached(const std::vector<std::vector<size_t>>& edges, size_t 
     return seen;
 }
 
-// For each node those that it reads; `reversed`: those that read it.
+// Returns for each node those that it reads; if `reversed`, those that read it.
 std::vector<std::vector<size_t>> edges_of(const Document& document, bool reversed) {
     std::vector<std::vector<size_t>> edges(document.nodes.size());
     for (size_t i = 0; i < edges.size(); ++i)
@@ -167,7 +167,7 @@ Document add_nodes(const Document& document, std::vector<Node> added,
 }
 
 Document remove_nodes(const Document& document, const std::set<std::string>& wanted) {
-    std::set<std::string> ids;  // of nodes: links to the surface stay
+    std::set<std::string> ids;  // node ids only: links to the surface remain
     for (const std::string& id : wanted)
         if (document.find(id)) ids.insert(id);
     Document changed = document;

@@ -1,18 +1,19 @@
-// What the edits of core/graph share; for core/graph alone.
+// Helpers shared by the edits; private to core/graph.
 #pragma once
 
 #include "graph/document.h"
 
 namespace wrinkle::editing {
 
-// A known key of the wrong kind was kept among the unknown ones; what is now edited replaces it.
+// Removes stored values of the wrong kind for known keys that an edit has replaced; sets
+// Document::edited.
 void mark_edited(Document& document);
 void mark_edited(Node& node);
 
-// For changing: what was read as no object becomes a node by the edit.
+// Returns a copy to edit; a source that is not an object is dropped, as the edit makes it a node.
 Node copy_of(const Node& node);
 
-// The link, renamed, in the value that it was read as.
+// Replaces the link and updates the stored value; other keys of the value are preserved.
 void set_link(Input& input, Link link);
 
 }  // namespace wrinkle::editing

@@ -16,9 +16,9 @@ const NamedFiles::Found& NamedFiles::find(size_t file, std::string_view name) {
     return here.emplace(name, std::move(found)).first->second;
 }
 
-// A regular file that is no link, in a folder below the root; nothing of all else.
+// Fast path for a regular file that is not a link, in a folder inside the root; else std::nullopt.
 std::optional<NamedFiles::Found> NamedFiles::plain_file(size_t file, std::string_view name) {
-    const size_t slash = name.rfind('/') + 1;  // 0 where there is none
+    const size_t slash = name.rfind('/') + 1;  // 0 if there is no slash
     const std::string_view folder = name.substr(0, slash), last = name.substr(slash);
     if (last.empty() || last == "." || last == ".." || name.find('\0') != name.npos) return {};
     auto known = folders_[file].find(folder);

@@ -1,7 +1,7 @@
-// The files that a project's graphs name (images, say), each looked for on disk once.
+// Cache of the files that a project's graphs name (images, for example): each is resolved once.
 //
-// What a name leads to is asked of the system in as few calls as can be: a folder is resolved once,
-// and a file in it that is no link is known by one more.
+// Few system calls: a folder is resolved once, and a file in it that is not a link costs one more
+// call.
 #pragma once
 
 #include <filesystem>
@@ -18,14 +18,14 @@ namespace wrinkle {
 class NamedFiles {
 public:
     struct Found {
-        std::optional<std::filesystem::path> path;  // canonical; nothing: outside the root
+        std::optional<std::filesystem::path> path;  // canonical; std::nullopt: outside the root
         std::filesystem::file_type type = std::filesystem::file_type::none;
     };
 
     explicit NamedFiles(const Project& project)
         : project_(&project), found_(project.files.size()), folders_(project.files.size()) {}
 
-    // As named in files[file]. Stays valid.
+    // `name` is as written in files[file]. The reference stays valid.
     const Found& find(size_t file, std::string_view name);
 
 private:
@@ -36,7 +36,7 @@ private:
 
     const Project* project_;
     std::vector<ByName<Found>> found_;  // by file and name
-    // By file, and folder as it stands in names: the canonical one; nothing: outside the root.
+    // By file, and folder as spelled in names: canonical path; std::nullopt: outside the root.
     std::vector<ByName<std::optional<std::filesystem::path>>> folders_;
 };
 

@@ -10,8 +10,8 @@ namespace {
 struct Closing {
     uint32_t node;
     uint32_t input;
-    std::vector<uint32_t> path;  // from the node that is read again, reader to read; its ends
-    size_t length = 0;           // of the whole cycle
+    std::vector<uint32_t> path;  // from the node read again, reader to read; shortened
+    size_t length = 0;           // nodes of the complete cycle
 };
 
 struct Walk {
@@ -19,10 +19,10 @@ struct Walk {
     std::vector<Closing> closing;
 };
 
-constexpr size_t shown = 8;                                     // nodes of a cycle in its report
-constexpr size_t most_cycles = Diagnostics::default_limit + 1;  // the rest is not told apart
+constexpr size_t shown = 8;                                     // nodes of a cycle in a diagnostic
+constexpr size_t most_cycles = Diagnostics::default_limit + 1;  // further cycles are not recorded
 
-// Depth first with a stack of its own.
+// Depth-first search with an explicit stack.
 class Walker {
 public:
     Walker(const Document& document, const Wires& wires)
@@ -102,7 +102,7 @@ std::string cycle_text(const Document& document, const Closing& closing) {
     return text + "'" + document.nodes[path[0]]->id + "'";
 }
 
-// Suggests names; within a budget, so that a large and very wrong graph is still read at once.
+// Suggests names, within a budget so that a large graph with many errors is still read quickly.
 template <class T>
 class Names {
 public:
@@ -133,7 +133,7 @@ public:
           inputs_(document.inputs) {}
 
     void run() {
-        bool forward = false;  // a node reads a later one or itself: no cycle without that
+        bool forward = false;  // a node reads itself or a later node: required for a cycle
         for (size_t n = 0; n < document_.nodes.size(); ++n) {
             const Node& node = *document_.nodes[n];
             const auto read = wires_.of(n);

@@ -1,4 +1,4 @@
-// Who reads whom: evaluation order, cycles, links that lead nowhere.
+// Dependencies between nodes: evaluation order, cycles, dangling links.
 #pragma once
 
 #include <cstdint>
@@ -8,12 +8,12 @@
 
 namespace wrinkle {
 
-// Every node (its index in document.nodes) after the nodes that it reads. The order is that of a
-// depth-first walk from the first node on. A wire that closes a cycle is disregarded. No recursion.
+// Returns the nodes (indices into document.nodes) in topological order: each after the nodes that
+// it reads. Depth-first search from the first node, without recursion; back edges are ignored.
 std::vector<uint32_t> evaluation_order(const Document& document);
 
-// Errors for links to nodes, graph inputs that do not exist, and for each
-// wire that closes a cycle, with the nodes on it. Part of read_document; an edited one asks again.
+// Reports an error for each link to a missing node or graph input and for each wire that closes a
+// cycle, with the nodes on it. Part of read_document; call it again after edits.
 void check_links(const Document& document, Diagnostics& diagnostics);
 void check_links(const Document& document, const Wires& wires, Diagnostics& diagnostics);
 

@@ -36,7 +36,7 @@ public:
     const std::string& lost() const { return lost_; }
 
 private:
-    // Whether the member is known and well; it is kept with the unknown ones otherwise.
+    // Returns true if the member is known and valid; otherwise the caller stores it as unknown.
     bool read_member(const json::Member& member, Document& document) {
         const Value& value = member.value;
         if (member.key == "wrinkle") return read_format(value);
@@ -102,13 +102,13 @@ private:
         return Table<T>(std::move(items));
     }
 
-    // They stand in one block, which each of them keeps alive.
+    // The nodes are allocated in one block; each NodePtr shares its ownership.
     Table<NodePtr> read_nodes(const Value& value) {
         const size_t most = std::min<size_t>(value.size(), limits_.nodes);
         std::vector<NodePtr> nodes;
         nodes.reserve(most);
         const auto block = std::make_shared<std::vector<Node>>();
-        block->reserve(most);  // so that none moves
+        block->reserve(most);  // no reallocation: pointers into it stay valid
         for (const json::Member& member : value.children()) {
             if (nodes.size() + limits_.nodes_before >= limits_.nodes) {
                 report_.at_key(member.value, "", "the graph has more nodes than are allowed",

@@ -37,7 +37,7 @@ bool read_version(const Value& value, Node& node, Report& report) {
     return false;
 }
 
-// Whether the member is known and well; it is kept with the unknown ones otherwise.
+// Returns true if the member is known and valid; otherwise the caller stores it as unknown.
 bool read_member(const json::Member& member, Node& node, Report& report) {
     const Value& value = member.value;
     if (member.key == "type") {

@@ -1,4 +1,4 @@
-// The parts of reading, one per section of the file; for core/graph alone.
+// Readers of the sections of a graph file; private to core/graph.
 #pragma once
 
 #include <cmath>
@@ -9,19 +9,20 @@
 
 namespace wrinkle::reading {
 
-// Collects the problems of one file. After more than can be kept they are only counted.
+// Collects the problems of one file. Problems beyond the limit of Diagnostics are only counted.
 class Report {
 public:
     void at(const json::Value& value, std::string node, std::string message, std::string expected);
     void at_key(const json::Value& value, std::string node, std::string message,
                 std::string expected);
-    // False, and reported, when the value is of another kind; `name` is what it should be.
+    // Reports an error and returns false if the value is of another kind; `name` names it in the
+    // message.
     bool expect(const json::Value& value, json::Kind kind, std::string_view name,
                 std::string_view node) {
         if (!value.is(kind)) wrong_kind(value, kind, name, node);
         return value.is(kind);
     }
-    // False, and reported, when the key of `value` cannot be an id or name.
+    // Reports an error and returns false if the key of `value` is not a valid id or name.
     bool expect_id(const json::Value& value, std::string_view what, std::string_view id,
                    bool reserved);
 
@@ -35,7 +36,7 @@ private:
 };
 
 void read_node(std::string_view id, const json::Value& value, Report& report, Node& node);
-// A port's value: {"from": ...} is a link, all else a literal.
+// Reads a port's value: {"from": ...} is a link, anything else a literal.
 void read_input(std::string_view port, const json::Value& value, std::string_view node,
                 Report& report, Input& input);
 Output read_output(std::string_view name, const json::Value& value, Report& report);

@@ -35,7 +35,7 @@ private:
     }
 
     uint32_t find_or_read(size_t f, const Node& node, std::string_view name) {
-        const Document& document = project_.files[f].document;  // as long as no file is added
+        const Document& document = project_.files[f].document;  // valid until a file is added
         const auto fail = [&](const std::string& what, std::string expected) {
             diagnostics_.add(diagnose(document, node, "sub-graph " + json_quoted(name) + " " + what,
                                       std::move(expected)));
@@ -54,7 +54,7 @@ private:
         return add(*path, display_name(document, name), std::move(*bytes));
     }
 
-    // As the reader of a report would name it: beside the file that says it.
+    // Returns the name for diagnostics: relative to the file that contains it.
     static std::string display_name(const Document& document, std::string_view name) {
         return (fs::path(document.file).parent_path() / name).lexically_normal().string();
     }
@@ -77,8 +77,8 @@ private:
         size_t next_node;
     };
 
-    // Reports each node that leads back to a file it is in, and takes its sub-graph away. Depth
-    // first.
+    // Depth-first search over files: reports each node that closes a cycle and removes its
+    // sub-graph.
     void check_uses() {
         enum class State : uint8_t { unseen, open, done };
         std::vector<State> state(project_.files.size(), State::unseen);

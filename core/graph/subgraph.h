@@ -1,9 +1,9 @@
-// A top graph and the files of its sub-graphs, each read once.
+// Project: a top graph and the files of its sub-graphs, each read once.
 //
-// "type": "graph:weave.json" names a file relative to the one that says so; after canonicalisation
-// it must stay inside the root. Files that are missing, climb out or contain themselves are errors
-// at the node that names them; it has no sub-graph here, so walking the project ends. How often a
-// file is used does not matter: walk files, not uses.
+// "type": "graph:weave.json" names a file relative to the file that contains it; after
+// canonicalisation it must be inside the root. Files that are missing, outside the root or contain
+// themselves are errors at the node that names them; that node has no sub-graph here, so the files
+// form an acyclic graph. Shared files are stored once: iterate over files, not over uses.
 #pragma once
 
 #include <filesystem>
@@ -24,29 +24,30 @@ struct ProjectOptions {
 struct Project {
     struct File {
         Document document;
-        std::filesystem::path path;  // canonical; of a top document without a name its folder, "/"
-        // For each node the index of its sub-graph's file; none: not a sub-graph, or not readable.
+        std::filesystem::path path;  // canonical; folder + "/" for a top document without a name
+        // For each node, the index of its sub-graph's file; none: not a sub-graph, or not readable.
         std::vector<uint32_t> subgraphs;
         static constexpr uint32_t none = ~0u;
     };
     std::filesystem::path root;  // canonical
-    std::vector<File> files;     // [0] is the top; a file stands before those it names first
+    std::vector<File> files;     // [0] is the top; a file precedes those that it names first
 
     const Document& top() const { return files[0].document; }
-    // The file of a sub-graph node of files[file], nullptr when it has none.
+    // Returns the file of a sub-graph node of files[file]; nullptr if it has none.
     const File* subgraph(size_t file, std::string_view node) const;
 };
 
-// Reads a file and what it names. There is always files[0], empty when it could not be read.
+// Reads a file and its sub-graphs. files[0] always exists; it is empty if the file cannot be read.
 Project load_project(const std::filesystem::path& file, const ProjectOptions& options,
                      Diagnostics& diagnostics);
 
-// The same for a top document in memory, which needs no name. Its files are relative to `folder`
-// (that of its file; the working folder for standard input).
+// As above for a top document in memory, which needs no name. Its files are relative to `folder`
+// (the folder of its file; the working folder for standard input).
 Project load_project(Document top, const std::filesystem::path& folder,
                      const ProjectOptions& options, Diagnostics& diagnostics);
 
-// Where a file named in `file` is (an image, say): canonical if inside the root, else nothing.
+// Resolves a file named in files[file] (an image, for example): canonical path if inside the root,
+// else std::nullopt.
 std::optional<std::filesystem::path> resolve_file(const Project& project, size_t file,
                                                   std::string_view name);
 

@@ -1,8 +1,8 @@
-// An immutable ordered table with fast lookup by key, cheap to copy.
+// Immutable ordered table with hash lookup by key, cheap to copy.
 //
-// Copies share their contents; `with` and `without` return a changed copy (O(n), a replaced entry
-// keeps the shared index). Keys are unique: of equal keys the first is found. An entry type says
-// its key by a function `std::string_view table_key(const T&)` beside it.
+// Copies share their contents; `with` and `without` return a changed copy (O(n); replacing an entry
+// shares the index). Keys should be unique: of equal keys the first is found. An entry type defines
+// `std::string_view table_key(const T&)` in its namespace.
 #pragma once
 
 #include <bit>
@@ -42,7 +42,7 @@ public:
         return i == npos ? nullptr : begin() + i;
     }
 
-    // Replaces the entry of the same key in its place, or appends.
+    // Replaces the entry with the same key at its position, or appends.
     Table with(T item) const {
         std::vector<T> items(begin(), end());
         const size_t i = index_of(table_key(item));
@@ -68,7 +68,7 @@ public:
         return Table(std::move(items));
     }
 
-    // The same contents by identity: a fast "not edited".
+    // Compares by identity: a fast "not edited" test.
     bool same(const Table& other) const {
         return items_ == other.items_ || (empty() && other.empty());
     }

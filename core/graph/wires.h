@@ -1,4 +1,4 @@
-// Which node every input of every node reads, looked up by name once.
+// Resolved links: the source node of every node input, looked up by name once.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +15,8 @@ public:
 
     explicit Wires(const Document& document);
 
-    // Nodes by input; `none` where an input reads no node, or one that there is not.
+    // Source node of each input; `none` if the input does not link to a node, or the node does not
+    // exist.
     std::span<const uint32_t> of(size_t node) const {
         return std::span(read_).subspan(first_[node], first_[node + 1] - first_[node]);
     }

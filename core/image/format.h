@@ -1,4 +1,4 @@
-// Which of the image formats a file holds, told by its first bytes.
+// Detection of a file's image format by its first bytes.
 #pragma once
 
 #include <filesystem>
@@ -8,10 +8,11 @@ namespace wrinkle {
 
 struct ImageFormat {
     std::string name;    // "png", "jpeg", "tiff", "exr", "hdr", "pnm"; "" when none is recognised
-    std::string plugin;  // OpenImageIO's name for it
+    std::string plugin;  // OpenImageIO's name
 };
 
-// An unrecognised format for an unreadable, empty or foreign file, with the reason in `why`.
+// Returns an empty format and the reason in `why` if the file is unreadable, empty or not an image
+// of a known format.
 ImageFormat sniff_format(const std::filesystem::path& path, std::string& why);
 
 inline constexpr const char* readable_formats =

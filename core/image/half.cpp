@@ -4,7 +4,7 @@ namespace wrinkle {
 
 namespace {
 
-constexpr uint32_t bias_change = 112u << 23;  // 127 - 15 in the exponent's place
+constexpr uint32_t bias_change = 112u << 23;  // 127 - 15 in the exponent bits
 
 }  // namespace
 

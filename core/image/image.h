@@ -1,11 +1,11 @@
-// A picture in memory: float values, one to four channels, interleaved.
+// An image in memory: float values, one to four channels, interleaved.
 //
 // Row 0 is the BOTTOM row and column 0 the left one, so the uv origin is the first value and texel
-// (x, y) covers u in [x, x + 1] / width, v in [y, y + 1] / height. This is also the order that
-// glTexImage2D wants. Loading and saving turn the rows over; nothing else ever does.
+// (x, y) covers u in [x, x + 1] / width, v in [y, y + 1] / height. This is the order that
+// glTexImage2D expects. Only loading and saving reverse the order of rows.
 //
-// Values are raw, whatever the file says about its colours: an 8-bit 255 and a 16-bit 65535 are
-// 1.0, float files keep their numbers, NaN and infinities included. Alpha is never multiplied in.
+// Values are raw, without colour conversion: an 8-bit 255 and a 16-bit 65535 are 1.0, values of
+// float files are unchanged, including NaN and infinities. Alpha is never premultiplied.
 #pragma once
 
 #include <array>
@@ -16,7 +16,7 @@
 
 namespace wrinkle {
 
-// How the file stores a value. u8 and u16 mean value / max in [0, 1].
+// Storage type of a value in the file. u8 and u16 mean value / max in [0, 1].
 enum class PixelType : uint8_t { u8, u16, half, float32 };
 
 std::string_view name_of(PixelType type);  // "u8", "u16", "half", "float"
@@ -27,7 +27,7 @@ struct Image {
     uint32_t height = 0;
     uint32_t channels = 0;                  // 1 gray, 2 (see has_alpha), 3 rgb, 4 rgba
     bool has_alpha = false;                 // with 2 channels: gray and alpha, else red and green
-    PixelType source = PixelType::float32;  // of the file; what an upload may choose to keep
+    PixelType source = PixelType::float32;  // type in the file; an upload may use it
     std::vector<float> data;                // [(y * width + x) * channels + channel], y up
 
     bool empty() const { return data.empty(); }
@@ -40,12 +40,12 @@ private:
     }
 };
 
-// All zero; has_alpha is set for 4 channels.
+// Returns an image of zeros; has_alpha is set for 4 channels.
 Image make_image(uint32_t width, uint32_t height, uint32_t channels,
                  PixelType source = PixelType::float32);
 
-// The one rule by which fewer channels become four: gray is repeated into r, g and b; red-green
-// gets blue 0; a missing alpha is 1. `values` points at `channels` numbers.
+// Expands one to four channels to four, the only rule for that: gray is repeated into r, g and b;
+// red-green gets blue 0; a missing alpha is 1. `values` points at `channels` numbers.
 template <class T>
 std::array<T, 4> expand_texel(const T* values, uint32_t channels, bool has_alpha) {
     switch (channels) {
@@ -60,6 +60,6 @@ std::array<T, 4> expand_texel(const T* values, uint32_t channels, bool has_alpha
             return {values[0], values[1], values[2], values[3]};
     }
 }
-Image to_rgba(const Image& image);  // every texel through expand_texel
+Image to_rgba(const Image& image);  // expand_texel() on every texel
 
 }  // namespace wrinkle

@@ -110,10 +110,10 @@ Opened open_within(const fs::path& path, const ImageLimits& limits, Diagnostics&
 
 struct NonFinite {
     size_t count = 0;
-    size_t x = 0, y = 0;  // of the first from the bottom left
+    size_t x = 0, y = 0;  // first one, from the bottom left
 };
 
-// Rows come from the top, so the last row with one holds the first.
+// Rows arrive from the top, so the last row with a non-finite value contains the first one.
 void note_non_finite(const ImageInfo& info, uint32_t y, const float* row, NonFinite& found) {
     const auto is_bad = [](float value) { return !std::isfinite(value); };
     const float* end = row + size_t{info.width} * info.channels;
@@ -134,14 +134,14 @@ void warn_of_non_finite(const fs::path& path, const NonFinite& found, Diagnostic
     diagnostics.add(std::move(warning));
 }
 
-// Where row y from the bottom is to be put, and what is done with it there; false stops.
+// Destination of row y from the bottom, and a callback after it is decoded; return false to stop.
 struct RowsTaker {
     std::function<float*(uint32_t y)> place;
     std::function<bool(uint32_t y)> taken;
 };
 
-// In bands, so that what was read is still at hand when it is put into its place. The file's first
-// row is the top one.
+// Decodes in bands, so that a row is still in the cache when it is converted. The file's first row
+// is the top one.
 bool decode(const fs::path& path, const Opened& opened, const RowsTaker& rows,
             Diagnostics& diagnostics) {
     const ImageInfo& info = opened.info;
@@ -192,7 +192,7 @@ std::optional<ImageInfo> decode_rows(const fs::path& path, const Opened& opened,
     return opened.info;
 }
 
-// What `read` makes of a file that was opened.
+// Returns the result of `read` on the opened file; empty on failure.
 template <class Read>
 auto opened_and(const fs::path& path, const ImageLimits& limits, Diagnostics& diagnostics,
                 Read read) -> decltype(read(std::declval<const Opened&>())) {
@@ -206,7 +206,7 @@ auto opened_and(const fs::path& path, const ImageLimits& limits, Diagnostics& di
     }
 }
 
-// Nothing where the environment's are no limits.
+// Returns std::nullopt if the environment holds an invalid limit.
 std::optional<ImageLimits> usual_limits(Diagnostics& diagnostics) {
     const size_t before = diagnostics.error_count();
     const ImageLimits limits = image_limits_from_environment(diagnostics);

@@ -7,7 +7,7 @@ namespace wrinkle {
 
 namespace {
 
-// The texels of one direction that a texel of the next level covers, with integer weights.
+// Texels that a texel of the next level covers in one direction, with integer weights.
 struct Cover {
     uint32_t first = 0;
     uint32_t count = 0;

@@ -1,5 +1,5 @@
-// Opening the module that holds OpenImageIO, once per process, on first need; base/companion.h says
-// where it is looked for.
+// Loads the module that contains OpenImageIO, once per process, on first use; base/companion.h
+// documents its search path.
 #pragma once
 
 #include <string>
@@ -9,7 +9,8 @@
 
 namespace wrinkle {
 
-// The table of functions, or null with the reason in `why`; the first answer is kept.
+// Returns the table of functions; null and the reason in `why` on failure. The first result is
+// cached.
 const WrinkleImageModule* image_module(std::string& why);
 
 }  // namespace wrinkle

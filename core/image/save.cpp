@@ -10,7 +10,7 @@ namespace {
 
 constexpr uint32_t band_rows = 64;
 
-// The file's first row is the top one, the image's first row the bottom one.
+// Writes from the top: the file's first row is the top one, the image's first row the bottom one.
 bool write_upside_down(ImageWriter& writer, const Image& image, Diagnostics& diagnostics) {
     const size_t count = size_t{image.width} * image.channels;
     std::vector<float> band;

@@ -10,7 +10,7 @@ namespace wrinkle {
 
 namespace {
 
-// Not clamp: NaN must land on 0. Without branches, so that loops of it are vectorised.
+// Not std::clamp: NaN must become 0. Branch-free, so that loops that call it are vectorised.
 template <int max>
 int rounded(float value) {
     const double positive = value > 0 ? value : 0;

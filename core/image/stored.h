@@ -1,7 +1,7 @@
-// Values as a file stores them: the way there and back, many at a time.
+// Conversion of arrays of floats to and from the values that a file stores.
 //
 // u8 and u16 clamp to [0, 1] and round to the nearest step, ties up; NaN becomes 0. half rounds to
-// nearest even. The way back is exact but for the division by 255 and 65535 in float.
+// nearest even. The conversion to float is exact except for the division by 255 or 65535 in float.
 #pragma once
 
 #include <cstddef>

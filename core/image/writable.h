@@ -1,4 +1,4 @@
-// What each image format that is written can hold.
+// Capabilities of each writable image format.
 #pragma once
 
 #include <filesystem>
@@ -9,12 +9,12 @@
 
 namespace wrinkle {
 
-// Lists are words separated by blanks.
+// Lists are words separated by spaces.
 struct Writable {
     const char* extensions;
     const char* plugin;  // OpenImageIO's name
     const char* types;
-    const char* channels;  // "" is any number
+    const char* channels;  // "": any number
     const char* compressions;
     const char* compression;  // the default
     bool tiles;
@@ -24,7 +24,7 @@ struct Writable {
 
 const Writable* format_to_write(const std::filesystem::path& path);  // by the extension; or null
 
-// Whether files of this plugin can keep ImageNumbers; those that cannot need not be opened for one.
+// Returns true if files of this plugin can store ImageNumbers; others need not be opened for one.
 bool plugin_keeps_numbers(std::string_view plugin);
 
 struct WriteProblem {
@@ -32,7 +32,7 @@ struct WriteProblem {
     std::string expected;
 };
 
-// Why a file of this format cannot be what the options ask for.
+// Returns the reason why a file of this format cannot be written with the options.
 WriteProblem find_write_problem(const Writable* format, const WriterOptions& options);
 
 }  // namespace wrinkle

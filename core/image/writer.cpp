@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr uint32_t scan_lines_at_once = 64;  // whole chunks of OpenEXR, whole strips of TIFF
+constexpr uint32_t scan_lines_at_once = 64;  // complete chunks of OpenEXR, complete strips of TIFF
 
 std::string named(const fs::path& path) {
     return "image '" + path.string() + "' ";
@@ -27,7 +27,7 @@ struct ImageWriter::State {
     struct Level {
         uint32_t width = 0, height = 0, written = 0;  // rows
         size_t row_bytes = 0;
-        std::vector<std::byte> waiting = {};  // rows that are no granule yet
+        std::vector<std::byte> waiting = {};  // rows of an incomplete granule
 
         uint32_t waiting_rows() const { return static_cast<uint32_t>(waiting.size() / row_bytes); }
         uint32_t rows_left() const { return height - written - waiting_rows(); }
@@ -36,9 +36,9 @@ struct ImageWriter::State {
     fs::path path;
     std::optional<Temporary> temporary;
     PixelType type = PixelType::u8;
-    uint32_t granule = 0;  // rows that go to the file at once
+    uint32_t granule = 0;  // rows per write to the file
     std::vector<Level> levels;
-    std::vector<std::byte> converted;  // of one call
+    std::vector<std::byte> converted;  // values of one write() call
     const WrinkleImageModule* module = nullptr;
     WrinkleImageWriter* file = nullptr;
     bool failed = false;
@@ -110,7 +110,7 @@ bool ImageWriter::State::send(uint32_t level, const std::byte* rows, uint32_t co
     return true;
 }
 
-// Whole granules go straight from the caller's memory, what is left over waits.
+// Writes complete granules directly from the caller's memory and buffers the remaining rows.
 bool ImageWriter::State::add(uint32_t index, std::span<const std::byte> rows,
                              Diagnostics& diagnostics) {
     Level& level = levels[index];

@@ -19,7 +19,7 @@ Value unit_number(Module& m, Type type, size_t lane) {
     return {&m, m.constant(type, std::span(lanes.data(), info(type).lanes))};
 }
 
-// Takes out of a vector what it is multiplied by.
+// Moves scalar factors of a product from the vector to the factor.
 Scaled without_factors(Value change, Value factor) {
     Module& m = *change.module;
     Scaled result{change, factor};
@@ -32,7 +32,8 @@ Scaled without_factors(Value change, Value factor) {
     return result;
 }
 
-// d value / d an instruction. Whole: the same vector times a number, all the way to the value.
+// d value / d instruction. `whole`: it is `factor` times the identity (an empty factor is 1);
+// otherwise `lanes` holds its columns.
 struct Columns {
     bool whole = false;
     Value factor;
@@ -66,7 +67,7 @@ public:
     }
 
 private:
-    // Of what the value needs that which sources change, in the order of ids.
+    // Returns the instructions that the value depends on and that depend on a source, in id order.
     std::vector<Id> what_varies() {
         std::vector<bool> seen(value_ + size_t{1}, false);
         std::vector<Id> open{value_}, needed;
@@ -106,7 +107,8 @@ private:
         }
     }
 
-    // Where the instruction is `read` times a number, and so may the column be.
+    // Handles an instruction that is `read` times a scalar, through which a multiple of the
+    // identity stays one. Returns false for all others.
     bool stays_whole(Id id, Id read) {
         const Inst inst = m_[id];
         const Value factor = columns_[id]->factor;
@@ -161,7 +163,7 @@ private:
             add(id, lane, {unit_number(m_, m_.type(id), lane), factor});
     }
 
-    // The chain rule: each number of `change` times the column of that number.
+    // The chain rule: each component of `change` times the column of that component.
     void add_combined(Id read, uint32_t lane, Value change, std::array<Scaled, 4> of) {
         const uint32_t count = info(m_.type(change.id)).lanes;
         for (uint32_t i = 0; i < count; ++i) {

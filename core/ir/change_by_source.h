@@ -1,11 +1,12 @@
-// How a value changes with each of many that it is made of, in one pass from it downwards (reverse
-// mode): in time of the size of what it needs, where a Direction for each would take that times
-// their number. Part of the expansion pass.
+// Reverse-mode derivatives (vector-Jacobian products): the Jacobians of a value with respect to all
+// sources that it depends on, in one pass from the value to its operands. Time is proportional to
+// the size of the expression; one Direction (forward mode) per source would take that times the
+// number of sources. Part of the expansion pass.
 //
-// Sources are the values that vary, `with_covariance`; what is detached is seen through. A column
-// is d value / d one number of a source, held as a vector times a number: changes of layers on one
-// frame are multiples of the same vectors. The derivative of each instruction by itself is
-// Direction's.
+// Sources are the `with_covariance` instructions; `detach` is differentiated as the identity. A
+// column is d value / d one component of a source, stored as a vector times a scalar factor:
+// derivatives of layers on one frame are multiples of the same vectors. Direction::change_alone()
+// provides the derivative of each single instruction.
 #pragma once
 
 #include <array>
@@ -15,17 +16,17 @@
 
 namespace wrinkle {
 
-// vector * factor; an empty factor is 1, an empty vector none at all.
+// vector * factor. An empty factor is 1, an empty vector a zero column.
 struct Scaled {
     Value vector, factor;
 };
 
 struct SourceChange {
     Id source = poison;
-    std::array<Scaled, 4> columns;  // by number of the source
+    std::array<Scaled, 4> columns;  // by component of the source
 };
 
-// Of those that change it, in the order of their ids.
+// Returns the Jacobians for the sources that `value` depends on, in increasing order of id.
 std::vector<SourceChange> changes_by_source(Value value);
 
 }  // namespace wrinkle

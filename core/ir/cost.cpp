@@ -9,14 +9,15 @@ class Counter {
 public:
     explicit Counter(const Module& module)
         : module_(module), seen_(module.size(), 0), functions_(module.region_count()) {
-        // A function stands behind those that it calls.
+        // A function has a greater index than those that it calls.
         for (uint32_t i = 1; i < functions_.size(); ++i)
             if (module.region(i).kind == RegionKind::function)
                 walk(module.region(i).results,
                      [&](Id, const Cost& cost) { functions_[i] += cost; });
     }
 
-    // Each instruction that the roots need, once, with what it costs where it stands.
+    // Visits each instruction that the roots need once, with its cost; that of a call is its
+    // function's.
     template <class Each>
     void walk(const std::vector<Id>& roots, Each each) {
         ++walks_;
@@ -34,7 +35,7 @@ public:
 
 private:
     const Module& module_;
-    std::vector<uint32_t> seen_;  // by Id: the last walk that came by
+    std::vector<uint32_t> seen_;  // by Id: the last walk that visited it
     uint32_t walks_ = 0;
     std::vector<Cost> functions_;  // by region
 };

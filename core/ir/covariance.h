@@ -1,8 +1,10 @@
-// The covariance of a value, from what it is made of that varies within a pixel: `with_covariance`,
-// which a module holds while it is expanded, and after that where it was to be kept.
+// The covariance of a value, from the values in its expression that vary within a pixel
+// (`with_covariance`). A module contains `with_covariance` while it is expanded, and afterwards
+// only with `Covariances::kept`.
 //
-// To first order that is the sum over sources k of J_k C_k J_k^T, J_k the forward derivative of the
-// value along the source. Where sources come from is said in ir/normal_variance.h.
+// To first order the covariance is the sum over sources k of J_k C_k J_k^T, J_k the Jacobian of the
+// value with respect to the source (ir/change_by_source.h). ir/normal_variance.h documents the
+// sources.
 #pragma once
 
 #include <vector>
@@ -11,16 +13,16 @@
 
 namespace wrinkle {
 
-// Of the sum of such terms: weight (a b^T + b a^T) / 2.
+// One term of the sum: weight (a b^T + b a^T) / 2.
 struct CovarianceTerm {
     Value a, b, weight;
 };
 std::vector<CovarianceTerm> covariance_terms(Value value);
 
-// (xx, yy, xy) of a vec2; an empty Value where nothing varies.
+// Returns (xx, yy, xy) of a vec2; an empty Value if it has no source.
 Value covariance_of(Value value);
 
-// The module without any `with_covariance`, which is what runs.
+// Returns the module with each `with_covariance` replaced by its value, as execution requires.
 Module drop_covariances(Module source);
 
 }  // namespace wrinkle

@@ -46,14 +46,14 @@ Value or_zero(const Operands& x, Value tangent, Value like) {
     return tangent ? tangent : Value{x.m, x.m->zero(x.m->type(like.id))};
 }
 
-// One lane of a value; a float stands for each.
+// One component of a value; a float is broadcast.
 Value lane(Value v, int k) {
     if (v.module->type(v.id) == Type::float_) return v;
     static constexpr const char* names[] = {"x", "y", "z", "w"};
     return {v.module, v.module->swizzle(v.id, names[k])};
 }
 
-// choose(k) gives the lane k of the result.
+// choose(k) returns component k of the result.
 template <class Choose>
 Value by_lanes(const Operands& x, Choose choose) {
     const Type type = x.m->type(x.r.id);
@@ -66,14 +66,14 @@ Value by_lanes(const Operands& x, Choose choose) {
             x.m->add(Op::construct_, std::span(lanes.data(), static_cast<size_t>(count)), 0, type)};
 }
 
-// `value` where `test` > 0, else 0, lane by lane.
+// `value` if `test` > 0, else 0, per component.
 Value where_positive(const Operands& x, Value test, Value value) {
     return by_lanes(x, [&](int k) {
         return select(greater(lane(test, k), 0), lane(value, k), constant(x, 0));
     });
 }
 
-// The tangent of `first` where `low` < `high` does not hold, of `second` where it does.
+// `second` if `low` < `high`, else `first`, per component; both are tangents.
 Value smaller_wins(const Operands& x, Value low, Value high, Value second, Value first) {
     return by_lanes(x, [&](int k) {
         return select(op(Op::lt_, lane(low, k), lane(high, k)), lane(second, k), lane(first, k));

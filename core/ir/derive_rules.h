@@ -1,4 +1,4 @@
-// The derivative of each op, operand by operand. Part of derive.
+// JVP rule of each op. Part of ir/derive.h.
 #pragma once
 
 #include <span>
@@ -7,8 +7,9 @@
 
 namespace wrinkle {
 
-// The tangent of instruction `id` from those of its operands (poison: zero; at least one is not),
-// of the instruction's type. Not for textures, calls and loops.
+// Returns the tangent of instruction `id`, of the instruction's type, from the tangents of its
+// operands (poison: zero). Precondition: at least one is not zero; the instruction is not a texture
+// sample, call or loop.
 Id tangent_of_op(Module& module, Id id, std::span<const Id> tangents);
 
 }  // namespace wrinkle

@@ -1,7 +1,7 @@
-// The surface-gradient algebra, in one place: opaque gradients, frames and derivatives become
-// ordinary arithmetic, and each resolve one normalize.
+// The surface-gradient algebra: replaces opaque gradients, frames and derivatives by ordinary
+// arithmetic, and each resolve by one normalize.
 //
-// A gradient is held as a small fixed sum: one 2-vector of slopes per frame (layers on one frame
+// A gradient is stored as a small fixed sum: one 2-vector of slopes per frame (layers on one frame
 // add as 2-vectors and the frame is applied once), one 2-vector of screen differentials (every
 // `surface`-scale height, Mikkelsen 2010 eq. 3), one volume vector (projected once), and the rest
 // as a tangent vector. resolve gives normalize(n - Gamma). Formulas, clamps and sources:
@@ -13,9 +13,9 @@
 
 namespace wrinkle {
 
-// What is left of `with_covariance`: nothing, or all of it, on every slope and normal that a bump
-// is made of and that is read from a picture too. A module that keeps it is not run: what asks for
-// it (ir/covariance.h) writes that down, and drops the rest.
+// The `with_covariance` instructions left after expansion: none, or all, on every slope and normal
+// that a bump is made of, including those read from a texture. A module that keeps them is not
+// executed: its user emits the covariances (ir/covariance.h) and drops the rest.
 enum class Covariances : uint8_t { dropped, kept };
 
 struct ExpandOptions {
@@ -24,18 +24,19 @@ struct ExpandOptions {
     Covariances covariances = Covariances::dropped;
 };
 
-// Decides the method of every frame and the uv set it belongs to, and reports a method that does
-// not fit its scale and a base that is none. Parameters, but graph inputs, may be baked into
-// literals in the same pass and not before: frames, bases and errors never depend on a value.
-// (lower/material.h knows when literals from the start are as good.)
+// Returns the module with the method of every frame and the uv set it belongs to decided. Records a
+// problem for a method that does not match its scale and for an invalid base. Parameters other than
+// graph inputs may be baked into literals in the same pass and not before: frames, bases and errors
+// never depend on a parameter's value.
 enum class Parameters : uint8_t { kept, baked };
 Module settle_frames(Module source, const ExpandOptions& options,
                      Parameters parameters = Parameters::kept);
 
-// A module without opaque ops, ddx and ddy; frames are settled where they are not. A sample
-// whose uv jumps between pixels (floor, select, an angle, a march, a read shift) becomes a
-// sample_grad with the uv's forward derivative, so that no seam of levels shows where it jumps.
-// What cannot be expanded (a bump inside a loop, say) is a problem in the result.
+// Returns the module without opaque ops, ddx and ddy; settles frames that are not settled. A sample
+// with a uv that may be discontinuous between pixels (floor, select, atan2, a loop, a texture
+// read), or that depends on a function's input, becomes a sample_grad with the uv's forward
+// derivative, so that no mip-level seam is visible at the discontinuity. Code that cannot be
+// expanded (e.g. a bump inside a loop) is recorded as a problem of the result.
 Module expand(Module source, const ExpandOptions& options);
 
 }  // namespace wrinkle

@@ -8,7 +8,7 @@
 namespace wrinkle {
 namespace {
 
-// 1/|v| of a vector that is there, or poison.
+// Returns v if `id` is inversesqrt(dot(v, v)), otherwise poison.
 Id inverse_length_of(const Module& m, Id id) {
     if (m[id].op != Op::inversesqrt_) return poison;
     const Inst& square = m[m[id].arg[0]];
@@ -17,7 +17,7 @@ Id inverse_length_of(const Module& m, Id id) {
 
 struct Finisher {
     const Covariances covariances;
-    std::vector<bool> inverse_known;  // by Id of the source: of its length
+    std::vector<bool> inverse_known;  // by Id of the source: 1 / its length is computed
 
     Finisher(const Module& source, Covariances wanted)
         : covariances(wanted), inverse_known(source.size(), false) {
@@ -33,7 +33,7 @@ struct Finisher {
     }
 };
 
-// Without regions.
+// Returns true if an operand of any instruction is a detach. Precondition: there are no regions.
 bool reads_detached(const Module& m) {
     if (!m.has(Op::detach_)) return false;
     Id first = 1;
@@ -51,7 +51,8 @@ bool divides_by_length(const Module& m) {
     return false;
 }
 
-// Whether that leaves all as it is but outputs that are detached: then these are what is detached.
+// Returns true if the pass would change only outputs that are detached; replaces these by the
+// detached values.
 bool take_outputs(Module& m) {
     if (m.region_count() > 1 || m.has(Op::with_covariance_)) return false;
     if (divides_by_length(m) || reads_detached(m)) return false;

@@ -1,6 +1,6 @@
-// The last rewriting of an expanded module: what is detached says nothing any more, nor does
-// what varies where nobody asks, and a vector that is divided by its length elsewhere too is made
-// unit by that quotient. Part of the expansion pass.
+// Last rewrite of an expanded module: removes `detach`, removes `with_covariance` unless it is
+// kept, and replaces normalize(v) by v * inversesqrt(dot(v, v)) if that factor is computed
+// elsewhere too. Part of the expansion pass.
 #pragma once
 
 #include "ir/expand.h"

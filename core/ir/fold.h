@@ -1,5 +1,5 @@
-// Constants, computed in double by the semantics written above the op table, to the same bits on
-// every machine.
+// Constant folding in double by the semantics documented above the op table, bit-identical on every
+// machine.
 #pragma once
 
 #include <array>
@@ -15,8 +15,8 @@ struct Constant {
     Lanes lanes;
 };
 
-// False where the op has no constant result (leaves, textures, regions, opaque ops) or an operand
-// lies outside its domain; such an instruction stays as written.
+// Returns false if the op has no constant result (leaves, textures, regions, opaque ops) or if an
+// operand is outside its domain; the instruction is then not folded.
 bool fold(Op op, Type result, uint32_t extra, std::span<const Constant> operands, Lanes& lanes);
 
 }  // namespace wrinkle

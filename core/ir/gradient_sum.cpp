@@ -7,12 +7,13 @@
 namespace wrinkle {
 namespace {
 
-// A determinant of screen differentials is an area of (pixel size)^2; a higher floor would flatten
-// bumps close up.
+// A determinant of screen differentials is an area of order (pixel size)^2; a higher floor would
+// flatten bumps seen from a short distance.
 constexpr double smallest_area = 1e-36;
 
-// Added to what is resolved on vertex tangents, along z, which is one addition: lost in rounding,
-// but where a tangent along the normal takes all of it away. Its square is a normal float.
+// Added along z to normals resolved on vertex tangents, at the cost of one addition. Lost in
+// rounding, unless a tangent along the normal cancels the normal entirely. Its square is a normal
+// float.
 constexpr double least_normal = 1e-18;
 
 bool on_vertex_tangents(const Slopes::Slot& slot) {
@@ -29,7 +30,7 @@ Value product(Value a, Value factor) {
     return a ? a * factor : a;
 }
 
-// Takes out of a vec2 what both its numbers are multiplied by, as an amplitude.
+// Moves a common factor of both components of a vec2, such as an amplitude, to `factor`.
 Value without_factor(Value pair, Value& factor) {
     Module& m = *pair.module;
     const Inst inst = m[pair.id];
@@ -122,11 +123,12 @@ GradientSum GradientAlgebra::scale(GradientSum a, Value amount) {
     return a;
 }
 
-// Mikkelsen 2010, eq. 3: (hx R1 + hy R2) / det, R1 = Py x n and R2 = n x Px drawn into one product.
+// Mikkelsen 2010, eq. 3: (hx R1 + hy R2) / det, R1 = Py x n and R2 = n x Px combined into one
+// product.
 Value GradientAlgebra::screen_gradient(Value slope) {
     const Value n{target_, unit_normal(*target_)};
     const Value area{target_, screen_area(*target_)};
-    // A pixel without an area is flat.
+    // A pixel of zero area gives a flat gradient.
     const Value inverse =
         surface_named("inverse_area", op(Op::sign_, area) / max(abs(area), smallest_area));
     Value factor = inverse;
@@ -136,7 +138,8 @@ Value GradientAlgebra::screen_gradient(Value slope) {
     return cross(n, p_x * per_area.y() - p_y * per_area.x());
 }
 
-// A gradient on a resolved base is projected on it as a whole, its volume part straight from space.
+// A gradient on a resolved base is projected on it as one vector; its volume part is not projected
+// on the surface first.
 GradientAlgebra::Parts GradientAlgebra::parts(const Slopes& slopes, Value on_base, bool raw) {
     Value vec = slopes.rest;
     for (const Slopes::Slot& slot : slopes.slots)
@@ -158,8 +161,8 @@ Value GradientAlgebra::vector(const GradientSum& sum, Value on_base) {
     return vec + (on_base ? on_base : Value{target_, unit_normal(*target_)}) * along;
 }
 
-// All terms over one depth, the product of the pending ones, and downhill; where there are none,
-// uphill and without a depth.
+// Returns all terms over one depth, the product of the pending ones, with downhill sign; if none is
+// pending, with uphill sign and an empty `depth`.
 Slopes GradientAlgebra::terms_over_depth(const GradientSum& sum, Value& depth) {
     if (sum.pending.empty()) return sum.flat;
     const GradientSum::Term& first = sum.pending[0];
@@ -176,8 +179,7 @@ Slopes GradientAlgebra::terms_over_depth(const GradientSum& sum, Value& depth) {
 Value GradientAlgebra::resolve(const GradientSum& sum, Value facing, Value sign, Value on_base) {
     Value depth;
     const Slopes slopes = terms_over_depth(sum, depth);
-    // T, B and N of a vertex basis share the factor 1/|N|: where nothing else stands beside them it
-    // drops out too.
+    // T, B and N of a vertex basis share the factor 1/|N|: without other terms it cancels too.
     const bool raw = !on_base && !slopes.empty() && !slopes.screen && !slopes.volume &&
                      !slopes.rest &&
                      std::all_of(slopes.slots.begin(), slopes.slots.end(), on_vertex_tangents);

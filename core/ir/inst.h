@@ -1,4 +1,4 @@
-// One instruction; what it means stands on top of ir/module.h.
+// One instruction; ir/module.h defines its semantics.
 #pragma once
 
 #include <array>
@@ -15,9 +15,9 @@ struct Inst {
     Op op = Op::poison_;
     Type type = Type::poison_;
     uint8_t level = 0;
-    std::array<Id, 4> arg{};  // unused ones 0; of loop and call: arg[0] is an index into lists
+    std::array<Id, 4> arg{};  // unused ones are 0; loop and call: arg[0] is an index into lists
     uint32_t extra = 0;       // see the comments of the op table
-    double value = 0;         // of a literal
+    double value = 0;         // literals only
     bool operator==(const Inst&) const = default;
 };
 

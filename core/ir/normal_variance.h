@@ -1,20 +1,22 @@
-// How much a normal varies within a pixel. Part of the expansion pass.
+// The variance of a normal within a pixel. Part of the expansion pass.
 //
-// A picture read smaller than it is gives means, and what they leave out still scatters light: the
-// covariance of the slopes. A value is said to vary by `with_covariance`; a normal that is read
-// from a picture needs no word, as a mean of unit normals is shorter than one by their spread, 1 -
-// |mean|^2 = trace Cov (Toksvig 2005), here the same in all directions about the mean. It fades in
-// over the first level of the picture: what is read as large as it is or larger has lost nothing,
-// whatever its rounding says.
+// A minified texture returns means; the variation that they omit still scatters light: the
+// covariance of the slopes. `with_covariance` attaches a covariance to a value. A normal that is
+// read from a texture does not need it, because a mean of unit normals is shorter than one by their
+// spread, 1 - |mean|^2 = trace Cov (Toksvig 2005), taken here as equal in all directions about the
+// mean. It fades in over the first mip level: a texture that is not minified has lost nothing,
+// whatever the rounding of its normals suggests.
 //
-// The unit normal n' = n'(s_1, s_2, ...) of all layers has, to first order, the covariance
-// sum over k of J_k C_k J_k^T with J_k = dn'/ds_k by forward derivative (Olano and Baker, LEAN
-// Mapping, 2010). So an amount counts by its square, a frame as J C J^T, a mask as (1-m)^2 C_1 +
-// m^2 C_2, one read that is met twice as its slopes added first, and no rule of these is written
-// anywhere. Reads of different pictures, or of one at different uvs, count as independent.
+// The unit normal n' = n'(s_1, s_2, ...) of all layers has, to first order, the covariance sum over
+// k of J_k C_k J_k^T with J_k = dn'/ds_k by automatic differentiation (Olano and Baker, LEAN
+// Mapping, 2010). Therefore an amount counts by its square, a frame as J C J^T, a mask as (1-m)^2
+// C_1 + m^2 C_2, and a texture read that is used twice as the sum of its slopes; none of these
+// rules is implemented separately. Reads of different textures, or of one at different uvs, count
+// as independent.
 //
-// Depths that slopes are divided by count as constants, and so do weights that come from the
-// position. Time is the size of what the normal needs, however many values vary.
+// Depths that slopes are divided by count as constants, and so do weights computed from the
+// position. Time is proportional to the size of the expression of the normal, for any number of
+// varying values.
 #pragma once
 
 #include <optional>
@@ -28,15 +30,17 @@ public:
     NormalVariance(Module& target, ScreenDerivatives& screen)
         : target_(&target), screen_(&screen) {}
 
-    // `normal`, its xy divided by the depth z being a slope: xy as it varies where it is read from
-    // a picture. `factor` times it is what the picture means.
+    // Returns the xy of `normal`, where xy / depth is a slope; with a covariance if `normal` is
+    // read from a texture. `factor` * `normal` is the mean normal that the texture represents.
     Value tangent_normal(Value normal, Value depth, double factor);
-    // `normal` in object space as it varies where it is read from a picture.
+    // Returns `normal` (object space), with a covariance if it is read from a texture.
     Value object_normal(Value normal, double factor);
-    // A vec2 with covariance (xx, yy, xy), or a vec3 whose lanes all have one variance.
+    // Returns `value` with a covariance: (xx, yy, xy) for a vec2; for a vec3 one variance that all
+    // its components have.
     Value varying(Value value, Value covariance);
 
-    // The trace of the covariance of a normal made by GradientAlgebra::resolve(), in [0, ...).
+    // Returns the trace of the covariance of a normal returned by GradientAlgebra::resolve(), in
+    // [0, ...).
     Value of(Value normal);
 
 private:
@@ -46,7 +50,7 @@ private:
     ScreenDerivatives* screen_;
 };
 
-// Whether some output asks for it; else nothing above is needed.
+// Returns true if an output needs a normal variance; otherwise the class above is not needed.
 bool wants_normal_variance(const Module& source);
 
 }  // namespace wrinkle

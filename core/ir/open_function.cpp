@@ -37,7 +37,7 @@ bool OpenFunctions::in_function(Id wanted) {
     return dependent_[wanted];
 }
 
-// What becomes the body, in id order; the parameters are found on the way.
+// Returns the instructions of the body, in id order, and collects the parameters in `closed`.
 std::vector<Id> OpenFunctions::body(std::span<const Id> results, Closed& closed) {
     const Module& m = *target_;
     std::unordered_set<Id> seen;
@@ -116,7 +116,7 @@ void OpenFunctions::close(const Region& open, std::span<const Id> results, Close
     if (whole && !roots.empty()) closed.region = target_->intern_region(std::move(region));
 }
 
-// A parameter's value at a call.
+// Returns the value of a parameter at a call.
 Id OpenFunctions::argument(Id param, uint32_t first_input, std::span<const Id> arguments) {
     if (!target_->is_open_input(param)) return param;
     uint32_t index = (*target_)[param].extra;

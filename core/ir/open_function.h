@@ -1,15 +1,15 @@
-// Closing the functions that lowering left open (ir/open_input.h). Part of expand(), which
-// meets a function's body before the first call of it: what the body gives has become ordinary
-// arithmetic over the function's inputs and their derivatives.
+// Closes the functions that lowering left open (ir/open_input.h). Part of expand(), which visits a
+// function's body before its first call: the results of the body are then ordinary arithmetic over
+// the function's inputs and their derivatives.
 //
-// Closing makes a Region of kind function of it. Its parameters are
+// Closing (lambda lifting) creates a Region of kind function. Its parameters are
 //   1. the inputs that it reads,
-//   2. derivatives of inputs that it reads, along what each OpenInput says (a bump inside of a
-//      height from outside needs the height's change to the next pixel),
-//   3. what it computes without reading an input: the surface point and what follows from it alone.
-//      That stands outside, is computed once, and is passed.
-// A caller differentiates its own arguments for 2. A result that is differentiated outside is so by
-// a derived function (ir/derive.h). Constant stack; linear in the bodies.
+//   2. derivatives of inputs that it reads, along the axes in OpenInput (a bump inside the function
+//      from a height outside needs the height's derivative to the next pixel),
+//   3. captured values, computed without reading an input: the surface point and values that depend
+//      only on it. They are computed once outside the function, and passed.
+// A caller differentiates its own arguments for 2. A result that is differentiated outside is
+// differentiated by a derived function (ir/derive.h). Constant stack; linear in the bodies.
 #pragma once
 
 #include <unordered_map>
@@ -20,29 +20,29 @@
 
 namespace wrinkle {
 
-// Whether a vec3 that crosses a function's border is a gradient: tangent to the surface as it is.
-// The target has the side tables.
+// Returns true if a vec3 that crosses a function's boundary is a gradient, so already tangent to
+// the surface. `target` holds the side tables.
 bool is_tangent(const Module& source, const Module& target, Id vector);
 
 class OpenFunctions {
 public:
     OpenFunctions(Module& target, ScreenDerivatives& screen, const Module& source);
 
-    // A call of an open function: of the function closed; poison of any other call. `mapped` are
-    // the arguments and then what the function gives.
+    // For a call of an open function, returns a call of the closed function; poison for any other
+    // call. `mapped` holds the arguments, followed by the function's results.
     Id call(const Module& source, Id id, std::span<const Id> mapped);
     Id result(const Module& source, Id id, Id tuple);
-    // Whether the value depends on an input of a function that is open.
+    // Returns true if the value depends on an input of an open function.
     bool in_function(Id id);
-    // Names of what was moved into functions. After that no function is open any more.
-    // `result` is the target as it was given back.
+    // Updates the names of values that were moved into functions; no function is open afterwards.
+    // `result` is the target as the rebuild returned it.
     void finish(Module& result) const;
 
 private:
     struct Closed {
         bool done = false;
-        uint32_t region = 0;           // 0: it computes nothing
-        std::vector<Id> params;        // in the target: inputs, derivatives, what is captured
+        uint32_t region = 0;           // 0: no result to compute
+        std::vector<Id> params;        // in the target: inputs, derivatives, captured values
         std::vector<uint32_t> member;  // by result in the source
         std::vector<bool> used;        // by result in the source
     };

@@ -1,13 +1,13 @@
 // Inputs of functions that are still open.
 //
-// A sub-graph's body is lowered once, as ordinary instructions at level 0 over leaves of its own:
+// A sub-graph's body is lowered once, as ordinary instructions at level 0 over its own leaves:
 // region_param(0, k), k an index into Module::open_inputs. So bumps, frames and surface inputs may
-// stand in it as in any graph, and passes over the module treat it like the rest. A Region names
+// occur in it as in any graph, and passes over the module treat it like the rest. A Region names
 // the function (`first_input`), and calls of it are ordinary calls. expand() closes it
-// (ir/open_function.h); no open function is left in what it gives.
+// (ir/open_function.h); its result contains no open functions.
 //
-// What passes ask of a leaf is known of every call: a function is lowered once for each kind of
-// arguments.
+// The facts that passes need about a leaf hold for every call: a function is specialised for each
+// kind of arguments.
 #pragma once
 
 #include <array>
@@ -18,8 +18,8 @@
 
 namespace wrinkle {
 
-// What a derivative is taken along: the next pixel (of the value as it stands on the screen, or
-// along the surface's tangent plane), an axis of space, or an axis of a uv set.
+// Axis of a derivative: the next pixel (of the value on the screen, or along the surface's tangent
+// plane), an axis of space, or an axis of a uv set.
 enum class Change : uint8_t {
     none,
     screen_x,
@@ -40,14 +40,14 @@ constexpr Change change_of_uv(SurfaceInput set, int axis) {
 struct OpenInput {
     Type type = Type::float_;
     std::string name;
-    uint32_t dependencies = 0;  // of the arguments: a bit per SurfaceInput they change with
-    bool jumps = false;         // as ir/value_facts.h says of them
+    uint32_t dependencies = 0;  // a bit per SurfaceInput that the arguments depend on
+    bool jumps = false;         // as defined in ir/value_facts.h
     bool reads = false;
-    bool tangent = false;  // of a vec3: a gradient, tangent to the surface
-    // Of a derivative of another one: which (in Module::open_inputs), and along what.
+    bool tangent = false;  // vec3 only: a gradient, tangent to the surface
+    // For the derivative of another input: its axis, and that input's index in Module::open_inputs.
     Change change = Change::none;
     uint32_t of = 0;
-    // Its own derivatives, by Change: where they stand in Module::open_inputs; 0: not asked for.
+    // Its own derivatives, by Change: their indices in Module::open_inputs; 0: not needed so far.
     std::array<uint32_t, static_cast<size_t>(Change::end)> changes{};
 };
 

@@ -1,6 +1,6 @@
-// A module as text for people: one line per instruction that the outputs need, in id order.
+// Human-readable form of a module: one line per instruction that the outputs need, in id order.
 //   %7 vec3 = mul %5 %6  ; weave
-// and, before its first use, one line per region: its parameters' types and its results.
+// and, before its first use, one line per region: the types of its parameters, and its results.
 //   @2 function noise (vec2, float) -> %4
 #pragma once
 

@@ -1,4 +1,4 @@
-// Peepholes: an instruction that equals something simpler is never written.
+// Peephole simplification: an instruction that equals a simpler value is not written.
 #pragma once
 
 #include <span>
@@ -7,8 +7,9 @@
 
 namespace wrinkle {
 
-// An existing or simpler value equal to this instruction, or poison where there is none. Types are
-// already checked. Looks at literals only, never at the values of the user's parameters.
+// Returns an existing or simpler value equal to this instruction; poison if there is none.
+// Precondition: types are checked. Inspects literals only, never the values of the user's
+// parameters.
 Id simplified(Module& module, Op op, std::span<const Id> args, uint32_t extra, Type result);
 
 }  // namespace wrinkle

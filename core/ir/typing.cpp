@@ -30,7 +30,7 @@ Type refuse(std::string* why, Op op, Types operands, const char* expected) {
     return Type::poison_;
 }
 
-// All operands of one type, but a float may stand beside vectors.
+// All operands have one type, but a float may be combined with vectors.
 Type widest(Types operands) {
     Type wide = operands[0];
     for (const Type t : operands)

@@ -1,4 +1,4 @@
-// Which types an op takes and gives: the rules named in the op table, and the special ones.
+// Operand and result types of ops: the rules named in the op table, and the special ones.
 #pragma once
 
 #include <span>
@@ -8,9 +8,9 @@
 
 namespace wrinkle {
 
-// The result's type, or poison with the reason in `why`, if it is asked for ("mul takes float or
-// vector types, not bool"). `wanted` is the type that construct and result are told to make; of a
-// swizzle it is the caller's reading of its components.
+// Returns the result's type; poison on error, with the reason in `why` unless that is null ("mul
+// takes float or vector types, not bool"). `wanted` is the requested type of construct and result;
+// of a swizzle it is the type that the caller derived from its components.
 Type result_type(Op op, std::span<const Type> operands, Type wanted, std::string* why);
 
 }  // namespace wrinkle

@@ -1,6 +1,7 @@
-// A value of a module with operators, so that passes read like the formulas they stand for.
+// A value of a module with operators, so that passes read like the formulas they implement.
 //   Value gamma = t * slope.x() + b * slope.y();
-// Nothing more than an Id and its module; every operator is one Module::add().
+// A Value is an Id and its module; every operator is one Module::add(). With the Id poison it is
+// empty.
 #pragma once
 
 #include "ir/module.h"
@@ -20,8 +21,8 @@ struct Value {
     explicit operator bool() const { return id != poison; }
 };
 
-// What the value is called in generated text: one of the surface point, shared by all nodes, or one
-// of the node at hand.
+// Name the value in generated source: surface_named() for values of the surface point, shared by
+// all nodes; named() for values of the current node.
 inline Value surface_named(std::string_view name, Value a) {
     a.module->name(a.id, 0, name);
     return a;

@@ -53,7 +53,7 @@ ValueFacts::Facts ValueFacts::of(Id id) const {
                            facts_[inst.arg[3]]);
 }
 
-// `facts`: of its operands.
+// `facts` are those of the operands.
 ValueFacts::Facts ValueFacts::of_op(const Inst& inst, Facts facts) {
     const Effect& effect = effects[static_cast<size_t>(inst.op)];
     const bool seen_as_steps = inst.op == Op::detach_ && facts & reading;
@@ -61,7 +61,8 @@ ValueFacts::Facts ValueFacts::of_op(const Inst& inst, Facts facts) {
     return is_whole_type(inst.type) ? facts & ~all_inputs : facts;
 }
 
-// With the inputs that the body of what is run changes with; an open one's are known by result.
+// Includes the inputs that the region's body depends on; for an open function they are known per
+// result.
 ValueFacts::Facts ValueFacts::of_region(Id id) const {
     Facts facts = 0;
     for (const Id operand : module_->operands(id))

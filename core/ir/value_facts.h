@@ -1,4 +1,4 @@
-// What is known of every value of a module before it is expanded.
+// Data-flow facts about every value of a module before it is expanded.
 #pragma once
 
 #include <array>
@@ -12,24 +12,24 @@ namespace wrinkle {
 class ValueFacts {
 public:
     explicit ValueFacts(const Module& module);
-    void update();  // looks at what was added since; linear in that
+    void update();  // processes values added since the last call; linear in their number
 
-    // Which surface inputs it changes with, a bit per SurfaceInput; bits of region bodies count,
-    // those of a detached value and of what goes in steps do not.
+    // Surface inputs that the value depends on, a bit per SurfaceInput. Includes those of region
+    // bodies; excludes those of detached values and of ops with derivative zero (e.g. floor).
     uint32_t dependencies(Id id) const { return facts_[id] & all_inputs; }
-    // Whether it may jump from pixel to pixel where its forward derivative does not, so that
-    // hardware differences of it are no footprint: what goes in steps, is chosen, goes once around,
-    // is found by a loop, or is read from a texture and then detached.
+    // Returns true if the value may be discontinuous between pixels where its forward derivative is
+    // not, so that its hardware differences are not a footprint: it depends on a rounding,
+    // remainder, select, atan2 or loop, or on a texture read that is detached.
     bool jumps(Id id) const { return facts_[id] & jumping; }
-    // Whether it comes from a texture.
+    // Returns true if the value depends on a texture read.
     bool reads(Id id) const { return facts_[id] & reading; }
 
 private:
-    // One bit for each thing known, so that a value takes over what its operands have in one step.
+    // One bit per fact, so that a value inherits those of its operands in one operation.
     using Facts = uint32_t;
     static constexpr Facts jumping = 1U << 30, reading = 1U << 31, all_inputs = jumping - 1;
 
-    // What an op makes of what is known of its operands.
+    // Effect of an op on the facts of its operands.
     struct Effect {
         Facts keeps = ~Facts{0}, adds = 0;
     };

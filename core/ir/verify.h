@@ -1,6 +1,6 @@
-// Checks that hold for every module: operand order, types, levels, regions closed, no implicit
-// derivative inside a region. A violation is our bug; tests and debug builds call this after every
-// pass.
+// Checks the invariants of a module: operand order, types, levels, closed regions, no implicit
+// derivative inside a region. A violation is a compiler bug; tests and debug builds call this after
+// every pass.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace wrinkle {
 
-// "" when all is well, else the first violation in words.
+// Returns "" if the module is valid, else a message for the first violation.
 std::string verify(const Module& module);
 
 }  // namespace wrinkle

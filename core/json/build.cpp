@@ -1,4 +1,4 @@
-// Values that are made instead of read: every one gets a small tree of its own.
+// Construction of values; each value built has its own small tree.
 #include <cassert>
 #include <cmath>
 

@@ -17,7 +17,7 @@
 namespace wrinkle::json {
 namespace {
 
-// What a character is to the feed below.
+// Character classes of Feed.
 enum class Letter : uint8_t { punctuation, plain, quote, backslash, other };
 
 Letter letter_of(char c) {
@@ -35,17 +35,18 @@ Letter letter_of(char c) {
     return table[static_cast<unsigned char>(c)];
 }
 
-// What the library is given of the text. Of a string of plain characters it sees the quotes alone:
-// it has nothing to say about the rest, which is sliced from the source. Nor about space behind
-// punctuation, which begins and ends no token. The zero behind a text ends what is passed over.
+// The characters of the text that are passed to the library. In a string of plain characters these
+// are only the quotes: the contents cannot be invalid and are sliced from the source. White space
+// after punctuation is skipped, because no token begins or ends in it. The terminating zero of the
+// text stops both skips.
 struct Feed {
-    const char* at = nullptr;  // what is given next
+    const char* at = nullptr;  // next character to pass
     const char* end = nullptr;
-    const char* taken = nullptr;   // behind what was given last
-    const char* string = nullptr;  // the latest: its first quote
+    const char* taken = nullptr;   // end of the last character passed
+    const char* string = nullptr;  // opening quote of the latest string
     bool in_string = false;
     bool escaped = false;
-    bool passed = false;  // of the latest string: between its quotes nothing was given
+    bool passed = false;  // contents of the latest string were skipped
 
     void take() {
         const Letter letter = letter_of(*at);
@@ -78,7 +79,7 @@ private:
     }
 };
 
-// All copies move with the feed. Compared with the end alone.
+// All copies share the feed. Supports comparison only with the end.
 struct FeedIterator {
     using difference_type = std::ptrdiff_t;
     using value_type = char;
@@ -105,7 +106,7 @@ bool is_number_character(char c) {
     return (c >= '0' && c <= '9') || c == '-' || c == '+' || c == '.' || c == 'e' || c == 'E';
 }
 
-// Receives the library's events and lays the tree down.
+// Receives the library's events and builds the tree.
 class Handler {
 public:
     Handler(const std::shared_ptr<Tree>& tree, Diagnostics& diagnostics, ParseLimits limits)
@@ -154,7 +155,7 @@ public:
         diagnostics_.add(std::move(diagnostic));
     }
 
-    // After an error: what is open ends here.
+    // Closes all open containers after an error and marks them as cut off.
     void cut() {
         for (; open_.size() > 1; close()) {
             Entry& entry = tree_.entries[open_.back().entry];
@@ -167,14 +168,15 @@ public:
 private:
     struct Open {
         uint32_t entry = 0;
-        uint32_t first_key = 0;  // of its own in keys_
-        uint32_t added = 0;      // entries right below: values, and in an object keys
+        uint32_t first_key = 0;  // index of its first key in keys_
+        uint32_t added = 0;      // direct children: values, and in an object also keys
     };
     struct Key {
         uint32_t hash;
         uint32_t entry;
     };
-    // Of so many members keys are compared with each other; of more hashed while they are at hand.
+    // Up to this number of members, keys are compared pairwise; above it, they are hashed on
+    // arrival.
     static constexpr uint32_t few = 8;
 
     uint32_t offset_of(const char* at) const {
@@ -256,7 +258,7 @@ private:
         return true;
     }
 
-    // Of the object at hand; with the ninth key those before.
+    // Stores the latest key of the innermost open object; with the ninth key, also those before it.
     void keep_key() {
         const Open& in = open_.back();
         const auto latest = static_cast<uint32_t>(tree_.entries.size() - 1);
@@ -269,7 +271,7 @@ private:
         return {static_cast<uint32_t>(text_hash(tree_.text(tree_.entries[entry]))), entry};
     }
 
-    // Marks each member whose key stood before. The last key may have no value.
+    // Marks each member with a key that occurred before. The last key may have no value.
     void find_duplicates(const Open& ended) {
         const uint32_t count = tree_.entries[ended.entry].length;
         const std::span<const Key> keys = std::span(keys_).subspan(ended.first_key, count);
@@ -307,7 +309,7 @@ private:
         std::vector<Entry>& entries = tree_.entries;
         entries[again].duplicate = entries[again + 1].duplicate = true;
         --entries[object].length;
-        if (diagnostics_.dropped() > 0) return diagnostics_.add({});  // only counted from there on
+        if (diagnostics_.dropped() > 0) return diagnostics_.add({});  // only counted from here on
         const Location before = tree_.location(entries[first].offset);
         report(entries[again].offset, Value(shared_, again + 1).pointer(),
                "key " + json_quoted(tree_.text(entries[again])) + " stands twice",
@@ -321,12 +323,12 @@ private:
     ParseLimits limits_;
     Feed feed_;
     uint32_t cursor_ = 0;     // end of the last token understood
-    std::vector<Open> open_;  // the whole text, and containers in it
-    std::vector<Key> keys_;   // of open objects with many
+    std::vector<Open> open_;  // the text itself, and its open containers
+    std::vector<Key> keys_;   // keys of open objects with many members
     std::vector<uint32_t> slots_;
 };
 
-// About, in graphs; of anything else the tree grows as it needs.
+// Approximate for graphs; for other texts the tree grows as required.
 constexpr size_t bytes_an_entry = 6, most_expected_entries = 1'000'000;
 
 bool too_large(const Tree& tree, Diagnostics& diagnostics) {

@@ -1,9 +1,10 @@
-// Text to Value, with every problem at its place.
+// Parses text to a Value; every error has its location in the text.
 //
-// Reported: syntax errors (NaN, Infinity, comments and trailing commas among them), numbers out of
-// range, invalid UTF-8, nesting deeper than the limit: each of these ends the reading, and what
-// stood before it is returned with the cut containers marked `cut_off`. Duplicate keys are reported
-// too and do not end it. A byte order mark is skipped. No recursion; time linear in the text.
+// Reported: syntax errors (including NaN, Infinity, comments and trailing commas), numbers out of
+// range, invalid UTF-8, nesting deeper than the limit. Each of these stops the parser; the values
+// before it are returned, with incomplete containers marked `cut_off`. Duplicate keys are reported
+// and do not stop the parser. A byte order mark is skipped. No recursion; linear time in the size
+// of the text.
 #pragma once
 
 #include <string>
@@ -13,15 +14,15 @@
 namespace wrinkle::json {
 
 struct ParseLimits {
-    uint32_t depth = 64;  // how deep arrays and objects may nest
+    uint32_t depth = 64;  // maximum nesting depth of arrays and objects
 };
 
 struct Parsed {
-    Value root;  // null when nothing could be read
+    Value root;  // null if nothing could be parsed
     bool complete = false;
 };
 
-// `file` names the text in locations.
+// `file` is the file name in locations.
 Parsed parse(std::string text, std::string file, Diagnostics& diagnostics, ParseLimits limits = {});
 
 }  // namespace wrinkle::json

@@ -13,7 +13,7 @@ bool is_word(char c) {
 }
 
 std::string word_at(std::string_view source, uint32_t begin) {
-    constexpr size_t longest = 40;  // a report shows no more
+    constexpr size_t longest = 40;  // maximum length in a message
     size_t end = begin;
     while (end < source.size() && is_word(source[end]) && end - begin <= longest)
         ++end;
@@ -112,7 +112,8 @@ uint32_t token_start(std::string_view source, uint32_t cursor, uint32_t limit) {
 SyntaxError explain(std::string_view what, std::string_view source, uint32_t cursor,
                     uint32_t consumed) {
     static constexpr std::string_view unexpected = "unexpected ";
-    // The library has met the end only when all is consumed and no separator is left unread.
+    // Does not skip a separator that is the last consumed byte: it may be the unexpected token. At
+    // the end of the input, it is skipped below.
     uint32_t start = token_start(source, cursor, consumed);
     const size_t dash = what.find(" - ");
     if (dash == what.npos)

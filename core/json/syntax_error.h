@@ -1,5 +1,5 @@
-// What the JSON library says about a syntax error, put in the words of this project and at the
-// place where the reader of the text would mend it; for core/json alone.
+// Converts syntax errors of the JSON library to messages of this project, at the location where the
+// text needs to be corrected. Internal to core/json.
 #pragma once
 
 #include <cstdint>
@@ -14,8 +14,8 @@ struct SyntaxError {
     std::string expected;
 };
 
-// `what` is the library's text, `cursor` the end of the last token that was understood, `consumed`
-// how many bytes the library has taken (one ahead of a number).
+// `what` is the library's message, `cursor` the end of the last valid token, `consumed` the number
+// of bytes that the library has read (one past the end of a number).
 SyntaxError explain(std::string_view what, std::string_view source, uint32_t cursor,
                     uint32_t consumed);
 
@@ -23,7 +23,8 @@ inline bool is_space(char c) {
     return c <= ' ' && (c == ' ' || c == '\n' || c == '\t' || c == '\r');
 }
 
-// From `cursor` over white space, and over ',' and ':' that stand before `limit`.
+// Returns the offset after skipping white space from `cursor` on, and each ',' and ':' at an offset
+// below `limit` - 1 (`limit` 0: none).
 uint32_t token_start(std::string_view source, uint32_t cursor, uint32_t limit);
 
 }  // namespace wrinkle::json

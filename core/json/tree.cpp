@@ -5,7 +5,7 @@
 namespace wrinkle::json {
 namespace {
 
-constexpr uint32_t block_size = 4096;  // a location costs one block, however long the line is
+constexpr uint32_t block_size = 4096;  // a location costs one block, for lines of any length
 
 uint32_t count_characters(const char* begin, const char* end) {
     uint32_t count = 0;

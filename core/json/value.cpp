@@ -19,7 +19,7 @@ const Entry& entry_of(const Value& value) {
 }
 
 double number_of(std::string_view spelling) {
-    double number = 0;  // stays when the text is too near to zero for a double
+    double number = 0;  // unchanged if the text is too close to zero for a double
     std::from_chars(spelling.data(), spelling.data() + spelling.size(), number);
     return number;
 }
@@ -201,7 +201,7 @@ Children::Iterator::Iterator(const Value& parent) : object_(parent.is(Kind::obje
 void Children::Iterator::step() {
     while (next_ < end_) {
         const Tree& tree = *current_.value.tree_;
-        const Entry& entry = tree.entries[next_];  // the key in an object
+        const Entry& entry = tree.entries[next_];  // in an object, the key
         current_.value.index_ = next_ + object_;
         next_ = tree.after(current_.value.index_);
         if (entry.duplicate) continue;

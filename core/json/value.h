@@ -1,9 +1,9 @@
-// An immutable JSON value that knows where it stood.
+// An immutable JSON value with its location in the source text.
 //
 // A Value is a handle (shared tree, index), cheap to copy. All values of one text share one flat
-// tree in source order, and with it the text itself. A number keeps the spelling of its source; a
-// value that was built instead of read has no location. Objects keep their order; of a duplicate
-// key (reported by parse) the first is kept. A default Value is null.
+// tree in source order and the text itself. A number retains its spelling in the source; a value
+// that was built instead of parsed has no location. Objects preserve the order of members; of a
+// duplicate key (reported by parse) the first is used. A default Value is null.
 //
 // Lines and columns count from 1; a column is a UTF-8 character, a tab is one column.
 #pragma once
@@ -24,7 +24,7 @@ namespace wrinkle::json {
 
 enum class Kind : uint8_t { null, boolean, number, string, array, object };
 
-// "a number", "an object", ... for messages.
+// Returns "a number", "an object", ... for messages.
 const char* kind_name(Kind kind);
 
 struct Tree;
@@ -38,8 +38,8 @@ public:
         : tree_(std::move(tree)), index_(index) {}
 
     static Value boolean(bool value);
-    static Value number(double value);  // spelled the shortest way; asserts that it is finite
-    static Value single(float value);   // the shortest spelling of that float
+    static Value number(double value);  // shortest spelling; asserts that it is finite
+    static Value single(float value);   // shortest spelling of that float
     static Value string(std::string_view text);
     static Value array(std::span<const Value> items);
     static Value array(std::initializer_list<Value> items);
@@ -48,31 +48,31 @@ public:
     Kind kind() const;
     bool is(Kind wanted) const { return kind() == wanted; }
 
-    // Each asserts its kind.
+    // Precondition (asserted): the value is of that kind.
     bool as_boolean() const;
     double as_number() const;
-    std::string_view spelling() const;   // of a number, as in the source
-    std::string_view as_string() const;  // decoded; lives as long as any value of the tree
+    std::string_view spelling() const;   // text of a number, as in the source
+    std::string_view as_string() const;  // decoded; valid as long as any value of the tree
 
-    size_t size() const;                     // of an array or object, else 0
-    Children children() const;               // of an array or object, else empty: a range of Member
-    Value find(std::string_view key) const;  // of an object, linear; null when absent
+    size_t size() const;                     // children of an array or object, else 0
+    Children children() const;               // range of Member; empty if not an array or object
+    Value find(std::string_view key) const;  // value of a member, linear; null if absent
     bool has(std::string_view key) const;
-    Value at(size_t item) const;  // of an array; linear
+    Value at(size_t item) const;  // item of an array; linear
 
-    // Whether it was read from a text, and where it stands there.
+    // Location in the source text, for parsed values.
     bool has_location() const;
-    uint32_t offset() const;        // of its first byte; 0 without a location
+    uint32_t offset() const;        // offset of the first byte; 0 without a location
     Location location() const;      // line 0 without a location
-    Location key_location() const;  // of the key of an object's member, else location()
+    Location key_location() const;  // location of the key of an object's member, else location()
     std::string pointer() const;    // JSON pointer from the root of its text
-    bool cut_off() const;  // an array or object that a syntax error ended: more may have followed
+    bool cut_off() const;  // array or object ended by a syntax error: more may have followed
 
-    // The whole text that it was read from, "" when it was built.
+    // Returns the complete text that the value was parsed from; "" if it was built.
     std::string_view source() const;
 
     const std::shared_ptr<const Tree>& tree() const { return tree_; }
-    bool same(const Value& other) const;                 // the same handle: a fast "not edited"
+    bool same(const Value& other) const;                 // same handle: a fast "not edited"
     friend bool operator==(const Value&, const Value&);  // equal values; numbers by value
 
 private:
@@ -94,7 +94,7 @@ public:
     class Iterator {
     public:
         explicit Iterator(const Value& parent);               // at the first child
-        const Member& operator*() const { return current_; }  // until the next step
+        const Member& operator*() const { return current_; }  // valid until the next increment
         Iterator& operator++() {
             step();
             return *this;
@@ -102,11 +102,11 @@ public:
         bool operator==(std::default_sentinel_t) const { return done_; }
 
     private:
-        void step();  // to the child at next_ or behind it
+        void step();  // to the next child at or after next_
 
-        Member current_;  // shares the tree once for all children
+        Member current_;  // one reference to the tree for all children
         uint32_t next_ = 0, end_ = 0;
-        bool object_;  // the parent is one
+        bool object_;  // true if the parent is an object
         bool done_ = false;
     };
 

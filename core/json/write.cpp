@@ -15,8 +15,8 @@ std::string scalar(const Tree& tree, const Entry& entry) {
     return "null";
 }
 
-// Columns of every entry when written on one line; a key with its ": ". Children stand behind
-// their container, so one loop from the back suffices.
+// Returns the number of columns of every entry written on one line; a key includes its ": ".
+// Children are stored after their container, so one reverse loop is sufficient.
 std::vector<size_t> flat_widths(const Tree& tree, uint32_t root) {
     const uint32_t end = tree.after(root);
     std::vector<size_t> widths(end - root, 0);
@@ -81,7 +81,7 @@ private:
         return column_ + out_.size() - line_begin_ + widths_[i - root_] < width_;
     }
 
-    // Writes a scalar, or the head of a container; gives the entry to go on with.
+    // Writes a scalar, or the start of a container; returns the entry to continue with.
     uint32_t write_value(uint32_t i) {
         const Entry& entry = tree_.entries[i];
         if (!is_container(entry.kind)) {

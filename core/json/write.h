@@ -1,5 +1,5 @@
-// Value to canonical text: numbers as they were spelled, strings with only the escapes that JSON
-// demands, order kept.
+// Serialises a Value to canonical text: numbers in their original spelling, strings with only the
+// escapes that JSON requires, order preserved.
 #pragma once
 
 #include <string>
@@ -9,15 +9,15 @@
 
 namespace wrinkle::json {
 
-// On one line: {"a": 1} is written `{ "a": 1 }`, arrays `[1, 2]`, empty ones `{}` and `[]`.
+// Writes on one line: {"a": 1} becomes `{ "a": 1 }`, arrays `[1, 2]`, empty ones `{}` and `[]`.
 std::string one_line(const Value& value);
 
-// An array or object that does not fit `width` columns is opened, one child a line, two spaces
-// deeper. The first line is not indented; `indent` is what the following ones begin with, and
-// `column` where the first one starts.
+// Writes arrays and objects that do not fit `width` columns with one child per line, indented by
+// two more spaces. The first line is not indented and starts at column `column`; the following ones
+// start with `indent` spaces.
 std::string pretty(const Value& value, size_t indent = 0, size_t column = 0, size_t width = 100);
 
-// ["a", "b"], and [] of none.
+// Returns ["a", "b"]; [] if there are no words.
 std::string string_array(const std::vector<std::string>& words);
 
 }  // namespace wrinkle::json

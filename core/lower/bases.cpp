@@ -1,4 +1,4 @@
-// Bases of converted inputs, and the order of building that follows from them.
+// Bases of converted inputs, and the build order that they require.
 #include <numeric>
 
 #include "lower/conversion.h"
@@ -55,7 +55,7 @@ private:
     enum class State : uint8_t { unseen, open, done };
     struct Frame {
         uint32_t node;
-        uint32_t next;  // wire; the last one stands for the base
+        uint32_t next;  // index of the next wire; after the wires, the base
     };
 
     void enter(uint32_t node) {

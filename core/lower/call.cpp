@@ -20,7 +20,7 @@ std::string key_of(const BoundImage& image) {
            std::to_string(static_cast<int>(literal.filter));
 }
 
-// One input; false when it is a leaf.
+// Binds one input unchanged; returns false if it must become a leaf.
 bool bind_as_it_is(Lowering& caller, uint32_t node, uint32_t port, BoundInput& bound,
                    std::string& key) {
     const Module& m = caller.module();

@@ -98,7 +98,7 @@ public:
     }
 
 private:
-    // Beyond the limit of the list problems are only counted.
+    // Problems beyond the limit of the list are only counted; returns true for them.
     bool only_count() {
         if (diagnostics_.dropped() == 0) return false;
         diagnostics_.add({});
@@ -171,7 +171,7 @@ private:
                " is " + std::string(name_of(from));
     }
 
-    // `subject` begins a report.
+    // `subject` returns the first words of a message.
     template <class Subject, class Report>
     void wire(const Link& link, LinkSource at, const Port& port, Subject subject, Report here) {
         if (port.is_option())
@@ -183,8 +183,8 @@ private:
                  alternative(*from, port.type, registry_));
     }
 
-    // The type that a link carries; nothing, and an error unless reading reported it, when there is
-    // no such thing.
+    // Returns the type that a link carries; if there is none, std::nullopt, and an error unless
+    // reading reported it.
     template <class Report>
     std::optional<PortType> source(const Link& link, LinkSource at, Report here) {
         const auto type = types_.link(file_, link, at);
@@ -206,7 +206,7 @@ private:
         return {};
     }
 
-    // An output that its sub-graph has, but not rightly: reported there.
+    // Returns true if the sub-graph has an output of this name; it is invalid, and reported there.
     bool is_broken_output(size_t node, std::string_view port) const {
         const Project::File* inner = project_.subgraph(file_, document_.nodes[node]->id);
         return inner && inner->document.outputs.find(port);
@@ -265,7 +265,7 @@ private:
     const Document& document_;
     Diagnostics& diagnostics_;
     NamedFiles& files_;
-    std::vector<std::string> ids_;  // of all types, once they are asked for
+    std::vector<std::string> ids_;  // ids of all types; filled on first use
 };
 
 }  // namespace

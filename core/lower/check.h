@@ -1,5 +1,5 @@
-// Every problem of a project against the node types, in one go: all nodes of all its files, also
-// those that no output needs.
+// Checks a project against the node types and reports every problem: all nodes of all its files,
+// including those that no output needs.
 //
 // Reading (graph/read.h, graph/subgraph.h) has reported shapes, links to nodes that do not exist
 // and cycles; this reports unknown types, ports and keys, literals that do not fit their port,
@@ -14,8 +14,8 @@
 namespace wrinkle {
 
 struct CheckOptions {
-    bool reached_only = false;    // only what the top graph's outputs need, for a live preview
-    NamedFiles* files = nullptr;  // what is known of the project's; null: nothing yet
+    bool reached_only = false;    // only nodes that the top graph's outputs need (live preview)
+    NamedFiles* files = nullptr;  // known files of the project; null: none yet
 };
 
 void check(const Project& project, const Registry& registry, Diagnostics& diagnostics,

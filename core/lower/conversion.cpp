@@ -39,8 +39,8 @@ constexpr std::array<std::string_view, 9> docs = {
     "applies the derivative's frame and resolves it to a normal",
 };
 
-// A node that turns one into the other: its first input of type `from` and its first output of type
-// `to`; where it has more inputs, those are about the place on the surface.
+// Returns true for a node that converts one into the other: its first input has type `from`, its
+// first output type `to`, and all further inputs default to a surface property.
 bool makes(const NodeType& type, PortType from, PortType to) {
     const Port* output = nullptr;
     const Port* input = nullptr;

@@ -1,15 +1,15 @@
-// Which type goes into which port, and what happens on the wire: the one table of conversions. The
-// editor's badges, the reference page and the compiler all read it.
+// The table of conversions: which port types can be connected, and the conversion on the wire. The
+// editor's badges, the reference page and the compiler all use it.
 //
 //   float <-> height, vec3 <-> color   the same numbers, another meaning
 //   height -> gradient                 differentiates along the surface, scale `surface`
 //   derivative -> gradient             applies its frame
-//   normal -> gradient                 takes the perturbation out, against the base of that input
+//   normal -> gradient                 extracts the perturbation, against the base of that input
 //   gradient -> normal                 resolves
 //   float -> gradient                  through height
 //   float, height, derivative -> normal   through gradient
 //
-// Everything else is an error.
+// Every other pair of different types is an error.
 #pragma once
 
 #include <string>
@@ -35,9 +35,9 @@ enum class Conversion : uint8_t {
 Conversion conversion(PortType from, PortType to);
 std::string_view doc(Conversion conversion);  // a short phrase: "differentiates along the surface"
 
-std::vector<PortType> accepted_by(PortType to);  // what may be connected, `to` itself first
+std::vector<PortType> accepted_by(PortType to);  // types that may be connected, `to` first
 
-// What to do instead of an illegal wire: "it takes gradient, float, ...; node 'x' makes one".
+// Returns a remedy for an illegal wire: "it takes gradient, float, ...; node 'x' makes one".
 std::string alternative(PortType from, PortType to, const Registry& registry);
 
 }  // namespace wrinkle

@@ -16,12 +16,12 @@ Value vec4(Value ab, Value c, Value d) {
     return {ab.module, ab.module->construct(Type::vec4_, {ab.id, c.id, d.id})};
 }
 
-// From 0..1 to -1..1. The factor comes last: of a normal, whose length is nothing, it drops out.
+// Maps 0..1 to -1..1. The factor comes last: it cancels for a normal, which is normalized later.
 Value spread(Value t) {
     return (t - number(t, 0.5)) * 2;
 }
 
-// IEC 61966-2-1; negative values of float images stay on the straight part.
+// IEC 61966-2-1; negative values of float images use the linear segment.
 Value linear_from_srgb(Value c) {
     const auto all = [&](double x) {
         const std::array<double, 3> lanes{x, x, x};
@@ -44,7 +44,7 @@ Value decoded(Encoding encoding, Value t) {
             return vec4(linear_from_srgb(t.xyz()), t.w());
         case Encoding::normal_gl:
             return vec4(spread(t.xyz()), t.w());
-        case Encoding::derivative:  // two numbers, most often
+        case Encoding::derivative:  // usually two components
             return vec4(spread(t.xy()), spread(t.z()), t.w());
         case Encoding::normal_dx: {
             const Value m = t.xyz() - number(t, 0.5);

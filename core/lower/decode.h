@@ -1,4 +1,4 @@
-// What the numbers of a texture mean (design: encodings), as arithmetic right after the sample.
+// Decodes the numbers of a texture (design: encodings) by arithmetic right after the sample.
 #pragma once
 
 #include "base/texture_options.h"
@@ -6,8 +6,8 @@
 
 namespace wrinkle {
 
-// A vec4 as sampled -> a vec4 as meant. Alpha passes unchanged, but with normal_rg and normal_ag it
-// is 1.
+// Returns the decoded vec4 of a sampled vec4. Alpha is unchanged, except that it is 1 for normal_rg
+// and normal_ag.
 Id decode(Module& module, Encoding encoding, Id texel);
 
 }  // namespace wrinkle

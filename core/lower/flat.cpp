@@ -11,12 +11,12 @@ namespace {
 // One use of a file: the top graph, or a sub-graph node.
 struct Use {
     uint32_t file = 0;
-    uint32_t parent = FlatNode::none;  // the use around it
+    uint32_t parent = FlatNode::none;  // the enclosing use
     uint32_t node = FlatNode::none;    // the sub-graph node in the parent's document
     uint32_t instance = 0;             // Module::nodes
     std::string prefix;                // "outer/"
-    // Flat nodes by node, input and output of the document; none: not met yet. Of a sub-graph that
-    // is written out the use.
+    // Flat nodes by node, input and output of the document; none: not visited yet. For an inlined
+    // sub-graph's node, its use.
     std::vector<uint32_t> nodes, inputs, outputs;
 };
 
@@ -42,7 +42,7 @@ public:
 
     uint32_t output(uint32_t index) { return output_pass(0, index); }
 
-    // Follows the wires of what was met, which may meet more. False: too many nodes.
+    // Follows the wires of visited nodes, which may visit more. Returns false for too many nodes.
     bool run() {
         for (uint32_t i = 0; i < graph_.nodes.size(); ++i) {
             if (graph_.nodes.size() > max_nodes_) return false;
@@ -58,7 +58,7 @@ private:
         return project_.files[uses_[use].file].document;
     }
 
-    // For a top graph without sub-graphs; others take more.
+    // Reserves memory for a top graph without sub-graphs; others take more.
     void make_room(size_t nodes) {
         constexpr size_t wires_of_a_node = 6;
         graph_.nodes.reserve(nodes);
@@ -134,7 +134,7 @@ private:
                    add_node(std::move(flat), static_cast<uint32_t>(wires), use);
     }
 
-    // Seen from outside, a sub-graph's input is a port of its node.
+    // In the parent graph, a sub-graph's input is a port of the sub-graph's node.
     uint32_t input_pass(uint32_t use, uint32_t input) {
         if (uses_[use].inputs[input] != FlatNode::none) return uses_[use].inputs[input];
         FlatNode flat;
@@ -180,8 +180,8 @@ private:
         return wire;
     }
 
-    // What a link of a use's document leads to. An output of a sub-graph that needs no conversion
-    // leads straight on to its source.
+    // Returns the wire for a link of a use's document. An output of a sub-graph that needs no
+    // conversion is replaced by its source.
     Wire follow(uint32_t use, const Link& first, LinkSource source) {
         for (const Link* link = &first;;) {
             if (link->is_surface()) return surface_wire(*link);
@@ -204,7 +204,7 @@ private:
         return follow(use, link, types_.source(uses_[use].file, link));
     }
 
-    // Its wire is followed by run(): following it here would nest calls as deep as sub-graphs nest.
+    // run() follows its wire: following it here would nest calls as deep as sub-graphs nest.
     uint32_t output_pass(uint32_t use, uint32_t output) {
         if (uses_[use].outputs[output] != FlatNode::none) return uses_[use].outputs[output];
         FlatNode flat;
@@ -250,7 +250,7 @@ private:
         }
     }
 
-    // In the order of the ports, whatever that of the file: what is met first is named first.
+    // In the order of the ports, independent of the file's: nodes visited first are named first.
     void fill_ports(uint32_t index, const FlatNode& flat) {
         const std::vector<Port>& ports = flat.type->ports;
         const uint32_t use = use_of_[index];
@@ -331,10 +331,10 @@ private:
     std::vector<NodePlace>& places_;
     FlatGraph graph_;
     std::vector<Use> uses_;
-    std::vector<uint32_t> use_of_;         // by flat node: the use whose document has its wires
+    std::vector<uint32_t> use_of_;         // by flat node: the use with its wires
     std::vector<Pending> pending_input_;   // by flat node
     std::vector<Pending> pending_output_;  // by flat node
-    std::vector<uint32_t> written_;        // by port: which input of the node at hand
+    std::vector<uint32_t> written_;        // by port: index of the current node's input
 };
 
 }  // namespace

@@ -8,8 +8,8 @@
 namespace wrinkle {
 namespace {
 
-// What the outputs need, precise to the inputs and outputs of files, for all uses of a file
-// together.
+// Finds the nodes that the outputs need, and the inputs and outputs of files, for all uses of a
+// file together.
 class Needs {
 public:
     explicit Needs(const Project& project) : project_(project) {
@@ -97,7 +97,7 @@ private:
     std::vector<Open> open_;
 };
 
-// A node that looks through the border of a sub-graph.
+// Returns true for a node that depends on values beyond the boundary of its sub-graph.
 bool looks_outside(const NodeType& type, const Node& node) {
     return std::any_of(type.ports.begin(), type.ports.end(), [&](const Port& port) {
         const bool base = port.name == "base" && port.type == PortType::normal_;
@@ -149,7 +149,7 @@ private:
                 visit(subgraphs[i]);
     }
 
-    // Nodes of the whole, each use of a file counted.
+    // Returns the number of nodes after complete inlining, each use of a file counted.
     uint64_t written_out(const std::vector<uint32_t>& order) const {
         std::vector<uint64_t> nodes(project_.files.size(), 0);
         for (const uint32_t f : order) {

@@ -1,18 +1,18 @@
-// Which files of a project are compiled once, as functions, and which are written out at each use.
-// For core/lower alone.
+// Selects the files of a project that are compiled once, as functions, and those that are inlined
+// at each use. Internal to core/lower.
 //
-// A graph that is small with everything written out is written out: shaders are at their best so
-// (layers on one frame add as 2-vectors, constants fold through), and drivers inline anyway. In a
-// larger one a file that is used at two places or more becomes a function.
+// A graph that is small after complete inlining is inlined: shaders are at their best so (layers on
+// one frame add as 2-vectors, constants fold across files), and drivers inline anyway. In a larger
+// one a file with two or more uses becomes a function.
 //
-// Written out everywhere are:
-//   * files with inputs or outputs of type derivative or image outputs that are used: those are no
+// Always inlined are:
+//   * files with used inputs or outputs of type derivative, or used image outputs: those are not
 //     numbers,
-//   * files in which functions stand more than `deepest` deep,
-//   * everything in a project where a node says a base of its own, or reads a field: both look
-//     through a sub-graph's border.
+//   * files in which functions are nested more than `deepest` deep,
+//   * all files of a project in which a node has its own base or reads a field: both depend on
+//     values beyond a sub-graph's boundary.
 //
-// lower() has no functions either where the variance of a normal is asked for
+// lower() starts again without functions if an output needs the variance of a normal
 // (ir/normal_variance.h).
 #pragma once
 
@@ -27,7 +27,7 @@ struct FunctionPlan {
     static constexpr uint32_t deepest = 40;
     struct File {
         bool function = false;
-        std::vector<bool> outputs, inputs;  // that some use needs, in the document's order
+        std::vector<bool> outputs, inputs;  // needed by some use, in the document's order
     };
     std::vector<File> files;  // by file of the project
 
@@ -36,7 +36,7 @@ struct FunctionPlan {
     }
 };
 
-// `outputs`: of the top graph, those that are asked for. Linear in the files.
+// `outputs` are the requested outputs of the top graph. Linear in the files.
 FunctionPlan plan_functions(const Project& project, const Types& types, const LowerOptions& options,
                             const std::vector<uint32_t>& outputs);
 

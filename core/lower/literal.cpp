@@ -92,7 +92,7 @@ void option_problems(const json::Value& value, const Port& port, Problems& probl
     }
 }
 
-// One of the words that an image object may give.
+// Checks a member of an image object that is one of some words.
 template <class Enum>
 void word_problems(const json::Member& member, std::span<const std::string_view> words,
                    std::optional<Enum> (*named)(std::string_view), Problems& problems) {

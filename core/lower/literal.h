@@ -1,4 +1,4 @@
-// Literals of a graph file: what a JSON value at a port means, and what is wrong with it.
+// Literals of a graph file: the value of a JSON literal at a port, and its problems.
 #pragma once
 
 #include <array>
@@ -12,20 +12,22 @@
 
 namespace wrinkle {
 
-// The numbers of a float, vector, color, height or normal; false when the value is none.
+// Stores the numbers of a float, vector, color, height or normal; returns false if `value` is not a
+// valid one.
 bool literal_numbers(const json::Value& value, PortType type, std::array<double, 4>& numbers);
 
-// The index of a choice, the value of a count, 0 or 1 of a flag; nothing when the value is none.
+// Returns the index of a choice, the value of a count, 0 or 1 of a flag; std::nullopt if `value` is
+// not a valid one.
 std::optional<int32_t> literal_option(const json::Value& value, const Port& port);
 
 // An image as a path or as {"file", "encoding", "wrap", "filter"}.
 struct ImageLiteral {
-    std::string_view file;             // lives as long as the value's tree
-    std::optional<Encoding> encoding;  // nothing: that of the port
+    std::string_view file;             // valid as long as the value's tree
+    std::optional<Encoding> encoding;  // std::nullopt: that of the port
     Wrap wrap = Wrap::repeat;
     Filter filter = Filter::linear;
 };
-ImageLiteral literal_image(const json::Value& value);  // of what is valid in it
+ImageLiteral literal_image(const json::Value& value);  // reads valid members only
 
 struct LiteralProblem {
     json::Value where;
@@ -33,7 +35,7 @@ struct LiteralProblem {
     std::string message;  // a predicate: "holds a string"
     std::string expected;
 };
-// Everything that is wrong with a literal at a port, files aside.
+// Returns all problems of a literal at a port, except those of files.
 std::vector<LiteralProblem> literal_problems(const json::Value& value, const Port& port);
 
 }  // namespace wrinkle

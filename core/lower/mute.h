@@ -1,5 +1,5 @@
-// What a muted node does: each output passes on an input of its own type, the first that a wire
-// leads to, else the first.
+// A muted node: each output passes on an input of its own type, the first one with a wire, else the
+// first.
 #pragma once
 
 #include <cstdint>
@@ -8,8 +8,9 @@
 
 namespace wrinkle {
 
-// `is_connected(port)` says whether a wire leads to an input. NodeType::none where the output's
-// type has no input. Both are indices in NodeType::ports.
+// Returns the input that the output passes on; NodeType::none if no input has the output's type.
+// `is_connected(port)` returns true if a wire leads to an input. Both are indices in
+// NodeType::ports.
 template <class IsConnected>
 uint32_t passed_input(const NodeType& type, uint32_t output, IsConnected is_connected) {
     uint32_t first = NodeType::none;

@@ -1,5 +1,5 @@
 // The images that one file of a project names, in the order of its nodes and then of its inputs:
-// every literal at a port of type image, whether an output needs it or not. Nobody asks whether
+// every literal at a port of type image, whether an output needs it or not. Does not check that
 // they exist.
 #pragma once
 
@@ -13,8 +13,8 @@
 namespace wrinkle {
 
 struct NamedImage {
-    std::string name;                           // as written, relative to the file that says it
-    std::optional<std::filesystem::path> path;  // canonical; nothing: outside the root
+    std::string name;                           // as written, relative to the file that names it
+    std::optional<std::filesystem::path> path;  // canonical; std::nullopt: outside the root
 };
 
 std::vector<NamedImage> named_images(const Project& project, const Types& types, size_t file);

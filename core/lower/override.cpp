@@ -22,7 +22,8 @@ bool to_number(std::string_view text, double& number) {
     return error == std::errc() && end == text.data() + text.size() && std::isfinite(number);
 }
 
-// "A:B:N"; empty when the text is no sweep, one null when it is a wrong one.
+// Returns the values of "A:B:N"; an empty list if the text is not a sweep, one null if it is an
+// invalid one.
 std::vector<json::Value> sweep(std::string_view text) {
     const std::vector<std::string_view> parts = split(text, ':');
     double first = 0, last = 0, count = 0;
@@ -33,7 +34,7 @@ std::vector<json::Value> sweep(std::string_view text) {
     std::vector<json::Value> values;
     const auto steps = static_cast<uint32_t>(count) - 1;
     for (uint32_t i = 0; i <= steps; ++i) {
-        const double product = (last - first) * i;  // first: 1:2:11 shall hold 1.3, not 1.2999...
+        const double product = (last - first) * i;  // product first: 1:2:11 has 1.3, not 1.2999...
         const double value = std::isfinite(product)
                                  ? first + product / steps
                                  : std::lerp(first, last, static_cast<double>(i) / steps);
@@ -49,7 +50,7 @@ json::Value parse_value(std::string_view text) {
     return parsed.complete && !ignored.has_errors() ? parsed.root : json::Value::string(text);
 }
 
-// The same value without the place where it was read: it stands in no file.
+// Returns the value without the location where it was read, because it is not in a file.
 json::Value detached(const json::Value& value) {
     switch (value.kind()) {
         case Kind::boolean:
@@ -63,7 +64,7 @@ json::Value detached(const json::Value& value) {
     }
 }
 
-// "; type tile.scale=[0.5,0.5]" for a vector that got its numbers in another form, or only one.
+// Returns "; type tile.scale=[0.5,0.5]" for a vector given in another form, or as one number.
 std::string array_to_type(const Override& change, const Port& port) {
     const size_t equals = change.text.find('=');
     const auto lanes = static_cast<size_t>(port.is_value() ? lanes_of(port.type) : 0);

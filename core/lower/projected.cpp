@@ -6,7 +6,7 @@
 namespace wrinkle {
 namespace {
 
-constexpr int longest_chain = 64;  // of uv nodes; a longer one is not looked at
+constexpr int longest_chain = 64;  // maximum number of uv nodes followed
 
 const Port* input_of(const NodeType& type, std::string_view name) {
     const uint32_t index = type.find_input(name);
@@ -33,7 +33,7 @@ bool is_projection(const NodeType& type) {
     return std::find(flat.begin(), flat.end(), type.id) != flat.end();
 }
 
-// The node that makes this one's uv of the position; null where none does.
+// Returns the node that makes this one's uv from the position; null if there is none.
 const Node* projection_behind(const Document& document, const Node* node,
                               const Registry& registry) {
     for (int step = 0; step < longest_chain; ++step) {

@@ -77,7 +77,7 @@ Project reached_part(Project project) {
         }
         if (nodes.size() == reached[f].size()) continue;
         file.document.nodes = Table<NodePtr>(std::move(nodes));
-        file.document.edited = true;  // the wires as they were read lead to former places
+        file.document.edited = true;  // wires as read lead to former indices
         file.subgraphs = std::move(subgraphs);
     }
     for (size_t f = 0; f < project.files.size(); ++f)

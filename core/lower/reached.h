@@ -1,5 +1,5 @@
-// Which nodes the outputs of a project need, by file and node. A sub-graph that is used counts with
-// all its outputs.
+// Returns the nodes that the outputs of a project need, by file and node. A sub-graph that is used
+// counts with all its outputs.
 #pragma once
 
 #include <vector>
@@ -10,7 +10,8 @@ namespace wrinkle {
 
 std::vector<std::vector<bool>> reached_nodes(const Project& project);
 
-// The project without all other nodes; the files keep their places, one that is not used is empty.
+// Returns the project without all other nodes; the files keep their indices, one that is not used
+// is empty.
 Project reached_part(Project project);
 
 }  // namespace wrinkle

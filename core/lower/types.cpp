@@ -115,7 +115,7 @@ void Types::type_file(const Project& project, const Registry& registry, size_t f
     }
 }
 
-// Each after the one that it reads; those that read each other in a circle have none.
+// Types each reroute after the one that it reads; reroutes in a cycle have no type.
 void Types::type_reroutes(size_t file) {
     const Table<NodePtr>& nodes = project_->files[file].document.nodes;
     std::vector<bool> seen(nodes.size(), false);
@@ -142,7 +142,7 @@ const NodeType* Types::reroute(size_t file, const Node& node) const {
 void Types::look_up_inputs(size_t file) {
     const Table<NodePtr>& nodes = project_->files[file].document.nodes;
     const Wires* wires = project_->files[file].document.wires();
-    constexpr size_t inputs_of_a_node = 2;  // about
+    constexpr size_t inputs_of_a_node = 2;  // estimate
     File& found = files_[file];
     found.first.reserve(nodes.size() + 1);
     found.inputs.reserve(nodes.size() * inputs_of_a_node);

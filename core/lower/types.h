@@ -1,12 +1,13 @@
 // The type of every node of a project: that of the registry, or one made for it.
 //
-//   graph:FILE   one type a file: the graph's inputs are its input ports, its outputs its outputs.
-//                An output with a standard name has that name's type, another that of its source.
-//   reroute      input `in`, output `out`, both of the type of whatever is connected.
+//   graph:FILE   one type per file: the graph's inputs are its input ports, its outputs its
+//                outputs. An output with a standard name has that name's type, any other that of
+//                its source.
+//   reroute      input `in`, output `out`, both of the type of the connected source.
 //
-// An unknown type, or a sub-graph that cannot be read, has none.
+// A node of an unknown type, or of a sub-graph that cannot be read, has none.
 //
-// What nodes read is looked up by name once, for all that ask later.
+// Inputs of nodes are looked up by name once, for all later queries.
 #pragma once
 
 #include <deque>
@@ -20,16 +21,17 @@
 
 namespace wrinkle {
 
-// Each file after those of its sub-graphs, the top graph last.
+// Returns the files in topological order: each after its sub-graphs, the top graph last.
 std::vector<uint32_t> files_in_order(const Project& project);
 
-// Where a link to a node leads; none: nothing has that name, or it is no such link.
+// The source of a link to a node; none: no node or output has that name, or the link does not lead
+// to a node.
 struct LinkSource {
     static constexpr uint32_t none = NodeType::none;
     uint32_t node = none;    // in the document
     uint32_t output = none;  // in that node's type
 };
-// What stands at a port in a node's "in".
+// An entry of a node's "in".
 struct NamedInput {
     uint32_t port = NodeType::none;  // in the node's type
     LinkSource source;
@@ -41,26 +43,27 @@ public:
 
     // nullptr: unknown.
     const NodeType* of(size_t file, size_t node) const { return files_[file].nodes[node]; }
-    // Of all inputs of a node, in its order.
+    // Returns all inputs of a node, in its order.
     std::span<const NamedInput> inputs(size_t file, size_t node) const {
         const File& in = files_[file];
         return std::span(in.inputs).subspan(in.first[node], in.first[node + 1] - in.first[node]);
     }
     LinkSource source(size_t file, const Link& link) const;
-    // The type that a link carries; nothing when its end is unknown or does not exist.
+    // Returns the type that a link carries; std::nullopt if its source is unknown or does not
+    // exist.
     std::optional<PortType> link(size_t file, const Link& link, LinkSource source) const;
     std::optional<PortType> link(size_t file, const Link& link) const {
         return this->link(file, link, source(file, link));
     }
     std::optional<PortType> output(size_t file, const Output& output) const;
-    // The files as one node each; their `origin` is the file's path.
+    // The files as node types; their `origin` is the file's path.
     const NodeType& subgraph(size_t file) const { return graphs_[file]; }
 
 private:
     struct File {
         std::vector<const NodeType*> nodes;
-        std::vector<NamedInput> inputs;  // of all nodes
-        std::vector<uint32_t> first;     // by node, and one more: where its inputs begin
+        std::vector<NamedInput> inputs;  // inputs of all nodes
+        std::vector<uint32_t> first;     // by node, and one more: index of its first input
     };
     void type_file(const Project& project, const Registry& registry, size_t file);
     void type_reroutes(size_t file);

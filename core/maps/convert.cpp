@@ -23,7 +23,7 @@ struct Range {
     float high = -std::numeric_limits<float>::infinity();
 };
 
-// Of all values that are finite.
+// Range of all finite values.
 Range range_of(const Rows& rows, const Target& target) {
     const size_t count = size_t{rows.width()} * mean_channels(target.kind);
     return tbb::parallel_reduce(
@@ -45,7 +45,7 @@ Range range_of(const Rows& rows, const Target& target) {
         });
 }
 
-// What integers stand for: slopes symmetric about 0, heights from the lowest to the highest.
+// Encoding of integer files: slopes symmetric about 0, heights from the lowest to the highest.
 Stored stored_of(const Rows& rows, const Target& target) {
     const bool integers = target.type == PixelType::u8 || target.type == PixelType::u16;
     if (!integers || target.kind == Kind::normal) return {};
@@ -91,7 +91,7 @@ Image solved(const Rows& rows) {
     tbb::parallel_for(0u, height, [&](uint32_t y) {
         rows.slopes(y, &du[size_t{y} * width], &dv[size_t{y} * width]);
     });
-    // Slopes are per unit of length, and the solver counts texels.
+    // Slopes are per unit of length; the solver expects slopes per texel.
     const Source& source = rows.source();
     for (size_t i = 0; i < du.size(); ++i) {
         du[i] *= source.texel_width;

@@ -1,14 +1,14 @@
-// One map made from another, and written as a file, with its mip levels.
+// Converts one map to another and writes it to a file, optionally with mip levels.
 //
-// A level is the mean of what it stands for: of heights, of slopes (a normal map's levels are the
-// normals of mean slopes, never means of normals), of the channels of `slopes` and `moments`.
-// mips.h says which texels a mean covers.
+// A mip level is the mean of the texels that it covers: of heights, of slopes (a normal map's
+// levels are the normals of mean slopes, not means of normals), of the channels of `slopes` and
+// `moments`. image/mips.h defines the texels of each mean.
 //
-// Files of integers hold t in [0, 1]. Slopes use all of it: scale is the steepest slope of the
-// first level, t = (1 + slope / scale) / 2; so do heights, from the lowest, `offset`, to the
-// highest, `offset` + `scale`. Both numbers go into the file as wrinkle:scale and wrinkle:offset,
-// where its format keeps numbers, and come back from there when the file is read. Files of floats
-// hold the values themselves. Normals are (1 + n) / 2 in every file.
+// Integer files hold t in [0, 1]. Slopes use the full range: scale is the steepest slope of
+// level 0, t = (1 + slope / scale) / 2. Heights range from the lowest, `offset`, to the highest,
+// `offset` + `scale`. Both numbers are stored in the file as wrinkle:scale and wrinkle:offset, if
+// its format has metadata, and are applied when it is read. Float files hold the values themselves.
+// Normals are (1 + n) / 2 in every file.
 #pragma once
 
 #include <filesystem>
@@ -24,18 +24,19 @@ inline constexpr const char* offset_name = "wrinkle:offset";
 
 struct Target {
     Kind kind = Kind::derivative;
-    Green green = Green::gl;  // of normals
-    Per per = Per::texel;     // of derivatives and slopes
+    Green green = Green::gl;  // only for normals
+    Per per = Per::texel;     // only for derivatives and slopes
     PixelType type = PixelType::half;
-    std::string compression;  // "" is the format's default
-    uint32_t tile = 0;        // 0: scan lines, or 64 where there are mips
+    std::string compression;  // "": the format's default
+    uint32_t tile = 0;        // 0: scan lines, or 64 with mips
     bool mips = false;
 };
 
-// Fills in what the file says of its own scale. The image belongs to that file.
+// Reads the scale and offset stored in the file at `path`, from which the image was loaded.
 void read_stored_scale(const std::filesystem::path& path, Source& source);
 
-// From slopes to a height it solves (poisson.h). Uses all cores; equal bytes with any number.
+// Converts slopes to a height by least squares (poisson.h). Uses all cores; the output bytes do not
+// depend on their number. Returns false and appends diagnostics on failure.
 bool convert(const Source& source, const Target& target, const std::filesystem::path& path,
              Diagnostics& diagnostics);
 

@@ -7,7 +7,7 @@ namespace wrinkle::maps {
 
 namespace {
 
-constexpr float near = 2.5F / 255;  // JPEG does not keep what is flat
+constexpr float near = 2.5F / 255;  // tolerance for JPEG, which changes flat areas
 constexpr size_t side = 8;
 
 bool is_near(float value, float wanted) {

@@ -12,13 +12,13 @@ namespace wrinkle::maps {
 
 namespace {
 
-constexpr double certain_curl = 0.1;                    // correlation from which green is known
-constexpr double leaning_degrees = 1.5;                 // of the mean normal
-constexpr double still_share = 0.6, step_share = 0.97;  // of neighbours, from which it is banding
+constexpr double certain_curl = 0.1;                    // minimum correlation that decides green
+constexpr double leaning_degrees = 1.5;                 // tilt of the mean normal
+constexpr double still_share = 0.6, step_share = 0.97;  // minimum shares of neighbours: banding
 constexpr double seam_factor = 2;
-constexpr double mixed_share = 0.15;  // of the curl's regions, each way
+constexpr double mixed_share = 0.15;  // minimum share of the curl, both signs
 constexpr double least_background = 0.02, least_plain = 0.1, shore_factor = 4;
-constexpr double good_z = 0.03;  // rms, of 8 bits of JPEG too
+constexpr double good_z = 0.03;  // rms limit; covers 8-bit JPEG
 
 struct NamedWords {
     std::string_view name, words;
@@ -96,7 +96,7 @@ private:
         verdict_.findings.push_back({flaw, std::move(message), defect});
     }
 
-    // Nothing can be said of the means of NaN.
+    // Statistics of images with NaN are undefined.
     bool check_finite() {
         if (measured_.not_finite() == 0) return true;
         verdict_.look = channels_ == 1 ? Look::height : Look::color;
@@ -169,7 +169,7 @@ private:
         if (info_.source == PixelType::u8) check_offset();
     }
 
-    // Half a step, the same for red and green.
+    // Detects an offset of half a step, equal in red and green.
     void check_offset() {
         const OffsetMeasures offset = measured_.offset();
         measure("offset_red", offset.red);
@@ -207,8 +207,8 @@ private:
         }
     }
 
-    // The borders of islands are cuts, and the image's border is one more. Normals fade to flat
-    // around some islands; those have much that is flat.
+    // Island edges are discontinuities, and so is the image's border. Around some islands normals
+    // fade to flat; such images have a large flat share.
     bool is_atlas(const IslandMeasures& islands) const {
         const bool cut =
             islands.background > least_background && islands.shore > shore_factor * islands.inside;
@@ -242,7 +242,7 @@ private:
     const ImageInfo& info_;
     const Measuring& measured_;
     Wrap wrap_;
-    bool is_layout_;  // of a mesh, as its file says
+    bool is_layout_;  // the file is marked as a mesh layout
     uint32_t channels_;
     Verdict verdict_;
     VectorMeasures vectors_;

@@ -1,29 +1,29 @@
-// What a picture of a bump is, and what is wrong with it, each with the numbers that say so.
+// Detects the kind of a bump image and its defects, with the numbers behind each result.
 //
-// What it is:
-//   height         one channel, or three that are equal
-//   normal_gl, normal_dx   of tangent space: the vectors 2t - 1 have length 1 and point up. Which
-//                  way green is says the curl test: the slopes of a height have no curl, so where
-//                  d/dv of the one and d/du of the other go together, green points up
-//   normal         the same, with slopes that do not tell (flat, or ridges along one axis)
-//   normal_object  unit vectors that also point down
-//   two_channel    red and green about the middle, blue missing or one value that does not make the
-//                  vectors unit and up: slopes, or normals whose z is made
-//   color          none of them
+// Kinds (Look):
+//   height         one channel, or three equal ones
+//   normal_gl, normal_dx   tangent space: the vectors 2t - 1 have length 1 and point up. The curl
+//                  test decides the direction of green: the slopes of a height have no curl, so if
+//                  d/dv of one slope and d/du of the other correlate, green points up
+//   normal         the same, with slopes that do not decide (flat, or ridges along one axis)
+//   normal_object  unit vectors of which some point down
+//   two_channel    red and green centred on the middle, blue missing or one value that does not
+//                  make the vectors unit and up: slopes, or normals with reconstructed z
+//   color          none of these
 //
-// What is wrong (`defect`), or only worth knowing:
-//   tilt       the mean normal leans: a bump that repeats has none
+// Findings (Flaw), as defects or as information:
+//   tilt       the mean normal is tilted; that of a repeating bump is not
 //   unsigned_z blue holds z from 0 to 1, not (1 + z) / 2
-//   length     the vectors are neither unit as 2t - 1 nor with an unsigned z
-//   offset     8 bits, and what is not flat lies half a step beside the middle: 127 or 128 was
-//              taken for 127.5
-//   banding    steps of one level with plateaus between them, or 8 bits in a deeper file
-//   mixed      green points up in some regions and down in others, so the whole is `normal`
-//   seam_u, seam_v   the first and last columns or rows differ more than any neighbours inside.
-//              A defect only where the image is to repeat and is not an atlas: islands on a
-//              background that is flat or empty, or a file that `wrinkle bake` wrote
+//   length     the vectors are unit neither as 2t - 1 nor with an unsigned z
+//   offset     8 bits, and texels that are not flat are offset by half a step: 127 or 128 was used
+//              instead of 127.5
+//   banding    steps of one level between plateaus, or 8-bit values in a deeper file
+//   mixed      green points up in some regions and down in others; the kind is then `normal`
+//   seam_u, seam_v   the first and last columns or rows differ more than twice as much as 99 % of
+//              the neighbours inside. A defect only if the image must repeat and is not an
+//              atlas: islands on a flat or empty background, or a file by `wrinkle bake`
 //   gray       a height with three channels
-//   one_value  a height that is the same everywhere, which makes no bump
+//   one_value  a constant height, which makes no bump
 //   not_finite NaN or infinity
 #pragma once
 
@@ -59,7 +59,7 @@ struct Measure {
     double value = 0;
 };
 
-// As above; and `unexpected`, which whoever knows what the picture was to be adds.
+// As listed above; and `unexpected`, added by callers that know the expected kind.
 enum class Flaw : uint8_t {
     tilt,
     unsigned_z,
@@ -75,7 +75,7 @@ enum class Flaw : uint8_t {
     unexpected
 };
 std::string_view name_of(Flaw flaw);   // "seam_u"
-std::string_view words_of(Flaw flaw);  // what is wrong, half a sentence without its numbers
+std::string_view words_of(Flaw flaw);  // description without numbers, half a sentence
 
 struct Finding {
     Flaw flaw = Flaw::unexpected;
@@ -92,11 +92,12 @@ struct Verdict {
     std::optional<double> measure(std::string_view name) const;
 };
 
-// `wrap` says whether the picture is to repeat.
+// `wrap`: Wrap::repeat if the image must tile.
 Verdict examine(const Image& image, Wrap wrap);
 
-// Of a file, in memory for a few of its rows; nothing with errors. `stopped` is asked between a row
-// and the next: where it says true there is no verdict, and no error.
+// Reads a few rows of the file at a time. `stopped` is called before each row; if it returns true,
+// the result is std::nullopt without an error. Otherwise std::nullopt means failure, with
+// diagnostics.
 struct ExaminedFile {
     ImageInfo info;
     Verdict verdict;

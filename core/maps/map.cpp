@@ -15,7 +15,7 @@ float mean_of_colors(const float* texel, const Image& image) {
     return colors ? (texel[0] + texel[1] + texel[2]) / 3 : texel[0];
 }
 
-// The row before or after, as the border has it.
+// Returns the index before or after `index`, wrapped or clamped at the border.
 uint32_t neighbour(uint32_t index, int step, uint32_t size, Wrap wrap) {
     if (step < 0) return index > 0 ? index - 1 : wrap == Wrap::repeat ? size - 1 : 0;
     return index + 1 < size ? index + 1 : wrap == Wrap::repeat ? 0 : index;
@@ -48,7 +48,7 @@ void slopes_of_normals(const float* texels, uint32_t stride, uint32_t channels, 
 
 void sobel_row(const ThreeRows& heights, uint32_t count, Wrap wrap, float* du, float* dv) {
     const auto& [above, here, below] = heights;
-    // Of each column, and of the columns beyond the borders, which come first and last.
+    // One value per column, plus one padding column at each end.
     thread_local std::vector<float> sums, steps;
     sums.resize(count + 2);
     steps.resize(count + 2);

@@ -14,7 +14,7 @@ namespace {
 
 constexpr uint32_t rows_at_once = 64;
 
-// The first and the last row from the top that row `row` from the top of the next level covers.
+// First and last row, from the top, that row `row` (from the top) of the next level covers.
 struct FinerRows {
     uint32_t first = 0, last = 0;
 };
@@ -63,7 +63,7 @@ void MapWriter::make(uint32_t turn) {
         make_next(levels_[i - 1], levels_[i], turn);
 }
 
-// Room for new rows, behind those of the band before that are still needed.
+// Allocates `count` new rows after a copy of the last `kept` rows of the previous band.
 void MapWriter::begin(Level& level, uint32_t kept, uint32_t count, uint32_t turn) const {
     Band &band = level.bands[turn], &before = level.bands[turn ^ 1];
     const size_t row = size_t{level.width} * means_;
@@ -78,7 +78,7 @@ void MapWriter::begin(Level& level, uint32_t kept, uint32_t count, uint32_t turn
     level.made += count;
 }
 
-// Of a level's newest rows, those that the next level has not used.
+// Returns the number of newest rows of a level that the next level still needs.
 uint32_t MapWriter::rows_needed(uint32_t index) const {
     const Level& level = levels_[index];
     if (index + 1 == levels_.size()) return 0;
@@ -99,7 +99,7 @@ void MapWriter::make_first(uint32_t turn) {
     });
 }
 
-// How many rows of a level the finer one completes.
+// Returns the number of rows of a level that can be computed from the finer one.
 uint32_t MapWriter::rows_ready(const Level& finer, const Level& level) const {
     uint32_t row = level.made;
     while (row < level.height && finer_rows(finer.height, level.height, row).last < finer.made)
@@ -116,7 +116,7 @@ void MapWriter::make_next(const Level& finer, Level& level, uint32_t turn) const
     Band& band = level.bands[turn];
     tbb::parallel_for(0u, band.count, [&](uint32_t i) {
         const FinerRows used = finer_rows(finer.height, level.height, top + i);
-        const float* rows[3] = {};  // from the bottom up
+        const float* rows[3] = {};  // bottom up
         for (uint32_t row = used.last + 1, j = 0; row-- > used.first; ++j)
             rows[j] = &from.means[(row - from_top) * size_t{finer.width} * means_];
         half_row(finer.width, finer.height, means_, level.height - 1 - top - i, rows,
@@ -125,7 +125,7 @@ void MapWriter::make_next(const Level& finer, Level& level, uint32_t turn) const
     });
 }
 
-// New row `row` of a band as the file holds it.
+// Encodes new row `row` of a band for the file.
 void MapWriter::store(const Level& level, Band& band, uint32_t row) const {
     if (band.stored.empty()) return;
     const float* means = &band.means[(band.kept + row) * size_t{level.width} * means_];

@@ -1,8 +1,8 @@
-// A map on its way to a file with all its levels, in one pass over its rows.
+// Writes a map with all its mip levels to a file, in one pass over its rows.
 //
-// Rows are made a band at a time from the top, and with each band what it completes of every
-// coarser level; one band is made while the one before it is written. So no level is ever in memory
-// as a whole, and no row is computed twice.
+// Rows are computed in bands from the top; each band also completes rows of the coarser levels. One
+// band is computed while the previous one is written. So no level is in memory completely, and each
+// row is computed once.
 #pragma once
 
 #include <vector>
@@ -17,23 +17,23 @@ namespace wrinkle::maps {
 
 class MapWriter {
 public:
-    // The writer has the size of the rows and so many channels. All that is referred to outlives
-    // this.
+    // The writer must have the size of `rows` and `channels` channels. All references must outlive
+    // this object.
     MapWriter(const Rows& rows, const Target& target, const Stored& stored, uint32_t channels,
               ImageWriter& writer);
 
-    bool write(Diagnostics& diagnostics);  // and finish()
+    bool write(Diagnostics& diagnostics);  // calls finish() of the writer
 
 private:
     struct Band {
-        uint32_t kept = 0;              // rows of the band before that the next level still needs
-        uint32_t count = 0;             // new ones, after those
-        std::vector<float> means;       // of both
-        std::vector<std::byte> stored;  // new ones as the file holds them, unless these are means
+        uint32_t kept = 0;              // rows of the previous band that the next level still needs
+        uint32_t count = 0;             // new rows, after those
+        std::vector<float> means;       // previous rows, then new ones
+        std::vector<std::byte> stored;  // new rows, encoded for the file; empty: as `means`
     };
     struct Level {
         uint32_t width = 0, height = 0;
-        uint32_t made = 0;  // rows, from the top
+        uint32_t made = 0;  // rows so far, from the top
         Band bands[2] = {};
     };
 
@@ -50,9 +50,9 @@ private:
     const Target& target_;
     const Stored& stored_;
     ImageWriter& writer_;
-    uint32_t means_;     // numbers of a texel that are averaged
-    uint32_t channels_;  // and those of the file
-    bool plain_;         // which are the same
+    uint32_t means_;     // averaged numbers per texel
+    uint32_t channels_;  // channels of the file
+    bool plain_;         // means are stored without encoding
     std::vector<Level> levels_;
 };
 

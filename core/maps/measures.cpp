@@ -104,7 +104,7 @@ void CurlSums::add(const float* row, uint32_t stride, uint32_t channels) {
 }
 
 CurlMeasures CurlSums::measures() const {
-    // The first row and the last one see each other, or themselves.
+    // The first and the last row are neighbours (repeat) or their own neighbours (clamp).
     RegionSums sums = sums_;
     const SlopeRow& end = last_[(height_ - 1) % 3];
     const bool repeats = wrap_ == Wrap::repeat;
@@ -246,7 +246,7 @@ void Measuring::add(const float* row) {
     const uint32_t width = info_.width, channels = info_.channels;
     not_finite_ += static_cast<size_t>(std::count_if(row, row + size_t{width} * channels,
                                                      [](float t) { return !std::isfinite(t); }));
-    if (not_finite_ > 0) return;  // nothing can be said of the means of NaN
+    if (not_finite_ > 0) return;  // statistics of NaN are undefined
     if (colors_ >= 3) {
         vectors_.add(row, width, channels);
         curl_.add(row, channels, colors_);

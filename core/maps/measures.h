@@ -1,6 +1,6 @@
-// The statistics that lint decides by, gathered in one pass over the rows of a picture, from the
-// top: no row is needed but the last three and the first two. Sums run in double, row by row, on
-// one thread: equal numbers everywhere.
+// Statistics for lint, computed in one pass over the rows of an image, from the top. Only the last
+// three and the first two rows are retained. Sums are double, row by row, on one thread, so the
+// results are reproducible.
 #pragma once
 
 #include <array>
@@ -13,59 +13,59 @@
 
 namespace wrinkle::maps {
 
-inline constexpr double u8_step = 1.0 / 255;  // of stored numbers in 8 bits
+inline constexpr double u8_step = 1.0 / 255;  // step of 8-bit values
 
-// Of pictures with three channels; vectors are 2t - 1. Black texels, where nothing was baked, are
-// left out of all but their own share.
+// Statistics of images with three channels; vectors are 2t - 1. Black texels (not baked) count only
+// in `empty`.
 struct VectorMeasures {
-    double empty = 0;     // share that is black
+    double empty = 0;     // share of black texels
     double unit = 0;      // share of texels of length 1 within 0.1
-    double downward = 0;  // share that points down by more than 0.1
-    double gray = 0;      // share whose channels are equal within 2.5 / 255
+    double downward = 0;  // share with z below -0.1
+    double gray = 0;      // share with channels equal within 2.5 / 255
     std::array<double, 3> mean = {};
-    double blue_spread = 0;  // highest less lowest
-    double signed_z = 0;     // rms of blue less (1 + z) / 2, with z made from red and green
-    double unsigned_z = 0;   // rms of blue less z
-    double between_z = 0;    // rms of the one less the other: how far they can be told apart
+    double blue_spread = 0;  // range of blue
+    double signed_z = 0;     // rms of blue - (1 + z) / 2, with z from red and green
+    double unsigned_z = 0;   // rms of blue - z
+    double between_z = 0;    // rms of (1 + z) / 2 - z: how well the two differ
 };
 
-// Slopes as gl has them, differentiated once more by the same filter. Spikes count as slope 4.
+// Derivatives of `gl` slopes by the same filter. Slopes are clamped to +-4.
 struct CurlMeasures {
     double gl = 0;           // rms of du/dv - dv/du
-    double dx = 0;           // the same with green turned
-    double correlation = 0;  // of the two terms, -1 to 1; 0 where there is no slope
-    // Shares of the curl terms in regions, 8 by 8 of the image, whose own correlation is above
-    // 0.5, and below -0.5; 0 of images of less than 4096 texels, as such regions decide little.
+    double dx = 0;           // rms of du/dv + dv/du (green inverted)
+    double correlation = 0;  // correlation of the two terms, -1 to 1; 0 without slopes
+    // Shares of the curl terms in regions (8 by 8 over the image) with a correlation above 0.5, and
+    // below -0.5. 0 for images of less than 4096 texels, where regions are too small.
     double regions_gl = 0, regions_dx = 0;
 };
 
-// Of the texels that are not flat (127 or 128 in red and green), in steps of 1/255 from 127.5.
+// Mean offset from 127.5, in steps of 1/255, of texels that are not flat (127 or 128 in both).
 struct OffsetMeasures {
     double red = 0, green = 0;
-    double tilted = 0;  // their share
+    double tilted = 0;  // share of these texels
 };
 
-// Of one channel of integers.
+// Differences between neighbours in one integer channel.
 struct StepMeasures {
     double still = 0;         // share of neighbours (to the right, above) that are equal
-    double one = 0;           // share that is one level apart
-    size_t levels = 0;        // different values
-    bool eight_bits = false;  // a deeper file whose values are all those of 8 bits
+    double one = 0;           // share that differs by one level
+    size_t levels = 0;        // number of distinct values
+    bool eight_bits = false;  // a deeper file that holds only 8-bit values
 };
 
-// The mean step over the border against the steps inside, of the first `channels` channels.
+// Mean step across the border and between inner neighbours, over the first `channels` channels.
 struct SeamMeasures {
     double border = 0;
-    double inside = 0;  // that 99 of 100 columns (or rows) stay below
+    double inside = 0;  // 99th percentile of the inner columns (or rows)
 };
 
-// An image as islands on one background. Black and, of normals, flat count as background, of
-// heights 0 or the middle, within 2.5 / 255.
+// Statistics of an image as islands on one background. Background texels are black or flat
+// (normals), or 0 or the middle (heights), within 2.5 / 255.
 struct IslandMeasures {
     double background = 0;  // share of texels
-    double shore = 0;       // mean step between a texel of it and a neighbour that is none
-    double inside = 0;      // mean step between neighbours that are none, both
-    double plain = 0;       // share of texels in squares of 8 by 8 that are background alone
+    double shore = 0;       // mean step between background and other neighbours
+    double inside = 0;      // mean step between neighbours outside the background
+    double plain = 0;       // share of texels in 8 by 8 squares of only background
 };
 
 class VectorSums {
@@ -79,11 +79,11 @@ private:
     size_t empty_ = 0, unit_ = 0, downward_ = 0, gray_ = 0;
 };
 
-// Slopes of rows as they come, in a window of three.
+// Curl statistics from slopes, in a window of three rows.
 class CurlSums {
 public:
     CurlSums(uint32_t width, uint32_t height, Wrap wrap);
-    void add(const float* row, uint32_t stride, uint32_t channels);  // of a normal map
+    void add(const float* row, uint32_t stride, uint32_t channels);  // row of a normal map
     CurlMeasures measures() const;
 
 private:
@@ -129,12 +129,12 @@ private:
     size_t still_ = 0, one_ = 0, pairs_ = 0;
 };
 
-// Of one channel, both ways.
+// Steps in one channel, along both axes.
 class SeamSums {
 public:
     explicit SeamSums(uint32_t width) : across_u_(width) {}
     void add(const float* row, uint32_t channels, uint32_t channel);
-    // From each column, or row, to the next, the last one over the border.
+    // Sums from each column, or row, to the next; the last entry crosses the border.
     const std::vector<double>& across_u() const { return across_u_; }
     std::vector<double> across_v() const;
 
@@ -152,7 +152,7 @@ public:
 
 private:
     struct Row {
-        std::vector<float> red, green;  // of heights both are the height
+        std::vector<float> red, green;  // for heights, both hold the height
         std::vector<uint8_t> background;
     };
     bool is_background(const float* texel) const;
@@ -160,13 +160,13 @@ private:
 
     Background background_;
     Row above_, here_;
-    std::vector<uint8_t> plain_;  // of the squares that rows come of
+    std::vector<uint8_t> plain_;  // per square of the current 8 rows: only background so far
     size_t rows_ = 0, plain_count_ = 0;
     size_t background_count_ = 0, shore_pairs_ = 0, inside_pairs_ = 0;
     double shore_ = 0, inside_ = 0;
 };
 
-// All of a picture, its rows given one after the other.
+// All statistics of an image; add() takes its rows from the top.
 class Measuring {
 public:
     Measuring(const ImageInfo& info, Wrap wrap);
@@ -174,15 +174,15 @@ public:
 
     size_t not_finite() const { return not_finite_; }
     VectorMeasures vectors() const { return vectors_.measures(texels()); }
-    // `made_z`: of the z that makes red and green unit, whatever blue holds.
+    // `made_z`: use the z reconstructed from red and green instead of blue.
     CurlMeasures curl(bool made_z) const { return (made_z ? made_curl_ : curl_).measures(); }
-    OffsetMeasures offset() const {  // of 8 bits
+    OffsetMeasures offset() const {  // 8-bit images only
         return offset_.measures(texels());
     }
     StepMeasures steps(uint32_t channel) const { return steps_.at(channel).measures(); }
     SeamMeasures seam(uint32_t channels, bool across_u) const;
     IslandMeasures islands(bool of_normals) const;
-    bool is_one_value() const {  // of the first channel
+    bool is_one_value() const {  // in the first channel
         return lowest_ == highest_;
     }
 
@@ -195,9 +195,9 @@ private:
     VectorSums vectors_;
     CurlSums curl_, made_curl_;
     OffsetSums offset_;
-    std::vector<StepSums> steps_;  // of red and green
+    std::vector<StepSums> steps_;  // red and green
     std::vector<SeamSums> seams_;
-    std::vector<IslandSums> islands_;  // of heights, and one of normals
+    std::vector<IslandSums> islands_;  // two for heights, one for normals
     float lowest_ = INFINITY, highest_ = -INFINITY;
 };
 

@@ -34,7 +34,7 @@ void transform_rows(Plane& plane, bool inverse) {
     });
 }
 
-// Some columns at a time: their values stand side by side in memory.
+// Transforms a group of columns at a time, as their values are adjacent in memory.
 void transform_columns(Plane& plane, bool inverse) {
     constexpr uint32_t at_once = 16;
     const uint32_t groups = (plane.width + at_once - 1) / at_once, height = plane.height;
@@ -60,8 +60,8 @@ float finite(float value) {
     return std::isfinite(value) ? value : 0;
 }
 
-// du as the real part, dv as the imaginary one: one transform serves both. An even height has odd
-// slopes across its mirror.
+// Packs du as the real and dv as the imaginary part: one transform serves both. The slopes of an
+// even height change sign across its mirror axis.
 Plane extended(const std::vector<float>& du, const std::vector<float>& dv, uint32_t width,
                uint32_t height, Wrap wrap) {
     const uint32_t times = wrap == Wrap::repeat ? 1 : 2;
@@ -93,8 +93,8 @@ std::vector<Wave> waves(uint32_t count) {
     return table;
 }
 
-// The filter turns a wave into i f times itself, f = sin of its angle along the slope times
-// (1 + cos) / 2 of the one across.
+// The filter multiplies a wave by i f, with f = sin of its angle along the slope times
+// (1 + cos) / 2 of the angle across. Solves the damped least-squares equation for one wave.
 Complex height_of_wave(Complex du, Complex dv, const Wave& x, const Wave& y) {
     const float fu = x.sine * (1 + y.cosine) / 2, fv = y.sine * (1 + x.cosine) / 2;
     const float laplacian = 4 - 2 * x.cosine - 2 * y.cosine;
@@ -103,8 +103,8 @@ Complex height_of_wave(Complex du, Complex dv, const Wave& x, const Wave& y) {
     return Complex(0, -1) * (fu * du + fv * dv) / weight;
 }
 
-// From Z = U + iV, of real u and v: U = (Z(k) + conj Z(-k)) / 2, V = (Z(k) - conj Z(-k)) / 2i. A
-// wave and its opposite are done together, as each needs the other.
+// Separates Z = U + iV, of real u and v: U = (Z(k) + conj Z(-k)) / 2, V = (Z(k) - conj Z(-k)) / 2i.
+// A wave and its opposite are processed together, as each needs the other.
 void solve(Plane& plane) {
     const std::vector<Wave> across = waves(plane.width), up = waves(plane.height);
     const auto one = [&](Complex here, Complex there, uint32_t x, uint32_t y) {

@@ -1,14 +1,14 @@
-// The height that slopes belong to.
+// Integrates slopes to a height.
 //
-// Least squares: of all heights h the one whose slopes (map.h's filter) are nearest to those given.
-// It solves a Poisson equation by Fourier transforms, of the picture itself where it repeats and of
-// its even extension where it clamps. The slopes of a height give that height again, but for its
-// mean, which no slope knows and which is made 0, and for what the filter does not see: ripples of
-// two texels. They are damped: a penalty of 1e-4 on the squared Laplacian takes 4e-4 off a ripple
-// of four texels, and keeps noise of two from growing without bound.
+// Least squares: finds the height h with slopes (map.h's filter) nearest to the given ones. Solves
+// a Poisson equation by Fourier transforms, of the image itself (repeat) or of its even extension
+// (clamp). The slopes of a height yield that height again, except for its mean, which is set to 0,
+// and for ripples of two texels, to which the filter does not respond. These are damped: a penalty
+// of 1e-4 on the squared Laplacian reduces a ripple of four texels by 4e-4 of its height, and
+// bounds noise with a period of two texels.
 //
-// Slopes that no height has (curl) come out as the nearest that one has. With a mean slope that is
-// not zero a repeating map has no height: the mean is left out.
+// Non-integrable slopes (with curl) yield the height with the nearest slopes. A repeating height
+// has zero mean slope, so a mean slope is dropped for Wrap::repeat.
 #pragma once
 
 #include <cstdint>
@@ -18,8 +18,8 @@
 
 namespace wrinkle::maps {
 
-// du and dv row by row, per texel; NaN and infinities count as 0. Takes 8 bytes for each texel
-// where it repeats and 32 where it clamps.
+// du and dv row by row, per texel; NaN and infinities count as 0. Needs 8 bytes per texel for
+// Wrap::repeat and 32 for Wrap::clamp.
 std::vector<float> height_of_slopes(std::vector<float> du, std::vector<float> dv, uint32_t width,
                                     uint32_t height, Wrap wrap);
 

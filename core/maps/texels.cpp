@@ -15,7 +15,7 @@ void six_channels(const float* heights, const float* du, const float* dv, uint32
                   float* out) {
     for (uint32_t x = 0; x < count; ++x, out += 6) {
         const float ds = du[x], dt = -dv[x];
-        out[0] = heights ? heights[x] : -1;  // as OpenImageIO for normals, which know none
+        out[0] = heights ? heights[x] : -1;  // as OpenImageIO writes it for normal maps
         out[1] = ds;
         out[2] = dt;
         out[3] = ds * ds;
@@ -106,7 +106,7 @@ void encode(const Target& target, const Stored& stored, const float* means, size
     const bool integers = holds_integers(target);
     for (size_t i = 0; i < count; ++i, means += from, out += channels)
         for (uint32_t c = 0; c < channels; ++c) {
-            const float value = c < from ? means[c] : 0;  // a third channel is flat
+            const float value = c < from ? means[c] : 0;  // a third channel is constant 0
             out[c] = integers ? (value - stored.offset) / stored.scale : value;
         }
 }

@@ -1,5 +1,4 @@
-// The texels of a map to be written: first the numbers that mip levels are means of, then what a
-// file holds.
+// Texels of a map to be written: the numbers that mip levels average, and their encoding in a file.
 #pragma once
 
 #include <string>
@@ -11,24 +10,24 @@
 
 namespace wrinkle::maps {
 
-// How integers stand for values: value = offset + scale t. Floats are values.
+// Encoding of integers: value = offset + scale t. Floats hold the value.
 struct Stored {
     float scale = 1;
     float offset = 0;
 };
 
-// Height 1, normal and derivative 2, moments 3, slopes 6.
+// Returns the averaged numbers per texel: height 1, normal and derivative 2, moments 3, slopes 6.
 uint32_t mean_channels(Kind kind);
 
-// Of a derivative R and G, and B, which is flat, where a format holds no pairs.
+// A derivative map has R and G, and a constant B unless the format supports two channels (`pairs`).
 std::vector<std::string> file_channel_names(const Target& target, bool pairs);
 
-// One row of the numbers that are averaged: the height, or du and dv, or what is made of them.
+// Writes one row of the averaged numbers: the height, or du and dv, or values computed from these.
 void mean_row(const Rows& rows, const Target& target, uint32_t y, float* out);
 
-// `count` texels as a file of so many channels holds them.
+// Encodes `count` texels for a file with `channels` channels.
 void encode(const Target& target, const Stored& stored, const float* means, size_t count,
             uint32_t channels, float* out);
-bool is_plain(const Target& target, uint32_t channels);  // encode() would change nothing
+bool is_plain(const Target& target, uint32_t channels);  // true if encode() is a copy
 
 }  // namespace wrinkle::maps

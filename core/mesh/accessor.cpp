@@ -11,13 +11,14 @@ namespace {
 using tinygltf::Accessor;
 using tinygltf::Model;
 
-// Elements of `size` bytes, `stride` apart.
+// Array of elements of `size` bytes; `stride` bytes from one element to the next.
 struct Bytes {
     const unsigned char* first = nullptr;  // null: all zero
     size_t stride = 0;
 };
 
-// Of an accessor that stands for zeros: a short file must not ask for gigabytes.
+// Maximum element count of an accessor without a buffer view (all zeros). The limit prevents a
+// short file from requesting gigabytes.
 constexpr size_t max_without_bytes = size_t{1} << 20;
 
 std::string name_of(const char* what, int index) {
@@ -30,7 +31,8 @@ const T* find(const std::vector<T>& list, int index) {
     return &list[static_cast<size_t>(index)];
 }
 
-// The elements lie within the view and the view within its buffer, or `why` is set.
+// Returns the address of element 0 and the stride. Sets `why` if the elements are outside the view
+// or the view is outside its buffer.
 Bytes locate(const Model& model, int view_index, uint64_t offset, uint64_t count, uint64_t size,
              std::string& why) {
     const auto* view = find(model.bufferViews, view_index);
@@ -92,7 +94,7 @@ uint32_t index_at(const unsigned char* at, int type) {
     }
 }
 
-// 0 for a type that has no place in a mesh.
+// Returns 0 for a component type that no mesh attribute uses.
 uint64_t size_of_component(int type) {
     switch (type) {
         case TINYGLTF_COMPONENT_TYPE_BYTE:

@@ -1,4 +1,4 @@
-// Meshes moved and put together.
+// Transforms and appends meshes.
 #pragma once
 
 #include <glm/mat4x4.hpp>
@@ -7,12 +7,13 @@
 
 namespace wrinkle {
 
-// Positions by M, normals by cof(M) and its sign, tangents by M; where M mirrors, triangles and
-// tangent.w turn round, so that outside stays outside. A normal or tangent that M makes zero stays.
+// Transforms positions by M, normals by cof(M) times the sign of det(M), tangents by M. If M
+// mirrors, the corner order of triangles and tangent.w are reversed, so that the outside stays
+// outside. Normals and tangents that M maps to zero are unchanged.
 void transform(Mesh& mesh, const glm::dmat4& m);
 
-// Afterwards the mesh has every attribute that one of the two had; the other's vertices get uv
-// (0, 0), colour white, and a tangent at right angles to their normal with w = 1.
+// Appends `part` to `mesh`. The result has every attribute that at least one of them has; vertices
+// that lack it get uv (0, 0), white, or a tangent perpendicular to their normal with w = 1.
 void append(Mesh& mesh, const Mesh& part);
 
 }  // namespace wrinkle

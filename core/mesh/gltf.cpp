@@ -17,7 +17,7 @@
 namespace wrinkle {
 namespace {
 
-// Extensions that change how something looks but not where vertices are.
+// Returns true for extensions that do not change vertex positions.
 bool is_harmless(const std::string& extension) {
     for (const char* prefix : {"KHR_materials_", "KHR_texture_", "EXT_texture_", "KHR_lights_",
                                "KHR_mesh_quantization", "KHR_xmp"})
@@ -41,12 +41,12 @@ glm::dmat4 matrix_of(const tinygltf::Node& node) {
     return m;
 }
 
-bool has_triangles(int mode) {  // not points and lines; absent is a list
+bool has_triangles(int mode) {  // false for points and lines; an absent mode is a list
     return mode < 0 || mode == TINYGLTF_MODE_TRIANGLES || mode == TINYGLTF_MODE_TRIANGLE_STRIP ||
            mode == TINYGLTF_MODE_TRIANGLE_FAN;
 }
 
-// Lists, strips and fans as lists.
+// Converts triangle lists, strips and fans to a list.
 void list_triangles(int mode, const std::vector<uint32_t>& in, std::vector<uint32_t>& out) {
     if (mode == TINYGLTF_MODE_TRIANGLES || mode < 0) {
         out.assign(in.begin(), in.begin() + static_cast<std::ptrdiff_t>(in.size() / 3 * 3));
@@ -108,7 +108,8 @@ private:
         }
     }
 
-    // Of the default scene, the first one, or the nodes that are nobody's child.
+    // Returns the root nodes of the default scene; else of the first scene; else all nodes without
+    // a parent.
     std::vector<int> roots() const {
         const auto wanted = static_cast<size_t>(std::max(model_.defaultScene, 0));
         if (wanted < model_.scenes.size()) return model_.scenes[wanted].nodes;
@@ -160,7 +161,7 @@ private:
         return !part.indices.empty();
     }
 
-    // Absent attributes stay empty; colours may have three components.
+    // Leaves `out` empty if the attribute is absent. Colours may have three components.
     template <typename Vector>
     bool read_vector(const tinygltf::Primitive& primitive, const std::string& name,
                      std::vector<Vector>& out, int least) {
@@ -169,7 +170,7 @@ private:
         std::string why;
         const auto floats = read_floats(model_, found->second, limits_.max_corners, why);
         if (!floats) return error(name + ": " + why), false;
-        // Many nodes may show one mesh; each reads it anew.
+        // Several nodes may reference one mesh, and each reads it again: limit the total.
         elements_read_ += floats->count;
         if (elements_read_ > 16 * limits_.max_corners)
             return error("more than " + std::to_string(limits_.max_corners) + " vertices",

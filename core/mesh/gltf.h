@@ -1,4 +1,4 @@
-// glTF 2.0; what is read of it and how is said in mesh/load.h.
+// Reader for glTF 2.0; mesh/load.h lists the supported features.
 #pragma once
 
 #include <optional>
@@ -8,7 +8,8 @@
 
 namespace wrinkle {
 
-// The triangles of the default scene; every primitive has normals, and tangents where it has uv0.
+// Returns the triangles of the default scene with normals on every primitive, and tangents on those
+// that have uv0. Returns std::nullopt and appends diagnostics on failure.
 std::optional<Mesh> read_gltf(std::string_view bytes, const std::filesystem::path& path,
                               const MeshFileOptions& options, Diagnostics& diagnostics);
 

@@ -8,7 +8,7 @@ namespace wrinkle {
 namespace fs = std::filesystem;
 namespace {
 
-// The library turns `extras` into values by recursion.
+// tinygltf converts `extras` by recursion, so the nesting depth is limited.
 constexpr int max_depth = 64;
 constexpr size_t glb_header = 12;
 constexpr size_t chunk_header = 8;
@@ -36,7 +36,8 @@ uint32_t number_at(std::string_view bytes, size_t at) {
     return value;
 }
 
-// The JSON text of either form; "" with the reason when a .glb's lengths do not fit its bytes.
+// Returns the JSON text of a .gltf or .glb; "" and sets `why` if the lengths in a .glb do not fit
+// its size.
 std::string_view json_of(std::string_view bytes, std::string& why) {
     if (!bytes.starts_with("glTF")) return bytes;
     if (bytes.size() < glb_header + chunk_header) {
@@ -61,13 +62,14 @@ std::string_view json_of(std::string_view bytes, std::string& why) {
     return bytes.substr(glb_header + chunk_header, json);
 }
 
-// What tinygltf may read: files below the mesh's folder or the root, up to the limit in all.
+// File access of tinygltf: only files below the mesh's folder or the root, up to `bytes_left` bytes
+// in total.
 struct FileGate {
     const fs::path folder;
     const fs::path root;
     uint64_t bytes_left;
     std::vector<fs::path>* taken;
-    std::string refused;  // the first problem, a sentence
+    std::string refused;  // the first problem, one sentence
 
     bool is_picture(const fs::path& path) const {
         const std::string type = path.extension().string();
@@ -128,7 +130,7 @@ bool skip_image(tinygltf::Image*, const int, std::string*, std::string*, int, in
     return true;
 }
 
-// The library's sentences on one line.
+// Replaces control characters by spaces and truncates to 300 characters.
 std::string one_line(std::string text) {
     while (!text.empty() && (text.back() == '\n' || text.back() == ' '))
         text.pop_back();

@@ -1,5 +1,5 @@
-// A glTF file as tinygltf's model, read so that no file can do harm: nesting, lengths and external
-// files are checked before and while the library reads, images are left alone, nothing is thrown.
+// Parses a glTF file into a tinygltf model. Safe for untrusted files: nesting, lengths and external
+// files are checked before and during parsing, images are not read, no exception leaves.
 #pragma once
 
 #include <tiny_gltf.h>
@@ -10,7 +10,7 @@
 
 namespace wrinkle {
 
-// False with one error that names the file.
+// Returns false and appends one error that names the file on failure.
 bool read_gltf_file(std::string_view bytes, const std::filesystem::path& path,
                     const MeshFileOptions& options, tinygltf::Model& model,
                     Diagnostics& diagnostics);

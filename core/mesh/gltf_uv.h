@@ -1,4 +1,4 @@
-// KHR_texture_transform: which uv sets of a primitive a material moves, and how.
+// KHR_texture_transform: uv transforms that a material applies to the uv sets of a primitive.
 #pragma once
 
 #include <tiny_gltf.h>
@@ -10,8 +10,8 @@
 
 namespace wrinkle {
 
-// uv' = offset + R(rotation) (scale uv) in glTF's coordinates, v downwards; R turns by
-// (cos, sin; -sin, cos), which is counter-clockwise as one sees it.
+// uv' = offset + R(rotation) (scale uv) in glTF's coordinates, v downwards. R rotates by
+// (cos, sin; -sin, cos), which is counter-clockwise on screen.
 struct UvTransform {
     glm::dvec2 offset{0};
     glm::dvec2 scale{1};
@@ -24,7 +24,7 @@ struct UvTransform {
 
 struct UvTransforms {
     std::array<std::optional<UvTransform>, max_uv_sets> sets;
-    bool differ = false;  // two textures want one set in two ways; the first of them has it
+    bool differ = false;  // two textures transform one set differently; the first one is used
 };
 
 UvTransforms uv_transforms(const tinygltf::Model& model, int material);

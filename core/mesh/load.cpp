@@ -14,7 +14,7 @@ namespace wrinkle {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr float farthest = 1e15F;  // beyond it squares of squares leave the range of float
+constexpr float farthest = 1e15F;  // squares of coordinates fit into float
 
 void error(const fs::path& path, std::string message, std::string expected,
            Diagnostics& diagnostics) {
@@ -33,7 +33,7 @@ bool all_finite(const std::vector<T>& values) {
     return true;
 }
 
-// "" when the mesh can be drawn.
+// Returns "" if the mesh can be drawn, else the problem.
 std::string problem_of(const Mesh& mesh) {
     if (!all_finite(mesh.positions)) return "a position is no finite number";
     for (size_t set = 0; set < max_uv_sets; ++set)

@@ -1,29 +1,28 @@
-// Mesh files: Wavefront OBJ and glTF 2.0 (.gltf with its .bin files or data URIs, and .glb).
+// Loads mesh files: Wavefront OBJ and glTF 2.0 (.gltf with .bin files or data URIs, and .glb).
 //
-// The first bytes decide the format: "glTF" is a .glb, '{' a .gltf, anything else an OBJ. The
-// result is one mesh in object space with finite values, unit normals and, where it has uv0,
-// tangents:
+// The first bytes select the format: "glTF" is a .glb, '{' a .gltf, anything else an OBJ. The
+// result is one mesh in object space with finite values, unit normals and, if it has uv0, tangents:
 //
-//   OBJ   v (with r g b behind x y z: color0), vt, vn, f; all objects and groups become one mesh.
-//         Other statements are skipped, materials too.
-//   glTF  The triangles (lists, strips, fans) of the default scene, every node's mesh in the place
-//         its transform gives it, so object space is the scene's. TEXCOORD_0 to 3, COLOR_0, sparse
-//         and quantised accessors. Skins and morph targets stay in the pose that is stored. v is
-//         turned over, v' = 1 - v, and tangent.w is kept. A primitive's uv sets go through the
-//         KHR_texture_transform of its material: of the first texture that reads a set, in the
-//         order normal, base colour, metallic-roughness, occlusion, emissive. Its tangents are made
-//         anew where that transform turns or mirrors uv0. Images are never read.
+//   OBJ   v (optional r g b after x y z: color0), vt, vn, f. All objects and groups form one mesh.
+//         Other statements, including materials, are skipped.
+//   glTF  Triangles (lists, strips, fans) of the default scene, transformed by their nodes: object
+//         space is scene space. TEXCOORD_0 to 3, COLOR_0, sparse and quantised accessors.
+//         Skins and morph targets stay in the stored pose. v is flipped, v' = 1 - v; tangent.w is
+//         unchanged. The uv sets of a primitive are transformed by the KHR_texture_transform of its
+//         material: that of the first texture that reads a set, in the order normal, base colour,
+//         metallic-roughness, occlusion, emissive. Tangents are generated again if that transform
+//         rotates or mirrors uv0. Images are not read.
 //
-// Faces of more than three corners are cut into triangles. Where primitives or faces differ in
-// attributes the mesh has them all: a missing uv is (0, 0), a missing colour white. Missing
-// normals, and those that are zero or no numbers, become smooth ones (mean over the corners that
-// share a position, weighted by angle); missing tangents are made (mesh/tangents.h). Faces without
-// area and edges of more than two faces are kept; they are drawn as they are.
+// Faces of more than three corners are triangulated. If primitives or faces have different
+// attributes, the mesh has all of them: a missing uv is (0, 0), a missing colour white. Missing,
+// zero and non-finite normals are replaced by smooth ones (mean over the corners that share a
+// position, weighted by angle); missing tangents are generated (mesh/tangents.h). Faces without
+// area and edges of more than two faces are retained and drawn.
 //
-// Errors name the file (an OBJ's line and column), what was found and what would help: unreadable
-// or truncated files, indices out of range, positions, uvs or colours that are no finite numbers,
-// coordinates beyond 1e15, nothing to draw, external files that are neither below the mesh's folder
-// nor below `root`, extensions that are required and unknown, files over the limits.
+// Errors name the file (for an OBJ also line and column), the problem and a hint. Causes:
+// unreadable or truncated files, indices out of range, non-finite positions, uvs or colours,
+// coordinates beyond 1e15, nothing to draw, external files outside both the mesh's folder and
+// `root`, unknown required extensions, files over the limits.
 #pragma once
 
 #include <cstdint>
@@ -43,16 +42,16 @@ struct MeshLimits {
 };
 
 struct MeshFileOptions {
-    std::filesystem::path root;  // "": the mesh's folder alone
+    std::filesystem::path root;  // "": only the mesh's folder is allowed
     MeshLimits limits;
-    std::vector<std::filesystem::path>* read = nullptr;  // takes the external files too
-    bool* double_sided = nullptr;  // takes whether a glTF's material is `doubleSided`
+    std::vector<std::filesystem::path>* read = nullptr;  // output: paths of the external files
+    bool* double_sided = nullptr;  // output: a used glTF material is `doubleSided`
 };
 
 std::optional<Mesh> load_mesh(const std::filesystem::path& path, const MeshFileOptions& options,
                               Diagnostics& diagnostics);
 
-// The same for bytes in memory; `path` names them in messages, external files lie beside it.
+// Loads from memory. `path` names the mesh in messages; external files are relative to its folder.
 std::optional<Mesh> load_mesh_bytes(std::string_view bytes, const std::filesystem::path& path,
                                     const MeshFileOptions& options, Diagnostics& diagnostics);
 

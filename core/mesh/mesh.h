@@ -1,16 +1,17 @@
 // A mesh: indexed triangles over parallel vertex arrays.
 //
-// Everything is in object space, right-handed; uv origin bottom left. `positions` sets the number
-// of vertices; every other array is empty (the mesh has no such attribute) or has that size. Seen
-// from the side its normal points to, a triangle's corners run counter-clockwise.
+// All data is in object space, right-handed; the uv origin is bottom left. `positions` sets the
+// number of vertices; every other array has the same size, or is empty if the mesh lacks the
+// attribute. Seen from the side that the normal points to, the corners of a triangle run
+// counter-clockwise.
 //
-// `normals` are unit, tangents too: xyz along increasing u of uv0, at right angles to the normal,
-// w = +1 or -1 so that w * cross(normal, tangent) runs along increasing v. Interpolate normal and
-// tangent as they are and build the bitangent from the interpolated vectors, neither normalised:
-// that is MikkTSpace's convention.
+// `normals` and `tangents` are unit. Tangent xyz points along increasing u of uv0, perpendicular to
+// the normal; w = +1 or -1 so that w * cross(normal, tangent) points along increasing v.
+// MikkTSpace's convention: interpolate normal and tangent without normalising them, and compute the
+// bitangent from the interpolated vectors.
 //
-// `displaced` is where a displaced surface is drawn. Everything else, `positions` too, stays that
-// of the surface before: a material is made there.
+// `displaced` holds the positions at which a displaced surface is drawn. All other arrays,
+// including `positions`, describe the undisplaced surface, on which materials are evaluated.
 #pragma once
 
 #include <array>
@@ -49,9 +50,9 @@ struct Bounds {
     glm::vec3 center() const { return (low + high) * 0.5F; }
 };
 
-Bounds bounds_of(const Mesh& mesh);  // of what is drawn of triangles; zero for none
+Bounds bounds_of(const Mesh& mesh);  // box of the drawn positions of all triangles; zero if empty
 
-// Appends a copy of vertex `index` with all attributes the mesh has; returns its number.
+// Appends a copy of vertex `index` with all attributes of the mesh; returns its index.
 uint32_t copy_vertex(Mesh& mesh, uint32_t index);
 
 }  // namespace wrinkle

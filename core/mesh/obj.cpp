@@ -11,9 +11,9 @@ namespace wrinkle {
 namespace {
 
 constexpr uint32_t none = UINT32_MAX;
-constexpr size_t max_problems = 20;  // a wrong file has them on every line
+constexpr size_t max_problems = 20;  // a corrupt file has one in every line
 
-// A corner of a face: which position, uv and normal.
+// A face corner: indices of position, uv and normal.
 using Corner = std::array<uint32_t, 3>;
 
 struct CornerHash {
@@ -42,7 +42,7 @@ public:
     }
 
 private:
-    // Up to the end of the line; a backslash before it goes on with the next one.
+    // Returns the next line; a backslash at the end of a line continues it.
     std::string_view next_line() {
         line_ += skipped_ + 1;
         skipped_ = 0;
@@ -83,7 +83,7 @@ private:
             read_face(line);
     }
 
-    // Up to `most` numbers; how many there were. Words after a '#' are a comment.
+    // Reads up to N numbers and returns their count. Words after '#' are a comment.
     template <size_t N>
     size_t read_numbers(std::string_view line, std::array<float, N>& values, size_t least,
                         const char* statement) {
@@ -135,7 +135,7 @@ private:
         normals_.emplace_back(v[0], v[1], v[2]);
     }
 
-    // "3" counts from the first of the file, "-1" is the last so far.
+    // 1-based index; negative indices count back from the last element, -1.
     bool read_index(std::string_view word, size_t count, const char* what, uint32_t& index) {
         int64_t value = 0;
         const char* end = word.data() + word.size();
@@ -238,14 +238,14 @@ private:
     const std::string& file_;
     const MeshLimits& limits_;
     Diagnostics& diagnostics_;
-    const char* begin_ = nullptr;  // of the line
+    const char* begin_ = nullptr;  // start of the line
     uint32_t line_ = 0, skipped_ = 0;
     size_t problems_ = 0;
     std::vector<glm::vec3> positions_, normals_;
     std::vector<glm::vec2> uvs_;
     std::vector<glm::vec4> colors_;
     bool any_color_ = false;
-    std::vector<Corner> corners_;  // of the mesh's vertices
+    std::vector<Corner> corners_;  // one per vertex of the mesh
     std::unordered_map<Corner, uint32_t, CornerHash> vertices_;
     Mesh mesh_;
 };

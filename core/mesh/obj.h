@@ -1,4 +1,4 @@
-// Wavefront OBJ text; what is read of it and how is said in mesh/load.h.
+// Reader for Wavefront OBJ; mesh/load.h lists the supported statements.
 #pragma once
 
 #include <optional>
@@ -9,7 +9,8 @@
 
 namespace wrinkle {
 
-// The mesh as the file has it: normals of corners without one are zero. `file` is for messages.
+// Returns the mesh as stored; normals of corners without one are zero. `file` is used in messages.
+// Returns std::nullopt and appends diagnostics on failure.
 std::optional<Mesh> read_obj(std::string_view text, const std::string& file,
                              const MeshLimits& limits, Diagnostics& diagnostics);
 

@@ -10,7 +10,7 @@ namespace {
 using glm::dvec2;
 using glm::dvec3;
 
-constexpr size_t max_ears = 256;  // the time to find them grows with the third power
+constexpr size_t max_ears = 256;  // ear clipping is O(n^3)
 
 // Twice the area vector: the sum of the cross products along the border (Newell).
 dvec3 border_normal(std::span<const glm::vec3> positions) {
@@ -22,7 +22,7 @@ dvec3 border_normal(std::span<const glm::vec3> positions) {
     return sum;
 }
 
-// Along the axis that the normal is nearest to, so that the polygon keeps its sense of rotation.
+// Projects along the coordinate axis nearest to the normal; the polygon keeps its orientation.
 std::vector<dvec2> flattened(std::span<const glm::vec3> positions) {
     const dvec3 normal = border_normal(positions);
     const dvec3 size = glm::abs(normal);
@@ -39,7 +39,7 @@ double turn(dvec2 a, dvec2 b, dvec2 c) {
     return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
 
-// One turn at most, all corners to the left.
+// Returns true if no corner turns right and the border winds around once at most.
 bool is_convex(const std::vector<dvec2>& p) {
     const size_t n = p.size();
     for (size_t i = 0; i < n; ++i)
@@ -84,7 +84,7 @@ private:
     size_t find_ear() const {
         for (size_t i = 1; i <= left_.size(); ++i)
             if (is_ear(i % left_.size())) return i % left_.size();
-        return 1;  // it crosses itself
+        return 1;  // no ear: the polygon crosses itself
     }
 
     const std::vector<dvec2>& points_;

@@ -1,4 +1,4 @@
-// Polygons of any number of corners, cut into triangles.
+// Triangulates polygons with any number of corners.
 #pragma once
 
 #include <cstdint>
@@ -8,10 +8,10 @@
 
 namespace wrinkle {
 
-// Appends three of `corners` per triangle, n - 2 triangles, in the polygon's own sense of rotation.
-// positions[i] belongs to corners[i]. Convex polygons become a fan of their first corner; others
-// lose one ear after the other in the plane of their mean normal. What crosses itself or has no
-// area gives triangles all the same; so does a concave polygon of more than 256 corners, as a fan.
+// Appends three of `corners` per triangle, n - 2 triangles, with the orientation of the polygon.
+// positions[i] belongs to corners[i]. Convex polygons, and concave ones of more than 256 corners,
+// become a fan of the first corner; others are ear-clipped in the plane of their mean normal.
+// Polygons that cross themselves or have no area also yield n - 2 triangles.
 void append_triangles(std::span<const glm::vec3> positions, std::span<const uint32_t> corners,
                       std::vector<uint32_t>& indices);
 

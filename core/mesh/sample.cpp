@@ -12,7 +12,7 @@ namespace {
 using glm::dvec2;
 using glm::dvec3;
 
-// Away from the uv box of the triangle by more than the slack of find_cover could bridge.
+// Returns true if uv is outside the triangle's uv box by more than the slack of find_cover().
 bool is_far(const Mesh& mesh, size_t triangle, dvec2 uv) {
     const uint32_t* corners = mesh.indices.data() + 3 * triangle;
     const auto& uvs = mesh.uvs[0];
@@ -37,11 +37,12 @@ struct Cover {
     UvTriangle map;
 };
 
-// Rounding may leave a sliver between two triangles, so the nearest one counts when it is this
-// near.
+// Rounding may leave a gap between two triangles; a triangle this near (in barycentric weight)
+// counts as covering.
 constexpr double slack = 1e-6;
 
-// Among the triangles nth(0) to nth(count - 1), in the mesh's order.
+// Returns the first of the triangles nth(0) to nth(count - 1) that covers uv; else the nearest one
+// within `slack`; else std::nullopt.
 template <class Nth>
 std::optional<Cover> find_cover(const Mesh& mesh, size_t count, Nth nth, dvec2 uv) {
     std::optional<Cover> near;

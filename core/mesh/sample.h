@@ -1,10 +1,10 @@
-// The surface point of a mesh at a uv of its set 0.
+// The surface point of a mesh at a uv of set 0.
 //
-// Attributes are interpolated over the triangle that covers the uv, as a rasteriser does: nothing
-// is normalised. dx and dy are the change of each attribute over one texel of a size * size layout
-// of uv0: du = 1 / size for dx, dv = 1 / size for dy, within the plane of that triangle. uv0 is not
-// interpolated: it is the uv itself, its dx exactly (1 / size, 0), its dy (0, 1 / size). Attributes
-// that the mesh lacks are absent in `has` and zero.
+// Attributes are interpolated over the triangle that covers the uv, as in a rasteriser, without
+// normalisation. dx and dy are differentials of each attribute over one texel of a size * size
+// layout of uv0 (du = 1 / size for dx, dv = 1 / size for dy) in the plane of that triangle. uv0 is
+// the given uv, with dx exactly (1 / size, 0) and dy (0, 1 / size). Attributes that the mesh lacks
+// are false in `has` and zero.
 #pragma once
 
 #include <array>
@@ -43,13 +43,14 @@ struct SurfacePoint {
     uint32_t triangle = 0;
 };
 
-// Several triangles may cover the uv (they overlap, or it lies on an edge): the first one counts.
-// The uv is not wrapped. Errors: no uv0, size 0, no triangle with area in uv covers it.
+// Returns the point of the first triangle that covers the uv, if several do (overlap, shared edge).
+// The uv is not wrapped. Returns std::nullopt and appends an error if the mesh has no uv0, size is
+// 0 or no triangle with uv area covers the uv.
 std::optional<SurfacePoint> sample_mesh(const Mesh& mesh, glm::dvec2 uv, uint32_t size,
                                         Diagnostics& diagnostics);
 
-// The same of one place after the other, by a grid of the mesh: nothing where no triangle covers
-// the uv. The mesh has uv0, the size is at least 1.
+// The same for many lookups, accelerated by a grid. Returns std::nullopt if no triangle covers the
+// uv. Preconditions: the mesh has uv0, size >= 1.
 std::optional<SurfacePoint> sample_mesh(const Mesh& mesh, const UvGrid& grid, glm::dvec2 uv,
                                         uint32_t size);
 

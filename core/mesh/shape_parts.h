@@ -1,4 +1,4 @@
-// What the built-in shapes are made of: vertices with a frame, and grids of them.
+// Building blocks of the built-in shapes: vertices with a tangent frame, and grids of them.
 #pragma once
 
 #include "mesh/mesh.h"
@@ -12,11 +12,11 @@ struct ShapeVertex {
     glm::vec2 uv;
 };
 
-// Adds color0 white and uv1 as shapes.h says; returns the vertex's number.
+// Adds a vertex with color0 white and uv1 as defined in shapes.h; returns its index.
 uint32_t add_vertex(Mesh& mesh, const ShapeVertex& vertex);
 void add_triangle(Mesh& mesh, uint32_t a, uint32_t b, uint32_t c);
 
-// A grid of columns * rows quads; `vertex(i, j)` for 0 <= i <= columns, 0 <= j <= rows.
+// Adds a grid of columns * rows quads; calls `vertex(i, j)` for 0 <= i <= columns, 0 <= j <= rows.
 template <typename F>
 void add_grid(Mesh& mesh, int columns, int rows, F vertex) {
     const auto first = static_cast<uint32_t>(mesh.vertex_count());

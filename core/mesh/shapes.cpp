@@ -16,7 +16,7 @@ using glm::vec3;
 constexpr int around = 128;  // segments of a full circle; even, so that the front has a vertex
 constexpr double pi = std::numbers::pi;
 
-// Sine and cosine of step / steps of a turn, exactly periodic: seams close to the last bit.
+// Sine and cosine of step / steps of a turn, exactly periodic: seams match bit by bit.
 struct Turn {
     double sin, cos;
 };
@@ -26,7 +26,7 @@ Turn turn(double step, int steps) {
     return {std::sin(angle), std::cos(angle)};
 }
 
-// Longitude with the seam at -z: u = 0.5 looks along +z, increasing u turns towards +x.
+// Longitude with the seam at -z: u = 0.5 faces +z, increasing u turns towards +x.
 Turn longitude(double step) {
     const Turn t = turn(step, around);
     return {-t.sin, -t.cos};
@@ -41,7 +41,7 @@ ShapeVertex sphere_vertex(double column, int row, int rows) {
             vec2(column / around, static_cast<double>(row) / rows)};
 }
 
-// One triangle per column from the pole, whose vertex stands in the middle of the column.
+// Adds one triangle per column at each pole; its pole vertex is at the middle of the column.
 void add_sphere_caps(Mesh& mesh, int rows) {
     constexpr auto width = static_cast<uint32_t>(around) + 1;
     const auto top = static_cast<uint32_t>(rows - 2) * width;
@@ -61,7 +61,7 @@ Mesh make_sphere() {
     return mesh;
 }
 
-// A square with the corners center +- tangent +- cross(normal, tangent).
+// Adds a square with the corners center +- tangent +- cross(normal, tangent).
 void add_square(Mesh& mesh, vec3 center, vec3 normal, vec3 tangent, vec2 uv, float uv_side) {
     const vec3 bitangent = glm::cross(normal, tangent);
     add_grid(mesh, 1, 1, [&](int i, int j) {
@@ -92,7 +92,7 @@ Mesh make_cube() {
     return mesh;
 }
 
-// A disc at height y = +-1, facing away from the middle.
+// Adds a disc at height y = +-1 that faces away from the origin.
 void add_disc(Mesh& mesh, float y, vec2 uv_center) {
     constexpr float uv_radius = 0.24F;
     const vec3 normal(0, y, 0);

@@ -23,7 +23,7 @@ class Pass {
 public:
     Pass(Mesh& mesh, float longest) : mesh_(mesh), longest_(longest) {}
 
-    // The triangles after one cut of every long edge.
+    // Splits every long edge once; returns the new index list.
     std::vector<uint32_t> run() {
         const std::vector<uint32_t> old = mesh_.indices;
         for (size_t t = 0; t < old.size(); t += 3)
@@ -42,7 +42,7 @@ private:
             middle[k] = cut(c[k], c[(k + 1) % 3]);
             cuts += middle[k] != none ? 1 : 0;
         }
-        size_t k = 0;  // the corner from which the cut, or before which the uncut, edge runs
+        size_t k = 0;  // start of the only split edge, or end of the only unsplit one
         if (cuts == 0) return add(c[0], c[1], c[2]);
         if (cuts == 1)
             while (middle[k] == none)

@@ -1,16 +1,16 @@
-// Finer triangles for the same surface.
+// Subdivides triangles without changing the surface.
 //
-// Every edge that is longer than `longest` is cut in its middle, again and again; what is there in
-// the middle is the mean of both ends, normals and tangents made unit. Whether an edge is cut
-// depends on its two ends alone, so triangles that share an edge, or lie on both sides of a uv
-// seam, go on fitting. The shape stays: facets stay flat.
+// Every edge longer than `longest` is split at its midpoint, repeatedly. Midpoint attributes are
+// the mean of both ends; normals and tangents are normalised. The split depends only on the two
+// ends of an edge, so triangles that share an edge or a uv seam still match. Facets stay flat.
 #pragma once
 
 #include "mesh/mesh.h"
 
 namespace wrinkle {
 
-// Stops before the mesh has more triangles than `most`; longest <= 0 and NaN leave it alone.
+// Stops before the mesh has more than `most` triangles. longest <= 0 or NaN: returns the mesh
+// unchanged.
 Mesh subdivided(Mesh mesh, float longest, size_t most = 1'000'000);
 
 }  // namespace wrinkle

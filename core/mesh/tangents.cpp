@@ -17,7 +17,7 @@ using glm::dvec2;
 using glm::dvec3;
 
 constexpr uint32_t absent = UINT32_MAX;
-constexpr double smallest_area = 1.17549435e-38;  // of float's normal numbers, as in the reference
+constexpr double smallest_area = 1.17549435e-38;  // smallest normal float, as in the reference
 
 dvec3 in_plane(dvec3 v, dvec3 normal) {
     return unit_or_zero(v - glm::dot(normal, v) * normal);
@@ -25,15 +25,15 @@ dvec3 in_plane(dvec3 v, dvec3 normal) {
 
 struct Triangle {
     std::array<uint32_t, 3> places;                          // welded corners
-    std::array<uint32_t, 3> across{absent, absent, absent};  // over the edge from corner k to k + 1
+    std::array<uint32_t, 3> across{absent, absent, absent};  // across the edge from corner k
     std::array<uint32_t, 3> groups{absent, absent, absent};
     dvec3 along_u{0};       // unit, or zero
-    float sign = -1;        // of the uv area
-    bool joins = true;      // no area in uv: either sign will do
-    bool is_point = false;  // two corners in one point
+    float sign = -1;        // sign of the uv area
+    bool joins = true;      // no area in uv: joins a group of either sign
+    bool is_point = false;  // two corners at the same position
 };
 
-// The corners at one place that share a tangent.
+// The corners at one welded vertex that share a tangent.
 struct Group {
     uint32_t place;
     float sign;
@@ -91,7 +91,7 @@ private:
         triangle.joins = triangle.along_u == dvec3(0) || along_v == dvec3(0);
     }
 
-    // An edge belongs to two triangles at most; of more the first that fit are taken.
+    // Each triangle has at most one neighbour per edge, even if more than two triangles share it.
     void link_neighbours() {
         using Edge = std::tuple<uint32_t, uint32_t, uint32_t, uint32_t>;  // low, high, triangle, k
         std::vector<Edge> edges;
@@ -114,7 +114,7 @@ private:
         return triangles_[triangle].places[k % 3];
     }
 
-    // The i-th of those that run upwards goes with the i-th of those that run downwards.
+    // Links the i-th triangle that runs upwards along the edge to the i-th that runs downwards.
     template <typename Edges>
     void pair_up(Edges edges) {
         const auto is_up = [&](const auto& e) {
@@ -141,7 +141,7 @@ private:
             }
     }
 
-    // Over the two edges that leave the place, as far as the sign stays.
+    // Flood fill from `seed` across the two edges at the welded vertex, over triangles of one sign.
     void grow(uint32_t seed) {
         const auto number = static_cast<uint32_t>(groups_.size() - 1);
         Group& group = groups_.back();
@@ -175,7 +175,7 @@ private:
             const double angle = std::acos(std::clamp(glm::dot(a, b), -1.0, 1.0));
             sum += angle * in_plane(triangle.along_u, normal);
         }
-        // Weights that cancel leave nothing but rounding.
+        // Below this length the contributions cancel and only rounding errors remain.
         const dvec3 mean = glm::length(sum) > 1e-12 ? in_plane(sum, normal) : dvec3(0);
         for (const uint32_t t : group.triangles) {
             dvec3 direction = mean;
@@ -186,7 +186,7 @@ private:
         }
     }
 
-    // A triangle that is no area takes the tangent of the first one that has its place.
+    // Triangles with two equal corners take the first tangent at the welded vertex.
     void lend_to_points(std::vector<glm::vec4>& corners) const {
         std::vector<uint32_t> lender(mesh_.vertex_count(), absent);
         for (uint32_t i = 0; i < corners.size(); ++i) {
@@ -203,7 +203,8 @@ private:
         }
     }
 
-    // A vertex keeps its first corner's tangent; each other one makes a copy.
+    // A vertex keeps the tangent of its first corner; each other tangent creates a copy of the
+    // vertex.
     void assign(const std::vector<glm::vec4>& corners) {
         const size_t count = mesh_.vertex_count();
         std::vector<glm::vec4> tangents(count, glm::vec4(0));

@@ -1,21 +1,20 @@
 // Vertex tangents from uv0: MikkTSpace (Mikkelsen, "Simulation of Wrinkled Surfaces Revisited",
-// 2008, section 3; www.mikktspace.com), with triangles and the customary angular threshold of 180
+// 2008, section 3; www.mikktspace.com), for triangles and with the default angular threshold of 180
 // degrees.
 //
-// Corners of equal position, normal and uv are one place, whatever vertices they belong to. A
-// triangle's tangent is the direction of increasing u on it, its sign that of its uv area. The
-// corners at a place fall into groups: triangles reached from each other over the edges they share,
-// with one sign; two triangles share an edge when they run along it in opposite directions. In a
-// group each triangle projects its tangent on the plane of the normal, and the group's tangent is
-// the mean of these, weighted by the angle of the corner in that plane. w is the group's sign. A
-// vertex whose corners get different tangents is split, so indices and arrays may grow; the order
-// of triangles stays.
+// Corners of equal position, normal and uv are welded. The tangent of a triangle is the direction
+// of increasing u on it; its sign is that of its uv area. The corners at a welded vertex form
+// groups of triangles connected by shared edges and with one sign; two triangles share an edge if
+// they run along it in opposite directions. Each triangle of a group projects its tangent to the
+// plane of the normal; the group's tangent is the mean of these, weighted by the corner angle in
+// that plane. w is the group's sign. A vertex with different tangents at its corners is split, so
+// indices and arrays may grow; the order of triangles is unchanged.
 //
-// A triangle without uv area joins a group of either sign and adds nothing to it. One that has two
-// corners in one point takes the tangent that another triangle has at that place. What is left
-// over, or cancels, gets a unit vector at right angles to the normal, and w = 1 where no sign is
-// known. (There the reference says (1, 0, 0), which may lie along the normal.) Results are finite
-// for any mesh.
+// A triangle without uv area joins a group of either sign and contributes nothing to it. A triangle
+// with two corners at one position takes the tangent of another triangle at that welded vertex. If
+// the mean cancels, each triangle uses its own projected tangent. Remaining corners get a unit
+// vector perpendicular to the normal, and w = 1 if the sign is unknown (the reference uses
+// (1, 0, 0), which may be parallel to the normal). Results are finite for any mesh.
 #pragma once
 
 #include <glm/vec3.hpp>
@@ -24,12 +23,12 @@
 
 namespace wrinkle {
 
-// Replaces the tangents. Needs normals and uv0; without them it does nothing and returns false.
+// Replaces the tangents. Returns false and does nothing if the mesh has no normals or no uv0.
 bool make_tangents(Mesh& mesh);
 
-// Makes tangents where the mesh has uv0 and normals and none; else leaves the mesh alone.
+// Generates tangents if the mesh has uv0 and normals but no tangents; otherwise does nothing.
 void ensure_tangents(Mesh& mesh);
 
-glm::vec3 any_perpendicular(glm::dvec3 normal);  // unit; (1, 0, 0) for no normal
+glm::vec3 any_perpendicular(glm::dvec3 normal);  // unit; (1, 0, 0) for a zero normal
 
 }  // namespace wrinkle

@@ -1,10 +1,11 @@
 // Martin Newell's teapot of 1975, tessellated from its published bicubic Bezier patches (Crow, "The
-// Origins of the Teapot", IEEE CG&A 7(1), 1987), the bottom that was added later included.
+// Origins of the Teapot", IEEE CG&A 7(1), 1987), including the bottom that was added later.
 //
-// 24 of the 32 patches are quarters of surfaces of revolution, so their profiles say it all: the
-// control points of a quarter circle stand at 0.56 of the radius, not at the 0.5523 of the best
-// circle. The other eight are the halves of handle and spout: each row of control points is inner
-// point, inner point and outer point moved aside by a width, outer point.
+// 24 of the 32 patches are quarters of surfaces of revolution and are defined by their profiles.
+// The inner control points of a quarter circle are offset by 0.56 of the radius, not by the 0.5523
+// of the best approximation. The other eight patches are the halves of handle and spout: each row
+// of control points is: inner point, inner point moved sideways by the width, outer point moved
+// sideways by the width, outer point.
 #include <array>
 #include <glm/geometric.hpp>
 
@@ -18,9 +19,9 @@ using glm::dvec3;
 
 constexpr int quarter_columns = 16;
 constexpr double circle_handle = 0.56;
-constexpr double scale = 0.45;  // of the published coordinates
+constexpr double scale = 0.45;  // relative to the published coordinates
 
-// A surface of revolution: its profile's control points (radius, height) from below upwards.
+// A surface of revolution: the control points of its profile (radius, height), from bottom to top.
 struct Band {
     std::array<dvec2, 4> profile;
     int rows;
@@ -42,7 +43,7 @@ struct Section {
     dvec2 inner, outer;  // (x, height)
     double width;
 };
-using Tube = std::array<Section, 7>;  // two patches, the fourth section is both's
+using Tube = std::array<Section, 7>;  // two patches that share the fourth section
 
 constexpr Tube handle{{
     {{-1.6, 2.025}, {-1.5, 2.25}, 0.3}, {{-2.3, 2.025}, {-2.5, 2.25}, 0.3},
@@ -67,7 +68,7 @@ CurvePoint bezier(const std::array<dvec3, 4>& p, double t) {
             3.0 * (s * s * (p[1] - p[0]) + 2 * s * t * (p[2] - p[1]) + t * t * (p[3] - p[2]))};
 }
 
-// The quarter of a unit circle round +y that begins at longitude turn / 4, seam at -z.
+// A quarter of the unit circle around +y; it begins at longitude turn / 4, seam at -z.
 CurvePoint quarter_circle(int turn, double t) {
     constexpr std::array<dvec3, 4> corners{dvec3(0, 0, -1), dvec3(-1, 0, 0), dvec3(0, 0, 1),
                                            dvec3(1, 0, 0)};
@@ -96,7 +97,7 @@ ShapeVertex band_vertex(const Band& band, double column, int row) {
                      {column / columns, band.v0 + (band.v1 - band.v0) * t});
 }
 
-// Where the radius is 0 there is one triangle per column, its vertex in the column's middle.
+// A row of radius 0 has one triangle per column; its vertex is at the middle of the column.
 void add_band(Mesh& mesh, const Band& band) {
     constexpr int columns = 4 * quarter_columns;
     const bool from_pole = band.profile[0].x == 0, to_pole = band.profile[3].x == 0;
@@ -115,14 +116,14 @@ void add_band(Mesh& mesh, const Band& band) {
     }
 }
 
-// A point of half a cross-section: side +1 bulges to +z, from the inner to the outer point.
+// A control point of half a cross-section, from the inner to the outer point; side +1 bulges to +z.
 dvec3 section_point(const Section& section, size_t k, double side) {
     const dvec2 p = k < 2 ? section.inner : section.outer;
     return {p.x, p.y, k == 1 || k == 2 ? side * section.width : 0};
 }
 
-// u runs along the tube. Round it v goes from the inner line over one side to the outer line and
-// back over the other; `sense` is the side it takes first, so that the outside is in front.
+// u runs along the tube. v runs around it: from the inner line over one side to the outer line, and
+// back over the other side. `sense` is the first side; it makes the outside front-facing.
 ShapeVertex tube_vertex(const Tube& tube, double along, double round, double sense, dvec2 corner,
                         dvec2 size) {
     const size_t patch = along < 1 ? 0 : 1;

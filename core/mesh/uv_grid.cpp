@@ -8,7 +8,7 @@
 namespace wrinkle {
 namespace {
 
-constexpr uint32_t most_squares = 2048;  // both ways
+constexpr uint32_t most_squares = 2048;  // per axis
 
 struct Box {
     glm::dvec2 low, high;
@@ -43,7 +43,8 @@ UvGrid::Cells UvGrid::cells_of(const Mesh& mesh, size_t triangle) const {
             {cell_of(box.high.x, 0), cell_of(box.high.y, 1)}};
 }
 
-// About as many squares as triangles, but fewer where large triangles would fill too many.
+// Chooses about one cell per triangle, but fewer if large triangles would fill more than 16 cells
+// per triangle on average.
 void UvGrid::choose_side(const Mesh& mesh) {
     const double root = std::sqrt(static_cast<double>(covering_.size()));
     side_ = std::clamp<uint32_t>(static_cast<uint32_t>(root), 1, most_squares);

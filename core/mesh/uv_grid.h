@@ -1,8 +1,7 @@
-// Which triangles of a mesh may cover a uv: a grid of squares over its layout, made once where many
-// places are looked up.
+// A uniform grid over a uv layout that returns the triangles that may cover a uv.
 //
-// Linear time and memory in the triangles; a place is answered in the triangles of its square, a
-// few of them unless many lie over each other.
+// Build time and memory are linear in the triangles. A lookup returns the triangles of one cell: a
+// few, unless many overlap.
 #pragma once
 
 #include <cstdint>
@@ -14,29 +13,29 @@
 
 namespace wrinkle {
 
-// A triangle may cover places this much outside of its box, as a share of the box's sides.
+// A triangle may cover uvs this far outside its box, relative to the size of the box.
 inline constexpr double uv_box_margin = 1e-5;
 
 class UvGrid {
 public:
-    explicit UvGrid(const Mesh& mesh);  // has uv0
+    explicit UvGrid(const Mesh& mesh);  // precondition: the mesh has uv0
 
-    // All that cover the uv, in the mesh's order, and some beside it.
+    // Returns all triangles that cover the uv, in mesh order, and some near it.
     std::span<const uint32_t> near(glm::dvec2 uv) const;
 
 private:
     struct Cells {
-        uint32_t low[2], high[2];  // both included
+        uint32_t low[2], high[2];  // inclusive
         uint64_t count() const { return uint64_t{high[0] - low[0] + 1} * (high[1] - low[1] + 1); }
     };
     uint32_t cell_of(double place, int axis) const;
     Cells cells_of(const Mesh& mesh, size_t triangle) const;
     void choose_side(const Mesh& mesh);
 
-    glm::dvec2 low_{0}, high_{0};     // of the layout
-    uint32_t side_ = 1;               // squares, both ways
+    glm::dvec2 low_{0}, high_{0};     // box of the layout
+    uint32_t side_ = 1;               // cells per axis
     std::vector<uint32_t> covering_;  // triangles with an area, in the mesh's order
-    std::vector<uint32_t> first_;     // of each square, in triangles_; one more at the end
+    std::vector<uint32_t> first_;     // first index in triangles_ per cell, and the end
     std::vector<uint32_t> triangles_;
 };
 

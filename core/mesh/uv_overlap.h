@@ -1,5 +1,4 @@
-// Many triangles on one place of a uv layout, in time that does not grow with how often they cover
-// it.
+// Handles uv layouts in which many triangles overlap, in time independent of the overlap count.
 #pragma once
 
 #include <algorithm>
@@ -11,15 +10,16 @@
 
 namespace wrinkle {
 
-// Texels of a rectangle that one triangle covers at most. Each leaves after its second triangle, so
-// however many cover it, it is met twice. Nearly constant time a call (path halving).
+// Set of the texels of a rectangle that at most one triangle covers so far. A texel is removed at
+// its second triangle, so each is visited at most twice. Near-constant amortised time per call
+// (path halving).
 class OpenTexels {
 public:
     void open_all(size_t count) {
         next_.resize(count + 1);
         std::iota(next_.begin(), next_.end(), 0U);
     }
-    // The first open texel from `texel` on; the count of all where there is none.
+    // Returns the first open texel at or after `texel`; the texel count if there is none.
     size_t from(size_t texel) {
         auto at = static_cast<uint32_t>(texel);
         while (next_[at] != at)
@@ -29,11 +29,11 @@ public:
     void close(size_t texel) { next_[texel] = static_cast<uint32_t>(texel + 1); }
 
 private:
-    std::vector<uint32_t> next_;  // itself of an open texel
+    std::vector<uint32_t> next_;  // next_[i] == i if texel i is open
 };
 
-// Calls drop(index) for each triangle that has the corners of two before it, in any order: the
-// first owns, the second shows the overlap, further ones change nothing. n log n.
+// Calls drop(index) for each triangle with the same corners, in any order, as two earlier ones: the
+// first owns, the second shows the overlap, further ones have no effect. O(n log n).
 template <class Triangle, class Drop>
 void each_third_repeat(const std::vector<Triangle>& triangles, Drop drop) {
     using Place = std::array<std::pair<int32_t, int32_t>, 3>;

@@ -15,13 +15,13 @@
 namespace wrinkle {
 namespace {
 
-constexpr double furthest = 1LL << 29;  // so that products of differences fit into 64 bits
+constexpr double furthest = 1LL << 29;  // products of differences then fit into 64 bits
 
-constexpr size_t group = 32;  // of triangles that follow each other
+constexpr size_t group = 32;  // consecutive triangles per group
 
-// How far the texels reach whose centres an edge that is not level has inside, row by row upwards:
-// as far as the edge's value at the row's first texel, divided by its change from one to the next.
-// From row to row the quotient and the remainder go on by steps.
+// For each row, upwards: the last texel with its centre inside a non-horizontal edge. This is
+// floor(edge value at the row's first texel / change per texel). The quotient and the remainder are
+// updated by constant steps from row to row.
 class EdgeRows {
 public:
     EdgeRows() = default;
@@ -35,12 +35,12 @@ public:
         remainder_step_ = edge.dx * units - quotient_step_ * divisor_;
     }
 
-    // Of one row after the other: the last texel of an edge that rises, less than none of the first
-    // one of an edge that falls.
+    // Returns the value for the next row: the last inside texel of a rising edge, or minus the
+    // first inside texel of a falling edge.
     int64_t next() {
         const int64_t here = quotient_;
         const int64_t rest = remainder_ + remainder_step_ - divisor_;
-        const int64_t less = rest >> 63;  // -1 below 0: no branch, as it could not be foreseen
+        const int64_t less = rest >> 63;  // -1 if rest < 0, else 0; a branch is unpredictable
         quotient_ += quotient_step_ + 1 + less;
         remainder_ = rest + (divisor_ & less);
         return here;
@@ -50,8 +50,8 @@ private:
     int64_t divisor_ = 1, quotient_ = 0, remainder_ = 0, quotient_step_ = 0, remainder_step_ = 0;
 };
 
-// Calls take(texel, count) for each row's texels between the edges. How many edges there are is
-// known here, so that what they go on by stays in registers.
+// Calls take(texel, count) for the texels of each row between the edges. The number of edges is a
+// template parameter, so that their state stays in registers.
 template <size_t lefts, size_t rights, class Take>
 void each_row(std::array<EdgeRows, 2> left, std::array<EdgeRows, 2> right, const TexelRect& rect,
               const Interval& rows, const Interval& columns, Take take) {
@@ -73,8 +73,8 @@ bool has_texels(const Box& box) {
     return box.low <= box.high;
 }
 
-// The rows from `first` on, `count` of them, whose centres lie between a triangle's lowest corner
-// and its highest one, not on a level edge on its top.
+// Returns the rows of [first, first + count) with centres between the lowest and the highest corner
+// of the triangle, excluding centres on a horizontal top edge.
 template <class Triangle>
 Interval centres_within(const Triangle& t, uint32_t first, uint32_t count) {
     const auto [low, high] = std::minmax({t.y[0], t.y[1], t.y[2]});
@@ -85,7 +85,7 @@ Interval centres_within(const Triangle& t, uint32_t first, uint32_t count) {
             std::min<int64_t>(texel_at(below), int64_t{first} + count - 1)};
 }
 
-// std::fill_n() for few.
+// std::fill_n() for small counts.
 void fill_span(uint32_t* owners, size_t count, uint32_t index) {
     const std::array<uint32_t, 4> four = {index, index, index, index};
     if (count < four.size()) {
@@ -98,7 +98,7 @@ void fill_span(uint32_t* owners, size_t count, uint32_t index) {
     std::memcpy(owners + count - four.size(), four.data(), sizeof four);
 }
 
-// An edge by its ends, the lower one first, so that both of its sides have one key.
+// An edge by its ends, the lower one first, so that both of its sides have the same key.
 struct UvEdge {
     int32_t low_x, low_y, high_x, high_y;
     uint32_t triangle;
@@ -159,7 +159,7 @@ void UvRaster::add(const Mesh& mesh, size_t index) {
     rows_[index] = texels_of(t.y);
 }
 
-// Only where the triangles' boxes hold the layout many times over.
+// Runs only if the triangles' boxes cover the layout more than 16 times.
 void UvRaster::drop_repeats() {
     constexpr int64_t many = 16;
     const int64_t all = int64_t{layout_.width} * layout_.height;
@@ -221,7 +221,7 @@ std::vector<RowCandidate> UvRaster::in_rows(uint32_t y, uint32_t height) const {
     return found;
 }
 
-// No branch asks which are met, as it could not be foreseen.
+// Branch-free, as a branch per candidate is unpredictable.
 void UvRaster::find_met(const TexelRect& rect, std::span<const RowCandidate> candidates,
                         Coverage& out) {
     const auto low = static_cast<int32_t>(rect.x);
@@ -286,14 +286,14 @@ void UvRaster::own_centres(const TexelRect& rect, Coverage& out) const {
             fill_span(out.owners.data() + first, count, index);
             taken += count;
         });
-        if (taken > out.owners.size()) return own_in_order(rect, out);  // more than there are
+        if (taken > out.owners.size()) return own_in_order(rect, out);  // triangles overlap
     }
     const auto empty = std::count(out.owners.begin(), out.owners.end(), Coverage::none);
     out.owned = out.owners.size() - static_cast<size_t>(empty);
     if (taken != out.owned) own_in_order(rect, out);
 }
 
-// Once more where triangles overlap, as there the first one owns.
+// Repeats the ownership pass in mesh order if triangles overlap: the first one owns.
 void UvRaster::own_in_order(const TexelRect& rect, Coverage& out) const {
     std::fill(out.owners.begin(), out.owners.end(), Coverage::none);
     out.open.open_all(out.owners.size());

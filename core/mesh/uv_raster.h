@@ -1,18 +1,18 @@
-// Which triangle of a mesh owns which texel of a uv layout.
+// Rasterises the triangles of a mesh in uv: finds the triangle that owns each texel of a layout.
 //
-// A layout is width * height texels over one square of uv set 0, from the whole numbers `corner` to
+// A layout is width * height texels over one unit square of uv set 0, from the integers `corner` to
 // corner + 1; texel (x, y) has its centre at corner + ((x + 1/2) / width, (y + 1/2) / height), v
-// upward. Corners of triangles are rounded to 1/256 of a texel, as GPUs do; from there on the
-// arithmetic is exact: of two triangles that share an edge, exactly one owns a place on it. A place
-// on an edge belongs to the triangle to its right or, of a level edge, above it. Where triangles
-// overlap the first one of the mesh owns. Mirrored triangles are like all others.
+// upward. Corners of triangles are rounded to 1/256 of a texel, as on GPUs; the arithmetic after
+// that is exact: exactly one of two triangles that share an edge owns a point on it. A point on an
+// edge belongs to the triangle to its right, or above it for a horizontal edge. If triangles
+// overlap, the first one in the mesh owns. Mirrored triangles are treated alike.
 //
-// A texel is owned by what covers its centre. With `samples` more than 1, a texel that is crossed
-// by the border of an island is looked at in that many places instead, a grid: it is a mean over
-// those that are covered. Borders are the edges that have no triangle on their other side in uv.
-// So an island thinner than a texel is met, and one that ends within a texel colours it.
+// The triangle that covers its centre owns a texel. If `samples` is greater than 1, a texel crossed
+// by the border of an island is sampled on a grid of that many points instead: it is the mean of
+// the covered ones. Borders are edges without a triangle on their other side in uv. So islands
+// thinner than a texel are sampled, and islands that end within a texel contribute to it.
 //
-// Triangles without area in uv own nothing, nor do those further than 2^21 texels away.
+// Triangles without uv area, or more than 2^21 texels away, own nothing.
 #pragma once
 
 #include <cstdint>
@@ -28,10 +28,10 @@ namespace wrinkle {
 struct UvLayout {
     uint32_t width = 1024;  // texels, 1 to 65536
     uint32_t height = 1024;
-    glm::ivec2 corner{0};  // of the square (mesh/uv_survey.h)
-    uint32_t samples = 1;  // of an edge texel: 1, 4, 16 or 64
+    glm::ivec2 corner{0};  // lower left of the unit square (mesh/uv_survey.h)
+    uint32_t samples = 1;  // per edge texel: 1, 4, 16 or 64
 
-    // Of a place in texels.
+    // Returns the uv of a position in texels.
     glm::dvec2 uv(double x, double y) const {
         return {corner.x + x / width, corner.y + y / height};
     }
@@ -41,33 +41,33 @@ struct TexelRect {
     uint32_t x = 0, y = 0, width = 0, height = 0;
 };
 
-// An edge texel's sample.
+// A sample of an edge texel.
 struct UvSample {
     uint32_t triangle;
-    glm::dvec2 place;  // texels of the layout
+    glm::dvec2 place;  // in texels of the layout
 };
 
-// What one rectangle of texels is covered by; to be used again and again, as it keeps its memory.
+// Coverage of one rectangle of texels. Reuse it to avoid allocations.
 struct Coverage {
     static constexpr uint32_t none = ~0U;
     struct EdgeTexel {
-        uint32_t texel;         // its place in `owners`
-        uint32_t first, count;  // in `samples`
+        uint32_t texel;         // index in `owners`
+        uint32_t first, count;  // range in `samples`
     };
 
-    std::vector<uint32_t> owners;  // of the centres, row by row upwards; `none` of an edge texel
-    size_t owned = 0;              // how many of them are not `none`
-    std::vector<EdgeTexel> edges;  // in the order of their texels
+    std::vector<uint32_t> owners;  // per texel, rows upwards; `none` for an edge texel
+    size_t owned = 0;              // number of owners other than `none`
+    std::vector<EdgeTexel> edges;  // sorted by texel
     std::vector<UvSample> samples;
-    uint32_t overlapped = 0;     // texels whose centre more than one triangle covers
-    uint32_t overlap_texel = 0;  // the first of them, and the triangle that does not own it
+    uint32_t overlapped = 0;     // texels with centres covered by more than one triangle
+    uint32_t overlap_texel = 0;  // the first of them, and a triangle that does not own it
     uint32_t overlap_triangle = none;
 
-    std::vector<uint32_t> slots, sub_owners, met;  // room to work in
+    std::vector<uint32_t> slots, sub_owners, met;  // scratch
     OpenTexels open;
 };
 
-// A triangle that rows may meet, and the texels of these that it may meet, both included.
+// A triangle that may cover texels of the given rows, and its range of columns, both inclusive.
 struct RowCandidate {
     uint32_t triangle;
     int32_t low, high;
@@ -75,27 +75,27 @@ struct RowCandidate {
 
 class UvRaster {
 public:
-    // The mesh has uv0 and stays as it is.
+    // Precondition: the mesh has uv0. The mesh is only read by the constructor.
     UvRaster(const Mesh& mesh, const UvLayout& layout);
 
     const UvLayout& layout() const { return layout_; }
 
-    // The triangles that rows y to y + height may meet, in the mesh's order.
+    // Returns the triangles that may cover texels of rows [y, y + height), in mesh order.
     std::vector<RowCandidate> in_rows(uint32_t y, uint32_t height) const;
 
-    // `candidates` come from in_rows() with at least these rows.
+    // `candidates` are the result of in_rows() for at least these rows.
     void cover(const TexelRect& rect, std::span<const RowCandidate> candidates,
                Coverage& out) const;
 
 private:
     struct Texels {
-        int32_t low = 0, high = -1;  // both included
+        int32_t low = 0, high = -1;  // inclusive
     };
     // Counter-clockwise, in 1/256 texel.
     struct Triangle {
         int32_t x[3] = {}, y[3] = {};
-        Texels columns;       // that it meets; as rows_: none without an area
-        uint8_t borders = 0;  // bit k: the edge from corner k on is a border of its island
+        Texels columns;       // columns it touches; empty without area, as rows_
+        uint8_t borders = 0;  // bit k: the edge from corner k is an island border
     };
 
     static Texels texels_of(const int32_t (&places)[3]);
@@ -105,7 +105,7 @@ private:
     void drop_repeats();
     void find_group_rows();
     void find_borders();
-    // Calls take(texel, count) for the centres in each row that the triangle covers.
+    // Calls take(texel, count) for each row's span of covered texel centres.
     template <class Take>
     void each_span(const TexelRect& rect, uint32_t index, Take take) const;
     void own_centres(const TexelRect& rect, Coverage& out) const;
@@ -115,10 +115,10 @@ private:
     void gather_edges(const TexelRect& rect, Coverage& out) const;
 
     UvLayout layout_;
-    uint32_t across_ = 1;  // samples in a row of a texel
+    uint32_t across_ = 1;  // samples per axis of a texel
     std::vector<Triangle> triangles_;
-    std::vector<Texels> rows_;        // that each of them meets
-    std::vector<Texels> group_rows_;  // that each group of them meets
+    std::vector<Texels> rows_;        // rows that each triangle touches
+    std::vector<Texels> group_rows_;  // rows that each group of triangles touches
 };
 
 }  // namespace wrinkle

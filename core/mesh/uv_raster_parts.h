@@ -1,4 +1,4 @@
-// Whole numbers that ownership of texels is computed in. Part of mesh/uv_raster.h.
+// Integer arithmetic for texel ownership. Part of mesh/uv_raster.h.
 #pragma once
 
 #include <algorithm>
@@ -6,21 +6,21 @@
 
 namespace wrinkle {
 
-constexpr int64_t units = 256;        // of a texel
-constexpr uint32_t marked = ~0U - 1;  // of a slot that is not numbered yet
+constexpr int64_t units = 256;        // per texel
+constexpr uint32_t marked = ~0U - 1;  // slot of an edge texel that has no number yet
 
 constexpr int64_t floor_div(int64_t a, int64_t b) {  // b > 0
     return a >= 0 ? a / b : -((-a + b - 1) / b);
 }
 
-// The texel that a number of units lies in.
+// Returns the texel that contains a coordinate in units.
 constexpr int64_t texel_at(int64_t place) {
     static_assert(units == 256);
     return place >> 8;
 }
 
-// One edge of a counter-clockwise triangle, from (ax, ay) by (dx, dy). What lies to its left is
-// inside; of the edge itself, where it runs downwards or to the right.
+// One edge of a counter-clockwise triangle, from (ax, ay) by (dx, dy). Points to its left are
+// inside; points on the edge are inside if it runs downwards, or horizontally to the right.
 struct RasterEdge {
     int64_t ax, ay, dx, dy;
 
@@ -29,7 +29,7 @@ struct RasterEdge {
 };
 
 struct Interval {
-    int64_t low, high;  // both included
+    int64_t low, high;  // inclusive
     bool empty() const { return low > high; }
 };
 
@@ -39,7 +39,7 @@ RasterEdge edge_of(const Triangle& t, size_t k) {
     return {t.x[k], t.y[k], int64_t{t.x[next]} - t.x[k], int64_t{t.y[next]} - t.y[k]};
 }
 
-// The texels from `first` on, `count` of them, that `box` meets.
+// Returns the texels of [first, first + count) that `box` overlaps.
 template <class Box>
 Interval texels_met(const Box& box, uint32_t first, uint32_t count) {
     return {std::max<int64_t>(box.low, first),

@@ -1,4 +1,4 @@
-// The texels that a border crosses, in samples. Part of mesh/uv_raster.h.
+// Supersampling of texels that an island border crosses. Part of mesh/uv_raster.h.
 #include <algorithm>
 
 #include "mesh/uv_raster.h"
@@ -22,7 +22,7 @@ void UvRaster::mark_borders(const TexelRect& rect, uint32_t index, Coverage& out
             };
             const int64_t from = edge.dy == 0 ? edge.ax : x_at(y * units);
             const int64_t to = edge.dy == 0 ? edge.ax + edge.dx : x_at((y + 1) * units);
-            const int64_t left = texel_at(std::min(from, to) - 1);  // floor_div rounds
+            const int64_t left = texel_at(std::min(from, to) - 1);  // floor_div rounding margin
             const int64_t right = texel_at(std::max(from, to) + 1);
             for (int64_t x = std::max<int64_t>(left, rect.x);
                  x <= std::min(right, int64_t{rect.x} + rect.width - 1); ++x)

@@ -9,10 +9,10 @@
 namespace wrinkle {
 namespace {
 
-// A limit of the square that is baked: floats hold 1/16 there, and the corner is an int.
+// Maximum coordinate of the baked unit square: floats resolve 1/16 there, and the corner is an int.
 constexpr double farthest_square = 1 << 20;
 
-// The whole numbers whose squares the open interval reaches into.
+// Range of the unit squares along one axis that an open interval overlaps.
 struct Squares {
     double first = 0, last = -1;
 
@@ -39,13 +39,13 @@ Reach reach_of(const Mesh& mesh, size_t triangle) {
     return {squares_of(a.x, b.x, c.x), squares_of(a.y, b.y, c.y)};
 }
 
-// Which of UDIM's tiles triangles reach into, each triangle in constant time: it adds one at two
-// corners of its rectangle and takes it away at the other two.
+// The UDIM tiles that triangles overlap: a two-dimensional difference array, so adding a triangle
+// takes constant time (+1 at two corners of its rectangle, -1 at the other two).
 class Tiles {
 public:
     explicit Tiles(bool downward) : downward_(downward) {}
 
-    // False where a part of it has no number.
+    // Returns false if a part of the rectangle is outside the numbered UDIM tiles.
     bool add(const Reach& reach) {
         const Squares u = reach.u;
         const Squares rows = downward_ ? Squares{-reach.v.last, -reach.v.first} : reach.v;
@@ -104,7 +104,7 @@ UvSurvey survey_uvs(const Mesh& mesh) {
             ++survey.without_area;
             continue;
         }
-        // The gradients of two weights turn as the triangle does.
+        // The determinant of the gradients of two weights has the sign of the triangle's uv area.
         if (map->second.x * map->third.y < map->second.y * map->third.x) ++survey.mirrored;
         const Reach reach = reach_of(mesh, t);
         if (!all) all = reach;

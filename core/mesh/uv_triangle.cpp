@@ -7,7 +7,7 @@ namespace wrinkle {
 namespace {
 
 struct UvSides {
-    glm::dvec2 first, a, b;  // corner 0, and from it to the others
+    glm::dvec2 first, a, b;  // corner 0, and the vectors from it to corners 1 and 2
 
     double determinant() const { return a.x * b.y - b.x * a.y; }
     bool have_area() const { return determinant() != 0 && std::isfinite(determinant()); }

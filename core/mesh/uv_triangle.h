@@ -1,5 +1,5 @@
-// A triangle of uv set 0 as a map from a uv to the weights of its corners: what sample_mesh() and a
-// bake read a mesh by, so that both get the same numbers to the last bit.
+// Maps a uv to the barycentric weights of a triangle in uv set 0. sample_mesh() and the baker share
+// it, so their results are bit-identical.
 #pragma once
 
 #include <glm/vec2.hpp>
@@ -12,9 +12,9 @@ namespace wrinkle {
 
 struct UvTriangle {
     glm::dvec2 first;          // uv of corner 0
-    glm::dvec2 second, third;  // change of the weights of corners 1 and 2 per unit of u and v
+    glm::dvec2 second, third;  // derivatives of the weights of corners 1 and 2 by (u, v)
 
-    // They sum up to 1; all are at least 0 where the triangle covers the uv.
+    // The weights sum to 1; all are >= 0 if the triangle covers the uv.
     glm::dvec3 weights(glm::dvec2 uv) const {
         const glm::dvec2 p = uv - first;
         const double s = second.x * p.x + second.y * p.y;
@@ -25,11 +25,12 @@ struct UvTriangle {
     glm::dvec3 dv() const { return {-second.y - third.y, second.y, third.y}; }
 };
 
-// The mesh has uv0. Nothing for a triangle without area in uv.
+// Precondition: the mesh has uv0. uv_triangle() returns std::nullopt for a triangle without uv
+// area.
 bool has_uv_area(const Mesh& mesh, size_t triangle);
 std::optional<UvTriangle> uv_triangle(const Mesh& mesh, size_t triangle);
 
-// A value of the triangle's three corners by their weights.
+// Interpolates a value of the three corners by their weights.
 template <class Result, class T>
 Result blend(const T& a, const T& b, const T& c, const glm::dvec3& weights) {
     return Result(a) * weights.x + Result(b) * weights.y + Result(c) * weights.z;

@@ -1,4 +1,4 @@
-// Vertices that are one place, and unit vectors of any length: what normals and tangents share.
+// Vertex welding and safe normalisation, shared by normals and tangents.
 #pragma once
 
 #include <cstdint>
@@ -9,12 +9,12 @@
 
 namespace wrinkle {
 
-// For each vertex the first one with the same position, or with the same position, normal and uv0.
-// Values are equal as numbers: -0 is 0, and NaN is equal to nothing.
+// Returns, for each vertex, the first one with the same position, or with the same position, normal
+// and uv0. Values compare as numbers: -0 equals 0, and NaN equals nothing.
 std::vector<uint32_t> weld_positions(const Mesh& mesh);
-std::vector<uint32_t> weld_frames(const Mesh& mesh);  // has normals and uv0
+std::vector<uint32_t> weld_frames(const Mesh& mesh);  // precondition: the mesh has normals and uv0
 
-// Zero for a vector that is zero or not finite; no length under- or overflows.
+// Returns the unit vector, or zero if v is zero or not finite. Lengths do not under- or overflow.
 glm::dvec3 unit_or_zero(glm::dvec3 v);
 
 }  // namespace wrinkle

@@ -28,7 +28,7 @@ std::string probe_program() {
 
 class Process {
 public:
-    // Not started when `error` is set.
+    // On failure `error` is set and no process is started.
     Process(const std::string& program, std::span<const std::string> words) {
         int ends[2];
         if (pipe2(ends, O_CLOEXEC) != 0) {
@@ -74,18 +74,18 @@ public:
             poll(&waiting, 1, static_cast<int>(short_while.count()));
             open = open && take(result.output);
         }
-        kill(-process_, SIGKILL);  // before it is waited for: the number of its group is still its
+        kill(-process_, SIGKILL);  // before waitpid(), while the group id cannot be reused
         while (waitpid(process_, nullptr, 0) < 0 && errno == EINTR) {
         }
-        if (open) take(result.output);  // no longer: a child that left the group may hold it open
+        if (open) take(result.output);  // once only: a child that left the group may hold it open
         return result;
     }
 
     int error = 0;
 
 private:
-    // How it ended is not known where the program ignores the ends of its children: then its
-    // output, or the lack of it, has to say it.
+    // If this program ignores SIGCHLD the exit status is lost (ECHILD); the result then depends
+    // only on the output.
     bool has_ended(ChildResult& result) const {
         siginfo_t how{};
         const int failed =
@@ -96,7 +96,8 @@ private:
         return true;
     }
 
-    // False at the end of what there is, and when nothing has come.
+    // Returns false at the end of the output, on an error, or beyond max_child_output; true if more
+    // may come.
     bool take(std::string& output) const {
         char part[1 << 16];
         ssize_t count = 0;

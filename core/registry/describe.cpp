@@ -56,7 +56,7 @@ std::optional<PluginListing> from_cache(const fs::path& file, const std::string&
     return listing;
 }
 
-// One that cannot be written is done without.
+// Write errors are ignored: the cache is optional.
 void keep(const fs::path& file, const PluginListing& listing) {
     std::error_code error;
     std::string why;
@@ -64,7 +64,7 @@ void keep(const fs::path& file, const PluginListing& listing) {
     if (!error) write_file(file, to_json(listing), why);
 }
 
-// Of the bytes of a file that may be loaded; nothing, with the reason, of another.
+// Returns the hash of a file that may be loaded; std::nullopt with a fault otherwise.
 std::optional<std::string> sum_of(const PluginFile& file, Diagnostics& diagnostics) {
     std::string why;
     const auto bytes = read_file(file.path, why);

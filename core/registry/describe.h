@@ -1,9 +1,9 @@
-// What a plugin's file offers, found with as little as possible of its code run.
+// Finds the listing of a plugin file while running as little of its code as possible.
 //
-// In this order: the manifest beside it, FILE.so.json, when it describes these very bytes; what an
-// earlier probe of the same bytes found, from the cache; a probe (registry/probe.h), whose findings
-// go to the cache. A manifest of other bytes, or one that cannot be read, is ignored with a
-// warning; a damaged entry of the cache without one.
+// Sources in order: the manifest FILE.so.json in the same folder, if its hash is that of the file;
+// the cached result of an earlier probe of the same bytes; a new probe (registry/probe.h), with its
+// result written to the cache. A manifest that cannot be read or has another hash is ignored with a
+// warning; a damaged cache entry is ignored without a warning.
 #pragma once
 
 #include <chrono>
@@ -24,22 +24,22 @@ struct Described {
 };
 
 struct PluginFile {
-    std::string path;    // whose bytes are read and loaded
-    std::string place;   // where it lies, with its manifest; another than `path` of a copy
-    std::string origin;  // what the user calls it
-    std::shared_ptr<const void> kept{};  // what `path` needs to be there
+    std::string path;    // file that is read and loaded
+    std::string place;   // original location, with the manifest; differs from `path` for a copy
+    std::string origin;  // name in diagnostics, as given by the user
+    std::shared_ptr<const void> kept{};  // owner of the file at `path`
 };
 
 struct DescribeOptions {
-    std::filesystem::path cache;  // a folder; empty: none
+    std::filesystem::path cache;  // folder of the cache; empty: no cache
     std::chrono::milliseconds limit;
 };
 
-// Nothing when the plugin is refused.
+// Returns std::nullopt if the plugin is refused.
 std::optional<Described> describe_plugin(const PluginFile& file, const DescribeOptions& options,
                                          Diagnostics& diagnostics);
 
-// From the code, by a probe, whatever manifest or cache say.
+// Reads the listing from the code by a probe; ignores the manifest and the cache.
 std::optional<PluginListing> read_from_code(const std::string& path, Diagnostics& diagnostics);
 
 std::string manifest_of(const std::string& path);  // "mine.so.json" of "mine.so"

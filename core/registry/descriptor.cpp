@@ -13,11 +13,11 @@ namespace wrinkle {
 namespace {
 
 constexpr uint32_t most_nodes = 10'000;
-constexpr uint32_t most_ports = 256;  // also of choices and renames
+constexpr uint32_t most_ports = 256;  // also the limit of choices and renames
 constexpr size_t longest_text = 4096;
-constexpr size_t most_faults = 20;  // of one plugin, before the rest is left unread
+constexpr size_t most_faults = 20;  // per plugin; reading stops there
 
-// Where a struct of the first version of the ABI ends; later ones have more members.
+// Size of a struct in the first version of the ABI; later versions have more members.
 template <class T>
 constexpr size_t first_size = 0;
 template <>
@@ -31,7 +31,7 @@ template <>
 constexpr size_t first_size<wr_rename> = offsetof(wr_rename, new_name) +
                                          sizeof(wr_rename::new_name);
 
-// Zeros where the plugin's struct ends before ours.
+// Fills with zeros if the plugin's struct is shorter.
 template <class T>
 bool read_struct(const T* source, T& copy) {
     static_assert(first_size<T> > 0);
@@ -93,7 +93,7 @@ public:
     }
 
 private:
-    // Always false, for the caller to return.
+    // Returns false, for use in a return statement.
     bool fault(std::string message, std::string expected = {}) {
         ++faults_;
         Diagnostic diagnostic;
@@ -109,7 +109,7 @@ private:
         return fault(what + " has the impossible size " + std::to_string(size));
     }
 
-    // One line of text. `copy` is fit to be printed whatever the answer; "" when it is false.
+    // Reads one line of text. `copy` is always printable; "" if the result is false.
     bool text(const char* source, const char* what, std::string& copy, size_t most = longest_text) {
         copy.clear();
         if (!source) return fault(std::string(what) + " is null");
@@ -288,7 +288,8 @@ private:
         chains(type);
     }
 
-    // Renames are followed version by version: within one they would go in a circle, or on.
+    // Renames are applied version by version: within one version they must not form chains or
+    // cycles.
     void chains(const NodeType& type) {
         for (const Rename& first : type.renames)
             for (const Rename& second : type.renames)

@@ -1,6 +1,5 @@
-// Whether a file can be a shared object of this machine, seen from its bytes: the system's loader
-// may end the program over one that is cut short, and calls one of another machine "not found". For
-// core/registry alone.
+// Checks the bytes of a shared object before it is loaded: the dynamic loader may crash on a
+// truncated file, and reports one for another machine as "not found". Private to core/registry.
 #pragma once
 
 #include <string>
@@ -8,7 +7,7 @@
 
 namespace wrinkle {
 
-// "" when nothing speaks against loading it, else the reason: "the file is cut short".
+// Returns "" if the file may be loaded, else the reason: "the file is cut short".
 std::string elf_fault(std::string_view bytes);
 
 }  // namespace wrinkle

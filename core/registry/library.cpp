@@ -14,7 +14,7 @@ namespace {
 
 constexpr const char* entry_symbol = "wrinkle_plugin";
 
-// dlerror() begins with the path, which the report names already.
+// dlerror() begins with the path, which the report already names.
 std::string last_error(const std::string& path) {
     const char* text = dlerror();
     const std::string reason = text ? text : "unknown reason";
@@ -88,7 +88,7 @@ std::optional<PluginListing> load_library(const std::string& path, const std::st
                                           Diagnostics& diagnostics, OnStage on_stage) {
     if (!on_stage) on_stage = [](const char*) {};
     on_stage("load");
-    // A name without a slash would be searched for among the system's libraries.
+    // dlopen() searches the system's libraries for a name without a slash.
     const std::string file = std::filesystem::absolute(path).string();
     void* library = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);
     if (!library) {

@@ -1,5 +1,5 @@
-// The code of a plugin, loaded into this process: that of wrinkle-plugin-probe alone, since loading
-// runs code of the plugin, which may do anything.
+// Loads the code of a plugin into this process. Only wrinkle-plugin-probe may do so, since loading
+// runs arbitrary plugin code.
 #pragma once
 
 #include <optional>
@@ -10,28 +10,29 @@
 
 namespace wrinkle {
 
-// How far loading has come: "load" the file, "enter" its wrinkle_plugin(), "read" the descriptors.
+// Callback for loading stages: "load" the file, "enter" its wrinkle_plugin(), "read" the
+// descriptors.
 using OnStage = void (*)(const char* stage);
 
-// The types have build functions, which stay valid until the program ends. Nothing when anything is
-// wrong; faults are at `origin`.
+// The types have build functions, which stay valid until the program ends. Returns std::nullopt on
+// any fault; faults are reported at `origin`.
 std::optional<PluginListing> load_library(const std::string& path, const std::string& origin,
                                           Diagnostics& diagnostics, OnStage on_stage = nullptr);
 
-// How the system's refusal of a file begins.
+// First words of a message that the system refused to load a file.
 inline constexpr std::string_view cannot_be_loaded = "it cannot be loaded";
 
-// Of the one that is being handled.
+// Returns the message of the current exception. Precondition: called in a catch block.
 std::string words_of_exception();
 
-// What a plugin says, fit for a diagnostic: one line of at most 4096 bytes, with a blank for each
-// character that is not printable (base/printable.h).
+// Makes a plugin's text fit for a diagnostic: one line, truncated with "..." after 4096 bytes,
+// with a blank for each character that is not printable (base/printable.h).
 std::string plugin_text(std::string_view text);
 
-// "it hung ...; it ...": what is wrong, without the path.
+// Joins the messages with "; ", without the path.
 std::string sentence_of(const Diagnostics& problems);
 
-// One fault of a plugin.
+// Adds one fault of a plugin.
 void add_fault(Diagnostics& diagnostics, const std::string& origin, std::string message,
                std::string expected = {});
 

@@ -16,7 +16,7 @@ namespace {
 using json::Kind;
 using json::Value;
 
-constexpr double listing_form = 1;  // grows when older programs must not read it
+constexpr double listing_form = 1;  // increased if older programs must not read it
 
 std::string node_json(const NodeType& type) {
     std::string text =
@@ -43,7 +43,7 @@ Value member(const Value& object, std::string_view key) {
     return object.is(Kind::object) ? object.find(key) : Value();
 }
 
-// JSON back to the structs that a plugin would have given, which live as long as this does.
+// Converts JSON to the C structs of a plugin, which are valid during the lifetime of this object.
 class Descriptors {
 public:
     const wr_plugin* plugin(const Value& root) {
@@ -71,7 +71,7 @@ private:
         place_ = at;
     }
 
-    // Null when it is absent; another kind is wrong.
+    // Returns null if absent; another kind is an error.
     const char* text(const Value& object, std::string_view key) {
         const Value value = member(object, key);
         if (value.is(Kind::null)) return nullptr;
@@ -160,10 +160,10 @@ private:
         const auto all = surface_properties();
         for (uint32_t i = 0; i < all.size(); ++i)
             if (all[i].name == link) return i;
-        return ~0u;  // the reader of descriptors refuses it
+        return ~0u;  // refused by read_descriptors()
     }
 
-    // [least, most]; null is an open end.
+    // [min, max]; null is an infinite end.
     void range(const Value& value, double& least, double& most) {
         if (value.is(Kind::null)) return;
         constexpr double infinity = std::numeric_limits<double>::infinity();

@@ -1,8 +1,8 @@
-// What a plugin offers, without its code: its names and the whole descriptors of its nodes.
+// Listing of a plugin: its names and the complete descriptors of its nodes, without code.
 //
-// Read from the code once, by a process of its own, and kept as JSON beside the plugin (a manifest)
-// or in the cache, with the sum of the file that it describes. A listing that is read back goes
-// through the same checks as the descriptors of a plugin: a damaged one is refused, never believed.
+// Read from the code once, in a separate process, and stored as JSON next to the plugin (a
+// manifest) or in the cache, with the hash of the file that it describes. A stored listing passes
+// the same checks as the descriptors of a plugin; a damaged one is refused.
 #pragma once
 
 #include <optional>
@@ -17,15 +17,15 @@ namespace wrinkle {
 struct PluginListing {
     std::string id;
     std::string version;
-    std::string sha256;  // of the file
+    std::string sha256;  // hash of the file
     std::vector<NodeType> types;
 };
 
-// Canonical: equal listings are equal bytes. `origin` of the types is left out.
+// Canonical: equal listings give equal bytes. `origin` of the types is omitted.
 std::string to_json(const PluginListing& listing);
 
-// Nothing when anything is wrong. `name` is the text's file in diagnostics, `origin` that of the
-// types, which come without build functions.
+// Returns std::nullopt on any fault. `name` is the file of the text in diagnostics, `origin` that
+// of the types, which have no build functions.
 std::optional<PluginListing> read_listing(std::string text, const std::string& name,
                                           const std::string& origin, Diagnostics& diagnostics);
 

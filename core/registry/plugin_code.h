@@ -1,5 +1,5 @@
-// The code of a plugin that is known by its listing. It runs in processes of its own alone
-// (registry/probe.h): build() of a node once for each set of options, whatever graphs use it.
+// The code of a plugin with a known listing. It runs only in separate processes (registry/probe.h):
+// build() of a node runs once for each set of options, and its calls are cached for all graphs.
 #pragma once
 
 #include <chrono>
@@ -17,35 +17,35 @@ namespace wrinkle {
 
 class PluginCode {
 public:
-    // `tried`: a probe has loaded this very file. Otherwise one does before its code is used.
+    // `tried`: a probe has already loaded this file. Otherwise one does before the first use.
     PluginCode(PluginFile file, const PluginListing& listing, bool tried,
                std::chrono::milliseconds limit);
 
-    // The calls of build() of the node of this number in the listing, with these options by port.
-    // Null, with the reason, when the code did not come to the end of build(), or when the file was
-    // changed since it was listed, is refused, or has other nodes than its listing says. Safe to
-    // call from several threads.
+    // Returns the calls of build() of the node with this index in the listing, with these options
+    // by port. Returns null and sets `reason` if build() did not complete, or if the file changed
+    // since it was listed, is refused, or its nodes differ from its listing. Thread-safe.
     std::shared_ptr<const std::string> calls(size_t node, std::span<const int32_t> options,
                                              Unbuilt& reason);
-    // Whether the file has the nodes of its listing; false with the reason in `why`.
+    // Returns true if the file has the nodes of its listing; false with the reason in `why`
+    // otherwise.
     bool try_out(std::string& why);
-    // The next calls() runs build() again: where it ran once in its process it runs twice, and the
-    // calls are those of the second time. So they differ when build() keeps state.
+    // Clears the cached calls and toggles between one and two runs of build() per process; with
+    // two, the calls are those of the second run. So the next calls() differ if build() has state.
     void build_again();
 
 private:
     using Key = std::pair<size_t, std::vector<int32_t>>;
 
     bool check(std::string& why);
-    std::string check_nodes();  // why not, or ""
+    std::string check_nodes();  // reason, or ""
 
     PluginFile file_;
-    std::string listing_;  // as JSON, to compare
+    std::string listing_;  // as JSON, for comparison
     std::string sha256_;
     std::chrono::milliseconds limit_;
     std::mutex mutex_;
     bool checked_;
-    std::string why_;  // of the check
+    std::string why_;  // result of check_nodes()
     std::map<Key, BuildRun> runs_;
     size_t kept_ = 0;  // bytes in runs_
     bool twice_ = false;

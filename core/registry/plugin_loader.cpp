@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// The same bytes in a file without a name, which is gone with this and with the program.
+// Copy of a file without a directory entry; deleted with this object or at the end of the process.
 class Copy {
 public:
     explicit Copy(const std::string& path) {
@@ -40,7 +40,7 @@ public:
         if (file_ >= 0) close(file_);
     }
 
-    // As every process of the user sees it; "" when there can be none.
+    // Returns a path that is valid in every process of the user; "" on failure.
     const std::string& name() const { return name_; }
 
 private:
@@ -145,7 +145,7 @@ private:
                       "remove one of them");
             return false;
         }
-        // A copy is another place than the one that an entry of the cache was read from.
+        // A cache entry was not made from this copy, so the copy is not known to load.
         const bool tried = described->by == DescribedBy::probe ||
                            (described->by == DescribedBy::cache && !options_.copies);
         const auto code = std::make_shared<PluginCode>(file, listing, tried, options_.limit);
@@ -165,7 +165,7 @@ private:
         return true;
     }
 
-    // Of a plugin that is broken now.
+    // Retains the nodes of a plugin that is now refused.
     bool keep_former(const std::string& origin) {
         std::vector<NodeType> types;
         if (options_.former)
@@ -187,7 +187,7 @@ private:
     Diagnostics& diagnostics_;
     const PluginOptions& options_;
     std::set<fs::path> seen_;
-    std::map<std::string, std::string> ids_;  // of the plugins taken, to their paths
+    std::map<std::string, std::string> ids_;  // ids of the loaded plugins, to their paths
     std::vector<PluginReport> reports_;
 };
 

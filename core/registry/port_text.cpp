@@ -17,7 +17,7 @@ std::string range_text(double least, double most) {
     return shortest(least) + " to " + shortest(most);
 }
 
-// JSON has no infinity: an open end is null.
+// JSON has no infinity: an infinite end is null.
 std::string range_json(double least, double most) {
     const auto end = [](double x) { return std::isfinite(x) ? shortest(x) : std::string("null"); };
     return "[" + end(least) + ", " + end(most) + "]";

@@ -1,5 +1,5 @@
-// The types on wires, read from the one table in wrinkle/plugin.h. Which converts to which stands
-// in lower/conversion.h.
+// Port types, generated from the table in wrinkle/plugin.h. lower/conversion.h defines the
+// conversions between them.
 #pragma once
 
 #include <wrinkle/plugin.h>
@@ -20,10 +20,10 @@ std::string_view name_of(PortType type);
 std::optional<PortType> port_type_named(std::string_view name);
 std::span<const std::string_view> port_type_names();  // in the order of the table
 
-// How many numbers a literal of this type has: 1 to 4; 0 for derivative, gradient and image.
+// Returns the number of components of a literal: 1 to 4; 0 for derivative, gradient and image.
 int lanes_of(PortType type);
 
-// A property of the surface: "uv0", its type on wires (normal is a normal), and its doc line.
+// A surface property: its name ("uv0"), port type and one line of documentation.
 struct SurfaceProperty {
     std::string_view name;
     PortType type;

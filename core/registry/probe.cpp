@@ -15,10 +15,10 @@ std::string while_doing(std::string_view stage) {
     return "while its descriptors were read";
 }
 
-// What a process wrote, without its lines of stages.
+// Output of a probe without its stage lines.
 struct Answer {
-    std::string stage = "load";  // the last
-    std::string_view fine;       // what comes after probe_fine
+    std::string stage = "load";  // the last stage
+    std::string_view fine;       // text after probe_fine
     std::string_view refused;
     bool is_fine = false;
 };
@@ -39,7 +39,7 @@ Answer read_answer(const ChildResult& result) {
     return answer;
 }
 
-// Faults as the probe wrote them: base/diagnostics.h to_json().
+// Reads faults in the form of to_json() of base/diagnostics.h.
 void read_faults(std::string_view text, const std::string& origin, Diagnostics& diagnostics) {
     Diagnostics none;
     const json::Value root = json::parse(std::string(text), origin, none).root;

@@ -8,7 +8,7 @@
 namespace wrinkle {
 namespace {
 
-// The functions of wr_builder that act.
+// Recorded functions of wr_builder.
 enum Call : uint32_t {
     call_input,
     call_image,
@@ -26,9 +26,9 @@ enum Call : uint32_t {
     call_name,
 };
 
-constexpr uint32_t no_text = ~0u;        // in place of a size
-constexpr uint32_t no_such_value = ~0u;  // for the host
-constexpr size_t max_text = 4096;        // bytes, as wrinkle/plugin.h says
+constexpr uint32_t no_text = ~0u;        // instead of a size
+constexpr uint32_t no_such_value = ~0u;  // invalid for the host
+constexpr size_t max_text = 4096;        // bytes, as in wrinkle/plugin.h
 
 constexpr uint32_t lanes_of_type(uint32_t type) {
     constexpr std::array<uint32_t, 14> lanes{
@@ -51,7 +51,7 @@ Recorder& record(const wr_builder* b, uint32_t call, Words... words) {
     return recorder;
 }
 
-// As many as were asked for, where the host's answer has room for them.
+// Assigns numbers to the first `room` values, poison to the rest.
 void give_numbers(Recorder& recorder, uint32_t* values, uint32_t count, uint32_t room) {
     for (uint32_t i = 0; values && i < count; ++i)
         values[i] = i < room ? recorder.next() : WR_POISON;
@@ -141,7 +141,7 @@ private:
         return value;
     }
 
-    // As many as were passed; without `list` the pointer was null, or there were too many.
+    // As many as were passed; `list` is null if the pointer was null or there were too many.
     struct Array {
         uint32_t count = 0;
         const uint32_t* list = nullptr;  // in words_
@@ -157,7 +157,7 @@ private:
         return array;
     }
 
-    // Values of the host.
+    // Reads values and maps them to those of the host.
     Array values() {
         const Array array = words();
         for (uint32_t i = 0; array.list && i < array.count; ++i)
@@ -285,7 +285,7 @@ private:
         if (fine_) b_->name(b_, named, words);
     }
 
-    // Of an op whose `extra` is a value.
+    // Maps `extra` if it is a value for this op.
     uint32_t base_of(uint32_t op, uint32_t extra) const {
         const bool source =
             (op >= WR_OP_gradient_from_derivative && op <= WR_OP_gradient_from_normal) ||
@@ -296,7 +296,7 @@ private:
     std::string_view calls_;
     const wr_builder* b_;
     bool fine_ = true;
-    std::vector<uint32_t> of_host_;  // by the recorder's number - 1
+    std::vector<uint32_t> of_host_;  // indexed by the recorder's number - 1
     std::array<uint32_t, max_build_values> words_{};
     std::string text_;
 };

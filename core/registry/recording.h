@@ -1,13 +1,13 @@
-// The calls that a node's build() makes of its builder, as data: recorded in the process that runs
-// the plugin's code, replayed in the one that lowers the graph.
+// Recording of the builder calls of a node's build(): recorded in the process that runs plugin
+// code, replayed in the process that lowers the graph.
 //
-// build() learns nothing of the graph but its options: values, images and regions are numbers that
-// mean something to the host alone. So a recorder answers each call with the next number, and the
-// replay puts the host's numbers in their place. What a call gets that makes no sense is therefore
-// seen by the host alone, which records the diagnostic; the plugin gets a number, not poison.
+// build() receives nothing of the graph but its options: values, images and regions are opaque
+// numbers with a meaning only to the host. So the recorder answers each call with the next number,
+// and the replay maps it to the number of the host. Invalid arguments are therefore detected only
+// by the host, which records the diagnostic; the plugin receives a number, not poison.
 //
-// A recording comes from a process whose memory a plugin may have written over: replay() believes
-// none of its sizes, and the host checks each call as if the plugin made it.
+// The plugin may have corrupted the memory of the recording process: replay() validates all sizes,
+// and the host checks each call as if the plugin made it.
 #pragma once
 
 #include <cstdint>
@@ -19,13 +19,12 @@
 
 namespace wrinkle {
 
-inline constexpr size_t max_build_calls = 100'000;  // of one node
-inline constexpr uint32_t max_build_values = 65;    // that one call takes or gives
+inline constexpr size_t max_build_calls = 100'000;  // calls of one node
+inline constexpr uint32_t max_build_values = 65;    // arguments or results of one call
 
 class Recorder {
 public:
-    // `options` by port. `on_full` is called instead of a call beyond max_build_calls; it does not
-    // return.
+    // `options` by port. `on_full` is called on a call beyond max_build_calls; it must not return.
     Recorder(std::span<const int32_t> options, void (*on_full)());
     Recorder(const Recorder&) = delete;
     Recorder& operator=(const Recorder&) = delete;
@@ -33,12 +32,12 @@ public:
     const wr_builder* builder() const { return &face_; }
     const std::string& calls() const { return calls_; }
 
-    // For the functions of the builder.
+    // Used by the functions of the builder.
     void begin(uint32_t call);
     void word(uint32_t value);
     void words(const uint32_t* values, uint32_t count);  // too many are not copied
     void number(double value);
-    void text(const char* source);  // cut off behind what a text may have
+    void text(const char* source);  // truncated to one byte above the limit
     uint32_t next() { return ++last_; }
     int32_t option(uint32_t port) const { return port < options_.size() ? options_[port] : 0; }
 
@@ -51,7 +50,8 @@ private:
     uint32_t last_ = 0;
 };
 
-// Makes the calls of `host`. False when they are damaged: what came before the damage was called.
+// Makes the calls on `host`. Returns false if the recording is damaged: calls before the damage are
+// made.
 bool replay(std::string_view calls, const wr_builder* host);
 
 }  // namespace wrinkle

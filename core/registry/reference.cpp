@@ -8,7 +8,7 @@
 namespace wrinkle {
 namespace {
 
-// The families in the order in which they come up.
+// Returns the families in order of first appearance.
 std::vector<std::string> families(const Registry& registry) {
     std::vector<std::string> names;
     for (const NodeType& type : registry.list())
@@ -44,7 +44,7 @@ std::string rows_text(const NodeType& type, bool outputs) {
     return text;
 }
 
-// Bars and line ends would end a cell of a table.
+// Escapes bars and line ends, which would end a table cell.
 std::string cell(const std::string& text) {
     std::string safe;
     for (const char c : text)

@@ -1,4 +1,5 @@
-// Descriptors as text: the reference pages of `wrinkle nodes`, and the JSON Schema of graph files.
+// Documentation of node types: reference pages of `wrinkle nodes`, and the JSON Schema of graph
+// files.
 #pragma once
 
 #include <string>
@@ -7,17 +8,17 @@
 
 namespace wrinkle {
 
-std::string list_text(const Registry& registry);  // one line a node, by family
+std::string list_text(const Registry& registry);  // one line per node, by family
 std::string page_text(const NodeType& type);      // everything about one node
 
 std::string list_json(const Registry& registry);  // {"version": 1, "nodes": [...]}
 std::string page_json(const NodeType& type);      // one object
 
-std::string list_markdown(const Registry& registry);  // a page of all nodes, by family
+std::string list_markdown(const Registry& registry);  // one page of all nodes, by family
 std::string page_markdown(const NodeType& type);
 
 // JSON Schema (draft 2020-12) of a graph file: completes node types, ports and choices, checks the
-// values of known ports, and lets unknown types, ports and keys pass.
+// values of known ports, and accepts unknown types, ports and keys.
 std::string graph_schema(const Registry& registry);
 
 }  // namespace wrinkle

@@ -1,4 +1,4 @@
-// The JSON Schema of graph files, generated from the node types.
+// JSON Schema of graph files, generated from the node types.
 #include <cmath>
 
 #include "base/back_faces.h"
@@ -52,7 +52,7 @@ std::string port_schema(const Port& port) {
     return text + (literal == "false" ? "" : ", " + literal) + "]}";
 }
 
-// Applies to nodes of this type and leaves others alone.
+// Applies only to nodes of this type.
 std::string node_schema(const NodeType& type) {
     std::string text =
         "      {\"if\": {\"properties\": {\"type\": {\"const\": " + json_quoted(type.id) +

@@ -1,4 +1,4 @@
-// Names that mean the same in every graph.
+// Names with the same meaning in every graph.
 #pragma once
 
 #include <optional>
@@ -15,8 +15,8 @@ inline constexpr std::string_view reroute_type = "reroute";
 inline constexpr size_t longest_name = 64;  // bytes
 bool is_name(std::string_view text);
 
-// An output of a graph: "normal" is a normal, "roughness" a float, ...; nothing for a name of the
-// user's own.
+// Returns the type of a standard output of a graph: "normal" is a normal, "roughness" a float, ...;
+// std::nullopt for other names.
 std::optional<PortType> standard_output(std::string_view name);
 std::span<const std::string_view> standard_outputs();
 

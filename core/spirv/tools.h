@@ -1,4 +1,4 @@
-// The module of compilers, and calls to it with values of C++.
+// Access to the compiler module, and conversion of its C types.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace wrinkle {
 
-// The table of functions, or null with the reason in `why`; the first answer is kept.
+// Returns the module's function table, or null and sets `why`. The first result is cached.
 const WrinkleSpirvModule* spirv_module(std::string& why);
 
 inline WrinkleSpirvSink sink_of(std::string& text) {

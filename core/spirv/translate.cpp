@@ -1,4 +1,4 @@
-// One Shader of GLSL 4.50 into what its target asks for.
+// Translates a GLSL 4.50 Shader to the language of its target.
 #include <array>
 #include <charconv>
 
@@ -11,7 +11,7 @@
 namespace wrinkle {
 namespace {
 
-// Indices of nodes by line of the GLSL, and what its comments say of each node.
+// Node index of each GLSL line, and the comment of each node.
 struct Origin {
     std::string title;
     std::vector<uint32_t> nodes;
@@ -31,7 +31,7 @@ Origin::Origin(const std::string& glsl, std::vector<uint32_t> lines, size_t node
     }
 }
 
-// The number of a line "#line 12 ..."; 0 for any other.
+// Returns the number of a directive "#line 12 ..."; 0 for any other line.
 size_t directive(std::string_view line) {
     constexpr std::string_view mark = "#line ";
     if (!line.starts_with(mark)) return 0;
@@ -40,7 +40,7 @@ size_t directive(std::string_view line) {
     return number;
 }
 
-// Leaves the directives out; what they say goes to the table of lines and into comments.
+// Removes the #line directives; their nodes go to the line table and into comments.
 Text with_nodes(const std::string& translated, const Origin& origin) {
     Text text;
     text.line(0, origin.title);
@@ -65,7 +65,7 @@ Text with_nodes(const std::string& translated, const Origin& origin) {
     return text;
 }
 
-// "TEXCOORD0" of "uv0", "POSITION" of "position".
+// Returns "TEXCOORD0" for "uv0", "POSITION" for "position".
 std::string semantic_of(const std::string& attribute) {
     if (attribute.starts_with("uv")) return "TEXCOORD" + attribute.substr(2);
     std::string upper = attribute;
@@ -92,7 +92,7 @@ private:
     Shader& shader_;
     Reflection& r_;
     const Target& target_;
-    std::vector<uint32_t> made_lines_;  // of the stage that was made last
+    std::vector<uint32_t> made_lines_;  // node of each line of the last translated stage
 };
 
 bool Translator::refuse(const std::string& log) {

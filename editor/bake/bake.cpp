@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 namespace {
 
 using Clock = std::chrono::steady_clock;
-// Folders that are made for files, taken away again unless the files were kept.
+// Records the missing folders of a path and removes those made later, unless keep() is called.
 class NewFolders {
 public:
     explicit NewFolders(fs::path folder) {
@@ -35,7 +35,7 @@ public:
     ~NewFolders() {
         std::error_code error;
         for (const fs::path& folder : missing_)
-            if (!kept_) fs::remove(folder, error);  // one that holds something stays
+            if (!kept_) fs::remove(folder, error);  // only removes empty folders
     }
     void keep() { kept_ = true; }
 
@@ -78,7 +78,7 @@ public:
         if (!compile() || !read_mesh()) return refused();
         NewFolders folders(choices_.one_file() ? choices_.into.parent_path() : choices_.into);
         if (!bake_squares() || !finish()) {
-            written_.clear();  // before their folder goes
+            written_.clear();  // closes the files before their folder is removed
             return refused();
         }
         folders.keep();
@@ -225,7 +225,7 @@ private:
     const BakeChoices& choices_;
     const Registry& registry_;
     TaskProgress& progress_;
-    Diagnostics problems_, disk_, found_;  // that forbid it; of writing; to be told
+    Diagnostics problems_, disk_, found_;  // fatal; write errors; warnings
     Compiled compiled_;
     TextureStore textures_;
     Mesh mesh_;
@@ -233,7 +233,7 @@ private:
     std::optional<BakePlan> plan_;
     std::vector<AskedMap> asked_;
     std::vector<PixelType> types_;   // by map
-    std::vector<MapFiles> written_;  // of each square, without their names until all are whole
+    std::vector<MapFiles> written_;  // by UDIM tile; temporary files until all are complete
     BakeReport report_;
     std::vector<std::string> read_;  // the files that the maps must not replace
 };
@@ -241,7 +241,7 @@ private:
 }  // namespace
 
 TaskOutcome bake_maps(const BakeJob& job, const Registry& registry, TaskProgress& progress) {
-    yield_to_interface();  // and the threads that are made for it
+    yield_to_interface();  // also applies to threads started from here
     try {
         return MapBaker(job, registry, progress).run();
     } catch (...) {

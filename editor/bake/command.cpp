@@ -1,4 +1,4 @@
-// The choices of the dialog as a call of `wrinkle bake`.
+// Writes the dialog's choices as calls of `wrinkle bake`.
 #include <algorithm>
 #include <cctype>
 
@@ -9,7 +9,7 @@ namespace wrinkle::editor {
 namespace fs = std::filesystem;
 namespace {
 
-// As it is where a shell reads nothing else into it.
+// Returns the text unchanged if it needs no quotes in a shell.
 std::string shell_word(const std::string& text) {
     const auto plain = [](unsigned char c) {
         return std::isalnum(c) ||
@@ -22,7 +22,7 @@ std::string shell_word(const std::string& text) {
     return quoted + "'";
 }
 
-// Of maps that are stored alike; `out` is a file where there is one map.
+// Returns the call for maps stored in the same way; `out` is a file if there is only one map.
 std::string call(const BakeChoices& choices, const fs::path& graph, const StoredAs& stored,
                  const std::string& maps, const std::vector<std::string>& packs,
                  const fs::path& out, bool one) {

@@ -1,5 +1,4 @@
-// Places of the selected cards: in line, evenly apart, on the grid. They change nothing but the
-// layout.
+// Aligns, distributes and snaps the selected cards. Only positions in the document change.
 #pragma once
 
 #include "editor/state.h"
@@ -9,7 +8,7 @@ namespace wrinkle::editor {
 enum class Side : uint8_t { left, right, top, bottom, middle_x, middle_y };
 
 Document aligned(const State& state, Side side);
-// With equal gaps between the outermost two.
+// Equal gaps between the two outermost cards; returns the document unchanged for fewer than three.
 Document distributed(const State& state, bool across);
 Document snapped(const State& state);  // to the grid of 8
 

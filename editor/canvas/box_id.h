@@ -1,4 +1,4 @@
-// A frame or a note by its name; the two have name spaces of their own.
+// Identifies a frame or a note; frames and notes have separate name spaces.
 #pragma once
 
 #include <compare>

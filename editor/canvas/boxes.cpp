@@ -10,14 +10,14 @@
 namespace wrinkle::editor {
 namespace {
 
-constexpr float grip = 6;  // screen pixels round an edge
+constexpr float grip = 6;  // screen pixels on either side of an edge
 
 bool holds(const Extent& outer, const Extent& inner) {
     return inner.low.x >= outer.low.x && inner.low.y >= outer.low.y &&
            inner.high.x <= outer.high.x && inner.high.y <= outer.high.y;
 }
 
-// The edges within reach as bits: left 1, right 2, top 4, bottom 8.
+// The edges within `reach`, as bits: left 1, right 2, top 4, bottom 8.
 uint8_t edges_at(ImVec2 at, const Extent& box, float reach) {
     const bool in_x = at.x >= box.low.x - reach && at.x <= box.high.x + reach;
     const bool in_y = at.y >= box.low.y - reach && at.y <= box.high.y + reach;

@@ -1,5 +1,4 @@
-// Frames and notes on the canvas: where they are, what of them lies under the pointer, what stands
-// in a frame. Lengths in canvas units.
+// Frames and notes on the canvas: extent, hit test, contents of a frame. Lengths in canvas units.
 #pragma once
 
 #include <optional>
@@ -16,19 +15,19 @@ Document with_box(const Document& document, bool note, Box box);
 Document without_box(const Document& document, const BoxId& id);
 std::string free_box_id(const Document& document, bool note);
 
-// As it is drawn, with the drag under way.
+// The extent as drawn, including the drag in progress.
 Extent extent_of(const State& state, const BoxId& id, const Box& box);
 
-// All boxes from the lowest to the topmost: frames, then notes.
+// All boxes from bottom to top: frames, then notes.
 std::vector<BoxId> all_boxes(const Document& document);
 
-// A title, an edge or a corner of a frame, or any place on a note. A hit's `card` is no card's
-// index, its `part` the index among all boxes.
+// Hit test for the title, an edge or a corner of a frame, and for any point of a note. Returns a
+// hit with `card` = Hit::no_card and `part` = index in all_boxes(); std::nullopt if no box is hit.
 std::optional<Hit> pick_box(const State& state, ImVec2 mouse);
 
-void name_boxes(State& state);  // "frame:ID" is its title, "note:ID" the whole note
+void name_boxes(State& state);  // "frame:ID" is its title, "note:ID" the entire note
 
-// What a frame takes along: the cards and boxes that lie in it whole.
+// Adds the frame itself and the cards and boxes that lie entirely inside it.
 void add_contents(const State& state, const BoxId& frame, std::set<std::string>& cards,
                   std::set<BoxId>& boxes);
 

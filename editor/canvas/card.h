@@ -1,5 +1,5 @@
-// What stands on the canvas, as layout.h makes it from the document: cards with pins and fields,
-// wires between them; and what of it lies under the pointer.
+// Drawing model of the canvas, built from the document by layout.h: cards with pins and fields,
+// wires between them, and the result of a hit test.
 #pragma once
 
 #include <imgui.h>
@@ -19,17 +19,17 @@ class Types;
 
 namespace wrinkle::editor {
 
-// A node on the canvas: one of the document, or one of the two at its borders. Lengths in canvas
-// units, relative to the card's corner.
+// A card is a node of the document, or the card of the surface, the graph inputs or the outputs.
+// Lengths in canvas units, relative to the card's corner.
 struct Pin {
     std::string port;
     PortType type = PortType::float_;
-    bool known = true;  // false: of a node whose type is missing
+    bool known = true;  // false: the node's type is missing
     bool output = false;
     bool connected = false;
     float y = 0;
-    std::string label;      // as it is shown, cut to fit
-    bool in_field = false;  // a field says its name
+    std::string label;      // as shown, truncated to fit
+    bool in_field = false;  // a field shows its name
 };
 struct Field {
     std::string port;
@@ -37,13 +37,13 @@ struct Field {
     int lane = 0;
     int lanes = 0;  // 0: not a number
     float x = 0, y = 0, width = 0;
-    std::string name, value;  // as they are shown, cut to fit
-    float part = -1;          // how much of the slider is full, 0 to 1; below 0: no slider
+    std::string name, value;  // as shown, truncated to fit
+    float part = -1;          // filled fraction of the slider, 0 to 1; below 0: no slider
     bool listed = false;      // a click opens a list
 };
 struct Card {
     enum class Kind : uint8_t { node, surface, inputs, outputs };
-    // Of the outputs' card; no node can have it.
+    // Id of the outputs card; not a valid node id.
     static constexpr const char* outputs_id = "$output";
 
     Kind kind = Kind::node;
@@ -55,9 +55,9 @@ struct Card {
     ImVec2 at{0, 0}, size{0, 0};
     std::vector<Pin> pins;
     std::vector<Field> fields;
-    float more_y = -1;     // of the row that shows all properties; -1: none
-    float picture_y = -1;  // of the picture of what it makes; -1: none
-    // The header's texts as they are shown, cut to fit; title may be "".
+    float more_y = -1;     // top of the row that shows all properties; -1: none
+    float picture_y = -1;  // top of the node preview; -1: none
+    // The header's texts as shown, truncated to fit; title may be "".
     std::string name, title;
     float name_width = 0;
 };
@@ -82,31 +82,31 @@ struct Layout {
     std::vector<Card> cards;  // in drawing order
     std::vector<Wire> wires;
     ImVec2 low{0, 0}, high{0, 0};
-    std::vector<Extent> card_boxes, wire_boxes;  // canvas units; a card with its pins
+    std::vector<Extent> card_boxes, wire_boxes;  // canvas units; a card includes its pins
 
     const Card* find(std::string_view id, Card::Kind kind = Card::Kind::node) const;
 
-    // What it was made of, so that the next one makes no more than what differs.
+    // Inputs of this layout, compared by the next update to rebuild only differing cards.
     Table<NodePtr> nodes;
     std::vector<uint32_t> card_of_node;  // by index in `nodes`
-    std::vector<uint64_t> readers;       // by index in `nodes`: which of its outputs are read
+    std::vector<uint64_t> readers;       // by index in `nodes`: key of the outputs that are read
     uint64_t fonts = 0;                  // Fonts::generation()
-    ImVec2 dragged{0, 0};                // how far the selected cards are from their places
-    size_t made = 0;                     // cards of nodes made anew by the last change
-    std::shared_ptr<const Types> types;  // of `nodes`
-    size_t links = 0;                    // of the document; `wires` are those with both ends
-    bool placed = false;                 // every node has its place from the document
-    bool patched = false;                // the last change made no more than what differs
+    ImVec2 dragged{0, 0};                // offset of the dragged cards from their stored positions
+    size_t made = 0;                     // cards of nodes built by the last update
+    std::shared_ptr<const Types> types;  // types of `nodes`
+    size_t links = 0;                    // links in the document; `wires` has those with both pins
+    bool placed = false;                 // every node has a position in the document
+    bool patched = false;                // the last update was incremental
 };
 
-// What lies under the pointer.
+// Result of a hit test under the pointer.
 struct Hit {
     enum class Kind : uint8_t { nothing, card, header, pin, field, wire, more, box };
     static constexpr size_t no_card = ~size_t{0};
     Kind kind = Kind::nothing;
     size_t card = 0;    // in Layout::cards
     size_t part = 0;    // pin or field of the card; wire of the layout; box (canvas/boxes.h)
-    uint8_t edges = 0;  // of a box, as bits: left 1, right 2, top 4, bottom 8
+    uint8_t edges = 0;  // edges of a box, as bits: left 1, right 2, top 4, bottom 8
 };
 
 }  // namespace wrinkle::editor

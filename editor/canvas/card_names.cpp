@@ -12,7 +12,7 @@ namespace {
 constexpr float pad = 3;
 constexpr size_t least_letters = 3;
 
-// What of the canvas is covered, in squares.
+// Coverage of the canvas, in cells of 2 x 2 screen pixels.
 class Ground {
 public:
     Ground(ImVec2 corner, ImVec2 extent)

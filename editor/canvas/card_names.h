@@ -1,7 +1,7 @@
-// Names of cards that are too small for their headers: below plain_zoom. A name has one size on the
-// screen at any zoom. It is in its card where it fits whole, else beside it on free ground, else
-// cut to the card; no name covers a card of another node or another name. A card without room for
-// three letters has none: the pointer on it shows it. O(cards in sight + pixels).
+// Names of cards at a zoom below plain_zoom, where headers are too small for text. Names have the
+// same screen size at any zoom. A name is placed in its card if it fits, else next to it on free
+// ground, else truncated in the card. No name covers a card of another node or another name. A card
+// without room for three letters gets no name; hovering it shows a tooltip. O(cards + pixels).
 #pragma once
 
 #include <string>
@@ -11,11 +11,11 @@
 
 namespace wrinkle::editor {
 
-inline constexpr float card_name_size = 14;  // screen pixels, of a line
+inline constexpr float card_name_size = 14;  // line height, screen pixels
 
 struct CardName {
     size_t card = 0;   // in Layout::cards
-    std::string text;  // as it is shown
+    std::string text;  // as shown
     bool cut = false;
     bool beside = false;
     ImVec2 low{0, 0}, high{0, 0};  // screen

@@ -1,4 +1,4 @@
-// The letters on a card, for what measures a text and for what draws it.
+// Text styles of a card, shared by measuring and drawing.
 #pragma once
 
 #include "editor/look/magnified.h"

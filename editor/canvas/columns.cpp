@@ -11,10 +11,10 @@
 namespace wrinkle::editor {
 namespace {
 
-constexpr float lane = 12;  // beside a wire
+constexpr float lane = 12;  // clearance above and below a wire
 constexpr int sweeps = 24, enough_sweeps = 6, repairs = 6;
 
-// A line where it crosses a column that it does not end in.
+// A line where it passes a column, with the range of y that it occupies there.
 struct Lane {
     size_t from, to;
     float top, bottom;
@@ -96,12 +96,12 @@ private:
         const bool right = number % 2 == 0;
         for (size_t k = 0; k < columns_.size(); ++k) {
             const size_t c = right ? k : columns_.size() - 1 - k;
-            // The first two sweeps find the order, from one side and from the other.
+            // The first two sweeps determine the order, one from each side.
             place(c, number < 2, right);
         }
     }
 
-    // Only what hides a wire moves.
+    // Moves only boxes that hide a wire.
     void repair(int number) {
         for (size_t k = 0; k < columns_.size(); ++k) {
             const size_t c = number % 2 == 0 ? k : columns_.size() - 1 - k;
@@ -112,7 +112,7 @@ private:
         }
     }
 
-    // Where its wires would run level.
+    // Returns the top at which the box's wires are horizontal on average.
     float wanted_top(size_t box, bool one_side, bool left_side) const {
         float sum = 0, count = 0;
         for (const size_t l : lines_of_[box]) {
@@ -145,7 +145,7 @@ private:
         put(c, wanted);
     }
 
-    // From the top down in the gaps between the wires.
+    // Sets the tops of a column from the top down, in the gaps between the wires.
     void put(size_t c, const std::vector<float>& wanted) {
         const std::vector<Lane> lanes = lanes_in(c);
         float top = -std::numeric_limits<float>::infinity();
@@ -155,10 +155,10 @@ private:
         }
     }
 
-    // Moves those that would cover each other apart, all as little as can be.
+    // Separates overlapping boxes with the least squared movement (pool adjacent violators).
     void spread(const std::vector<size_t>& column, std::vector<float>& wanted) const {
         struct Block {
-            float sum = 0, count = 0;  // of tops, less what is above in the column
+            float sum = 0, count = 0;  // `sum` of tops, minus the heights above
             float top() const { return sum / count; }
         };
         std::vector<Block> blocks;
@@ -200,7 +200,8 @@ private:
         return lanes;
     }
 
-    // The top nearest to `wanted`, from `least` on, at which the box is in no lane of others.
+    // Returns the top >= `least` nearest to `wanted` at which the box overlaps no lane of other
+    // boxes; `wanted`, rounded to the grid, if there is none.
     float free_top(size_t box, float wanted, float least, const std::vector<Lane>& lanes) const {
         const float tall = boxes_[box].size.y;
         const auto is_free = [&](float top) {
@@ -226,7 +227,7 @@ private:
         return best;
     }
 
-    // Hidden wires, and the sum of their rises.
+    // Returns the number of hidden wires and the sum of the height differences of all wires.
     std::pair<size_t, float> cost() const {
         size_t hidden = 0;
         float rise = 0;

@@ -1,4 +1,4 @@
-// Where wires run, as geometry: what crosses them and what lies under them. Canvas units.
+// Geometry of wires: intersection with a segment, wires under a card. Canvas units.
 #pragma once
 
 #include <optional>
@@ -10,10 +10,10 @@ namespace wrinkle::editor {
 
 Curve curve_of(const Wire& wire);
 
-// Where the wire meets the straight line from a to b.
+// Returns the first intersection of the wire with the segment from a to b; std::nullopt if none.
 std::optional<ImVec2> crossing(const Layout& layout, size_t wire, ImVec2 a, ImVec2 b);
 
-// The wire that runs under the card nearest to its middle, without those at the card itself.
+// Returns the wire under the card that is nearest to its center, except wires of the card itself.
 std::optional<size_t> wire_under(const Layout& layout, const Card& card);
 
 }  // namespace wrinkle::editor

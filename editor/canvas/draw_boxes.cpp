@@ -1,4 +1,4 @@
-// Frames and notes, under everything else.
+// Draws frames and notes, below everything else.
 #include <algorithm>
 
 #include "base/text.h"
@@ -15,7 +15,7 @@ void draw_outline(const Painter& p, ImVec2 low, ImVec2 high, bool selected, bool
     p.list.AddRect(low, high, color, box_corner, 0, selected ? 2 : 1);
 }
 
-// A title stays readable however far out.
+// The title has a minimum screen size, so that it is readable at any zoom.
 void draw_title(const Painter& p, ImVec2 low, float width, std::string_view title) {
     const float size = std::max(18 * p.zoom, 12.0F);
     ImFont* font = p.state.fonts.bold(size);

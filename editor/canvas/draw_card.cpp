@@ -120,7 +120,8 @@ ImU32 plain_color(const Painter& p, const Card& card) {
     return price ? heat_color(p.heat(*price)).ground : theme::header;
 }
 
-// What the node makes, cut to the card's width; half as strong while it is of a former graph.
+// The node preview, cropped to the card's width; at half opacity if the current graph has no
+// running shader and the preview is of an earlier graph.
 void draw_picture(const Painter& p, const Card& card, ImVec2 low, ImVec2 high) {
     if (card.picture_y < 0) return;
     const ImVec2 from(low.x + field_inset * p.zoom, low.y + card.picture_y * p.zoom);
@@ -140,7 +141,7 @@ void draw_picture(const Painter& p, const Card& card, ImVec2 low, ImVec2 high) {
     p.list.AddRect(from, to, theme::border, 3 * p.zoom);
 }
 
-// The last row: what the node costs, while the graph compiles.
+// The last row: cost of the node, if known.
 void draw_cost(const Painter& p, const Card& card, ImVec2 high, bool hovered) {
     const Price* price = p.price(card);
     if (!price) return;
@@ -163,7 +164,7 @@ void draw_cost(const Painter& p, const Card& card, ImVec2 high, bool hovered) {
     p.text(end, card_text::small_right, color, words);
 }
 
-// Far away: a rectangle, what is wrong with it, and whether it is selected.
+// At low zoom: a rectangle, a badge for diagnostics, and the selection.
 void draw_plain(const Painter& p, size_t index, ImVec2 low, ImVec2 high, bool selected) {
     p.list.AddRectFilled(low, high, selected ? theme::accent : theme::line);
     const ImVec2 edge(selected ? 2.0F : 1.0F, selected ? 2.0F : 1.0F);
@@ -184,7 +185,7 @@ void draw_outline(const Painter& p, const Card& card, ImVec2 low, ImVec2 high, b
     p.list.AddRect(low, high, color, radius, 0, selected ? 2 : 1);
 }
 
-// Of a type that is not installed.
+// Hatches a card with a type that is not installed.
 void draw_hatch(const Painter& p, ImVec2 low, ImVec2 high) {
     p.list.PushClipRect(low + ImVec2(1, 0), high - ImVec2(1, 1), true);
     const float tall = high.y - low.y;
@@ -193,7 +194,7 @@ void draw_hatch(const Painter& p, ImVec2 low, ImVec2 high) {
     p.list.PopClipRect();
 }
 
-// The value that goes past a muted node.
+// The value that passes through a muted node.
 void draw_passage(const Painter& p, const Card& card) {
     const Pin* output = main_pin(card);
     const uint32_t out =

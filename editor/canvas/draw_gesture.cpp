@@ -1,5 +1,5 @@
-// What the hand is doing, over the cards: strokes and where they cut, the wire that a dropped card
-// would stand in, the wire that a lazy drag would make.
+// Gesture feedback drawn over the cards: strokes and their crossings, the wire into which a dropped
+// card would be inserted, the wire that a lazy drag would create.
 #include <algorithm>
 
 #include "editor/canvas/canvas.h"

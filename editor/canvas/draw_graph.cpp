@@ -1,4 +1,4 @@
-// The whole canvas from the ground up: grid, frames, wires, cards, what is in the hand.
+// Draws the canvas from back to front: grid, frames, wires, cards, dragged wire, selection box.
 #include <algorithm>
 #include <cmath>
 
@@ -29,7 +29,7 @@ ImU32 name_color(const Painter& p, const CardName& name) {
     return p.fades(name.card) ? theme::with_alpha(color, 0.35F) : color;
 }
 
-// Of cards that are too small for their headers.
+// Names of cards that are too small for their headers.
 void draw_names(const Painter& p) {
     ImFont* font = p.state.fonts.regular(card_name_size);
     for (const CardName& name : card_names(p.state)) {

@@ -1,4 +1,4 @@
-// A reroute: the wire runs through its pin's shape.
+// Draws a reroute: a wire through the shape of its pin.
 #include <algorithm>
 
 #include "editor/canvas/painter.h"

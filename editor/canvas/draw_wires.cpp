@@ -8,13 +8,13 @@
 namespace wrinkle::editor {
 namespace {
 
-// As many pieces as its length on the screen asks for.
+// Number of line segments for a curve, by its length on the screen.
 int pieces(const Curve& k, bool plain) {
     const float wide = std::fabs(k.d.x - k.a.x), tall = std::fabs(k.d.y - k.a.y);
     if (tall < 0.5F && k.d.x > k.a.x) return 1;
     const float back = k.d.x < k.a.x ? k.b.x - k.a.x : 0;
     const float length = wide + tall + 2 * back;
-    // One that runs back turns sharply: too few pieces would leave spikes.
+    // A wire that runs backwards turns sharply and needs more segments to avoid spikes.
     return plain ? std::clamp(static_cast<int>(length / 20), back > 0 ? 12 : 1, 12)
                  : std::clamp(4 + static_cast<int>(length / 14), 6, 32);
 }
@@ -27,7 +27,7 @@ void stroke(ImDrawList& list, const Curve& k, ImU32 color, float thickness, int 
     list.PathStroke(color, 0, thickness);
 }
 
-// The pill on a wire that says what happens to the value on its way.
+// Draws the pill on a wire that shows the conversion of its value.
 void draw_conversion(const Painter& p, const Wire& wire, ImVec2 at) {
     const float z = p.zoom;
     const ImVec2 half(25 * z, 11 * z);
@@ -63,7 +63,7 @@ bool is_chosen(const View& view, const Wire& wire) {
            view.selected_wire->port == wire.port;
 }
 
-// A converted value changes its colour in the middle.
+// A converted wire changes its color in the middle.
 void draw_line(const Painter& p, const Wire& wire, const Curve& k, ImU32 color, float thickness) {
     const int count = pieces(k, p.plain);
     const bool converts = wire.conversion != Conversion::same && wire.known && !p.plain;

@@ -35,7 +35,7 @@ bool is_count(const Port& port) {
     return port.kind == Port::Kind::count;
 }
 
-// A value that decimals can spell: steps of a thousandth of what the drag covers.
+// Rounds to a decimal step of 1/1000 to 1/100 of `range`, with 0 to 9 decimals.
 double rounded(double value, double range) {
     const int decimals = std::clamp(3 - static_cast<int>(std::ceil(std::log10(range))), 0, 9);
     char text[64];
@@ -44,13 +44,13 @@ double rounded(double value, double range) {
 }
 
 std::string shown_unit(const Port& port) {
-    if (lanes_of_field(port) > 1) return "";  // there is no room for units
+    if (lanes_of_field(port) > 1) return "";  // no room for units
     if (port.unit == "x") return " \u00D7";
     if (port.unit == "deg") return "\u00B0";
     return port.unit.empty() ? "" : " " + port.unit;
 }
 
-// With an exponent only where a number has many zeros.
+// Uses an exponent only for numbers with many zeros.
 std::string spelled(float value) {
     const float size = std::fabs(value);
     if (size != 0 && (size < 1e-4F || size >= 1e7F)) return shortest(value);

@@ -1,4 +1,4 @@
-// A literal at a port as the hand changes it: read, spelled for people, dragged, written back.
+// A literal at a port as edited on the canvas: read, formatted, dragged, written back.
 #pragma once
 
 #include <array>
@@ -10,22 +10,22 @@
 
 namespace wrinkle::editor {
 
-// How many numbers the port shows: 1 to 4 for numbers, 1 for a count, 0 for anything else.
+// Number of components that the port shows: 1 to 4 for numbers, 1 for a count, else 0.
 int lanes_of_field(const Port& port);
 
-// The numbers that hold at the port now: the literal's or the default's. Of a choice, a count or a
-// flag the first one.
+// Returns the current numbers of the port: of its literal, else of its default. A choice, a count
+// or a flag uses only the first.
 std::array<double, 4> numbers_at(const Node& node, const Port& port);
 
-// A number with its unit, "0.015 m", in the shortest text that reads back as the value. Where
-// `fits` refuses that, ".015"; and where it refuses that too, the number rounded to as many
-// decimals as fit, or to none.
+// Formats a number with its unit, "0.015 m", as the shortest text that reads back as the value. If
+// `fits` rejects it, drops the leading zero (".015"); if `fits` rejects that too, rounds to the
+// most decimals (7 to 0) that fit.
 using Fits = std::function<bool(const std::string& text)>;
 std::string shown_number(double value, const Port& port, const Fits& fits);
 // "0.6", "4", "uv0", "fbm", "bricks.png"
 std::string shown_value(const Node& node, const Port& port, const Fits& fits);
 
-// Lane `lane` set to `value`, clamped to the hard range; the default is not written.
+// Sets lane `lane` to `value`, clamped to the hard range; a default value is not stored.
 Document with_number(const Document& document, std::string_view node, const Port& port, int lane,
                      double value);
 Document with_choice(const Document& document, std::string_view node, const Port& port,
@@ -33,11 +33,11 @@ Document with_choice(const Document& document, std::string_view node, const Port
 Document with_flag(const Document& document, std::string_view node, const Port& port, bool value);
 Document with_file(const Document& document, std::string_view node, const Port& port,
                    std::string_view file);
-// An image's "encoding" or "wrap" by its name; what holds without it is not written.
+// Sets an image's "encoding" or "wrap" (`key`) by its name; a default value is not stored.
 Document with_image_word(const Document& document, std::string_view node, const Port& port,
                          std::string_view key, std::string_view word);
 
-// `start` after a drag of `pixels` along a field `width` pixels wide.
+// Returns `start` after a drag of `pixels` along a field `width` pixels wide.
 double dragged(double start, double pixels, double width, const Port& port, bool fine, bool coarse);
 
 }  // namespace wrinkle::editor

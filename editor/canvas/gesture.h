@@ -1,4 +1,4 @@
-// What the hand is doing on the canvas between the press of a button and its release.
+// Pointer gesture on the canvas, from the press of a button to its release.
 #pragma once
 
 #include <imgui.h>
@@ -15,7 +15,8 @@
 
 namespace wrinkle::editor {
 
-// What the hand is doing on the canvas; it owns the pointer until the button is up or Escape.
+// The gesture in progress; it captures the pointer until the button is released or Escape is
+// pressed.
 struct Gesture {
     enum class Kind : uint8_t {
         none,
@@ -25,54 +26,54 @@ struct Gesture {
         wire,
         value,
         cut,      // a stroke across wires
-        reroute,  // the same, for a reroute in each
-        lazy,     // from a card to a card
+        reroute,  // a stroke; inserts a reroute in each crossed wire
+        lazy,     // a wire from card to card
         lasso,
-        resize,  // of a frame or a note
+        resize,  // resizes a frame or a note
     };
     Kind kind = Kind::none;
     int button = 0;
     ImVec2 start{0, 0};   // screen
-    uint64_t serial = 0;  // of the document that it began with
+    uint64_t serial = 0;  // history serial at the start
     bool moved = false;
-    bool panning = false;            // the view moves, as the pointer is at the border
-    ImVec2 pan{0, 0};                // of the view, as it was
-    std::set<std::string> selected;  // as it was
-    std::set<BoxId> boxes;           // the selected ones, as they were
+    bool panning = false;            // the view moves because the pointer is near the border
+    ImVec2 pan{0, 0};                // View::pan at the start
+    std::set<std::string> selected;  // selected nodes at the start
+    std::set<BoxId> boxes;           // selected boxes at the start
 
-    // of a move
+    // Move.
     ImVec2 offset{0, 0};            // canvas units
-    std::set<std::string> carried;  // cards that go along
+    std::set<std::string> carried;  // cards that move along
     std::set<BoxId> carried_boxes;
-    std::optional<size_t> under_wire;  // of the layout: that the card would stand in
+    std::optional<size_t> under_wire;  // in Layout::wires; the card would be inserted in it
 
-    // of a stroke
+    // Cut, reroute, lasso.
     struct Crossing {
-        size_t wire = 0;  // of the layout
+        size_t wire = 0;  // in Layout::wires
         ImVec2 at{0, 0};  // canvas units
     };
     std::vector<ImVec2> stroke;  // canvas units
     std::vector<Crossing> crossed;
 
-    size_t card = 0;  // of the layout: where a lazy wire begins
+    size_t card = 0;  // in Layout::cards; start of a lazy wire
 
-    BoxId box;  // that was pressed
+    BoxId box;  // the pressed box
     uint8_t edges = 0;
-    Rectangle rect;  // as it was
+    Rectangle rect;  // at the start
 
-    // of a wire: its fixed end
+    // Wire: its fixed end.
     bool from_output = false;
-    bool taken = false;  // it was lifted off node.port
+    bool taken = false;  // detached from node.port
     Link from;
-    // The input that it was drawn from; with node "" an output of the graph.
+    // The input at which the drag began; an empty `node` means an output of the graph.
     std::string node;
     std::string port;
-    std::set<std::string> loops;  // nodes that it cannot go to without closing a cycle
+    std::set<std::string> loops;  // nodes that would close a cycle
     PortType type = PortType::float_;
 
-    std::string merge;  // of the steps that this gesture makes
+    std::string merge;  // merge key of this gesture's history steps
 
-    // of a value
+    // Value.
     uint32_t port_index = 0;
     int lane = 0;
     double start_value = 0;

@@ -1,4 +1,4 @@
-// The canvas's grid, in its units.
+// The canvas's grid, in canvas units.
 #pragma once
 
 #include <cmath>
@@ -6,7 +6,7 @@
 namespace wrinkle::editor {
 
 inline constexpr float grid = 8;
-// Between cards that are placed in columns.
+// Gaps between cards in columns.
 inline constexpr float row_gap = 32, column_gap = 64;
 
 inline float grid_up(float length) {

@@ -15,12 +15,12 @@ namespace {
 
 constexpr auto none = ~uint32_t{0};
 
-// Who reads which output of which node, found in one pass over the links of a document.
+// Readers of each output of each node, found in one pass over the links of a document.
 struct Readers {
-    std::vector<uint32_t> source;         // by link, in the order of the document: a node or `none`
-    std::vector<uint32_t> first;          // by node: where its outputs begin in `ports`
-    std::vector<std::string_view> ports;  // outputs that are read, those of a node together
-    std::vector<uint64_t> key;            // by node: the same for the same outputs read
+    std::vector<uint32_t> source;         // by link, in document order: index of a node, or `none`
+    std::vector<uint32_t> first;          // by node: index of its first output in `ports`
+    std::vector<std::string_view> ports;  // outputs that are read, grouped by node
+    std::vector<uint64_t> key;            // by node: equal if the same outputs are read
     Used used;
 
     std::span<const std::string_view> of(size_t node) const {
@@ -66,7 +66,7 @@ Readers find_readers(const Document& document) {
     return readers;
 }
 
-// The types of sub-graphs and reroutes are made anew with every model.
+// Types of sub-graphs and reroutes are created again with each model.
 bool has_lasting_type(const Node& node) {
     return !node.subgraph() && node.type != reroute_type;
 }
@@ -78,7 +78,7 @@ public:
         if (old.fonts != state.fonts.generation()) old.nodes = {};
     }
 
-    // The card of a node: that of the layout before when nothing about it has changed.
+    // Returns the card of a node, reused from the previous layout if nothing about it changed.
     Card take(size_t index) {
         const NodePtr& node = state_.document().nodes[index];
         const NodeType* type = state_.model.types->of(0, index);
@@ -149,7 +149,7 @@ void add_wires(const Document& document, const Readers& readers, Layout& layout)
             add_wire(layout, output.from.link, source(output.from.link), outputs, output.name);
 }
 
-// Cards of nodes in the order of the document, then those at the borders; raised ones on top.
+// Node cards in document order, then the surface, inputs and outputs cards; raised cards on top.
 void order_cards(const State& state, Layout& layout) {
     std::vector<uint32_t> order, raised;
     std::vector<bool> is_raised(layout.cards.size(), false);
@@ -226,7 +226,7 @@ Layout lay_out(State& state) {
     return layout;
 }
 
-// Moves the cards in the hand, and with them the ends of their wires.
+// Moves the dragged cards and the ends of their wires.
 void drag_cards(const State& state, Layout& layout) {
     const ImVec2 wanted =
         state.gesture.kind == Gesture::Kind::move ? state.gesture.offset : ImVec2(0, 0);

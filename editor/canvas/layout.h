@@ -1,44 +1,44 @@
-// From the document to cards and wires on the canvas: sizes, rows and pins in canvas units. Nodes
-// without a position are put in columns by their depth; the surface stands left of all nodes and
-// the outputs right.
+// Builds cards and wires from the document: sizes, rows and pins in canvas units. Nodes without a
+// position are placed in columns by their depth; the surface card is left of all nodes and the
+// outputs card right of them.
 #pragma once
 
 #include "editor/state.h"
 
 namespace wrinkle::editor {
 
-inline constexpr float detail_zoom = 0.6F;  // below it a card shows no fields
-inline constexpr float plain_zoom = 0.35F;  // below it a card is a rectangle
-inline constexpr float name_left = 29;      // of a card with a pin in its header
+inline constexpr float detail_zoom = 0.6F;  // below it cards show no fields
+inline constexpr float plain_zoom = 0.35F;  // below it cards are plain rectangles
+inline constexpr float name_left = 29;      // x of the name, on a card with a header pin
 inline constexpr float header_height = 28, row_height = 24, field_height = 21, field_inset = 12;
-inline constexpr float cost_height = 20;  // of the last row; 8 without it
+inline constexpr float cost_height = 20;  // height of the last row; 8 without costs
 inline constexpr float picture_height = 72;
-// A pin at either end, the shape in the middle.
+// A pin at either end, the type's shape in the middle.
 inline constexpr float reroute_width = 32, reroute_height = 16;
 
-// Brings state.layout up to the document and to the drag under way. A card is made anew only when
-// its node, its type or its readers have changed; a drag moves what it has in its hand.
+// Updates state.layout to the document and to the drag in progress. Rebuilds a card only if its
+// node, type or readers changed; a drag only moves cards and their wires.
 void update_layout(State& state);
 
-// Where nodes stand by the document, and where those without a place go: in columns by their
-// depth, below the cards that have one; `sizes` are those of the cards, by index.
+// Returns the positions of the nodes, by index: those in the document; nodes without one are placed
+// in columns by depth, below the others. `sizes` are the card sizes, by index.
 std::vector<ImVec2> places_of(const Document& document, const std::vector<ImVec2>& sizes);
-// The same of a document that is not on the canvas, with the size of each card.
+// Same for a document that is not on the canvas; returns the extent of each card.
 std::vector<Extent> places_off_canvas(const State& state, const Document& document);
 
-// Where a pin is, in canvas units.
+// Returns the position of a pin, in canvas units.
 ImVec2 pin_at(const Card& card, const Pin& pin);
 
 // Canvas units to screen pixels and back.
 ImVec2 to_screen(const View& view, ImVec2 at);
 ImVec2 to_canvas(const View& view, ImVec2 at);
-ImVec2 pointed_at(const View& view);  // the pointer, or the canvas's middle; screen
-// All cards in sight, or the selected ones; between what floats over the canvas's upper and lower
-// border (panels/overlays.cpp).
+ImVec2 pointed_at(const View& view);  // the pointer, else the canvas's center; screen pixels
+// Fits all cards, or the selected ones, between the overlays at the upper and lower border of the
+// canvas (panels/overlays.cpp).
 void fit(View& view, const Layout& layout, bool selection_only);
-// As far out as 5 %, or as shows all cards; as far in as 400 %.
+// Zooms with `screen` fixed, between 400 % and 5 %, or less if all cards need it.
 void zoom_at(View& view, const Layout& layout, ImVec2 screen, float factor);
-// Moves the view as little as brings the card into it.
+// Pans by the smallest amount that shows the card.
 void bring_in_sight(View& view, const Card& card);
 
 }  // namespace wrinkle::editor

@@ -1,4 +1,4 @@
-// What making a layout and bringing one up to a change have in common; for these two alone.
+// Shared by the full layout (layout.cpp) and the incremental update (patch_layout.cpp) only.
 #pragma once
 
 #include <functional>
@@ -7,7 +7,7 @@
 
 namespace wrinkle::editor {
 
-// What two layouts compare to see whether other outputs of a node are read: a sum over its readers.
+// Hash of a read output. The sum over a node's readers detects a change of its read outputs.
 inline uint64_t reader_key(std::string_view port) {
     return std::hash<std::string_view>{}(port);
 }
@@ -15,14 +15,14 @@ inline uint64_t reader_key(std::string_view port) {
 Extent box_of(const Card& card);
 void find_bounds(Layout& layout);
 
-// A wire between two cards, nothing where one of them has no such pin. Types, conversion, ends and
-// box follow from the cards by fit_wire().
+// Returns a wire between two cards; std::nullopt if either has no such pin. fit_wire() derives
+// types, conversion, end points and bounding box from the cards.
 std::optional<Wire> make_wire(const Layout& layout, const Link& from, uint32_t source,
                               uint32_t reader, const std::string& port);
 void fit_wire(const Layout& layout, Wire& wire, Extent& box);
 
-// Brings the layout up to the document where little has changed: some nodes at most, and nothing at
-// the borders. False, with the layout as it was, where it has to be made anew.
+// Updates the layout incrementally if at most 16 nodes changed and nothing changed at the surface,
+// inputs and outputs cards. Returns false, with the layout unchanged, if a full layout is needed.
 bool patch_layout(State& state);
 
 }  // namespace wrinkle::editor

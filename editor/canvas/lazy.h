@@ -1,4 +1,4 @@
-// A wire from card to card without aiming at pins.
+// Wires from card to card, without choosing pins.
 #pragma once
 
 #include <optional>
@@ -7,14 +7,14 @@
 
 namespace wrinkle::editor {
 
-// The ends that fit best: equal types before types that convert, free inputs before taken ones,
-// equal names, then the order of the pins. Indices of pins of the two cards.
+// The best-fitting pins: equal types before convertible ones, free inputs before connected ones,
+// then equal names, then pin order. Indices of pins of the two cards.
 struct PinPair {
     size_t out = 0, in = 0;
 };
 std::optional<PinPair> best_pins(const Card& from, const Card& to, bool free_only = false);
 
-// The wire of a drag from one card to the other: forth, else back to an input that is free.
+// The wire of a drag between two cards: forward, else backward to a free input.
 struct LazyWire {
     const Card* from = nullptr;
     const Card* to = nullptr;

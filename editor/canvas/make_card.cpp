@@ -85,7 +85,7 @@ void CardMaker::add_pin(const std::string& port, PortType type, bool known, bool
                          cut(card_text::body, port, card.size.x - 30), false});
 }
 
-// A single number has its name inside, before its value.
+// A single number has its name inside the field, left of its value.
 void CardMaker::write_field(Field& field, const Port& port) const {
     field.listed = port.kind == Port::Kind::choice || port.type == PortType::image_;
     const double value = numbers_at(node_, port)[static_cast<size_t>(field.lane)];
@@ -93,7 +93,7 @@ void CardMaker::write_field(Field& field, const Port& port) const {
         field.part = static_cast<float>(
             std::clamp((value - port.soft_min) / (port.soft_max - port.soft_min), 0.0, 1.0));
     const float room = field.width - 14 - (field.listed ? 12.0F : 0.0F);
-    // The name of a single number leaves its value room for some digits, or is cut.
+    // The name of a single number leaves at least this width for the value, else it is truncated.
     constexpr float digits_room = 64;
     const float name = field.lanes > 1 ? 0 : width(card_text::body, port.name) + 6;
     const float number_room = std::min(room, std::max(room - name, digits_room));
@@ -107,7 +107,7 @@ void CardMaker::write_field(Field& field, const Port& port) const {
     if (field.lanes <= 1 && left > 16) field.name = cut(card_text::body, port.name, left);
 }
 
-// Several numbers stand side by side behind their name.
+// The fields of several numbers are side by side, right of their common name.
 void CardMaker::add_field(uint32_t index, const Port& port, float y) {
     const int lanes = lanes_of_field(port);
     const float named = lanes > 1 ? width(card_text::body, port.name) + 6 : 0;
@@ -165,7 +165,7 @@ void CardMaker::fill_reroute() {
     card.pins.push_back({"in", type, card.type != nullptr, false, fed, y, ""});
 }
 
-// Ports as the document writes them.
+// Ports as listed in the document.
 void CardMaker::fill_unknown() {
     float y = header_height;
     std::vector<std::string_view> outputs(read_.begin(), read_.end());

@@ -1,4 +1,4 @@
-// A card from its node: rows, pins, fields and the texts on them, in canvas units.
+// Builds a card from its node: rows, pins, fields and their texts, in canvas units.
 #pragma once
 
 #include <set>
@@ -8,15 +8,16 @@
 
 namespace wrinkle::editor {
 
-// Whether a node shows what it makes. Usually those do that make another kind of thing than they
-// take, so that a chain of operators does not show one picture many times.
+// Returns true if the card shows a node preview. By default only nodes with a shown output type
+// different from all their input types do, so that a chain of operators does not repeat one
+// preview.
 bool has_picture(const View& view, const Node& node, const NodeType* type);
 
-// `read` names the outputs that somebody reads, perhaps more than once. The card stands at (0, 0).
+// `read` lists the outputs with a reader, possibly with duplicates. The card is at (0, 0).
 Card make_card(const Fonts& fonts, const Node& node, const NodeType* type,
                std::span<const std::string_view> read, bool picture);
 
-// What of the surface and of the graph's inputs is read.
+// Surface properties and graph inputs that are read.
 struct Used {
     std::set<std::string_view> surface, inputs;
 };

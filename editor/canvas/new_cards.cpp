@@ -37,7 +37,7 @@ bool is_free(const std::vector<Extent>& fixed, const std::vector<Extent>& moving
     });
 }
 
-// The free offset nearest to (0, 0) among those `ring` steps away along one axis.
+// Returns the free offset nearest to `by` among those `ring` steps away along one axis.
 std::optional<ImVec2> free_on_ring(const std::vector<Extent>& fixed,
                                    const std::vector<Extent>& moving, ImVec2 by, int ring) {
     const float far = static_cast<float>(ring) * step;

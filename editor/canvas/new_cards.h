@@ -1,5 +1,5 @@
-// Places of new cards: near where they are wanted, over no other card; then above all others and in
-// sight. Lengths in canvas units.
+// Positions of new cards: near the requested position, without covering another card. New cards are
+// drawn on top and scrolled into view. Lengths in canvas units.
 #pragma once
 
 #include <set>
@@ -10,24 +10,24 @@
 
 namespace wrinkle::editor {
 
-// How far the things at `moving` go, about as far as `by`, so that each is clear of all `fixed`; on
-// the grid. Of many things it is their common box that is clear. O(fixed * moving) for each place
-// that is tried, 70,000 of them at most; where all are taken, below everything.
+// Returns an offset close to `by` that separates each extent of `moving` from all `fixed`; on
+// the grid. More than 16 extents move as their bounding box. If no offset in range is free, returns
+// one below all `fixed`. O(fixed * moving) per offset, at most 70,000 offsets.
 ImVec2 free_shift(const std::vector<Extent>& fixed, std::vector<Extent> moving, ImVec2 by);
-// Of the cards without those of `except`.
+// Extents of all cards except `except`.
 std::vector<Extent> card_extents(const State& state, const std::set<std::string>& except = {});
 
-// Where the node's card covers no other, near `at`; those of `except` are about to go.
+// Returns the position near `at` at which the node's card covers no other; `except` are cards about
+// to be removed.
 ImVec2 free_place(const State& state, ImVec2 at, const Node& node, const NodeType* type,
                   const std::set<std::string>& except = {});
 
-// The document with the places that cards without one have now: they would go elsewhere as soon as
-// another card has one.
+// Returns the document with the current positions stored for cards without one: the automatic
+// layout would move them as soon as another card has a position.
 Document settled(const State& state, const Document& document);
 
-// Selects nodes that a step has just made, above all other cards; the next frame brings them in
-// sight.
+// Selects new nodes and raises them above all other cards; the next frame scrolls them into view.
 void show_new(State& state, const std::set<std::string>& ids);
-void reveal_new(State& state);  // after the layout is up to date
+void reveal_new(State& state);  // after the layout update
 
 }  // namespace wrinkle::editor

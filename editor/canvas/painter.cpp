@@ -46,7 +46,7 @@ void Painter::blame(const Diagnostic& problem) {
         trouble.worst = &problem;
 }
 
-// Cards on a way to the selection, and from it; a wire leads along one of them or along the other.
+// Marks cards upstream and downstream of the selection, and the wires on these paths.
 void Painter::find_related() {
     const Layout& layout = state.layout;
     const size_t cards = layout.cards.size();
@@ -80,7 +80,7 @@ void Painter::find_dearest() {
     }
 }
 
-// The costs are of a document of before; a node renamed since stands where it did.
+// The costs may belong to an earlier document; a node renamed since has the same index.
 const Price* Painter::price(const Card& card) const {
     const Costs* costs = state.costs();
     if (!costs || card.kind != Card::Kind::node || card.reroute) return nullptr;

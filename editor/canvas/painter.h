@@ -1,4 +1,4 @@
-// What the parts of the canvas's drawing share, for one frame.
+// State shared by the drawing functions of the canvas, for one frame.
 #pragma once
 
 #include <string_view>
@@ -12,7 +12,7 @@
 
 namespace wrinkle::editor {
 
-// The worst that is wrong with a card; nullptr: nothing.
+// The most severe diagnostic of a card; nullptr: none.
 struct Trouble {
     const Diagnostic* worst = nullptr;
     bool error() const { return worst && worst->severity == Severity::error; }
@@ -26,8 +26,8 @@ public:
     ImDrawList& list;
     const View& view;
     const float zoom;
-    const bool details;  // zoomed in far enough for fields
-    const bool plain;    // zoomed out so far that a card is a rectangle
+    const bool details;  // zoom >= detail_zoom: fields are shown
+    const bool plain;    // zoom < plain_zoom: cards are rectangles
 
     ImVec2 at(ImVec2 canvas) const { return origin_ + canvas * zoom; }
     bool sees(const Extent& box) const { return box.touches(seen_); }  // canvas units
@@ -36,14 +36,14 @@ public:
     }
     bool is_selected(size_t card) const { return !selected_.empty() && selected_[card]; }
     Trouble trouble(size_t card) const { return troubles_.empty() ? Trouble{} : troubles_[card]; }
-    // What is wrong at a port of a card that has troubles.
+    // The first diagnostic at a port of the card; nullptr: none.
     const Diagnostic* fault(const Card& card, std::string_view port) const;
     bool is_primary(const Card& card) const { return &card == primary_; }
-    // While tracing: on no way through the selection.
+    // Tracing: true if the card is not upstream or downstream of the selection.
     bool fades(size_t card) const { return !related_.empty() && !related_[card]; }
     bool fades_wire(size_t wire) const { return !related_.empty() && !related_wires_[wire]; }
-    const Price* price(const Card& card) const;  // nullptr: not known
-    // How dear a card is beside the dearest, 0 to 1: by its reads or by its ops.
+    const Price* price(const Card& card) const;  // nullptr: unknown
+    // Cost of a card relative to the most expensive one, 0 to 1: the larger of reads and ops.
     float heat(const Price& price) const;
 
 private:
@@ -58,11 +58,11 @@ private:
     std::vector<bool> selected_;                 // by card; empty: none
     std::vector<Trouble> troubles_;              // by card; empty: none
     std::vector<bool> related_, related_wires_;  // by card, by wire; empty: nothing fades
-    ShaderCost dearest_;                         // the most reads and the most ops of a card
-    const Card* primary_ = nullptr;              // of several that are selected the one chosen last
+    ShaderCost dearest_;                         // maximum reads and maximum ops of any node
+    const Card* primary_ = nullptr;              // the last selected card, if several are selected
 };
 
-// What was drawn since `first` (a count of vertices) at 35 %.
+// Multiplies the alpha of all vertices from index `first` on by 0.35.
 void fade(ImDrawList& list, int first);
 
 void draw_wires(const Painter& painter);

@@ -1,5 +1,5 @@
-// What little changed in a layout, done in its place: at thousands of nodes an edit of one is what
-// is seen most, and its undo.
+// Incremental update of a layout if few nodes changed: in graphs of thousands of nodes most edits,
+// and their undo, change only one.
 #include <algorithm>
 #include <map>
 
@@ -12,15 +12,15 @@ namespace {
 constexpr size_t most_pieces = 16;
 constexpr auto nowhere = Table<NodePtr>::npos;
 
-// The nodes of the layout against those of the document.
+// Differences between the nodes of the layout and those of the document.
 struct Difference {
     struct Pair {
         size_t before, after;
-        bool relinked;  // it has other wires
+        bool relinked;  // its links changed
     };
     std::vector<Pair> changed;
-    std::vector<size_t> removed, added;   // ascending; places in the table before, and after
-    std::vector<const Position*> placed;  // that stand elsewhere now
+    std::vector<size_t> removed, added;   // ascending indices in the old and the new table
+    std::vector<const Position*> placed;  // new positions of moved nodes
 
     size_t size() const { return changed.size() + removed.size() + added.size(); }
 };
@@ -53,7 +53,7 @@ void each_link(const Node& node, Each each) {
         if (input.kind == Input::Kind::link) each(input);
 }
 
-// Finds what differs, and whether it is little enough and of a kind that can be patched.
+// Finds the differences, and determines if they are few enough and can be patched.
 class Plan {
 public:
     explicit Plan(const State& state)
@@ -97,7 +97,7 @@ private:
         return difference_.size() <= most_pieces;
     }
 
-    // False when a node has lost its place.
+    // Returns false if a node lost its position.
     bool find_places(const Table<Position>& was, const Table<Position>& now) {
         if (was.same(now)) return true;
         size_t i = 0, k = 0;
@@ -115,7 +115,7 @@ private:
         return true;
     }
 
-    // Ports stay as they are, but for the types of reroutes.
+    // Changed types are accepted only for reroutes, and only if all outputs are standard ones.
     bool has_fitting_types() const {
         for (const Difference::Pair& pair : difference_.changed) {
             const NodeType* was = layout_.types->of(0, pair.before);
@@ -138,7 +138,7 @@ private:
         return port != NodeType::none && to->ports[port].is_value();
     }
 
-    // Places that nobody gave depend on the wires of all nodes.
+    // Automatic positions depend on the links of all nodes.
     bool has_fitting_links() const {
         bool fit = true;
         const auto leads_to_a_node = [&](const Input& input) { fit &= input.link.is_node(); };
@@ -164,7 +164,7 @@ private:
                            [](const Difference::Pair& pair) { return pair.relinked; });
     }
 
-    // Wires of what is gone are those of readers that go or change with it.
+    // Returns true if each reader of a removed node is removed or relinked as well.
     bool leaves_no_loose_end() const {
         if (difference_.removed.empty()) return true;
         std::vector<bool> gone(layout_.cards.size(), false), cut(layout_.cards.size(), false);
@@ -261,7 +261,7 @@ private:
         layout_.wire_boxes.resize(kept);
     }
 
-    // Every index of a card from `from` on.
+    // Applies `step` to each card index >= `from`.
     template <class Step>
     void renumber(uint32_t from, Step step) {
         for (uint32_t& card : layout_.card_of_node)
@@ -280,7 +280,7 @@ private:
         layout_.readers.erase(layout_.readers.begin() + static_cast<std::ptrdiff_t>(node));
         renumber(card, [](uint32_t& index) { --index; });
     }
-    // Raised cards lie on top in their own order, the others in that of the document.
+    // Raised cards are on top in their own order, the others in document order.
     uint32_t place_of_card(size_t node) const {
         const auto& raised = state_.view.order;
         const auto found = std::find(raised.begin(), raised.end(), after_[node]->id);
@@ -305,7 +305,7 @@ private:
         layout_.readers.insert(layout_.readers.begin() + static_cast<std::ptrdiff_t>(node), 0);
     }
 
-    // Nodes whose cards look different, and what is read of each.
+    // Nodes with cards to rebuild, and the outputs read of each.
     std::map<size_t, std::vector<std::string_view>> to_be_made() const {
         std::map<size_t, std::vector<std::string_view>> all;
         for (const Difference::Pair& pair : difference_.changed)
@@ -349,7 +349,7 @@ private:
         marked_[card] = true;
     }
 
-    // Wires stand in the order of their readers, those of the outputs last.
+    // Wires are in the order of their readers, those of the graph outputs last.
     void insert_wires(size_t node) {
         const auto later =
             std::partition_point(layout_.wires.begin(), layout_.wires.end(), [&](const Wire& wire) {
@@ -386,7 +386,7 @@ private:
     const Table<NodePtr>& after_;
     const Difference difference_;
     std::map<std::string, uint64_t> touched_;  // reader keys of nodes before the change
-    std::vector<bool> marked_;                 // cards that look different or stand elsewhere
+    std::vector<bool> marked_;                 // cards that changed or moved
 };
 
 }  // namespace

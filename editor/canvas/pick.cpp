@@ -20,13 +20,13 @@ float squared(ImVec2 v) {
     return v.x * v.x + v.y * v.y;
 }
 
-// What is within a distance on the screen, in canvas units.
+// Returns the square of half size `radius` (screen pixels) around the pointer, in canvas units.
 Extent around(const View& view, ImVec2 mouse, float radius) {
     return {to_canvas(view, mouse - ImVec2(radius, radius)),
             to_canvas(view, mouse + ImVec2(radius, radius))};
 }
 
-// The middle of a reroute moves it, its ends are pins.
+// The middle of a reroute moves it; its ends are pins.
 bool is_handle(const State& state, const Card& card, ImVec2 mouse) {
     const ImVec2 at = to_canvas(state.view, mouse) - card.at;
     return card.reroute && within(at, {9, 0}, {23, reroute_height});
@@ -41,8 +41,9 @@ size_t card_at(const State& state, ImVec2 mouse) {
     return Hit::no_card;
 }
 
-// On a card, and where pins are not drawn, a pin is caught in the strip that it has at zoom 1:
-// as cards shrink, the rest of them stays what moves them. A card hides the pins below it.
+// Returns the nearest pin within 12 screen pixels. On a card, and if pins are not drawn, the radius
+// shrinks with zooms below 1, so that the rest of a small card still moves it. A card hides the
+// pins below it.
 Hit nearest_pin(const State& state, ImVec2 mouse, size_t card) {
     Hit hit;
     const float zoom = state.view.zoom;
@@ -111,7 +112,7 @@ Hit pick(const State& state, ImVec2 mouse) {
 
 About about_hit(const State& state, const Hit& hit) {
     const Card& card = state.layout.cards[hit.card];
-    constexpr float pin = 8;  // half of one, over the border
+    constexpr float pin = 8;  // half the size of a pin, over the border
     float top = 0, tall = card.size.y;
     if (hit.kind == Hit::Kind::header) tall = header_height;
     if (hit.kind == Hit::Kind::field) top = card.fields[hit.part].y, tall = field_height;
@@ -136,7 +137,7 @@ std::optional<TargetRect> pin_target(const View& view, const Card& card, std::st
     return std::nullopt;
 }
 
-// "amount", or of several numbers "scale.0".
+// "amount", or for several numbers "scale.0".
 std::optional<TargetRect> field_target(const View& view, const Card& card, std::string_view name) {
     if (view.zoom < detail_zoom) return std::nullopt;
     for (const Field& field : card.fields) {
@@ -148,7 +149,7 @@ std::optional<TargetRect> field_target(const View& view, const Card& card, std::
     return std::nullopt;
 }
 
-// "wire:sum.a": the middle of the wire that ends there.
+// "wire:sum.a": the middle of the wire to that input.
 std::optional<TargetRect> wire_target(const State& state, const Card& reader,
                                       std::string_view port) {
     const std::string id = reader.kind == Card::Kind::outputs ? "" : reader.id;

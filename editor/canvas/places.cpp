@@ -1,4 +1,4 @@
-// Places of cards that have none in the document.
+// Positions of cards without one in the document.
 #include <algorithm>
 #include <cmath>
 
@@ -10,7 +10,7 @@
 namespace wrinkle::editor {
 namespace {
 
-// Depth in wires from the first nodes.
+// Returns the length in links of the longest path to each node, by index.
 std::vector<size_t> depths(const Document& document) {
     std::vector<size_t> depth(document.nodes.size(), 0);
     std::vector<bool> done(document.nodes.size(), false);
@@ -26,8 +26,8 @@ std::vector<size_t> depths(const Document& document) {
     return depth;
 }
 
-// Columns by depth, each as wide as its widest card; nodes of one column below each other, from
-// `corner` on. A column without a node takes no room.
+// Columns by depth, each as wide as its widest card; the nodes of a column are stacked from
+// `corner` down. A column without nodes has no width.
 class Columns {
 public:
     Columns(const Document& document, const std::vector<ImVec2>& sizes,

@@ -14,17 +14,17 @@
 namespace wrinkle::editor {
 namespace {
 
-// The boxes and lines of cards, and back.
+// Converts cards and wires to boxes and lines, and maps the resulting positions back to cards.
 class Tidier {
     static constexpr auto no_box = ~size_t{0};
 
 public:
-    // Of all cards, or of the nodes `only`.
+    // Arranges all cards, or only the nodes in `only`.
     Tidier(const State& state, const std::set<std::string>* only)
         : state_(state), layout_(state.layout), box_of_(layout_.cards.size(), no_box) {
         for (size_t i = 0; i < layout_.cards.size(); ++i) {
             const Card& card = layout_.cards[i];
-            if (card.kind == Card::Kind::inputs) continue;  // goes with the surface's card
+            if (card.kind == Card::Kind::inputs) continue;  // moves with the surface card
             const bool node = card.kind == Card::Kind::node;
             if (only && !(node && only->contains(card.id))) continue;
             box_of_[i] = boxes_.size();
@@ -68,8 +68,8 @@ private:
         }
     }
 
-    // By depth; then what takes no more from nodes than it gives comes as near to its readers as it
-    // can. A wire that closes a cycle counts for nothing.
+    // Assigns columns by depth. Then moves each box with no more wires from nodes than wires to
+    // readers to the column left of its nearest reader. Ignores wires that close a cycle.
     void find_columns() {
         std::vector<size_t> order;
         for (const uint32_t node : evaluation_order(state_.document()))
@@ -113,7 +113,7 @@ private:
         if (nearest > boxes_[box].column + 1) boxes_[box].column = nearest - 1;
     }
 
-    // The innermost frame that a card is in.
+    // Assigns each card to the innermost frame that contains it.
     void find_groups() {
         std::vector<float> area(boxes_.size(), 0);
         size_t group = 0;
@@ -139,7 +139,7 @@ private:
     std::vector<ColumnLine> lines_;
 };
 
-// Around the cards that were in it; notes in it keep their places in it.
+// Fits the frame around the cards that were in it; its notes keep their positions relative to it.
 Document with_frame_moved(const State& state, const Tidier& tidier, Document document,
                           const Box& frame) {
     constexpr float inset = 24;

@@ -1,11 +1,12 @@
-// Tidy: cards in columns, each right of all that it is made of, so placed that no wire runs behind
-// a card where that can be had, and frames around the nodes that were in them. Lengths in canvas
-// units, places on the grid.
+// Tidy: places cards in columns, each right of all its sources, avoids wires behind cards if
+// possible, and fits frames around the nodes that were in them. Lengths in canvas units, positions
+// on the grid.
 //
-// A column holds what is equally deep in wires; what only the surface feeds is beside its readers.
-// Sweeps over the columns bring each card to the height of its wires, in the gaps that wires
-// between other cards leave; of all sweeps the one counts that hides the fewest wires, then the one
-// with the shortest. O(sweeps * cards * wires that cross a column) at most; no card covers another.
+// A column holds nodes of equal depth; a node with no more wires from nodes than wires to readers
+// is next to its readers. Sweeps over the columns move each card to the height of its wires, in the
+// gaps between wires of other cards. The result is the sweep with the fewest hidden wires, then
+// with the smallest sum of height differences of wires. Cards do not overlap. O(sweeps * cards *
+// wires that cross a column) at most.
 #pragma once
 
 #include "editor/state.h"
@@ -17,10 +18,10 @@ struct Tidied {
     View::Borders borders;
 };
 Tidied tidied(const State& state);
-// The selected nodes among themselves, where they are.
+// Arranges only the selected nodes, with the same upper left corner.
 Document tidied_selection(const State& state);
 
-// How many wires run behind a card that is not at one of their ends.
+// Number of wires that run behind a card that is not at one of their ends.
 size_t hidden_wires(const Layout& layout);
 
 }  // namespace wrinkle::editor

@@ -8,7 +8,7 @@
 namespace wrinkle::editor {
 namespace {
 
-// Left and right, above and below; the path and the zoom are 44 pixels over the canvas's borders.
+// Horizontal and vertical margins; the breadcrumb and the zoom overlay the outer 44 pixels.
 const ImVec2 wide_margin(32, 60), least_margin(24, 48);
 
 float fitting_zoom(const View& view, ImVec2 low, ImVec2 high, ImVec2 margin) {
@@ -46,7 +46,7 @@ void fit(View& view, const Layout& layout, bool selection_only) {
         first = false;
     }
     view.zoom = std::min(fitting_zoom(view, low, high, wide_margin), 1.0F);
-    // Fields are worth a little of the margin.
+    // Reduces the margin if that makes fields visible.
     if (view.zoom < detail_zoom && fitting_zoom(view, low, high, least_margin) >= detail_zoom)
         view.zoom = detail_zoom;
     view.pan = view.extent * 0.5F - (low + high) * (0.5F * view.zoom);
@@ -63,7 +63,7 @@ void zoom_at(View& view, const Layout& layout, ImVec2 screen, float factor) {
 void bring_in_sight(View& view, const Card& card) {
     const ImVec2 low = to_screen(view, card.at) - view.corner;
     const ImVec2 high = low + card.size * view.zoom;
-    // Of one that is larger than the canvas the upper left corner.
+    // Shows the upper left corner of a card that is larger than the canvas.
     const auto shift = [](float from, float to, float margin, float room) {
         if (to > room - margin) from -= to - (room - margin), to = 0;
         return std::max(from, margin);

@@ -21,7 +21,7 @@ void cut_lines(CodeText& text) {
     }
 }
 
-// The node of the top graph that a path "outer/inner" belongs to.
+// Returns the node of the top graph for a path "outer/inner".
 std::string top_of(const std::string& path) {
     return path.substr(0, path.find('/'));
 }

@@ -1,6 +1,6 @@
-// The text that `wrinkle compile` writes for the document, for every target in every form, byte for
-// byte, and the node that each line came from; SPIR-V, which is no text, is shown disassembled.
-// Made on a thread of its own where there is one.
+// Source text of the document for each target and form, byte for byte as `wrinkle compile` writes
+// it, and the node of each line. SPIR-V is binary and is shown disassembled. CodeMaker compiles on
+// a worker thread.
 #pragma once
 
 #include <atomic>
@@ -20,19 +20,19 @@ struct State;
 struct CodeOptions {
     std::string target = std::string(targets().front().name);
     Form form = Form::function;
-    bool vertex = false;  // of the shader form that stage, else the fragment stage
+    bool vertex = false;  // shader form: show the vertex stage, else the fragment stage
     bool uniforms = false;
     bool operator==(const CodeOptions&) const = default;
 };
 
 struct CodeText {
     CodeOptions options;
-    std::string source;              // function form, or the stage that is shown
-    std::string vertex, fragment;    // shader form, as files hold them
-    std::vector<size_t> starts;      // of each line in `source`
-    std::vector<std::string> nodes;  // by line the node of the top graph, "" for none
+    std::string source;              // function form, or the stage shown
+    std::string vertex, fragment;    // shader form, as written to files
+    std::vector<size_t> starts;      // byte offset of each line in `source`
+    std::vector<std::string> nodes;  // by line: node of the top graph, "" for none
     size_t longest = 0;              // bytes of the longest line
-    std::string problem;             // why there is no text; then `source` is empty
+    std::string problem;             // the error if there is no text; then `source` is empty
 
     std::string_view line(size_t index) const;
     const std::string& node(size_t line) const;  // "" past the end
@@ -41,29 +41,29 @@ struct CodeText {
 struct CodeJob {
     Model model;
     Document document;
-    std::string name;  // of the material
+    std::string name;  // name of the material
     CodeOptions options;
 };
 
 CodeText make_code(const CodeJob& job, const Registry& registry);
 
-// The shader form where the target has no other.
+// Returns Form::shader if the target has only that form, else options.form.
 Form form_of(const CodeOptions& options);
 
-// Why no line of the text is the selected node's, in one sentence; "" when one is, or when it is
-// not just one node that is selected.
+// Returns one sentence why `source` has no line of the selected node; "" if it has one, or if not
+// exactly one node is selected.
 std::string why_no_line(const State& state);
 
-// The lines of any text, without nodes.
+// Splits any text into lines, without nodes.
 CodeText lines_of(std::string text);
 
 class CodeMaker {
 public:
-    // The registry must stay as it is while the maker lives. wake is called on its thread.
+    // The registry must not change while the maker exists. `wake` is called on the worker thread.
     explicit CodeMaker(const Registry& registry, std::function<void()> wake = {})
         : registry_(&registry),
           worker_([this](CodeJob&& job) { return make_code(job, *registry_); }, std::move(wake)) {}
-    void use(const Registry& registry) { registry_ = &registry; }  // as of Compiler
+    void use(const Registry& registry) { registry_ = &registry; }  // see Compiler::use()
     void ask(CodeJob job) { worker_.post(std::move(job)); }
     std::optional<CodeText> take() { return worker_.take(); }
 
@@ -72,20 +72,20 @@ private:
     Worker<CodeJob, CodeText> worker_;
 };
 
-// What the code panel knows.
+// State of the code panel.
 struct Code {
     CodeOptions options;
-    CodeMaker* maker = nullptr;  // nullptr: texts are made at once
-    CodeText text;               // the newest that could be made
-    std::string problem;         // why the newest document has none
-    std::string hovered;         // the node of the line under the pointer
+    CodeMaker* maker = nullptr;  // nullptr: texts are made synchronously
+    CodeText text;               // the newest valid text
+    std::string problem;         // error of the newest document, "" if none
+    std::string hovered;         // node of the line under the pointer
 
-    // Of the newest text that was asked for.
+    // The latest request.
     bool asked = false;
     uint64_t asked_file = 0;
     Document asked_of;
     CodeOptions asked_options;
-    std::string scrolled_to;  // the node whose lines were brought into view
+    std::string scrolled_to;  // node that was last scrolled into view
 };
 
 }  // namespace wrinkle::editor

@@ -19,7 +19,7 @@ bool has_stages(const CodeOptions& options) {
     return form_of(options) == Form::shader;
 }
 
-// What a stage's file is called behind the name: ".frag", ".frag.spv".
+// Returns the suffix of a stage's file: ".frag", ".frag.spv".
 std::string end_of(const char* stage, const CodeOptions& options) {
     const Target* target = find_target(options.target);
     return stage + std::string(target ? target->suffix : "");

@@ -1,4 +1,4 @@
-// The text on disk, exactly as `wrinkle compile` would write it.
+// Writes the source text to disk, exactly as `wrinkle compile` does.
 #pragma once
 
 #include <filesystem>
@@ -7,15 +7,14 @@
 
 namespace wrinkle::editor {
 
-// In the form that the code panel shows: one file, or of the shader form FILE.vert and FILE.frag
-// (FILE.frag.spv, FILE.frag.hlsl, ...).
-// All of them are written or none is.
+// Uses the form of the code panel: writes one file, or for the shader form FILE.vert and FILE.frag
+// (FILE.frag.spv, FILE.frag.hlsl, ...). Writes all files or none.
 TaskOutcome export_code(const CodeJob& job, const Registry& registry,
                         const std::filesystem::path& file);
-// The same of the document as it is now, in the background.
+// Same for the current document, as a background task.
 void start_code_export(State& state, const std::filesystem::path& file);
 
-// Where it goes when nobody says otherwise: beside the graph, "graph.glsl" or "graph".
+// Default path: next to the graph, "graph.glsl", or "graph" for the shader form.
 std::filesystem::path usual_export(const State& state);
 
 }  // namespace wrinkle::editor

@@ -30,7 +30,7 @@ bool is_keyword(std::string_view word) {
     return std::find(std::begin(words), std::end(words), word) != std::end(words);
 }
 
-// "12", "0.5", "1e-06", "3u": where the number that begins at `at` ends.
+// Returns the end of the number that begins at `at`: "12", "0.5", "1e-06", "3u".
 size_t end_of_number(std::string_view line, size_t at) {
     size_t end = at;
     while (end < line.size()) {

@@ -1,5 +1,5 @@
-// GLSL cut into pieces that are coloured alike. Lines are taken one by one: generated text has no
-// comment that runs over several.
+// Splits GLSL into tokens for syntax highlighting. Works line by line: generated source has no
+// multi-line comments.
 #pragma once
 
 #include <cstddef>
@@ -12,11 +12,11 @@ namespace wrinkle::editor {
 enum class Token : uint8_t { text, keyword, type, function, number, comment };
 
 struct Piece {
-    size_t begin = 0, end = 0;  // bytes of the line
+    size_t begin = 0, end = 0;  // bytes in the line
     Token token = Token::text;
 };
 
-// All of the line, in order, without gaps.
+// Covers the complete line, in order, without gaps.
 std::vector<Piece> pieces_of(std::string_view line);
 
 }  // namespace wrinkle::editor

@@ -29,8 +29,8 @@ bool pressed(std::string_view keys) {
            ImGui::IsKeyPressed(key, false);
 }
 
-// In a field of a panel's own popup. WantTextInput alone is of the former frame: a field that has
-// gone since would swallow the key that comes next.
+// Returns true if a text field in an ImGui popup has the keyboard. WantTextInput is not sufficient:
+// it is a result of the previous frame, so a field closed since then would swallow the next key.
 bool is_typing() {
     return ImGui::GetIO().WantTextInput && ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
 }

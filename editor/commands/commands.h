@@ -1,5 +1,5 @@
-// Everything that can be done by name, in one table: menus, keys, the command palette, the list of
-// shortcuts and scripts read it. A command stands in the file of its menu in this folder.
+// Table of all commands, used by menus, keyboard shortcuts, the command palette and the list of
+// shortcuts. Each command is defined in the file of its menu in this folder.
 #pragma once
 
 #include <span>
@@ -14,19 +14,20 @@ struct Command {
     std::string_view title;  // "Undo"
     std::string_view keys;   // "Ctrl+Z"; "" for none
     std::string_view menu;   // "Edit"
-    // Why it cannot be run now, a short sentence; "" when it can.
+    // Returns the reason why it cannot be run now, a short sentence; "" if it can.
     std::string_view (*why_not)(const State&);
     void (*run)(State&);
-    bool (*on)(const State&) = nullptr;  // of a switch: whether it is on
+    bool (*on)(const State&) = nullptr;  // toggle: returns true if on
 
     bool enabled(const State& state) const { return why_not(state).empty(); }
 };
 
 std::span<const Command> commands();
 const Command* find_command(std::string_view id);
-bool run_command(State& state, std::string_view id);  // false when unknown or not enabled
+bool run_command(State& state, std::string_view id);  // false if unknown or disabled
 
-// Runs what the keys of this frame ask for, unless a text has the keyboard.
+// Runs the first enabled command with its keys pressed in this frame, unless a text field, a dialog
+// or a popup is open or a gesture is in progress.
 void run_keys(State& state);
 
 }  // namespace wrinkle::editor

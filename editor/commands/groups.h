@@ -1,5 +1,5 @@
-// The parts of the table, one per menu, in the order of the menu bar; and the usual reasons why a
-// command cannot be run.
+// Parts of the command table, one per menu, in the order of the menu bar; and common functions for
+// Command::why_not.
 #pragma once
 
 #include "editor/commands/commands.h"

@@ -31,7 +31,7 @@ std::string_view no_group(const State& state) {
     return selected_group(state) ? "" : "Select one node that is a sub-graph.";
 }
 
-// To the graph around this one, or to the outermost.
+// Return to the parent graph, or to the outermost graph.
 void leave_group(State& state) {
     intend(state, {Intent::Kind::leave, {}, state.outer.size() - 1});
 }
@@ -51,7 +51,7 @@ std::string_view no_values(const State& state) {
     return card && !card->fields.empty() ? "" : "The node has no values.";
 }
 
-// Shows the pictures of the selected nodes, or hides them where all show one.
+// Shows the node previews of the selected nodes, or hides them if all are shown.
 void turn_pictures(State& state) {
     View& view = state.view;
     view.pictures = true;

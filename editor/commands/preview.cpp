@@ -20,7 +20,8 @@ std::string_view one_node(const State& state) {
     return state.view.selected.size() == 1 ? "" : "Select one node to preview it.";
 }
 
-// The selected node in place of the outputs; the same once more shows the outputs again.
+// Previews the selected node instead of the outputs; if it is already previewed, or not exactly one
+// node is selected, the outputs again.
 void preview_node(State& state) {
     std::string& node = state.view.preview_request.node;
     const std::string selected =

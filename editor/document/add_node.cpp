@@ -1,4 +1,4 @@
-// New nodes: loose, at the end of a wire, in a wire, behind the selection.
+// Adds nodes: loose, at the end of a wire, in a wire, after the selection.
 #include <algorithm>
 
 #include "editor/canvas/layout.h"
@@ -12,7 +12,7 @@
 namespace wrinkle::editor {
 namespace {
 
-// Equal types first, else the first that converts; null when none fits.
+// Returns the first port of an equal type, else the first that converts; nullptr if none fits.
 const Port* port_for(const NodeType& type, const Gesture& wire) {
     const Port* found = nullptr;
     for (const Port& port : type.ports) {
@@ -41,7 +41,7 @@ std::string commit_new(State& state, const NodeType& type, const std::string& id
     return id;
 }
 
-// The selected cards that give something, from the top down.
+// Returns the selected cards with a typed first output, from top to bottom.
 std::vector<const Card*> givers(const State& state) {
     std::vector<const Card*> found;
     for (const Card& card : state.layout.cards)
@@ -54,7 +54,7 @@ std::vector<const Card*> givers(const State& state) {
     return found;
 }
 
-// The first free input that takes the type, one of the same type before one that converts.
+// Returns the first free input of the same type, else the first that converts; nullptr if none.
 const Port* free_port(const NodeType& type, const Node& node, PortType given) {
     const Port* found = nullptr;
     for (const Port& port : type.ports) {
@@ -65,7 +65,7 @@ const Port* free_port(const NodeType& type, const Node& node, PortType given) {
     return found;
 }
 
-// Whether it could be put in the selected wire.
+// Inserts the node in the selected wire; returns false if there is none or it does not fit.
 bool add_in_wire(State& state, const NodeType& type) {
     if (!state.view.selected_wire) return false;
     const Link end = *state.view.selected_wire;

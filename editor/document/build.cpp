@@ -37,7 +37,7 @@ void report_lost(const Document& document, Diagnostics& problems) {
                               "it is not written over; save under another name"));
 }
 
-// Those that are not in the list yet.
+// Appends the problems that are not in the list yet.
 void append_new(Diagnostics& problems, const Diagnostics& more) {
     std::set<std::string> known;
     for (const Diagnostic& problem : problems.list())
@@ -92,7 +92,7 @@ Build build(const Model& model, const Document& document, const Registry& regist
     check_links(document, links);
     report_lost(document, result.problems);
     report_unread(document, result.problems);
-    if (!document.edited) result.problems.append(links);  // of an edited one check() says them
+    if (!document.edited) result.problems.append(links);  // check() reports those of edited ones
     result.problems.append(model.project_problems);
     if (!holds_nothing(document)) check(project, registry, result.problems);
     Document drawn = document;
@@ -100,7 +100,7 @@ Build build(const Model& model, const Document& document, const Registry& regist
         follow_double_sided(drawn, request.double_sided, result.problems);
     const Project needed = project_to_compile(model, drawn, result.live);
     if (!result.live.has_errors()) {
-        // Without outputs check() has said that nothing is made.
+        // Without outputs check() has reported that nothing is made.
         if (!document.outputs.empty())
             result.uniform = emit_text(needed, registry, name, result.live, &result.module);
         if (result.uniform) result.costs = estimate_costs(*result.module, document);

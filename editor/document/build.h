@@ -1,5 +1,5 @@
-// What the preview runs of a snapshot, and its problems: a pure function of the document and of the
-// files that it names, so it may run on any thread.
+// Compiles a snapshot for the preview and collects its problems: a pure function of the document
+// and of the files that it names, so it may run on any thread.
 #pragma once
 
 #include <memory>
@@ -15,27 +15,28 @@
 
 namespace wrinkle::editor {
 
-// One compilation. The texts that `wrinkle compile` writes are made in editor/code.
+// Result of one compilation. editor/code generates the sources that `wrinkle compile` writes.
 struct Build {
-    Diagnostics problems;  // of the whole document, also of what no output needs
-    Diagnostics live;      // why `uniform` is empty: of what the outputs need
+    Diagnostics problems;  // all of the document, including parts that no output needs
+    Diagnostics live;      // why `uniform` is empty: problems of the parts that the outputs need
     std::optional<Shader> uniform;
-    std::shared_ptr<const Module> module;  // that `uniform` was made from
-    std::optional<Costs> costs;            // of `uniform`, estimated
+    std::shared_ptr<const Module> module;  // source of `uniform`
+    std::optional<Costs> costs;            // estimated costs of `uniform`
     double milliseconds = 0;
 
-    // What the preview runs in place of `uniform` when it was asked for something else.
+    // Shader that the preview runs instead of `uniform` if the request asks for another one.
     PreviewRequest request;
     std::optional<Shader> shown;
-    std::map<std::string, std::string> copied;  // from nodes that were made for it to those copied
-    size_t replaced = 0;                        // sums
+    std::map<std::string, std::string> copied;  // node created for the request -> copied node
+    size_t replaced = 0;                        // number of replaced sums
     std::string why_not_shown;                  // one sentence
     std::shared_ptr<const Displacement> displacement;
 
     const std::optional<Shader>& running() const { return shown ? shown : uniform; }
 };
 
-// Neither a node nor an output: there is nothing to compile, and nothing wrong with it.
+// Returns true if the document has neither nodes nor outputs: there is nothing to compile or
+// report.
 bool holds_nothing(const Document& document);
 
 Build build(const Model& model, const Document& document, const Registry& registry,

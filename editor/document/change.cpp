@@ -23,7 +23,7 @@ private:
         return !input || input->kind == Input::Kind::literal;
     }
 
-    // The same end under what may be another name.
+    // Returns true if both links have the same source, possibly renamed.
     bool same_link(const Link& a, const Link& b) const {
         if (a == b && !a.is_node()) return true;
         if (a.port != b.port || !a.is_node() || !b.is_node()) return false;

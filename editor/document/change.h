@@ -1,7 +1,8 @@
-// What differs between two snapshots, found by comparing pointers: what has to be done again.
+// Classifies the difference between two snapshots by comparing pointers; the kind determines the
+// work to repeat.
 //
-// Nodes are told apart by their place in the table, so a renamed node is the same node; a node that
-// was moved in the table is a change of structure.
+// Nodes are identified by their index in the table: a renamed node is the same node, and a node
+// that was moved in the table is a change of structure.
 #pragma once
 
 #include <string>
@@ -14,18 +15,18 @@ namespace wrinkle::editor {
 struct Change {
     enum class Kind : uint8_t {
         none,
-        cosmetic,   // layout alone: no text changes
-        names,      // ids of nodes, and what follows them: the text reads differently, no more
-        values,     // literals at ports, and names perhaps: a uniform may be all there is to do
+        cosmetic,   // only the layout: generated sources do not change
+        names,      // node ids and references to them: sources differ only in names
+        values,     // literals at ports, possibly also names: updating a uniform may suffice
         structure,  // everything else
     };
     struct Place {
-        std::string node, port;  // the node's id afterwards
-        size_t index = 0;        // the node's place in both tables
+        std::string node, port;  // the node's id in `after`
+        size_t index = 0;        // the node's index in both tables
     };
     Kind kind = Kind::none;
-    bool renamed = false;       // of names and values
-    std::vector<Place> values;  // of Kind::values, each place whose literal differs
+    bool renamed = false;       // set for names and values
+    std::vector<Place> values;  // for Kind::values: ports with different literals
 };
 
 Change change(const Document& before, const Document& after);

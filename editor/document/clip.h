@@ -1,4 +1,4 @@
-// What was copied last, beyond its text.
+// The most recent copy: its clipboard text and the data that the text does not contain.
 #pragma once
 
 #include <filesystem>
@@ -10,9 +10,9 @@
 namespace wrinkle::editor {
 
 struct Clip {
-    std::string text;                // as it was put on the clipboard
-    std::filesystem::path document;  // where it came from
-    std::vector<Connection> outer;   // wires into the copied nodes that the text leaves out
+    std::string text;                // as put on the clipboard
+    std::filesystem::path document;  // path of the source document
+    std::vector<Connection> outer;   // wires into the copied nodes that are not in the text
 };
 
 }  // namespace wrinkle::editor

@@ -38,8 +38,8 @@ std::set<BoxId> boxes_of(const Document& document) {
     return {all.begin(), all.end()};
 }
 
-// The selected nodes, frames and notes as a graph of their own, where they stand now; `cut` has no
-// wires into them.
+// Returns the selected nodes, frames and notes as a separate graph, at their current positions;
+// `cut` has no wires into them.
 Document extract(const State& state, const Document& cut) {
     std::vector<Node> nodes;
     Document result;
@@ -80,7 +80,7 @@ std::optional<Document> refuse(std::string& why, std::string reason) {
     return std::nullopt;
 }
 
-// Wires to nodes that the text does not have are left out, as a part of a file has them.
+// Removes wires from nodes that are not in the text, such as a part of a file has.
 Document without_dangling(Document document) {
     std::vector<Connection> dangling;
     for (const NodePtr& node : document.nodes)
@@ -93,7 +93,7 @@ Document without_dangling(Document document) {
     return document;
 }
 
-// Those of the wires that were left out whose ends are here, where the text is from here.
+// Restores the wires left out of the text if it was copied from this document and their ends exist.
 Document with_outer_wires(const State& state, Document document, const std::string& text,
                           const Copies& copies) {
     const Clip& clip = state.clip;
@@ -161,7 +161,7 @@ void paste_nodes(State& state, const Document& source, const std::string& text) 
     state.view.boxes = boxed.ids;
 }
 
-// A system's clipboard may lose its text with the program that put it there.
+// Path of a copy on disk: a system clipboard may lose its text when the program that set it exits.
 fs::path place_to_keep(const State& state) {
     const fs::path& folder = state.keeping.folders.state;
     return folder.empty() ? fs::path() : folder / "clipboard.json";
@@ -170,7 +170,7 @@ fs::path place_to_keep(const State& state) {
 void keep(const State& state, const std::string& text) {
     const fs::path place = place_to_keep(state);
     std::error_code ignored;
-    std::string unheard;  // the clipboard has it
+    std::string unheard;  // ignored: the clipboard has the text
     if (place.empty()) return;
     fs::create_directories(place.parent_path(), ignored);
     write_file(place, text, unheard);

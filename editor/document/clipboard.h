@@ -1,9 +1,9 @@
-// Nodes as text on the system's clipboard: a whole, valid graph file of just these nodes, so that
-// it can be pasted into another graph, another program or a mail.
+// Copies nodes as text on the system clipboard: a complete, valid graph file of only these nodes
+// that can be pasted into another graph, another program or a mail.
 //
-// Wires from nodes that were not copied stand beside the text, in the State: they come back when
-// the text is pasted into the document that it is from. What a text says is judged as a file is;
-// one that is no graph, or too large, changes nothing.
+// Wires from nodes that were not copied are stored in the State, not in the text; they are restored
+// when the text is pasted into its source document. The text is validated like a file; a text that
+// is not a graph or is too large changes nothing.
 #pragma once
 
 #include <optional>
@@ -16,7 +16,7 @@ namespace wrinkle::editor {
 inline constexpr size_t most_pasted = 20'000;         // nodes
 inline constexpr size_t longest_pasted = 32'000'000;  // bytes
 
-// The nodes of a text, or why there are none.
+// Returns the nodes of a text; std::nullopt with the reason in `why` on failure.
 std::optional<Document> nodes_from_text(const std::string& text, std::string& why);
 
 void copy_selected(State& state);

@@ -1,5 +1,5 @@
-// Documents to texts on a thread of its own. The newest document wins: one that waits is replaced,
-// and what comes out is never older than what came out before.
+// Compiles documents on a worker thread. The newest document wins: a new job replaces a waiting
+// one, and results are returned in the order of their versions.
 #pragma once
 
 #include <atomic>
@@ -13,10 +13,10 @@
 namespace wrinkle::editor {
 
 struct CompileJob {
-    uint64_t version = 0;  // grows with every job
+    uint64_t version = 0;  // increases with every job
     Model model;
     Document document;
-    std::string name;  // of the material
+    std::string name;  // material name
     PreviewRequest request;
 };
 
@@ -30,13 +30,15 @@ Compilation compile(CompileJob job, const Registry& registry);
 
 class Compiler {
 public:
-    // The registry must stay as it is while the compiler is busy. wake is called on its thread.
+    // Precondition: the registry does not change while the compiler is busy. `wake` is called on
+    // the worker thread.
     explicit Compiler(const Registry& registry, std::function<void()> wake = {})
         : registry_(&registry),
           worker_([this](CompileJob&& job) { return compile(std::move(job), *registry_); },
                   std::move(wake)) {}
 
-    // From the next job on; the former one must stay as it is as long.
+    // Takes effect with the next job; the previous registry must not change until the running job
+    // ends.
     void use(const Registry& registry) { registry_ = &registry; }
 
     void ask(CompileJob job) { worker_.post(std::move(job)); }

@@ -8,7 +8,7 @@
 namespace wrinkle::editor {
 namespace {
 
-// "noise" of "noise12", so that a copy of a copy is "noise13".
+// Returns "noise" for "noise12", so that a copy of a copy is "noise13".
 std::string stem_of(std::string_view id) {
     const size_t last = id.find_last_not_of("0123456789");
     return std::string(last == id.npos ? id : id.substr(0, last + 1));

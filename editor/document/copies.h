@@ -1,4 +1,4 @@
-// Copies of nodes, frames and notes under ids of their own.
+// Copies nodes, frames and notes under new ids.
 #pragma once
 
 #include <functional>
@@ -15,16 +15,16 @@ namespace wrinkle::editor {
 
 struct Copies {
     std::vector<Node> nodes;                    // in the source's order
-    std::map<std::string, std::string> new_id;  // by the old one
+    std::map<std::string, std::string> new_id;  // old id -> new id
 };
 
-// The nodes `ids` of `source` as they can stand in `target`. Wires among them run among the
-// copies; of the others those stay that `keep` says.
+// Copies the nodes `ids` of `source` with ids that are free in `target`. Wires among them connect
+// the copies; other wires are retained if `keep` returns true.
 Copies copies_of(const Document& source, const std::set<std::string>& ids, const Document& target,
                  const std::function<bool(const Link&)>& keep);
 
-// The frames and notes `ids` of `source` in `target` as well, moved by `by`, and what they are
-// called there.
+// Copies the frames and notes `ids` of `source` into `target`, moved by `by`. Returns the document
+// and the new ids.
 struct BoxCopies {
     Document document;
     std::set<BoxId> ids;
@@ -32,8 +32,8 @@ struct BoxCopies {
 BoxCopies with_boxes(const Document& target, const Document& source, const std::set<BoxId>& ids,
                      ImVec2 by);
 
-// Near `by`, on the grid: so far that cards at `places` and the boxes of `source` cover no card;
-// boxes cover no box either.
+// Returns an offset near `by`, on the grid, at which cards at `places` and the boxes of `source`
+// overlap no card, and the boxes overlap no other box.
 ImVec2 free_offset(const State& state, const std::vector<Extent>& places, const Document& source,
                    const std::set<BoxId>& boxes, ImVec2 by);
 

@@ -19,7 +19,7 @@ std::string counted_as(size_t count, const std::string& what) {
     return in_thousands(count) + " " + what + (count == 1 ? "" : "s");
 }
 
-// The node of the document that a path begins with; npos of none.
+// Returns the index of the node with which a path starts; npos for an empty or unknown path.
 size_t node_at(const Document& document, std::string_view path) {
     return path.empty() ? Table<NodePtr>::npos
                         : document.nodes.index_of(path.substr(0, path.find('/')));

@@ -1,10 +1,10 @@
-// What the material on the canvas costs, node by node: of the text that the preview runs, with its
-// values as uniforms. A sub-graph's nodes count for the node that stands for it.
+// Cost of the material on the canvas, per node: of the shader that the preview runs, with its
+// values as uniforms. Costs of a sub-graph's nodes are added to its node in the document.
 //
-// Counted is what `wrinkle compile --cost --params uniform` counts (cost/measure.h). That runs
-// compilers, for a part of a second or longer, so it has a thread of its own (CostCounter) and only
-// follows the text. An estimate (ir/cost.h) is there with the text; it stands until the first count
-// has come, and in place of one where none can be made, with the reason why.
+// The count equals that of `wrinkle compile --cost --params uniform` (cost/measure.h). It runs
+// compilers for a fraction of a second or longer on its own thread (CostCounter) and is repeated
+// only if the generated source changes. Every compilation has an estimate (ir/cost.h), which is
+// shown until the first count is done, or with a reason if nothing can be counted.
 #pragma once
 
 #include <memory>
@@ -25,19 +25,20 @@ struct Price {
 
 struct Costs {
     bool estimated = false;
-    std::string why;           // nothing better than an estimate can be had; one sentence
-    Price total;               // with what the outputs alone need
+    std::string why;           // one sentence: why only an estimate is available
+    Price total;               // includes code that only the outputs need
     std::vector<Price> nodes;  // by index in the document
 };
 
-// Beyond this estimate of numbers nothing is counted: the compilers would take many seconds.
+// Modules with a larger estimate of ALU operations are not counted: the compilers would take many
+// seconds.
 inline constexpr uint32_t most_counted = 20'000;
 
 Costs estimate_costs(const Module& module, const Document& document);
 Costs count_costs(const Module& module, const Document& document);  // or an estimate, and why
 
 struct CostJob {
-    uint64_t version = 0;  // of the compilation
+    uint64_t version = 0;  // version of the compilation
     std::shared_ptr<const Module> module;
     Document document;
 };
@@ -49,9 +50,10 @@ struct CountedCosts {
 CountedCosts count(CostJob job);
 using CostCounter = Worker<CostJob, CountedCosts>;
 
-// "1 read · 14 ops", of an estimate "~1 read · ~14 ops"; "14 ops" where nothing is read.
+// "1 read · 14 ops"; of an estimate "~1 read · ~14 ops"; "14 ops" if nothing is read.
 std::string in_words(const Price& price, bool estimated);
-// All that is known, in lines: "14 numbers computed, 2 of them divisions", ...
+// All known figures, in lines: "14 numbers computed, of these 2 divisions and 1 transcendental",
+// ...
 std::string in_full(const Price& price, const Costs& of);
 
 }  // namespace wrinkle::editor

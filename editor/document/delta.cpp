@@ -30,8 +30,8 @@ bool same_entry(const Box& a, const Box& b) {
            same_extras(a.unknown, b.unknown);
 }
 
-// Walks both tables side by side. An entry whose key the other side has not was removed or added;
-// from the first that stands at another place on, everything is replaced.
+// Compares both tables in parallel. An entry with a key that the other side lacks was removed or
+// added; from the first entry that was moved on, everything is replaced.
 template <class T>
 class TableComparison {
 public:
@@ -93,8 +93,8 @@ void apply_to(Table<T>& table, const TableDelta<T>& delta, bool back) {
     if (delta.runs.empty()) return;
     std::vector<T> items;
     items.reserve(table.size() + 1);
-    size_t next = 0;       // in the table given
-    size_t before_at = 0;  // the same place in the table before the edit
+    size_t next = 0;       // index in the given table
+    size_t before_at = 0;  // corresponding index in the table before the edit
     bool same_keys = true;
     for (const auto& run : delta.runs) {
         const size_t shared = run.at - before_at;

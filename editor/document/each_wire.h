@@ -1,4 +1,4 @@
-// All wires of a document, those to its outputs last.
+// Visits all wires of a document, those to its outputs last.
 #pragma once
 
 #include "editor/document/wiring.h"

@@ -1,4 +1,4 @@
-// New frames and notes.
+// Adds frames and notes.
 #include <algorithm>
 #include <cmath>
 

@@ -1,4 +1,4 @@
-// What is done with the selected nodes.
+// Edits of the selected nodes.
 #include "editor/canvas/boxes.h"
 #include "editor/canvas/new_cards.h"
 #include "editor/document/copies.h"

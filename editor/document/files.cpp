@@ -21,7 +21,7 @@ std::string name_of(const fs::path& path) {
 }
 
 void begin(State& state, const fs::path& path, Document document) {
-    state.keeping.journal.drop();  // saved, or given up
+    state.keeping.journal.drop();  // saved or discarded
     state.path = path;
     state.save_refused.clear();
     state.history = History(std::move(document));
@@ -36,15 +36,15 @@ Document read_text(const State& state, std::string text) {
     return read_document(std::move(text), state.path.string(), shown_by_the_build);
 }
 
-// A file is replaced by another, which its folder alone could forbid; who made it read-only meant
-// what is in it.
+// Renaming a temporary file over a read-only one would succeed, since only the folder's permissions
+// apply; this check respects the file's own.
 bool is_read_only(const fs::path& path) {
     std::error_code error;
     const fs::path target = link_target(path);
     return fs::is_regular_file(target, error) && access(target.c_str(), W_OK) != 0;
 }
 
-// Writes without asking. The document is the present one, or becomes it.
+// Writes without a prompt. The document is the current one, or becomes it.
 bool write_to(State& state, const fs::path& path, const Document& document) {
     const bool kept = state.dirty() && keep_edits_now(state);
     const std::string text = write_document(document);
@@ -191,7 +191,7 @@ bool save_file_as(State& state, const fs::path& path, OutsideFiles files) {
     state.commit("Name files from " + path.parent_path().string(), std::move(moved.document));
     state.status = saved;
     state.saved_serial = state.history.serial();
-    state.keeping.journal.drop();  // it names the other file
+    state.keeping.journal.drop();  // it refers to the other file
     state.path = path;
     state.save_refused.clear();
     state.fresh = false;

@@ -1,8 +1,8 @@
-// The document's file: opening, saving, noticing what other programs do to it. What a file holds
-// that cannot be read whole is never written over, and nothing is written over that another program
-// wrote meanwhile.
+// The document's file: opens, saves, and detects changes by other programs. A file that could not
+// be read completely is never overwritten, and neither is a version that another program wrote
+// meanwhile.
 //
-// These do at once what they say; intent.h asks about unsaved work first.
+// These functions act at once; intent.h prompts for unsaved work first.
 #pragma once
 
 #include <filesystem>
@@ -12,37 +12,37 @@
 
 namespace wrinkle::editor {
 
-// An empty graph without a file, in `folder` if that is there, else in the working folder.
+// Creates an empty graph without a file, in `folder` if it exists, else in the working folder.
 void new_file(State& state, const std::filesystem::path& folder = {});
-// Opens a graph. A file that does not exist is a new graph under that name.
+// Opens a graph. If the file does not exist, the graph is new under that name.
 void open_file(State& state, const std::filesystem::path& path);
-// The same inside the graphs that are open around it (levels.h).
+// Opens a graph without closing its parent graphs (levels.h).
 void load_file(State& state, const std::filesystem::path& path);
-// Another graph is on the canvas: gestures in the former one end, and nothing that was made of it
-// is shown any more.
+// Resets all interaction and derived state when another graph is on the canvas: gestures, popups,
+// build and previews.
 void let_go(State& state);
 
-// False when nothing was written, and why in the status; asks for a name where there is none, and
-// what to do where the file is no longer the one that was read, or cannot be written.
+// Returns false, with the reason in the status, if nothing was written; prompts for a name if there
+// is none, and for a decision if the file on disk changed or cannot be written.
 bool save_file(State& state);
-// Writes under another name, which is the document's from then on. Replaces what is there, unless
-// that is read-only. In another folder pictures and sub-graphs are named from there, as a step that
-// can be undone; those that are not below it are copied, or named by the status.
+// Saves under another name and makes it the document's. Replaces an existing file unless it is
+// read-only. In another folder, image and sub-graph names are updated in an undoable step; files
+// that are not below it are copied or listed in the status.
 bool save_file_as(State& state, const std::filesystem::path& path,
                   OutsideFiles files = OutsideFiles::referred);
-// The files that the document names and that are not below the folder of `path`, as it names them.
+// Returns the files named by the document that are not below the folder of `path`, as named there.
 std::vector<std::string> files_outside(const State& state, const std::filesystem::path& path);
 
-// Compares with the disk now. A changed file is read again when nothing here is unsaved, as a step
-// that can be undone; otherwise it is asked which one to keep.
+// Compares with the disk. Reads a changed file again, in an undoable step, if there are no unsaved
+// edits; otherwise prompts which version to use.
 void look_at_disk(State& state);
 void load_theirs(State& state);
 void keep_mine(State& state);
 
-// Once a frame, and now and then while nothing is drawn: keeps the edits for recovery; at most once
-// a second the settings and the disk. True when something is to be shown.
+// Called once a frame, and occasionally while nothing is drawn: journals the edits; at most once a
+// second, writes the settings and checks the disk. Returns true if the window must be redrawn.
 bool tend(State& state);
-// At the start of the program, and before it ends.
+// Called at the start and before the end of the program.
 void use_settings(State& state, const Settings& settings);
 void finish(State& state);
 

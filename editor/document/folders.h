@@ -1,4 +1,4 @@
-// Where the editor keeps what belongs to no graph: $XDG_CONFIG_HOME/wrinkle (settings) and
+// Folders of files that belong to no graph: $XDG_CONFIG_HOME/wrinkle (settings) and
 // $XDG_STATE_HOME/wrinkle (recovery files), by the XDG Base Directory Specification.
 #pragma once
 
@@ -10,20 +10,20 @@
 namespace wrinkle::editor {
 
 struct Folders {
-    std::filesystem::path config, state;  // both empty: nothing is kept
+    std::filesystem::path config, state;  // both empty: nothing is stored
 };
 
-// From the environment; nothing is kept where it names no home.
+// Reads the environment; both folders are empty if it names no home.
 Folders user_folders();
-// Below one folder, for scripts and tests.
+// Returns folders below a given one, for scripts and tests.
 Folders folders_below(const std::filesystem::path& folder);
 
-// "~" and "~/x" lead to the home folder; other paths stay.
+// Expands "~" and "~/x" to the home folder; returns other paths unchanged.
 std::filesystem::path with_home(const std::filesystem::path& typed);
 
-// Why a file could not be written, as the end of a sentence: "the disk is full".
+// Returns the reason why a file could not be written, as the end of a sentence: "the disk is full".
 std::string disk_words(const std::error_code& error);
-// The same where the core says it in a text that ends with the system's words.
+// Same for a message of the core that ends with the system's error message.
 std::string disk_words(std::string_view why);
 
 }  // namespace wrinkle::editor

@@ -48,7 +48,7 @@ private:
         group.inner = set_back_faces(group.inner, document_.back_faces);
     }
 
-    // A wire of the document: whether it crosses the border, and which way.
+    // Handles a wire of the document: connects it if it crosses the border of the group.
     bool note(const Connection& wire, std::string& why) {
         const bool from = ids_.contains(wire.from.node), to = ids_.contains(wire.node);
         if (from == to || wire.from.is_surface()) return true;
@@ -79,7 +79,7 @@ private:
         return name;
     }
 
-    // The standard names mean one type each.
+    // A standard output name requires its standard type.
     std::string output_for(const Connection& wire, PortType type) {
         for (const Output& output : group.inner.outputs)
             if (output.from.link == wire.from) return output.name;
@@ -119,7 +119,7 @@ private:
     const Document& document_;
     const std::set<std::string>& ids_;
     std::vector<std::pair<Link, std::string>> sources_;
-    std::vector<Connection> leaving_;  // the source's port is the group's output
+    std::vector<Connection> leaving_;  // wire.from.port is the group's output
 };
 
 std::string free_file(const fs::path& folder) {
@@ -171,8 +171,8 @@ void group_selected(State& state) {
         state.status = file + " was not written: " + disk_words(why) + ".";
         return;
     }
-    // The type of what the file now holds is made with the next model; without it the card is as
-    // wide.
+    // The type of the new file's node is known only with the next model; the card without it has
+    // the same width.
     const ImVec2 at = free_place(state, middle_of(state), *group->outer.find(group->node), nullptr,
                                  state.view.selected);
     state.commit("Group in " + file,

@@ -1,7 +1,7 @@
-// A part of a graph as a graph of its own, and a node in its place.
+// Moves part of a graph into a new sub-graph file, with one node in its place.
 //
-// What fed the nodes from outside are the inputs of the new graph, what was read of them its
-// outputs; types and conversions stay where they were. The new file stands beside the document's.
+// Sources outside the nodes become the inputs of the new graph, outputs with users outside become
+// its outputs; types and conversions stay the same. The new file is written next to the document's.
 #pragma once
 
 #include <optional>
@@ -14,20 +14,20 @@ namespace wrinkle::editor {
 
 struct Group {
     Document inner;
-    Document outer;    // with the node in place of the others
-    std::string node;  // its id
+    Document outer;    // with the sub-graph node instead of the others
+    std::string node;  // id of that node
 };
 
-// Nothing, and why, when a wire's type is not known, or when a wire leaves the nodes and comes
-// back to them.
+// Returns std::nullopt with the reason in `why` if the type of a wire is not known, or if a wire
+// leaves the nodes and returns to them.
 std::optional<Group> make_group(const Model& model, const Document& document,
                                 const std::set<std::string>& ids, const std::string& file,
                                 std::string& why);
 
-// Of the selected nodes, in one step; writes the file.
+// Groups the selected nodes in one undo step and writes the file.
 void group_selected(State& state);
 
-// The nodes of the one selected sub-graph in its place, in one step; its file stays.
+// Inlines the one selected sub-graph in one undo step; its file remains.
 void ungroup_selected(State& state);
 
 }  // namespace wrinkle::editor

@@ -1,8 +1,9 @@
-// The edits of one document: the present snapshot, and what each step changed, without a limit.
+// Undo stack of one document: the current snapshot and the difference made by each step; its length
+// is unlimited.
 //
-// Undo and redo move along the steps; a commit drops what was undone. Steps that carry the same
-// `merge` key and follow each other are one step: a drag commits on every frame and is undone at
-// once. Every state that the document was ever in has its own serial number.
+// Undo and redo move along the steps; a commit drops the undone ones. Successive commits with the
+// same `merge` key are merged into one step: a drag commits on every frame and is undone at once.
+// Every state of the document has its own serial number.
 #pragma once
 
 #include <cstdint>
@@ -20,9 +21,9 @@ public:
     const Document& now() const { return now_; }
     uint64_t serial() const { return steps_[at_].serial; }
 
-    // False, and nothing happens, when the document is the present one.
+    // Returns false without effect if the document is equal to the current one.
     bool commit(std::string name, Document document, const std::string& merge = {});
-    // Takes back the newest step if it carries this key; it cannot be redone.
+    // Removes the newest step if it has this key; it cannot be redone.
     void cancel(const std::string& merge);
 
     bool can_undo() const { return at_ > 0; }
@@ -32,11 +33,11 @@ public:
     const std::string& undo_name() const { return steps_[at_].name; }      // if can_undo()
     const std::string& redo_name() const { return steps_[at_ + 1].name; }  // if can_redo()
 
-    // All steps from the first, "Open", on; `at` is the present one.
+    // All steps from the first, "Open", on; `at` is the index of the current one.
     size_t size() const { return steps_.size(); }
     size_t at() const { return at_; }
     const std::string& name(size_t step) const { return steps_[step].name; }
-    // Whether the present step may still grow by commits of the same key.
+    // Returns true if commits with the same key can still merge into the current step.
     bool merging() const { return !steps_[at_].merge.empty() && !can_redo(); }
 
 private:
@@ -44,7 +45,7 @@ private:
         std::string name;  // "Scale: amount"
         std::string merge;
         uint64_t serial = 0;
-        Delta delta;  // from the step before
+        Delta delta;  // from the previous step
     };
     Document now_;
     std::vector<Step> steps_;

@@ -8,7 +8,7 @@ namespace wrinkle::editor {
 namespace fs = std::filesystem;
 namespace {
 
-// A relative one is meant beside the graph.
+// Resolves a relative path against the graph's folder.
 fs::path typed_path(const State& state) {
     const fs::path typed = state.question.text;
     return typed.is_absolute() ? typed : state.folder() / typed;
@@ -20,7 +20,7 @@ void done(State& state) {
     save_and_carry_out(state, then);
 }
 
-// What was not saved is asked about again, unless another question came first.
+// Prompts again after a failed save, unless another question is open.
 void ask_again(State& state, const Intent& then) {
     if (!state.question.open())
         state.question = {.kind = Question::Kind::unsaved, .trouble = state.status};
@@ -46,7 +46,7 @@ void write_as(State& state, const fs::path& path, OutsideFiles files) {
     state.question.trouble = state.status;
 }
 
-// Asks first what is to become of files that would be out of the graph's reach.
+// Prompts first for files that the graph could no longer read.
 void begin_write_as(State& state, const fs::path& path) {
     if (files_outside(state, path).empty()) return write_as(state, path, OutsideFiles::referred);
     state.question.kind = Question::Kind::outside;
@@ -150,7 +150,7 @@ void answer_forget(State& state) {
 void answer_stop(State& state) {
     state.question = {};
     cancel_task(state);
-    state.quit = true;  // which waits for the task's end
+    state.quit = true;  // takes effect when the task has ended
 }
 
 void answer_replace(State& state) {

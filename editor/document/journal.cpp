@@ -54,7 +54,7 @@ bool read_number(std::string_view text, Number& number, int base) {
     return error == std::errc() && stop == end;
 }
 
-// From the front; nothing when the rest is torn or damaged.
+// Takes the first record; returns std::nullopt if the rest is truncated or damaged.
 std::optional<Record> take_record(std::string_view& bytes, uint64_t& last) {
     const size_t line = bytes.find('\n');
     if (line == bytes.npos || line > 100) return std::nullopt;
@@ -84,7 +84,7 @@ bool read_graph(std::string_view payload, Recoverable& found) {
     return true;
 }
 
-// A lock dies with its program.
+// Returns true if a running program holds the lock; the system releases it when the program exits.
 bool is_in_use(const fs::path& file) {
     const int handle = open(file.c_str(), O_RDONLY | O_CLOEXEC);
     if (handle < 0) return true;
@@ -130,7 +130,7 @@ std::error_code Journal::append(std::string_view kind, std::string_view payload)
         size_ += record.size();
         sum_ = sum;
     } else if (ftruncate(handle_, static_cast<off_t>(size_)) != 0) {
-        close();  // what is torn stays at its end
+        close();  // a partial record remains at the end
     }
     return error;
 }

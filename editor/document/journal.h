@@ -1,14 +1,15 @@
-// The unsaved edits of an open document on disk, so that they outlive the program.
+// Recovery journal: stores the unsaved edits of an open document on disk, to recover them after a
+// crash.
 //
-// One file per document and process in STATE/journal, locked while its program runs. It comes into
-// being with the first unsaved edit and goes when all is saved or given up. It is only appended to:
-// the whole text first, then one delta of the text for each step, which costs what it changed. What
-// a dying program wrote half is not read.
+// There is one file per document and process in STATE/journal, locked (flock) while its program
+// runs. It is created with the first unsaved edit and removed when all edits are saved or
+// discarded. It is append-only: first the complete text, then one text delta per step, with a size
+// proportional to the change. A partial record at the end is ignored.
 //
-// A record is `KIND LENGTH SUM\n`, LENGTH bytes and "\n"; SUM is the checksum of these bytes and of
-// the sum before it, so a record holds only after those that it follows. KIND is `graph` (path,
-// reason why its file must not be written over, text, with zero bytes between; a path that ends
-// with "/" is the folder of a graph without a file) or `edit` (text_delta.h).
+// A record is `KIND LENGTH SUM\n`, LENGTH bytes and "\n"; SUM is the checksum of these bytes and
+// the previous sum, so a record is valid only after its predecessors. KIND is `graph` (path, reason
+// why the file must not be overwritten, text, separated by zero bytes; a path that ends with "/" is
+// the folder of a graph without a file) or `edit` (text_delta.h).
 #pragma once
 
 #include <atomic>
@@ -24,15 +25,15 @@
 
 namespace wrinkle::editor {
 
-// What a journal says that is no program's any more.
+// Contents of a journal that is not locked by a running program.
 struct Recoverable {
     std::filesystem::path journal;
-    std::filesystem::path graph;   // absolute; empty of one that had no file yet
-    std::filesystem::path folder;  // absolute, of one that had no file yet; empty: not known
-    std::string refused;           // why that file must not be written over, "" when it may
-    std::string text;              // the document after its last edit
+    std::filesystem::path graph;   // absolute; empty if the graph had no file yet
+    std::filesystem::path folder;  // absolute, if the graph had no file yet; empty: unknown
+    std::string refused;           // why the file must not be overwritten, "" if it may be
+    std::string text;              // the document after the last edit
     size_t edits = 0;
-    int64_t when = 0;  // of the last edit, seconds since 1970
+    int64_t when = 0;  // last edit, seconds since 1970
 };
 
 class Journal {
@@ -46,15 +47,16 @@ public:
     }
     void swap(Journal& other) noexcept;
 
-    // Brings the file up to the text of `document`. After an error nothing of it is kept, and what
-    // was kept before still is. `graph` is the file, or a folder and "/" where there is none.
+    // Creates the file if necessary and appends the difference to the text of `document`. On an
+    // error nothing of it is stored and earlier records remain valid. `graph` is the file, or the
+    // folder and "/" if there is none.
     std::error_code keep(const std::filesystem::path& state_folder,
                          const std::filesystem::path& graph, const std::string& refused,
                          const Document& document);
-    // All is saved or given up: removes the file.
+    // Removes the file, after all edits are saved or discarded.
     void drop();
     bool exists() const { return handle_ >= 0; }
-    // Against the death of the machine: has what is kept brought to the disk, without waiting.
+    // Flushes the records to disk without waiting, to survive a crash of the machine.
     void sync();
 
 private:
@@ -64,17 +66,17 @@ private:
 
     int handle_ = -1;
     std::filesystem::path file_;
-    KeptText text_;     // as of the last record
-    uint64_t sum_ = 0;  // of the last record
+    KeptText text_;     // after the last record
+    uint64_t sum_ = 0;  // chained checksum of the last record
     uint64_t size_ = 0, synced_ = 0;
     std::shared_ptr<std::atomic<bool>> syncing_ = std::make_shared<std::atomic<bool>>(false);
 };
 
-// What a journal file holds as far as it is whole; nothing when not even its first record is.
+// Returns the intact part of a journal; std::nullopt if not even its first record is intact.
 std::optional<Recoverable> read_journal(const std::filesystem::path& file);
 
-// All that can be recovered, the latest first. A journal whose text is what its graph's file holds
-// is removed: nothing of it is unsaved.
+// Returns all recoverable journals, the latest first. Removes a journal with the same text as its
+// graph's file: it has no unsaved edits.
 std::vector<Recoverable> list_recoverable(const std::filesystem::path& state_folder);
 
 }  // namespace wrinkle::editor

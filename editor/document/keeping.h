@@ -1,4 +1,4 @@
-// What is kept outside the graph's file, and what is known of that file.
+// State that is stored outside the graph's file, and the known state of that file.
 #pragma once
 
 #include <ctime>
@@ -12,16 +12,16 @@ namespace wrinkle::editor {
 
 struct Keeping {
     Folders folders;
-    Settings settings, written;  // as they are, and as the disk has them
+    Settings settings, written;  // current values, and the values on disk
     DiskCopy disk;
     Journal journal;
-    uint64_t journalled = 0;  // the serial of the state that the journal ends with, if there is one
-    std::time_t kept_at = 0;  // when the journal last grew
-    std::string unkept;       // why edits are not kept for recovery now, "" when they are
-    std::string unsettled;    // why the settings were not written last, "" when they were
+    uint64_t journalled = 0;  // serial of the last state in the journal, if there is one
+    std::time_t kept_at = 0;  // time of the last journal record
+    std::string unkept;       // why edits are not journalled now, "" if they are
+    std::string unsettled;    // why the settings were last not written, "" if they were
     bool try_again = false;
-    std::vector<Recoverable> recoverable;  // of programs that died
-    double looked = 0;                     // when the file was last compared with the disk, seconds
+    std::vector<Recoverable> recoverable;  // journals of crashed programs
+    double looked = 0;                     // last comparison of the file with the disk, seconds
 };
 
 }  // namespace wrinkle::editor

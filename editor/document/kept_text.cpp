@@ -6,7 +6,7 @@
 namespace wrinkle::editor {
 namespace {
 
-// The bytes as they were read are no canonical text, and a node may be missing from it.
+// A text read from a file is not canonical, and may lack a node.
 bool is_in_parts(const Document& document) {
     return (document.edited || !document.source.has_location()) &&
            CanonicalParts{document}.has_node_parts();
@@ -27,7 +27,7 @@ std::string part_of(const Position& position, bool first) {
 
 }  // namespace
 
-// From one text to the next, part by part.
+// Computes the next text and the delta to it, part by part.
 class KeptText::Step {
 public:
     explicit Step(const KeptText& before) : before_(before) {}
@@ -65,7 +65,7 @@ private:
         return text;
     }
 
-    // What stands at another place of the table is written anew.
+    // Copies unchanged entries; entries that were moved in the table are written again.
     template <class T>
     Lengths entries(const Table<T>& after, const Table<T>& before, const Lengths& old) {
         Lengths lengths{at_, {}};
@@ -104,7 +104,7 @@ private:
 
     const KeptText& before_;
     DeltaWriter writer_;
-    size_t at_ = 0;  // in the new text
+    size_t at_ = 0;  // offset in the new text
 };
 
 KeptText::KeptText(const Document& document, std::string& text) {

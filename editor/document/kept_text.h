@@ -1,5 +1,5 @@
-// The text of a document as it was kept last, known by its parts, so that the delta to the text of
-// the next snapshot costs what differs between the two and not what there is.
+// The document's text at the last journal record, stored as parts, so that computing the delta to
+// the text of the next snapshot is proportional to the difference, not to the text.
 #pragma once
 
 #include <cstdint>
@@ -13,15 +13,15 @@ namespace wrinkle::editor {
 class KeptText {
 public:
     KeptText() = default;
-    // Gives the whole text too.
+    // Also returns the complete text in `text`.
     KeptText(const Document& document, std::string& text);
 
-    // That of another snapshot, and the delta (text_delta.h) that leads there.
+    // Returns the text of another snapshot, and in `delta` the delta (text_delta.h) to it.
     KeptText next(const Document& document, std::string& delta) const;
 
 private:
     struct Lengths {
-        size_t first = 0;  // where the first one begins
+        size_t first = 0;  // offset of the first part
         std::vector<uint32_t> each;
     };
     class Step;

@@ -14,7 +14,7 @@
 namespace wrinkle::editor {
 namespace {
 
-// Of a card that is not laid out yet.
+// Size of a card that has no layout yet.
 ImVec2 usual_size(const NodeType& type) {
     const bool wide = std::any_of(type.ports.begin(), type.ports.end(), [](const Port& port) {
         return port.type == PortType::image_ || lanes_of_field(port) > 1;
@@ -23,7 +23,7 @@ ImVec2 usual_size(const NodeType& type) {
     return {wide ? 240.0F : 176.0F, header_height + rows * row_height + 8};
 }
 
-// Below everything that stands in the way.
+// Returns the nearest position below all cards in the way.
 ImVec2 clear_place(const State& state, const Document& document, ImVec2 at, ImVec2 own) {
     at = {std::round(at.x / 8) * 8, std::round(at.y / 8) * 8};
     const auto meets = [&](float x, float y, float width, float height) {
@@ -60,7 +60,8 @@ std::string id_after(const Document& document, std::string_view wish, std::strin
     return free_id(document, id_problem(id).empty() ? id : type);
 }
 
-// How two bumps are laid over each other where the wire from `from` to `to` is.
+// Returns the node type that adds two bumps on a wire from `from` to `to`; nullptr if there is
+// none.
 const NodeType* adder(const State& state, PortType from, PortType to, PortType bump) {
     const auto fits = [&](PortType kind) {
         return converts(from, kind) && converts(bump, kind) && converts(kind, to);
@@ -76,7 +77,7 @@ const Port* first_output(const NodeType& type) {
     return nullptr;
 }
 
-// The other input of an addition that the wire ends at, when it is free.
+// Returns the other input of an addition at the wire's end if it is free; otherwise "".
 std::string free_input(const State& state, const Document& document, const Wire& wire) {
     const Node* reader = document.find(wire.node);
     if (!reader || (reader->type != "gradient_add" && reader->type != "height_add")) return {};

@@ -1,5 +1,5 @@
-// New nodes wired to what is there: a picture as a source, its bump shown, its bump laid over
-// another. Document -> Document; an edit that cannot be made returns nothing and says why.
+// Adds nodes and connects them: an image source, its bump as output, its bump added to another.
+// Functions map Document -> Document; on failure they return std::nullopt with the reason.
 #pragma once
 
 #include <filesystem>
@@ -15,30 +15,31 @@ struct NewNode {
     std::string id;
 };
 
-// A node of the type, its id after `wish` ("weave" of "weave.png") where that can be an id, its
-// corner at the free place nearest below `at` (canvas units).
+// Adds a node with an id derived from `wish` ("weave" of "weave.png") if that is a valid id; its
+// corner is at the nearest free position below `at` (canvas units).
 NewNode with_node(const State& state, const Document& document, const NodeType& type,
                   std::string_view wish, ImVec2 at);
 
-// A node that reads the picture `file`, a path as the graph writes it.
+// Adds a node that reads the image `file`, a path as written in the graph.
 NewNode with_picture(const State& state, const NodeType& type, const std::string& file, ImVec2 at);
 
-// The output of a type that tells most about its bump; nullptr for one that has none.
+// Returns the output with the most information about the bump: a height, else a gradient; nullptr
+// if the type has neither.
 const Port* bump_of(const NodeType& type);
 
-// A resolve behind the bump, and the output `normal` behind that.
+// Adds a resolve node after the bump and connects it to the output `normal`.
 Document with_bump_shown(const State& state, const Document& document, const Link& bump, ImVec2 at);
 
-// The bump laid over the one on a wire: into a free input of an addition that the wire leads to,
-// else through a new one. A wire that comes from a resolve stands for the one into it.
+// Adds the bump to the one on a wire: at a free input of an addition at the wire's end, else with a
+// new addition. A wire from a resolve is replaced by the wire into it.
 std::optional<Document> with_bump_on_wire(const State& state, const Document& document,
                                           const Wire& wire, const Link& bump, ImVec2 at,
                                           std::string& why);
 
-// The wire into the resolve that this one comes out of, else itself.
+// Returns the wire into the resolve that this wire comes from; otherwise the wire itself.
 Wire before_resolve(const State& state, const Document& document, const Wire& wire);
 
-// Moves the cards at the borders where they belong once an empty graph has its first nodes.
+// Resets the border cards to their usual positions when an empty graph gets its first nodes.
 void leave_empty_graph(State& state);
 
 }  // namespace wrinkle::editor

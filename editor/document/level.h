@@ -1,4 +1,4 @@
-// A graph that stays open in memory while a sub-graph of it is on the canvas: as it was left.
+// Saved state of a parent graph while one of its sub-graphs is on the canvas.
 #pragma once
 
 #include <cstdint>

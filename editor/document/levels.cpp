@@ -102,7 +102,7 @@ void close_outer(State& state) {
 std::vector<std::string> unsaved(const State& state, const Intent& intent) {
     const std::vector<std::string> files = open_files(state);
     std::vector<std::string> names;
-    size_t kept = 0;  // levels from the outermost on
+    size_t kept = 0;  // number of outermost levels that stay open
     if (intent.kind == Intent::Kind::nothing) kept = files.size();
     if (intent.kind == Intent::Kind::leave) kept = intent.depth + 1;
     for (size_t i = files.size(); i-- > kept;)

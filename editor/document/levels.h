@@ -1,5 +1,5 @@
-// Going into sub-graphs and coming back. The graphs around the one on the canvas stay open with
-// their history, their view and their journal; each is a file of its own, saved by itself.
+// Enters and leaves sub-graphs. The parent graphs of the one on the canvas stay open with their
+// history, view and journal; each is a separate file, saved separately.
 #pragma once
 
 #include <filesystem>
@@ -11,28 +11,28 @@
 
 namespace wrinkle::editor {
 
-// The node of the selection when it is a sub-graph; nullptr else.
+// Returns the selected node if it is the only one and a sub-graph; otherwise nullptr.
 const Node* selected_group(const State& state);
 
-// Opens the sub-graph of the one selected node inside the present graph; the status says why it
-// cannot: its file is not there, or is one of those that are open around it.
+// Opens the sub-graph of the one selected node. Reports in the status if its file does not exist or
+// is already open as a parent graph.
 void open_group(State& state);
-// Opens a file inside the present graph.
+// Opens a file as a sub-graph of the current graph.
 void dive(State& state, const std::filesystem::path& file);
 
-// state.outer[depth] on the canvas again, read anew as far as it shows other files. The graphs
-// that were open inside it are closed, unsaved edits with them: intend() asks first.
+// Returns to state.outer[depth] and reloads the files that it uses. The graphs inside it are closed
+// and their unsaved edits discarded: intend() prompts first.
 void come_back(State& state, size_t depth);
-// The graphs around the present one are given up.
+// Closes the parent graphs of the current one and discards their unsaved edits.
 void close_outer(State& state);
 
-// The files with unsaved edits that the intent would put away, the innermost first.
+// Returns the files with unsaved edits that the intent would close, the innermost first.
 std::vector<std::string> unsaved(const State& state, const Intent& intent);
 
-// Of two paths that both lead somewhere.
+// Returns true if both paths exist and are the same file.
 bool is_same_file(const std::filesystem::path& a, const std::filesystem::path& b);
 
-// The names of the open files from the outermost to the one on the canvas.
+// Returns the names of the open files, from the outermost to the one on the canvas.
 std::vector<std::string> open_files(const State& state);
 
 }  // namespace wrinkle::editor

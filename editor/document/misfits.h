@@ -1,4 +1,4 @@
-// Wires that do not fit, after nodes came from somewhere else.
+// Removes wires with types that do not convert, after nodes were inserted from another graph.
 #pragma once
 
 #include <filesystem>
@@ -9,8 +9,8 @@
 
 namespace wrinkle::editor {
 
-// Without the wires into these nodes, and from them, whose types do not convert: a reroute that
-// came without what fed it carries a float.
+// Removes the wires into and from these nodes with types that do not convert: a reroute that lost
+// its source carries a float.
 Document without_misfits(const Document& document, const std::set<std::string>& ids,
                          const std::filesystem::path& folder, const Registry& registry);
 

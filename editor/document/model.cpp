@@ -20,7 +20,7 @@ std::string refusal(const Link& from, PortType given, std::string_view to, PortT
            sentence(alternative(given, wanted, registry));
 }
 
-// True of a problem that was found by reading what is left of the project.
+// Returns true if the problem comes from reading a file in this part of the project.
 bool is_of(const Diagnostic& problem, const Project& part) {
     return std::any_of(part.files.begin(), part.files.end(), [&](const Project::File& file) {
         const bool used = &file == part.files.data() || !file.document.file.empty();
@@ -56,7 +56,7 @@ Model make_model(const Document& document, const std::filesystem::path& folder,
 Project project_with(const Model& model, const Document& document) {
     Project project = *model.project;
     Project::File& top = project.files[0];
-    std::map<std::string, uint32_t> files;  // of the sub-graphs, by what nodes call them
+    std::map<std::string, uint32_t> files;  // indices of the sub-graphs' files, by node type
     for (size_t i = 0; i < top.document.nodes.size(); ++i)
         files[top.document.nodes[i]->type] = top.subgraphs[i];
     top.subgraphs.clear();

@@ -1,5 +1,5 @@
-// What follows from a snapshot, and never the other way round: the types of its nodes. Pure
-// functions of the document and of the files that it names.
+// The node types of a snapshot, derived from it. Pure functions of the document and of the files
+// that it names.
 #pragma once
 
 #include <filesystem>
@@ -13,36 +13,37 @@
 
 namespace wrinkle::editor {
 
-// The document's types. Holds while no more than literals and layout change. Copies share what they
-// hold and never change it, so another thread may read one.
+// Types of the document. Valid while only literals and layout change. Copies share immutable data,
+// so another thread may read one.
 struct Model {
     std::shared_ptr<const Project> project;
     std::shared_ptr<const Types> types;
-    Diagnostics project_problems;  // of reading its sub-graphs
+    Diagnostics project_problems;  // from reading its sub-graphs
 
     const NodeType* type_of(std::string_view node) const;  // nullptr: unknown
-    // The type of an output of a node, of a property of the surface or of an input of the graph.
+    // Returns the type of a node output, of a surface property or of a graph input.
     std::optional<PortType> type_of(const Link& from) const;
-    // The type that an output of the graph wants; nothing when it takes any.
+    // Returns the type that an output of the graph requires; std::nullopt if it takes any.
     static std::optional<PortType> wanted_by_output(std::string_view name);
 };
 
-// `folder` is that of the document's file; no name leads out of `root` ("": the same folder).
+// `folder` is the folder of the document's file; names must stay inside `root` ("": the same
+// folder).
 Model make_model(const Document& document, const std::filesystem::path& folder,
                  const Registry& registry, const std::filesystem::path& root = {});
 
-// The same project with another top document, for compiling.
+// Returns the same project with another top document, for compilation.
 Project project_with(const Model& model, const Document& document);
-// What reading a text could not use: check() takes it as reported.
+// Reports inputs and outputs that could not be read: check() assumes that they are reported.
 void report_unread(const Document& document, Diagnostics& problems);
-// The part of it that the outputs need, and what is wrong with the wires and sub-graphs of that:
-// with errors nothing is made of it.
+// Returns the part of the project that the outputs need, and reports the problems of its wires and
+// sub-graphs. If there are errors, it must not be compiled.
 Project project_to_compile(const Model& model, const Document& document, Diagnostics& problems);
 
-// Whether a wire may go there by its type, and if not, why: "" when it may.
+// Returns the reason why the type of `from` does not fit there; "" if it does.
 std::string wire_problem(const Model& model, const Document& document, const Registry& registry,
                          const Link& from, std::string_view node, std::string_view port);
-// The same for an output of the graph.
+// Same for an output of the graph.
 std::string output_problem(const Model& model, const Link& from, std::string_view output,
                            const Registry& registry);
 

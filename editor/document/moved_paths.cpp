@@ -28,7 +28,7 @@ public:
 
     bool stays() const { return from_ == to_; }
 
-    // The name from the new folder.
+    // Returns the name relative to the new folder.
     std::string moved(const std::string& name) {
         if (name.empty() || name.find('\0') != name.npos) return name;
         const fs::path file = (from_ / name).lexically_normal();
@@ -47,7 +47,7 @@ public:
         return to == name ? value : with_file(value, to);
     }
 
-    // The sub-graphs that are copied, and the images that they name.
+    // Adds the sub-graphs to copy, and the images that they name.
     void copy_subgraphs(const Model& model) {
         const Project& project = *model.project;
         for (size_t i = 1; i < project.files.size() && files_ == OutsideFiles::copied; ++i) {

@@ -1,6 +1,6 @@
-// The files that a graph names, when the graph goes to another folder: pictures and sub-graphs are
-// named relative to it. A graph reads files below its own folder only, so what is not below the new
-// one is copied there, or is no longer read.
+// Updates file names when a graph is saved in another folder: images and sub-graphs are named
+// relative to it. A graph reads only files below its own folder, so a file that is not below the
+// new one is copied there or is no longer read.
 #pragma once
 
 #include <filesystem>
@@ -13,24 +13,25 @@
 namespace wrinkle::editor {
 
 enum class OutsideFiles : uint8_t {
-    referred,  // named where they are
-    copied,    // named where a copy of them belongs: as far below the new folder as below the old
+    referred,  // named at their current location
+    copied,    // named at their copy, with the same path relative to the new folder as before
 };
 
 struct MovedPaths {
-    Document document;                 // names the same files from the new folder
+    Document document;                 // names the same files relative to the new folder
     std::vector<std::string> outside;  // below the old folder and not below the new one
-    // With `copied`: from the place of each copy to the file, also of what sub-graphs name. Such a
-    // sub-graph reads its own files below the new folder as it did below the old one.
+    // With `copied`: copy -> original file, including files that sub-graphs name. A copied
+    // sub-graph finds its files at the same relative paths as before.
     std::map<std::filesystem::path, std::filesystem::path> copies;
 };
 
-// What a node of unknown type holds stays as it is, and so do absolute paths that are not copied.
+// Does not change inputs of nodes of unknown type or absolute paths that are not copied.
 MovedPaths move_paths(const Document& document, const Model& model,
                       const std::filesystem::path& from, const std::filesystem::path& to,
                       OutsideFiles files = OutsideFiles::referred);
 
-// Files copied for a graph that is written next; taken away again unless they are kept.
+// Files copied for a graph that is written next; the destructor removes them unless keep() is
+// called.
 class NewCopies {
 public:
     NewCopies() = default;
@@ -38,8 +39,8 @@ public:
     NewCopies& operator=(const NewCopies&) = delete;
     ~NewCopies();
 
-    // Makes MovedPaths::copies. False with the reason in `why`: "there is another weave.png". A
-    // missing file is passed over, and so is a copy that exists with the same bytes.
+    // Makes MovedPaths::copies. Returns false with the reason in `why`: "there is another
+    // weave.png". Skips a missing file and a copy that exists with the same bytes.
     bool make(const std::map<std::filesystem::path, std::filesystem::path>& copies,
               std::string& why);
     void keep() { made_.clear(); }
@@ -48,7 +49,7 @@ private:
     bool make_one(const std::filesystem::path& from, const std::filesystem::path& to,
                   std::string& why);
 
-    std::vector<std::filesystem::path> made_;  // a folder before what is in it
+    std::vector<std::filesystem::path> made_;  // a folder before its contents
 };
 
 }  // namespace wrinkle::editor

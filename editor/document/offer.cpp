@@ -14,7 +14,7 @@ namespace {
 
 constexpr int far_off = 20;
 
-// Lower is nearer: the same types, the main input, few other inputs.
+// Lower is better: same types, the main input, few other inputs.
 int distance(const NodeType& type, const Passage& through, PortType from, PortType to) {
     int away = 0, inputs = 0;
     for (const Port& port : type.ports) {

@@ -10,7 +10,7 @@
 namespace wrinkle::editor {
 namespace {
 
-// What a user should know first: a plugin that was refused, else any other problem.
+// Returns the most important problem: a refused plugin, else the first in the list.
 std::string first_trouble(const Plugins& plugins) {
     for (const PluginReport& report : plugins.reports) {
         if (report.state != PluginReport::State::refused) continue;

@@ -1,9 +1,9 @@
-// The node types that the editor knows, and how plugins are loaded anew while it runs.
+// The node types that the editor knows, and reloading of plugins at run time.
 //
-// Each load makes a registry of its own from copies of the files; former ones stay, with the code
-// that they point at, because documents, jobs and cards may still look at their types. What a
-// plugin no longer has is shown and kept as nodes of a missing plugin are; of one that is broken
-// now the last good version stays in use.
+// Each load creates a registry from copies of the files. Earlier registries and their code stay
+// loaded, because documents, jobs and cards may still use their types. Nodes that a plugin no
+// longer has are shown and retained like nodes of a missing plugin; if a plugin is broken, its last
+// good version remains in use.
 #pragma once
 
 #include <filesystem>
@@ -19,15 +19,15 @@ struct State;
 
 struct Plugins {
     std::vector<std::string> places;                          // files and folders
-    std::filesystem::path cache;                              // of what probes found
-    std::vector<PluginReport> reports;                        // of the last load
-    Diagnostics problems;                                     // of the last load
+    std::filesystem::path cache;                              // probe results
+    std::vector<PluginReport> reports;                        // from the last load
+    Diagnostics problems;                                     // from the last load
     std::vector<std::shared_ptr<const Registry>> registries;  // the newest last
 };
 
-// The built-in nodes and those of the plugins; what was refused, in Plugins::problems.
+// Loads the built-in nodes and the plugins; Plugins::problems lists refused ones.
 void load_plugins(State& state);
-// The same while the editor runs, with the result in the status.
+// Same while the editor runs, with the result in the status.
 void reload_plugins(State& state);
 
 }  // namespace wrinkle::editor

@@ -79,8 +79,8 @@ void offer_recovery(State& state) {
 }
 
 void recover(State& state, const Recoverable& found) {
-    const Recoverable taken = found;  // the list is made anew
-    // The program that died may have saved after this one had read the file.
+    const Recoverable taken = found;  // forget() rebuilds the list
+    // The crashed program may have saved after this one had read the file.
     const bool is_open = !state.path.empty() && same_file(taken.graph, state.path);
     if (taken.graph.empty())
         new_file(state, taken.folder);

@@ -1,5 +1,4 @@
-// Keeping the unsaved edits of the open document in its journal, and getting back those of a
-// program that died.
+// Journals the unsaved edits of the open document, and recovers those of a crashed program.
 #pragma once
 
 #include "editor/document/journal.h"
@@ -8,22 +7,22 @@ namespace wrinkle::editor {
 
 struct State;
 
-// Once a frame, after its edits: all that is committed is on disk when it returns. Steps of a drag
-// follow at its end.
+// Called once a frame after its edits; all committed edits are written when it returns. Steps of a
+// drag are written at its end.
 void keep_edits(State& state);
-// At once, whatever the hand is doing. False when they could not be kept, or nothing ever is.
+// Writes at once, even during a drag. Returns false on an error or if there is no state folder.
 bool keep_edits_now(State& state);
 
-// What can be said of it: "Saved", "All edits kept 14:02"; "" for a new graph.
+// Text for the status bar: "Saved", "All edits kept 14:02"; "" for a new graph.
 std::string kept_words(const State& state);
 
 // Fills state.keeping.recoverable.
 void look_for_recoverable(State& state);
-// Asks about the latest for the open graph; where there is no file, about the latest of all.
+// Prompts for the latest journal of the open graph; if it has no file, for the latest of all.
 void offer_recovery(State& state);
-// Opens its graph and commits what was unsaved, so that undo shows the file.
+// Opens its graph and commits the unsaved edits, so that undo returns to the file.
 void recover(State& state, const Recoverable& found);
-// Its edits are given up.
+// Discards its edits.
 void forget(State& state, const Recoverable& found);
 
 }  // namespace wrinkle::editor

@@ -9,7 +9,7 @@
 namespace wrinkle::editor {
 namespace {
 
-// A value that changed makes no other text.
+// Requests a count only if the source differs; a changed value does not change it.
 void ask_costs(State& state) {
     Follow& follow = state.follow;
     if (!follow.counter || !state.built.uniform) return;
@@ -74,11 +74,12 @@ void follow_document(State& state) {
         case Change::Kind::names:
             follow.asked_of = state.document();
             follow.asked_for = wanted_request(state);
-            if (!state.built.problems.list().empty()) ask(state);  // they name nodes
+            if (!state.built.problems.list().empty()) ask(state);  // problems name nodes
             break;
         case Change::Kind::values: {
             const bool sent = send_values(state);
-            // While the hand is on a value only the uniform moves; the texts follow after it.
+            // While a value is dragged only the uniform changes; the build follows at the end of
+            // the drag.
             if (!sent || state.gesture.kind != Gesture::Kind::value) ask(state);
             break;
         }
@@ -89,7 +90,8 @@ void follow_document(State& state) {
     }
 }
 
-// Undo, a file that is read again, a gesture that is taken back: what is gone is not selected.
+// Deselects nodes, boxes and wires that no longer exist after undo, a reload or a cancelled
+// gesture.
 void forget_what_is_gone(State& state) {
     const Document& now = state.document();
     View& view = state.view;

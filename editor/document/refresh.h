@@ -1,15 +1,15 @@
-// What follows from the document, brought up to it.
+// Updates everything derived from the document.
 #pragma once
 
 #include "editor/state.h"
 
 namespace wrinkle::editor {
 
-// Brings model and layout up to the present snapshot, doing no more than changed, and asks for the
-// texts; those and the picture follow when the compiler has them.
+// Updates model and layout to the current snapshot, limited to the changes, and requests a build;
+// build and preview follow when the worker threads are done.
 void refresh(State& state);
 
-// Whether nothing is on its way any more: texts and picture are of the present snapshot.
+// Returns true if build and preview are those of the current snapshot and no job is pending.
 bool is_settled(const State& state);
 
 }  // namespace wrinkle::editor

@@ -19,7 +19,7 @@ fs::path settings_file(const Folders& folders) {
     return folders.config / "settings.json";
 }
 
-// Every field by its name, with the range that can be used.
+// Visits every field with its name and valid range.
 template <class S, class Visitor>
 void each_setting(S& settings, Visitor&& visit) {
     visit("width", settings.width, 320, 16384);
@@ -47,7 +47,7 @@ void each_setting(S& settings, Visitor&& visit) {
     visit("bake_tile", tuning.tile, uint32_t{0}, most_bake_tile);
 }
 
-// Takes what it can use, and lists the names of what it cannot.
+// Reads the valid fields and lists the names of the invalid ones.
 struct Reader {
     Value root;
     std::string unusable;
@@ -101,7 +101,7 @@ struct Writer {
     template <class Text>
     void operator()(const char* name, const std::vector<Text>& field, size_t) {
         std::vector<Value> items;
-        for (const Text& each : field) {  // JSON can spell no other names
+        for (const Text& each : field) {  // JSON can store only UTF-8 names
             const std::string text(each);
             if (is_utf8(text)) items.push_back(Value::string(text));
         }
@@ -156,7 +156,7 @@ void remember_recent(const Folders& folders, Settings& settings, const fs::path&
     if (!folders.config.empty()) {
         std::vector<fs::path> all = read_settings(folders, ignored).recent;
         for (const fs::path& known :
-             settings.recent)  // the disk has none where it cannot be written
+             settings.recent)  // the list on disk is empty if the file cannot be written
             if (std::find(all.begin(), all.end(), known) == all.end()) all.push_back(known);
         settings.recent = std::move(all);
     }

@@ -1,4 +1,4 @@
-// What stands at two inputs of a node changes places.
+// Swaps the values or wires at two inputs of a node.
 #include <algorithm>
 
 #include "editor/canvas/field.h"
@@ -8,8 +8,9 @@
 namespace wrinkle::editor {
 namespace {
 
-// The first two inputs of one type, those with something at them before others. One that reads the
-// surface by default is left out: no wire could say so for every other.
+// Returns the first two inputs of the same type, preferring those with a value or a wire. Inputs
+// that read the surface by default are left out: not every such default can be written as a wire at
+// another input.
 std::vector<const Port*> twins(const NodeType& type, const Node& node) {
     const auto counts = [](const Port& port) {
         return port.is_value() && port.default_kind != Port::Default::surface;
@@ -41,7 +42,7 @@ bool same_default(const Port& a, const Port& b) {
     return a.default_kind == b.default_kind && a.default_value == b.default_value;
 }
 
-// What held at port `from` of the old node holds at port `to`.
+// Moves the input at port `from` of the old node, or its default, to port `to`.
 Document hand_on(const Document& document, const Node& old, const Port& from, const Port& to) {
     const Input* input = old.find(from.name);
     const Document bare = reset_value(document, old.id, to.name);

@@ -12,7 +12,7 @@ std::string_view line_at(std::string_view text, size_t offset) {
     return text.substr(offset, end == text.npos ? end : end - offset + 1);
 }
 
-// Lines of `after` that stand in `middle`, which begins at `first`, are copied from there.
+// Copies lines of `after` that occur in `middle`, which starts at offset `first`; adds the others.
 void match_lines(DeltaWriter& maker, size_t first, std::string_view middle,
                  std::string_view after) {
     std::unordered_map<std::string_view, size_t> places;
@@ -34,7 +34,7 @@ void match_lines(DeltaWriter& maker, size_t first, std::string_view middle,
     }
 }
 
-// "12," or "12\n" from the front.
+// Takes "12," or "12\n" from the front.
 std::optional<size_t> take_number(std::string_view& text, char end) {
     size_t number = 0;
     const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), number);

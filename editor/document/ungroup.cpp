@@ -1,4 +1,4 @@
-// The nodes of a sub-graph in place of the node that stands for it.
+// Inlines a sub-graph: replaces its node by the nodes of its file.
 #include "editor/canvas/layout.h"
 #include "editor/canvas/new_cards.h"
 #include "editor/document/copies.h"
@@ -54,7 +54,8 @@ private:
         result = add_nodes(result, copies.nodes, positions);
     }
 
-    // What the outer graph gives to an input of the inner one, at a port that read it.
+    // Connects a port that read an input of the inner graph to that input's source in the outer
+    // graph.
     void feed(const std::string& id, const std::string& port, const std::string& name) {
         const Input* given = node_.find(name);
         result = disconnect(result, id, port);
@@ -83,7 +84,8 @@ private:
         }
     }
 
-    // Where an output of the node comes from without it; nothing when that is not fed.
+    // Returns the source of an output of the node after inlining; std::nullopt if it is not
+    // connected.
     std::optional<Link> source_of(const std::string& port) const {
         const Output* output = inner_.outputs.find(port);
         if (!output || output->from.kind != Input::Kind::link) return std::nullopt;

@@ -19,7 +19,7 @@ void add(std::vector<UsedFile>& files, Use use, const fs::path& path,
     files.push_back({use, path, stamp_of(path), name});
 }
 
-// A folder's own date changes when a file comes or goes.
+// The modification date of a folder changes when a file is added or removed.
 void add_plugins(const fs::path& place, std::vector<UsedFile>& files) {
     std::error_code error;
     add(files, Use::plugin, place);
@@ -28,7 +28,7 @@ void add_plugins(const fs::path& place, std::vector<UsedFile>& files) {
         if (entry->path().extension() == ".so") add(files, Use::plugin, entry->path());
 }
 
-// Whether it is to be read again.
+// Returns true if the file must be read again.
 bool has_changed(UsedFiles::Known& known, const UsedFile& file) {
     const Stamp before = std::exchange(known.last, file.stamp);
     if (file.stamp == known.read) return false;
@@ -43,7 +43,7 @@ void read_again(State& state, const UsedFile& file, bool came_or_went) {
         case Use::image:
             state.thumbnails.forget(file.path);
             forget_images(state);
-            if (came_or_went) state.fresh = false;  // its problem comes or goes
+            if (came_or_went) state.fresh = false;  // its problem appears or disappears
             break;
         case Use::subgraph:
             state.fresh = false;
@@ -55,7 +55,7 @@ void read_again(State& state, const UsedFile& file, bool came_or_went) {
             if (state.preview) state.preview->forget_light();
             break;
         case Use::plugin:
-            break;  // all at once
+            break;  // reloaded together
     }
     const std::string name = file.path.filename().string();
     if (file.use != Use::plugin)

@@ -1,9 +1,9 @@
-// The files that the open graph and its preview are made of, and the plugins: what another program
-// changes is read again by itself.
+// Watches the files of the open graph and its preview, and the plugins: files that another program
+// changes are read again.
 //
-// Their dates are looked at once a second, on a thread of their own: a slow disk holds up no frame.
-// A file that is gone is believed to be so after a second look, since some programs replace files
-// in two steps; a plugin is loaded when it has not changed for one.
+// Their dates are checked once a second on a separate thread, so that a slow disk does not delay a
+// frame. A missing file is reported only after a second check, since some programs replace files in
+// two steps; a plugin is loaded when it is unchanged between two checks.
 #pragma once
 
 #include <filesystem>
@@ -26,10 +26,10 @@ struct UsedFile {
     Use use = Use::image;
     std::filesystem::path path;
     Stamp stamp;
-    std::string name = {};  // of a picture of the graph itself, as it writes it
+    std::string name = {};  // for an image of the top graph: its name there
 };
 
-// Of what the files are to be found out.
+// Inputs of a check.
 struct FileQuestion {
     Model model;
     Document document;
@@ -42,16 +42,16 @@ using FileLooker = Worker<FileQuestion, std::vector<UsedFile>>;
 
 struct UsedFiles {
     struct Known {
-        Stamp read, last;  // as it was when it was read, and when it was looked at last
+        Stamp read, last;  // at the last read, and at the last check
     };
-    FileLooker* looker = nullptr;  // nullptr: looked at at once
+    FileLooker* looker = nullptr;  // nullptr: checks run on the calling thread
     double looked = 0;             // seconds
     std::shared_ptr<const Project> looked_of;
     std::map<std::filesystem::path, Known> known;
-    uint64_t changes = 0;  // files that were read again
+    uint64_t changes = 0;  // number of files that were read again
 };
 
-// Once a frame. True when something is to be shown.
+// Called once a frame. Returns true if the window must be redrawn.
 bool follow_files(State& state);
 
 }  // namespace wrinkle::editor

@@ -1,5 +1,5 @@
-// Whether another program wrote the open file: a look at its date each second, and a look at its
-// bytes only when the date is another.
+// Detects that another program wrote the open file: checks its date each second, and its bytes only
+// if the date differs.
 #pragma once
 
 #include <cstdint>
@@ -8,20 +8,20 @@
 
 namespace wrinkle::editor {
 
-// Of a text, to know it again; FNV-1a.
+// FNV-1a hash of a text, to recognize it.
 uint64_t checksum(std::string_view bytes);
 
 struct Stamp {
     bool there = false;
-    int64_t seconds = 0, nanoseconds = 0;  // of the last change
+    int64_t seconds = 0, nanoseconds = 0;  // last modification
     uint64_t size = 0, inode = 0;
     bool operator==(const Stamp&) const = default;
 };
 Stamp stamp_of(const std::filesystem::path& file);
 
-double seconds_now();  // of a clock that nobody sets: when something was looked at last
+double seconds_now();  // monotonic clock, seconds; for times of checks
 
-// The file as it was read or written last.
+// The file at the last read or write.
 struct DiskCopy {
     Stamp stamp;
     uint64_t bytes = 0;  // checksum
@@ -30,7 +30,7 @@ struct DiskCopy {
 };
 
 enum class OnDisk : uint8_t { same, changed, gone };
-// Against the file as it is now; a copy whose date alone is old is brought up to date.
+// Compares with the current file; updates `known` if only the date differs.
 OnDisk compare(DiskCopy& known, const std::filesystem::path& file);
 
 }  // namespace wrinkle::editor

@@ -14,7 +14,7 @@ bool is_link(const Input* input) {
     return input && input->kind == Input::Kind::link;
 }
 
-// What stands at an output of the node when the node is gone.
+// Returns the source that replaces an output of the node when the node is removed.
 std::optional<Link> passed_on(const Model& model, const Node& node, const std::string& output) {
     const NodeType* type = model.type_of(node.id);
     const uint32_t out = type ? type->find_output(output) : NodeType::none;
@@ -30,7 +30,7 @@ std::optional<Link> passed_on(const Model& model, const Node& node, const std::s
     return convertible ? std::optional(convertible->link) : std::nullopt;
 }
 
-// The first source before `link` that stays.
+// Returns the first source upstream of `link` that is not removed.
 std::optional<Link> staying(const Model& model, const Document& document,
                             const std::set<std::string>& removed, Link link) {
     for (size_t step = 0; step <= removed.size(); ++step) {
@@ -43,7 +43,7 @@ std::optional<Link> staying(const Model& model, const Document& document,
     return std::nullopt;
 }
 
-// Reroutes that nothing feeds any more, and those behind them: they carry a float then.
+// Returns the reroutes that lost their source, and those downstream: they carry a float.
 std::set<std::string> loose_reroutes(const Document& before, const Document& after) {
     std::set<std::string> loose;
     for (bool more = true; more;) {
@@ -60,7 +60,7 @@ std::set<std::string> loose_reroutes(const Document& before, const Document& aft
     return loose;
 }
 
-// A reroute takes the type of what feeds it, so without that its readers may not fit.
+// Removes wires that no longer fit: a reroute has the type of its source, a float without one.
 Document without_misfits(const Model& model, const Document& before, Document after) {
     const std::set<std::string> loose = loose_reroutes(before, after);
     if (loose.empty()) return after;

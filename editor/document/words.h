@@ -1,4 +1,4 @@
-// Counts and lists as the status says them.
+// Counts and lists as text for the status.
 #pragma once
 
 #include <string>

@@ -51,9 +51,9 @@ const Port* picture_port(const NodeType& type, const std::string& name) {
     return nullptr;
 }
 
-// A picture that has come into the graph.
+// An image that was added to the graph.
 struct Picture {
-    std::string file;  // as the graph writes it
+    std::string file;  // as written in the graph
     ImageKind kind;
     const NodeType* type = nullptr;
     ImVec2 at{0, 0};  // canvas units
@@ -73,7 +73,7 @@ bool set_on_card(State& state, const Picture& picture, const Hit& hit) {
     return true;
 }
 
-// A source node that reads the picture as what it is.
+// Adds a source node that reads the image according to its kind.
 NewNode with_source(const State& state, const Picture& picture, ImVec2 at) {
     NewNode made = with_picture(state, *picture.type, picture.file, at);
     const Port* port = picture_port(*picture.type, "");
@@ -96,7 +96,7 @@ void add_on_wire(State& state, const Picture& picture, const Wire& wire) {
     if (!document) state.status = why;
 }
 
-// True when the graph shows it.
+// Returns true if the graph now shows it.
 bool add_on_ground(State& state, const Picture& picture) {
     if (state.document().nodes.empty()) leave_empty_graph(state);
     const NewNode made = with_source(state, picture, picture.at);
@@ -118,7 +118,7 @@ const Wire* wire_of_normal(const State& state) {
     return nullptr;
 }
 
-// `layered`: the pictures before it were shown, so this one is laid over them.
+// If `layered`, earlier images are shown and this one is layered over them.
 bool place_picture(State& state, const Picture& picture, bool layered) {
     if (layered)
         if (const Wire* found = wire_of_normal(state)) {
@@ -138,7 +138,8 @@ bool place_picture(State& state, const Picture& picture, bool layered) {
     return add_on_ground(state, picture);
 }
 
-// Laid over the selected wire or over what the output `normal` shows, else on empty ground.
+// Layers it over the selected wire or over the bump that the output `normal` shows, else adds it on
+// empty canvas.
 void place_chosen(State& state, Picture picture) {
     picture.at =
         to_canvas(state.view, state.view.corner + state.view.extent * 0.5F) - ImVec2(120, 120);
@@ -176,7 +177,7 @@ void place(State& state, Arrival& arrival, const fs::path& file, const Examined&
     refresh(state);
 }
 
-// As far as it is known what they are. All from one drop are one step.
+// Places files in order until one is not examined yet. All files of one drop are one undo step.
 void place_arrivals(State& state) {
     std::vector<Arrival>& waiting = state.dropped.waiting;
     while (!waiting.empty()) {
@@ -194,7 +195,7 @@ void place_arrivals(State& state) {
 
 void await(State& state, Arrival arrival) {
     for (auto file = arrival.files.rbegin(); file != arrival.files.rend(); ++file)
-        want_image(state, *file, stamp_of(*file), true);  // so the first one goes first
+        want_image(state, *file, stamp_of(*file), true);  // reversed: the first ends up in front
     if (state.images.busy() && !arrival.files.empty())
         state.status = "Looking at " + arrival.files.front().filename().string() + ".";
     state.dropped.waiting.push_back(std::move(arrival));

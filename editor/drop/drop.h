@@ -1,39 +1,40 @@
-// Files dropped on the window, by what they are and where they fall:
+// Handles files dropped on the window, by their type and the target:
 //
-//   a picture on empty ground     a source node; shown when the graph has no output `normal` yet
-//   a picture on a wire           its bump is laid over the one on the wire
-//   a picture on a node with one  replaces the picture that it reads
-//   a mesh, or an HDR picture on the preview   for the preview
+//   an image on empty canvas      a source node; shown if the graph has no output `normal` yet
+//   an image on a wire            its bump is added to the one on the wire
+//   an image on a node with one   replaces the node's image
+//   a mesh, or an HDR image on the preview   sets the preview's mesh or environment
 //   a graph                       is opened
 //
-// The second of several pictures is laid over the first. A picture outside the graph's folder can
-// only be read after it was copied into it, which is offered. A graph without a file that names no
-// other file can have the folder of such pictures instead, so that they are read where they are.
+// The second of several images is layered over the first. An image outside the graph's folder must
+// be copied into it to be read, which a dialog offers. A graph without a file that names no other
+// file can adopt the folder of such images instead, so that they are read at their location.
 #pragma once
 
 #include "editor/state.h"
 
 namespace wrinkle::editor {
 
-// At the end of a frame, when everything on the screen has its name.
+// Called at the end of a frame, when all widgets on screen are registered by name.
 void handle_drops(State& state);
 
-// As the graph writes it; "" for a file outside its folder.
+// Returns the path as written in the graph; "" for a file outside its folder.
 std::string path_in_graph(const State& state, const std::filesystem::path& file);
 
-// Pictures of the graph's folder, at the place of the drop.
+// Adds images of the graph's folder at the drop position.
 void add_pictures(State& state, const FileDrop& drop, const std::vector<std::string>& files);
 
-// A picture chosen by name, a path as the graph writes it: laid over the selected wire or over what
-// the output `normal` shows, else a source on empty ground.
+// Adds an image chosen by name, a path as written in the graph: layered over the selected wire or
+// over the bump that the output `normal` shows, else as a source on empty canvas.
 void add_picture(State& state, const std::string& file);
 
-// A picture from anywhere for a node, "" for a new one; asks about one outside the graph's folder.
+// Sets an image from anywhere on a node, "" for a new one; prompts if it is outside the graph's
+// folder.
 void use_picture(State& state, const std::string& node, const std::string& port,
                  const std::string& file);
 
-// The question whether files from elsewhere are to be copied into the graph's folder, or the graph
-// is to have theirs.
+// Draws the dialog that offers to copy outside files into the graph's folder, or to make their
+// folder the graph's.
 void draw_copy_question(State& state);
 
 }  // namespace wrinkle::editor

@@ -1,4 +1,4 @@
-// What was dropped on the window and waits for somebody.
+// Dropped files that wait for processing.
 #pragma once
 
 #include <imgui.h>
@@ -12,22 +12,22 @@
 
 namespace wrinkle::editor {
 
-// Pictures on their way into the graph: what they are is being found out.
+// Images being added to the graph, while they are examined.
 struct Arrival {
-    std::vector<std::filesystem::path> files;  // canonical; the first one is placed next
+    std::vector<std::filesystem::path> files;  // canonical; the first one is added next
     ImVec2 at{0, 0};                           // canvas units
-    bool chosen = false;                       // by name: for no place in particular
-    bool layered = false;  // those before were shown: the next is laid over them
+    bool chosen = false;                       // chosen by name: without a position
+    bool layered = false;  // earlier images are shown: the next is layered over them
     std::string merge;
 };
 
 struct Dropped {
     std::vector<FileDrop> arrived;  // since the last frame
-    FileDrop outside;    // some of its files lie outside the graph's folder: shall they be copied?
-    bool asked = false;  // that question is open
-    bool by_name = false;  // they were chosen for that place, "" for a new node
+    FileDrop outside;               // some files are outside the graph's folder: copy them?
+    bool asked = false;             // that dialog is open
+    bool by_name = false;           // chosen by name for `node` and `port`, "" for a new node
     std::string node, port;
-    std::vector<Arrival> waiting;  // the first one is placed first
+    std::vector<Arrival> waiting;  // the first one is added first
     std::string for_preview;       // a mesh or an environment; the preview takes it and clears it
 
     bool waits_for(const std::filesystem::path& file) const {

@@ -1,4 +1,4 @@
-// The question about pictures from outside the graph's folder, and its answers.
+// Dialog about images outside the graph's folder, and its answers.
 #include <unistd.h>
 
 #include <algorithm>
@@ -14,14 +14,15 @@ namespace wrinkle::editor {
 namespace fs = std::filesystem;
 namespace {
 
-// Where the copies go: beside the textures that are there.
+// Returns the folder for copies: the graph's `textures` folder if it exists, else the graph's
+// folder.
 fs::path copy_folder(const State& state) {
     std::error_code ignored;
     const fs::path textures = state.folder() / "textures";
     return fs::is_directory(textures, ignored) ? textures : state.folder();
 }
 
-// A copy under a name that no other file has; "" when it cannot be made.
+// Copies the file under a name that no other file has; returns "" on failure.
 std::string copied(State& state, const fs::path& file) {
     const fs::path folder = copy_folder(state);
     fs::path to = folder / file.filename();
@@ -33,7 +34,7 @@ std::string copied(State& state, const fs::path& file) {
     return {};
 }
 
-// After the answer: those that are still outside could not be copied.
+// Adds the files after the answer; files that are still outside could not be copied.
 void add_answered(State& state, const FileDrop& drop, const std::vector<std::string>& files) {
     if (!state.dropped.by_name) return add_pictures(state, drop, files);
     const Dropped to = state.dropped;
@@ -58,8 +59,8 @@ bool names_files(const State& state) {
                        [](const NodePtr& node) { return node->subgraph().has_value(); });
 }
 
-// The nearest folder that has all of the files, if the graph may have it and it is not the root of
-// all files; "" otherwise.
+// Returns the nearest folder that contains all of the files if the graph may adopt it and it is not
+// the root folder; otherwise "".
 fs::path folder_to_have(const State& state, const std::vector<std::string>& files) {
     if (!state.path.empty() || files.empty() || names_files(state)) return {};
     fs::path folder = real_path(files.front()).parent_path();
@@ -71,7 +72,7 @@ fs::path folder_to_have(const State& state, const std::vector<std::string>& file
 
 void have_folder(State& state, const fs::path& folder) {
     state.unsaved_folder = folder;
-    state.keeping.journal.drop();  // it names the other folder
+    state.keeping.journal.drop();  // it refers to the other folder
     state.fresh = false;
 }
 
@@ -79,7 +80,7 @@ bool may_write(const fs::path& folder) {
     return access(folder.c_str(), W_OK) == 0;
 }
 
-// "textures", and of the root folder its path.
+// Returns "textures"; for the root folder its path.
 std::string name_of_folder(const fs::path& folder) {
     return folder.has_filename() ? folder.filename().string() : folder.string();
 }

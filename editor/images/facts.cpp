@@ -11,7 +11,7 @@ namespace {
 
 using maps::Verdict;
 
-// Of numbers alone: their signs become those of print.
+// Precondition: only numbers contain '-'; it is replaced by the minus sign (U+2212).
 template <typename... Values>
 std::string fact_text(const char* format, Values... values) {
     char buffer[160];

@@ -1,4 +1,4 @@
-// What a picture is, in words: a line, and a table of the numbers that say so.
+// Description of an image as text: one line, and a table of the measured values.
 #pragma once
 
 #include <string>

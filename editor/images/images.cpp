@@ -39,7 +39,7 @@ Examined read_and_examine(const fs::path& file, const std::function<bool()>& sto
 Examined examine_file(const fs::path& file, const std::function<bool()>& stopped) {
     try {
         return read_and_examine(file, stopped);
-    } catch (...) {  // most likely there is no memory for it
+    } catch (...) {  // most likely out of memory
         Examined result;
         result.stamp = stamp_of(file);
         result.problem = file.filename().string() + " cannot be looked at: " + exception_text();

@@ -1,10 +1,10 @@
-// What the pictures of the open graph are and what is wrong with them, as `wrinkle lint` says it
-// (maps/lint.h): found beside the interface, one picture at a time, each version of a file once.
+// Classification and defects of the open graph's images, as by `wrinkle lint` (maps/lint.h):
+// computed in the background, one image at a time, once for each version of a file.
 //
-// Pictures of the top graph are looked at when it is opened and when their files change, dropped
-// ones before they get a node. What a node makes of its picture is set against what the picture is:
-// a remark, shown among the problems and on the node until it is mended or dismissed, for
-// good: the settings keep that, by the version of the file.
+// Images of the top graph are examined when it is opened and when their files change, dropped ones
+// before they get a node. If a node's use of an image does not match the image, there is a remark,
+// shown in the problems and on the node until it is resolved or dismissed permanently: the settings
+// store dismissals by file version.
 #pragma once
 
 #include <filesystem>
@@ -26,12 +26,12 @@ struct State;
 struct UsedFile;
 
 struct Examined {
-    Stamp stamp;          // of the version that was looked at
-    std::string problem;  // one sentence: why it could not be read; else the rest holds
+    Stamp stamp;          // file version that was examined
+    std::string problem;  // one sentence: why it could not be read; "" if the rest is valid
     ImageInfo info;
-    maps::Verdict verdict;  // as of a picture that is to repeat
+    maps::Verdict verdict;  // under the assumption that the image repeats
 };
-// On any thread. Where `stopped` comes to say true the answer is nobody's.
+// Callable on any thread. If `stopped` returns true, the result must be discarded.
 Examined examine_file(const std::filesystem::path& file, const std::function<bool()>& stopped = {});
 
 struct ImageAnswer {
@@ -40,26 +40,26 @@ struct ImageAnswer {
 };
 using ImageExaminer = Worker<std::filesystem::path, ImageAnswer>;
 
-// The one thing that is certain to help, as an edit of the node's input or type.
+// A fix that is certain to help, as an edit of the node's input or type.
 struct Remedy {
     enum class Kind : uint8_t { none, encoding, wrap, type };
     Kind kind = Kind::none;
     std::string label;  // "Read as dx"
-    std::string word;   // of the input, or the new type's id
+    std::string word;   // new word of the input, or id of the new type
 };
 struct Remark {
     Diagnostic problem;  // a warning at the node's input
     std::string port, file;
-    std::string about;  // what is dismissed with it: "green", "type", a finding's name
+    std::string about;  // key of the dismissal: "green", "type", a finding's name
     Remedy remedy;
 };
 
 struct Images {
-    ImageExaminer* examiner = nullptr;                   // nullptr: looked at at once
-    std::map<std::string, std::filesystem::path> paths;  // by the names that the graph writes
+    ImageExaminer* examiner = nullptr;                   // nullptr: examined on the calling thread
+    std::map<std::string, std::filesystem::path> paths;  // by the names in the graph
     std::map<std::filesystem::path, Examined> known;
-    std::vector<std::filesystem::path> wanted;  // still to be looked at; the first one is, now
-    uint64_t changes = 0;                       // of all that remarks follow from, but the document
+    std::vector<std::filesystem::path> wanted;  // pending; the first one is examined now
+    uint64_t changes = 0;                       // version of all inputs of remarks but the document
 
     std::vector<Remark> remarks;
     Document remarks_of;
@@ -68,16 +68,16 @@ struct Images {
     bool busy() const { return !wanted.empty(); }
 };
 
-// Looks at this version of the file, unless it was; what somebody waits for goes `first`.
+// Examines this version of the file unless it is done; `first` puts it at the front of the queue.
 void want_image(State& state, const std::filesystem::path& file, const Stamp& stamp, bool first);
-// nullptr: not looked at yet, or a newer version is to be.
+// Returns nullptr if the file is not examined yet or a newer version is pending.
 const Examined* examined(const State& state, const std::filesystem::path& file);
-// That of a node's picture, by its name in the graph.
+// Same for a node's image, by its name in the graph.
 const Examined* examined_at(const State& state, const Node& node, std::string_view port);
 
-// The files that the graph is known to be made of now.
+// Sets the files that the graph currently uses.
 void follow_images(State& state, const std::vector<UsedFile>& files);
-// Once a frame: takes what was found, and keeps the remarks true.
+// Called once a frame: takes results and updates the remarks.
 void tend_images(State& state);
 
 }  // namespace wrinkle::editor

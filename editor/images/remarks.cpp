@@ -16,7 +16,7 @@ namespace {
 
 using maps::Look;
 
-// Nodes that do the same with another kind of map; "" where there is none.
+// Corresponding node types for the kinds of maps; "" if there is none.
 struct MapFamily {
     std::string_view height, normal, object, slopes;
 };
@@ -38,10 +38,10 @@ bool is_tangent(Look look) {
     return look == Look::normal || look == Look::normal_gl || look == Look::normal_dx;
 }
 
-// "" where nothing speaks against the node that is there.
+// Returns the node type that fits the image; "" if nothing contradicts the current one.
 std::string_view better_type(const MapFamily& family, std::string_view type, Look look) {
     if (look == Look::height) return family.height;
-    if (type == family.slopes) return {};  // 8 bits of it may look like anything
+    if (type == family.slopes) return {};  // 8-bit slopes may look like any kind
     if (is_tangent(look) && type == family.object) return look == Look::normal ? "" : family.normal;
     if (is_tangent(look)) return family.normal;
     if (look == Look::normal_object) return family.object;
@@ -80,7 +80,7 @@ private:
         examined_ = examined_at(state_, *node_, port_->name);
         if (!examined_ || !examined_->problem.empty() || encoding_ == Encoding::normal_ag) return;
         file_ = images_.paths.at(std::string(literal_.file));
-        if (remark_type()) return;  // the rest follows from it
+        if (remark_type()) return;  // other remarks would follow from it
         remark_green();
         remark_defects();
     }
@@ -134,7 +134,7 @@ private:
     std::string short_kind(std::string_view type) const {
         return type == family_->height ? "heights" : type == family_->slopes ? "slopes" : "normals";
     }
-    // Of another kind, for which the family has no node.
+    // Returns true if the image is of another kind for which the family has no node type.
     bool is_odd(Look look) const {
         return look == Look::normal_object && type_->id != family_->object &&
                type_->id != family_->slopes;
@@ -191,7 +191,8 @@ private:
     fs::path file_;
 };
 
-// The output of the new type that a reader of the old one's `port` gets: the same, or a bump.
+// Returns the output of the new type for a user of the old type's `port`: the same name, or a
+// gradient.
 std::string output_in_place(const NodeType& type, const std::string& port) {
     if (type.find_output(port) != NodeType::none) return port;
     for (const Port& each : type.ports)
@@ -199,7 +200,7 @@ std::string output_in_place(const NodeType& type, const std::string& port) {
     return {};
 }
 
-// Every wire from the node has to find an output of its type.
+// Returns true if every wire from the node starts at an output of a fitting type.
 bool keeps_readers(const State& state, const Document& document, const std::string& id) {
     const NodeType* from = state.registry->find(document.find(id)->type);
     const auto gives = [&](const Link& link, std::optional<PortType> wanted) {
@@ -227,7 +228,8 @@ bool holds_the_same(const Port& a, const Port& b) {
     return a.kind == b.kind && a.type == b.type && a.choices == b.choices;
 }
 
-// What the new type does not know goes; an encoding is the old port's.
+// Changes the node's type: inputs unknown to the new type are reset; the encoding remains that of
+// the old port.
 Document retyped(const State& state, const Node& node, const NodeType& to) {
     const NodeType* from = state.type_of(node.id);
     Document result = state.document();

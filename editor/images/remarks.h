@@ -1,11 +1,10 @@
-// Where what a node makes of its picture differs from what the picture is, or the picture has a
-// defect that the node feels.
+// Mismatches between a node's use of an image and the image, and defects that affect the node.
 //
-//   green   the curl test says the other way than the encoding
+//   green   the curl test contradicts the encoding
 //   type    a height read as normals and the like; blue of a map in two channels read as z
-//   else    a defect's name (maps/lint.h); both seams are one remark, where the texture repeats
+//   else    a defect's name (maps/lint.h); both seams are one remark, if the texture repeats
 //
-// Said of nodes that make bumps of pictures and of no others: what a colour is, is nobody's guess.
+// Only nodes that make bumps of images get remarks: the meaning of colors cannot be determined.
 #pragma once
 
 #include "editor/images/images.h"
@@ -14,12 +13,12 @@ namespace wrinkle::editor {
 
 std::vector<Remark> find_remarks(const State& state);
 
-// The document after the remedy; itself where there is none any more.
+// Returns the document after the remedy; the current one if it no longer applies.
 Document remedied(const State& state, const Remark& remark);
-void apply_remedy(State& state, const Remark& remark);  // one step
+void apply_remedy(State& state, const Remark& remark);  // one undo step
 void dismiss_remark(State& state, const Remark& remark);
 
-// What a dismissal is kept by: a newer version of the file is remarked upon anew.
+// Key that stores a dismissal: a newer version of the file gets a remark again.
 std::string dismissal_mark(const std::filesystem::path& file, const Stamp& version,
                            std::string_view about);
 

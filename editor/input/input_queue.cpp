@@ -39,11 +39,11 @@ unsigned next_code_point(std::string_view text, size_t& at) {
     return code;
 }
 
-// What one frame has seen so far.
+// Events applied in the current frame so far.
 struct Frame {
     unsigned buttons = 0;
     bool moved = false, wheeled = false, typed = false, keyed = false;
-    bool struck = false;  // a key: the modifiers must stay as they are
+    bool struck = false;  // a non-modifier key was pressed: no more key events in this frame
     int keys[16] = {};
     size_t key_count = 0;
 
@@ -134,7 +134,7 @@ bool is_valid(const InputEvent& event) {
     }
 }
 
-// A key that comes up is none: held back it would repeat.
+// Returns true for characters and key presses. A delayed key release would repeat the key.
 bool is_typing(const InputEvent& event) {
     return event.kind == InputEvent::Kind::character ||
            (event.kind == InputEvent::Kind::key && event.down);

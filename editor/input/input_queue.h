@@ -1,9 +1,9 @@
-// Input events in the order they happened, handed to Dear ImGui so that none is lost.
+// Input events in order, passed to ImGui so that none is lost.
 //
-// Dear ImGui 1.86 sees only the state of keys and buttons at the start of a frame: a key that goes
-// down and up between two frames was never pressed. The queue gives a frame only as many events as
-// leave every change visible; the rest waits for the next frame. Window, scripts and tests all
-// speak through it. Keys are GLFW key codes, letters by the character they produce.
+// ImGui 1.86 sees only the state of keys and buttons at the start of a frame: it misses a key that
+// is pressed and released between two frames. Each frame therefore takes events only up to the
+// first one that would hide another; the rest waits for the next frame. Window, scripts and tests
+// all use the queue. Keys are GLFW key codes, letters by the character they produce.
 #pragma once
 
 #include <deque>
@@ -23,10 +23,10 @@ struct InputEvent {
     bool down = false;                    // key, button
     float x = 0, y = 0;                   // motion, drop: position; wheel: amount
     std::vector<std::string> files = {};  // drop
-    bool of_key = false;                  // character: of the key that went down just before
+    bool of_key = false;                  // character: made by the key press just before
 };
 
-// Files let go over the window; logical pixels.
+// Files dropped on the window. Position in logical pixels.
 struct FileDrop {
     float x = 0, y = 0;
     std::vector<std::string> files;
@@ -43,7 +43,7 @@ public:
     }
     void button(int button, bool down) { push({InputEvent::Kind::button, button, down, 0, 0}); }
     void motion(float x, float y) { push({InputEvent::Kind::motion, 0, false, x, y}); }
-    // Of the window: `scale` of its pixels make one of the interface's (editor/look/look.h).
+    // Window pixels per logical pixel (editor/look/look.h), for the window_ functions.
     void set_scale(float scale) { scale_ = scale; }
     void window_motion(double x, double y) {
         motion(static_cast<float>(x) / scale_, static_cast<float>(y) / scale_);
@@ -56,17 +56,17 @@ public:
         push({InputEvent::Kind::drop, 0, false, x, y, std::move(files)});
     }
 
-    // "Ctrl+Shift+Z", "Delete", "F2": modifiers down, the key down and up, modifiers up. False for
-    // a chord that names no key.
+    // Presses the keys of "Ctrl+Shift+Z", "Delete" or "F2" in order and releases them in reverse
+    // order. Returns false and queues nothing if a key is unknown.
     bool chord(std::string_view text);
     void type(std::string_view utf8);
 
     bool empty() const { return events_.empty(); }
 
-    // Writes one frame's worth into `io`; before ImGui::NewFrame(). What was dropped in that frame
-    // is left for take_drops(). With `typing_waits` the first key that goes down or character, and
-    // what follows it, stays for a later frame; the letter of a key that has gone down before, the
-    // one that opened a field, is dropped.
+    // Moves the events of one frame to `io`; call before ImGui::NewFrame(). File drops among them
+    // are returned by take_drops(). With `typing_waits`, the first key press or character and all
+    // later events wait for a later frame; the character of a key press that was already applied,
+    // such as the one that opened a field, is discarded.
     void apply(ImGuiIO& io, bool typing_waits = false);
     std::vector<FileDrop> take_drops() { return std::exchange(drops_, {}); }
 
@@ -76,10 +76,10 @@ private:
     float scale_ = 1;
 };
 
-// The GLFW code of "A", "7", "F2", "Delete", "Space", "Escape", ...; 0 for none.
+// Returns the GLFW code of "A", "7", "F2", "Delete", "Space", "Escape", ...; 0 if unknown.
 int key_named(std::string_view name);
 
-// Tells ImGui which of our codes are its navigation and editing keys.
+// Maps ImGui's navigation and editing keys to GLFW codes.
 void map_keys(ImGuiIO& io);
 
 }  // namespace wrinkle::editor

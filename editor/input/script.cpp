@@ -32,7 +32,8 @@ struct Spot {
     float x = 0, y = 0;
 };
 
-// "canvas+10,-20": the name's middle and an offset.
+// Returns the position of "canvas+10,-20": the target's middle plus an offset in pixels;
+// std::nullopt if there is no such target.
 std::optional<Spot> spot_of(const std::string& name, const Targets& targets) {
     if (const auto rect = targets.find(name)) return Spot{rect->middle_x(), rect->middle_y()};
     const size_t plus = name.rfind('+'), comma = name.rfind(',');
@@ -70,7 +71,7 @@ size_t number(const std::string& text) {
     return static_cast<size_t>(std::strtoull(text.c_str(), nullptr, 10));
 }
 
-// Nothing for an assertion that does not exist.
+// Returns std::nullopt for an unknown assertion.
 std::optional<bool> holds(const State& state, const std::vector<std::string>& w) {
     const std::string& what = w[1];
     if (what == "dirty") return state.dirty();
@@ -187,14 +188,14 @@ bool Script::stroke(const std::vector<std::string>& w, const State& state, Input
     queue.button(button, true);
     for (const Spot& spot : spots) {
         queue.motion(spot.x, spot.y);
-        queue.key(0, false);  // no key: so that the next motion waits for the next frame
+        queue.key(0, false);  // not a key: the next motion waits for the next frame
     }
     queue.button(button, false);
     hold(false);
     return true;
 }
 
-// A click, or a turn of the wheel.
+// Steps at one target: clicks and wheel.
 bool Script::point(const Line& line, const State& state, InputQueue& queue) {
     const auto& w = line.words;
     if (!point_at(w[1], state, queue)) return false;
@@ -230,7 +231,7 @@ bool Script::run(const Line& line, const State& state, InputQueue& queue, const 
     return see(line, state, screen);
 }
 
-// The steps that no hand does.
+// Steps that are not user input.
 bool Script::see(const Line& line, const State& state, const Screen& screen) {
     const auto& w = line.words;
     const std::string& what = w[0];

@@ -1,25 +1,26 @@
-// A list of things a hand would do, played through the input queue: for tests in a window and
-// without one. One line each; '#' begins a comment. NAME is a name of targets.h, with an offset in
-// pixels from its middle where wanted: "canvas+-200,150".
+// List of user actions, played through the input queue, for tests with and without a window. One
+// step per line; a line that begins with '#' is a comment. NAME, FROM and TO are target names
+// (targets.h), optionally with an offset in pixels from the middle: "canvas+-200,150".
 //
 //   click NAME      right NAME      double NAME      drag FROM TO      wheel NAME AMOUNT
-//   stroke MODIFIERS left|right FROM TO ...    a drag with keys held, "-" for none, over all places
+//   stroke MODIFIERS left|right FROM TO ...    a drag over all points with keys held; "-": none
 //   key Ctrl+Z      type TEXT       wait [FRAMES]    shot FILE.png
-//   say TEXT        (to standard output: so far it has come)
-//   drop FILE... NAME               files by their path, a relative one from the graph's folder
-//   finish                          waits for what runs in the background
-//   await CONDITION                 waits until it holds, one that `assert` knows
-//   section NAME                    of the timings (editor/timings.h)
-//   lose driver                     as if the graphics driver had dropped all that it had
+//   say TEXT                        prints to standard output, to show the progress
+//   drop FILE... NAME               drops files; relative paths begin at the graph's folder
+//   finish                          waits for tasks, cost counts and image checks
+//   await CONDITION                 waits until a condition of `assert` is true
+//   section NAME                    begins a section of the timings (editor/timings.h)
+//   lose driver                     simulates a lost GL context
 //   assert nodes N | wires N | errors N | dirty | clean | node ID | no-node ID | wire FROM TO |
 //          no-wire FROM TO | value NODE.PORT JSON | code TEXT | status TEXT | target NAME |
 //          no-target NAME | stale | picture | other | thumbnail NODE | actions N
 //
-// Actions are what a hand has done: each click, drag, drop, chord of keys, and each text that was
-// typed and committed with Enter counts as one. The assertion holds for N and less.
+// `actions N`: at most N user actions so far. Each click, wheel, drag, stroke, drop and chord of
+// keys is one action, as is each typed text with the Enter that commits it; `say` counts as well.
+// `other`: the preview compares two sides.
 //
-// A step begins when the input of the former one has been used up, the texts and the picture are of
-// the newest document, and everything has been drawn. `other`: the preview compares two sides.
+// A step begins when the input of the previous step is consumed, build and preview are those of the
+// newest document, and a few more frames have been drawn.
 #pragma once
 
 #include <functional>
@@ -35,17 +36,17 @@ namespace wrinkle::editor {
 class Script {
 public:
     enum class Progress : uint8_t { running, done, failed };
-    // What only a window can do.
+    // Operations that need a window.
     struct Screen {
-        std::function<bool(const std::string& file)> shot;  // false when it cannot
+        std::function<bool(const std::string& file)> shot;  // returns false on failure
         std::function<void()> lose_driver;
     };
 
     explicit Script(std::string_view text);
 
-    // Once a frame, before the queue is applied.
+    // Called once a frame, before the queue is applied.
     Progress step(const State& state, InputQueue& queue, const Screen& screen);
-    // Says what went wrong and in which line: "line 3: nothing on the screen is called 'node:x'".
+    // Error message with its line: "line 3: nothing on the screen is called 'node:x'".
     const std::string& why() const { return why_; }
 
 private:
@@ -67,8 +68,8 @@ private:
     size_t next_ = 0;
     int settle_ = 0;
     size_t actions_ = 0;
-    bool typing_ = false;     // the text is not committed yet
-    bool finishing_ = false;  // what runs in the background is waited for
+    bool typing_ = false;     // typed text is not committed yet
+    bool finishing_ = false;  // waiting for background work
     std::string why_;
 };
 

@@ -1,8 +1,8 @@
-// Where the things on the screen are, by name: "node:base", "pin:base.gradient",
-// "field:softer.amount", "menu:save". Filled anew on every frame by whoever draws them; those of
-// the canvas, which may hold thousands, are worked out when asked for. Scripts and tests point at
-// names. Inputs and outputs of a node are told apart: "pin:sum.a" and "out:sum.gradient" would
-// collide otherwise, so an output's pin is "out:".
+// Screen rectangles of interface elements by name: "node:base", "pin:base.gradient",
+// "field:softer.amount", "menu:save". The code that draws an element adds it in each frame; targets
+// on the canvas, possibly thousands, are computed on lookup. Scripts and tests use the names. Pins
+// of inputs are "pin:sum.a", pins of outputs "out:sum.gradient", because an input and an output may
+// have the same name.
 #pragma once
 
 #include <functional>
@@ -27,7 +27,7 @@ public:
         if (found != rects_.end()) return found->second;
         return canvas_ ? canvas_(name) : std::nullopt;
     }
-    // Knows the names that are not listed.
+    // Looks up names that were not added; returns std::nullopt if unknown.
     using Source = std::function<std::optional<TargetRect>(const std::string& name)>;
     void set_canvas(Source canvas) { canvas_ = std::move(canvas); }
     const std::map<std::string, TargetRect>& all() const { return rects_; }

@@ -17,7 +17,7 @@ void draw_outline(ImDrawList& list, std::span<const ImVec2> corners, ImVec2 cent
     const int count = static_cast<int>(corners.size());
     if (convex) {
         list.AddConvexPolyFilled(points, count, filled ? color : ground);
-    } else {  // two halves round the first and the third corner
+    } else {  // two convex halves, split between the first and third corner
         const ImVec2 upper[] = {points[0], points[1], points[2]};
         list.AddConvexPolyFilled(upper, 3, filled ? color : ground);
         const ImVec2 lower[] = {points[2], points[3], points[0]};
@@ -46,7 +46,7 @@ void draw_hourglass(ImDrawList& list, ImVec2 c, float u, ImU32 color, bool fille
     list.AddPolyline(around, 6, color, ImDrawFlags_Closed, 1.8F);
 }
 
-// Glyphs are crisp at the size they were baked at: it is taken when it is near enough.
+// Glyphs are sharp at their baked size, so a baked size near `size` is used as it is.
 float baked_size(ImFont* font, float size) {
     const float baked = font->FontSize * font->Scale;
     return baked > 0.84F * size && baked < 1.13F * size ? baked : size;
@@ -108,7 +108,7 @@ void draw_text(ImDrawList& list, ImFont* font, float size, ImVec2 at, ImU32 colo
 }
 
 float text_width(ImFont* font, float size, std::string_view text) {
-    if (text.empty()) return 0;  // it may point nowhere
+    if (text.empty()) return 0;  // data() may be null
     return font
         ->CalcTextSizeA(baked_size(font, size), FLT_MAX, 0, text.data(), text.data() + text.size())
         .x;
@@ -163,7 +163,7 @@ void draw_dashed(ImDrawList& list, const Curve& curve, ImU32 color, float thickn
 
 namespace {
 
-// Dark on the light colours of the dark theme, and the other way round.
+// Black on the light colors of the dark theme, white in the light theme.
 ImU32 on_badge() {
     return theme::used() == Theme::dark ? IM_COL32_BLACK : IM_COL32_WHITE;
 }

@@ -21,22 +21,22 @@ inline ImVec2 operator*(ImVec2 a, float s) {
     return {a.x * s, a.y * s};
 }
 
-// The pin of a type: its own outline, `unit` being half its size. A hollow one is filled with
-// `ground`.
+// Draws the outline of the type's pin; `unit` is half its size. A pin that is not `filled` is
+// filled with `ground`.
 void draw_pin(ImDrawList& list, PortType type, ImVec2 center, float unit, ImU32 color, bool filled,
               ImU32 ground);
 
-// One line of text at its upper left corner; right-aligned draws to the left of `at`.
+// One line of text; `at` is its upper left corner, or the upper right one if right-aligned.
 void draw_text(ImDrawList& list, ImFont* font, float size, ImVec2 at, ImU32 color,
                std::string_view text, bool right_aligned = false);
 float text_width(ImFont* font, float size, std::string_view text);
-// The longest beginning that fits, with "..." when something was cut.
+// The longest prefix that fits, followed by "..." if the text was truncated.
 std::string fitting(ImFont* font, float size, std::string_view text, float width);
-// Broken between words into at most `most` lines; the last one ends with "..." when more follows.
+// Breaks the text between words into at most `most` lines; a truncated last line ends with "...".
 std::vector<std::string> wrapped(ImFont* font, float size, std::string_view text, float width,
                                  size_t most);
 
-// A cubic from a to d.
+// A cubic Bezier curve from a to d.
 struct Curve {
     ImVec2 a, b, c, d;
     ImVec2 at(float t) const;
@@ -48,7 +48,7 @@ void draw_dashed(ImDrawList& list, const Curve& curve, ImU32 color, float thickn
 
 // A triangle with an exclamation mark.
 void draw_warning(ImDrawList& list, ImVec2 center, float size, ImU32 color);
-// An octagon with one.
+// An octagon with an exclamation mark.
 void draw_error(ImDrawList& list, ImVec2 center, float size, ImU32 color);
 
 }  // namespace wrinkle::editor

@@ -12,7 +12,7 @@ namespace {
 
 struct Face {
     const char* file;
-    float scale;  // so that all faces look equally large
+    float scale;  // makes all faces appear equally large
 };
 
 constexpr Face regular_faces[] = {{"/usr/share/fonts/opentype/inter/Inter-Regular.otf", 1},
@@ -23,7 +23,8 @@ constexpr Face code_faces[] = {
     {"/usr/share/fonts/truetype/jetbrains-mono/JetBrainsMono-Regular.ttf", 1},
     {"/usr/share/fonts/truetype/dejavu/DejaVuSansMono.ttf", 0.875F}};
 
-// Device pixels. Each is at least four fifths of the next, and up to `whole` none is left out.
+// Device pixels. Each size is at least four fifths of the next; up to `whole` all integers are
+// included.
 constexpr float sizes[] = {6,  7,  8,  9,  10, 11, 12, 13, 14, 15, 16, 17,
                            18, 19, 20, 24, 28, 34, 40, 48, 58, 72, 90, 112};
 constexpr float whole = 20;
@@ -33,7 +34,7 @@ constexpr float largest_zoom = 4, largest_text = 18;
 // Latin, Greek, general punctuation, arrows, operators.
 constexpr ImWchar all_letters[] = {0x20,   0xFF,   0x370,  0x3FF,  0x2010, 0x2026,
                                    0x2190, 0x21FF, 0x2200, 0x22FF, 0};
-// What names and numbers need: large glyphs take their time.
+// Glyphs for names and numbers only: large sizes take long to bake.
 constexpr ImWchar few_letters[] = {0x20, 0xFF, 0x391, 0x3C9, 0x2013, 0x2026, 0};
 
 template <size_t N>
@@ -69,7 +70,7 @@ std::vector<float> wanted_sizes(float scale) {
     return wanted;
 }
 
-// All digits as wide as the widest, so that a number that is dragged stands still.
+// Gives all digits the width of the widest, so that a dragged number does not shift.
 void level_digits(ImFont& font) {
     float widest = 0;
     for (ImWchar c = '0'; c <= '9'; ++c)

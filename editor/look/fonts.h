@@ -1,8 +1,8 @@
-// The faces of the editor, each baked at several sizes, so that text is only ever scaled down a
-// little, at any zoom of the canvas and any scale of the interface. Sizes are ImGui's: line
-// heights. A size is in logical pixels (as all coordinates are); `scale` device pixels make one.
+// Fonts of the editor, each baked at several sizes, so that text is only scaled down slightly at
+// any zoom of the canvas and any interface scale. Sizes are ImGui's: line heights in logical pixels
+// (as all coordinates); `scale` device pixels are one logical pixel.
 //
-// Inter and JetBrains Mono where they are installed, else DejaVu, else ImGui's own.
+// Uses Inter and JetBrains Mono if installed, else DejaVu, else ImGui's default font.
 #pragma once
 
 #include <imgui.h>
@@ -14,23 +14,24 @@ namespace wrinkle::editor {
 
 class Fonts {
 public:
-    // Into the atlas of the current ImGui context, in place of what is there; between frames.
+    // Replaces the font atlas of the current ImGui context; call between frames.
     void load(float scale = 1);
 
     float scale() const { return scale_; }
     uint64_t generation() const { return generation_; }  // differs after every load()
 
-    // For the interface: 14, 16, 18 and 24 are there exactly.
+    // Interface text: 14, 16, 18 and 24 are baked exactly.
     ImFont* regular(float size) const { return at_least(regular_, size * scale_).font; }
     ImFont* bold(float size) const { return at_least(bold_, size * scale_).font; }
     ImFont* code() const { return code_; }
-    // For text magnified to `size`: the size to draw its glyphs at is in `drawn`, never above that
-    // of the font, and less by a fifth at most. Small text keeps to whole pixels.
+    // Font for text magnified to `size`. `drawn` receives the glyph size to draw: at most the baked
+    // size, and at least four fifths of it. Text up to 20 device pixels is rounded to integer
+    // sizes.
     ImFont* magnified(bool bold, float size, float& drawn) const;
 
 private:
     struct Baked {
-        float pixels;  // of the size it stands for; a wide face is baked smaller
+        float pixels;  // nominal size; a wide face is baked smaller
         ImFont* font;
     };
     static const Baked& at_least(const std::vector<Baked>& fonts, float pixels);

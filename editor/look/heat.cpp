@@ -14,7 +14,7 @@ HeatColor heat_color(float part) {
         const auto b = static_cast<float>(heat_stops[low + 1] >> shift & 255);
         return static_cast<int>(std::lround(a + (b - a) * t));
     };
-    // Both read equally well where the luminance is 0.18, a quarter behind the fifth stop.
+    // Black and white have equal contrast at luminance 0.18, a quarter step after the fifth stop.
     const ImU32 text = at <= 4.25F ? IM_COL32(255, 255, 255, 255) : IM_COL32(0, 0, 0, 255);
     return {IM_COL32(channel(16), channel(8), channel(0), 255), text};
 }

@@ -1,4 +1,4 @@
-// The scale from little to much: cividis, even and monotone for every kind of sight.
+// Color scale from low to high: cividis, uniform and monotone also with color vision deficiencies.
 #pragma once
 
 #include <imgui.h>
@@ -13,7 +13,7 @@ inline constexpr std::array<unsigned, 10> heat_stops = {0x00224E, 0x123570, 0x3B
 
 struct HeatColor {
     ImU32 ground;
-    ImU32 text;  // black or white, whichever reads better on it
+    ImU32 text;  // black or white, whichever has more contrast on it
 };
 HeatColor heat_color(float part);  // 0 to 1
 

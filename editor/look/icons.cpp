@@ -9,9 +9,9 @@
 namespace wrinkle::editor {
 namespace {
 
-// Strokes in pixels round the middle: M begins one at a point, L goes on to a point, Z closes it;
-// O is an arc of its own: its center, its radius, and two angles in degrees, clockwise from the
-// right.
+// Strokes in pixels relative to the center: M starts a path at a point, L adds a line to a point, Z
+// closes the path. O is a separate arc: center, radius, and two angles in degrees, clockwise from
+// the right.
 struct Icon {
     std::string_view name;
     const char* strokes;
@@ -55,7 +55,7 @@ const char* strokes_of(std::string_view name) {
     return nullptr;
 }
 
-// Reads the numbers of a stroke and draws it.
+// Parses the strokes of an icon and draws them.
 class Pen {
 public:
     Pen(ImDrawList& list, ImVec2 center, ImU32 color)

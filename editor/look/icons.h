@@ -1,4 +1,4 @@
-// Icons of 16 pixels, as strokes.
+// Icons of 16 x 16 pixels, drawn as strokes.
 #pragma once
 
 #include <imgui.h>
@@ -7,8 +7,7 @@
 
 namespace wrinkle::editor {
 
-// By the name of what it stands for: "undo", "add-node", "fit", "check", ... Nothing for a name
-// that has none.
+// Icons are identified by name: "undo", "add-node", "fit", "check", ... Unknown names draw nothing.
 void draw_icon(ImDrawList& list, std::string_view name, ImVec2 center, ImU32 color);
 bool has_icon(std::string_view name);
 

@@ -7,7 +7,7 @@
 namespace wrinkle::editor {
 namespace {
 
-// Six indices of a rectangle with a picture, as PrimRectUV() writes them.
+// Returns true for the six indices of a textured rectangle as written by PrimRectUV().
 bool is_rectangle(const ImDrawIdx* index) {
     const int a = index[0];
     return index[1] == a + 1 && index[2] == a + 2 && index[3] == a && index[4] == a + 2 &&

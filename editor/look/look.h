@@ -1,5 +1,5 @@
-// How the whole interface looks: its theme and its scale. Panels never ask for the scale: all
-// coordinates are logical pixels, `scale` of which make a pixel of the screen.
+// Theme and scale of the interface. Panels do not use the scale: all coordinates are logical
+// pixels; `scale` device pixels are one logical pixel.
 #pragma once
 
 #include <imgui.h>
@@ -16,15 +16,15 @@ struct Look {
     float scale = 1;  // one of interface_scales
 };
 
-// Brings colours and letters to the look, between frames. True when the letters were baked anew:
-// their texture is another.
+// Applies theme and fonts; call between frames. Returns true if the fonts were baked again and the
+// atlas texture has to be replaced.
 bool apply_look(const Look& look, Fonts& fonts);
 
-// The next larger scale (`by` > 0) or the next smaller one; the same at the ends.
+// The next larger scale (`by` > 0), else the next smaller one; unchanged at either end.
 float next_scale(float scale, int by);
 
-// Moves letters of ImGui's own texts, which stand at whole logical pixels, to whole pixels of the
-// screen. Those that stand there already stay.
+// Snaps glyphs of ImGui's own text, which are at integer logical pixels, to integer device pixels.
+// Does nothing for an integer scale.
 void sharpen(ImDrawData& data, float scale);
 
 }  // namespace wrinkle::editor

@@ -28,7 +28,7 @@ void draw_bar(ImDrawList& list, const TextStyle& style, float zoom, ImVec2 at, I
     list.AddRectFilled(low, low + ImVec2(width, tall), pale);
 }
 
-// One run of glyphs of one font.
+// Appends glyphs of one font.
 class Run {
 public:
     Run(ImDrawList& list, ImFont* font, float drawn, float pixel)

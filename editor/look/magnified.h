@@ -1,5 +1,5 @@
-// Text on the zoomed canvas. Its letters stand where they stand at zoom 1, times the zoom, so that
-// no width and no cut depends on the zoom; the letters themselves are those baked nearest to it.
+// Text on the zoomed canvas. Glyph positions are those at zoom 1, times the zoom, so that text
+// width and truncation do not depend on the zoom; the glyphs come from the nearest baked size.
 #pragma once
 
 #include <imgui.h>
@@ -14,18 +14,18 @@ namespace wrinkle::editor {
 struct TextStyle {
     float size = 16;  // canvas units
     bool bold = false;
-    bool right_aligned = false;  // ends at the place it is drawn at
+    bool right_aligned = false;  // ends at the given position
 };
 
-inline constexpr float least_text = 6;  // screen pixels; below it a bar stands for the text
+inline constexpr float least_text = 6;  // screen pixels; smaller text is drawn as a bar
 
-// At its upper left corner on the screen.
+// `at` is the upper left corner, or the upper right one if right-aligned; screen pixels.
 void draw_magnified(ImDrawList& list, const Fonts& fonts, const TextStyle& style, float zoom,
                     ImVec2 at, ImU32 color, std::string_view text);
 
-// In canvas units.
+// Text width in canvas units.
 float magnified_width(const Fonts& fonts, const TextStyle& style, std::string_view text);
-// The longest beginning that fits, with "..." when something was cut.
+// The longest prefix that fits, followed by "..." if the text was truncated.
 std::string magnified_fitting(const Fonts& fonts, const TextStyle& style, std::string_view text,
                               float width);
 

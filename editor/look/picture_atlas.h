@@ -1,5 +1,5 @@
-// Small pictures of one size in one texture. Wants the window's GL context current; without one
-// there are none.
+// Atlas texture of node previews of one size. Requires the window's GL context to be current;
+// without use_gl() the atlas stays empty.
 #pragma once
 
 #include <cstdint>
@@ -10,14 +10,15 @@ namespace wrinkle::editor {
 class PictureAtlas {
 public:
     void use_gl() { gl_ = true; }
-    void forget() { texture_ = 0; }  // its context is gone
+    void forget() { texture_ = 0; }  // after its GL context was destroyed
 
-    // In place of those there were: RGBA, one after the other. As many as fit into a texture.
+    // Replaces the contents: RGBA8 previews, one after the other. Stores as many as the maximum
+    // texture size allows.
     void fill(std::span<const uint8_t> texels, uint32_t width, uint32_t height);
 
     uint32_t texture() const { return texture_; }  // 0: none
     uint32_t count() const { return count_; }
-    // Where a picture stands, as fractions of the texture; bottom row first.
+    // Texture coordinates of a preview, 0 to 1; bottom row first.
     struct Place {
         float u0 = 0, v0 = 0, u1 = 0, v1 = 0;
     };

@@ -1,8 +1,9 @@
-// Colours by role, and those of the types on wires, in two themes. The names are those of the theme
-// in use; use() switches all of them at once, between frames.
+// Colors by role, and those of the port types, in two themes. The variables hold the colors of the
+// current theme; use() switches all of them, between frames.
 //
-// Text stands on its grounds with a contrast of 4.5 or more, parts with 3; the types differ in
-// colour for every kind of sight (tests/editor/theme_test.cpp) and in shape (draw.h).
+// Text has a contrast ratio of at least 4.5 on its backgrounds, graphical parts at least 3. Port
+// types differ in shape (draw.h) and in color, also with color vision deficiencies
+// (tests/editor/theme_test.cpp).
 #pragma once
 
 #include <imgui.h>
@@ -58,11 +59,11 @@ constexpr ImU32 with_alpha(ImU32 color, float alpha) {
 #define X(name, dark, light) inline ImU32 name = rgb(dark);
 WRINKLE_THEME_COLORS(X)
 #undef X
-inline ImU32 shadow = IM_COL32(0, 0, 0, 71);  // of cards and popups; none in the light theme
+inline ImU32 shadow = IM_COL32(0, 0, 0, 71);  // cards and popups; transparent in the light theme
 
 ImU32 of(PortType type);
 
-void use(Theme theme);  // and ImGui's own widgets with it, where there is a context
+void use(Theme theme);  // also sets ImGui's style if there is a context
 Theme used();
 
 }  // namespace wrinkle::editor::theme

@@ -10,9 +10,9 @@
 namespace wrinkle::editor {
 namespace {
 
-constexpr uint64_t most_pixels = uint64_t{4} << 20;  // larger files would be waited for
+constexpr uint64_t most_pixels = uint64_t{4} << 20;  // larger files would stall the frame
 
-// Every n-th texel, as bytes.
+// Returns every `step`-th texel as 8-bit RGBA.
 std::vector<uint8_t> reduced(const Image& image, uint32_t step, uint32_t width, uint32_t height) {
     std::vector<uint8_t> bytes;
     bytes.reserve(size_t{width} * height * 4);
@@ -63,7 +63,7 @@ uint32_t Thumbnails::of(const std::filesystem::path& file) {
     return textures_[file] = texture_of(file);
 }
 
-// It may be known under another path that leads to the same file.
+// Compares by file, because `file` may be cached under another path.
 void Thumbnails::forget(const std::filesystem::path& file) {
     std::error_code error;
     for (const auto& [known, texture] : textures_)

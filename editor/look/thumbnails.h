@@ -1,5 +1,5 @@
-// Small pictures of files as textures, read when they are first asked for, one a frame. Wants the
-// window's GL context current; without one there are no pictures.
+// Thumbnails of image files as textures, loaded on the first request, at most one per frame.
+// Requires the window's GL context to be current; without use_gl() there are none.
 #pragma once
 
 #include <cstdint>
@@ -11,17 +11,18 @@ namespace wrinkle::editor {
 
 class Thumbnails {
 public:
-    static constexpr uint32_t side = 168;  // pixels; greater pictures are made smaller
+    static constexpr uint32_t side = 168;  // pixels; maximum width and height
 
-    // Before the first frame of a window; without it nothing is ever read.
+    // Call before the first frame of a window; without it no file is read.
     void use_gl() { gl_ = true; }
-    void forget() { textures_.clear(); }  // their context is gone
+    void forget() { textures_.clear(); }  // after their GL context was destroyed
     void begin_frame() { read_one_ = waiting_ = false; }
-    // The texture, bottom row first; 0 when there is none, or not yet: ask again.
+    // Returns the texture, bottom row first; 0 if there is none or it is not loaded yet: call
+    // again.
     uint32_t of(const std::filesystem::path& file);
-    // Read again when it is next asked for; until then the former picture stays.
+    // Reloads the file at the next request; until then the old texture remains.
     void forget(const std::filesystem::path& file);
-    bool waiting() const { return waiting_; }  // some were asked for and not read yet
+    bool waiting() const { return waiting_; }  // some requests are not loaded yet
 
 private:
     bool gl_ = false, read_one_ = false, waiting_ = false;

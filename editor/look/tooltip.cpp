@@ -8,7 +8,7 @@ namespace {
 
 constexpr float gap = 8;
 
-// Its size is known only after it is drawn, so it is the corner nearest to `about` that is placed.
+// The size is known only after drawing, so the corner nearest to `about` is positioned.
 void place(const About& about, float wide) {
     const ImVec2 room = ImGui::GetIO().DisplaySize, mouse = ImGui::GetIO().MousePos;
     const bool upper = about.low.y + about.high.y < room.y;

@@ -1,7 +1,6 @@
-// Boxes of words beside what they are about, in screen pixels: never over it. There is none while a
-// button of the mouse is down, so that none covers what is dragged. The part of a window that a
-// tooltip is about is given as a rectangle; a row of a list gives the list, as its neighbours would
-// be covered otherwise.
+// Tooltips next to the item they describe, never over it, in screen pixels. No tooltip is shown
+// while a mouse button is down, so that none covers the drag. The item is given as a rectangle; for
+// a row of a list pass the rectangle of the list, so that neighboring rows stay visible.
 #pragma once
 
 #include <imgui.h>
@@ -13,12 +12,12 @@ namespace wrinkle::editor {
 
 struct About {
     ImVec2 low{0, 0}, high{0, 0};
-    bool aside = false;  // left or right of it where there is room, else below or above
+    bool aside = false;  // prefers left or right of the rectangle, else below or above
 };
 About last_item();
-About beside_window();  // the current one: of a menu's items
+About beside_window();  // the last item's row over the window's width: menus
 
-// If `Tooltip tip(...)`: fill the ImGui window that is current then.
+// Usage: `if (const Tooltip tip(about); tip)`, then add widgets to the current ImGui window.
 class Tooltip {
 public:
     explicit Tooltip(const About& about, float wrap = 360);
@@ -32,7 +31,7 @@ private:
 };
 
 void show_tooltip(const About& about, std::string_view text);
-// A bold line and a plain one.
+// A bold title and a plain text below it.
 void show_tooltip(const About& about, ImFont* bold, std::string_view title, std::string_view text);
 
 }  // namespace wrinkle::editor

@@ -14,9 +14,9 @@ namespace wrinkle::editor {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr size_t most_names = 4;  // of files that are listed one by one
+constexpr size_t most_names = 4;  // most files that are listed by name
 
-// What is shown on the object now, its middle square.
+// Draws the central square of the current preview image.
 void draw_object(const State& state, ImVec2 at) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const ImVec2 end = at + ImVec2(picture_side, picture_side);
@@ -71,7 +71,7 @@ void draw_consequences(State& state) {
     ImGui::Dummy({0, 8});
 }
 
-// The same bake in a shell, at the right end of the buttons.
+// Button at the right that copies the same bake as a shell command.
 void draw_copy_button(State& state) {
     const BakeDialog& dialog = state.bake_dialog;
     std::string why;
@@ -94,7 +94,7 @@ void draw_copy_button(State& state) {
     if (const Tooltip tip(about, bake_wide); tip) ImGui::TextUnformatted(command.c_str());
 }
 
-// True when the dialog is done with.
+// Returns true when the dialog is to be closed.
 bool draw_bake_buttons(State& state, bool entered) {
     const bool ready = why_no_bake(state).empty();
     const auto pressed = [](ImGuiKey key) {
@@ -177,7 +177,7 @@ void draw_bake_dialog(State& state) {
         ImGui::BeginPopupModal("##bake", nullptr,
                                ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |
                                    ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings);
-    ImGui::PopStyleVar(2);  // lists and tooltips have their own
+    ImGui::PopStyleVar(2);  // not for the dialog's lists and tooltips
     if (!shown) return;
     const bool done = draw_bake_rows(state);
     dialog.opening = false;

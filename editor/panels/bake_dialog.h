@@ -1,4 +1,4 @@
-// The dialog in which maps to bake are chosen, and which says what files come of them.
+// Bake dialog: choice of the maps to bake, with a list of the files that the bake writes.
 #pragma once
 
 #include "editor/state.h"
@@ -8,9 +8,9 @@ namespace wrinkle::editor {
 void open_bake_dialog(State& state);
 void draw_bake_dialog(State& state);
 
-// Why what is chosen cannot be baked now, one sentence; "" when it can.
+// Returns one sentence on why the current choices cannot be baked now; "" if they can.
 std::string why_no_bake(const State& state);
-// "Writes normal.png and height.png into strap_maps."
+// Returns the files of the bake as a sentence: "Writes normal.png and height.png into strap_maps."
 std::string what_is_written(const BakeChoices& choices);
 
 }  // namespace wrinkle::editor

@@ -26,7 +26,7 @@ constexpr float map_tall = 28, most_map_rows = 4;
 constexpr const char* packs_tip =
     "Maps of others' channels, with a ; between two: orm: r=occlusion g=roughness b=metalness";
 
-// A label whose tooltip says more; its control follows.
+// Draws a label with a tooltip; the cursor is then at its control.
 void begin_bake_row(const State& state, const char* label, const char* tip = nullptr) {
     const ImVec2 at = ImGui::GetCursorScreenPos();
     draw_text(*ImGui::GetWindowDrawList(), state.fonts.regular(16), 16, at + ImVec2(0, 4),
@@ -37,7 +37,7 @@ void begin_bake_row(const State& state, const char* label, const char* tip = nul
     ImGui::SetCursorScreenPos(at + ImVec2(label_wide, 0));
 }
 
-// The right one of two in a row.
+// Begins the right one of two controls in a row.
 void begin_beside(const State& state, float top, const char* label, const char* tip = nullptr) {
     ImGui::SetCursorPos({bake_padding + label_wide + half_wide + 16, top});
     begin_bake_row(state, label, tip);
@@ -56,7 +56,7 @@ void draw_mesh_row(State& state) {
         target.insert(0, "bake:");
     const std::string& shown = state.view.preview_view.mesh;
     const size_t shapes_end = all.labels.size();
-    size_t file = shapes_end;  // behind it: of the preview, or chosen here
+    size_t file = shapes_end;  // index of a mesh file: the preview's, or the chosen one
     for (const std::string& each : {shown, mesh})
         if (!make_shape(each) && file == shapes_end) {
             all.labels.push_back(mesh_label(each));
@@ -87,7 +87,7 @@ bool draw_box(State& state, const std::string& label, const std::string& target,
     return changed;
 }
 
-// The graph's maps that are ticked, in their order.
+// Toggles `map` in the chosen maps, which stay in the order of `all`.
 void tick(BakeChoices& choices, const std::vector<std::string>& all, const std::string& map) {
     std::vector<std::string> ticked;
     for (const std::string& each : all) {
@@ -119,7 +119,7 @@ void draw_maps_row(State& state) {
     end_bake_row(top);
 }
 
-// One of several numbers; `word` says each.
+// Combo box of numbers; `word` returns the label of each.
 template <class Numbers, class Word>
 void draw_numbers(State& state, const char* id, const std::string& target, const Numbers& numbers,
                   uint32_t& chosen, float wide, Word word) {
@@ -133,7 +133,7 @@ void draw_numbers(State& state, const char* id, const std::string& target, const
     if (picked >= 0) chosen = numbers[static_cast<size_t>(picked)];
 }
 
-// As wide as it is tall, unless a height is chosen.
+// The map is square unless a height is chosen.
 void draw_size_row(State& state) {
     BakeChoices& choices = state.bake_dialog.choices;
     const float top = ImGui::GetCursorPosY();
@@ -150,7 +150,7 @@ void draw_size_row(State& state) {
     end_bake_row(top);
 }
 
-// Two ways, side by side.
+// Two segments that set a flag.
 void draw_ways(State& state, const Segment& off, const Segment& on, bool& way) {
     const Segment both[] = {off, on};
     const int picked = segments(state, both, way ? 1 : 0, half_wide);
@@ -224,7 +224,7 @@ void draw_stored(State& state) {
     if (picked >= 0) choices.stored = &stored_kinds()[static_cast<size_t>(picked)];
 }
 
-// Of the chosen format; one that knows none keeps what is chosen for another.
+// Compression for the chosen format. A format without compression does not change the setting.
 void draw_compression(State& state) {
     BakeChoices& choices = state.bake_dialog.choices;
     const std::vector<std::string_view> known = compressions_of(*choices.stored);
@@ -265,7 +265,7 @@ void draw_stored_rows(State& state) {
     end_bake_row(top);
 }
 
-// True on Enter.
+// Returns true on Enter.
 bool draw_place_row(State& state) {
     BakeDialog& dialog = state.bake_dialog;
     const float top = ImGui::GetCursorPosY();
@@ -285,7 +285,7 @@ bool draw_place_row(State& state) {
     return entered;
 }
 
-// Between rows that belong together and the next ones.
+// Horizontal line between groups of rows.
 void draw_rule() {
     const ImVec2 at = ImGui::GetCursorScreenPos();
     ImGui::GetWindowDrawList()->AddLine(

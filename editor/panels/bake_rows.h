@@ -1,5 +1,5 @@
-// The rows of the bake dialog: what is asked for. What the options of `wrinkle bake` say of
-// themselves (bake/options.h) is the rows' tooltips.
+// Rows of the bake dialog that edit its choices. Their tooltips are the help texts of the
+// `wrinkle bake` options (bake/options.h).
 #pragma once
 
 #include "editor/state.h"
@@ -8,9 +8,9 @@ namespace wrinkle::editor {
 
 inline constexpr float bake_wide = 560, bake_padding = 24, picture_side = 160;
 
-// The mesh, the maps and their size, with room for a picture at the right.
+// Draws the mesh, the maps, their size and scale; leaves room for a preview image at the right.
 void draw_map_rows(State& state);
-// All that is below; true when the place was typed and Enter pressed.
+// Draws the remaining rows; returns true if Enter was pressed in the path field.
 bool draw_file_rows(State& state);
 
 }  // namespace wrinkle::editor

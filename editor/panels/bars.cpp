@@ -14,15 +14,15 @@ namespace wrinkle::editor {
 namespace {
 
 constexpr const char* menus[] = {"File", "Edit", "View", "Node", "Preview", "Help"};
-constexpr float wordless = 1100;     // below this width buttons of the toolbar lose their words
-constexpr float least_search = 640;  // and below this one the search in the menu bar
+constexpr float wordless = 1100;     // below this width toolbar buttons have no label
+constexpr float least_search = 640;  // below this one neither has the search field
 
 bool is_used(std::string_view menu) {
     return std::any_of(commands().begin(), commands().end(),
                        [&](const Command& command) { return command.menu == menu; });
 }
 
-// What a command does, its key, and why it cannot be run now.
+// Tooltip of a command: its title, its keys, and why it cannot be run now.
 void explain(const State& state, const Command& command, const About& about) {
     if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
     const std::string keys(command.keys), why(command.why_not(state));
@@ -59,13 +59,13 @@ void draw_menu(State& state, const char* menu) {
     ImGui::PopStyleVar(2);
 }
 
-// What the search takes of the menu bar.
+// Returns the width of the search field in the menu bar.
 float search_room() {
     const float window = ImGui::GetWindowSize().x;
     return window < least_search ? 46.0F : window < wordless ? 168.0F : 272.0F;
 }
 
-// The field at the right of the menu bar: opens the list of commands.
+// Draws the field at the right of the menu bar that opens the list of commands; returns its left x.
 float draw_command_search(State& state) {
     const Command* search = find_command("commands");
     const float window = ImGui::GetWindowSize().x;
@@ -106,8 +106,8 @@ void draw_title(const State& state, float from, float to) {
 }
 
 struct Tool {
-    const char* id;     // of a command; one that there is not is left out
-    const char* words;  // "": the icon alone
+    const char* id;     // command id; skipped if there is no such command
+    const char* words;  // "": only the icon
     bool framed = false, primary = false;
 };
 

@@ -14,7 +14,7 @@
 namespace wrinkle::editor {
 namespace {
 
-// True when the text is done with.
+// Returns true when editing is finished.
 bool draw_entry(State& state, ImVec2 size) {
     BoxText& entry = state.box_text;
     if (entry.opening) focus_field(state);

@@ -1,4 +1,4 @@
-// The text of a note or the title of a frame, edited where it stands.
+// In-place editor for the text of a note or the title of a frame.
 #pragma once
 
 #include "editor/state.h"

@@ -83,7 +83,7 @@ std::string with_extension(const Browser& browser, std::string name, const State
                                                              : ".png");
 }
 
-// Takes a file; true when the browser is done with.
+// Uses the chosen file for the purpose; returns true when the browser is to be closed.
 bool take(State& state, const fs::path& file) {
     const Browser browser = state.browser;
     switch (browser.purpose) {
@@ -116,7 +116,7 @@ bool take(State& state, const fs::path& file) {
     return true;
 }
 
-// What was typed, or the chosen entry. True when the browser is done with.
+// Uses the typed path or the chosen entry. Returns true when the browser is to be closed.
 bool enter(State& state) {
     Browser& browser = state.browser;
     std::error_code ignored;
@@ -173,7 +173,7 @@ bool draw_field(State& state) {
     return entered;
 }
 
-// The folders above, each a button.
+// Breadcrumb of the current path, one button for each folder.
 void draw_path(State& state) {
     Browser& browser = state.browser;
     fs::path whole, wanted;
@@ -235,7 +235,7 @@ void draw_entry(State& state, const Entry& entry, ImVec2 low, ImVec2 high, bool 
               fitting(font, 16, entry.name, high.x - low.x - 44));
 }
 
-// True when the chosen entry was taken by a double click.
+// Returns true if a folder was clicked or a file double-clicked; it is then the chosen entry.
 bool draw_list(State& state) {
     Browser& browser = state.browser;
     bool taken = false;
@@ -284,7 +284,7 @@ void move_choice(Browser& browser) {
     browser.scroll |= browser.chosen != before;
 }
 
-// Enters the entry under the pointer, also where a name to save under is typed.
+// Opens the clicked entry; a folder even if the field holds the name of a file to save.
 bool enter_chosen(State& state) {
     const Browser& browser = state.browser;
     const Entry& entry =
@@ -311,7 +311,7 @@ void draw_sizes(State& state) {
     ImGui::SameLine();
 }
 
-// True when it is done with.
+// Returns true when the browser is to be closed.
 bool draw_content(State& state) {
     Browser& browser = state.browser;
     draw_text(*ImGui::GetWindowDrawList(), state.fonts.bold(24), 24, ImGui::GetCursorScreenPos(),
@@ -356,7 +356,7 @@ void browse_picture(State& state, const std::string& node, const std::string& po
 
 namespace {
 
-// Asked for by a question: which graph, or under which name.
+// Opens the browser for a question of kind open or save_as.
 void take_question(State& state) {
     const Question asked = std::exchange(state.question, {});
     const bool saving = asked.kind == Question::Kind::save_as;

@@ -1,7 +1,7 @@
-// The file browser: folders and files of one kind, with a field to type into. What is typed narrows
-// the list, or is a name to save under, or a path to go to.
+// File browser: folders and files of one kind, with a text field. The typed text filters the list;
+// it may also be a path to open or the name of a file to save.
 //
-//   Up, Down, Page Up, Page Down   choose        Enter   opens the folder or takes the file
+//   Up, Down, Page Up, Page Down   choose        Enter   opens the folder or chooses the file
 //   Backspace in an empty field    one folder up  Escape  closes
 #pragma once
 
@@ -10,9 +10,9 @@
 
 namespace wrinkle::editor {
 
-// Opens the browser in the folder of `file`; the name is proposed when something is saved.
+// Opens the browser in the folder of `file`; if the purpose is to save, proposes its name.
 void browse(State& state, Browser::Purpose purpose, const std::filesystem::path& file);
-// For a picture of a node.
+// Opens the browser to choose an image for an input of a node; "" as `node` adds a node.
 void browse_picture(State& state, const std::string& node, const std::string& port);
 
 void draw_browser(State& state);

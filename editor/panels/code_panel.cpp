@@ -1,5 +1,5 @@
-// The generated text, as `wrinkle compile` writes it. Lines of the selected nodes are marked; the
-// node of the line under the pointer is marked on the canvas, a click selects it.
+// Generated source, as written by `wrinkle compile`. Lines of the selected nodes are highlighted.
+// The node of the line under the pointer is highlighted on the canvas; a click selects it.
 #include <algorithm>
 
 #include "base/text.h"
@@ -15,7 +15,7 @@ namespace wrinkle::editor {
 namespace {
 
 constexpr float code_head = 38, line_height = 17, number_right = 32, text_left = 44;
-constexpr float narrow = 520;  // below it the choices stand in a menu
+constexpr float narrow = 520;  // below this width the options are in a menu
 
 ImU32 color_of(Token token) {
     switch (token) {
@@ -58,7 +58,7 @@ bool is_asked(const State& state) {
            (difference.kind == Change::Kind::none || difference.kind == Change::Kind::cosmetic);
 }
 
-// Brings the text up to the document; while the hand is on a value it may stay behind.
+// Takes finished source and requests it for a changed document, except while a value is dragged.
 void follow(State& state) {
     Code& code = state.code;
     if (code.maker)
@@ -79,13 +79,13 @@ void follow(State& state) {
         take(code, make_code(job, *state.registry));
 }
 
-// "GLSL 3.30" of "glsl330".
+// Returns the label of a target: "GLSL 3.30" for "glsl330". Other items are their own label.
 std::string label_of(const std::string& item) {
     const Target* target = find_target(item);
     return target ? std::string(target->label) : item;
 }
 
-// A list to choose from; `target` names it and, with a colon and the item, its items.
+// Combo box; scripts name it `target` and its items `target`:item. Returns the chosen index.
 int draw_choice(State& state, const std::string& target, std::span<const std::string> items,
                 int chosen, float width) {
     const std::string& shown = items[static_cast<size_t>(chosen)];
@@ -100,7 +100,7 @@ int draw_choice(State& state, const std::string& target, std::span<const std::st
     return chosen;
 }
 
-// A target that is translated has no functions to show.
+// Translated targets do not have the form "Function".
 void draw_forms(State& state, float width) {
     CodeOptions& options = state.code.options;
     static const std::string all[] = {"Function", "Vertex", "Fragment"};
@@ -187,7 +187,7 @@ void draw_row(State& state, size_t index, float width) {
     state.code.scrolled_to = node;
 }
 
-// A node selected elsewhere brings its lines into view.
+// Scrolls to the lines of a node that was selected in another panel.
 void scroll_to_selected(State& state) {
     Code& code = state.code;
     const std::string selected =
@@ -201,7 +201,7 @@ void scroll_to_selected(State& state) {
     if (y < top || y > top + tall - 3 * line_height) ImGui::SetScrollY(y - tall / 3);
 }
 
-// A line over the text.
+// One-line message above the source.
 void draw_strip(State& state, ImU32 color, const std::string& text) {
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const float width = ImGui::GetContentRegionAvail().x;

@@ -1,17 +1,17 @@
-// Fields that take the keyboard when they open. ImGui gives it to a field frames after it was asked
-// to: what is typed in between waits in the input queue, or it would be lost.
+// Text fields that get keyboard focus when they open. ImGui focuses a field some frames after the
+// request; the input queue holds back typed keys until then so that they are not lost.
 #pragma once
 
 #include "editor/state.h"
 
 namespace wrinkle::editor {
 
-// The field that is drawn next takes the keyboard. After it is drawn: note_field().
+// Requests keyboard focus for the field that is drawn next. Call note_field() after drawing it.
 void focus_field(State& state);
-void note_field(State& state);  // the field that was drawn last may have it
+void note_field(State& state);  // ends the wait if the last field drawn has focus
 
-// A field has opened that does not have the keyboard yet. True for few frames at most, so that keys
-// come through where ImGui does not give it.
+// Returns true while an opened field does not have keyboard focus yet. The wait lasts a few frames
+// at most, so that keys are delivered even if ImGui does not focus the field.
 bool typing_waits(const State& state);
 void age_field_wait(State& state);  // once a frame
 

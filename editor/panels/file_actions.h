@@ -1,4 +1,4 @@
-// What the browser and the start page do with a file once it is chosen.
+// Actions of the file browser and the start page for a chosen file.
 #pragma once
 
 #include <filesystem>
@@ -7,9 +7,9 @@
 
 namespace wrinkle::editor {
 
-// Asks about unsaved work first, and again where there is no such file.
+// Opens the file; prompts for unsaved work first, and for another path if opening fails.
 void open_chosen(State& state, const std::filesystem::path& file);
-// Asks before anything is replaced, and again where it cannot be written.
+// Saves to the file; prompts before it replaces one, and for another path if saving fails.
 void save_chosen(State& state, const std::filesystem::path& file);
 
 }  // namespace wrinkle::editor

@@ -123,7 +123,7 @@ const NodeType* help_type(const State& state) {
     return state.help.type.empty() ? nullptr : state.type_of(state.help.node);
 }
 
-// What a tooltip says about the thing under the pointer; false for nothing.
+// Returns the tooltip for the element under the pointer; false if there is none.
 bool hover_words(const State& state, std::string& name, std::string& title, std::string& facts,
                  std::string& doc, std::string& image) {
     const Hit& hit = state.hovered;

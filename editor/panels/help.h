@@ -1,5 +1,5 @@
-// What the editor says about itself and about nodes: the page of a node's type, the docs of what is
-// under the pointer, the list of shortcuts from the table of commands.
+// In-editor help: the page of a node type, tooltips with the docs of the element under the pointer,
+// the list of shortcuts from the table of commands.
 #pragma once
 
 #include <span>
@@ -10,28 +10,28 @@
 
 namespace wrinkle::editor {
 
-// F1: the page of the selected node's type, else the shortcuts.
+// F1: opens the page of the selected node's type; the shortcuts if not exactly one is selected.
 void show_help(State& state);
 void show_shortcuts(State& state);
 void draw_help(State& state);
 
-// A tooltip once the pointer has rested on a node, a pin or a value.
+// Draws a tooltip after the pointer has rested (0.6 s) on a node, a pin or a value.
 void draw_hover_docs(State& state);
 
-// A paragraph of such a page, wrapped where the page says.
+// Writes a paragraph, wrapped at the current ImGui wrap position.
 void write_wrapped(const State& state, const std::string& text, ImU32 color, bool bold = false,
                    float size = 16);
 
-// "float, m, default 0.1, 0 to 1"
+// Returns type, unit, default and range: "float, m, default 0.1, 0 to 1".
 std::string port_facts(const Port& port);
 
-// What the hand does on the canvas, beside the commands.
+// A pointer gesture on the canvas and its effect; gestures are not commands.
 struct GestureHelp {
     std::string_view hand, what;
 };
 std::span<const GestureHelp> gesture_help();
 
-// The table of docs/editor.md, written by the test that compares it.
+// Returns the tables of docs/editor.md; a test compares them.
 std::string shortcuts_markdown();
 
 }  // namespace wrinkle::editor

@@ -1,4 +1,4 @@
-// One line on what the hand can do now, or with what it is doing: the middle of the status bar.
+// One-line hint in the middle of the status bar: available actions, or the current gesture's keys.
 #pragma once
 
 #include <string_view>

@@ -21,7 +21,7 @@ void draw_facts(const State& state, const Examined& examined) {
     }
 }
 
-// True when something was done about it, and the remarks are others.
+// Returns true if a button was pressed, which changes the list of remarks.
 bool draw_remark(State& state, const Remark& remark, const std::string& number) {
     ImGui::Dummy({1, 4});
     const ImVec2 at = ImGui::GetCursorScreenPos();
@@ -78,7 +78,7 @@ void draw_section(State& state, const std::string& node, const std::string& port
 void draw_image_sections(State& state, const Node& node) {
     const NodeType* type = state.type_of(node.id);
     if (!type) return;
-    const std::string id = node.id;  // a remedy makes another node of it
+    const std::string id = node.id;  // a copy, as a remedy replaces the node
     std::vector<std::pair<std::string, std::string>> read;
     for (const Input& input : node.inputs) {
         const uint32_t index = type->find_input(input.port);

@@ -1,5 +1,5 @@
-// The part of a node's page about the picture that it reads: what it is, the numbers that say so,
-// and what is to be said of it, with the button that mends it.
+// Sections of a node's help page on the images that it reads: the facts found with the measured
+// values, and the remarks with buttons for their remedies.
 #pragma once
 
 #include "editor/state.h"
@@ -8,8 +8,8 @@ namespace wrinkle::editor {
 
 void draw_image_sections(State& state, const Node& node);
 
-// Of the picture at an input, for a tooltip: "Tangent-space normal map, green up: curl +0.87."; ""
-// where nothing is known.
+// Returns a tooltip on the image at an input: "Tangent-space normal map, green up: curl +0.87.", or
+// why it could not be examined; "" if it was not examined.
 std::string image_words(const State& state, const std::string& node, const std::string& port);
 
 }  // namespace wrinkle::editor

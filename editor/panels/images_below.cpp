@@ -7,7 +7,7 @@
 namespace wrinkle::editor {
 namespace fs = std::filesystem;
 
-// Folder by folder, so that of too many files those nearest to the graph are found.
+// Breadth-first, so that the limits drop the files deepest below `folder`.
 std::vector<std::string> image_files(const fs::path& folder, size_t limit, size_t most_entries) {
     constexpr std::string_view known[] = {".png", ".jpg", ".jpeg", ".tif", ".tiff", ".exr", ".hdr"};
     std::vector<std::string> files;

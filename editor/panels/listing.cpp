@@ -13,7 +13,7 @@ bool is_digit(char c) {
     return std::isdigit(static_cast<unsigned char>(c));
 }
 
-// The digits at `at` without their leading zeros; `at` moves past them.
+// Returns the digits at `at` without leading zeros; moves `at` past them.
 std::string_view number_at(std::string_view text, size_t& at) {
     const size_t begin = std::min(text.find_first_not_of('0', at), text.size());
     while (at < text.size() && is_digit(text[at]))

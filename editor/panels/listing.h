@@ -1,4 +1,4 @@
-// What a folder holds, as the file browser shows it.
+// Contents of a folder for the file browser.
 #pragma once
 
 #include <filesystem>
@@ -17,18 +17,18 @@ struct Entry {
 struct Listing {
     static constexpr size_t most_entries = 100'000;
 
-    std::vector<Entry> entries;  // folders first, each in the order of their names
-    std::string trouble;         // why nothing, or not everything, is listed
+    std::vector<Entry> entries;  // folders first, then files, each in name_before() order
+    std::string trouble;         // why the list is empty or incomplete
 };
 
-// Folders and the files with one of the extensions (".png", small letters; none: every file).
-// Names that begin with a dot are left out.
+// Lists folders and the files with one of the extensions (".png", lower case; empty: all files).
+// Names that begin with a dot are skipped.
 Listing list_folder(const std::filesystem::path& folder, std::span<const std::string> extensions);
 
-// The indices of the entries whose names answer what was typed, best first; all for "".
+// Returns the indices of the entries with names that match the query, best first; all for "".
 std::vector<size_t> filtered(const Listing& listing, std::string_view query);
 
-// Letters by the alphabet, numbers by their value: "wood2" before "wood10".
+// Natural order, case-insensitive; compares numbers by value: "wood2" before "wood10".
 bool name_before(std::string_view a, std::string_view b);
 
 }  // namespace wrinkle::editor

@@ -13,7 +13,7 @@ namespace {
 
 constexpr float width = 440;
 
-// The row that was taken, -1 for none.
+// Returns the index of the chosen row, or -1.
 int draw_offered(State& state) {
     Offer& offer = state.offer;
     const ImGuiIO& io = ImGui::GetIO();

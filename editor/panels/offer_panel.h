@@ -1,4 +1,4 @@
-// A small window where a wire was dropped that does not fit: why, and what could stand between.
+// Popup for a wire dropped on a pin of another type: the reason, and node types to insert.
 #pragma once
 
 #include "editor/state.h"

@@ -1,4 +1,4 @@
-// What is open over the panels: the palette, and a text or a list over a field.
+// State of the popups and dialogs over the panels: palette, browser, bake dialog, field editors.
 #pragma once
 
 #include <imgui.h>
@@ -18,7 +18,7 @@
 
 namespace wrinkle::editor {
 
-// The search that adds a node, perhaps at the end of a wire.
+// Search that adds a node, optionally at the end of a wire.
 struct Palette {
     bool open = false, opening = false;
     bool find = false;      // lists the nodes of the graph instead
@@ -26,13 +26,13 @@ struct Palette {
     ImVec2 at{0, 0};        // screen
     std::string query;
     int chosen = 0;
-    int first = 0;              // row that is drawn
-    bool all_types = false;     // not only those that fit the wire
-    bool at_selection = false;  // the node goes in the selected wire or behind the selected nodes
-    Gesture wire;               // kind wire: what it shall be connected to
+    int first = 0;              // first row that is drawn
+    bool all_types = false;     // also types that do not fit the wire
+    bool at_selection = false;  // insert into the selected wire or after the selected nodes
+    Gesture wire;               // if its kind is wire: the wire to connect to the new node
 };
 
-// The file browser.
+// State of the file browser.
 struct Browser {
     enum class Purpose : uint8_t {
         none,
@@ -47,77 +47,78 @@ struct Browser {
     Purpose purpose = Purpose::none;
     std::filesystem::path folder;
     Listing listing;
-    std::vector<size_t> shown;  // of the listing's entries
-    int chosen = 0;             // of those
+    std::vector<size_t> shown;  // indices into listing.entries, as filtered
+    int chosen = 0;             // index into `shown`
     std::string text, filtered_by;
     bool focus = false, scroll = false;
-    std::string node, port;  // of picture; "" adds a node
-    size_t size = 0;         // of export_picture: one of picture_sizes()
-    Intent then;             // what follows once the graph is saved
-    std::string trouble;     // why the last answer could not be followed
+    std::string node, port;  // purpose `picture`; "" adds a node
+    size_t size = 0;         // purpose `export_picture`: index into picture_sizes()
+    Intent then;             // action after the graph is saved
+    std::string trouble;     // why the last answer failed
 };
 
-// Maps to bake are being chosen.
+// State of the bake dialog.
 struct BakeDialog {
     bool open = false, opening = false;
     BakeChoices choices;
-    std::optional<BakeChoices> looked;  // for which `replaces` was found
-    std::string replaces;               // which files are there already, one sentence
+    std::optional<BakeChoices> looked;  // choices for which `replaces` was computed
+    std::string replaces;               // one sentence on the files that would be overwritten
 };
 
-// The page that stands in for a canvas without a graph.
+// Start page, drawn in place of the canvas while there is no graph.
 struct Start {
-    bool left = false;  // an empty graph was asked for
+    bool left = false;  // the user requested an empty graph
     bool read = false;
     std::vector<Sample> samples;
 };
 
-// The page of a node's type, or the list of shortcuts.
+// Help window: the page of a node's type, or the list of shortcuts.
 struct Help {
     bool open = false, opening = false;
     std::string node, type;  // "" for the shortcuts
-    float rested = 0;        // seconds that the pointer has not moved
-    bool waiting = false;    // for the pointer to have rested long enough
+    float rested = 0;        // seconds since the pointer moved
+    bool waiting = false;    // a tooltip is due when the pointer has rested long enough
 };
 
-// The list of problems.
+// State of the list of problems.
 struct Problems {
-    size_t current = 0;    // the one that was shown last
-    bool visited = false;  // any was
+    size_t current = 0;    // index of the problem shown last
+    bool visited = false;  // a problem has been shown
     bool scroll = false;
 };
 
-// What was chosen lately, the newest first.
+// Recently used items, newest first.
 struct Recent {
     std::vector<std::string> nodes, commands;  // ids
 };
 
-// What could stand between the two ends of a wire that do not fit each other.
+// Node types to insert between the two ends of a wire with incompatible types.
 struct Offer {
     struct Choice {
         const NodeType* type = nullptr;
-        std::string in, out;  // its ports in the wire
+        std::string in, out;  // its ports for the wire
     };
     bool open = false, opening = false;
     ImVec2 at{0, 0};  // screen
     std::string why;  // one sentence
     std::vector<Choice> choices;
     int chosen = 0;
-    // The ends of the wire; `lifted` is where it ended before, when it was taken off.
+    // The wire from the output `from` to the input node.port; `lifted` is the input that it was
+    // disconnected from, if any.
     Link from;
     std::string node, port;
     std::optional<Link> lifted;
 };
 
-// The text of a note or the title of a frame while it is edited.
+// Editor for the text of a note or the title of a frame.
 struct BoxText {
     bool open = false, opening = false;
     BoxId box;
     std::string text;
-    std::string merge;  // of the step that made the box
+    std::string merge;  // merge key of the undo step that created the box
 };
 
-// A text or a list over a field or a header.
+// Text field, list or color picker over a field or a header.
 struct Popup {
     enum class Kind : uint8_t { none, text, rename, choice, file, color };
     Kind kind = Kind::none;
@@ -128,11 +129,11 @@ struct Popup {
     ImVec2 at{0, 0};
     float width = 0;
     std::string text;
-    std::vector<std::string> files;  // of kind file, as they were when it opened
-    std::string query;               // narrows a list
-    int chosen = 0;                  // of what is left of it
-    int next = 0;                    // 1 or -1: Tab asked for the next or the last field
-    std::string merge;               // of the steps that a colour makes
+    std::vector<std::string> files;  // for kind file: listed when the popup opened
+    std::string query;               // filters a list
+    int chosen = 0;                  // index into the filtered list
+    int next = 0;                    // next field to open: 1 (Tab), -1 (Shift+Tab), 0: none
+    std::string merge;               // merge key of the undo steps of a color edit
 };
 
 }  // namespace wrinkle::editor

@@ -1,4 +1,4 @@
-// What floats over the canvas: where one is, the zoom, the minimap.
+// Overlays on the canvas: breadcrumb of open graphs, zoom, minimap.
 #include <algorithm>
 #include <cstdio>
 
@@ -16,7 +16,7 @@ namespace {
 constexpr float margin = 16, tall = 28, crumb_gap = 24;
 const ImVec2 map_size(168, 112);
 
-// A window without a frame of its own; the canvas under it keeps a drag that began there.
+// Undecorated window on the canvas. It does not take focus, so a drag on the canvas continues.
 class Overlay {
 public:
     Overlay(const char* id, ImVec2 at, ImVec2 size) : low_(at), high_(at + size) {
@@ -45,15 +45,15 @@ private:
     ImVec2 low_, high_;
 };
 
-// One open file in the row, or what stands for several.
+// One open file of the breadcrumb, or "..." for several.
 struct Crumb {
     static constexpr size_t gap = ~size_t{0};
-    size_t depth = 0;  // in State::outer; behind it: the graph on the canvas
+    size_t depth = 0;  // index into State::outer; its size: the graph on the canvas
     std::string text;
     float width = 0;
 };
 
-// As many as there is room for: the outermost and the innermost first.
+// Returns the crumbs that fit; drops those after the outermost file first, the innermost stays.
 std::vector<Crumb> find_crumbs(const State& state, float room) {
     ImFont* font = state.fonts.regular(16);
     std::vector<std::string> files = open_files(state);
@@ -91,7 +91,7 @@ bool draw_crumb_ground(State& state, const Crumb& crumb, ImVec2 at) {
     return pressed;
 }
 
-// The open files from the outermost to the one on the canvas; each leads back to itself.
+// Draws the open files from the outermost to the one on the canvas; a click returns to that file.
 void draw_crumbs(State& state) {
     const View& view = state.view;
     ImFont* font = state.fonts.regular(16);
@@ -151,7 +151,7 @@ void draw_zoom(State& state) {
 }
 
 struct Map {
-    ImVec2 origin;  // of the canvas, on the screen
+    ImVec2 origin;  // screen position of the canvas origin
     float scale;
     ImVec2 at(ImVec2 canvas) const { return origin + canvas * scale; }
 };
@@ -183,7 +183,7 @@ void draw_cards(const State& state, const Map& map) {
     }
 }
 
-// A press or a drag on it brings that place into the middle of the canvas.
+// A click or drag on the minimap centers the canvas at that position.
 void draw_minimap(State& state) {
     View& view = state.view;
     const ImVec2 at = view.corner + view.extent - map_size - ImVec2(margin, margin);
@@ -200,7 +200,7 @@ void draw_minimap(State& state) {
     ImGui::InvisibleButton("map", map_size);
     name_item(state, "minimap");
     if (!ImGui::IsItemActive() && !ImGui::IsItemDeactivated()) return;
-    if (!ImGui::IsMousePosValid()) return;  // it left the window
+    if (!ImGui::IsMousePosValid()) return;  // the pointer left the window
     const ImVec2 canvas = (ImGui::GetIO().MousePos - map.origin) * (1 / map.scale);
     view.pan = view.extent * 0.5F - canvas * view.zoom;
 }

@@ -45,7 +45,7 @@ void choose(State& state, const PaletteRow& row) {
     add_node_of_type(state, *row.type, at, palette.wire);
 }
 
-// The letters that were asked for stand out.
+// Highlights the letters that match the query.
 void draw_title(const State& state, ImDrawList& list, ImVec2 at, const PaletteRow& row) {
     const std::string_view title = row.title;
     size_t next = 0;
@@ -114,7 +114,7 @@ void move_choice(Palette& palette, int count) {
     palette.first = std::clamp(palette.first, 0, std::max(count - rows_shown, 0));
 }
 
-// The index of the row that was taken, -1 for none.
+// Returns the index of the chosen row, or -1.
 int draw_rows(State& state, const std::vector<PaletteRow>& rows) {
     Palette& palette = state.palette;
     int taken = -1;
@@ -134,7 +134,7 @@ int draw_rows(State& state, const std::vector<PaletteRow>& rows) {
     return taken;
 }
 
-// What is listed, in words: "takes gradient".
+// Returns the active filter: "takes gradient"; "" if there is none.
 std::string filter_of(const Palette& palette) {
     if (palette.commands || palette.wire.kind != Gesture::Kind::wire) return {};
     if (palette.all_types) return "all types";
@@ -217,7 +217,7 @@ ImVec2 place_of(const Palette& palette) {
             std::clamp(palette.at.y, 0.0F, std::max(room.y - tall, 0.0F))};
 }
 
-// The row that was taken, -1 for none; `away`: the hand has gone elsewhere.
+// Returns the index of the chosen row, or -1; sets `away` if the palette has lost focus.
 int draw_window(State& state, std::vector<PaletteRow>& rows, bool& away) {
     Palette& palette = state.palette;
     ImGui::Begin("##palette", nullptr,
@@ -232,7 +232,7 @@ int draw_window(State& state, std::vector<PaletteRow>& rows, bool& away) {
     if (enter && !rows.empty()) taken = palette.chosen;
     away = !ImGui::IsWindowFocused(ImGuiFocusedFlags_ChildWindows) && !palette.opening;
     ImGui::End();
-    // Enter takes the keyboard from the field.
+    // ImGui unfocuses the field on Enter; focus it again if Enter had no effect.
     const bool in_vain = enter && (taken < 0 || !rows[static_cast<size_t>(taken)].off.empty());
     palette.opening = in_vain;
     return taken;

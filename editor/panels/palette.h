@@ -1,5 +1,5 @@
-// The search box that adds a node or runs a command: type, choose with the arrows or the mouse,
-// Enter places. At the end of a wire it lists what has a port for it; Tab lists everything.
+// Search box that adds a node, runs a command or finds a node: type, choose with the arrow keys or
+// the mouse, Enter accepts. For a wire it lists types with a matching port; Tab lists all types.
 #pragma once
 
 #include "editor/panels/search.h"
@@ -9,9 +9,9 @@ namespace wrinkle::editor {
 
 void draw_palette(State& state);
 
-// What a query finds, best first: by the rank of search.h, then without a conversion before with
-// one, then the lately used, then the shorter title. An empty query lists the lately used first,
-// then pictures, bumps, noises and the rest.
+// Returns the matches of a query, best first. Sort keys: the rank of search.h, no conversion on the
+// wire before a conversion, most recently used first, shorter title first. For an empty query, the
+// last key is the family instead: images, gradients, noises, then the rest.
 struct FoundNode {
     const NodeType* type = nullptr;
     Match match;
@@ -19,19 +19,19 @@ struct FoundNode {
 std::vector<FoundNode> find_nodes(const State& state, std::string_view query);
 std::vector<const NodeType*> search_nodes(const State& state, std::string_view query);
 
-// One line of the list.
+// One row of the list.
 struct PaletteRow {
     std::string title, doc, key;
-    std::string off;     // why it cannot be chosen; "" when it can
+    std::string off;     // why it cannot be chosen; "" if it can
     std::string target;  // its name for scripts
     std::vector<size_t> letters;
     const NodeType* type = nullptr;
     const struct Command* command = nullptr;
-    std::string node;  // of the graph, to be shown
+    std::string node;  // id of a node of the graph to show
 };
 std::vector<PaletteRow> palette_rows(const State& state);
 
-// Remembers what was chosen.
+// Moves the id to the front of the recently used ids; stores at most 8.
 void note_use(std::vector<std::string>& recent, std::string_view id);
 
 }  // namespace wrinkle::editor

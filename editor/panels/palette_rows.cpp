@@ -1,4 +1,4 @@
-// What the palette lists.
+// Rows of the palette: matching node types, commands or nodes of the graph.
 #include <algorithm>
 #include <tuple>
 
@@ -11,7 +11,7 @@ namespace {
 
 constexpr size_t most_recent = 8;
 
-// Of an empty query: sources of bumps before what is done with them, tools last.
+// Sort key for an empty query: families that create bumps, then those that use them, tools last.
 size_t order_of_family(std::string_view family) {
     constexpr std::string_view first[] = {"image", "gradient", "noise",     "pattern", "height",
                                           "uv",    "decal",    "triplanar", "parallax"};
@@ -68,7 +68,7 @@ std::vector<PaletteRow> command_rows(const State& state) {
     return rows;
 }
 
-// The nodes of the graph by id, type and title.
+// Returns the nodes of the graph that match the query by id, type or title.
 std::vector<PaletteRow> graph_rows(const State& state) {
     std::vector<std::pair<int, PaletteRow>> found;
     const std::string query = lower_case(state.palette.query);

@@ -1,4 +1,4 @@
-// The panels round the canvas: each fills the ImGui window or child that is current.
+// Panels around the canvas. Each one draws into the current ImGui window or child.
 #pragma once
 
 #include <span>
@@ -17,26 +17,26 @@ void draw_code(State& state);
 void draw_problems(State& state);
 void draw_task(State& state);
 float problems_height(const State& state);
-void next_problem(State& state);                   // frames its node
-std::string_view no_problems(const State& state);  // "" when there is one
+void next_problem(State& state);                   // shows its message and frames its node
+std::string_view no_problems(const State& state);  // a sentence if there are none, else ""
 
-// Gives the ImGui item that was drawn last a name for scripts.
+// Registers the ImGui item drawn last as `target` for scripts.
 void name_item(State& state, const std::string& target);
 
-// A button that scripts know by `target`; `chosen` marks the one that holds.
+// Button, named `target` for scripts; `chosen` highlights it. Returns true if pressed.
 bool button(State& state, const char* label, const std::string& target, bool chosen = false,
             ImVec2 size = {0, 0});
-// One of 24 pixels with an icon in place of words, which its tooltip says.
+// Button of 24 x 24 pixels with an icon instead of a label; `tooltip` describes it.
 bool icon_button(State& state, const char* icon, const std::string& target,
                  const std::string& tooltip, bool enabled = true);
 
-// Choices side by side, one of which holds; the index that was picked, or -1.
+// Row of segments, of which `chosen` is active. Returns the index that was clicked, or -1.
 struct Segment {
     std::string label, target, tooltip = {};
 };
 int segments(State& state, std::span<const Segment> all, int chosen, float width);
 
-// The box of a list to choose from; true while the list is open: fill it, then ImGui::EndCombo().
+// Combo box. Returns true while its list is open: then add the items and call ImGui::EndCombo().
 bool begin_choice(State& state, const char* id, const std::string& target, const std::string& shown,
                   float width);
 

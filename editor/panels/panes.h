@@ -1,5 +1,5 @@
-// How the window is divided: what the user has changed about it. Fractions, so that they hold at
-// every size; 0 means the rule of regions.h.
+// Window layout as changed by the user. Sizes are fractions, so that they apply to every window
+// size; 0 means the default rule of regions.h.
 #pragma once
 
 #include <cstdint>
@@ -10,10 +10,10 @@ namespace wrinkle::editor {
 enum class Pane : uint8_t { none, canvas, problems, preview, code };
 
 struct Panes {
-    float side = 0;                  // the column at the right: of the window's width
-    float preview = 0;               // the preview: of the column's height
-    float problems = 0;              // of the work area's height
-    std::optional<bool> side_shown;  // nothing: when the window is wide enough
+    float side = 0;                  // right column; fraction of the window width
+    float preview = 0;               // fraction of the column height
+    float problems = 0;              // fraction of the work area height
+    std::optional<bool> side_shown;  // std::nullopt: shown if the window is wide enough
     Pane maximised = Pane::none;
 };
 

@@ -1,4 +1,4 @@
-// The comparison: with what, and how it is shown.
+// Controls of the comparison: mode, side B, display as image or difference.
 #include <algorithm>
 
 #include "editor/look/draw.h"

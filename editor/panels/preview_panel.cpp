@@ -1,4 +1,4 @@
-// The preview: its header, the views, the picture and the comparison.
+// Preview panel: header, views, image and comparison.
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -72,7 +72,7 @@ void draw_more(State& state) {
     ImGui::PopStyleVar();
 }
 
-// A mesh or surroundings that fell on the window.
+// Uses a mesh or environment map that was dropped on the window.
 void take_dropped(State& state) {
     const std::string file = std::exchange(state.dropped.for_preview, {});
     if (file.empty()) return;
@@ -88,7 +88,7 @@ std::string what_is_shown(const State& state) {
     return node.empty() ? "output: normal" : "node: " + node + ", preview only";
 }
 
-// A command as an icon with its title and key.
+// Icon button of a command; the tooltip has its title and keys.
 void draw_command(State& state, const char* id, const char* icon, const char* target) {
     const Command* command = find_command(id);
     if (!command) return;
@@ -187,7 +187,7 @@ void draw_preview_strip(State& state) {
     int picked = -1;
     if (width >= 496) {
         picked = segments(state, all, chosen, width);
-    } else {  // too narrow for all of them side by side
+    } else {  // too narrow for one row of segments
         Choices choices{{}, {}, chosen};
         for (const Segment& each : all) {
             choices.labels.push_back(each.label);

@@ -1,4 +1,4 @@
-// The picture itself: the hand on it, its two sides, the scale of angles, what is stale.
+// Preview image: pointer input, the two sides, the scale of angles, notice of a stale image.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -27,8 +27,8 @@ void turn_light(PreviewView& view, ImVec2 delta) {
     view.light_pitch = std::clamp(view.light_pitch - delta.y * 0.01F, -pi / 2, pi / 2);
 }
 
-// Left: orbit, with Shift pan, with L the light. Middle: pan. Right: the light, with Shift the
-// surroundings. Wheel: nearer and further.
+// Left drag: orbit; with Shift: pan; with L: turn the light. Middle drag: pan. Right drag: turn the
+// light; with Shift: turn the environment. Wheel: camera distance.
 void handle(State& state, const Area& area) {
     PreviewView& view = state.view.preview_view;
     const ImGuiIO& io = ImGui::GetIO();
@@ -56,7 +56,7 @@ bool splits(const State& state, const PreviewPicture& picture) {
     return state.view.compare.mode == CompareView::Mode::split && picture.other != 0;
 }
 
-// True while the hand is on the line between the sides.
+// Returns true while the line between the sides is hovered or dragged.
 bool drag_split(State& state, const Area& area) {
     float& split = state.view.compare.split;
     const float x = area.at.x + area.size.x * split;
@@ -68,7 +68,7 @@ bool drag_split(State& state, const Area& area) {
     return ImGui::IsItemActive() || ImGui::IsItemHovered();
 }
 
-// #282A2D in the middle, #1A1C1E in the corners.
+// Background gradient: #282A2D in the middle, #1A1C1E in the corners.
 void draw_ground(ImDrawList& list, const Area& area) {
     const ImU32 middle = theme::rgb(0x282A2D), corner = theme::rgb(0x1A1C1E);
     const ImVec2 center = area.at + area.size * 0.5F;
@@ -155,7 +155,7 @@ void draw_legend(State& state, const Area& area, const AngleFigures& angles) {
     }
 }
 
-// The angle under the pointer, where side B shows angles.
+// Draws the angle at the pointer if side B shows angles.
 void draw_angle_here(State& state, const Area& area, const PreviewPicture& picture) {
     const ImVec2 mouse = ImGui::GetIO().MousePos - area.at;
     const auto& list = picture.angles.degrees;

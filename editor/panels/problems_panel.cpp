@@ -1,5 +1,5 @@
-// What is wrong with the graph, a row each: the node, the sentence, the place in the file, and what
-// certainly helps as a button. A click frames the node.
+// List of problems, one row each: node, message, location in the file, and a button for a fix that
+// is certain to help. A click frames the node.
 #include <algorithm>
 #include <optional>
 
@@ -18,17 +18,17 @@ namespace {
 
 constexpr float closed_height = 28, open_head = 36, problem_tall = 62, foot = 6;
 constexpr float fix_wide = 132;
-constexpr float opened = 0.25F;    // of the work area, where it was closed for want of room
-constexpr float low_window = 800;  // there the header stands alone until it is clicked
+constexpr float opened = 0.25F;    // panel height opened by a click, fraction of the work area
+constexpr float low_window = 800;  // lower windows show only the header until it is clicked
 
-// What work in the background had to tell, of the graph that is open.
+// Returns the warnings of background tasks for the open graph.
 const std::vector<Diagnostic>& told(const State& state) {
     static const std::vector<Diagnostic> none;
     return state.tasks.warnings_of == state.path ? state.tasks.warnings.list() : none;
 }
 
-// The graph's, or the picture's where it has none, and those of the plugins; behind them remarks
-// about its pictures, and what was told.
+// Returns the problems of the graph, or of the preview if the graph has none, then those of the
+// plugins, the remarks on images, and the warnings of background tasks.
 std::vector<const Diagnostic*> shown(const State& state) {
     const Diagnostics& own =
         state.built.problems.list().empty() ? state.preview_problems : state.built.problems;
@@ -73,7 +73,8 @@ std::string top_of(const std::string& path) {
     return path.substr(0, path.find('/'));
 }
 
-// The port that the problem is about, "" for none: "/nodes/weave/in/image" ends with it.
+// Returns the port of the problem from its JSON pointer: "image" for "/nodes/weave/in/image"; "" if
+// there is none.
 std::string port_of(const Diagnostic& problem) {
     const std::string mark = "/in/";
     const size_t at = problem.pointer.rfind(mark);
@@ -83,17 +84,17 @@ std::string port_of(const Diagnostic& problem) {
 }
 
 struct Fix {
-    std::string label = {};  // "": nothing is certain to help
-    bool picture = false;    // choose one; else the wire goes
+    std::string label = {};  // "": there is no certain fix
+    bool picture = false;    // true: choose an image; false: disconnect the wire
     std::string node = {}, port = {};
-    const Remark* remark = nullptr;  // what helps is its remedy
-    bool can_go = false;             // from the list, without being mended
+    const Remark* remark = nullptr;  // if set, the fix is its remedy
+    bool can_go = false;             // the row can be dismissed without a fix
 
     int buttons() const { return (label.empty() ? 0 : 1) + (can_go ? 1 : 0); }
 };
 enum class Pressed : uint8_t { nothing, fix, dismissal };
 
-// What was told, by its place among that.
+// Removes the warning at this index of the background tasks' warnings.
 void dismiss(State& state, size_t index) {
     Diagnostics rest;
     const std::vector<Diagnostic>& all = state.tasks.warnings.list();
@@ -124,7 +125,7 @@ Fix fix_of(const State& state, const Diagnostic& problem) {
     return {};
 }
 
-// Of the problem at this place of the list; `own` come before the remarks.
+// Returns the fix of the problem at this index; `own`: number of rows before the remarks.
 Fix fix_at(const State& state, const Diagnostic& problem, size_t index, size_t own) {
     if (index < own) return fix_of(state, problem);
     Fix fix;
@@ -161,7 +162,7 @@ void show_problem(State& state, size_t index) {
     fit(state.view, state.layout, true);
 }
 
-// An octagon with an exclamation mark for an error, a triangle for a warning.
+// Draws an octagon with an exclamation mark for an error, a triangle for a warning.
 void draw_severity(ImDrawList& list, ImVec2 center, bool error) {
     if (!error) return draw_warning(list, center, 20, theme::warn);
     list.AddNgonFilled(center, 11, theme::error, 8);
@@ -169,7 +170,7 @@ void draw_severity(ImDrawList& list, ImVec2 center, bool error) {
     list.AddRectFilled(center + ImVec2(-1, 4), center + ImVec2(1, 6), theme::panel);
 }
 
-// Where the sentence begins.
+// Returns the x offset of the message.
 float draw_chip(const State& state, ImDrawList& list, ImVec2 at, const std::string& node) {
     if (node.empty()) return 44;
     ImFont* font = state.fonts.bold(16);
@@ -181,7 +182,7 @@ float draw_chip(const State& state, ImDrawList& list, ImVec2 at, const std::stri
     return 44 + width + 10;
 }
 
-// Side by side, from the right border of the row.
+// Draws the buttons from right to left, from the right border of the row.
 Pressed draw_fixes(State& state, const Fix& fix, ImVec2 right, size_t index) {
     const ImVec2 next = ImGui::GetCursorPos();
     const std::string number = std::to_string(index + 1);

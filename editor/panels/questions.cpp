@@ -26,7 +26,7 @@ struct Answer {
 
 struct Sheet {
     std::string sentence, detail;
-    std::vector<Answer> answers;  // the first on Enter, the last on Escape
+    std::vector<Answer> answers;  // the first one on Enter, the last one on Escape
 };
 
 void cancel(State& state) {
@@ -46,7 +46,7 @@ void take_theirs(State& state) {
     save_and_carry_out(state, then);
 }
 
-// When it stood in the way of saving, it is saved now.
+// If the question blocked a save, saves now.
 void take_mine(State& state) {
     keep_mine(state);
     if (state.question.saving) return answer_save(state);
@@ -55,7 +55,7 @@ void take_mine(State& state) {
 
 constexpr Answer cancelled{"Cancel", "answer:cancel", cancel};
 
-// Of what a program that died left behind.
+// Prompt for the unsaved edits of an editor that ended unexpectedly.
 Sheet recovery_sheet(const State& state) {
     Sheet sheet;
     for (const Recoverable& found : state.keeping.recoverable) {
@@ -83,7 +83,7 @@ Sheet running_sheet(const State& state) {
             {{"Quit", "answer:stop", answer_stop}, {"Go on", "answer:cancel", cancel}}};
 }
 
-// Of a graph that goes to another folder than its files.
+// Prompt for a graph that is saved to a folder that its files are not below.
 Sheet outside_sheet(const State& state) {
     const std::filesystem::path& file = state.question.file;
     const std::vector<std::string> names = files_outside(state, file);
@@ -132,7 +132,7 @@ Sheet sheet_of(const State& state) {
         case Question::Kind::none:
         case Question::Kind::open:
         case Question::Kind::save_as:
-            break;  // the last two are the file browser's
+            break;  // the file browser handles the last two
     }
     return {};
 }

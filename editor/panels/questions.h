@@ -1,4 +1,4 @@
-// The dialogs that ask what must be decided first (document/intent.h), and the recent files.
+// Modal prompts for pending decisions (document/intent.h), and the list of recent files.
 #pragma once
 
 #include "editor/state.h"

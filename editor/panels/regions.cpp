@@ -13,7 +13,7 @@ namespace {
 constexpr float menu_height = 28, tool_height = 40, status_height = 24;
 constexpr float problems_header = 28, preview_bars = 34 + 32 + 42;
 constexpr float wide_window = 960, tall_window = 800;
-constexpr float grab = 4;  // to either side of a line
+constexpr float grab = 4;  // pixels on both sides of a splitter
 
 float side_width(const Panes& panes, float window) {
     if (panes.side > 0)
@@ -54,7 +54,7 @@ struct Splitter {
     Rect line;
     bool upright;
     float& fraction;
-    float edge;  // the other edge of the part that grows and shrinks
+    float edge;  // fixed edge of the pane that is resized
     float whole;
 };
 

@@ -1,9 +1,9 @@
-// Where the parts of the window stand, in logical pixels: menu bar, toolbar, work area, status bar;
-// in the work area the canvas over the problems, and at the right the preview over the code.
+// Layout of the window in logical pixels: menu bar, toolbar, work area, task strip, status bar. In
+// the work area: the canvas above the problems; in the side column, the preview above the code.
 //
-//   side column   30 % of the width, a multiple of 8, 400 to 768; folded away below 960
-//   preview       its bars and a picture of 18:13, at most 56 % of the work area
-//   problems      as high as its rows, at most 20 %; its header alone in a window below 800
+//   side column   30 % of the width, a multiple of 8, 400 to 768; hidden if the window is below 960
+//   preview       its bars and an image of 18:13, at most 56 % of the height of the work area
+//   problems      height of its rows, at most 20 %; only its header in windows lower than 800
 #pragma once
 
 #include "editor/state.h"
@@ -20,20 +20,19 @@ struct Rect {
 
 struct Regions {
     Rect menu, tools, work, task, status;
-    Rect canvas, problems, preview, code;  // of no size: not shown
+    Rect canvas, problems, preview, code;  // size 0: not shown
     const Rect& of(Pane pane) const;
     Pane at(ImVec2 point) const;
 };
 
 inline constexpr float task_height = 40;
 
-// `problems` is the height that all rows of the problems would take; `task` that of the strip of
-// what runs in the background.
+// `problems`: height of the problems panel with all rows; `task`: height of the task strip.
 Regions find_regions(const Panes& panes, ImVec2 window, float problems, float task = 0);
-// Those of this frame.
+// Returns the regions of the current frame.
 Regions regions_of(const State& state);
 
-// The lines between the parts, to be dragged; a double click gives the rule back.
+// Draws the splitters between the panes; a double click restores the default rule.
 void draw_splitters(Panes& panes, const Regions& regions);
 
 }  // namespace wrinkle::editor

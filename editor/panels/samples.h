@@ -1,4 +1,4 @@
-// The sample graphs that come with the program.
+// Sample graphs that are installed with the program.
 #pragma once
 
 #include <filesystem>
@@ -9,15 +9,15 @@ namespace wrinkle::editor {
 
 struct Sample {
     std::filesystem::path file;
-    std::filesystem::path picture;  // a small one of it; may not exist
-    std::string name;               // as the graph says, else the file's
+    std::filesystem::path picture;  // small image of its result; may not exist
+    std::string name;               // name of the graph; if it has none, of the file
     size_t nodes = 0;
 };
 
-// Where they are: beside the installed program (share/wrinkle/graphs), or in the tree that it was
-// built in; "" when nowhere.
+// Returns the folder of the samples: ../share/wrinkle/graphs relative to the program's folder, or
+// graphs in the source tree that it was built in; "" if neither exists.
 std::filesystem::path samples_folder();
-// By name; graphs that cannot be read are left out.
+// Returns the samples sorted by name; skips graphs that cannot be read.
 std::vector<Sample> list_samples(const std::filesystem::path& folder);
 
 }  // namespace wrinkle::editor

@@ -11,7 +11,7 @@ bool is_letter(char c) {
     return std::isalnum(static_cast<unsigned char>(c)) || static_cast<unsigned char>(c) >= 0x80;
 }
 
-// Where a word other than the first begins with the query; npos for nowhere.
+// Returns the position of a word other than the first that begins with the query; npos if none.
 size_t find_word(std::string_view text, std::string_view query) {
     for (size_t at = text.find(query, 1); at != text.npos; at = text.find(query, at + 1))
         if (!is_letter(text[at - 1])) return at;

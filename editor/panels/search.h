@@ -1,6 +1,6 @@
-// How well a name answers a query, and which of its letters do. Letter case does not count.
+// Match rank of a name for a query, with the matching letters. Case-insensitive.
 //
-//   0  the whole title or id          4  the beginning of another word of the id
+//   0  the entire title or id         4  the beginning of another word of the id
 //   1  the beginning of the title     5  within the title
 //   2  the beginning of the id        6  within the id
 //   3  the beginning of another       7  letters of the title, in order
@@ -21,8 +21,8 @@ struct Match {
     std::vector<size_t> letters;  // bytes of the title, ascending
 };
 
-// `query` in lower case. Nothing when it is not found; an empty one finds everything at rank 0. The
-// doc line is asked only for three letters and more.
+// Precondition: `query` is in lower case. Returns std::nullopt if it does not match; an empty query
+// matches everything at rank 0. The doc line is searched only for queries of three bytes or more.
 std::optional<Match> match(std::string_view title, std::string_view id, std::string_view doc,
                            std::string_view query);
 

@@ -29,7 +29,7 @@ void dash(ImDrawList& list, ImVec2 from, ImVec2 to) {
                      from + whole * (std::min(at + 7, length) / length), theme::control, 1.5F);
 }
 
-// Lines of text, each in the middle; where they end.
+// Draws wrapped, centered lines of text; returns the y position below them.
 float draw_centered(ImDrawList& list, const Fonts& fonts, bool bold, float size, ImVec2 at,
                     float width, ImU32 color, std::string_view words) {
     ImFont* font = bold ? fonts.bold(size) : fonts.regular(size);
@@ -79,7 +79,7 @@ void draw_heading(const State& state, const char* words) {
     ImGui::PopFont();
 }
 
-// The files opened last; true when one was chosen, which changes the list.
+// Draws the recent files; returns true if one was chosen, which changes the list.
 bool draw_recent(State& state, float width) {
     const std::vector<std::filesystem::path>& recent = state.keeping.settings.recent;
     if (recent.empty()) return false;
@@ -108,18 +108,18 @@ bool draw_recent(State& state, float width) {
     return !taken.empty();
 }
 
-// All of the picture, on the ground that the preview has too.
+// Draws the uncropped image of a sample on the background color of the preview.
 void draw_card_picture(State& state, ImDrawList& list, ImVec2 at, const Sample& sample) {
     const ImVec2 low = at + ImVec2(1, 1), high = at + ImVec2(card_width - 1, picture_tall);
     list.AddRectFilled(low, high, picture_ground, 6, ImDrawFlags_RoundCornersTop);
     const uint32_t picture = ImGui::IsItemVisible() ? state.thumbnails.of(sample.picture) : 0;
     if (!picture) return;
-    const float side = picture_tall - 1, left = 10;  // beside it stands the count
+    const float side = picture_tall - 1, left = 10;  // the node count is next to it
     list.AddImage(reinterpret_cast<ImTextureID>(static_cast<intptr_t>(picture)),
                   at + ImVec2(left, 1), at + ImVec2(left + side, picture_tall), {0, 1}, {1, 0});
 }
 
-// True when it was clicked.
+// Returns true if the card was clicked.
 bool draw_card(State& state, const Sample& sample) {
     const ImVec2 at = ImGui::GetCursorScreenPos(), size(card_width, card_tall);
     ImDrawList& list = *ImGui::GetWindowDrawList();
@@ -173,7 +173,7 @@ void draw_start_page(State& state) {
     state.view.extent = room;
     state.targets.add("canvas", {state.view.corner.x, state.view.corner.y,
                                  state.view.corner.x + room.x, state.view.corner.y + room.y});
-    // As wide as whole cards, so that all of the page has the same edges.
+    // The width is a multiple of the cards' width, so that all parts of the page are aligned.
     const float scrollbar = ImGui::GetStyle().ScrollbarSize;
     const int columns = std::clamp(
         static_cast<int>((room.x - scrollbar - gap) / (card_width + gap)), 1, most_columns);

@@ -1,11 +1,11 @@
-// What is shown while there is no graph yet: where to drop pictures, buttons, samples.
+// Start page, shown while there is no graph: drop area for images, buttons, recent files, samples.
 #pragma once
 
 #include "editor/state.h"
 
 namespace wrinkle::editor {
 
-// Nothing has a name or a node yet, and nobody has asked for an empty graph.
+// Returns true if there is no file, node or undo step, and no empty graph was requested.
 bool is_at_start(const State& state);
 void draw_start_page(State& state);
 

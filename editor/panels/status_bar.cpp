@@ -1,5 +1,5 @@
-// The status bar: what came of the last compile, what the hand can do now, what is selected; under
-// the side column the preview's time and whether work is kept.
+// Status bar: result of the last compile, last action, hint, selection; under the side column the
+// cost of the material, the preview's time and the save state.
 #include <algorithm>
 #include <cstdio>
 
@@ -28,12 +28,12 @@ struct Writer {
     float y;
 
     float width(std::string_view text) const { return text_width(font, 14, text); }
-    // The place after it.
+    // Returns the x position after the text.
     float write(float x, ImU32 color, std::string_view text) const {
         draw_text(list, font, 14, {x, y}, color, text);
         return x + width(text);
     }
-    // Ends at `right`; says where it begins.
+    // The text ends at `right`; returns the x position of its beginning.
     float write_before(float right, const Note& note) const {
         const float x = right - width(note.text);
         write(x, note.color, note.text);
@@ -61,7 +61,7 @@ float draw_result(const Writer& w, float x) {
     return x;
 }
 
-// What the last action did, and a way back.
+// Draws the last action, with an Undo button if it can be undone; returns the x position after it.
 float draw_action(State& state, const Writer& w, float x, float room) {
     if (state.status.empty()) return x;
     const std::string text = fitting(w.font, 14, state.status, std::max(room, 40.0F));
@@ -93,8 +93,8 @@ Note save_state(const State& state) {
     return {kept_words(state), unkept ? theme::warn : theme::text_dim};
 }
 
-// What stands under the side column: the material's cost; from the right whether work is kept, the
-// preview's time.
+// Draws the part under the side column: at the left the cost of the material; from the right the
+// save state and the preview's time.
 void draw_under_side(State& state, const Writer& w, float left, float right) {
     const Note saved = save_state(state);
     if (const Costs* costs = state.costs()) {

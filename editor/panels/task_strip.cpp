@@ -1,5 +1,5 @@
-// What runs in the background: its name, how far it is, and the way to stop it; or why it could not
-// be done.
+// Strip for a background task: name, progress and a cancel button; or, after a failure, the reason
+// with buttons to try again and to close.
 #include <algorithm>
 #include <cmath>
 
@@ -13,7 +13,7 @@ namespace {
 
 constexpr float bar_width = 240, bar_height = 8;
 
-// A part between 0 and 1; below 0 it is not known, and a piece wanders along.
+// Draws the fraction `part`, 0 to 1; below 0 it is unknown and a moving segment is drawn.
 void draw_bar(ImDrawList& list, ImVec2 at, float part) {
     const ImVec2 end = at + ImVec2(bar_width, bar_height);
     list.AddRectFilled(at, end, theme::field, 4);
@@ -27,7 +27,7 @@ void draw_bar(ImDrawList& list, ImVec2 at, float part) {
     list.AddRect(at, end, theme::control, 4);
 }
 
-// Where the buttons begin when the last one ends at the right border.
+// Moves the cursor so that buttons of this total width end at the right border.
 void begin_buttons(float width) {
     ImGui::SetCursorPos({ImGui::GetWindowWidth() - width - 12, 6});
 }

@@ -23,7 +23,7 @@
 namespace wrinkle::editor {
 namespace {
 
-// A part of the window at a fixed place.
+// ImGui window at a fixed position, ended by the destructor.
 class Region {
 public:
     Region(const char* name, const Rect& rect, ImU32 color, ImVec2 padding = {0, 0}) {

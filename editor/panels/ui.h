@@ -1,4 +1,4 @@
-// One frame of the whole window, between ImGui::NewFrame() and ImGui::Render().
+// Draws one frame of the window; call between ImGui::NewFrame() and ImGui::Render().
 #pragma once
 
 #include "editor/state.h"

@@ -1,4 +1,4 @@
-// The small things that all panels share.
+// Widgets shared by all panels.
 #include <cmath>
 
 #include "editor/look/draw.h"

@@ -12,7 +12,7 @@ std::optional<Mesh> displaced(const Mesh& still, const Displacement& displacemen
     constexpr float triangles_across = 150;
     for (const Resource& image : displacement.images)
         if (!textures.read(image.file, problems)) {
-            textures.forget();  // to be tried, and said, again
+            textures.forget();  // to be tried and reported again
             return std::nullopt;
         }
     const Bounds bounds = bounds_of(still);

@@ -1,4 +1,4 @@
-// A mesh in fine triangles, moved by a graph's output `displacement`.
+// A finely subdivided mesh, displaced by a graph's output `displacement`.
 #pragma once
 
 #include <optional>
@@ -17,7 +17,8 @@ struct Displacement {
     std::vector<Resource> images;
 };
 
-// Reads what `textures` lacks. Nothing, with the reason, when it cannot be done.
+// Reads images missing in `textures`. Returns std::nullopt with the reason in `problems` on
+// failure.
 std::optional<Mesh> displaced(const Mesh& still, const Displacement& displacement,
                               TextureStore& textures, Diagnostics& problems);
 

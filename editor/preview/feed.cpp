@@ -9,8 +9,8 @@
 namespace wrinkle::editor {
 namespace {
 
-// The running program's uniforms for a place of the document, which may have other names by now:
-// one, or several where nodes were copied for a comparison.
+// Returns the uniforms of the running program for a port of the document, which may have been
+// renamed since: one, or several if nodes were copied for a comparison.
 std::vector<const UniformInfo*> uniforms_at(const Follow& follow, const Change::Place& place) {
     std::vector<const UniformInfo*> found;
     if (!follow.running || place.index >= follow.running_of.nodes.size()) return found;
@@ -24,8 +24,8 @@ std::vector<const UniformInfo*> uniforms_at(const Follow& follow, const Change::
     return found;
 }
 
-// A place that the running program has no uniform for may still be one that it does not read; that
-// is found out by compiling.
+// The running program may have no uniform for a port because it does not read it; compilation
+// determines whether that is so.
 bool all_are_uniforms(const Follow& follow, const Change& difference) {
     if (difference.kind == Change::Kind::structure) return false;
     return std::all_of(

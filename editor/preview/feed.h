@@ -1,4 +1,4 @@
-// Between the document and the preview: what it runs, with which values, and what it says of it.
+// Connects document and preview: sends programs and values, and collects the preview's problems.
 #pragma once
 
 #include "editor/document/change.h"
@@ -6,27 +6,28 @@
 
 namespace wrinkle::editor {
 
-// What the preview is wanted to show of the document now.
+// Returns the preview request for the current document.
 PreviewRequest wanted_request(const State& state);
 
-// Image files are read again, for the picture and for those on cards.
+// Image files are read again, for the preview and for node previews.
 void forget_images(State& state);
 
-// After a build: the program changes only when more than names and values differ.
+// Called after a build: replaces the program only if more than names and values differ.
 void run_newest(State& state);
-// Sends the values that differ from what the preview shows; false when one of them is no uniform.
+// Sends the values that differ from those in the preview; returns false if one is not a uniform.
 bool send_values(State& state);
-// Ids of nodes that the request names, after a renaming.
+// Updates the node ids in the request after a renaming.
 void rename_in_request(State& state, const Document& before);
 
-// The problems of the newest picture, the driver's at the nodes whose lines it refused.
+// Collects the problems of the newest preview; maps a driver's errors to nodes by their source
+// lines.
 void hear_preview(State& state);
 
-// The output that holds the other normal of what runs; "" when nothing is compared.
+// Returns the output with the other normal of the running program; "" if nothing is compared.
 std::string other_normal(const State& state);
 
-// A driver's refusal as a problem of a node: the line that its words name first is looked up in the
-// reflection; without one it stays as it is.
+// Maps a driver's error to a node: the first line number in its message is looked up in the
+// reflection; without a line number the error is returned unchanged.
 Diagnostic at_node(const Diagnostic& refusal, const Reflection& reflection,
                    const std::map<std::string, std::string>& copied);
 

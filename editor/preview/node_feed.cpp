@@ -9,8 +9,9 @@
 namespace wrinkle::editor {
 namespace {
 
-// Each frame asks this: nothing is built while nothing differs. Pictures are shown or hidden all
-// one way at a time, so another choice of nodes is another number of them.
+// Returns true if the current state is already requested. Runs each frame, so it counts the nodes
+// instead of building their set: previews are only shown or only hidden at a time, so a different
+// set has a different size.
 bool is_asked(const State& state) {
     const NodeFeed& feed = state.node_feed;
     const auto shown = std::count_if(state.layout.cards.begin(), state.layout.cards.end(),
@@ -27,7 +28,7 @@ std::set<std::string> wanted_nodes(const State& state) {
     return wanted;
 }
 
-// Whether the pictures of the one document are those of the other.
+// Returns true if both documents have the same node previews.
 bool looks_the_same(const Document& before, const Document& after) {
     const Change difference = change(before, after);
     return difference.kind == Change::Kind::none || difference.kind == Change::Kind::cosmetic;

@@ -1,4 +1,4 @@
-// Between the document and the pictures on cards: which are wanted, of which document they are.
+// Connects document and node previews: requests them and stores the newest.
 #pragma once
 
 #include <cstdint>
@@ -13,20 +13,20 @@ namespace wrinkle::editor {
 struct State;
 
 struct NodeFeed {
-    NodePictureMaker* maker = nullptr;  // nullptr: no pictures
+    NodePictureMaker* maker = nullptr;  // nullptr: no node previews
     PictureAtlas atlas;
     NodePictures pictures;  // the newest; its texels are in the atlas
-    uint64_t asked = 0;     // the newest job's version
-    uint64_t first = 1;     // of the graph that is open; older pictures are another's
+    uint64_t asked = 0;     // version of the newest job
+    uint64_t first = 1;     // first version of the open graph; older previews are another graph's
     uint64_t images = 0;    // when it changes, image files are read again
-    // What that job was of.
+    // Inputs of that job.
     Document asked_of;
     std::set<std::string> asked_nodes;
     const Registry* asked_registry = nullptr;
     uint64_t asked_images = 0;
 
     bool has_asked() const { return asked >= first; }
-    // Another graph is open, or the textures are lost.
+    // Called when another graph is opened or the textures are lost.
     void forget() {
         pictures = {};
         first = asked + 1;
@@ -34,8 +34,8 @@ struct NodeFeed {
     bool idle() const { return !maker || maker->idle(); }
 };
 
-// Takes what has come; asks for more once nothing else is on its way, so that the large picture
-// comes first.
+// Takes a finished job; posts a new one if no other work is pending, so that the main preview is
+// drawn first.
 void feed_node_pictures(State& state);
 
 }  // namespace wrinkle::editor

@@ -19,10 +19,10 @@ constexpr double texel = 1.0 / NodePictures::height;
 
 struct Shown {
     std::string node;
-    std::string output;  // of the document that is made for it
+    std::string output;  // output of the document made for it
 };
 
-// The document with an output for each wanted node that makes something to see.
+// Replaces the outputs by one for each wanted node that has a visible output.
 std::vector<Shown> show_nodes(Document& document, const Model& model,
                               const std::vector<std::string>& wanted) {
     document.outputs = Table<Output>();
@@ -82,7 +82,7 @@ double fraction(double value) {
     return value - std::floor(value);
 }
 
-// Of a texel's lanes. `low` and `range` are those of all texels.
+// Color of a texel from its components; `low` and `range` are those of all texels.
 glm::dvec3 color_of(PortType type, const double* lane, double low, double range) {
     switch (type) {
         case PortType::gradient_:
@@ -101,7 +101,7 @@ glm::dvec3 color_of(PortType type, const double* lane, double low, double range)
     }
 }
 
-// Of linear light, by the curve of sRGB (IEC 61966-2-1), as the preview shows it.
+// Encodes linear light by the sRGB curve (IEC 61966-2-1), as the preview does.
 double displayed(double linear) {
     return linear < 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1 / 2.4) - 0.055;
 }
@@ -109,7 +109,7 @@ double displayed(double linear) {
 void append(std::vector<uint8_t>& texels, PortType type, const std::vector<double>& values) {
     const size_t lanes = values.size() / texel_count;
     const auto [least, most] = std::minmax_element(values.begin(), values.end());
-    // One value alone is shown as it is.
+    // A constant image is shown by its value.
     const bool flat = !(*most > *least);
     const double low = flat ? 0 : *least, range = flat ? 1 : *most - *least;
     for (size_t i = 0; i < texel_count; ++i) {
@@ -133,8 +133,8 @@ NodePictures NodePainter::draw(const NodePictureJob& job) {
     std::vector<std::string> wanted;
     for (const NodePtr& node : job.document.nodes)
         if (job.nodes.contains(node->id)) wanted.push_back(node->id);
-    // All in one program. If that does not compile, each half by itself, so that one broken node
-    // hides no other.
+    // Compiles all nodes in one program. If that fails, compiles each half separately, so that one
+    // broken node does not hide others.
     std::vector<std::vector<std::string>> groups{std::move(wanted)};
     while (!groups.empty()) {
         const std::vector<std::string> group = std::move(groups.back());

@@ -1,10 +1,10 @@
-// What each node makes, as small pictures: its shown output (request.h) on a flat patch of surface,
-// two units wide and one high, seen from in front, with uvs and positions in units.
+// Node previews: the shown output (request.h) of each node on a flat patch of surface, two units
+// wide and one high, seen from the front, with uvs and positions in units.
 //
-// The numbers come from the CPU evaluator, all nodes at once, so no shader is built for them and
-// they are those of `wrinkle eval`. Shown as: colours by the curve of sRGB, vectors as they are; a
+// Values are computed by the CPU evaluator, for all nodes at once: no shader is built, and they are
+// equal to those of `wrinkle eval`. Colors are shown by the sRGB curve, vectors unchanged; a
 // gradient, a derivative and a normal as the unit normal, 0.5 + 0.5 n; a height and a float as gray
-// over the range that is seen; a point of the plane as its fraction. What is not finite is magenta.
+// over the visible range; a vec2 as its fractional part. Values that are not finite are magenta.
 #pragma once
 
 #include <cstdint>
@@ -23,31 +23,31 @@
 namespace wrinkle::editor {
 
 struct NodePictureJob {
-    uint64_t version = 0;  // grows with every job
+    uint64_t version = 0;  // increases with every job
     const Registry* registry = nullptr;
     Model model;
     Document document;
-    std::set<std::string> nodes;  // whose pictures are wanted
+    std::set<std::string> nodes;  // nodes to draw
     uint64_t images = 0;          // when it changes, image files are read again
 };
 
 struct NodePictures {
-    static constexpr uint32_t width = 128, height = 64;  // texels of one
+    static constexpr uint32_t width = 128, height = 64;  // texels of one preview
 
     uint64_t version = 0;
-    std::map<std::string, uint32_t, std::less<>> places;  // of a node's picture in `texels`
-    std::vector<uint8_t> texels;  // RGBA, bottom row first, one picture after the other
+    std::map<std::string, uint32_t, std::less<>> places;  // preview index in `texels`, by node
+    std::vector<uint8_t> texels;  // RGBA, bottom row first, one preview after the other
 };
 
-// Keeps the images that it has read.
+// Caches the images that it has read.
 class NodePainter {
 public:
-    // No picture of a node that does not compile. Other nodes that are wrong do not matter, nor do
-    // the graph's outputs.
+    // Draws no preview of a node that does not compile. Errors of other nodes or of the graph's
+    // outputs have no effect.
     NodePictures draw(const NodePictureJob& job);
 
 private:
-    // False when they do not compile together; nothing is drawn then.
+    // Returns false, and draws nothing, if the nodes do not compile together.
     bool draw_group(const NodePictureJob& job, const std::vector<std::string>& nodes,
                     NodePictures& pictures);
 
@@ -55,10 +55,10 @@ private:
     TextureStore textures_;
 };
 
-// The same on a thread of its own; the newest job wins.
+// Runs a NodePainter on a worker thread; the newest job wins.
 class NodePictureMaker {
 public:
-    // wake is called on its thread.
+    // `wake` is called on the worker thread.
     explicit NodePictureMaker(std::function<void()> wake = {})
         : worker_(
               [painter = NodePainter()](NodePictureJob&& job) mutable { return painter.draw(job); },

@@ -17,8 +17,8 @@
 namespace wrinkle::editor {
 namespace {
 
-// The interface's frames may wait in the same driver: they come between the strips of a picture
-// that takes longer than this.
+// Frames of the interface may wait in the same driver: a rendering that takes longer than this is
+// drawn in strips, with frames between them.
 constexpr double slow_milliseconds = 20, strip_milliseconds = 8;
 
 std::optional<Mesh> open_mesh(const std::string& name, bool& double_sided, Diagnostics& problems) {
@@ -42,7 +42,7 @@ bool fit(std::optional<gpu::Target>& target, const gpu::TargetOptions& options,
     return target.has_value();
 }
 
-// The least of the scale's ends that holds all but a hundredth of the angles.
+// Returns the smallest end of the scale that covers 99 % of the angles.
 float end_of_scale(std::vector<float> angles) {
     if (angles.empty()) return 3;
     const size_t at = (angles.size() - 1) * 99 / 100;
@@ -127,13 +127,13 @@ void PreviewPainter::begin_graph(uint64_t graph) {
     refusal_ = Diagnostics();
 }
 
-// A material that was refused once is not tried again until it, the images or the light change.
+// A rejected material is not tried again until it, the images or the light change.
 bool PreviewPainter::use_material(const PreviewJob& job) {
     const bool reread = std::exchange(images_, job.images) != job.images;
     if (reread) renderer_.forget_images();
     if (job.material && (job.material != tried_ || reread || relit_)) {
         tried_ = job.material;
-        slow_ = true;  // how long it takes is not known yet
+        slow_ = true;  // its duration is not known yet
         relit_ = false;
         refusal_ = Diagnostics();
         if (renderer_.set_material(*job.material, refusal_)) has_material_ = true;
@@ -162,7 +162,7 @@ gpu::Scene PreviewPainter::scene_of(const PreviewView& view) const {
     return scene;
 }
 
-// In strips where the picture takes long.
+// View options with strips if the rendering is slow.
 gpu::ViewOptions PreviewPainter::patient() const {
     gpu::ViewOptions options;
     options.strip_milliseconds = slow_ ? strip_milliseconds : 0;
@@ -255,7 +255,7 @@ PreviewPicture PreviewPainter::draw(const PreviewJob& job, int held) {
     return picture;
 }
 
-// With what the last picture was drawn with, on a ground without holes.
+// Uses the state of the last rendering, with an opaque background.
 void PreviewPainter::draw_still(const PreviewJob& job) {
     Still& still = *job.still;
     Diagnostics problems = last_.problems;

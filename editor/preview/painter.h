@@ -1,9 +1,9 @@
-// Draws what a job asks for into textures. Wants its GL context current on every call, its end
-// included; the thread of preview.h owns one.
+// Draws a preview job into textures. Its GL context must be current on every call, including the
+// destructor; the thread of preview.h owns one.
 //
-// The last good picture stays: a material that the driver refuses, an image or a mesh that cannot
-// be read, a view that the graph cannot give leave its textures as they were and say why. It goes
-// when another graph is opened.
+// The last good rendering is retained: if the driver rejects a material, an image or a mesh cannot
+// be read, or the graph has no such view, the textures do not change and the result has the reason.
+// It is discarded when another graph is opened.
 #pragma once
 
 #include <array>
@@ -23,54 +23,55 @@ namespace wrinkle::editor {
 
 struct PreviewJob {
     uint64_t version = 0;
-    uint64_t graph = 0;  // when it changes, what is drawn so far is another graph's
+    uint64_t graph = 0;                                // a change discards the last rendering
     std::shared_ptr<const gpu::Material> material;     // nullptr: none yet
-    std::map<std::string, std::vector<float>> values;  // of its uniforms, where they have changed
+    std::map<std::string, std::vector<float>> values;  // uniform values changed since `material`
     std::shared_ptr<const Displacement> displacement;  // nullptr: none
     PreviewView view;
-    std::string against;  // the output that is the other normal; "" compares nothing
+    std::string against;  // output with the other normal; "" compares nothing
     bool difference = false;
-    float degrees = 0;  // at the end of the scale; 0 finds it
+    float degrees = 0;  // end of the heat map's scale; 0: automatic
     int width = 0, height = 0;
-    // When one of them changes, its files are read again.
+    // If one of them changes, its files are read again.
     uint64_t images = 0, meshes = 0, lights = 0;
-    std::shared_ptr<Still> still;  // answered after the picture, once
+    std::shared_ptr<Still> still;  // answered once, after the preview
 };
 
 // Angles between the two normals, over the pixels of the mesh.
 struct AngleFigures {
     float mean = 0, max = 0;
-    float end = 0;  // of the heat map's scale: 3, 12, 45 or 180, or as asked
-    std::shared_ptr<const std::vector<float>> degrees;  // by pixel, bottom row first; < 0 beside it
+    float end = 0;  // end of the heat map's scale: 3, 12, 45 or 180, or as requested
+    std::shared_ptr<const std::vector<float>> degrees;  // by pixel, bottom row first; < 0 outside
 };
 
 struct PreviewPicture {
-    uint64_t version = 0;             // of the job that it answers
-    uint64_t graph = 0;               // of that job
-    uint32_t texture = 0, other = 0;  // side A and B, bottom row first; 0: there is none
-    int slot = -1;                    // which textures they are
+    uint64_t version = 0;             // version of the drawn job
+    uint64_t graph = 0;               // graph of that job
+    uint32_t texture = 0, other = 0;  // sides A and B, bottom row first; 0: absent
+    int slot = -1;                    // index of the textures
     int width = 0, height = 0;
-    bool refused = false;      // the material, so the picture is of a former one
-    bool lost = false;         // the driver dropped the context: all has to be made anew
-    std::string double_sided;  // the mesh, if one of its materials is
+    bool refused = false;      // the driver rejected the material; an earlier one is shown
+    bool lost = false;         // the driver lost the context: recreate all GL objects
+    std::string double_sided;  // the mesh if one of its materials is double-sided
     Diagnostics problems;
     AngleFigures angles;
-    double milliseconds = 0;  // of the drawing, until its last pixel
-    bool first = false;       // of a program or a mesh: the time has its making in it
+    double milliseconds = 0;  // drawing time, including GPU work
+    bool first = false;       // first use of a program or a mesh: includes its setup time
     uint64_t programs = 0;    // linked so far
 };
 
-// What `job.still` asks for, from what the renderer holds; nothing, with the reason.
+// Draws the image requested by `job.still` from the renderer's state; std::nullopt with the reason
+// in `problems` on failure.
 std::optional<Image> still_picture(gpu::Renderer& renderer, gpu::Scene scene, const PreviewJob& job,
                                    float heat_degrees, Diagnostics& problems);
 
 class PreviewPainter {
 public:
-    // before_strip is called between the strips of a picture that takes long; it may wait.
+    // before_strip is called between the strips of a slow rendering; it may wait.
     explicit PreviewPainter(std::function<void()> before_strip = {})
         : before_strip_(std::move(before_strip)) {}
 
-    // Textures of slot `held` are being looked at and stay as they are.
+    // Does not write the textures of slot `held`, which are on screen.
     PreviewPicture draw(const PreviewJob& job, int held);
 
 private:
@@ -94,18 +95,18 @@ private:
     gpu::OrbitCamera framing_;
     PreviewPicture last_;
     std::shared_ptr<const gpu::Material> tried_;
-    Diagnostics refusal_;  // of `tried_`
-    Diagnostics dark_;     // of the environment
+    Diagnostics refusal_;  // errors of `tried_`
+    Diagnostics dark_;     // problems of the environment
     bool has_material_ = false, relit_ = false;
-    bool slow_ = true;  // the next picture may be
+    bool slow_ = true;  // the next rendering may take long
     uint64_t images_ = 0, graph_ = 0;
-    // What the renderer has of the job.
+    // State of the renderer, as read from jobs.
     uint64_t mesh_read_ = 0, mesh_images_ = 0, light_read_ = 0;
     std::string mesh_, environment_;
-    bool double_sided_ = false;  // one of the materials of mesh_ is
+    bool double_sided_ = false;  // one of the materials of mesh_ is double-sided
     float scale_ = 0;
     std::shared_ptr<const Displacement> displacement_;
-    TextureStore textures_;  // of the displacement
+    TextureStore textures_;  // textures of the displacement
     gpu::Lighting lighting_ = gpu::Lighting::ggx;
 };
 

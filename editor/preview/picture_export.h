@@ -1,4 +1,4 @@
-// The picture of the preview as a file, drawn anew in any size.
+// Exports the preview as an image file, rendered again in any size.
 #pragma once
 
 #include <filesystem>
@@ -11,16 +11,16 @@ namespace wrinkle::editor {
 struct PictureSize {
     int width = 0, height = 0;
 };
-// Those to choose from: as it is shown, then squares.
+// Sizes to choose from: the current size, then squares.
 std::vector<PictureSize> picture_sizes(const State& state);
 
-// In the background: drawn by the preview, written by the task. What is compared is in it as shown.
+// Runs in the background: the preview renders, the task writes. Includes a comparison as shown.
 void start_picture_export(State& state, const std::filesystem::path& file, PictureSize size);
 
-// "graph.png" beside the graph.
+// Returns "graph.png" next to the graph.
 std::filesystem::path usual_picture(const State& state);
 
-// Why there is no picture to write; "" when there is one.
+// Returns the reason why there is no rendering to export; "" if there is one.
 std::string_view no_picture(const State& state);
 
 }  // namespace wrinkle::editor

@@ -9,7 +9,7 @@ Preview::Preview(std::function<void()> wake) : wake_(std::move(wake)) {
 }
 
 void Preview::begin() {
-    Diagnostics why;  // the fallback says nothing: it shows the same
+    Diagnostics why;  // ignored: the fallback gives the same result
     context_ = gpu::Context::sharing_current(why);
     if (!context_) return;
     const auto work = [this](PreviewJob&& job) {
@@ -79,7 +79,7 @@ void Preview::forget_light() {
 }
 
 void Preview::draw_still(std::shared_ptr<Still> still) {
-    // Nobody waits for the former one any more.
+    // Cancels the previous request.
     if (job_.still) job_.still->answer(std::nullopt, Diagnostics());
     job_.still = std::move(still);
     ask();

@@ -1,7 +1,7 @@
-// The picture of the material, drawn on a thread of its own with a GL context that shares textures
-// with the window's. The newest job wins; the interface shows the newest picture there is.
+// Preview of the material, drawn on a thread with a GL context that shares textures with the
+// window's. The newest job wins; the interface shows the newest rendering.
 //
-// Where no such context can be made the same is drawn at once, on the thread that asks.
+// If no such context can be made, it is drawn synchronously on the calling thread.
 #pragma once
 
 #include <atomic>
@@ -19,38 +19,38 @@ namespace wrinkle::editor {
 
 class Preview {
 public:
-    // Wants a GL context current; later calls come from the same thread. wake is called on the
-    // other one whenever there is a new picture.
+    // Precondition: a GL context is current; later calls come from the same thread. `wake` is
+    // called on the preview's thread when there is a new rendering.
     explicit Preview(std::function<void()> wake = {});
 
     void set_material(std::shared_ptr<const gpu::Material> material,
                       std::shared_ptr<const Displacement> displacement);
-    // Another graph is open: nothing is shown until it has a material.
+    // Called when another graph is opened: nothing is shown until there is a material.
     void forget_material();
     void set_uniform(const std::string& name, std::span<const float> value);
-    // Their files are read again, by the next picture.
+    // These files are read again for the next rendering.
     void forget_images();
     void forget_mesh();
     void forget_light();
-    // Drawn once, of what show() has asked for last.
+    // Drawn once, as requested by the last show().
     void draw_still(std::shared_ptr<Still> still);
-    // Of the same material; width and height in pixels.
+    // Sets view and comparison for the same material; width and height in pixels.
     void show(const PreviewView& view, const std::string& against, const CompareView& compare,
               int width, int height);
 
-    // While it lives the window draws a frame, and a picture that takes long pauses.
+    // While the returned object exists, the window draws a frame and a slow rendering pauses.
     Turns::Frame frame() { return Turns::Frame(turns_); }
 
-    // Gives up all that was made in the window's context, which goes next; then makes it anew in
-    // the one that is current, and draws the same again.
+    // leave_context() releases everything made in the window's context, which is destroyed next;
+    // renew() makes it again in the current one and draws again.
     void leave_context();
     void renew();
 
-    // The newest there is. Its textures hold until the next call.
+    // Returns the newest rendering. Its textures are valid until the next call.
     const PreviewPicture& picture();
-    const PreviewPicture& shown() const { return picture_; }  // what picture() gave last
+    const PreviewPicture& shown() const { return picture_; }  // the last result, without polling
     uint64_t asked() const { return job_.version; }
-    bool idle() const;  // no picture is on its way; none is while nobody shows one
+    bool idle() const;  // no job is pending; none is posted while no preview is visible
     void settle();
     bool has_thread() const { return worker_ != nullptr; }
     ~Preview();
@@ -65,9 +65,9 @@ private:
     PreviewPicture picture_;
     std::atomic<int> held_ = -1;
     Turns turns_;
-    std::unique_ptr<PreviewPainter> painter_;                     // used by one thread alone
-    std::optional<gpu::Context> context_;                         // of the worker
-    std::unique_ptr<Worker<PreviewJob, PreviewPicture>> worker_;  // goes first
+    std::unique_ptr<PreviewPainter> painter_;                     // used by one thread only
+    std::optional<gpu::Context> context_;                         // owned by the worker
+    std::unique_ptr<Worker<PreviewJob, PreviewPicture>> worker_;  // destroyed first
 };
 
 }  // namespace wrinkle::editor

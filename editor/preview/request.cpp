@@ -24,7 +24,7 @@ void wire(Node& node, const char* port, Link from) {
     node.inputs.push_back({port, Input::Kind::link, std::move(from), {}});
 }
 
-// Adds a node and says its id.
+// Adds a node and returns its id.
 std::string add(Document& document, Node node) {
     std::string id = node.id;
     document = add_node(document, std::move(node));
@@ -60,7 +60,7 @@ public:
     }
 
 private:
-    // The sums that `end` depends on, and a twin for each node from them to there.
+    // Finds the sums that `end` depends on, and names a copy of each node from them to `end`.
     void find_sums(const std::string& end) {
         const Document& document = result_.document;
         const std::set<std::string> before = cycle_partners(document, end, true);
@@ -107,7 +107,7 @@ private:
     std::map<std::string, std::string> twins_;
 };
 
-// Adds the other normal from what a link carries.
+// Adds the other normal from the value of a link.
 void add_against(Requested& result, const Link& from, std::optional<PortType> type) {
     Document& document = result.document;
     if (!type || !has_normal(*type)) {

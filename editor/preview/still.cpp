@@ -5,7 +5,7 @@
 namespace wrinkle::editor {
 namespace {
 
-// Columns from `from` on are those of the other side.
+// Copies the columns from `from` on from the other image.
 void put_beside(Image& image, const Image& other, uint32_t from) {
     for (uint32_t y = 0; y < image.height; ++y)
         for (uint32_t x = from; x < image.width; ++x)

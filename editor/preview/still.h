@@ -1,4 +1,4 @@
-// A picture of the preview in a size of its own: one thread asks for it, the preview's draws it.
+// An image of the preview in a given size: one thread requests it, the preview's thread draws it.
 #pragma once
 
 #include <atomic>
@@ -15,7 +15,8 @@ namespace wrinkle::editor {
 
 class Still {
 public:
-    // Of the two sides the left part of A, up to `split` of the width, and the rest of B.
+    // In a comparison, the left part up to `split` of the width is from side A, the rest from side
+    // B.
     Still(int wide, int tall, float split) : width(wide), height(tall), split(split) {}
     const int width, height;
     const float split;
@@ -25,7 +26,7 @@ public:
         const std::lock_guard lock(mutex_);
         return answered_;
     }
-    // By the preview: the picture, or nothing with the reasons.
+    // Called by the preview: sets the image, or std::nullopt with the reasons.
     void answer(std::optional<Image> image, Diagnostics problems) {
         {
             const std::lock_guard lock(mutex_);
@@ -36,7 +37,7 @@ public:
         }
         changed_.notify_all();
     }
-    // Waits for it; nothing, with reasons in `problems`, when there will be none.
+    // Waits for the image; returns std::nullopt with reasons in `problems` if there will be none.
     std::optional<Image> wait(const std::atomic<bool>& stop, Diagnostics& problems) {
         std::unique_lock lock(mutex_);
         while (!answered_ && !stop)

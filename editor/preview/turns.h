@@ -1,8 +1,8 @@
-// Whose turn it is to draw. Some drivers draw for all contexts one after another, on the same
-// cores: a window's frame that comes behind a picture of the material waits for it. So a picture
-// that takes long is drawn in strips, and between two of them gives way to a frame.
+// Lets the window's frames interrupt slow renderings. Some drivers draw for all contexts
+// sequentially on the same cores, so that a frame submitted after a rendering of the material waits
+// for it. A slow rendering is therefore drawn in strips and waits for a frame between two of them.
 //
-// Each side has a thread of its own.
+// Each side has its own thread.
 #pragma once
 
 #include <chrono>
@@ -13,7 +13,7 @@ namespace wrinkle::editor {
 
 class Turns {
 public:
-    // A frame is being drawn while it lives.
+    // A frame is drawn while this object exists.
     class Frame {
     public:
         explicit Frame(Turns& turns) : turns_(turns) { turns_.set(true); }
@@ -25,8 +25,8 @@ public:
         Turns& turns_;
     };
 
-    // Until no frame is being drawn, though not for ever: one that waits for the screen leaves the
-    // driver free, and pictures have to get on.
+    // Waits until no frame is drawn, at most `longest`: a frame that waits for the screen leaves
+    // the driver idle, and renderings must make progress.
     void give_way() {
         std::unique_lock lock(mutex_);
         changed_.wait_for(lock, longest, [this] { return !frame_; });

@@ -1,4 +1,4 @@
-/* An example plugin in C11: no C++ face, the contract alone. Corrugated iron, a wave along u. */
+/* An example plugin in C11, without the SDK's C++ interface. Corrugated iron: a wave along u. */
 #include "wrinkle/plugin.h"
 
 enum { UV, RIDGES, AMPLITUDE, HEIGHT, PORT_COUNT };
@@ -14,7 +14,7 @@ static wr_value binary(const wr_builder* b, uint32_t op, wr_value x, wr_value y)
     return b->emit(b, op, WR_TYPE_poison, args, 2, 0);
 }
 
-/* amplitude * cos(2 pi ridges u). What makes no sense comes back as poison: nothing to check. */
+/* amplitude * cos(2 pi ridges u). Invalid operations return poison, so errors are not checked. */
 static void build(const wr_builder* b) {
     const wr_value u = unary(b, WR_OP_swizzle, b->input(b, UV), WR_SWIZZLE(1, 0, 0, 0, 0));
     const wr_value turns = binary(b, WR_OP_mul, u, b->input(b, RIDGES));

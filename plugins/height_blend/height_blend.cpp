@@ -1,5 +1,5 @@
-// An example plugin with two outputs: a blend rule. Of two materials the higher one shows, as sand
-// fills the joints between stones. The bumps are mixed; their heights only say where.
+// An example plugin with two outputs: a blend rule. The higher of two materials is visible, as sand
+// that fills the joints between stones. The bumps are mixed; the heights only select the weight.
 #include <tuple>
 
 #include "wrinkle/node.h"

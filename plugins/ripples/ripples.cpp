@@ -1,4 +1,4 @@
-// An example plugin: one node, one formula. Its bump is the derivative, which nobody writes.
+// An example plugin: one node with one formula. Its bump is the derivative, which Wrinkle computes.
 #include "wrinkle/node.h"
 
 using namespace wrinkle::sdk;

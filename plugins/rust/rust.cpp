@@ -1,5 +1,5 @@
-// An example plugin with a choice: the body is compiled anew for each of its names, so what is not
-// chosen is not in the shader. The rule works on slopes, which every bump has, whatever made it.
+// An example plugin with a choice: the body is compiled for each of its names, so the shader
+// contains only the chosen branch. The rule uses slopes, so it works with every kind of bump.
 #include <tuple>
 
 #include "wrinkle/node.h"
@@ -9,7 +9,8 @@ using namespace wrinkle::sdk;
 // In the order of the choice's names.
 enum class Where { hollows, flats, edges, below };
 
-// How much of the surface the rust takes there, before it is made hard: 0 nothing, 1 all.
+// Returns the tendency to rust at a point, before `amount` and `hardness` are applied: 0 none, 1
+// full.
 static Float exposure(Where where, Gradient bump, Float height, Float depth) {
     const Float slope = length(bump.vector());  // tangent of the angle to the smooth surface
     if (where == Where::hollows) return 0.5 - divide(height, 2 * depth);

@@ -1,5 +1,5 @@
-// An example plugin with a loop: the neighbours of a place, the highest of which shows. The loop is
-// one in the shader as well; its body is recorded once.
+// An example plugin with a loop over the scales around a point; the highest one is visible. The
+// generated shader contains a loop too; its body is recorded once.
 #include <tuple>
 
 #include "wrinkle/node.h"
@@ -11,7 +11,8 @@ struct Scales {
     Float density, radius, tilt, variation, amplitude;
 };
 
-// A scale, `way` from its middle: 0 outside, with a round rim, higher towards its tip along -v.
+// Height of a scale at the offset `way` from its middle: 0 outside, with a round rim, higher
+// towards its tip along -v.
 static Float scale_height(vec2 way, Float lift, const Scales& in) {
     const Float rim = named("rim", saturate(1.5 - 1.5 * dot(way, way) / (in.radius * in.radius)));
     return lift * rim * (0.5 - 0.5 * in.tilt * way.y() / in.radius);
@@ -33,8 +34,8 @@ static Node scales =
         .out<Height>("height", "In length units of object space, positive outward", unit("m"))
         .body([](Scales in) {
             const vec2 p = in.uv * in.density;
-            const Float row = named("row", floor(2 * p.y()));  // rows stand half a scale apart
-            // Four rows of two scales each reach the place: all that are nearer than 1.
+            const Float row = named("row", floor(2 * p.y()));  // rows are half a unit apart
+            // Four rows of two scales each: all scales within a distance of 1.
             const auto [last, highest] = loop(8, std::tuple{Int(0), Float(0)}, [&](Int i, Float h) {
                 const Float y = row + Float(i >> 1) - 1;
                 const Float shift = 0.5 * mod(y, 2.0);

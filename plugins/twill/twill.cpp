@@ -1,11 +1,11 @@
-// An example plugin with a field: an expression of the graph that the node reads at places of its
-// own choice. Here it is the fibres of a thread, read along each thread's own direction.
+// An example plugin with a field: an expression of the graph that the node reads at any uv. Here
+// the field is the fibres of a thread, read along the direction of each thread.
 #include "wrinkle/node.h"
 
 using namespace wrinkle::sdk;
 
-// A thread in every unit of x, along y: round across, two threads up and two down. `start` is where
-// it comes up, so that the threads along y and along x take turns.
+// Height of the threads along y, one in each unit of x: round across, over two threads and under
+// two. `start` shifts where a thread comes up, so that threads along y and along x alternate.
 static Float thread(vec2 p, double start, Float width) {
     const Float lane = floor(p.x());
     const Float across = (2 * (p.x() - lane) - 1) / width;
@@ -37,7 +37,7 @@ static Node twill =
             const vec2 p = in.uv * in.scale;
             const Float warp = in.amplitude * thread(p, 0, in.width) + in.fibres(in.uv);
             const Float weft = in.amplitude * thread(p.yx(), 1, in.width) + in.fibres(in.uv.yx());
-            // Threads finer than a pixel would shimmer: there the cloth is as high as on average.
+            // Threads finer than a pixel would alias, so the height fades to its mean.
             const Float pixel = named("pixel", detach(max(length(ddx(p)), length(ddy(p)))));
             return mix(max(warp, weft), 0.55 * in.amplitude, smoothstep(0.25, 0.75, pixel));
         });

@@ -1,4 +1,4 @@
-// Nothing that a caller does gets more out of the library than a problem.
+// Tests that invalid arguments to the library produce a diagnostic and nothing else.
 #include <sys/resource.h>
 #include <sys/wait.h>
 
@@ -26,7 +26,7 @@ Points up(size_t count = 1) {
     return points;
 }
 
-// One problem, of the caller, in these words.
+// Expects exactly one problem: a caller error with this message.
 void expect_one(const Problems& problems, const std::string& words) {
     ASSERT_EQ(problems.size(), 1u) << to_text(problems);
     EXPECT_TRUE(problems[0].is_error);
@@ -108,8 +108,8 @@ TEST(Border, PointsThatAreNone) {
                      "'normal' holds 3 numbers");
 }
 
-// More than a vector may hold, and more than a machine has; there ASan's operator new would end
-// the program where others throw.
+// Sizes above std::vector's maximum, and above the machine's memory. The second one is omitted
+// under ASan, whose operator new aborts instead of throwing.
 #ifdef __SANITIZE_ADDRESS__
 constexpr size_t too_many[] = {std::numeric_limits<size_t>::max()};
 #else
@@ -242,7 +242,8 @@ TEST(Border, ManyProblemsAreCounted) {
     EXPECT_EQ(problems.back().message, "and 200 more problems");
 }
 
-// In a process of its own, with little more memory than it has. The sanitizers want more than that.
+// Runs in a child process limited to 160 MiB of address space. Not used under sanitizers, which
+// need more.
 int checks_in_little_memory() {
     const rlimit little{rlim_t{160} << 20, rlim_t{160} << 20};
     std::string text = tilt_graph();

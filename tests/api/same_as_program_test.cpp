@@ -1,4 +1,4 @@
-// What the library gives is what the program writes: texts, problems, numbers.
+// Tests that the library and the command line give the same output: text, diagnostics, numbers.
 #include <algorithm>
 #include <map>
 
@@ -16,7 +16,7 @@ using Form = CompileOptions::Form;
 
 const std::string graphs = WRINKLE_SOURCE_DIR "/graphs";
 
-// The graphs of one folder, whose stems differ.
+// Sample graphs by folder; within one folder all stems differ.
 std::map<fs::path, std::vector<fs::path>> samples_by_folder() {
     std::map<fs::path, std::vector<fs::path>> folders;
     for (const fs::path& graph : sample_graphs())
@@ -27,8 +27,8 @@ std::map<fs::path, std::vector<fs::path>> samples_by_folder() {
 struct Written {
     std::string target, suffix;
     Form form = Form::function;
-    std::vector<std::string> more = {};  // of the command line
-    CompileOptions options = {};         // the same
+    std::vector<std::string> more = {};  // options of the command line
+    CompileOptions options = {};         // the same options for the library
 };
 
 void expect_same(const Written& written, const fs::path& graph, const fs::path& folder) {
@@ -56,7 +56,7 @@ TEST_P(SameTextTest, OfEverySample) {
     for (const auto& [from, samples] : samples_by_folder()) {
         const TemporaryFolder folder;
         const std::string to = folder.path();
-        // Of one graph the place is a file.
+        // With several graphs, --out names a folder; with one graph it names a file.
         ASSERT_GT(samples.size(), 1u) << from;
         std::vector<std::string> words = {"compile",
                                           "--root",
@@ -182,7 +182,7 @@ TEST(SameProblems, OfCompilingToo) {
     EXPECT_EQ(to_text(refused.problems), run_wrinkle({"compile", file, "--strict"}).err);
 }
 
-// Thirty levels of sub-graphs are a text, and more calls than numbers can be made with.
+// Thirty nested levels of sub-graphs compile, but need more calls than can be evaluated.
 TEST(SameProblems, OfTooManyCalls) {
     const TemporaryFolder folder;
     for (int level = 0; level <= 30; ++level)
@@ -196,7 +196,7 @@ TEST(SameProblems, OfTooManyCalls) {
     EXPECT_EQ(to_text(refused.problems), run_wrinkle({"eval", file, "--at", "{}"}).err);
 }
 
-// Surface points as `eval --at` takes them.
+// Surface points in the format of `eval --at`.
 Points points_of(const json::Value& list) {
     Points points;
     points.count = list.size();
@@ -221,7 +221,7 @@ json::Value parsed(const std::string& text) {
     return root;
 }
 
-// A float is printed with as many digits as it needs, so it is the same one only as a float.
+// Floats are printed with the fewest digits that identify them, so they are compared as floats.
 bool is_same(double number, double printed, bool full) {
     return full ? number == printed : static_cast<float>(number) == static_cast<float>(printed);
 }

@@ -1,4 +1,4 @@
-// The program `wrinkle`, to be set beside the library, and graphs for both.
+// Runs the program `wrinkle` for comparison with the library, and builds graphs for both.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -19,13 +19,13 @@ struct Said {
     std::string out, err;
 };
 
-// With words that need no quoting.
+// The arguments must not need shell quoting.
 Said run_wrinkle(const std::vector<std::string>& words);
 
-// Without the plugins of whoever runs the tests.
+// Does not load the plugins of the user who runs the tests.
 const api::Library& library();
 
-// A surface tilted along x by `slope`; its normal is (-slope, 0, 1) made unit, whatever the point.
+// A surface tilted along x by `slope`; its normal is normalize(-slope, 0, 1) at every point.
 std::string tilt_graph(const std::string& slope = "0.75");
 
 bool says(const api::Problems& problems, const std::string& words);

@@ -1,5 +1,4 @@
-// Any number of threads on one library and one graph, and what the program around it changes for
-// all of them.
+// Tests of concurrent use of one library and one graph, and of process-wide settings (locale).
 #include <array>
 #include <atomic>
 #include <clocale>
@@ -15,7 +14,7 @@ using namespace api;
 
 const std::string sample = WRINKLE_SOURCE_DIR "/graphs/everything.json";
 
-// All that a graph gives, as one text.
+// All results of a graph as one string.
 std::string everything(const Graph& graph) {
     std::string all = to_text(graph.check());
     for (const char* target : {"glsl330", "hlsl"}) {
@@ -75,7 +74,7 @@ TEST(Threads, OneGraphForAll) {
             for (++ready; ready < count;) {
             }
             const Graph copy = i % 2 ? shared : library().load(sample);
-            const bool first = i % 3 == 0;  // some compile first, some compute
+            const bool first = i % 3 == 0;  // some threads compile first, some evaluate first
             const bool text = first && everything(copy) == wanted;
             const bool computed = numbers(copy, points) == wanted_numbers;
             if ((text || everything(copy) == wanted) && computed) ++same;
@@ -105,7 +104,7 @@ struct Comma : std::numpunct<char> {
     std::string do_grouping() const override { return "\3"; }
 };
 
-// A program may have set any, for C++ as for C.
+// The host program may set any locale, in C++ and in C.
 TEST(Locale, ChangesNothing) {
     const Graph graph = library().load(sample);
     const std::string wanted = everything(graph);

@@ -1,4 +1,4 @@
-// Rows of a bake: against sample_mesh(), against themselves, against the nearest by brute force.
+// Tests of the rows of a bake: against sample_mesh(), other settings, and brute-force dilation.
 #include "bake/bake.h"
 
 #include <gtest/gtest.h>
@@ -21,7 +21,7 @@ bool same(const std::vector<float>& a, const std::vector<float>& b) {
     return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(float)) == 0;
 }
 
-// Every input and its changes as outputs, in the order of their numbers.
+// A program with every input and its differentials as outputs, in the order of their numbers.
 Program all_inputs(const Mesh& mesh) {
     Module module;
     for (int i = 0; i < surface_input_count; ++i) {
@@ -44,10 +44,10 @@ void append(std::vector<float>& values, const Vector& vector) {
         values.push_back(static_cast<float>(vector[i]));
 }
 
-// Not square, so that across is not up.
+// Not square, so that x and y differ.
 constexpr BakeHow oblong = {.width = 96, .height = 40};
 
-// What all_inputs() gives there; `view` by a difference, as its own numbers are.
+// Values of all_inputs() at `uv`; the differential of `view` is a finite difference.
 std::vector<float> sampled(const Mesh& mesh, glm::dvec2 uv, uint32_t& triangle) {
     Diagnostics diagnostics;
     const auto point = sample_mesh(mesh, uv, oblong.width, diagnostics);
@@ -110,7 +110,7 @@ std::string strap() {
     return bytes_of(WRINKLE_SOURCE_DIR "/graphs/noise_rock.json");
 }
 
-// Those that the machine lacks are its best one.
+// Sets that the machine lacks fall back to its best one.
 constexpr const char* instruction_sets[] = {"baseline", "avx2", "avx512"};
 
 TEST(BakeRows, AreTheSameBitsForAnyThreadsRowsAndInstructions) {
@@ -158,7 +158,7 @@ TEST(BakeRows, StopWhenTheyAreToldTo) {
     EXPECT_LT(taken, 300U);
 }
 
-// Two triangles with a gap, one of them thinner than a texel.
+// Two triangles with a gap; one is thinner than a texel.
 Mesh islands() {
     Mesh mesh = *make_shape("plane");
     mesh.uvs[0] = {};
@@ -185,7 +185,7 @@ Program uv_program(SurfaceInput set = SurfaceInput::uv0_) {
 TEST(BakeRows, ATexelThatIsOwnedByRoundingIsOfItsTrianglesBorder) {
     Mesh mesh = islands();
     mesh.indices = {0, 1, 2};
-    const float left = 10.501F / 128;  // a corner's place is rounded to 1/256: the centres' column
+    const float left = 10.501F / 128;  // rounds to a centre: raster corners are in 1/256 texel
     mesh.uvs[0] = {{left, 0.1F}, {0.9F, 0.5F}, {left, 0.9F}, {}, {}, {}};
     mesh.uvs[1] = mesh.uvs[0];
     for (const char* set : instruction_sets) {
@@ -204,7 +204,7 @@ TEST(BakeRows, ATexelThatIsOwnedByRoundingIsOfItsTrianglesBorder) {
     unsetenv("WRINKLE_ISA");
 }
 
-// Over several rows of tiles.
+// Covers several rows of tiles.
 constexpr BakeHow bare_how = {.width = 128, .height = 320, .samples = 4};
 constexpr int reach = 11;
 
@@ -217,7 +217,7 @@ LanePicture dilated(uint32_t first = 0, uint32_t last = 320) {
     return bake_lanes(islands(), uv_program(), how);
 }
 
-// Calls `see` with the place of each covered texel that is near, and its distance's square.
+// Calls `see` with the position of each covered texel within `reach` and its squared distance.
 template <class See>
 void around(const LanePicture& bare, uint32_t x, uint32_t y, const See& see) {
     for (int j = -reach; j <= reach; ++j)
@@ -241,7 +241,7 @@ TEST(BakeRows, DilationTakesTheNearest) {
             ASSERT_EQ(wide.covered_at(x, y), expected) << x << ", " << y;
             if (expected == 0) continue;
             filled += expected == 2;
-            bool found = false;  // among those as near as that
+            bool found = false;  // among the nearest texels
             around(bare, x, y, [&](uint32_t i, uint32_t j, int d) {
                 found = found || (d == least && std::memcmp(wide.at(x, y), bare.at(i, j), 8) == 0);
             });
@@ -268,7 +268,7 @@ TEST(BakeRows, AnEdgeTexelIsTheMeanOfWhatIsCoveredOfIt) {
         for (uint32_t x = 0; x < 128; ++x) {
             if (!picture.covered_at(x, y)) continue;
             const float* uv = picture.at(x, y);
-            // Within its texel, and off the centre where the island ends.
+            // The sample is within its texel, and off its centre at the border of an island.
             EXPECT_NEAR(uv[0] * 128, x + 0.5, 0.5);
             EXPECT_NEAR(uv[1] * 128, y + 0.5, 0.5);
             const bool centre = std::hypot(uv[0] * 128 - x - 0.5, uv[1] * 128 - y - 0.5) < 1e-4;

@@ -1,4 +1,4 @@
-// The normal that a height resolves to, against the triangles that the same height moved.
+// Tests of displacement: normals resolved from a height, against the displaced triangles.
 #include "bake/displace.h"
 
 #include <gtest/gtest.h>
@@ -17,7 +17,7 @@ namespace {
 
 using glm::dvec3;
 
-// Outputs "displacement" and "normal", of one height "h.height" that these nodes make.
+// A module with the outputs "displacement" and "normal" of the height "h.height" of `nodes`.
 Module module_of(const std::string& nodes) {
     const std::string text =
         R"({"wrinkle": 1, "nodes": {)" + nodes +
@@ -33,7 +33,7 @@ Module module_of(const std::string& nodes) {
     return compiled.module;
 }
 
-// Of the drawn triangles round each vertex, weighted by area; vertices at seams have half of them.
+// Area-weighted normals of the displaced triangles at each vertex; seam vertices get half of them.
 std::vector<dvec3> normals_of_triangles(const Mesh& mesh) {
     std::vector<dvec3> sums(mesh.vertex_count(), dvec3(0));
     for (size_t t = 0; t < mesh.indices.size(); t += 3) {
@@ -46,8 +46,8 @@ std::vector<dvec3> normals_of_triangles(const Mesh& mesh) {
 }
 
 struct Angles {
-    double resolved = 0;  // mean, of the resolved normals and of the bare ones,
-    double bare = 0;      // against those of the triangles
+    double resolved = 0;  // mean angles of the resolved and of
+    double bare = 0;      // the bare normals to the triangles
 };
 
 Angles compare(Mesh mesh, const std::string& nodes) {
@@ -72,7 +72,7 @@ Mesh fine_plane() {
     return subdivided(*make_shape("plane"), 0.012F);
 }
 
-// Without the facets of the shape, whose own normals are up to a degree off.
+// A sphere without the facets of the shape, which turn normals by up to a degree.
 Mesh fine_sphere() {
     Mesh mesh = subdivided(*make_shape("sphere"), 0.02F);
     for (size_t i = 0; i < mesh.vertex_count(); ++i)
@@ -106,8 +106,8 @@ TEST(Displace, TheResolvedNormalIsThatOfTheMovedTriangles) {
     EXPECT_GT(sphere.bare, 2);
 }
 
-// On a curved surface a height turns what it lifts: the part that surface gradients leave out,
-// height over radius.
+// On a curved surface the normal also turns by a term of the order height / radius, which surface
+// gradients omit.
 TEST(Displace, TheErrorOnACurvedSurfaceGrowsWithTheHeight) {
     const Angles high = compare(fine_sphere(), noise("0.15"));
     EXPECT_LT(high.resolved, 0.15 * high.bare);

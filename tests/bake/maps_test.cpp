@@ -1,4 +1,5 @@
-// What maps hold: against frames put together by hand, analytic slopes, and graphs that read them.
+// Tests of baked maps: against frames built by hand, analytic slopes, and graphs that read the
+// maps.
 #include "bake/maps.h"
 
 #include <gtest/gtest.h>
@@ -21,7 +22,7 @@ std::string graph(const char* name) {
     return bytes_of(std::string(WRINKLE_SOURCE_DIR "/graphs/") + name);
 }
 
-// A wave along u, of this height in object space, with its normal.
+// A wave along u with amplitude `amount` in object space, with its normal.
 Module wave(const char* amount = "0.05") {
     return bake_module(
         R"("s": {"type": "separate_vec2", "in": {"vector": {"from": "surface.uv0"}}},
@@ -60,7 +61,7 @@ Stored stored(const Mesh& mesh, const BakePlan& plan, size_t map, BakeHow how = 
     return result;
 }
 
-// n = m.x T + m.y B + m.z N with the interpolated vectors of the mesh, nothing normalised.
+// n = m.x T + m.y B + m.z N with the interpolated vectors of the mesh, not normalised.
 dvec3 in_object_space(const SurfacePoint& point, const float* texel) {
     const dvec3 t(point.value.tangent);
     const dvec3 b = glm::cross(point.value.normal, t) * (point.value.tangent.w > 0 ? 1.0 : -1.0);
@@ -74,7 +75,7 @@ TEST(BakedMaps, TangentNormalsAreThoseOfObjectSpace) {
     const Module module = bake_module_of(graph("noise_rock.json"));
     for (const char* name : {"torus", "teapot", "sphere"}) {
         Mesh mesh = *make_shape(name);
-        // A mirrored copy of the layout: the other handedness.
+        // Mirrors the layout, for the other handedness.
         if (std::string(name) == "torus") {
             for (size_t i = 0; i < mesh.vertex_count(); ++i) {
                 mesh.uvs[0][i].x = 1 - mesh.uvs[0][i].x;
@@ -122,7 +123,7 @@ TEST(BakedMaps, AFlatSurfaceIsStraightUpWithAndWithoutTangents) {
     }
 }
 
-// The plane is 2 across: du = 1 is two units of length.
+// The plane has side length 2: du = 1 is two units of length.
 TEST(BakedMaps, AWaveHasItsAnalyticNormalDerivativeAndSlopes) {
     MapOptions options;
     options.width = 200;
@@ -251,7 +252,7 @@ TEST(BakedMaps, APackHoldsTheChannelsOfOthers) {
     const Stored normal = stored(plane, *plan, 0), height = stored(plane, *plan, 1),
                  packed = stored(plane, *plan, 2);
     ASSERT_EQ(packed.channels, 4U);
-    EXPECT_EQ(plan->lanes, 4U);  // nothing is computed twice
+    EXPECT_EQ(plan->lanes, 4U);  // no value is computed twice
     for (uint32_t x = 0; x < 128; x += 7) {
         EXPECT_EQ(packed.at(x, 3)[0], normal.at(x, 3)[2]);
         EXPECT_EQ(packed.at(x, 3)[1], 0);

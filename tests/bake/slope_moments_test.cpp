@@ -1,5 +1,5 @@
-// The second moments of baked slopes where a texel of the map is many of a picture: against slopes
-// that are known at every texel of the picture, and against the same graph baked as fine as that.
+// Tests of the second moments of baked slopes if a texel of the map covers many of the texture:
+// against slopes known at every texel of the texture, and against a bake at its resolution.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -15,12 +15,12 @@ namespace wrinkle::test {
 namespace {
 
 constexpr uint32_t fine = 1024, coarse = 256, block = fine / coarse;
-constexpr double plane_side = 2;  // in units of length, over which uv goes from 0 to 1
+constexpr double plane_side = 2;  // in units of length, for uv from 0 to 1
 
 using Slope = std::array<double, 2>;
 using Moments = std::array<double, 3>;  // ss, tt, st with t downwards
 
-// Waves of some texels in one direction more than in others, on a long one.
+// Anisotropic waves with a period of a few texels, plus long waves.
 Slope slope_at(double u, double v) {
     const auto wave = [&](int across, int up, double phase) {
         return std::cos(2 * std::numbers::pi * (across * u + up * v) + phase);
@@ -43,7 +43,7 @@ Picture picture_of(std::array<double, 3> (*color)(Slope)) {
         std::make_shared<const MipChain>(build_mips(std::move(image))));
 }
 
-// By the file's name, as graphs write it.
+// Returns the texture for a file name of a graph.
 const Picture& picture_named(const std::string& name) {
     static const Picture normals = picture_of([](Slope s) {
         const double k = 0.5 / std::hypot(s[0], s[1], 1);
@@ -57,8 +57,8 @@ const Picture& picture_named(const std::string& name) {
     return name.ends_with("_slopes.png") ? slopes : moments;
 }
 
-// Lanes of a program on a shape. What is read as large as it is is read texel by texel: between
-// texels waves this short would be lost.
+// Bakes a program on a shape. A bake at the resolution of the textures reads them with the nearest
+// texel, as interpolation would lose waves this short.
 LanePicture baked(const char* shape, const BakePlan& plan, uint32_t size) {
     std::vector<Texture> textures;
     for (const Resource& resource : plan.resources) {
@@ -77,7 +77,7 @@ constexpr const char* moments_map =
     R"({"type": "slope_moments_map", "in": {"slopes": "textures/pebbles_slopes.png",
         "moments": "textures/pebbles_moments.png", "scale": "unit")";
 
-// The gradient of this name among the nodes, baked: b0 to b5 by texel.
+// Bakes the slopes of the node "bump": channels b0 to b5 per texel.
 LanePicture baked_slopes(const std::string& nodes, uint32_t size) {
     const Module module = bake_module(
         nodes + R"(, "end": {"type": "resolve", "in": {"gradient": {"from": "bump.gradient"}}})",
@@ -103,7 +103,7 @@ Moments products(const float* texel) {
     return {double(texel[1]) * texel[1], double(texel[2]) * texel[2], double(texel[1]) * texel[2]};
 }
 
-// Of the slopes themselves, at the texels of the pictures that a baked one covers.
+// Mean products of the slopes over the texels of the texture that a baked texel covers.
 Moments known_moments(uint32_t x, uint32_t y) {
     constexpr double texel = plane_side / coarse;
     Moments sum{};
@@ -118,7 +118,7 @@ Moments known_moments(uint32_t x, uint32_t y) {
 }
 
 struct Errors {
-    double with = 0, without = 0;  // mean, over the mean trace
+    double with = 0, without = 0;  // mean error, relative to the mean trace
 };
 
 Errors errors_of(const std::string& bump) {
@@ -144,14 +144,14 @@ TEST(BakedMoments, AreThoseOfTheSlopesWithinATexel) {
     EXPECT_GT(errors.without, 0.5);
 }
 
-// From the length of the mean normal: alike in all directions, so only nearly right.
+// The moments come from the length of the mean normal: isotropic, so only approximate.
 TEST(BakedMoments, OfANormalMapAreNearlyThose) {
     const Errors errors = errors_of(std::string(normal_map) + "}}");
     EXPECT_LT(errors.with, 0.3);
     EXPECT_GT(errors.without, 0.5);
 }
 
-// Over the whole map, of the fine bake in units of the coarse one.
+// Compares the moments over the map with those of the fine bake, in units of the coarse texel.
 void expect_means_of_the_fine_bake(const std::string& nodes, double tolerance) {
     Moments small{}, large{}, alone{};
     const LanePicture map = baked_slopes(nodes, coarse), truth = baked_slopes(nodes, fine);
@@ -170,7 +170,7 @@ void expect_means_of_the_fine_bake(const std::string& nodes, double tolerance) {
     const double trace = large[0] + large[1];
     for (size_t k = 0; k < 3; ++k)
         EXPECT_NEAR(small[k], large[k], tolerance * trace) << k;
-    EXPECT_GT(std::fabs(large[2]), 4 * tolerance * trace);  // or frames turned would not be seen
+    EXPECT_GT(std::fabs(large[2]), 4 * tolerance * trace);  // or rotated frames would not show
     EXPECT_LT(alone[0] + alone[1], 0.6 * trace);
 }
 
@@ -185,7 +185,7 @@ TEST(BakedMoments, OfLayersAreThoseOfTheirSum) {
                                   0.01);
 }
 
-// What is kept for the moments changes no bit of what is baked beside them, nor of a map alone.
+// The moments change no bit of other maps baked in the same run, nor of a map baked separately.
 TEST(BakedMoments, LeaveOtherMapsAsTheyAre) {
     for (const char* name : {"base_and_detail.json", "woven_strap.json", "far_away.json"}) {
         const std::string text = bytes_of(std::string(WRINKLE_SOURCE_DIR "/graphs/") + name);

@@ -1,4 +1,4 @@
-// What the tests of bakes share: graphs compiled for them, and whole pictures of lanes.
+// Helpers of the bake tests: graphs compiled for a bake, and complete images of lanes.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@
 
 namespace wrinkle::test {
 
-// A graph of these nodes and outputs (JSON objects without braces), compiled for a bake.
+// Compiles a graph of these nodes and outputs (JSON objects without braces) for a bake.
 Module bake_module(const std::string& nodes, const std::string& outputs, bool tangents = true);
 Module bake_module_of(const std::string& text, bool tangents = true,
                       Covariances covariances = Covariances::kept);
@@ -29,7 +29,7 @@ struct LanePicture {
     std::vector<uint8_t> covered;
     BakeFindings findings;
 
-    // Row y from the bottom.
+    // The lanes of texel (x, y); row 0 is the bottom row.
     const float* at(uint32_t x, uint32_t y) const { return values.data() + texel(x, y) * lanes; }
     uint8_t covered_at(uint32_t x, uint32_t y) const { return covered[texel(x, y)]; }
 

@@ -1,4 +1,4 @@
-// Lists of problems: their text, their JSON, and what is kept when there are too many.
+// Tests of lists of diagnostics: text, JSON, and the limit on their number.
 #include "base/diagnostics.h"
 
 #include <gtest/gtest.h>

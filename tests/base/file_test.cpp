@@ -1,4 +1,4 @@
-// Files that appear whole or not at all, and paths that stay inside their root.
+// Tests of atomic writes, and of paths that stay inside their root.
 #include "base/file.h"
 
 #include <fcntl.h>
@@ -27,7 +27,7 @@ TEST_F(Files, ComeBackByteForByte) {
     const std::string bytes("a\0\r\n\xFF", 5);
     ASSERT_TRUE(write_file(folder_ / "x", bytes, why_)) << why_;
     EXPECT_EQ(read_file(folder_ / "x", why_), bytes);
-    EXPECT_EQ(std::distance(fs::directory_iterator(folder_), {}), 2);  // nothing temporary
+    EXPECT_EQ(std::distance(fs::directory_iterator(folder_), {}), 2);  // no temporary file is left
 }
 
 TEST_F(Files, SyncedOnesKeepModeAndLinkAndGiveTheSystemsError) {
@@ -96,7 +96,7 @@ TEST_F(Files, APipeWithoutAReaderIsAnError) {
     EXPECT_EQ(why_, "cannot be written: it is a pipe that no program reads");
 }
 
-// Written to as it is; its reader is there already, so opening does not wait.
+// Written in place; the reader exists already, so opening does not block.
 TEST_F(Files, APipeIsWrittenTo) {
     const fs::path pipe = folder_ / "pipe";
     ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
@@ -110,7 +110,7 @@ TEST_F(Files, APipeIsWrittenTo) {
     auto beside = Temporary::beside(pipe, error);
     ASSERT_TRUE(beside && !beside->write("again"));
     ASSERT_TRUE(replace_file(*beside, pipe, why_)) << why_;
-    EXPECT_EQ(std::distance(fs::directory_iterator(folder_), {}), 2);  // nothing temporary
+    EXPECT_EQ(std::distance(fs::directory_iterator(folder_), {}), 2);  // no temporary file is left
     EXPECT_EQ(read(reader, bytes, sizeof bytes), 5);
     close(reader);
 }
@@ -122,7 +122,7 @@ TEST_F(Files, SeveralAppearTogetherOrNotAtAll) {
     EXPECT_FALSE(write_files(bad, why_));
     EXPECT_NE(why_.find("missing"), why_.npos) << why_;
     EXPECT_EQ(read_file(folder_ / "a", why_), "1");
-    EXPECT_EQ(std::distance(fs::directory_iterator(folder_), {}), 3);  // nothing temporary
+    EXPECT_EQ(std::distance(fs::directory_iterator(folder_), {}), 3);  // no temporary file is left
 }
 
 TEST_F(Files, PathsStayInside) {
@@ -139,7 +139,7 @@ TEST_F(Files, PathsStayInside) {
     EXPECT_EQ(real_path(folder_ / "alias" / "new.png"), real_path(folder_ / "inner") / "new.png");
 }
 
-// The system's own answer about the folder, and then the rest of the path.
+// The canonical path of the folder, followed by the rest of the path.
 TEST_F(Files, PathsOfWhatIsNotThereAreThoseOfItsFolder) {
     const fs::path inner = fs::canonical(folder_) / "inner";
     fs::create_directories(inner);

@@ -1,4 +1,4 @@
-// Outputs that would replace an input, or one another, by whatever name.
+// Tests for outputs that would overwrite an input or another output, under any path.
 #include "base/overwrite.h"
 
 #include <gtest/gtest.h>
@@ -40,7 +40,7 @@ TEST_F(Overwrite, OtherFilesMayBeWritten) {
 }
 
 TEST_F(Overwrite, TwoOutputsOfOneFileAreFound) {
-    fs::create_symlink("b", at("link"));  // to what does not exist yet
+    fs::create_symlink("b", at("link"));  // the target does not exist yet
     EXPECT_NE(overwrite_fault(Paths{at("b"), at("link")}, {}), "");
     EXPECT_NE(overwrite_fault(Paths{at("new"), at("./new")}, {}), "");
     EXPECT_NE(overwrite_fault(Paths{at("missing/x"), at("missing/../missing/x")}, {}), "");

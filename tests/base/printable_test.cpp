@@ -1,4 +1,4 @@
-// What is shown of texts that come from files.
+// Tests of the printable form of text that comes from files.
 #include "base/printable.h"
 
 #include <gtest/gtest.h>

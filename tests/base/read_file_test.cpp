@@ -1,4 +1,4 @@
-// One rule for what is read: regular files of a limited size; streams where they are named.
+// Tests of reading files: regular files of limited size; streams only where they are named.
 #include <gtest/gtest.h>
 #include <sys/socket.h>
 #include <sys/stat.h>
@@ -15,10 +15,10 @@ namespace fs = std::filesystem;
 
 class ReadFile : public testing::Test {
 protected:
-    void SetUp() override { alarm(60); }  // a read that waits ends the program
+    void SetUp() override { alarm(60); }  // a blocking read ends the program
     void TearDown() override { alarm(0); }
 
-    // Why `name` in the folder, and a link to it, cannot be read.
+    // Expects that reading `name` in the folder, or a link to it, fails with this reason.
     void expect_refused(const fs::path& path, const std::string& reason) {
         const fs::path link = folder_.path() / "link";
         fs::remove(link);

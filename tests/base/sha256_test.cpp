@@ -5,8 +5,8 @@
 namespace wrinkle {
 namespace {
 
-// The examples of FIPS 180-4, and lengths about the ends of a block as coreutils' sha256sum has
-// them (`head -c N /dev/zero | tr '\0' a | sha256sum`).
+// The examples of FIPS 180-4, and lengths around block borders as printed by coreutils' sha256sum
+// (`head -c N /dev/zero | tr '\0' a | sha256sum`).
 TEST(Sha256, GivesThePublishedSums) {
     EXPECT_EQ(sha256(""), "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855");
     EXPECT_EQ(sha256("abc"), "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");

@@ -1,5 +1,4 @@
-// Files under temporary names: what a killed program left is removed, what a living one writes is
-// not.
+// Tests of temporary files: those of a killed process are removed, those of a live process are not.
 #include "base/temporary.h"
 
 #include <gtest/gtest.h>
@@ -26,7 +25,7 @@ protected:
     fs::path target_ = folder_.path() / "out.png";
 };
 
-// A process that has made a Temporary, and waits.
+// Starts a process that has created a Temporary and waits.
 pid_t process_with_temporary(const fs::path& target) {
     int ends[2];
     EXPECT_EQ(pipe(ends), 0);
@@ -74,7 +73,7 @@ TEST_F(TemporaryFile, OfAKilledProcessIsRemovedByTheNextAndOfALivingOneIsKept) {
     EXPECT_EQ(count(), 3u);
     {
         const auto made = Temporary::beside(target_, error_);
-        EXPECT_EQ(count(), 3u);  // the living one's, this one and the other file
+        EXPECT_EQ(count(), 3u);  // the file of the live process, this one, and the other file
     }
     kill(living, SIGKILL);
     waitpid(living, nullptr, 0);

@@ -1,4 +1,4 @@
-// Spellings, names, suggestions and UTF-8.
+// Tests of spellings, names, suggestions and UTF-8.
 #include "base/text.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// Our transcendental functions against the C library's in long double, over their whole domains.
+// Tests of the transcendental functions against the C library in long double, over their domains.
 #include "base/transcendental.h"
 
 #include <gtest/gtest.h>
@@ -17,10 +17,10 @@ struct Function {
     double (*ours)(double);
     float (*ours_float)(float);
     Wide (*theirs)(Wide);
-    double low, high;               // arguments, evenly spread
-    double relative;                // what the header promises for double
+    double low, high;               // arguments, evenly spaced
+    double relative;                // bound documented in the header, for double
     double absolute = 0;            // the same, for results near 0
-    bool spread_exponents = false;  // arguments spread over powers of two instead
+    bool spread_exponents = false;  // arguments evenly spaced over powers of two instead
 };
 
 const Function functions[] = {
@@ -68,7 +68,7 @@ TEST(Transcendental, DoublesKeepTheirPromise) {
     }
 }
 
-// How many floats lie between, counting from the smaller one.
+// Number of float steps between a and b.
 int64_t floats_apart(float a, float b) {
     const auto order = [](float x) {
         const auto bits = std::bit_cast<int32_t>(x);
@@ -129,7 +129,7 @@ TEST(Transcendental, AnglesOfPoints) {
     EXPECT_DOUBLE_EQ(math::atan2(1e-300, 1e300), 0);
 }
 
-// The bits themselves, recorded once: gcc, clang and every -march must give them.
+// Recorded bits: gcc, clang and every -march must reproduce them.
 TEST(Transcendental, EveryCompilerGivesTheseBits) {
     uint64_t state = 1, hash = 14695981039346656037u;
     const auto add = [&](double value) {

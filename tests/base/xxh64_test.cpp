@@ -13,12 +13,12 @@ std::string sum_of(const std::string& bytes, size_t piece) {
     Xxh64 sum;
     for (size_t at = 0; at < bytes.size(); at += piece) {
         sum.add(std::as_bytes(std::span(bytes).subspan(at, std::min(piece, bytes.size() - at))));
-        sum.digest();  // changes nothing
+        sum.digest();  // digest() does not change the state
     }
     return sum.digest();
 }
 
-// As xxh64sum 0.8.1 prints them (`head -c N /dev/zero | tr '\0' a | xxh64sum`).
+// Checksums printed by xxh64sum 0.8.1 (`head -c N /dev/zero | tr '\0' a | xxh64sum`).
 TEST(Xxh64, BytesInAnyPiecesGiveTheSumOfXxh64sum) {
     const std::pair<size_t, const char*> sums[] = {
         {0, "ef46db3751d8e999"},  {1, "d24ec4f1a98c6e5b"},  {3, "ae01f066e602375b"},
@@ -30,7 +30,7 @@ TEST(Xxh64, BytesInAnyPiecesGiveTheSumOfXxh64sum) {
             EXPECT_EQ(sum_of(std::string(size, 'a'), piece), sum) << size << " by " << piece;
 }
 
-// `seq 100 | xxh64sum`
+// Output of `seq 100 | xxh64sum`
 TEST(Xxh64, BytesThatDifferGiveTheSumOfXxh64sum) {
     std::string bytes;
     for (int i = 1; i <= 100; ++i)

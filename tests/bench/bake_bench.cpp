@@ -1,7 +1,7 @@
-// How long one map takes from a project, a mesh and images in memory to the rows that a file would
-// hold: `wrinkle_bake_bench GRAPH ROOT MESH MAP SIZE TIMES` prints seconds by the wall's clock and
-// those that processors gave, a line each. The graph is lowered, the map planned and the layout
-// drawn in every one of them. MESH is a file or the name of a shape.
+// Benchmark of baking one map, from a project, a mesh and images in memory to the rows of a file:
+// `wrinkle_bake_bench GRAPH ROOT MESH MAP SIZE TIMES` prints wall time and processor time in
+// seconds, one line per run. Every run includes lowering the graph, planning the map and
+// rasterising the layout. MESH is a file or the name of a shape.
 #include <time.h>
 
 #include <chrono>
@@ -46,7 +46,7 @@ bool load(char** words, Loaded& loaded, Diagnostics& diagnostics) {
     return !diagnostics.has_errors();
 }
 
-// The bytes of all rows; 0 with errors.
+// Bakes once; returns the size of all rows in bytes; 0 on errors.
 size_t bake_once(const Loaded& loaded, const std::string& map, uint32_t size,
                  Diagnostics& diagnostics) {
     const Compiled compiled =

@@ -1,7 +1,7 @@
-// What the border costs: lowering every sample graph with the nodes linked in, and with the same
-// nodes loaded as a plugin. Both record through the same C builder (wrinkle/plugin.h); what differs
-// is whose code calls it, and that a loaded node's code is looked up. Reading, checking and writing
-// text stand outside of what is measured. The two are measured by turns; medians are compared.
+// Benchmark of the plugin interface: lowers every sample graph with the nodes linked in, and with
+// the same nodes loaded as a plugin. Both record through the same C builder (wrinkle/plugin.h);
+// they differ in the code that calls it and in the lookup of a loaded node's code. Reading,
+// checking and writing source are not measured. The two alternate; the medians are compared.
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
@@ -19,11 +19,11 @@ using namespace wrinkle;
 namespace fs = std::filesystem;
 
 constexpr int rounds = 41;
-constexpr int times = 3;  // a graph is lowered in a round
+constexpr int times = 3;  // lowerings of a graph per round
 
 struct Kind {
     Registry registry;
-    std::vector<Types> types;  // of each project
+    std::vector<Types> types;  // one per project
     std::vector<double> milliseconds;
 };
 
@@ -35,7 +35,7 @@ std::vector<Project> projects(Diagnostics& diagnostics) {
     return all;
 }
 
-// Every graph once; how many instructions there were.
+// Lowers every graph once; returns the number of instructions.
 size_t lower_all(const std::vector<Project>& all, const Kind& kind, Diagnostics& diagnostics) {
     size_t instructions = 0;
     for (size_t i = 0; i < all.size(); ++i)

@@ -1,6 +1,6 @@
-// What the canvas costs the thread that draws the window, without a window: milliseconds per frame
-// at several sizes and zooms, picking, laying out, and what follows an edit. Every frame pans or
-// zooms and moves the pointer; times are processor time of draw_canvas() alone, not rasterising.
+// Benchmark of the canvas on the UI thread, without a window: milliseconds per frame at several
+// sizes and zooms, hit tests, layout, and the work after an edit. Every frame pans or zooms and
+// moves the pointer; times are processor time of draw_canvas() only, without rasterising.
 #include <imgui.h>
 
 #include <time.h>

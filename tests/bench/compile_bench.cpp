@@ -1,5 +1,6 @@
-// JSON text in, GLSL text out: chains of layers, nested sub-graphs, and the samples. Sub-graphs are
-// read from their files; whether images are there is looked up, as `wrinkle compile` does.
+// Benchmark of compilation from JSON to GLSL: chains of layers, nested sub-graphs, and the samples.
+// Sub-graphs are read from their files, and the presence of images is checked, as `wrinkle compile`
+// does.
 #include <benchmark/benchmark.h>
 #include <stdlib.h>
 
@@ -44,7 +45,7 @@ size_t reads_in(const std::string& glsl) {
     return count;
 }
 
-// The text that comes out; "" with an error reported.
+// Returns the generated source; "" after reporting an error.
 std::string measure(benchmark::State& state, const std::string& text, const fs::path& file) {
     std::string glsl;
     for (auto _ : state) {
@@ -60,7 +61,7 @@ std::string measure(benchmark::State& state, const std::string& text, const fs::
     return glsl;
 }
 
-// Each layer is read as often as one layer by itself, or something merged.
+// Skips with an error if texture reads of different layers were merged.
 void layers(benchmark::State& state, const bench::Layering& layering) {
     Diagnostics ignored;
     const fs::path file = graphs / "bench.json";

@@ -1,6 +1,6 @@
-// What an edit, its undo and its redo cost the thread that draws the window, the compiler on a
-// thread of its own: the step and refresh(), keeping it for recovery, and later the refresh() that
-// takes what the compiler made. Processor and wall time, median and 95 of 100.
+// Benchmark of an edit, its undo and its redo on the UI thread, with the compiler on its own
+// thread: the command and refresh(), the write to the recovery journal, and later the refresh()
+// that takes the compiler's result. Processor and wall time, median and 95th percentile.
 #include <imgui.h>
 #include <unistd.h>
 
@@ -111,7 +111,7 @@ void measure_all(const Registry& registry, const Fonts& fonts, int count, int ti
     state.keeping.folders.state = folder;
     Diagnostics problems;
     state.history = History(read_document(field_graph(count), "bench.json", problems));
-    // From here on the text is canonical; what was read is written back byte by byte.
+    // From here on the text is canonical; an unedited document is written back byte by byte.
     state.commit("first", move_node(state.document(), "n0", 8, 8));
     refresh(state);
     compiler.settle();

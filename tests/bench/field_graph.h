@@ -1,5 +1,5 @@
-// A graph for measuring: a field of nodes in rows, each with up to two wires from near ones before
-// it, three wires for two nodes; the last one depends on all and is the graph's normal.
+// A benchmark graph: rows of nodes, each with up to two links from earlier nearby ones, three links
+// for two nodes; the last node depends on all and is the graph's normal.
 #pragma once
 
 #include <algorithm>

@@ -1,7 +1,7 @@
-// Graphs for measuring, as JSON text that lies in graphs/.
+// Benchmark graphs, as JSON text of files in graphs/.
 //
-// Layers cycle through the pictures of graphs/textures, each with a tiling of its own, so that no
-// two reads are one. tests/bench/peers makes the same chains for other programs.
+// Layers cycle through the images of graphs/textures, each with a different tiling, so that no two
+// texture reads are equal. tests/bench/peers builds the same chains for other programs.
 #pragma once
 
 #include <array>
@@ -14,10 +14,10 @@ inline constexpr std::array<const char*, 8> images = {
     "rivets_normal", "weave_normal",  "ball_object",    "pebbles_slopes",
     "weave_height",  "bricks_height", "pebbles_height", "patches_mask"};
 
-// What makes a layer of a picture, what joins two layers, and how their output is called.
+// The node types that make a layer from an image and join two layers, and their output port.
 struct Layering {
-    const char* source;   // a type of node
-    const char* options;  // of its inputs, ending in ", "
+    const char* source;   // a node type
+    const char* options;  // its inputs as JSON, ending in ", "
     const char* join;
     const char* output;
 };
@@ -50,7 +50,8 @@ inline std::string chain(const Layering& layering, int64_t layers) {
            "}}}, \"outputs\": {\"normal\": " + from("end.normal") + "}}";
 }
 
-// Level n of nested graphs, in level_n.json: what its input `x` is at two places of level n - 1.
+// Level n of nested graphs, in level_n.json: it adds the results of level n - 1 at x / 2 and at
+// x + 0.25; level 0 is x * x.
 inline std::string nested_level(int64_t level) {
     const std::string head =
         "{\"wrinkle\": 1, \"inputs\": {\"x\": {\"type\": \"float\", \"default\": 0}}, \"nodes\": {";
@@ -69,7 +70,7 @@ inline std::string nested_level(int64_t level) {
            ", \"b\": " + from("right.result") + "}}" + tail;
 }
 
-// Uses level `depth`.
+// A graph that uses level `depth`.
 inline std::string nested_top(int64_t depth) {
     return "{\"wrinkle\": 1, \"nodes\": {\"split\": {\"type\": \"separate_vec2\", \"in\": "
            "{\"vector\": " +

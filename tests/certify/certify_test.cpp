@@ -1,5 +1,5 @@
-// Certification names what is wrong with a node, where, and by how much; a node that is fine
-// passes.
+// Tests that certification reports each fault of a node with its location and size, and that a
+// correct node passes.
 #include "certify/certify.h"
 
 #include <gtest/gtest.h>
@@ -37,7 +37,7 @@ protected:
         return type ? certify(*type, {nodes(), pictures->path(), true, {}}) : Report{};
     }
 
-    // "check: port: message (remedy)" of every finding.
+    // Formats every finding as "check: port: message (remedy)".
     static std::vector<std::string> sentences(const std::string& id) {
         const Report report = of(id);
         std::vector<std::string> list;

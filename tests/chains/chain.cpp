@@ -7,7 +7,8 @@
 namespace wrinkle::test {
 namespace {
 
-// 0: it takes nothing of this type. A base is a normal of a special kind: one that was resolved.
+// Rank of the work needed by a link: 3 for a field, 2 with a conversion, 1 without. 0 if the input
+// does not take this type. The input "base" is excluded, as it takes only resolved normals.
 int work(const Port& input, PortType from) {
     if (!input.is_value() || input.type == PortType::image_) return 0;
     const Conversion how = conversion(from, input.type);
@@ -16,7 +17,7 @@ int work(const Port& input, PortType from) {
     return how == Conversion::same || how == Conversion::rename ? 1 : 2;
 }
 
-// What drives an input of this type; the nodes are those of `seeds`.
+// Source for an input of this type; the nodes are those of `seeds`.
 std::string source(PortType type) {
     switch (type) {
         case PortType::vec2_:
@@ -46,7 +47,7 @@ std::string wire(const std::string& port, const std::string& from) {
     return "\"" + port + "\": {\"from\": \"" + from + "\"}";
 }
 
-// `from`: what the linked inputs read; "" of the first node, which reads sources.
+// `from`: the node read by the linked inputs; "" for the first node, which reads sources.
 std::string node(const std::string& id, const Link& link, const std::string& from) {
     std::string in;
     const auto put = [&](const std::string& text) { in += (in.empty() ? "" : ", ") + text; };

@@ -1,4 +1,4 @@
-// Graphs of two node types in turn, one behind the other: what grows with every link shows here.
+// Graphs of two alternating node types in a chain; they expose costs that grow with each link.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace wrinkle::test {
 
-// How one node reads another.
+// How one node type reads another.
 struct Link {
     const NodeType* from;
     const NodeType* to;
@@ -16,14 +16,15 @@ struct Link {
     std::vector<std::string> inputs;
 };
 
-// Every legal way from one type to the other is one of these: through one input, the one that takes
-// the most work (a field, then a conversion), or through all inputs that take the output's type.
+// Every legal connection from one type to the other is one of these: through the one input that
+// needs the most work (a field, then a conversion), or through all inputs that take the output's
+// type.
 enum class Wiring : uint8_t { one_input, all_inputs };
 
-// No inputs where nothing of `from` fits `to`.
+// The link has no inputs if no output of `from` fits an input of `to`.
 Link link(const NodeType& from, const NodeType& to, Wiring wiring);
 
-// The text of a graph whose nodes are a, b, a, b ... The first reads a wave of the surface's uv0,
+// JSON of a graph with the nodes a, b, a, b ... The first node reads a wave of the surface's uv0,
 // and so do inputs that need a wire.
 std::string chain(const Link& there, const Link& back, int length);
 

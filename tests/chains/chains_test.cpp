@@ -1,10 +1,10 @@
-// Any two node types in turn, thirty nodes in a row: each graph becomes a text, or is refused in
-// words that name a node, and neither takes long or much memory.
+// Tests of chains of thirty nodes that alternate between two node types: each graph compiles or is
+// refused with a diagnostic that names a node, within limits on time and memory.
 //
-// WRINKLE_ALL_CHAINS=1 runs every ordered pair within the usual limits, which takes half an hour of
-// a core. Else each node type meets itself, and the first type of each kind the first of each other
-// kind, within limits that are a part as high: types are of one kind that are of one family and
-// give the same types, from a field or not.
+// WRINKLE_ALL_CHAINS=1 runs every ordered pair within the usual limits, which takes half an hour on
+// one core. Otherwise each node type is paired with itself, and the first type of each kind with
+// the first of each other kind, within limits 40 times lower. A kind has one family and one list of
+// output types, from a field or not.
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 
@@ -29,7 +29,7 @@ namespace {
 
 constexpr int length = 30;
 #if defined(__SANITIZE_ADDRESS__)
-constexpr auto hang = std::chrono::seconds(60);  // some ten times as slow
+constexpr auto hang = std::chrono::seconds(60);  // about ten times the usual time
 #else
 constexpr auto hang = std::chrono::seconds(5);
 #endif
@@ -49,7 +49,7 @@ bool all_chains() {
     return wanted && *wanted;
 }
 
-// Of the usual limits.
+// The usual limit, divided by 40 unless all chains run.
 uint64_t share_of(Limit limit) {
     return limit_of(limit) / (all_chains() ? 1 : 40);
 }
@@ -91,7 +91,7 @@ enum class Outcome : uint8_t { text, refused, illegal };
 
 struct Ended {
     Outcome outcome = Outcome::text;
-    std::string wrong;  // "" where all is well
+    std::string wrong;  // "" if no error was found
     size_t bytes = 0;
     double seconds = 0;
 };
@@ -130,7 +130,7 @@ Ended run(const Case& each, const std::filesystem::path& folder) {
     return ended;
 }
 
-// Everything that is wrong, and how many ended how.
+// Failures, refusals, counts by outcome, and the slowest chain.
 struct Survey {
     std::array<size_t, 3> count{};
     double slowest = 0;

@@ -1,5 +1,5 @@
-// Graphs that are wrong in every way that an issue or a user thought of: each is reported at its
-// place with exit code 1, and nothing is written.
+// Tests of invalid graphs: each error is reported at its location with exit code 1, and no file is
+// written.
 #include <sys/stat.h>
 
 #include <algorithm>
@@ -14,7 +14,7 @@ namespace {
 struct BadGraph {
     std::string name;
     std::string text;
-    std::vector<std::string> words;  // each in what is said
+    std::vector<std::string> words;  // each must be in the message
 };
 
 std::string graph_of(const std::string& nodes, const std::string& output = "x.result") {
@@ -53,7 +53,7 @@ std::string image_graph(const std::string& file) {
     return graph_of(nodes, "end.normal");
 }
 
-// The first line that stands twice, "" when none does.
+// Returns the first line that occurs twice; "" if there is none.
 std::string repeated_line(const std::string& text) {
     std::set<std::string> seen;
     std::istringstream lines(text);
@@ -168,7 +168,7 @@ TEST_F(BadInputTest, PixelsAreReportedByThoseWhoReadThem) {
 
 TEST_F(BadInputTest, EveryTruncationIsAnError) {
     std::string whole = tilt_graph();
-    whole.pop_back();  // a graph without its last line break is a graph
+    whole.pop_back();  // the line break at the end of a graph is optional
     for (size_t first = 0; first < whole.size(); first += 100) {
         std::vector<std::string> args{"check"};
         for (size_t i = first; i < std::min(first + 100, whole.size()); ++i) {
@@ -194,7 +194,7 @@ TEST_F(BadInputTest, AFileThatIsNoneIsNamed) {
     }
 }
 
-// Opening a pipe waits for a writer, who may never come.
+// Opening a pipe blocks until it has a writer.
 TEST_F(BadInputTest, APipeIsNoImage) {
     ASSERT_EQ(mkfifo((folder / "pipe.png").c_str(), 0600), 0);
     expect_refused({"a pipe", image_graph("pipe.png"), {"no regular file"}});
@@ -231,7 +231,7 @@ TEST_F(BadInputTest, BadValuesOfSetAreNamed) {
     }
 }
 
-// The text to type is in the message, and typing it works.
+// The message contains a valid command line; running it succeeds.
 TEST_F(BadInputTest, ABadVectorOfSetIsShownAsAnArray) {
     put("g.json", R"({"wrinkle": 1, "nodes": {"tile": {"type": "uv_transform"}},
         "outputs": {"x": {"from": "tile.uv"}}})");

@@ -1,4 +1,4 @@
-// Bakes in parts: shards, what is stopped and goes on, what is merged; always the same bytes.
+// Tests of bakes in parts: shards, resumed bakes, merged parts; the result is always bit-identical.
 #include <signal.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
@@ -13,7 +13,7 @@
 namespace wrinkle::test {
 namespace {
 
-// The text of a bake.json with the sum that belongs to it.
+// Returns the text of a bake.json with its checksum corrected.
 std::string sealed(std::string header) {
     header.erase(header.rfind(",\n  \"sum\""));
     return header + ",\n  \"sum\": \"" + sha256(header) + "\"\n}\n";
@@ -70,7 +70,7 @@ TEST_F(BakePartsTest, AnyThreadsShardsAndInstructionsGiveTheSameBytes) {
     base.insert(base.begin(), {"bake", graph, "--mesh", "teapot", "-o", "base"});
     ASSERT_EQ(run(base, "", {"WRINKLE_ISA=baseline"}).code, 0);
     same("base");
-    for (const int count : {2, 4, 9}) {  // there are five rows of tiles
+    for (const int count : {2, 4, 9}) {  // the bake has five rows of tiles
         Names folders;
         for (int i = count; i >= 1; --i) {
             folders.push_back("part" + std::to_string(count) + "." + std::to_string(i));
@@ -169,7 +169,7 @@ TEST_F(BakePartsTest, AHeaderHasTheSumsOfTheRowsOnDisk) {
     }
 }
 
-// Reading a pipe or /dev/zero to its end takes for ever, or all memory.
+// Reading a pipe or /dev/zero to its end blocks or uses up the memory.
 TEST_F(BakePartsTest, AHeaderThatIsNotARegularFileIsRefused) {
     shard("1/2", "p1");
     shard("2/2", "p2");
@@ -203,7 +203,7 @@ TEST_F(BakePartsTest, AHeaderThatIsNotARegularFileIsRefused) {
     EXPECT_EQ(merge({"p1", "p2"}).code, 0);
 }
 
-// Slow enough to be stopped: every texel in one thread.
+// A bake slow enough to be killed: every texel in one thread.
 class BakeStoppedTest : public BakeTest {
 protected:
     const Names slow = {"--size", "512x4096", "-j", "1", "--map", "normal,roughness,height"};
@@ -214,7 +214,7 @@ protected:
         all.insert(all.end(), more.begin(), more.end());
         return start(all);
     }
-    // Waits till some of the work is done. False when all is.
+    // Waits until the first work is done. Returns false if the process ended before.
     bool under_way(pid_t child, const fs::path& sign) const {
         int status = 0;
         while (waitpid(child, &status, WNOHANG) == 0) {
@@ -262,20 +262,21 @@ TEST_F(BakeStoppedTest, WhatWasKilledGoesOn) {
     const Ran ran = bake("plane", "out", all);
     ASSERT_EQ(ran.code, 0) << ran.err;
     EXPECT_FALSE(exists("out.part"));
-    // What was done is not done again: the first line counts it already.
+    // The first progress line already counts the texels of the killed run: they are not baked
+    // again.
     const double first = parsed(ran.out.substr(0, ran.out.find('\n'))).find("done").as_number();
     EXPECT_GE(before, 1);
     EXPECT_GE(first, (before + 1) * 64 * 512);
     const Ran whole = bake("plane", "whole", slow);
     ASSERT_EQ(whole.code, 0) << whole.err;
-    // What is told of the maps is told of all rows.
+    // The messages about the maps cover all rows.
     EXPECT_TRUE(says(whole.err, "the map 'height' holds "));
     EXPECT_EQ(ran.err, whole.err);
     EXPECT_TRUE(same_files("out/normal.png", "whole/normal.png"));
     EXPECT_TRUE(same_files("out/roughness.png", "whole/roughness.png"));
 }
 
-// Killed after some rows, then damaged: rows that are not those that were baked are baked again.
+// A bake is killed after some rows and its files are damaged: the rows are baked again.
 TEST_F(BakeStoppedTest, DamagedRowsAreBakedAgainAndSaidSo) {
     MANY_PROCESSES;
     ASSERT_EQ(bake("plane", "whole", slow).code, 0);

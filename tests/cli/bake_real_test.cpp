@@ -1,5 +1,5 @@
-// Bakes of a real mesh with a matched pair of maps, made in another program; where a folder of them
-// stands beside the checkout (real_maps_test.cpp). Skipped without.
+// Tests of bakes of a real mesh with a matched pair of normal maps baked in Blender. They need the
+// data folder of real_maps_test.cpp and are skipped without it.
 #include <algorithm>
 #include <array>
 #include <cstdlib>
@@ -22,7 +22,7 @@ protected:
             fs::create_symlink(fs::canonical(data / name), folder / name);
     }
 
-    // The bump of a normal map, read texel by texel.
+    // Writes a graph that samples a normal map with the nearest texel.
     void put_reader(const std::string& node, const std::string& image) {
         graph = "reader.json";
         put(graph, R"({"wrinkle": 1, "nodes": {"map": {"type": ")" + node +
@@ -39,7 +39,7 @@ protected:
         EXPECT_TRUE(says(ran.err, "triangles are mirrored in uv"));
     }
 
-    // Angles between coded normals, sorted, where the first picture has any.
+    // Sorted angles in degrees between the coded normals, over the texels where `a` has a normal.
     static std::vector<double> angles(const Image& a, const Image& b) {
         std::vector<double> found;
         for (size_t i = 0; i < a.data.size(); i += 3) {
@@ -69,7 +69,7 @@ TEST_F(RealBake, AnObjectMapGoesToTangentSpaceAndBack) {
     EXPECT_LT(there.back(), 0.5);
 }
 
-// Blender baked both maps from one bump.
+// Blender baked both maps from the same bump.
 TEST_F(RealBake, TheTangentMapIsTheOneThatBlenderBaked) {
     put_reader("object_normal_map", "spot_normal_object.png");
     bake_spot("object.exr", {"--space", "object", "--type", "float"});
@@ -77,7 +77,7 @@ TEST_F(RealBake, TheTangentMapIsTheOneThatBlenderBaked) {
     const Image covered = picture("object.exr"), ours = picture("tangent.exr"),
                 theirs = picture("spot_normal_tangent_8bit.png");
     Image seen = ours;
-    for (size_t i = 0; i < seen.data.size(); i += 3)  // as zero where there is no surface
+    for (size_t i = 0; i < seen.data.size(); i += 3)  // decodes to zero off the surface
         if (covered.data[i] == 0.5F && covered.data[i + 1] == 0.5F)
             std::fill_n(seen.data.begin() + static_cast<long>(i), 3, 0.5F);
     const std::vector<double> apart = angles(seen, theirs);

@@ -1,4 +1,4 @@
-// What the tests of `wrinkle bake` share: its pictures as numbers.
+// Fixture of the tests of `wrinkle bake`: loads the baked images as numbers.
 #pragma once
 
 #include "cli/support.h"
@@ -10,7 +10,7 @@ class BakeTest : public CliTest {
 protected:
     using Names = std::vector<std::string>;
 
-    // bake FILE --mesh MESH -o OUT and more.
+    // Runs `wrinkle bake graph --mesh MESH -o OUT MORE...`.
     Ran bake(const std::string& mesh, const std::string& out, Names more = {}) const {
         more.insert(more.begin(), {"bake", graph, "--mesh", mesh, "-o", out});
         return run(more);

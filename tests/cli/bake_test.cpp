@@ -1,4 +1,4 @@
-// wrinkle bake: which files come, what stands in them, and what is said of bad input.
+// Tests of wrinkle bake: output files, their contents, and the errors of invalid input.
 #include <cmath>
 #include <cstdio>
 
@@ -8,7 +8,7 @@
 namespace wrinkle::test {
 namespace {
 
-// A square of two triangles with these uvs, as an OBJ.
+// An OBJ file of a quad of two triangles with these uvs.
 std::string square(const std::string& uvs) {
     return "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n" + uvs + "f 1/1 2/2 3/3\nf 1/1 3/3 4/4\n";
 }
@@ -46,7 +46,7 @@ TEST_F(BakeTest, SeveralMapsAreAFolder) {
     EXPECT_EQ(picture("deep/normal.tif").source, PixelType::u16);
 }
 
-// The same numbers at centres of texels, in the object's space.
+// The baked texels equal the results of `wrinkle eval` at texel centres, in object space.
 TEST_F(BakeTest, TexelsAreWhatEvalSays) {
     ASSERT_EQ(bake("teapot", "maps",
                    {"--map", "normal,roughness", "--space", "object", "--type", "float", "--size",
@@ -57,11 +57,11 @@ TEST_F(BakeTest, TexelsAreWhatEvalSays) {
     size_t compared = 0;
     for (uint32_t y = 1; y < 128; y += 17)
         for (uint32_t x = 3; x < 128; x += 31) {
-            char uv[40];  // of a power of two: exact
+            char uv[40];  // exact: the size is a power of two
             std::snprintf(uv, sizeof uv, "%.10f,%.10f", (x + 0.5) / 128, (y + 0.5) / 128);
             const Ran ran = run({"eval", graph, "--mesh", "teapot", "--uv", uv, "--size", "128"});
             const float* texel = normal.texel(x, y);
-            if (ran.code == 1) {  // no triangle there
+            if (ran.code == 1) {  // no triangle at this uv
                 EXPECT_EQ(texel[2], 0.5F) << uv;
                 continue;
             }
@@ -75,7 +75,7 @@ TEST_F(BakeTest, TexelsAreWhatEvalSays) {
     EXPECT_GT(compared, 20U);
 }
 
-// A map that was baked is the surface it was baked from.
+// A graph that reads a baked map has the normals of the graph that was baked.
 TEST_F(BakeTest, AGraphThatReadsTheMapHasTheSameNormals) {
     for (const Names& more : {Names{}, Names{"--dx"}, Names{"--no-tangents"}}) {
         Names wide = more;
@@ -116,7 +116,7 @@ TEST_F(BakeTest, SweepsAndUdimTilesAreNumbered) {
         bake("square.obj", "n.png", {"--udim", "--size", "16", "--set", "tilt.volume=[1, 0, 0]"});
     ASSERT_EQ(ran.code, 0) << ran.err;
     EXPECT_TRUE(exists("n.1001.png") && exists("n.1002.png") && !exists("n.png"));
-    // Each has its half, and dilation stays within its tile.
+    // Each image has its half; dilation does not leave its UDIM tile.
     const Image left = picture("n.1001.png"), right = picture("n.1002.png");
     for (uint32_t x = 0; x < 16; ++x) {
         EXPECT_EQ(left.texel(x, 5)[0], left.texel(15, 5)[0]);
@@ -215,8 +215,8 @@ TEST_F(BakeTest, WrongUsageIsSaidBeforeAnyWork) {
     EXPECT_EQ(run({"bake", "--merge", "a", "--mesh", "cube", "-o", "m.png"}).code, 2);
 }
 
-// The samples are of texels that an island's border crosses; what lies inside is the value at its
-// centre, so a map that only reads an image of its own size is that image.
+// Only texels that an island's border crosses are supersampled; every other texel has the value at
+// its centre, so baking a map that only reads an image of the same size reproduces the image.
 TEST_F(BakeTest, SamplesChangeTheBordersOfIslandsAlone) {
     const Image source = picture(WRINKLE_SOURCE_DIR "/graphs/textures/rivets_normal.png");
     fs::copy_file(WRINKLE_SOURCE_DIR "/graphs/textures/rivets_normal.png", folder / "r.png");

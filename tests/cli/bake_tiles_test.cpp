@@ -1,11 +1,11 @@
-// wrinkle bake: which squares of uv are baked, and how their files are called.
+// Tests of wrinkle bake: choice of the baked UDIM tiles, and the file names of tiles.
 #include "cli/bake_support.h"
 #include "mesh/files.h"
 
 namespace wrinkle::test {
 namespace {
 
-// Two triangles over the square of uv whose lower corner, in glTF's own coordinates, is `corner`.
+// A quad over one UDIM tile; `corner` is its lower corner in glTF coordinates (v downwards).
 std::string gltf_square(glm::vec2 corner) {
     GltfText file;
     const auto attribute = [&](const std::string& name, int accessor) {
@@ -39,7 +39,7 @@ protected:
 
 TEST_F(BakeTilesTest, ALayoutInOneOtherSquareIsBakedWithItsOwnUvs) {
     put("first.gltf", gltf_square({0, 0}));
-    put("below.gltf", gltf_square({0, 1}));  // v from -1 to 0 once it is turned over
+    put("below.gltf", gltf_square({0, 1}));  // v from -1 to 0 after the flip
     put("left.gltf", gltf_square({-4, 1}));
     for (const char* name : {"first", "below", "left"}) {
         const Ran ran = bake_value(std::string(name) + ".gltf", std::string(name) + ".exr");
@@ -47,7 +47,7 @@ TEST_F(BakeTilesTest, ALayoutInOneOtherSquareIsBakedWithItsOwnUvs) {
         EXPECT_EQ(ran.err, "");
     }
     EXPECT_TRUE(same_files("first.exr", "below.exr"));
-    // The graph's ramp is twice uv0.x.
+    // The graph's ramp is 2 * uv0.x.
     const Image first = picture("first.exr"), left = picture("left.exr");
     for (uint32_t x = 0; x < 8; ++x) {
         EXPECT_FLOAT_EQ(first.texel(x, 3)[0], 2 * (x + 0.5F) / 8);

@@ -1,5 +1,5 @@
-// wrinkle compile --cache: a hit is a miss in everything but time, and nothing that happens to the
-// folder makes a wrong text.
+// Tests of wrinkle compile --cache: hits and misses write the same output, and no change of the
+// cache folder makes a wrong output.
 #include <signal.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
@@ -34,7 +34,7 @@ protected:
     }
     fs::path entry_in(const std::string& cache) const { return entries(cache).at(0); }
 
-    // Another byte in every entry.
+    // Overwrites one byte of every entry.
     void damage(size_t from_end) const {
         for (const fs::path& path : entries()) {
             std::fstream file(path, std::ios::in | std::ios::out | std::ios::binary);
@@ -43,12 +43,12 @@ protected:
         }
     }
 
-    // The payload of an entry, behind its first line and its sum.
+    // The payload of an entry: the bytes after its first line and its checksum.
     static std::string payload(const fs::path& entry) {
         return bytes_of(entry).substr(head.size() + 65);
     }
 
-    // An entry as anyone can write it who can write to the folder: its sum is right.
+    // Writes an entry with a valid checksum, as any process with write access to the folder can.
     static void forge(const fs::path& entry, const std::string& bytes) {
         std::ofstream(entry, std::ios::binary)
             << head << sha256(entry.filename().string() + sha256(bytes)) << '\n'
@@ -57,7 +57,7 @@ protected:
 
     static inline const std::string head = "wrinkle cache 2\n";
 
-    // Everything below out/ in one text.
+    // Concatenates all files below out/.
     std::string made() const {
         std::string all;
         for (const std::string& name : files())
@@ -66,7 +66,7 @@ protected:
     }
 };
 
-// Hits are told from misses by an entry: a hit leaves it as it is, a miss writes a new one.
+// An entry shows the difference: a hit leaves it unchanged, a miss writes a new one.
 TEST_F(CacheTest, AHitWritesWhatAMissWrites) {
     put("g.json", tilt_graph());
     for (const Names& more : {Names{}, Names{"--form", "shader"}, Names{"--params", "uniform"},
@@ -112,7 +112,7 @@ TEST_F(CacheTest, AnEntryStoredUnderAnotherKeyIsMadeAgain) {
     EXPECT_EQ(bytes_of(entry), stored);
 }
 
-// Fields of a payload, as join_fields() writes them.
+// Serialises the fields of a payload as join_fields() does.
 std::string fields(const Names& each) {
     std::string bytes;
     for (const std::string& field : each)
@@ -128,7 +128,7 @@ TEST_F(CacheTest, AForgedEntryWritesNoFileButTheOutputs) {
         ASSERT_EQ(compile(more).code, 0);
         const fs::path entry = entries().at(0);
         const Names before = files();
-        // With counts, stages and suffixes as entries once held them, and texts by the dozen.
+        // Fields in the older layout (counts, stages, suffixes), and many texts.
         for (const Names& forged :
              {Names{"1", "", "", "", "/../../escaped", "evil"},
               Names{"2", "", "", "vertex", ".vert", "a", "fragment", "/../../escaped", "evil"},
@@ -143,7 +143,7 @@ TEST_F(CacheTest, AForgedEntryWritesNoFileButTheOutputs) {
     }
 }
 
-// A program that reads a pipe or /dev/zero to its end waits for ever, or until memory is used up.
+// Reading a pipe or /dev/zero to its end blocks or uses up the memory.
 TEST_F(CacheTest, AnEntryThatIsNotARegularFileIsMadeAgain) {
     put("g.json", tilt_graph());
     ASSERT_EQ(compile({}).code, 0);
@@ -317,7 +317,7 @@ TEST_F(CacheTest, WhatWasNotUsedForLongGoesFirst) {
     EXPECT_TRUE(fs::exists(entry));
 }
 
-// Eight programs at a time write the same entries, and half of them are killed in the middle.
+// Eight processes at a time write the same entries; half of them are killed meanwhile.
 TEST_F(CacheTest, ParallelAndKilledWritersLeaveOnlyWholeEntries) {
     Names args{"compile", "--cache", "cache", "-j2", "-o"};
     for (int i = 0; i < 12; ++i)
@@ -342,7 +342,7 @@ TEST_F(CacheTest, ParallelAndKilledWritersLeaveOnlyWholeEntries) {
             waitpid(child, nullptr, 0);
         for (const auto& each : fs::recursive_directory_iterator(folder)) {
             const std::string file = each.path().filename().string();
-            // A killed program leaves a hidden file, which the next one removes.
+            // A killed process leaves a hidden temporary file, which the next process removes.
             if (!file.starts_with('g') || !file.ends_with(".glsl")) continue;
             EXPECT_EQ(bytes_of(each.path()), get("plain/" + file));
         }

@@ -1,4 +1,4 @@
-// wrinkle plugins --test FILE: what it prints and how it ends.
+// Tests of wrinkle plugins --test FILE: output and exit codes.
 #include "cli/support.h"
 
 namespace wrinkle::test {
@@ -45,7 +45,7 @@ TEST_F(CertifyTest, NamesEveryFault) {
     EXPECT_EQ(ran.code, 1);
     EXPECT_TRUE(says(ran.out, "undocumented  failed\n    descriptor: "));
     EXPECT_TRUE(says(ran.out, "divides  failed\n    finite: port 'height': "));
-    EXPECT_TRUE(says(ran.out, "\n1 ok, 9 failed\n")) << ran.out;  // one fault is seen on GPUs alone
+    EXPECT_TRUE(says(ran.out, "\n1 ok, 9 failed\n")) << ran.out;  // one fault shows only on a GPU
     const json::Value list = parsed(ran.err).find("diagnostics");
     ASSERT_GE(list.size(), 9U);
     EXPECT_EQ(list.at(0).find("file").as_string(), faulty);

@@ -1,4 +1,5 @@
-// wrinkle compile: where the text goes, and what build systems rely on.
+// Tests of wrinkle compile: destination of the output, and the behaviour that build systems rely
+// on.
 #include <chrono>
 
 #include "cli/support.h"
@@ -206,7 +207,7 @@ TEST_F(CompileTest, SetChangesAValue) {
     EXPECT_EQ(get("g.json"), tilt_graph("0.5"));
 }
 
-// `count` normal maps of as many pictures, added up.
+// A graph that adds `count` normal maps of as many images.
 std::string layered_graph(int count) {
     std::string nodes, sum = "m0";
     for (int i = 0; i < count; ++i) {

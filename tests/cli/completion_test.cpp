@@ -1,4 +1,4 @@
-// What shells offer: commands, options, their values, files, and nodes of plugins too.
+// Tests of shell completion: commands, options, their values, files, and nodes of plugins.
 #include <algorithm>
 
 #include "base/text.h"
@@ -11,7 +11,7 @@ using Names = std::vector<std::string>;
 
 class CompletionTest : public CliTest {
 protected:
-    // The lines for these words, the last of which is being typed.
+    // The lines that are offered for these words; the last word is incomplete.
     Names offered(const Names& words) const {
         Names args{"complete", "--"};
         args.insert(args.end(), words.begin(), words.end());
@@ -24,7 +24,7 @@ protected:
         return lines;
     }
 
-    // What bash would put into COMPREPLY after reading the script.
+    // The value of COMPREPLY in bash after it has sourced the script.
     std::string in_bash(const std::string& words, int cursor) const {
         put("wrinkle.bash", run({"completion", "bash"}).out);
         put("ask.bash", "source ./wrinkle.bash\nCOMP_WORDS=(" + words +
@@ -77,9 +77,9 @@ TEST_F(CompletionTest, OffersFilesOfTheRightKind) {
         EXPECT_EQ(offered({"plugins", option, ""}), (Names{"c.so", "inner/"})) << option;
     EXPECT_EQ(offered({"nodes", "--plugin-path", ""}), (Names{"c.so", "inner/"}));
     EXPECT_EQ(offered({"check", "--root", ""}), Names{"inner/"});
-    EXPECT_EQ(offered({"compile", "a.json", "-o", ""}), Names{});  // the shell's own
+    EXPECT_EQ(offered({"compile", "a.json", "-o", ""}), Names{});  // the shell completes the file
     EXPECT_EQ(offered({"explain-log", ""}), (Names{"a.json", "d.test.json", "inner/"}));
-    EXPECT_EQ(offered({"explain-log", "a.json", ""}), Names{});  // a log may be called anything
+    EXPECT_EQ(offered({"explain-log", "a.json", ""}), Names{});  // a log may have any name
 }
 
 TEST_F(CompletionTest, WorksInBash) {

@@ -1,4 +1,4 @@
-// What all commands have in common.
+// Tests of the conventions that all commands share.
 #include "cli/support.h"
 
 namespace wrinkle::test {

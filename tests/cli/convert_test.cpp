@@ -1,5 +1,5 @@
-// wrinkle convert and wrinkle lint as programs. The oracle of slopes is OpenImageIO's maketx, which
-// always clamps: a map that repeats is the middle of nine copies.
+// Tests of wrinkle convert and wrinkle lint as processes. The oracle of slopes is OpenImageIO's
+// maketx, which always clamps; its result for a map that repeats is the middle of nine copies.
 #include <cmath>
 #include <cstdlib>
 
@@ -14,7 +14,7 @@ using Names = std::vector<std::string>;
 
 class Convert : public CliTest {
 protected:
-    // Copies of a bump that does not repeat, `times` across and up, as floats.
+    // Writes `times` x `times` copies of a bump that does not repeat, as floats.
     void put_height(const std::string& name, int width, int height, int times = 1) const {
         std::string bytes = "Pf\n" + std::to_string(width * times) + " " +
                             std::to_string(height * times) + "\n-1.0\n";
@@ -49,7 +49,7 @@ protected:
     }
 };
 
-// Every level.
+// Compares every mip level.
 TEST_F(Convert, SlopesAreThoseOfMaketx) {
     put_height("h.pfm", 128, 64);
     shell("maketx --bumpslopes --format openexr -d float --compression none h.pfm -o theirs.exr");
@@ -64,7 +64,7 @@ TEST_F(Convert, SlopesAreThoseOfMaketx) {
               0);
 }
 
-// Theirs with t down, so that the product has the other sign.
+// maketx has t downwards, so its product has the opposite sign.
 TEST_F(Convert, MomentsAreThoseOfMaketx) {
     put_height("h.pfm", 64, 32);
     shell(
@@ -76,7 +76,7 @@ TEST_F(Convert, MomentsAreThoseOfMaketx) {
     shell("idiff -fail 1e-6 -hardfail 1e-6 ours.tif theirs.tif");
 }
 
-// Made a band at a time, they are what halving the whole picture gives, to the last bit.
+// Mip levels made in bands are bit-identical to halving the complete image.
 TEST_F(Convert, LevelsAreThoseOfTheWholePicture) {
     const std::vector<std::pair<int, int>> sizes = {{301, 197}, {7, 333}, {130, 7}, {1, 200}};
     for (const auto& [width, height] : sizes) {
@@ -111,7 +111,7 @@ TEST_F(Convert, ARepeatedMapHasTheMiddleOfNine) {
         "idiff -fail 1e-6 -hardfail 1e-6 ours.tif theirs.tif");
 }
 
-// Each way from a height leads back to it.
+// Each conversion from a height map is inverted by the conversion back.
 TEST_F(Convert, ThereAndBack) {
     put_height("h.pfm", 60, 44);
     const std::vector<float> heights = values_of("h.pfm");

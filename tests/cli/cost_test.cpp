@@ -1,4 +1,5 @@
-// wrinkle compile --cost: what is printed, what is written, and what not every machine has.
+// Tests of wrinkle compile --cost: printed tables, written files, and errors if a compiler is
+// missing.
 #include "cli/support.h"
 
 namespace wrinkle::test {
@@ -17,7 +18,7 @@ double number_of(const json::Value& cost, std::string_view name) {
     return cost.find(name).as_number();
 }
 
-// That the totals are right is shown by tests/cost/cost_table.py, which counts with other programs.
+// tests/cost/cost_table.py checks the totals: it counts with other programs.
 TEST_F(CostTest, SaysWhatEachNodeCosts) {
     const Ran ran = run({"compile", samples + "base_and_detail.json", "--cost"});
     EXPECT_EQ(ran.code, 0) << ran.err;
@@ -39,7 +40,7 @@ TEST_F(CostTest, SaysWhatEachNodeCosts) {
               samples + "base_and_detail.json");
 }
 
-// Noise is a function that two nodes call; it is theirs.
+// Two nodes call the noise function; its cost is attributed to the callers.
 TEST_F(CostTest, WhoCallsAFunctionPaysForIt) {
     const json::Value cost =
         cost_in(run({"compile", samples + "noise_rock.json", "--cost", "--json"}));
@@ -51,7 +52,7 @@ TEST_F(CostTest, WhoCallsAFunctionPaysForIt) {
     EXPECT_LT(number_of(cost.find("surface_point"), "alu"), total * 0.05);
 }
 
-// Also where nothing but the conversion to the output reads the texel.
+// The read is attributed to the node also if only the conversion to the output uses the texel.
 TEST_F(CostTest, AnImageReadIsBookedOnTheNodeThatReads) {
     const std::pair<const char*, const char*> cases[] = {
         {R"("image", "in": {"image": "a.png"})", "alpha"},
@@ -104,7 +105,7 @@ TEST_F(CostTest, OfSeveralGraphsTheGoodOnesAreCounted) {
     EXPECT_EQ(run({"compile", "b.json", "--cost", "--json"}).out, "");
 }
 
-// Whatever is written, the functions are counted; a uniform is no constant.
+// Only the functions are counted, so all forms have one count; a uniform is not a constant.
 TEST_F(CostTest, CountsTheFunctionsOfEveryForm) {
     put("g.json", ramp_graph("1"));
     const std::string baked = run({"compile", "g.json", "--cost"}).out;
@@ -152,7 +153,7 @@ TEST_F(CostTest, RefusesWrongUsage) {
     }
 }
 
-// A graph with as many outputs of one number each.
+// A graph with `count` outputs of type float.
 std::string outputs_graph(int count) {
     std::string outputs;
     for (int i = 0; i < count; ++i)
@@ -191,8 +192,8 @@ TEST_F(CostTest, MoreOutputsThanDrawBuffersAreNamed) {
         << "what functions give is drawn by the caller";
 }
 
-// Twenty levels that each use the one below twice: a text has a function for each, but all is
-// inlined before it is counted.
+// Twenty levels that each use the level below twice: the generated source has one function per
+// level, but all calls are inlined before the cost is counted.
 TEST_F(CostTest, RefusesMoreCallsThanCanBeInlined) {
     put("l0.json", R"({"wrinkle": 1, "inputs": {"x": {"type": "float"}}, "nodes": {
         "y": {"type": "add", "in": {"a": {"from": "input.x"}, "b": 1}}},

@@ -1,5 +1,5 @@
-// wrinkle eval with tables: CSV and NPY in and out, and many places of a mesh. The bytes of NPY
-// files are put together here as its format says, numbers are those of the JSON form.
+// Tests of wrinkle eval with tables: CSV and NPY input and output, and many points of a mesh. NPY
+// files are assembled here by the format's specification; values are compared with the JSON form.
 #include <charconv>
 #include <cstring>
 
@@ -29,7 +29,7 @@ std::string raw(T value) {
     return bytes;
 }
 
-// Version 1.0, as NumPy writes it.
+// An NPY file of version 1.0, as NumPy writes it.
 std::string npy(const std::string& descr, const std::string& shape, const std::string& data,
                 const std::string& order = "False") {
     std::string header =
@@ -57,10 +57,10 @@ protected:
     }
 };
 
-// Points over a plane, turned a little, as rows of bump_columns.
+// Points over a plane with slightly rotated normals, as rows of bump_columns.
 std::vector<std::vector<double>> bump_rows() {
     std::vector<std::vector<double>> rows;
-    for (int i = 0; i < 20000; ++i) {  // more than a block
+    for (int i = 0; i < 20000; ++i) {  // more than one block
         const double u = i * 0.37, v = i * 0.11;
         rows.push_back({0, 0.1, 1, u, v, u, v, 0, 0.01, 0, 0, 0, 0.01, -0.001, 0.01, 0, 0, 0.01});
     }
@@ -240,7 +240,7 @@ TEST_F(EvalTableTest, ReportsABadCsv) {
         EXPECT_TRUE(says(refused({"--at", "p.csv"}), words)) << text;
     }
     EXPECT_TRUE(says(refused({"--at", "gone.csv"}), "gone.csv"));
-    // The additions of spreadsheets are read over.
+    // The reader skips the additions of spreadsheets: byte order mark, quotes, blanks, empty lines.
     put("p.csv", "\xEF\xBB\xBF\"uv0.x\", uv0.y,facing\r\n0.5 , 1,-1\r\n\r\n");
     EXPECT_EQ(run({"eval", "ramp.json", "--at", "p.csv", "--format", "csv"}).out, "value\n1\n");
 }
@@ -274,7 +274,7 @@ TEST_F(EvalTableTest, ReportsABadNpy) {
         put("p.npy", bytes);
         EXPECT_TRUE(says(refused({"--at", "p.npy"}), words)) << bytes;
     }
-    // An aligned record has gaps.
+    // An aligned record has padding.
     put("p.npy", npy("[('uv0.x', '<f4'), ('', '|V4'), ('uv0.y', '<f8')]", "(1,)",
                      raw(0.5F) + "gaps" + raw(1.0)));
     EXPECT_EQ(run({"eval", "ramp.json", "--at", "p.npy", "--format", "csv"}).out, "value\n1\n");

@@ -1,4 +1,4 @@
-// wrinkle eval: values whose right answer is known without the program.
+// Tests of wrinkle eval against values that are known without the program.
 #include <cmath>
 
 #include "cli/support.h"
@@ -8,7 +8,7 @@ namespace {
 
 class EvalTest : public CliTest {
 protected:
-    // The first point of what eval prints.
+    // Returns the first point that `wrinkle eval` prints.
     json::Value point(const std::vector<std::string>& args) const {
         const Ran ran = run(args);
         EXPECT_EQ(ran.code, 0) << ran.err;
@@ -77,7 +77,7 @@ TEST_F(EvalTest, NamesADifferentialThatAPointLacks) {
     const Ran ran = run({"eval", "g.json", "--at", "{" + base + R"("dy": {"uv0": [0, 0]}})"});
     EXPECT_EQ(ran.code, 1);
     EXPECT_TRUE(says(ran.err, "lacks 'dy.position'"));
-    // Height x over the plane: slope 1, so 45 degrees.
+    // Height x over the plane: slope 1, an angle of 45 degrees.
     const std::string whole = "{" + base + R"("dy": {"position": [0, 0.001, 0], "uv0": [0, 0]}})";
     expect_normal(point({"eval", "g.json", "--at", whole}).find("normal"), -std::sqrt(0.5), 0,
                   std::sqrt(0.5));

@@ -1,4 +1,4 @@
-// wrinkle explain-log: what a driver says of a line, said of the node.
+// Tests of wrinkle explain-log: maps the lines of a driver's log to nodes.
 #include <cstdlib>
 
 #include "base/text.h"
@@ -16,7 +16,7 @@ protected:
         put("g.json", graph);
     }
 
-    // The line of a text that holds some words, from 1.
+    // Returns the number, from 1, of the line that contains `words`.
     static size_t line_with(const std::string& text, const std::string& words) {
         const auto lines = split(text, '\n');
         for (size_t i = 0; i < lines.size(); ++i)
@@ -31,7 +31,7 @@ protected:
         return run(args, log);
     }
 
-    const std::string graph = ramp_graph();  // `scaled` stands in its line 5
+    const std::string graph = ramp_graph();  // `scaled` is in its line 5
 };
 
 TEST_F(ExplainLogTest, NamesTheNodeOfALine) {
@@ -62,7 +62,7 @@ TEST_F(ExplainLogTest, PassesOnWhatNamesNoLine) {
     EXPECT_EQ(explain("").out, "");
 }
 
-// An engine puts the text into a shader of its own.
+// An engine inserts the generated source into its own shader.
 TEST_F(ExplainLogTest, ATextMayBeginSomewhereInAShader) {
     const size_t line = line_with(run({"compile", "g.json"}).out, "s.uv0.x * 2.0");
     const Ran ran =
@@ -86,7 +86,7 @@ TEST_F(ExplainLogTest, JsonHoldsThePlaces) {
     EXPECT_EQ(list.at(0).find("message").as_string(), "'s' : undeclared");
 }
 
-// Every language that has lines, with the very compiler that refuses it.
+// Covers every language that has lines, with the log of the compiler that rejects the source.
 TEST_F(ExplainLogTest, KnowsTheLinesOfEveryLanguage) {
     for (const std::string target : {"glsl330", "glsl450", "essl300", "hlsl", "msl"}) {
         const Names options{"--target", target, "--form", "shader", "--params", "uniform"};

@@ -1,5 +1,5 @@
-// A bumped metal ball rendered so small that its weave is finer than a pixel, against the same
-// picture rendered large and made small: what a camera would see.
+// Test of normal variance: a bumped metal ball, rendered so small that its weave is finer than a
+// pixel, against a large rendering that is downsampled.
 #include <cmath>
 
 #include "cli/support.h"
@@ -10,7 +10,7 @@ namespace {
 
 constexpr uint32_t side = 48, finer = 16;
 
-// So dark that no highlight leaves the straight part of the display's curve.
+// The metal is dark enough that highlights remain in the linear part of the tone curve.
 constexpr const char* dark_metal = R"({"wrinkle": 1, "nodes": {
     "tile": {"type": "uv_transform", "in": {"scale": [24, 24]}},
     "weave": {"type": "tangent_normal_map", "in": {"image": "weave_normal.png",
@@ -26,7 +26,7 @@ double linear(float shown) {
     return shown <= 0.04045 ? shown / 12.92 : std::pow((shown + 0.055) / 1.055, 2.4);
 }
 
-// Red, linear: each the mean of block x block pixels.
+// Linear red values; each is the mean of block x block pixels.
 std::vector<double> light_of(const fs::path& picture, uint32_t block) {
     Diagnostics diagnostics;
     const auto image = load_image(picture, diagnostics);

@@ -1,4 +1,4 @@
-// `wrinkle test` stays below its root: links that lead out are neither read nor written through.
+// Tests that `wrinkle test` does not read or write through links that lead out of its root.
 #include "cli/support.h"
 
 namespace wrinkle::test {

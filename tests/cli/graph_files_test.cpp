@@ -1,5 +1,5 @@
-// What a pattern such as *.json finds beside graphs: tests, presets, and names that look like
-// options.
+// Tests of the files that a pattern such as *.json matches in addition to graphs: tests, presets,
+// and names that look like options.
 #include "cli/support.h"
 
 namespace wrinkle::test {
@@ -17,7 +17,7 @@ protected:
         put("b.preset.json", "{}");
     }
 
-    // Under a shell, in whose patterns `wrinkle` is the program.
+    // Runs a command line in a shell that expands patterns; `wrinkle` is the program.
     Ran shell(const std::string& line) {
         const std::string wrinkle = std::exchange(program, "/bin/sh");
         const Ran ran = run({"-c", "wrinkle() { " + wrinkle + " \"$@\"; }; " + line});

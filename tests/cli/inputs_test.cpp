@@ -1,5 +1,5 @@
-// wrinkle inputs, and the same list in dependency files: whatever a text depends on, by the names
-// that a build system knows.
+// Tests of wrinkle inputs and of the same list in dependency files: all files that an output
+// depends on, with the names that the build system uses.
 #include "cli/support.h"
 
 namespace wrinkle::test {

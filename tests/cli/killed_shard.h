@@ -1,12 +1,12 @@
-// A `wrinkle` for the PATH of what shares shards out: the real one, but that it is killed half-way
-// when it bakes one of the shards, once. It notes what it is called for in the file `calls`.
+// A `wrinkle` wrapper for the PATH of job runners: runs the real program, but kills it half-way,
+// once, when it bakes one of the shards. It logs its calls in the file `calls`.
 #pragma once
 
 #include "cli/support.h"
 
 namespace wrinkle::test {
 
-// PATH=... for a process, with the program in its first folder. `folder` is a test's own.
+// Returns "PATH=..." for a process, with the wrapper's folder first. `folder` belongs to one test.
 inline std::string path_with_killer(const fs::path& folder, const std::string& shard) {
     const fs::path file = folder / "killer/wrinkle";
     fs::create_directories(file.parent_path());
@@ -40,7 +40,7 @@ exec WRINKLE "$@"
     return "PATH=" + file.parent_path().string() + ":" + std::string(getenv("PATH"));
 }
 
-// What was called, a line each, since the last time.
+// Returns the logged calls, one per line, and clears the log.
 inline std::string take_calls(const fs::path& folder) {
     const std::string calls = bytes_of(folder / "killer/calls");
     fs::remove(folder / "killer/calls");

@@ -1,5 +1,6 @@
-// SIGKILL at every system call that changes the disk: each file is whole, the reflection's sums say
-// whether the texts are of one run, and the next run leaves no trace of the killed one.
+// Tests with SIGKILL at every system call that changes the disk: each file is complete, the
+// checksums of the reflection show whether all files are of one run, and the next run removes all
+// temporary files.
 #include "base/sha256.h"
 #include "cli/support.h"
 
@@ -15,7 +16,7 @@ protected:
         MANY_PROCESSES;
     }
 
-    // What a run may be stopped at: strace counts each call by itself.
+    // System calls at which a run is killed; strace counts each call separately.
     Names calls = {"write", "pwrite64", "writev", "pwritev", "rename", "unlink",
                    "flock", "fchmod",   "fsync",  "mkdir",   "openat"};
 
@@ -26,8 +27,8 @@ protected:
         return bytes;
     }
 
-    // `change` makes the input another, so that all of `names` change from what they hold now.
-    // `judge` looks at what a killed run left: for each name whether it is new.
+    // `change` modifies the input such that the contents of all `names` change. `judge` checks the
+    // result of a killed run: it gets for each name true if the file is new.
     template <typename Change, typename Judge>
     void expect_whole(const Names& words, const Names& names, Change change, Judge judge) {
         ASSERT_EQ(run(words).code, 0);
@@ -55,7 +56,7 @@ protected:
                 if (ran.code == 0) break;
                 ASSERT_EQ(ran.code, 128 + SIGKILL) << ran.err;
                 ++killed;
-                if (files() == all_files && contents(names) == old) continue;  // nothing was done
+                if (files() == all_files && contents(names) == old) continue;  // no change
                 ASSERT_EQ(run(words).code, 0);
                 ASSERT_EQ(contents(names), fresh);
                 ASSERT_EQ(files(), all_files);
@@ -91,7 +92,7 @@ TEST_F(KilledTest, ACompilationLeavesWholeFilesAndItsReflectionSaysWhetherTheyAr
 }
 
 TEST_F(KilledTest, ABakeLeavesWholeImages) {
-    calls.pop_back();  // 260 libraries are opened, and each file that is made is locked next
+    calls.pop_back();  // "openat" opens 260 libraries; flock follows each created file
     put("g.json", tilt_graph("0.25"));
     put("plane.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\nf 1/1 2/2 3/3\n");
     expect_whole(

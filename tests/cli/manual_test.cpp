@@ -1,4 +1,5 @@
-// wrinkle man: every command has a page that holds what its help says, and that groff takes.
+// Tests of wrinkle man: every command has a page with the contents of its help, which groff
+// accepts.
 #include "cli/support.h"
 
 namespace wrinkle::test {

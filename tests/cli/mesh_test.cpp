@@ -1,4 +1,4 @@
-// Mesh files on the command line: what render and eval do with them, and what is said of bad ones.
+// Tests of mesh files on the command line: render, eval, and the errors of invalid files.
 #include <algorithm>
 #include <cmath>
 
@@ -109,7 +109,7 @@ TEST_F(MeshFileTest, BadFilesAreInputErrorsAndNothingIsWritten) {
         }
 }
 
-// Never silently black: a graph that needs what the mesh lacks says so.
+// A graph that requires an attribute that the mesh lacks is an error, not a black image.
 TEST_F(MeshFileTest, WhatTheMeshLacksIsNamed) {
     put("bare.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
     put("g.json", R"({"wrinkle": 1, "nodes": {
@@ -142,7 +142,7 @@ class LightingOptionsTest : public CliTest {};
 
 TEST_F(LightingOptionsTest, ChangeThePicture) {
     put("g.json", tilt_graph());
-    // A Radiance picture of 2 x 1 texels, flat: red behind the object, green before it.
+    // A flat Radiance image of 2 x 1 texels: red behind the object, green before it.
     put("env.hdr", std::string("#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 1 +X 2\n") +
                        std::string("\x80\x10\x10\x81\x10\x80\x10\x81", 8));
     const std::vector<std::vector<std::string>> ways = {
@@ -185,7 +185,7 @@ TEST_F(LightingOptionsTest, RefuseWrongUsageAndBadPictures) {
     EXPECT_FALSE(exists("g.png"));
 }
 
-// A triangle that the camera sees from behind, its bump a tilt along x.
+// A triangle that the camera sees from behind; its bump is a tilt along x.
 TEST_F(MeshFileTest, ADoubleSidedGltfIsDrawnByTheRuleFlip) {
     const auto with = [&](const std::string& name, const std::string& material) {
         std::string text = gltf_of("back.bin");

@@ -1,5 +1,5 @@
-// Thirty files that each use the next twice: what writes a text does, what would run every call
-// says how many there are.
+// Tests of thirty files that each use the next one twice: check, compile and inputs succeed; eval
+// and render, which would run every call, fail with the number of calls.
 #include "cli/support.h"
 
 namespace wrinkle::test {

@@ -1,5 +1,5 @@
-// wrinkle new-plugin: what it writes, and what it refuses without writing anything. The guide's
-// test (tests/guide) builds such a folder from an installation and runs its test.
+// Tests of wrinkle new-plugin: written files, and errors that write nothing. The guide's test
+// (tests/guide) builds such a folder against an installation and runs its test.
 #include <algorithm>
 #include <cstdlib>
 
@@ -74,7 +74,7 @@ TEST_F(NewPluginTest, NothingIsLeftWhenItCannotBeWritten) {
     EXPECT_EQ(files(), Names{"file"});
 }
 
-// The folder can be made, but its files would have paths that are too long.
+// The folder can be created, but the paths of its files would be too long.
 TEST_F(NewPluginTest, FoldersOnTheWayAreTakenBack) {
     std::string deep = folder.string();
     while (deep.size() < 4088)
@@ -85,7 +85,7 @@ TEST_F(NewPluginTest, FoldersOnTheWayAreTakenBack) {
     EXPECT_EQ(files(), Names{});
 }
 
-// The build folder's own package; an installation is tried by the guide.
+// Uses the package in the build folder; the guide's test uses an installation.
 TEST_F(NewPluginTest, FindsTheSdkBesideTheProgram) {
     ASSERT_EQ(run({"new-plugin", "studs"}).code, 0);
     EXPECT_TRUE(says(get("studs/CMakeLists.txt"), "[==[" WRINKLE_BINARY_DIR "]==]"));

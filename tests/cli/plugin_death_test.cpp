@@ -1,5 +1,5 @@
-// A plugin whose build() ends its process, or does what it may not, in every command that runs it:
-// the program goes on, names plugin and node, and its output is its own.
+// Tests of plugins that exit, crash or misbehave in build(), in every command that runs it: the
+// program continues, names plugin and node, and its output is unaffected.
 #include <gtest/gtest.h>
 
 #include "cli/support.h"
@@ -33,7 +33,7 @@ protected:
         return run(words);
     }
 
-    // What compile says of each way, after "the plugin p/dying.so cannot be used: ".
+    // `deaths`: ways to fail, each with the message after "the plugin p/dying.so cannot be used: ".
     void expect_at_the_node(const std::vector<std::pair<const char*, const char*>>& deaths) {
         for (const auto& [way, words] : deaths) {
             const Ran ran = run_on(way, {"compile"});
@@ -108,7 +108,7 @@ TEST_F(PluginDeath, OfOneGraphLeavesTheOthers) {
     EXPECT_EQ(run({"compile", "b.json", "--plugin-path", "p"}).code, 0);
 }
 
-// Its constructor ends every other program.
+// The constructor of the plugin ends any other process.
 TEST_F(PluginDeath, CodeIsNeverLoadedIntoTheProgram) {
     const Ran ran = run_on("fine", {"eval", "--mesh", "plane", "--uv", "0.5,0.5"});
     EXPECT_EQ(ran.code, 0) << ran.err;
@@ -123,7 +123,7 @@ TEST_F(PluginDeath, PrintsOfAPluginAreNotInTheOutput) {
     EXPECT_EQ(prints.out, fine.out);
 }
 
-// The folder, the environment, the limits and the mask of files.
+// The plugin changes the working folder, the environment, the limits and the file mode mask.
 TEST_F(PluginDeath, ChangesOfAPluginStayInItsProcess) {
     run_on("fine", {"compile", "-o", "fine.glsl"});
     const Ran ran = run_on("changes", {"compile", "-o", "changes.glsl"});

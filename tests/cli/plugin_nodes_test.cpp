@@ -1,4 +1,4 @@
-// A plugin's nodes beside the built-in ones; and a graph whose plugin is not there.
+// Tests of a plugin's nodes next to the built-in ones, and of a graph with a missing plugin.
 #include "cli/support.h"
 
 namespace wrinkle::test {
@@ -37,7 +37,7 @@ TEST_F(PluginNodesTest, AreNamedWhenTheirPluginIsMissing) {
     EXPECT_EQ(run({"check", "g.json", "--plugin-path", plugin}).code, 0);
 }
 
-// Whatever the plugin would make of it: its ports, a version, keys that nobody knows.
+// Ports, versions and unknown keys of the nodes are preserved.
 TEST_F(PluginNodesTest, AreKeptWhenTheirPluginIsMissing) {
     const std::string canonical = bytes_of(sample);
     put("g.json", canonical);

@@ -1,5 +1,4 @@
-// Plugins as the program finds them: places in their order, manifests, the cache; and graphs, which
-// find none.
+// Tests of plugin discovery: the order of folders, manifests, the cache; graphs load no plugin.
 #include <gtest/gtest.h>
 
 #include "cli/support.h"
@@ -44,7 +43,7 @@ TEST_F(PluginTest, FindingsAreKeptInTheCache) {
     EXPECT_EQ(run({"plugins", "--plugin-path", "p"}, "", {"XDG_CACHE_HOME=/proc"}).out, first.out);
 }
 
-// The system searches for a library by a name without a slash elsewhere.
+// dlopen() searches for a name without a slash in the system's folders.
 TEST_F(PluginTest, AManifestIsMadeOfAPluginInTheWorkingFolder) {
     place("ripples.so");
     const Ran written = run({"plugins", "--manifest", "ripples.so"});
@@ -73,7 +72,7 @@ TEST_F(PluginTest, AManifestIsWrittenBesideThePlugin) {
     EXPECT_EQ(run({"plugins", "--manifest", "q/ripples.so"}).code, 3) << "it cannot be written";
 }
 
-// Whatever lies beside a graph, and whatever the graph says.
+// The rule holds for any file next to a graph and any key in it.
 TEST_F(PluginTest, AGraphLoadsNoCode) {
     for (const char* name : {"ripples.so", "plugins/ripples.so", "wrinkle/plugins/ripples.so",
                              "lib/wrinkle/plugins/ripples.so"})

@@ -1,4 +1,4 @@
-// Names that come from files are printed escaped: none moves the cursor or begins a line.
+// Tests that names from files are printed escaped: none moves the cursor or begins a line.
 #include "cli/support.h"
 
 namespace wrinkle::test {
@@ -10,7 +10,7 @@ const std::string evil = "x\x1B[2J\nother.json:1:1: error: forged\u061C\u202E";
 
 class PrintedNamesTest : public CliTest {
 protected:
-    // No line of it begins as the forged one would, and no control character is in it.
+    // Checks that no line begins as the forged one would and that there are no control characters.
     void expect_harmless(const Ran& ran, const std::string& what) {
         for (const std::string& text : {ran.out, ran.err}) {
             EXPECT_EQ(text.find("\nother.json"), text.npos) << what << ":\n" << text;

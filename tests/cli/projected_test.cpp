@@ -1,4 +1,5 @@
-// The warning at a map that is read on a projection of the position with the scale `unit`.
+// Tests of the warning for a map with the scale `unit` that is read with uvs projected from the
+// position.
 #include "cli/support.h"
 
 namespace wrinkle::test {
@@ -10,7 +11,7 @@ protected:
         CliTest::SetUp();
         fs::copy_file(WRINKLE_SOURCE_DIR "/graphs/textures/weave_normal.png", folder / "weave.png");
     }
-    // A bump from the map with these inputs.
+    // Returns the messages for a bump map with these inputs.
     std::string said(const std::string& inputs, const std::string& command = "check") const {
         put("g.json", R"({"wrinkle": 1, "nodes": {
             "side": {"type": "planar_uv"},

@@ -1,5 +1,5 @@
-// Maps of the real world, where a folder of them stands beside the checkout: ../shared/data or
-// WRINKLE_DATA. Skipped without. Nothing of it is copied into the project.
+// Tests with real maps from ../shared/data or WRINKLE_DATA; skipped without that folder. No part of
+// the data is copied into the project.
 #include <cstdlib>
 
 #include "cli/support.h"
@@ -45,8 +45,8 @@ protected:
     }
 };
 
-// One surface in both conventions: the same normals when the green channel is named rightly (8-bit
-// JPEG noise remains), far apart when it is not.
+// One surface in both green conventions: the normals agree if the green channel is named correctly
+// (8-bit JPEG noise remains) and differ widely if not.
 TEST_F(RealMaps, BothGreenConventionsGiveOneSurface) {
     EXPECT_LT(mean_angle("normal_dx"), 0.5);
     EXPECT_GT(mean_angle("normal_gl"), 3.0);
@@ -81,15 +81,15 @@ TEST_F(RealMaps, LintKnowsEach) {
         const bool terrain = std::string_view(file).starts_with("jacksboro");
         const Ran ran = run({"lint", file});
         EXPECT_TRUE(says(ran.out, std::string(file) + ": " + look + ":"));
-        EXPECT_EQ(ran.code, terrain ? 1 : 0) << ran.out;  // it was never meant to tile
+        EXPECT_EQ(ran.code, terrain ? 1 : 0) << ran.out;  // the terrain does not tile
         EXPECT_EQ(run({"lint", file, "--wrap", "clamp"}).code, 0) << ran.out;
     }
 }
 
-// Metres, in cells of 3 seconds of arc (what dx and dy of jacksboro_fault_dem.npz in Debian's
-// python3-matplotlib say; 36.45 to 36.73 degrees north, 111,195 m a degree): 74.4 by 92.7 metres.
-// Slopes times the size of a cell add up along a row to the rise from one end to the other, of the
-// filter's three rows; so they do along columns.
+// Heights in metres, cells of 3 arc seconds (dx and dy of jacksboro_fault_dem.npz in Debian's
+// python3-matplotlib; 36.45 to 36.73 degrees north, 111,195 m per degree): 74.4 by 92.7 metres.
+// Slope times cell size, summed along a row, is the rise between its ends, weighted over the
+// filter's three rows; columns likewise.
 TEST_F(RealMaps, TheTerrainHasTheSlopesOfItsCells) {
     const double cell[] = {74.4, 92.7};
     EXPECT_EQ(run({"convert", "jacksboro_dem_metres.pfm", "--from", "height", "-o", "d.exr", "--to",

@@ -1,4 +1,4 @@
-// wrinkle render: pictures of a size and with a content that are known without it.
+// Tests of wrinkle render against sizes and contents that are known without it.
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -11,7 +11,7 @@ namespace {
 
 class RenderTest : public CliTest {
 protected:
-    // The size in the header of a PNG file.
+    // Returns the size in the header of a PNG file.
     static std::pair<uint32_t, uint32_t> png_size(const std::string& bytes) {
         if (bytes.size() < 24 || bytes.compare(1, 3, "PNG") != 0) return {0, 0};
         const auto number = [&](size_t at) {
@@ -23,7 +23,7 @@ protected:
         return {number(16), number(20)};
     }
 
-    // What the difference view prints.
+    // Returns the angles that the difference view prints.
     static std::pair<double, double> angles(const std::string& text) {
         double mean = -1, max = -1;
         const size_t at = text.find("mean");
@@ -52,7 +52,7 @@ TEST_F(RenderTest, LeavesAnEqualPictureUntouched) {
     EXPECT_EQ(fs::last_write_time(folder / "g.png"), before);
 }
 
-// The editor tells Mesa's software driver to spend less on programs (gpu/context.h).
+// The editor sets Mesa's software driver to optimise shaders less (gpu/context.h).
 TEST_F(RenderTest, QuickProgramsDrawTheSamePicture) {
     const std::string graph = WRINKLE_SOURCE_DIR "/graphs/woven_strap.json";
     for (const char* name : {"nopt", ""}) {
@@ -70,7 +70,7 @@ TEST_F(RenderTest, MeasuresTheDifference) {
     const std::vector<std::string> args = {"render", "g.json", "-o",    "g.png",  "--size",
                                            "24x24",  "--mesh", "plane", "--view", "difference"};
     const auto [mean, max] = angles(run(args).out);
-    const double tilt = std::atan(0.75) * 180 / M_PI;  // the whole plane is tilted alike
+    const double tilt = std::atan(0.75) * 180 / M_PI;  // the complete plane has one tilt
     EXPECT_NEAR(mean, tilt, 0.01);
     EXPECT_NEAR(max, tilt, 0.01);
     put("g.json", tilt_graph("0"));

@@ -1,4 +1,4 @@
-// The same bytes whatever surrounds a compilation, and whole ones whatever ends it.
+// Tests that the output does not depend on the environment and is complete after any kill.
 #include <signal.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -13,8 +13,8 @@ namespace {
 using SameBytesTest = CliTest;
 using Names = std::vector<std::string>;
 
-// Numbers with a decimal point in German, letters whose case differs in Turkish. The locales are
-// made here; where their sources are missing nothing is shown.
+// The decimal separator is a comma in German; Turkish maps letter case differently. The test
+// compiles the locales and checks nothing if their sources are missing.
 TEST_F(SameBytesTest, InAnyLocale) {
     put("i.json", tilt_graph("0.123456"));
     const Names args{"compile", "i.json", "--params", "uniform", "--reflect", "r.json"};
@@ -53,7 +53,7 @@ TEST_F(SameBytesTest, AFullDiskIsSaid) {
     EXPECT_TRUE(says(several.err, "/dev/full"));
 }
 
-// The old text or the new one, at every moment of its life.
+// The file has the old or the new content at every moment.
 TEST_F(SameBytesTest, AKilledCompilerLeavesWholeFiles) {
     put("old.json", tilt_graph("0.5"));
     put("new.json", tilt_graph("0.25"));

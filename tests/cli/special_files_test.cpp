@@ -1,5 +1,5 @@
-// Every file that a command reads is a regular one: pipes, devices and links to them are refused
-// by a sentence. Streams are read where the command line names them.
+// Tests that every command reads only regular files: pipes, devices and links to them are errors
+// with a message. Streams are read only if the command line names them.
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -12,7 +12,7 @@ class SpecialFilesTest : public CliTest {
 protected:
     void SetUp() override {
         CliTest::SetUp();
-        alarm(300);  // a command that waits ends the program
+        alarm(300);  // a command that blocks ends the test program
         put("g.json", tilt_graph());
         mkfifo((folder / "pipe").c_str(), 0600);
         for (const char* extension : {".json", ".test.json", ".png", ".obj", ".hdr", ".so"}) {
@@ -22,7 +22,7 @@ protected:
     }
     void TearDown() override { alarm(0); }
 
-    // With a pipe, and with a device, where the words hold '*'.
+    // Runs `words` with '*' replaced by the stem of a pipe, and by that of a device.
     void expect_refused(const std::vector<std::string>& words, int code = 1) {
         for (const auto& [stem, kind] :
              {std::pair{"pipe", "is a pipe, not a file"}, {"zero", "is a device, not a file"}}) {
@@ -39,7 +39,7 @@ protected:
         }
     }
 
-    // Under a shell that replaces <(COMMAND).
+    // Runs a line in bash, which replaces <(COMMAND).
     Ran shell(const std::string& line) {
         const std::string wrinkle = std::exchange(program, "/bin/bash");
         const Ran ran = run({"-c", "wrinkle() { " + wrinkle + " \"$@\"; }; " + line});

@@ -1,4 +1,4 @@
-// wrinkle compile --target: what is written for each, and where.
+// Tests of wrinkle compile --target: written files and their names for each target.
 #include "cli/support.h"
 
 namespace wrinkle::test {
@@ -75,7 +75,7 @@ TEST_F(TargetTest, BindingsBeginWhereAsked) {
     EXPECT_EQ(run({"compile", "g.json", "--first-binding", "-1"}).code, 2);
 }
 
-// The compilers are opened for the targets that need them, and by nothing else.
+// The compiler module is loaded only for the targets that require it.
 TEST_F(TargetTest, AMissingModuleIsTheEnvironmentsFault) {
     put("g.json", tilt_graph());
     fs::create_directories(folder / "alone/bin");

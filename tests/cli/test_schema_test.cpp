@@ -1,5 +1,5 @@
-// The reference of .test.json files: the schema that `wrinkle test --schema` prints, the reader,
-// and docs/test-cases.md agree, key by key.
+// Tests of the reference of .test.json files: the schema of `wrinkle test --schema`, the reader and
+// docs/test-cases.md agree on every key.
 #include "cli/support.h"
 #include "json/write.h"
 
@@ -15,14 +15,14 @@ protected:
         schema = parsed(ran.out);
         put("a.json", tilt_graph());
     }
-    // The errors of `wrinkle test` for a file with this key.
+    // Returns the errors of `wrinkle test` for a file with this key.
     std::string problems(const std::string& group, std::string_view key,
                          const std::string& value) const {
         const std::string member = "{\"" + std::string(key) + "\": " + value + "}";
         put("a.test.json", group.empty() ? member : "{\"" + group + "\": " + member + "}");
         return run({"test", "a.test.json"}, "", without_gl()).err;
     }
-    // Calls use(group, key, schema of its value), "render" being a group.
+    // Calls use(group, key, schema of its value); "render" is one of the groups.
     template <class Use>
     void each_key(Use use) const {
         const json::Value top = schema.find("properties");
@@ -115,7 +115,6 @@ TEST_F(TestSchemaTest, ThePageHasALineForEveryKeyWithItsDefault) {
     });
 }
 
-// A page with examples that do not run is worse than none.
 TEST_F(TestSchemaTest, TheExampleOfThePageRuns) {
     const std::string page = bytes_of(WRINKLE_SOURCE_DIR "/docs/test-cases.md");
     const std::string open = "```json\n";

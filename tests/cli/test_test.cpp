@@ -1,4 +1,4 @@
-// wrinkle test: what passes, what fails and how it is said, what --update changes.
+// Tests of wrinkle test: success, failure, messages, and the changes of --update.
 #include "cli/support.h"
 
 namespace wrinkle::test {
@@ -11,7 +11,7 @@ constexpr const char* tilted = R"({
   "expect": [{ "normal": [-0.6, 0, 0.8] }]
 }
 )";
-// Turned by 1 degree: (-sin, 0, cos) of atan(0.75) + 1 degree.
+// Rotated by 1 degree: (-sin, 0, cos) of atan(0.75) + 1 degree.
 constexpr const char* one_degree_off = R"({
   "points": [{ "normal": [0, 0, 1] }],
   "expect": [{ "normal": [-0.6138705, 0, 0.7894067] }]

@@ -1,4 +1,4 @@
-// A plugin is the same whichever compiler and standard library it was built with.
+// Tests that a plugin behaves the same with every compiler and standard library.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -84,7 +84,7 @@ TEST_P(Compilers, MakeTheSameNodes) {
     }
 }
 
-// An exception is caught in the plugin's own standard library, whatever the host's.
+// An exception is caught within the plugin's own standard library; the host's may be another.
 TEST_P(Compilers, StopExceptionsAtTheBorder) {
     const std::string name = GetParam();
     if (name.starts_with("other") && std::string_view(OTHER_COMPILER).ends_with("NOTFOUND"))

@@ -1,5 +1,5 @@
-// Nodes that use what two compilers could do differently: fields, loops, functions, exceptions, and
-// the standard library that each brings along.
+// Nodes that use features in which compilers may differ: fields, loops, functions, exceptions, and
+// the standard library linked by each.
 #include <stdexcept>
 #include <string>
 #include <tuple>

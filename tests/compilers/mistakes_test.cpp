@@ -1,5 +1,5 @@
-// Mistakes of a node's author, by both compilers: the first line with an error says what to write,
-// or what is wrong in the body.
+// Tests of error messages for mistakes in node declarations, with both compilers: the first line
+// with an error names the correction, or the fault in the body.
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -14,9 +14,9 @@ namespace {
 
 struct Mistake {
     const char* name;
-    const char* declaration;  // behind node(...)
-    const char* wanted;       // in the first line with an error; "": it compiles
-    int most_errors = 1;      // a second one says that the first is the body's own
+    const char* declaration;  // follows node(...)
+    const char* wanted;       // text in the first line with an error; "" if it compiles
+    int most_errors = 1;      // 2 if another error reports the first one as part of the body
 };
 void PrintTo(const Mistake& mistake, std::ostream* out) {
     *out << mistake.name;
@@ -87,7 +87,7 @@ const Mistake mistakes[] = {
 
 class Mistakes : public testing::TestWithParam<Mistake> {
 protected:
-    // The lines with errors.
+    // Returns the lines with errors.
     static std::vector<std::string> errors(const std::string& compiler, const Mistake& mistake) {
         const auto file = std::filesystem::temp_directory_path() /
                           ("wrinkle_mistake_" + std::to_string(getpid()) + ".cpp");

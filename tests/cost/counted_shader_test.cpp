@@ -1,4 +1,4 @@
-// Whose line each line is, and whose the helpers are.
+// Tests of the attribution of lines and helper functions to nodes.
 #include "cost/counted_shader.h"
 
 #include <gtest/gtest.h>
@@ -20,7 +20,7 @@ Shader shader_of(std::vector<std::pair<std::string, uint32_t>> lines) {
     return shader;
 }
 
-// The text without the directives, and the number of each line.
+// Source lines without #line directives, with the numbers set by those directives.
 struct Numbered {
     std::vector<std::string> lines;
     std::vector<int> numbers;
@@ -74,7 +74,7 @@ TEST(CountedShader, AFunctionWithoutArguments) {
     EXPECT_NE(counted_shader(shader).find("counted_0 = f();"), std::string::npos);
 }
 
-// `inner` is called by `outer`, which two nodes call, and the surface point.
+// `inner` is called by `outer`, which is called by two nodes and the surface point.
 Shader nested_shader() {
     return shader_of({{"float inner(float a) {", no_node},
                       {"    return a;", no_node},

@@ -1,4 +1,4 @@
-// What is named when a shader needs more than every machine has.
+// Tests of the resources named when a shader exceeds the guaranteed minimum of a target.
 #include "cost/limits.h"
 
 #include <gtest/gtest.h>
@@ -19,7 +19,7 @@ TEST(Limits, NamesImagesBeyondTheUnits) {
     EXPECT_NE(problem.find("15.png, last.png (weave)"), std::string::npos) << problem;
 }
 
-// `count` outputs o0, o1, ... drawn to.
+// Writes `count` fragment outputs o0, o1, ...
 std::string excess_of(const char* target, int count) {
     Reflection reflection;
     reflection.target = target;
@@ -31,7 +31,8 @@ std::string excess_of(const char* target, int count) {
     return draw_buffer_excess(reflection).problem;
 }
 
-// The specifications' least numbers: OpenGL 3.3 table 6.56, ES 3.0 table 6.35, Vulkan 1.0 table 36.
+// Minimum limits of the specifications: OpenGL 3.3 table 6.56, ES 3.0 table 6.35, Vulkan 1.0 table
+// 36.
 TEST(Limits, NamesOutputsBeyondTheDrawBuffers) {
     for (const auto& [target, most] : {std::pair{"glsl330", 8},
                                        {"glsl450", 4},

@@ -1,4 +1,4 @@
-// Who an instruction's cost is put down to.
+// Tests of the attribution of instruction costs.
 #include "cost/report.h"
 
 #include <gtest/gtest.h>

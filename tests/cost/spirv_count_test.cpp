@@ -1,4 +1,4 @@
-// Modules of a few instructions each, counted by hand.
+// Tests of instruction counts in SPIR-V modules of a few instructions, counted by hand.
 #include "cost/spirv_count.h"
 
 #include <gtest/gtest.h>
@@ -101,7 +101,7 @@ OpBranch %second
 %g = OpFAdd %float %e %c
 )");
     ASSERT_EQ(count.lines.size(), 8U);
-    EXPECT_EQ(count.lines[0].alu, 3U + 1U + 1U);  // a line ends with its block
+    EXPECT_EQ(count.lines[0].alu, 3U + 1U + 1U);  // a line ends at the end of its block
     EXPECT_EQ(count.lines[7].alu, 4U);
     EXPECT_EQ(count.lines[3].alu, 5U);
     ShaderCost sum;
@@ -117,7 +117,7 @@ TEST(SpirvCount, RefusesACall) {
     EXPECT_NE(why.find("call"), std::string::npos);
 }
 
-// Whatever bytes: a reason or a count, and nothing read beside them.
+// Any input gives an error or a count, without reads out of bounds.
 TEST(SpirvCount, TakesAnyWords) {
     std::vector<uint32_t> words = words_of("%r = OpDot %float %v %v\n");
     std::string why;

@@ -1,4 +1,4 @@
-// Planes of floats for tests: the inputs of a scene, and room for the outputs.
+// Planar float buffers for tests: the inputs of a scene, and storage for the outputs.
 #pragma once
 
 #include <vector>

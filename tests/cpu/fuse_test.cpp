@@ -1,5 +1,5 @@
-// Steps that share a pass over memory give the bits of the steps by themselves: the same expression
-// once more with every value between as an output, which keeps them apart.
+// Tests that fused steps give the same bits as separate steps: in the second version of each
+// expression every intermediate value is an output, which prevents fusion.
 #include <gtest/gtest.h>
 
 #include <bit>
@@ -16,7 +16,7 @@ using Make = std::function<Id(Scene&, std::vector<Id>& between)>;
 
 struct Made {
     Program program;
-    std::vector<double> values;  // of the last output
+    std::vector<double> values;  // last output
 };
 
 template <class T>
@@ -55,7 +55,7 @@ void expect_fused(const Make& expression, size_t steps) {
     }
 }
 
-// Numbers whose products and sums round, of both signs, zeros of both signs among them.
+// Numbers of both signs with inexact products and sums, including zeros of both signs.
 Id operand(Scene& s, uint64_t seed) {
     return s.numbers([seed](size_t k) {
         if (k % 11 == seed % 11) return k % 2 ? -0.0 : 0.0;
@@ -123,7 +123,7 @@ TEST(Fused, ADecodedNormalsDepth) {
         2);
 }
 
-// What stands before a loop that reads it is not done again in every round.
+// A value computed before a loop and used inside it is not recomputed in every iteration.
 TEST(Fused, NothingIntoALoop) {
     Scene s(fuse_points);
     Module& m = s.m;

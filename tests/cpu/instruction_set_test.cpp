@@ -1,5 +1,5 @@
-// Two instruction sets, one result: every op that runs on floats, on ordinary and on strange
-// numbers, bit by bit.
+// Tests that all instruction sets agree bit by bit for every op on floats, for ordinary values and
+// for special ones.
 #include <gtest/gtest.h>
 
 #include <bit>
@@ -50,7 +50,7 @@ void expect_same(const Application& a, Numbers& numbers) {
         evaluate<T>(program, scene.points, {}, 0, wide_points, wide, set);
         for (size_t k = 0; k < baseline.values[0].size(); ++k) {
             const double x = baseline.values[0][k], y = wide.values[0][k];
-            if (x != x && y != y) continue;  // which NaN is nobody's business
+            if (x != x && y != y) continue;  // NaN payloads may differ
             ASSERT_EQ(std::bit_cast<uint64_t>(x), std::bit_cast<uint64_t>(y))
                 << text(a) << " at " << k << " with set " << static_cast<int>(set);
         }

@@ -1,4 +1,4 @@
-// Loops and calls, where points leave a loop at different times.
+// Tests of loops and calls, with points that leave a loop at different times.
 #include <gtest/gtest.h>
 
 #include "cpu/support.h"
@@ -13,7 +13,7 @@ Id integer(Module& m, int value) {
     return m.literal(Type::int_, value);
 }
 
-// How often each point goes round: 0, 1, 2, ... 12 and again.
+// Number of iterations of each point: 0, 1, 2, ... 12 and again.
 Id rounds(Scene& s) {
     return s.m.add(Op::to_int_, {s.numbers([](size_t k) { return static_cast<double>(k % 13); })});
 }

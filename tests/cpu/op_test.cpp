@@ -1,5 +1,5 @@
-// Every op of the table on every combination of types it takes, at 40 points with numbers of their
-// own, against the reference interpreter; then the corners that plugin.h writes down.
+// Tests of every op of the table on every combination of types, at 40 points with different values,
+// against the reference interpreter; then the special cases documented in plugin.h.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -14,7 +14,7 @@ namespace {
 
 constexpr size_t op_points = 40;
 
-// Integers stay where a float holds them, when `single`.
+// With `single`, integers stay within the range that a float represents exactly.
 Lanes operand_at(const Application& a, size_t which, Numbers& numbers, bool single) {
     Lanes lanes = numbers.operand(a, which);
     const bool integer = a.operands[which] == Type::int_ || a.operands[which] == Type::uint_;
@@ -65,7 +65,7 @@ TEST(Ops, FloatsAgreeWithTheInterpreter) {
         expect_op<float>(a, numbers, 3e-5);
 }
 
-// One float op at one point, through inputs so that nothing folds.
+// One float op at one point; the arguments are inputs, so that nothing is folded.
 template <class T>
 double at(Op op, std::initializer_list<double> arguments) {
     Scene scene(1);

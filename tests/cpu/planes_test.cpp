@@ -1,4 +1,5 @@
-// Planes of floats against evaluate<float>(): the same bits for every split and instruction set.
+// Tests that planar evaluation equals evaluate<float>() bit by bit, for every split and instruction
+// set.
 #include <gtest/gtest.h>
 
 #include <bit>
@@ -20,7 +21,7 @@ MipChain gradient_picture() {
     return build_mips(std::move(image));
 }
 
-// Outputs of every kind: floats of several lanes, an integer, a bool; a texture, a loop.
+// Outputs of every kind: floats with several components, an integer, a bool; a texture, a loop.
 void write_outputs(Scene& s) {
     Module& m = s.m;
     const Value x{&m, s.numbers([](size_t k) { return std::sin(0.1 * static_cast<double>(k)); })};
@@ -72,7 +73,7 @@ TEST(Planes, HoldWhatEvaluateGives) {
         }
 }
 
-// A larger program after a smaller one, and back.
+// One PlaneScratch is used for a small program, a larger one, and the small one again.
 TEST(Planes, OneScratchServesAnyProgram) {
     Scene small(many), large(many);
     small.output(small.numbers([](size_t k) { return static_cast<double>(k); }));
@@ -90,7 +91,7 @@ TEST(Planes, OneScratchServesAnyProgram) {
     }
 }
 
-// Of a texture with one level no lod is computed; the next one has several.
+// A texture with one level needs no lod; the next one has several levels.
 TEST(Planes, OneScratchServesAnyTextures) {
     Scene s(many);
     write_outputs(s);
@@ -109,7 +110,7 @@ TEST(Planes, OneScratchServesAnyTextures) {
     }
 }
 
-// An input that is an output, one value as two outputs, and a number by itself.
+// An input as an output, one value as two outputs, and a constant.
 TEST(Planes, OutputsMayBeAnything) {
     Scene s(many);
     const Id x = s.numbers([](size_t k) { return 0.5 * static_cast<double>(k); });

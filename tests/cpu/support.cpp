@@ -7,7 +7,7 @@
 namespace wrinkle::test {
 namespace {
 
-// The n-th scalar that a surface point has, variants included.
+// The n-th scalar of a surface point, variants included.
 struct Place {
     SurfaceInput input;
     Variant variant;
@@ -56,7 +56,7 @@ Id Scene::operand(Type type, std::span<const Lanes> values) {
     for (size_t lane = 0; lane < info(type).lanes; ++lane)
         parts.push_back(numbers([&](size_t k) {
             const double value = values[k][lane];
-            // to_uint goes through int, which holds the same bits.
+            // to_uint is done through int, which has the same bits.
             return type == Type::uint_ && value > 2147483647 ? value - 4294967296.0 : value;
         }));
     if (type == Type::mat3_) {

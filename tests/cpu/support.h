@@ -1,6 +1,6 @@
-// A module under construction together with the surface points it will be evaluated at.
+// A module under construction together with the surface points at which it will be evaluated.
 //
-// Operands of every type are made of scalar surface inputs, so each point has its own values; the
+// Operands of every type are made of scalar surface inputs, so each point has different values; the
 // reference interpreter of tests/ir reads the same points.
 #pragma once
 
@@ -17,16 +17,17 @@ namespace wrinkle::test {
 
 inline constexpr double infinity = std::numeric_limits<double>::infinity();
 
-std::vector<InstructionSet> every_set();  // that this machine has, the best last
+std::vector<InstructionSet> every_set();  // supported by this machine, the widest last
 
 class Scene {
 public:
     explicit Scene(size_t points);
 
-    // A value that is values[point] there. Integers and bools are converted from a float input.
+    // A value equal to values[point] at each point. Integers and bools are converted from a float
+    // input.
     Id operand(Type type, std::span<const Lanes> values);
     Id scalar(std::span<const double> values);
-    // As above with numbers that `make(point)` gives.
+    // As above, with the numbers make(point).
     template <class Make>
     Id numbers(Make make) {
         std::vector<double> values(points.count);
@@ -45,7 +46,7 @@ private:
     uint32_t used_ = 0;
 };
 
-// All points in one call. `textures` by resource.
+// Evaluates all points in one call. `textures` are indexed by resource.
 template <class T>
 Results evaluate_all(const Scene& scene, std::span<const Texture> textures = {}) {
     std::string why;
@@ -55,7 +56,7 @@ Results evaluate_all(const Scene& scene, std::span<const Texture> textures = {})
     return results;
 }
 
-// Every output at every point against the interpreter.
+// Compares every output at every point with the interpreter.
 void expect_as_interpreted(const Scene& scene, double tolerance);
 
 }  // namespace wrinkle::test

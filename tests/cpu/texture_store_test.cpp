@@ -1,4 +1,5 @@
-// Files as textures: read once, shared, and what cannot be read is said once and black.
+// Tests of textures loaded from files: read once, shared; an unreadable file is reported once and
+// replaced by black.
 #include "cpu/texture_store.h"
 
 #include <gtest/gtest.h>

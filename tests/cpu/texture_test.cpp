@@ -1,5 +1,6 @@
-// Textures against a slow reference that knows no shortcut: a texel counts by how much its tent,
-// centred on it and one texel wide to either side, covers the place asked for.
+// Tests of textures against a slow reference without shortcuts: the weight of a texel is the
+// overlap of its tent filter, centred on it and one texel wide to either side, with the sampled
+// position.
 #include "cpu/texture.h"
 
 #include <gtest/gtest.h>
@@ -28,7 +29,7 @@ int reference_texel(int i, int n, Wrap wrap) {
     return folded < n ? folded : 2 * n - 1 - folded;
 }
 
-// What texel i of n, counted on beyond the borders, weighs at u.
+// Weight of texel i of n at u; i may be outside of 0..n-1.
 double weight(double u, int i, int n, Filter filter) {
     const double place = u * n;
     if (filter == Filter::nearest) return place >= i && place < i + 1;
@@ -171,7 +172,7 @@ TEST(Textures, AnEmptyOneIsOneBlackTexel) {
               (std::array<double, 4>{0, 0, 0, 1}));
 }
 
-// The ops, in a program: two textures, a lod of its own for each point, and explicit gradients.
+// The ops in a program: two textures, a different lod at each point, and explicit gradients.
 TEST(TextureOps, ReadTheirOwnResource) {
     constexpr size_t points = 50;
     Scene s(points);

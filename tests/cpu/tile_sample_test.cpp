@@ -1,5 +1,5 @@
-// Whole tiles of texture reads against Texture::sample_lod<float>() of each lane by itself, bit by
-// bit, for every form of texels, wrap mode and instruction set.
+// Tests that texture reads of complete tiles equal Texture::sample_lod<float>() of each lane bit by
+// bit, for every texel format, wrap mode and instruction set.
 #include <gtest/gtest.h>
 
 #include <bit>
@@ -32,7 +32,7 @@ MipChain chain_of(const Picture& picture) {
         value = bytes ? static_cast<float>(random() % 256) / 255
                       : static_cast<float>(random() % 100000) / 777 - 50;
     MipChain chain = build_mips(std::move(image));
-    // Coarser levels that may be read only where a lane lies between two.
+    // Coarser levels that may be read only if a lane lies between two levels.
     if (!bytes)
         for (size_t k = 1; k < chain.levels.size(); k += 2)
             for (float& value : chain.levels[k].data)
@@ -41,7 +41,7 @@ MipChain chain_of(const Picture& picture) {
     return chain;
 }
 
-// u, v and lod: ordinary ones, neighbours in a row, far away ones, and what has no place.
+// u, v and lod: ordinary values, neighbours in a row, distant values, and non-finite values.
 double coordinate(std::mt19937& random, size_t k) {
     constexpr double strange[] = {0,   1,   -1e-9, 1e9, -3e8,  infinity, -infinity,
                                   NAN, 0.5, -0.5,  2,   1e-40, 1 - 1e-8, 16777217};
@@ -55,7 +55,7 @@ double lod(std::mt19937& random, size_t k) {
     return k < places / 2 ? 2 : static_cast<double>(random() % 1000) / 200 - 1;
 }
 
-// Which NaN is nobody's business.
+// Equal bits; NaN payloads may differ.
 bool same(float a, float b) {
     return (a != a && b != b) || std::bit_cast<uint32_t>(a) == std::bit_cast<uint32_t>(b);
 }
@@ -120,7 +120,8 @@ TEST(TileSamples, EveryLaneIsAsByItself) {
                 expect_as_alone(picture, {Encoding::linear, wrap, Filter::linear}, lanes);
 }
 
-// Lane by lane a texel on, over the borders, there and back; up where a picture is one texel wide.
+// Consecutive lanes advance by one texel, across borders, forwards and backwards; along v if the
+// image is one texel wide.
 TEST(TileSamples, NeighboursAreAsByThemselves) {
     const Picture pictures[] = {{37, 5, 3, PixelType::u8},      {8, 8, 3, PixelType::u8},
                                 {1, 20, 3, PixelType::u8},      {37, 6, 1, PixelType::float32},
@@ -144,7 +145,7 @@ TEST(TileSamples, NeighboursAreAsByThemselves) {
     }
 }
 
-// As where a map is baked: no lane asks for another level than its neighbours.
+// The case of baking: all lanes read the same level.
 TEST(TileSamples, OneLevelForAllIsThatOfEachByItself) {
     std::mt19937 random(6);
     const Number anywhere = [&](size_t k) { return coordinate(random, k); };
@@ -162,7 +163,7 @@ TEST(TileSamples, NearestTexelsToo) {
                     "xyz");
 }
 
-// Every byte comes as the quotient that the loader makes of it.
+// Every byte is decoded to the same quotient as in the loader.
 TEST(TileSamples, EveryByteIsItsQuotient) {
     Image image = make_image(256, 1, 3, PixelType::u8);
     for (size_t k = 0; k < image.data.size(); ++k)

@@ -1,4 +1,5 @@
-// Where tiles begin and end changes nothing, long chains stay small, and missing values are named.
+// Tests that tile borders do not affect results, that long chains need little memory, and that
+// missing values are named.
 #include <gtest/gtest.h>
 
 #include <bit>
@@ -12,7 +13,7 @@
 namespace wrinkle::test {
 namespace {
 
-// A bit of everything that differs from point to point: branches, a loop, transcendentals.
+// A program with every construct that varies per point: branches, a loop, transcendentals.
 void write_material(Scene& s) {
     Module& m = s.m;
     const Value x{&m, s.numbers([](size_t k) { return std::sin(static_cast<double>(k)); })};
@@ -98,14 +99,14 @@ TEST(Tiles, FloatIsRoundedDouble) {
             EXPECT_EQ(single.values[i][k],
                       static_cast<double>(static_cast<float>(single.values[i][k])));
         }
-    EXPECT_LT(apart, 15u);  // a loop may end one round earlier
+    EXPECT_LT(apart, 15u);  // a loop may end one iteration earlier
 }
 
 TEST(Inputs, EachIsNamedOnce) {
     Module m;
     const Id uv = m.input(SurfaceInput::uv1_),
              change = m.input(SurfaceInput::position_, Variant::dy);
-    m.input(SurfaceInput::tangent_);  // no output needs it
+    m.input(SurfaceInput::tangent_);  // no output uses it
     const Id sum = m.add(Op::add_, {m.swizzle(uv, "x"), m.swizzle(change, "z")});
     m.outputs = {{"a", WR_PORT_float, m.add(Op::mul_, {sum, m.swizzle(uv, "x")})},
                  {"b", WR_PORT_vec2, uv}};
@@ -127,7 +128,7 @@ TEST(Parameters, HaveTheValueOfTheModule) {
 
 constexpr int chain_length = 100'000;
 
-// Every link has a number of its own, as a graph of a hundred thousand sliders would.
+// Every link has its own parameter, as in a graph with 100,000 sliders.
 void evaluate_chain() {
     Scene s(3);
     Module& m = s.m;
@@ -153,7 +154,7 @@ TEST(Chains, AHundredThousandLinksNeedFewRegistersAndLittleStack) {
     on_small_stack(evaluate_chain);
 }
 
-// Many values that live at once, in the order in which they are needed last.
+// Many simultaneously live values, in the order of their last uses.
 TEST(Chains, ManyLiveValuesKeepApart) {
     Scene s(2);
     Module& m = s.m;

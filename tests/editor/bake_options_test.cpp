@@ -1,4 +1,4 @@
-// What a bake from the editor can be asked for: each option does what it does in `wrinkle bake`, is
+// Tests of bake options in the editor: each option has the effect that it has in `wrinkle bake`, is
 // remembered, and is in the command that the dialog copies.
 #include <cstdlib>
 
@@ -26,7 +26,7 @@ protected:
                        (folder.path() / out).string());
     }
     std::string bytes(const fs::path& name) const { return text_of(folder.path() / name); }
-    // The bake and the command that the dialog would copy give the same files.
+    // Checks that the bake and the command copied by the dialog write the same files.
     void expect_the_command_bakes_it(const BakeChoices& chosen, const std::string& into) {
         bake(chosen, "ours/" + into);
         BakeChoices theirs = chosen;
@@ -104,11 +104,11 @@ TEST_F(BakeOptionRows, MomentsOfPicturesAreThoseOfTheProgram) {
         "normal": {"type": "resolve", "in": {"gradient": {"from": "map.gradient"}}}},
         "outputs": {"normal": {"from": "normal.normal"}}})");
     BakeChoices chosen = choices({"normal", "slopes"});
-    chosen.width = 64;  // a texel is many of the picture's
+    chosen.width = 64;  // one texel covers many texels of the image
     expect_the_command_bakes_it(chosen, "maps");
 }
 
-// What `wrinkle bake` takes, and no more.
+// The editor offers exactly the formats and types that `wrinkle bake` accepts.
 TEST_F(BakeOptionRows, EveryFormatAndTypeOfTheProgramIsOffered) {
     std::vector<std::string> offered, taken;
     for (const StoredAs& kind : stored_kinds())

@@ -1,4 +1,5 @@
-// Maps baked from the editor: the bytes of `wrinkle bake`, what stops it, and what it tells.
+// Tests of bakes from the editor: the bytes equal those of `wrinkle bake`; cancellation, errors and
+// messages.
 #include "editor/bake/bake.h"
 
 #include <sys/resource.h>
@@ -17,7 +18,7 @@ namespace {
 namespace fs = std::filesystem;
 using Names = std::vector<std::string>;
 
-// Two triangles over one square, the second mirrored, and the same again a square further right.
+// Two triangles over the same uv area, the second mirrored, and a third in the next UDIM tile.
 const char* const folded = R"(v 0 0 0
 v 1 0 0
 v 0 1 0
@@ -39,13 +40,13 @@ protected:
         start_bake(state, chosen);
         play("finish");
     }
-    // What the program says of a bake of the file as it is on the disk.
+    // Returns the output of `wrinkle bake` for the file on disk.
     std::string program(const std::string& options, const std::string& out) const {
         return program_output("bake " + file.string() + " --size 256 " + options + " -o " +
                               (folder.path() / out).string());
     }
     bool exists(const std::string& name) const { return fs::exists(folder.path() / name); }
-    // Until some of it is done.
+    // Starts a bake and returns when some of it is done.
     void start_long_bake(const std::string& into) {
         BakeChoices chosen = choices({"normal", "height"}, into);
         chosen.width = 16384;
@@ -132,7 +133,7 @@ TEST_F(EditorBake, QuittingAsksFirst) {
     EXPECT_TRUE(state.tasks.running);
     play("key Ctrl+Q\nclick answer:stop");
     EXPECT_TRUE(state.quit);
-    state.tasks = {};  // as the program's end
+    state.tasks = {};  // as at the end of the program
     EXPECT_FALSE(exists("maps"));
 }
 

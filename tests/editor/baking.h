@@ -1,4 +1,4 @@
-// What tests of bakes from the editor share: a small graph, and files that are to be the same.
+// Shared by the tests of bakes from the editor: a small graph, a fixture, file comparison.
 #pragma once
 
 #include "editor/bake/choices.h"
@@ -6,16 +6,16 @@
 
 namespace wrinkle::editor {
 
-// A rock of noise, with the outputs normal, height and roughness.
+// A graph of noise with the outputs normal, height and roughness.
 extern const char* const rock;
 
 const StoredAs* stored_kind(std::string_view key);
 
 class Baking : public Headless {
 protected:
-    // Of 256 texels a side on a sphere.
+    // Bakes onto a sphere, 256 texels per row.
     static BakeChoices choices(const std::vector<std::string>& maps, const std::string& into = {});
-    // Names in the test's folder.
+    // Checks that both files have the same bytes. Paths are relative to the test's folder.
     void expect_same(const std::filesystem::path& ours, const std::filesystem::path& theirs) const;
 };
 

@@ -1,4 +1,4 @@
-// Frames, notes, lasso, the view that follows the hand, places in line, finding.
+// Tests of frames, notes, lasso selection, scrolling during drags, alignment and search of nodes.
 #include <set>
 
 #include "editor/canvas/layout.h"

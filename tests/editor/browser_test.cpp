@@ -1,4 +1,4 @@
-// The file browser and the start page.
+// Tests of the file browser and the start page.
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -39,7 +39,7 @@ TEST(Listing, SaysWhyAFolderCannotBeRead) {
     const TemporaryFolder folder;
     EXPECT_NE(list_folder(folder.path() / "none", {}).trouble, "");
     EXPECT_NE(list_folder(folder.write("file", "x"), {}).trouble, "");
-    if (geteuid() == 0) return;  // may read everything
+    if (geteuid() == 0) return;  // root can read every folder
     fs::create_directory(folder.path() / "closed");
     chmod((folder.path() / "closed").c_str(), 0);
     EXPECT_NE(list_folder(folder.path() / "closed", {}).trouble.find("closed"), std::string::npos);
@@ -53,7 +53,7 @@ TEST(Listing, ComparesNames) {
     EXPECT_TRUE(name_before("a007", "a8"));
     EXPECT_FALSE(name_before("x", "x"));
     std::vector<std::string> all = {"b", "a10b", "a2", "a02", "", "0", "00", "a", "A"};
-    std::sort(all.begin(), all.end(), name_before);  // a strict order, or this may not end
+    std::sort(all.begin(), all.end(), name_before);  // needs a strict weak ordering to end
     EXPECT_EQ(all.front(), "");
 }
 
@@ -133,7 +133,7 @@ TEST(Samples, AreListedByName) {
 }
 
 TEST_F(Headless, TheStartPageOpensASampleInOneClick) {
-    state.start.read = true;  // the samples of this test
+    state.start.read = true;  // use the samples of this test
     state.start.samples = list_samples(fs::path(WRINKLE_SOURCE_DIR) / "graphs");
     state.path.clear();
     frame();
@@ -150,7 +150,7 @@ TEST_F(Headless, TheStartPageTakesTwoPictures) {
     frame();
     frame();
     const std::string from = std::string(WRINKLE_SOURCE_DIR) + "/graphs/textures/";
-    fs::current_path(WRINKLE_SOURCE_DIR);  // a graph without a file stands here
+    fs::current_path(WRINKLE_SOURCE_DIR);  // folder of a graph without a file
     play("drop " + from + "rivets_normal.png " + from +
          "weave_normal.png start:drop\n"
          "assert nodes 4\nassert wire weave_normal.gradient gradient_add.b");

@@ -1,4 +1,4 @@
-// Cards that are too small for their headers: their names, and what moves them.
+// Tests of cards drawn too small for their headers: names and dragging.
 #include "editor/canvas/card_names.h"
 
 #include "editor/canvas/canvas.h"
@@ -15,7 +15,7 @@ bool overlap(const Extent& a, const Extent& b) {
 
 class SmallCards : public Headless {
 protected:
-    // All of the graph in the middle of the canvas.
+    // Sets the zoom and centers the graph on the canvas.
     void zoom_to(float zoom) {
         View& view = state.view;
         view.zoom = zoom;
@@ -41,7 +41,7 @@ protected:
     }
 };
 
-// Rows of cards with names of several lengths, as close to each other as Tidy puts them.
+// Rows of cards with names of several lengths, spaced as closely as Tidy does.
 std::string named_cards(int count) {
     std::string nodes, places;
     for (int i = 0; i < count; ++i) {
@@ -97,7 +97,7 @@ TEST_F(SmallCards, NamesAreDrawn) {
     };
     const size_t all = vertices();
     for (Card& card : state.layout.cards)
-        card.reroute = true;  // which has no name, and is drawn with more than a rectangle
+        card.reroute = true;  // has no name; drawn with more vertices than a rectangle
     EXPECT_TRUE(card_names(state).empty());
     EXPECT_GT(all, 4 * letters);
 }

@@ -1,4 +1,5 @@
-// Copies as text: valid, with links and fresh ids, through garbage and across processes.
+// Tests of the clipboard: copies are valid graph files with links and new ids; other text pastes
+// nothing.
 #include <algorithm>
 #include <cmath>
 

@@ -1,4 +1,4 @@
-// The code panel: the text of `wrinkle compile`, and whose each line is.
+// Tests of the code panel: it shows the source of `wrinkle compile` and maps each line to a node.
 #include <algorithm>
 
 #include "base/text.h"
@@ -123,9 +123,10 @@ size_t indent_of(std::string_view line) {
     return std::min(line.find_first_not_of(' '), line.size());
 }
 
-// The text itself says whose a line is: what is assigned to has a name that begins with the node's
-// id, the end of a loop is its beginning's, and for all else there is a comment "id: Title" on the
-// line or on the last one that has any.
+// Returns the id of the node that a line belongs to, found from the source only; "" if there is
+// none. The target of an assignment has a name that begins with the node's id. The end of a loop
+// belongs to the node of its beginning. For any other line, the line itself or the last one that
+// has a comment names the node: "id: Title".
 std::string node_by_text(const State& state, size_t line) {
     const CodeText& code = state.code.text;
     const std::string_view own = code.line(line);
@@ -136,7 +137,7 @@ std::string node_by_text(const State& state, size_t line) {
                 return node_by_text(state, i);
     constexpr std::string_view image = "uniform sampler2D ";
     if (words.starts_with(image)) {
-        std::string found;  // of two that fit the longer one: "tile" and "tile_uv"
+        std::string found;  // the longest id that matches: "tile_uv" rather than "tile"
         for (const NodePtr& node : state.document().nodes)
             if (words.substr(image.size()).starts_with(identifier(node->id) + "_") &&
                 node->id.size() > found.size())
@@ -248,7 +249,7 @@ TEST_F(Headless, ANodeWithoutALineSaysWhy) {
 
 TEST_F(Headless, TheFormIsChosenAndTheTextCopied) {
     open(small_graph);
-    state.panes.side = 0.4F;  // there is room for the choices
+    state.panes.side = 0.4F;  // wide enough to show the choices
     frame();
     frame();
     play(R"(
@@ -266,7 +267,7 @@ TEST_F(Headless, TheFormIsChosenAndTheTextCopied) {
     EXPECT_EQ(std::string(copied ? copied : ""), state.code.text.source);
 }
 
-// Nodes that no output needs and of which each is wrong in another way.
+// Nodes that no output needs, each with a different error.
 const char* const junk = R"(
     "a": { "type": "sine", "in": { "angle": { "from": "b.result" } } },
     "b": { "type": "sine", "in": { "angle": { "from": "a.result" } } },
@@ -297,7 +298,7 @@ TEST_F(Headless, WhatNoOutputNeedsIsAProblemAndBlocksNeitherTextNorPreview) {
     EXPECT_EQ(state.code.text.source, code);
     EXPECT_EQ(state.code.problem, "");
     EXPECT_NE(program_output("check " + file.string()).find("no_such_node"), std::string::npos);
-    // An edited document says its problems by another way.
+    // Problems of an edited document take another code path.
     state.commit("Move", move_node(state.document(), "noise", 5, 7));
     state.commit("Wire", connect(state.document(), {"number", "result"}, "softer", "amount"));
     frame();

@@ -1,4 +1,4 @@
-// The editor's command line; what is refused needs no screen.
+// Tests of the editor's command line; rejected arguments need no screen.
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 
@@ -13,7 +13,8 @@ int exit_code(const std::string& words) {
     return WEXITSTATUS(std::system((program + words + " >/dev/null 2>&1").c_str()));
 }
 
-// Two graphs are one too many, so the first word behind the option's value is a graph.
+// Two graphs are an error, so exit code 2 shows that the second argument after the option is a
+// graph.
 TEST(CommandLine, PluginPathsTakeOneValueEach) {
     EXPECT_EQ(exit_code(" --plugin-path x.so a.json b.json"), 2);
     EXPECT_EQ(exit_code(" --plugin-path x.so --plugin-path y.so a.json b.json"), 2);

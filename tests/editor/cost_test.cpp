@@ -1,4 +1,4 @@
-// What the material costs, per card.
+// Tests of the material cost per card.
 #include "editor/document/cost.h"
 
 #include <imgui_internal.h>
@@ -73,8 +73,8 @@ TEST_F(Headless, AGraphThatDoesNotCompileHasNoCost) {
     EXPECT_FALSE(state.built.costs);
 }
 
-// The reads of the text that is generated, in all graphs of one function; nodes and what the
-// outputs need sum up to the total in all.
+// The node costs sum to the total texture reads and to more than half of the total ops. If the
+// generated source has a single function, the total equals its texture reads.
 TEST_F(Headless, EstimatesAreThoseOfTheText) {
     size_t compared = 0;
     for (const auto& entry :
@@ -108,7 +108,7 @@ TEST_F(Headless, EstimatesAreThoseOfTheText) {
     EXPECT_GT(compared, 4U);
 }
 
-// Vertices of that colour that are drawn in the card's last row, or in its header.
+// Returns the number of vertices of that colour in the card's last row or in its header.
 size_t drawn(const State& state, std::string_view node, ImU32 color, bool header = false) {
     ImDrawList list(ImGui::GetDrawListSharedData());
     list._ResetForNewFrame();
@@ -145,7 +145,8 @@ TEST_F(Headless, TheCardSaysItsCostAndTheHeatViewTintsIt) {
     EXPECT_EQ(drawn(state, "noise", theme::text_dim), 0U);
 }
 
-// The scale is even: it gets lighter from stop to stop, and its text reads on it.
+// Luminance increases monotonically along the colour scale, and its text has a contrast of at least
+// 4.5.
 TEST(Heat, GetsLighterAndItsTextReads) {
     const auto light = [](ImU32 color) {
         double sum = 0;
@@ -203,7 +204,7 @@ TEST_F(Headless, ASubGraphCostsWhatItsNodesDo) {
     EXPECT_EQ(cost_of(state, "group"), both);
 }
 
-// With the thread that counts, as in the window.
+// With the counting thread, as in the window.
 class Counted : public Headless {
 protected:
     Counted() { state.follow.counter = &counter; }
@@ -223,7 +224,7 @@ protected:
     CostCounter counter{count, {}};
 };
 
-// The same numbers as the program prints, the sum of each node's.
+// The counts equal those that the program prints, in total and per node.
 TEST_F(Counted, CostsAreThoseOfTheProgram) {
     for (const char* name : {"base_and_detail", "everything", "decals", "noise_rock"}) {
         const std::string sample = std::string(WRINKLE_SOURCE_DIR "/graphs/") + name + ".json";
@@ -253,7 +254,8 @@ TEST_F(Counted, CostsAreThoseOfTheProgram) {
     }
 }
 
-// No frame waits: a text has its estimate at once, and the count of the one before until its own.
+// No frame waits: a new source has an estimate at once; after an edit the previous count is shown
+// until the new one is done.
 TEST_F(Counted, FollowTheTextWithoutHoldingItUp) {
     open(small_graph);
     ASSERT_TRUE(state.costs());
@@ -273,7 +275,7 @@ TEST_F(Counted, FollowTheTextWithoutHoldingItUp) {
     EXPECT_FALSE(state.costs());
 }
 
-// Another file's costs are never shown for this one.
+// The costs of another file are never shown for this one.
 TEST_F(Counted, ANewFileBeginsWithItsEstimate) {
     open(small_graph);
     settle();
@@ -287,7 +289,8 @@ TEST_F(Counted, ANewFileBeginsWithItsEstimate) {
     EXPECT_FALSE(state.costs()->estimated);
 }
 
-// What would take the compilers many seconds is not given to them; so it is with no compilers.
+// A module that would take the compilers many seconds is not counted; the same holds if there are
+// no compilers.
 TEST_F(Counted, AGraphThatCannotBeCountedKeepsItsEstimateAndSaysWhy) {
     std::string nodes = R"("n0": {"type": "gradient_noise", "in": {"octaves": 8}})",
                 sum = "n0.height";

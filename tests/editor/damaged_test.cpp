@@ -1,6 +1,6 @@
-// Damaged graphs: opened, looked at and saved under another name without a crash; what they hold
-// of unknown things is kept, and what cannot be read whole is not written over.
-// WRINKLE_DAMAGED says how many; some hundred by default.
+// Tests of damaged graphs: they are opened, displayed and saved under another name without a crash;
+// unknown content is retained; a file that cannot be read completely is not overwritten.
+// WRINKLE_DAMAGED sets the number of graphs; default: 150.
 #include <algorithm>
 #include <cstdlib>
 #include <fstream>
@@ -46,7 +46,8 @@ public:
 private:
     size_t pick(size_t count) { return random_() % count; }
 
-    // A whole "key" or "text" of the graph.
+    // Returns position and length of a complete "key" or "text" of the graph, without quotes; {0,
+    // 0} if none is found.
     std::pair<size_t, size_t> some_word(const std::string& text) {
         const size_t first = text.find('"', pick(text.size()));
         const size_t last = first == text.npos ? first : text.find('"', first + 1);
@@ -96,7 +97,7 @@ private:
                 return;
             case 9:
             case 10:
-            case 11: {  // one word in the place of another
+            case 11: {  // one word replaced by another
                 const auto [other, size] = some_word(text);
                 text.replace(word, length, text.substr(other, size));
                 return;
@@ -114,7 +115,8 @@ private:
     std::vector<std::string> samples_;
 };
 
-// Every node of an unknown type says the same in both texts.
+// Checks that every node of an unknown type has the same members in both texts; returns the number
+// of these nodes.
 size_t expect_unknown_nodes_kept(const Document& document, const std::string& saved) {
     Diagnostics ignored;
     const Document again = read_document(saved, "again.json", ignored);
@@ -163,7 +165,7 @@ TEST_F(Headless, DamagedGraphsAreOpenedKeptAndNotOverwritten) {
         open_file(state, file);
         const Document document = state.document();
         frame();
-        // An edit makes the text anew.
+        // After an edit the text is generated again.
         if (i % 2 && !document.nodes.empty())
             state.commit("Name", set_name(document, "edited " + std::to_string(i)));
         frame();

@@ -1,4 +1,4 @@
-// Files dropped on the window: what they become by their pixels and by where they fall.
+// Tests of files dropped on the window: the pixels and the drop position select the nodes made.
 #include <fstream>
 
 #include "base/text.h"
@@ -71,8 +71,9 @@ protected:
         texture("weave_normal.png");
         open(empty_graph);
     }
-    // Compares what the program makes of the saved graph; all ways end at the same text. How far a
-    // drag goes depends on the fonts, which decide how wide a field is.
+    // Compares the generated source of the saved graph with the golden file; all ways must give the
+    // same source. The dragged value is replaced, as it depends on the fonts, which determine the
+    // width of a field.
     void expect_layers() {
         play("assert errors 0\nkey Ctrl+S\nassert clean");
         const Node* weave = state.document().find("weave_normal");
@@ -119,7 +120,7 @@ TEST_F(Layering, TakesSevenActionsByTheKeyboard) {
     for (const char* name :
          {"ball_cube.png", "ball_object.png", "bricks_height.png", "patches_mask.png",
           "pebbles_height.png", "pebbles_slopes.png", "weave_height.png"})
-        texture(name);  // a list to type into
+        texture(name);  // enough choices to filter by typing
     play(R"(
         key I
         type rivets
@@ -201,7 +202,7 @@ TEST_F(Headless, APictureFromElsewhereIsCopiedWhenAsked) {
     play(R"(assert value rivets_normal.image "textures/rivets_normal.png")");
 }
 
-// Two images of another folder, which a drop brings.
+// Two images in another folder, to be dropped.
 struct Elsewhere {
     Elsewhere() {
         for (const char* name : {"rivets_normal.png", "weave_normal.png"})

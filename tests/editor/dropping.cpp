@@ -14,7 +14,7 @@ namespace wrinkle::editor {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-constexpr std::chrono::seconds patience(60);  // hangs end
+constexpr std::chrono::seconds patience(60);  // time limit of a drop
 
 std::string as_uris(const std::vector<std::string>& files) {
     std::string text;
@@ -57,7 +57,7 @@ private:
         return Clock::now() < end_;
     }
 
-    // The window below `parent` that says it takes drops; 0: none.
+    // Returns the window below `parent` that accepts drops; 0 if there is none.
     Window aware(Window parent) const {
         Window ignored = 0, *children = nullptr, found = 0;
         unsigned count = 0;
@@ -90,7 +90,8 @@ private:
         XFlush(get());
     }
 
-    // The window's next message of this type; hands it the files meanwhile when it asks for them.
+    // Returns the window's next message of this type; std::nullopt after the time limit. Sends the
+    // files if the window requests them meanwhile.
     std::optional<XClientMessageEvent> answer(const char* type, const std::string& uris) const {
         do {
             while (XPending(get()) > 0) {

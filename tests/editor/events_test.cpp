@@ -1,6 +1,6 @@
-// Any events, in any order, over the real interface: the program's own checks and ImGui's stay
-// quiet, most of what is done is an edit, every edit can be undone to the byte, nothing stays open.
-// WRINKLE_EVENTS says how many, WRINKLE_SEED which.
+// Tests of arbitrary events in arbitrary order on the real interface: no check of the program or of
+// ImGui fails, enough events are edits, every edit can be undone to the byte, nothing stays open.
+// WRINKLE_EVENTS sets the number of events, WRINKLE_SEED the seed.
 #include <GLFW/glfw3.h>
 
 #include <cstdlib>
@@ -26,9 +26,9 @@ int from_environment(const char* name, int otherwise) {
 
 class Events : public Headless {
 protected:
-    // The text of every state that the history was ever in; it comes back when the state does.
+    // Checks that the document has the same text whenever the history returns to a state.
     void look() {
-        if (!state.fresh) return;  // another file, from the next frame on
+        if (!state.fresh) return;  // another file is loaded in the next frame
         if (state.follow.first != opened_) texts_.clear();
         opened_ = state.follow.first;
         state.quit = false;
@@ -38,7 +38,7 @@ protected:
         const std::string text = write_document(state.document());
         const auto [known, is_new] = texts_.emplace(serial, text);
         ASSERT_EQ(known->second, text) << "undo or redo led elsewhere";
-        const bool is_step = is_new && state.history.at() != at_;  // a drag is one
+        const bool is_step = is_new && state.history.at() != at_;  // a drag is one step
         at_ = state.history.at();
         edits_ += is_step;
         if (is_step && edits_ % 16 == 0) expect_round_trip();
@@ -49,7 +49,7 @@ protected:
         EXPECT_EQ(canonical_text(read_document(text, "again.json", problems)), text);
     }
     void run_frames(std::mt19937& random) {
-        while (!queue.empty() && random() % 30 && !HasFatalFailure()) {  // or the hands are faster
+        while (!queue.empty() && random() % 30 && !HasFatalFailure()) {  // may stop early
             frame();
             look();
         }
@@ -59,7 +59,7 @@ protected:
             frame();
     }
 
-    // Escape leads out of everything, whatever it was.
+    // Closes everything that is open with Escape.
     void leave_all(RandomEvents& events) {
         events.let_go();
         for (int i = 0; i < 8; ++i) {
@@ -75,7 +75,7 @@ protected:
         EXPECT_TRUE(state.gesture.kind == Gesture::Kind::none) << "a gesture stays";
     }
 
-    // Back to the first state and forth to the last.
+    // Undoes to the first state and redoes to the last.
     void undo_and_redo_all() {
         const std::string last = write_document(state.document());
         const size_t steps = state.history.at();
@@ -94,7 +94,7 @@ protected:
 private:
     std::map<uint64_t, std::string> texts_;  // by serial
     uint64_t opened_ = 0, serial_ = ~uint64_t{0};
-    size_t at_ = 0;  // in the history
+    size_t at_ = 0;  // index in the history
 };
 
 TEST_F(Events, ADragOutOfTheWindowKeepsTheCardWhereItWas) {
@@ -132,7 +132,7 @@ TEST_F(Events, AnyAreSurvivedAndUndone) {
     while (events.count() < count && !HasFailure()) {
         events.next();
         run_frames(random);
-        if (++gestures % 6 == 0) events.let_go();  // a key that stays down hides the others
+        if (++gestures % 6 == 0) events.let_go();  // a held key masks the others
         if (random() % 300 == 0)
             ImGui::GetIO().DisplaySize = {400.0F + static_cast<float>(random() % 1600),
                                           300.0F + static_cast<float>(random() % 900)};
@@ -151,8 +151,8 @@ TEST_F(Events, AnyAreSurvivedAndUndone) {
     fs::current_path(before);
     std::printf("%zu events in %zu gestures: %zu edits, %llu texts generated\n", events.count(),
                 gestures, edits_, static_cast<unsigned long long>(state.counters.builds));
-    // As a rule one event in 11 edits. A build of clang's once made one in 21 and another time one
-    // in 14, for a reason that is not known: hands that miss everything are to be seen here.
+    // Usually one event in 11 is an edit. One clang build had one in 21, another time one in 14,
+    // for an unknown reason. The limit detects gestures that miss all targets.
     EXPECT_GE(edits_ * 40, events.count()) << "the hands aim too badly";
 }
 

@@ -1,4 +1,4 @@
-// What the editor reads and writes: graphs, and the images round them.
+// Tests of the files that the editor reads and writes: graphs and the images near them.
 #include "editor/panels/popups.h"
 #include "headless.h"
 
@@ -52,7 +52,7 @@ TEST_F(Headless, ImageFilesAreThoseNearTheGraph) {
     EXPECT_EQ(image_files(folder.path() / "none"), Names{});
 }
 
-// The list stands as long as it is open: the folder is not walked on every frame.
+// The list is read once when it opens: the folder is not walked on every frame.
 TEST_F(Headless, ImagesAreListedOnceWhenTheListOpens) {
     std::string graph = small_graph;
     graph.replace(graph.find("\"number\": {"), 11,

@@ -1,4 +1,5 @@
-// What follows from the document: when texts are made anew, and that the interface does not wait.
+// Tests of data derived from the document: when source is generated, and that the interface does
+// not wait.
 #include "editor/document/files.h"
 #include "editor/document/refresh.h"
 #include "graph/edit.h"
@@ -9,7 +10,7 @@ namespace {
 
 class Follows : public Headless {
 protected:
-    // One edit and what follows from it, nobody looking at the code.
+    // Commits an edit and updates the derived data without drawing the code panel.
     void edit(Document document) {
         state.commit("edit", std::move(document));
         refresh(state);
@@ -53,7 +54,7 @@ TEST_F(Follows, ARenamedNodesValueStillReachesTheRunningProgram) {
     open(small_graph);
     edit(rename_node(state.document(), "softer", "weaker"));
     const uint64_t before = builds(), sent = state.counters.uniforms;
-    state.gesture.kind = Gesture::Kind::value;  // a hand is on it
+    state.gesture.kind = Gesture::Kind::value;  // a drag is in progress
     edit(set_value(state.document(), "weaker", "amount", json::Value::number(0.25)));
     EXPECT_EQ(builds(), before);
     EXPECT_EQ(state.counters.uniforms, sent + 1);
@@ -90,7 +91,7 @@ TEST_F(Follows, TheFormerTextStaysWhileAnotherIsMade) {
     open(small_graph);
     play("assert code wrinkle_graph_normal");
     state.commit("edit", set_output(state.document(), "roughness", {"noise", "value"}));
-    refresh(state);  // asks; what is here is the former
+    refresh(state);  // requests a build; the current result is the previous one
     EXPECT_TRUE(text_has("wrinkle_graph_normal"));
     play("assert code wrinkle_graph_roughness");
     state.follow.compiler = nullptr;
@@ -99,7 +100,7 @@ TEST_F(Follows, TheFormerTextStaysWhileAnotherIsMade) {
 TEST_F(Follows, AResultOfAnotherFileIsDropped) {
     Compiler compiler(built_in_registry());
     state.follow.compiler = &compiler;
-    open(small_graph);  // its text may or may not be here yet
+    open(small_graph);  // its source may not be generated yet
     const auto other = folder.write("other.json", R"({"wrinkle": 1, "nodes": {}})");
     open_file(state, other);
     refresh(state);

@@ -1,4 +1,4 @@
-// A part of a graph as a graph of its own.
+// Tests of sub-graphs made from selected nodes: group and ungroup.
 #include "editor/document/each_wire.h"
 #include "editor/document/group.h"
 #include "graph/read.h"

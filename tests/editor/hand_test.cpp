@@ -1,5 +1,6 @@
-// A hand at a real window: xdotool presses keys and buttons through the X server. WRINKLE_TAPS says
-// how many in the longest test; a few by default. Skipped only where there is no Xvfb.
+// Tests of input to a real window: xdotool sends keys and buttons through the X server.
+// WRINKLE_TAPS sets their number in the longest test; default: 60. Skipped only if Xvfb is not
+// available.
 #include <atomic>
 #include <cstdlib>
 #include <random>
@@ -21,7 +22,8 @@ size_t taps() {
     return wanted ? static_cast<size_t>(std::atoi(wanted)) : 60;
 }
 
-// The newest unsaved text of the one graph that is open, and how many edits made it.
+// Returns the newest unsaved text of the only open graph and the number of its edits; std::nullopt
+// if there is no journal.
 std::optional<Recoverable> kept(const std::filesystem::path& folder) {
     std::error_code ignored;
     for (const auto& entry : std::filesystem::directory_iterator(folder / "journal", ignored))
@@ -31,15 +33,15 @@ std::optional<Recoverable> kept(const std::filesystem::path& folder) {
 
 class Hand : public Headless {
 protected:
-    // The same window as the headless one, so things stand where these are.
+    // The window has the size of the headless one, so the headless target positions are valid.
     void begin(const std::string& text) {
         open(text);
         for (int i = 0; i < 4; ++i)
             frame();
         editor.emplace(screen, std::vector<std::string>{file.string(), "--size", "1600", "900",
                                                         "--state", home.path().string()});
-        // The name of the graph is in the title once there was a frame; the next few put the view
-        // in its place.
+        // The title has the name of the graph after the first frame; the next few frames fit the
+        // view.
         ASSERT_EQ(do_now("search --sync --onlyvisible --name graph.json windowfocus --sync"), 0);
         std::this_thread::sleep_for(Ms(500));
     }
@@ -49,11 +51,11 @@ protected:
     }
     std::string click_at(const std::string& target) const {
         const auto rect = state.targets.find(target);
-        if (!rect) return "click-on-nothing";  // no step of xdotool, so it fails
+        if (!rect) return "click-on-nothing";  // not an xdotool command, so it fails
         return "mousemove " + std::to_string(static_cast<int>(rect->middle_x())) + " " +
                std::to_string(static_cast<int>(rect->y0 + 8)) + " click 1 ";
     }
-    // Until so many edits are kept.
+    // Waits until the journal has this many edits; after a time limit returns the last text read.
     std::optional<Recoverable> wait_for(size_t edits) const {
         const auto patience = Clock::now() + std::chrono::seconds(40 + taps() / 3);
         std::optional<Recoverable> found;
@@ -68,7 +70,7 @@ protected:
     std::optional<RunningEditor> editor;
 };
 
-// The program stands still for all but a moment of each period, as one does that draws slowly.
+// Stops the process for all but 8 ms of each period, to simulate slow frames.
 class Slowly {
 public:
     Slowly(pid_t process, Ms period)
@@ -94,8 +96,7 @@ private:
 
 class HandAtRate : public Hand, public ::testing::WithParamInterface<int> {};
 
-// Buttons choose one node or the other, keys mute it: a tap that is lost, or that changes places
-// with another, mutes another node.
+// Clicks select one of two nodes and keys mute it. A lost or reordered tap mutes the wrong node.
 TEST_P(HandAtRate, EveryTapArrivesInOrder) {
     if (!screen.is_there()) GTEST_SKIP() << "there is no Xvfb here";
     begin(small_graph);

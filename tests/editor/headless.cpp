@@ -59,14 +59,14 @@ Registry make_registry() {
     return registry;
 }
 
-// One context for all tests: baking fonts is the slow part.
+// One context for all tests, as baking fonts is slow.
 Fonts& context() {
     static Fonts fonts = [] {
         ImGui::CreateContext();
         ImGuiIO& io = ImGui::GetIO();
         io.IniFilename = nullptr;
-        io.MouseDoubleClickTime = 0.06F;                            // of three frames
-        io.BackendFlags |= ImGuiBackendFlags_RendererHasVtxOffset;  // as that of the window
+        io.MouseDoubleClickTime = 0.06F;                            // seconds: three frames
+        io.BackendFlags |= ImGuiBackendFlags_RendererHasVtxOffset;  // as in the window's backend
         map_keys(io);
         theme::use(Theme::dark);
         Fonts loaded;
@@ -129,8 +129,8 @@ Headless::Headless() {
     io.DeltaTime = 1.0F / 60;
     io.MousePos = {-1, -1};
     for (ImGuiWindow* window : ImGui::GetCurrentContext()->Windows)
-        window->Scroll = {0, 0};    // as a former test has left it
-    for (int i = 0; i < 30; ++i) {  // so that no click of a former test makes this one a double
+        window->Scroll = {0, 0};    // left by a previous test
+    for (int i = 0; i < 30; ++i) {  // avoids a double click with the last test
         ImGui::NewFrame();
         ImGui::EndFrame();
     }
@@ -176,7 +176,7 @@ void Headless::play(const std::string& text) {
     Script script(text);
     while (Clock::now() < patience) {
         frame();
-        // Leaves the processor to what is waited for.
+        // Leaves the CPU to the worker threads that the script waits for.
         if (!is_settled(state)) std::this_thread::sleep_for(std::chrono::milliseconds(1));
         switch (script.step(state, queue, {})) {
             case Script::Progress::done:

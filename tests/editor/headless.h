@@ -1,4 +1,4 @@
-// The editor without a window and without GL: the real draw_ui(), fed through the real queue.
+// The editor without a window and without GL: the real draw_ui() with input from the real queue.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -14,12 +14,12 @@ namespace wrinkle::editor {
 
 const Registry& built_in_registry();
 
-// A graph without files: noise -> scaled -> normal, and a lone number.
+// A graph that reads no files: noise -> scaled -> normal, and an unconnected number.
 extern const char* const small_graph;
-// A document that is read without a problem.
+// Parses a document; any problem fails the test.
 Document parsed(const std::string& text);
 
-// A folder of its own that is removed at the end.
+// A new temporary folder; the destructor removes it.
 class TemporaryFolder {
 public:
     TemporaryFolder();
@@ -33,7 +33,7 @@ private:
 
 std::string text_of(const std::filesystem::path& file);
 
-// What `wrinkle ARGUMENTS` writes to standard output.
+// Returns the standard output and standard error of `wrinkle ARGUMENTS`.
 std::string program_output(const std::string& arguments);
 // Compares with tests/editor/golden/NAME; WRINKLE_UPDATE_GOLDEN=1 writes it.
 void expect_golden(const std::string& name, const std::string& text);
@@ -43,10 +43,10 @@ protected:
     Headless();
     ~Headless() override;
     void open(const std::string& graph);
-    // Copies a picture of graphs/textures into the folder's textures/.
+    // Copies an image of graphs/textures into the folder's textures/.
     std::string texture(const std::string& name) const;
     void frame();
-    // Plays a script to its end; a step that goes wrong fails the test.
+    // Plays a script to its end; a failed step fails the test.
     void play(const std::string& script);
 
     TemporaryFolder folder, home;

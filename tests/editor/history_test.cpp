@@ -1,4 +1,4 @@
-// Undo and redo: every edit that the panels make comes back byte for byte, whatever their number.
+// Tests of undo and redo: any number of edits made by the panels is restored byte for byte.
 #include <malloc.h>
 
 #include <algorithm>
@@ -19,7 +19,7 @@
 namespace wrinkle::editor {
 namespace {
 
-// A hand that does what comes into its mind, by the functions of the panels.
+// Applies random edits through the functions of the panels.
 class RandomHand {
 public:
     RandomHand(State& state, unsigned seed) : state_(state), random_(seed) {}
@@ -174,7 +174,7 @@ TEST_F(Headless, TenThousandRandomEditsUndoToTheStartAndRedoToTheEnd) {
     RandomHand hand(state, 11);
     std::map<size_t, std::string> sampled;
     for (int i = 0; i < 10'000; ++i) {
-        if (i % 100 == 0) refresh(state);  // cards for the selection to be copied from
+        if (i % 100 == 0) refresh(state);  // updates the cards that a copied selection needs
         hand.act();
         if (i % 61 == 0) sampled[state.history.at()] = write_document(state.document());
     }
@@ -201,7 +201,7 @@ TEST_F(Headless, TenThousandRandomEditsUndoToTheStartAndRedoToTheEnd) {
     EXPECT_GT(compared, 250U);
 }
 
-// `count` nodes in a chain, with places.
+// `count` nodes in a chain, with positions.
 std::string long_chain(int count) {
     std::string nodes, places, previous = "0.5";
     for (int i = 0; i < count; ++i) {
@@ -221,7 +221,7 @@ double milliseconds_since(std::chrono::steady_clock::time_point start) {
         .count();
 }
 
-// Prints its figures; asserts no time.
+// Prints its figures; does not check times.
 TEST(HistoryFigures, TenThousandStepsOfTwoThousandNodes) {
     Document document = parsed(long_chain(2000));
     History history(document);

@@ -1,5 +1,5 @@
-// What lint says of the graph's pictures: what a drop makes of it, what is remarked and mended, and
-// that nobody waits for it.
+// Tests of image lint: the nodes that dropped images become, remarks and their fixes; the interface
+// does not wait for it.
 #include "editor/images/images.h"
 
 #include <unistd.h>
@@ -22,7 +22,8 @@ const char* const bare_graph = "{ \"wrinkle\": 1 }\n";
 
 class Pictures : public Headless {
 protected:
-    // A picture of graphs/textures, changed texel by texel; `keep` is the share of its width.
+    // Saves a modified copy of an image of graphs/textures: `change` is called for each texel, and
+    // `keep` is the fraction of the width that is retained.
     template <class Change>
     fs::path changed(const std::string& from, const std::string& to, Change change,
                      double keep = 1) const {
@@ -45,7 +46,8 @@ protected:
     fs::path turned_green(const std::string& to) const {
         return changed("rivets_normal.png", to, [](float* t) { t[1] = 1 - t[1]; });
     }
-    // source.image -> more -> normal, with a value that only some types know.
+    // Opens the graph source -> normal. `source` reads the image and has the input `more`, which
+    // only some types have.
     void open_reading(const std::string& type, const std::string& image,
                       const std::string& output = "gradient",
                       const std::string& more = "\"strength\": 0.5") {
@@ -272,7 +274,7 @@ TEST(ImageFacts, SayKindSizeAndTheNumbersOfLint) {
         EXPECT_NE(facts[name], "") << name;
 }
 
-// Looks at nothing before it is told to.
+// Examines no image until `go` is set.
 class Waiting : public Pictures {
 protected:
     Waiting() {

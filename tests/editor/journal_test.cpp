@@ -1,4 +1,4 @@
-// Unsaved edits outlive the program: the journal, what of it can be read, and getting it back.
+// Tests of the recovery journal: unsaved edits survive a crash, damaged journals, recovery.
 #include "editor/document/journal.h"
 
 #include <sys/resource.h>
@@ -65,7 +65,7 @@ TEST(TextDelta, NonsenseIsNone) {
     EXPECT_EQ(apply_text_delta("text", "=1,2\n+2\nab=0,1\n"), "exabt");
 }
 
-// A journal as a program leaves it that died: the states that it went through, and its file.
+// Journal of a process that died: the document texts in order, and the journal file.
 struct Left {
     std::vector<std::string> texts;
     fs::path file;
@@ -154,7 +154,8 @@ size_t journals(const TemporaryFolder& home) {
                : 0;
 }
 
-// What a program that dies now leaves: its file without its lock.
+// Copies the journals to "left", as a process that dies now leaves them: files without a lock.
+// Returns that folder.
 fs::path die(const TemporaryFolder& home) {
     const fs::path folder = home.path() / "state" / "journal", left = home.path() / "left";
     fs::remove_all(left);
@@ -218,7 +219,7 @@ TEST_F(Headless, WhatADeadProgramLeftIsOfferedAndComesBack) {
     play("click node:number\nkey Delete");
     const std::string edited = write_document(state.document());
     const fs::path left = die(home);
-    open(small_graph);  // the edits are gone
+    open(small_graph);  // discards the edits
     come_back(home, left);
     carry_out(state, {Intent::Kind::open, file});
     play("wait\nassert nodes 4\nclick answer:later\nassert nodes 4");
@@ -316,7 +317,7 @@ TEST_F(Headless, AJournalThatCannotBeWrittenIsSaidAndTriedAgain) {
     EXPECT_EQ(found[0].text, write_document(state.document())) << "nothing torn is in between";
 }
 
-// Prints its figure; asserts no time.
+// Prints its figure; does not check times.
 TEST_F(Headless, FiguresOfTheJournalAtTwoThousandNodes) {
     std::string nodes, places;
     for (int i = 0; i < 2000; ++i) {

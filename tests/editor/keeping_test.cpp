@@ -1,4 +1,4 @@
-// Work is not lost: saving, what stands in its way, other programs, unsaved changes, settings.
+// Tests of saving: failures, files changed by other programs, unsaved changes, settings.
 #include <sys/resource.h>
 
 #include <unistd.h>
@@ -24,7 +24,7 @@ std::string with_name(const std::string& name) {
     return text.replace(text.find("Small"), 5, name);
 }
 
-// As the program does it, once a second.
+// Runs the check that the program runs once a second.
 void look(State& state) {
     state.keeping.looked = 0;
     tend(state);
@@ -127,7 +127,7 @@ TEST_F(Headless, SavingOverWhatAnotherProgramWroteAsksFirst) {
     open(small_graph);
     play(rename_a_node);
     folder.write("graph.json", with_name("Theirs"));
-    state.keeping.looked = 1e18;  // the look of this second is over
+    state.keeping.looked = 1e18;  // no further check of the file
     play("key Ctrl+Q\nclick answer:save\nassert target answer:theirs");
     EXPECT_EQ(text_of(file), with_name("Theirs"));
     play("click answer:mine");
@@ -168,7 +168,7 @@ TEST_F(Headless, ADeviceThatIsFullIsSaid) {
         << state.status;
 }
 
-// A limit on the length of files stops the writing in its middle, as a full disk does.
+// A limit on the file size stops the write midway, as a full disk does.
 TEST_F(Headless, AHalfWrittenFileNeverTakesThePlaceOfTheOldOne) {
     open(small_graph);
     play(rename_a_node);
@@ -193,7 +193,7 @@ TEST_F(Headless, AReadOnlyFolderIsSaid) {
     open(small_graph);
     play(rename_a_node);
     fs::permissions(folder.path(), fs::perms::owner_read | fs::perms::owner_exec);
-    const bool powerless = access(folder.path().c_str(), W_OK) != 0;  // root may write anywhere
+    const bool powerless = access(folder.path().c_str(), W_OK) != 0;  // root can write anywhere
     const bool saved = save_file(state);
     fs::permissions(folder.path(), fs::perms::owner_all);
     EXPECT_NE(saved, powerless);

@@ -1,4 +1,4 @@
-// The delta from one snapshot's text to the next, made of what differs.
+// Tests of the text delta between two snapshots, computed from their differences.
 #include "editor/document/kept_text.h"
 
 #include "editor/document/text_delta.h"
@@ -25,7 +25,7 @@ Node sum_node(const Document& document) {
     return node;
 }
 
-// Any snapshot after any other: the delta leads from the text of the one to that of the other.
+// For any two snapshots the delta converts the text of the first into that of the second.
 TEST(KeptText, FollowsAnySnapshot) {
     std::mt19937 random(11);
     Diagnostics ignored;

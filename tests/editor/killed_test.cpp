@@ -1,5 +1,5 @@
-// A real program that is killed at any moment: no committed edit is lost, no file half written.
-// WRINKLE_KILLS says how often; a few by default.
+// Tests of an editor process that is killed at any time: no committed edit is lost, no file is half
+// written. WRINKLE_KILLS sets the number of kills; default: 6.
 #include <chrono>
 #include <cstdlib>
 #include <cstring>
@@ -26,7 +26,7 @@ int kills() {
     return wanted ? std::atoi(wanted) : 6;
 }
 
-// Counts upwards in one field, with saves and drags between, and says how far it has come.
+// Script that counts upwards in one field, with saves and drags in between, and prints each number.
 std::string counting_script(int from) {
     std::string script;
     for (int i = from; i < from + 400; ++i) {
@@ -39,7 +39,7 @@ std::string counting_script(int from) {
     return script;
 }
 
-// The number in a whole graph; nothing when it is not whole.
+// Returns the number in a complete graph; std::nullopt if the graph is incomplete.
 std::optional<int> number_in(const std::string& text) {
     Diagnostics problems;
     const Document document = read_document(text, "graph.json", problems);
@@ -56,7 +56,8 @@ int last_number(const std::string& said, int otherwise) {
     return otherwise;
 }
 
-// Lets it work for a while: a part of the start, until about a save, or any time.
+// Lets the editor run: less than 2 s from its start, less than 120 ms from a save, or less than 2.5
+// s from its first output.
 void let_work(RunningEditor& victim, int round, std::mt19937& random) {
     const auto any = [&](unsigned most) {
         std::this_thread::sleep_for(std::chrono::microseconds(random() % (most * 1000)));
@@ -68,13 +69,13 @@ void let_work(RunningEditor& victim, int round, std::mt19937& random) {
 }
 
 struct Toll {
-    int reached = 10;  // the number that is in the file or in a journal
+    int reached = 10;  // number in the file or in a journal
     int recovered = 0, stray = 0, edits = 0;
 };
 
 class Killed : public Headless {
 protected:
-    // One life of the editor, and what is left of it.
+    // Runs and kills the editor once, recovers its edits and checks the files.
     void round(const VirtualScreen& screen, int number, std::mt19937& random) {
         const auto script = home.write("script.txt", counting_script(tally.reached + 1));
         RunningEditor victim(screen, {file.string(), "--size", "1280", "720", "--script",

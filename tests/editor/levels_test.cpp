@@ -1,4 +1,4 @@
-// Going into sub-graphs and coming back: the graphs around the open one stay as they were.
+// Tests of opening and closing sub-graphs: the parent graphs remain unchanged.
 #include "editor/document/levels.h"
 
 #include "editor/document/files.h"
@@ -11,7 +11,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// One node that is a sub-graph, and a number.
+// A node that is a sub-graph, and a number.
 const char* const outer_graph = R"({"wrinkle": 1, "nodes": {
     "weave": {"type": "graph:weave.json"},
     "number": {"type": "add"}},
@@ -216,7 +216,8 @@ TEST_F(Levels, EachLevelHasItsJournal) {
     EXPECT_EQ(journals(), 0U);
 }
 
-// What a program that died inside two sub-graphs left is offered where each is opened.
+// The journals of a process that died inside a sub-graph are offered when the parent graph and the
+// sub-graph are opened.
 TEST_F(Levels, RecoveryHasAllLevels) {
     open_strap();
     play("click node:number\nkey M\ndouble node:weave+0,24\nclick node:noise\nkey M\nwait 2");
@@ -255,7 +256,8 @@ TEST_F(Levels, MissingFilesAndCirclesSayWhatIsWrong) {
     EXPECT_EQ(state.outer.size(), 1U);
 }
 
-// Of a file in a folder below, names lead from there, and no further out than the whole graph.
+// Names in a graph in a sub-folder are relative to that folder; they may lead up to the folder of
+// the outermost graph.
 TEST_F(Levels, TheOutermostGraphSaysHowFarNamesMayLead) {
     fs::create_directory(folder.path() / "parts");
     folder.write("thread.json", thread_graph);

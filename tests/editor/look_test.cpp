@@ -1,5 +1,5 @@
-// Letters at every zoom and scale: drawn at the size they were baked at or a little less, as wide
-// as at zoom 1 times the zoom.
+// Tests of text rendering at every zoom and scale: glyphs are drawn at their baked size or slightly
+// smaller, and text is as wide as at zoom 1 times the zoom.
 #include "editor/look/look.h"
 
 #include <cmath>
@@ -14,11 +14,11 @@ namespace {
 
 struct Letters {
     size_t count = 0;
-    float least = 10, most = 0;  // pixels on the screen per pixel of the texture
+    float least = 10, most = 0;  // screen pixels per texel of the font texture
     float low = 1e9F, high = -1e9F;
 };
 
-// What a list draws with a picture is letters: six indices for four corners.
+// Measures the textured quads of a draw list, which are glyphs: six indices for four corners.
 void measure(const ImDrawList& list, float scale, Letters& letters) {
     const auto wide = static_cast<float>(ImGui::GetIO().Fonts->TexWidth);
     for (const ImDrawCmd& command : list.CmdBuffer)

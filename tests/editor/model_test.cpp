@@ -1,4 +1,4 @@
-// The model without ImGui: change, values, wires, input.
+// Tests of the document model without ImGui: changes, values, wires, input queue.
 #include <imgui.h>
 
 #include "editor/canvas/field.h"

@@ -1,4 +1,5 @@
-// New cards: over no other card, above all others, in sight; and what is gone is not selected.
+// Tests of new cards: they cover no other card, are on top and visible; removed nodes are
+// deselected.
 #include <map>
 
 #include "editor/canvas/layout.h"
@@ -11,7 +12,8 @@ namespace {
 
 class NewCards : public Headless {
 protected:
-    // What the cards of `ids` cover, and which of them are not wholly on the canvas.
+    // Lists the cards that `ids` cover, and those of `ids` not completely on the canvas; "" if
+    // none.
     std::string wrong(const std::set<std::string>& ids) const {
         std::string found;
         const View& view = state.view;
@@ -65,7 +67,7 @@ TEST_F(NewCards, DuplicatesLieBesideTheirOriginalsAndAboveAll) {
     EXPECT_EQ(wrong({"softer2", "normal2"}), "");
     EXPECT_TRUE(state.layout.cards.back().id == "softer2" ||
                 state.layout.cards.back().id == "normal2");
-    // They keep their places to each other.
+    // Copies have the same relative positions as the originals.
     const Card &a = *state.layout.find("softer"), &b = *state.layout.find("normal");
     const Card &c = *state.layout.find("softer2"), &d = *state.layout.find("normal2");
     EXPECT_EQ(d.at.x - c.at.x, b.at.x - a.at.x);

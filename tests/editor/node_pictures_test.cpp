@@ -1,4 +1,4 @@
-// The oracle is what the graph means on a flat patch, worked out by hand.
+// Tests of node previews: expected texels are computed by hand for a flat patch.
 #include "editor/preview/node_pictures.h"
 
 #include <gtest/gtest.h>
@@ -63,7 +63,7 @@ TEST(NodePictures, AHeightIsGrayOverItsRange) {
 }
 
 TEST(NodePictures, ASlopeIsTheColourOfItsNormal) {
-    // h = u / 2 over a patch on which u is x: the normal is (-1, 0, 2) / sqrt 5.
+    // h = u / 2 over a patch with u = x: the normal is (-1, 0, 2) / sqrt 5.
     const NodePictures pictures = pictures_of(ramp);
     const auto shown = [](double v) { return static_cast<int>(std::lround(127.5 + 127.5 * v)); };
     const int r = shown(-1 / std::sqrt(5.0)), b = shown(2 / std::sqrt(5.0));
@@ -149,7 +149,7 @@ TEST_F(Headless, ThePictureOfAMapIsTheMap) {
     EXPECT_GT(other, 10U);
 }
 
-// Of a card's picture: where it begins, below 0 where there is none.
+// Returns the y offset of the preview on the node's card; negative if there is none.
 float picture_of(const State& state, const std::string& node) {
     const Card* card = state.layout.find(node);
     return card ? card->picture_y : -2;
@@ -158,9 +158,9 @@ float picture_of(const State& state, const std::string& node) {
 TEST_F(Headless, ACardShowsWhatItMakesWhereThatIsAnotherKindOfThing) {
     open(small_graph);
     play("click node:softer");
-    EXPECT_GT(picture_of(state, "noise"), 0);   // a height, of a point
-    EXPECT_GT(picture_of(state, "normal"), 0);  // a normal, of a bump
-    EXPECT_LT(picture_of(state, "softer"), 0);  // a bump, of a bump
+    EXPECT_GT(picture_of(state, "noise"), 0);   // a height from a point
+    EXPECT_GT(picture_of(state, "normal"), 0);  // a normal from a gradient
+    EXPECT_LT(picture_of(state, "softer"), 0);  // a gradient from a gradient
     const float height = state.layout.find("softer")->size.y;
     play("key V");
     EXPECT_GT(picture_of(state, "softer"), 0);

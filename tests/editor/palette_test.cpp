@@ -1,4 +1,4 @@
-// What the search finds, and how the palette behaves under keys and the mouse.
+// Tests of search results, and of the palette with keys and the mouse.
 #include <chrono>
 #include <set>
 
@@ -48,7 +48,7 @@ TEST_F(Headless, ThreeLettersPutEveryNodeOnTop) {
             found = each == &type;
             if (found) break;
             ++before;
-            // Only a title that begins with the same letters may stand before it.
+            // Only a title that begins with the same letters may be ranked before it.
             EXPECT_TRUE(lower_case(each->title).starts_with(query))
                 << "'" << query << "' finds " << each->title << " before " << type.title;
         }
@@ -67,7 +67,7 @@ TEST_F(Headless, TheWholeTitlePutsANodeFirst) {
         EXPECT_EQ(search_nodes(state, type.title).front()->title, type.title);
 }
 
-// 500 types of which each has the query somewhere; the figure is printed, not judged.
+// Searches 500 types; the time is printed, not checked.
 TEST(Search, OfManyTypesIsQuick) {
     std::vector<std::string> titles;
     for (int i = 0; i < 500; ++i)
@@ -79,7 +79,7 @@ TEST(Search, OfManyTypesIsQuick) {
             match(title, "some_layered_bump", "A doc line of usual length, with words.", "number 4")
                 .has_value();
     const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - start;
-    EXPECT_EQ(found, 176U);  // every number with a 4 in it
+    EXPECT_EQ(found, 176U);  // all numbers that contain a 4
     std::printf("500 types searched in %.3f ms\n", time.count());
 }
 

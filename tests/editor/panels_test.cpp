@@ -1,4 +1,4 @@
-// Values edited in place, problems with their fixes, help from the tables.
+// Tests of the panels: values edited in place, problems with their fixes, pages of nodes and keys.
 #include <algorithm>
 #include <array>
 #include <cstdlib>
@@ -71,7 +71,7 @@ TEST_F(Headless, ALongListIsNarrowedByTyping) {
     EXPECT_EQ(state.popup.kind, Popup::Kind::none);
 }
 
-// No built-in node has a colour of its own.
+// Registry with a node type that has a color input; no built-in type has one.
 Registry with_colour_node() {
     static wr_port in = {}, out = {};
     in.size = out.size = sizeof(wr_port);
@@ -139,7 +139,7 @@ TEST_F(Headless, ProblemsFrameTheirNodesAndAreFixedWhereThatIsCertain) {
         return std::string("none");
     };
     ASSERT_NE(find("weave"), "none") << to_text(state.built.problems);
-    ImGui::GetIO().DisplaySize.y = 2400;  // all rows are on the screen
+    ImGui::GetIO().DisplaySize.y = 2400;  // tall enough for all rows
     frame();
     frame();
     play("click problem:" + find("odd"));
@@ -213,7 +213,7 @@ TEST(Shortcuts, NeverMeanTwoThings) {
         std::vector<std::string> parts;
         for (const std::string_view part : split(command.keys, '+'))
             parts.emplace_back(part);
-        std::sort(parts.begin(), parts.end() - 1);  // modifiers in any order
+        std::sort(parts.begin(), parts.end() - 1);  // the order of modifiers is not significant
         std::string whole;
         for (const std::string& part : parts) {
             EXPECT_NE(key_named(part), 0) << command.keys;

@@ -1,4 +1,4 @@
-// A layout that was brought up to an edit is the one that would be made from nothing.
+// Tests of incremental layout: a layout updated after an edit equals one built from scratch.
 #include <tuple>
 
 #include "editor/canvas/layout.h"
@@ -17,7 +17,7 @@ std::string told(const ImVec2& at) {
     return std::to_string(at.x) + "," + std::to_string(at.y);
 }
 
-// Everything that is drawn of a layout and found by the pointer, a line for each thing.
+// Lists all elements of a layout that are drawn or hit-tested, one per line.
 std::string told(const Layout& layout) {
     std::string text;
     const auto line = [&](const auto&... words) {

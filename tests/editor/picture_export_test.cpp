@@ -1,4 +1,4 @@
-// The picture of the preview as a file, in any size. Skipped only where there is no GL.
+// Tests of exporting the preview as an image file of any size. Skipped only if GL is not available.
 #include "editor/preview/picture_export.h"
 
 #include <epoxy/gl.h>

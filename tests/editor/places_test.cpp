@@ -1,4 +1,4 @@
-// Where cards stand that nobody has put anywhere, and those of the graphs that come along.
+// Tests of card positions: nodes without a stored position, the sample graphs, and Tidy.
 #include "editor/canvas/layout.h"
 #include "editor/canvas/tidy.h"
 #include "editor/document/files.h"
@@ -10,7 +10,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Pairs of cards that lie over each other, but those that somebody put there.
+// Lists pairs of overlapping cards, except those that both have a stored position.
 std::string overlaps(const Layout& layout, const Document& document) {
     std::string found;
     const auto placed = [&](const Card& card) { return document.positions.find(card.id); };
@@ -110,7 +110,7 @@ TEST_F(Tidying, NoCardCoversAnother) {
     }
 }
 
-// Sampled here, finer than by the editor.
+// Samples the wire at 501 points, more finely than the editor.
 bool runs_behind(const Wire& wire, const Card& card) {
     const Curve curve = wire_curve(wire.start, wire.end, 1);
     for (int i = 0; i <= 500; ++i) {

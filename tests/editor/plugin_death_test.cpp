@@ -1,5 +1,5 @@
-// A plugin whose build() ends or hangs its process is a problem of the graph; the editor, its edits
-// and their recovery are unaffected.
+// Tests of plugins that end or hang their process in build(): the graph has a problem; the editor,
+// its edits and their recovery are unaffected.
 #include <chrono>
 
 #include "editor/document/plugins.h"
@@ -54,7 +54,7 @@ TEST_F(PluginDeath, IsAProblemOfTheGraph) {
     play("assert errors 0");
 }
 
-// As `--state` and a journal leave it when the editor is killed.
+// The editor is killed twice; the second run recovers the journal in the `--state` folder.
 TEST(PluginDeathInAnEditor, LeavesTheWindowTheEditsAndTheirRecovery) {
     const VirtualScreen screen;
     if (!screen.is_there()) GTEST_SKIP() << "there is no Xvfb here";

@@ -1,4 +1,4 @@
-// The preview's thread and what it is asked for. Skipped only where there is no GL.
+// Tests of the preview's thread and its requests. Skipped only if GL is not available.
 #include <cmath>
 #include <numbers>
 
@@ -11,7 +11,7 @@
 namespace wrinkle::editor {
 namespace {
 
-// Two smooth bumps over uv0 of the plane, so steep that blends of their normals are far off.
+// Two smooth bumps over uv0 of the plane, steep enough for large errors of blended normals.
 const char* const two_bumps = R"({
   "wrinkle": 1,
   "nodes": {
@@ -91,7 +91,7 @@ TEST_F(WithPreview, TheLastGoodPictureStaysWhenTheGraphBreaks) {
 TEST_F(WithPreview, ANewGraphShowsNothingOfTheFormerOne) {
     begin(two_bumps);
     ASSERT_NE(see().texture, 0U);
-    preview_->show({}, "", {}, side, side + 1);  // is on its way when the other graph comes
+    preview_->show({}, "", {}, side, side + 1);  // in progress when the other graph is opened
     new_file(state);
     EXPECT_EQ(preview_->shown().texture, 0U);
     EXPECT_EQ(see().texture, 0U);
@@ -115,7 +115,7 @@ TEST_F(WithPreview, AShaderThatTheDriverRefusesIsAProblemOfItsNode) {
     begin(two_bumps);
     const auto before = pixels_of(see().texture);
     Shader broken = *state.built.uniform;
-    // The line of the text that `softer` is on.
+    // First line of the generated source that belongs to `sum`.
     size_t line = 0, at = 0;
     const Reflection& reflection = broken.reflection;
     for (size_t i = 0; i < reflection.lines.size() && line == 0; ++i)
@@ -152,13 +152,13 @@ TEST_F(WithPreview, TwiceTheObjectHasHalfTheSlopes) {
     const auto once = pixels_of(see().texture);
     state.view.preview_view.scale = 4;
     const auto twice = pixels_of(see().texture);
-    double before = 0, after = 0;  // blue falls along the heat map's beginning; red grows
+    double before = 0, after = 0;  // red, which increases at the start of the heat map
     for (size_t i = 0; i < once.size(); i += 4)
         before += once[i], after += twice[i];
     EXPECT_LT(after, 0.8 * before);
 }
 
-// The plane at these uvs, as far as a program reads it.
+// Returns the inputs that the program reads, at these uv coordinates of the plane.
 PointSet plane_points(const Program& program, const std::vector<glm::dvec2>& places) {
     PointSet points;
     points.count = places.size();
@@ -187,7 +187,8 @@ glm::dvec3 vector_at(const std::vector<double>& values, size_t i) {
     return {values[3 * i], values[3 * i + 1], values[3 * i + 2]};
 }
 
-// What the CPU says of the two normals at places of the plane, in degrees.
+// Returns the angles between the two normals at these uv coordinates of the plane, computed on the
+// CPU, in degrees.
 std::vector<double> cpu_angles(const State& state, const std::vector<glm::dvec2>& places) {
     const Requested requested =
         requested_document(state.document(), state.model, wanted_request(state));
@@ -219,7 +220,7 @@ TEST_F(WithPreview, TheDegreesOfAComparisonAreThoseOfTheCpu) {
         const PreviewPicture& picture = see();
         ASSERT_NE(picture.other, 0U) << blend << state.built.why_not_shown;
         const std::vector<float>& degrees = *picture.angles.degrees;
-        // The plane fills a square of the picture, looked at straight.
+        // The plane is viewed from the front and fills a square of the image.
         int low = side, high = 0;
         for (int i = 0; i < side; ++i)
             if (degrees[static_cast<size_t>(side / 2 * side + i)] >= 0)

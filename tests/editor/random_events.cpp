@@ -19,7 +19,7 @@ void RandomEvents::button(int button, bool down) {
     ++count_;
 }
 
-// Each key and modifier goes down and up.
+// Counts a press and a release of the key and of each modifier.
 void RandomEvents::chord(std::string_view keys) {
     if (queue_.chord(keys))
         count_ += 2 * (1 + static_cast<size_t>(std::count(keys.begin(), keys.end(), '+')));
@@ -58,7 +58,7 @@ std::string RandomEvents::any_port(const std::string& node, Port::Kind kind) {
     return names.empty() ? "" : names[pick(names.size())];
 }
 
-// No path leads out of the folder that the test stands in.
+// None of the texts is a path out of the test's folder.
 std::string RandomEvents::any_text() {
     static const std::string texts[] = {"0.5",   "-3",         "7",      "-1e300",
                                         "1e300", "1e-320",     "nan",    "inf",
@@ -121,7 +121,7 @@ void RandomEvents::move_node() {
     button(0, false);
 }
 
-// And does something to it.
+// Clicks a node and presses the keys of a command.
 void RandomEvents::click_node() {
     static constexpr const char* keys[] = {"Delete", "M",      "Ctrl+D", "C",      "Alt+S",
                                            "Ctrl+C", "Ctrl+V", "Ctrl+X", "Ctrl+G", "Enter"};
@@ -145,7 +145,7 @@ void RandomEvents::command() {
     if (!command.keys.empty() && command.enabled(state_)) chord(command.keys);
 }
 
-// What is listed on the screen: menus, rows, buttons, answers.
+// Clicks a random target of the screen: menu, row, button or answer.
 void RandomEvents::by_the_way() {
     const auto& all = state_.targets.all();
     if (all.empty() || pick(3) == 0) return chord(pick(2) ? "Escape" : "Home");

@@ -1,6 +1,6 @@
-// Hands that mostly know what they want: wires from pin to pin, values dragged and typed, nodes
-// moved and added, commands by their keys; between them any key, button and motion, held across
-// each other.
+// Random user input: mostly meaningful gestures (wires dragged from pin to pin, values dragged and
+// typed, nodes moved and added, commands by their keys), interleaved with arbitrary keys, buttons
+// and motion that overlap each other.
 #pragma once
 
 #include <random>
@@ -17,7 +17,7 @@ public:
         : state_(state), queue_(queue), random_(seed) {}
 
     void next();    // one gesture
-    void let_go();  // of all keys and buttons
+    void let_go();  // releases all keys and buttons
     size_t count() const { return count_; }
 
 private:
@@ -29,7 +29,7 @@ private:
     void chord(std::string_view keys);
     void type(const std::string& text);
 
-    bool aim(const std::string& name);  // at a thing on the screen; false when it is not there
+    bool aim(const std::string& name);  // moves to a target; false if it is not on the screen
     void move_by(float x, float y);
     std::string any_node();
     std::string any_port(const std::string& node, Port::Kind kind);

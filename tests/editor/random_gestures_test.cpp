@@ -1,5 +1,5 @@
-// Each gesture on 1,000 random graphs: one step of history, no wrong wire that was not there, and
-// undo gives the same bytes back.
+// Tests of each gesture on 1,000 random graphs: one undo step, no invalid wires, and undo restores
+// the same bytes.
 #include <functional>
 
 #include "editor/canvas/arrange.h"
@@ -60,7 +60,7 @@ void connect_lazily(State& state, Random& random) {
     state.gesture = {};
 }
 
-// The last node of the graph touches no wire.
+// Precondition: the last node of the graph has no wires.
 void drop_on_wire(State& state, Random& random) {
     if (state.layout.wires.empty()) return;
     const Wire& wire = state.layout.wires[random() % state.layout.wires.size()];
@@ -128,7 +128,7 @@ protected:
         settle();
     }
 
-    // Whether it changed anything.
+    // Returns true if the gesture changed the document.
     bool try_one(const Trial& trial, const Document& start, Random& random) {
         use(start);
         select_some(state, random);

@@ -8,7 +8,7 @@
 namespace wrinkle::editor {
 namespace {
 
-// Of a literal or nothing; the first nodes feed the later ones, so there are no loops.
+// Links inputs to random earlier nodes with a type that converts; the graph is therefore acyclic.
 Document wired(Document document, std::mt19937& random) {
     const Model model = make_model(document, ".", built_in_registry());
     for (size_t i = 1; i < document.nodes.size(); ++i) {
@@ -31,7 +31,7 @@ Document wired(Document document, std::mt19937& random) {
     return document;
 }
 
-// A reroute of a wire, perhaps of one that a reroute makes already.
+// Adds reroutes to random wires, including the wires of earlier reroutes.
 Document rerouted(Document document, std::mt19937& random) {
     for (size_t i = 0; i < document.nodes.size(); ++i) {
         const NodePtr node = document.nodes[i];

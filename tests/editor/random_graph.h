@@ -1,5 +1,5 @@
-// Graphs of random nodes and legal wires, and what is wrong with the wires of any graph, found
-// without the editor's own idea of what fits.
+// Random graphs with legal wires, and a count of invalid wires and links of any graph, independent
+// of the editor's compatibility checks.
 #pragma once
 
 #include <random>
@@ -10,12 +10,12 @@
 
 namespace wrinkle::editor {
 
-// 4 to 24 nodes with places on a grid, some reroutes among them, some outputs.
+// 4 to 15 nodes plus reroutes, positioned on a grid, with some outputs.
 Document random_graph(std::mt19937& random);
 
-// The wires between types that do not convert, or whose type is not known.
+// Number of wires between types that do not convert or that are unknown.
 size_t bad_wires(const Document& document);
-// Loops and links that lead nowhere.
+// Number of errors in links: cycles and links without a source.
 size_t bad_links(const Document& document);
 
 }  // namespace wrinkle::editor

@@ -1,5 +1,5 @@
-// Folders and files that may not be written to. Root may write anywhere, so what is tried runs in a
-// child that is nobody.
+// Tests of read-only folders and files. Root can write anywhere, so attempts run in a child process
+// as the user `nobody`.
 #include <sys/wait.h>
 
 #include <unistd.h>
@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// What `run` says, in a process without any power.
+// Returns the result of `run`, called in a child process without root privileges.
 std::string as_nobody(const std::function<std::string()>& run) {
     int ends[2];
     if (pipe(ends) != 0) return "no pipe";
@@ -101,13 +101,13 @@ TEST_F(ReadOnly, AFileIsNotReplacedThoughItsFolderWouldAllowIt) {
               "link.json was not saved: it is read-only.");
 }
 
-// From the question to another name, and on to what was asked for first.
+// The dialog leads to a save under another name; then the original command continues.
 TEST_F(ReadOnly, AnotherNameIsOffered) {
     open(small_graph);
     edit();
     fs::permissions(folder.path(), open_to_all);
     fs::permissions(file, readable);
-    fs::remove_all(home.path() / "config");  // root's, if the settings were kept already
+    fs::remove_all(home.path() / "config");  // owned by root if settings were saved before
     EXPECT_EQ(as_nobody([&] {
                   play(
                       "key Ctrl+Q\nclick answer:save\nassert target answer:save-as\n"

@@ -1,4 +1,4 @@
-// The parts of the window against the table they are meant to follow, and by hand.
+// Tests of the window regions: sizes against a table of expected values, and changes by the user.
 #include "editor/panels/regions.h"
 
 #include "editor/commands/commands.h"
@@ -9,7 +9,7 @@ namespace {
 
 struct Expected {
     ImVec2 window;
-    float problems;  // what their rows would take
+    float problems;  // height required by the rows
     ImVec2 canvas;
     float side, preview, below;
 };

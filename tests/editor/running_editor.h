@@ -1,4 +1,4 @@
-// The editor as a process of its own on a virtual screen, and what it says.
+// The editor as a child process on a virtual screen, with its output.
 #pragma once
 
 #include <sys/types.h>
@@ -21,9 +21,9 @@ public:
     ~RunningEditor();
 
     pid_t process() const { return process_; }
-    // Listens until then, or until it says `word`.
+    // Reads the output until `end`, until it contains `word` or until it is closed.
     void listen(Clock::time_point end, const char* word = nullptr);
-    // Ends it as it stands; everything that was said before it died.
+    // Kills the process with SIGKILL; returns its complete output.
     const std::string& kill();
 
 private:

@@ -1,4 +1,5 @@
-// A graph that is saved in another folder names the same pictures and sub-graphs from there.
+// Tests of Save As into another folder: the graph refers to the same images and sub-graphs from
+// there.
 #include "editor/document/files.h"
 #include "editor/document/moved_paths.h"
 #include "graph/edit.h"
@@ -75,7 +76,7 @@ TEST_F(SaveAs, WhatIsNotBelowTheFolderIsNamedAllTheSameAndSaid) {
     EXPECT_TRUE(said) << to_text(state.built.problems);
 }
 
-// A graph in a folder of its own that reads images and a sub-graph of other folders.
+// A graph that reads images and a sub-graph in folders below its own.
 constexpr const char* far_reaching = R"({
   "wrinkle": 1,
   "nodes": {
@@ -102,7 +103,7 @@ protected:
         folder.write("parts/part.json", part_with_image);
         open(far_reaching);
     }
-    // Through the file browser, up to the question about the files.
+    // Saves through the file browser, up to the dialog about the files.
     void save_in(const fs::path& there) {
         play("key Ctrl+Shift+S\nkey Ctrl+A\ntype " + (there / "moved.json").string() +
              "\nkey Enter");

@@ -1,4 +1,4 @@
-// What is shown before there is a graph, at every size of the window and of the interface.
+// Tests of the start page at every size of the window and of the interface.
 #include "editor/panels/start_page.h"
 
 #include <imgui_internal.h>
@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// As the window is made, in pixels of the screen.
+// Sets the size of the window, in screen pixels.
 void resize(State& state, float width, float height) {
     ImGuiIO& io = ImGui::GetIO();
     io.DisplaySize = {width / state.look.scale, height / state.look.scale};

@@ -1,4 +1,4 @@
-// What the status bar says, and how the pointer looks.
+// Tests of the status bar and of the cursor shape.
 #include <imgui_internal.h>
 
 #include "editor/document/files.h"

@@ -1,4 +1,4 @@
-// Work in the background: its strip, stopping it, and writing that cannot be done.
+// Tests of background tasks: progress strip, cancellation, failed writes.
 #include "editor/tasks/task.h"
 
 #include <sys/resource.h>
@@ -15,7 +15,7 @@ namespace wrinkle::editor {
 namespace {
 namespace fs = std::filesystem;
 
-// Ends when it is told to, or when it is cancelled.
+// A task that ends when `go` is set or when it is cancelled.
 TaskOrder waiting_order(const std::shared_ptr<std::atomic<bool>>& go, bool good) {
     const auto work = [go, good](TaskProgress& progress) -> TaskOutcome {
         progress.total = 4;

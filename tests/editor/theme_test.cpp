@@ -1,5 +1,6 @@
-// The colours of both themes: contrast by WCAG 2.1, differences of the types by CIEDE2000 (Sharma,
-// Wu, Dalal 2005) as people with other sight see them (Machado, Oliveira, Fernandes 2009).
+// Tests of the colours of both themes: contrast by WCAG 2.1; differences of the type colours by
+// CIEDE2000 (Sharma, Wu, Dalal 2005) under simulated colour vision deficiencies (Machado, Oliveira,
+// Fernandes 2009).
 #include "editor/look/theme.h"
 
 #include <gtest/gtest.h>
@@ -94,8 +95,8 @@ double ciede2000(const Triple& p, const Triple& q) {
 
 struct Sight {
     const char* name;
-    Matrix matrix;  // on linear RGB
-    double least;   // CIEDE2000 between any two types
+    Matrix matrix;  // for linear RGB
+    double least;   // minimum CIEDE2000 between two types
 };
 constexpr Sight sights[] = {
     {"normal", {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}, 20},

@@ -1,4 +1,4 @@
-// Tracing: what is on no way through the selection fades.
+// Tests of tracing: nodes and wires that are not on a path through the selection fade.
 #include "editor/canvas/canvas.h"
 #include "editor/canvas/painter.h"
 #include "headless.h"
@@ -24,7 +24,8 @@ protected:
             count += painter.fades_wire(i);
         return count;
     }
-    // The strongest alpha that is drawn in the card; far enough away that there is no grid.
+    // Returns the largest alpha drawn in the card, 0 to 255. Precondition: the zoom is too small
+    // for a grid.
     unsigned alpha_in(const std::string& node) {
         ImDrawList list(ImGui::GetDrawListSharedData());
         list._ResetForNewFrame();
@@ -43,7 +44,7 @@ protected:
     }
 };
 
-// noise -> a -> join -> normal, noise -> b -> join, and a lone one.
+// noise -> a -> join -> normal, noise -> b -> join, and an unconnected node.
 const char* const forked = R"({"wrinkle": 1, "nodes": {
     "noise": {"type": "gradient_noise"},
     "a": {"type": "gradient_scale", "in": {"gradient": {"from": "noise.height"}}},

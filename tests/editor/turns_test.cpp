@@ -1,4 +1,4 @@
-// Pictures give way to frames, and get on all the same.
+// Tests of turns: renderings wait for frames, but only for a limited time.
 #include "editor/preview/turns.h"
 
 #include <gtest/gtest.h>
@@ -37,7 +37,7 @@ TEST(Turns, AStripComesAfterTheFrame) {
         frame.reset();
         other.join();
     }
-    // One thread that is left standing between two lines of the above is no fault of the turns.
+    // The OS may suspend a thread between two of these lines, so some early renderings are allowed.
     EXPECT_LT(early, rounds / 2);
 }
 

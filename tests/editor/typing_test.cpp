@@ -1,4 +1,4 @@
-// Values: typed fast, and as they are shown.
+// Tests of values: fast typing, and display.
 #include <cmath>
 
 #include "editor/canvas/layout.h"
@@ -19,7 +19,7 @@ protected:
         for (int i = 0; i < frames; ++i)
             frame();
     }
-    // As a keyboard does: the key, the letter, the key again.
+    // Sends input as a keyboard does: key press, character, key release.
     void tap(const char* key, unsigned letter, int frames) {
         queue.key(key_named(key), true);
         if (letter) queue.character(letter);
@@ -66,7 +66,7 @@ TEST_F(Typing, NoLetterThatIsTypedAheadOfASearchIsLost) {
 
 TEST_F(Typing, KeysComeThroughWhenNoFieldTakesThem) {
     open(vectors);
-    state.field_wait = 6;  // as if a field had opened that never got the keyboard
+    state.field_wait = 6;  // as if a field had opened without getting the focus
     play("key Ctrl+A");
     EXPECT_EQ(state.view.selected.size(), 2U);
 }
@@ -98,7 +98,7 @@ TEST_F(Shown, ANumberReadsAsItsValue) {
     EXPECT_EQ(shown("rock", "octaves", "3"), "3");
 }
 
-// In a narrow field first the zero before the point goes, then decimals; never the whole part.
+// A narrow field drops the zero before the decimal point, then decimals; never the integer part.
 TEST_F(Shown, ANumberWithoutRoomIsRounded) {
     open(vectors);
     EXPECT_EQ(shown("turn", "scale", "[0.5, 1]"), "0.5");

@@ -1,4 +1,4 @@
-// The real window contents without a window, by the names of what is on the screen.
+// Tests of the real window contents without a window; targets on the screen are found by name.
 #include <random>
 
 #include "editor/canvas/layout.h"

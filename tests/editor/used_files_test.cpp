@@ -1,4 +1,4 @@
-// What other programs change on the disk is read again by itself.
+// Tests of files changed by other programs: they are read again automatically.
 #include "editor/document/used_files.h"
 
 #include <fstream>
@@ -18,14 +18,15 @@ const char* const one_map = R"({ "wrinkle": 1, "nodes": {
 
 class Watching : public Headless {
 protected:
-    // A second later; until then the clock does not move.
+    // Runs one check of the files; no further check runs until the next call.
     void look() {
         state.used.looked = 0;
         frame();
         state.used.looked = 1e18;
         frame();
     }
-    // As a program does that writes anew; with a date that differs however coarse the clock is.
+    // Replaces the file by a rename, as other programs do. The new inode reveals the change even if
+    // the clock is too coarse for a new modification time.
     static void replace(const fs::path& file, const fs::path& by) {
         const fs::path beside = file.string() + ".new";
         fs::copy_file(by, beside);
@@ -142,7 +143,7 @@ TEST_F(Watching, APluginIsLoadedAnewAndItsLostNodesAreKept) {
     state.fresh = false;
 }
 
-// A rebuild that fails, as a linker that was stopped or a wrong interface leave it.
+// A failed rebuild, as left by an interrupted linker or a wrong interface.
 TEST_F(Watching, ABrokenRebuildOfAPluginKeepsTheLastGoodOne) {
     const fs::path plugins = folder.path() / "plugins", built = TEST_PLUGINS;
     fs::create_directory(plugins);

@@ -1,4 +1,4 @@
-// A display for real windows; tests are skipped only where there is no Xvfb.
+// X display for real windows. Tests are skipped only if Xvfb is not available.
 #pragma once
 
 #include <signal.h>
@@ -9,7 +9,7 @@
 
 namespace wrinkle::editor {
 
-// An X server without a screen, at a number that is free.
+// An Xvfb server on a free display number.
 class VirtualScreen {
 public:
     VirtualScreen() {

@@ -1,4 +1,4 @@
-// A real window on a virtual screen. Skipped only where there is no Xvfb.
+// Tests of a real window on a virtual screen. Skipped only if Xvfb is not available.
 #include <sys/wait.h>
 
 #include <cstdlib>
@@ -13,8 +13,8 @@
 namespace wrinkle::editor {
 namespace {
 
-// Leaks are not looked for here: GLFW unloads the GL driver, and what that leaks has no name left
-// to be exempt by. The same frames run without a window in ui_test.cpp, with leaks looked for.
+// Leak detection is off: GLFW unloads the GL driver, so its leaks have no symbol names left to
+// suppress them by. ui_test.cpp runs the same frames without a window, with leak detection.
 int run(const std::string& environment, const std::string& arguments) {
     const char* set = std::getenv("ASAN_OPTIONS");
     const std::string sanitizer =
@@ -73,7 +73,7 @@ assert clean
     EXPECT_GT(colors_of(*image, 1000, 1200, 400, 550), 50U) << "the preview is blank";
 }
 
-// A height of `count` nodes in a chain, laid out in rows of ten, and its normal.
+// A height computed by a chain of `count` nodes, laid out in rows of ten, and its normal.
 std::string chain(int count) {
     std::string nodes =
         R"("uv": { "type": "separate_vec2", "in": { "vector": { "from": "surface.uv0" } } })";
@@ -98,7 +98,7 @@ std::string chain(int count) {
            places + " } }\n";
 }
 
-// Cuts the chain at its end and mends it, drags a number, shows a node and the outputs again.
+// Cuts the end of the chain and undoes the cut, drags a number, previews a node, then the outputs.
 const char* const measured_script = R"(
 click node:depth
 key F
@@ -137,7 +137,7 @@ TEST(Window, ADragOfAValueBuildsNoTextAndNoProgram) {
     EXPECT_NE(cut.find("\"programs\": 1"), std::string::npos) << cut;
 }
 
-// The texels of the preview, above the line that says how long it took.
+// Returns the texels of the preview above the line with its duration.
 std::vector<float> preview_of(const Image& image) {
     std::vector<float> values;
     for (uint32_t y = 130; y < 300; ++y)

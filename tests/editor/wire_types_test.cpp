@@ -1,4 +1,4 @@
-// Wires without aiming, and wires between all pairs of types.
+// Tests of wires dragged without exact aim, and of wires between all pairs of types.
 #include <algorithm>
 #include <cmath>
 #include <random>
@@ -32,8 +32,8 @@ struct Tally {
 
 class TypePairs : public Headless {
 protected:
-    // An input of the graph gives the one type, a reader of the other stands beside it: a node, or
-    // a sub-graph where no node takes that type by a wire.
+    // Opens a graph with an input of type `from` and a node `b` with an input of type `to`. `b` is
+    // a sub-graph if no node type has such an input.
     void open_pair(PortType from, PortType to) {
         const NodeType* taker = type_with(to);
         in = taker ? port_of_type(*taker, to)->name : "in";
@@ -112,7 +112,7 @@ TEST_F(Headless, AnOfferIsTakenWithOneClickOrLeft) {
     EXPECT_FALSE(state.offer.open);
 }
 
-// Two columns of nodes, seen at zoom 0.3.
+// Two columns of nodes, drawn at zoom 0.3.
 class FarOut : public Headless {
 protected:
     void open_columns() {

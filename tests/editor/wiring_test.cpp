@@ -1,4 +1,5 @@
-// Wires by hand and by command: healed, cut, inserted, lazy, swapped; each one step.
+// Tests of wires edited by drags and commands: delete with reconnect, cut, insert, lazy connect,
+// swap. Each is one undo step.
 #include "editor/document/wiring.h"
 #include "graph/edit.h"
 #include "graph/write.h"

@@ -1,4 +1,4 @@
-// A state with a preview that draws on its thread. Skipped only where there is no GL.
+// A state with a preview that renders on its own thread. Skipped only if GL is not available.
 #pragma once
 
 #include <epoxy/gl.h>
@@ -33,7 +33,7 @@ protected:
         if (context_) context_->release_current();
     }
 
-    // The picture of the newest document, of `side` pixels.
+    // Returns the rendering of the newest document, `side` x `side` pixels.
     const PreviewPicture& see() {
         refresh(state);
         preview_->show(state.view.preview_view, other_normal(state), state.view.compare, side,

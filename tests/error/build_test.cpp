@@ -1,4 +1,4 @@
-// What nodes do wrong while they are built is reported at the node, and nothing crashes.
+// Tests that errors of nodes in build() are reported at the node and never crash.
 #include <gtest/gtest.h>
 
 #include "lower/fixture.h"

@@ -1,4 +1,4 @@
-// Every report of check(), word for word.
+// Tests of the exact message of every report of check().
 #include "lower/check.h"
 
 #include <gtest/gtest.h>
@@ -24,7 +24,7 @@ std::string reports(const std::string& text) {
     return reports(project);
 }
 
-// One node n of this type and inputs, and its first report without the place.
+// Checks one node n of this type with these inputs; returns the first report without location.
 std::string node_report(const std::string& type, const std::string& in,
                         const std::string& more = "") {
     const std::string text = reports("{\"wrinkle\": 1,\n \"nodes\": {\"n\": {\"type\": \"" + type +

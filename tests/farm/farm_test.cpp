@@ -1,5 +1,5 @@
-// The scripts of graphs/bake for GNU parallel and Slurm: the bytes of one machine, whoever is
-// killed on the way.
+// Tests of the scripts of graphs/bake for GNU parallel and Slurm: the result equals a bake on one
+// machine, also after a job is killed.
 #include <map>
 
 #include "cli/killed_shard.h"
@@ -43,7 +43,7 @@ TEST_F(FarmTest, ParallelSaysWhatWasKilledAndBakesItAgainAlone) {
     EXPECT_FALSE(exists(out));
     EXPECT_EQ(times(take_calls(folder), "--shard"), 5U);
 
-    put("killer/rm", "#!/bin/sh\n");  // the parts are looked at
+    put("killer/rm", "#!/bin/sh\n");  // `rm` does nothing: the parts are checked below
     fs::permissions(folder / "killer/rm", fs::perms::owner_all);
     const auto written = [&](const std::string& shard) {
         return fs::last_write_time(folder / (out + ".parts") / shard / "0-0.rows");

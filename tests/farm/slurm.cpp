@@ -25,7 +25,7 @@ std::string short_host_name() {
     return whole.substr(0, whole.find('.'));
 }
 
-// Anything but what another user could guess.
+// Writes a random key, readable by the owner only.
 void write_key(const fs::path& file) {
     std::random_device random;
     std::string key(1024, 0);
@@ -55,7 +55,7 @@ Slurm::Slurm(const fs::path& folder) : folder_(folder) {
     start({"slurmd", "-D", "-N", short_host_name()});
 }
 
-// The last one first: the controller takes leave of its node before it loses its keys.
+// Stops the daemons in reverse order: slurmctld signs off its node while munged still runs.
 Slurm::~Slurm() {
     for (auto daemon = daemons_.rbegin(); daemon != daemons_.rend(); ++daemon) {
         kill(*daemon, SIGTERM);
@@ -90,7 +90,7 @@ void Slurm::start(const std::vector<std::string>& command) {
     _exit(127);
 }
 
-// Ports by the process, so that two such clusters do not meet.
+// The ports derive from the process id, so that two test clusters do not collide.
 void Slurm::configure() const {
     const passwd* user = getpwuid(geteuid());
     const std::string name = user ? user->pw_name : "root", host = short_host_name();

@@ -1,6 +1,6 @@
-// A Slurm cluster of this machine alone that lives as long as a test: munged, slurmctld and slurmd
-// run as this user in a temporary folder, on ports of their own, and need neither systemd nor
-// cgroups nor a configuration that is installed.
+// A Slurm cluster on this machine for the lifetime of a test: munged, slurmctld and slurmd run as
+// this user in a temporary folder, on their own ports, without systemd, cgroups or an installed
+// configuration.
 #pragma once
 
 #include <sys/types.h>
@@ -13,19 +13,20 @@ namespace wrinkle::test {
 
 class Slurm {
 public:
-    // The folder's path is short, as sockets' names are. Jobs get the environment of sbatch.
+    // Precondition: the path of `folder` is short, as socket paths are limited. Jobs get the
+    // environment of sbatch.
     explicit Slurm(const std::filesystem::path& folder);
     ~Slurm();
     Slurm(const Slurm&) = delete;
     Slurm& operator=(const Slurm&) = delete;
 
-    // For sbatch and its like.
+    // Environment entry for sbatch and other Slurm commands.
     std::string environment() const { return "SLURM_CONF=" + (folder_ / "slurm.conf").string(); }
-    // What the daemons say, for a message.
+    // Returns the logs of the daemons.
     std::string log() const;
 
 private:
-    // Runs till the cluster is gone; what it says goes to NAME.log.
+    // Starts a daemon that runs until the destructor stops it; its output goes to NAME.log.
     void start(const std::vector<std::string>& command);
     void configure() const;
 

@@ -1,5 +1,6 @@
-// A header with a right sum is refused, or is a part whose files and rows are counted without
-// overflow and whose names stay in its folder. The bytes are a header without its sum.
+// Fuzz target: the bytes are a bake.json without its checksum. With a valid checksum, the header is
+// rejected, or it is a part with files and rows that are counted without overflow and names that
+// stay in its folder.
 #include "cli/bake_header.h"
 #include "fuzz/fuzz.h"
 

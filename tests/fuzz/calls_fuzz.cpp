@@ -1,5 +1,5 @@
-// Calls that a plugin's process sends back are lowered like those of a node's own code: a graph
-// with them compiles, or has an error at the node.
+// Fuzz target: calls that a plugin's process returns are lowered like those of a linked node: a
+// graph with them compiles, or has an error at the node.
 #include "fuzz/calls_fuzz.h"
 
 #include <algorithm>
@@ -27,7 +27,7 @@ struct Inputs {
     bool raised;
 };
 
-// Every kind of port, and every call of a builder.
+// Has every kind of port and records every call of a builder.
 sdk::Node played =
     node("played", "Played", "A node whose calls are bytes.")
         .family("fuzz")

@@ -1,4 +1,4 @@
-// The node whose build() is played from bytes.
+// A node with a build() that is replayed from bytes.
 #pragma once
 
 #include <string>
@@ -6,7 +6,7 @@
 
 namespace wrinkle::fuzz {
 
-// What its right build() records, for each choice of its options.
+// Returns the calls that its build() records without damage, for each choice of its options.
 std::vector<std::string> right_calls();
 
 }  // namespace wrinkle::fuzz

@@ -1,4 +1,4 @@
-// A graph, compiled as programs do.
+// Compiles a graph as the programs do.
 #pragma once
 
 #include <string>
@@ -10,8 +10,8 @@ namespace wrinkle::fuzz {
 
 Registry with_built_in_nodes();
 
-// "" where the graph becomes a text and a program for the CPU, or is refused with an error and need
-// not compile; else what went wrong.
+// Compiles to source and to a CPU program. Returns "" on success, or if the graph is rejected with
+// an error and `must_compile` is false; otherwise a description of the failure.
 std::string wrong_with_compiled(const Document& document, const Registry& registry,
                                 bool must_compile);
 

@@ -14,7 +14,7 @@ size_t below(Random& random, size_t limit) {
     return limit == 0 ? 0 : random() % limit;
 }
 
-// What tends to matter: ends of ranges as bytes and as text.
+// Returns a random boundary value, as bytes or as text.
 std::string token(Random& random) {
     static const std::string tokens[] = {std::string(4, '\0'),
                                          "\xFF\xFF\xFF\xFF",
@@ -42,7 +42,7 @@ struct Range {
     size_t begin = 0, size = 0;
 };
 
-// The next name or number, so that the form of a text survives its damage.
+// Returns the next name or number; replacing words preserves the structure of the text.
 Range word_after(const std::string& text, size_t at) {
     const size_t begin = std::min(text.find_first_of(word_bytes, at), text.size());
     return {begin, std::min(text.find_first_not_of(word_bytes, begin), text.size()) - begin};

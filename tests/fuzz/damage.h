@@ -1,5 +1,5 @@
-// Bytes with a few things wrong: cut, copied, swapped, flipped, taken from another sample. The same
-// number gives the same damage everywhere.
+// Damages samples: cut, copied, swapped or flipped bytes, and bytes of another sample. The same
+// number gives the same damage on every machine.
 #pragma once
 
 #include <span>
@@ -9,7 +9,7 @@ namespace wrinkle::fuzz {
 
 std::string damaged(std::span<const std::string> samples, uint32_t number);
 
-// A PNG's checksums made right again, so that what is behind them is met as well.
+// Corrects the checksums of a PNG, so that the code after their verification is tested too.
 std::string with_checksums(std::string png);
 
 }  // namespace wrinkle::fuzz

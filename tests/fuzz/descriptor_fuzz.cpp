@@ -1,8 +1,9 @@
-// A plugin taken is one whose pages are whole; one refused says why, a line each, and adds nothing.
+// Fuzz target: an accepted plugin has complete pages; a rejected one gives errors of one line each
+// and adds no node.
 //
-// The bytes decide how a plugin describes itself: rightly in most places, with null, absurd counts,
-// wrong numbers, strange names and structs of other sizes in a few. What lies outside a struct's
-// size or a list's end is not there, so that reading it shows under a sanitizer.
+// The bytes choose how a plugin describes itself: mostly valid, with some null pointers, absurd
+// counts, wrong numbers, strange names and structs of other sizes. Memory beyond a struct's size or
+// a list's end is not allocated, so that a sanitizer detects reads of it.
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -20,7 +21,7 @@ namespace {
 
 void build(const wr_builder*) {}
 
-// Zeros, all of them right choices, follow the last byte.
+// After the last byte the choices are zero, which are all valid.
 class Choices {
 public:
     explicit Choices(std::string_view bytes) : bytes_(bytes) {}
@@ -100,7 +101,7 @@ private:
         return choose_.wrong() ? words[choose_.below(std::size(words))] : right;
     }
 
-    // A list as long as it says, null, or one of an impossible count.
+    // Returns a list with its count, null, or a list with an impossible count.
     template <class T>
     T* list(const std::vector<T>& values, uint32_t& count, uint32_t absurd) {
         count = static_cast<uint32_t>(values.size());
@@ -112,7 +113,8 @@ private:
         return out;
     }
 
-    // A struct with its size: its own, a later and larger one, an earlier, an impossible one, null.
+    // Returns a struct with its size, a larger (later) one, a smaller (earlier) one, an impossible
+    // size, or null.
     template <class T>
     const T* placed(T value) {
         value.size = sizeof(T);
@@ -194,7 +196,7 @@ std::string wrong_with(const Registry& registry) {
     return list_text(registry).empty() || list_markdown(registry).empty() ? "an empty page" : "";
 }
 
-// A listing reads back as it was written; one that is spoilt is refused or another right one.
+// A listing reads back as written; a damaged one is rejected or is another valid listing.
 std::string wrong_with_listing(const Registry& registry, std::string_view bytes) {
     PluginListing listing{"fuzz", "1", "0", {}};
     listing.types.assign(registry.list().begin(), registry.list().end());

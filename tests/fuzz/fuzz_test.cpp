@@ -1,7 +1,7 @@
-// A fixed number of damaged samples for each reader, made here and kept in corpus/ (inputs by which
-// libFuzzer reached all the code that it did); WRINKLE_FUZZ=N plays N times as many. The input at
-// work lies in the build folder as fuzz_NAME.input: what is left there after a crash
-// caused it.
+// Runs a fixed number of damaged samples for each reader: generated samples, and those in corpus/
+// (inputs by which libFuzzer reached all the code that it did). WRINKLE_FUZZ=N runs N times as
+// many. The current input is in fuzz_NAME.input in the build folder; after a crash, that file has
+// the input that caused it.
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -33,7 +33,7 @@ uint32_t times() {
     return value;
 }
 
-// In the order of their names, so that damage has the same number everywhere.
+// Sorted by name, so that a number gives the same damage on every machine.
 std::vector<fs::path> corpus(const std::string& name) {
     std::vector<fs::path> files;
     for (const auto& entry :
@@ -50,7 +50,8 @@ struct Reader {
     uint32_t inputs;
 };
 
-// The input at work, in a file that outlives a crash. Kept open: opening is what takes time.
+// Writes the current input to a file that survives a crash. The file remains open, because opening
+// is the slow part.
 class AtWork {
 public:
     explicit AtWork(const std::string& name)
@@ -111,7 +112,7 @@ TEST(Fuzz, PartsOfBakes) {
     play({"bake_part", bake_part, bake_part_samples(), 20000});
 }
 
-// The players would notice: a damaged sample differs, often from where it did before.
+// Damage is deterministic and changes most samples.
 TEST(Fuzz, DamageIsDoneAndRepeats) {
     const std::vector<std::string> samples = mesh_samples();
     size_t refused = 0;

@@ -1,5 +1,6 @@
-// Untouched bytes come back, every problem has a line, canonical text of what had no problem has
-// none and is a fixed point, and what has no error compiles.
+// Fuzz target: an unedited document is written back byte by byte, every problem has a line, the
+// canonical text of a graph without problems has none and is a fixed point, and a graph without
+// errors compiles.
 #include "fuzz/compiled.h"
 #include "fuzz/fuzz.h"
 #include "graph/edit.h"

@@ -1,4 +1,5 @@
-// The answer is a picture as its header said, of finite numbers or with a warning, or one error.
+// Fuzz target: the result is an image as its header describes, with finite values or a warning, or
+// one error.
 #include <sys/mman.h>
 #include <unistd.h>
 
@@ -14,7 +15,7 @@ namespace {
 
 constexpr ImageLimits limits{512, 512 * 512, 8 << 20};
 
-// A file in memory, always the same one, with these bytes.
+// Writes the bytes to an in-memory file, reused by every call; returns its path.
 std::string file_of(std::string_view bytes) {
     static const int file = memfd_create("image", 0);
     const auto size = static_cast<ssize_t>(bytes.size());

@@ -1,4 +1,4 @@
-// A listing taken is one that reads back as it is written; one refused says why.
+// Fuzz target: an accepted listing reads back as it is written; a rejected one has an error.
 #include "fuzz/fuzz.h"
 #include "registry/listing.h"
 

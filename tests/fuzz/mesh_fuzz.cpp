@@ -1,5 +1,5 @@
-// The answer is a mesh with finite values, unit frames and indices in range, or errors that name
-// the file.
+// Fuzz target: the result is a mesh with finite values, unit frames and indices in range, or errors
+// that name the file.
 #include <cmath>
 #include <glm/geometric.hpp>
 

@@ -1,4 +1,4 @@
-// Right inputs, to be damaged.
+// Valid inputs to damage.
 #pragma once
 
 #include <string>
@@ -11,6 +11,6 @@ std::vector<std::string> mesh_samples();        // small OBJ, .gltf and .glb fil
 std::vector<std::string> image_samples();       // every format, type and compression
 std::vector<std::string> descriptor_samples();  // random choices
 std::vector<std::string> listing_samples();     // one built-in node each
-std::vector<std::string> bake_part_samples();   // one map, and two of several pictures
+std::vector<std::string> bake_part_samples();   // one map; two maps of three UDIM tiles
 
 }  // namespace wrinkle::fuzz

@@ -1,4 +1,4 @@
-// What single expressions look like: the returned text of one output.
+// Tests of emitted expressions: the returned expression of one output.
 #include "glsl/expression.h"
 
 #include <gtest/gtest.h>
@@ -28,7 +28,7 @@ protected:
         return text;
     }
 
-    // The function's lines between its braces.
+    // Lines of the function between its braces.
     std::string body(Id value) {
         m.outputs.clear();
         output(m, "o", value);

@@ -1,4 +1,4 @@
-// Texts compared with files of tests/golden; WRINKLE_UPDATE_GOLDEN=1 writes them.
+// Compares texts with files of tests/golden; WRINKLE_UPDATE_GOLDEN=1 writes them.
 #pragma once
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// Modules built by hand as lowering would build them.
+// Modules built by hand in the form that lowering gives them.
 #pragma once
 
 #include "ir/module.h"
@@ -6,8 +6,8 @@
 
 namespace wrinkle::test {
 
-// Adds nodes and reads as a graph does: node("weave", "Tangent normal map") is current from then
-// on.
+// Adds nodes and reads as a graph does: node("weave", "Tangent normal map") becomes the current
+// node.
 uint32_t node(Module& module, const std::string& path, const std::string& title);
 
 Id image(Module& module, const std::string& port, const std::string& file, Id uv,
@@ -17,7 +17,8 @@ void name(Module& module, const std::string& port, Id value);
 void output(Module& module, const std::string& name, Id value, uint32_t port_type = WR_PORT_float);
 
 // The sample of design section 7 before expansion: a base normal map, a detail map on a tiled uv
-// set scaled by 0.6, added and resolved. The order says which map's instructions are made first.
+// set scaled by 0.6, added and resolved. `detail_first` selects which map's instructions are added
+// first.
 Module base_and_detail(SurfaceInput detail_uv = SurfaceInput::uv1_, bool detail_first = false);
 
 }  // namespace wrinkle::test

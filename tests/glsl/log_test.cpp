@@ -1,4 +1,4 @@
-// Places as drivers and compilers spell them.
+// Tests of source locations in the formats of drivers and compilers.
 #include "glsl/log.h"
 
 #include <gtest/gtest.h>
@@ -55,7 +55,7 @@ TEST(Log, TheFirstPlaceOfSeveralLines) {
     EXPECT_EQ(line_in("compilation failed\n"), 0u);
 }
 
-// Whatever a log holds: an answer, and nothing read beside it.
+// Any log is parsed without reads out of bounds.
 TEST(Log, TakesAnyBytes) {
     const std::string bytes = "0:3(8): a\n0(4,5-6)x : ERROR:WARNING:\xff.f";
     for (size_t from = 0; from < bytes.size(); ++from)

@@ -1,4 +1,4 @@
-// Functions and loops.
+// Tests of functions and loops.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Order of statements, and graphs of great size.
+// Tests of statement order, and of very large graphs.
 #include <gtest/gtest.h>
 
 #include "glslang/validate.h"
@@ -19,7 +19,7 @@ TEST(Schedule, statements_of_a_node_stand_together) {
     Module m;
     const Id x = m.swizzle(m.input(SurfaceInput::position_), "x");
     std::array<Id, 3> first{}, second{};
-    for (size_t k = 0; k < 3; ++k) {  // recorded in turns
+    for (size_t k = 0; k < 3; ++k) {  // recorded alternately
         node(m, "one", "First");
         first[k] = m.add(Op::sin_, {m.add(Op::mul_, {x, m.number(2.5 + static_cast<double>(k))})});
         node(m, "two", "Second");
@@ -38,7 +38,8 @@ TEST(Schedule, statements_of_a_node_stand_together) {
     EXPECT_LT(text.find("// one"), text.find("// two"));
 }
 
-// The walk meets the first statement of "one" before that of "two", which its second needs.
+// The depth-first search visits the first statement of "one" before that of "two", which the second
+// statement of "one" uses.
 TEST(Schedule, a_node_waits_until_it_can_stand_whole) {
     Module m;
     const Id x = m.swizzle(m.input(SurfaceInput::position_), "x");

@@ -1,4 +1,4 @@
-// Every target's own rules: texts, numbers of resources, what is refused.
+// Tests of the rules of each target: source, resource bindings, errors.
 #include <gtest/gtest.h>
 
 #include <set>
@@ -20,7 +20,7 @@ EmitOptions options(const char* target, Form form) {
     return result;
 }
 
-// Numbers of every width, in an order that leaves gaps in std140.
+// Parameters of every width, in an order that leaves gaps in std140.
 Module many_uniforms() {
     Module m;
     Id sum = m.number(0);
@@ -43,7 +43,7 @@ void expect_places(const Reflection& r, const std::string& text, Stage stage) {
     for (const auto& block : {r.frame_block, r.parameter_block}) {
         if (!block || !found.count(block->name)) continue;
         EXPECT_EQ(found[block->name].binding, block->binding.binding) << block->name;
-        // A block's end is rounded up by std140, glslang's size goes to its last member.
+        // std140 rounds the size of a block up; glslang reports the end of its last member.
         EXPECT_EQ((found[block->name].size + 15) / 16 * 16, block->size) << block->name;
     }
     for (const FrameUniform& u : r.frame_uniforms) {

@@ -21,7 +21,7 @@ std::string numbered(const std::string& text) {
     return result;
 }
 
-// Parsed and linked, by the rules of Vulkan where the text is of version 450.
+// Parses and links the source, by the rules of Vulkan if its version is 450.
 struct Compilation {
     Compilation(const std::string& text, Stage stage);
 

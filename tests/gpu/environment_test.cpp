@@ -1,4 +1,4 @@
-// Light from the surroundings and from Phong's formula, against closed forms.
+// Tests of environment lighting and of the Phong formula, against closed forms.
 #include "gpu/environment.h"
 
 #include <gtest/gtest.h>
@@ -17,8 +17,7 @@ using glm::dvec2;
 using glm::dvec3;
 using glm::vec3;
 
-// The picture whose radiance in a direction is `of(direction)`; the direction is the header's
-// words.
+// An image with the radiance `of(direction)` in each direction, laid out as the header documents.
 template <typename F>
 Image surroundings(F of, uint32_t height = 64) {
     Image image = make_image(2 * height, height, 3);
@@ -60,7 +59,7 @@ TEST(Environment, MirrorsWhereEachDirectionIs) {
     });
 }
 
-// The mean of d.y over the cosine lobe round n is 2/3 n.y.
+// The mean of d.y over the cosine lobe around n is 2/3 n.y.
 TEST(Environment, IrradianceOfAGradientIsItsClosedForm) {
     const EnvironmentCube cube =
         prefilter(surroundings([](dvec3 d) { return vec3(2 + 2 * d.y, 1 + d.x, 1 - d.z); }, 128));
@@ -143,8 +142,7 @@ TEST_F(LightingTest, AMirrorShowsTheSurroundings) {
     EXPECT_GT(checked, 500U);
 }
 
-// Each pixel beside the object shows the radiance of the way that its corner of the view frustum
-// lies.
+// Each pixel outside of the object shows the radiance along its ray through the view frustum.
 TEST_F(LightingTest, TheSurroundingsStandBehindTheObject) {
     const auto radiance = [](dvec3 d) { return vec3(d) * 0.3F + 0.4F; };
     renderer->set_environment(surroundings(radiance, 256));
@@ -176,7 +174,7 @@ TEST_F(LightingTest, SurroundingsTurnRoundTheUpAxis) {
     scene.environment_turn = std::numbers::pi_v<float> / 2;
     const auto turned = draw(constants("vec3(1.0)", "0.0", "1.0"), View::shaded);
     scene.environment_turn = 0;
-    // What was at +z is at +x now, what was at +x at -z.
+    // Turned: the radiance of +z is now at +x, that of +x at -z.
     renderer->set_environment(surroundings([&](dvec3 d) { return look({-d.z, d.y, d.x}); }, 128));
     const auto expected = draw(constants("vec3(1.0)", "0.0", "1.0"), View::shaded);
     for (size_t i = 0; i < turned.size(); ++i)

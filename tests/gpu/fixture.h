@@ -1,4 +1,4 @@
-// What the tests of core/gpu share: a current context, and small materials written by hand.
+// Fixture of the tests of core/gpu: a current GL context, and small hand-written materials.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -27,7 +27,7 @@ protected:
     std::optional<Context> context;
 };
 
-// A material whose normal output is `expression` over the members of `s`.
+// A material with the normal output `expression` over the members of `s`.
 inline Material material_with_normal(const std::string& expression,
                                      const std::vector<Member>& members) {
     Material material;
@@ -42,8 +42,8 @@ inline Material material_with_normal(const std::string& expression,
     return material;
 }
 
-// Whether a message has the words; a line of a compile log, written as Mesa does (":12("), may also
-// stand as other drivers write it.
+// Returns true if `message` contains `words`. A line number of a compile log in Mesa's form,
+// ":12(", also matches "(12)" of other drivers.
 inline bool mentions(const std::string& message, std::string words) {
     if (message.find(words) != std::string::npos) return true;
     if (words.front() != ':' || words.back() != '(') return false;
@@ -56,7 +56,7 @@ struct Pixel {
     bool covered;
 };
 
-// One view of a shape, read back as it is.
+// Draws one view of a shape and reads it back unchanged.
 class WithRenderer : public WithContext {
 protected:
     static constexpr int size = 64;
@@ -110,7 +110,7 @@ inline size_t covered(const std::vector<Pixel>& pixels) {
     return count;
 }
 
-// A bump whose gradient has the length 0.3 everywhere, with outputs `flat` and `height` = 7 n.y.
+// A bump with a gradient of length 0.3 everywhere, with outputs `flat` and `height` = 7 n.y.
 inline Material tilted() {
     Material material = material_with_normal(
         "normalize(normalize(s.normal) - 0.3 * normalize(cross(s.normal, vec3(0.0, 1.0, 0.0))))",

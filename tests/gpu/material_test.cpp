@@ -1,4 +1,4 @@
-// What a material brings with it: uniforms, images, and all that can be wrong with them.
+// Tests of materials: uniforms, images, and the errors of invalid ones.
 #include <gtest/gtest.h>
 
 #include <glm/ext/matrix_transform.hpp>

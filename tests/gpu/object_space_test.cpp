@@ -20,8 +20,8 @@ ObjectSpace space_of(const mat4& object) {
     return *object_space(object, OrbitCamera{}, Bounds{vec3(-1), vec3(1)}, 1);
 }
 
-// A corner of a solid, by three edges seen from outside: outwards is where the fourth point,
-// inside, is not. No determinant or cofactor is needed to say where a transformed outside is.
+// A corner of a solid, by two edges and a point inside; the outward side is the one without that
+// point, so the test requires no determinant or cofactor.
 TEST(ObjectSpaceTest, KeepsOutsideOutsideForEveryMatrix) {
     std::mt19937 random(3);
     std::uniform_real_distribution<float> number(-1, 1);
@@ -115,7 +115,7 @@ TEST(Camera, TurnsRightAndUp) {
     EXPECT_LT(glm::distance(eye_of(camera), glm::dvec3(2, 0, 0)), 1e-6);
     camera.pitch = glm::radians(30.0F);
     EXPECT_NEAR(eye_of(camera).y, 1, 1e-6);
-    camera.pitch = 10;  // kept off the pole, where up would be lost
+    camera.pitch = 10;  // away from the pole, where the up direction is undefined
     EXPECT_LT(eye_of(camera).y, 2);
     EXPECT_GT(eye_of(camera).y, 1.99F);
 }

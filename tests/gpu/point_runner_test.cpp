@@ -12,7 +12,7 @@ namespace {
 
 using PointRunner = WithContext;
 
-// Awkward but ordinary numbers, all different.
+// Returns `count` different finite numbers of many magnitudes.
 std::vector<float> numbers(size_t count) {
     std::vector<float> values;
     for (size_t i = 0; i < count; ++i) {

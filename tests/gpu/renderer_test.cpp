@@ -66,8 +66,8 @@ TEST_F(RendererTest, GivesTheSphereItsNormals) {
     }
 }
 
-// The picture of a mesh under a matrix is that of the mesh with the matrix worked into it. Normals
-// of the second are those of the transformed ellipsoid's equation, so no cofactor is used.
+// A mesh drawn under a matrix gives the same image as the mesh transformed by the matrix. Normals
+// of the latter follow from the equation of the transformed ellipsoid, so no cofactor is used.
 TEST_F(RendererTest, LightsATransformedObjectAsItsTransformedMesh) {
     scene.camera.distance = 12;
     for (const vec3 scale :
@@ -82,7 +82,7 @@ TEST_F(RendererTest, LightsATransformedObjectAsItsTransformedMesh) {
         for (size_t v = 0; v < mesh.vertex_count(); ++v) {
             const vec3 p = mesh.positions[v];
             mesh.positions[v] = vec3(scene.object * vec4(p, 1));
-            const vec3 gradient = p / scale;  // of (x/a)^2 + (y/b)^2 + (z/c)^2 at scale * p
+            const vec3 gradient = p / scale;  // grad of (x/a)^2 + (y/b)^2 + (z/c)^2 at scale * p
             mesh.normals[v] = glm::normalize(vec3(turn * vec4(gradient, 0)));
         }
         if (scale.x * scale.y * scale.z < 0)
@@ -128,7 +128,7 @@ TEST_F(RendererTest, SeesBackFacesFromBehind) {
         ASSERT_EQ(facing[i].value.x, -1);
         ASSERT_EQ(normals[i].value, vec3(0, 0, -1)) << "a missing normal is turned to the eye";
     }
-    // One that looks away is left alone, and is no bump.
+    // A normal that faces away from the eye is not changed and is not a bump.
     draw(material_with_normal("s.normal", {normal_member}), View::normal);
     for (const Pixel& pixel : draw(View::gradient))
         ASSERT_LT(glm::length(pixel.value), 1e-6);
@@ -192,7 +192,7 @@ TEST_F(RendererTest, DrawsTheSameBytesTwice) {
     ASSERT_TRUE(context->make_current());
 }
 
-// A time that no strip can keep makes every strip but the first one row.
+// A time limit that no strip can meet gives strips of one row, except for the first.
 TEST_F(RendererTest, DrawsTheSameBytesInStrips) {
     Renderer fresh;
     fresh.set_mesh(*make_shape("torus"));
@@ -211,7 +211,7 @@ TEST_F(RendererTest, DrawsTheSameBytesInStrips) {
     }
 }
 
-// Eye, light and normal in one line: GGX is then 1 / (pi a^4), its visibility 1/4, Fresnel f0.
+// Eye, light and normal coincide: GGX is then 1 / (pi a^4), its visibility 1/4, Fresnel f0.
 TEST_F(RendererTest, ReflectsStraightBackAsTheFormulaSays) {
     show("plane");
     scene.to_light = vec3(0, 0, 3);

@@ -19,7 +19,7 @@ Image make_test_image(uint32_t width, uint32_t height, uint32_t channels, PixelT
     return image;
 }
 
-// Looks one picture up at points (u, v, lod).
+// Samples a texture at points (u, v, lod).
 std::vector<std::array<float, 4>> look_up(const MipChain& chain, TextureOptions options,
                                           const std::vector<float>& uv_lod,
                                           Diagnostics& diagnostics) {
@@ -79,7 +79,7 @@ TEST_F(TextureTest, InterpolatesEightBitPicturesPrecisely) {
                                {0.3F, 0.5F, 0, 0.5F, 0.5F, 0, 0.6F, 0.5F, 0.5F}, diagnostics);
     EXPECT_NEAR(found[0][0], 0.1F, 1e-4F);
     EXPECT_NEAR(found[1][0], 0.5F, 1e-4F);
-    EXPECT_NEAR(found[2][0], 0.6F, 1e-4F);  // half way between 0.7 and the mean 0.5
+    EXPECT_NEAR(found[2][0], 0.6F, 1e-4F);  // halfway between 0.7 and the mean 0.5
 }
 
 TEST_F(TextureTest, WrapsAsItIsTold) {

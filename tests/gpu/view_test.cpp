@@ -1,4 +1,4 @@
-// The views of a material: the value of each, and the color it is shown in.
+// Tests of the views of a material: the value of each, and its displayed color.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -100,7 +100,7 @@ TEST_F(ViewTest, StretchesHeightsOverTheGraysUnlessToldARange) {
     EXPECT_NEAR(grays({0, 0})[4 * (32 * 64 + 32)], 0.5F, 0.6 / 255);
 }
 
-// The words of the header, done by hand.
+// The tone curve that the header documents.
 float displayed(float radiance) {
     const float beyond = std::max(radiance - 0.8F, 0.0F);
     const float c = std::min(radiance, 0.8F) + 0.2F * beyond / (beyond + 0.2F);
@@ -130,7 +130,7 @@ TEST_F(ViewTest, HeatMapRunsFromDarkBlueToYellow) {
     const auto shown = Target::make({size, size}, diagnostics);
     ASSERT_TRUE(renderer->set_material(tilted(), diagnostics)) << errors();
     const float angle = std::atan(0.3F) * 180 / std::numbers::pi_v<float>;
-    // #123570 and #C3B369 of the published table, half way between #707173 and #8A8678, its end.
+    // #123570 and #C3B369 of the published table, halfway between #707173 and #8A8678, and its end.
     const std::vector<std::pair<float, vec3>> cases{{9, {18, 53, 112}},
                                                     {9 / 7.0F, {195, 179, 105}},
                                                     {2, {125, 123.5, 117.5}},

@@ -1,4 +1,4 @@
-// Mutilated texts and random edits, always the same ones.
+// Tests of reading and editing with corrupted texts and random edits, with fixed seeds.
 #include <gtest/gtest.h>
 
 #include <random>
@@ -34,7 +34,7 @@ const char* token(Random& random) {
     return tokens[below(random, std::size(tokens))];
 }
 
-// One cut, copy, swap or token somewhere.
+// Cuts, copies, swaps or inserts one token at a random offset.
 void mutate(std::string& text, Random& random) {
     const size_t at = below(random, text.size());
     const size_t length = below(random, 40);

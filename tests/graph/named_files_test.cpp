@@ -1,4 +1,4 @@
-// Where the files that graphs name are, links on the way and at the end.
+// Tests of locating the files named by graphs, with links along the path and at its end.
 #include "graph/named_files.h"
 
 #include <gtest/gtest.h>
@@ -25,7 +25,7 @@ protected:
         files.emplace(project);
     }
 
-    // Where it is below the root; "outside" is nowhere.
+    // Path relative to the root; "outside" is not below it.
     std::string place(const std::string& name) {
         const NamedFiles::Found& found = files->find(0, name);
         if (!found.path) return "outside";
@@ -67,7 +67,7 @@ TEST_F(NamedFile, NeverLeavesTheRoot) {
     EXPECT_EQ(place(std::string("pictures/own.png\0", 17)), "outside");
 }
 
-// The folder of the graph is below the root, or beside it; the root is all there is.
+// A file must be below the given root; the graph's folder need not be.
 TEST_F(NamedFile, IsHeldAgainstTheRootThatWasGiven) {
     const auto found = [&](const fs::path& root) {
         project = load_project(folder / "in/top.json", {.root = root, .limits = {}}, diagnostics);

@@ -1,4 +1,4 @@
-// What is read, and the exact report of each thing that is wrong.
+// Tests of reading graphs, with the exact report for each error.
 #include "graph/read.h"
 
 #include <gtest/gtest.h>
@@ -227,7 +227,7 @@ TEST(Diagnose, AtEachThing) {
     EXPECT_EQ(to_text(diagnose(d, "no")), "g.json: error: no");
 }
 
-// Writing such a document back would lose what was not read.
+// Writing such a document would lose the parts that were not read.
 TEST(Read, SaysWhatItLost) {
     Diagnostics ignored;
     const auto lost = [&](const std::string& text, ReadLimits limits = {}) {
@@ -242,7 +242,7 @@ TEST(Read, SaysWhatItLost) {
     EXPECT_EQ(lost("[1, 2]"), "it is no JSON object");
 }
 
-// Ports are looked up one after the other, as those of a node are: their number has a limit.
+// Ports are searched linearly, as those of a node are, so their number is limited.
 TEST(Read, InputsAndOutputsHaveALimit) {
     const auto problems = [](size_t count) {
         std::string inputs, outputs;

@@ -1,4 +1,4 @@
-// The sample of the format's definition, canonical, and helpers that several tests share.
+// The sample of the format's definition, in canonical form, and helpers shared by several tests.
 #pragma once
 
 #include <string>
@@ -56,14 +56,14 @@ inline Document read_quietly(const std::string& text) {
     return read_document(text, "g.json", diagnostics);
 }
 
-// The problems of a text, one a line.
+// The problems of a text, one per line.
 inline std::string problems_of(const std::string& text, ReadLimits limits = {}) {
     Diagnostics diagnostics;
     read_document(text, "g.json", diagnostics, limits);
     return to_text(diagnostics);
 }
 
-// A graph of these nodes (their JSON, without braces) and nothing else.
+// A graph with only these nodes (their JSON, without braces).
 inline std::string graph_of(const std::string& nodes) {
     return "{\"wrinkle\": 1, \"nodes\": {\n" + nodes + "\n}}";
 }

@@ -1,4 +1,4 @@
-// Sub-graphs in files of a folder of the test's own.
+// Tests of sub-graphs in files of a temporary folder.
 #include "graph/subgraph.h"
 
 #include <gtest/gtest.h>
@@ -30,7 +30,7 @@ protected:
     Project load(const std::string& name, ProjectOptions options = {}) {
         return load_project(folder / name, options, diagnostics);
     }
-    // The report with the folder's own name taken out.
+    // The report without the folder's path.
     std::string report() {
         std::string text = to_text(diagnostics);
         for (size_t at = text.find(folder.string()); at != text.npos;

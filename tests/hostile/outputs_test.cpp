@@ -1,5 +1,6 @@
-// Every command with nowhere to write to (a full disk, a standard output that is full, closed or no
-// longer read), or killed while it writes. Each output is then whole, as before or as it is meant.
+// Tests of every command with unwritable outputs (a full disk; standard output full, closed or
+// without a reader), or killed while it writes. Each output is then complete: unchanged, or as a
+// successful run writes it.
 #include <fcntl.h>
 #include <signal.h>
 #include <sys/wait.h>
@@ -14,7 +15,7 @@ namespace {
 
 using Names = std::vector<std::string>;
 
-// A command, and what it writes: files and folders relative to the project's folder.
+// A command and its outputs: files and folders relative to the project's folder.
 struct Command {
     Names args;
     std::set<std::string> outputs = {};
@@ -59,7 +60,7 @@ const std::vector<Command>& commands() {
     return all;
 }
 
-// Files that a program fills under a name of their own, and rows that bake.json does not count yet.
+// Returns true for temporary files, and for rows that bake.json does not count yet.
 bool may_be_unfinished(const std::string& name) {
     return name.find(".wrinkle-tmp-") != name.npos || name.find(".tmp") != name.npos ||
            name.ends_with(".rows");
@@ -79,7 +80,7 @@ protected:
         fs::copy_file(WRINKLE_SOURCE_DIR "/graphs/textures/bricks_height.png",
                       folder / "height.png");
         fs::copy_file(WRINKLE_RIPPLES, folder / "nodes.so");
-        run({"test", "."});  // what a first run caches
+        run({"test", "."});  // fills the caches
         baseline();
         for (const std::string& name : files())
             if (fs::is_regular_file(folder / name)) originals_[name] = get(name);
@@ -101,7 +102,7 @@ protected:
         return found;
     }
 
-    // After a run that could not write: every file is as it was, or as a good run leaves it.
+    // Checks after a failed run: every file is unchanged or as a successful run writes it.
     void expect_whole(const Command& command, const std::map<std::string, std::string>& good,
                       const std::string& label, bool was_killed = false) {
         for (const auto& [name, bytes] : outputs_of(command)) {
@@ -115,7 +116,7 @@ protected:
         }
     }
 
-    // What a run of the command writes when nothing is wrong.
+    // Returns the outputs of a run of the command without failures.
     std::map<std::string, std::string> good_outputs(const Command& command) {
         restore();
         run(command.args);
@@ -124,7 +125,7 @@ protected:
         return found;
     }
 
-    // Runs with these descriptors; what it prints goes where they lead.
+    // Runs the program with these descriptors as its standard streams.
     int run_with(const Names& args, int in, int out, int err) {
         const pid_t child = start(args, in, out, err, {});
         int status = 0;
@@ -153,7 +154,7 @@ TEST_F(HostileOutputs, OnAFullDiskAreWhole) {
         for (const rlim_t size : {rlim_t{1}, rlim_t{100}, rlim_t{1000}, rlim_t{5000}}) {
             const std::string label =
                 words_of(command.args) + " with files of " + std::to_string(size) + " bytes";
-            // Messages are no files here: they must be seen.
+            // Messages go to a pipe, because the size of files is limited.
             int pipes[2] = {};
             ASSERT_EQ(pipe(pipes), 0);
             file_size = size;
@@ -167,7 +168,7 @@ TEST_F(HostileOutputs, OnAFullDiskAreWhole) {
             EXPECT_LE(code, 3) << label;
             auto made = outputs_of(command);
             if (code == 0) {
-                // A cache that cannot be written is a warning: the outputs are all the same.
+                // A cache that cannot be written is a warning; the other outputs are unaffected.
                 std::erase_if(made, is_cached);
                 auto wanted = good;
                 std::erase_if(wanted, is_cached);
@@ -179,8 +180,8 @@ TEST_F(HostileOutputs, OnAFullDiskAreWhole) {
     }
 }
 
-// SIGKILL at each call by which a command changes the disk. What is left is whole, and the same
-// command then does its work.
+// The command is killed with SIGKILL at each system call that changes the disk. All files are then
+// complete, and running the command again succeeds.
 TEST_F(HostileOutputs, KilledAtEachChangeOfTheDiskAreWholeAndRunAgain) {
     MANY_PROCESSES;
     const Names calls = {"write", "pwrite64", "writev", "rename", "unlink",
@@ -230,7 +231,7 @@ TEST_F(HostileOutputs, WithoutAUsableStandardOutputEndByTheContract) {
         for (const auto& [way, in, out, err] : ways) {
             const std::string label = words_of(command.args) + " with " + way;
             int code = run_with(command.args, in, out, err);
-            // SIGPIPE ends the program, as it ends every filter whose reader is gone.
+            // SIGPIPE ends the program, as usual for a filter without a reader.
             if (way.starts_with("unread") && code == 128 + SIGPIPE) code = 0;
             EXPECT_GE(code, 0) << label;
             EXPECT_LE(code, 3) << label;

@@ -6,7 +6,7 @@ namespace {
 
 const std::vector<std::string> all_payloads = {
     "",
-    // comments and lines of a generated text
+    // comments and lines of a generated source
     "\n#error HOSTILE",
     "\r\n#error HOSTILE\r\n",
     "*/ HOSTILE(); /*",
@@ -68,7 +68,7 @@ const std::vector<std::string> all_payloads = {
     "${HOSTILE}",
     "<script>HOSTILE</script>&quot;]]>",
     "\"},{\"HOSTILE\":\"",
-    // words of the language itself
+    // names of the graph format
     "a.b.c",
     "surface.uv0",
     "graph:graph.json",

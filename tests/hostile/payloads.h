@@ -1,5 +1,5 @@
-// Strings that break out of what they are put into: comments, terminals, paths, shells, Make, JSON,
-// HTML, format strings. Each that is code contains the word HOSTILE.
+// Strings that escape from their context: comments, terminals, paths, shells, Make, JSON, HTML,
+// format strings. Each string that is code contains the word HOSTILE.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace wrinkle::hostile {
 
-// At least 50, some of them not UTF-8.
+// At least 50 strings, some of them not UTF-8.
 const std::vector<std::string>& payloads();
 
 }  // namespace wrinkle::hostile

@@ -1,5 +1,5 @@
-// Every string of a graph and of its sub-graph is replaced by every payload. In the code of a
-// generated text the payload is then an identifier or nothing.
+// Tests that replace every string of a graph and of its sub-graph by every payload. In the code of
+// the generated source, the payload must become an identifier or be absent.
 #include <algorithm>
 #include <cctype>
 
@@ -54,7 +54,7 @@ const std::string inner = R"({
 }
 )";
 
-// Where the strings of a JSON text without escapes begin, quotes excluded, and end.
+// A string of a JSON text without escapes: first character after the quote, and closing quote.
 struct Range {
     size_t begin = 0, end = 0;
 };
@@ -68,7 +68,7 @@ std::vector<Range> strings_of(const std::string& text) {
     return found;
 }
 
-// As it is written between quotes: escaped, or raw where it is not UTF-8.
+// Returns the payload as written between quotes: escaped, or raw if it is not UTF-8.
 std::string inside_quotes(const std::string& payload) {
     if (!is_utf8(payload)) return payload;
     const std::string quoted = json_quoted(payload);
@@ -79,7 +79,7 @@ std::string replaced(std::string text, const Range& range, const std::string& pa
     return text.replace(range.begin, range.end - range.begin, inside_quotes(payload));
 }
 
-// A name is replaced wherever it is used, so that the graph stays whole.
+// Replaces every use of a name, so that the graph remains consistent.
 std::string renamed(const std::string& text, const std::string& name, const std::string& payload) {
     std::string result;
     for (size_t at = 0; at < text.size();) {
@@ -130,9 +130,10 @@ std::set<std::string> words_of(const std::string& text) {
     return words;
 }
 
-// The first thing in the code of `text` that comes from the payload and is not an identifier made
-// of all of it; "" when there is none. `harmless` is the text of that identifier. Comments may
-// move a line break, and so where temporaries are, but not braces, directives or foreign words.
+// Returns the first element in the code of `text` that comes from the payload and is not an
+// identifier made of the complete payload; "" if there is none. `harmless` is the source generated
+// with that identifier. Comments may move line breaks, and thus temporaries, but not braces,
+// directives or foreign words.
 std::string injected(const std::string& text, const std::string& harmless,
                      const std::string& payload) {
     const std::string code = without_comments(text), expected = without_comments(harmless);
@@ -161,7 +162,7 @@ protected:
         ASSERT_NE(compiled("the graph itself", "glsl330"), "");
     }
 
-    // The generated text, "" when it was refused.
+    // Returns the generated source; "" if compilation failed.
     std::string compiled(const std::string& label, const std::string& target) {
         clean();
         const Ran ran = attack(label,
@@ -174,7 +175,7 @@ protected:
         return get("out/text.glsl");
     }
 
-    // Another command, in turns.
+    // Runs another command; successive calls cycle through the list.
     void run_another(const std::string& label) {
         static const std::vector<std::vector<std::string>> commands = {
             {"check", "graph.json"},
@@ -193,7 +194,7 @@ protected:
         attack(label, commands[turn_++ % commands.size()], {"out"});
     }
 
-    // `write` puts one payload into its position.
+    // `write` stores one payload at the position.
     template <class Write>
     void attack_position(const std::string& position, const Write& write) {
         static const std::vector<std::string> targets = {"glsl330", "glsl450", "essl300"};
@@ -204,7 +205,7 @@ protected:
             const std::string text = compiled(label, target);
             run_another(label);
             if (text.empty()) continue;
-            // The identifier that the payload becomes, written in the graph itself.
+            // Writes the identifier of the payload into the graph itself.
             write(identifier(payloads()[i]));
             const std::string harmless = compiled(position + ": harmless", target);
             if (harmless.empty()) continue;

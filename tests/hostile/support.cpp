@@ -7,7 +7,7 @@
 namespace wrinkle::hostile {
 namespace {
 
-// Code point and length of the character at `at`; the text is well-formed.
+// Returns the code point and length of the character at `at`. Precondition: valid UTF-8.
 std::pair<uint32_t, size_t> character_at(std::string_view text, size_t at) {
     const auto byte = [&](size_t i) { return static_cast<unsigned char>(text[at + i]); };
     const uint32_t first = byte(0);

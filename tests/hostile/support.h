@@ -1,8 +1,8 @@
-// The contract of the program with hostile input, checked after every run.
+// Requirements on the program with hostile input, checked after every run.
 //
-// A run ends by itself within five seconds with exit code 0, 1, 2 or 3. It prints and writes
-// well-formed UTF-8 without control characters, creates nothing but the files that the command line
-// names as outputs, and never shows what is outside the project's root.
+// A run ends within five seconds with exit code 0, 1, 2 or 3. It prints and writes valid UTF-8
+// without control characters, creates only the files that the command line names as outputs, and
+// never shows contents from outside of the project's root.
 #pragma once
 
 #include <set>
@@ -17,26 +17,26 @@ using test::CliTest;
 using test::Ran;
 namespace fs = std::filesystem;
 
-// The content of a file outside of the root.
+// Content of a file outside of the root.
 inline constexpr const char* secret = "SECRET-CONTENT";
 
-// The first character that a terminal or an editor interprets instead of showing it (a control
-// character but line feed and tab, a bidirectional or line-separating one), as "U+001B at byte 5",
-// or the first byte that is not UTF-8; "" when there is none.
+// Returns the first character that a terminal or an editor interprets instead of showing it (a
+// control character except line feed and tab, a bidirectional or line-separating one), as "U+001B
+// at byte 5", or the first byte that is not UTF-8; "" if there is none.
 std::string unsafe_character(std::string_view text);
 
 class HostileTest : public CliTest {
 protected:
     void SetUp() override;
 
-    // Runs the program and adds what breaks the contract to the failures, under the name `label`.
-    // Files that the run creates must be in `outputs`, or below a folder of them.
+    // Runs the program and reports violations of the requirements as failures named `label`. Files
+    // that the run creates must be in `outputs` or below a folder of them.
     Ran attack(const std::string& label, const std::vector<std::string>& args,
                const std::set<std::string>& outputs = {}, const std::string& input = "");
 
-    // Removes `outputs` and everything else that is not part of the project; see baseline().
+    // Removes `outputs` and all files that are not part of the project; see baseline().
     void clean();
-    // The files that are there now belong to the project: clean() keeps them.
+    // Records the current files as the project; clean() does not remove them.
     void baseline();
 
     size_t cases = 0;

@@ -1,5 +1,5 @@
-// Files that are no pictures, or too large ones: one precise error each, never a crash, nothing on
-// standard error.
+// Tests of files that are not images, or too large: one precise error each, no crash, and no output
+// on standard error.
 #include <sys/stat.h>
 
 #include <cstdlib>
@@ -21,7 +21,7 @@ protected:
         ImageTest::TearDown();
     }
 
-    // One valid file of each format.
+    // Writes one valid file of each format.
     std::vector<fs::path> good_files() const {
         std::vector<fs::path> files;
         Diagnostics diagnostics;
@@ -114,7 +114,7 @@ TEST_F(BadImage, HugeHeadersAreRefusedBeforeDecoding) {
     refusal(put("worst.pfm", "PF\n2147483647 2147483647\n-1.0\n"));
 }
 
-// A text of 2 GB, says the header of a file of 28 bytes, or a row of 2^27 texels.
+// The headers claim a text of 2 GB in a file of 28 bytes, and a row of 2^27 texels.
 TEST_F(BadImage, SizesInAHeaderOfOpenExrAreHeldAgainstTheFileAndTheLimits) {
     const char bytes[] = "v/1\x01\x02\0\0\0tyNpe\0string\0\x0dmxxc\x8a\x96";
     const Diagnostic error = refusal(put("text.exr", std::string(bytes, sizeof bytes - 1)));
@@ -163,7 +163,8 @@ TEST_F(BadImage, TheEnvironmentSetsTheLimits) {
     unsetenv("WRINKLE_IMAGE_MAX_SIDE");
 }
 
-// A cut file is an error, or, where only trailing bytes without pixels are missing, the picture.
+// A truncated file is an error, or the complete image if only trailing bytes without texels are
+// missing.
 TEST_F(BadImage, TruncatedAtManyPlaces) {
     for (const fs::path& path : good_files()) {
         const std::string bytes = bytes_of(path);
@@ -180,7 +181,7 @@ TEST_F(BadImage, TruncatedAtManyPlaces) {
     }
 }
 
-// Any bytes may change: an error or some picture within the limits, the same each time.
+// With any bytes changed, the result is an error or an image within the limits.
 TEST_F(BadImage, DamagedBytes) {
     uint32_t state = 12345;
     const auto random = [&](size_t below) {
@@ -213,7 +214,7 @@ TEST_F(BadImage, ErrorsAreOneLine) {
     }
 }
 
-// What other code prints still arrives once an image has been refused.
+// Other code can print to standard error after an image was rejected.
 TEST_F(BadImage, StandardErrorWorksAfterwards) {
     refusal(put("zero.png", png_file(0, 4, 8, 0, "")));
     std::fputs("still here", stderr);

@@ -1,4 +1,5 @@
-// The oracle is the definition of the format, written with ldexp, and a search for the nearest.
+// Tests of half floats against the definition of the format with ldexp and a search for the nearest
+// value.
 #include "image/half.h"
 
 #include <gtest/gtest.h>

@@ -41,7 +41,7 @@ TEST(Image, TypesHaveNamesAndSizes) {
     EXPECT_EQ(bytes_of(PixelType::float32), 4u);
 }
 
-// The words of a graph file.
+// The names are those of the graph format.
 TEST(TextureOptions, NamesAreThoseOfTheFileFormat) {
     EXPECT_EQ(encoding_named("linear"), Encoding::linear);
     EXPECT_EQ(encoding_named("srgb"), Encoding::srgb);

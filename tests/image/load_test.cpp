@@ -1,4 +1,4 @@
-// Reading files whose bytes are written here by hand, and everything the writer can write.
+// Tests of the image reader: hand-assembled files and all output of the writer.
 #include "image/load.h"
 
 #include <atomic>
@@ -84,7 +84,7 @@ TEST_F(LoadTest, RadianceValuesAreMantissaTimesPowerOfTwo) {
     ASSERT_EQ(image.data.size(), 6u);
     const float expected[] = {1, 0.5f, 0.25f, 255 / 256.0f, 0, 1 / 256.0f};
     for (size_t i = 0; i < 6; ++i)
-        EXPECT_NEAR(image.data[i], expected[i], 0.5f / 128) << i;  // readers differ by half a step
+        EXPECT_NEAR(image.data[i], expected[i], 0.5f / 128) << i;  // decoders differ by half a step
 }
 
 struct Case {
@@ -191,7 +191,7 @@ TEST_F(LoadTest, NanAndInfinityAreKeptAndReportedOnce) {
 }
 
 TEST_F(LoadTest, RowsAreThoseOfTheWholePictureFromTheTop) {
-    Image image = sample_image(37, 150, 3);  // more than a band of rows
+    Image image = sample_image(37, 150, 3);  // more rows than one band
     *image.texel(5, 70) = NAN;
     Diagnostics saving, diagnostics, whole;
     ASSERT_TRUE(save_image(image, folder / "rows.exr", {.type = f32}, saving));
@@ -239,7 +239,7 @@ TEST_F(LoadTest, SeveralThreadsMayReadAtOnce) {
     EXPECT_EQ(wrong, 0);
 }
 
-// Real maps of the wider project; absent in a plain clone.
+// Real maps in ../shared/data; skipped if absent.
 TEST(SharedData, TheSameTerrainInTwoFormatsIsTheSameWayUp) {
     const fs::path data = fs::path(WRINKLE_SOURCE_DIR) / "../shared/data";
     if (!fs::exists(data / "jacksboro_dem_metres.pfm")) GTEST_SKIP() << "no " << data;

@@ -1,4 +1,4 @@
-// Properties of the mip filter that do not know its weights: integrals over the unit square.
+// Tests of the mip filter that are independent of its weights: integrals over the unit square.
 #include "image/mips.h"
 
 #include <gtest/gtest.h>
@@ -19,8 +19,8 @@ double mean(const Image& image, uint32_t channel) {
     return sum / (double(image.width) * image.height);
 }
 
-// The mean over [x0, x1] x [y0, y1] (in units of the whole picture) of an image seen as constant
-// texels, by overlap areas.
+// The mean over [x0, x1] x [y0, y1] (in units of the image size) of an image with constant texels,
+// weighted by overlap area.
 double area_mean(const Image& image, double x0, double x1, double y0, double y1) {
     double sum = 0;
     for (uint32_t y = 0; y < image.height; ++y)

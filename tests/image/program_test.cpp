@@ -1,5 +1,5 @@
-// Seen from outside, through the program that makes the samples' textures: where the image module
-// is found, and that the textures in the repository are what the program makes.
+// Tests of the program that generates the sample textures, run as a process: lookup of the image
+// module, and equality of its output with the textures in the repository.
 #include <sys/wait.h>
 
 #include <cmath>
@@ -16,7 +16,7 @@ const fs::path committed = fs::path(WRINKLE_SOURCE_DIR) / "graphs/textures";
 
 struct Ran {
     int code = -1;
-    std::string output;  // both streams
+    std::string output;  // stdout and stderr
 };
 
 Ran run(const std::string& command) {
@@ -33,7 +33,7 @@ Ran run(const std::string& command) {
 
 class ProgramTest : public ImageTest {
 protected:
-    // The program alone in a folder, without its module beside it.
+    // Copies the program into a folder without the image module; returns its command line.
     std::string stray_program() const {
         fs::create_directories(folder / "bin");
         fs::copy_file(MAKE_TEXTURES, folder / "bin/make_textures");
@@ -90,7 +90,7 @@ TEST_F(ProgramTest, RemadeTexturesAreTheCommittedOnes) {
     EXPECT_GE(count, 6u);
 }
 
-// A graph reads what lies below its own folder, so the comparisons have textures of their own.
+// A graph reads only files below its own folder, so graphs/compare has copies of the textures.
 TEST(Textures, OfTheComparisonsAreThoseOfTheSamples) {
     size_t count = 0;
     for (const auto& entry : fs::directory_iterator(committed / "../compare/textures")) {
@@ -117,7 +117,7 @@ TEST(Textures, TheWovenNormalsAreThoseOfTheWovenHeights) {
             const double nx = 2 * texel[0] - 1, ny = 2 * texel[1] - 1, nz = 2 * texel[2] - 1;
             near += std::abs(-nx / nz - du) < 0.08 && std::abs(-ny / nz - dv) < 0.08;
         }
-    EXPECT_GT(near, size_t{size} * size * 8 / 10);  // the rest lies on creases
+    EXPECT_GT(near, size_t{size} * size * 8 / 10);  // the other texels are on creases
 }
 
 TEST(Textures, HeightsTile) {
@@ -152,7 +152,7 @@ TEST(Textures, TheBallFacesOutward) {
                 square += n * n;
             }
             EXPECT_NEAR(square, 1, 2e-4);
-            EXPECT_GT(along, 0.5);  // within 60 degrees of the sphere's own normal
+            EXPECT_GT(along, 0.5);  // within 60 degrees of the sphere's normal
         }
 }
 

@@ -1,4 +1,4 @@
-// Writing: what is refused, what the bytes are, and that nothing is ever half there.
+// Tests of writing images: rejected options, exact bytes, and no partial files.
 #include <chrono>
 #include <cmath>
 #include <ctime>
@@ -12,7 +12,7 @@ namespace {
 
 class SaveTest : public ImageTest {
 protected:
-    // The one problem of a save that must fail and leave nothing behind.
+    // Returns the only error of a save that must fail and leave no file.
     Diagnostic unsaved(const Image& image, const fs::path& path, const SaveOptions& options) {
         Diagnostics diagnostics;
         EXPECT_FALSE(save_image(image, path, options, diagnostics)) << path;

@@ -1,5 +1,5 @@
-// What the image tests share: a folder of their own, raw files, and a PNG writer that owes nothing
-// to the code under test.
+// Helpers of the image tests: a temporary folder, raw files, and a PNG writer that is independent
+// of the code under test.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -19,7 +19,7 @@ namespace wrinkle::test {
 
 namespace fs = std::filesystem;
 
-// A fresh folder per test, gone afterwards.
+// Creates a temporary folder per test and removes it afterwards.
 class ImageTest : public testing::Test {
 protected:
     fs::path put(const std::string& name, std::string_view bytes) const {
@@ -50,7 +50,7 @@ inline std::string png_chunk(const std::string& name, const std::string& content
     return big_endian(static_cast<uint32_t>(content.size())) + name + content + big_endian(~crc);
 }
 
-// One stored deflate block; `content` below 64 KiB.
+// One stored deflate block. Precondition: `content` is shorter than 64 KiB.
 inline std::string zlib_stored(const std::string& content) {
     uint32_t a = 1, b = 0;
     for (const char c : content) {
@@ -74,7 +74,7 @@ inline std::string png_file(uint32_t width, uint32_t height, char bits, char col
            png_chunk("IDAT", zlib_stored(rows)) + png_chunk("IEND", "");
 }
 
-// A different value in every place, all of them exact in u8 and so in every type.
+// Every sample has a different value, exact in u8 and thus in every type.
 inline Image sample_image(uint32_t width, uint32_t height, uint32_t channels) {
     Image image = make_image(width, height, channels);
     for (size_t i = 0; i < image.data.size(); ++i)
@@ -89,7 +89,7 @@ inline Image loaded(const fs::path& path) {
     return image.value_or(Image{});
 }
 
-// The one error of a load that must fail.
+// Returns the only error of a load that must fail.
 inline Diagnostic refusal(const fs::path& path, const ImageLimits& limits = {}) {
     Diagnostics diagnostics;
     EXPECT_FALSE(load_image(path, limits, diagnostics));

@@ -1,5 +1,5 @@
-// Pictures written in bands: what the file holds, seen by OpenImageIO's own programs, and that
-// nothing half-written is ever found.
+// Tests of images written in bands: file contents as read by OpenImageIO's own tools, and no
+// partial files.
 #include "image/writer.h"
 
 #include <sys/resource.h>
@@ -16,7 +16,7 @@ namespace {
 
 class Writer : public ImageTest {
 protected:
-    // A different number in each place, exact in u8.
+    // Returns `count` different numbers, exact in u8.
     static std::vector<float> numbers(size_t count) {
         std::vector<float> values(count);
         for (size_t i = 0; i < count; ++i)
@@ -33,7 +33,7 @@ protected:
         return options;
     }
 
-    // Every level in bands of `rows` rows.
+    // Writes every mip level in bands of `rows` rows.
     static bool write_all(ImageWriter& writer, size_t channels, uint32_t rows,
                           Diagnostics& diagnostics) {
         for (uint32_t i = 0; i < writer.levels(); ++i) {
@@ -65,7 +65,7 @@ protected:
         return diagnostics.list().empty() ? Diagnostic{} : diagnostics.list().front();
     }
 
-    // What a program prints.
+    // Runs a shell command; returns its output.
     std::string output_of(const std::string& command) const {
         std::FILE* pipe =
             popen(("cd '" + folder.string() + "' && " + command + " 2>&1").c_str(), "r");
@@ -145,10 +145,10 @@ TEST_F(Writer, EveryLevelChannelAndNumberIsThere) {
     }
 }
 
-// What OpenEXR's C++ library reads, whose code wrote none of it.
+// Reads the files with OpenEXR's C++ library, which shares no code with the writer.
 class OpenExr : public Writer {
 protected:
-    // All six channels of all levels, named in the order they were given.
+    // Checks all six channels of all mip levels, named in the order of `channels`.
     void expect_numbers(const std::string& name, const std::vector<std::string>& channels,
                         size_t levels, float tolerance) {
         std::string command = "oiiotool";
@@ -195,7 +195,7 @@ TEST_F(OpenExr, EveryCompressionHoldsEveryTexelOfEveryLevel) {
             }
 }
 
-// Channels are where a reader looks for them, whatever they are called.
+// Readers find every channel by its name, for any names.
 TEST_F(OpenExr, NamesOfAnyLengthAndOrder) {
     WriterOptions options = tiled_with_mips();
     const std::string long_name(60, 'x');
@@ -206,7 +206,7 @@ TEST_F(OpenExr, NamesOfAnyLengthAndOrder) {
     expect_numbers("a.exr", options.channels, 8, 0);
 }
 
-// Levels that take turns are the levels one after the other.
+// Writing the mip levels by turns gives the same file as writing them one after the other.
 TEST_F(OpenExr, LevelsTakeTurns) {
     const WriterOptions options = tiled_with_mips();
     Diagnostics diagnostics;
@@ -268,7 +268,7 @@ TEST_F(Writer, WhatIsNotFinishedLeavesNothingAndTheOldFile) {
     }
 }
 
-// The system's limit on a file's size stands for a disk that is full.
+// Simulates a full disk by the system's limit on the size of a file.
 class FullDisk : public Writer {
 protected:
     void SetUp() override {
@@ -292,7 +292,7 @@ private:
     void (*handler_)(int) = nullptr;
 };
 
-// Wherever the room ends: at the header, amid the rows, at the last byte, which close() writes.
+// The limit is reached at the header, within the rows, or at the last byte, which close() writes.
 TEST_F(FullDisk, IsOneErrorWithItsReasonAndLeavesTheOldFile) {
     for (const std::string extension : {".png", ".jpg", ".tif", ".exr", ".hdr"}) {
         const std::string name = "a" + extension;

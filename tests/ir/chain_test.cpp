@@ -1,4 +1,4 @@
-// Long chains: every pass is a loop over few instructions, on a stack of 256 KB.
+// Tests of long chains: every pass iterates over a few instructions, on a stack of 256 KB.
 #include <gtest/gtest.h>
 
 #include "ir/derive.h"
@@ -14,7 +14,7 @@ namespace wrinkle::test {
 namespace {
 
 constexpr int length = 100'000;
-constexpr int shorter = 20'000;  // 13 bytes of stack for each: enough to tell
+constexpr int shorter = 20'000;  // 13 bytes of stack for each link: enough to detect recursion
 
 // height = ((uv.x * a + uv.y) * a + uv.y) * a ...
 Module chain(int count) {
@@ -56,7 +56,7 @@ TEST(Chain, EveryPass) {
     on_small_stack(pass_through_every_pass);
 }
 
-// A chain inside a function and inside a loop, which the chain's derivative passes through.
+// A chain inside a function and inside a loop; the chain's derivative passes through both.
 void chain_in_regions() {
     Module m;
     const Id x = m.begin_region(RegionKind::function, "f", std::array{Type::float_})[0];
@@ -84,7 +84,7 @@ void chain_in_regions() {
     EXPECT_EQ(verify(settle_frames(m, {}, Parameters::baked)), "");
 }
 
-// Loops that read each other's results, side by side: each is differentiated once.
+// Consecutive loops that read each other's results: each is differentiated once.
 void loops_after_loops() {
     Module m;
     const std::array types{Type::float_};
@@ -107,7 +107,7 @@ TEST(Chain, OfLoopsThatReadEachOther) {
     on_small_stack(loops_after_loops);
 }
 
-// Functions that call functions, as deep as is allowed and deeper.
+// Functions that call functions, up to the maximum call depth and beyond.
 void functions_in_functions(int count) {
     Module m;
     RegionUse below;
@@ -128,8 +128,8 @@ void functions_in_functions(int count) {
 }
 
 TEST(Chain, OfFunctionsThatCallEachOther) {
-    // The derivative recurses over calls, up to that limit; sanitizers make its frames several
-    // times as large.
+    // The derivative recurses over calls, up to that limit; sanitizers enlarge its stack frames
+    // several times.
     constexpr size_t stack = 1024 * 1024;
     on_small_stack([] { functions_in_functions(Module::deepest_call); }, stack);
     on_small_stack([] { functions_in_functions(Module::deepest_call + 2); }, stack);

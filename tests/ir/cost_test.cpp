@@ -1,4 +1,4 @@
-// What a module costs: counted by hand here, by the table in ir/cost.h there.
+// Tests of module costs: counted by hand, against the table in ir/cost.h.
 #include "ir/cost.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,5 @@
-// Derivatives of whole expressions: chains, functions, loops, textures, singular points.
+// Tests of derivatives of complete expressions: chains, functions, loops, textures, singular
+// points.
 #include "ir/derive.h"
 
 #include <gtest/gtest.h>
@@ -58,7 +59,7 @@ struct DeriveTest : testing::Test {
         const std::vector<Type> types(params, Type::float_);
         return close(m.begin_region(RegionKind::function, "f", types), formula, 0);
     }
-    // formula: the state -> go on, next state
+    // formula: the state -> loop condition, next state
     std::vector<Value> loop(uint32_t most, const std::vector<Value>& start,
                             const Formula& formula) {
         const std::vector<Type> types(start.size(), Type::float_);
@@ -98,7 +99,7 @@ TEST_F(DeriveTest, DetachedFactorsAreConstant) {
 }
 
 TEST_F(DeriveTest, SelectTakesTheChosenOneAndNeverMultiplies) {
-    const Value root = op(Op::sqrt_, u - n(0.3));  // infinite slope where it is not chosen
+    const Value root = op(Op::sqrt_, u - n(0.3));  // infinite derivative where it is not selected
     const Value x = select(greater(u, 0.5), n(1) / root, v * 2.0);
     EXPECT_EQ(derived(x.id, 1), 2);
     EXPECT_EQ(derived(x.id, 0), 0);
@@ -169,7 +170,8 @@ TEST_F(DeriveTest, EightOctavesDeriveOneFunction) {
     EXPECT_EQ(m.region_count(), before + 1);
 }
 
-// Each calls the two before it: without a shared memo the work grows as Fibonacci's numbers.
+// Each function calls the two before it: without a shared memo the work grows like Fibonacci
+// numbers.
 TEST_F(DeriveTest, NestedFunctionsAreDerivedOnceEach) {
     RegionUse before = function(1, [&](const auto& x) { return std::vector{sine(x[0])}; });
     RegionUse last = function(1, [&](const auto& x) { return std::vector{x[0] * x[0]}; });
@@ -187,8 +189,8 @@ TEST_F(DeriveTest, NestedFunctionsAreDerivedOnceEach) {
     EXPECT_EQ(m.region_count(), regions + count + 2);
 }
 
-// The state is (x, y): x follows from y of the step before, so that y changes in the first pass
-// over the body and x only in the second.
+// The state is (x, y): x is computed from the previous y, so that y becomes active in the first
+// pass over the body and x only in the second.
 TEST_F(DeriveTest, LoopsSpreadChangeThroughTheirState) {
     const auto state = loop(5, {n(1), n(2), n(0)}, [&](const auto& s) {
         return std::vector{less(s[2], 4), sine(s[1]) * 1.5, s[1] * u + s[0] * 0.25, s[2] + n(1)};
@@ -205,8 +207,8 @@ TEST_F(DeriveTest, LoopsFromAStateThatChanges) {
     expect_derivatives(state[0]);
 }
 
-// A parallax march: step along v until under the height; its path is not differentiated, its
-// last position is.
+// A parallax march: steps along v until below the height; the marched path is not differentiated,
+// the last position is.
 TEST_F(DeriveTest, AMarchAlongItsPath) {
     const auto state = loop(32, {n(1), u, v}, [&](const auto& s) {
         const Value height = sine(s[1] * 5.0) * 0.3 + n(0.4);
@@ -217,7 +219,7 @@ TEST_F(DeriveTest, AMarchAlongItsPath) {
     EXPECT_LT(at(state[0].id, 0, 0), 0.9);
 }
 
-// The inner loop's state changes only after the outer one's does.
+// The inner loop's state becomes active only after the outer one's does.
 TEST_F(DeriveTest, LoopsInLoops) {
     const auto outer = loop(3, {n(0.2), n(0.5), n(0)}, [&](const auto& s) {
         const auto inner = loop(2, {s[0], n(0)}, [&](const auto& t) {
@@ -243,8 +245,8 @@ TEST_F(DeriveTest, SiblingLoopsAndALoopInAFunction) {
     expect_derivatives(apply(f, {u + v})[0]);
 }
 
-// Everything changes through sources alone, so the changes by each, times how it changes with uv,
-// add up to a difference.
+// Every derivative is through sources only, so the sum of the derivatives by each source, times the
+// source's derivative by uv, equals a difference.
 struct ChangeBySourceTest : DeriveTest {
     Value zero3 = vec3(n(0), n(0), n(0));
     Value a = op(Op::with_covariance_, {&m, uv}, zero3);
@@ -275,7 +277,7 @@ struct ChangeBySourceTest : DeriveTest {
             const Lanes wanted = difference(value.id, axis);
             Lanes sum{};
             for (const SourceChange& change : changes) {
-                // One above others only passes their changes on.
+                // A source that reads other sources only propagates their derivatives.
                 if (change.source != a.id && change.source != b.id) continue;
                 const Lanes moved = difference(change.source, axis);
                 for (size_t lane = 0; lane < 2; ++lane) {

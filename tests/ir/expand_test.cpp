@@ -1,5 +1,5 @@
-// What the expansion pass leaves behind, and what it refuses. That its numbers are right is shown
-// in tests/property, by displacing surfaces.
+// Tests of the modules written by the expansion pass, and of those it refuses. The numbers are
+// verified in tests/property, by displacing surfaces.
 #include "ir/expand.h"
 
 #include <gtest/gtest.h>
@@ -98,7 +98,7 @@ TEST_F(Expand, DividesNothingWhileTwoDepthsMeet) {
     EXPECT_GT(count(result_of(resolve(sum)), Op::div_), 0U);
 }
 
-// A positive factor of a normal is dropped, and the divisor's floor with it.
+// A positive factor of a normal is dropped, together with the lower bound of the divisor.
 TEST_F(Expand, LeavesOutTheLengthOfANormal) {
     const Id uv0 = frame(input(SurfaceInput::uv0_), WR_FRAME_vertex, WR_SCALE_unit);
     const auto resolved = [&](double factor) {
@@ -123,7 +123,7 @@ TEST_F(Expand, LeavesOutTheLengthOfANormal) {
     }
 }
 
-// n (1 + n.g) - g: what is along the normal is one number.
+// n (1 + n.g) - g: the component along the normal is one number.
 TEST_F(Expand, ProjectsAVolumeInOneProduct) {
     const Module result =
         result_of(resolve(gradient(Op::gradient_from_volume_, m.input(SurfaceInput::position_))),
@@ -132,7 +132,8 @@ TEST_F(Expand, ProjectsAVolumeInOneProduct) {
     EXPECT_EQ(count(result, Op::sub_), 1U);
 }
 
-// Beside a vertex frame, which is divided by the normal's length, the normal is made unit by that.
+// Next to a vertex frame, which is divided by the normal's length, that length also normalises the
+// normal.
 TEST_F(Expand, MeasuresTheNormalOnce) {
     const Id uv0 = frame(input(SurfaceInput::uv0_), WR_FRAME_vertex, WR_SCALE_unit);
     const Value volume = gradient(Op::gradient_from_volume_, m.input(SurfaceInput::position_));
@@ -142,7 +143,7 @@ TEST_F(Expand, MeasuresTheNormalOnce) {
     EXPECT_EQ(count(both, Op::inversesqrt_), 1U);
 }
 
-// A frame, a derivative and a gradient are given away when they are read for the last time.
+// Storage of a frame, a derivative or a gradient is moved out at its last use.
 TEST_F(Expand, KeepsWhatIsReadAgain) {
     Surroundings around;
     around.inputs[input_extra(SurfaceInput::normal_, Variant::value)] = {0, 0, 1};
@@ -169,7 +170,7 @@ TEST_F(Expand, KeepsWhatIsReadAgain) {
            [&](Value a, Value b) { return add(mix(add(a, b), a), mix(add(a, b), b)); });
 }
 
-// Changes to the next pixels need no uv.
+// Differentials to the next pixels do not need a uv.
 TEST_F(Expand, TakesSlopesOfPixelsAsTheyAre) {
     const Id pixels = frame(input(SurfaceInput::uv0_), WR_FRAME_pixel, WR_SCALE_surface);
     const Id d = m.add(Op::derivative_, {vec2(number(0.3), number(-0.2)).id, pixels});
@@ -200,7 +201,8 @@ TEST_F(Expand, HoldsMoreFramesThanItHasSlots) {
     around.inputs[input_extra(SurfaceInput::normal_, Variant::value)] = {0, 0, 1};
     around.inputs[input_extra(SurfaceInput::facing_, Variant::value)] = {1};
     const Lanes n = interpret(result, result.outputs[0].value, around);
-    // Each guess by hand: T along the direction's part in the plane z = 0, B = n x T.
+    // Each guess computed by hand: T along the projection of the direction to the plane z = 0, B =
+    // n x T.
     double x = 0, y = 0;
     for (int i = 0; i < 20; ++i) {
         const double length = std::hypot(1.0, i), tx = 1 / length, ty = i / length;
@@ -272,7 +274,7 @@ TEST_F(Expand, TakesTheSurfaceAsABaseInWords) {
     EXPECT_TRUE(expand(m, {}).problems.empty());
 }
 
-// A chain as long as a machine writes it: linear, on a small stack.
+// A chain as long as generated code may be: linear time, on a small stack.
 TEST_F(Expand, TakesLongChains) {
     Value sum = gradient(Op::gradient_from_volume_, m.input(SurfaceInput::position_));
     for (int i = 1; i <= 20000; ++i) {
@@ -284,7 +286,8 @@ TEST_F(Expand, TakesLongChains) {
     EXPECT_LT(result.size(), 200000U);
 }
 
-// What hardware would take for the footprint of a uv that jumps.
+// Hardware would use pixel differences as the footprint of a discontinuous uv, so samples at such a
+// uv get explicit derivatives.
 TEST_F(Expand, GivesSamplesOfAJumpingUvTheirDerivative) {
     const uint32_t image = m.add_resource({"a.png", "a.png", {}, {}});
     const Value uv = input(SurfaceInput::uv0_);
@@ -292,7 +295,7 @@ TEST_F(Expand, GivesSamplesOfAJumpingUvTheirDerivative) {
     const Value shift = detach(texel.xy());
     const std::pair<Value, size_t> cases[] = {
         {uv * number(3), 0},
-        {uv + detach(input(SurfaceInput::uv1_)), 0},  // smooth, as it stands
+        {uv + detach(input(SurfaceInput::uv1_)), 0},  // continuous, used unchanged
         {uv + texel.xy(), 0},
         {uv + shift, 1},
         {op(Op::fract_, uv), 1},

@@ -6,7 +6,7 @@
 
 namespace wrinkle::test {
 
-// What an instruction reads in its own scope: of a loop also what its body takes from there.
+// Values used by an instruction in its own scope; for a loop, also those captured by its body.
 std::vector<Id> Interpreter::reads(Id id) const {
     const Module& m = *module_;
     const auto operands = m.operands(id);
@@ -21,7 +21,7 @@ std::vector<Id> Interpreter::reads(Id id) const {
     return list;
 }
 
-// What the roots need of this level and deeper ones, in the order of evaluation.
+// Values needed by the roots at this region depth or deeper, in order of evaluation.
 std::vector<Id> Interpreter::body(std::span<const Id> roots, int level) const {
     std::set<Id> found;
     std::vector<Id> open(roots.begin(), roots.end());
@@ -209,7 +209,7 @@ double on_floats(Op op, double a, double b, double c) {
     }
 }
 
-// On 32-bit words; `is_signed` tells how they are read.
+// Operates on 32-bit words; `is_signed` selects their interpretation.
 double on_words(Op op, double x, double y, bool is_signed) {
     const auto a = static_cast<uint32_t>(static_cast<int64_t>(x));
     const auto b = static_cast<uint32_t>(static_cast<int64_t>(y));

@@ -1,6 +1,6 @@
-// A reference interpreter of expanded modules, in double: the oracle for folding, for derivatives
-// and for other back ends. It follows the semantics written above the op table and shares no code
-// with what it judges. Slow, short, without textures of its own.
+// Reference interpreter of expanded modules, in double: the oracle for constant folding,
+// derivatives and other back ends. It follows the semantics documented at the op table and shares
+// no code with the code under test. Slow, short, without built-in textures.
 #pragma once
 
 #include <array>
@@ -17,8 +17,8 @@ namespace wrinkle::test {
 using Lanes = std::array<double, 9>;
 
 struct Surroundings {
-    std::map<uint32_t, Lanes> inputs;  // by input_extra(); what is absent is 0
-    // rgba of a resource at (u, v) and a lod; `sample` asks with lod 0.
+    std::map<uint32_t, Lanes> inputs;  // by input_extra(); missing inputs are 0
+    // rgba of a resource at (u, v) and a lod; `sample` passes lod 0.
     std::function<Lanes(uint32_t, double, double, double)> texture;
     std::function<Lanes(uint32_t)> image_size;
 };
@@ -51,7 +51,7 @@ inline Lanes interpret(const Module& module, Id root, const Surroundings& around
     return Interpreter(module, around).value(root);
 }
 
-// One op on numbers, lane by lane or as a whole; types as the module gives them.
+// Applies one op to numbers, per component or as a unit; types as in the module.
 Lanes apply_op(Op op, Type result, uint32_t extra, std::span<const Type> types,
                std::span<const Lanes> values);
 

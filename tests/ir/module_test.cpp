@@ -1,5 +1,5 @@
-// Writing expressions: equal ones are one value, simple ones are never written, bad ones are
-// problems.
+// Tests of building expressions: equal ones are interned, trivial ones simplified, invalid ones
+// reported.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -42,7 +42,7 @@ TEST_F(ModuleTest, EqualExpressionsAreOneValue) {
     EXPECT_NE(m.input(SurfaceInput::uv0_, Variant::dx), uv);
 }
 
-// More readers than a chain holds go into the hash table, which grows meanwhile.
+// Users beyond the length of a chain are stored in the hash table, which grows meanwhile.
 TEST_F(ModuleTest, EqualOnesAreFoundAmongManyReadersOfOneValue) {
     constexpr size_t readers = 5000;
     std::vector<Id> numbers, sums;

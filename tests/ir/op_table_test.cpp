@@ -1,5 +1,5 @@
-// Every op of the table, on every combination of types it takes: its constants fold to what the
-// interpreter says, and its derived derivative is what central differences say.
+// Tests of every op of the table on every combination of types: constants fold to the interpreter's
+// result, and derivatives agree with central differences.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -22,7 +22,7 @@ TEST(OpTable, EachOpHasApplicationsOrIsTestedElsewhere) {
 #undef X
 }
 
-// Of any type: what is counted first is how many there are.
+// Operands of any type: their number is checked first.
 TEST(OpTable, AnOperandTooManyIsRefusedByItsNumber) {
     Module m;
     const Id leaf = new_leaf(m, Type::float_);
@@ -66,7 +66,7 @@ TEST(OpTable, ConstantsFold) {
             expect_folds(a, numbers);
 }
 
-// An application on leaves, and its tangent where the operands of `mask` move.
+// An application on leaves, and its tangent when the operands of `mask` vary.
 struct Moving {
     Module m;
     std::vector<Id> leaves, speeds;

@@ -1,4 +1,4 @@
-// Functions and loops: closed, interned, invariants outside, nesting.
+// Tests of functions and loops: closed regions, interning, hoisted invariants, nesting.
 #include <gtest/gtest.h>
 
 #include "ir/support.h"
@@ -60,7 +60,7 @@ TEST_F(RegionTest, WhatAFunctionCapturesIsPassed) {
     EXPECT_NEAR(value(m.apply(b, std::array{n(2)})[0]), 2 * 0.7 + 0.3, 1e-15);
 }
 
-// g is written before f in one of them.
+// In one of the cases g is added before f.
 TEST_F(RegionTest, CapturesStandInTheOrderOfTheText) {
     const Id early = add(Op::sqrt_, {g}), late = add(Op::sqrt_, {f});
     const RegionUse a = line(late, early), b = line(early, late);

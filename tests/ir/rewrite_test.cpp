@@ -1,4 +1,4 @@
-// Substitution, rebuilding, the verifier and the printed form.
+// Tests of substitution, rebuilding, the verifier and the printed form.
 #include "ir/rewrite.h"
 
 #include <gtest/gtest.h>
@@ -55,7 +55,7 @@ TEST_F(RewriteTest, SubstitutionReachesIntoLoopsAndArguments) {
     EXPECT_NEAR(value(replaced(x.id, uv, doubled)), 1.4 * 0.6 * 0.6 * 0.6, 1e-14);
 }
 
-// A field with a loop of its own, read inside a loop at that loop's state.
+// A field that contains a loop, read inside another loop at that loop's state.
 TEST_F(RewriteTest, LoopsMoveInwards) {
     const Value field = power(n(1), u, 2) + power(n(2), v, 1);
     const std::array types{Type::float_};

@@ -21,7 +21,7 @@ uint32_t swizzle(std::initializer_list<uint32_t> components) {
     return extra;
 }
 
-// (extra, type to ask for) of the ops that need them.
+// (extra, requested type) of the ops that need them.
 std::vector<std::pair<uint32_t, Type>> variants(Op op) {
     if (op == Op::column_) return {{0, {}}, {1, {}}, {2, {}}};
     if (op == Op::swizzle_)

@@ -1,5 +1,5 @@
-// What the tests of the expression language share: numbers to start from, and every way of
-// applying an op that the type rules allow.
+// Helpers shared by tests of the expression language: initial numbers, and every application of an
+// op that the type rules allow.
 #pragma once
 
 #include <random>
@@ -21,17 +21,17 @@ struct Application {
 };
 std::string text(const Application& application);
 
-// Every application of an op of the table on numbers that type checks. None of leaves, opaque ops,
-// textures and regions: tested_elsewhere() names those.
+// Every application of an op of the table on numbers that type checks. Excludes leaves, opaque ops,
+// textures and regions: those of tested_elsewhere().
 std::vector<Application> applications();
 bool tested_elsewhere(Op op);
 
-// A parameter stands for a leaf that tests may set.
+// A parameter that serves as a leaf; tests set its value.
 Id new_leaf(Module& module, Type type, std::string_view name = "x");
 void set_leaf(Module& module, Id leaf, const Lanes& lanes);
 Lanes get_leaf(const Module& module, Id leaf);
 
-// Lanes in a range that the op is defined on.
+// Components in a range on which the op is defined.
 class Numbers {
 public:
     explicit Numbers(uint32_t seed) : random_(seed) {}

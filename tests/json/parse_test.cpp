@@ -1,4 +1,5 @@
-// Every kind of bad text, with its exact report, and what is left of the text before it.
+// Tests of parsing: every kind of invalid text, with its exact report and the values parsed before
+// it.
 #include "json/parse.h"
 
 #include <gtest/gtest.h>
@@ -28,8 +29,8 @@ Value read(const std::string& text) {
     return parsed.root;
 }
 
-// The reports on these tokens with this space between them, with a token's number for its place:
-// that of the first that ends behind it.
+// Reports on these tokens separated by this space; locations are given as the index of the first
+// token that ends after them.
 std::string report_by_token(const std::vector<std::string>& tokens, const std::string& space) {
     std::string text, reports;
     std::vector<size_t> ends;
@@ -134,7 +135,7 @@ TEST(Parse, SyntaxErrorsSayWhatAndWhere) {
               "g.json:1:2: error: the string has no closing quote (expected '\"')\n");
 }
 
-// What stands between tokens moves a report with its token and changes nothing else.
+// White space between tokens moves the location of a report and changes nothing else.
 TEST(Parse, SpaceMovesReportsWithTheirTokens) {
     const std::vector<std::string> tokens = {"{", "}",     "[",    "]",  ",",      ":",
                                              "1", "\"a\"", "true", "x7", "\"\\n\""};
@@ -193,11 +194,11 @@ TEST(Parse, DuplicateKeysKeepTheFirst) {
     EXPECT_EQ(diagnostics.list()[0].pointer, "/a/x");
 }
 
-// Objects in objects, of 1 to 24 members each; the first of equal keys is kept, counted with a set.
+// Nested objects of 1 to 24 members each; the first of equal keys is retained, checked with a set.
 TEST(Parse, EveryDuplicateOfObjectsOfAnySizeIsFound) {
     std::mt19937 random(7);
     size_t expected = 0;
-    std::set<size_t> kept;  // how many members of an object were
+    std::set<size_t> kept;  // sizes of the objects that occurred
     const auto object = [&](const auto& self, int depth) -> std::string {
         std::set<uint32_t> met;
         std::string text;
@@ -221,7 +222,7 @@ TEST(Parse, EveryDuplicateOfObjectsOfAnySizeIsFound) {
     EXPECT_GT(*kept.rbegin(), 12u);
 }
 
-// A text may end behind any key; what stands before is compared all the same.
+// A text may end after any key; members before the end are compared as well.
 TEST(Parse, DuplicatesOfATextThatEnds) {
     for (int members = 1; members <= 20; ++members) {
         std::string text = "{\"k0\":0";

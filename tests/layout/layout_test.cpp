@@ -1,4 +1,4 @@
-// The tree keeps its rules, and the rules notice when it does not.
+// Tests that the tree follows its rules, and that the rules detect violations.
 #include <gtest/gtest.h>
 
 #include <algorithm>

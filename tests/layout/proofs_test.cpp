@@ -1,4 +1,4 @@
-// The pages that say which test proves what name tests and graphs that are there.
+// Tests that the pages which list the proofs name existing tests and graphs.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -56,7 +56,7 @@ std::set<std::string> tests_in_the_sources() {
     return names;
 }
 
-// What stands between backquotes.
+// Returns the texts in backquotes.
 std::vector<std::string> quoted(const std::string& page) {
     std::vector<std::string> found;
     for (size_t open = page.find('`'); open != page.npos;) {
@@ -68,7 +68,7 @@ std::vector<std::string> quoted(const std::string& page) {
     return found;
 }
 
-// "Suite.Name", as tests are written in prose.
+// Returns true for "Suite.Name", as tests are written in prose.
 bool is_test(const std::string& text) {
     const size_t dot = text.find('.');
     return dot != text.npos && std::isupper(static_cast<unsigned char>(text[0])) &&

@@ -1,4 +1,4 @@
-// What the README shows is what the program writes.
+// Tests that the README shows the program's actual output.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -22,7 +22,8 @@ TEST(Readme, ShowsTheGeneratedTextOfBaseAndDetail) {
         << "put graphs/golden/base_and_detail.glsl into README.md";
 }
 
-// A block of C++ in the README stands in the program of docs/embedding.md, which a test builds.
+// A block of C++ in the README must be part of the program of docs/embedding.md, which a test
+// builds.
 TEST(Readme, ShowsAProgramThatIsBuilt) {
     const std::string readme = bytes_of(repository / "README.md");
     const std::string open = "```cpp\n", page = bytes_of(repository / "docs/embedding.md");
@@ -35,7 +36,7 @@ TEST(Readme, ShowsAProgramThatIsBuilt) {
     EXPECT_LT(found, page.find("\n```\n", program));
 }
 
-// Files that the commands read are in the repository, or the page says that they are the reader's.
+// Files read by the commands must be in the repository, or the page must mark them as the reader's.
 TEST(Readme, FilesOfItsCommandsExistOrAreDeclared) {
     const std::string readme = bytes_of(repository / "README.md");
     const size_t declared = readme.find("Files of your own are ");
@@ -58,7 +59,7 @@ TEST(Readme, FilesOfItsCommandsExistOrAreDeclared) {
     EXPECT_GT(files, 15U);
 }
 
-// Base and detail in function form are at most 26 lines.
+// Base and detail in function form take at most 26 lines.
 TEST(Readme, BaseAndDetailStayShort) {
     const std::string golden = bytes_of(repository / "graphs/golden/base_and_detail.glsl");
     EXPECT_LE(std::count(golden.begin(), golden.end(), '\n'), 26);

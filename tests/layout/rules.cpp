@@ -9,9 +9,9 @@ namespace {
 
 using Names = std::set<std::string, std::less<>>;
 
-// What each folder may include besides the standard library and itself. "sdk" is the plugin
-// author's whole face, "contract" its C header alone;
-// "library" the header of programs that embed us.
+// Allowed includes of each folder in addition to the standard library and its own headers. "sdk" is
+// the complete plugin author's interface, "contract" only its C header; "library" is the header of
+// programs that embed Wrinkle.
 const std::map<std::string, Names, std::less<>> allowed = {
     {"core/allocator", {"mimalloc"}},
     {"core/base", {}},
@@ -47,7 +47,7 @@ const std::map<std::string, Names, std::less<>> allowed = {
       "contract", "list of nodes", "glm",  "gl",    "imgui",    "cli11"}},
 };
 
-// Libraries by how their headers are spelled.
+// Libraries by the spelling of their headers.
 const std::map<std::string, std::string, std::less<>> library_of_folder = {
     {"nlohmann", "nlohmann"},
     {"OpenImageIO", "oiio"},
@@ -95,7 +95,7 @@ struct Include {
     std::string_view path;
 };
 
-// An empty path where the line is no #include.
+// Returns an empty path if the line is not an #include.
 Include include_of(std::string_view line) {
     const auto skip = [&] {
         line.remove_prefix(std::min(line.find_first_not_of(" \t"), line.size()));
@@ -124,7 +124,7 @@ std::string library_of_file(std::string_view path) {
     return std::string(path);
 }
 
-// What an #include asks for, in the words of the table; empty for what everybody may include.
+// Name in the table for an #include; empty if every folder may include it.
 std::string wanted_by(const Include& include, std::string_view folder) {
     const size_t slash = include.path.find('/');
     if (slash == include.path.npos)
@@ -153,15 +153,15 @@ bool opens_definition(std::string_view line) {
     return !line.empty() && none.find(line[0]) == none.npos && !line.ends_with(':');
 }
 
-// The labels of a switch are a table: one row an op or a type.
+// The labels of a switch are a table: one row per op or type.
 bool is_label(std::string_view line) {
     line.remove_prefix(std::min(line.find_first_not_of(' '), line.size()));
     const bool label = line.starts_with("case ") || line.starts_with("default:");
     return (label && line.ends_with(':')) || line == "break;";
 }
 
-// Whether lines, met in order, are data and not prose or code: they stand between `clang-format
-// off` and `on`, or in a raw string.
+// Detects lines of data, visited in order: lines between `clang-format off` and `on`, and lines in
+// raw strings.
 class Data {
 public:
     bool holds(std::string_view line) {
@@ -170,7 +170,7 @@ public:
         return in_raw_string(line) || table_;
     }
 
-    // Some of the line; to be asked once a line.
+    // Returns true if part of the line is inside a raw string; call exactly once per line.
     bool in_raw_string(std::string_view line) {
         bool raw = !end_.empty();
         for (size_t from = 0; from < line.size();) {
@@ -188,7 +188,7 @@ public:
 
 private:
     bool table_ = false;
-    std::string end_;  // what closes the raw string that is open
+    std::string end_;  // terminator of the open raw string
 };
 
 }  // namespace
@@ -228,8 +228,8 @@ std::vector<std::string> column_violations(const Source& source) {
     return found;
 }
 
-// A definition begins at the last line that starts in column 1 and ends with a '}' alone there;
-// classes end with "};" and namespaces with a comment, so only functions are met.
+// A definition begins at the last line that starts in column 1 and ends with a '}' on its own line
+// in column 1; classes end with "};" and namespaces with a comment, so only functions match.
 std::vector<std::string> length_violations(const Source& source) {
     std::vector<std::string> found;
     size_t lines = 0, begin = 0, counted = 0;
@@ -252,7 +252,7 @@ std::vector<std::string> length_violations(const Source& source) {
 }
 
 std::vector<std::string> word_violations(const Source& source) {
-    // In two parts, so that this file passes its own test.
+    // Each word is split, so that this file passes its own test.
     const std::string words[] = {std::string("TO") + "DO", std::string("FIX") + "ME"};
     std::vector<std::string> found;
     for_each_line(source.text, [&](size_t number, std::string_view line) {

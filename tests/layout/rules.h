@@ -1,10 +1,10 @@
-// The rules of the source tree that a text search can see: who may include whom (one table, in
-// rules.cpp), the length of files, functions and lines, words that stand for unfinished work,
-// the names of files of tests.
+// Rules of the source tree that a text search can check: allowed includes (one table, in
+// rules.cpp), the length of files, functions and lines, words that mark unfinished work, the names
+// of test files.
 //
-// A Source is a file's text under its path from the root of the repository, with '/' between
-// folders. Each check gives one sentence per violation, beginning with "path:line: "; none means
-// that the file is fine.
+// A Source is a file's text with its path from the root of the repository, with '/' between
+// folders. Each check returns one sentence per violation, beginning with "path:line: "; an empty
+// list means that the file passes.
 #pragma once
 
 #include <string>
@@ -25,17 +25,17 @@ struct Source {
 // "core/ir" of "core/ir/x/module.h", "nodes" of "nodes/uv.cpp".
 std::string folder_of(std::string_view path);
 
-// Of core, nodes, plugins and editor. A folder that the table does not know is a violation itself.
+// Checks core, nodes, plugins and editor. A folder that is not in the table is a violation.
 std::vector<std::string> include_violations(const Source& source);
 
-// Length in characters, not bytes. Tables between `clang-format off` and `on` and raw strings are
-// data of any width and count; a line without a space (a long address) cannot be broken; the labels
-// of a switch are not counted.
+// Length in characters, not bytes. Tables between `clang-format off` and `on` and raw strings may
+// have any width and number of lines. A line without a space (a long address) is exempt, and the
+// labels of a switch are not counted.
 std::vector<std::string> column_violations(const Source& source);
 std::vector<std::string> length_violations(const Source& source);
 std::vector<std::string> word_violations(const Source& source);
 
-// Below tests: a file with a TEST is called NAME_test.cpp, and no other is.
+// In tests, a file is named NAME_test.cpp if and only if it contains a TEST.
 std::vector<std::string> name_violations(const Source& source);
 
 std::vector<std::string> all_violations(const Source& source);

@@ -1,4 +1,4 @@
-// docs/sdk.md has a line for every public name of core/sdk/wrinkle, and none for others.
+// Tests that docs/sdk.md has a line for every public name of core/sdk/wrinkle, and for no other.
 #include <gtest/gtest.h>
 
 #include <regex>
@@ -25,7 +25,7 @@ std::vector<std::string> lines_of(const fs::path& file) {
     return lines;
 }
 
-// The headers are formatted: what a line declares shows in its first columns.
+// The headers are formatted: the first columns of a line identify the declared name.
 void add_declared(const std::string& line, bool member, Names& names) {
     static const std::regex outside[] = {
         std::regex(R"(^(?:class|struct|enum class|concept) (\w+))"),
@@ -66,7 +66,7 @@ Names names_of_c(const fs::path& file) {
     for (const std::string& line : lines_of(file))
         for (const std::regex& form : forms)
             if (std::regex_search(line, match, form)) names.insert(match[1]);
-    names.erase("build");  // a member of wr_node, that the node author writes
+    names.erase("build");  // a member of wr_node, written by the node author
     return names;
 }
 
@@ -74,13 +74,13 @@ Names declared() {
     Names names;
     for (const auto& entry : fs::directory_iterator(headers)) {
         const std::string name = entry.path().filename();
-        if (name == "body.h") continue;  // all of it is in `detail`
+        if (name == "body.h") continue;  // everything in it is in `detail`
         names.merge(name == "plugin.h" ? names_of_c(entry.path()) : names_of_cpp(entry.path()));
     }
     return names;
 }
 
-// The words of the first cells; those of arguments do not count.
+// Words of the first cells; those of arguments do not count.
 Names documented() {
     static const std::regex word(R"(\w+)"), arguments(R"(\([^`]*\))");
     Names names;
@@ -104,7 +104,7 @@ TEST(SdkReference, EveryPublicNameHasALine) {
         EXPECT_TRUE(page.contains(name)) << name << " is not in docs/sdk.md";
 }
 
-// The name before each parenthesis is one that is declared.
+// The name before each parenthesis must be declared.
 TEST(SdkReference, EveryLineIsOfAPublicName) {
     static const std::regex called(R"((\w+)(?:<[^>]*>)?\()");
     const Names names = declared();

@@ -1,4 +1,4 @@
-// On which normal a gradient stands, and what happens when two do not fit.
+// Tests of the base normal of a gradient, and of gradients with different bases.
 #include <gtest/gtest.h>
 
 #include "lower/check.h"
@@ -58,7 +58,7 @@ TEST(Bases, UnconstrainedItIsTheSurface) {
     EXPECT_EQ(m[m[m.outputs[0].value].arg[0]].extra, poison);
 }
 
-// A wire says a base, and what comes along it is the surface's own normal: by its value alone.
+// The wire declares a base, but its value is the surface's own normal: only the value decides.
 TEST(Bases, ANormalThatANodeLeavesAsItIsIsTheSurface) {
     const auto text = [](const std::string& amount) {
         return graph(R"("same": {"type": "times", "in": {"amount": )" + amount + R"(}},

@@ -1,4 +1,4 @@
-// The table of design §5, written out a second time: every pair of types.
+// Tests of conversions against a second copy of the table of design §5: every pair of types.
 #include "lower/conversion.h"
 
 #include <gtest/gtest.h>
@@ -11,8 +11,8 @@ namespace wrinkle {
 namespace {
 
 TEST(Conversion, AllPairs) {
-    // From a row's type into a column's port: . same, r rename, d differentiate, a apply frame,
-    // t take normal, n resolve, D and A the same and then resolve, - illegal.
+    // From a row's type into a column's port: . same, r rename, d differentiate, a apply frame, t
+    // take normal, n resolve, D and A the same and then resolve, - illegal.
     const std::map<std::string, std::string> table = {
         //             f234chDgni
         {"float", /**/ ".----r-dD-"},  {"vec2", /*     */ "-.--------"},

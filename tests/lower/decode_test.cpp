@@ -1,4 +1,4 @@
-// Encodings, on constants: add() folds them, so that the numbers can be read off.
+// Tests of encodings on constants: add() folds them, so that the numbers can be read directly.
 #include "lower/decode.h"
 
 #include <gtest/gtest.h>
@@ -31,7 +31,8 @@ TEST(Decode, LinearIsAsStored) {
 }
 
 TEST(Decode, SrgbByKnownValues) {
-    // 188/255 is the well-known half of linear light; 0.5 is 0.21404; the straight part is c/12.92.
+    // 188/255 is the well-known half of linear light; 0.5 is 0.21404; the linear segment is
+    // c/12.92.
     expect_near(decoded(Encoding::srgb, {188 / 255.0, 0.5, 0.0129200, 0.5}),
                 {0.5028865, 0.2140411, 0.001, 0.5});
     expect_near(decoded(Encoding::srgb, {0, 1, -0.01292, 1}), {0, 1, -0.001, 1});
@@ -44,10 +45,10 @@ TEST(Decode, NormalsOfBothConventions) {
 }
 
 TEST(Decode, TwoChannelNormalsAreUnit) {
-    // (0.6, 0, 0.8) and, beyond the unit circle, z = 0.
+    // (0.6, 0, 0.8), and z = 0 outside of the unit circle.
     expect_near(decoded(Encoding::normal_rg, {0.8, 0.5, 0.3, 0.1}), {0.6, 0, 0.8, 1});
     expect_near(decoded(Encoding::normal_rg, {1, 1, 0, 0}), {1, 1, 0, 1});
-    // DXT5nm: red 1, x in alpha. A file of two channels: x in red, alpha 1.
+    // DXT5nm: red 1, x in alpha. A file with two channels: x in red, alpha 1.
     expect_near(decoded(Encoding::normal_ag, {1, 0.5, 0, 0.8}), {0.6, 0, 0.8, 1});
     expect_near(decoded(Encoding::normal_ag, {0.8, 0.5, 0, 1}), {0.6, 0, 0.8, 1});
 }

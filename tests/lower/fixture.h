@@ -1,4 +1,4 @@
-// A few nodes for tests of lowering, and graphs as JSON text in place of files.
+// Nodes for tests of lowering, and graphs as JSON text instead of files.
 #pragma once
 
 #include <filesystem>
@@ -26,7 +26,7 @@ namespace wrinkle::test {
 // complains, open_region, leaks_region, lies: bodies that err
 const Registry& registry();
 
-// Files by name ("main.json" is the top), written into a folder of the test's own.
+// Files by name ("main.json" is the top), written to a temporary folder.
 struct Files {
     explicit Files(const std::map<std::string, std::string>& files);
     test::TemporaryFolder temporary;

@@ -1,4 +1,4 @@
-// Sub-graphs as functions: how much is built, and how often what would be called.
+// Tests of sub-graphs as functions: the number of functions built and of calls.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -16,7 +16,8 @@ std::string level_file(int level) {
     return "g" + std::to_string(level) + ".json";
 }
 
-// `levels` files that each use the next `uses` times with another number; the last one has a node.
+// `levels` files, each of which uses the next one `uses` times with different numbers; the last one
+// has a node.
 std::map<std::string, std::string> tower(int levels, int uses) {
     std::map<std::string, std::string> files;
     const std::string input = "\"inputs\": {\"x\": {\"type\": \"height\"}}, ";
@@ -89,7 +90,7 @@ TEST(ExpandedCalls, UpToAHundredThousandAreMade) {
     EXPECT_TRUE(built.compile(options).ok) << to_text(built.diagnostics);
 }
 
-// As many instructions a level, however deep.
+// The number of instructions per level does not depend on the depth.
 TEST(LowerFunctions, GrowWithTheFilesAndNotWithTheUses) {
     const Module ten = Built(tower(10, 2)).compile().module;
     const Module twenty = Built(tower(20, 2)).compile().module;
@@ -108,7 +109,7 @@ TEST(LowerFunctions, AreWrittenOutInASmallGraph) {
     EXPECT_EQ(Built(tower(2, 2)).compile(options).module.region_count(), 3U);
 }
 
-// A number in a function's body is one parameter, named by the first use.
+// A number in a function's body is one parameter, named after the first use.
 TEST(LowerFunctions, HaveTheirParametersOnce) {
     MaterialOptions options;
     options.uniform_parameters = true;

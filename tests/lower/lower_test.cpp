@@ -1,4 +1,4 @@
-// What a graph becomes: parameters, wires, sub-graphs, muted nodes, fields, images.
+// Tests of lowering graphs: parameters, wires, sub-graphs, muted nodes, fields, images.
 #include "lower/lower.h"
 
 #include <gtest/gtest.h>

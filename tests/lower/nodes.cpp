@@ -123,7 +123,7 @@ Node wrong_frame = node("wrong_frame", "Wrong frame", "A frame and a scale that 
                                uv, frame(uv, FrameMethod::exact, Scale::unit, vec3(0, 0, 1))));
                        });
 
-// Nodes that err, in plain C.
+// Faulty nodes, in plain C.
 wr_port c_port(uint32_t kind, uint32_t type, const char* name) {
     wr_port p{};
     p.size = sizeof p;

@@ -45,7 +45,7 @@ TEST(Override, SaysWhatIsNotOne) {
               "A:B:N, N from 2 to 10000)\n");
 }
 
-// Neither from_chars' "nan" and "inf" nor an overflow on the way between the ends.
+// Rejects from_chars' "nan" and "inf", and an overflow of the difference between the ends.
 TEST(Override, HoldsFiniteNumbersAlone) {
     for (const char* text : {"n.value=0:1:nan", "n.value=0:1:inf"})
         EXPECT_NE(values(text).find("neither JSON nor a sweep"), std::string::npos) << text;

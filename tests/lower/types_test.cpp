@@ -1,4 +1,4 @@
-// Types of nodes that have none of their own: what a reroute carries.
+// Tests of the types of nodes without a fixed type: the type carried by a reroute.
 #include "lower/types.h"
 
 #include <gtest/gtest.h>
@@ -23,7 +23,7 @@ constexpr std::array nodes = {
     R"("lost": {"type": "reroute", "in": {"in": {"from": "nobody.out"}}})",
 };
 
-// The wires form loops, which is reported and no reason not to know a type.
+// The wires form cycles, which are reported; the types can be inferred nevertheless.
 TEST(Types, OfReroutesDoNotDependOnTheOrderOfTheNodes) {
     std::array<size_t, nodes.size()> order{};
     for (size_t turn = 0; turn < 2 * nodes.size(); ++turn) {
@@ -45,7 +45,7 @@ TEST(Types, OfReroutesDoNotDependOnTheOrderOfTheNodes) {
     }
 }
 
-// Wires are looked up as a text is read; those of an edited graph lead elsewhere.
+// Reading a text resolves wires to node indices; removing a node changes these indices.
 TEST(Types, OfAnEditedGraphReadTheNodesThatItHas) {
     Diagnostics problems;
     Project project =

@@ -1,4 +1,4 @@
-// A healthy map of each sort, and each defect put into one.
+// Tests of map lint: a correct map of each kind, and each defect added to one.
 #include "maps/lint.h"
 
 #include <gtest/gtest.h>
@@ -15,7 +15,7 @@ namespace {
 
 using namespace test;
 
-// Enough detail that 8 bits show no stairs.
+// Has enough detail to show no banding in 8 bits.
 const Waves detailed{64, 48, 3};
 
 std::vector<std::string> defects_of(const Verdict& verdict) {
@@ -66,7 +66,7 @@ TEST(Lint, HealthyMapsHaveNoDefect) {
     }
 }
 
-// The test is the sign of a sum, so strength and noise do not move it.
+// The result is the sign of a sum, so it does not depend on strength or noise.
 TEST(Lint, GreenIsFoundInGentleSteepAndNoisyMaps) {
     for (const double strength : {0.05, 0.5, 5.0}) {
         const Image gl = normal_image({96, 96, strength});
@@ -120,7 +120,7 @@ TEST(Lint, VectorsThatAreNotUnit) {
            Look::normal_gl, {"length"});
 }
 
-// Truncated where it was to be rounded, and 128 + 127 n.
+// Values truncated instead of rounded, and values stored as 128 + 127 n.
 TEST(Lint, TheMiddleTakenFor127Or128) {
     const auto stored = [](float value) { return value / 255; };
     const Image low = changed(normal_image(detailed, PixelType::u8), [&](float* t) {
@@ -142,7 +142,7 @@ TEST(Lint, EightBitsInStairs) {
     Image rounded = height;
     quantise(rounded, PixelType::u8);
     expect(rounded, Look::height, {"banding"});
-    rounded.source = PixelType::u16;  // the same values in a deeper file
+    rounded.source = PixelType::u16;  // the same values in a file of more bits
     expect(rounded, Look::height, {"banding"});
     quantise(height, PixelType::u16);
     expect(height, Look::height, {});
@@ -167,7 +167,7 @@ TEST(Lint, SeamsThatDoNotTile) {
     EXPECT_EQ(std::find(defects.begin(), defects.end(), "seam_u"), defects.end());
 }
 
-// The waves within a strip at the left border, on what an atlas has between its islands.
+// The waves within a strip at the left border; `background` fills the rest, as in an atlas.
 Image strip_on(const Image& waves, const std::vector<float>& background) {
     Image image = waves;
     for (uint32_t y = 0; y < image.height; ++y)
@@ -187,7 +187,7 @@ TEST(Lint, AnAtlasNeedNotTile) {
         EXPECT_EQ(name_of(verdict.findings[0].flaw), "seam_u");
         EXPECT_NE(verdict.findings[0].message.find("atlas"), std::string::npos);
     }
-    // Normals that fade to flat at the border of their island.
+    // The normals fade to flat at the border of their island.
     Image faded = strip_on(normals, {0.5F, 0.5F, 1});
     for (uint32_t y = 0; y < faded.height; ++y)
         for (uint32_t x = 0; x < faded.width / 3; ++x)
@@ -197,7 +197,7 @@ TEST(Lint, AnAtlasNeedNotTile) {
             }
     EXPECT_EQ(examine(faded, Wrap::repeat).measure("shore").value_or(9) < 4, true);
     EXPECT_EQ(defects_of(examine(faded, Wrap::repeat)), std::vector<std::string>{});
-    // A plateau that the waves run into without a cut is not what lies between islands.
+    // A plateau that the waves enter without a discontinuity is not a gap between islands.
     Image plateau = heights;
     for (float& value : plateau.data)
         value = std::max(value - 0.5F, 0.0F);
@@ -241,7 +241,7 @@ TEST(Lint, GreenOfRegionsThatDisagreeIsMixed) {
     const auto defects = defects_of(verdict);
     EXPECT_NE(std::find(defects.begin(), defects.end(), "mixed"), defects.end());
     EXPECT_EQ(name_of(verdict.look), "normal");
-    // One region of 64 is an exception.
+    // One of 64 regions may differ.
     Image nearly = up;
     for (uint32_t y = 0; y < 12; ++y)
         for (uint32_t x = 0; x < 16; ++x)
@@ -279,7 +279,7 @@ TEST(Lint, AHeightInThreeChannelsIsAHeight) {
     EXPECT_FALSE(verdict.has_defects());
 }
 
-// The normals of a ball, with black round it as bakers leave it.
+// The normals of a ball surrounded by black, as bakers leave it.
 TEST(Lint, ObjectSpacePointsDownToo) {
     Image image = make_image(64, 64, 3, PixelType::u8);
     for (uint32_t y = 0; y < 64; ++y)
@@ -313,7 +313,7 @@ TEST(Lint, TwoChannelsAndColors) {
     expect(colors, Look::color, {});
 }
 
-// Where a picture that repeats is cut says nothing of it.
+// The evidence for a texture that repeats does not depend on the position of its border.
 TEST(Lint, APictureThatRepeatsIsTheSameWhereverItIsCut) {
     const Image whole = normal_image(detailed);
     for (const auto& [right, up] : {std::pair(0u, 1u), {0u, 47u}, {1u, 0u}, {20u, 30u}}) {
@@ -334,7 +334,7 @@ TEST(Lint, APictureThatRepeatsIsTheSameWhereverItIsCut) {
             EXPECT_GT(a.measure("curl_dx").value_or(0), 0.01);
             for (size_t i = 0; i < a.evidence.size(); ++i) {
                 const std::string& name = a.evidence[i].name;
-                if (name.starts_with("seam") || name.ends_with("still")) continue;  // of a border
+                if (name.starts_with("seam") || name.ends_with("still")) continue;  // border only
                 EXPECT_NEAR(a.evidence[i].value, b.evidence[i].value, 1e-9)
                     << name << " " << right << " " << up;
             }
@@ -342,8 +342,8 @@ TEST(Lint, APictureThatRepeatsIsTheSameWhereverItIsCut) {
     }
 }
 
-// A border that does not repeat sees itself: the picture beside its mirror image has no more curl
-// than it has alone.
+// At a border that does not repeat, the filter mirrors the texture: the texture joined to its
+// mirror image has no more curl than the texture itself.
 TEST(Lint, ABorderThatClampsIsThatOfTheMirroredPicture) {
     const Image image = normal_image({64, 47, 3});
     Image twice = make_image(64, 94, 3, image.source);
@@ -357,7 +357,7 @@ TEST(Lint, ABorderThatClampsIsThatOfTheMirroredPicture) {
                 sums.add(of.texel(0, y), 3, 3);
             return sums.measures();
         }();
-        // The mirrored half turns the sign of d/dv, and so the one term against the other.
+        // The mirrored half negates d/dv, and so swaps the two terms.
         return measured.gl * measured.gl + measured.dx * measured.dx;
     };
     EXPECT_NEAR(curl(image), curl(twice), 1e-9);

@@ -1,5 +1,5 @@
-// Slopes of heights and heights of slopes, against calculus and against pictures that are laid out
-// again beside themselves.
+// Tests of slopes of heights and heights of slopes, against analytic derivatives and against
+// textures repeated or mirrored next to themselves.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -33,7 +33,7 @@ Source height_source(const Image& image, Wrap wrap) {
     return source;
 }
 
-// The steepest difference of two pictures of slopes.
+// Returns the largest absolute difference of two slope images.
 double farthest(const std::vector<float>& a, const std::vector<float>& b) {
     double most = 0;
     for (size_t i = 0; i < a.size(); ++i)
@@ -41,7 +41,7 @@ double farthest(const std::vector<float>& a, const std::vector<float>& b) {
     return most;
 }
 
-// Of slow waves a filter of three texels gives the derivative but for the square of their angle.
+// For slow waves, a filter of three texels has an error of second order in the angle per texel.
 TEST(Slopes, AreTheDerivativeOfTheHeight) {
     const Waves waves{512, 256, 1};
     const Image image = height_image(waves);
@@ -59,7 +59,7 @@ TEST(Slopes, AreTheDerivativeOfTheHeight) {
     EXPECT_GT(steepest, 0.05);
 }
 
-// A plane has its slope in every texel but those at a border that clamps, which have half.
+// A plane has its slope in every texel; texels at a clamped border have half of it.
 TEST(Slopes, OfAPlaneAreExactAndHalfAtTheBorderOfAClamp) {
     Image image = make_image(9, 7, 1);
     for (uint32_t y = 0; y < 7; ++y)
@@ -117,14 +117,14 @@ TEST(Slopes, OfNormalsAreThoseOfTheSurface) {
     }
 }
 
-// The clamps of docs/surface-gradient.md.
+// The clamps are those of docs/surface-gradient.md.
 TEST(Slopes, OfNormalsAreClamped) {
     Image image = make_image(4, 1, 3);
     image.data = {0.5f, 0.5f, 0.5f, 1, 0.5f, 0.5f, 0, 1, 0.5f, 0.75f, 0.5f, 0.25f};
     Source source = height_source(image, Wrap::clamp);
     source.kind = Kind::normal;
     const SlopeMap slopes = slopes_of(source);
-    EXPECT_EQ(slopes.du, (std::vector<float>{0, -128, 128, -1}));  // a z below 0 is mirrored up
+    EXPECT_EQ(slopes.du, (std::vector<float>{0, -128, 128, -1}));  // a z below 0 is negated
     EXPECT_EQ(slopes.dv[2], -128);
 }
 
@@ -138,14 +138,14 @@ TEST(Slopes, OfTwoChannelsHaveTheirZMade) {
     EXPECT_NEAR(slopes.dv[1], 0.8 / 0.6, 1e-6);
 }
 
-// Each wrap, sizes that are powers of two, odd and prime.
+// Covers each wrap mode, and sizes that are powers of two, odd and prime.
 TEST(Height, ComesBackFromItsSlopes) {
     for (const Wrap wrap : {Wrap::repeat, Wrap::clamp})
         for (const auto& [width, height] :
              {std::pair{128u, 64u}, {61u, 37u}, {45u, 1u}, {1u, 1u}}) {
             const Waves waves{width, height, 1};
             Image image = height_image(waves);
-            if (wrap == Wrap::clamp)  // what does not repeat
+            if (wrap == Wrap::clamp)  // adds a part that does not repeat
                 for (uint32_t y = 0; y < height; ++y)
                     for (uint32_t x = 0; x < width; ++x)
                         *image.texel(x, y) += 0.02f * static_cast<float>(x + 2 * y);
@@ -160,7 +160,7 @@ TEST(Height, ComesBackFromItsSlopes) {
         }
 }
 
-// Slopes of a rotation belong to no height: the nearest is flat. Bad values are flat too.
+// Slopes that are a pure curl have no height: the least-squares result is flat. NaN gives flat too.
 TEST(Height, OfCurlAndOfNanIsFlat) {
     const uint32_t size = 32;
     std::vector<float> du(size * size), dv(size * size);

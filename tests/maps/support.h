@@ -1,4 +1,4 @@
-// Bumps for the tests of maps: a height that repeats, with its slopes by hand.
+// Test bumps for maps: a height that repeats, with analytic slopes.
 #pragma once
 
 #include <cmath>
@@ -8,8 +8,8 @@
 
 namespace wrinkle::test {
 
-// h = sum of three waves with whole numbers of periods over the picture, in texels; its slopes per
-// texel are those of calculus, not of a filter.
+// h = sum of three waves with an integer number of periods over the image, in texels; its slopes
+// per texel are analytic, not those of a filter.
 struct Waves {
     uint32_t width = 128, height = 96;
     double strength = 1;
@@ -40,7 +40,7 @@ inline Image height_image(const Waves& waves) {
     return image;
 }
 
-// As a file of this type would give it back: (1 + n) / 2, green up.
+// Normals as decoded from a file of this type: (1 + n) / 2, green up.
 inline Image normal_image(const Waves& waves, PixelType type = PixelType::u16) {
     Image image = make_image(waves.width, waves.height, 3, type);
     for (uint32_t y = 0; y < waves.height; ++y)

@@ -1,4 +1,4 @@
-// Mesh files made in memory for tests.
+// Mesh files built in memory for tests.
 #pragma once
 
 #include <glm/vec2.hpp>
@@ -10,10 +10,10 @@
 
 namespace wrinkle::test {
 
-// A .gltf with one buffer as a data URI. `accessors` are written as they are given.
+// A .gltf file with one buffer as a data URI. `accessors` are written unchanged.
 class GltfText {
 public:
-    // Appends the bytes of values as a buffer view with an accessor; returns the accessor's number.
+    // Appends values as a buffer view with an accessor; returns the accessor's index.
     int add(const std::vector<float>& values, const std::string& type);
     int add_bytes(const std::string& bytes, const std::string& accessor);
     int add_indices(const std::vector<uint16_t>& indices);
@@ -33,8 +33,8 @@ private:
     std::vector<std::string> views_, accessors_;
 };
 
-// A square in the plane z = 0 from (0, 0) to (1, 1), facing +z, uv = position in glTF's sense: v
-// runs down the texture, so that (0, 0) has v 1.
+// A quad in the plane z = 0 from (0, 0) to (1, 1), facing +z, with uv = position in glTF's
+// convention: v runs down the texture, so that (0, 0) has v 1.
 GltfText square();
 
 struct Loaded {

@@ -1,4 +1,4 @@
-// glTF files that are wrong: each is an error that names the file and what would help.
+// Tests of invalid glTF files: each is an error that names the file and a remedy.
 #include <gtest/gtest.h>
 
 #include <limits>
@@ -79,7 +79,7 @@ TEST(BadGltf, ValuesThatAreNoNumbers) {
     expect_refused(far.text(), "mesh 0, primitive 0: index 4 of 4 vertices");
 }
 
-// Every file that is cut off is an error; none is half a mesh.
+// Every truncated file is an error; none is read in part.
 TEST(BadGltf, EveryTruncationIsAnError) {
     const std::string text = square().text(), glb = square().glb();
     for (size_t length = 0; length < text.size(); ++length)
@@ -90,7 +90,7 @@ TEST(BadGltf, EveryTruncationIsAnError) {
     expect_refused(glb.substr(0, 15), "is truncated within its header");
 }
 
-// Whatever a byte becomes, the answer is a mesh or an error.
+// With any changed byte, the result is a mesh or an error.
 TEST(BadGltf, NoByteDoesHarm) {
     for (const std::string& good : {square().text(), square().glb()})
         for (size_t at = 0; at < good.size(); ++at)

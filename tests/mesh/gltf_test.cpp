@@ -1,4 +1,4 @@
-// glTF files: what is read, and what is said of files that are wrong.
+// Tests of the glTF reader: contents of valid files, and errors of invalid ones.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -50,7 +50,7 @@ TEST(Gltf, KeepsAFilesOwnTangents) {
     gltf.add({0, 1, 0, -1, 0, 1, 0, -1, 0, 1, 0, -1, 0, 1, 0, -1}, "VEC4");
     gltf.attributes += R"(, "NORMAL": 3, "TANGENT": 4)";
     EXPECT_EQ(mesh_of(gltf).tangents[2], glm::vec4(0, 1, 0, -1));
-    gltf.attributes = R"("POSITION": 0, "TEXCOORD_0": 1, "TANGENT": 4)";  // none without normals
+    gltf.attributes = R"("POSITION": 0, "TEXCOORD_0": 1, "TANGENT": 4)";  // unused without normals
     EXPECT_EQ(mesh_of(gltf).tangents[2], glm::vec4(1, 0, 0, 1));
 }
 
@@ -111,16 +111,16 @@ TEST(Gltf, ResolvesSparseAccessors) {
     EXPECT_EQ(file.mesh->positions[3], glm::vec3(0, 1, 0));
 }
 
-// The numbers of the extension's own words: scale, then rotation, then offset, v downwards.
+// The order of the glTF extension: scale, then rotation, then offset, v downwards.
 TEST(Gltf, MovesUvsAsTheirMaterialSays) {
     GltfText gltf = square();
     gltf.primitive += R"(, "material": 0)";
     gltf.more = material(R"("offset": [5, 12], "scale": [2, 0.5], "rotation": 1.5707963267948966)");
     const Mesh mesh = mesh_of(gltf);
-    // (1, 1) in glTF: scaled (2, 0.5), turned (0.5, -2), moved (5.5, 10); here v' = 1 - v.
+    // (1, 1) in glTF: scaled (2, 0.5), rotated (0.5, -2), moved (5.5, 10); here v' = 1 - v.
     EXPECT_LT(glm::length(mesh.uvs[0][1] - glm::vec2(5.5F, 1 - 10)), 1e-5);
     EXPECT_LT(glm::length(mesh.uvs[0][3] - glm::vec2(5, 1 - 12)), 1e-5);
-    // u grows where glTF's v grew: down the square.
+    // u grows along glTF's former v: down the quad.
     EXPECT_LT(glm::length(mesh.tangents[0] - glm::vec4(0, -1, 0, 1)), 1e-5);
     gltf.more = material(R"("offset": [0.25, 0], "texCoord": 1)");
     gltf.attributes += R"(, "TEXCOORD_1": 1)";
@@ -159,7 +159,7 @@ TEST(Gltf, PutsNodesWhereTheirTransformsSay) {
     const Mesh mesh = mesh_of(gltf);
     ASSERT_EQ(mesh.vertex_count(), 8U);
     ASSERT_EQ(mesh.triangle_count(), 4U);
-    // The last node comes first: mirrored, so w and the winding turn; it still faces +z.
+    // The last node comes first: it mirrors, so w and the winding are flipped; it still faces +z.
     EXPECT_LT(glm::length(mesh.positions[2] - glm::vec3(9, 1, 3)), 1e-6);
     EXPECT_LT(glm::length(mesh.normals[2] - glm::vec3(0, 0, 1)), 1e-6);
     EXPECT_LT(glm::length(mesh.tangents[2] - glm::vec4(-1, 0, 0, -1)), 1e-6);

@@ -1,4 +1,4 @@
-// The meshes of graphs/compare are what their program makes.
+// Tests that the meshes of graphs/compare are those that their generator writes.
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -29,8 +29,8 @@ TEST(MadeFiles, RemadeMeshesAreTheCommittedOnes) {
     EXPECT_TRUE(*made == *kept);
 }
 
-// Its skinned normals and tangents fit the triangles of the pose: as ever with means of matrices,
-// less well where the tube is pressed together inside the bend.
+// The skinned normals and tangents fit the triangles of the pose, as closely as blended matrices
+// allow; less so inside the bend, where the tube is compressed.
 TEST(MadeFiles, TheBentCylinderIsASmoothTubeWithTangentsAlongItsUv) {
     Diagnostics diagnostics;
     const auto mesh = load_mesh(committed, {}, diagnostics);

@@ -1,6 +1,5 @@
-// Tangents against those of other implementations: recorded ones of the npm package
-// mikktspace 1.1.1 (oracle/record_mikktspace.js says how), and those that a published glTF test
-// file carries.
+// Tests of tangents against other implementations: recorded results of the npm package mikktspace
+// 1.1.1 (see oracle/record_mikktspace.js), and the tangents in a published glTF test file.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -55,7 +54,7 @@ std::vector<Recorded> recorded() {
     return result;
 }
 
-// Where the reference has no direction it gives (1, 0, 0), whatever the normal; ours differs there.
+// The reference returns (1, 0, 0) for a tangent without a direction; make_tangents() differs there.
 bool is_placeholder(const std::string& mesh, glm::vec4 tangent) {
     return mesh == "degenerate" && glm::vec3(tangent) == glm::vec3(1, 0, 0);
 }
@@ -83,7 +82,8 @@ TEST(MikkTSpace, AgreesWithRecordedTangents) {
     }
 }
 
-// Quads of every direction and mirroring, TANGENT given. The file is not ours to ship.
+// Quads of every direction and mirroring with TANGENT attributes. The project may not redistribute
+// it.
 TEST(MikkTSpace, AgreesWithTheTangentMirrorTest) {
     const std::filesystem::path path =
         WRINKLE_SOURCE_DIR "/../shared/data/NormalTangentMirrorTest.glb";

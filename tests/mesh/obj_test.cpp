@@ -1,4 +1,4 @@
-// OBJ files: what is read, and what is said of files that are wrong.
+// Tests of the OBJ reader: contents of valid files, and errors of invalid ones.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -11,7 +11,7 @@ namespace {
 
 const std::string corners = "v 0 0 0\nv 2 0 0\nv 2 1 0\nv 0 1 0\n";
 
-// The area of the mesh's triangles as seen from +z.
+// Returns the area of the mesh's triangles as seen from +z.
 double area_from_above(const Mesh& mesh) {
     double sum = 0;
     for (size_t i = 0; i < mesh.indices.size(); i += 3) {
@@ -51,7 +51,7 @@ TEST(Obj, CountsNegativeIndicesBackwards) {
 TEST(Obj, CutsPolygonsIntoTriangles) {
     EXPECT_EQ(load(corners + "f 1 2 3 4\n").mesh->indices,
               (std::vector<uint32_t>{0, 1, 2, 0, 2, 3}));
-    // An L of area 3, and one of the two turned round: fans of a corner would leave it.
+    // An L of area 3, with both windings: fans from most corners would leave it.
     const std::string l = "v 0 0 0\nv 2 0 0\nv 2 1 0\nv 1 1 0\nv 1 2 0\nv 0 2 0\n";
     for (int first = 0; first < 6; ++first) {
         std::string up = "f", down = "f";
@@ -73,7 +73,7 @@ TEST(Obj, CutsPolygonsIntoTriangles) {
 }
 
 TEST(Obj, MakesSmoothNormalsAcrossUvSeams) {
-    // Two faces of a roof; the ridge's corners have other uvs on either side.
+    // Two faces of a roof; the vertices of the ridge have different uvs in each face.
     const std::string roof =
         "v -1 0 0\nv -1 0 1\nv 0 1 0\nv 0 1 1\nv 1 0 0\nv 1 0 1\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\n"
         "f 1/1 2/2 4/3 3/4\nf 3/2 4/1 6/4 5/3\n";

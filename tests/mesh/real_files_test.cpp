@@ -1,5 +1,5 @@
-// Published models, where they are at hand; none is ours to ship. What they must hold is counted in
-// their text, not by our reader.
+// Tests with published models, skipped if absent; none is part of the project. The expected counts
+// come from the text of the files, not from the reader.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -42,7 +42,7 @@ TEST(RealFiles, Spot) {
     ASSERT_TRUE(mesh);
     EXPECT_EQ(mesh->triangle_count(), faces);
     expect_frames(*mesh);
-    size_t mirrored = 0;  // the sign is that of each triangle's uv area
+    size_t mirrored = 0;  // corners with w < 0, the sign of the uv area
     for (size_t i = 0; i < mesh->indices.size(); ++i) {
         const auto uv = [&](size_t k) {
             return glm::dvec2(mesh->uvs[0][mesh->indices[i - i % 3 + k]]);

@@ -34,7 +34,7 @@ TEST(SampleMesh, GivesTheDifferentialsOfOneTexel) {
     EXPECT_EQ(point->dy.uv[0], dvec2(0, 1.0 / 512));
     EXPECT_EQ(point->dx.normal, dvec3(0));
     EXPECT_EQ(point->dy.color, glm::dvec4(0));
-    // uv1 turns by 30 degrees and doubles.
+    // uv1 is rotated by 30 degrees and scaled by 2.
     EXPECT_NEAR(point->dx.uv[1].x, std::sqrt(3.0) / 512, 1e-8);
     EXPECT_NEAR(point->dx.uv[1].y, 1.0 / 512, 1e-8);
 }
@@ -42,7 +42,7 @@ TEST(SampleMesh, GivesTheDifferentialsOfOneTexel) {
 TEST(SampleMesh, DifferentialsAreDifferencesOfPoints) {
     const Mesh mesh = *make_shape("torus");
     const dvec2 uv(0.3704, 0.6103);
-    constexpr uint32_t size = 1 << 16;  // a texel well within the triangle
+    constexpr uint32_t size = 1 << 16;  // a texel well inside the triangle
     Diagnostics none;
     const auto here = sample_mesh(mesh, uv, size, none);
     const auto right = sample_mesh(mesh, uv + dvec2(1.0 / size, 0), size, none);
@@ -59,7 +59,8 @@ TEST(SampleMesh, DifferentialsAreDifferencesOfPoints) {
     EXPECT_TRUE(near(here->dy.uv[1], up->value.uv[1] - here->value.uv[1]));
 }
 
-// Not of the corners' floats: a bake reads textures with it, and one level for all of them.
+// uv0 is exact, not interpolated from the corners' floats: a bake reads textures at it, with one
+// mip level for all texels.
 TEST(SampleMesh, TheFirstUvIsThePlaceToTheLastBit) {
     const Mesh mesh = *make_shape("torus");
     for (const dvec2 uv : {dvec2(0.3704, 0.6103), dvec2(0.1, 0.7), dvec2(1 / 3.0, 1 / 7.0)}) {

@@ -29,7 +29,7 @@ std::string shape_name(const testing::TestParamInfo<std::string_view>& info) {
     return std::string(info.param);
 }
 
-// The teapot has tests of its own.
+// teapot_test.cpp tests the teapot.
 INSTANTIATE_TEST_SUITE_P(Shapes, EveryShape,
                          testing::Values("sphere", "plane", "cube", "cylinder", "torus"),
                          shape_name);
@@ -114,7 +114,7 @@ TEST_P(EveryShape, IsClosed) {
     EXPECT_EQ(open, GetParam() == "plane" ? 4 : 0);
 }
 
-// The divergence theorem knows nothing of how the shapes are made.
+// The divergence theorem is independent of the construction of the shapes.
 TEST_P(EveryShape, HasTheDocumentedSize) {
     double volume = 0;
     double area = 0;
@@ -143,8 +143,8 @@ TEST_P(EveryShape, LaysItsUvsOutOnceWithinTheSquare) {
         ASSERT_GT(uv_area(mesh, t), 0) << "triangle " << t;
         total += uv_area(mesh, t);
     }
-    // A fine raster of points meets each triangle in proportion to its area; were two on top of
-    // each other, fewer points would be covered than the areas add up to.
+    // A fine raster of points hits each triangle in proportion to its area; if two overlapped,
+    // fewer points would be covered than the sum of the areas.
     int covered = 0;
     constexpr int side = 20;
     for (int i = 0; i < side * side; ++i) {
@@ -200,7 +200,7 @@ struct Place {
     dvec3 position;
 };
 
-// Places a reader can check against the header's words.
+// Spot checks of the uvs that the header documents.
 TEST(Shapes, PutUvsWhereTheHeaderSays) {
     const std::vector<Place> places{{"sphere", {0.5, 0.5}, {0, 0, 1}},
                                     {"sphere", {0.75, 0.5}, {1, 0, 0}},

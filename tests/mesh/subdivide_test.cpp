@@ -38,7 +38,7 @@ Place place(const Mesh& mesh, size_t corner) {
     return {p.x, p.y, p.z};
 }
 
-// Edges by place that are not met by one running the other way: holes and T-junctions.
+// Counts edges, by position, without an edge in the opposite direction: holes and T-junctions.
 size_t open_edges(const Mesh& mesh) {
     std::map<std::pair<Place, Place>, int> edges;
     for (size_t i = 0; i < mesh.indices.size(); ++i) {

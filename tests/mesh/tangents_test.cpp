@@ -15,7 +15,7 @@ using glm::vec2;
 using glm::vec3;
 using glm::vec4;
 
-// The plane z = 0 with x and y in [-1, 1], its uvs through `map`.
+// The plane z = 0 with x and y in [-1, 1]; `map` maps positions to uvs.
 template <typename F>
 Mesh plane_with(F map) {
     Mesh mesh = *make_shape("plane");
@@ -73,7 +73,7 @@ TEST(Tangents, AgreeWithTheShapesOwn) {
         Mesh mesh = exact;
         ASSERT_TRUE(make_tangents(mesh));
         ASSERT_EQ(mesh.vertex_count(), exact.vertex_count()) << "nothing to split";
-        // A vertex on a seam sees half a segment only, so it may turn by as much.
+        // A vertex on a seam sees only half of a segment, so its tangent may deviate by as much.
         const float limit = std::cos(shape.name == "teapot" ? 0.09F : 0.05F);
         for (size_t v = 0; v < mesh.vertex_count(); ++v) {
             ASSERT_GT(glm::dot(vec3(mesh.tangents[v]), vec3(exact.tangents[v])), limit)
@@ -84,7 +84,7 @@ TEST(Tangents, AgreeWithTheShapesOwn) {
     }
 }
 
-// Two squares side by side that share an edge; the right one repeats the left one's uvs mirrored.
+// Two quads that share an edge; the right one mirrors the uvs of the left one.
 Mesh mirrored_pair() {
     Mesh mesh;
     for (int x = -1; x <= 1; ++x)

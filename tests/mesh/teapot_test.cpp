@@ -1,5 +1,5 @@
-// The teapot against what is known of it without its code: where published control points lie on
-// it, its size, what Pappus says of its body, and that it faces outwards.
+// Tests of the teapot against facts known without its code: published control points on it, its
+// size, the area of its body by Pappus's theorem, and its outward orientation.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -27,14 +27,14 @@ protected:
         return point ? point->value.position : dvec3(0);
     }
 
-    // A point of the published coordinates (z up), in those of the mesh.
+    // Converts a point in published coordinates (z up) to those of the mesh.
     static dvec3 published(dvec3 p, dvec3 origin) { return 0.45 * dvec3(p.x, p.z, -p.y) - origin; }
 
     Mesh mesh = *make_shape("teapot");
     Bounds bounds = bounds_of(mesh);
 };
 
-// The corners of patches lie on the surface: some of the published ones.
+// The corners of patches lie on the surface; these are some of the published ones.
 TEST_F(Teapot, GoesThroughThePublishedCorners) {
     const dvec3 foot = at({0.5, 0.14});  // published (0, -1.5, 0.15)
     const dvec3 origin = -dvec3(foot.x, bounds.low.y, 0);
@@ -64,14 +64,14 @@ TEST_F(Teapot, HasThePublishedSize) {
     EXPECT_NEAR(bounds.high.y - bounds.low.y, 0.45 * 3.15, 1e-5);
     EXPECT_LT(glm::length(bounds.center()), 1e-6);
     EXPECT_NEAR(bounds.high.z - bounds.low.z, 0.45 * 4, 0.01);
-    // A Bezier curve stays within its control points.
+    // A Bezier curve lies in the convex hull of its control points.
     EXPECT_LT(bounds.high.x - bounds.low.x, 0.45 * 6.525);
     EXPECT_GT(bounds.high.x - bounds.low.x, 0.45 * 6.2);
     EXPECT_GT(mesh.triangle_count(), 8000U);
 }
 
-// Of the profiles' curves, by numbers: the area of a surface of revolution is the integral of
-// 2 pi r; a ring of control points at 0.56 is less than one per cent off a circle.
+// Integrates the profile curves numerically: the area of a surface of revolution is the integral of
+// 2 pi r; a ring of control points at 0.56 deviates from a circle by less than one per cent.
 TEST_F(Teapot, HasABodyOfRevolution) {
     double area = 0;
     for (size_t i = 0; i < mesh.indices.size(); i += 3) {

@@ -1,4 +1,4 @@
-// Places looked up by a grid are those of the search through all triangles.
+// Tests that lookups in the grid agree with a search through all triangles.
 #include "mesh/uv_grid.h"
 
 #include <gtest/gtest.h>
@@ -19,7 +19,7 @@ void expect_same(const Mesh& mesh, glm::dvec2 low, glm::dvec2 high) {
     for (int i = 0; i < 300; ++i) {
         glm::dvec2 uv(low.x + part(random) * (high.x - low.x),
                       low.y + part(random) * (high.y - low.y));
-        if (i % 3 == 0) uv = mesh.uvs[0][random() % mesh.uvs[0].size()];  // a corner of some
+        if (i % 3 == 0) uv = mesh.uvs[0][random() % mesh.uvs[0].size()];  // a random mesh vertex
         Diagnostics ignored;
         const auto searched = sample_mesh(mesh, uv, 512, ignored);
         const auto found = sample_mesh(mesh, grid, uv, 512);
@@ -36,7 +36,7 @@ TEST(UvGrid, FindsWhatTheSearchFinds) {
         expect_same(shape.make(), {0, 0}, {1, 1});
 }
 
-// Large triangles over small ones, some without an area or with a uv that is not a number.
+// Large triangles over small ones; some have no area or a NaN uv.
 TEST(UvGrid, FindsWhatTheSearchFindsInLayoutsThatOverlap) {
     std::mt19937 random(3);
     std::uniform_real_distribution<float> place(-2, 5), small(-0.05F, 0.05F);

@@ -1,4 +1,4 @@
-// Ownership of texels, against a ray through each centre in whole numbers.
+// Tests of texel ownership, against an integer ray cast through each centre.
 #include "mesh/uv_raster.h"
 
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@
 namespace wrinkle {
 namespace {
 
-// Corners in 1/16 texel of a layout of 64 x 64, which a float holds and the raster does not round.
+// Corners in 1/16 texel of a layout of 64 x 64: exact in a float and in the raster.
 struct Corner {
     int x, y;
 };
@@ -45,7 +45,7 @@ Coverage cover(const Mesh& mesh, uint32_t samples = 1) {
 
 enum class Side { inside, outside, on_edge };
 
-// By the edges that a ray to the right crosses.
+// Counts the edges that a ray to the right crosses.
 Side side_of(const Corner* t, int x, int y) {
     bool inside = false;
     for (int k = 0; k < 3; ++k) {
@@ -88,7 +88,7 @@ TEST(UvRaster, OwnsTheCentresInsideATriangle) {
     EXPECT_GT(on_edge, 50);
 }
 
-// Triangles between the knots of a grid, which are moved; every second triangle mirrored.
+// Triangles between displaced knots of a grid; every second triangle is mirrored.
 std::vector<Corner> torn_grid(int knots, int step, uint32_t seed) {
     std::mt19937 random(seed);
     std::uniform_int_distribution<int> move(-1, 1);
@@ -127,7 +127,7 @@ TEST(UvRaster, NeighboursShareNoTexelAndLeaveNone) {
 }
 
 TEST(UvRaster, ALevelEdgesCentresBelongToTheTriangleAbove) {
-    // Two squares, the edge between them and the borders of both through centres.
+    // Two squares; their common edge and the borders of both go through texel centres.
     const std::vector<Corner> both = {{8, 8},  {72, 8},  {72, 40}, {8, 8},  {72, 40}, {8, 40},
                                       {8, 40}, {72, 40}, {72, 72}, {8, 40}, {72, 72}, {8, 72}};
     const Coverage got = cover(mesh_of(both));
@@ -171,7 +171,7 @@ TEST(UvRaster, TheFirstTriangleOwnsWhatOthersCoverToo) {
 
 TEST(UvRaster, AnOverlapOfManyTrianglesCountsEachTexelOnce) {
     std::vector<Corner> corners;
-    for (int i = 0; i < 5; ++i)  // no two alike, so that none is left out
+    for (int i = 0; i < 5; ++i)  // all differ, so that none is dropped
         corners.insert(corners.end(), {{0, 0}, {512 + i, 0}, {0, 512 + i}});
     const Coverage one = cover(mesh_of({{0, 0}, {512, 0}, {0, 512}}));
     const Coverage got = cover(mesh_of(corners));
@@ -181,7 +181,7 @@ TEST(UvRaster, AnOverlapOfManyTrianglesCountsEachTexelOnce) {
     EXPECT_EQ(got.overlap_texel, 0U);
 }
 
-// As many as overflow a count of pairs in 32 bits, with guards against hours.
+// The count of pairs would overflow 32 bits; the time limits catch quadratic run time.
 TEST(UvRaster, AMillionTrianglesOnOnePlaceAreOwnedByTheFirst) {
     for (const bool alike : {true, false}) {
         std::vector<Corner> corners;
@@ -208,7 +208,7 @@ TEST(UvRaster, AMillionTrianglesOnOnePlaceAreOwnedByTheFirst) {
     }
 }
 
-// Sum over texels of what is covered of each.
+// Sum over texels of the covered fraction.
 double area(const Coverage& coverage, uint32_t samples) {
     double sum =
         static_cast<double>(coverage.owners.size()) -
@@ -248,7 +248,7 @@ TEST(UvRaster, EveryOwnerOfASampleCoversIt) {
                       Side::outside);
         }
     }
-    // No texel inside of the island is an edge.
+    // No texel inside of the island is an edge texel.
     for (const Coverage::EdgeTexel& edge : got.edges) {
         const uint32_t x = edge.texel % side, y = edge.texel / side;
         EXPECT_TRUE(x < 2 || y < 2 || x > 44 || y > 44) << x << ", " << y;

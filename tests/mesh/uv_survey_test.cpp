@@ -25,7 +25,7 @@ TEST(UvSurvey, CountsWhatIsMirroredOutsideOrWithoutArea) {
     Mesh plane = *make_shape("plane");
     const size_t all = plane.triangle_count();
     for (glm::vec2& uv : plane.uvs[0])
-        uv = glm::vec2(3 - uv.x, uv.y + 1);  // touches the squares beside, no more
+        uv = glm::vec2(3 - uv.x, uv.y + 1);  // only touches the adjacent UDIM tiles
     UvSurvey survey = survey_uvs(plane);
     EXPECT_EQ(survey.mirrored, all);
     EXPECT_EQ(survey.in_square, all);
@@ -48,7 +48,7 @@ TEST(UvSurvey, CountsWhatIsMirroredOutsideOrWithoutArea) {
     EXPECT_GT(survey_uvs(plane).beyond_udim, 0U);
 }
 
-// A plane in the unit square for each of these corners, each of `side` squares.
+// For each corner, a plane that covers `side` x `side` unit squares from there.
 UvSurvey survey_at(const std::vector<glm::vec2>& corners, float side = 1) {
     Mesh mesh;
     const Mesh plane = *make_shape("plane");
@@ -78,7 +78,7 @@ TEST(UvSurvey, RowsCountDownwardWhereTheLayoutLiesBelowOne) {
     const UvSurvey both = survey_at({{0, 1}, {0, -1}, {-1, 0}, {10, 0}, {0, 899}});
     EXPECT_EQ(numbers(both), std::vector{1011});
     EXPECT_EQ(both.beyond_udim, both.triangles * 4 / 5);
-    // Cut at the borders of what has numbers.
+    // The range is clamped to the squares that have UDIM numbers.
     const UvSurvey wide = survey_at({{-3, 0}}, 5);
     EXPECT_EQ(numbers(wide).front(), 1001);
     EXPECT_EQ(numbers(wide).back(), 1042);

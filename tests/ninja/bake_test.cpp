@@ -1,4 +1,4 @@
-// Bakes shared out by what shares work out: the examples of docs/baking.md.
+// Tests of distributed bakes: the examples of docs/baking.md.
 #include <cstdlib>
 
 #include "cli/support.h"
@@ -17,14 +17,14 @@ protected:
         ASSERT_EQ(ran.code, 0) << ran.err;
     }
 
-    // A program of the system, with ours in its path.
+    // Runs a system program with `wrinkle` in its PATH.
     Ran run_other(const std::string& name, const std::vector<std::string>& args) {
         program = name;
         return run(args, "", {"PATH=" WRINKLE_BINARY_DIR "/bin:" + std::string(getenv("PATH"))});
     }
 };
 
-// The blocks of the page that begin like this, without their indent, up to the next empty line.
+// Returns the blocks of the page that begin with `first`, unindented, up to the next empty line.
 std::string block(const std::string& first) {
     const std::string page = bytes_of(WRINKLE_SOURCE_DIR "/docs/baking.md");
     std::string text;
@@ -77,7 +77,7 @@ TEST_F(SharedBakeTest, ShellAndParallelGiveTheSameBytes) {
     EXPECT_EQ(get("parallel.png"), get("whole.png"));
 }
 
-// What the array runs, one after the other.
+// Runs the script of the job array once per index.
 TEST_F(SharedBakeTest, TheScriptOfAnArrayBakesItsShard) {
     put("bake.sh", replaced(replaced(block("#!/bin/sh"), "/64", "/3"), "m.obj",
                             "m.obj --map value --size 200"));

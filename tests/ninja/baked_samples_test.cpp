@@ -1,4 +1,4 @@
-// graphs/bake as Ninja takes it: what is baked again, and what a killed shard costs.
+// Tests of graphs/bake with Ninja: which bakes are repeated after a change or a killed shard.
 #include <unistd.h>
 
 #include "cli/killed_shard.h"
@@ -12,7 +12,7 @@ protected:
         CliTest::SetUp();
         fs::copy(WRINKLE_SOURCE_DIR "/graphs", folder / "graphs", fs::copy_options::recursive);
         path_ = path_with_killer(folder, "none");
-        // As the example is, but sooner done.
+        // Halves the size of the example's bakes to save time.
         std::string rules = get("graphs/bake/build.ninja");
         const size_t at = rules.find("--size 1024");
         ASSERT_NE(at, rules.npos);
@@ -25,14 +25,14 @@ protected:
         program = WRINKLE_BINARY_DIR "/bin/wrinkle";
         return ran;
     }
-    // What was called for a build that is fine.
+    // Returns the logged calls of a successful build.
     std::string calls() {
         const Ran ran = ninja();
         EXPECT_EQ(ran.code, 0) << ran.out;
         return exists("killer/calls") ? take_calls(folder) : "";
     }
     void kill_once(const std::string& shard) { path_ = path_with_killer(folder, shard); }
-    // Ninja sees a change by a file's date alone, which goes in steps of some milliseconds.
+    // Ninja detects a change only by the modification time, which has steps of some milliseconds.
     void change(const std::string& name, const std::string& bytes) {
         usleep(20'000);
         put(name, bytes);
@@ -77,7 +77,7 @@ TEST_F(BakedSamplesTest, AreBakedAgainWhenWhatTheyReadChanged) {
     EXPECT_EQ(calls(), "");
 }
 
-// It had been baked before: what is there of then is no excuse.
+// The samples were baked before; their older files do not count as the killed shard's result.
 TEST_F(BakedSamplesTest, AKilledShardIsBakedAgainAlone) {
     EXPECT_EQ(times(calls(), "--shard"), 12U);
     change("graphs/noise_rock.json", get("graphs/noise_rock.json") + "\n");

@@ -1,5 +1,5 @@
-// Dependency files with odd names, as real Make and real Ninja read them: both see the very name,
-// or the name is refused.
+// Tests of dependency files with unusual names: real Make and real Ninja read the exact name, or
+// the name is an error.
 #include "cli/support.h"
 
 namespace wrinkle::test {
@@ -14,7 +14,8 @@ protected:
         return ran;
     }
 
-    // Make takes the graph for a prerequisite of the text: one that is younger, and no other.
+    // Returns true if Make treats the graph as a prerequisite: only a newer graph triggers the
+    // rule.
     bool make_reads(const std::string& name) {
         put("Makefile", "all: out.glsl\nout.glsl:\n\t@echo made\ninclude out.d\n");
         const auto then = fs::last_write_time(folder / "out.glsl");
@@ -24,7 +25,7 @@ protected:
         return before == 0 && run_as(MAKE, {"-q", "out.glsl"}).code == 1;
     }
 
-    // The only dependency that Ninja notes of the step is the graph.
+    // Returns true if the graph is the only dependency that Ninja records for the step.
     bool ninja_reads(const std::string& name) {
         put("in", "");
         fs::copy_file(folder / "out.glsl", folder / "kept");

@@ -1,5 +1,5 @@
-// Dependency files, restat and the cache as Ninja takes them. What was run is read from the steps
-// that Ninja prints.
+// Tests of dependency files, restat and the cache with Ninja. The steps that Ninja prints show the
+// commands that ran.
 #include <unistd.h>
 
 #include <algorithm>
@@ -19,7 +19,7 @@ protected:
         program = NINJA;
     }
 
-    // The outputs that were made, in the order of their names; the whole log where Ninja fails.
+    // Returns the outputs that were built, sorted; the complete log if Ninja fails.
     Names built(const Names& targets = {}) const {
         Names args{"--verbose", "-C", folder.string()};
         args.insert(args.end(), targets.begin(), targets.end());
@@ -38,14 +38,15 @@ protected:
         return run(args, "", {"PATH=" WRINKLE_BINARY_DIR "/bin:" + std::string(getenv("PATH"))});
     }
 
-    // Ninja sees a change by a file's date alone, which goes in steps of some milliseconds.
+    // Ninja detects a change only by the modification time, which has steps of some milliseconds.
     void change(const std::string& name, const std::string& text) const {
         usleep(20'000);
         put(name, text);
     }
     void touch(const std::string& name) const { change(name, get(name)); }
 
-    // Everything three texts can come from, and what is made from a text.
+    // Writes graphs with every kind of dependency, and a step that depends on the generated
+    // sources.
     void project(const std::string& flags = "") const {
         put("inner.json", tilt_graph("0.5"));
         put("uses.json", R"({"wrinkle": 1, "nodes": {"sub": {"type": "graph:inner.json"}},
@@ -114,7 +115,7 @@ TEST_F(NinjaTest, OneBadGraphAmongManyLeavesTheOthersBuilt) {
     EXPECT_EQ(built(), (Names{"alone.glsl", "pack"}));
 }
 
-// A hit writes the dependency file, or the next build would not know of the sub-graph.
+// A hit must write the dependency file; otherwise the next build misses the sub-graph.
 TEST_F(NinjaTest, TheCacheChangesNothingButTime) {
     project("--cache cache");
     EXPECT_EQ(built(), everything);

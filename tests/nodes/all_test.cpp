@@ -1,4 +1,4 @@
-// What holds for every node in the list, of today and of tomorrow.
+// Tests of properties of every node in the list.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -25,12 +25,12 @@ bool is_one_line(const std::string& text) {
     return !text.empty() && text.find('\n') == std::string::npos;
 }
 
-// The frames that a scale allows, as documented in the design.
+// The frames allowed for a scale, as documented in the design.
 bool goes_together(const std::string& scale, const std::string& frame) {
     return frame == "auto" || (frame == "exact") == (scale == "surface");
 }
 
-// Each node's outputs with one combination of its choices after the other.
+// Combinations of a node's choices, for evaluation one after the other.
 struct Combination {
     std::string in;
     bool legal = true;

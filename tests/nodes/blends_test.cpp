@@ -1,5 +1,5 @@
-// The blends of other programs against heights that are really added up: the figures that are
-// published for them, so that a comparison compares with what others do.
+// Tests of blend methods of other programs against the exact sum of heights; the expected figures
+// are the published ones.
 #include <gtest/gtest.h>
 
 #include <ostream>
@@ -9,13 +9,13 @@
 namespace wrinkle::test {
 namespace {
 
-constexpr size_t count = 4000;  // as many as the published maxima are of
+constexpr size_t count = 4000;  // sample count of the published maxima
 const std::vector<Pair>& pairs() {
     static const std::vector<Pair> drawn = random_pairs(count, 45);
     return drawn;
 }
 
-// Bump over bump as this project does it.
+// Bump over bump with the nodes of this project.
 std::string layered(const char* base, const char* detail) {
     const auto bump = [](const std::string& id, const std::string& from) {
         return "\"" + id +
@@ -39,14 +39,14 @@ struct Blend {
     const char* type;
     const char* in;
     Angles from_sum;                // tilts up to 45 degrees
-    double flat_detail, flat_base;  // the most that a flat layer changes
-    double order, grouping;         // the most that they change; grouping of tilts up to 60 degrees
+    double flat_detail, flat_base;  // maximum change caused by a flat layer
+    double order, grouping;         // maximum changes; grouping with tilts up to 60 degrees
 };
 void PrintTo(const Blend& blend, std::ostream* out) {
     *out << blend.type << " " << blend.in;
 }
 
-// The largest of random angles, against the largest of other draws.
+// Compares maxima over different sets of random angles.
 void expect_most(double got, double published) {
     if (published == 0) {
         EXPECT_LE(got, 1e-6);
@@ -93,7 +93,7 @@ TEST_P(Blends, InAnotherGrouping) {
                 blend.grouping);
 }
 
-// Measured once on as many random pairs; the worst of a draw varies, the mean hardly.
+// Measured once on as many random pairs; the maximum varies between draws, the mean hardly.
 INSTANTIATE_TEST_SUITE_P(
     Table, Blends,
     testing::Values(Blend{"compare_linear", "", {14.25, 22.48}, 22.5, 22.5, 0, 28.1},

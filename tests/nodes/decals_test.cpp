@@ -1,5 +1,5 @@
-// Decals: where they arrive, and how their bumps join others; and cube maps of normals, by the
-// tables of OpenGL's specification.
+// Tests of decals: their position, and how their bumps combine with others; and of cube maps of
+// normals, by the tables of the OpenGL specification.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -146,7 +146,7 @@ TEST(CubeNormalMap, LeadsToTheNormalsOfADisplacedSphere) {
     }
 }
 
-// Faces of one colour each: whatever the footprint, no neighbour in the picture shines through.
+// Each face has one colour: no footprint may blend in a neighbouring face of the image.
 TEST(CubeNormalMap, ReadsNoTexelOfANeighbourInThePicture) {
     for (const bool strip : {true, false}) {
         const Image picture = cube_picture(strip, [](Looked at) {

@@ -1,5 +1,5 @@
-// How procedural heights are filtered: close up nothing is missing, far away they are flat, and in
-// between the slope is about that of the mean over a pixel.
+// Tests of filtering of procedural heights: close up they are exact, far away they are flat, and in
+// between the slope approximates that of the mean over a pixel.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -35,14 +35,14 @@ TEST(Footprint, FlattensWhatIsFarAway) {
     for (const std::string& type : procedural_nodes()) {
         const double near = rms(read(type, "", places, 1e-3).slope);
         const Reading far = read(type, "", places, 9.7);
-        // Box filters leave a little where a box holds no whole number of squares.
+        // Box filters leave a residue if a box does not contain a whole number of squares.
         EXPECT_LE(rms(far.slope), type == "checker" ? 0.01 * near : 0) << type;
     }
 }
 
-// The value goes to the mean that the pattern has close up, so that a mask made of it keeps its
-// strength. The means in the nodes are measured over space or leave overlaps out; this plane's are
-// up to a fortieth away.
+// The value fades to the pattern's mean close up, so that a mask made of it keeps its strength. The
+// means in the nodes are measured over space or ignore overlaps; the mean of this plane differs by
+// up to a fortieth.
 TEST(Footprint, FadesToTheMean) {
     const auto places = random_cells(20000, 400, 23);
     for (const std::string& type : procedural_nodes()) {
@@ -79,11 +79,11 @@ std::vector<Point> mean_slopes(const std::string& type, const std::string& in,
     return means;
 }
 
-// A fade is not the mean over a pixel, it stands for it: a fade takes a whole cell by one factor,
-// where the mean takes the fine parts of it sooner and leaves the coarsest longest. So its
-// difference from the mean is less than half the slope close up where a cell is two pixels or more.
-// Where it is one pixel, all that the mean has left is lost: most of it to value noise, which is
-// the coarsest in its cells. Plain sampling is off by about all of the slope there.
+// A fade approximates the mean over a pixel: it scales a complete cell by one factor, while the
+// mean loses the fine parts sooner and the coarsest parts last. The difference from the mean is
+// therefore less than half of the slope close up if a cell is at least two pixels. At one pixel the
+// difference is everything that the mean retains: most for value noise, the coarsest relative to
+// its cells. Plain sampling is off by about the full slope there.
 TEST(Footprint, StandsForTheMeanOverAPixel) {
     const auto places = random_cells(150, 40, 24);
     const std::pair<const char*, const char*> cases[] = {{"gradient_noise", R"("octaves": 1)"},

@@ -1,4 +1,4 @@
-// Tangent frames as values, and normals that face the viewer.
+// Tests of tangent frames as values, and of normals that face the viewer.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -24,7 +24,7 @@ TEST(TangentFrame, RunsAlongTheUv) {
         expect_near(value({node, "n.tangent"}), {1, 0, 0});
         expect_near(value({node, "n.bitangent"}), {0, 1, 0});
     }
-    // A quarter turn anticlockwise of the uv: u runs down, v to the right.
+    // A quarter turn anticlockwise of the uv: u points down, v to the right.
     const std::string turned =
         R"("t": {"type": "uv_transform", "in": {"rotation": 90}}, )" +
         one("tangent_frame", R"("uv": {"from": "t.uv"}, "frame": "derived")");
@@ -40,7 +40,7 @@ TEST(TangentMap, GivesDirectionsAlongTheSurfaceOrInSpace) {
     expect_near(value({object, "n.direction", map}), {0.6, -0.2, 0.5});
 }
 
-// S4: with the tangent from a rule, B = N x up made unit and T = B x N are what Gram-Schmidt gives.
+// S4: with the tangent from a rule, B = normalize(N x up) and T = B x N equal Gram-Schmidt.
 TEST(GuessedFrame, IsTheCrossProductMethodToo) {
     const Image map = painted(8, [](double, double) { return std::array{0.2, 0.6, 0.75}; });
     const std::array<double, 3> up{0.3, 0.8, -0.5}, n{0, 0, 1};
@@ -63,7 +63,8 @@ TEST(DerivativeMap, FlipsEitherSlope) {
     expect_near(value({map(R"("flip_v": true)"), "n.gradient", slopes}), {0.5, 0.25, 0});
 }
 
-// Points whose tangent is neither unit nor square to a normal of any length, mirrored or not.
+// Points with tangents that are neither unit nor orthogonal to a normal of any length, mirrored or
+// not.
 PointSet leaning_points(const Scene& scene, glm::dvec3 n, glm::dvec3 t, double w) {
     PointSet points = plane_points(scene, {{0.3, 0.6}, {-0.2, 0.9}});
     auto& normals = points.at(SurfaceInput::normal_, Variant::value);
@@ -82,7 +83,7 @@ const std::string slanted =
     R"("g": {"type": "gradient_from_volume", "in": {"volume": [1.5, -2, 0.7]}},
     "r": {"type": "resolve", "in": {"gradient": {"from": "g.gradient"}}}, )";
 
-// Eq. 24: what goes into tangent space comes back out of it, in every frame.
+// Eq. 24: conversion to tangent space and back is the identity, in every frame.
 TEST(TangentSpaceNormal, DecodesToTheNormalThatItWasMadeFrom) {
     const std::string turned = R"("t": {"type": "uv_transform", "in": {"rotation": 25,
         "scale": [-3, 2]}}, )";
@@ -135,7 +136,7 @@ TEST(TangentSpaceNormal, IsFlatWhereThereIsNoFrame) {
     expect_near(value({nodes, "n.color"}), {0.5, 0.5, 1});
 }
 
-// Pitfall 27: a normal that looks away shades black.
+// Pitfall 27: a normal that points away from the viewer shades black.
 TEST(FaceViewer, Pitfall27MirrorsNormalsThatLookAway) {
     const auto turned = [](const char* normal) {
         return value({one("face_viewer", R"("normal": )" + std::string(normal)), "n.normal"});

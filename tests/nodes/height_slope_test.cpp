@@ -1,5 +1,5 @@
-// The slope of a height texture, close up: kernel weights, fade, borders, and how far each way of
-// reading is from the height that was painted.
+// Tests of the slope of a height texture, close up: kernel weights, fade, borders, and the error of
+// each filter method against the painted height.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -10,7 +10,7 @@
 namespace wrinkle::test {
 namespace {
 
-// Any heights will do that no symmetry hides a mistake in.
+// Heights without a symmetry that could hide an error.
 double rough(int column, int row) {
     const uint32_t bits = (static_cast<uint32_t>(column) * 7919u + 104729u) ^
                           (static_cast<uint32_t>(row) * 2654435761u);
@@ -38,7 +38,7 @@ std::string map(const std::string& in) {
 struct Weights {
     double t, across[4], along[4];
 };
-// Of the reference's test matrix, T10.
+// From the reference's test matrix, T10.
 constexpr Weights published[] = {
     {0.0, {0.25, 0.5, 0.25, 0}, {-0.5, 0, 0.5, 0}},
     {0.5, {0.125, 0.375, 0.375, 0.125}, {-0.25, -0.25, 0.25, 0.25}},
@@ -49,7 +49,7 @@ int inside(int i) {
     return i < 0 ? 0 : i >= size ? size - 1 : i;
 }
 
-// dh/d(u,v) at `u` and `v` past the centre of a texel, by the 16 texels around.
+// dh/d(u,v) at offset (`u`, `v`) from the centre of a texel, by the 16 texels around.
 std::array<double, 2> by_kernel(int column, int row, const Weights& u, const Weights& v) {
     std::array<double, 2> slope{};
     for (int j = 0; j < 4; ++j)
@@ -87,7 +87,7 @@ TEST(HeightSlope, OfTwoScalesIsTheSameWhereUvIsALength) {
     }
 }
 
-// dh/d(u,v) at one place of the texture, read where a pixel covers 2^lod texels.
+// dh/d(u,v) at one point of the texture, read with pixels that cover 2^lod texels.
 std::array<double, 2> seen_at(const char* quality, double lod) {
     const double tiles = 1024.0 / size * std::exp2(lod);
     const std::string scale = std::to_string(tiles);
@@ -118,7 +118,7 @@ constexpr double degrees = 57.29577951308232;
 
 struct Crossed {
     double error = 0;  // root mean square angle to the painted slope, in degrees
-    double jump = 0;   // the largest change of the slope from one pixel to the next
+    double jump = 0;   // the largest change of the slope between adjacent pixels
 };
 
 Crossed across_the_hill(const std::string& nodes, const Image& image) {
@@ -136,8 +136,8 @@ Crossed across_the_hill(const std::string& nodes, const Image& image) {
     return seen;
 }
 
-// Reference T10. One tap jumps from texel to texel; three taps are continuous, half a texel off; a
-// map of slopes in 8 bits is as good as its steps; the kernel is best.
+// Reference T10. One tap is discontinuous between texels; three taps are continuous, but offset by
+// half a texel; a map of slopes in 8 bits is limited by its quantisation; the kernel is best.
 TEST(HeightSlope, Pitfall10HasNoFacetsCloseUp) {
     const Image heights = painted(size, [](double u, double) {
         return std::array{hill(u), 0.0, 0.0};

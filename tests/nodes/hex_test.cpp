@@ -1,4 +1,5 @@
-// Hex tiling: what is turned and moved must stay one picture, its slopes turned with it.
+// Tests of hex tiling: the rotated and shifted copies remain one consistent texture, with slopes
+// rotated accordingly.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -25,7 +26,7 @@ const Image normals = painted(256, [](double u, double v) {
     return std::array{0.5 - x * k, 0.5 - y * k, 0.5 + k};
 });
 
-// Round the centres of hexagons (of a grid of side 1 / (2 sqrt 3)) one hexagon is all there is.
+// Around the centres of hexagons (of a grid of side 1 / (2 sqrt 3)) only one hexagon contributes.
 std::vector<std::array<double, 2>> near_centres() {
     std::vector<std::array<double, 2>> points;
     for (int i = -6; i <= 6; ++i)
@@ -71,7 +72,7 @@ TEST(Pitfall24HexRotation, SlopesAreThoseOfTheTurnedRelief) {
     EXPECT_GT(steepest, 0.15);
 }
 
-// Each copy is turned by an angle of its own: directions of slopes are all over the circle.
+// Each copy has a different rotation: the directions of slopes cover the circle.
 TEST(Pitfall24HexRotation, CopiesAreTurnedAndMoved) {
     const Image ramp = painted(8, [](double, double) { return std::array{0.3, 0.5, 0.9}; });
     int sectors[8] = {};

@@ -1,4 +1,5 @@
-// Numbers that are literals while nodes are built decide nothing that parameters would not.
+// Tests that numbers which are literals while nodes are built decide nothing that parameters do
+// not.
 #include <gtest/gtest.h>
 
 #include "glsl/emit.h"
@@ -31,7 +32,7 @@ Result compiled(const std::string& nodes, bool uniform) {
     return result;
 }
 
-// uv0 moved by a number of uv1 times `factor`.
+// uv0 moved by a component of uv1 times `factor`.
 std::string moved_uv(const std::string& factor) {
     return R"("one": {"type": "separate_vec2", "in": {"vector": {"from": "surface.uv1"}}},
         "part": {"type": "multiply", "in": {"a": {"from": "one.x"}, "b": )" +
@@ -54,7 +55,7 @@ TEST(Literals, AFrameFollowsFromWhatAFactorOfZeroHides) {
             const Result result = compiled(moved_uv(factor) + map_and_end(""), uniform);
             EXPECT_EQ(result.problems, "");
             EXPECT_NE(result.text, "");
-            // A uv of two sets is in a frame of its own, which vertex tangents are not.
+            // A uv made of two sets has a separate frame, different from vertex tangents.
             EXPECT_FALSE(result.has("s.tangent")) << factor << result.text;
         }
 }
@@ -85,8 +86,8 @@ TEST(Literals, AFrameThatDoesNotFitIsAnErrorWhateverItsFactor) {
     }
 }
 
-// A bump on what is made of the surface's normal and of a resolved one; an amount of 0 leaves the
-// first, but a base is what it is whatever the amount.
+// A bump on a mix of the surface's normal and a resolved one; an amount of 0 leaves only the first,
+// but the base does not depend on the amount.
 std::string bump_on_mixed(const std::string& smooth, const std::string& bumped) {
     const auto from = [](const std::string& name) {
         return name.empty() ? "" : ", \"" + name + R"(": {"from": "first.normal"})";

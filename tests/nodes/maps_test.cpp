@@ -1,4 +1,4 @@
-// Maps with textures of known slopes, on a plane where a gradient is (dh/dx, dh/dy, 0).
+// Tests of maps with textures of known slopes, on a plane where a gradient is (dh/dx, dh/dy, 0).
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -114,7 +114,7 @@ TEST(Gradients, AddScaleAndMix) {
     const auto a = value({two_bumps + one("resolve"), "a.gradient"});
     const double r = std::hypot(0.3, 0.6);
     const double slope =
-        -0.1 * full_circle * std::sin(full_circle * r);  // of a cosine along the radius
+        -0.1 * full_circle * std::sin(full_circle * r);  // slope of a cosine along the radius
     expect_vector(a, {slope * 0.3 / r, slope * 0.6 / r, 0}, 1e-6);
     const std::string both = R"("a": {"from": "a.gradient"}, "b": {"from": "b.gradient"})";
     const auto sum = value({two_bumps + one("gradient_add", both), "n.gradient"});

@@ -1,4 +1,4 @@
-// Noises: their range, their smoothness, their random points and what their octaves add up to.
+// Tests of noises: range, smoothness, random points and the sum of octaves.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -12,8 +12,8 @@ namespace {
 struct Range {
     const char* type;
     const char* in;
-    double low = 0, high = 0;  // never left
-    double mean = 0, rms = 0;  // of random places, known from a separate sampling of the definition
+    double low = 0, high = 0;  // bounds that are never exceeded
+    double mean = 0, rms = 0;  // at random positions, from a separate sampling of the definition
 };
 
 void PrintTo(const Range& range, std::ostream* out) {
@@ -22,7 +22,7 @@ void PrintTo(const Range& range, std::ostream* out) {
 
 class NoiseRange : public ::testing::TestWithParam<Range> {};
 
-// The points lie on the plane z = 0 of the lattice, where noises on it vary a little more.
+// The points are on the plane z = 0 of the lattice, where noises vary a little more.
 TEST_P(NoiseRange, IsKeptAndFilled) {
     const Range& range = GetParam();
     const auto noise = value_of(range.type, range.in, random_cells(20000, 400));
@@ -51,8 +51,8 @@ const Range ranges[] = {
 // clang-format on
 INSTANTIATE_TEST_SUITE_P(Noises, NoiseRange, ::testing::ValuesIn(ranges));
 
-// Neither value nor slope jumps anywhere along a line through many cells: a step of a thousandth
-// of a cell moves the slope by no more than a thousandth of the greatest curvature.
+// Value and slope are continuous along a line through many cells: a step of a thousandth of a cell
+// changes the slope by at most a thousandth of the maximum curvature.
 TEST(SmoothNoise, HasAContinuousSlope) {
     for (const char* type : {"simplex_noise", "value_noise", "gradient_noise"}) {
         const std::string in =
@@ -70,8 +70,8 @@ TEST(SmoothNoise, HasAContinuousSlope) {
     }
 }
 
-// Slopes are written beside the values: along two tangents of a sphere they are what central
-// differences of the value give.
+// Slopes are output next to the values: along two tangents of a sphere they equal central
+// differences of the value.
 class NoiseSlope : public ::testing::TestWithParam<Range> {};
 
 TEST_P(NoiseSlope, IsThatOfItsValue) {
@@ -116,7 +116,7 @@ TEST(ValueNoise, IsTheHashAtLatticePoints) {
         EXPECT_NEAR(noise[i], 2 * unit_number(pcg(cells[i][0], cells[i][1], 0)) - 1, 1e-6);
 }
 
-// Distances to all points of the cells within three of the place, sorted.
+// Distances to all points in the cells within three of the position, sorted.
 std::vector<double> distances(double x, double y, double z, double jitter) {
     std::vector<double> all;
     const int cx = static_cast<int>(std::floor(x)), cy = static_cast<int>(std::floor(y)),
@@ -134,7 +134,7 @@ std::vector<double> distances(double x, double y, double z, double jitter) {
     return all;
 }
 
-// At a height above the plane, one cell to a length unit.
+// Evaluated at height z above the plane, with one cell per length unit.
 std::vector<double> worley(double z, const std::string& in, const std::vector<Point>& places) {
     const std::string nodes =
         R"("up": {"type": "vec3_add", "in": {"a": {"from": "surface.position"}, "b": [0, 0, )" +
@@ -164,8 +164,8 @@ TEST(WorleyNoise, IsTheDistanceToItsPoints) {
     }
 }
 
-// The noise of one octave alone: gradient noise where the graph moves and scales the point as the
-// octaves of a fractal are documented to be.
+// The noise of one octave: gradient noise, with the point moved and scaled by the graph as
+// documented for the octaves of a fractal.
 std::vector<double> octave(int k, const std::string& basis, const std::vector<Point>& places) {
     std::string nodes, point = "surface.position";
     if (k > 0) {

@@ -17,7 +17,7 @@ double dot(const Normal& a, const Normal& b) {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-// Where the plane through the origin at right angles to n is above (x, y).
+// Height at (x, y) of the plane through the origin with normal n.
 double height_at(const Normal& n, double x, double y) {
     return -(n[0] * x + n[1] * y) / n[2];
 }

@@ -1,5 +1,5 @@
-// Tangent-space normals by tilt and azimuth in degrees, the normal of two heights on top of each
-// other, and a blend node read at many pairs of normals.
+// Tangent-space normals by tilt and azimuth in degrees, the normal of the sum of two heights, and a
+// blend node evaluated at many pairs of normals.
 #pragma once
 
 #include <array>
@@ -13,13 +13,13 @@ using Normal = std::array<double, 3>;
 Normal tilted(double tilt, double azimuth);
 double angle_between(const Normal& a, const Normal& b);
 
-// The planes that stand at right angles to a and to b, as heights added up; by the cross product of
-// two edges of the result. No slope is formed, and nothing here knows of gradients.
+// Adds the planes perpendicular to a and to b as heights and takes the cross product of two edges
+// of the result. Uses neither slopes nor gradients.
 Normal of_added_heights(const Normal& a, const Normal& b);
 
 struct Pair {
     Normal base, detail;
-    Normal other{0, 0, 1};  // a third layer, where there is one
+    Normal other{0, 0, 1};  // a third layer, if any
 };
 
 // The output "node.port" of a graph that reads pairs as `surface.position` and `surface.view`, and
@@ -33,7 +33,7 @@ std::vector<Normal> blended(const std::string& type, const std::string& in,
 std::vector<Normal> blended_left(const std::string& type, const std::vector<Pair>& pairs);
 std::vector<Normal> blended_right(const std::string& type, const std::vector<Pair>& pairs);
 
-// Tilts and azimuths drawn evenly, the tilts from 0 to this many degrees.
+// Tilts and azimuths are uniformly distributed, the tilts from 0 to this many degrees.
 std::vector<Pair> random_pairs(size_t count, double tilt);
 std::vector<Pair> swapped(std::vector<Pair> pairs);
 

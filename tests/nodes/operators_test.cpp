@@ -1,5 +1,5 @@
-// Operators on gradients and heights. On the plane a volume gradient (a, b, c) is the bump (a, b,
-// 0), so that expected numbers are plain vectors.
+// Tests of operators on gradients and heights. On the plane a volume gradient (a, b, c) is the bump
+// (a, b, 0), so that expected numbers are plain vectors.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -16,7 +16,8 @@ std::string link(const std::string& source) {
 std::string bump(const std::string& id, const std::string& volume) {
     return "\"" + id + R"(": {"type": "gradient_from_volume", "in": {"volume": )" + volume + "}}, ";
 }
-// a = (1, 0.5, 0) and b = (-0.25, 2, 0); what "in" of node "n" of this type says beside them.
+// Node "n" of this type applied to a = (1, 0.5, 0) and b = (-0.25, 2, 0); `more` has further
+// members of its "in".
 std::string of_two(const std::string& type, const std::string& more = "") {
     return bump("a", "[1, 0.5, 7]") + bump("b", "[-0.25, 2, -3]") +
            one(type, R"("a": {"from": "a.gradient"}, "b": {"from": "b.gradient"})" + more);
@@ -86,7 +87,7 @@ TEST(Operators, ASlopeIsLimitedAndKeepsItsDirection) {
     }
 }
 
-// Unity makes 1/z of a two-channel map as rsqrt(max(1 - x^2 - y^2, 2^-7)).
+// Unity computes 1/z of a two-channel map as rsqrt(max(1 - x^2 - y^2, 2^-7)).
 TEST(Operators, UnitysLimitOfTwoChannelMapsIsATilt) {
     const Image map = painted(64, [](double u, double v) {
         const double turn = 2 * std::numbers::pi * v, r = u * 128 / 127;
@@ -124,7 +125,7 @@ TEST(Operators, TiltIsTheAngleOfTheNormals) {
     };
     EXPECT_NEAR(apart("[0, 0, 2]", "[0, 3, 0]"), 90, 1e-12);
     EXPECT_NEAR(apart("[1, 2, 2]", "[-1, -2, -2]"), 180, 1e-12);
-    EXPECT_NEAR(apart("[1, 0, 0]", "[1, 1e-5, 0]"), 5.729577951e-4, 1e-12);  // acos would say 0
+    EXPECT_NEAR(apart("[1, 0, 0]", "[1, 1e-5, 0]"), 5.729577951e-4, 1e-12);  // acos would give 0
     EXPECT_EQ(apart("[0, 0, 0]", "[0, 3, 0]"), 0);
 }
 
@@ -147,7 +148,7 @@ TEST(Compositor, LaysLayersOnEachOther) {
     expect_gradient(composed(R"(, "mode2": "over", "amount2": 2, "mask2": 0.25)"),
                     {0.75 * 0.75 + 2, 2.5 * 0.75 + 4, 0});
     expect_gradient(composed(R"(, "mode1": "over", "mode2": "subtract")"), {-4.25, -6, 0});
-    expect_gradient(composed(R"(, "layers": 4)"), {4.75, 10.5, 0});  // unconnected ones are flat
+    expect_gradient(composed(R"(, "layers": 4)"), {4.75, 10.5, 0});  // unconnected layers are flat
 }
 
 TEST(Compositor, AddedLayersMayChangePlaces) {
@@ -173,13 +174,13 @@ TEST(Masks, OfHeightsAddTheirSlopeAndThoseOfGradientsDoNot) {
     expect_gradient(gradients, {0, 0, 0}, 0);
 }
 
-// Half of a detail is half as steep, and what is below stays as it is.
+// Half of a detail is half as steep, and the layers below are unchanged.
 TEST(Masks, OfADetailLeaveTheBaseAlone) {
     const std::string half = R"(, "mask1": 0.5, "layers": 1)";
     expect_gradient(composed(half), {1 - 0.125, 0.5 + 1, 0});
 }
 
-// A height goes over a normal map as it is; blends of normals would need a normal made of it.
+// A height adds to a normal map directly; blending normals would require converting it to a normal.
 TEST(Operators, AHeightGoesOverANormalMap) {
     const std::string both =
         R"("x": {"type": "separate_vec3", "in": {"vector": {"from": "surface.position"}}},
@@ -235,7 +236,7 @@ TEST(Heights, AreRoundedIntoEachOther) {
                 (height(type, in, x + step) - height(type, in, x - step)) / (2 * step);
             EXPECT_NEAR(slope(type, in, x), numeric, 1e-5) << type << " at " << x;
         }
-        // What one loses the other gains.
+        // The maximum and the minimum have a constant sum.
         EXPECT_NEAR(height("height_max", in, x) + height("height_min", in, x), x + 0.25, 1e-12);
     }
 }

@@ -1,5 +1,5 @@
-// Relief seen at its depth, against rays that are followed through the same relief in small steps:
-// the oracle knows heights as functions of C++ and nothing of texture space.
+// Tests of relief with parallax against rays that are traced through the same relief in small
+// steps: the oracle uses heights as C++ functions and no texture space.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -33,7 +33,7 @@ double wave(double u, double v) {
     return 0.05 * (std::sin(9 * u) + std::cos(7 * v)) - 0.1;
 }
 
-// Where uv lies for a place of the plane: scaled by (1.5, 0.8), then turned by 30 degrees.
+// The uv of a point of the plane: scaled by (1.5, 0.8), then turned by 30 degrees.
 const std::string turned =
     R"("t": {"type": "uv_transform", "in": {"scale": [1.5, 0.8], "rotation": 30}}, )";
 std::array<double, 2> turned_uv(double x, double y) {
@@ -46,7 +46,7 @@ struct Met {
     std::array<double, 2> uv;
 };
 
-// The first place below the plane where the ray from (x, y, 0) away from the eye is under the
+// The first point below the plane at which the ray from (x, y, 0) away from the eye is under the
 // relief.
 template <class Height>
 Met met(Height height, bool with_turn, double x, double y, const Vec& view, double floor) {
@@ -116,7 +116,8 @@ TEST(ParallaxOcclusion, IsWhereTheRayMeetsTheReliefOfATurnedUv) {
     expect_met(true);
 }
 
-// One height and one scale: the bump is the slope over the plane of the relief that was met.
+// One height and one scale: the bump is the slope, over the plane, of the relief at the
+// intersection.
 TEST(ParallaxOcclusion, BumpIsTheSlopeThatWasMet) {
     const std::string nodes = waves + turned + occlusion(R"(, "uv": {"from": "t.uv"})");
     for (const Vec& view : views) {
@@ -184,7 +185,7 @@ TEST(ParallaxOcclusion, IsFiniteFromEverySide) {
         }
 }
 
-// The area that a pixel's cone cuts out of a plane z = a + b x, by three rays of the eye.
+// The area that a pixel's cone cuts out of a plane z = a + b x, by three rays from the eye.
 double seen_area(const Vec& eye, const Vec& through, double a, double b) {
     constexpr double spread = 1e-6;
     const Vec to{through[0] - eye[0], through[1] - eye[1], through[2] - eye[2]};
@@ -225,7 +226,8 @@ TEST(ParallaxOcclusion, LodIsHowMuchWiderAPixelIsOnTheRelief) {
     }
 }
 
-// A read at the shifted uv has the footprint of the unshifted one, and detail that of the relief.
+// A texture read at the shifted uv has the footprint of the unshifted uv, with the detail of the
+// relief.
 TEST(ParallaxOcclusion, ReadsHaveTheFootprintOfTheSurfaceAlsoWhereTheUvJumps) {
     const std::string nodes =
         waves + occlusion() +

@@ -1,4 +1,4 @@
-// Patterns against the shapes they are said to be, built from points, planes and spheres.
+// Tests of patterns against the documented shapes, built from points, planes and spheres.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -10,7 +10,7 @@ namespace {
 
 using Point3 = std::array<double, 3>;
 
-// Where the vertical line through p meets the triangle; -1 beside it.
+// Height at which the vertical line through p intersects the triangle; -1 if it misses.
 double height_over(const std::array<Point3, 3>& t, Point p) {
     const auto side = [&](const Point3& a, const Point3& b) {
         return (b[0] - a[0]) * (p[1] - a[1]) - (b[1] - a[1]) * (p[0] - a[0]);
@@ -72,7 +72,7 @@ TEST(Brick, IsAsFarFromTheOutlinesOfBricks) {
                 const double x = (k + 0.3 * row) * 2.2, right = x + 2.2;
                 const double low = row, high = row + 1;
                 const Point a{x, low}, b{right, low}, c{right, high}, d{x, high};
-                // A brick's own outline: where it ends, not where the next one's end inside it.
+                // Inside the outline of the brick itself; neighbours may end inside it.
                 if (places[i][0] < x || places[i][0] > right || places[i][1] < low ||
                     places[i][1] > high)
                     continue;
@@ -85,7 +85,7 @@ TEST(Brick, IsAsFarFromTheOutlinesOfBricks) {
     EXPECT_GT(in_grooves, 300U);
 }
 
-// In a long wall of one brick to a row, grooves narrower and wider than a pixel.
+// In a long wall of one brick per row, grooves narrower and wider than a pixel.
 TEST(Brick, HasTheMeanOfAGrooveOverAPixel) {
     std::vector<Point> places;
     for (int i = 0; i < 60; ++i)
@@ -104,7 +104,7 @@ TEST(Brick, HasTheMeanOfAGrooveOverAPixel) {
     }
 }
 
-// A tile holds what is nearer to its centre than to the six around it.
+// A tile contains the points that are nearer to its centre than to the six around it.
 TEST(Hexagons, AreTheCellsOfTheirCentres) {
     const auto places = random_cells(3000, 12, 6);
     const auto got = value_of("hexagons", R"("mortar": 0.08, "bevel": 0.12)", places);
@@ -151,7 +151,7 @@ TEST(Checker, IsTheMeanOverABox) {
     }
 }
 
-// A sphere that is cut by the plane where its slope has the given sine.
+// A sphere cut by the plane at which its slope has the given sine.
 TEST(Domes, AreCapsOfASphere) {
     const auto places = random_cells(3000, 10, 11);
     const double sine = 0.8, radius = 0.45, sphere = radius / sine;
@@ -171,8 +171,8 @@ TEST(Domes, AreCapsOfASphere) {
     }
 }
 
-// Across the middle of a cell: the thread on top is a parabola, beside it the other one dives at
-// 0.35; the next cell is the same with u and v exchanged; where four threads meet there is a hole.
+// Across the middle of a cell: the upper thread is a parabola, the other thread goes below it at
+// 0.35; the next cell is the same with u and v exchanged; four threads meet at a hole.
 TEST(Weave, GoesOverAndUnder) {
     const std::string in = R"("width": 0.8)";
     std::vector<Point> across, along, next;
@@ -192,7 +192,7 @@ TEST(Weave, GoesOverAndUnder) {
     EXPECT_NEAR(low, 0.675, 0.02);  // halfway down, above the border of two cells
     for (size_t i = 0; i < across.size(); ++i) {
         const double d = across[i][0] - 4.5;
-        // Where it dives the other thread rises again as it leaves the middle.
+        // Below the upper thread, the other one rises again with the distance from the middle.
         const double under = 0.675 - 0.325 * std::cos(3.14159265358979 * d);
         EXPECT_NEAR(over[i], std::max(1 - d * d / 0.16, under), 1e-5);
         EXPECT_NEAR(beside[i], over[i], 1e-5);
@@ -220,7 +220,7 @@ TEST(Waves, GoWhereTheyAreSent) {
     const auto at = [](const char* in, Point p) {
         return value_of("waves", std::string(in) + R"(, "count": 1, "spread": 0)", {p})[0];
     };
-    // Across the direction nothing changes; along it a period is 1; a phase moves the wave on.
+    // Constant across the direction; a period along it is 1; a phase shifts the wave.
     const char* in = R"("direction": 30)";
     const double x = std::cos(0.5235987756), y = std::sin(0.5235987756);
     const double here = at(in, {0.2, 0.4});
@@ -242,13 +242,13 @@ TEST(Scratches, AreAsManyAsAsked) {
         return sum / 20000;
     };
     EXPECT_EQ(share(R"("density": 0)"), 0);
-    // Half of length times width times the share of cells, less what overlaps.
+    // Half of length times width times the fraction of cells, minus the overlap.
     EXPECT_NEAR(share(R"("density": 1, "layers": 1, "width": 0.05, "length": 1)"), 0.025, 0.003);
     EXPECT_NEAR(share(R"("density": 0.5, "layers": 1, "width": 0.05, "length": 1)"), 0.0125, 0.002);
     EXPECT_NEAR(share(R"("density": 0.5, "layers": 3, "width": 0.03, "length": 1)"), 0.0225, 0.003);
 }
 
-// Were a stroke cut off where a cell ends, its depth would jump there.
+// If a stroke were clipped at the border of a cell, its depth would be discontinuous there.
 TEST(Scratches, AreWholeAcrossCells) {
     std::vector<Point> line;
     for (int i = 0; i < 20000; ++i)

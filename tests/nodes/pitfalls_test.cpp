@@ -1,5 +1,5 @@
-// What users of bump mapping run into, continued: maps and how they are stored, blended and scaled.
-// docs/pitfalls.md tells the stories.
+// Tests of common pitfalls of bump mapping, continued: storing, blending and scaling of maps. See
+// docs/pitfalls.md.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -19,7 +19,7 @@ Image plain(Colour color) {
     return image;
 }
 
-// A map node with its picture in this encoding, resolved as "r.normal".
+// A map node with its image in this encoding, resolved as "r.normal".
 std::string map(const std::string& type, const std::string& encoding, const std::string& in = "") {
     return R"("n": {"type": ")" + type +
            R"(", "in": {"image": {"file": "textures/weave_normal.png", "encoding": ")" + encoding +
@@ -37,8 +37,8 @@ double tilt_deg(const Lanes& normal) {
     return std::atan2(std::hypot(normal[0], normal[1]), normal[2]) * 57.29577951308232;
 }
 
-// Tiled more densely, a `unit` bump is as steep as before and a `surface` height is that of denser
-// waves; nothing in between, and nothing by accident.
+// With denser tiling a `unit` bump keeps its slope, and a `surface` height becomes as steep as
+// denser waves; there is no third behaviour.
 TEST(Pitfalls, Pitfall11StrengthAndTilingAreTwoNamedThings) {
     const Image slopes = plain({0.75, 0.5, 0});
     const auto gradient = [&](const std::string& scale, double tiles) {
@@ -65,7 +65,7 @@ Image gentle_ramp(double steps) {
     return image;
 }
 
-// A slope of a tenth over the picture: 16 bits hold it, 8 bits hold 26 terraces.
+// A slope of a tenth over the image: 16 bits resolve it, 8 bits give 26 terraces.
 TEST(Pitfalls, Pitfall15SixteenBitHeightsHaveNoTerraces) {
     std::vector<std::array<double, 2>> points;
     for (int i = 20; i < 230; ++i)
@@ -90,7 +90,7 @@ TEST(Pitfalls, Pitfall16GreenUpAndGreenDown) {
     EXPECT_NEAR(wrong[1], -gl[1], 1e-6);
 }
 
-// Two channels and a depth made from them; files that lie about their length stay finite.
+// Two channels, with the depth computed from them; files with a wrong vector length stay finite.
 TEST(Pitfalls, Pitfall17TwoChannelMapsAndTheirDepth) {
     const double x = 0.36, y = -0.48, z = 0.8;
     const auto byte = [](double v) { return 0.5 + 0.5 * v; };
@@ -106,8 +106,7 @@ TEST(Pitfalls, Pitfall17TwoChannelMapsAndTheirDepth) {
     expect_near(blue_low, expected, 1e-6);  // z is mirrored up
 }
 
-// 128 of 255 is not zero: the tilt it stands for is shown as it is, and files with an exact half
-// have none.
+// 128 of 255 is not zero: its tilt is reproduced as stored; files with an exact half have none.
 TEST(Pitfalls, Pitfall18TheMiddleOfEightBits) {
     const double middle = 128 / 255.0;
     const std::string node = map("tangent_normal_map", "normal_gl");
@@ -115,7 +114,7 @@ TEST(Pitfalls, Pitfall18TheMiddleOfEightBits) {
     EXPECT_LE(tilt_deg(value({node, "r.normal", plain({0.5, 0.5, 1})})), 1e-9);
 }
 
-// Twice the strength is twice the slope, for every kind of map; never xy times two and normalised.
+// Twice the strength is twice the slope, for every kind of map; xy is never doubled and normalised.
 TEST(Pitfalls, Pitfall19StrengthScalesSlopes) {
     const Image normals = plain({0.8, 0.4, 0.85});
     using Map = std::pair<const char*, const char*>;
@@ -143,7 +142,7 @@ std::string layered(const std::string& type, const std::string& a, const std::st
            R"("}, "b": {"from": ")" + b + "\"}" + more + "}}";
 }
 
-// A detail that is flat, or at half its strength, leaves the base as strong as it was.
+// A flat detail, or one at half strength, leaves the strength of the base unchanged.
 TEST(Pitfalls, Pitfall20DetailDoesNotFlattenTheBase) {
     const Image normals = plain({0.8, 0.4, 0.85});
     const Lanes base = value({map("tangent_normal_map", "normal_gl"), "n.gradient", normals});
@@ -158,7 +157,7 @@ TEST(Pitfalls, Pitfall20DetailDoesNotFlattenTheBase) {
     expect_near(half, {base[0] + 0.15, base[1] - 0.1, 0}, 1e-6);
 }
 
-// A normal map and a grey height are one sum; nobody needs a second normal map.
+// A normal map and a grey height are added directly; a second normal map is not needed.
 TEST(Pitfalls, Pitfall22ANormalMapAndAHeightAddUp) {
     const Image ramp = painted(64, [](double u, double v) {
         return std::array{0.5 + 0.25 * u, 0.5 + 0.25 * v, 1.0};
@@ -171,8 +170,8 @@ TEST(Pitfalls, Pitfall22ANormalMapAndAHeightAddUp) {
     expect_near(value({both, "l.gradient", ramp}), {-0.15 + 0.5, -0.3, 0}, 3e-3);
 }
 
-// Whether a picture is a height or a normal is said by the port it is plugged in, not guessed from
-// its pixels: grey in three channels is a height where a height is wanted.
+// The port decides if an image is a height or a normal; its pixels are not inspected: three equal
+// grey channels are a height at a height port.
 TEST(Pitfalls, Pitfall29AGreyPictureIsNotTakenForNormals) {
     const Image grey = painted(64, [](double u, double) {
         return std::array{0.25 * u, 0.25 * u, 0.25 * u};

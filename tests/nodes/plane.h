@@ -1,5 +1,5 @@
-// Nodes evaluated on a plane, so that oracles are plain calculus: position (x, y, 0), normal
-// (0, 0, 1), uv0 = (x, y), uv1 = 2 (x, y), tangent (1, 0, 0, +1); a pixel is 1/1024.
+// Evaluates nodes on a plane, so that oracles are plain calculus: position (x, y, 0), normal (0, 0,
+// 1), uv0 = (x, y), uv1 = 2 (x, y), tangent (1, 0, 0, +1); a pixel is 1/1024.
 #pragma once
 
 #include <array>
@@ -22,25 +22,26 @@ inline constexpr double pixel = 1.0 / 1024;
 struct Scene {
     std::string nodes;                      // the members of "nodes"
     std::string output;                     // "node.port"
-    Image texture = {};                     // stands for every image; empty: one grey texel of 0.5
-    std::array<double, 3> normal{0, 0, 1};  // not of the plane: for maps that look at it
+    Image texture = {};                     // used for every image; empty: one grey texel of 0.5
+    std::array<double, 3> normal{0, 0, 1};  // may differ from the plane's normal
     std::array<double, 3> view{0, 0, 1};
-    std::map<std::string, Image> pictures = {};  // by file; for those, instead of `texture`
+    std::map<std::string, Image> pictures = {};  // by file; these replace `texture`
 };
 
-// The output's lanes at each (x, y); a failure of the test and nothing when it does not compile.
+// The output's components at each (x, y); if compiling fails, reports a test failure and returns an
+// empty list.
 std::vector<std::vector<double>> values(const Scene& scene,
                                         const std::vector<std::array<double, 2>>& points);
 std::vector<double> value(const Scene& scene, double x = 0.3, double y = 0.6);
 
-// The same at points of any kind, and the points of the plane for a test that changes some.
+// The same at arbitrary points; and the points of the plane, for tests that modify some of them.
 std::vector<std::vector<double>> values(const Scene& scene, const PointSet& points);
 PointSet plane_points(const Scene& scene, const std::vector<std::array<double, 2>>& points);
 
-// What compiling says; "" when it is content.
+// The diagnostics of compiling; "" on success.
 std::string problems(const std::string& nodes, const std::string& output);
 
-// One node "n" with these members of "in"; {"image": ...} is added where the type asks for one.
+// One node "n" with these members of "in"; {"image": ...} is added if the type needs one.
 std::string one(const std::string& type, const std::string& in = "");
 
 // A float texture from a formula of texel centres (u, v) to r, g, b.

@@ -1,5 +1,5 @@
-// Coordinates made of position, and triplanar maps: against what somebody sees who looks at the
-// sides from outside, against closed forms of the texts, and against surfaces really displaced.
+// Tests of coordinates made of position, and of triplanar maps: against the sides as seen from
+// outside, against published closed forms, and against displaced surfaces.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -47,7 +47,7 @@ Vector normal_after(Vector n, const std::vector<double>& gradient) {
     return unit(n - vector_of(gradient));
 }
 
-// Mean and worst angle between bumps and truth, and how much there was to tell.
+// Mean and maximum angle between bump and reference, and the maximum tilt of the reference.
 struct Errors {
     double worst = 0, most = 0;
 };
@@ -113,14 +113,14 @@ TEST(PlanarUv, WeighsTheSideThatIsMet) {
     EXPECT_EQ(weight(R"("side": "negative")", down), 1);
     EXPECT_EQ(weight(R"("side": "negative")", up), 0);
     EXPECT_EQ(weight("", aside), 0);
-    const Vector half{std::sqrt(1 - 0.35 * 0.35), 0.35, 0};  // midway from 0.2 to 0.5
+    const Vector half{std::sqrt(1 - 0.35 * 0.35), 0.35, 0};  // midway between 0.2 and 0.5
     EXPECT_NEAR(weight("", half), 0.5, 1e-9);
     EXPECT_EQ(weight(R"("limit": 0.34, "falloff": 0)", half), 1);
     EXPECT_EQ(weight(R"("limit": 0.36, "falloff": 0)", half), 0);
 }
 
 // Golubev, eqs. 44 and 50: with the lookup's axes p and q, the volume gradient of a planar map is
-// d.u p + d.v q, and the bump what I - n n^T leaves of it.
+// d.u p + d.v q, and the bump is its image under I - n n^T.
 TEST(PlanarUv, ClosedFormIsTheVolumeForm) {
     const Image slopes = painted(8, [](double, double) { return std::array{0.75, 0.375, 0.0}; });
     for (int index = 0; index < 6; ++index)
@@ -229,7 +229,7 @@ TEST(Projections, BumpAsASphereThatIsDisplaced) {
     }
 }
 
-// Castano's weights, written out.
+// Castano's weights, computed explicitly.
 std::array<double, 3> weights_of(Vector n, double sharpness) {
     std::array<double, 3> w{std::fabs(n.x), std::fabs(n.y), std::fabs(n.z)};
     double sum = 0;
@@ -254,7 +254,7 @@ TEST(Triplanar, WeightsAreThoseOfTheNormal) {
     EXPECT_EQ(none, (std::vector<double>{0, 0, 0}));
 }
 
-// The side of each axis that a normal meets, as somebody sees it from outside.
+// For each axis, the height on the side that the normal faces, as seen from outside.
 double seen_height(Vector p, Vector n, double tiling) {
     const auto w = weights_of(n, 3);
     double height = 0;
@@ -336,7 +336,7 @@ TEST(Triplanar, NormalMapsAndFieldsAreTheirSlopes) {
     }
 }
 
-// T6: where one weight is 1, triplanar is planar.
+// T6: if one weight is 1, triplanar is planar.
 TEST(Triplanar, WithOneWeightIsPlanar) {
     const Image waves = painted(64, [](double u, double v) {
         return std::array{0.5 + 0.3 * std::sin(full_circle * u),
@@ -365,7 +365,7 @@ TEST(BoxUv, ChoosesTheSideOfTheLargestComponent) {
     }
 }
 
-// A direction along `up`, or none at all, is no crash and no NaN.
+// A direction along `up`, or a zero direction, gives finite results.
 TEST(Projections, ParallelAndZeroAxesAreFinite) {
     for (const char* in : {R"("normal": [0, 1, 0], "up": [0, 2, 0])", R"("normal": [0, 0, 0])",
                            R"("up": [0, 0, 0])"})

@@ -1,4 +1,4 @@
-// Procedural heights as numbers: their value in coordinates of cells, at any footprint.
+// Evaluates procedural heights: values in coordinates of cells, at any footprint.
 #pragma once
 
 #include <cmath>
@@ -10,7 +10,7 @@ namespace wrinkle::test {
 
 using Point = std::array<double, 2>;
 
-// What the pattern's own input for its density is called.
+// Name of the pattern's density input.
 inline std::string density_of(const std::string& type) {
     return type == "pyramids" ? "density" : "scale";
 }
@@ -20,7 +20,8 @@ struct Reading {
     std::vector<Point> slope;  // dvalue / dcell
 };
 
-// The node at places in cells, where a pixel is `footprint` cells wide; `in` are more members.
+// Evaluates the node at points given in cells, with pixels `footprint` cells wide; `in` has further
+// members.
 inline Reading read(const std::string& type, const std::string& in, std::vector<Point> cells,
                     double footprint = 1e-4) {
     const double scale = footprint / pixel;
@@ -55,7 +56,7 @@ inline std::vector<Point> random_cells(size_t count, double size, unsigned seed 
     return points;
 }
 
-// The numbers that sdk/math.h promises: the PCG permutation, and its upper 24 bits.
+// The functions documented in sdk/math.h: the PCG permutation, and its upper 24 bits.
 inline uint32_t pcg(uint32_t x) {
     const uint32_t state = x * 747796405U + 2891336453U;
     const uint32_t word = ((state >> ((state >> 28) + 4)) ^ state) * 277803737U;
@@ -69,7 +70,7 @@ inline double unit_number(uint32_t bits) {
     return (bits >> 8) / 16777216.0;
 }
 
-// Every procedural height there is.
+// Ids of all procedural height nodes.
 inline std::vector<std::string> procedural_nodes() {
     std::vector<std::string> ids;
     for (const NodeType& type : registry().list()) {

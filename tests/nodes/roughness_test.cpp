@@ -1,5 +1,5 @@
-// Highlights of a bump that is too fine for the picture, against the same bump seen in full: what a
-// pixel reflects is the mean over its area, by a lobe that stands here on its own.
+// Tests of highlights of a bump finer than a pixel, against the same bump in full resolution: the
+// reflection of a pixel is the mean over its area, with an independent implementation of the lobe.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -12,7 +12,7 @@ namespace wrinkle::test {
 namespace {
 
 constexpr uint32_t picture_size = 256;
-// Uv units a pixel: so many texels of a picture.
+// Pixel size in uv units, from the number of texels per pixel.
 constexpr uint32_t texels_a_pixel = 16;
 constexpr double pixel_uv = double(texels_a_pixel) / picture_size;
 
@@ -48,7 +48,7 @@ std::map<std::string, Image> pictures() {
              })}};
 }
 
-// The plane's points with a pixel of this many uv units.
+// The plane's points with pixels of this many uv units.
 PointSet points_of(const Scene& scene, const std::vector<std::array<double, 2>>& at,
                    double footprint) {
     PointSet set = plane_points(scene, at);
@@ -59,7 +59,7 @@ PointSet points_of(const Scene& scene, const std::vector<std::array<double, 2>>&
     return set;
 }
 
-// Trowbridge and Reitz: what microfacets of this roughness turn towards h, by area.
+// Trowbridge-Reitz distribution: area of microfacets of this roughness that face h.
 double lobe(double cosine, double roughness) {
     const double a2 = std::pow(roughness, 4);
     const double d = cosine * cosine * (a2 - 1) + 1;
@@ -69,7 +69,8 @@ double lobe(double cosine, double roughness) {
 constexpr int directions = 12;
 using Highlight = std::array<double, directions>;
 
-// Towards half vectors at growing angles from the surface's normal, mean over azimuths.
+// Reflection for half vectors at increasing angles from the surface's normal, averaged over
+// azimuths.
 Highlight highlight(const std::vector<double>& normal, double roughness) {
     Highlight sum{};
     constexpr int azimuths = 32;
@@ -85,12 +86,12 @@ Highlight highlight(const std::vector<double>& normal, double roughness) {
 }
 
 struct Comparison {
-    double with, without;  // mean absolute errors over the mean of what is right
+    double with, without;  // mean absolute errors, relative to the mean of the reference
 };
 
 constexpr double base_roughness = 0.3;
 
-// `bump` is a node of this name whose output is `gradient`.
+// `nodes` defines a node named `bump` with the output `gradient`.
 Comparison errors_of(const std::string& nodes) {
     const auto output = [&](const std::string& port) {
         return Scene{nodes + R"(, "rough": {"type": "bump_roughness", "in": {"gradient": {"from":
@@ -109,7 +110,7 @@ Comparison errors_of(const std::string& nodes) {
         const std::array<double, 2> at{0.11 + 0.13 * p, 0.57 - 0.09 * p};
         const auto far_normal = values(normal, points_of(normal, {at}, pixel_uv));
         const auto far_rough = values(rough, points_of(rough, {at}, pixel_uv));
-        // The footprint of the level in use: a box of texels, that between four a wider one.
+        // The footprint of the mip level in use: a box of texels, wider between four texels.
         std::vector<std::array<double, 2>> inside;
         constexpr int steps = 48;
         for (int i = 0; i < steps * steps; ++i)

@@ -1,5 +1,5 @@
-// What others do to a normal, each against what it should give: closed forms and counts, so that
-// what the nodes say of themselves is true.
+// Tests of common shortcuts against the correct normal: closed forms and counts that verify the
+// nodes' documentation.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -24,7 +24,7 @@ double tilt_of(const std::vector<double>& normal) {
     return angle_between({normal.at(0), normal.at(1), normal.at(2)}, {0, 0, 1});
 }
 
-// A node that shows what goes wrong is not a remedy.
+// Hints do not recommend a node that demonstrates an error.
 TEST(Shortcuts, HintsOfWrongWiresNameNone) {
     for (uint32_t from = 1; from <= port_type_count; ++from)
         for (uint32_t to = 1; to <= port_type_count; ++to)
@@ -34,7 +34,7 @@ TEST(Shortcuts, HintsOfWrongWiresNameNone) {
                 std::string::npos);
 }
 
-// The gradients of a volume are normally distributed here, mean length 1.6.
+// Volume gradients are normally distributed here, with mean length 1.6.
 std::vector<Pair> random_volumes(size_t count) {
     std::mt19937 random(3);
     const auto even = [&] { return (static_cast<double>(random()) + 0.5) / 4294967296.0; };
@@ -60,14 +60,14 @@ TEST(Perlin, TiltsByThePartAlongTheNormalToo) {
             one("resolve", R"("gradient": {"from": "g.gradient"})"),
         "n.normal", volumes);
     EXPECT_NEAR(angles(ours, theirs).mean, 23.1, 1);  // published for lengths of about 1.7
-    EXPECT_NEAR(facing_inward(theirs), 0.161, 0.01);  // where the part along the normal is above 1
+    EXPECT_NEAR(facing_inward(theirs), 0.161, 0.01);  // if the normal component exceeds 1
     EXPECT_EQ(facing_inward(ours), 0);
-    // A height that grows outward alone is no bump.
+    // A height that grows only outward is not a bump.
     EXPECT_NEAR(tilt_of(value({one("compare_perlin", R"("volume": [0, 0, 2])"), "n.bumped"})), 180,
                 1e-9);
 }
 
-// Where a wire from a bump to a normal resolves it.
+// A volume gradient; a wire from it to a normal resolves it.
 std::string bumped(double slope) {
     return R"("g": {"type": "gradient_from_volume", "in": {"volume": [)" + std::to_string(slope) +
            ", 0, 0]}}, ";
@@ -103,7 +103,7 @@ TEST(NormalStrength, IsNoFactorOfTheSlope) {
                               "n.scaled"}));
     };
     EXPECT_NEAR(tilt("unity", "0.5"), 22.5, 1e-3);
-    EXPECT_NEAR(tilt("unity", "2"), std::atan(2) * 180 / pi, 1e-3);  // above 1 it is
+    EXPECT_NEAR(tilt("unity", "2"), std::atan(2) * 180 / pi, 1e-3);  // equal above 1
     EXPECT_NEAR(tilt("rebuilt", "0.5"), std::asin(std::sqrt(0.125)) * 180 / pi, 1e-3);
     EXPECT_NEAR(tilt("rebuilt", "2"), 90, 1e-3);
     for (const char* rule : {"unity", "rebuilt"})
@@ -127,7 +127,7 @@ TEST(EngineBasis, TurnsHillsIntoDentsOnMirroredUvs) {
         "n.normal"};
     EXPECT_NEAR(value(theirs)[0], 0.6, 1e-9);
     EXPECT_NEAR(value(ours)[0], 0.6, 1e-9);
-    // A map that leans along +u leans along -x there.
+    // A map with a slope along +u tilts along -x there.
     EXPECT_NEAR(values(ours, mirrored_points(ours))[0][0], -0.6, 1e-9);
     EXPECT_NEAR(values(theirs, mirrored_points(theirs))[0][0], 0.6, 1e-9);
 }
@@ -151,7 +151,7 @@ TEST(ScreenHeight, IsTheDifferenceToTheNextPixel) {
     const double x = 0.3, slope = (std::sin(x + pixel) - std::sin(x)) / pixel;
     const auto normal = value({screen_wave(""), "n.normal"}, x);
     EXPECT_NEAR(-normal[0] / normal[2], slope, 1e-9);
-    EXPECT_GE(std::fabs(slope - std::cos(x)), 1e-4);  // not the slope itself
+    EXPECT_GE(std::fabs(slope - std::cos(x)), 1e-4);  // different from the slope
 }
 
 TEST(ScreenHeight, OfUnitPixelsFadesAsTheViewerComesCloser) {

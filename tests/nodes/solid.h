@@ -1,5 +1,5 @@
-// Nodes evaluated in space: on the unit sphere, or on planes that face anywhere; and the normal of
-// such a surface once it is really displaced, by central differences. For oracles of projections.
+// Evaluates nodes in space: on the unit sphere, or on planes of any orientation; and computes the
+// normal of such a surface after displacement, by central differences. Oracle of projections.
 #pragma once
 
 #include <functional>
@@ -25,23 +25,23 @@ Vector vector_of(const std::vector<double>& lanes);
 struct Place {
     Vector position, normal;
 };
-// Evenly over the unit sphere.
+// Evenly distributed over the unit sphere.
 std::vector<Place> on_sphere(int count);
 // The six sides +x -x +y -y +z -z.
 Vector side(int index);
-// What somebody sees to the right and above who looks at a side from outside; y is up, from above
-// -z, from below +z.
+// Right and up directions in a view of a side from outside; y is up, seen from above -z, from below
+// +z.
 struct Seen {
     Vector right, up;
 };
 Seen seen_from_outside(int index);
 
-// The output at each place; a pixel is `size` wide.
+// The output at each place, with pixels `size` wide.
 std::vector<std::vector<double>> values_on(const Scene& scene, const std::vector<Place>& places,
                                            double size = pixel);
 std::vector<double> value_on(const Scene& scene, Place place, double size = pixel);
 
-// The normal at `place` of the unit sphere (or of its tangent plane) moved outward by a height.
+// The normal at `place` of the unit sphere (or of its tangent plane) displaced outward by a height.
 Vector displaced_on_sphere(Vector place, const std::function<double(Vector)>& height);
 Vector displaced_on_plane(Place place, const std::function<double(Vector)>& height);
 

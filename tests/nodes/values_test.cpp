@@ -1,4 +1,4 @@
-// Numbers of single nodes against oracles of the C library and of school mathematics.
+// Tests of single nodes against the C library and elementary mathematics.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -90,8 +90,8 @@ const Case vectors[] = {
     {"normalize", R"("vector": [2, 3, 6])", "vector", {2 / 7.0, 3 / 7.0, 6 / 7.0}},
     {"normalize", R"("vector": [0, 0, 0])", "vector", {0, 0, 0}},
     {"uv_transform", R"("scale": [2, 4], "offset": [10, 20])", "uv", {10.6, 22.4}},
-    {"uv_transform", R"("scale": [2, 4], "rotation": 90)", "uv", {-2.4, 0.6}},  // scaled before it turns
-    {"uv_transform", R"("rotation": 90, "offset": [1, 0])", "uv", {0.4, 0.3}},  // moved after it turns
+    {"uv_transform", R"("scale": [2, 4], "rotation": 90)", "uv", {-2.4, 0.6}},  // scaled first
+    {"uv_transform", R"("rotation": 90, "offset": [1, 0])", "uv", {0.4, 0.3}},  // moved last
 };
 // clang-format on
 INSTANTIATE_TEST_SUITE_P(Arithmetic, Numbers, ::testing::ValuesIn(arithmetic));

@@ -1,6 +1,6 @@
-// T13: what is seen from behind, for every node that makes a bump. The oracle is geometry: the
-// front gives the bump g; a solid (mirror) shows -n with the same outward bump, a thin sheet (flip)
-// the other side of the bumped front, and `none` the front's own normal.
+// T13: tests of back faces for every node that makes a bump. The oracle is geometry: the front has
+// the bump g; a solid (mirror) shows -n with the same outward bump, a thin sheet (flip) the other
+// side of the bumped front, and `none` the front's own normal.
 #include <gtest/gtest.h>
 
 #include <glm/geometric.hpp>
@@ -21,8 +21,8 @@ bool is_bump(const Port& port) {
             port.type == PortType::height_);
 }
 
-// The node with that output resolved: `bump` and `normal`, by a rule for back faces. Maps that
-// point inward are mirrored, as a choice may say otherwise on purpose.
+// Resolves the node's output as `bump` and `normal`, with a rule for back faces. The choice
+// "opposite" is replaced by "toward", so that normals that point inward are mirrored.
 Compiled resolved(std::string text, const std::string& port, std::string_view rule) {
     const std::string from = R"({"from": "subject.)" + port + R"("})";
     const auto cut = [&](const std::string& begin, const std::string& with, size_t length) {
@@ -57,7 +57,7 @@ dvec3 vector_at(const std::vector<double>& values, size_t point) {
 
 struct Rule {
     std::string_view name;
-    double bump;  // sign of the front's bump, towards the normal that is then seen
+    double bump;  // sign of the front's bump, relative to the visible normal
     double turn;
 };
 constexpr Rule rules[] = {{"mirror", 1, -1}, {"flip", -1, -1}, {"none", 1, 1}};

@@ -1,5 +1,5 @@
-// Close-ups on the GPU, with what its own dFdx makes of its own interpolants: a wave of known slope
-// on a plane, from pixels of a hundredth of the uv square to a millionth.
+// Tests of close-ups on the GPU, with dFdx of the GPU's own interpolants: a wave of known slope on
+// a plane, with pixels from a hundredth of the uv square to a millionth.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -18,7 +18,7 @@ namespace {
 
 constexpr int side = 32;
 
-// h = 0.02 sin(20 u) over the uv of a plane whose sides are two long.
+// h = 0.02 sin(20 u) over the uv of a plane with sides of length 2.
 const char* const wave = R"({"wrinkle": 1, "nodes": {
     "uv": {"type": "separate_vec2", "in": {"vector": {"from": "surface.uv0"}}},
     "k": {"type": "multiply", "in": {"a": {"from": "uv.x"}, "b": 20}},

@@ -1,4 +1,4 @@
-// The back ends of core/certify, as the tests use them: what cannot be made is a test failure.
+// The back ends of core/certify for tests: failures are test failures.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -21,7 +21,7 @@ Values on_cpu(const Module& module, const PointSet& points, const ImageOf& image
     return values ? std::move(*values) : Values{};
 }
 
-// Empty, with a test failure, when the text does not compile.
+// Returns an empty result and reports a test failure if the source does not compile.
 inline Values on_gpu(const Shader& shader, const PointSet& points, const ImageOf& images) {
     EXPECT_EQ(compile_errors(shader), "");
     std::string why;

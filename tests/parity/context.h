@@ -1,4 +1,4 @@
-// One offscreen context for all tests of a program: making one takes longer than most of them.
+// One offscreen context for all tests of a program: creating one takes longer than most tests.
 #pragma once
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
-// T14 on the GPU: an object that its matrix puts ten kilometres away, seen by a camera that went
-// with it, has the same normals in every pixel as at the origin; and so has one that both turned
-// round.
+// T14: tests on the GPU that an object moved by its matrix to a distance of ten kilometres, with
+// the camera moved alike, has the same normals in every pixel as at the origin; and that an object
+// rotated together with the camera does too.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -47,7 +47,7 @@ std::vector<float> normals(gpu::Renderer& renderer, const gpu::Scene& scene) {
 struct Difference {
     double mean = 0;    // degrees
     size_t pixels = 0;  // covered in both
-    size_t edges = 0;   // in one alone
+    size_t edges = 0;   // covered in only one
 };
 
 Difference difference(const std::vector<float>& a, const std::vector<float>& b) {
@@ -65,8 +65,8 @@ Difference difference(const std::vector<float>& a, const std::vector<float>& b) 
     return result;
 }
 
-// The normals at the origin and after `change`, on graphs of both kinds: uvs of the mesh, and noise
-// in space.
+// Compares the normals at the origin and after `change`, on graphs of both kinds: uvs of the mesh,
+// and noise in space.
 template <class Change>
 void expect_unchanged(const Change& change) {
     const Mesh mesh = *make_shape("sphere");
@@ -99,7 +99,7 @@ TEST_F(FarAway, T14_AnObjectTenKilometresAwayLooksTheSame) {
     });
 }
 
-// What is made in the object's own space turns with it.
+// A bump computed in object space rotates with the object.
 TEST_F(FarAway, Pitfall25ABumpTurnsWithItsObject) {
     expect_unchanged([](gpu::Scene& scene) {
         scene.object = glm::rotate(glm::mat4(1), 0.8F, glm::vec3(0, 1, 0));

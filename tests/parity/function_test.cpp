@@ -1,5 +1,5 @@
-// A project with functions gives the numbers of the same project with every use written out: both
-// are evaluated in double, where what is left of a difference is the order of additions.
+// Tests that a project with functions gives the same numbers as the project with every use inlined:
+// both are evaluated in double; the remaining difference is the order of additions.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -47,7 +47,7 @@ Apart apart(const Module& a, const Module& b) {
     return result;
 }
 
-// In all modes. The functions that the project has, summed over them.
+// Compares in all modes. Returns the number of functions, summed over the modes.
 uint32_t expect_same(const Nested& nested, double allowed) {
     uint32_t functions = 0;
     for (const bool uniform : {false, true})
@@ -81,7 +81,7 @@ struct Pair {
     }
 };
 
-// A difference of 0: one order of operations.
+// A difference of 0 means the same order of operations.
 void expect_same(const Pair& pair, double allowed = 1e-13) {
     EXPECT_GE(expect_same(Nested(pair.texts()), allowed), 4U);
 }
@@ -146,7 +146,7 @@ TEST(Functions, TakeAndGiveNormals) {
                  .outputs = "'normal': <p.normal, 'other': <q.normal"});
 }
 
-// What varies inside a function would not be known outside.
+// The variance inside a function is not available outside.
 TEST(Functions, AreNoneWhereAVarianceIsAskedFor) {
     const Pair pair{.inputs = "'uv': {'type': 'vec2'}",
                     .part =
@@ -165,7 +165,7 @@ TEST(Functions, AreNoneWhereAVarianceIsAskedFor) {
     EXPECT_EQ(emit(with.module, {}).source, emit(without.module, {}).source);
 }
 
-// Frames: uv0 has vertex tangents, uv1 none, a uv of both is exact or derived of its own.
+// Frames: uv0 has vertex tangents, uv1 has none, a uv of both is exact or has a derived frame.
 TEST(Functions, AreToldWhichUvSetTheyGet) {
     expect_same({.inputs = "'uv': {'type': 'vec2'}, 'image': {'type': 'image'}",
                  .part = "'m': {'type': 'tangent_normal_map', 'in': {'image': <input.image, 'uv': "
@@ -202,7 +202,7 @@ TEST(Functions, OfRandomProjectsChangeNoNumber) {
     EXPECT_GE(functions, 400U);
 }
 
-// What is computed from the footprint is where functions know less: to first order.
+// Functions know the footprint only to first order.
 TEST(Functions, KnowTheFootprintOfABentUvToFirstOrder) {
     const Pair bent{.inputs = "'uv': {'type': 'vec2'}",
                     .part =
@@ -219,7 +219,8 @@ TEST(Functions, KnowTheFootprintOfABentUvToFirstOrder) {
     expect_same(bent, 0.02);
 }
 
-// Text that takes differences of pixels itself: an argument that jumps, a result that jumps.
+// Source that takes pixel differences: an argument that is discontinuous, a result that is
+// discontinuous.
 TEST(Functions, SeeJumpsAcrossTheirBorder) {
     const std::string jumpy =
         "'s': {'type': 'separate_vec2', 'in': {'vector': <input.uv}}, 'f': "

@@ -17,7 +17,7 @@ std::string replaced(std::string text, const std::string& from, const std::strin
     return text;
 }
 
-// <a.b becomes {"from": "a.b"}.
+// Replaces <a.b by {"from": "a.b"}.
 std::string with_wires(const std::string& text) {
     std::string result;
     for (size_t i = 0; i < text.size(); ++i) {
@@ -32,9 +32,9 @@ std::string with_wires(const std::string& text) {
     return result;
 }
 
-// What can stand in a random graph: a node type, its inputs that are wired, by type, and an output.
-// No uv is bent: the footprint of a height map's taps is known to first order inside of a function,
-// to second order outside (docs/graph-format.md).
+// A node of a random graph: a node type, its wired inputs by type, and an output. No uv is bent:
+// the footprint of a height map's taps is known to first order inside of a function, to second
+// order outside (docs/graph-format.md).
 struct Kind {
     const char* type;
     std::vector<std::pair<const char*, const char*>> inputs;  // port, type
@@ -87,7 +87,7 @@ const std::vector<Kind>& kinds() {
 constexpr const char* input_types[] = {"float",    "vec2",   "vec3", "height",
                                        "gradient", "normal", "image"};
 
-// One file: values by type, and nodes that make more of them.
+// One file: values by type, and nodes that add more of them.
 class RandomGraph {
 public:
     RandomGraph(std::mt19937& random, int level, int deepest)
@@ -124,7 +124,7 @@ private:
         add({"gradient_from_height", {{"height", "height"}}, "gradient", "gradient"});
     }
 
-    // Newer ones rather than older.
+    // Returns a random value; newer ones are more likely.
     std::string value(const std::string& type) {
         const std::vector<std::string>& known = values_.at(type);
         size_t newest = 0;
@@ -147,7 +147,7 @@ private:
         values_[kind.gives].push_back("<" + name + "." + kind.output);
     }
 
-    // Some inputs are left open, where the type has a default.
+    // Some inputs are left open, if the type has a default.
     void call(const std::string& name) {
         std::string inputs;
         for (const std::string type : input_types) {

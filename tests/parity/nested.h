@@ -1,5 +1,5 @@
-// Projects of several files for the tests of functions, compiled with every use written out and
-// with functions.
+// Projects of several files for tests of functions, compiled with every use inlined and with
+// functions.
 #pragma once
 
 #include <map>
@@ -10,10 +10,10 @@
 
 namespace wrinkle::test {
 
-// Texts by file name; "main" is the top. IMAGE_A and IMAGE_B stand for pictures.
+// Texts by file name; "main" is the top. IMAGE_A and IMAGE_B are replaced by image files.
 using Texts = std::map<std::string, std::string>;
 
-// {"wrinkle": 1, "inputs": {INPUTS}, "nodes": {NODES}, "outputs": {OUTPUTS}}, where ' stands for "
+// {"wrinkle": 1, "inputs": {INPUTS}, "nodes": {NODES}, "outputs": {OUTPUTS}}, with ' instead of "
 // and a word a.b after '<' for a wire: 'x': <a.b.
 std::string graph_text(const std::string& inputs, const std::string& nodes,
                        const std::string& outputs);
@@ -28,7 +28,7 @@ public:
         bool given = true;
         bool vertex_tangents = true;
     };
-    // A failure, and an empty module, when it does not compile.
+    // Reports a test failure and returns an empty module if it does not compile.
     Compiled compile(const Options& options) const;
     const Project& project() const { return project_; }
 
@@ -37,12 +37,12 @@ private:
     Project project_;
 };
 
-// So many files below the top, each of which uses the next twice, with other heights.
+// This many files below the top, each of which uses the next one twice, with different heights.
 Texts tower_texts(int levels);
 
 uint32_t function_count(const Module& module);
 
-// How many projects there are; a project of five files with random nodes and wires between them.
+// The number of projects; a project of five files with random nodes and wires between them.
 Texts random_texts(unsigned seed);
 
 }  // namespace wrinkle::test

@@ -1,6 +1,5 @@
-// The graphs of core/certify around every node, as the tests use them: with the built-in nodes and
-// those of the example plugins, a folder of pictures for the whole program, and a test failure
-// where something cannot be made.
+// The graphs of core/certify around every node, for tests: with the built-in nodes and those of the
+// example plugins, one folder of images for the test program, and a test failure for every error.
 #pragma once
 
 #include "certify/subject.h"
@@ -17,7 +16,7 @@ const Registry& all_nodes();
 // A folder with files of the names that graphs use.
 std::string image_folder();
 
-// Texts are judged by glslang. `gpu`: a context is current.
+// Source is validated by glslang. `gpu`: a context is current.
 certify::Bench bench(bool gpu = false);
 
 Subject compile_around(const NodeType& type, Inputs inputs, unsigned seed);

@@ -1,5 +1,5 @@
-// Every registered node and every sample graph: the CPU evaluator against generated GLSL on the
-// same points.
+// Tests of every registered node and every sample graph: the CPU evaluator against generated GLSL
+// at the same points.
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -26,7 +26,7 @@ const PointSet& the_points() {
     return points;
 }
 
-// What was compared by the name of its node or graph.
+// Sums of comparisons by the name of the node or graph.
 class Tally {
 public:
     void add(const std::string& name, const Comparison& more) {
@@ -37,14 +37,14 @@ public:
     }
     size_t values() const { return all_.values; }
 
-    // At most 0.1 % may be left out as unstable.
+    // At most 0.1 % of the values may be skipped as unstable.
     testing::AssertionResult is_stable() const {
         if (1000 * all_.unstable <= all_.values) return testing::AssertionSuccess();
         return testing::AssertionFailure() << "left out " << share(all_) << ", most of it by\n"
                                            << worst();
     }
 
-    // Those that leave out most, a line each.
+    // The entries with the most skipped values, one per line.
     std::string worst() const {
         std::vector<std::pair<std::string, Comparison>> rows(by_name_.begin(), by_name_.end());
         std::stable_sort(rows.begin(), rows.end(), [](const auto& a, const auto& b) {
@@ -73,7 +73,7 @@ void expect_equal(const char* sides, const Comparison& comparison) {
                       << "; allowed " << first->allowed;
 }
 
-// Float against GLSL, and float against double.
+// Compares float with GLSL, and float with double.
 Comparison compare_all(const Module& module, const PointSet& points, const ImageOf& images) {
     const Judge judge = make_judge(module, points, images);
     const Values cpu = on_cpu<float>(module, points, images);
@@ -111,7 +111,7 @@ TEST_F(Parity, IsFiniteOnDegenerateInput) {
     }
 }
 
-// Textures as the files say, each read once.
+// Textures from the named files, each read once.
 ImageOf images_of_files() {
     auto loaded = std::make_shared<std::map<std::string, MipChain>>();
     return [loaded](const std::string& file) -> const MipChain& {
@@ -128,7 +128,7 @@ TEST_F(Parity, OfEverySampleGraph) {
     Tally all;
     size_t graphs = 0;
     const ImageOf images = images_of_files();
-    // The uvs of a mesh: further out, a float's own steps move a steep height map by more.
+    // The uvs of a mesh: further out, rounding of floats moves a steep height map by more.
     const PointSet points = certify::random_points(3000, 7, {0, 1});
     for (const std::filesystem::path& path : sample_graphs()) {
         SCOPED_TRACE(path.string());
@@ -157,7 +157,7 @@ TEST(Tally, NamesThoseThatLeaveOutMost) {
                  "left out 9 of 8000, most of it by\n    most: 5 of 1000\n    some: 4 of 2000\n");
 }
 
-// The comparison can fail: a factor, a texel, a texture that are off, a NaN.
+// The comparison detects errors: a wrong factor, texel or texture, a NaN.
 class SeededError : public WithGpu {
 protected:
     SeededError()

@@ -1,5 +1,5 @@
-// What holds for every registered node, now and later: it is documented, its graph survives a round
-// trip through the file, and the derivative of its numbers is what central differences say.
+// Tests of properties of every registered node: it is documented, its graph survives a round trip
+// through the file, and its derivatives agree with central differences.
 #include <gtest/gtest.h>
 
 #include "certify/checks.h"
@@ -10,7 +10,8 @@
 namespace wrinkle::test {
 namespace {
 
-// What a check of core/certify finds on any node is a test failure. The sum of what was compared.
+// Runs a check of core/certify on every node; findings are test failures. Returns the summed
+// counts.
 template <class Check>
 certify::Report expect_none(Check check) {
     certify::Report all;
@@ -49,15 +50,15 @@ TEST(EveryNode, HasTheDerivativeThatDifferencesSay) {
     EXPECT_LE(static_cast<double>(all.kinks), 0.02 * static_cast<double>(all.derivatives));
 }
 
-// Written into the text or in a uniform, a number means the same; frames and errors do not depend
-// on it.
+// A number has the same meaning as a literal and as a uniform; frames and errors do not depend on
+// it.
 TEST(EveryNode, MeansTheSameBakedAndUniform) {
     expect_none([](const NodeType& type, certify::Report& report) {
         certify::check_uniforms(type, bench(), report);
     });
 }
 
-// In single precision, from as close up as anyone looks: eq. 3 divides by (pixel size)^2.
+// In single precision, at the smallest pixel sizes in use: eq. 3 divides by (pixel size)^2.
 TEST(HeightGradient, IsTheSameAtEveryPixelSize) {
     const Subject subject =
         compile_around(*all_nodes().find("gradient_from_height"), Inputs::wires, 41);

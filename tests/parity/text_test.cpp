@@ -1,5 +1,5 @@
-// Every node and every sample graph gives text that glslang takes: on every target, in both forms,
-// with both kinds of parameters and of differentials.
+// Tests that every node and every sample graph gives source that glslang accepts: on every target,
+// in both forms, with both kinds of parameters and of differentials.
 #include <gtest/gtest.h>
 
 #include <set>

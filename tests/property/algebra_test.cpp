@@ -1,5 +1,5 @@
-// Layers: order, grouping, flat and opposite ones; and that the answer belongs to the surface, not
-// to the way it is parametrised or looked at.
+// Tests of layers: order, grouping, flat and opposite ones; and that the result depends on the
+// surface, not on its parametrisation or the view.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -10,7 +10,7 @@
 namespace wrinkle::test {
 namespace {
 
-// One of each kind of source, on both uv sets and in several frames.
+// One layer of each kind of source, on both uv sets and in several frames.
 constexpr int layer_kinds = 7;
 Value layer(Material& m, int kind) {
     const Value wave = m.sin(m.position().x() * 5) * m.cos(m.uv1().y() * 4);
@@ -39,7 +39,7 @@ Value layer(Material& m, int kind) {
     }
 }
 
-// The normals of several ways to write the same thing, at many points of every surface.
+// Compares the normals of several equivalent expressions at many points of every surface.
 template <class Check>
 void compare(Material& m, const std::vector<Value>& gradients, const Check& check) {
     for (const Value& gradient : gradients)
@@ -158,7 +158,7 @@ TEST(Algebra, AVectorIsTangentAndGivesTheNormal) {
     }
 }
 
-// The same hills, written over position and over two uv sets, seen in pixels of any shape.
+// The same hills as functions of position and of two uv sets, with pixels of any shape.
 TEST(Parametrisation, DoesNotMatter) {
     const Surface plane = plane_with(dmat2(2, 0.3, -0.5, 1.5));
     Material m;
@@ -222,7 +222,7 @@ TEST(Parametrisation, SoDoesNotItsSize) {
     }
 }
 
-// Low-poly meshes: the interpolated normal is not that of the triangle.
+// Low-poly meshes: the interpolated normal differs from that of the triangle.
 TEST(VolumeForm, EqualsTheHeightOfPosition) {
     Material m;
     const Value p = m.position();

@@ -1,5 +1,5 @@
-// What is seen from behind, by displacing: `mirror` shows a solid whose bumps are outward on both
-// sides, `flip` the other side of one thin sheet, `none` the front's normal.
+// Tests of back faces by displacement: `mirror` shows a solid with outward bumps on both sides,
+// `flip` the other side of one thin sheet, `none` the front's normal.
 #include <gtest/gtest.h>
 
 #include "property/material.h"
@@ -22,7 +22,7 @@ constexpr BackFaceCase back_face_cases[] = {
 
 class BackFace : public testing::TestWithParam<BackFaceCase> {};
 
-// The sphere of which the viewer sees the inside, as a surface of its own.
+// The sphere with its normals multiplied by `turn`: -1 for a viewer inside.
 Surface seen_from_behind(double turn) {
     Surface surface = sphere();
     const Surface front = surface;
@@ -53,7 +53,7 @@ TEST_P(BackFace, ShowsTheDisplacedSurface) {
     }
 }
 
-// The same rule for every kind of gradient, flat ones too.
+// The same rule applies to every kind of gradient, flat ones included.
 TEST_P(BackFace, TurnsAllKindsOfGradientsAlike) {
     Material m;
     const Value tilt = m.vector(dvec3(0.3, -0.2, 0.8));
@@ -84,7 +84,7 @@ TEST_P(BackFace, TurnsAllKindsOfGradientsAlike) {
     }
 }
 
-// A map's normal is outward or not by the surface, whatever side is seen.
+// A map's normal is outward or inward relative to the surface, independent of the visible side.
 TEST_P(BackFace, AnOutwardNormalIsReversedOnlyWhereItPointsInward) {
     Material m;
     const Value map = m.vector(dvec3(0.3, -0.2, 0.8));

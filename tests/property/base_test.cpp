@@ -1,5 +1,6 @@
-// Bumps on a bumped base: a gradient lies in the tangent plane of its own base, is not to be added
-// to one of another, and a small bump on a resolved surface is that of the surface displaced twice.
+// Tests of bumps on a bumped base: a gradient is in the tangent plane of its base, cannot be added
+// to one of another base, and a small bump on a resolved surface is that of the surface displaced
+// twice.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -57,7 +58,7 @@ TEST(Base, MayBeAddedToAFlatGradient) {
     EXPECT_TRUE(m.module.problems.empty());
 }
 
-// An amount of 0 that is written into the text is no other than one in a uniform.
+// A literal amount of 0 behaves like a uniform amount of 0.
 TEST(Base, IsKeptByAnAmountOfZero) {
     Layered layered;
     Material& m = layered.m;
@@ -96,7 +97,7 @@ TEST(Base, IsKeptWhereNothingIsAdded) {
     }
 }
 
-// A normal given in object space wins over whatever stands below, at full strength.
+// A normal given in object space replaces the layers below, at full strength.
 TEST(Base, APerturbedNormalIsReachedFromAnyBase) {
     Layered layered;
     Material& m = layered.m;
@@ -112,7 +113,8 @@ TEST(Base, APerturbedNormalIsReachedFromAnyBase) {
     }
 }
 
-// A slope put on a base by its tangents made square to the base again, as the reference demo does.
+// Applies a slope to a base with its tangents orthogonalised to the base again, as the reference
+// demo does.
 dvec3 on_rebuilt_tangents(dvec3 n1, dvec2 slope) {
     const dvec3 along_x(1, 0, 0);
     const dvec3 tangent = glm::normalize(along_x - n1 * glm::dot(n1, along_x));
@@ -121,7 +123,7 @@ dvec3 on_rebuilt_tangents(dvec3 n1, dvec2 slope) {
 
 constexpr double degree = std::numbers::pi / 180;
 
-// A point of the plane z = 0, its uv0 along x and y.
+// A point of the plane z = 0, with uv0 along x and y.
 Surroundings on_level_plane() {
     Surroundings around = point_at(plane_with(dmat2(1)), dvec2(0.3, 0.4), dmat2(0.01));
     around.inputs[input_extra(SurfaceInput::normal_, Variant::value)] = {0, 0, 1};
@@ -130,7 +132,7 @@ Surroundings on_level_plane() {
     return around;
 }
 
-// The table in docs/surface-gradient.md, its rows made again.
+// Recomputes the rows of the table in docs/surface-gradient.md.
 TEST(Base, RebuiltTangentsDifferByTheTableOfTheDocs) {
     Material m;
     const Value frame = m.frame(m.uv0(), WR_FRAME_derived, WR_SCALE_unit);

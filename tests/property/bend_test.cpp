@@ -1,7 +1,7 @@
-// A bent cylinder: the mesh keeps its uvs, and a vertex shader moves positions by a bend B,
-// tangents by DB and normals by cof(DB). Layers stay where they were: heights and exact slopes are
-// those of the bent surface displaced, and a `unit` slope leans as much, towards the same side of
-// its uv.
+// Tests on a bent cylinder: the mesh keeps its uvs, and a vertex shader moves positions by a bend
+// B, tangents by DB and normals by cof(DB). Layers keep their positions: heights and exact slopes
+// are those of the bent surface displaced, and a `unit` slope keeps its tilt, towards the same side
+// of its uv.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -12,7 +12,7 @@
 namespace wrinkle::test {
 namespace {
 
-// The axis of the straight one is z; it is rolled onto a circle of radius 4 about (4, y, 0).
+// The axis of the straight cylinder is z; it is bent to a circle of radius 4 about (4, y, 0).
 dvec3 bend(dvec3 p) {
     const double reach = 4 - p.x, angle = p.z / 4;
     return {4 - reach * std::cos(angle), p.y, reach * std::sin(angle)};
@@ -23,7 +23,7 @@ dvec3 moved(dvec3 from, dvec3 vector) {
     return along(line, dvec2(0), dvec2(1, 0), 1e-3);
 }
 
-// The normal of the plane that two moved tangents span; inside stays inside.
+// The normal of the plane spanned by two moved tangents; the inward side stays inward.
 dvec3 moved_normal(dvec3 from, dvec3 n) {
     const dvec3 a = glm::normalize(glm::cross(n, dvec3(0.3, 0.4, 0.87))), b = glm::cross(n, a);
     return glm::normalize(glm::cross(moved(from, a), moved(from, b)));
@@ -39,7 +39,8 @@ Surface bent(const Surface& straight) {
     return surface;
 }
 
-// As after skinning: the tangent is the straight one's, moved and made unit, its sign untouched.
+// As after skinning: the tangent is that of the straight cylinder, moved and normalised, with the
+// same sign.
 Surroundings skinned_point(const Surface& straight, const Surface& surface, const Sample& sample) {
     Surroundings around = point_at(surface, sample.st, sample.pixel);
     const uint32_t key = input_extra(SurfaceInput::tangent_, Variant::value);
@@ -73,7 +74,7 @@ TEST(BentCylinder, KeepsHeightsAsTheDisplacedOne) {
     }
 }
 
-// Of a normal: towards growing u, towards the left of it, and up; as seen by one who walks there.
+// Components of a normal: along growing u, to its left, and up, as seen by a walker on the surface.
 dvec3 in_local_axes(const Surface& surface, dvec2 st, dvec3 normal) {
     const dmat2 uv_of_st(along(surface.uv0, st, dvec2(1, 0), 1e-3),
                          along(surface.uv0, st, dvec2(0, 1), 1e-3));

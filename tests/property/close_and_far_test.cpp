@@ -1,5 +1,5 @@
-// Seen from very close and from far away, in float: what dFdx of float interpolants gives at pixels
-// of 1 to 1e-6 uv, against the answer in double at a pixel of size 1.
+// Tests of very close and very distant views, in float: dFdx of float interpolants at pixels of 1
+// to 1e-6 uv, against the result in double at a pixel of size 1.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -52,8 +52,8 @@ const Kind kinds[] = {
 
 class CloseAndFar : public testing::TestWithParam<Kind> {};
 
-// What interpolants rounded to float leave of a change: dFdx subtracts two of them. The position is
-// seen from the eye, which stands at a thousand pixels' distance.
+// Rounds differentials as dFdx does, which subtracts two interpolants rounded to float. The
+// position is relative to the eye, at a distance of a thousand pixels.
 void quantise(Surroundings& around, double pixel) {
     for (const SurfaceInput input : {SurfaceInput::uv0_, SurfaceInput::position_})
         for (const Variant variant : {Variant::dx, Variant::dy}) {
@@ -70,10 +70,10 @@ void quantise(Surroundings& around, double pixel) {
 
 struct Spot {
     dvec2 st;
-    dmat2 pixel;  // of size 1
+    dmat2 pixel;  // size 1
 };
 
-// uvs of these lie between 0.25 and 1: floats are as coarse as they get within one tile.
+// The uvs are between 0.25 and 1, where floats are coarsest within one tile.
 std::vector<Spot> spots() {
     std::vector<Spot> result;
     for (const Sample& sample : samples(200, 41)) {
@@ -85,7 +85,7 @@ std::vector<Spot> spots() {
 
 struct Worst {
     double degrees = 0;
-    double flattest = 1e9;  // of the expected tilt, how much is left
+    double flattest = 1e9;  // minimum ratio of the tilt to the expected tilt
 };
 
 Worst worst_of(const Kind& kind, double pixel, bool differences) {
@@ -118,7 +118,8 @@ TEST_P(CloseAndFar, DifferencesOfFloatsGiveTheBumpToTheirPrecision) {
     }
 }
 
-// Given in full precision, a change may be as small as floats of the area carry.
+// Differentials given in full precision may be as small as the range of float allows for their
+// area.
 TEST_P(CloseAndFar, GivenDifferentialsGiveTheBumpOverTwelveDecades) {
     for (const double pixel : {1e4, 1e2, 1.0, 1e-3, 1e-5, 1e-6, 1e-7, 1e-8}) {
         const Worst worst = worst_of(GetParam(), pixel, false);
@@ -126,7 +127,7 @@ TEST_P(CloseAndFar, GivenDifferentialsGiveTheBumpOverTwelveDecades) {
     }
 }
 
-// The one limit of a frame made of changes: the product of a length and a change of uv.
+// The only limit of a derived frame: the product of a length and a uv differential.
 TEST(DerivedFrame, FadesWhereTheProductOfChangesIsBelowItsFloor) {
     Material m;
     const Value frame = m.frame(m.uv0(), WR_FRAME_derived, WR_SCALE_unit);
@@ -147,7 +148,7 @@ TEST(DerivedFrame, FadesWhereTheProductOfChangesIsBelowItsFloor) {
 INSTANTIATE_TEST_SUITE_P(Kinds, CloseAndFar, testing::ValuesIn(kinds),
                          [](const auto& instance) { return instance.param.name; });
 
-// One wave of the world, by uvs of this many units per length: by its height and by its slopes.
+// The same wave in world space, at this many uv units per length: by its height and by its slopes.
 Expanded wave_at(double density, dvec2 origin) {
     Material m;
     const Value length = (m.uv0() - m.vector(origin)) * (1 / density);

@@ -1,5 +1,5 @@
-// Inputs that are no proper surface: results are finite, and flat where the documentation says so.
-// Steepest slopes, and bumps on a bumped base.
+// Tests of degenerate surface inputs: results are finite, and flat where documented. Also the
+// steepest slopes, and bumps on a bumped base.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -54,11 +54,11 @@ TEST(TangentNormal, OfZeroLengthIsFlat) {
         EXPECT_LE(tilt_of(dvec3(0, 0, 0), method), 1e-9);
 }
 
-// Every kind of gradient at once and one by one, on inputs that something is wrong with.
+// One degenerate input, applied to every kind of gradient at once and one by one.
 struct Spoilt {
     const char* name;
     void (*spoil)(Surroundings&);
-    std::vector<std::string> flat;  // kinds that then add nothing
+    std::vector<std::string> flat;  // kinds that add nothing for this input
 };
 
 void no_uv_change(Surroundings& around) {

@@ -1,5 +1,6 @@
-// Surfaces are displaced by smooth heights and differentiated numerically; the resolved normal must
-// agree to first order in the height, as |h| times curvature is all that a bump leaves out.
+// Tests of resolved normals against surfaces displaced by smooth heights and differentiated
+// numerically; they must agree to first order in the height, as a bump ignores only |h| times
+// curvature.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -9,8 +10,7 @@
 namespace wrinkle::test {
 namespace {
 
-// How high and how fine: amplitude times frequency stays the same when the height shrinks, so
-// slopes do too.
+// Amplitude times frequency is constant when the height shrinks, so that slopes are constant too.
 struct Wave {
     double amplitude;
     double frequency;  // per length
@@ -147,7 +147,7 @@ TEST_P(Displacement, AgreesWithTheBumpOnCurvedSurfaces) {
     }
 }
 
-// Without curvature there is nothing left out.
+// Without curvature the result is exact.
 TEST_P(Displacement, IsExactOnAPlane) {
     const Errors errors = errors_of(tilted_plane(), GetParam(), 1);
     EXPECT_LE(errors.worst, 1e-6);

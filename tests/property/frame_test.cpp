@@ -1,8 +1,8 @@
-// Tangent-space normal maps: the world-space bump must be the one that displacing the surface by
-// the map's height would make, whichever way the uvs are turned, mirrored or tiled.
+// Tests of tangent-space normal maps: the world-space bump must equal that of displacing the
+// surface by the map's height, for uvs that are rotated, mirrored or tiled.
 //
-// On a developable surface whose uv is an isometry, dh/d(u,v) is a slope on the surface. The map's
-// normal is taken from a small piece of the height field, lifted out and differentiated.
+// On a developable surface with an isometric uv, dh/d(u,v) is a slope on the surface. The map's
+// normal is computed from a small patch of the height field, lifted and differentiated.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -17,7 +17,7 @@ double map_height(dvec2 uv) {
     return 0.02 * std::sin(7 * uv.x + 1) * std::cos(3 * uv.y) + 0.05 * uv.x - 0.03 * uv.y * uv.x;
 }
 
-// What a baker would store: the normal of the lifted piece, x along u, y along v, green = +v.
+// The normal that a baker stores for the lifted patch: x along u, y along v, green = +v.
 dvec3 map_normal(dvec2 uv) {
     const auto lifted = [](dvec2 p) { return dvec3(p.x, p.y, map_height(p)); };
     return glm::normalize(
@@ -29,7 +29,7 @@ dmat2 rotation(double angle) {
 }
 const dmat2 mirror_u(-1, 0, 0, 1), mirror_v(1, 0, 0, -1);
 
-// Isometries by now; `uv_of` is what the graph does to uv0 before it looks up the map.
+// The maps are isometries; `uv_of` is the graph's transformation of uv0 before the texture lookup.
 struct UvCase {
     const char* name;
     dmat2 uv0_of_length;
@@ -55,7 +55,7 @@ void expect_displaced(const Expanded& material, size_t output, const Surface& su
         const dvec3 m = map_normal(uv(sample.st));
         Surroundings around = point_at(surface, sample.st, sample.pixel);
         set(around, texel, {m.x, m.y, m.z, 1});
-        // So small that curvature is nothing: slopes are of the map, not of the size.
+        // Small enough to make curvature negligible: slopes are of the map, not of the size.
         const dvec3 truth = displaced_normal(
             surface, [&](dvec2 st) { return map_height(uv(st)) - map_height(uv(sample.st)); },
             sample.st);
@@ -80,7 +80,7 @@ TEST_P(NormalMap, BumpsTheWayTheSurfaceWould) {
     }
 }
 
-// The same map where only this uv set is known, and with the exact frame, which takes any uv.
+// The same map if only this uv set is known, and with the exact frame, which takes any uv.
 TEST_P(NormalMap, WorksInAnExactFrameToo) {
     Material m;
     const dmat2& a = GetParam().uv_of_uv0;
@@ -95,7 +95,7 @@ TEST_P(NormalMap, WorksInAnExactFrameToo) {
 INSTANTIATE_TEST_SUITE_P(Uvs, NormalMap, testing::ValuesIn(uv_cases),
                          [](const auto& instance) { return instance.param.name; });
 
-// Stretch and skew: only `exact` promises the displaced surface.
+// Stretch and skew: only `exact` matches the displaced surface.
 TEST(ExactFrame, KeepsStretchAndSkew) {
     const dmat2 stretch(1.6, 0.2, 0.5, 0.7);
     Material m;
@@ -179,7 +179,8 @@ TEST(Tiling, OfAHeightIsPhysical) {
     }
 }
 
-// A guessed frame is another guess at the same surface: where the direction is dP/du it is right.
+// A guessed frame is a guess at the tangent of the same surface: it is exact if the direction is
+// dP/du.
 TEST(GuessedFrame, FollowsItsDirection) {
     const Surface surface = plane_with(dmat2(1));
     const dvec3 u = along(surface.position, dvec2(0), dvec2(1, 0), 1e-3);
@@ -190,7 +191,7 @@ TEST(GuessedFrame, FollowsItsDirection) {
     expect_displaced(Expanded(m), 0, surface, dmat2(1), 1e-4);
 }
 
-// n -> -n, as seen from the other side: a height's gradient and a derived frame do not care.
+// n -> -n, as seen from the other side: a height's gradient and a derived frame are unchanged.
 TEST(TurnedNormal, LeavesGradientsOfHeightsAndDerivedFrames) {
     Material m;
     const Value h = m.sin(m.position().x() * 4) * m.cos(m.uv1().y() * 3) * 0.1;

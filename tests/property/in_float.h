@@ -1,4 +1,4 @@
-// The outputs of a material in float, as a shader computes them: core/cpu on one point.
+// Evaluates the outputs of a material in float, as a shader computes them: core/cpu on one point.
 #pragma once
 
 #include "cpu/evaluate.h"
@@ -10,7 +10,7 @@ class InFloat {
 public:
     explicit InFloat(const Expanded& material);
 
-    // Inputs are rounded to float; what is absent is 0.
+    // Inputs are rounded to float; missing inputs are 0.
     dvec3 vector(size_t output, const Surroundings& around) const;
 
 private:

@@ -1,5 +1,5 @@
-// A small module in the making, and its outputs read at a point: how property tests say what they
-// compute. Output 0 is a normal, output 1 (where there is one) the height.
+// Builds a small module and evaluates its outputs at a point. Output 0 is a normal, output 1 (if
+// any) the height.
 #pragma once
 
 #include <span>
@@ -11,7 +11,7 @@
 
 namespace wrinkle::test {
 
-// A texture's normal at the point is a free number of the surface.
+// The free vector of the surface serves as a texture's normal at the point.
 inline constexpr SurfaceInput texel = SurfaceInput::color0_;
 
 struct Material {
@@ -84,7 +84,7 @@ private:
     uint32_t resolves_ = 0;
 };
 
-// An expanded module whose outputs can be read.
+// An expanded module with outputs that can be evaluated.
 class Expanded {
 public:
     explicit Expanded(const Material& material, const ExpandOptions& options = {});

@@ -1,5 +1,5 @@
-// An object's matrix and a bumped normal, by brute force: two vectors in the bumped surface are
-// transformed and crossed. Also what a size of the mesh does, as against one of the object.
+// Tests of object matrices applied to a bumped normal, by brute force: two vectors in the bumped
+// surface are transformed and crossed. Also compares scaling the mesh with scaling the object.
 #include <gtest/gtest.h>
 
 #include <glm/ext/matrix_transform.hpp>
@@ -48,7 +48,7 @@ TEST_P(ObjectMatrix, TurnsTheBumpedNormalAsItTurnsTheBumpedSurface) {
         const dvec3 n = material.vector(0, point_at(torus(), sample.st, sample.pixel));
         const dvec3 a = glm::cross(n, dvec3(0.3, 0.5, -0.8)), b = glm::cross(n, a);
         dvec3 world = glm::cross(glm::normalize(matrix * a), glm::normalize(matrix * b));
-        if (glm::dot(world, matrix * n) < 0) world = -world;  // outside stays outside
+        if (glm::dot(world, matrix * n) < 0) world = -world;  // the outward side stays outward
         EXPECT_LE(angle_deg(to_world * n, world), 1e-3);
     }
 }
@@ -64,7 +64,8 @@ Surface resized(double size) {
     return surface;
 }
 
-// The mesh's coordinates grow, the heights do not: `surface` slopes shrink, `unit` slopes stay.
+// The mesh's coordinates grow, the heights do not: `surface` slopes shrink, `unit` slopes are
+// unchanged.
 TEST(MeshSize, ChangesSurfaceSlopesAlone) {
     Material m;
     const Value slope = m.vector(dvec2(0.3, -0.2));

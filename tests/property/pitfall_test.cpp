@@ -1,5 +1,5 @@
-// What users of bump mapping run into, one test each; docs/pitfalls.md tells the stories. Here what
-// concerns frames, uvs, normals and the screen; maps are in tests/nodes/pitfalls_test.cpp.
+// Tests of common pitfalls of bump mapping, one test each; see docs/pitfalls.md. These concern
+// frames, uvs, normals and the screen; maps are in tests/nodes/pitfalls_test.cpp.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -16,9 +16,8 @@ Value map_in(Material& m, Value uv, uint32_t method) {
     return m.from_tangent_normal(m.texel_normal(), m.frame(uv, method, scale));
 }
 
-// On both sides of a mirrored seam the map tells of the same bump along it. N and T come out of the
-// rasteriser shorter than 1 and not square to each other; whoever normalises them tilts each side
-// another way.
+// On both sides of a mirrored seam the map gives the same bump along the seam. The rasteriser's N
+// and T are shorter than 1 and not orthogonal; normalising them tilts each side differently.
 TEST(Pitfalls, Pitfall01NormalisedTangentsMakeSeams) {
     Material m;
     m.output("normal", m.resolve(map_in(m, m.uv0(), WR_FRAME_vertex)));
@@ -40,7 +39,7 @@ TEST(Pitfalls, Pitfall01NormalisedTangentsMakeSeams) {
     EXPECT_GT(angle_deg(tidy, baked), 1) << "the trap is no trap here";
 }
 
-// A bump that leans towards +x in space does so on either half of a model with mirrored uvs.
+// A bump tilted towards +x in space is so on either half of a model with mirrored uvs.
 TEST(Pitfalls, Pitfall02MirroredUvs) {
     for (const dmat2 mirror : {dmat2(-1, 0, 0, 1), dmat2(1, 0, 0, -1)})
         for (const uint32_t method : {WR_FRAME_vertex, WR_FRAME_derived, WR_FRAME_exact}) {
@@ -79,7 +78,8 @@ TEST(Pitfalls, Pitfall03CollapsedUvsGiveNoHoles) {
         }
 }
 
-// A stream that is not there reaches nobody who did not ask for it; one that stands still is flat.
+// Invalid data of an unused uv set has no effect; a uv set with zero differentials gives a flat
+// bump.
 TEST(Pitfalls, Pitfall04RubbishInAnUnusedUvSet) {
     Material m;
     m.output("uv0", m.resolve(map_in(m, m.uv0(), WR_FRAME_auto)));
@@ -104,7 +104,7 @@ TEST(Pitfalls, Pitfall05TangentsBelongToTheFirstUvSet) {
     const Module refused = expand(wrong.module, {});
     ASSERT_EQ(refused.problems.size(), 1U);
     EXPECT_NE(refused.problems[0].message.find("uv0"), std::string::npos);
-    // Left alone, the second set has its own frame, wherever uv0 and its tangents point.
+    // By default, the second set has a separate frame, independent of uv0 and its tangents.
     Material m;
     m.output("normal", m.resolve(map_in(m, m.uv1(), WR_FRAME_auto)));
     const Expanded material(m);
@@ -118,8 +118,8 @@ TEST(Pitfalls, Pitfall05TangentsBelongToTheFirstUvSet) {
     }
 }
 
-// Triangles of a coarse mesh lean left and right of the smooth normal; what they say of the tangent
-// plane must not.
+// Triangles of a coarse mesh tilt to both sides of the smooth normal; their facets must not affect
+// the tangent plane.
 TEST(Pitfalls, Pitfall06FacetsDoNotShowInADerivedFrame) {
     Material m;
     for (const uint32_t method : {WR_FRAME_derived, WR_FRAME_exact})
@@ -143,9 +143,8 @@ TEST(Pitfalls, Pitfall06FacetsDoNotShowInADerivedFrame) {
     }
 }
 
-// What MikkTSpace leaves on a face without an area. Meshes that are loaded here get another
-// tangent; an engine's own stream may hold it. At -0.5 the bump takes the whole normal away, and
-// +z is left.
+// MikkTSpace's tangent for a face without area. Meshes loaded by Wrinkle get a different tangent;
+// an engine's own stream may contain it. At -0.5 the bump cancels the normal, and +z remains.
 TEST(Pitfalls, Pitfall07TangentsAlongTheNormalStayFinite) {
     Material m;
     m.output("normal", m.resolve(map_in(m, m.uv0(), WR_FRAME_vertex)));
@@ -164,8 +163,8 @@ TEST(Pitfalls, Pitfall07TangentsAlongTheNormalStayFinite) {
         EXPECT_LE(angle_deg(got, dvec3(0, 0, 1)), 1e-3);
 }
 
-// A mirrored, unevenly scaled object: the bump's own plane goes where its points go, and outside
-// stays outside.
+// A mirrored, non-uniformly scaled object: the bumped plane moves with its points, and the outward
+// side stays outward.
 TEST(Pitfalls, Pitfall08NegativeAndUnevenScale) {
     Material m;
     m.output("normal", m.resolve(m.from_height(m.sin(m.position().x() * 9) * 0.05)));
@@ -179,7 +178,7 @@ TEST(Pitfalls, Pitfall08NegativeAndUnevenScale) {
         ASSERT_TRUE(space);
         for (const Sample& sample : samples(20, 73)) {
             const dvec3 n = material.vector(0, point_at(torus(), sample.st, sample.pixel));
-            // Of a plane scaled along the axes: the reciprocals scale its normal.
+            // For a plane scaled along the axes, the normal scales by the reciprocals.
             const dvec3 expected = n / dvec3(size);
             EXPECT_LE(angle_deg(glm::dmat3(space->normal_to_world) * n, expected), 1e-3);
         }
@@ -209,7 +208,8 @@ TEST(Pitfalls, Pitfall09BackFacesTurnOnce) {
     }
 }
 
-// Between the height and its bump stand a ramp, a power, a mask: the bump is of the end of it.
+// With a ramp, a power and a mask between the height and its bump, the bump is that of the final
+// height.
 TEST(Pitfalls, Pitfall12AnythingMayStandBetweenHeightAndBump) {
     Material m;
     const Value wave = m.sin(m.uv0().x() * 9) * m.cos(m.uv1().y() * 7) * 0.5 + m.number(0.5);
@@ -226,7 +226,7 @@ TEST(Pitfalls, Pitfall12AnythingMayStandBetweenHeightAndBump) {
     }
 }
 
-// Screens with y up or down, views from anywhere, pixels of any shape: the same bump, not inverted.
+// Screens with y up or down, any view, pixels of any shape: the bump is the same, not inverted.
 TEST(Pitfalls, Pitfall13TheScreensAxesDoNotInvertABump) {
     Material m;
     m.output("height", m.resolve(m.from_height(m.sin(m.uv1().x() * 9) * 0.05)));
@@ -245,7 +245,8 @@ TEST(Pitfalls, Pitfall13TheScreensAxesDoNotInvertABump) {
     }
 }
 
-// A ray tracer has no neighbours: any two directions on the surface do for differentials.
+// A ray tracer has no neighbouring pixels: any two directions on the surface serve as
+// differentials.
 TEST(Pitfalls, Pitfall28WithoutScreenDerivatives) {
     Material m;
     const Value height = m.sin(m.position().x() * 9) * m.cos(m.uv1().y() * 5) * 0.05;

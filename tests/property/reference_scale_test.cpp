@@ -1,4 +1,4 @@
-// The matrix of properties, continued: T5 object-space normals, T7 what a scale means, T9 matrices,
+// Tests of properties, continued: T5 object-space normals, T7 the meaning of a scale, T9 matrices,
 // T11 bumps on a resolved base, T12 differentials of a ray, T14 ten kilometres from the origin.
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 namespace wrinkle::test {
 namespace {
 
-// Any direction, as often inward as outward.
+// Any direction, inward as often as outward.
 dvec3 direction(const Sample& sample) {
     return {std::sin(sample.st.x * 13), std::cos(sample.st.y * 17), std::sin(sample.st.y * 5 + 1)};
 }
@@ -35,7 +35,8 @@ TEST(Reference, T5_AnObjectSpaceNormalIsReachedOrItsMirrorImage) {
     EXPECT_GT(inward, 50);
 }
 
-// In the tangent plane no bump leads there: the steepest finite one does, in both precisions.
+// A normal in the tangent plane cannot be reached by a bump: the steepest finite bump is used, in
+// both precisions.
 TEST(Reference, T5_AnObjectSpaceNormalAcrossTheSurfaceIsFinite) {
     Material m;
     m.output("normal", m.resolve(m.from_normal(m.input(free_vector).xyz())));
@@ -79,8 +80,8 @@ glm::mat4 any_matrix(int i) {
             glm::vec4(z * flip * 0.6F, 0), glm::vec4(5, -4, 3, 1)};
 }
 
-// The plane of a bumped normal is moved by two vectors in it and crossed again; the outside is
-// where the normal itself goes. No cofactor, no determinant.
+// Two vectors in the plane of a bumped normal are transformed and crossed; the transformed normal
+// gives the outward side. Uses no cofactor and no determinant.
 void expect_moved_like_its_plane(const Value& bump, Material& m, double tolerance_deg) {
     m.output("normal", m.resolve(bump));
     const Expanded material(m);
@@ -115,7 +116,7 @@ TEST(Reference, T9_CofactorOfTheObjectsMatrixEqualsBruteForce) {
     expect_moved_like_its_plane(m.add(a, b), m, 1e-3);
 }
 
-// Where uv is a length, all frames are one.
+// If uv is a length, all frames are equal.
 TEST(Reference, T7_EqThreeEqualsTheTangentFrameOnAUnitSquare) {
     const Surface square = plane_with(dmat2(1));
     Material m;
@@ -198,8 +199,8 @@ TEST(Reference, T11_OrderMattersOnlyAcrossAResolve) {
     EXPECT_GT(across, 1);
 }
 
-// ds/dx = dP/dx . gradient(s), for any scalar s on a surface: what brings a gradient back to
-// screens that have no derivatives.
+// ds/dx = dP/dx . gradient(s), for any scalar s on a surface: converts a gradient to a screen
+// derivative without hardware derivatives.
 TEST(Reference, ScreenDerivativeIsTheGradientAlongThePixel) {
     Material m;
     const Value s = m.sin(m.position().x() * 3) + m.cos(m.uv1().y() * 4) * 0.5;
@@ -223,7 +224,8 @@ TEST(Reference, ScreenDerivativeIsTheGradientAlongThePixel) {
         }
 }
 
-// Where the ray of the pixel beside by (x, y) meets the tangent plane; ray(0, 0) meets the surface.
+// Intersection of the ray of the pixel at offset (x, y) with the tangent plane; ray(0, 0) hits the
+// surface.
 struct PixelRays {
     dvec3 eye, toward, beside_x, beside_y;
 
@@ -232,14 +234,14 @@ struct PixelRays {
         const dvec3 way = ray(pixel);
         return eye + way * (glm::dot(n, toward) / glm::dot(n, way));
     }
-    // As a caller without neighbours writes it, by the quotient rule.
+    // Differential by the quotient rule, as written by a caller without neighbouring pixels.
     dvec3 change(dvec3 n, dvec3 beside) const {
         return beside - toward * (glm::dot(n, beside) / glm::dot(n, toward));
     }
 };
 
-// Differentials from the pixel's ray alone: those of its neighbours' rays on the tangent plane, and
-// given to a material they make the bump that any other pixel makes.
+// Differentials computed only from the pixel's ray equal those of its neighbours' rays on the
+// tangent plane, and give a material the same bump as any other pixel.
 TEST(Reference, T12_DifferentialsOfAPixelsRayAreThoseOfItsNeighbours) {
     Material m;
     m.output("height", m.resolve(m.from_height(m.sin(m.position().x() * 3) * 0.1)));
@@ -274,7 +276,7 @@ TEST(Reference, T12_DifferentialsOfAPixelsRayAreThoseOfItsNeighbours) {
     }
 }
 
-// The tangent nearest to a direction, by cross products and by Gram and Schmidt: one frame.
+// The tangent nearest to a direction, by cross products and by Gram-Schmidt: the frames are equal.
 TEST(Reference, AGuessedFrameIsThatOfBothMethods) {
     const dvec3 up(0, 1, 0);
     Material m;
@@ -292,8 +294,9 @@ TEST(Reference, AGuessedFrameIsThatOfBothMethods) {
     }
 }
 
-// A mesh whose coordinates lie ten kilometres away, where floats are a millimetre apart: changes
-// are of the position seen from the eye, so the bump is that of the same mesh at the origin.
+// A mesh with coordinates ten kilometres away, where floats are a millimetre apart: differentials
+// are those of the position relative to the eye, so the bump equals that of the same mesh at the
+// origin.
 TEST(Reference, T14_CoordinatesTenKilometresAwayKeepTheBump) {
     const dvec3 far(7000, -5000, 5099);
     Surface away = torus();

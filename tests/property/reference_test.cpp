@@ -1,6 +1,6 @@
-// The matrix of properties T1 to T5 and T7 that follows from Mikkelsen's framework: resolve,
-// tangent normals, generated frames, object-space normals, and what a scale means. T6, T8 and T12
-// are tests of nodes; T10 is HeightSlope, T13 EveryBump; the others are in the neighbouring files.
+// Tests of the properties T1 to T5 and T7 that follow from Mikkelsen's framework: resolve, tangent
+// normals, generated frames, object-space normals, and the meaning of a scale. T6, T8 and T12 are
+// tests of nodes; T10 is HeightSlope, T13 EveryBump; the others are in the neighbouring files.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -14,7 +14,7 @@ void set_normal(Surroundings& around, dvec3 n) {
     set(around, SurfaceInput::normal_, {n.x, n.y, n.z});
 }
 
-// A free vector of the point, as a map would give it.
+// A free vector of the point, as from a map.
 
 TEST(Reference, T1_WhatIsResolvedIsNeverShorterThanTheNormal) {
     Material m;
@@ -58,7 +58,7 @@ TEST(Reference, T1_AFlatBumpGivesTheUnitNormalBitForBit) {
     }
 }
 
-// MikkTSpace's own decode, written out: m.x T + m.y B + m.z N on what a rasteriser interpolates.
+// MikkTSpace's decode, computed explicitly: m.x T + m.y B + m.z N from rasteriser interpolants.
 TEST(Reference, T2_VertexFrameEqualsMikkTSpaceDecode) {
     Material m;
     m.output("normal",
@@ -120,7 +120,7 @@ TEST(Reference, T3_SteepAndDegenerateTangentNormals) {
     }
 }
 
-// Where u grows and v does not, by walking on the surface; and the side of it where v grows.
+// The direction on the surface in which u grows and v is constant, and the side on which v grows.
 struct Walk {
     dvec3 t, b;
 };
@@ -148,7 +148,7 @@ const TurnedUv turned_uvs[] = {
 };
 class GeneratedFrame : public testing::TestWithParam<TurnedUv> {};
 
-// uv1 of the surfaces is bent as well; turned on top of that, in the mesh.
+// uv1 of the surfaces is bent as well, and in addition rotated in the mesh.
 Surface turned(Surface surface) {
     const auto uv1 = surface.uv1;
     const dmat2 turn = GeneratedFrame::GetParam().turn;
@@ -186,7 +186,7 @@ INSTANTIATE_TEST_SUITE_P(Reference, GeneratedFrame, testing::ValuesIn(turned_uvs
                          [](const auto& instance) { return instance.param.name; });
 
 // u = x + k y: the exact gradient of a slope (a, b) is a (1, k) + b (0, 1), and an orthonormal
-// frame leaves out a k.
+// frame omits a k.
 TEST(Reference, T4_ADerivedFrameLosesSkewAndAnExactOneKeepsIt) {
     const double k = 0.7, a = 0.3, b = -0.2;
     const Surface plane = plane_with(dmat2(1, 0, k, 1));

@@ -7,14 +7,14 @@ namespace wrinkle::test {
 namespace {
 
 constexpr double shape_step = 1e-3;
-// Small beside the waves of any height in these tests, large beside rounding.
+// Small relative to the waves of all heights in these tests, large relative to rounding errors.
 constexpr double height_step = 1e-5;
 
 std::function<dvec2(dvec2)> scaled(double a, double b) {
     return [=](dvec2 st) { return dvec2(a * st.x + 0.3, b * st.y - 0.2); };
 }
 
-// Skewed, mirrored and bent: no better than what artists make.
+// Skewed, mirrored and bent, as uvs made by artists are.
 std::function<dvec2(dvec2)> bent(double a, double b) {
     return [=](dvec2 st) {
         return dvec2(a * st.x * 0.8 + b * st.y * 0.5 + 0.1 * a * std::sin(st.y),
@@ -112,7 +112,7 @@ Surroundings point_at(const Surface& surface, dvec2 st, const dmat2& pixel) {
     Surroundings around = values_at(surface, st);
     for (const Variant variant : {Variant::dx, Variant::dy}) {
         const dvec2 direction = pixel[variant == Variant::dx ? 0 : 1];
-        // Scaled afterwards: pixels may be tiny.
+        // Scaled afterwards, because pixels may be tiny.
         const double size = glm::length(direction);
         const auto d = [&](const auto& f) {
             return along(f, st, direction / size, shape_step) * size;
@@ -142,7 +142,7 @@ std::vector<Sample> samples(int count, unsigned seed) {
     };
     std::vector<Sample> result;
     for (int i = 0; i < count; ++i) {
-        const dvec2 st{number(-3, 3), number(-1.1, 1.1)};  // braces: in this order everywhere
+        const dvec2 st{number(-3, 3), number(-1.1, 1.1)};  // braces fix the evaluation order
         const double turn = number(0, 6.28), skew = number(-0.5, 0.5), size = number(1e-4, 1e-2);
         const dvec2 x(std::cos(turn), std::sin(turn));
         const dvec2 y(-x.y, x.x);

@@ -1,6 +1,6 @@
-// Smooth surfaces given by formula, what a rasteriser would hand over at a point of them, and the
-// normal of such a surface once it is really displaced: the oracle of the property tests. Nothing
-// here knows of surface gradients; every derivative is a central difference in double.
+// Smooth surfaces given by formula, the values that a rasteriser gives at a point of them, and the
+// normal of such a surface after displacement: the oracle of the property tests. Uses no surface
+// gradients; every derivative is a central difference in double.
 #pragma once
 
 #include <functional>
@@ -20,7 +20,7 @@ using glm::dmat2;
 using glm::dvec2;
 using glm::dvec3;
 
-// Over parameters (s, t); normals are unit and outward. uv0 and uv1 are roughly lengths.
+// Over parameters (s, t); normals are unit and outward. uv0 and uv1 are approximately lengths.
 struct Surface {
     const char* name = "";
     double radius = 1;  // the smallest radius of curvature
@@ -33,7 +33,7 @@ struct Surface {
 Surface sphere();
 Surface torus();
 Surface tilted_plane();
-// Both developable, and uv0 is the unrolled length: dh/d(uv0) is a slope on the surface.
+// Both are developable, and uv0 is the unrolled length: dh/d(uv0) is a slope on the surface.
 Surface plane_with(dmat2 uv0_of_length);
 Surface cylinder_with(dmat2 uv0_of_length);
 
@@ -46,7 +46,8 @@ auto along(const F& f, dvec2 at, dvec2 direction, double step) {
 
 // Position, normal, tangent (of uv0), uv0, uv1 and facing = 1.
 Surroundings values_at(const Surface& surface, dvec2 st);
-// And the changes to the next pixel; the columns of `pixel` are those of (s, t) in x and in y.
+// The same with differentials to the next pixel; the columns of `pixel` are those of (s, t) in x
+// and in y.
 Surroundings point_at(const Surface& surface, dvec2 st, const dmat2& pixel);
 
 // The outward unit normal of position + height * normal.
@@ -65,7 +66,7 @@ void set(Surroundings& around, SurfaceInput input, std::initializer_list<double>
 void set3(Surroundings& around, SurfaceInput input, dvec3 v, Variant variant = Variant::value);
 dvec3 normal_of(const Surroundings& around);
 
-// An input that surfaces leave alone, so a test may say what it holds.
+// An input that surfaces do not set; tests may choose its value.
 constexpr SurfaceInput free_vector = SurfaceInput::color0_;
 void set_free(Surroundings& around, dvec3 v);
 

@@ -1,5 +1,5 @@
-// How much a normal varies when its slopes do, against normals resolved for many such slopes: unit
-// normals of mean m have covariances of trace 1 - |m|^2.
+// Tests of the variance of a normal caused by the variance of its slopes, against normals resolved
+// for many such slopes: unit normals of mean m have covariances of trace 1 - |m|^2.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -9,7 +9,7 @@
 namespace wrinkle::test {
 namespace {
 
-// Of the slopes; small, as the answer is one of first order.
+// Deviation of the slopes; small, because the result is accurate to first order.
 constexpr double spread = 0.02;
 
 // Lower triangles of the two covariances: deviations are these times independent normal numbers.
@@ -23,8 +23,8 @@ Value covariance_of(Material& m, const Factor& f) {
     return m.vector(dvec3(f.xx * f.xx, f.yx * f.yx + f.yy * f.yy, f.xx * f.yx) * s);
 }
 
-// Two slopes that vary, given their deviations as the free input: once as numbers that they are
-// added to, to be resolved for each, once said to vary.
+// Two slopes with variance; the deviations are the free input: either added as numbers, to be
+// resolved for each deviation, or declared as variance.
 struct Slopes {
     Value a, b;
 };
@@ -147,7 +147,7 @@ TEST(Variance, OfTangentNormals) {
     });
 }
 
-// The base turns too, and with it what is put on it.
+// The base rotates as well, together with the bump on it.
 TEST(Variance, OfABumpOnABump) {
     expect_said_is_seen([](Material& m, const Slopes& s) {
         const Value base = op(Op::base_, m.resolve(vertex(m, s.a)));
@@ -192,7 +192,7 @@ TEST(Variance, OfWhatDoesNotVaryIsZero) {
     EXPECT_EQ(material.number(1, around), 0);
 }
 
-// What a value is said to vary by changes nothing but that.
+// A declared variance does not change the value itself.
 TEST(Variance, LeavesTheNormalAsItIs) {
     Material plain, said;
     plain.output("normal", plain.resolve(vertex(plain, slopes(plain, false).a)));

@@ -1,4 +1,4 @@
-// Descriptors of plugins, right and wrong: one fault at a time, each with its exact report.
+// Tests of plugin descriptors, correct and faulty: one fault at a time, each with its exact report.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -12,7 +12,7 @@ namespace {
 
 void build(const wr_builder*) {}
 
-// A plugin of one node with every kind of port, to be spoilt by a test.
+// A plugin of one node with every kind of port; tests introduce one fault.
 struct Sample {
     const char* choices[2] = {"soft", "hard"};
     wr_port height{}, mode{}, octaves{}, flag{}, image{}, field{}, out{};

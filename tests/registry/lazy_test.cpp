@@ -1,5 +1,5 @@
-// What a plugin offers, and what its nodes do, is known without its code in this process: by its
-// manifest, by the cache, or by a process of its own.
+// Tests that a plugin's nodes and their recordings are available without loading its code into this
+// process: from its manifest, from the cache, or from a probe process.
 #include <gtest/gtest.h>
 #include <signal.h>
 #include <unistd.h>
@@ -29,7 +29,8 @@ protected:
     void SetUp() override { setenv("WRINKLE_TEST_MARK", mark.c_str(), 1); }
     void TearDown() override { unsetenv("WRINKLE_TEST_MARK"); }
 
-    // How often the code of marks.so was loaded since the last question: by others, by this one.
+    // Counts the loads of the code of marks.so since the last call: by other processes, by this
+    // one.
     std::pair<size_t, size_t> runs() const {
         if (!fs::exists(mark)) return {0, 0};
         const std::string text = bytes_of(mark);
@@ -139,7 +140,7 @@ TEST_F(Lazy, ADamagedManifestIsIgnoredWithAWarning) {
                   "it anew)\n");
 }
 
-// The sum is right, the nodes are not.
+// The checksum matches, but the nodes do not.
 TEST_F(Lazy, AManifestThatLiesIsFoundOutBeforeItsCodeIsUsed) {
     const fs::path file = place("marks.so", "liar.so");
     const fs::path json = manifest(file);
@@ -199,7 +200,7 @@ TEST_F(Lazy, WhereNothingCanBeCachedAProbeIsMadeEachTime) {
     }
 }
 
-// Two sets of options are two runs; a second run in one process is for who looks for state.
+// Two sets of options give two probe processes; only a check for state builds twice in one process.
 TEST_F(Lazy, ANodeIsBuiltOnceForEachSetOfOptions) {
     const fs::path file = place("marks.so", "options.so");
     const Loaded loaded = list(file);
@@ -220,7 +221,7 @@ TEST_F(Lazy, ANodeIsBuiltOnceForEachSetOfOptions) {
     EXPECT_EQ(runs(), Runs(1, 0));
 }
 
-// As where SIGCHLD is ignored: the system forgets how a child ended.
+// As if SIGCHLD is ignored: the system discards the exit status of children.
 TEST_F(Lazy, AHostThatIgnoresTheEndsOfItsChildrenHasPluginsAllTheSame) {
     const auto former = signal(SIGCHLD, SIG_IGN);
     const Loaded good = list(place("marks.so", "unwaited.so"));
@@ -232,7 +233,7 @@ TEST_F(Lazy, AHostThatIgnoresTheEndsOfItsChildrenHasPluginsAllTheSame) {
     EXPECT_TRUE(bad.diagnostics.has_errors());
 }
 
-// The child of a plugin holds the pipe open and never ends by itself.
+// The plugin's child process holds the pipe open and never exits.
 TEST_F(Lazy, WhatAPluginStartsEndsWithItsProbe) {
     const Loaded loaded = list(place("broken.so", "forks.so"));
     EXPECT_EQ(to_text(loaded.diagnostics), "");

@@ -1,4 +1,4 @@
-// Plugins of the tests, loaded into a registry of their own.
+// Loads plugins of the tests into a separate registry.
 #pragma once
 
 #include <gtest/gtest.h>

@@ -101,7 +101,7 @@ TEST(PluginLoader, LoadsAFileOnceAndEarlierPlacesWin) {
     EXPECT_EQ(loaded.reports.size(), 2u);
 }
 
-// Two files of one name, one after the other, as when a plugin is built anew.
+// Two versions of one file, one after the other, as when a plugin is rebuilt.
 TEST(PluginLoader, LoadsCopiesThatMayBeReplaced) {
     const test::TemporaryFolder temporary;
     const fs::path file = temporary.path() / "mine.so";
@@ -129,7 +129,8 @@ TEST(PluginLoader, RefusesAFileThatIsCutShort) {
             << size;
 }
 
-// What a rebuild broke stays as it was; what never was good is refused.
+// If a rebuild is broken, the last good version is retained; a plugin without a good version is
+// refused.
 TEST(PluginLoader, KeepsTheLastGoodVersionOfABrokenOne) {
     const test::TemporaryFolder temporary;
     const fs::path file = temporary.path() / "mine.so";

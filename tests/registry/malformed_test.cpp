@@ -1,4 +1,5 @@
-// What is no plugin, or a broken one, is refused with its reason, and the host goes on.
+// Tests that files which are not plugins, or broken plugins, are refused with a reason, and that
+// the host continues.
 #include <gtest/gtest.h>
 
 #include <elf.h>
@@ -29,7 +30,7 @@ struct Case {
 constexpr Case cases[] = {BROKEN(X)};
 #undef X
 
-// A good plugin stands behind the bad one.
+// A valid plugin follows the broken one.
 std::string refusal_of(const fs::path& file, std::chrono::milliseconds limit = probe_limit) {
     PluginOptions options;
     options.limit = limit;
@@ -63,7 +64,7 @@ TEST_P(Malformed, IsRefusedWithItsReason) {
 INSTANTIATE_TEST_SUITE_P(Plugins, Malformed, testing::ValuesIn(cases),
                          [](const auto& row) { return std::string(row.param.name); });
 
-// Its name is no variant.
+// The unmodified file name does not select a variant.
 TEST(MalformedPlugin, IsGoodWhenNothingIsChanged) {
     const Loaded loaded = load({plugin_folder + "/broken.so"});
     EXPECT_EQ(to_text(loaded.diagnostics), "");
@@ -106,7 +107,7 @@ TEST_F(DamagedFile, ThatIsCutShortIsRefused) {
             << size;
 }
 
-// The system's loader trusts these bytes: what it does with them, it does in another process.
+// The system's loader trusts these bytes, so it loads them in another process.
 TEST_F(DamagedFile, InsideIsSurvived) {
     Elf64_Ehdr head;
     std::memcpy(&head, whole.data(), sizeof head);

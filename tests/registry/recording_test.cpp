@@ -1,5 +1,5 @@
-// The calls of a build(), recorded and replayed: the host gets those that the node made, and no
-// damage of a recording leads it to memory that is not there.
+// Tests of recording and replaying the calls of a build(): the host receives the calls that the
+// node made, and damaged recordings never cause access to invalid memory.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -13,7 +13,7 @@
 namespace wrinkle {
 namespace {
 
-// Writes down what it is asked, and answers with numbers that no recorder would give.
+// Records its calls, and returns ids that the recorder does not produce.
 class Host {
 public:
     Host() {
@@ -94,7 +94,7 @@ private:
     uint32_t last_ = 1000;
 };
 
-// Every call, with numbers of every kind, null and too many among them.
+// Makes every call, with ids of every kind, including null and excessive counts.
 void make_every_call(const wr_builder* b) {
     const wr_value x = b->input(b, 0);
     const wr_image image = b->image(b, 1);
@@ -135,8 +135,8 @@ TEST(Recording, ReplayedMakesTheCallsThatWereMade) {
     Host direct, later;
     make_every_call(&direct.face);
     EXPECT_TRUE(replay(recorded(), &later.face));
-    // What only the host knows to be out of range has a number of no value in a replay, and an
-    // array that is too long is not there.
+    // Ids that only the host can check are replayed as an id without a value, and an array that is
+    // too long is replayed as null.
     std::string expected = direct.text;
     const auto replace = [&](const std::string& from, const std::string& to) {
         ASSERT_NE(expected.find(from), expected.npos) << from;
@@ -173,7 +173,7 @@ TEST(Recording, ACallBeyondTheLastIsNotRecorded) {
     EXPECT_FALSE(replay(more, &host.face));
 }
 
-// Under a sanitizer an array that reaches beyond itself is an error.
+// Under a sanitizer, access beyond an array is an error.
 TEST(Recording, DamagedOneCallsNoMoreThanItHolds) {
     const std::string whole = recorded();
     for (size_t size = 0; size < whole.size(); ++size) {

@@ -1,5 +1,5 @@
-// A host for tests that computes at once, with the C library's meaning of every op: what is
-// undefined in the language comes out as NaN or infinity here, so a guard that is missing shows.
+// A test host that computes immediately, with the C library's meaning of every op: results that are
+// undefined in the language are NaN or infinity here, which exposes missing guards.
 #pragma once
 
 #include <array>

@@ -1,5 +1,5 @@
-// Version 1 of the contract holds for good: the present header begins with what the frozen one
-// says.
+// Tests that version 1 of the contract is unchanged: the current header begins with the
+// declarations of the frozen one.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -41,8 +41,8 @@ TEST(Frozen, StructsOnlyGrow) {
         EXPECT_GE(present.sizes[i].value, frozen.sizes[i].value) << frozen.sizes[i].name;
 }
 
-// Else a member could move unseen: each begins where the one before it ends, and the last ends
-// the struct, so that one more member cannot hide in padding.
+// Detects moved members: each begins at the end of the previous one, and the last ends the struct,
+// so that a new member cannot hide in padding.
 TEST(Frozen, NoMemberIsLeftOut) {
     const Layout frozen = frozen_layout();
     std::map<std::string, size_t> end;
@@ -84,7 +84,7 @@ TEST(Frozen, ConstantsStay) {
 TEST(Frozen, NoConstantIsLeftOut) {
     std::set<std::string> known = {
         "WR_TYPES",  "WR_PORT_TYPES",    "WR_SURFACE_INPUTS", "WR_OPS",
-        "WR_SCALES", "WR_FRAME_METHODS", "WR_EXPORT"};  // the tables, and what has no value
+        "WR_SCALES", "WR_FRAME_METHODS", "WR_EXPORT"};  // the tables, and macros without a value
     for (const Constant& constant : frozen_layout().constants)
         known.insert(constant.name);
     std::istringstream text(test::bytes_of(frozen_header));

@@ -1,5 +1,5 @@
-// The headers compile with every compiler that is there, under the warnings that their users'
-// projects may have on, as older C and as newer C++.
+// Tests that the headers compile with every available compiler, with the warnings that users may
+// enable, as older C and as newer C++.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -16,7 +16,7 @@ bool is_there(const std::string& compiler) {
     return std::system(("command -v " + compiler + " >/dev/null").c_str()) == 0;
 }
 
-// 0 when `compiler` takes a file of this one line.
+// Returns 0 if `compiler` accepts a file with this one line.
 int compile(const std::string& compiler, const std::string& options, const std::string& line) {
     const std::string command = compiler + " " + options + warnings + sdk + "-";
     return std::system(("echo '" + line + "' | " + command).c_str());

@@ -1,4 +1,4 @@
-// The guarded functions: right inside their domain, finite everywhere else.
+// Tests of the guarded functions: correct inside their domain, finite everywhere else.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -111,7 +111,7 @@ TEST_F(Math, HashesSpreadAndTellAxesApart) {
                 EXPECT_LT(unit, 1);
                 sum += unit;
             }
-    EXPECT_GE(seen.size(), 4090u);  // of 4096
+    EXPECT_GE(seen.size(), 4090u);  // out of 4096
     EXPECT_NEAR(sum / 4096, 0.5, 0.02);
     EXPECT_NE(number(hash(Int(1), Int(2))), number(hash(Int(2), Int(1))));
 }

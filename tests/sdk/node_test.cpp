@@ -1,4 +1,5 @@
-// Declarations: what stands in the descriptor, and what a body records through the C border.
+// Tests of declarations: the contents of the descriptor, and the calls that a body makes through
+// the C interface.
 #include <gtest/gtest.h>
 
 #include <stdexcept>
@@ -13,7 +14,8 @@ namespace {
 
 using namespace sdk;
 
-// constinit: declaring a node must run no code, or lists could meet nodes that are not there yet.
+// constinit: declaring a node must run no code, else lists could read nodes before their
+// initialisation.
 constinit Node scale = node("gradient_scale", "Scale", "Makes a bump stronger or weaker.")
                            .in<Gradient>("gradient", "The bump to scale")
                            .in<Float>("amount", 1, "Factor", slider(-2, 2), limits(-8, 8))
@@ -196,7 +198,7 @@ TEST(Body, WhatIsNoExceptionIsCaughtToo) {
     host.run(throwing.descriptor());
     ASSERT_EQ(host.errors.size(), 1u);
     EXPECT_EQ(host.outputs.size(), 2u);
-    EXPECT_EQ(builder, nullptr);  // nothing is left behind for the next body
+    EXPECT_EQ(builder, nullptr);  // no state is left for the next body
 }
 
 TEST(Body, SaysWhatIsWrong) {
@@ -237,7 +239,7 @@ TEST(Body, GradientsSpeakOfFramesAndBases) {
     EXPECT_NE(host.outputs[2].find("gradient_from_derivative["), std::string::npos);
     EXPECT_NE(host.outputs[2].find("(derivative(input:0, frame[260](uv0, construct(0, 1, 0))))"),
               std::string::npos);
-    EXPECT_EQ(builder, &host.face);  // a body gives back the builder of an outer one
+    EXPECT_EQ(builder, &host.face);  // a body restores the builder of the outer one
 }
 
 TEST(PluginTable, ListsNodesInOrder) {

@@ -1,4 +1,4 @@
-/* A plugin in C11: the header is C, and needs nothing else. */
+/* A plugin in C11: the header is valid C and needs no other header. */
 #include "wrinkle/plugin.h"
 
 static void build(const wr_builder* b) {

@@ -1,5 +1,5 @@
-// A host for tests: every value is its own expression as text, "add(input:0, 2)". What a body means
-// is compared without regard to the order in which the compiler evaluates operands.
+// A test host: every value is its own expression as text, "add(input:0, 2)". Expressions are
+// compared independently of the order in which the compiler evaluates operands.
 #pragma once
 
 #include <map>

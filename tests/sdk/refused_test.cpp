@@ -1,4 +1,4 @@
-// Declarations that must not compile, and the sentence that says why.
+// Tests of declarations that must not compile, with their error messages.
 #include <gtest/gtest.h>
 
 #include <cstdio>

@@ -1,5 +1,5 @@
-// Names that want out of their place. Whatever string a graph or its files hold, and wherever: it
-// is refused, or the text of every target is right and has no line more than it should.
+// Tests of code injection through names. Any string in a graph or in its files, at any position, is
+// refused, or the source of every target is valid and has no additional line.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -19,12 +19,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// What stands for the word as a whole is code that a name brought in.
+// If this word occurs as a complete token, a name injected code.
 constexpr std::string_view mark = "INJECTED";
 
 struct Field {
     const char* name;
-    bool is_id;  // of 1 to 128 characters, none of them a control character or a dot
+    bool is_id;  // 1 to 128 characters, none of them a control character or a dot
 };
 void PrintTo(const Field& field, std::ostream* out) {
     *out << field.name;
@@ -91,11 +91,11 @@ std::string short_form(const std::string& text) {
                                         : text);
 }
 
-// A graph of a map, a noise, an input and a sub-graph, with `text` in one of the places.
+// A graph of a map, a noise, an input and a sub-graph, with `text` at one of the positions.
 struct Hostile {
     std::string place, text;
 
-    // The string itself, or what stands there usually.
+    // Returns `text` if `here` is the tested position, else the usual string.
     std::string at(const std::string& here, const std::string& usual) const {
         return here == place ? text : usual;
     }
@@ -140,7 +140,7 @@ struct Hostile {
     }
 };
 
-// With which the languages' texts begin.
+// Directives at the beginning of the generated sources.
 constexpr std::string_view directives[] = {"#version ", "#pragma clang diagnostic ignored \"-Wm",
                                            "#include <metal_stdlib>", "#include <simd/simd.h>"};
 
@@ -162,7 +162,7 @@ bool is_code_of_names(const std::string& text) {
     return false;
 }
 
-// No line can be continued, ended or turned by what stands in it.
+// Returns true if no character continues or ends a line or changes the text direction.
 bool is_plain(const std::string& text) {
     for (const std::string_view line : split(text, '\n'))
         if (line.ends_with('\\') || line.ends_with("?\?/")) return false;
@@ -210,7 +210,7 @@ constexpr size_t stride = WRINKLE_NAME_STRIDE;
 
 class HostileNames : public testing::TestWithParam<Field> {
 protected:
-    // False where a file cannot have that name.
+    // Returns false if a file cannot have that name.
     static bool put(const fs::path& path) {
         std::error_code error;
         if (path.native().find('\0') != std::string::npos) return false;

@@ -1,6 +1,5 @@
-// Whether what is written for a target is right in its language: GLSL is judged by glslang by the
-// rules of each target, SPIR-V by spirv-val, HLSL by glslang's front end for it, Metal by what the
-// reflection says.
+// Validates the output of each target: GLSL by glslang with the target's rules, SPIR-V by
+// spirv-val, HLSL by glslang's HLSL front end, Metal by the reflection.
 #pragma once
 
 #include <string>
@@ -9,6 +8,6 @@
 
 namespace wrinkle::test {
 
-std::string errors_of(const Shader& shader);  // "" of none
+std::string errors_of(const Shader& shader);  // "" if there are none
 
 }  // namespace wrinkle::test

@@ -1,4 +1,4 @@
-// Metal, for which Debian has no compiler: its texts against what the reflection says of them.
+// Validates Metal source against the reflection, because Debian has no compiler for it.
 #pragma once
 
 #include <string>
@@ -7,8 +7,8 @@
 
 namespace wrinkle::test {
 
-// "" when both stages have their entry points, every block, image, attribute and output stands at
-// its number exactly once, and brackets are balanced; else what is wrong.
+// "" if both stages have their entry points, every block, image, attribute and output has its
+// number exactly once, and brackets are balanced; else the error.
 std::string metal_errors(const Shader& shader);
 
 }  // namespace wrinkle::test

@@ -1,5 +1,5 @@
-// Every sample graph in every language: on each target, in each form that it has, with both kinds
-// of parameters.
+// Tests of every sample graph in every language: on each target, in each form it has, with both
+// kinds of parameters.
 #include <gtest/gtest.h>
 
 #include "graph/subgraph.h"

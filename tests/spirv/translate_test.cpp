@@ -1,4 +1,4 @@
-// What SPIR-V, HLSL and Metal hold, and what the reflection says of them.
+// Tests of the contents of SPIR-V, HLSL and Metal, and of their reflection.
 #include <gtest/gtest.h>
 
 #include <thread>
@@ -135,7 +135,7 @@ TEST(Spirv, BadBytesAreNoneAndSayWhy) {
     EXPECT_FALSE(optimised({1, 2, 3}, Inlining::none, log));
 }
 
-// What a compiler says of a line is said of the node that the line came from.
+// Compiler messages for a line are attributed to the node of that line.
 TEST(Spirv, RefusedTextsNameTheLineAndTheNode) {
     std::string log;
     const char* text = "#version 450\nvoid main() {\n    float a = b;\n}\n";

@@ -1,14 +1,14 @@
-// Angles, and the one between two vectors of three numbers in degrees; their lengths do not matter.
+// Angles, and the angle between two vectors of three numbers in degrees, of any lengths.
 #pragma once
 
 #include <cmath>
 
 namespace wrinkle::test {
 
-inline constexpr double degrees = 57.29577951308232;  // of one radian
+inline constexpr double degrees = 57.29577951308232;  // per radian
 inline constexpr double full_circle = 6.283185307179586;
 
-// By the sine too, as the cosine alone loses small angles. Anything with a[0], a[1], a[2].
+// Uses the sine too, because the cosine loses small angles. Vector: any type with a[0], a[1], a[2].
 template <class Vector>
 double angle_deg(const Vector& a, const Vector& b) {
     const double x = a[1] * b[2] - a[2] * b[1];

@@ -1,4 +1,4 @@
-// Files of tests: a folder that is gone afterwards, and whole files as bytes.
+// Files of tests: a temporary folder, and files read as bytes.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -12,14 +12,14 @@
 
 namespace wrinkle::test {
 
-// "" for a file that cannot be read, and a failure.
+// Returns "" and adds a test failure if the file cannot be read.
 inline std::string bytes_of(const std::filesystem::path& path) {
     std::ifstream file(path, std::ios::binary);
     EXPECT_TRUE(file) << path << " cannot be read";
     return {std::istreambuf_iterator<char>(file), {}};
 }
 
-// A fresh folder, its name free of links; removed with everything in it.
+// A temporary folder, with a path free of links; removed with its contents by the destructor.
 class TemporaryFolder {
 public:
     TemporaryFolder() : path_(fresh()) { std::filesystem::create_directories(path_); }
@@ -32,7 +32,7 @@ public:
 
     const std::filesystem::path& path() const { return path_; }
 
-    // Makes the folders on the way; the answer is the file's whole path.
+    // Writes a file and creates its parent folders; returns its complete path.
     std::filesystem::path put(const std::filesystem::path& name, std::string_view bytes) const {
         const std::filesystem::path file = path_ / name;
         std::filesystem::create_directories(file.parent_path());

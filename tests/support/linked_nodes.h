@@ -1,4 +1,4 @@
-// The nodes of nodes/, registered once.
+// A registry of the nodes of nodes/, built once.
 #pragma once
 
 #include <gtest/gtest.h>

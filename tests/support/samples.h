@@ -1,4 +1,4 @@
-// The project's sample graphs.
+// Sample graphs of the project.
 #pragma once
 
 #include <algorithm>
@@ -7,7 +7,7 @@
 
 namespace wrinkle::test {
 
-// Every graph below graphs/, in the order of their paths.
+// Returns every graph below graphs/, sorted by path.
 inline std::vector<std::filesystem::path> sample_graphs() {
     std::vector<std::filesystem::path> graphs;
     const std::filesystem::path folder = WRINKLE_SOURCE_DIR "/graphs";

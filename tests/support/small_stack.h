@@ -1,4 +1,4 @@
-// Runs a body on a thread with little stack, bytes: what recurses over its input crashes there.
+// Runs a body on a thread with a small stack (in bytes): recursion over the input overflows it.
 #pragma once
 
 #include <gtest/gtest.h>

@@ -12,7 +12,7 @@
 namespace wrinkle::test {
 namespace {
 
-// Run once the page is loaded; `picture` and `jobs` stand before it.
+// Runs after the page is loaded; `picture` and `jobs` are defined before it.
 constexpr const char* script = R"js(
 const size = 64, lines = [];
 const canvas = document.createElement('canvas');

@@ -1,5 +1,5 @@
-// WebGL 2 in a headless Chromium, in software: one page that links and draws everything it is given
-// and leaves the results in its text.
+// WebGL 2 in a headless Chromium, with software rendering: one page links and draws all jobs and
+// stores the results in its text.
 #pragma once
 
 #include <filesystem>
@@ -13,17 +13,17 @@ namespace wrinkle::test {
 
 struct BrowserJob {
     std::string name;              // without white space
-    std::string vertex, fragment;  // linked, and drawn where `draw` says so
+    std::string vertex, fragment;  // linked, and drawn if `draw` is set
     bool draw = false;
-    std::vector<SamplerInfo> samplers;  // all of them read the picture of webgl/pass.h
+    std::vector<SamplerInfo> samplers;  // all of them read the image of webgl/pass.h
 };
 
 struct BrowserResult {
-    std::string log;              // why it was not linked; "" when it was
-    std::vector<uint8_t> pixels;  // rgba, rows from the bottom, of what was drawn
+    std::string log;              // the link error; "" on success
+    std::vector<uint8_t> pixels;  // rgba, rows from the bottom, of the drawn image
 };
 
-// By name. `why` says what is wrong with the browser itself.
+// Results by name. `why` receives an error of the browser itself.
 std::map<std::string, BrowserResult> run_in_browser(const std::vector<BrowserJob>& jobs,
                                                     const std::filesystem::path& folder,
                                                     std::string& why);

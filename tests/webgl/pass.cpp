@@ -7,8 +7,8 @@
 namespace wrinkle::test {
 namespace {
 
-// Every property of the sheet z = (x^2 - y^2) / 4 over [-1, 1]^2, and its changes to the next
-// pixel, under the names that members have.
+// Every property of the sheet z = (x^2 - y^2) / 4 over [-1, 1]^2, and its differentials to the next
+// pixel, named after the members.
 constexpr const char* sheet = R"(
     const float step = 1.0 / 64.0;
     vec2 at = gl_FragCoord.xy * step;

@@ -1,5 +1,5 @@
 // A full-screen pass over a curved sheet: the same fragment shader for OpenGL and for WebGL 2, and
-// the picture that both of them read.
+// the image that both of them read.
 #pragma once
 
 #include <string>
@@ -11,14 +11,14 @@ namespace wrinkle::test {
 
 inline constexpr int pass_size = 64;  // pixels in each direction
 
-// The vertex shader of a triangle over everything.
+// The vertex shader of a triangle that covers the screen.
 std::string pass_vertex(const Target& target);
 
-// A text of the function form with given differentials, called at every point of the sheet. The
-// output number `output` goes to the color: a normal n as 0.5 + 0.5 n, else 0.5 + 0.5 x.
+// Calls a shader in function form with given differentials at every point of the sheet. Output
+// number `output` is written to the color: a normal n as 0.5 + 0.5 n, else 0.5 + 0.5 x.
 std::string pass_fragment(const Shader& shader, size_t output);
 
-// A smooth picture of half floats that does as a normal map, a height and a color.
+// A smooth image of half floats, usable as a normal map, a height and a color.
 const MipChain& pass_picture();
 
 }  // namespace wrinkle::test

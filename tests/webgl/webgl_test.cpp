@@ -1,5 +1,5 @@
-// The text for WebGL 2 in a real one: every sample compiles and links in both forms, and draws what
-// OpenGL draws, within 2 of 255.
+// Tests of WebGL 2 source in a browser: every sample compiles and links in both forms, and draws
+// the same image as OpenGL, within 2 of 255.
 #include <epoxy/gl.h>
 #include <gtest/gtest.h>
 
@@ -42,7 +42,7 @@ Shader shader_of(const fs::path& graph, const Target& target, Form form) {
     return emit(compiled.module, options);
 }
 
-// What OpenGL draws, as bytes.
+// The image drawn by OpenGL, as bytes.
 std::vector<uint8_t> drawn(const Shader& shader, size_t output) {
     Diagnostics diagnostics;
     std::string log;
@@ -76,7 +76,7 @@ std::vector<uint8_t> drawn(const Shader& shader, size_t output) {
     return bytes;
 }
 
-// Pixels that differ by more than 2 in some channel.
+// Number of pixels that differ by more than 2 in some channel.
 int far_off(const std::vector<uint8_t>& one, const std::vector<uint8_t>& other) {
     int count = 0;
     for (size_t pixel = 0; pixel + 3 < one.size(); pixel += 4) {
@@ -108,7 +108,7 @@ std::vector<BrowserJob> jobs_of(const std::vector<fs::path>& graphs) {
     return jobs;
 }
 
-// Edges of cells and steps may fall on the other side of a pixel's middle: one in a thousand.
+// Edges of cells and steps may fall on the other side of a pixel's centre: one in a thousand.
 constexpr int most_off = pass_size * pass_size / 1000;
 
 TEST(WebGl2, DrawsEverySampleAsOpenGlDoes) {
@@ -133,7 +133,7 @@ TEST(WebGl2, DrawsEverySampleAsOpenGlDoes) {
     }
 }
 
-// The comparison can fail, and the browser says what it refuses.
+// The comparison detects differences, and the browser reports invalid source.
 TEST(WebGl2, NoticesOtherPicturesAndBadTexts) {
     const TemporaryFolder folder;
     const fs::path graph = WRINKLE_SOURCE_DIR "/graphs/base_and_detail.json";

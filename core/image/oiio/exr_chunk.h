@@ -1,8 +1,8 @@
-// The bytes of one chunk of an OpenEXR file: packed from interleaved texels, and zipped.
+// Bytes of one chunk of an OpenEXR file: packed from interleaved texels, and zipped.
 //
-// Packed, each row of the chunk holds its channels one after the other in the file's order. For
-// zip the bytes with even places come before those with odd ones, each stands as its difference
-// from the one before it, and the whole is a zlib stream.
+// In packed form, each row of the chunk holds its channels one after the other in the file's order.
+// zip() stores the bytes with even indices before those with odd ones, replaces each byte by its
+// difference from the previous one (+ 128) and compresses the result to a zlib stream.
 #pragma once
 
 #include <cstddef>
@@ -18,11 +18,11 @@ struct ChunkLayout {
     size_t texel_bytes() const { return order.size() * value_bytes; }
 };
 
-// `texels` is the chunk's first, `row_bytes` lead from one of its rows to the next.
+// `texels` points to the chunk's first texel; `row_bytes` is the distance between rows.
 void pack(const ChunkLayout& layout, const std::byte* texels, size_t row_bytes, uint32_t width,
           uint32_t height, std::vector<std::byte>& packed);
 
-// False where the stream would not be shorter; the file then holds `packed`.
+// Returns false if the stream would not be shorter; the file then stores `packed`.
 bool zip(const std::vector<std::byte>& packed, std::vector<std::byte>& compressed);
 
 }  // namespace wrinkle::oiio

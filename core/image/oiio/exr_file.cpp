@@ -16,7 +16,7 @@ namespace wrinkle::oiio {
 namespace {
 
 constexpr int part = 0;
-constexpr size_t short_name = 31;  // longer ones are announced in the header
+constexpr size_t short_name = 31;  // longer names need a flag in the header
 
 constexpr std::array<std::pair<std::string_view, exr_compression_t>, 5> compressions = {{
     {"none", EXR_COMPRESSION_NONE},
@@ -55,7 +55,7 @@ bool any_long_name(const WrinkleImageWrite& what) {
 
 }  // namespace
 
-// What is left of a file without its last chunks is of no use to anybody; errors were said before.
+// Ignores errors: a file without its last chunks is discarded, and errors were reported before.
 void ExrFile::FinishContext::operator()(exr_context_t context) const {
     exr_finish(&context);
 }
@@ -122,7 +122,7 @@ void ExrFile::sort_channels(const WrinkleImageWrite& what) {
     }
 }
 
-// Chunk `index` of those rows, from left to right and from the top down.
+// Sets `slot` to chunk `index` of the rows, counted from left to right and from the top down.
 void ExrFile::place(const Rows& rows, uint32_t index, Slot& slot) const {
     const uint32_t step = tile_ > 0 ? tile_ : rows.width;
     const uint32_t y = index / rows.across * rows_per_chunk_;
@@ -141,7 +141,8 @@ void ExrFile::make(const Rows& rows, Slot& slot) const {
     slot.stored = zipped ? slot.compressed : slot.packed;
 }
 
-// By the library. Its own sizes of tiles at the border of a level other than the first are wrong.
+// Encodes with OpenEXR's library. Its sizes of border tiles are wrong for all levels but the first,
+// so the sizes are set here.
 void ExrFile::encode(const Rows& rows, Slot& slot) const {
     const exr_context_t context = context_.get();
     exr_chunk_info_t info = {};
@@ -162,7 +163,7 @@ void ExrFile::encode(const Rows& rows, Slot& slot) const {
     }
     exr_result_t result = exr_encoding_choose_default_routines(context, part, &pipeline);
     pipeline.yield_until_ready_fn = nullptr;
-    pipeline.write_fn = nullptr;  // this chunk's turn comes later
+    pipeline.write_fn = nullptr;  // put() writes the chunk, in order
     if (result == EXR_ERR_SUCCESS) result = exr_encoding_run(context, part, &pipeline);
     const auto* bytes = static_cast<const std::byte*>(pipeline.compressed_buffer);
     if (result == EXR_ERR_SUCCESS) slot.compressed.assign(bytes, bytes + pipeline.compressed_bytes);
@@ -180,7 +181,7 @@ void ExrFile::put(const Rows& rows, const Slot& slot) {
                                          slot.stored.size()));
 }
 
-// A slot is free again when its chunk is in the file: no more chunks than slots are under way.
+// A slot is reused after its chunk is written: at most slots_.size() chunks are in flight.
 void ExrFile::put_all(const Rows& rows) {
     const uint32_t chunks = (rows.count + rows_per_chunk_ - 1) / rows_per_chunk_ * rows.across;
     slots_.resize(2 * static_cast<size_t>(tbb::this_task_arena::max_concurrency()));

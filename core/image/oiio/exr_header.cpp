@@ -10,7 +10,7 @@
 namespace wrinkle::oiio {
 namespace {
 
-constexpr uint32_t several_parts = 1 << 12;  // in the version
+constexpr uint32_t several_parts = 1 << 12;  // flag in the version field
 constexpr size_t longest_name = 255;
 
 class Header {
@@ -21,7 +21,7 @@ public:
     }
 
     ExrSize read() {
-        number();  // the magic one
+        number();  // magic number
         const bool has_parts = number() & several_parts;
         while (attributes() > 0 && has_parts) {
         }
@@ -29,11 +29,11 @@ public:
     }
 
 private:
-    // How many there were before the empty name.
+    // Reads the attributes up to the empty name; returns their number.
     size_t attributes() {
         size_t count = 0;
         for (std::string name = text(); !name.empty(); name = text(), ++count) {
-            text();  // the type
+            text();  // attribute type
             const int64_t size = static_cast<int32_t>(number());
             const int64_t begin = file_.tellg();
             if (size < 0 || size > end_ - begin)
@@ -45,7 +45,7 @@ private:
     }
 
     void window() {
-        std::array<int64_t, 4> sides{};  // x and y of the least, of the greatest texel
+        std::array<int64_t, 4> sides{};  // min x, min y, max x, max y, in texels
         for (int64_t& side : sides)
             side = static_cast<int32_t>(number());
         size_.width = std::max(size_.width, sides[2] - sides[0] + 1);

@@ -1,5 +1,6 @@
 // Checks the sizes in the header of an OpenEXR file before the file is opened: OpenEXR's C++
-// library, which OpenImageIO uses, allocates what the attributes and the data window ask for.
+// library, which OpenImageIO uses, allocates memory for the sizes of the attributes and the data
+// window.
 //
 // OpenEXR's C library does not replace this check: it skips damaged attributes, and then reads
 // other sizes than the C++ library. Layout: openexr.com, "OpenEXR File Layout".
@@ -10,10 +11,10 @@
 namespace wrinkle::oiio {
 
 struct ExrSize {
-    int64_t width = 0, height = 0;  // of the largest data window
+    int64_t width = 0, height = 0;  // maximum of all data windows
 };
 
-// Throws Failure where an attribute is larger than the rest of the file.
+// Throws Failure if an attribute is larger than the rest of the file.
 ExrSize size_of_exr(const char* path);
 
 }  // namespace wrinkle::oiio

@@ -20,7 +20,7 @@ void tell(WrinkleImageText why, const std::string& text) {
     why.text[count] = 0;
 }
 
-// The caller has its own limits and its own threads.
+// Sets OpenImageIO's attributes once: no threads and no size limit, because the caller has both.
 void set_up_once() {
     static std::once_flag once;
     std::call_once(once, [] {

@@ -1,4 +1,4 @@
-// What the module's functions share: failures that become a sentence in the caller's buffer, the
+// Helpers of the module's functions: exceptions converted to messages in the caller's buffer, the
 // settings of OpenImageIO, and its types in the order of PixelType.
 #pragma once
 
@@ -21,10 +21,10 @@ struct Failure : std::runtime_error {
     using runtime_error::runtime_error;
 };
 
-std::string sentence(std::string text);  // one line: OpenImageIO's messages may be several
+std::string sentence(std::string text);  // one line: OpenImageIO's messages may have several
 void tell(WrinkleImageText why, const std::string& text);
 
-// Runs `work` so that neither an exception nor a library's printing leaves the module.
+// Runs `work`; neither exceptions nor output that a library prints leave the module.
 template <typename Work>
 auto guarded(WrinkleImageText why, Work work) -> decltype(work()) {
     const Quiet quiet;

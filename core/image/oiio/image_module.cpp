@@ -1,4 +1,4 @@
-// OpenImageIO behind the table of image_module.h.
+// Implements the table of image_module.h with OpenImageIO.
 
 #include "image/oiio/image_module.h"
 
@@ -28,7 +28,7 @@ using OIIO::ImageInput;
 using OIIO::ImageSpec;
 using OIIO::TypeDesc;
 
-constexpr uint32_t scan_lines_at_once = 256;  // whole chunks of OpenEXR, few calls
+constexpr uint32_t scan_lines_at_once = 256;  // complete chunks of OpenEXR, few calls
 
 TypeDesc::BASETYPE readable_type(const ImageSpec& spec) {
     const auto type = static_cast<TypeDesc::BASETYPE>(spec.format.basetype);
@@ -36,13 +36,14 @@ TypeDesc::BASETYPE readable_type(const ImageSpec& spec) {
     return known ? type : TypeDesc::FLOAT;
 }
 
-// UNKNOWN is "as stored", which spares OpenImageIO a 64 MiB buffer per call.
+// UNKNOWN means "as stored", which avoids a 64 MiB buffer of OpenImageIO per call.
 TypeDesc type_to_ask_for(const ImageSpec& spec) {
     const TypeDesc type = readable_type(spec);
     return type == spec.format && spec.channelformats.empty() ? TypeDesc::UNKNOWN : type;
 }
 
-// More than four channels are usable when the first are R, G, B and perhaps A.
+// Returns the number of channels to read. More than four are usable if the first are R, G, B and
+// perhaps A.
 int usable_channels(const ImageSpec& spec) {
     if (spec.nchannels <= 4) return spec.nchannels;
     const std::vector<std::string>& names = spec.channelnames;
@@ -60,7 +61,7 @@ void refuse_unreadable(const ImageSpec& spec, const std::string& format) {
                          spec.width != spec.full_width || spec.height != spec.full_height;
     if (format == "openexr" && cropped)
         throw Failure("its data window differs from its display window");
-    // OpenImageIO 2.4 writes beyond the end of such a strip as it inverts it.
+    // OpenImageIO 2.4 writes past the end of such a strip when it inverts the values.
     if (spec.get_int_attribute("tiff:PhotometricInterpretation", 1) == 0 && spec.nchannels > 1)
         throw Failure("white is zero in it, which is readable of one channel alone");
 }
@@ -76,7 +77,7 @@ WrinkleImageHeader header_of(const ImageSpec& spec, int channels) {
     return header;
 }
 
-// An image beyond `max_side` leaves its size in `header`.
+// Throws Failure and stores the size in `header` if the image is larger than `max_side`.
 void refuse_oversized_exr(const char* path, uint32_t max_side, WrinkleImageHeader& header) {
     const ExrSize size = size_of_exr(path);
     if (size.width <= max_side && size.height <= max_side) return;

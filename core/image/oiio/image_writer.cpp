@@ -14,11 +14,11 @@
 #include "image/oiio/guard.h"
 #include "image/oiio/output_file.h"
 
-// One of the two writes.
+// Writes through `exr` or `output`; only one of them is set.
 struct WrinkleImageWriter {
     explicit WrinkleImageWriter(const char* path) : file(path) {}
 
-    wrinkle::oiio::OutputFile file;  // outlives those two, which write when they go
+    wrinkle::oiio::OutputFile file;  // outlives the two below, which write on destruction
     std::optional<wrinkle::oiio::ExrFile> exr;
     OIIO::ImageSpec spec;
     std::unique_ptr<OIIO::ImageOutput> output;
@@ -33,7 +33,7 @@ using OIIO::ImageSpec;
 
 constexpr const char* description = "ImageDescription";
 
-// Numbers as text, for formats without attributes of any name.
+// Returns the numbers as text, for formats without attributes of arbitrary names.
 std::string numbers_as_text(const WrinkleImageWrite& what) {
     std::string text;
     for (uint32_t i = 0; i < what.number_count; ++i) {
@@ -62,8 +62,8 @@ ImageSpec spec_to_write(const WrinkleImageWrite& what) {
     name_channels(spec, what);
     spec.attribute("oiio:UnassociatedAlpha", 1);
     const std::string_view format = what.format;
-    if (format == "png") spec.attribute("png:filter", 0xF8);  // all row filters: smaller by far
-    if (format == "tiff") spec.attribute("DateTime", "");     // else it would be now
+    if (format == "png") spec.attribute("png:filter", 0xF8);  // all row filters: much smaller files
+    if (format == "tiff") spec.attribute("DateTime", "");     // otherwise the current time
     if (format == "jpeg") {
         spec.attribute("jpeg:subsampling", "4:4:4");
         spec.attribute("compression", "jpeg:" + std::to_string(what.quality));
@@ -75,13 +75,13 @@ ImageSpec spec_to_write(const WrinkleImageWrite& what) {
     return spec;
 }
 
-// The system's reason is better than a library's.
+// Throws the system's error if there is one, otherwise the library's.
 void fail(const WrinkleImageWriter& writer, const std::string& otherwise) {
     const std::string reason = writer.file.failure();
     throw Failure(reason.empty() ? otherwise : reason);
 }
 
-// `work` through the C library of OpenEXR.
+// Runs `work`, which calls OpenEXR's C library; throws the system's error if a write failed.
 template <typename Work>
 void with_reason(const WrinkleImageWriter& writer, Work work) {
     try {
@@ -100,7 +100,7 @@ void open_output(WrinkleImageWriter& writer, const char* path, const WrinkleImag
         fail(writer, writer.output->geterror());
 }
 
-// What stands outside of the picture is 0, where OpenImageIO would leave what its memory held.
+// Texels outside of the image are 0; OpenImageIO would write uninitialised memory.
 bool write_whole_tiles(const WrinkleImageWriter& writer, const char* rows, int begin, int end) {
     const ImageSpec& spec = writer.spec;
     const size_t texel = spec.pixel_bytes(), stride = texel * static_cast<size_t>(spec.width);

@@ -1,4 +1,4 @@
-// The module's functions that write; image_module.h says what they do.
+// The module's functions that write; documented in image_module.h.
 #pragma once
 
 #include <OpenImageIO/imageio.h>
@@ -14,7 +14,7 @@ int32_t write_rows(WrinkleImageWriter* writer, uint32_t level, const void* pixel
 int32_t end_image(WrinkleImageWriter* writer, WrinkleImageText why);
 void drop_image(WrinkleImageWriter* writer);
 
-// A number that begin_image() has put into the file.
+// Finds a number that begin_image() stored in the file; returns false if there is none.
 bool find_number(const OIIO::ImageSpec& spec, const char* name, float& value);
 
 }  // namespace wrinkle::oiio

@@ -13,7 +13,7 @@ namespace wrinkle::oiio {
 namespace {
 
 constexpr size_t gather_limit = size_t{1} << 20;
-constexpr size_t large = size_t{1} << 15;  // not worth copying
+constexpr size_t large = size_t{1} << 15;  // written without a copy
 
 }  // namespace
 
@@ -34,7 +34,7 @@ void OutputFile::close() {
     m_mode = Closed;
 }
 
-// What was gathered and, after it, `bytes`.
+// Writes the buffered bytes and, after them, `bytes`.
 bool OutputFile::put(const char* bytes, size_t size) const {
     iovec parts[] = {{gathered_.data(), gathered_.size()}, {const_cast<char*>(bytes), size}};
     int64_t offset = gathered_at_;

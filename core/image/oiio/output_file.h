@@ -1,6 +1,6 @@
-// The file under a writer. OpenImageIO does not tell of every write that fails, and never why; this
-// remembers the system's first error. Small writes are gathered. OpenEXR's own library writes
-// through pwrite() alone.
+// Output file of a writer. OpenImageIO does not report every failed write, and never the reason;
+// this class stores the first system error. Small writes are buffered. OpenEXR's own library writes
+// only through pwrite().
 #pragma once
 
 #include <OpenImageIO/filesystem.h>
@@ -15,7 +15,8 @@ public:
     explicit OutputFile(const char* path);
     ~OutputFile() override;
 
-    // Not "file": OpenImageIO's JPEG writer takes each proxy of that name for a FILE of its own.
+    // Not "file": OpenImageIO's JPEG writer treats each proxy of that name as its own class with a
+    // FILE.
     const char* proxytype() const override { return "output"; }
     void close() override;
     bool seek(int64_t offset) override;
@@ -26,7 +27,7 @@ public:
     size_t size() const override;
     void flush() const override;
 
-    // "" while all is well. Complete after close().
+    // Returns the first error; "" if there is none. Complete after close().
     std::string failure() const;
 
 private:

@@ -25,7 +25,7 @@ void exempt_from_leak_check([[maybe_unused]] bool exempt) {
 #endif
 }
 
-// `stderr` is a variable in glibc; it holds the filter as long as any thread is quiet.
+// `stderr` is a variable in glibc; it holds the filter while any thread has a Quiet.
 struct Filter {
     std::mutex mutex;
     int users = 0;
@@ -40,7 +40,7 @@ struct Filter {
     }
 };
 
-// Never destroyed: a thread may still be printing through it at exit.
+// Never destroyed: a thread may still print through it at exit.
 Filter& filter() {
     static Filter* const the = new Filter;
     return *the;

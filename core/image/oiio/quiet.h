@@ -1,7 +1,7 @@
-// libpng prints its errors to the C stream `stderr` although OpenImageIO reports them too, and
-// offers no way past it. While a Quiet lives, what its own thread prints to `stderr` is dropped;
-// the other threads' text still arrives. It also leaves those errors by longjmp, past temporaries
-// of OpenImageIO, which a leak checker would count: allocations of the thread are exempt meanwhile.
+// Suppresses a thread's output to the C stream `stderr` during its lifetime; the output of other
+// threads is not affected. Required for libpng, which prints errors that OpenImageIO reports anyway
+// and has no option against it. libpng also returns from errors by longjmp, which leaks temporaries
+// of OpenImageIO, so the thread's allocations are exempt from leak checking meanwhile.
 #pragma once
 
 namespace wrinkle {

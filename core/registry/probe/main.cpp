@@ -1,6 +1,6 @@
 // wrinkle-plugin-probe list FILE SHA256, or build FILE NODE TWICE OPTION...: loads one plugin and
-// writes what it offers, or the calls of a node's build(), to file descriptor 3, as
-// registry/probe.h says. Started by programs of Wrinkle; of no use by itself.
+// writes its listing, or the calls of a node's build(), to file descriptor 3 (see
+// registry/probe.h). Started by other programs of Wrinkle; not for direct use.
 #include <signal.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
@@ -44,7 +44,7 @@ void say_exception(const char* where) {
     say_refused(faults);
 }
 
-// The system's loader lets no exception of a constructor pass.
+// The dynamic loader does not propagate exceptions of constructors.
 [[noreturn]] void on_terminate() {
     if (!std::current_exception()) std::abort();
     say_exception("it threw an exception that nothing caught: ");
@@ -56,7 +56,7 @@ void limit(decltype(RLIMIT_CORE) what, rlim_t most) {
     setrlimit(what, &both);
 }
 
-// A crash is to be seen as its signal, leaves no core, and nothing outlives who asked.
+// Crashes must be visible as signals and leave no core; the process must end with its parent.
 void prepare() {
     for (const int number : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGTRAP})
         signal(number, SIG_DFL);
@@ -72,7 +72,7 @@ void prepare() {
     _exit(wrinkle::child_output_too_large);
 }
 
-// `words`: the node's number, whether twice, and an option for each port.
+// `words`: index of the node, 1 for two runs, and an option for each port.
 void build(const wrinkle::PluginListing& plugin, std::span<const int32_t> words) {
     const auto node = static_cast<size_t>(words[0]);
     if (node >= plugin.types.size()) return;
@@ -109,5 +109,5 @@ int main(int argc, char** argv) {
         plugin->sha256 = argv[3];
         write_all(std::string(wrinkle::probe_fine) + to_json(*plugin));
     }
-    _exit(0);  // without the plugin's destructors
+    _exit(0);  // skips the plugin's destructors
 }

@@ -21,8 +21,7 @@ void set_environment(glslang::TShader& shader, EShLanguage stage) {
     shader.setEnvTarget(glslang::EShTargetSpv, glslang::EShTargetSpv_1_0);
 }
 
-// Without debug information the optimiser of glslang would be asked for nothing either; ours is
-// a step of its own.
+// Disables the optimiser of glslang: optimise() is a separate step.
 std::vector<uint32_t> words_of(const glslang::TProgram& program, EShLanguage stage, bool lines) {
     glslang::SpvOptions options;
     options.generateDebugInfo = lines;

@@ -10,7 +10,7 @@
 namespace wrinkle::spirv {
 namespace {
 
-// One translation; every step says whether it went well, and the context keeps the reason.
+// One translation. Each step returns false on failure; good() then logs the context's last error.
 class Translation {
 public:
     Translation(const WrinkleSpirvJob& job, WrinkleSpirvSink log) : job_(job), log_(log) {

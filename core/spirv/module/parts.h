@@ -1,4 +1,4 @@
-// The module's functions, a file for each library.
+// The module's functions, implemented in one file per library.
 #pragma once
 
 #include <string_view>

@@ -17,7 +17,8 @@ spvtools::MessageConsumer to_log(WrinkleSpirvSink log) {
     };
 }
 
-// Call trees that share are exponential when inlined, and drivers do that themselves.
+// Passes without inlining: a call graph with shared callees grows exponentially when inlined, and
+// drivers inline themselves.
 void register_light_passes(spvtools::Optimizer& optimizer) {
     optimizer.RegisterPass(spvtools::CreateScalarReplacementPass(0))
         .RegisterPass(spvtools::CreateLocalAccessChainConvertPass())

@@ -1,4 +1,4 @@
-// Frames and notes by hand: resized at their edges, moved by cards' gesture (move.cpp).
+// Gestures of frames and notes: resized at their edges, moved with the cards' gesture (move.cpp).
 #include <algorithm>
 #include <cmath>
 

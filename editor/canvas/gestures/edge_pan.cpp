@@ -1,4 +1,4 @@
-// What is dragged to the border of the canvas moves the view along.
+// Pans the view while the user drags near the border of the canvas.
 #include <algorithm>
 
 #include "editor/canvas/gestures/gestures.h"
@@ -7,7 +7,7 @@
 namespace wrinkle::editor {
 namespace {
 
-constexpr float margin = 20, fastest = 900;  // screen pixels, and those a second
+constexpr float margin = 20, fastest = 900;  // screen pixels; screen pixels per second
 
 float push(float at, float low, float high) {
     const float before = low + margin - at, after = at - (high - margin);

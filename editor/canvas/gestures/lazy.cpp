@@ -10,7 +10,7 @@ namespace wrinkle::editor {
 namespace {
 
 int score(const Pin& out, const Pin& in, bool reroute) {
-    if (reroute) return 0;  // it takes the type of what feeds it
+    if (reroute) return 0;  // a reroute takes the type of its source
     if (!out.known || !in.known || !converts(out.type, in.type)) return -1;
     return 8 * (out.type == in.type) + 6 * !in.connected + (out.port == in.port);
 }

@@ -15,7 +15,7 @@
 namespace wrinkle::editor {
 namespace {
 
-// The one card that moves, when no wire touches it.
+// Returns the only moving card if it has no wires; else nullptr.
 const Card* loose_card(const State& state) {
     if (!state.gesture.carried_boxes.empty()) return nullptr;
     const Card* found = nullptr;
@@ -33,7 +33,7 @@ std::optional<Passage> passage_in(const State& state, const Card& card, const Wi
     return passage(*card.type, wire.from_type, wanted_at(state.model, wire.node, wire.port));
 }
 
-// The wire that the moved card would stand in.
+// Returns the wire into which the moved card would be inserted.
 std::optional<size_t> wire_for_drop(const State& state) {
     const Card* card = loose_card(state);
     const auto wire = card ? wire_under(state.layout, *card) : std::nullopt;
@@ -78,11 +78,11 @@ void drag_move(State& state, ImVec2 delta) {
 
 void drop_cards(State& state) {
     const ImVec2 by = state.gesture.offset;
-    refresh(state);  // the cards stand where the last motion has put them
+    refresh(state);  // updates card positions to the last motion
     std::vector<NodePosition> places;
     for (const Card& card : state.layout.cards) {
         const bool carried = state.gesture.carried.contains(card.id);
-        // A card without a place of its own would move when others get one.
+        // The automatic layout would move cards without a position once others have one.
         const bool settles =
             card.kind == Card::Kind::node && !state.document().positions.find(card.id);
         if (!carried && !settles) continue;

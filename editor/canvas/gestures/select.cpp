@@ -9,7 +9,7 @@
 namespace wrinkle::editor {
 namespace {
 
-// Even-odd.
+// Returns true if `at` is inside the polygon (even-odd rule).
 bool encloses(const std::vector<ImVec2>& polygon, ImVec2 at) {
     bool inside = false;
     for (size_t i = 0, k = polygon.size() - 1; i < polygon.size(); k = i++) {

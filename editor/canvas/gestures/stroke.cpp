@@ -1,4 +1,4 @@
-// Strokes across wires: one that cuts them, one that leaves a reroute in each.
+// Strokes across wires: cut them, or insert a reroute in each.
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -26,7 +26,7 @@ Node reroute_node(const Document& document) {
     return node;
 }
 
-// One reroute where wires of one source were hit; it feeds all their readers.
+// Inserts one reroute into wires of the same source; it feeds all their readers.
 Document with_reroute(const Document& document, const std::vector<Connection>& wires, ImVec2 at) {
     Node node = reroute_node(document);
     const std::string id = node.id;

@@ -15,7 +15,7 @@ const Port& port_of(const Card& card, const Field& field) {
     return card.type->ports[field.index];
 }
 
-// A press that did not become a drag.
+// Handles a press that did not become a drag.
 void click_field(State& state, const Card& card, const Field& field) {
     const Port& port = port_of(card, field);
     const Document& document = state.document();
@@ -78,7 +78,7 @@ void drag_value(State& state, ImVec2 delta) {
 void drop_value(State& state) {
     const Gesture g = state.gesture;
     if (g.moved) return;
-    // Copies: what a click does may lay the cards out anew. No card: the node is gone.
+    // Copies, because a click may rebuild the layout. If the node is gone, an empty card.
     const Card* found = state.layout.find(g.node);
     const Card card = found ? *found : Card();
     for (const Field& field : card.fields)

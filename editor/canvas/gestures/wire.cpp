@@ -11,10 +11,10 @@
 namespace wrinkle::editor {
 namespace {
 
-// Screen pixels, at any zoom: 12, as the pointer stands on whole ones.
+// Screen pixels at any zoom: 12, plus a margin because pointer positions are integers.
 constexpr float reach = 13.5F;
 
-// The best pin so far: any that fits beats any that does not, then the nearer one.
+// The best pin so far: a fitting pin before any other, then the nearer one.
 struct Aim {
     Hit hit;
     bool fits = false;
@@ -51,8 +51,8 @@ Aim pin_in_reach(const State& state, ImVec2 mouse) {
     return aim;
 }
 
-// A row stands for its pin; elsewhere, and where rows are too small to aim at, the card chooses
-// among those that fit, the free ones first.
+// Returns the pin of the row at `at`. Between rows, and if rows are too small to hit, returns a
+// fitting pin, free inputs first.
 Aim pin_of_card(const State& state, size_t index, ImVec2 at) {
     Aim aim;
     const Card& card = state.layout.cards[index];
@@ -113,7 +113,7 @@ void begin_wire(State& state, const Card& card, const Pin& pin) {
     find_loops(state.document(), wire);
 }
 
-// A wire that is lifted off its input leaves the document with the first motion.
+// Disconnects a wire that is detached from its input; called at the first motion.
 void lift_wire(State& state) {
     Gesture& g = state.gesture;
     if (!g.taken) return;

@@ -1,4 +1,4 @@
-// How often a piece of work is done in a second.
+// Measures the throughput of a function.
 #pragma once
 
 #include <time.h>
@@ -16,8 +16,7 @@ inline double seconds(clockid_t clock) {
     return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
-// Medians over `rounds`. On a machine that others use as well, what the processors gave to this
-// process is the steadier of the two.
+// Returns medians over `rounds`. On a shared machine, processor time varies less than wall time.
 template <class Work>
 Rate measure(int rounds, int threads, Work work) {
     std::vector<double> wall, processor;

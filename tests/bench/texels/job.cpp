@@ -13,7 +13,7 @@ uint32_t hashed(uint32_t x) {
     return x ^ x >> 16;
 }
 
-// A normal per texel that leans somewhere within 40 degrees, as four bytes.
+// A normal per texel, up to 40 degrees from +z, packed in four bytes.
 uint32_t normal_texel(uint32_t seed) {
     const float angle = static_cast<float>(hashed(seed) & 0xFFFF) * (6.2831853F / 65536);
     const float sine = 0.64F * static_cast<float>(hashed(seed) >> 16) / 65536;

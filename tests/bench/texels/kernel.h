@@ -1,7 +1,7 @@
-// The job written by hand with intrinsics: what an instruction set can do at best. Fused
-// multiply-adds, gathers of whole texels. (The set's estimate of the reciprocal root and a Newton
-// step were no faster than a root and a division, which other work hides.) Beside it what the
-// evaluator's turn needs on both ends: planes filled by interpolation, and bytes.
+// The job hand-written with intrinsics, with fused multiply-adds and gathers of complete texels: an
+// upper bound for an instruction set. (An estimated reciprocal root with a Newton step was no
+// faster than a root and a division, which other work hides.) Also the first and last stages of the
+// evaluator's turn: planes filled by interpolation, and packed bytes.
 #pragma once
 
 #include "bench/texels/job.h"
@@ -15,9 +15,9 @@ struct Plane {
 };
 
 struct Kernel {
-    // Rows first ... last - 1 of the picture `out`.
+    // Writes rows first ... last - 1 of the image `out`.
     void (*rows)(uint32_t first, uint32_t last, uint32_t* out);
-    // Each value at `count` texels from (x, y) on, a multiple of 16.
+    // Fills each plane for `count` texels from (x, y) on; `count` is a multiple of 16.
     void (*fill)(const Plane* planes, size_t plane_count, uint32_t x, uint32_t y, uint32_t count);
     void (*pack)(const float* const* normal, uint32_t count, uint32_t* out);
 };

@@ -2,8 +2,8 @@
 
 #include "bench/texels/kernel.h"
 
-// The masked forms with a zero source: those without one read an uninitialised register in
-// gcc 12's headers, which it then warns of.
+// Masked intrinsics with a zero source: those without one read an uninitialised register in the
+// headers of gcc 12, which causes a warning.
 namespace wrinkle::bench::avx512 {
 namespace {
 

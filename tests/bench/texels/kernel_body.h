@@ -45,7 +45,7 @@ Corners corners(const std::vector<uint32_t>& texels, Float u, Float v) {
             sub(y, low)};
 }
 
-// 2t - 1 of one channel.
+// Returns 2t - 1 of one channel.
 Float decoded(const Corners& at, int shift) {
     const Float a = channel(at.a, shift), b = channel(at.b, shift), c = channel(at.c, shift),
                 d = channel(at.d, shift);

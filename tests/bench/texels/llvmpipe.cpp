@@ -16,7 +16,7 @@ std::string number(float value) {
     return std::to_string(static_cast<double>(value));
 }
 
-// A value at the corners of a triangle that covers the target twice over.
+// GLSL expression of a value at the corners of a triangle of twice the target's area.
 std::string corner_value(const Affine& value) {
     return number(value.at) + " + " + number(value.across * side) + " * at.x + " +
            number(value.up * side) + " * at.y";

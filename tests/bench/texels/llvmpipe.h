@@ -1,5 +1,5 @@
-// The job by an OpenGL driver, Mesa's llvmpipe where there is no other: Wrinkle's own GLSL for the
-// graph, drawn over the whole of an RGBA8 target.
+// The job on an OpenGL driver (Mesa's llvmpipe if it is the only one): draws Wrinkle's generated
+// GLSL over a complete RGBA8 target.
 #pragma once
 
 #include "bench/texels/job.h"
@@ -7,8 +7,8 @@
 
 namespace wrinkle::bench {
 
-// Draws `rounds` times and keeps the median. `texels` is what came out; `why` says what failed. As
-// many threads as LP_NUM_THREADS had when the process began.
+// Draws `rounds` times and returns the median rate. Stores the result in `texels`, and an error in
+// `why`. llvmpipe uses LP_NUM_THREADS threads as of process start.
 Rate draw(const Shader& shader, int rounds, int threads, Packed& texels, std::string& why);
 
 }  // namespace wrinkle::bench

@@ -1,7 +1,7 @@
-// Prints how fast texels are made, in one run by turns: Wrinkle's evaluator, the same job written
-// by hand, and OpenGL (a process for each turn: llvmpipe fixes its threads at its start).
+// Benchmark of texel throughput, in one run by turns: Wrinkle's evaluator, the same job
+// hand-written, and OpenGL (one process per turn: llvmpipe fixes its threads at start).
 //
-//   wrinkle_texel_bench [TURNS]                   5 unless said otherwise
+//   wrinkle_texel_bench [TURNS]                   default: 5
 //   wrinkle_texel_bench --draw THREADS ROUNDS     OpenGL's turn: rates, a line feed, the texels
 #include <stdio.h>
 #include <tbb/parallel_for.h>
@@ -21,14 +21,14 @@ using namespace wrinkle;
 using namespace wrinkle::bench;
 
 constexpr uint32_t band = 16;  // rows
-constexpr int rounds = 3;      // in a turn
+constexpr int rounds = 3;      // per turn
 
 struct Contestant {
     enum class Kind { ours, kernel, opengl };
     Kind kind;
     const char* name;
     InstructionSet set;
-    const Kernel* kernel = nullptr;  // of `kernel`, and the ends of `ours`
+    const Kernel* kernel = nullptr;  // the code of Kind::kernel; first and last stage of Kind::ours
     std::vector<double> wall = {}, processor = {};
     Packed texels = {};
 };
@@ -103,7 +103,7 @@ double median(std::vector<double> values) {
     return values[values.size() / 2];
 }
 
-// "0.01 %, at most 1": channels that differ, and by how much.
+// Formats "0.01 %, at most 1": the share of channels that differ and the largest difference.
 std::string apart(const Packed& a, const Packed& b) {
     if (a.size() != b.size()) return "failed";
     size_t different = 0;

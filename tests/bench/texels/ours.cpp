@@ -32,8 +32,8 @@ Affine surface_value(const Program::Input& input) {
 
 constexpr uint32_t chunk = 256;
 
-// The planes of a chunk, each a line of the cache further than a multiple of its length. Those that
-// are the same everywhere are filled once.
+// The planes of a chunk, with a stride of `chunk` floats plus one cache line. Constant planes are
+// filled once.
 struct Chunk {
     explicit Chunk(const Program& program) : memory((program.inputs.size() + 3) * (chunk + 16)) {
         size_t at = 0;

@@ -1,5 +1,5 @@
-// The job by Wrinkle's evaluator: the graph's program on planes that are filled row by row, and
-// what comes out packed.
+// The job on Wrinkle's evaluator: runs the graph's program on planes filled row by row, and packs
+// the results.
 #pragma once
 
 #include "bench/texels/job.h"
@@ -12,12 +12,12 @@ namespace wrinkle::bench {
 struct Material {
     Program program;
     std::vector<Texture> textures;
-    Shader shader;      // the same graph, differentials from the screen
-    std::string error;  // "" where all of it was made
+    Shader shader;      // the same graph, with screen differentials
+    std::string error;  // "" on success
 };
 Material make_material();
 
-// Rows first ... last - 1 into `out`, on the calling thread.
+// Writes rows first ... last - 1 to `out`, on the calling thread.
 void evaluate_rows(const Material& material, InstructionSet set, const Kernel& ends, uint32_t first,
                    uint32_t last, uint32_t* out);
 

@@ -1,4 +1,4 @@
-// A node that ends the program it is built in, after one that does not.
+// A correct node, followed by one that ends the program while it is built.
 #include <cstdlib>
 
 #include "wrinkle/node.h"

@@ -1,4 +1,4 @@
-// Each node has one fault that certification must name.
+// Nodes with one fault each, which certification must report.
 #include <stdexcept>
 
 #include "wrinkle/node.h"
@@ -9,7 +9,7 @@ static constexpr auto height_of(const char* id, const char* doc) {
     return node(id, "Faulty", doc).family("test").in<vec2>("uv", surface::uv0, "Where to read it");
 }
 
-// Says that terraces go up steadily.
+// Declares that terraces are continuous.
 static Node terraces =
     height_of("terraces", "Steps with a slope that is not theirs.")
         .out<Height>("height", "In length units", unit("m"))
@@ -45,14 +45,14 @@ static Node counting = height_of("counting", "Another height each time.")
                                return uv.x() * static_cast<double>(++count);
                            });
 
-// The length of a unit vector is 1 but for the last bit.
+// The length of a unit vector is 1 up to the last bit.
 static Node on_the_edge = node("on_the_edge", "Faulty", "Jumps where every point is.")
                               .family("test")
                               .in<vec3>("point", surface::position, "Where to read it")
                               .out<Height>("height", "In length units", unit("m"))
                               .body([](vec3 point) { return floor(length(normalize(point))); });
 
-// A float of 1e12 fits no int: the contract leaves open what comes out.
+// A float of 1e12 does not fit an int: the contract leaves the result undefined.
 static Node overflows = height_of("overflows", "Makes whole numbers of large ones.")
                             .out<Height>("height", "In length units", unit("m"))
                             .body([](vec2 uv) { return Float(Int(1e12 * uv.x())) * 1e-9; });

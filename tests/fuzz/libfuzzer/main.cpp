@@ -1,4 +1,4 @@
-// One of the readers of fuzz.h, WRINKLE_FUZZED, as libFuzzer wants it.
+// Runs one target of fuzz.h, WRINKLE_FUZZED, in libFuzzer.
 #include <cstdio>
 #include <cstdlib>
 

@@ -1,4 +1,4 @@
-// Stands for a program that has its shaders built in.
+// Represents a program that has its shaders built in.
 #include <cstdio>
 
 int main() {

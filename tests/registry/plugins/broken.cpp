@@ -1,4 +1,4 @@
-// Does what its file is called: see broken.h.
+// Performs the action named by the file: see broken.h.
 #include "broken.h"
 
 #include <dlfcn.h>
@@ -19,7 +19,7 @@ namespace {
 
 void build(const wr_builder*) {}
 
-// Never terminated, and unmapped memory after it is not read: 5000 bytes.
+// 5000 bytes without terminator; memory behind them is unmapped and must not be read.
 const char* const endless = [] {
     static char text[5000];
     std::memset(text, 'a', sizeof text);
@@ -41,7 +41,7 @@ void loop() {
         pause();
 }
 
-// Leaves the group of its process, says who it is, and holds what it inherited open for a while.
+// Leaves its process group, reports its process id, and holds inherited files open for a while.
 void live_outside() {
     const std::string number = std::to_string(getpid());
     const char* mark = std::getenv("WRINKLE_TEST_MARK");
@@ -67,7 +67,7 @@ void escape() {
     close(ends[0]);
 }
 
-// What the program that loads it writes to is among them.
+// The files include the pipe to the loading program.
 void close_all() {
     for (int file = 0; file < 64; ++file)
         close(file);
@@ -109,7 +109,7 @@ std::string_view variant() {
     return name.substr(0, name.rfind('.'));
 }
 
-// After the variables above are made.
+// Runs after the variables above are initialised.
 __attribute__((constructor(65535))) void load() {
     [[maybe_unused]] const std::string_view name = variant();
 #define X(id, change, expected) \

@@ -1,7 +1,7 @@
-// Ways to be no plugin: X(name, what is done, how the refusal begins).
+// Faults of a plugin: X(name, action, beginning of the refusal message).
 //
-// One shared object, broken.so, does what its file is called: `loop.so`, a link to it, loops while
-// it is loaded. What is done stands here beside what is to be said of it.
+// One shared object, broken.so, performs the action of its file name: `loop.so`, a link to it,
+// loops while it is loaded. The table lists each action with its message.
 #pragma once
 
 // clang-format off

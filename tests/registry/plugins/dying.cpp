@@ -1,5 +1,5 @@
-// A node whose build() does what its choice says; and a constructor that ends every program but the
-// probe.
+// A node with a build() that performs its choice; and a constructor that ends every program except
+// the probe.
 #include <sys/resource.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -92,7 +92,7 @@ wr_value many_calls(const wr_builder* b) {
     return sum;
 }
 
-// A function of one value that is applied to values where its results go.
+// A function of one value, applied to an array that is also its result array.
 wr_value alias(const wr_builder* b) {
     const uint32_t type = WR_TYPE_float;
     wr_value value = 0;

@@ -1,4 +1,4 @@
-/* Tells which process runs its code: a constructor writes to the file WRINKLE_TEST_MARK. */
+/* Reports the process that runs its code: a constructor writes to the file WRINKLE_TEST_MARK. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <unistd.h>

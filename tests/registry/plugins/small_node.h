@@ -1,4 +1,4 @@
-/* A node that passes a float, as a plugin in plain C writes it. */
+/* A node that passes a float through, as in a plugin in plain C. */
 #ifndef SMALL_NODE_H
 #define SMALL_NODE_H
 #include <wrinkle/plugin.h>
