@@ -1,0 +1,130 @@
+// The vocabulary of comments, documents and printed strings gets no worse: each term has the number
+// of its occurrences, which may only fall. Who lowers one writes the new number into the table.
+#include "layout/vocabulary.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <filesystem>
+#include <map>
+
+#include "support/files.h"
+
+namespace wrinkle::layout {
+namespace {
+
+namespace fs = std::filesystem;
+
+enum class Medium : uint8_t { comments, tests, documents, strings };
+constexpr std::array<std::string_view, 4> medium_names{"comments", "comments of tests", "documents",
+                                                       "strings"};
+using Counts = std::array<size_t, 4>;  // by medium
+
+struct Row {
+    Term term;
+    Counts most;
+};
+
+// clang-format off
+const std::vector<Row> table = {
+    // To go altogether.
+    {{"stand", {"stand", "stands", "stood"}, {"stands out"}}, {9, 0, 33, 16}},
+    {{"picture", {"picture", "pictures"}, {}}, {5, 2, 78, 66}},
+    {{"tell", {"told", "tell", "tells"}, {"told apart", "tell apart"}}, {0, 0, 11, 2}},
+    {{"hand", {"at hand", "the hand"}, {}}, {1, 0, 2, 0}},
+    {{"somebody", {"nobody", "somebody", "whoever", "everybody"}, {}}, {6, 1, 4, 0}},
+    {{"anew", {"anew"}, {}}, {2, 0, 5, 6}},
+    {{"written out", {"written out", "opened up"}, {}}, {0, 0, 5, 2}},
+    {{"is no", {"is no", "are no"}, {"there is no", "there are no", "is no longer", "are no longer", "is no more than", "are no more than"}}, {0, 0, 5, 42}},
+    {{"go on", {"go on", "goes on"}, {}}, {3, 1, 11, 10}},
+    {{"mend", {"dear", "dearer", "dearest", "mend", "mends", "heal", "heals"}, {}}, {0, 0, 8, 3}},
+    {{"surroundings", {"surroundings"}, {}}, {0, 0, 5, 0}},
+    {{"first word", {"^what", "^of", "^whether", "^nothing"}, {}}, {22, 5, 44, 90}},
+    // To be used less.
+    {{"what", {"what"}, {}}, {30, 2, 259, 86}},
+    {{"place", {"place", "places"}, {}}, {13, 4, 42, 35}},
+    {{"say", {"said", "say", "says"}, {}}, {14, 0, 76, 38}},
+    {{"ask", {"ask*"}, {}}, {3, 0, 13, 6}},
+    {{"keep", {"kept", "keep", "keeps"}, {}}, {24, 6, 57, 24}},
+    {{"whole", {"whole"}, {"whole number", "whole numbers"}}, {3, 0, 33, 7}},
+    {{"alone", {"alone"}, {}}, {1, 0, 29, 10}},
+    {{"whose", {"whose"}, {}}, {4, 1, 18, 9}},
+    {{"of its own", {"of its own"}, {}}, {5, 0, 15, 5}},
+    {{"beside", {"beside"}, {}}, {2, 1, 42, 9}},
+    {{"thing", {"thing", "things"}, {}}, {1, 0, 7, 1}},
+    {{"met", {"met"}, {}}, {1, 0, 6, 1}},
+};
+// clang-format on
+
+std::array<std::vector<std::string>, 4> prose_of_the_tree() {
+    const fs::path root = WRINKLE_SOURCE_DIR;
+    std::array<std::vector<std::string>, 4> prose;
+    const auto append = [&](Medium medium, const std::vector<std::string>& blocks) {
+        auto& all = prose[static_cast<size_t>(medium)];
+        all.insert(all.end(), blocks.begin(), blocks.end());
+    };
+    for (const char* top : {"core", "editor", "nodes", "plugins", "tests"})
+        for (const auto& entry : fs::recursive_directory_iterator(root / top)) {
+            const auto extension = entry.path().extension();
+            if (extension != ".h" && extension != ".cpp" && extension != ".c") continue;
+            const Prose found = prose_of_code(test::bytes_of(entry.path()));
+            const bool tests = top == std::string_view("tests");
+            append(tests ? Medium::tests : Medium::comments, found.comments);
+            if (!tests) append(Medium::strings, found.strings);
+        }
+    for (const char* name : {"README.md", "CONTRIBUTING.md", "CHANGELOG.md"})
+        append(Medium::documents, prose_of_document(test::bytes_of(root / name)));
+    for (const auto& entry : fs::directory_iterator(root / "docs"))
+        if (entry.path().extension() == ".md")
+            append(Medium::documents, prose_of_document(test::bytes_of(entry.path())));
+    return prose;
+}
+
+TEST(Vocabulary, OfTheTreeGetsNoWorse) {
+    const auto prose = prose_of_the_tree();
+    for (const Row& row : table)
+        for (size_t medium = 0; medium < prose.size(); ++medium) {
+            size_t count = 0;
+            for (const std::string& block : prose[medium])
+                count += occurrences(row.term, block);
+            EXPECT_EQ(count, row.most[medium])
+                << "'" << row.term.name << "' in " << medium_names[medium]
+                << (count > row.most[medium] ? ": use the field's term"
+                                             : ": fewer than before; write the new number");
+        }
+}
+
+size_t count(const Term& term, const std::vector<std::string>& blocks) {
+    size_t sum = 0;
+    for (const std::string& block : blocks)
+        sum += occurrences(term, block);
+    return sum;
+}
+
+TEST(Vocabulary, IsThatOfCommentsAndSentences) {
+    const Term stand{"stand", {"stand*"}, {"stand-in"}};
+    const Prose prose = prose_of_code(
+        "// It stands\n// here, \"stands\".\nint stands = 1;  // stood\n"
+        "call('\"', \"stands\", \"where it stands\", R\"(it stands)\");  // 1'000 stand-in\n");
+    ASSERT_EQ(prose.comments.size(), 3U);
+    EXPECT_EQ(count(stand, prose.comments), 2U);
+    EXPECT_EQ(prose.strings.size(), 2U);
+    EXPECT_EQ(count(stand, prose.strings), 2U);
+    EXPECT_EQ(count({"hand", {"at hand"}, {}}, prose_of_code("// at\n// hand\n").comments), 1U);
+}
+
+TEST(Vocabulary, OfDocumentsLeavesOutCode) {
+    const auto blocks = prose_of_document(
+        "# What stands\n\nIt `stands` [here](stands.md),\nhttps://stands.org stands.\n"
+        "```\nstands\n```\n* What it is\n");
+    EXPECT_EQ(count({"stand", {"stands"}, {}}, blocks), 2U);
+    EXPECT_EQ(count({"first", {"^what"}, {}}, blocks), 2U);
+}
+
+TEST(Vocabulary, AnExceptionIsNotCounted) {
+    const Term none{"is no", {"is no"}, {"there is no", "is no longer"}};
+    EXPECT_EQ(occurrences(none, "It is no file; there is no file; it is no longer one."), 1U);
+}
+
+}  // namespace
+}  // namespace wrinkle::layout
