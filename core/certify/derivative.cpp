@@ -65,7 +65,7 @@ Module with_derivatives(const Subject& subject, const Bench& bench) {
             {output.name, output.port_type, op(Op::ddx_, Value{&lowered, output.value}).id});
     }
     const ExpandOptions options{.back_faces = subject.project.top().back_face_rule()};
-    Module module = explicit_lod(expand(settle_frames(lowered, options), options));
+    Module module = explicit_lod(expand(std::move(lowered), options));
     Direction direction = screen_direction(module, Variant::dx, false);
     for (size_t k = 0; k < module.outputs.size(); k += columns)
         module.outputs[k + derived].value =

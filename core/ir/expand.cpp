@@ -42,11 +42,13 @@ struct Expander {
     std::unordered_map<Id, Value> bases;  // the resolved normal; empty for the surface
 
     Value value(Id id) const { return {target, id}; }
+    Id parameter(const Parameter& parameter);
     Value base_normal(const Module& source, Id gradient) const;
     Value resolved(const Module& source, Id gradient);
     Id opaque(const Module& source, Id id, std::span<const Id> mapped);
     void gradient(const Module& source, Id id, std::span<const Id> mapped);
     GradientSum source_gradient(const Module& source, Id id, std::span<const Id> mapped);
+    GradientSum scaled(const GradientSum& gradient, Value amount);
     GradientSum solid_gradient(Id height);
     GradientSum from_derivative(const Derivative& d);
     GradientSum from_normal(Value n, Value v);
@@ -54,6 +56,13 @@ struct Expander {
     void base(const Module& source, Id id, std::span<const Id> mapped);
     Id sample(const Module& source, Id id, std::span<const Id> mapped);
 };
+
+// Returns the parameter as a constant of its value; poison for one that stays a parameter.
+Id Expander::parameter(const Parameter& parameter) {
+    if (options.parameters == Parameters::kept || parameter.graph_input) return poison;
+    return target->constant(parameter.type,
+                            std::span(parameter.value.data(), info(parameter.type).lanes));
+}
 
 Value Expander::base_normal(const Module& source, Id gradient) const {
     const Id base = source[gradient].extra;
@@ -145,17 +154,23 @@ GradientSum Expander::source_gradient(const Module& source, Id id, std::span<con
     }
 }
 
+GradientSum Expander::scaled(const GradientSum& gradient, Value amount) {
+    if (target->is_literal(amount.id, 0)) return {};
+    if (target->is_literal(amount.id, 1)) return gradient;
+    return algebra->scale(gradient, amount);
+}
+
 void Expander::gradient(const Module& source, Id id, std::span<const Id> mapped) {
     const Inst& inst = source[id];
     GradientSum result;
     if (inst.op == Op::gradient_add_) {
         result = algebra->add(gradients.at(inst.arg[0]), gradients.at(inst.arg[1]));
     } else if (inst.op == Op::gradient_scale_) {
-        result = algebra->scale(gradients.at(inst.arg[0]), value(mapped[1]));
+        result = scaled(gradients.at(inst.arg[0]), value(mapped[1]));
     } else if (inst.op == Op::gradient_mix_) {
         const Value t = value(mapped[2]);
-        result = algebra->scale(gradients.at(inst.arg[0]), number(t, 1) - t);
-        result = algebra->add(std::move(result), algebra->scale(gradients.at(inst.arg[1]), t));
+        result = algebra->add(scaled(gradients.at(inst.arg[0]), number(t, 1) - t),
+                              scaled(gradients.at(inst.arg[1]), t));
     } else {
         result = source_gradient(source, id, mapped);
     }
@@ -169,11 +184,6 @@ Value Expander::resolved(const Module& source, Id gradient) {
     return algebra->resolve(gradients.at(gradient), facing, sign, base_normal(source, gradient));
 }
 
-void report_base(Module& target) {
-    target.problem("the base is neither the surface's normal nor the output of a resolve",
-                   "connect a resolve's normal, or leave the port unconnected");
-}
-
 void Expander::base(const Module& source, Id id, std::span<const Id> mapped) {
     const Inst& inst = source[id];
     if (source[inst.arg[0]].op == Op::resolve_) {
@@ -181,9 +191,9 @@ void Expander::base(const Module& source, Id id, std::span<const Id> mapped) {
         return;
     }
     bases.emplace(id, Value{});
-    if (mapped[0] != surface_normal(*target, options.back_faces) &&
-        mapped[0] != unit_normal(*target))
-        report_base(*target);
+    if (!is_surface_normal(source, inst.arg[0]))
+        target->problem("the base is neither the surface's normal nor the output of a resolve",
+                        "connect a resolve's normal, or leave the port unconnected");
 }
 
 Id Expander::opaque(const Module& source, Id id, std::span<const Id> mapped) {
@@ -199,8 +209,8 @@ Id Expander::opaque(const Module& source, Id id, std::span<const Id> mapped) {
         case Op::frame_: {
             const Id direction = mapped.size() > 1 ? mapped[1] : poison;
             const uint32_t uv = facts.dependencies(inst.arg[0]);
-            frames.emplace(id, make_frame(*target, *screen, mapped[0], direction,
-                                          settled_frame(*target, inst.extra, uv, options)));
+            const FrameChoice choice = choose_frame(*target, inst.extra, uv, options);
+            frames.emplace(id, make_frame(*target, *screen, mapped[0], direction, choice));
             break;
         }
         case Op::derivative_:
@@ -253,6 +263,7 @@ Id expand_one(void* context, Module& target, const Module& source, Id id,
         expander.functions.emplace(target, *expander.screen, source);
     }
     const Op op = source[id].op;
+    if (op == Op::parameter_) return expander.parameter(target.parameters[source[id].extra]);
     if (op == Op::sample_) return expander.sample(source, id, mapped);
     if (op == Op::call_) return expander.functions->call(source, id, mapped);
     if (op == Op::result_) return expander.functions->result(source, id, mapped[0]);
@@ -265,42 +276,7 @@ Id expand_one(void* context, Module& target, const Module& source, Id id,
     return expander.opaque(source, id, mapped);
 }
 
-// Returns the parameter as a constant of its value; poison for a graph input, which stays one.
-Id baked(Module& target, const Parameter& parameter) {
-    if (parameter.graph_input) return poison;
-    return target.constant(parameter.type,
-                           std::span(parameter.value.data(), info(parameter.type).lanes));
-}
-
-struct Settler {
-    const ExpandOptions& options;
-    const Parameters parameters;
-    const ValueFacts facts;  // for the source
-};
-
-Id settle_one(void* context, Module& target, const Module& source, Id id,
-              std::span<const Id> mapped) {
-    const Inst& inst = source[id];
-    const auto& settler = *static_cast<const Settler*>(context);
-    if (inst.op == Op::parameter_ && settler.parameters == Parameters::baked)
-        return baked(target, target.parameters[inst.extra]);
-    if (inst.op == Op::base_ && source[inst.arg[0]].op != Op::resolve_ &&
-        !is_surface_normal(source, inst.arg[0])) {
-        report_base(target);
-        return target.add(Op::base_, {surface_normal(target, settler.options.back_faces)});
-    }
-    if (inst.op != Op::frame_) return poison;
-    return target.add(Op::frame_, mapped,
-                      settled_frame(target, inst.extra, settler.facts.dependencies(inst.arg[0]),
-                                    settler.options));
-}
-
 }  // namespace
-
-Module settle_frames(Module source, const ExpandOptions& options, Parameters parameters) {
-    Settler settler{options, parameters, ValueFacts(source)};
-    return rebuild(std::move(source), settle_one, &settler);
-}
 
 Module expand(Module source, const ExpandOptions& options) {
     Expander expander(options, source);

@@ -18,25 +18,24 @@ namespace wrinkle {
 // executed: its user emits the covariances (ir/covariance.h) and drops the rest.
 enum class Covariances : uint8_t { dropped, kept };
 
+// `baked` turns parameters into literals of their values, except graph inputs.
+enum class Parameters : uint8_t { kept, baked };
+
 struct ExpandOptions {
     bool vertex_tangents = true;  // false: `auto` frames of uv0 are derived (--no-tangents)
     BackFaces back_faces = BackFaces::mirror;
     Covariances covariances = Covariances::dropped;
+    Parameters parameters = Parameters::kept;
 };
 
-// Returns the module with the method of every frame and the uv set it belongs to decided. Records a
-// problem for a method that does not match its scale and for an invalid base. Parameters other than
-// graph inputs may be baked into literals in the same pass and not before: frames, bases and errors
-// never depend on a parameter's value.
-enum class Parameters : uint8_t { kept, baked };
-Module settle_frames(Module source, const ExpandOptions& options,
-                     Parameters parameters = Parameters::kept);
-
-// Returns the module without opaque ops, ddx and ddy; settles frames that are not settled. A sample
-// with a uv that may be discontinuous between pixels (floor, select, atan2, a loop, a texture
-// read), or that depends on a function's input, becomes a sample_grad with the uv's forward
-// derivative, so that no mip-level seam is visible at the discontinuity. Code that cannot be
-// expanded (e.g. a bump inside a loop) is recorded as a problem of the result.
+// Returns the module without opaque ops, ddx and ddy. The method of a frame, the uv set it belongs
+// to and the base of a gradient follow from the source's expressions, where baked parameters still
+// are parameters: they, and the problems recorded for them (a method that does not match its scale,
+// an invalid base), never depend on a parameter's value. A sample with a uv that may be
+// discontinuous between pixels (floor, select, atan2, a loop, a texture read), or that depends on a
+// function's input, becomes a sample_grad with the uv's forward derivative, so that no mip-level
+// seam is visible at the discontinuity. Code that cannot be expanded (e.g. a bump inside a loop) is
+// recorded as a problem of the result.
 Module expand(Module source, const ExpandOptions& options);
 
 }  // namespace wrinkle

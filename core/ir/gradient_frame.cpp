@@ -84,9 +84,6 @@ void report(Module& target, const Choice& choice, Fit fit) {
     target.problem("the frame '" + name + "' goes with the scale 'surface'", expected);
 }
 
-// Bits 16 and up of a settled frame: 0 not settled, 1 no single source, else 2 + the surface input.
-constexpr uint32_t set_shift = 16;
-
 TangentBasis vertex_basis(Module& target, bool raw) {
     const Value n{&target, target.input(SurfaceInput::normal_)};
     const Value tangent{&target, target.input(SurfaceInput::tangent_)};
@@ -192,25 +189,22 @@ Id ScreenDerivatives::along(Change change, Id value) {
     return direction(change).tangent(value);
 }
 
-uint32_t settled_frame(Module& target, uint32_t extra, uint32_t dependencies,
-                       const ExpandOptions& options) {
-    if (extra >> set_shift != 0) return extra;
+FrameChoice choose_frame(Module& target, uint32_t extra, uint32_t dependencies,
+                         const ExpandOptions& options) {
     Choice choice = chosen(extra, dependencies, options);
     if (const Fit fit = fit_of(choice, dependencies); fit != Fit::fits) {
         report(target, choice, fit);
         choice.method = choice.scale == WR_SCALE_surface ? WR_FRAME_exact : WR_FRAME_derived;
     }
-    const auto set = source_of(choice.method, dependencies);
-    return WR_FRAME(choice.method, choice.scale) | (set ? 2 + static_cast<uint32_t>(*set) : 1)
-                                                       << set_shift;
+    return {choice.method, source_of(choice.method, dependencies)};
 }
 
-Frame make_frame(Module& target, ScreenDerivatives& screen, Id uv, Id direction, uint32_t settled) {
-    const uint32_t method = settled & 0xFF;
-    const uint32_t set = settled >> set_shift;
+Frame make_frame(Module& target, ScreenDerivatives& screen, Id uv, Id direction,
+                 const FrameChoice& choice) {
+    const auto& [method, source] = choice;
     Frame frame;
     if (method == WR_FRAME_pixel) return frame;
-    if (method == WR_FRAME_exact && set > 1) {
+    if (method == WR_FRAME_exact && source) {
         frame.key = {Basis::space, poison};
         frame.row_u = screen.in_space(0, uv);
         frame.row_v = screen.in_space(1, uv);
@@ -222,13 +216,13 @@ Frame make_frame(Module& target, ScreenDerivatives& screen, Id uv, Id direction,
         frame.row_v = screen.along_surface(Variant::dy, uv);
         return frame;
     }
-    if (set > 1) bring_to_set(target, screen, uv, static_cast<SurfaceInput>(set - 2), frame);
+    if (source) bring_to_set(target, screen, uv, *source, frame);
     if (method == WR_FRAME_guess)
         frame.key = {Basis::guess, direction};
     else if (method == WR_FRAME_vertex)
         frame.key = {Basis::vertex, poison};
-    else if (set > 1)
-        frame.key = {Basis::derived_set, static_cast<Id>(set - 2)};
+    else if (source)
+        frame.key = {Basis::derived_set, static_cast<Id>(*source)};
     else
         frame.key = {Basis::derived_uv, uv};
     return frame;

@@ -80,14 +80,20 @@ struct TangentBasis {
     Value along(Value slope) const;  // T s.x + B s.y
 };
 
-// Returns the `extra` of a settled frame op: WR_FRAME with the method decided, and the uv set that
-// its uv is a function of. An `extra` that is already settled is returned unchanged. `dependencies`
-// are those of the uv. If method and scale do not match, a problem is recorded and a matching
-// method is used.
-uint32_t settled_frame(Module& target, uint32_t extra, uint32_t dependencies,
-                       const ExpandOptions& options);
+// How a frame is made: WR_FRAME_*, not auto, and the surface input that its uv is a function of, if
+// it is a single one that the method can use.
+struct FrameChoice {
+    uint32_t method = WR_FRAME_exact;
+    std::optional<SurfaceInput> source;
+};
 
-Frame make_frame(Module& target, ScreenDerivatives& screen, Id uv, Id direction, uint32_t settled);
+// Decides on the frame of a frame op's `extra`; `dependencies` are those of its uv. If method and
+// scale do not match, a problem is recorded and a matching method is chosen.
+FrameChoice choose_frame(Module& target, uint32_t extra, uint32_t dependencies,
+                         const ExpandOptions& options);
+
+Frame make_frame(Module& target, ScreenDerivatives& screen, Id uv, Id direction,
+                 const FrameChoice& choice);
 
 // Returns the vectors of the basis; `raw` omits the factor 1/|N| of a vertex basis.
 TangentBasis tangent_basis(Module& target, const FrameKey& key, ScreenDerivatives& screen,

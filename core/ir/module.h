@@ -31,7 +31,7 @@
 //
 // Literals are scalars in double; a vector constant is a construct of literals. A node's
 // unconnected numbers are `parameter`s, so that frames, bases and errors never depend on a value;
-// settle_frames() (ir/expand.h) can turn them into literals while it decides on frames.
+// expand() (ir/expand.h) can turn them into literals.
 //
 // A gradient-typed instruction stores its base in `extra` (the Id of a `base` instruction; 0 is the
 // surface or, of gradient_zero, any). Adding or mixing gradients of two bases is an error. A

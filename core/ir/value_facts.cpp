@@ -8,7 +8,7 @@ constinit const std::array<ValueFacts::Effect, tables::op_count> ValueFacts::eff
         if (row.flags & WR_FLAG_ZERO_DERIVATIVE || row.rule == Rule::leaf)
             effects[op].keeps = ~all_inputs;
     }
-    effects[static_cast<size_t>(Op::resolve_)].keeps = 0;
+    effects[static_cast<size_t>(Op::resolve_)].keeps = varying;
     for (const Op op : {Op::sample_, Op::sample_lod_, Op::sample_grad_})
         effects[static_cast<size_t>(op)].adds = reading;
     for (const Op op :
@@ -34,11 +34,12 @@ ValueFacts::Facts ValueFacts::of(Id id) const {
     const Inst& inst = m[id];
     switch (inst.op) {
         case Op::input_:
-            return 1U << static_cast<uint32_t>(input_of(inst.extra));
+            return varying | 1U << static_cast<uint32_t>(input_of(inst.extra));
         case Op::region_param_: {
-            if (!m.is_open_input(id)) return 0;
+            if (!m.is_open_input(id)) return varying;
             const OpenInput& input = m.open_inputs[inst.extra];
-            return input.dependencies | (input.jumps ? jumping : 0) | (input.reads ? reading : 0);
+            return varying | input.dependencies | (input.jumps ? jumping : 0) |
+                   (input.reads ? reading : 0);
         }
         case Op::result_:
             if (const Id result = m.open_result(id)) return facts_[result];
@@ -54,10 +55,12 @@ ValueFacts::Facts ValueFacts::of(Id id) const {
 }
 
 // `facts` are those of the operands.
-ValueFacts::Facts ValueFacts::of_op(const Inst& inst, Facts facts) {
+ValueFacts::Facts ValueFacts::of_op(const Inst& inst, Facts facts) const {
     const Effect& effect = effects[static_cast<size_t>(inst.op)];
     const bool seen_as_steps = inst.op == Op::detach_ && facts & reading;
-    facts = (facts & effect.keeps) | effect.adds | (seen_as_steps ? jumping : 0);
+    const Facts choosing = inst.op == Op::select_ ? facts_[inst.arg[0]] : facts;
+    const Facts adds = choosing & varying ? effect.adds : effect.adds & ~jumping;
+    facts = (facts & effect.keeps) | adds | (seen_as_steps ? jumping : 0);
     return is_whole_type(inst.type) ? facts & ~all_inputs : facts;
 }
 
@@ -72,8 +75,9 @@ ValueFacts::Facts ValueFacts::of_region(Id id) const {
     Facts inside = 0;
     if (!region.is_open())
         for (const Id result : region.results)
-            inside |= facts_[result];
-    return of_op(inst, facts) | (inside & all_inputs);
+            inside |= facts_[result] & all_inputs;
+    if (inside) facts |= varying;
+    return of_op(inst, facts) | inside;
 }
 
 bool is_position_alone(uint32_t dependencies) {

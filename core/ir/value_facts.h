@@ -19,7 +19,8 @@ public:
     uint32_t dependencies(Id id) const { return facts_[id] & all_inputs; }
     // Returns true if the value may be discontinuous between pixels where its forward derivative is
     // not, so that its hardware differences are not a footprint: it depends on a rounding,
-    // remainder, select, atan2 or loop, or on a texture read that is detached.
+    // remainder, select, atan2 or loop of values that vary over the surface, or on a texture read
+    // that is detached.
     bool jumps(Id id) const { return facts_[id] & jumping; }
     // Returns true if the value depends on a texture read.
     bool reads(Id id) const { return facts_[id] & reading; }
@@ -27,7 +28,8 @@ public:
 private:
     // One bit per fact, so that a value inherits those of its operands in one operation.
     using Facts = uint32_t;
-    static constexpr Facts jumping = 1U << 30, reading = 1U << 31, all_inputs = jumping - 1;
+    static constexpr Facts varying = 1U << 29, jumping = 1U << 30, reading = 1U << 31,
+                           all_inputs = varying - 1;
 
     // Effect of an op on the facts of its operands.
     struct Effect {
@@ -36,7 +38,7 @@ private:
     static const std::array<Effect, tables::op_count> effects;
 
     Facts of(Id id) const;
-    static Facts of_op(const Inst& inst, Facts facts);
+    Facts of_op(const Inst& inst, Facts facts) const;
     Facts of_region(Id id) const;
 
     const Module* module_;

@@ -36,12 +36,10 @@ bool is_connected(const Project::File& file) {
 
 // Runs the passes after lowering. A module that exceeds the limit is an error at the node that
 // exceeds it.
-void expand_into(Compiled& compiled, Module lowered, const ExpandOptions& frames,
+void expand_into(Compiled& compiled, Module lowered, const ExpandOptions& expansion,
                  const Project& project, const MaterialOptions& options, Diagnostics& diagnostics) {
     try {
-        if (!options.uniform_parameters)
-            lowered = settle_frames(std::move(lowered), frames, Parameters::baked);
-        Module module = expand(std::move(lowered), frames);
+        Module module = expand(std::move(lowered), expansion);
         report_problems(module, project, compiled.places, diagnostics);
         if (diagnostics.has_errors()) return;
         if (options.given_differentials) module = explicit_lod(std::move(module));
@@ -68,8 +66,9 @@ Compiled compile_material(const Project& project, const Registry& registry,
     if (diagnostics.has_errors()) return compiled;
     if (!options.runs_calls.empty() && !may_expand(project, options.runs_calls, diagnostics))
         return compiled;
-    const ExpandOptions frames{options.vertex_tangents, project.top().back_face_rule(),
-                               options.covariances};
+    const ExpandOptions expansion{
+        options.vertex_tangents, project.top().back_face_rule(), options.covariances,
+        options.uniform_parameters ? Parameters::kept : Parameters::baked};
     LowerOptions lowering = options.lower;
     lowering.files = &files;
     Lowered lowered = lower(project, types, lowering, diagnostics);
@@ -77,7 +76,7 @@ Compiled compile_material(const Project& project, const Registry& registry,
     if (diagnostics.has_errors()) return compiled;
     assert(verify(lowered.module).empty());
     compiled.places = std::move(lowered.places);
-    expand_into(compiled, std::move(lowered.module), frames, project, options, diagnostics);
+    expand_into(compiled, std::move(lowered.module), expansion, project, options, diagnostics);
     return compiled;
 }
 

@@ -1,5 +1,5 @@
-// Compiles a project to a module that can be written as GLSL or evaluated: check, lower, bake
-// parameters, expand, explicit lod.
+// Compiles a project to a module that can be written as GLSL or evaluated: check, lower,
+// expand (and bake parameters), explicit lod.
 #pragma once
 
 #include "ir/expand.h"

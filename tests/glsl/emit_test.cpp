@@ -36,7 +36,7 @@ std::vector<std::string> lines_of(const std::string& text) {
 
 TEST(Emit, function_form_of_base_and_detail) {
     const Module module = expand(base_and_detail(), {});
-    const Shader baked = emit(settle_frames(module, {}, Parameters::baked), options());
+    const Shader baked = emit(expand(module, {.parameters = Parameters::baked}), options());
     EXPECT_EQ(compile_errors(baked), "");
     EXPECT_TRUE(equals_golden(baked.source, "base_and_detail.glsl"));
     const Shader uniform = emit(module, options());
@@ -48,7 +48,7 @@ TEST(Emit, function_form_of_base_and_detail) {
 
 TEST(Emit, one_uv_set_takes_at_most_25_lines) {
     const Module module = expand(base_and_detail(SurfaceInput::uv0_), {});
-    const Shader shader = emit(settle_frames(module, {}, Parameters::baked), options());
+    const Shader shader = emit(expand(module, {.parameters = Parameters::baked}), options());
     EXPECT_EQ(compile_errors(shader), "");
     EXPECT_TRUE(equals_golden(shader.source, "base_and_detail.uv0.glsl"));
     EXPECT_LE(lines_of(shader.source).size(), 25u);
@@ -57,7 +57,7 @@ TEST(Emit, one_uv_set_takes_at_most_25_lines) {
 TEST(Emit, given_differentials_are_members) {
     const Module module = explicit_lod(expand(base_and_detail(), {}));
     const Shader shader =
-        emit(settle_frames(module, {}, Parameters::baked), options({}, Differentials::given));
+        emit(expand(module, {.parameters = Parameters::baked}), options({}, Differentials::given));
     EXPECT_EQ(compile_errors(shader), "");
     EXPECT_TRUE(equals_golden(shader.source, "base_and_detail.given.glsl"));
     EXPECT_EQ(shader.source.find("dFdx"), std::string::npos);

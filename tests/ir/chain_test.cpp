@@ -42,7 +42,7 @@ void pass_through_every_pass() {
     EXPECT_NE(substitute(m, m.outputs[0].value, std::span(&from, 1), std::span(&to, 1)),
               m.outputs[0].value);
     EXPECT_LT(m.size() - before, 2u * length + 10);
-    const Module baked = settle_frames(m, {}, Parameters::baked);
+    const Module baked = expand(m, {.parameters = Parameters::baked});
     EXPECT_LT(baked.size(), 2u * length + 10);
     EXPECT_EQ(verify(explicit_lod(baked)), "");
     EXPECT_GT(print(baked).size(), size_t{length});
@@ -81,7 +81,7 @@ void chain_in_regions() {
     EXPECT_LT(m.size() - written, 8u * shorter);
     m.outputs.push_back({"change", WR_PORT_float, change});
     EXPECT_EQ(verify(m), "");
-    EXPECT_EQ(verify(settle_frames(m, {}, Parameters::baked)), "");
+    EXPECT_EQ(verify(expand(m, {.parameters = Parameters::baked})), "");
 }
 
 // Consecutive loops that read each other's results: each is differentiated once.
@@ -171,7 +171,7 @@ void calls() {
     Direction direction = uv_direction(m, SurfaceInput::uv0_, 0);
     EXPECT_NE(direction.tangent(y), poison);
     EXPECT_LT(m.size() - written, 3u * shorter);
-    EXPECT_EQ(verify(settle_frames(m, {}, Parameters::baked)), "");
+    EXPECT_EQ(verify(expand(m, {.parameters = Parameters::baked})), "");
 }
 
 TEST(Chain, OfCalls) {

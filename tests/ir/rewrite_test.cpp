@@ -102,7 +102,7 @@ TEST_F(RewriteTest, BakingEqualsWritingLiterals) {
     const Value x = power(u * amount, v * tint.x() + tint.y(), 2) * input;
     m.outputs = {{"height", WR_PORT_height, x.id}};
     m.named = {{x.id, 1, "height", true}, {(u * v).id, 1, "unused", true}};
-    const Module baked = settle_frames(m, {}, Parameters::baked);
+    const Module baked = expand(m, {.parameters = Parameters::baked});
     EXPECT_EQ(verify(baked), "");
     ASSERT_EQ(baked.outputs.size(), 1u);
     EXPECT_EQ(baked.outputs[0].name, "height");

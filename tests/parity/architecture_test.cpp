@@ -66,19 +66,17 @@ PointSet point_of_the_page() {
 
 TEST(Architecture, PrintsOfThePageAreThoseOfItsGraph) {
     const auto blocks = fenced_blocks(bytes_of(WRINKLE_SOURCE_DIR "/docs/architecture.md"));
-    ASSERT_EQ(blocks.size(), 6U);
+    ASSERT_EQ(blocks.size(), 5U);
     Diagnostics diagnostics;
     const Project project =
         load_project(read_document(blocks[0], "softer.json", diagnostics), ".", {}, diagnostics);
     const Module lowered = lower(project, all_nodes(), {}, diagnostics).module;
     EXPECT_EQ(print(lowered), blocks[1]);
-    const Module baked = settle_frames(lowered, {}, Parameters::baked);
-    EXPECT_EQ(print(baked), blocks[2]);
-    const Module expanded = expand(baked, {});
-    EXPECT_EQ(without_ids(print(expanded)), without_ids(blocks[3]));
+    const Module expanded = expand(lowered, {.parameters = Parameters::baked});
+    EXPECT_EQ(without_ids(print(expanded)), without_ids(blocks[2]));
     EmitOptions options;
     options.name = "softer";
-    EXPECT_NE(emit(expanded, options).source.find(blocks[4]), std::string::npos);
+    EXPECT_NE(emit(expanded, options).source.find(blocks[3]), std::string::npos);
     std::string why;
     const auto values =
         certify::on_cpu<double>(explicit_lod(expanded), point_of_the_page(), test_image, why);
@@ -86,7 +84,7 @@ TEST(Architecture, PrintsOfThePageAreThoseOfItsGraph) {
     const auto& normal = values->at(0);
     char line[80];
     std::snprintf(line, sizeof line, "normal = %.6g %.6g %.6g\n", normal[0], normal[1], normal[2]);
-    EXPECT_EQ(line, blocks[5]);
+    EXPECT_EQ(line, blocks[4]);
     EXPECT_EQ(to_text(diagnostics), "");
 }
 
