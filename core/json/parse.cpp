@@ -1,10 +1,7 @@
 #include "json/parse.h"
 
 #include <algorithm>
-#include <array>
 #include <bit>
-#include <cassert>
-#include <cstring>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <span>
@@ -17,89 +14,29 @@
 namespace wrinkle::json {
 namespace {
 
-// Character classes of Feed.
-enum class Letter : uint8_t { punctuation, plain, quote, backslash, other };
-
-Letter letter_of(char c) {
-    static constexpr auto table = [] {
-        std::array<Letter, 256> letters{};
-        letters.fill(Letter::other);
-        for (unsigned char byte = 0x20; byte < 0x7F; ++byte)
-            letters[byte] = Letter::plain;
-        for (const unsigned char byte : {',', ':', '{', '}', '[', ']'})
-            letters[byte] = Letter::punctuation;
-        letters['"'] = Letter::quote;
-        letters['\\'] = Letter::backslash;
-        return letters;
-    }();
-    return table[static_cast<unsigned char>(c)];
-}
-
-// The characters of the text that are passed to the library. In a string of plain characters these
-// are only the quotes: the contents cannot be invalid and are sliced from the source. White space
-// after punctuation is skipped, because no token begins or ends in it. The terminating zero of the
-// text stops both skips.
-struct Feed {
-    const char* at = nullptr;  // next character to pass
-    const char* end = nullptr;
-    const char* taken = nullptr;   // end of the last character passed
-    const char* string = nullptr;  // opening quote of the latest string
-    bool in_string = false;
-    bool escaped = false;
-    bool passed = false;  // contents of the latest string were skipped
-
-    void take() {
-        const Letter letter = letter_of(*at);
-        taken = ++at;
-        if (in_string)
-            end_of_string(letter);
-        else if (letter == Letter::punctuation)
-            skip_space();
-        else if (letter == Letter::quote)
-            begin_string();
-    }
-
-private:
-    void skip_space() {
-        while (is_space(*at))
-            ++at;
-    }
-    void begin_string() {
-        string = at - 1;
-        in_string = true;
-        const char* close = at;
-        while (letter_of(*close) <= Letter::plain)
-            ++close;
-        passed = *close == '"';
-        if (passed) at = close;
-    }
-    void end_of_string(Letter letter) {
-        in_string = escaped || letter != Letter::quote;
-        escaped = !escaped && letter == Letter::backslash;
-    }
-};
-
-// All copies share the feed. Supports comparison only with the end.
-struct FeedIterator {
+// Iterator over the text for the library. All copies share one position, from which the handler
+// takes the locations of tokens. Supports comparison only with the end.
+struct SharedIterator {
     using difference_type = std::ptrdiff_t;
     using value_type = char;
     using pointer = const char*;
     using reference = const char&;
     using iterator_category = std::input_iterator_tag;
 
-    Feed* feed;
+    const char** at;
+    const char* end;
 
-    const char& operator*() const { return *feed->at; }
-    FeedIterator& operator++() {
-        feed->take();
+    const char& operator*() const { return **at; }
+    SharedIterator& operator++() {
+        ++*at;
         return *this;
     }
-    FeedIterator operator++(int) {
+    SharedIterator operator++(int) {
         ++*this;
         return *this;
     }
-    bool operator==(const FeedIterator&) const { return feed->at == feed->end; }
-    bool operator!=(const FeedIterator&) const { return feed->at != feed->end; }
+    bool operator==(const SharedIterator&) const { return *at == end; }
+    bool operator!=(const SharedIterator&) const { return *at != end; }
 };
 
 bool is_number_character(char c) {
@@ -114,8 +51,7 @@ public:
         open_.reserve(16);
         open_.emplace_back();
         cursor_ = begin_of(tree_.source);
-        feed_.at = feed_.taken = tree_.source.data();
-        feed_.end = feed_.at + tree_.source.size();
+        at_ = tree_.source.data();
     }
 
     bool null() { return literal(Kind::null, 4, false); }
@@ -143,7 +79,7 @@ public:
         return false;
     }
 
-    Feed& feed() { return feed_; }
+    SharedIterator iterator() { return {&at_, tree_.source.data() + tree_.source.size()}; }
     uint32_t cursor() const { return cursor_; }
 
     void report(uint32_t offset, std::string pointer, std::string message, std::string expected) {
@@ -179,10 +115,7 @@ private:
     // arrival.
     static constexpr uint32_t few = 8;
 
-    uint32_t offset_of(const char* at) const {
-        return static_cast<uint32_t>(at - tree_.source.data());
-    }
-    uint32_t consumed() const { return offset_of(feed_.taken); }
+    uint32_t consumed() const { return static_cast<uint32_t>(at_ - tree_.source.data()); }
     uint32_t start() const { return token_start(tree_.source, cursor_, ~0u); }
 
     Entry& add(Kind kind, uint32_t offset) {
@@ -214,11 +147,11 @@ private:
     }
 
     bool add_string(const std::string& text) {
-        const uint32_t offset = offset_of(feed_.string);
+        const uint32_t offset = start();
         cursor_ = consumed();
         Entry& entry = add(Kind::string, offset);
         entry.length = cursor_ - offset - 2;
-        if (feed_.passed || entry.length == text.size()) return true;
+        if (entry.length == text.size()) return true;
         entry.length = static_cast<uint32_t>(text.size());
         entry.pooled = true;
         entry.place = static_cast<uint32_t>(tree_.pool.size());
@@ -321,7 +254,7 @@ private:
     Tree& tree_;
     Diagnostics& diagnostics_;
     ParseLimits limits_;
-    Feed feed_;
+    const char* at_;          // next character of the library's lexer
     uint32_t cursor_ = 0;     // end of the last token understood
     std::vector<Open> open_;  // the text itself, and its open containers
     std::vector<Key> keys_;   // keys of open objects with many members
@@ -341,9 +274,7 @@ bool too_large(const Tree& tree, Diagnostics& diagnostics) {
 }
 
 bool read_all(Tree& tree, Handler& handler) {
-    if (!nlohmann::json::sax_parse(FeedIterator{&handler.feed()}, FeedIterator{&handler.feed()},
-                                   &handler))
-        return false;
+    if (!nlohmann::json::sax_parse(handler.iterator(), handler.iterator(), &handler)) return false;
     const uint32_t rest = token_start(tree.source, handler.cursor(), 0);
     if (rest == tree.source.size()) return true;
     handler.report(rest, "", "unexpected byte 0x00", "expected the end of the file");

@@ -5,6 +5,9 @@
 // before it are returned, with incomplete containers marked `cut_off`. Duplicate keys are reported
 // and do not stop the parser. A byte order mark is skipped. No recursion; linear time in the size
 // of the text.
+//
+// nlohmann_json is the lexer and the grammar (its SAX interface). This module adds to its events
+// the locations of all values, the limits, duplicate keys and messages in the words of the project.
 #pragma once
 
 #include <string>
