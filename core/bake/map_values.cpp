@@ -1,14 +1,12 @@
 #include "bake/map_values.h"
 
+#include "base/slope_limit.h"
 #include "ir/gradient_frame.h"
 #include "ir/surface.h"
 
 namespace wrinkle {
 namespace {
 
-// The limits of normal map decoding.
-constexpr double steepest = 128;
-constexpr double smallest_depth = 1e-6;
 constexpr double tiny_volume = 1e-30;
 
 Value times(Value vector, Value factor) {
@@ -39,7 +37,7 @@ Value slope_of_normal(Module& module, Value normal) {
     const Value n{&module, unit_normal(module)};
     const Value depth = dot(n, normal);
     const Value side = normal - n * depth;
-    const Value least = op(Op::sqrt_, dot(side, side)) * (1 / steepest);
+    const Value least = op(Op::sqrt_, dot(side, side)) * (1 / steepest_slope);
     const Value divisor = max(max(depth, least), smallest_depth);
     const auto along = [&](Variant axis) {
         const Value change{&module, module.input(SurfaceInput::position_, axis)};

@@ -3,6 +3,7 @@
 #include <unordered_map>
 #include <utility>
 
+#include "base/slope_limit.h"
 #include "ir/finish.h"
 #include "ir/gradient_sum.h"
 #include "ir/normal_variance.h"
@@ -12,9 +13,6 @@
 namespace wrinkle {
 namespace {
 
-// The reference's clamp of slopes from normal maps, and a floor that makes a zero vector flat.
-constexpr double steepest_slope = 128;
-constexpr double smallest_depth = 1e-6;
 // FLT_EPSILON: keeps SurfgradFromPerturbedNormal finite where the normal lies in the tangent plane.
 constexpr double smallest_cosine = 1.1920929e-7;
 

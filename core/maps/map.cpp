@@ -4,11 +4,14 @@
 #include <cassert>
 #include <cmath>
 
+#include "base/slope_limit.h"
+
 namespace wrinkle::maps {
 
 namespace {
 
-constexpr float steepest = 128, least_depth = 1e-6f;
+constexpr auto steepest = static_cast<float>(steepest_slope);
+constexpr auto least_depth = static_cast<float>(smallest_depth);
 
 float mean_of_colors(const float* texel, const Image& image) {
     const bool colors = image.channels >= 3;
