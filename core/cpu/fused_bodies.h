@@ -8,6 +8,7 @@
 #include <type_traits>
 
 #include "cpu/kernels.h"
+#include "ir/op_meaning.h"
 
 // Precondition: outputs do not overlap operands (registers.cpp).
 #if defined(__clang__)
@@ -27,20 +28,14 @@ Lane* lanes_of(const Registers<T>& registers, uint32_t reg) {
         return reinterpret_cast<Lane*>(registers.integers[reg]);
 }
 
-#define WRINKLE_FUNCTION(name, parameters, value) \
-    struct name {                                 \
-        template <class T>                        \
-        T operator() parameters const {           \
-            return value;                         \
-        }                                         \
-    };
-WRINKLE_FUNCTION(Abs, (T x, T), std::fabs(x))
-WRINKLE_FUNCTION(Add, (T x, T y), x + y)
-WRINKLE_FUNCTION(Sub, (T x, T y), x - y)
-WRINKLE_FUNCTION(Mul, (T x, T y), x* y)
-WRINKLE_FUNCTION(Min, (T x, T y), y < x ? y : x)
-WRINKLE_FUNCTION(Max, (T x, T y), x < y ? y : x)
-#undef WRINKLE_FUNCTION
+using meaning::floats::add_, meaning::floats::sub_, meaning::floats::mul_, meaning::floats::min_,
+    meaning::floats::max_;
+struct AbsOfFirst {
+    template <class T>
+    T operator()(T x, T) const {
+        return std::fabs(x);
+    }
+};
 
 template <class T, class First, class Second, bool swapped>
 void pair(const Step& step, const Registers<T>& registers, size_t n) {
@@ -62,8 +57,8 @@ void depth(const Step& step, const Registers<T>& registers, size_t n) {
     T* __restrict out = lanes_of<T>(registers, step.out[0]);
     WRINKLE_LANES
     for (size_t k = 0; k < n; ++k) {
-        const T least = Max{}(std::fabs(in[0][k]), std::fabs(in[1][k])) * in[2][k];
-        out[k] = Max{}(Max{}(std::fabs(in[3][k]), least), in[4][k]);
+        const T least = max_{}(std::fabs(in[0][k]), std::fabs(in[1][k])) * in[2][k];
+        out[k] = max_{}(max_{}(std::fabs(in[3][k]), least), in[4][k]);
     }
 }
 
@@ -76,15 +71,15 @@ template <class T, class First>
 StepKernel<T> pair_with(Op second, bool swapped) {
     switch (second) {
         case Op::add_:
-            return pair_of<T, First, Add>(swapped);
+            return pair_of<T, First, add_>(swapped);
         case Op::sub_:
-            return pair_of<T, First, Sub>(swapped);
+            return pair_of<T, First, sub_>(swapped);
         case Op::mul_:
-            return pair_of<T, First, Mul>(swapped);
+            return pair_of<T, First, mul_>(swapped);
         case Op::min_:
-            return pair_of<T, First, Min>(swapped);
+            return pair_of<T, First, min_>(swapped);
         case Op::max_:
-            return pair_of<T, First, Max>(swapped);
+            return pair_of<T, First, max_>(swapped);
         default:
             return nullptr;
     }
@@ -94,17 +89,17 @@ template <class T>
 [[gnu::noinline]] StepKernel<T> pair_kernel(Op first, Op second, bool swapped) {
     switch (first) {
         case Op::abs_:
-            return pair_with<T, Abs>(second, swapped);
+            return pair_with<T, AbsOfFirst>(second, swapped);
         case Op::add_:
-            return pair_with<T, Add>(second, swapped);
+            return pair_with<T, add_>(second, swapped);
         case Op::sub_:
-            return pair_with<T, Sub>(second, swapped);
+            return pair_with<T, sub_>(second, swapped);
         case Op::mul_:
-            return pair_with<T, Mul>(second, swapped);
+            return pair_with<T, mul_>(second, swapped);
         case Op::min_:
-            return pair_with<T, Min>(second, swapped);
+            return pair_with<T, min_>(second, swapped);
         case Op::max_:
-            return pair_with<T, Max>(second, swapped);
+            return pair_with<T, max_>(second, swapped);
         default:
             return nullptr;
     }

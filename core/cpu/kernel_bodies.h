@@ -7,10 +7,10 @@
 #include <cmath>
 #include <type_traits>
 
-#include "base/transcendental.h"
 #include "cpu/fused_bodies.h"
 #include "cpu/kernels.h"
 #include "cpu/sample_bodies.h"
+#include "ir/op_meaning.h"
 // Included after sample_bodies.h, which includes vectors.h.
 #include "cpu/interpolate_bodies.h"
 
@@ -34,18 +34,8 @@ void each(const Step& step, const Registers<T>& registers, size_t n) {
     }
 }
 
-template <class T, class A, class Out, class F>
-StepKernel<T> on(F) {
-    return each<T, A, Out, F>;
-}
-template <class T, class F>
-StepKernel<T> floats(F) {
-    return each<T, T, T, F>;
-}
-template <class T, class F>
-StepKernel<T> integers(F) {
-    return each<T, uint32_t, uint32_t, F>;
-}
+template <class T, class A, class Out>
+constexpr auto kernel_for = []<class F>(F) -> StepKernel<T> { return each<T, A, Out, F>; };
 
 template <class T, class Lane>
 void select(const Step& step, const Registers<T>& registers, size_t n) {
@@ -58,199 +48,38 @@ void select(const Step& step, const Registers<T>& registers, size_t n) {
         out[k] = condition[k] ? a[k] : b[k];
 }
 
-template <class T>
-StepKernel<T> arithmetic(Op op) {
-    switch (op) {
-        case Op::neg_:
-            return floats<T>([](T x) { return -x; });
-        case Op::add_:
-            return floats<T>(Add{});
-        case Op::sub_:
-            return floats<T>(Sub{});
-        case Op::mul_:
-            return floats<T>(Mul{});
-        case Op::div_:
-            return floats<T>([](T x, T y) { return x / y; });
-        case Op::mod_:
-            return floats<T>([](T x, T y) { return x - y * math::floor(x / y); });
-        case Op::mix_:
-            return floats<T>([](T x, T y, T t) { return x * (1 - t) + y * t; });
-        case Op::min_:
-            return floats<T>(Min{});
-        case Op::max_:
-            return floats<T>(Max{});
-        case Op::sqrt_:
-            return floats<T>([](T x) { return std::sqrt(x); });
-        case Op::inversesqrt_:
-            return floats<T>([](T x) { return 1 / std::sqrt(x); });
-        default:
-            return nullptr;
-    }
-}
-
-template <class T>
-T clamped(T x, T low, T high) {
-    const T above = x < low ? low : x;
-    return high < above ? high : above;
-}
-
-template <class T>
-T smoothstep(T low, T high, T x) {
-    const T t = clamped((x - low) / (high - low), T(0), T(1));
-    return t * t * (3 - 2 * t);
-}
-
-template <class T>
-StepKernel<T> shaping(Op op) {
-    switch (op) {
-        case Op::abs_:
-            return floats<T>([](T x) { return std::fabs(x); });
-        case Op::sign_:
-            return floats<T>([](T x) { return T(x > 0) - T(x < 0); });
-        case Op::sign_nonzero_:
-            return floats<T>([](T x) { return x < 0 ? T(-1) : T(1); });
-        case Op::floor_:
-            return floats<T>([](T x) { return math::floor(x); });
-        case Op::ceil_:
-            return floats<T>([](T x) { return -math::floor(-x); });
-        case Op::fract_:
-            return floats<T>([](T x) { return x - math::floor(x); });
-        case Op::clamp_:
-            return floats<T>([](T x, T a, T b) { return clamped(x, a, b); });
-        case Op::step_:
-            return floats<T>([](T e, T x) { return x < e ? T(0) : T(1); });
-        case Op::smoothstep_:
-            return floats<T>([](T a, T b, T x) { return smoothstep(a, b, x); });
-        default:
-            return nullptr;
-    }
-}
-
-template <class T>
-StepKernel<T> transcendental(Op op) {
-    switch (op) {
-        case Op::pow_:
-            return floats<T>([](T x, T y) { return math::pow(x, y); });
-        case Op::exp_:
-            return floats<T>([](T x) { return math::exp(x); });
-        case Op::log_:
-            return floats<T>([](T x) { return math::log(x); });
-        case Op::exp2_:
-            return floats<T>([](T x) { return math::exp2(x); });
-        case Op::log2_:
-            return floats<T>([](T x) { return math::log2(x); });
-        case Op::sin_:
-            return floats<T>([](T x) { return math::sin(x); });
-        case Op::cos_:
-            return floats<T>([](T x) { return math::cos(x); });
-        case Op::tan_:
-            return floats<T>([](T x) { return math::tan(x); });
-        case Op::asin_:
-            return floats<T>([](T x) { return math::asin(x); });
-        case Op::acos_:
-            return floats<T>([](T x) { return math::acos(x); });
-        case Op::atan_:
-            return floats<T>([](T x) { return math::atan(x); });
-        case Op::atan2_:
-            return floats<T>([](T y, T x) { return math::atan2(y, x); });
-        default:
-            return nullptr;
-    }
-}
-
-// A is the type of the operands.
-template <class T, class A>
-StepKernel<T> comparison(Op op) {
-    switch (op) {
-        case Op::lt_:
-            return on<T, A, uint32_t>([](A x, A y) { return uint32_t(x < y); });
-        case Op::le_:
-            return on<T, A, uint32_t>([](A x, A y) { return uint32_t(x <= y); });
-        case Op::gt_:
-            return on<T, A, uint32_t>([](A x, A y) { return uint32_t(x > y); });
-        case Op::ge_:
-            return on<T, A, uint32_t>([](A x, A y) { return uint32_t(x >= y); });
-        case Op::eq_:
-            return on<T, A, uint32_t>([](A x, A y) { return uint32_t(x == y); });
-        case Op::ne_:
-            return on<T, A, uint32_t>([](A x, A y) { return uint32_t(x != y); });
-        default:
-            return nullptr;
-    }
-}
-
-// Ops that are the same for int and uint in two's complement.
-template <class T>
-StepKernel<T> words(Op op) {
-    using W = uint32_t;
-    switch (op) {
-        case Op::neg_:
-            return integers<T>([](W x) { return 0u - x; });
-        case Op::add_:
-            return integers<T>([](W x, W y) { return x + y; });
-        case Op::sub_:
-            return integers<T>([](W x, W y) { return x - y; });
-        case Op::mul_:
-            return integers<T>([](W x, W y) { return x * y; });
-        case Op::and_:
-        case Op::bit_and_:
-            return integers<T>([](W x, W y) { return x & y; });
-        case Op::or_:
-        case Op::bit_or_:
-            return integers<T>([](W x, W y) { return x | y; });
-        case Op::bit_xor_:
-            return integers<T>([](W x, W y) { return x ^ y; });
-        case Op::not_:
-            return integers<T>([](W x) { return x ^ 1u; });
-        case Op::shift_left_:
-            return integers<T>([](W x, W y) { return x << (y & 31); });
-        case Op::to_int_:
-        case Op::to_uint_:
-            return integers<T>([](W x) { return x; });
-        default:
-            return nullptr;
-    }
-}
-
-// Ops that depend on the sign; S is int32_t or uint32_t.
-template <class T, class S>
-StepKernel<T> ordered(Op op) {
-    switch (op) {
-        case Op::min_:
-            return on<T, S, S>([](S x, S y) { return y < x ? y : x; });
-        case Op::max_:
-            return on<T, S, S>([](S x, S y) { return x < y ? y : x; });
-        case Op::shift_right_:
-            return on<T, S, S>([](S x, S y) { return x >> (y & 31); });
-        default:
-            return nullptr;
-    }
-}
-
 // Rounds towards zero; values out of range become the nearest int that T represents, NaN becomes 0.
 template <class T>
 uint32_t truncated(T x) {
     constexpr T low = T(-2147483648.0), high = sizeof(T) == 4 ? T(2147483520.0) : T(2147483647.0);
-    return static_cast<uint32_t>(static_cast<int32_t>(clamped(x == x ? x : T(0), low, high)));
+    return static_cast<uint32_t>(
+        static_cast<int32_t>(meaning::clamped(x == x ? x : T(0), low, high)));
 }
 
 template <class T>
 StepKernel<T> on_floats(Op op) {
     if (op == Op::select_) return select<T, T>;
-    if (op == Op::to_int_) return on<T, T, uint32_t>([](T x) { return truncated(x); });
-    for (const auto family :
-         {arithmetic<T>, shaping<T>, transcendental<T>, comparison<T, T>, of_vectors<T>})
-        if (const StepKernel<T> kernel = family(op)) return kernel;
-    return nullptr;
+    if (op == Op::to_int_) return kernel_for<T, T, uint32_t>([](T x) { return truncated(x); });
+    if (const auto found = meaning::floats::find<StepKernel<T>>(op, kernel_for<T, T, T>))
+        return found;
+    if (const auto found =
+            meaning::comparisons::find<StepKernel<T>>(op, kernel_for<T, T, uint32_t>))
+        return found;
+    return of_vectors<T>(op);
 }
 
 template <class T, class S>
 StepKernel<T> on_integers(Op op) {
-    if (op == Op::select_) return select<T, uint32_t>;
-    if (op == Op::to_float_) return on<T, S, T>([](S x) { return static_cast<T>(x); });
-    for (const auto family : {words<T>, ordered<T, S>, comparison<T, S>})
-        if (const StepKernel<T> kernel = family(op)) return kernel;
-    return nullptr;
+    using Word = uint32_t;
+    if (op == Op::select_) return select<T, Word>;
+    if (op == Op::to_float_) return kernel_for<T, S, T>([](S x) { return static_cast<T>(x); });
+    if (op == Op::to_int_ || op == Op::to_uint_)
+        return kernel_for<T, Word, Word>([](Word x) { return x; });
+    if (const auto found = meaning::words::find<StepKernel<T>>(op, kernel_for<T, Word, Word>))
+        return found;
+    if (const auto found = meaning::ordered::find<StepKernel<T>>(op, kernel_for<T, S, S>))
+        return found;
+    return meaning::comparisons::find<StepKernel<T>>(op, kernel_for<T, S, Word>);
 }
 
 template <class T>

@@ -2,218 +2,70 @@
 
 #include <cmath>
 #include <cstdint>
+#include <type_traits>
 
-#include "base/transcendental.h"
+#include "ir/op_meaning.h"
 
 namespace wrinkle {
 namespace {
 
 using Constants = std::span<const Constant>;
 
-double wrapped(Type type, int64_t value) {
-    if (type == Type::uint_) return static_cast<double>(static_cast<uint32_t>(value));
-    return static_cast<double>(static_cast<int32_t>(static_cast<uint32_t>(value)));
+uint32_t word_of(double x) {
+    return static_cast<uint32_t>(static_cast<int64_t>(x));
+}
+double number_of(Type type, uint32_t word) {
+    if (type == Type::int_) return static_cast<int32_t>(word);
+    return word;
 }
 
-bool fold_integer(Op op, Type type, double x, double y, double& r) {
-    const auto a = static_cast<int64_t>(x), b = static_cast<int64_t>(y);
-    switch (op) {
-        case Op::neg_:
-            r = wrapped(type, -a);
-            return true;
-        case Op::add_:
-            r = wrapped(type, a + b);
-            return true;
-        case Op::sub_:
-            r = wrapped(type, a - b);
-            return true;
-        case Op::mul_:
-            r = wrapped(type,
-                        static_cast<int64_t>(static_cast<uint64_t>(a) * static_cast<uint64_t>(b)));
-            return true;
-        case Op::min_:
-            r = static_cast<double>(b < a ? b : a);
-            return true;
-        case Op::max_:
-            r = static_cast<double>(a < b ? b : a);
-            return true;
-        case Op::bit_and_:
-            r = wrapped(type, a & b);
-            return true;
-        case Op::bit_or_:
-            r = wrapped(type, a | b);
-            return true;
-        case Op::bit_xor_:
-            r = wrapped(type, a ^ b);
-            return true;
-        case Op::shift_left_:
-            if (b < 0 || b > 31) return false;
-            r = wrapped(type, static_cast<int64_t>(static_cast<uint64_t>(a) << b));
-            return true;
-        case Op::shift_right_:
-            if (b < 0 || b > 31) return false;
-            r = wrapped(type, a >> b);
-            return true;
-        default:
-            return false;
-    }
+// Calls f with as many of the operands as it takes.
+template <class T, class F>
+auto apply(F f, T a, T b, T c) {
+    if constexpr (std::is_invocable_v<F, T>)
+        return f(a);
+    else if constexpr (std::is_invocable_v<F, T, T>)
+        return f(a, b);
+    else
+        return f(a, b, c);
 }
 
-bool fold_range(Op op, double a, double b, double c, double& r) {
-    switch (op) {
-        case Op::min_:
-            r = b < a ? b : a;
-            return true;
-        case Op::max_:
-            r = a < b ? b : a;
-            return true;
-        case Op::clamp_: {
-            const double low = a < b ? b : a;
-            r = c < low ? c : low;
-            return true;
-        }
-        case Op::mix_:
-            r = a * (1 - c) + b * c;
-            return true;
-        case Op::step_:
-            r = b < a ? 0 : 1;
-            return true;
-        case Op::smoothstep_: {
-            if (!(a < b)) return false;
-            double t = (c - a) / (b - a);
-            t = t < 0 ? 0 : t > 1 ? 1 : t;
-            r = t * t * (3 - 2 * t);
-            return true;
-        }
-        default:
-            return false;
-    }
+// Results outside an op's domain are not finite, except those of these ops.
+bool in_domain(Op op, double a, double b) {
+    if (op == Op::pow_) return a > 0 || (a == 0 && b > 0);
+    if (op == Op::atan2_) return a != 0 || b != 0;
+    return op != Op::smoothstep_ || a < b;
 }
 
-bool fold_arithmetic(Op op, double a, double b, double c, double& r) {
-    switch (op) {
-        case Op::neg_:
-            r = -a;
-            return true;
-        case Op::add_:
-            r = a + b;
-            return true;
-        case Op::sub_:
-            r = a - b;
-            return true;
-        case Op::mul_:
-            r = a * b;
-            return true;
-        case Op::div_:
-            r = a / b;
-            return b != 0;
-        case Op::mod_:
-            r = a - b * std::floor(a / b);
-            return b != 0;
-        case Op::abs_:
-            r = std::fabs(a);
-            return true;
-        case Op::sign_:
-            r = a > 0 ? 1 : a < 0 ? -1 : 0;
-            return true;
-        case Op::sign_nonzero_:
-            r = a >= 0 ? 1 : -1;
-            return true;
-        case Op::floor_:
-            r = std::floor(a);
-            return true;
-        case Op::ceil_:
-            r = std::ceil(a);
-            return true;
-        case Op::fract_:
-            r = a - std::floor(a);
-            return true;
-        default:
-            return fold_range(op, a, b, c, r);
-    }
+bool fold_float(Op op, double a, double b, double c, double& r) {
+    return in_domain(op, a, b) && meaning::floats::find<bool>(op, [&](auto f) {
+               r = apply(f, a, b, c);
+               return true;
+           });
 }
 
-bool fold_transcendental(Op op, double a, double b, double& r) {
-    switch (op) {
-        case Op::sqrt_:
-            r = std::sqrt(a);
-            return a >= 0;
-        case Op::inversesqrt_:
-            r = 1 / std::sqrt(a);
-            return a > 0;
-        case Op::pow_:
-            r = math::pow(a, b);
-            return a > 0 || (a == 0 && b > 0);
-        case Op::exp_:
-            r = math::exp(a);
-            return true;
-        case Op::log_:
-            r = math::log(a);
-            return a > 0;
-        case Op::exp2_:
-            r = math::exp2(a);
-            return true;
-        case Op::log2_:
-            r = math::log2(a);
-            return a > 0;
-        case Op::sin_:
-            r = math::sin(a);
-            return true;
-        case Op::cos_:
-            r = math::cos(a);
-            return true;
-        case Op::tan_:
-            r = math::tan(a);
-            return true;
-        case Op::asin_:
-            r = math::asin(a);
-            return a >= -1 && a <= 1;
-        case Op::acos_:
-            r = math::acos(a);
-            return a >= -1 && a <= 1;
-        case Op::atan_:
-            r = math::atan(a);
-            return true;
-        case Op::atan2_:
-            r = math::atan2(a, b);
-            return a != 0 || b != 0;
-        default:
-            return false;
-    }
+bool fold_whole(Op op, Type type, double a, double b, double& r) {
+    const auto on_words = [&](auto f) {
+        r = number_of(type, apply(f, word_of(a), word_of(b), 0U));
+        return true;
+    };
+    const auto in_order = [&](auto f) {
+        if (type == Type::int_)
+            r = apply(f, static_cast<int32_t>(a), static_cast<int32_t>(b), 0);
+        else
+            r = apply(f, word_of(a), word_of(b), 0U);
+        return true;
+    };
+    if (b < 0 || b > 31)
+        if (op == Op::shift_left_ || op == Op::shift_right_) return false;
+    return meaning::words::find<bool>(op, on_words) || meaning::ordered::find<bool>(op, in_order);
 }
 
 bool fold_comparison(Op op, double a, double b, double& r) {
-    switch (op) {
-        case Op::lt_:
-            r = a < b;
-            return true;
-        case Op::le_:
-            r = a <= b;
-            return true;
-        case Op::gt_:
-            r = a > b;
-            return true;
-        case Op::ge_:
-            r = a >= b;
-            return true;
-        case Op::eq_:
-            r = a == b;
-            return true;
-        case Op::ne_:
-            r = a != b;
-            return true;
-        case Op::and_:
-            r = a != 0 && b != 0;
-            return true;
-        case Op::or_:
-            r = a != 0 || b != 0;
-            return true;
-        case Op::not_:
-            r = a == 0;
-            return true;
-        default:
-            return false;
-    }
+    return meaning::comparisons::find<bool>(op, [&](auto f) {
+        r = f(a, b);
+        return true;
+    });
 }
 
 bool fold_conversion(Op op, const Constant& from, double& r) {
@@ -225,14 +77,14 @@ bool fold_conversion(Op op, const Constant& from, double& r) {
     const double whole = std::trunc(a);
     if (op == Op::to_int_) {
         if (from.type == Type::uint_) {
-            r = wrapped(Type::int_, static_cast<int64_t>(a));
+            r = number_of(Type::int_, word_of(a));
             return true;
         }
         r = whole;
         return whole >= -2147483648.0 && whole <= 2147483647.0;
     }
     if (op != Op::to_uint_) return false;
-    r = wrapped(Type::uint_, static_cast<int64_t>(a));
+    r = word_of(a);
     return true;
 }
 
@@ -240,8 +92,8 @@ bool fold_lane(Op op, Type type, Constants x, int lane, double& r) {
     double v[3] = {};
     for (size_t i = 0; i < x.size() && i < 3; ++i)
         v[i] = x[i].lanes[info(x[i].type).lanes > 1 ? static_cast<size_t>(lane) : 0];
-    if (type == Type::int_ || type == Type::uint_) return fold_integer(op, type, v[0], v[1], r);
-    return fold_arithmetic(op, v[0], v[1], v[2], r) || fold_transcendental(op, v[0], v[1], r);
+    if (is_whole_type(type)) return fold_whole(op, type, v[0], v[1], r);
+    return fold_float(op, v[0], v[1], v[2], r);
 }
 
 double dot(const Constant& a, const Constant& b) {
@@ -300,9 +152,8 @@ bool fold_vector(Op op, Constants x, Lanes& r) {
 bool fold(Op op, Type result, uint32_t extra, Constants operands, Lanes& lanes) {
     if (operands.empty()) return false;
     const OpInfo& row = info(op);
-    if (row.rule == Rule::compare || row.rule == Rule::logic)
-        return fold_comparison(op, operands[0].lanes[0],
-                               operands.size() > 1 ? operands[1].lanes[0] : 0, lanes[0]);
+    if (row.rule == Rule::compare)
+        return fold_comparison(op, operands[0].lanes[0], operands[1].lanes[0], lanes[0]);
     if (op == Op::column_) {
         for (size_t i = 0; i < 3; ++i)
             lanes[i] = operands[0].lanes[extra * 3 + i];
