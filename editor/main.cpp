@@ -26,7 +26,7 @@ struct Arguments {
     std::vector<int> size;
 };
 
-int complain(const std::string& sentence, int code) {
+int print_error(const std::string& sentence, int code) {
     std::fprintf(stderr, "wrinkle-editor: %s\n", printable(sentence).c_str());
     return code;
 }
@@ -59,7 +59,7 @@ bool write_timings(const State& state, const std::string& file) {
     const Counters& counters = state.counters;
     if (write_file(file, state.timings->to_json(counters.builds, counters.programs), why))
         return true;
-    complain(file + " " + why, 1);
+    print_error(file + " " + why, 1);
     return false;
 }
 
@@ -101,13 +101,13 @@ int run(const Arguments& arguments) {
     std::string why;
     if (!arguments.script.empty()) {
         const auto text = read_file(arguments.script, why);
-        if (!text) return complain(arguments.script + " " + why, 1);
+        if (!text) return print_error(arguments.script + " " + why, 1);
         script.emplace(*text);
     }
     State state;
     add_nodes(state, arguments);
     std::string trouble;
-    Keeping& keeping = state.keeping;
+    Persistence& keeping = state.keeping;
     keeping.folders = folders_of(arguments);
     use_settings(state, read_settings(keeping.folders, trouble));
     const bool sized = arguments.size.size() == 2;
@@ -115,7 +115,7 @@ int run(const Arguments& arguments) {
                           sized ? arguments.size[1] : keeping.settings.height,
                           script.has_value() || !arguments.shot.empty()};
     const auto window = Window::open(options, why);
-    if (!window) return complain(why, 3);
+    if (!window) return print_error(why, 3);
     Workers workers(state);
     state.fonts.load();
     state.thumbnails.use_gl();
@@ -124,8 +124,8 @@ int run(const Arguments& arguments) {
     if (!trouble.empty()) state.status = trouble;
     if (!arguments.timings.empty()) state.timings = &timings;
     const bool good = window->run(state, script ? &*script : nullptr, arguments.shot, why);
-    state.tasks = {};                    // stops running tasks
-    if (!good) return complain(why, 1);  // unsaved edits remain in the recovery file
+    state.tasks = {};                       // stops running tasks
+    if (!good) return print_error(why, 1);  // unsaved edits remain in the recovery file
     finish(state);
     return !state.timings || write_timings(state, arguments.timings) ? 0 : 1;
 }

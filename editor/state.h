@@ -12,12 +12,12 @@
 #include "editor/canvas/gesture.h"
 #include "editor/code/code.h"
 #include "editor/document/clip.h"
-#include "editor/document/follow.h"
+#include "editor/document/compile_state.h"
 #include "editor/document/history.h"
 #include "editor/document/intent.h"
-#include "editor/document/keeping.h"
 #include "editor/document/level.h"
 #include "editor/document/model.h"
+#include "editor/document/persistence.h"
 #include "editor/document/plugins.h"
 #include "editor/document/used_files.h"
 #include "editor/drop/dropped.h"
@@ -58,7 +58,7 @@ struct State {
     static constexpr uint64_t never_saved = ~uint64_t{0};
     uint64_t saved_serial = 0;
     std::string save_refused;  // why the file must not be overwritten; "": it may be
-    Keeping keeping;
+    Persistence keeping;
     Question question;
     bool quit = false;
 
@@ -86,7 +86,7 @@ struct State {
 
     Model model;
     Build built;
-    Follow follow;
+    CompileState follow;
     bool fresh = false;  // false: refresh() rebuilds the model and requests a build
     Layout layout;
     Document layout_of;

@@ -38,7 +38,7 @@ struct Window::Handle {
 
 namespace {
 
-constexpr int least_width = 800, least_height = 500;
+constexpr int min_width = 800, min_height = 500;
 
 std::atomic<bool> woken = false;
 
@@ -120,10 +120,10 @@ GLFWwindow* make_window(const WindowOptions& options) {
     for (const int robustness : {GLFW_LOSE_CONTEXT_ON_RESET, GLFW_NO_ROBUSTNESS}) {
         glfwWindowHint(GLFW_CONTEXT_ROBUSTNESS, robustness);
         GLFWwindow* window =
-            glfwCreateWindow(std::max(options.width, least_width),
-                             std::max(options.height, least_height), "Wrinkle", nullptr, nullptr);
+            glfwCreateWindow(std::max(options.width, min_width),
+                             std::max(options.height, min_height), "Wrinkle", nullptr, nullptr);
         if (!window) continue;
-        glfwSetWindowSizeLimits(window, least_width, least_height, GLFW_DONT_CARE, GLFW_DONT_CARE);
+        glfwSetWindowSizeLimits(window, min_width, min_height, GLFW_DONT_CARE, GLFW_DONT_CARE);
         return window;
     }
     return nullptr;
@@ -143,7 +143,7 @@ void adopt(GLFWwindow* window, InputQueue& queue, bool scripted) {
 // Some drivers recompile a program for the first texture of a different kind. Drawing one pixel of
 // such a texture in the second frame does that at startup, not when the first rendering appears.
 // The returned texture must exist until the frame is drawn; std::nullopt if it cannot be made.
-std::optional<gpu::Target> rehearse() {
+std::optional<gpu::Target> warm_up_textures() {
     Diagnostics ignored;  // without the texture a later frame takes longer
     std::optional<gpu::Target> texture = gpu::Target::make({.width = 3, .height = 3}, ignored);
     if (!texture) return texture;
@@ -202,7 +202,7 @@ bool Window::is_lost(const State& state) const {
 
 // Replaces the window by one of the same size, because a context cannot be recreated in the same
 // window. Returns false, with the reason in `why`, if no window can be opened.
-bool Window::renew(State& state, std::string& why) {
+bool Window::recreate_context(State& state, std::string& why) {
     Handle& h = *handle_;
     h.lost = false;
     WindowOptions options;
@@ -222,7 +222,7 @@ bool Window::renew(State& state, std::string& why) {
     h.title.clear();
     h.drawn = 0;
     adopt(window, h.queue, h.scripted);
-    if (state.preview) state.preview->renew();
+    if (state.preview) state.preview->recreate_context();
     state.status = "The graphics driver was reset; all is drawn anew.";
     h.awake = 3;
     return true;
@@ -253,7 +253,7 @@ void Window::draw_frame(State& state) {
     ImGui_ImplOpenGL3_NewFrame();
     ImGui::NewFrame();
     draw_ui(state);
-    const auto rehearsal = ++handle_->drawn == 2 ? rehearse() : std::nullopt;
+    const auto rehearsal = ++handle_->drawn == 2 ? warm_up_textures() : std::nullopt;
     ImGui::Render();
     sharpen(*ImGui::GetDrawData(), io.DisplayFramebufferScale.x);
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
@@ -261,11 +261,11 @@ void Window::draw_frame(State& state) {
     glClearColor(0.08F, 0.09F, 0.1F, 1);
     glClear(GL_COLOR_BUFFER_BIT);
     ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
-    dress(state);
+    update_title_and_cursor(state);
 }
 
 // Updates the window title and the cursor shape if they changed.
-void Window::dress(const State& state) {
+void Window::update_title_and_cursor(const State& state) {
     const ImGuiMouseCursor cursor = ImGui::GetMouseCursor();
     if (cursor != handle_->cursor && cursor >= 0) {
         handle_->cursor = cursor;
@@ -319,7 +319,7 @@ bool Window::run(State& state, Script* script, const std::string& shot, std::str
     for (int frames = 1; !state.quit; ++frames) {
         // Also with a script, the loop sleeps while a build or a rendering is pending.
         if (!listen(state, playing && (!script || is_settled(state)))) continue;
-        const Turns::Frame frame = state.preview->frame();
+        const FrameGate::Frame frame = state.preview->frame();
         if (state.timings) state.timings->frame_begins();
         draw_frame(state);
         const auto progress =
@@ -336,7 +336,7 @@ bool Window::run(State& state, Script* script, const std::string& shot, std::str
         if (finished) return true;
         glfwSwapBuffers(h.window);
         if (state.timings) state.timings->frame_ends(state.preview->shown().version);
-        if (is_lost(state) && !renew(state, why)) return false;
+        if (is_lost(state) && !recreate_context(state, why)) return false;
     }
     return true;
 }

@@ -34,8 +34,8 @@ private:
     bool listen(State& state, bool playing);
     void draw_frame(State& state);
     bool is_lost(const State& state) const;
-    bool renew(State& state, std::string& why);
-    void dress(const State& state);
+    bool recreate_context(State& state, std::string& why);
+    void update_title_and_cursor(const State& state);
     bool save_picture(const std::string& file) const;
 
     struct Handle;

@@ -21,14 +21,14 @@ constexpr double lowest_view = 0.1;
 // are the screen differentials of the position; the offset is a and b times those of uv. Returns
 // zero if the position's differentials are zero.
 static vec2 in_texture_space(vec3 direction, vec2 uv) {
-    constexpr double smallest_area = 1e-36;
+    constexpr double min_area = 1e-36;
     const vec3 n = surface::normal;
     const auto tangential = [n](vec3 v) { return v - n * dot(n, v); };
     const vec3 x = tangential(ddx<vec3>(surface::position));
     const vec3 y = tangential(ddy<vec3>(surface::position));
     const vec3 across_y = cross(y, n), across_x = cross(n, x);
     const Float det = dot(x, across_y);
-    const Float inverse = sign_nonzero(det) / max(abs(det), smallest_area);
+    const Float inverse = sign_nonzero(det) / max(abs(det), min_area);
     return (ddx(uv) * dot(direction, across_y) + ddy(uv) * dot(direction, across_x)) * inverse;
 }
 
@@ -84,11 +84,10 @@ static Stretch narrowed(Under under, Stretch stretch, int times) {
 // Returns how much wider a pixel is on the relief than on the surface, in mip levels: the relief is
 // farther from the eye, and tilted.
 static Float level_change(Gradient relief, Float way, Float eye_distance) {
-    constexpr double smallest_dot = 1.19e-15, least = 1.0 / (1 << 20);
+    constexpr double min_dot = 1.19e-15, least = 1.0 / (1 << 20);
     const vec3 view = surface::view, before = surface::normal;
     const Float farther = 1 + divide(way, eye_distance);
-    const Float turned =
-        abs(dot(before, view)) / max(abs(dot(resolve(relief), view)), smallest_dot);
+    const Float turned = abs(dot(before, view)) / max(abs(dot(resolve(relief), view)), min_dot);
     return 0.5 * log2(max(farther * farther * turned, least));
 }
 

@@ -25,13 +25,13 @@ vec3 volume_of(const Planes& slopes, vec3 side) {
     return {y.x() + z.x() * side.z(), x.y() + z.y(), -(x.x() * side.x() + y.y() * side.y())};
 }
 
-// Less than the sum of powers for any unit normal; a zero normal gives 0 / least_sum = 0.
-static constexpr double least_sum = 1e-36;
+// Less than the sum of powers for any unit normal; a zero normal gives 0 / min_sum = 0.
+static constexpr double min_sum = 1e-36;
 
 // Precondition: `above` >= 0 and sharpness > 0. So the op is emitted without the guards of pow().
 static vec3 shares(vec3 above, Float sharpness) {
     const vec3 weights(emit(WR_OP_pow, {above.id, vec3(sharpness).id}));
-    return detach(weights / max(weights.x() + weights.y() + weights.z(), least_sum));
+    return detach(weights / max(weights.x() + weights.y() + weights.z(), min_sum));
 }
 
 static vec3 above_threshold(vec3 normal, Float threshold) {

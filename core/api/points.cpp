@@ -65,7 +65,7 @@ PointSet point_set(const Points& points, const Program& program, bool single,
             diagnostics.error("the points lack '" + name_of(need) + "'", "the graph needs it");
     }
     if (single && !diagnostics.has_errors())
-        for (const BeyondFloat& each : beyond_float(program, set))
+        for (const FloatOverflow& each : float_overflow(program, set))
             diagnostics.error(at_point(each.point, each.message()), "double precision does");
     return set;
 }

@@ -23,7 +23,7 @@ namespace {
 struct TileScratch {
     Coverage coverage;
     PlaneScratch planes;
-    MetTriangles met;
+    TriangleCache met;
     size_t stride = 0;  // floats per plane, for the largest point count so far
     AlignedVector<float> inputs, outputs;
 };
@@ -37,7 +37,7 @@ size_t lanes_of_outputs(const Program& program) {
 
 // Capacity of the row window: one row of tiles, the rows of tiles before it that wait for it, and
 // the margin above them that dilation reads.
-uint32_t rows_at_hand(uint32_t dilate) {
+uint32_t buffered_rows(uint32_t dilate) {
     return bake_tile + (dilate + bake_tile - 1) / bake_tile * bake_tile + dilate;
 }
 
@@ -52,10 +52,10 @@ public:
           last_(last),
           low_((first - std::min(first, input.dilate)) / bake_tile * bake_tile),
           high_(std::min(last + input.dilate, layout_.height)),
-          window_(layout_.width, std::min(rows_at_hand(input.dilate), layout_.height),
+          window_(layout_.width, std::min(buffered_rows(input.dilate), layout_.height),
                   lanes_of_outputs(*input.program)) {}
 
-    bool run(const TakeRows& take) {
+    bool run(const RowSink& take) {
         tbb::task_group taking;
         bool wanted = true;
         uint32_t given = first_;
@@ -91,8 +91,8 @@ private:
         }
     };
 
-    BakeFindings found_in(uint32_t first, uint32_t last) const {
-        BakeFindings sum;
+    BakeStatistics found_in(uint32_t first, uint32_t last) const {
+        BakeStatistics sum;
         for (uint32_t row = first; row < last; row += bake_tile)
             sum.add(found_[(row - low_) / bake_tile]);
         return sum;
@@ -102,19 +102,19 @@ private:
         const uint32_t bottom = layout_.height - end;
         const std::vector<RowCandidate> candidates = raster_.in_rows(bottom, end - row);
         const uint32_t tiles = (layout_.width + bake_tile - 1) / bake_tile;
-        std::vector<BakeFindings> found(tiles);
+        std::vector<BakeStatistics> found(tiles);
         tbb::parallel_for(uint32_t{0}, tiles, [&](uint32_t tile) {
             const uint32_t x = tile * bake_tile;
             const TexelRect rect = {x, bottom, std::min(bake_tile, layout_.width - x), end - row};
             bake_tile_at(rect, candidates, scratch_.local(), found[tile]);
         });
-        BakeFindings& sum = found_.emplace_back();
-        for (const BakeFindings& each : found)
+        BakeStatistics& sum = found_.emplace_back();
+        for (const BakeStatistics& each : found)
             sum.add(each);
     }
 
     void bake_tile_at(const TexelRect& rect, std::span<const RowCandidate> candidates,
-                      TileScratch& scratch, BakeFindings& found) {
+                      TileScratch& scratch, BakeStatistics& found) {
         raster_.cover(rect, candidates, scratch.coverage);
         const size_t count = TexelPoints::count(scratch.coverage);
         evaluate(rect, count, scratch);
@@ -130,7 +130,7 @@ private:
     void evaluate(const TexelRect& rect, size_t count, TileScratch& scratch) {
         const Program& program = *input_.program;
         // Planes begin at cache lines, an odd number of lines apart.
-        const size_t stride = (count + interpolated_behind + 31) / 32 * 32 + 16;
+        const size_t stride = (count + interpolate_padding + 31) / 32 * 32 + 16;
         if (stride > scratch.stride) {
             scratch.stride = stride;
             scratch.inputs.resize(program.inputs.size() * stride);
@@ -147,7 +147,7 @@ private:
     }
 
     // Scatters the results from point order to texel order.
-    void place(const TexelRect& rect, TileScratch& scratch, BakeFindings& found) {
+    void place(const TexelRect& rect, TileScratch& scratch, BakeStatistics& found) {
         size_t point = 0;
         for (uint32_t y = 0; y < rect.height; ++y)
             point = place_row(rect, y, point, scratch);
@@ -213,7 +213,7 @@ private:
         return endless == 0;
     }
 
-    void note(const TileScratch& scratch, size_t count, BakeFindings& found) const {
+    void note(const TileScratch& scratch, size_t count, BakeStatistics& found) const {
         const auto lane_at = [&](size_t lane) {
             return std::span(scratch.outputs).subspan(lane * scratch.stride, count);
         };
@@ -236,14 +236,14 @@ private:
     uint32_t first_, last_;  // requested rows
     uint32_t low_, high_;    // computed rows: with the margins that dilation reads
     RowWindow window_;
-    Given give_[2];                    // the rows passed to `take`, and the next ones
-    std::vector<BakeFindings> found_;  // per row of tiles, from low_
+    Given give_[2];                      // the rows passed to `take`, and the next ones
+    std::vector<BakeStatistics> found_;  // per row of tiles, from low_
     tbb::enumerable_thread_specific<TileScratch> scratch_;
 };
 
 }  // namespace
 
-void BakeFindings::add(const BakeFindings& below) {
+void BakeStatistics::add(const BakeStatistics& below) {
     covered += below.covered;
     not_finite += below.not_finite;
     if (overlapped == 0 && below.overlapped > 0) {
@@ -255,7 +255,7 @@ void BakeFindings::add(const BakeFindings& below) {
 }
 
 bool bake_rows(const BakeInput& input, const UvRaster& raster, uint32_t first, uint32_t last,
-               uint32_t threads, const TakeRows& take) {
+               uint32_t threads, const RowSink& take) {
     const auto cores = static_cast<uint32_t>(tbb::this_task_arena::max_concurrency());
     const uint32_t wanted = threads == 0 ? cores : threads;
     const tbb::global_control allowed(tbb::global_control::max_allowed_parallelism, wanted);

@@ -22,17 +22,17 @@
 namespace wrinkle {
 
 inline constexpr uint32_t bake_tile = 64;  // per side
-inline constexpr uint32_t most_dilation = 1024;
+inline constexpr uint32_t max_dilation = 1024;
 
 struct BakeInput {
     const Mesh* mesh = nullptr;  // with uv0 and the attributes that the program reads
     const Program* program = nullptr;
     std::span<const Texture> textures;  // by resource index
     std::span<const uint32_t> unit;     // first lanes of unit vectors in the output
-    uint32_t dilate = 16;               // texels, up to most_dilation
+    uint32_t dilate = 16;               // texels, up to max_dilation
 };
 
-struct BakeFindings {
+struct BakeStatistics {
     uint64_t covered = 0;     // texels with a surface
     uint64_t not_finite = 0;  // covered texels with a non-finite number
     uint64_t overlapped = 0;  // texels with several triangles at their centre
@@ -40,7 +40,7 @@ struct BakeFindings {
     uint32_t overlap_x = 0, overlap_y = 0;
     uint32_t overlap_triangle = Coverage::none;
 
-    void add(const BakeFindings& below);
+    void add(const BakeStatistics& below);
 };
 
 // A band of finished rows: complete rows of tiles, with their coverage.
@@ -49,15 +49,15 @@ struct BakedRows {
     uint32_t count = 0;
     const float* values = nullptr;     // per row: one plane of width floats per lane
     const uint8_t* covered = nullptr;  // one byte per texel: 1 surface, 2 dilated, 0 neither
-    BakeFindings found;                // in these rows
+    BakeStatistics found;              // in these rows
 };
 // Return false to cancel the bake.
-using TakeRows = std::function<bool(const BakedRows&)>;
+using RowSink = std::function<bool(const BakedRows&)>;
 
 // Bakes rows [first, last), both multiples of bake_tile or the layout's height. Returns false if
 // `take` cancelled. `take` receives one band after the other, while the next one is computed.
 // `threads` 0: one per core.
 bool bake_rows(const BakeInput& input, const UvRaster& raster, uint32_t first, uint32_t last,
-               uint32_t threads, const TakeRows& take);
+               uint32_t threads, const RowSink& take);
 
 }  // namespace wrinkle

@@ -37,8 +37,8 @@ Value slope_of_normal(Module& module, Value normal) {
     const Value n{&module, unit_normal(module)};
     const Value depth = dot(n, normal);
     const Value side = normal - n * depth;
-    const Value least = op(Op::sqrt_, dot(side, side)) * (1 / steepest_slope);
-    const Value divisor = max(max(depth, least), smallest_depth);
+    const Value least = op(Op::sqrt_, dot(side, side)) * (1 / max_slope);
+    const Value divisor = max(max(depth, least), min_depth);
     const auto along = [&](Variant axis) {
         const Value change{&module, module.input(SurfaceInput::position_, axis)};
         return -(dot(side, change) / divisor);

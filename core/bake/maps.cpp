@@ -76,7 +76,7 @@ private:
         const ModuleOutput* output = output_named(source_, made ? "normal" : name);
         BakedMap map{name, {}, false};
         if (!output)
-            complain(name);
+            print_error(name);
         else if (name == "derivative")
             add_derivative(map, {&module_, output->value}, integers);
         else if (name == slopes_name)
@@ -88,7 +88,7 @@ private:
         return map;
     }
 
-    void complain(const std::string& name) {
+    void print_error(const std::string& name) {
         std::vector<std::string> outputs;
         for (const ModuleOutput& output : source_.outputs)
             outputs.push_back(output.name);
@@ -193,7 +193,7 @@ float srgb_coded(float linear) {
     return 1.055F * math::pow(linear, 1 / 2.4F) - 0.055F;
 }
 
-constexpr size_t most_channels = 8;
+constexpr size_t max_channels = 8;
 constexpr size_t block = 256;  // texels per iteration
 
 // `known` is the channel count if it is a common one, else 0.
@@ -251,8 +251,8 @@ std::optional<BakePlan> plan_maps(const Module& module, const std::vector<MapReq
 void store_map(const BakedMap& map, const float* lanes, const uint8_t* covered, size_t count,
                float* stored) {
     const size_t channels = map.channels.size();
-    assert(channels <= most_channels);
-    std::array<float, most_channels * block> planes;
+    assert(channels <= max_channels);
+    std::array<float, max_channels * block> planes;
     for (size_t first = 0; first < count; first += block) {
         const size_t n = std::min(block, count - first);
         for (size_t c = 0; c < channels; ++c)

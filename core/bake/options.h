@@ -9,15 +9,15 @@
 namespace wrinkle {
 
 inline constexpr std::array<uint32_t, 4> bake_sample_counts = {1, 4, 16, 64};
-inline constexpr uint32_t most_baked_side = 65536;  // texels
-inline constexpr uint32_t most_bake_tile = 4096;    // side of tiles in files
+inline constexpr uint32_t max_baked_side = 65536;  // texels
+inline constexpr uint32_t max_bake_tile = 4096;    // side of tiles in files
 // File formats by extension; image/writable.h defines the types that each can store.
 inline constexpr std::array bake_formats = {"png", "tif", "exr", "hdr"};
 
 struct BakeTuning {
     double scale = 1;
     uint32_t samples = 4;          // one of bake_sample_counts
-    uint32_t dilate = 16;          // texels, up to most_dilation
+    uint32_t dilate = 16;          // texels, up to max_dilation
     std::string compression = {};  // "": default of the format
     uint32_t tile = 0;             // side of tiles in files; a multiple of 16, 0: rows
 

@@ -61,13 +61,13 @@ bool is_constant(float a, float b, float c) {
            (a != 0 || bits == 0) && std::isfinite(a);
 }
 
-constexpr uint32_t most_in_row = 64;
+constexpr uint32_t max_in_row = 64;
 static_assert(std::endian::native == std::endian::little, "bytes are gathered into bits");
 
-// Returns a bit mask over up to most_in_row texels: set if the next texel has another owner, and
+// Returns a bit mask over up to max_in_row texels: set if the next texel has another owner, and
 // for the last texel. Computed without a branch per texel, which would be unpredictable.
 uint64_t ends_of_runs(std::span<const uint32_t> owners) {
-    std::array<uint8_t, most_in_row> is_end{};
+    std::array<uint8_t, max_in_row> is_end{};
     const size_t last = owners.size() - 1;
     for (size_t x = 0; x < last; ++x)
         is_end[x] = owners[x] != owners[x + 1];
@@ -93,7 +93,7 @@ std::string missing_input(const Mesh& mesh, const Program& program) {
 TexelPoints::TexelPoints(const Mesh& mesh, const Program& program, const UvLayout& layout)
     : mesh_(mesh),
       layout_(layout),
-      columns_(layout.width + interpolated_behind),
+      columns_(layout.width + interpolate_padding),
       interpolate_(kernels_of(default_instruction_set()).interpolate) {
     assert(missing_input(mesh, program).empty());
     for (size_t i = 0; i < program.inputs.size(); ++i)
@@ -128,29 +128,29 @@ size_t TexelPoints::count(const Coverage& coverage) {
 }
 
 void TexelPoints::fill_constants(size_t stride, float* planes) const {
-    for (const ConstantPlane& constant : constants_)
+    for (const FlatInput& constant : constants_)
         std::fill_n(planes + constant.plane * stride, stride, constant.value);
 }
 
 void TexelPoints::fill(const Coverage& coverage, const TexelRect& rect, size_t stride,
-                       float* planes, MetTriangles& met) const {
+                       float* planes, TriangleCache& met) const {
     float* out = planes;
     for (uint32_t y = 0; y < rect.height; ++y)
-        for (uint32_t x = 0; x < rect.width; x += most_in_row) {
+        for (uint32_t x = 0; x < rect.width; x += max_in_row) {
             const uint32_t* owners = coverage.owners.data() + size_t{y} * rect.width + x;
-            out = fill_row({owners, std::min(rect.width - x, most_in_row)},
+            out = fill_row({owners, std::min(rect.width - x, max_in_row)},
                            columns_.data() + rect.x + x, layout_.uv(0, rect.y + y + 0.5).y, stride,
                            out, met);
         }
     for (const UvSample& sample : coverage.samples) {
         const glm::dvec2 uv = layout_.uv(sample.place.x, sample.place.y);
-        const std::array<double, interpolated_behind> u = {uv.x};
+        const std::array<double, interpolate_padding> u = {uv.x};
         out = fill_row({&sample.triangle, 1}, u.data(), uv.y, stride, out, met);
     }
 }
 
 float* TexelPoints::fill_row(std::span<const uint32_t> owners, const double* u, double v,
-                             size_t stride, float* out, MetTriangles& met) const {
+                             size_t stride, float* out, TriangleCache& met) const {
     size_t first = 0, covered = 0;  // covered: start of the current covered texels
     const auto fill_covered = [&](size_t end) {
         const size_t count = end - covered;
@@ -163,7 +163,7 @@ float* TexelPoints::fill_row(std::span<const uint32_t> owners, const double* u, 
             covered = end;
         } else {
             // Most runs are short, and their triangles are cached.
-            MetTriangles::Met& one = met.met[owners[first] % met.met.size()];
+            TriangleCache::Met& one = met.met[owners[first] % met.met.size()];
             if (one.triangle != owners[first]) learn(owners[first], one);
             const PlaceRow run = {u + first, v, end - first};
             interpolate_(one.planes, run, out, stride);
@@ -182,7 +182,7 @@ glm::dvec3 TexelPoints::change(const UvTriangle& triangle, Variant variant) cons
                                   : triangle.du() / static_cast<double>(layout_.width);
 }
 
-void TexelPoints::learn(uint32_t triangle, MetTriangles::Met& one) const {
+void TexelPoints::learn(uint32_t triangle, TriangleCache::Met& one) const {
     const auto uv = uv_triangle(mesh_, triangle);
     assert(uv);
     one.triangle = triangle;
@@ -219,8 +219,8 @@ void TexelPoints::fill_places(const PlaceRow& row, size_t stride, float* out) co
     }
 }
 
-void TexelPoints::fill_view(const MetTriangles::Met& one, const PlaceRow& row, const Source& source,
-                            float* out) const {
+void TexelPoints::fill_view(const TriangleCache::Met& one, const PlaceRow& row,
+                            const Source& source, float* out) const {
     const uint32_t* corners = mesh_.indices.data() + 3 * size_t{one.triangle};
     const auto at = [&](const glm::dvec3& w) {
         return blend<glm::dvec3>(mesh_.normals[corners[0]], mesh_.normals[corners[1]],

@@ -25,13 +25,13 @@ std::string missing_input(const Mesh& mesh, const Program& program);
 
 // Per-thread cache of recently used triangles: a row of texels crosses mostly the same triangles as
 // the row below.
-struct MetTriangles {
+struct TriangleCache {
     struct Met {
         uint32_t triangle = Coverage::none;
         UvTriangle uv;
         TrianglePlanes planes;  // points into the vectors below
-        std::vector<LinearPlane> linear;
-        std::vector<ConstantPlane> constant;
+        std::vector<VaryingInput> linear;
+        std::vector<FlatInput> constant;
     };
     std::array<Met, 64> met;  // direct-mapped by the lowest bits of the triangle index
 };
@@ -46,12 +46,12 @@ public:
     static size_t count(const Coverage& coverage);
 
     // Plane i, by index of Program::inputs, begins at planes + i * stride. fill() overwrites up to
-    // `interpolated_behind` numbers after the last point of a plane. `met` must be used with this
+    // `interpolate_padding` numbers after the last point of a plane. `met` must be used with this
     // object only. fill() does not write planes that are constant over the bake; fill_constants()
     // does.
     void fill_constants(size_t stride, float* planes) const;
     void fill(const Coverage& coverage, const TexelRect& rect, size_t stride, float* planes,
-              MetTriangles& met) const;
+              TriangleCache& met) const;
 
 private:
     // One input; its value at vertex i is values[i * stride].
@@ -65,19 +65,19 @@ private:
 
     void add(const Program::Input& input, size_t plane);
     glm::dvec3 change(const UvTriangle& triangle, Variant variant) const;
-    void learn(uint32_t triangle, MetTriangles::Met& one) const;
+    void learn(uint32_t triangle, TriangleCache::Met& one) const;
     // Fills the points of adjacent texels; returns the output position after them.
     float* fill_row(std::span<const uint32_t> owners, const double* u, double v, size_t stride,
-                    float* out, MetTriangles& met) const;
+                    float* out, TriangleCache& met) const;
     void fill_places(const PlaceRow& row, size_t stride, float* out) const;
-    void fill_view(const MetTriangles::Met& one, const PlaceRow& row, const Source& source,
+    void fill_view(const TriangleCache::Met& one, const PlaceRow& row, const Source& source,
                    float* out) const;
 
     const Mesh& mesh_;
     UvLayout layout_;
     // Inputs grouped by their variation over a triangle; `constants_` are constant over the layout.
     std::vector<Source> linear_, changes_, places_, views_;
-    std::vector<ConstantPlane> constants_;
+    std::vector<FlatInput> constants_;
     std::vector<double> columns_;  // u of texel centres
     Interpolate interpolate_;
 };

@@ -117,9 +117,10 @@ std::error_code copy_into(const fs::path& from, const fs::path& to) {
 }
 
 // Atomic write of one file: written under a temporary name, then renamed to its target.
-class Replacement {
+class AtomicFileWrite {
 public:
-    explicit Replacement(const FileBytes& file) : file_(file), target_(link_target(file.path)) {}
+    explicit AtomicFileWrite(const FileBytes& file)
+        : file_(file), target_(link_target(file.path)) {}
 
     std::error_code write(Sync sync = Sync::no) {
         std::error_code error;
@@ -147,7 +148,7 @@ private:
 }  // namespace
 
 bool write_file(const fs::path& path, std::string_view bytes, std::string& why) {
-    Replacement file({path, bytes});
+    AtomicFileWrite file({path, bytes});
     std::error_code error = file.write();
     if (!error) error = file.place();
     if (error) why = sentence(error);
@@ -155,7 +156,7 @@ bool write_file(const fs::path& path, std::string_view bytes, std::string& why) 
 }
 
 std::error_code write_file_synced(const fs::path& path, std::string_view bytes) {
-    Replacement file({path, bytes});
+    AtomicFileWrite file({path, bytes});
     if (const std::error_code error = file.write(Sync::yes)) return error;
     const std::error_code error = file.place();
     if (!error) sync_folder(file.target().parent_path());
@@ -163,7 +164,7 @@ std::error_code write_file_synced(const fs::path& path, std::string_view bytes) 
 }
 
 bool write_files(std::span<const FileBytes> files, std::string& why) {
-    std::vector<Replacement> replacements;
+    std::vector<AtomicFileWrite> replacements;
     const auto failed = [&](size_t i, const std::error_code& error) {
         if (error) why = files[i].path.string() + ": " + sentence(error);
         return static_cast<bool>(error);

@@ -130,12 +130,12 @@ bool is_identifier(std::string_view text) {
 }
 
 std::string nearest(std::string_view word, std::span<const std::string> candidates) {
-    constexpr size_t longest_word = 64;  // a longer word is not a typing error
-    if (word.size() > longest_word) return {};
+    constexpr size_t max_word = 64;  // a longer word is not a typing error
+    if (word.size() > max_word) return {};
     size_t best = std::max<size_t>(word.size() / 3, 1) + 1;
     std::string found;
     for (const std::string& candidate : candidates) {
-        if (candidate.size() > longest_word) continue;
+        if (candidate.size() > max_word) continue;
         const size_t distance = edit_distance(word, candidate);
         if (distance < best) {
             best = distance;

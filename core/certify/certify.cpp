@@ -36,7 +36,7 @@ std::span<const std::string_view> check_names() {
     return names;
 }
 
-Report certify(const NodeType& type, const Bench& bench) {
+Report certify(const NodeType& type, const CertifyContext& bench) {
     Report report;
     report.node = type.id;
     check_descriptor(type, report);

@@ -37,14 +37,14 @@ double distance(const double* a, const double* b, size_t lanes, bool normal, dou
 
 // Lower limit of the range, so that a variation that is only rounding error (for example of unit
 // vectors) is within tolerance.
-constexpr double smallest_range = 5e-3;
+constexpr double min_range = 5e-3;
 
-// Returns max - min; for constants the largest magnitude. At least smallest_range.
+// Returns max - min; for constants the largest magnitude. At least min_range.
 double range_of(const std::vector<double>& values) {
     const auto [low, high] = std::minmax_element(values.begin(), values.end());
     const double size = std::max(std::fabs(*low), std::fabs(*high));
     const double range = *high - *low;
-    return std::max(range > 1e-6 * size ? range : size, smallest_range);
+    return std::max(range > 1e-6 * size ? range : size, min_range);
 }
 
 bool is_normal(const Module& module, size_t output) {

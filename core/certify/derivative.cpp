@@ -17,7 +17,7 @@ namespace {
 
 constexpr double step = 1e-4;  // pixels
 constexpr size_t derivative_points = 200;
-constexpr size_t least_smooth_share = 50;  // at most one in this many at a jump or a kink
+constexpr size_t min_smooth_share = 50;  // at most one in this many at a jump or a kink
 
 double largest(const std::vector<double>& values) {
     double size = 0;
@@ -53,7 +53,7 @@ enum Column : size_t { value, derived, bump, columns };
 // Returns a module with three outputs per number output (a normal is constant under
 // differentiation): the value, its derivative per pixel in x, and the same derivative with detached
 // values constant, as in bumps.
-Module with_derivatives(const Subject& subject, const Bench& bench) {
+Module with_derivatives(const Subject& subject, const CertifyContext& bench) {
     Diagnostics diagnostics;
     Module lowered = lower(subject.project, bench.registry, {}, diagnostics).module;
     const std::vector<ModuleOutput> outputs = std::exchange(lowered.outputs, {});
@@ -68,8 +68,7 @@ Module with_derivatives(const Subject& subject, const Bench& bench) {
     Module module = explicit_lod(expand(std::move(lowered), options));
     Direction direction = screen_direction(module, Variant::dx, false);
     for (size_t k = 0; k < module.outputs.size(); k += columns)
-        module.outputs[k + derived].value =
-            direction.tangent_or_zero(module.outputs[k + value].value);
+        module.outputs[k + derived].value = direction.jvp_or_zero(module.outputs[k + value].value);
     return module;
 }
 
@@ -89,11 +88,11 @@ std::optional<Around> around(const Module& module, std::string& why) {
 
 class DerivativeCheck {
 public:
-    DerivativeCheck(const NodeType& type, const Bench& bench, Report& report)
+    DerivativeCheck(const NodeType& type, const CertifyContext& bench, Report& report)
         : type_(type), bench_(bench), report_(report) {}
 
     void run(Inputs inputs) {
-        const Subject subject = compile_around(type_, inputs, 31, bench_);
+        const Subject subject = compile_harness(type_, inputs, 31, bench_);
         if (!subject.compiled.ok || !subject.compiled.module.resources.empty()) return;
         const Module module = with_derivatives(subject, bench_);
         if (module.outputs.empty()) return;
@@ -133,7 +132,7 @@ private:
         }
         report_.kinks += kinks;
         report_.derivatives += here.size() - kinks;
-        if (least_smooth_share * kinks > here.size())
+        if (min_smooth_share * kinks > here.size())
             jumps(port, kinks, here.size(), inputs, subject);
     }
 
@@ -166,19 +165,19 @@ private:
                      std::string(words(inputs)) + ", " + std::to_string(kinks) + " of " +
                          std::to_string(all) +
                          " numbers lie on a jump or a kink, where there is no slope; one in " +
-                         std::to_string(least_smooth_share) + " is allowed",
+                         std::to_string(min_smooth_share) + " is allowed",
                      "make it smooth, or fade it out where it is finer than a pixel: fwidth()",
                      subject.text});
     }
 
     const NodeType& type_;
-    const Bench& bench_;
+    const CertifyContext& bench_;
     Report& report_;
 };
 
 }  // namespace
 
-void check_derivatives(const NodeType& type, const Bench& bench, Report& report) {
+void check_derivatives(const NodeType& type, const CertifyContext& bench, Report& report) {
     DerivativeCheck check(type, bench, report);
     for (const Inputs inputs : {Inputs::defaults, Inputs::numbers, Inputs::wires, Inputs::mixed})
         check.run(inputs);

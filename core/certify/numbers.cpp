@@ -32,8 +32,8 @@ void expect_finite(const Values& values, const char* side, const Subject& subjec
         }
 }
 
-void finite(const NodeType& type, Inputs inputs, const Bench& bench, Report& report) {
-    const Subject subject = compile_around(type, inputs, 17, bench);
+void finite(const NodeType& type, Inputs inputs, const CertifyContext& bench, Report& report) {
+    const Subject subject = compile_harness(type, inputs, 17, bench);
     if (!subject.compiled.ok) return;
     static const PointSet points = degenerate_points();
     const Module& module = subject.compiled.module;
@@ -47,8 +47,8 @@ void finite(const NodeType& type, Inputs inputs, const Bench& bench, Report& rep
     if (bench.gpu) add(on_gpu(given_text(module), points, test_image, why), "on the GPU");
 }
 
-void uniforms(const NodeType& type, Inputs inputs, const Bench& bench, Report& report) {
-    const Subject subject = compile_around(type, inputs, 43, bench);
+void uniforms(const NodeType& type, Inputs inputs, const CertifyContext& bench, Report& report) {
+    const Subject subject = compile_harness(type, inputs, 43, bench);
     Diagnostics diagnostics;
     if (!subject.compiled.ok) return;
     const Compiled baked = compile(subject.project, bench, {.uniform = false}, diagnostics);
@@ -76,12 +76,12 @@ void uniforms(const NodeType& type, Inputs inputs, const Bench& bench, Report& r
 
 }  // namespace
 
-void check_finite(const NodeType& type, const Bench& bench, Report& report) {
+void check_finite(const NodeType& type, const CertifyContext& bench, Report& report) {
     for (const Inputs inputs : {Inputs::defaults, Inputs::zeros, Inputs::wires})
         finite(type, inputs, bench, report);
 }
 
-void check_uniforms(const NodeType& type, const Bench& bench, Report& report) {
+void check_uniforms(const NodeType& type, const CertifyContext& bench, Report& report) {
     for (const Inputs inputs : {Inputs::defaults, Inputs::zeros, Inputs::mixed})
         uniforms(type, inputs, bench, report);
 }

@@ -8,15 +8,15 @@ namespace {
 constexpr size_t parity_points = 300;
 // At most one value in this many may be unstable. Steep edges are unstable without being wrong, but
 // if most values are unstable the comparison proves nothing.
-constexpr size_t least_stable_share = 2;
+constexpr size_t min_stable_share = 2;
 
 class ParityCheck {
 public:
-    ParityCheck(const NodeType& type, const Bench& bench, Report& report)
+    ParityCheck(const NodeType& type, const CertifyContext& bench, Report& report)
         : type_(type), bench_(bench), report_(report) {}
 
     void run(Inputs inputs, unsigned seed) {
-        const Subject subject = compile_around(type_, inputs, seed, bench_);
+        const Subject subject = compile_harness(type_, inputs, seed, bench_);
         if (!subject.compiled.ok) return;
         static const PointSet points = random_points(parity_points, 7);
         const Module& module = subject.compiled.module;
@@ -30,7 +30,7 @@ public:
         report_.unstable += comparison.unstable;
         if (comparison.first)
             differs("precision", "float", "double", *comparison.first, inputs, subject);
-        if (least_stable_share * comparison.unstable > comparison.values)
+        if (min_stable_share * comparison.unstable > comparison.values)
             unstable(comparison, inputs, subject);
         if (bench_.gpu) gpu(*judge, cpu, points, inputs, subject);
     }
@@ -65,19 +65,19 @@ private:
                      std::string(words(inputs)) + ", " + std::to_string(comparison.unstable) +
                          " of " + std::to_string(comparison.values) +
                          " values hang on the last bits of their inputs; one in " +
-                         std::to_string(least_stable_share) + " is allowed",
+                         std::to_string(min_stable_share) + " is allowed",
                      "move jumps away from where inputs often are, or make them smooth",
                      subject.text});
     }
 
     const NodeType& type_;
-    const Bench& bench_;
+    const CertifyContext& bench_;
     Report& report_;
 };
 
 }  // namespace
 
-void check_parity(const NodeType& type, const Bench& bench, Report& report) {
+void check_parity(const NodeType& type, const CertifyContext& bench, Report& report) {
     ParityCheck check(type, bench, report);
     unsigned seed = 1;
     for (const Inputs inputs : {Inputs::defaults, Inputs::numbers, Inputs::wires, Inputs::mixed})

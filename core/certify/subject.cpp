@@ -12,7 +12,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr const char* picture_names[] = {"a.exr", "b.exr"};
-constexpr int most_attempts = 50;
+constexpr int max_attempts = 50;
 
 Image random_image(uint32_t width, uint32_t height, unsigned seed) {
     std::mt19937 random(seed);
@@ -54,7 +54,7 @@ const MipChain& test_image(const std::string& file) {
     return fs::path(file).filename() == picture_names[0] ? a : b;
 }
 
-Compiled compile(const Project& project, const Bench& bench, Options options,
+Compiled compile(const Project& project, const CertifyContext& bench, Options options,
                  Diagnostics& diagnostics) {
     MaterialOptions material;
     material.uniform_parameters = options.uniform;
@@ -62,16 +62,17 @@ Compiled compile(const Project& project, const Bench& bench, Options options,
     return compile_material(project, bench.registry, material, diagnostics);
 }
 
-Project project_of(const std::string& text, const Bench& bench, Diagnostics& diagnostics) {
+Project project_of(const std::string& text, const CertifyContext& bench, Diagnostics& diagnostics) {
     return load_project(read_document(text, "subject.json", diagnostics), bench.pictures, {},
                         diagnostics);
 }
 
-Subject compile_around(const NodeType& type, Inputs inputs, unsigned seed, const Bench& bench) {
+Subject compile_harness(const NodeType& type, Inputs inputs, unsigned seed,
+                        const CertifyContext& bench) {
     std::mt19937 random(seed);
     Subject subject;
-    for (int attempt = 0; attempt < most_attempts; ++attempt) {
-        subject.text = graph_around(type, inputs, random);
+    for (int attempt = 0; attempt < max_attempts; ++attempt) {
+        subject.text = harness_graph(type, inputs, random);
         Diagnostics diagnostics;
         subject.project = project_of(subject.text, bench, diagnostics);
         subject.compiled = compile(subject.project, bench, {}, diagnostics);

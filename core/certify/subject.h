@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "certify/graph_around.h"
+#include "certify/harness_graph.h"
 #include "glsl/emit.h"
 #include "image/mips.h"
 #include "lower/material.h"
@@ -33,7 +33,7 @@ private:
 const MipChain& test_image(const std::string& file);
 
 // Environment shared by the checks of all nodes.
-struct Bench {
+struct CertifyContext {
     const Registry& registry;        // the nodes under test and the built-in ones
     std::filesystem::path pictures;  // path of a PictureFolder
     bool gpu = false;                // a context is current
@@ -50,7 +50,8 @@ struct Subject {
 };
 
 // Generates up to 50 random graphs until one compiles (a frame must match its scale).
-Subject compile_around(const NodeType& type, Inputs inputs, unsigned seed, const Bench& bench);
+Subject compile_harness(const NodeType& type, Inputs inputs, unsigned seed,
+                        const CertifyContext& bench);
 
 // project_of() reads the text as a document; compile() compiles it. `uniform`: parameters are
 // uniforms instead of literals. `given`: differentials are given.
@@ -58,9 +59,9 @@ struct Options {
     bool uniform = true;
     bool given = true;
 };
-Compiled compile(const Project& project, const Bench& bench, Options options,
+Compiled compile(const Project& project, const CertifyContext& bench, Options options,
                  Diagnostics& diagnostics);
-Project project_of(const std::string& text, const Bench& bench, Diagnostics& diagnostics);
+Project project_of(const std::string& text, const CertifyContext& bench, Diagnostics& diagnostics);
 
 // Returns the node's port of a graph output: "height" for "out_height".
 std::string port_of(const std::string& output);

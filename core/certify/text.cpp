@@ -47,11 +47,11 @@ std::string text_of(const Module& module) {
 
 class TextCheck {
 public:
-    TextCheck(const NodeType& type, const Bench& bench, Report& report)
+    TextCheck(const NodeType& type, const CertifyContext& bench, Report& report)
         : type_(type), bench_(bench), report_(report) {}
 
     void run(Inputs inputs) {
-        const Subject subject = compile_around(type_, inputs, 3, bench_);
+        const Subject subject = compile_harness(type_, inputs, 3, bench_);
         if (!subject.compiled.ok)
             return add("text", "no graph around it compiles: " + subject.problem,
                        "the smallest one is shown; 'wrinkle check' says more", subject);
@@ -119,13 +119,13 @@ private:
     }
 
     const NodeType& type_;
-    const Bench& bench_;
+    const CertifyContext& bench_;
     Report& report_;
 };
 
 }  // namespace
 
-void check_text(const NodeType& type, const Bench& bench, Report& report) {
+void check_text(const NodeType& type, const CertifyContext& bench, Report& report) {
     TextCheck check(type, bench, report);
     for (const Inputs inputs : {Inputs::defaults, Inputs::numbers, Inputs::wires, Inputs::mixed})
         check.run(inputs);

@@ -19,9 +19,9 @@ struct BakeCommand {
     int run() const {
         const Interruption interruption;
         if (!options.merge.empty()) return merge();
-        BakeWishes wishes;
+        BakeRequest wishes;
         std::string why;
-        if (!read_wishes(options, wishes, why)) return usage(why);
+        if (!read_request(options, wishes, why)) return usage(why);
         Diagnostics diagnostics;
         auto job = make_bake_job(options, wishes, diagnostics);
         if (!job) return report(diagnostics, options.common.diagnostics);
@@ -36,7 +36,7 @@ struct BakeCommand {
     }
 
     static int usage(const std::string& sentence) {
-        complain(sentence);
+        print_error(sentence);
         return exit_usage;
     }
 
@@ -140,16 +140,17 @@ struct BakeCommand {
     }
 
     int finish(const BakeOutcome& outcome) const {
-        if (outcome.end == BakeEnd::interrupted) Interruption::obey();
+        if (outcome.end == BakeEnd::interrupted) Interruption::reraise();
         if (outcome.end == BakeEnd::failed) {
             report(outcome.environment, options.common.diagnostics);
             return exit_environment;
         }
-        if (!options.json) return exit_fine;
+        if (!options.json) return exit_success;
         std::string files;
         for (const std::string& file : outcome.files)
             files += (files.empty() ? "" : ", ") + json_quoted(file);
-        return write_result("-", "{\"files\": [" + files + "]}\n") ? exit_fine : exit_environment;
+        return write_result("-", "{\"files\": [" + files + "]}\n") ? exit_success
+                                                                   : exit_environment;
     }
 };
 

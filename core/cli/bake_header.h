@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "bake/map_files.h"
-#include "bake/picture.h"
+#include "bake/texture_set.h"
 
 namespace wrinkle::cli {
 

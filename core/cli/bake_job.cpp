@@ -63,7 +63,7 @@ std::string identity_of(const BakeJob& job) {
     return sha256(join_fields(fields));
 }
 
-MapOptions map_options(const BakeOptions& options, const BakeWishes& wishes, const Mesh& mesh) {
+MapOptions map_options(const BakeOptions& options, const BakeRequest& wishes, const Mesh& mesh) {
     MapOptions maps;
     maps.tangent_space = options.space == "tangent";
     maps.vertex_tangents = !mesh.tangents.empty();
@@ -101,7 +101,7 @@ void plan_runs(BakeJob& job, const Overrides& overrides, Diagnostics& diagnostic
 
 }  // namespace
 
-std::optional<BakeJob> make_bake_job(const BakeOptions& options, const BakeWishes& wishes,
+std::optional<BakeJob> make_bake_job(const BakeOptions& options, const BakeRequest& wishes,
                                      Diagnostics& diagnostics) {
     BakeJob job;
     job.options = options;

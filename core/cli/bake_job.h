@@ -25,7 +25,7 @@ struct BakePicture {
 
 struct BakeJob {
     BakeOptions options;
-    BakeWishes wishes;
+    BakeRequest wishes;
     Mesh mesh;
     TextureStore textures;
     std::vector<BakePlan> plans;  // one per run; their maps differ only in values
@@ -37,7 +37,7 @@ struct BakeJob {
 };
 
 // Returns std::nullopt and reports errors on failure. Problems of the mesh's uvs are warnings.
-std::optional<BakeJob> make_bake_job(const BakeOptions& options, const BakeWishes& wishes,
+std::optional<BakeJob> make_bake_job(const BakeOptions& options, const BakeRequest& wishes,
                                      Diagnostics& diagnostics);
 
 }  // namespace wrinkle::cli

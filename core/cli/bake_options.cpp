@@ -22,7 +22,7 @@ bool parse_whole(std::string_view text, uint32_t most, uint32_t& number) {
 }
 
 // Parses "2/8".
-bool parse_shard(const std::string& text, BakeWishes& wishes) {
+bool parse_shard(const std::string& text, BakeRequest& wishes) {
     if (text.empty()) return true;
     const auto parts = split(text, '/');
     return parts.size() == 2 && parse_whole(parts[1], 1'000'000, wishes.shards) &&
@@ -30,10 +30,10 @@ bool parse_shard(const std::string& text, BakeWishes& wishes) {
 }
 
 // Parses "1024" or "2048x1024".
-bool parse_bake_size(const std::string& text, BakeWishes& wishes) {
+bool parse_bake_size(const std::string& text, BakeRequest& wishes) {
     const auto parts = split(text, 'x');
-    return parts.size() <= 2 && parse_whole(parts[0], most_baked_side, wishes.width) &&
-           parse_whole(parts.back(), most_baked_side, wishes.height);
+    return parts.size() <= 2 && parse_whole(parts[0], max_baked_side, wishes.width) &&
+           parse_whole(parts.back(), max_baked_side, wishes.height);
 }
 
 PixelType usual_type(const std::string& extension) {
@@ -48,7 +48,7 @@ std::string usual_extension(const BakeOptions& options, const std::string& map) 
     return floats || (options.type.empty() && !fits_integers(map)) ? ".exr" : ".png";
 }
 
-bool name_maps(const BakeOptions& options, BakeWishes& wishes, std::string& why) {
+bool name_maps(const BakeOptions& options, BakeRequest& wishes, std::string& why) {
     Diagnostics problems;
     const std::string names = !options.maps.empty()   ? options.maps
                               : options.packs.empty() ? "normal"
@@ -73,7 +73,7 @@ bool name_maps(const BakeOptions& options, BakeWishes& wishes, std::string& why)
     return true;
 }
 
-void choose_files(const BakeOptions& options, BakeWishes& wishes) {
+void choose_files(const BakeOptions& options, BakeRequest& wishes) {
     wishes.one_file = wishes.maps.size() == 1 && !wishes.is_shard();
     const std::string own = std::filesystem::path(options.output).extension().string();
     for (WantedMap& map : wishes.maps) {
@@ -85,7 +85,7 @@ void choose_files(const BakeOptions& options, BakeWishes& wishes) {
     }
 }
 
-std::string conflict(const BakeOptions& options, const BakeWishes& wishes) {
+std::string conflict(const BakeOptions& options, const BakeRequest& wishes) {
     if (options.gl && options.dx) return "--gl and --dx are two ways of green; choose one";
     if (options.file.empty()) return "bake needs a graph: FILE, or --merge with folders of shards";
     if (options.mesh.empty()) return "bake needs a mesh: --mesh " + mesh_help();
@@ -107,7 +107,7 @@ std::string conflict(const BakeOptions& options, const BakeWishes& wishes) {
 
 }  // namespace
 
-bool read_wishes(const BakeOptions& options, BakeWishes& wishes, std::string& why) {
+bool read_request(const BakeOptions& options, BakeRequest& wishes, std::string& why) {
     if (!parse_bake_size(options.size, wishes))
         why =
             "--size " + options.size + " is no size; 1024 and 2048x1024 are, at most 65536 a side";
@@ -144,7 +144,7 @@ void declare_bake_layout(CLI::App& sub, BakeOptions& c) {
         ->capture_default_str();
     sub.add_option("--dilate", c.dilate, bake_words::dilate)
         ->type_name("N")
-        ->check(CLI::Range(uint32_t{0}, most_dilation))
+        ->check(CLI::Range(uint32_t{0}, max_dilation))
         ->capture_default_str();
 }
 
@@ -165,7 +165,7 @@ void declare_bake_options(CLI::App& sub, BakeOptions& c) {
     sub.add_option("--compression", c.compression, bake_words::compression)->type_name("NAME");
     sub.add_option("--tile", c.tile, bake_words::tile)
         ->type_name("N")
-        ->check(CLI::Range(uint32_t{0}, most_bake_tile))
+        ->check(CLI::Range(uint32_t{0}, max_bake_tile))
         ->capture_default_str();
     sub.add_option("-j", c.threads, "Threads; 0 is one for each core")
         ->type_name("N")

@@ -33,7 +33,7 @@ struct WantedMap {
 };
 
 // Parsed values of the options.
-struct BakeWishes {
+struct BakeRequest {
     std::vector<WantedMap> maps;
     bool one_file = false;  // OUT is the file of the only map; otherwise a folder
     uint32_t width = 1024, height = 1024;
@@ -43,6 +43,6 @@ struct BakeWishes {
 };
 
 // Parses the options; returns false and one sentence in `why` on wrong usage.
-bool read_wishes(const BakeOptions& options, BakeWishes& wishes, std::string& why);
+bool read_request(const BakeOptions& options, BakeRequest& wishes, std::string& why);
 
 }  // namespace wrinkle::cli

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "bake/picture.h"
+#include "bake/texture_set.h"
 #include "cli/interrupt.h"
 
 namespace wrinkle::cli {
@@ -19,11 +19,11 @@ public:
 
     // Bakes rows [first, last) of an image; `take.band` may be empty. Returns false on failure or
     // interruption.
-    bool bake(size_t number, uint32_t first, uint32_t last, PictureTakers take) {
+    bool bake(size_t number, uint32_t first, uint32_t last, BakeSinks take) {
         const BakePicture& picture = job_.pictures[number];
         const BakePlan& plan = job_.plans[picture.run];
         const std::vector<Texture> textures = job_.textures.textures_of(plan.resources);
-        PictureInput input;
+        TextureSetInput input;
         input.mesh = &job_.mesh;
         input.plan = &plan;
         input.textures = textures;
@@ -38,7 +38,7 @@ public:
             progress_.add(texels);
             return !Interruption::requested();
         };
-        return bake_picture(input, first, last, take, report);
+        return bake_texture_set(input, first, last, take, report);
     }
 
     void finish(bool whole, BakeOutcome& outcome) const {

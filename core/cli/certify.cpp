@@ -82,7 +82,7 @@ int summary(size_t nodes, size_t failed, const Gpu& gpu, bool gpu_wanted) {
         std::printf("GPU: NOT RUN, CPU and GPU were not compared (%s)\n", gpu.missing.c_str());
     std::printf("%zu ok, %zu failed\n", nodes - failed, failed);
     if (failed > 0) return exit_input;
-    return gpu.missing.empty() || !gpu_wanted ? exit_fine : exit_environment;
+    return gpu.missing.empty() || !gpu_wanted ? exit_success : exit_environment;
 }
 
 }  // namespace
@@ -118,11 +118,11 @@ int certify_plugin(const CertifyOptions& options) {
     std::string why;
     const auto pictures = certify::PictureFolder::make(why);
     if (!pictures) {
-        complain(why);
+        print_error(why);
         return exit_environment;
     }
     const Gpu gpu(!options.no_gpu);
-    const certify::Bench bench{loaded.registry, pictures->path(), gpu.missing.empty(), {}};
+    const certify::CertifyContext bench{loaded.registry, pictures->path(), gpu.missing.empty(), {}};
     const TypeList types = types_of(loaded);
     const PluginReport& plugin = loaded.reports.front();
     std::printf("%s\n    %s %s\n", printable(options.file).c_str(), plugin.id.c_str(),

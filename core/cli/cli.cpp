@@ -16,7 +16,7 @@ int guarded(const Run& run) {
     try {
         return run();
     } catch (...) {
-        complain(exception_text());
+        print_error(exception_text());
     }
     return exit_environment;
 }
@@ -47,7 +47,7 @@ int run_cli(int argc, const char* const* argv) {
     std::string why;
     auto words = command_words(argc, argv, why);
     if (!words) {
-        complain(why);
+        print_error(why);
         return exit_usage;
     }
     std::reverse(words->begin(), words->end());  // CLI11 expects the words in reverse order
@@ -55,7 +55,7 @@ int run_cli(int argc, const char* const* argv) {
         app.parse(std::move(*words));
     } catch (const CLI::ParseError& error) {
         const int code = app.exit(error);
-        return code == exit_fine || code == exit_environment ? code : int{exit_usage};
+        return code == exit_success || code == exit_environment ? code : int{exit_usage};
     }
     return guarded(run);
 }

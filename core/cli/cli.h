@@ -15,7 +15,7 @@
 namespace wrinkle::cli {
 
 enum ExitCode : int {
-    exit_fine = 0,
+    exit_success = 0,
     exit_input = 1,        // an input has errors or cannot be read
     exit_usage = 2,        // wrong usage
     exit_environment = 3,  // an output cannot be written, no GL

@@ -8,7 +8,7 @@
 #include <optional>
 #include <thread>
 
-#include "base/companion.h"
+#include "base/dynamic_library.h"
 #include "base/file.h"
 #include "base/overwrite.h"
 #include "cli/arguments.h"
@@ -49,7 +49,7 @@ struct CompileCommand {
         outputs.files = graphs_among(outputs.files, diagnostics);
         if (const std::string why = wrong_usage(); !why.empty()) return usage(why);
         if (std::string why; needs_compilers() && !have_spirv_tools(why)) {
-            complain(why + "; " + companion_remedy);
+            print_error(why + "; " + library_remedy);
             return exit_environment;
         }
         const Nodes nodes = load_nodes(common, diagnostics);
@@ -69,7 +69,7 @@ struct CompileCommand {
     bool needs_compilers() const { return text.cost || is_translated(*find_target(text.target)); }
 
     static int usage(const std::string& sentence) {
-        complain(sentence);
+        print_error(sentence);
         return exit_usage;
     }
 

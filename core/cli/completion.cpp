@@ -244,7 +244,7 @@ void declare_completion(CLI::App& app, Run& run) {
     sub.callback([command, &run] {
         run = [command] {
             const bool written = write_result("-", completion_script(command->shell));
-            return written ? int{exit_fine} : int{exit_environment};
+            return written ? int{exit_success} : int{exit_environment};
         };
     });
     CLI::App& complete = *app.add_subcommand("complete", "What a shell offers after WORD...");
@@ -255,7 +255,7 @@ void declare_completion(CLI::App& app, Run& run) {
             std::string text;
             for (const std::string& each : completions(app, command->words))
                 text += each + "\n";
-            return write_result("-", text) ? int{exit_fine} : int{exit_environment};
+            return write_result("-", text) ? int{exit_success} : int{exit_environment};
         };
     });
 }

@@ -33,7 +33,7 @@ struct ConvertCommand {
     int run() const {
         const std::string sentence = wrong_usage();
         if (!sentence.empty()) {
-            complain(sentence);
+            print_error(sentence);
             return exit_usage;
         }
         Diagnostics problems;
@@ -41,11 +41,11 @@ struct ConvertCommand {
         maps::Source source;
         if (image && find_kind(*image, source, problems)) describe(source);
         const int code = report(problems, problems.has_errors() ? diagnostics : quiet_text());
-        if (code != exit_fine) return code;
+        if (code != exit_success) return code;
         source.image = &*image;
         maps::read_stored_scale(input, source);
         Diagnostics environment;
-        if (maps::convert(source, target(), output, environment)) return exit_fine;
+        if (maps::convert(source, target(), output, environment)) return exit_success;
         report(environment, diagnostics);
         return exit_environment;
     }

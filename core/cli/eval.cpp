@@ -55,8 +55,8 @@ struct EvalCommand {
         if (form == EvalForm::json && !results.empty())
             results[0].text += overrides.is_sweep() ? "\n]}\n" : "}\n";
         const int code = report(diagnostics, common.diagnostics);
-        if (code != exit_fine) return code;
-        return write_results(std::move(results)) ? exit_fine : exit_environment;
+        if (code != exit_success) return code;
+        return write_results(std::move(results)) ? exit_success : exit_environment;
     }
 
     // Returns one sentence on wrong usage, otherwise "".
@@ -78,7 +78,7 @@ struct EvalCommand {
     }
     bool check_usage() const {
         const std::string wrong = sentence();
-        if (!wrong.empty()) complain(wrong);
+        if (!wrong.empty()) print_error(wrong);
         return wrong.empty();
     }
 

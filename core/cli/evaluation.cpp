@@ -13,8 +13,8 @@ constexpr size_t block = 16384;  // points
 
 bool within_float(const PointSource& source, size_t first, const PointSet& set,
                   const Program& program, Diagnostics& diagnostics) {
-    const std::vector<BeyondFloat> beyond = beyond_float(program, set);
-    for (const BeyondFloat& each : beyond)
+    const std::vector<FloatOverflow> beyond = float_overflow(program, set);
+    for (const FloatOverflow& each : beyond)
         source.report(first + each.point, Severity::error, each.message(),
                       "--precision double does", diagnostics);
     return beyond.empty();
@@ -36,7 +36,7 @@ double change_of(const PointSet& set, SurfaceInput input, size_t k) {
 
 // Below this product of lengths, a frame derived from uv differentials fades, also in double
 // precision (core/ir/gradient_frame.cpp).
-constexpr double least_change_product = 1e-18;
+constexpr double min_change_product = 1e-18;
 
 void warn_of_small_changes(const PointSource& source, size_t first, const PointSet& set,
                            Diagnostics& diagnostics) {
@@ -46,7 +46,7 @@ void warn_of_small_changes(const PointSource& source, size_t first, const PointS
         for (size_t k = 0; k < set.count; ++k) {
             const double product =
                 change_of(set, SurfaceInput::position_, k) * change_of(set, uv, k);
-            if (product > 0 && product < least_change_product)
+            if (product > 0 && product < min_change_product)
                 source.report(first + k, Severity::warning,
                               "the changes of position and " + name_of({uv, Variant::value}) +
                                   " are so small that a frame 'derived' of them fades",

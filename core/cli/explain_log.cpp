@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <memory>
 
-#include "base/companion.h"
+#include "base/dynamic_library.h"
 #include "base/printable.h"
 #include "base/text.h"
 #include "base/words.h"
@@ -58,18 +58,18 @@ struct ExplainCommand {
 
     int run() const {
         if (const std::string why = wrong_usage(); !why.empty()) {
-            complain(why);
+            print_error(why);
             return exit_usage;
         }
         if (std::string why; is_translated(*find_target(text.target)) && !have_spirv_tools(why)) {
-            complain(why + "; " + companion_remedy);
+            print_error(why + "; " + library_remedy);
             return exit_environment;
         }
         Diagnostics diagnostics;
         const Nodes nodes = load_nodes(common, diagnostics);
         const Overrides overrides = parse_overrides(common, diagnostics);
         if (overrides.is_sweep()) {
-            complain("a text has no sweep; give --set one value");
+            print_error("a text has no sweep; give --set one value");
             return exit_usage;
         }
         const Compilation with{common, text, nodes.registry, overrides};
@@ -105,7 +105,7 @@ struct ExplainCommand {
             printed += '\n';
         }
         const bool json = common.diagnostics == "json";
-        return write_result("-", json ? to_json(found) : printed) ? exit_fine : exit_environment;
+        return write_result("-", json ? to_json(found) : printed) ? exit_success : exit_environment;
     }
 };
 

@@ -63,7 +63,7 @@ struct RewriteCommand {
     int run() const {
         for (const std::string& file : files)
             if (file != "-" && !check_only && !stream_title(file).empty()) {
-                complain(file + " is a stream, which cannot be rewritten; - is stdin to stdout");
+                print_error(file + " is a stream, which cannot be rewritten; - is stdin to stdout");
                 return exit_usage;
             }
         Diagnostics diagnostics;
@@ -90,8 +90,8 @@ struct RewriteCommand {
             }
         }
         const int code = report(diagnostics, common.diagnostics);
-        if (code != exit_fine || would_change) return exit_input;
-        return write_results(results) ? exit_fine : exit_environment;
+        if (code != exit_success || would_change) return exit_input;
+        return write_results(results) ? exit_success : exit_environment;
     }
 };
 

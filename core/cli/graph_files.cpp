@@ -26,12 +26,12 @@ std::vector<std::string> graphs_among(const std::vector<std::string>& files,
     for (const std::string& file : files)
         (is_graph(file) ? graphs : others).push_back(file);
     if (graphs.empty() || others.empty()) return files;
-    constexpr size_t most_names = 3;
+    constexpr size_t max_names = 3;
     std::string names;
-    for (size_t i = 0; i < others.size() && i < most_names; ++i)
+    for (size_t i = 0; i < others.size() && i < max_names; ++i)
         names += (i ? ", " : "") + others[i];
-    if (others.size() > most_names)
-        names += " and " + std::to_string(others.size() - most_names) + " more";
+    if (others.size() > max_names)
+        names += " and " + std::to_string(others.size() - max_names) + " more";
     Diagnostic note;
     note.severity = Severity::warning;
     note.message = "left out, as tests and presets are not graphs: " + names;

@@ -33,15 +33,15 @@ struct InputsCommand {
                 if (seen.insert(input.path).second) all.push_back(input.path);
         }
         const int code = report(diagnostics, common.diagnostics);
-        if (code != exit_fine) return code;
+        if (code != exit_success) return code;
         for (const std::string& path : all)
             if (!json && printable(path) != path) {
-                complain("the name '" + path + "' cannot be a line of a list; --json lists it");
+                print_error("the name '" + path + "' cannot be a line of a list; --json lists it");
                 return exit_input;
             }
         const std::string text =
             json ? "{\"version\": 1, \"graphs\": [" + entries + "\n]}\n" : lines(all);
-        return write_result("-", text) ? exit_fine : exit_environment;
+        return write_result("-", text) ? exit_success : exit_environment;
     }
 
     static std::string entry(const std::string& file, const std::vector<InputFile>& inputs) {

@@ -40,7 +40,7 @@ bool Interruption::requested() {
     return caught_signal != 0;
 }
 
-void Interruption::obey() {
+void Interruption::reraise() {
     const int caught = caught_signal;
     signal(caught, SIG_DFL);
     raise(caught);

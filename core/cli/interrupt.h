@@ -13,7 +13,7 @@ public:
 
     static bool requested();
     // Raises the caught signal again with the default action, so that the parent process sees it.
-    [[noreturn]] static void obey();
+    [[noreturn]] static void reraise();
 };
 
 }  // namespace wrinkle::cli

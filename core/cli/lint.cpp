@@ -56,7 +56,7 @@ struct LintCommand {
     static void hold_to_repeat(maps::Verdict& verdict) {
         for (maps::Finding& finding : verdict.findings)
             finding.defect |=
-                finding.flaw == maps::Flaw::seam_u || finding.flaw == maps::Flaw::seam_v;
+                finding.flaw == maps::MapDefect::seam_u || finding.flaw == maps::MapDefect::seam_v;
     }
 
     int run() const {
@@ -71,7 +71,7 @@ struct LintCommand {
             if (wrap_given && wrap == "repeat") hold_to_repeat(verdict);
             if (!expect.empty() && name_of(verdict.look) != expect)
                 verdict.findings.push_back(
-                    {maps::Flaw::unexpected, "it was to be " + expect, true});
+                    {maps::MapDefect::unexpected, "it was to be " + expect, true});
             healthy = healthy && !verdict.has_defects();
             text += json ? (count ? ",\n" : "") + as_json(file, verdict) : as_text(file, verdict);
             ++count;
@@ -79,7 +79,7 @@ struct LintCommand {
         if (json) text = "{\"images\": [" + text + "]}\n";
         const int code = report(problems, diagnostics);
         if (!write_result("-", text)) return exit_environment;
-        return code == exit_fine && !healthy ? int{exit_input} : code;
+        return code == exit_success && !healthy ? int{exit_input} : code;
     }
 };
 

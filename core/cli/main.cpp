@@ -9,6 +9,6 @@ int main(int argc, char** argv) {
     const int code = run_cli(argc, argv);
     const bool printed = std::fflush(stdout) == 0 && std::ferror(stdout) == 0;
     if (printed || code == exit_environment) return code;
-    complain("standard output cannot be written");
+    print_error("standard output cannot be written");
     return exit_environment;
 }

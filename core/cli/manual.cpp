@@ -143,12 +143,12 @@ struct ManCommand {
             for (const CLI::App* command : commands_of(app))
                 if (command->get_name() == name) found = command;
             if (!found) {
-                complain("there is no command '" + name + "'; wrinkle --help lists them");
+                print_error("there is no command '" + name + "'; wrinkle --help lists them");
                 return exit_usage;
             }
             text = manual_page(app, *found);
         }
-        return write_result("-", text) ? exit_fine : exit_environment;
+        return write_result("-", text) ? exit_success : exit_environment;
     }
 
     int write_all(const CLI::App& app) const {
@@ -158,7 +158,7 @@ struct ManCommand {
                 {folder + "/wrinkle-" + command->get_name() + ".1", manual_page(app, *command)});
         std::error_code ignored;  // write_results() reports the error
         std::filesystem::create_directories(folder, ignored);
-        return write_results(pages) ? exit_fine : exit_environment;
+        return write_results(pages) ? exit_success : exit_environment;
     }
 };
 

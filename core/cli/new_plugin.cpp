@@ -123,7 +123,7 @@ constexpr std::string_view reserved[] = {"all",
 std::string why_not(const std::string& name) {
     if (!is_name(name))
         return "is no name for a node: a letter a-z, then letters, digits and _, at most " +
-               std::to_string(longest_name);
+               std::to_string(max_name);
     if (std::find(std::begin(reserved), std::end(reserved), name) != std::end(reserved))
         return "is a word of C++ or CMake; the node needs another name";
     Registry registry;
@@ -173,12 +173,12 @@ struct NewPluginCommand {
     int run() const {
         const fs::path place = folder.empty() ? fs::path(name) : fs::path(folder);
         if (const std::string why = write(place); !why.empty()) {
-            complain(why);
+            print_error(why);
             return exit_environment;
         }
         std::printf("%s\n    cmake -B build . && cmake --build build && ctest --test-dir build\n",
                     place.c_str());
-        return exit_fine;
+        return exit_success;
     }
 
     // Writes all files or none; returns the reason of a failure, otherwise "".

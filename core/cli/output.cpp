@@ -24,7 +24,7 @@ bool write_result(const std::string& path, std::string_view text) {
 bool write_results(const std::vector<Result>& results) {
     std::string why;
     const bool written = write_results(results, why);
-    if (!written) complain(why);
+    if (!written) print_error(why);
     return written;
 }
 
@@ -46,10 +46,10 @@ int report(const Diagnostics& diagnostics, const std::string& format) {
         const std::string text = format == "json" ? to_json(diagnostics) : to_text(diagnostics);
         std::fwrite(text.data(), 1, text.size(), stderr);
     }
-    return diagnostics.has_errors() ? exit_input : exit_fine;
+    return diagnostics.has_errors() ? exit_input : exit_success;
 }
 
-void complain(std::string_view sentence) {
+void print_error(std::string_view sentence) {
     std::fprintf(stderr, "wrinkle: error: %s\n", printable(sentence).c_str());
 }
 

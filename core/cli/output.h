@@ -21,10 +21,10 @@ bool write_results(const std::vector<Result>& results);
 bool write_results(const std::vector<Result>& results, std::string& why);  // prints nothing
 
 // Prints the problems to standard error, as text or as JSON. Returns exit_input if there are
-// errors, otherwise exit_fine.
+// errors, otherwise exit_success.
 int report(const Diagnostics& diagnostics, const std::string& format);
 
 // Prints one sentence to standard error, escaped by printable().
-void complain(std::string_view sentence);
+void print_error(std::string_view sentence);
 
 }  // namespace wrinkle::cli

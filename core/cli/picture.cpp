@@ -83,8 +83,9 @@ std::optional<Image> load_environment(const std::string& file, Diagnostics& diag
     return {};
 }
 
-std::optional<Painter> Painter::make(const PictureOptions& options, const Mesh& mesh,
-                                     Diagnostics& diagnostics) {
+std::optional<OffscreenRenderer> OffscreenRenderer::make(const PictureOptions& options,
+                                                         const Mesh& mesh,
+                                                         Diagnostics& diagnostics) {
     auto context = gpu::Context::offscreen(diagnostics);
     if (!context) return {};
     if (!context->make_current()) {
@@ -97,11 +98,11 @@ std::optional<Painter> Painter::make(const PictureOptions& options, const Mesh& 
     wanted.samples = options.view == gpu::View::shaded ? 4 : 1;  // do not average values
     auto target = gpu::Target::make(wanted, diagnostics);
     if (!target) return {};
-    return Painter(std::move(*context), std::move(*target), options, mesh);
+    return OffscreenRenderer(std::move(*context), std::move(*target), options, mesh);
 }
 
-Painter::Painter(gpu::Context context, gpu::Target target, const PictureOptions& options,
-                 const Mesh& mesh)
+OffscreenRenderer::OffscreenRenderer(gpu::Context context, gpu::Target target,
+                                     const PictureOptions& options, const Mesh& mesh)
     : context_(std::move(context)), target_(std::move(target)), options_(options) {
     renderer_.set_mesh(mesh);
     renderer_.set_lighting(options.lighting);
@@ -114,7 +115,7 @@ Painter::Painter(gpu::Context context, gpu::Target target, const PictureOptions&
 
 // Returns false and reports an error if the reference output of the difference view is not a
 // normal.
-bool Painter::can_compare(const Shader& shader, Diagnostics& diagnostics) const {
+bool OffscreenRenderer::can_compare(const Shader& shader, Diagnostics& diagnostics) const {
     if (options_.view != gpu::View::difference) return true;
     for (const FunctionInfo& output : shader.reflection.functions) {
         const auto type = static_cast<PortType>(output.port_type);
@@ -131,8 +132,8 @@ bool Painter::can_compare(const Shader& shader, Diagnostics& diagnostics) const 
     return true;
 }
 
-bool Painter::set_material(const gpu::Material& material, const TextureStore& textures,
-                           Diagnostics& diagnostics) {
+bool OffscreenRenderer::set_material(const gpu::Material& material, const TextureStore& textures,
+                                     Diagnostics& diagnostics) {
     for (const gpu::MaterialSampler& sampler : material.samplers) {
         const auto chain = textures.find(sampler.file);
         if (!chain || !renderer_.add_image(sampler.file, *chain, diagnostics)) return false;
@@ -140,8 +141,8 @@ bool Painter::set_material(const gpu::Material& material, const TextureStore& te
     return renderer_.set_material(material, diagnostics);
 }
 
-std::optional<Picture> Painter::draw(const Shader& shader, const TextureStore& textures,
-                                     Diagnostics& diagnostics) {
+std::optional<Picture> OffscreenRenderer::draw(const Shader& shader, const TextureStore& textures,
+                                               Diagnostics& diagnostics) {
     if (!can_compare(shader, diagnostics)) return {};
     if (!set_material(gpu::material_from(shader), textures, diagnostics)) return {};
     gpu::ViewOptions view;

@@ -52,12 +52,12 @@ struct Picture {
 };
 
 // Offscreen renderer: a GL context, a renderer and a render target.
-class Painter {
+class OffscreenRenderer {
 public:
     // Returns std::nullopt and reports an error if GL is unavailable or the driver does not support
     // the size (exit_environment).
-    static std::optional<Painter> make(const PictureOptions& options, const Mesh& mesh,
-                                       Diagnostics& diagnostics);
+    static std::optional<OffscreenRenderer> make(const PictureOptions& options, const Mesh& mesh,
+                                                 Diagnostics& diagnostics);
 
     // Replaces the mesh; the camera is unchanged.
     void show(const Mesh& mesh) { renderer_.set_mesh(mesh); }
@@ -68,8 +68,8 @@ public:
                                 Diagnostics& diagnostics);
 
 private:
-    Painter(gpu::Context context, gpu::Target target, const PictureOptions& options,
-            const Mesh& mesh);
+    OffscreenRenderer(gpu::Context context, gpu::Target target, const PictureOptions& options,
+                      const Mesh& mesh);
     bool can_compare(const Shader& shader, Diagnostics& diagnostics) const;
     bool set_material(const gpu::Material& material, const TextureStore& textures,
                       Diagnostics& diagnostics);

@@ -31,12 +31,12 @@ struct PluginsCommand {
         const std::string file = manifest_of(manifest);
         const std::string read[] = {manifest}, made[] = {file};
         if (const std::string why = overwrite_fault(made, read); !why.empty()) {
-            complain(why);
+            print_error(why);
             return exit_usage;
         }
         const bool written =
             write_result(file, to_json(*listing)) && write_result("-", file + "\n");
-        return written ? exit_fine : exit_environment;
+        return written ? exit_success : exit_environment;
     }
 };
 

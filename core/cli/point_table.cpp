@@ -13,7 +13,7 @@ namespace wrinkle::cli {
 namespace {
 
 constexpr std::string_view components = "xyzw";
-constexpr size_t most_shown = 40;  // characters of an invalid number in a message
+constexpr size_t max_shown = 40;  // characters of an invalid number in a message
 
 struct Column {
     InputNeed need;
@@ -178,7 +178,7 @@ void PointTable::read_csv(std::string_view text, Diagnostics& diagnostics) {
             if (error != std::errc{} || end != field.data() + field.size())
                 problem(where(count_).line,
                         "point " + std::to_string(count_) + ": '" +
-                            std::string(field.substr(0, most_shown)) + "' is not a number",
+                            std::string(field.substr(0, max_shown)) + "' is not a number",
                         "a number such as 0.25 or -1e-3", diagnostics);
             if (fields < columns) bytes_.append(reinterpret_cast<const char*>(&value), 8);
         }

@@ -43,7 +43,7 @@ struct RenderCommand {
         const Nodes nodes = load_nodes(common, diagnostics);
         const Overrides overrides = parse_overrides(common, diagnostics);
         if (overrides.is_sweep() && output == "-") {
-            complain("a sweep makes several pictures; standard output takes one");
+            print_error("a sweep makes several pictures; standard output takes one");
             return exit_usage;
         }
         std::vector<Shader> shaders;
@@ -59,7 +59,7 @@ struct RenderCommand {
         if (displace && !diagnostics.has_errors())
             meshes = displaced(*drawn_on, nodes, overrides, textures, diagnostics);
         const int code = report(diagnostics, common.diagnostics);
-        if (code != exit_fine) return code;
+        if (code != exit_success) return code;
         return draw(shaders, *drawn_on, meshes, textures, options, overrides);
     }
 
@@ -111,7 +111,7 @@ struct RenderCommand {
         else if (output != "-" && type != ".png" && type != ".jpg" && type != ".jpeg" &&
                  type != ".tif" && type != ".tiff")
             sentence = output + ": a picture is written as .png, .jpg or .tif";
-        if (!sentence.empty()) complain(sentence);
+        if (!sentence.empty()) print_error(sentence);
         return sentence.empty();
     }
 
@@ -121,7 +121,7 @@ struct RenderCommand {
              const std::vector<Mesh>& displaced, const TextureStore& textures,
              const PictureOptions& options, const Overrides& overrides) const {
         Diagnostics environment, diagnostics;
-        auto painter = Painter::make(options, still, environment);
+        auto painter = OffscreenRenderer::make(options, still, environment);
         if (!painter) {
             report(environment, common.diagnostics);
             return exit_environment;
@@ -134,7 +134,7 @@ struct RenderCommand {
             if (!save(picture->image, path)) return exit_environment;
             if (options.view == gpu::View::difference) print(picture->angles, path);
         }
-        return exit_fine;
+        return exit_success;
     }
 
     bool save(const Image& image, const std::string& path) const {

@@ -17,9 +17,10 @@ struct TestCommand {
     bool schema = false;
 
     int run() const {
-        if (schema) return write_result("-", case_schema()) ? exit_fine : exit_environment;
+        if (schema) return write_result("-", case_schema()) ? exit_success : exit_environment;
         if (paths.empty()) {
-            complain("test needs NAME.test.json, or a folder with such files; --help lists more");
+            print_error(
+                "test needs NAME.test.json, or a folder with such files; --help lists more");
             return exit_usage;
         }
         Diagnostics diagnostics;
@@ -34,7 +35,7 @@ struct TestCommand {
         if (json) diagnostics.append(run.failures());
         if (json && !tally.environment.empty()) diagnostics.error(tally.environment);
         const int code = report(diagnostics, common.diagnostics);
-        if (!json && !tally.environment.empty()) complain(tally.environment);
+        if (!json && !tally.environment.empty()) print_error(tally.environment);
         std::printf("%zu passed, %zu failed\n", tally.passed, tally.failed);
         if (!tally.environment.empty()) return exit_environment;
         return tally.failed > 0 ? int{exit_input} : code;

@@ -27,7 +27,7 @@ std::optional<Lanes> lanes_of(const json::Value& value, size_t count) {
     return lanes;
 }
 
-double largest_distance(const Lanes& a, const Lanes& b) {
+double max_distance(const Lanes& a, const Lanes& b) {
     double largest = 0;
     for (size_t i = 0; i < a.size(); ++i) {
         const double distance = std::abs(a[i] - b[i]);
@@ -55,7 +55,7 @@ std::string disagreement(const TestCase& test, uint32_t port_type, const Lanes& 
     const bool is_normal = port_type == WR_PORT_normal;
     const double tolerance = is_normal ? test.tolerance_deg : test.tolerance;
     const double distance =
-        is_normal ? degrees_between(expected, got) : largest_distance(expected, got);
+        is_normal ? degrees_between(expected, got) : max_distance(expected, got);
     if (distance <= tolerance) return "";
     const std::string unit = is_normal ? " degrees" : "";
     return "expected " + lanes_text(expected) + ", got " + lanes_text(got) + ": " +

@@ -174,7 +174,7 @@ void TestRun::picture(const TestCase& test, const Shader& shader, const Mesh& st
                       Diagnostics& diagnostics) {
     Diagnostics environment;
     const PictureOptions& options = test.render->picture;
-    auto painter = Painter::make(options, still, environment);
+    auto painter = OffscreenRenderer::make(options, still, environment);
     if (!painter) {
         tally_.environment = environment.list().front().message;
         return;

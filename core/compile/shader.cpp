@@ -30,7 +30,7 @@ void report_emit(const Shader& shader, const Compiled& compiled, const Project& 
     report_problems(shader.problems, compiled.module, project, compiled.places, diagnostics);
 }
 
-void judge_limits(const Reflection& reflection, const std::string& file, bool strict,
+void check_limits(const Reflection& reflection, const std::string& file, bool strict,
                   Diagnostics& diagnostics) {
     for (const Excess& excess : {texture_unit_excess(reflection), draw_buffer_excess(reflection)}) {
         if (excess.problem.empty()) continue;
@@ -51,7 +51,7 @@ MadeShader make_shader(const Project& project, const Registry& registry, ShaderO
     if (!made.compiled.ok) return made;
     made.shader = write_shader(made.compiled.module, options.emit);
     report_emit(made.shader, made.compiled, project, diagnostics);
-    judge_limits(made.shader.reflection, project.top().file, options.strict, diagnostics);
+    check_limits(made.shader.reflection, project.top().file, options.strict, diagnostics);
     return made;
 }
 

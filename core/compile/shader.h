@@ -30,7 +30,7 @@ void report_emit(const Shader& shader, const Compiled& compiled, const Project& 
 
 // Reports images or outputs in excess of the limits that the target guarantees (cost/limits.h), as
 // warnings that name them, or as errors if `strict`.
-void judge_limits(const Reflection& reflection, const std::string& file, bool strict,
+void check_limits(const Reflection& reflection, const std::string& file, bool strict,
                   Diagnostics& diagnostics);
 
 struct ShaderOptions {

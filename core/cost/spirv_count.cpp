@@ -7,7 +7,7 @@ namespace {
 
 constexpr uint32_t magic = 0x07230203;
 constexpr size_t header_words = 5;
-constexpr uint32_t greatest_bound = 4'194'303;  // universal limits of the specification
+constexpr uint32_t max_bound = 4'194'303;  // universal limits of the specification
 
 // Numbers of the SPIR-V specification, section 3.49, and of GLSL.std.450.
 enum : uint32_t {
@@ -197,7 +197,7 @@ ShaderCost& ShaderCost::operator+=(const ShaderCost& other) {
 
 std::optional<SpirvCount> count_spirv(std::span<const uint32_t> words, std::string& why) {
     why = "it is no SPIR-V";
-    if (words.size() < header_words || words[0] != magic || words[3] > greatest_bound) return {};
+    if (words.size() < header_words || words[0] != magic || words[3] > max_bound) return {};
     Counter counter(words[3]);
     for (size_t i = header_words; i < words.size();) {
         const size_t length = words[i] >> 16;

@@ -50,13 +50,13 @@ std::vector<OutputColumn> evaluate_columns(const Program& program, const PointSe
     return columns;
 }
 
-std::string BeyondFloat::message() const {
+std::string FloatOverflow::message() const {
     return "'" + name_of(input) + "' holds " + shortest(value) +
            ", which single precision does not";
 }
 
-std::vector<BeyondFloat> beyond_float(const Program& program, const PointSet& points) {
-    std::vector<BeyondFloat> found;
+std::vector<FloatOverflow> float_overflow(const Program& program, const PointSet& points) {
+    std::vector<FloatOverflow> found;
     for (const InputNeed& need : needed_inputs(program)) {
         const std::vector<double>& values = points.at(need.input, need.variant);
         for (size_t i = 0; i < values.size(); ++i)

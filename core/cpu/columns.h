@@ -34,13 +34,13 @@ std::vector<OutputColumn> evaluate_columns(const Program& program, const PointSe
                                            std::span<const Texture> textures, Precision precision);
 
 // A needed input value that is not finite in single precision; surfaces have only finite inputs.
-struct BeyondFloat {
+struct FloatOverflow {
     size_t point = 0;
     InputNeed input;
     double value = 0;
 
     std::string message() const;  // "'uv0' holds 1e+40, which single precision does not"
 };
-std::vector<BeyondFloat> beyond_float(const Program& program, const PointSet& points);
+std::vector<FloatOverflow> float_overflow(const Program& program, const PointSet& points);
 
 }  // namespace wrinkle

@@ -49,8 +49,8 @@ void evaluate(const Program& program, const PointSet& points, std::span<const Te
               size_t first, size_t count, Results& results, InstructionSet set) {
     TileMemory<T> memory;
     Tile<T> tile(program, textures, set, memory);
-    for (const size_t end = first + count; first < end; first += tile_lanes) {
-        const size_t n = std::min(tile_lanes, end - first);
+    for (const size_t end = first + count; first < end; first += tile_points) {
+        const size_t n = std::min(tile_points, end - first);
         for (const Program::Input& input : program.inputs)
             load(points, input, first, n, tile.floats(input.reg));
         tile.run(n);

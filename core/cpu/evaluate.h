@@ -71,7 +71,7 @@ struct Step {
     std::array<uint32_t, 6> in{};
     uint32_t extra = 0;  // resource index, or as listed at Kind
     uint32_t bias = 0;
-    uint16_t loop = 0;  // loop_of() in step_loops.h, for kinds op, pair and depth
+    uint16_t loop = 0;  // loop_of() in kernel_table.h, for kinds op, pair and depth
     // Resource index + 1 if the result is used only for that texture's lod; 0 if it has other uses.
     uint32_t lod_of = 0;
 };
@@ -90,14 +90,14 @@ struct Program {
         std::vector<uint32_t> regs;  // one per component
     };
     // A register that holds one constant during the complete program.
-    struct Preset {
+    struct ConstantRegister {
         double value;
         Type type;
         uint32_t reg;
     };
     std::vector<Step> steps;
     std::vector<Input> inputs;
-    std::vector<Preset> presets;
+    std::vector<ConstantRegister> presets;
     std::vector<double> constants;
     std::vector<Output> outputs;
     uint32_t float_registers = 0;

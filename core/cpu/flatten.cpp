@@ -5,8 +5,8 @@
 #include <bit>
 #include <unordered_set>
 
-#include "cpu/step_loops.h"
-#include "ir/copy.h"
+#include "cpu/kernel_table.h"
+#include "ir/module_cloner.h"
 
 namespace wrinkle {
 namespace {
@@ -231,8 +231,8 @@ Program Flattener::run(std::string& why) {
                 {output.name, module_->type(output.value), output.port_type, lanes(output.value)});
     why = why_;
     if (refused()) return {};
-    preset_constants(program_);
-    mark_what_is_read(program_, integer_.size());
+    hoist_constants(program_);
+    mark_live_channels(program_, integer_.size());
     fuse_steps(program_, integer_.size());
     allocate_registers(program_, integer_);
     for (Step& step : program_.steps)

@@ -67,11 +67,11 @@ private:
 
 // If the program has few constants, turns them into presets, written once before the first step,
 // and removes their steps.
-void preset_constants(Program& program);
+void hoist_constants(Program& program);
 
 // Sets Step::lod_of and Step::channels. Precondition: each register is written once, except loop
 // state.
-void mark_what_is_read(Program& program, size_t registers);
+void mark_live_channels(Program& program, size_t registers);
 
 // Fuses steps, so that several ops share a pass over memory.
 void fuse_steps(Program& program, size_t registers);

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "cpu/flatten.h"
-#include "cpu/step_loops.h"
+#include "cpu/kernel_table.h"
 
 namespace wrinkle {
 namespace {
@@ -45,7 +45,7 @@ public:
 private:
     // Returns the step that defines operand i if `reader` is its only user and the step can be
     // moved down to `reader`; otherwise null.
-    Step* sole_maker(const Step& reader, uint32_t i) {
+    Step* single_use_producer(const Step& reader, uint32_t i) {
         const uint32_t maker = maker_[reader.in[i]];
         if (maker == no_step || maker < block_ || reads_[reader.in[i]] != 1) return nullptr;
         Step& step = steps_[maker];
@@ -66,9 +66,9 @@ private:
             if (reads > 1 || reader == no_step) return 0;
             const Step& step = steps_[reader];
             if (!is(&step, Op::sub_, 2) || step.in[0] != sample.out[c]) return 0;
-            const auto preset =
-                std::find_if(presets_.begin(), presets_.end(),
-                             [&](const Program::Preset& each) { return each.reg == step.in[1]; });
+            const auto preset = std::find_if(
+                presets_.begin(), presets_.end(),
+                [&](const Program::ConstantRegister& each) { return each.reg == step.in[1]; });
             if (preset == presets_.end()) return 0;
             const auto number = static_cast<uint32_t>(preset - presets_.begin()) + 1;
             if (bias != 0 && bias != number) return 0;
@@ -97,13 +97,13 @@ private:
     // Fuses the depth of a decoded normal, as ir/expand.h emits it; saves four passes.
     bool depth(Step& step) {
         if (step.op != Op::max_) return false;
-        Step* inner = sole_maker(step, 0);
+        Step* inner = single_use_producer(step, 0);
         if (!is_size_max(inner)) return false;
-        Step* least = sole_maker(*inner, 2);
+        Step* least = single_use_producer(*inner, 2);
         if (!is(least, Op::mul_, 2)) return false;
-        Step* greatest = sole_maker(*least, 0);
+        Step* greatest = single_use_producer(*least, 0);
         if (!is_size_max(greatest)) return false;
-        Step* size = sole_maker(*greatest, 2);
+        Step* size = single_use_producer(*greatest, 2);
         if (!is(size, Op::abs_, 1)) return false;
         step.kind = Step::Kind::depth;
         step.in = {greatest->in[0], size->in[0], least->in[1], inner->in[0], step.in[1]};
@@ -117,7 +117,7 @@ private:
     // summation.
     bool sum_of_products(Step& step) {
         if (step.op != Op::add_ || step.in[0] == step.in[1]) return false;
-        Step *a = sole_maker(step, 0), *b = sole_maker(step, 1);
+        Step *a = single_use_producer(step, 0), *b = single_use_producer(step, 1);
         if (is(a, Op::mul_, 2) && is(b, Op::dot_, 4)) std::swap(a, b);
         if (!is(b, Op::mul_, 2)) return false;
         if (is(a, Op::mul_, 2)) {
@@ -138,7 +138,7 @@ private:
     void pair(Step& step) {
         if (step.count != 2 || !stands_in(second_ops, step.op) || step.in[0] == step.in[1]) return;
         for (const uint32_t i : {0u, 1u}) {
-            Step* first = sole_maker(step, i);
+            Step* first = single_use_producer(step, i);
             if (!first || first->kind != Step::Kind::op || !stands_in(first_ops, first->op))
                 continue;
             const uint32_t other = step.in[1 - i];
@@ -172,7 +172,7 @@ private:
     }
 
     std::vector<Step>& steps_;
-    const std::vector<Program::Preset>& presets_;
+    const std::vector<Program::ConstantRegister>& presets_;
     std::vector<uint32_t> maker_;   // by register, like the following two
     std::vector<uint32_t> reader_;  // the last user
     std::vector<uint32_t> reads_;

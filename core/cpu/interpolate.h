@@ -4,7 +4,7 @@
 //
 // The barycentric weights of a point are 1 - s - t, s and t for corners 0, 1 and 2. If one is below
 // 0, negative weights are clamped to 0 and the weights are normalised to sum 1. Loops process full
-// SIMD vectors: they read and write up to `interpolated_behind` numbers past the last point.
+// SIMD vectors: they read and write up to `interpolate_padding` numbers past the last point.
 #pragma once
 
 #include <cstddef>
@@ -12,15 +12,15 @@
 
 namespace wrinkle {
 
-inline constexpr size_t interpolated_behind = 8;
+inline constexpr size_t interpolate_padding = 8;
 
 // Contents of plane number `plane`, from the first point of the row on: interpolated corner values,
 // or one constant value.
-struct LinearPlane {
+struct VaryingInput {
     double corner[3];
     size_t plane;
 };
-struct ConstantPlane {
+struct FlatInput {
     float value;
     size_t plane;
 };
@@ -29,9 +29,9 @@ struct TrianglePlanes {
     // s and t are affine in (u, v): both are 0 at `first`; `second` and `third` are the derivatives
     // of s and t by u and v.
     double first[2], second[2], third[2];
-    const LinearPlane* linear = nullptr;
+    const VaryingInput* linear = nullptr;
     size_t linear_count = 0;
-    const ConstantPlane* constant = nullptr;
+    const FlatInput* constant = nullptr;
     size_t constant_count = 0;
 };
 

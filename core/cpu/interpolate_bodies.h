@@ -9,7 +9,7 @@ namespace wrinkle::WRINKLE_ISA {
 namespace {
 
 constexpr size_t double_lanes = vector_bytes / sizeof(double);
-static_assert(double_lanes <= interpolated_behind);
+static_assert(double_lanes <= interpolate_padding);
 using NarrowFloats = float __attribute__((vector_size(vector_bytes / 2)));
 
 struct CornerWeights {
@@ -44,15 +44,15 @@ void interpolate(const TrianglePlanes& triangle, const PlaceRow& row, float* out
     // Local copies, which the stores below cannot alias.
     const TrianglePlanes planes = triangle;
     const PlaceRow places = row;
-    const LinearPlane* const end = planes.linear + planes.linear_count;
-    const ConstantPlane* const constant_end = planes.constant + planes.constant_count;
+    const VaryingInput* const end = planes.linear + planes.linear_count;
+    const FlatInput* const constant_end = planes.constant + planes.constant_count;
     for (size_t k = 0; k < places.count; k += double_lanes) {
-        for (const ConstantPlane* each = planes.constant; each != constant_end; ++each)
+        for (const FlatInput* each = planes.constant; each != constant_end; ++each)
             store(out + each->plane * stride + k, NarrowFloats{} + each->value);
         if (planes.linear == end) continue;
         const auto u = load<Doubles>(places.u + k);
         const CornerWeights weights = weights_at(planes, u, places.v, places.count - k);
-        for (const LinearPlane* each = planes.linear; each != end; ++each) {
+        for (const VaryingInput* each = planes.linear; each != end; ++each) {
             const Doubles at = each->corner[0] * weights.a + each->corner[1] * weights.b +
                                each->corner[2] * weights.c;
             store(out + each->plane * stride + k, __builtin_convertvector(at, NarrowFloats));

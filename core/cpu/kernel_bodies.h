@@ -90,22 +90,23 @@ template <class T>
 
 // Called once per process: optimised for size, not for speed.
 template <class T>
-[[gnu::cold]] StepLoops<T> make_loops() {
-    StepLoops<T> loops{};
+[[gnu::cold]] KernelTable<T> make_loops() {
+    KernelTable<T> loops{};
     for (const Type type : {Type::float_, Type::int_, Type::uint_})
         for (size_t op = 0; op < tables::op_count; ++op)
-            loops[op_loop(static_cast<Op>(op), type)] = kernel_of<T>(static_cast<Op>(op), type);
+            loops[op_kernel(static_cast<Op>(op), type)] = kernel_of<T>(static_cast<Op>(op), type);
     for (const Op first : first_ops)
         for (const Op second : second_ops)
             for (const bool swapped : {false, true})
-                loops[pair_loop(first, second, swapped)] = pair_kernel<T>(first, second, swapped);
+                loops[fused_kernel(first, second, swapped)] =
+                    pair_kernel<T>(first, second, swapped);
     loops[depth_loop] = depth<T>;
     return loops;
 }
 
 template <class T>
-const StepLoops<T>& loops() {
-    static const StepLoops<T> made = make_loops<T>();
+const KernelTable<T>& loops() {
+    static const KernelTable<T> made = make_loops<T>();
     return made;
 }
 

@@ -10,12 +10,12 @@
 
 #include "cpu/evaluate.h"
 #include "cpu/interpolate.h"
-#include "cpu/step_loops.h"
+#include "cpu/kernel_table.h"
 #include "cpu/texels.h"
 
 namespace wrinkle {
 
-inline constexpr size_t tile_lanes = 256;
+inline constexpr size_t tile_points = 256;
 
 // Pointers to the lanes of each register of a tile.
 template <class T>
@@ -35,11 +35,11 @@ using SampleLevel = void (*)(const TexelLevel& level, float bias, const float* u
 
 // Indexed by loop_of(); null if an op has no kernel.
 template <class T>
-using StepLoops = std::array<StepKernel<T>, loop_count>;
+using KernelTable = std::array<StepKernel<T>, loop_count>;
 
 struct Kernels {
-    const StepLoops<float>& (*of_float)();
-    const StepLoops<double>& (*of_double)();
+    const KernelTable<float>& (*of_float)();
+    const KernelTable<double>& (*of_double)();
     // Returns the function for the first 1 to 4 of the channels that the level stores; for a packed
     // level it may write more channels than requested.
     SampleLevel (*sample_level)(const TexelLevel& level, Wrap wrap, size_t channels);
@@ -47,7 +47,7 @@ struct Kernels {
 };
 
 template <class T>
-const StepLoops<T>& loops_of(const Kernels& kernels) {
+const KernelTable<T>& kernel_table(const Kernels& kernels) {
     if constexpr (std::is_same_v<T, float>)
         return kernels.of_float();
     else

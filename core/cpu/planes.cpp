@@ -39,7 +39,7 @@ void evaluate_planes(const Program& program, std::span<const Texture> textures,
     taken.assign(program.float_registers, 0);
     for (const Program::Input& input : program.inputs)
         taken[input.reg] = 1;
-    for (const Program::Preset& preset : program.presets)
+    for (const Program::ConstantRegister& preset : program.presets)
         if (!is_integer_type(preset.type)) taken[preset.reg] = 1;
     written.clear();
     each_plane(program,
@@ -48,8 +48,8 @@ void evaluate_planes(const Program& program, std::span<const Texture> textures,
                    if (list.back()) is[reg] = 1;
                });
     Tile<float> tile(program, textures, set, memory);
-    for (size_t first = 0; first < count; first += tile_lanes) {
-        const size_t n = std::min(tile_lanes, count - first);
+    for (size_t first = 0; first < count; first += tile_points) {
+        const size_t n = std::min(tile_points, count - first);
         // No step writes an input register, so its memory is not modified.
         for (size_t i = 0; i < program.inputs.size(); ++i)
             tile.place(program.inputs[i].reg, const_cast<float*>(planes.inputs[i] + first));

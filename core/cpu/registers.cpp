@@ -6,11 +6,11 @@ namespace wrinkle {
 namespace {
 
 constexpr uint32_t never = ~0u;
-constexpr uint32_t at_the_end = never - 1;
+constexpr uint32_t live_out = never - 1;
 
 // Returns the last use of each register. A register defined before a loop and used in it is live
 // until the loop's end; inputs, presets and outputs are live until the end of the program.
-std::vector<uint32_t> last_reads(const Program& program, size_t registers) {
+std::vector<uint32_t> last_uses(const Program& program, size_t registers) {
     std::vector<uint32_t> born(registers, 0), last(registers, 0), loop_end(program.steps.size());
     for (uint32_t s = 0; s < program.steps.size(); ++s)
         if (program.steps[s].kind == Step::Kind::loop_end) loop_end[program.steps[s].extra] = s;
@@ -39,12 +39,12 @@ std::vector<uint32_t> last_reads(const Program& program, size_t registers) {
         if (step.kind == Step::Kind::loop_end) open.pop_back();
     }
     for (const Program::Input& input : program.inputs)
-        last[input.reg] = at_the_end;
-    for (const Program::Preset& preset : program.presets)
-        last[preset.reg] = at_the_end;
+        last[input.reg] = live_out;
+    for (const Program::ConstantRegister& preset : program.presets)
+        last[preset.reg] = live_out;
     for (const Program::Output& output : program.outputs)
         for (const uint32_t reg : output.regs)
-            last[reg] = at_the_end;
+            last[reg] = live_out;
     return last;
 }
 
@@ -76,14 +76,14 @@ struct Allocator {
 }  // namespace
 
 void allocate_registers(Program& program, const std::vector<bool>& integer) {
-    const std::vector<uint32_t> last = last_reads(program, integer.size());
+    const std::vector<uint32_t> last = last_uses(program, integer.size());
     std::vector<std::vector<uint32_t>> dying(program.steps.size());
     for (uint32_t reg = 0; reg < integer.size(); ++reg)
         if (last[reg] < program.steps.size()) dying[last[reg]].push_back(reg);
     Allocator allocator{integer, std::vector<uint32_t>(integer.size(), never), {}};
     for (const Program::Input& input : program.inputs)
         allocator.define(input.reg);
-    for (const Program::Preset& preset : program.presets)
+    for (const Program::ConstantRegister& preset : program.presets)
         allocator.define(preset.reg);
     for (uint32_t s = 0; s < program.steps.size(); ++s) {
         Step& step = program.steps[s];
@@ -98,7 +98,7 @@ void allocate_registers(Program& program, const std::vector<bool>& integer) {
     }
     for (Program::Input& input : program.inputs)
         input.reg = allocator.place[input.reg];
-    for (Program::Preset& preset : program.presets)
+    for (Program::ConstantRegister& preset : program.presets)
         preset.reg = allocator.place[preset.reg];
     for (Program::Output& output : program.outputs)
         for (uint32_t& reg : output.regs)

@@ -43,7 +43,7 @@ WRINKLE_INLINE Below below(Floats x, float size) {
         }
     }
     at = at * size - 0.5F;
-    const Whole whole = whole_below(at);
+    const Whole whole = floor_to_int(at);
     return {whole.number, at - whole.same};
 }
 
@@ -73,7 +73,7 @@ struct Packed {
             const Ints lane = place - start;
             if (!are_lanes(lane)) continue;
             const auto row_at = [&](const uint32_t* from) {
-                return picked(load<Ints>(from + start), lane);
+                return permute(load<Ints>(from + start), lane);
             };
             return {{row_at(low), row_at(low + 1), row_at(high), row_at(high + 1)}};
         }
@@ -144,7 +144,7 @@ struct Single {
             const int32_t last = (low < high ? high : low) + static_cast<int32_t>(vector_lanes);
             if (last >= level.width * level.height || !are_lanes(lane | other)) continue;
             const auto row_at = [&](const float* from) {
-                return reinterpret_cast<Floats>(picked(load<Ints>(from), lane));
+                return reinterpret_cast<Floats>(permute(load<Ints>(from), lane));
             };
             return {{row_at(floats + low), row_at(floats + low + 1), row_at(floats + high),
                      row_at(floats + high + 1)}};

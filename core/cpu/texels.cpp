@@ -35,7 +35,7 @@ int64_t continued(int64_t i, uint32_t size, Wrap wrap) {
 std::vector<uint32_t> packed_level(const Image& image, Wrap wrap) {
     if (image.source != PixelType::u8) return {};
     const size_t row = image.width + size_t{2};
-    std::vector<uint32_t> packed(row * (image.height + size_t{2}) + packed_behind);
+    std::vector<uint32_t> packed(row * (image.height + size_t{2}) + packed_padding);
     for (uint32_t y = 0; y < image.height; ++y)
         for (uint32_t x = 0; x < image.width; ++x) {
             const uint32_t texel = packed_texel(image.texel(x, y), image);

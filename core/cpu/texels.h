@@ -18,7 +18,7 @@
 namespace wrinkle {
 
 inline constexpr std::array packed_shift = {0, 11, 22};
-inline constexpr size_t packed_behind = 16;  // padding after the last texel, read by vector loads
+inline constexpr size_t packed_padding = 16;  // padding after the last texel, read by vector loads
 
 // A level in one of two formats; the other's pointer is null. Texels are stored in rows, y up.
 struct TexelLevel {

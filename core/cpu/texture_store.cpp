@@ -13,7 +13,7 @@ std::shared_ptr<const MipChain> TextureStore::read(const std::string& file, Diag
     ImageLimits limits = image_limits_from_environment(wrong_limits);
     problems.append_once(wrong_limits);
     if (wrong_limits.has_errors()) return nullptr;
-    limits.left_bytes = most_bytes_ - std::min(most_bytes_, bytes_);
+    limits.left_bytes = max_bytes_ - std::min(max_bytes_, bytes_);
     auto image = load_image(file, limits, problems);
     if (!image || image->empty()) return nullptr;
     bytes_ += bytes_with_mips(*image);

@@ -11,10 +11,10 @@ namespace {
 
 template <class Lane>
 void allot(AlignedVector<Lane>& memory, std::vector<Lane*>& places, size_t registers) {
-    memory.resize(std::max(memory.size(), registers * tile_lanes));
+    memory.resize(std::max(memory.size(), registers * tile_points));
     places.resize(registers);
     for (size_t reg = 0; reg < registers; ++reg)
-        places[reg] = memory.data() + reg * tile_lanes;
+        places[reg] = memory.data() + reg * tile_points;
 }
 
 bool has_loop(const Step& step) {
@@ -36,13 +36,13 @@ Tile<T>::Tile(const Program& program, std::span<const Texture> textures, Instruc
     : program_(program),
       textures_(textures),
       kernels_(kernels_of(set)),
-      loops_(loops_of<T>(kernels_)),
+      loops_(kernel_table<T>(kernels_)),
       memory_(memory) {
-    allot(memory_.floats, memory_.float_places, program.float_registers);
-    allot(memory_.integers, memory_.integer_places, program.integer_registers);
+    allot(memory_.floats, memory_.float_pointers, program.float_registers);
+    allot(memory_.integers, memory_.integer_pointers, program.integer_registers);
     if (is_prepared()) return;
-    for (const Program::Preset& each : program.presets)
-        fill(each.reg, each.type, each.value, tile_lanes);
+    for (const Program::ConstantRegister& each : program.presets)
+        fill(each.reg, each.type, each.value, tile_points);
     skip_lods();
 }
 
@@ -80,7 +80,7 @@ template <class T>
 void Tile<T>::run(size_t count) {
     count_ = count;
     const uint32_t* next = memory_.next.data();
-    const Registers<T> registers = {memory_.float_places.data(), memory_.integer_places.data()};
+    const Registers<T> registers = {memory_.float_pointers.data(), memory_.integer_pointers.data()};
     const auto end = static_cast<uint32_t>(program_.steps.size());
     for (uint32_t index = next[0]; index < end;) {
         const Step& step = program_.steps[index];

@@ -1,4 +1,4 @@
-// Runs a program's steps on one tile of at most tile_lanes points, in T. Part of evaluate() and
+// Runs a program's steps on one tile of at most tile_points points, in T. Part of evaluate() and
 // evaluate_planes(), which fill the input registers before run() and read the outputs after it.
 //
 // TileMemory is the scratch memory of a tile: allocated for the first program, reused for every
@@ -17,7 +17,7 @@ namespace wrinkle {
 
 // State of an active loop: its active lanes and the number of completed iterations.
 struct RunningLoop {
-    std::array<uint8_t, tile_lanes> active;
+    std::array<uint8_t, tile_points> active;
     uint32_t iterations = 0;
     uint32_t limit = 0;
 };
@@ -26,8 +26,8 @@ template <class T>
 struct TileMemory {
     AlignedVector<T> floats;
     AlignedVector<uint32_t> integers;
-    std::vector<T*> float_places;  // by register
-    std::vector<uint32_t*> integer_places;
+    std::vector<T*> float_pointers;  // by register
+    std::vector<uint32_t*> integer_pointers;
     std::vector<uint32_t> next;  // by step: the first step at or after it that is run
     std::vector<RunningLoop> loops;
     // Program::serial for which the preset registers and `next` are valid.
@@ -41,12 +41,12 @@ public:
     Tile(const Program& program, std::span<const Texture> textures, InstructionSet set,
          TileMemory<T>& memory);
 
-    T* floats(uint32_t reg) { return memory_.float_places[reg]; }
-    uint32_t* integers(uint32_t reg) { return memory_.integer_places[reg]; }
+    T* floats(uint32_t reg) { return memory_.float_pointers[reg]; }
+    uint32_t* integers(uint32_t reg) { return memory_.integer_pointers[reg]; }
 
     // Stores a float register at `lanes`, which holds as many lanes as run() will process. For
     // input registers, which no step writes, and output registers.
-    void place(uint32_t reg, T* lanes) { memory_.float_places[reg] = lanes; }
+    void place(uint32_t reg, T* lanes) { memory_.float_pointers[reg] = lanes; }
 
     void run(size_t count);
 
@@ -73,7 +73,7 @@ private:
     const Program& program_;
     std::span<const Texture> textures_;
     const Kernels& kernels_;
-    const StepLoops<T>& loops_;
+    const KernelTable<T>& loops_;
     TileMemory<T>& memory_;
     size_t count_ = 0;
 };

@@ -34,7 +34,7 @@ void sample_one(const TexelLevel& level, Wrap wrap, const Kernels& kernels,
 
 // Level of each lane, and the interpolation weight of the next level.
 struct Lods {
-    std::array<float, tile_lanes> level, between;
+    std::array<float, tile_points> level, between;
 };
 
 void find_lods(const float* lod, size_t n, float last, Lods& found) {
@@ -98,7 +98,7 @@ void sample_run(const Texture& texture, std::span<const TexelLevel> levels, cons
         return sample_one(levels[level], wrap, kernels, run);
     TileSample fine = run, coarse = run;
     fine.bias = coarse.bias = 0;
-    std::array<std::array<float, tile_lanes>, 4> next;
+    std::array<std::array<float, tile_points>, 4> next;
     coarse.out = {next[0].data(), next[1].data(), next[2].data(), next[3].data()};
     sample_one(levels[level], wrap, kernels, fine);
     sample_one(levels[level + 1], wrap, kernels, coarse);

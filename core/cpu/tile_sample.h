@@ -16,7 +16,7 @@ struct TileSample {
     const float* v = nullptr;
     const float* lod = nullptr;  // not read if the texture has one level
     std::array<float*, 4> out{};
-    size_t count = 0;  // at most tile_lanes
+    size_t count = 0;  // at most tile_points
 };
 void sample_tile(const Texture& texture, const Kernels& kernels, const TileSample& sample);
 

@@ -32,9 +32,9 @@ WRINKLE_INLINE Floats to_floats(Ints v) {
     return __builtin_convertvector(v, Floats);
 }
 
-// above_zero: max(v, 0), and 0 for NaN. whole_below: floor(v) in int range, as int and as float.
+// above_zero: max(v, 0), and 0 for NaN. floor_to_int: floor(v) in int range, as int and as float.
 // gather: 32-bit values by index. scaled: an integer of 23 bits times a constant, rounded once.
-// are_lanes: returns true if all numbers are lane indices. picked: permutes `from` by lane indices.
+// are_lanes: returns true if all numbers are lane indices. permute: reorders by lane indices.
 // lanes_below_zero: a bit mask, lane 0 in the lowest bit.
 struct Whole {
     Ints number;
@@ -44,14 +44,14 @@ struct Whole {
 WRINKLE_INLINE bool are_lanes(Ints v) {
     return _mm512_test_epi32_mask(reinterpret_cast<__m512i>(v), _mm512_set1_epi32(~15)) == 0;
 }
-WRINKLE_INLINE Ints picked(Ints from, Ints lanes) {
+WRINKLE_INLINE Ints permute(Ints from, Ints lanes) {
     return reinterpret_cast<Ints>(_mm512_maskz_permutexvar_epi32(
         0xFFFF, reinterpret_cast<__m512i>(lanes), reinterpret_cast<__m512i>(from)));
 }
 WRINKLE_INLINE Floats floor_of(Floats v) {
     return _mm512_maskz_roundscale_ps(0xFFFF, v, _MM_FROUND_TO_NEG_INF | _MM_FROUND_NO_EXC);
 }
-WRINKLE_INLINE Whole whole_below(Floats v) {
+WRINKLE_INLINE Whole floor_to_int(Floats v) {
     const auto number = reinterpret_cast<Ints>(
         _mm512_maskz_cvt_roundps_epi32(0xFFFF, v, _MM_FROUND_TO_NEG_INF | _MM_FROUND_NO_EXC));
     return {number, to_floats(number)};
@@ -78,14 +78,14 @@ WRINKLE_INLINE Floats scaled(Ints whole, float factor) {
 WRINKLE_INLINE bool are_lanes(Ints v) {
     return _mm256_testz_si256(reinterpret_cast<__m256i>(v), _mm256_set1_epi32(~7));
 }
-WRINKLE_INLINE Ints picked(Ints from, Ints lanes) {
+WRINKLE_INLINE Ints permute(Ints from, Ints lanes) {
     return reinterpret_cast<Ints>(_mm256_permutevar8x32_epi32(reinterpret_cast<__m256i>(from),
                                                               reinterpret_cast<__m256i>(lanes)));
 }
 WRINKLE_INLINE Floats floor_of(Floats v) {
     return _mm256_floor_ps(v);
 }
-WRINKLE_INLINE Whole whole_below(Floats v) {
+WRINKLE_INLINE Whole floor_to_int(Floats v) {
     const Floats same = floor_of(v);
     return {reinterpret_cast<Ints>(_mm256_cvttps_epi32(same)), same};
 }
@@ -104,7 +104,7 @@ WRINKLE_INLINE uint32_t lanes_below_zero(Doubles v) {
 WRINKLE_INLINE bool are_lanes(Ints) {
     return false;  // a gather is not slower
 }
-WRINKLE_INLINE Ints picked(Ints from, Ints) {
+WRINKLE_INLINE Ints permute(Ints from, Ints) {
     return from;
 }
 WRINKLE_INLINE Floats floor_of(Floats v) {
@@ -112,7 +112,7 @@ WRINKLE_INLINE Floats floor_of(Floats v) {
         v[k] = math::floor(v[k]);
     return v;
 }
-WRINKLE_INLINE Whole whole_below(Floats v) {
+WRINKLE_INLINE Whole floor_to_int(Floats v) {
     const Floats same = floor_of(v);
     return {__builtin_convertvector(same, Ints), same};
 }

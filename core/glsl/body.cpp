@@ -8,7 +8,7 @@
 namespace wrinkle {
 namespace {
 
-constexpr size_t widest_code = 100;
+constexpr size_t max_code = 100;
 
 // Returns the parameter's name in the region; without one, a letter by index: a, b, c, ...
 std::string parameter_name(const Region& region, size_t index) {
@@ -30,7 +30,7 @@ std::string comment_on(const Region& region) {
     return text.empty() ? "" : "// " + comment_text(region.name + " gives " + text);
 }
 
-std::vector<Id> plain_all(const Plan& plan, std::span<const Id> ids) {
+std::vector<Id> plain_all(const EmitAnalysis& plan, std::span<const Id> ids) {
     std::vector<Id> result;
     for (const Id id : ids)
         result.push_back(plan.plain(id));
@@ -148,7 +148,7 @@ void Body::commented_line(int indent, std::string& line, uint32_t group, bool si
     const size_t begin = line.size();
     if (!single || group != surface_group || surface_commented_) append_comment_of(line, group);
     const bool none = line.size() == begin;
-    if (!none && 4 * static_cast<size_t>(indent) + line.size() <= widest_code)
+    if (!none && 4 * static_cast<size_t>(indent) + line.size() <= max_code)
         return text_.line(indent, line, node_of(group));
     const std::string_view whole = line;
     if (!none) text_.line(indent, whole.substr(begin), node_of(group));
@@ -159,7 +159,7 @@ void Body::commented_line(int indent, std::string& line, uint32_t group, bool si
 void Body::code(int indent, std::string_view line, uint32_t node) {
     constexpr int deeper = 2;
     for (int level = indent;; level = indent + deeper) {
-        const size_t room = widest_code - std::min<size_t>(4 * static_cast<size_t>(level), 60);
+        const size_t room = max_code - std::min<size_t>(4 * static_cast<size_t>(level), 60);
         if (line.size() <= room) return text_.line(level, line, node);
         const size_t comma = line.rfind(", ", room - 1);
         const bool late = comma != std::string_view::npos && comma > room / 3;
@@ -191,7 +191,7 @@ void Body::statements(std::span<const Id> ids, int indent, uint32_t next) {
     }
 }
 
-std::string_view Body::name_value(Id id, const WantedName& wanted) {
+std::string_view Body::name_value(Id id, const NameHint& wanted) {
     ValueState& state = values_.state[id];
     state.name = locals_.add(wanted);
     state.width = static_cast<uint32_t>(state.name.size());
@@ -199,7 +199,7 @@ std::string_view Body::name_value(Id id, const WantedName& wanted) {
 }
 
 void Body::assign(Id id, int indent, uint32_t group, bool single) {
-    const std::string_view name = name_value(id, wanted_name(plan_, values_, id));
+    const std::string_view name = name_value(id, name_hint(plan_, values_, id));
     line_.clear();
     line_.append(info(m_.type(id)).name).append(" ").append(name).append(" = ");
     write_definition(context_, id, line_);
@@ -211,9 +211,9 @@ std::vector<std::string> Body::name_members(Id tuple) {
     const std::string& path = m_.nodes[m_.origin[tuple]].path;
     std::vector<std::string> names;
     for (const Id member : plan_.members(tuple)) {
-        const WantedName unread{path, "state"};
+        const NameHint unread{path, "state"};
         names.emplace_back(
-            name_value(member, member == poison ? unread : wanted_name(plan_, values_, member)));
+            name_value(member, member == poison ? unread : name_hint(plan_, values_, member)));
     }
     return names;
 }
@@ -264,12 +264,12 @@ void Body::loop_body(Id id, const std::vector<std::string>& state, int indent) {
     const std::span<const Id> order(scope.order);
     const uint32_t node = node_of(group_of(plan_, values_, id));
     statements(schedule(plan_, values_, scope, order.first(scope.first_part)), indent);
-    go_on(roots[0], indent, node);
+    write_loop_condition(roots[0], indent, node);
     statements(schedule(plan_, values_, scope, order.subspan(scope.first_part)), indent);
     next_state(id, std::span(roots).subspan(1), state, indent);
 }
 
-void Body::go_on(Id condition, int indent, uint32_t node) {
+void Body::write_loop_condition(Id condition, int indent, uint32_t node) {
     if (m_.is_literal(condition, 1)) return;
     const bool folded = plan_.role(condition) == Role::value && !values_.state[condition].statement;
     if (folded && m_[condition].op == Op::not_) {

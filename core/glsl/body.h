@@ -12,7 +12,7 @@ namespace wrinkle {
 
 class Body {
 public:
-    Body(const Plan& plan, Values& values, const Symbols& symbols, const NameSet& globals,
+    Body(const EmitAnalysis& plan, Values& values, const Symbols& symbols, const NameSet& globals,
          const Target& target, Text& text)
         : plan_(plan),
           m_(plan.module()),
@@ -42,18 +42,18 @@ private:
     void code(int indent, std::string_view line, uint32_t node);
     // `next`: group of the line after these statements; no_node: unknown.
     void statements(std::span<const Id> ids, int indent, uint32_t next = no_node);
-    std::string_view name_value(Id id, const WantedName& wanted);
+    std::string_view name_value(Id id, const NameHint& wanted);
     void assign(Id id, int indent, uint32_t group, bool single);
     void call(Id id, int indent);
     void loop(Id id, int indent);
     std::vector<std::string> name_members(Id tuple);
     void loop_body(Id id, const std::vector<std::string>& state, int indent);
-    void go_on(Id condition, int indent, uint32_t node);
+    void write_loop_condition(Id condition, int indent, uint32_t node);
     void next_state(Id loop, std::span<const Id> next, const std::vector<std::string>& state,
                     int indent);
     std::vector<uint32_t> state_read(Id value, uint8_t level);
 
-    const Plan& plan_;
+    const EmitAnalysis& plan_;
     const Module& m_;
     Values& values_;
     NameSet locals_;

@@ -7,10 +7,10 @@
 namespace wrinkle {
 namespace {
 
-void write_function_form(const Plan& plan, const EmitOptions& options, Interface& face,
+void write_function_form(const EmitAnalysis& plan, const EmitOptions& options, Interface& face,
                          Shader& shader) {
     assign_bindings(options, face.reflection);
-    Text text = roomy_text(plan, options.max_bytes);
+    Text text = reserve_text(plan, options.max_bytes);
     std::string title = title_of(plan.module(), face.reflection.name);
     if (plan.implicit) title += " Call in uniform control flow.";
     text.line(0, title);
@@ -40,7 +40,7 @@ bool refused(const Module& module, const EmitOptions& options, Shader& shader) {
 }
 
 void write_texts(const Module& module, const EmitOptions& options, Shader& shader) {
-    const Plan plan(module, options.differentials == Differentials::given);
+    const EmitAnalysis plan(module, options.differentials == Differentials::given);
     Interface face = make_interface(plan, options);
     if (options.form == Form::function)
         write_function_form(plan, options, face, shader);

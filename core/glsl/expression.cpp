@@ -74,7 +74,7 @@ private:
     int binding(Id id) const;  // precedence; the value is not a temporary
     int leaf_binding(Id id) const;
     int definition_binding(Id id) const;
-    void plainly(Id id);
+    void write_inline(Id id);
     void leaf(Id id);
     void input(Id id);
     void view(Id id);
@@ -85,7 +85,7 @@ private:
     void sample(Id id);
 
     const ExpressionContext& context_;
-    const Plan& plan_;
+    const EmitAnalysis& plan_;
     const Module& m_;
     std::string& text_;
 };
@@ -133,12 +133,12 @@ void Writer::read(Id id, int least) {
     }
     const bool enclosed = least > 0 && binding(id) < least;
     if (enclosed) text_.append("(");
-    plainly(id);
+    write_inline(id);
     if (enclosed) text_.append(")");
 }
 
 // Writes a value that is not a temporary.
-void Writer::plainly(Id id) {
+void Writer::write_inline(Id id) {
     switch (plan_.role(id)) {
         case Role::leaf:
             return leaf(id);
@@ -326,7 +326,7 @@ void write_definition(const ExpressionContext& context, Id id, std::string& text
     Writer(context, text).define(id);
 }
 
-uint32_t leaf_width(const Plan& plan, Id leaf) {
+uint32_t leaf_width(const EmitAnalysis& plan, Id leaf) {
     const Module& m = plan.module();
     const Inst& inst = m[leaf];
     switch (inst.op) {
@@ -353,7 +353,7 @@ uint32_t leaf_width(const Plan& plan, Id leaf) {
     }
 }
 
-uint32_t own_width(const Plan& plan, Id id) {
+uint32_t own_width(const EmitAnalysis& plan, Id id) {
     const Module& m = plan.module();
     const Inst& inst = m[id];
     if (inst.op == Op::result_)

@@ -18,7 +18,7 @@ struct Symbols {
 };
 
 struct ExpressionContext {
-    const Plan& plan;
+    const EmitAnalysis& plan;
     const Values& values;
     const Symbols& symbols;
     const Target& target;
@@ -37,7 +37,7 @@ std::string text_of(const ExpressionContext& context, Id id, int least = 0);
 void write_definition(const ExpressionContext& context, Id id, std::string& text);
 
 // Widths in characters for folding decisions: of a leaf; of an operation without its operands.
-uint32_t leaf_width(const Plan& plan, Id leaf);
-uint32_t own_width(const Plan& plan, Id id);
+uint32_t leaf_width(const EmitAnalysis& plan, Id leaf);
+uint32_t own_width(const EmitAnalysis& plan, Id id);
 
 }  // namespace wrinkle

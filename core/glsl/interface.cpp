@@ -17,7 +17,7 @@ std::string node_path(const Module& m, uint32_t node) {
     return node < m.nodes.size() ? m.nodes[node].path : "";
 }
 
-void add_uniforms(const Plan& plan, Interface& face) {
+void add_uniforms(const EmitAnalysis& plan, Interface& face) {
     const Module& m = plan.module();
     face.symbols.parameters.resize(m.parameters.size());
     for (uint32_t i = 0; i < m.parameters.size(); ++i) {
@@ -38,7 +38,7 @@ void add_uniforms(const Plan& plan, Interface& face) {
 }
 
 // Returns the name hint of a sampler: node and port of the reader at the node of the first sample.
-std::string sampler_name(const Module& m, const Plan::UsedResource& used) {
+std::string sampler_name(const Module& m, const EmitAnalysis::UsedResource& used) {
     const auto& readers = m.resources[used.resource].readers;
     if (readers.empty()) return at_node(node_path(m, used.node), "image");
     auto reader = std::find_if(readers.begin(), readers.end(),
@@ -47,10 +47,10 @@ std::string sampler_name(const Module& m, const Plan::UsedResource& used) {
     return at_node(node_path(m, reader->node), reader->port);
 }
 
-void add_samplers(const Plan& plan, Interface& face) {
+void add_samplers(const EmitAnalysis& plan, Interface& face) {
     const Module& m = plan.module();
     face.symbols.resources.resize(m.resources.size());
-    for (const Plan::UsedResource& used : plan.resources) {
+    for (const EmitAnalysis::UsedResource& used : plan.resources) {
         const Resource& resource = m.resources[used.resource];
         SamplerInfo sampler;
         sampler.name = face.globals.unique(sampler_name(m, used));
@@ -69,11 +69,11 @@ MemberInfo member(SurfaceInput input, Variant variant) {
     return {member_name(input, variant), info(input).type, input, variant, false};
 }
 
-void add_members(const Plan& plan, bool given, Reflection& reflection) {
+void add_members(const EmitAnalysis& plan, bool given, Reflection& reflection) {
     for (int i = 0; i < surface_input_count; ++i) {
         const auto input = static_cast<SurfaceInput>(i);
         const auto used = [&](Variant variant) {
-            return plan.inputs_used[Plan::input_slot(input, variant)];
+            return plan.inputs_used[EmitAnalysis::input_slot(input, variant)];
         };
         const bool changes = used(Variant::dx) || used(Variant::dy);
         const bool relative = !given && changes && input == SurfaceInput::position_;
@@ -88,7 +88,7 @@ void add_members(const Plan& plan, bool given, Reflection& reflection) {
     if (!reflection.members.empty()) reflection.struct_name = "WrinkleSurface_" + reflection.name;
 }
 
-void add_functions(const Plan& plan, Interface& face) {
+void add_functions(const EmitAnalysis& plan, Interface& face) {
     const Module& m = plan.module();
     const std::string prefix = "wrinkle_" + face.reflection.name + "_";
     for (const ModuleOutput& output : m.outputs)
@@ -118,7 +118,7 @@ void write_doc(const MemberInfo& member, std::string& line) {
         line.append(doc);
 }
 
-constexpr size_t farthest_comment = 48;
+constexpr size_t max_comment_column = 48;
 
 // Lines of code with one comment each, appended in order.
 struct CommentedLines {
@@ -175,7 +175,7 @@ std::string behind_underscores(const std::string& name) {
 
 }  // namespace
 
-Interface make_interface(const Plan& plan, const EmitOptions& options) {
+Interface make_interface(const EmitAnalysis& plan, const EmitOptions& options) {
     Interface face{NameSet(&fixed_names()), {}, {}};
     const Module& m = plan.module();
     NameSet plain;
@@ -194,7 +194,7 @@ Interface make_interface(const Plan& plan, const EmitOptions& options) {
     return face;
 }
 
-Text roomy_text(const Plan& plan, uint64_t most) {
+Text reserve_text(const EmitAnalysis& plan, uint64_t most) {
     constexpr size_t letters_a_value = 28, values_a_line = 2;  // estimates
     constexpr size_t outside = 1000;
     Text text;
@@ -213,7 +213,7 @@ void write_struct(const Reflection& reflection, Text& text) {
         write_doc(member, lines.comments);
         lines.end_line();
     }
-    write(lines, 1, farthest_comment, text);
+    write(lines, 1, max_comment_column, text);
     text.line(0, "};");
 }
 
@@ -230,7 +230,7 @@ void write_uniforms(const Module& module, const Reflection& reflection, Text& te
         lines.end_line(readers.empty() ? no_node : readers.front().node);
     }
     const bool numbered = !reflection.samplers.empty() && reflection.samplers[0].binding.set >= 0;
-    write(lines, 0, farthest_comment + (numbered ? 32 : 0), text);
+    write(lines, 0, max_comment_column + (numbered ? 32 : 0), text);
     std::vector<Declaration> numbers;
     for (const UniformInfo& uniform : reflection.uniforms) {
         const Parameter& parameter = module.parameters[uniform.parameter];
@@ -249,7 +249,8 @@ std::string argument_text(const Reflection& reflection) {
     return reflection.struct_name.empty() ? "" : reflection.struct_name + " s";
 }
 
-void write_functions(const Plan& plan, const Interface& face, const Target& target, Text& text) {
+void write_functions(const EmitAnalysis& plan, const Interface& face, const Target& target,
+                     Text& text) {
     const Module& m = plan.module();
     Values values(plan);
     for (const uint32_t region : plan.functions) {

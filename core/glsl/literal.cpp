@@ -7,7 +7,7 @@
 namespace wrinkle {
 namespace {
 
-constexpr double least_int = -2147483648.0;
+constexpr double min_int = -2147483648.0;
 
 void append_float(std::string& text, double value) {
     const auto narrow = static_cast<float>(value);
@@ -27,8 +27,8 @@ void append_float(std::string& text, double value) {
 void append_literal(std::string& text, Type type, double value) {
     switch (type) {
         case Type::int_:
-            text += value <= least_int ? "int(0x80000000u)"
-                                       : std::to_string(static_cast<int64_t>(value));
+            text +=
+                value <= min_int ? "int(0x80000000u)" : std::to_string(static_cast<int64_t>(value));
             break;
         case Type::uint_:
             text += std::to_string(static_cast<int64_t>(value)) + "u";
@@ -42,7 +42,7 @@ void append_literal(std::string& text, Type type, double value) {
 }
 
 bool is_negative_literal(Type type, double value) {
-    if (type == Type::int_) return value < 0 && value > least_int;
+    if (type == Type::int_) return value < 0 && value > min_int;
     return type == Type::float_ && std::signbit(value) && std::isfinite(static_cast<float>(value));
 }
 

@@ -10,8 +10,8 @@
 namespace wrinkle {
 namespace {
 
-constexpr size_t longest_name = 120;
-constexpr size_t longest_comment = 160;
+constexpr size_t max_name = 120;
+constexpr size_t max_comment = 160;
 
 constexpr std::string_view kept_prefixes[] = {"gl_", "GL_", "webgl_", "_webgl_"};
 
@@ -22,7 +22,7 @@ bool has_kept_prefix(std::string_view name) {
 
 // Returns true if legal() would return the name unchanged, as for most names.
 bool is_legal(std::string_view name) {
-    if (name.empty() || name.size() > longest_name || name.back() == '_') return false;
+    if (name.empty() || name.size() > max_name || name.back() == '_') return false;
     if (!is_identifier(name)) return false;
     constexpr std::string_view first_of_kept = "gGw_";
     return first_of_kept.find(name[0]) == std::string_view::npos || !has_kept_prefix(name);
@@ -33,7 +33,7 @@ std::string legal(std::string_view wanted) {
     while (name.size() > 1 && name.back() == '_')
         name.pop_back();
     if (has_kept_prefix(name) || name == "_") name.insert(0, "n");
-    if (name.size() > longest_name) name.resize(longest_name);
+    if (name.size() > max_name) name.resize(max_name);
     while (name.size() > 1 && name.back() == '_')
         name.pop_back();
     return name;
@@ -119,7 +119,7 @@ bool is_plain_comment(std::string_view text) {
             table[c] = c != '\\' && c != '?';
         return table;
     }();
-    return text.size() <= longest_comment && std::all_of(text.begin(), text.end(), [](char c) {
+    return text.size() <= max_comment && std::all_of(text.begin(), text.end(), [](char c) {
                return plain[static_cast<unsigned char>(c)];
            });
 }
@@ -132,7 +132,7 @@ bool NameSet::is_taken_outside(const std::string& name) const {
     return false;
 }
 
-std::string_view NameSet::add(const WantedName& wanted) {
+std::string_view NameSet::add(const NameHint& wanted) {
     constexpr uint32_t first_number = 2;
     std::string name(wanted.first);
     if (!name.empty()) name += '_';
@@ -172,7 +172,7 @@ std::string comment_text(std::string_view text) {
     std::string line;
     while (!text.empty()) {
         const Character character = first_character(text);
-        if (line.size() + character.bytes > longest_comment) break;
+        if (line.size() + character.bytes > max_comment) break;
         if (text[0] == '\\')
             line += '/';
         else if (is_printable(character))

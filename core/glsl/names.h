@@ -10,7 +10,7 @@
 namespace wrinkle {
 
 // Name hint of a value: two words joined by an underscore, or only the second.
-struct WantedName {
+struct NameHint {
     std::string_view first, second;
     size_t size() const { return first.size() + !first.empty() + second.size(); }
 };
@@ -25,7 +25,7 @@ public:
 
     // Returns the hint as a legal identifier, with "_2", "_3", ... appended if it is taken. The
     // view is valid as long as the set.
-    std::string_view add(const WantedName& wanted);
+    std::string_view add(const NameHint& wanted);
     std::string unique(std::string_view wanted) { return std::string(add({{}, wanted})); }
 
 private:

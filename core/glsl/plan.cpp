@@ -8,7 +8,7 @@
 
 namespace wrinkle {
 
-Plan::Plan(const Module& module, bool given)
+EmitAnalysis::EmitAnalysis(const Module& module, bool given)
     : parameters_used(module.parameters.size()),
       module_(&module),
       given_(given),
@@ -24,7 +24,7 @@ Plan::Plan(const Module& module, bool given)
 }
 
 // Selects one name per value: the first that is a node's output, else the first.
-void Plan::find_names() {
+void EmitAnalysis::find_names() {
     const std::vector<Named>& named = module_->named;
     for (uint32_t i = 0; i < named.size(); ++i) {
         uint32_t& name = values_[plain(named[i].value)].name;
@@ -32,7 +32,7 @@ void Plan::find_names() {
     }
 }
 
-void Plan::find_members() {
+void EmitAnalysis::find_members() {
     const Module& m = *module_;
     for (Id id = 1; id < m.size(); ++id) {
         const Inst& inst = m[id];
@@ -45,7 +45,7 @@ void Plan::find_members() {
     }
 }
 
-Role Plan::role_of(Id id) const {
+Role EmitAnalysis::role_of(Id id) const {
     const Module& m = *module_;
     const Inst& inst = m[id];
     switch (inst.op) {
@@ -72,19 +72,19 @@ Role Plan::role_of(Id id) const {
     }
 }
 
-bool Plan::single_call(Id id) const {
+bool EmitAnalysis::single_call(Id id) const {
     const Module& m = *module_;
     if (m[id].op != Op::result_ || m[m[id].arg[0]].op != Op::call_) return false;
     return m.region(m[m[id].arg[0]].extra).results.size() == 1;
 }
 
-bool Plan::is_splat(Id construct) const {
+bool EmitAnalysis::is_splat(Id construct) const {
     const auto parts = module_->operands(construct);
     return module_->type(construct) != Type::mat3_ && info(module_->type(parts[0])).lanes == 1 &&
            std::all_of(parts.begin(), parts.end(), [&](Id part) { return part == parts[0]; });
 }
 
-void Plan::list_operands(Id id) {
+void EmitAnalysis::list_operands(Id id) {
     const Module& m = *module_;
     const Op op = m[id].op;
     std::span<const Id> operands = m.operands(id);
@@ -97,7 +97,7 @@ void Plan::list_operands(Id id) {
 
 // Appends the captures of a loop: outer values that its body reads and that must be temporaries, in
 // the order of a walk through the body.
-void Plan::list_captures(const Region& loop) {
+void EmitAnalysis::list_captures(const Region& loop) {
     const Module& m = *module_;
     std::unordered_set<Id> seen;
     std::vector<Id> open(loop.results.rbegin(), loop.results.rend());
@@ -114,7 +114,7 @@ void Plan::list_captures(const Region& loop) {
     }
 }
 
-void Plan::find_gradients() {
+void EmitAnalysis::find_gradients() {
     while (!gradients_.empty()) {
         const Id id = gradients_.back();
         gradients_.pop_back();
@@ -124,34 +124,34 @@ void Plan::find_gradients() {
     }
 }
 
-void Plan::walk() {
+void EmitAnalysis::walk() {
     const Module& m = *module_;
     std::vector<Id> stack;
     stack.reserve(64);
     const auto open = [&](std::span<const Id> ids) {
         for (size_t i = ids.size(); i-- > 0;)
-            if (values_[ids[i]].met == Met::never) stack.push_back(ids[i]);
+            if (values_[ids[i]].met == VisitState::never) stack.push_back(ids[i]);
     };
     for (const ModuleOutput& output : m.outputs) {
         stack.push_back(output.value);
         while (!stack.empty()) {
             const Id id = stack.back();
-            Met& met = values_[id].met;
-            if (met == Met::never) {
-                met = Met::open;
+            VisitState& met = values_[id].met;
+            if (met == VisitState::never) {
+                met = VisitState::open;
                 const Op op = m[id].op;
                 if (op == Op::loop_ || op == Op::call_) open(m.region(m[id].extra).results);
                 open(m.operands(id));
                 if (stack.back() != id) continue;
             }
             stack.pop_back();
-            if (met == Met::open) use(id);
-            met = Met::used;
+            if (met == VisitState::open) use(id);
+            met = VisitState::used;
         }
     }
 }
 
-void Plan::use(Id id) {
+void EmitAnalysis::use(Id id) {
     ++used_;
     Value& value = values_[id];
     const Inst& inst = (*module_)[id];
@@ -189,7 +189,7 @@ void Plan::use(Id id) {
     }
 }
 
-bool Plan::finds_reads(const Inst& inst, std::span<const Id> operands) const {
+bool EmitAnalysis::finds_reads(const Inst& inst, std::span<const Id> operands) const {
     const auto reads = [&](Id id) { return values_[id].reads; };
     if (reads_image(inst.op) || std::any_of(operands.begin(), operands.end(), reads)) return true;
     if (inst.op != Op::loop_ && inst.op != Op::call_) return false;
@@ -197,24 +197,24 @@ bool Plan::finds_reads(const Inst& inst, std::span<const Id> operands) const {
     return std::any_of(results.begin(), results.end(), reads);
 }
 
-void Plan::use_input(uint32_t extra) {
+void EmitAnalysis::use_input(uint32_t extra) {
     inputs_used[input_slot(input_of(extra), variant_of(extra))] = true;
     implicit = implicit || (!given_ && variant_of(extra) != Variant::value);
 }
 
-void Plan::use_resource(Id sample) {
+void EmitAnalysis::use_resource(Id sample) {
     const uint32_t resource = (*module_)[sample].extra;
     if (!seen_resource_[resource]) resources.push_back({resource, module_->origin[sample]});
     seen_resource_[resource] = true;
 }
 
-void Plan::use_function(uint32_t region) {
+void EmitAnalysis::use_function(uint32_t region) {
     if (!seen_function_[region]) functions.push_back(region);
     seen_function_[region] = true;
 }
 
 // Records the gradient of normalize(n - gradient).
-void Plan::use_normalize(const Inst& inst) {
+void EmitAnalysis::use_normalize(const Inst& inst) {
     const Id sum = plain(inst.arg[0]);
     if (inst.type == Type::vec3_ && (*module_)[sum].op == Op::sub_)
         gradients_.push_back(operands(sum)[1]);

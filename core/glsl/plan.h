@@ -23,10 +23,10 @@ namespace wrinkle {
 
 enum class Role : uint8_t { leaf, view, value };
 
-class Plan {
+class EmitAnalysis {
 public:
     // `given`: differentials of inputs are members of the struct, and therefore leaves.
-    Plan(const Module& module, bool given);
+    EmitAnalysis(const Module& module, bool given);
 
     const Module& module() const { return *module_; }
     Id plain(Id id) const {  // strips detach
@@ -80,13 +80,17 @@ public:
     }
 
 private:
-    enum class Met : uint8_t { never, open, used };  // visit state in the walk from the outputs
+    enum class VisitState : uint8_t {
+        never,
+        open,
+        used
+    };  // visit state in the walk from the outputs
     // The facts of one value that are queried often, packed together.
     struct Value {
         uint32_t begin = 0, count = 0;  // range in operands_; for a literal, in literals_
         uint32_t name = 0;              // 1 + index in Module::named, 0 for none
         Role role = Role::leaf;
-        Met met = Met::never;
+        VisitState met = VisitState::never;
         bool gradient = false;
         bool literal : 1 = false;
         bool reads : 1 = false;  // reads a texture, directly or through an operand

@@ -41,7 +41,7 @@ struct Group {
 
 class Scheduler {
 public:
-    Scheduler(const Plan& plan, Values& values, const Scope& scope)
+    Scheduler(const EmitAnalysis& plan, Values& values, const Scope& scope)
         : plan_(plan), values_(values), scope_(scope) {}
     std::vector<Id> run(std::span<const Id> part);
 
@@ -50,12 +50,12 @@ private:
     void find_groups();
     void find_needs(uint32_t statement);
     bool written(const Statement& s) const { return values_.state[s.id].place == is_written; }
-    bool can_stand(const Statement& s) const { return s.needs == 0 && !written(s); }
+    bool is_ready(const Statement& s) const { return s.needs == 0 && !written(s); }
     uint32_t next_group();
     void write_group(Group& group);
     void write_statement(Statement& statement);
 
-    const Plan& plan_;
+    const EmitAnalysis& plan_;
     Values& values_;
     const Scope& scope_;
     std::vector<Statement> statements_;
@@ -130,7 +130,7 @@ uint32_t Scheduler::next_group() {
         whole_.pop();
         return group;
     }
-    while (!can_stand(statements_[first_]))
+    while (!is_ready(statements_[first_]))
         ++first_;
     return statements_[first_].group;
 }
@@ -150,7 +150,7 @@ void Scheduler::write_group(Group& group) {
     bool all = true;
     for (uint32_t at = group.first; at != none; at = statements_[at].next) {
         Statement& statement = statements_[at];
-        if (can_stand(statement)) write_statement(statement);
+        if (is_ready(statement)) write_statement(statement);
         all = all && written(statement);
         if (all) group.first = statement.next;
     }
@@ -171,7 +171,7 @@ std::vector<Id> Scheduler::run(std::span<const Id> part) {
 
 }  // namespace
 
-std::vector<Id> schedule(const Plan& plan, Values& values, const Scope& scope,
+std::vector<Id> schedule(const EmitAnalysis& plan, Values& values, const Scope& scope,
                          std::span<const Id> part) {
     return Scheduler(plan, values, scope).run(part);
 }

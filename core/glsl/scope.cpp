@@ -8,11 +8,11 @@
 namespace wrinkle {
 namespace {
 
-constexpr uint32_t widest_line = 98;
-constexpr uint32_t least_room = widest_line / 2;  // for an expression on any line
-constexpr uint32_t widest_result = 84;
-constexpr uint32_t widest_expression = 72;  // for a value that needs no name so far
-constexpr uint8_t deepest_expression = 6;
+constexpr uint32_t max_line = 98;
+constexpr uint32_t min_room = max_line / 2;  // for an expression on any line
+constexpr uint32_t max_result = 84;
+constexpr uint32_t max_expression_width = 72;  // for a value that needs no name so far
+constexpr uint8_t max_expression_depth = 6;
 constexpr uint32_t parentheses = 2;
 constexpr uint32_t loop_state_width = 12;
 constexpr uint32_t view_suffix = 4;
@@ -29,7 +29,7 @@ uint8_t precedence_of(Op op) {
     return table[static_cast<size_t>(op)];
 }
 
-bool needs_parentheses(const Plan& plan, Id reader, Id operand) {
+bool needs_parentheses(const EmitAnalysis& plan, Id reader, Id operand) {
     const int outer = precedence_of(plan.module()[reader].op);
     const int inner = precedence_of(plan.module()[operand].op);
     return outer > 0 && inner > 0 && inner <= outer;
@@ -38,7 +38,7 @@ bool needs_parentheses(const Plan& plan, Id reader, Id operand) {
 // Folding decisions for one scope, operands first.
 class Folder {
 public:
-    Folder(const Plan& plan, Values& values, const Scope& scope)
+    Folder(const EmitAnalysis& plan, Values& values, const Scope& scope)
         : plan_(plan), m_(plan.module()), values_(values), scope_(scope) {}
 
     void count_uses(std::span<const Id> roots);
@@ -50,7 +50,7 @@ private:
         uint32_t width = 0;
         uint8_t depth = 1;
         bool implicit = false;
-        uint32_t widest_width = 0;
+        uint32_t max_width = 0;
         Id widest = poison;  // the widest folded operand
     };
 
@@ -60,14 +60,14 @@ private:
     Folded measure(Id id);
     void read_value(Id reader, Id operand, Id value, Folded& text);
     uint8_t depth_in(Id reader, Id operand, Id value);
-    bool must_stand_before(Id reader, Id operand, const ValueState& read, uint8_t depth);
+    bool must_precede(Id reader, Id operand, const ValueState& read, uint8_t depth);
     void make_statement(Id id);
     uint32_t name_width(Id id) const;
     uint32_t room_for(Id id);
     bool is_too_wide(Id id, const Folded& text);
     bool must_name(Id id, bool is_root);
 
-    const Plan& plan_;
+    const EmitAnalysis& plan_;
     const Module& m_;
     Values& values_;
     const Scope& scope_;
@@ -113,20 +113,20 @@ void Folder::make_statement(Id id) {
 
 // Precondition: count_uses() has run, because the name depends on ValueState::shared.
 uint32_t Folder::name_width(Id id) const {
-    return static_cast<uint32_t>(wanted_name(plan_, values_, id).size());
+    return static_cast<uint32_t>(name_hint(plan_, values_, id).size());
 }
 
 // A value that is known to become a temporary shares the line with its declaration.
 uint32_t Folder::room_for(Id id) {
-    if (state(id).root && state(id).uses == 1) return widest_result;
-    if (!must_name(id, false)) return widest_expression;
+    if (state(id).root && state(id).uses == 1) return max_result;
+    if (!must_name(id, false)) return max_expression_width;
     const uint32_t declaration = 12 + name_width(id);
-    return std::max(widest_line - std::min(declaration, widest_line), least_room);
+    return std::max(max_line - std::min(declaration, max_line), min_room);
 }
 
 // Returns true if the text exceeds its line and folding fewer operands makes it narrower.
 bool Folder::is_too_wide(Id id, const Folded& text) {
-    return text.width > least_room && text.widest != poison && m_[id].op != Op::loop_ &&
+    return text.width > min_room && text.widest != poison && m_[id].op != Op::loop_ &&
            text.width > room_for(id);
 }
 
@@ -142,12 +142,12 @@ uint8_t Folder::depth_in(Id reader, Id operand, Id value) {
 // Returns true if the operand is too deep to fold, or takes implicit derivatives where the reader
 // may skip it and they are undefined: GLSL evaluates only one branch of ?:, and && and || may skip
 // their right side.
-bool Folder::must_stand_before(Id reader, Id operand, const ValueState& read, uint8_t depth) {
+bool Folder::must_precede(Id reader, Id operand, const ValueState& read, uint8_t depth) {
     const Op op = m_[reader].op;
     if (op == Op::loop_) return false;
     const bool skips = op == Op::select_ || op == Op::and_ || op == Op::or_;
     if (skips && read.implicit && operand != plan_.operands(reader)[0]) return true;
-    return depth > deepest_expression;
+    return depth > max_expression_depth;
 }
 
 void Folder::read_value(Id reader, Id operand, Id value, Folded& text) {
@@ -155,15 +155,15 @@ void Folder::read_value(Id reader, Id operand, Id value, Folded& text) {
     const uint32_t suffix = operand == value ? 0 : view_suffix;
     const bool folded = read.epoch == scope_.epoch && !read.statement;
     const uint8_t depth = folded ? depth_in(reader, operand, value) : 0;
-    if (folded && must_stand_before(reader, operand, read, depth)) make_statement(value);
+    if (folded && must_precede(reader, operand, read, depth)) make_statement(value);
     const uint32_t width = suffix + read.width;
     text.width += width;
     if (!folded || read.statement) return;
     if (needs_parentheses(plan_, reader, operand)) text.width += parentheses;
     text.depth = std::max(text.depth, depth);
     text.implicit = text.implicit || read.implicit;
-    if (width <= text.widest_width) return;
-    text.widest_width = width;
+    if (width <= text.max_width) return;
+    text.max_width = width;
     text.widest = value;
 }
 
@@ -208,7 +208,7 @@ void Folder::visit(Id id) {
 
 }  // namespace
 
-Scope collect(const Plan& plan, Values& values, std::span<const Id> roots, int level) {
+Scope collect(const EmitAnalysis& plan, Values& values, std::span<const Id> roots, int level) {
     Scope scope;
     scope.epoch = ++values.epoch;
     scope.order.reserve(usual_room);
@@ -241,14 +241,15 @@ Scope collect(const Plan& plan, Values& values, std::span<const Id> roots, int l
     return scope;
 }
 
-void decide(const Plan& plan, Values& values, const Scope& scope, std::span<const Id> roots) {
+void decide(const EmitAnalysis& plan, Values& values, const Scope& scope,
+            std::span<const Id> roots) {
     Folder folder(plan, values, scope);
     folder.count_uses(roots);
     for (const Id id : scope.order)
         folder.visit(id);
 }
 
-uint32_t group_of(const Plan& plan, const Values& values, Id id) {
+uint32_t group_of(const EmitAnalysis& plan, const Values& values, Id id) {
     const Module& m = plan.module();
     if (values.anonymous) return 0;
     if (const Named* name = plan.name(id)) return name->node ? name->node : surface_group;
@@ -256,7 +257,7 @@ uint32_t group_of(const Plan& plan, const Values& values, Id id) {
     return shared || m[id].op == Op::input_ ? surface_group : m.origin[id];
 }
 
-WantedName wanted_name(const Plan& plan, const Values& values, Id id) {
+NameHint name_hint(const EmitAnalysis& plan, const Values& values, Id id) {
     const Module& m = plan.module();
     const Named* name = plan.name(id);
     if (values.anonymous) return {{}, name ? std::string_view(name->name) : word_for(m, id)};

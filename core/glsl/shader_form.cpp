@@ -14,7 +14,7 @@ constexpr std::array<std::string_view, 8> standard_outputs = {
     "normal", "color", "roughness", "metalness", "occlusion", "height", "displacement", "emission"};
 
 struct Stage {
-    const Plan& plan;
+    const EmitAnalysis& plan;
     const EmitOptions& options;
     Interface& face;
     bool relative = false;  // the position relative to the eye is used
@@ -148,7 +148,7 @@ void write_main(const Stage& stage, Text& text) {
 
 Text fragment_text(const Stage& stage) {
     const Reflection& r = stage.face.reflection;
-    Text text = roomy_text(stage.plan, stage.options.max_bytes);
+    Text text = reserve_text(stage.plan, stage.options.max_bytes);
     text.line(0, stage.options.target->version);
     text.line(0, title_of(stage.plan.module(), r.name));
     write_precision(*stage.options.target, text);
@@ -169,7 +169,7 @@ Text fragment_text(const Stage& stage) {
 
 }  // namespace
 
-void write_shader_form(const Plan& plan, const EmitOptions& options, Interface& face,
+void write_shader_form(const EmitAnalysis& plan, const EmitOptions& options, Interface& face,
                        Shader& shader) {
     Stage stage{plan, options, face};
     assign_locations(face);

@@ -24,7 +24,7 @@ public:
 
 private:
     Texture texture_;
-    Lookup lookup_;
+    Sampler lookup_;
     std::optional<Program> program_;
     uint32_t array_ = 0;  // vertex array without attributes
 };

@@ -52,7 +52,7 @@ bool is_robust_gl() {
 }
 
 // Contexts of a share group must have the same reset notification strategy.
-bool is_told_of_reset(EGLContext context) {
+bool has_reset_notification(EGLContext context) {
     if (context == EGL_NO_CONTEXT || !is_robust_gl()) return false;
     GLint strategy = GL_NO_RESET_NOTIFICATION;
     glGetIntegerv(GL_RESET_NOTIFICATION_STRATEGY, &strategy);
@@ -60,16 +60,17 @@ bool is_told_of_reset(EGLContext context) {
 }
 
 EGLContext create_context(EGLDisplay display, EGLConfig config, EGLContext share) {
-    const std::array<EGLint, 9> wanted{
-        EGL_CONTEXT_MAJOR_VERSION,
-        3,
-        EGL_CONTEXT_MINOR_VERSION,
-        3,
-        EGL_CONTEXT_OPENGL_PROFILE_MASK,
-        EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
-        is_told_of_reset(share) ? EGL_CONTEXT_OPENGL_RESET_NOTIFICATION_STRATEGY_KHR : EGL_NONE,
-        EGL_LOSE_CONTEXT_ON_RESET_KHR,
-        EGL_NONE};
+    const std::array<EGLint, 9> wanted{EGL_CONTEXT_MAJOR_VERSION,
+                                       3,
+                                       EGL_CONTEXT_MINOR_VERSION,
+                                       3,
+                                       EGL_CONTEXT_OPENGL_PROFILE_MASK,
+                                       EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
+                                       has_reset_notification(share)
+                                           ? EGL_CONTEXT_OPENGL_RESET_NOTIFICATION_STRATEGY_KHR
+                                           : EGL_NONE,
+                                       EGL_LOSE_CONTEXT_ON_RESET_KHR,
+                                       EGL_NONE};
     return eglCreateContext(display, config, share, wanted.data());
 }
 

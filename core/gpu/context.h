@@ -6,7 +6,7 @@
 // calling thread, for drawing on another thread; the current context must come from EGL.
 //
 // A new context is not current. A context is current on at most one thread; every other function of
-// this folder requires a current context on its thread. A Program, Texture or Lookup may be used
+// this folder requires a current context on its thread. A Program, Texture or Sampler may be used
 // and destroyed under any context of its share group; a Target or Renderer only under the context
 // it was made in, because GL does not share framebuffers and vertex arrays (Target::texture() is
 // shared). The driver stays loaded until the process ends. On failure, one error of one sentence is

@@ -131,7 +131,7 @@ public:
 
 private:
     std::vector<Texture> textures_;
-    std::vector<Lookup> lookups_;
+    std::vector<Sampler> lookups_;
 };
 
 void draw_all_pixels() {

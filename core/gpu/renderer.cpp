@@ -73,7 +73,7 @@ bool check_members(const Material& material, Diagnostics& diagnostics) {
 
 }  // namespace
 
-struct KeptImage {
+struct CachedTexture {
     Texture texture;
     uint64_t bytes;
     bool is_file;        // read by this renderer, which can read it again
@@ -88,16 +88,16 @@ struct Renderer::State {
     };
     std::optional<MeshBuffers> mesh;
     std::optional<Material> material;
-    std::vector<Lookup> lookups;  // one per sampler of the material
+    std::vector<Sampler> lookups;  // one per sampler of the material
     std::map<ProgramKey, Program> programs;
-    std::map<std::string, KeptImage> images;
+    std::map<std::string, CachedTexture> images;
     std::optional<EnvironmentTexture> environment;
     std::optional<Backdrop> backdrop;
     Shading wanted, shading;  // for the next material; of the current one
     uint64_t linked = 0;
     double strips_took = 0;
 
-    bool bring_up_images(const Material& material, Diagnostics& diagnostics);
+    bool upload_stale_images(const Material& material, Diagnostics& diagnostics);
     bool upload(const std::string& file, const MipChain& chain, bool is_file,
                 Diagnostics& diagnostics);
     const Program* program_for(const ViewOptions& options, Diagnostics& diagnostics);
@@ -121,11 +121,11 @@ bool Renderer::State::upload(const std::string& file, const MipChain& chain, boo
         return false;
     }
     images.insert_or_assign(
-        file, KeptImage{Texture::upload(chain), bytes_with_mips(chain.levels[0]), is_file});
+        file, CachedTexture{Texture::upload(chain), bytes_with_mips(chain.levels[0]), is_file});
     return true;
 }
 
-bool Renderer::State::bring_up_images(const Material& material, Diagnostics& diagnostics) {
+bool Renderer::State::upload_stale_images(const Material& material, Diagnostics& diagnostics) {
     GLint units = 0;
     glGetIntegerv(GL_MAX_TEXTURE_IMAGE_UNITS, &units);
     if (wanted.environment) --units;
@@ -269,7 +269,7 @@ uint64_t Renderer::programs_linked() const {
 
 bool Renderer::set_material(const Material& material, Diagnostics& diagnostics) {
     if (!check_members(material, diagnostics)) return false;
-    if (!state_->bring_up_images(material, diagnostics)) return false;
+    if (!state_->upload_stale_images(material, diagnostics)) return false;
     const bool same_shading = state_->wanted == state_->shading;
     if (!state_->material || !same_shading || !same_shader(*state_->material, material)) {
         std::optional<Program> shaded =

@@ -115,7 +115,7 @@ void Texture::bind(int unit) const {
     glBindTexture(GL_TEXTURE_2D, id_);
 }
 
-Lookup::Lookup(Wrap wrap, Filter filter) {
+Sampler::Sampler(Wrap wrap, Filter filter) {
     glGenSamplers(1, &id_);
     const bool linear = filter == Filter::linear;
     glSamplerParameteri(id_, GL_TEXTURE_WRAP_S, wrap_mode(wrap));
@@ -125,18 +125,18 @@ Lookup::Lookup(Wrap wrap, Filter filter) {
                         linear ? GL_LINEAR_MIPMAP_LINEAR : GL_NEAREST_MIPMAP_NEAREST);
 }
 
-Lookup::Lookup(Lookup&& other) noexcept : id_(std::exchange(other.id_, 0)) {}
+Sampler::Sampler(Sampler&& other) noexcept : id_(std::exchange(other.id_, 0)) {}
 
-Lookup& Lookup::operator=(Lookup&& other) noexcept {
+Sampler& Sampler::operator=(Sampler&& other) noexcept {
     std::swap(id_, other.id_);
     return *this;
 }
 
-Lookup::~Lookup() {
+Sampler::~Sampler() {
     if (id_) glDeleteSamplers(1, &id_);
 }
 
-void Lookup::bind(int unit) const {
+void Sampler::bind(int unit) const {
     glBindSampler(static_cast<GLuint>(unit), id_);
 }
 

@@ -3,7 +3,7 @@
 // The levels of a MipChain are uploaded as 32-bit floats, so that filtered values equal the CPU's:
 // drivers filter integer formats with the precision of the format, and the slope of a height
 // multiplies a quantisation step by the image size. Only 8-bit images of several channels (mostly
-// colours) are uploaded as 16-bit integers, half the memory. A Lookup holds wrap and filter,
+// colours) are uploaded as 16-bit integers, half the memory. A Sampler holds wrap and filter,
 // separate from the texels: one texture may be sampled in several ways.
 #pragma once
 
@@ -34,12 +34,12 @@ private:
 };
 
 // Sampler object. linear: trilinear; nearest: the nearest texel of the nearest level.
-class Lookup {
+class Sampler {
 public:
-    Lookup(Wrap wrap, Filter filter);
-    Lookup(Lookup&& other) noexcept;
-    Lookup& operator=(Lookup&& other) noexcept;
-    ~Lookup();
+    Sampler(Wrap wrap, Filter filter);
+    Sampler(Sampler&& other) noexcept;
+    Sampler& operator=(Sampler&& other) noexcept;
+    ~Sampler();
 
     void bind(int unit) const;
 

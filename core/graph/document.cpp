@@ -32,11 +32,11 @@ Location place(const Document& document, const json::Value& value, bool key) {
     return key ? value.key_location() : value.location();
 }
 
-constexpr size_t longest_id = 128;  // characters
+constexpr size_t max_id = 128;  // characters
 
 // Fast path: accepts ASCII ids that need no further check.
 bool is_plain_id(std::string_view id) {
-    if (id.empty() || id.size() > longest_id || id[0] == '$') return false;
+    if (id.empty() || id.size() > max_id || id[0] == '$') return false;
     return std::all_of(id.begin(), id.end(),
                        [](char c) { return ' ' <= c && c < 0x7F && c != '.'; });
 }
@@ -55,7 +55,7 @@ std::string spelling_problem(std::string_view id) {
         before = byte;
     }
     if (id[0] == '$') return "begins with '$'";
-    if (characters > longest_id) return "is longer than 128 characters";
+    if (characters > max_id) return "is longer than 128 characters";
     return {};
 }
 

@@ -7,7 +7,7 @@
 namespace wrinkle {
 namespace {
 
-struct Closing {
+struct BackEdge {
     uint32_t node;
     uint32_t input;
     std::vector<uint32_t> path;  // from the node read again, reader to read; shortened
@@ -16,11 +16,11 @@ struct Closing {
 
 struct Walk {
     std::vector<uint32_t> order;
-    std::vector<Closing> closing;
+    std::vector<BackEdge> closing;
 };
 
-constexpr size_t shown = 8;                                     // nodes of a cycle in a diagnostic
-constexpr size_t most_cycles = Diagnostics::default_limit + 1;  // further cycles are not recorded
+constexpr size_t shown = 8;                                    // nodes of a cycle in a diagnostic
+constexpr size_t max_cycles = Diagnostics::default_limit + 1;  // further cycles are not recorded
 
 // Depth-first search with an explicit stack.
 class Walker {
@@ -70,15 +70,15 @@ private:
         if (target == Wires::none) return;
         if (state_[target] == State::unseen)
             enter(target);
-        else if (state_[target] == State::open && walk_.closing.size() < most_cycles)
+        else if (state_[target] == State::open && walk_.closing.size() < max_cycles)
             walk_.closing.push_back(cycle(node, input, target));
     }
 
-    Closing cycle(uint32_t node, uint32_t input, uint32_t target) const {
+    BackEdge cycle(uint32_t node, uint32_t input, uint32_t target) const {
         size_t begin = stack_.size() - 1;
         while (stack_[begin].node != target)
             --begin;
-        Closing closing{node, input, {}, stack_.size() - begin};
+        BackEdge closing{node, input, {}, stack_.size() - begin};
         for (size_t i = begin; i < stack_.size(); ++i)
             if (i < begin + shown / 2 || i + shown / 2 >= stack_.size())
                 closing.path.push_back(stack_[i].node);
@@ -91,7 +91,7 @@ private:
     Walk walk_;
 };
 
-std::string cycle_text(const Document& document, const Closing& closing) {
+std::string cycle_text(const Document& document, const BackEdge& closing) {
     const std::vector<uint32_t>& path = closing.path;
     std::string text = "the wires form a cycle: ";
     for (size_t i = 0; i < path.size(); ++i) {
@@ -173,7 +173,7 @@ private:
     }
 
     void report_cycles() {
-        for (const Closing& closing : Walker(document_, wires_).run().closing) {
+        for (const BackEdge& closing : Walker(document_, wires_).run().closing) {
             const Node& node = *document_.nodes[closing.node];
             diagnostics_.add(diagnose_port(document_, node, node.inputs[closing.input].port,
                                            cycle_text(document_, closing),

@@ -82,12 +82,12 @@ std::string node_line(const Node& node) {
 }
 
 void write_node(std::string& out, const Node& node) {
-    constexpr size_t most_on_one_line = 2;
+    constexpr size_t max_on_one_line = 2;
     if (is_kept_whole(node.source)) {
         out += one_line(node.source);
         return;
     }
-    if (node.inputs.size() <= most_on_one_line && node.unknown.empty()) {
+    if (node.inputs.size() <= max_on_one_line && node.unknown.empty()) {
         out += node_line(node);
         return;
     }

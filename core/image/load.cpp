@@ -90,7 +90,7 @@ Opened open_within(const fs::path& path, const ImageLimits& limits, Diagnostics&
     }
     const WrinkleImageModule* module = image_module(why);
     if (!module) {
-        diagnostics.error(quoted(path) + "cannot be read: " + why, companion_remedy);
+        diagnostics.error(quoted(path) + "cannot be read: " + why, library_remedy);
         return opened;
     }
     char text[512] = "";
@@ -184,7 +184,7 @@ std::optional<Image> decode_whole(const fs::path& path, const Opened& opened,
 }
 
 std::optional<ImageInfo> decode_rows(const fs::path& path, const Opened& opened,
-                                     const TakeImageRow& take, Diagnostics& diagnostics) {
+                                     const ImageRowSink& take, Diagnostics& diagnostics) {
     std::vector<float> row(size_t{opened.info.width} * opened.info.channels);
     const RowsTaker rows = {[&](uint32_t) { return row.data(); },
                             [&](uint32_t) { return take(opened.info, row.data()); }};
@@ -257,13 +257,13 @@ std::optional<Image> load_image(const fs::path& path, Diagnostics& diagnostics) 
 }
 
 std::optional<ImageInfo> read_image_rows(const fs::path& path, const ImageLimits& limits,
-                                         const TakeImageRow& take, Diagnostics& diagnostics) {
+                                         const ImageRowSink& take, Diagnostics& diagnostics) {
     return opened_and(path, limits, diagnostics, [&](const Opened& opened) {
         return decode_rows(path, opened, take, diagnostics);
     });
 }
 
-std::optional<ImageInfo> read_image_rows(const fs::path& path, const TakeImageRow& take,
+std::optional<ImageInfo> read_image_rows(const fs::path& path, const ImageRowSink& take,
                                          Diagnostics& diagnostics) {
     const auto limits = usual_limits(diagnostics);
     return limits ? read_image_rows(path, *limits, take, diagnostics) : std::nullopt;

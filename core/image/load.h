@@ -61,12 +61,12 @@ std::optional<Image> load_image(const std::filesystem::path& path, Diagnostics& 
 
 // Reads the same image row by row, from the top, with only a few rows in memory: width * channels
 // numbers each. If `take` returns false, reading stops without an error and returns std::nullopt.
-using TakeImageRow = std::function<bool(const ImageInfo& info, const float* row)>;
+using ImageRowSink = std::function<bool(const ImageInfo& info, const float* row)>;
 std::optional<ImageInfo> read_image_rows(const std::filesystem::path& path,
-                                         const ImageLimits& limits, const TakeImageRow& take,
+                                         const ImageLimits& limits, const ImageRowSink& take,
                                          Diagnostics& diagnostics);
 std::optional<ImageInfo> read_image_rows(const std::filesystem::path& path,
-                                         const TakeImageRow& take, Diagnostics& diagnostics);
+                                         const ImageRowSink& take, Diagnostics& diagnostics);
 
 // Returns a number that an ImageWriter stored in the file; std::nullopt, without diagnostics, if
 // there is none.

@@ -10,8 +10,8 @@ struct Found {
 
 Found find_module() {
     const std::string what = "the image module";
-    const Companion companion =
-        open_companion(WRINKLE_IMAGE_MODULE, WRINKLE_IMAGE_MODULE_SYMBOL, what);
+    const DynamicLibrary companion =
+        open_library(WRINKLE_IMAGE_MODULE, WRINKLE_IMAGE_MODULE_SYMBOL, what);
     if (!companion.symbol) return {nullptr, companion.why};
     const auto entry = reinterpret_cast<WrinkleImageModuleEntry>(companion.symbol);
     const WrinkleImageModule* module = entry();

@@ -1,10 +1,10 @@
-// Loads the module that contains OpenImageIO, once per process, on first use; base/companion.h
-// documents its search path.
+// Loads the module that contains OpenImageIO, once per process, on first use;
+// base/dynamic_library.h documents its search path.
 #pragma once
 
 #include <string>
 
-#include "base/companion.h"
+#include "base/dynamic_library.h"
 #include "image/oiio/image_module.h"
 
 namespace wrinkle {

@@ -49,9 +49,8 @@ struct ImageWriter::State {
 
     bool fail(const std::string& why, Diagnostics& diagnostics) {
         failed = true;
-        diagnostics.error(
-            named(path) + "cannot be written: " + why,
-            module ? "a folder that can be written to and has room" : companion_remedy);
+        diagnostics.error(named(path) + "cannot be written: " + why,
+                          module ? "a folder that can be written to and has room" : library_remedy);
         return false;
     }
 

@@ -1,6 +1,6 @@
 #include "ir/cost.h"
 
-#include "ir/copy.h"
+#include "ir/module_cloner.h"
 
 namespace wrinkle {
 namespace {

@@ -3,7 +3,7 @@
 #include <map>
 #include <utility>
 
-#include "ir/change_by_source.h"
+#include "ir/jacobian_by_source.h"
 #include "ir/rewrite.h"
 
 namespace wrinkle {
@@ -11,7 +11,7 @@ namespace {
 
 class Terms {
 public:
-    void add_source(Module& m, const SourceChange& change) {
+    void add_source(Module& m, const SourceJacobian& change) {
         const Value covariance{&m, m[change.source].arg[1]};
         if (m.type(change.source) == Type::vec3_) {
             for (size_t i = 0; i < 3; ++i)
@@ -49,7 +49,7 @@ Id drop_one(void*, Module&, const Module& source, Id id, std::span<const Id> map
 
 std::vector<CovarianceTerm> covariance_terms(Value value) {
     Terms terms;
-    for (const SourceChange& change : changes_by_source(value))
+    for (const SourceJacobian& change : jacobians_by_source(value))
         terms.add_source(*value.module, change);
     return std::move(terms).list();
 }

@@ -3,7 +3,7 @@
 // only with `Covariances::kept`.
 //
 // To first order the covariance is the sum over sources k of J_k C_k J_k^T, J_k the Jacobian of the
-// value with respect to the source (ir/change_by_source.h). ir/normal_variance.h documents the
+// value with respect to the source (ir/jacobian_by_source.h). ir/normal_variance.h documents the
 // sources.
 #pragma once
 

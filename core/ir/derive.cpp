@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "ir/derive_rules.h"
+#include "ir/jvp_rules.h"
 #include "ir/rewrite.h"
 #include "ir/surface.h"
 #include "ir/value.h"
@@ -42,7 +42,7 @@ std::vector<Id> reads_of(const Module& m, Id value) {
     return reads;
 }
 
-Id Direction::change_alone(Id value, Id operand, Id change) {
+Id Direction::local_jvp(Id value, Id operand, Id change) {
     const std::vector<Id> reads = reads_of(*module_, value);
     for (const Id read : reads)
         memo_.set(read, read == operand ? change : poison);
@@ -60,7 +60,7 @@ Id Direction::tangent(Id value) {
     if (value == poison || memo_.has(value)) return memo_.at(value);
     // The body of a loop calls tangent() again from compute(), with a list of its own.
     std::vector<Id> list = std::exchange(spare_list_, {});
-    unknown_below(value, list);
+    collect_worklist(value, list);
     const uint32_t node = module_->current_node;
     for (const Id id : list) {
         module_->current_node = module_->origin[id];
@@ -75,7 +75,7 @@ Id Direction::tangent(Id value) {
 
 // Collects the values needed for the tangent of `value` that have none yet, in id order, and marks
 // them.
-void Direction::unknown_below(Id value, std::vector<Id>& list) {
+void Direction::collect_worklist(Id value, std::vector<Id>& list) {
     list.clear();
     open_.assign(1, value);
     while (!open_.empty()) {
@@ -95,7 +95,7 @@ void Direction::unknown_below(Id value, std::vector<Id>& list) {
     std::sort(list.begin(), list.end());
 }
 
-Id Direction::tangent_or_zero(Id value) {
+Id Direction::jvp_or_zero(Id value) {
     const Id change = tangent(value);
     return change ? change : module_->zero(module_->type(value));
 }
@@ -144,7 +144,7 @@ Id Direction::compute(Id id) {
         ++count;
     }
     if (!any) return poison;
-    const Id change = tangent_of_op(*module_, id, std::span(changes.data(), count));
+    const Id change = jvp_rule(*module_, id, std::span(changes.data(), count));
     return module_->is_literal(change, 0) ? poison : change;
 }
 
@@ -172,8 +172,8 @@ Id Direction::texture(Id sample, Id read) {
     if (!change) return poison;
     Id lod = inst.arg[1];
     if (inst.op == Op::sample_) {
-        const Id x = screen().x.tangent_or_zero(inst.arg[0]);
-        lod = sample_lod_of(m, inst.extra, x, screen().y.tangent_or_zero(inst.arg[0]));
+        const Id x = screen().x.jvp_or_zero(inst.arg[0]);
+        lod = sample_lod_of(m, inst.extra, x, screen().y.jvp_or_zero(inst.arg[0]));
     } else if (inst.op == Op::sample_grad_) {
         lod = sample_lod_of(m, inst.extra, inst.arg[1], inst.arg[2]);
     }
@@ -254,7 +254,7 @@ const Direction::DerivedFunction& Direction::derived(uint32_t index,
 Id Direction::loop_member(const Inst& result) {
     const auto found = loops_.find(result.arg[0]);
     if (found != loops_.end()) return found->second[result.extra];
-    std::vector<Id> members = widened_loop(result.arg[0]);
+    std::vector<Id> members = dual_loop(result.arg[0]);
     const Id member = members[result.extra];
     loops_[result.arg[0]] = std::move(members);
     return member;
@@ -294,7 +294,7 @@ void Direction::seed_state(const Region& region, const std::vector<bool>& changi
 
 // Returns the tangents of a loop's members: results of a loop over the state followed by the
 // tangents of its active members.
-std::vector<Id> Direction::widened_loop(Id loop) {
+std::vector<Id> Direction::dual_loop(Id loop) {
     const Inst inst = (*module_)[loop];
     Region region = module_->region(inst.extra);
     const auto operands = module_->operands(loop);
@@ -315,7 +315,7 @@ std::vector<Id> Direction::widened_loop(Id loop) {
         const Id start = memo_.at(args[k]);
         args.push_back(start ? start : module_->zero(types[k]));
         region.params.push_back(types[k]);
-        region.results.push_back(tangent_or_zero(region.results[k + 1]));
+        region.results.push_back(jvp_or_zero(region.results[k + 1]));
     }
     forget(before);
     if (region.params.size() == own) return members;

@@ -25,7 +25,7 @@ namespace wrinkle {
 
 // Returns true if the derivative of the instruction is 0 for any derivatives of its operands, or if
 // it is a leaf (only a seed gives it a derivative).
-inline bool never_changes(const Inst& inst) {
+inline bool has_zero_derivative(const Inst& inst) {
     const OpInfo& row = info(inst.op);
     return row.flags & WR_FLAG_ZERO_DERIVATIVE || row.rule == Rule::leaf ||
            is_whole_type(inst.type);
@@ -44,18 +44,18 @@ public:
     void seed(Id leaf, Id tangent) { memo_.set(leaf, tangent); }
     // Differentiates `detach` as the identity: for directions that are not positions on the
     // surface.
-    void see_through_detach() { through_detach_ = true; }
+    void differentiate_detached() { through_detach_ = true; }
     // Returns true if the tangent of the instruction is 0 for any tangents of its operands.
     bool is_constant(const Inst& inst) const {
-        return never_changes(inst) && !(through_detach_ && inst.op == Op::detach_);
+        return has_zero_derivative(inst) && !(through_detach_ && inst.op == Op::detach_);
     }
 
-    // Returns the tangent of `value`; poison represents zero (see tangent_or_zero). Memoised.
+    // Returns the tangent of `value`; poison represents zero (see jvp_or_zero). Memoised.
     Id tangent(Id value);
-    Id tangent_or_zero(Id value);
+    Id jvp_or_zero(Id value);
     // Returns the derivative of the single instruction `value` along `change` of `operand` (one of
     // reads_of()), with all other operands constant. Precondition: the direction has no seeds.
-    Id change_alone(Id value, Id operand, Id change);
+    Id local_jvp(Id value, Id operand, Id change);
 
 private:
     // Memoised tangents by Id; the vector grows with the module.
@@ -88,14 +88,14 @@ private:
         std::vector<int> member;  // by result: its index in the derived function; -1: zero
     };
 
-    void unknown_below(Id value, std::vector<Id>& list);
+    void collect_worklist(Id value, std::vector<Id>& list);
     Id compute(Id id);
     Id change_of_input(uint32_t index);
     Id change_of_open_result(Id result);
     Id call_member(const Inst& result);
     Id loop_member(const Inst& result);
     const DerivedFunction& derived(uint32_t region, const std::vector<bool>& changing);
-    std::vector<Id> widened_loop(Id loop);
+    std::vector<Id> dual_loop(Id loop);
     void seed_state(const Region& region, const std::vector<bool>& changing);
     bool spread(const Region& region, std::vector<bool>& changing);
     void forget(size_t first);

@@ -14,7 +14,7 @@ namespace wrinkle {
 namespace {
 
 // FLT_EPSILON: keeps SurfgradFromPerturbedNormal finite where the normal lies in the tangent plane.
-constexpr double smallest_cosine = 1.1920929e-7;
+constexpr double min_cosine = 1.1920929e-7;
 
 struct Derivative {
     Value slope;  // in the uv; normals: xy, and the slope is -xy strength / depth
@@ -26,7 +26,7 @@ struct Expander {
     Expander(const ExpandOptions& o, const Module& source) : options(o), facts(source) {}
 
     const ExpandOptions& options;
-    const ValueFacts facts;  // for the source
+    const ValueAnalysis facts;  // for the source
     Module* target = nullptr;
     Id nothing = poison;  // id of opaque values; never read, as every user is opaque
     std::optional<OpenFunctions> functions;
@@ -47,7 +47,7 @@ struct Expander {
     void gradient(const Module& source, Id id, std::span<const Id> mapped);
     GradientSum source_gradient(const Module& source, Id id, std::span<const Id> mapped);
     GradientSum scaled(const GradientSum& gradient, Value amount);
-    GradientSum solid_gradient(Id height);
+    GradientSum gradient_from_position(Id height);
     GradientSum from_derivative(const Derivative& d);
     GradientSum from_normal(Value n, Value v);
     Derivative normal_derivative(Value m, Value strength, const Frame& frame);
@@ -68,7 +68,7 @@ Value Expander::base_normal(const Module& source, Id gradient) const {
 }
 
 // Strips a positive literal factor from a normal that may have any length.
-Value any_length(Value normal, double& factor) {
+Value strip_positive_factor(Value normal, double& factor) {
     const Module& m = *normal.module;
     const Inst& inst = m[normal.id];
     if (inst.op != Op::mul_ || m[inst.arg[1]].op != Op::literal_) return normal;
@@ -80,24 +80,24 @@ Value any_length(Value normal, double& factor) {
 // SurfgradFromPerturbedNormal: (k n - v) / |k|, k = n.v, with the division pending.
 GradientSum Expander::from_normal(Value n, Value v) {
     double factor = 1;
-    v = any_length(v, factor);
+    v = strip_positive_factor(v, factor);
     if (variance) v = variance->object_normal(v, factor);
     const Value k = dot(n, v);
     GradientSum result;
     GradientSum::Term& term = result.pending.emplace_back();
     term.over.rest = v;
     term.over.along = -k;
-    term.depth = max(abs(k), smallest_cosine / factor);
+    term.depth = max(abs(k), min_cosine / factor);
     return result;
 }
 
 // TspaceNormalToDerivative: -xy / max(|z|, max(|x|,|y|)/128), with the division pending.
 Derivative Expander::normal_derivative(Value m, Value strength, const Frame& frame) {
     double factor = 1;
-    m = any_length(m, factor);
+    m = strip_positive_factor(m, factor);
     const Value widest = max(abs(m.x()), abs(m.y()));
-    const Value least = named("least_depth", widest * (1 / steepest_slope));
-    const Value depth = max(max(abs(m.z()), least), smallest_depth / factor);
+    const Value least = named("least_depth", widest * (1 / max_slope));
+    const Value depth = max(max(abs(m.z()), least), min_depth / factor);
     const Value xy = variance ? variance->tangent_normal(m, depth, factor) : m.xy();
     return {xy, frame, strength, named("depth", depth)};
 }
@@ -105,10 +105,10 @@ Derivative Expander::normal_derivative(Value m, Value strength, const Frame& fra
 GradientSum Expander::from_derivative(const Derivative& d) {
     if (!d.depth) return algebra->from_slope(d.frame.key, slope_in_basis(d.frame, d.slope));
     const Value downhill = slope_in_basis(d.frame, d.slope * d.strength);
-    return algebra->from_downhill(d.frame.key, downhill, d.depth);
+    return algebra->from_negated_slope(d.frame.key, downhill, d.depth);
 }
 
-GradientSum Expander::solid_gradient(Id height) {
+GradientSum Expander::gradient_from_position(Id height) {
     GradientSum result;
     const Value volume =
         vec3(screen->in_space(0, height), screen->in_space(1, height), screen->in_space(2, height));
@@ -125,7 +125,7 @@ GradientSum Expander::source_gradient(const Module& source, Id id, std::span<con
         }
         case Op::gradient_from_height_: {
             if (is_position_alone(facts.dependencies(inst.arg[0])))
-                return solid_gradient(mapped[0]);
+                return gradient_from_position(mapped[0]);
             const Id x = screen->along_surface(Variant::dx, mapped[0]).id;
             const Id y = screen->along_surface(Variant::dy, mapped[0]).id;
             if (target->is_literal(x, 0) && target->is_literal(y, 0)) return {};

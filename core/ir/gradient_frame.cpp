@@ -18,7 +18,7 @@ constexpr uint32_t all_uv_sets = bit(SurfaceInput::uv0_) | bit(SurfaceInput::uv1
 constexpr double tiny_square = 1e-36;
 // Least squared sine of the angle between a guessed tangent and the normal; far above the rounding
 // of floats.
-constexpr double smallest_sine_square = 1e-10;
+constexpr double min_sine_square = 1e-10;
 
 // Returns the uv set if the inputs are exactly one uv set.
 std::optional<SurfaceInput> single_uv_set(uint32_t dependencies) {
@@ -28,8 +28,8 @@ std::optional<SurfaceInput> single_uv_set(uint32_t dependencies) {
 
 // Sets the frame's rows to those of J^T / sqrt|det J|, J = d(uv)/d(set); leaves them empty if `uv`
 // is the set itself.
-void bring_to_set(Module& target, ScreenDerivatives& changes, Id uv, SurfaceInput set,
-                  Frame& frame) {
+void change_basis_to_set(Module& target, ScreenDerivatives& changes, Id uv, SurfaceInput set,
+                         Frame& frame) {
     const Id whole = target.input(set);
     if (uv == whole) return;
     const Value u = changes.in_uv_set(set, 0, uv);
@@ -119,7 +119,7 @@ TangentBasis guessed_basis(Module& target, Id direction) {
     const Value part = d - n * dot(n, d);
     // A direction along n leaves only rounding errors, which define no tangent.
     const Value square = dot(part, part);
-    const Value seen = greater(square - dot(d, d) * smallest_sine_square, 0);
+    const Value seen = greater(square - dot(d, d) * min_sine_square, 0);
     const Value scale = select(seen, inversesqrt(max(square, tiny_square)), number(n, 0));
     return {part, cross(n, d), scale, scale};
 }
@@ -165,11 +165,11 @@ Direction& ScreenDerivatives::direction(Change change) {
 
 Value ScreenDerivatives::along_surface(Variant axis, Id value) {
     const Change change = axis == Variant::dy ? Change::surface_y : Change::surface_x;
-    return {target_, direction(change).tangent_or_zero(value)};
+    return {target_, direction(change).jvp_or_zero(value)};
 }
 Value ScreenDerivatives::on_screen(Variant axis, Id value) {
     const Change change = axis == Variant::dy ? Change::screen_y : Change::screen_x;
-    return {target_, direction(change).tangent_or_zero(value)};
+    return {target_, direction(change).jvp_or_zero(value)};
 }
 
 Value ScreenDerivatives::position(Variant axis) {
@@ -178,11 +178,11 @@ Value ScreenDerivatives::position(Variant axis) {
 
 Value ScreenDerivatives::in_space(int axis, Id value) {
     const auto change = static_cast<Change>(static_cast<int>(Change::space_x) + axis);
-    return {target_, direction(change).tangent_or_zero(value)};
+    return {target_, direction(change).jvp_or_zero(value)};
 }
 
 Value ScreenDerivatives::in_uv_set(SurfaceInput set, int axis, Id value) {
-    return {target_, direction(change_of_uv(set, axis)).tangent_or_zero(value)};
+    return {target_, direction(change_of_uv(set, axis)).jvp_or_zero(value)};
 }
 
 Id ScreenDerivatives::along(Change change, Id value) {
@@ -216,7 +216,7 @@ Frame make_frame(Module& target, ScreenDerivatives& screen, Id uv, Id direction,
         frame.row_v = screen.along_surface(Variant::dy, uv);
         return frame;
     }
-    if (source) bring_to_set(target, screen, uv, *source, frame);
+    if (source) change_basis_to_set(target, screen, uv, *source, frame);
     if (method == WR_FRAME_guess)
         frame.key = {Basis::guess, direction};
     else if (method == WR_FRAME_vertex)

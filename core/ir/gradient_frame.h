@@ -27,7 +27,7 @@
 #include "ir/derive.h"
 #include "ir/expand.h"
 #include "ir/value.h"
-#include "ir/value_facts.h"
+#include "ir/value_analysis.h"
 
 namespace wrinkle {
 

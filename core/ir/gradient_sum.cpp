@@ -9,12 +9,12 @@ namespace {
 
 // A determinant of screen differentials is an area of order (pixel size)^2; a higher floor would
 // flatten bumps seen from a short distance.
-constexpr double smallest_area = 1e-36;
+constexpr double min_area = 1e-36;
 
 // Added along z to normals resolved on vertex tangents, at the cost of one addition. Lost in
 // rounding, unless a tangent along the normal cancels the normal entirely. Its square is a normal
 // float.
-constexpr double least_normal = 1e-18;
+constexpr double min_normal = 1e-18;
 
 bool on_vertex_tangents(const Slopes::Slot& slot) {
     return slot.basis.basis == Basis::vertex;
@@ -58,7 +58,7 @@ GradientSum GradientAlgebra::from_slope(const FrameKey& basis, Value slope) {
     return {slopes_on(basis, slope), {}};
 }
 
-GradientSum GradientAlgebra::from_downhill(const FrameKey& basis, Value slope, Value depth) {
+GradientSum GradientAlgebra::from_negated_slope(const FrameKey& basis, Value slope, Value depth) {
     GradientSum sum;
     sum.pending.push_back({slopes_on(basis, slope), depth});
     return sum;
@@ -130,7 +130,7 @@ Value GradientAlgebra::screen_gradient(Value slope) {
     const Value area{target_, screen_area(*target_)};
     // A pixel of zero area gives a flat gradient.
     const Value inverse =
-        surface_named("inverse_area", op(Op::sign_, area) / max(abs(area), smallest_area));
+        surface_named("inverse_area", op(Op::sign_, area) / max(abs(area), min_area));
     Value factor = inverse;
     const Value change = without_factor(slope, factor);
     const Value per_area = change * factor;
@@ -202,7 +202,7 @@ Value GradientAlgebra::resolve(const GradientSum& sum, Value facing, Value sign,
     if (!may_vanish) return normalize(bumped);
     named("gradient", gamma.vec);
     named("bumped", bumped);
-    return normalize(vec3(bumped.xy(), bumped.z() + number(bumped, least_normal)));
+    return normalize(vec3(bumped.xy(), bumped.z() + number(bumped, min_normal)));
 }
 
 }  // namespace wrinkle

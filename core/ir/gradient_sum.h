@@ -52,7 +52,7 @@ public:
 
     GradientSum from_slope(const FrameKey& basis, Value slope);
     // -slope / depth; the division may stay pending.
-    GradientSum from_downhill(const FrameKey& basis, Value slope, Value depth);
+    GradientSum from_negated_slope(const FrameKey& basis, Value slope, Value depth);
     GradientSum add(GradientSum a, GradientSum b);
     GradientSum scale(GradientSum a, Value amount);
 

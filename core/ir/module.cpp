@@ -71,7 +71,7 @@ Module::Module() : most_values(limit_of(Limit::graph_values)) {
     nodes.push_back({});
 }
 
-void Module::make_room(size_t expected) {
+void Module::reserve(size_t expected) {
     table_.reserve(expected);
     inst_.reserve(expected);
     origin.reserve(expected);

@@ -12,7 +12,7 @@
 //                     slot of InternTable, "none" as the result of a query (open_result(),
 //                     simplified()) or of a Replace callback.
 //   zero derivative   the result of Direction::tangent() (ir/derive.h). It must not become an
-//                     operand: tangent_or_zero() returns an instruction instead.
+//                     operand: jvp_or_zero() returns an instruction instead.
 //
 // Regions represent both loops and functions. A region's body is ordinary instructions over
 // region_param(level, k). A level is a region depth: that of an instruction is the greatest level
@@ -51,7 +51,7 @@
 #include <string_view>
 #include <vector>
 
-#include "base/text_list.h"
+#include "base/string_pool.h"
 #include "base/texture_options.h"
 #include "ir/inst.h"
 #include "ir/intern_table.h"
@@ -156,7 +156,7 @@ struct Problem {
 class Module {
 public:
     Module();
-    void make_room(size_t expected);  // reserves memory; before the first instruction
+    void reserve(size_t expected);  // reserves memory; before the first instruction
 
     // The general form. `type` is used by construct only; elsewhere the type follows from the
     // operands. Returns poison (and records a problem, unless an operand is poison) if they do not
@@ -199,8 +199,8 @@ public:
     // function's body; otherwise poison.
     Id open_result(Id id) const;
     // Derivatives of nested loops cost more with every level, and so does their execution.
-    static constexpr int deepest_region = 16;
-    static constexpr int deepest_call = 48;  // passes over called functions recurse
+    static constexpr int max_region = 16;
+    static constexpr int max_call = 48;  // passes over called functions recurse
     int depth() const { return static_cast<int>(open_.size()); }
 
     const Inst& operator[](Id id) const { return inst_[id]; }  // not to be held across add()
@@ -240,7 +240,7 @@ public:
 
     // Side tables; passes carry them over.
     std::vector<NodeInstance> nodes;
-    TextList titles;
+    StringPool titles;
     std::vector<Parameter> parameters;
     std::vector<Resource> resources;
     std::vector<OpenInput> open_inputs;

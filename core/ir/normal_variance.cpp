@@ -53,7 +53,7 @@ Value level_in_use(Module& m, ScreenDerivatives& screen, Id read) {
 
 // Returns the variance along each direction across the mean, half of 1 - |mean|^2, in the units of
 // `normal`; std::nullopt if `normal` is not a function of a single texture read.
-std::optional<Value> NormalVariance::lost_by_reading(Value normal, double factor) {
+std::optional<Value> NormalVariance::variance_lost_to_filtering(Value normal, double factor) {
     const Id read = picture_of(*target_, normal.id);
     if (read == poison) return {};
     const Value none = number(normal, 0), one = number(normal, 1);
@@ -67,7 +67,7 @@ std::optional<Value> NormalVariance::lost_by_reading(Value normal, double factor
 // All directions across a unit mean have the same variance: I - m m^T. For -xy/z that is (I + s
 // s^T) / z^2 with the slopes s, and for xy with z constant, as written here, I + s s^T.
 Value NormalVariance::tangent_normal(Value normal, Value depth, double factor) {
-    const std::optional<Value> lost = lost_by_reading(normal, factor);
+    const std::optional<Value> lost = variance_lost_to_filtering(normal, factor);
     if (!lost) return normal.xy();
     const Value s = named("slope", normal.xy() / depth);
     const Value one = number(s, 1);
@@ -76,7 +76,7 @@ Value NormalVariance::tangent_normal(Value normal, Value depth, double factor) {
 }
 
 Value NormalVariance::object_normal(Value normal, double factor) {
-    const std::optional<Value> lost = lost_by_reading(normal, factor);
+    const std::optional<Value> lost = variance_lost_to_filtering(normal, factor);
     return lost ? varying(normal, *lost) : normal;
 }
 

@@ -44,7 +44,7 @@ public:
     Value of(Value normal);
 
 private:
-    std::optional<Value> lost_by_reading(Value normal, double factor);
+    std::optional<Value> variance_lost_to_filtering(Value normal, double factor);
 
     Module* target_;
     ScreenDerivatives* screen_;

@@ -97,7 +97,7 @@ void OpenFunctions::close(const Region& open, std::span<const Id> results, Close
         region.result_names.push_back(open.result_names[k]);
     }
     const std::vector<Id> list = body(roots, closed);
-    Copier copier(*target_, *target_, false);
+    ModuleCloner copier(*target_, *target_, false);
     copier.set_shift(1, 1);
     for (const Id param : closed.params) {
         const Type type = target_->type(param);

@@ -15,8 +15,8 @@
 #include <unordered_map>
 #include <vector>
 
-#include "ir/copy.h"
 #include "ir/gradient_frame.h"
+#include "ir/module_cloner.h"
 
 namespace wrinkle {
 

@@ -41,7 +41,7 @@ struct OpenInput {
     Type type = Type::float_;
     std::string name;
     uint32_t dependencies = 0;  // a bit per SurfaceInput that the arguments depend on
-    bool jumps = false;         // as defined in ir/value_facts.h
+    bool jumps = false;         // as defined in ir/value_analysis.h
     bool reads = false;
     bool tangent = false;  // vec3 only: a gradient, tangent to the surface
     // For the derivative of another input: its axis, and that input's index in Module::open_inputs.

@@ -4,8 +4,8 @@
 #include <unordered_set>
 #include <utility>
 
-#include "ir/copy.h"
 #include "ir/module.h"
+#include "ir/module_cloner.h"
 
 namespace wrinkle {
 namespace {
@@ -71,8 +71,8 @@ bool Module::fits(const OpenRegion& open, std::span<const Id> results) {
 bool Module::fits(const RegionBody& body) {
     if (!body.parameters_fit)
         problem("a loop or a function reads a parameter of another one");
-    else if (calls_below(body) >= deepest_call)
-        problem("functions call each other more than " + std::to_string(deepest_call) + " deep");
+    else if (calls_below(body) >= max_call)
+        problem("functions call each other more than " + std::to_string(max_call) + " deep");
     else
         return true;
     return false;
@@ -81,7 +81,7 @@ bool Module::fits(const RegionBody& body) {
 std::vector<Id> Module::begin_region(RegionKind kind, std::string name,
                                      std::span<const Type> params) {
     open_.push_back({kind, std::move(name), {params.begin(), params.end()}});
-    if (depth() > deepest_region) return std::vector<Id>(params.size(), poison);
+    if (depth() > max_region) return std::vector<Id>(params.size(), poison);
     std::vector<Id> ids;
     for (uint32_t k = 0; k < params.size(); ++k)
         ids.push_back(region_parameter(depth(), k, params[k]));
@@ -93,8 +93,8 @@ RegionUse Module::end_region(std::span<const Id> results, uint32_t max_iteration
     const int level = depth();
     const OpenRegion open = std::move(open_.back());
     open_.pop_back();
-    if (level > deepest_region) {
-        problem("loops and functions stand more than " + std::to_string(deepest_region) +
+    if (level > max_region) {
+        problem("loops and functions stand more than " + std::to_string(max_region) +
                 " deep in each other");
         return {};
     }
@@ -113,7 +113,7 @@ RegionUse Module::end_region(std::span<const Id> results, uint32_t max_iteration
     RegionUse use;
     use.captured = std::exchange(body.captured, {});
     std::erase_if(use.captured, [&](Id id) { return is_of_globals(*this, id); });
-    Copier copier(*this, *this, false);
+    ModuleCloner copier(*this, *this, false);
     copier.set_shift(level, 1 - level);
     for (const Id id : use.captured) {
         const auto index = static_cast<uint32_t>(region.params.size());

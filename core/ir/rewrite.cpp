@@ -5,15 +5,15 @@
 #include <optional>
 #include <unordered_map>
 
-#include "ir/copy.h"
 #include "ir/derive.h"
+#include "ir/module_cloner.h"
 #include "ir/value.h"
 
 namespace wrinkle {
 namespace {
 
 // Footprints below a millionth of a texel are clamped; they are on the finest level too.
-constexpr double smallest_footprint = 9.094947017729282e-13;  // 2^-40
+constexpr double min_footprint = 9.094947017729282e-13;  // 2^-40
 
 struct LodWriter {
     std::optional<Direction> x, y;
@@ -32,13 +32,14 @@ Id write_lod(void* context, Module& target, const Module& source, Id id,
         writer.x = screen_direction(target, Variant::dx, false);
         writer.y = screen_direction(target, Variant::dy, false);
     }
-    return with(sample_lod_of(target, source[id].extra, writer.x->tangent_or_zero(mapped[0]),
-                              writer.y->tangent_or_zero(mapped[0])));
+    return with(sample_lod_of(target, source[id].extra, writer.x->jvp_or_zero(mapped[0]),
+                              writer.y->jvp_or_zero(mapped[0])));
 }
 
 // Loops of the root move to levels deeper than those of the new values. Values that depend on no
 // `from` need not move and stay one value.
-void keep_what_does_not_read(const Module& m, Id root, std::span<const Id> from, Copier& copier) {
+void keep_what_does_not_read(const Module& m, Id root, std::span<const Id> from,
+                             ModuleCloner& copier) {
     std::unordered_map<Id, bool> reads{{poison, false}};
     for (const Id id : from)
         reads[id] = true;
@@ -67,7 +68,7 @@ Id sample_lod_of(Module& module, uint32_t resource, Id uv_dx, Id uv_dy) {
     const Value size{&module, module.add(Op::image_size_, {}, resource)};
     const Value x = size * Value{&module, uv_dx};
     const Value y = size * Value{&module, uv_dy};
-    const Value square = max(max(dot(x, x), dot(y, y)), smallest_footprint);
+    const Value square = max(max(dot(x, x), dot(y, y)), min_footprint);
     return (op(Op::log2_, square) * 0.5).id;
 }
 
@@ -97,7 +98,7 @@ std::vector<bool> reachable(const Module& module, std::span<const Id> roots) {
 
 Id substitute(Module& module, Id root, std::span<const Id> from, std::span<const Id> to,
               Replace replace) {
-    Copier copier(module, module, false);
+    ModuleCloner copier(module, module, false);
     copier.set_replace(replace, nullptr);
     int deepest = 0;
     for (size_t i = 0; i < from.size(); ++i) {
@@ -114,14 +115,14 @@ Id substitute(Module& module, Id root, std::span<const Id> from, std::span<const
 Module rebuild(Module&& source, Replace replace, void* context) {
     Module target;
     target.most_values = source.most_values;
-    target.make_room(2 * size_t{source.size()});  // expansion adds instructions
+    target.reserve(2 * size_t{source.size()});  // expansion adds instructions
     target.nodes = std::move(source.nodes);
     target.titles = std::move(source.titles);
     target.parameters = std::move(source.parameters);
     target.resources = std::move(source.resources);
     target.open_inputs = std::move(source.open_inputs);
     target.problems = std::move(source.problems);
-    Copier copier(target, source, true);
+    ModuleCloner copier(target, source, true);
     copier.set_replace(replace, context);
     std::vector<Id> roots;
     for (const ModuleOutput& output : source.outputs)

@@ -1,9 +1,9 @@
 // Rebuilds expressions: the loop that all passes over a module share.
 //
-// A Copier (ir/copy.h) visits the instructions that some roots need, in id order, and writes each
-// again with its operands replaced; writing simplifies, so the effects of a replaced leaf fold
-// upwards. Instructions that no root needs are not copied (dead code elimination). Regions that
-// change are rebuilt and re-interned. Constant stack, linear time.
+// A ModuleCloner (ir/module_cloner.h) visits the instructions that some roots need, in id order,
+// and writes each again with its operands replaced; writing simplifies, so the effects of a
+// replaced leaf fold upwards. Instructions that no root needs are not copied (dead code
+// elimination). Regions that change are rebuilt and re-interned. Constant stack, linear time.
 #pragma once
 
 #include <span>

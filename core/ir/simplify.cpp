@@ -17,7 +17,7 @@ Id widened(Module& m, Id value, Type type) {
 }
 
 // A lower bound of a scalar by the form of its expression, one op deep (two below a sqrt).
-double least_of(const Module& m, Id id, bool under_root = false) {
+double min_of(const Module& m, Id id, bool under_root = false) {
     const Inst& inst = m[id];
     const auto literal = [&](Id operand) {
         return m[operand].op == Op::literal_ ? m[operand].value
@@ -29,7 +29,7 @@ double least_of(const Module& m, Id id, bool under_root = false) {
         case Op::max_:
             return std::max(literal(inst.arg[0]), literal(inst.arg[1]));
         case Op::sqrt_:
-            return under_root ? 0 : std::sqrt(std::max(least_of(m, inst.arg[0], true), 0.0));
+            return under_root ? 0 : std::sqrt(std::max(min_of(m, inst.arg[0], true), 0.0));
         case Op::dot_:
         case Op::mul_:
             return inst.arg[0] == inst.arg[1] ? 0 : -std::numeric_limits<double>::infinity();
@@ -86,7 +86,7 @@ Id simplify_arithmetic(Module& m, Op op, Args a, Type type) {
         case Op::max_:
             if (a[0] == a[1]) return a[0];
             if (!is_float_type(type) || m[a[1]].op != Op::literal_) return poison;
-            return least_of(m, a[0]) >= m[a[1]].value ? a[0] : poison;
+            return min_of(m, a[0]) >= m[a[1]].value ? a[0] : poison;
         case Op::mix_:
             if (a[0] == a[1] || m.is_literal(a[2], 0)) return widened(m, a[0], type);
             return m.is_literal(a[2], 1) ? widened(m, a[1], type) : poison;

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <unordered_set>
 
-#include "ir/copy.h"
+#include "ir/module_cloner.h"
 #include "ir/rewrite.h"
 #include "ir/typing.h"
 

@@ -262,7 +262,7 @@ private:
 };
 
 // Approximate for graphs; for other texts the tree grows as required.
-constexpr size_t bytes_an_entry = 6, most_expected_entries = 1'000'000;
+constexpr size_t bytes_an_entry = 6, max_expected_entries = 1'000'000;
 
 bool too_large(const Tree& tree, Diagnostics& diagnostics) {
     if (tree.source.size() < std::numeric_limits<uint32_t>::max()) return false;
@@ -289,7 +289,7 @@ Parsed parse(std::string text, std::string file, Diagnostics& diagnostics, Parse
     tree->source = std::move(text);
     if (too_large(*tree, diagnostics)) return {};
     tree->lines = std::make_unique<Lines>();
-    tree->entries.reserve(std::min(tree->source.size() / bytes_an_entry, most_expected_entries));
+    tree->entries.reserve(std::min(tree->source.size() / bytes_an_entry, max_expected_entries));
     Handler handler(tree, diagnostics, limits);
     const bool complete = read_all(*tree, handler);
     if (!complete) handler.cut();

@@ -106,15 +106,15 @@ private:
 
 }  // namespace
 
-bool says_base(const FlatGraph& graph, const FlatNode& node) {
-    if (!graph.bases_are_said || node.is_pass() || node.muted) return false;
+bool has_own_base(const FlatGraph& graph, const FlatNode& node) {
+    if (!graph.any_own_base || node.is_passthrough() || node.muted) return false;
     const uint32_t p = node.type->find_input("base");
     if (p == NodeType::none || !is_base(node.type->ports[p])) return false;
     return graph.wire(node, p).kind == Wire::Kind::node;
 }
 
 void infer_bases(FlatGraph& graph) {
-    if (!graph.bases_are_said) return;
+    if (!graph.any_own_base) return;
     const auto count = static_cast<uint32_t>(graph.nodes.size());
     Groups groups(count);
     for (uint32_t i = 0; i < count; ++i)
@@ -126,7 +126,7 @@ void infer_bases(FlatGraph& graph) {
         }
     std::vector<uint32_t> sayer(count, none);
     for (uint32_t i = 0; i < count; ++i)
-        if (says_base(graph, graph.nodes[i]) && sayer[groups.find(i)] == none)
+        if (has_own_base(graph, graph.nodes[i]) && sayer[groups.find(i)] == none)
             sayer[groups.find(i)] = i;
     for (uint32_t i = 0; i < count; ++i)
         for (uint32_t p = 0; p < graph.port_count(graph.nodes[i]); ++p)

@@ -9,16 +9,16 @@
 #include "base/text.h"
 #include "ir/surface.h"
 #include "lower/decode.h"
-#include "lower/emission.h"
 #include "lower/field.h"
 #include "lower/lowering.h"
+#include "lower/op_constraints.h"
 #include "registry/library.h"
 #include "registry/standard.h"
 
 namespace wrinkle {
 namespace {
 
-constexpr uint32_t most_region_values = 64;
+constexpr uint32_t max_region_values = 64;
 constexpr uint32_t most_iterations = 65536;
 
 bool is_number(uint32_t type) {
@@ -199,7 +199,7 @@ private:
 
     Id emit(uint32_t number, uint32_t type, const wr_value* args, uint32_t count, uint32_t extra) {
         const auto o = static_cast<Op>(number);
-        const Emission& emission = emissions[std::min<size_t>(number, tables::op_count)];
+        const OpConstraints& emission = op_constraints[std::min<size_t>(number, tables::op_count)];
         const bool fits = count >= emission.least && count < emission.end;
         if (!fits || (count > 0 && !args)) return refuse_op(number, count);
         const std::span<const wr_value> operands(args, count);
@@ -273,8 +273,8 @@ private:
                       wr_value* params) {
         std::vector<Type> parameters;
         bool fine = (kind == WR_REGION_FUNCTION || kind == WR_REGION_LOOP) && types && params &&
-                    count >= 1 && count <= most_region_values &&
-                    module_.depth() < Module::deepest_region;
+                    count >= 1 && count <= max_region_values &&
+                    module_.depth() < Module::max_region;
         for (uint32_t i = 0; fine && i < count; ++i) {
             fine = is_number(types[i]);
             parameters.push_back(static_cast<Type>(types[i]));
@@ -286,7 +286,7 @@ private:
             parameters.clear();  // still a region, so that begin and end match
         }
         const RegionKind region = kind == WR_REGION_LOOP ? RegionKind::loop : RegionKind::function;
-        if (!fine && module_.depth() >= Module::deepest_region) {
+        if (!fine && module_.depth() >= Module::max_region) {
             ++skipped_;
             return;
         }
@@ -300,7 +300,7 @@ private:
         if (skipped_ > 0) return --skipped_, 0;
         if (module_.depth() == 0) return refuse("ends a loop or a function that it did not begin");
         const bool given_up = !results && count == 0;
-        const bool fine = results && count >= 1 && count <= most_region_values + 1 &&
+        const bool fine = results && count >= 1 && count <= max_region_values + 1 &&
                           max_iterations <= most_iterations;
         if (!fine && !given_up) refuse("ends a loop or a function in an impossible way");
         const std::array<Id, 1> nothing{poison};
@@ -368,7 +368,7 @@ private:
             module_.name(value, module_.current_node, name);
     }
     static bool is_plain(const char* name) {
-        return name && strnlen(name, longest_name + 1) <= longest_name && is_utf8(name);
+        return name && strnlen(name, max_name + 1) <= max_name && is_utf8(name);
     }
 
     void error(const char* text) { refuse(text ? plugin_text(text) : "reports an error", ""); }

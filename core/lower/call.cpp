@@ -41,7 +41,7 @@ bool bind_as_it_is(Lowering& caller, uint32_t node, uint32_t port, BoundInput& b
     return true;
 }
 
-OpenInput leaf_for(const Module& m, const Port& port, Id argument, const ValueFacts& facts) {
+OpenInput leaf_for(const Module& m, const Port& port, Id argument, const ValueAnalysis& facts) {
     OpenInput leaf;
     leaf.type = m.type(argument);
     leaf.name = port.name;
@@ -55,7 +55,7 @@ OpenInput leaf_for(const Module& m, const Port& port, Id argument, const ValueFa
 }  // namespace
 
 CallInputs call_inputs(Lowering& caller, uint32_t node, const std::vector<bool>& needed,
-                       ValueFacts& facts) {
+                       ValueAnalysis& facts) {
     Module& m = caller.module();
     CallInputs inputs;
     inputs.bound.resize(needed.size());

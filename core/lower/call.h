@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "ir/value_facts.h"
+#include "ir/value_analysis.h"
 #include "lower/lowering.h"
 
 namespace wrinkle {
@@ -25,7 +25,7 @@ struct CallInputs {
 
 // Precondition: the nodes that the node's inputs read have been built.
 CallInputs call_inputs(Lowering& caller, uint32_t node, const std::vector<bool>& needed,
-                       ValueFacts& facts);
+                       ValueAnalysis& facts);
 
 // Adds the leaves as inputs of a body; returns the index of the first in Module::open_inputs.
 uint32_t add_leaves(Module& module, CallInputs& inputs);

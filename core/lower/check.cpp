@@ -6,7 +6,7 @@
 #include "lower/conversion.h"
 #include "lower/literal.h"
 #include "lower/projected.h"
-#include "lower/reached.h"
+#include "lower/reachable.h"
 
 namespace wrinkle {
 namespace {
@@ -273,7 +273,7 @@ private:
 void check(const Project& project, const Registry& registry, const Types& types,
            Diagnostics& diagnostics, const CheckOptions& options) {
     const std::vector<std::vector<bool>> reached =
-        options.reached_only ? reached_nodes(project) : std::vector<std::vector<bool>>{};
+        options.reachable_only ? reachable_nodes(project) : std::vector<std::vector<bool>>{};
     NamedFiles own(project);
     NamedFiles& files = options.files ? *options.files : own;
     for (size_t f = 0; f < project.files.size(); ++f) {
@@ -282,7 +282,7 @@ void check(const Project& project, const Registry& registry, const Types& types,
         report_unknown(document, diagnostics);
         Checker checker(project, registry, types, f, files, diagnostics);
         for (size_t i = 0; i < document.nodes.size(); ++i)
-            if (!options.reached_only || reached[f][i]) {
+            if (!options.reachable_only || reached[f][i]) {
                 checker.node(i);
                 warn_of_projection(document, *document.nodes[i], registry, diagnostics);
             }

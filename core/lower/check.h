@@ -14,7 +14,7 @@
 namespace wrinkle {
 
 struct CheckOptions {
-    bool reached_only = false;    // only nodes that the top graph's outputs need (live preview)
+    bool reachable_only = false;  // only nodes that the top graph's outputs need (live preview)
     NamedFiles* files = nullptr;  // known files of the project; null: none yet
 };
 

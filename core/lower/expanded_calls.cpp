@@ -3,7 +3,7 @@
 #include <limits>
 
 #include "base/limits.h"
-#include "lower/reached.h"
+#include "lower/reachable.h"
 #include "lower/types.h"
 
 namespace wrinkle {
@@ -18,7 +18,7 @@ uint64_t saturating_sum(uint64_t a, uint64_t b) {
 }  // namespace
 
 uint64_t expanded_calls(const Project& project) {
-    const std::vector<std::vector<bool>> reached = reached_nodes(project);
+    const std::vector<std::vector<bool>> reached = reachable_nodes(project);
     std::vector<uint64_t> calls(project.files.size(), 0);
     for (const uint32_t f : files_in_order(project)) {
         const std::vector<uint32_t>& subgraphs = project.files[f].subgraphs;

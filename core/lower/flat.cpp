@@ -33,7 +33,7 @@ public:
           places_(lowered.places) {
         uses_.push_back(make_use(root.file));
         if (root.instance == 0) {
-            make_room(uses_[0].nodes.size() + 1);
+            reserve(uses_[0].nodes.size() + 1);
         } else {
             uses_[0].instance = root.instance;
             uses_[0].prefix = root.path + "/";
@@ -59,7 +59,7 @@ private:
     }
 
     // Reserves memory for a top graph without sub-graphs; others take more.
-    void make_room(size_t nodes) {
+    void reserve(size_t nodes) {
         constexpr size_t wires_of_a_node = 6;
         graph_.nodes.reserve(nodes);
         graph_.wires.reserve(nodes * wires_of_a_node);
@@ -154,7 +154,7 @@ private:
         wire.type = type;
         wire.from = flat;
         wire.output = static_cast<uint16_t>(output);
-        if (!graph_.nodes[flat].is_pass())
+        if (!graph_.nodes[flat].is_passthrough())
             graph_.wires[graph_.nodes[flat].first_wire + output].kind = Wire::Kind::read;
         return wire;
     }
@@ -241,7 +241,7 @@ private:
             if (wire.kind == Wire::Kind::none)
                 wire = default_wire(uses_[input.use].file, input.index);
             graph_.wires[first] = wire;
-        } else if (flat.is_pass()) {
+        } else if (flat.is_passthrough()) {
             graph_.wires[first] = port_wire(use_of_[index], flat.node, flat.pass->name);
         } else if (flat.function != FlatNode::none) {
             fill_call(index, flat);
@@ -258,17 +258,16 @@ private:
         written_.assign(ports.size(), FlatNode::none);
         for (uint32_t i = 0; i < inputs.size(); ++i)
             if (inputs[i].port != NodeType::none) written_[inputs[i].port] = i;
-        if (flat.muted)
-            forget_what_is_not_passed(*flat.type, document(use).nodes[flat.node]->inputs);
+        if (flat.muted) drop_unused_inputs(*flat.type, document(use).nodes[flat.node]->inputs);
         for (uint32_t p = 0; p < ports.size(); ++p) {
             if (written_[p] == FlatNode::none) continue;
             const Wire wire = port_wire(use, flat.node, written_[p]);
             graph_.wires[flat.first_wire + p] = wire;
-            if (wire.kind == Wire::Kind::node && is_base(ports[p])) graph_.bases_are_said = true;
+            if (wire.kind == Wire::Kind::node && is_base(ports[p])) graph_.any_own_base = true;
         }
     }
 
-    void forget_what_is_not_passed(const NodeType& type, const std::vector<Input>& inputs) {
+    void drop_unused_inputs(const NodeType& type, const std::vector<Input>& inputs) {
         const auto is_connected = [&](uint32_t port) {
             return written_[port] != FlatNode::none &&
                    inputs[written_[port]].kind == Input::Kind::link;
@@ -326,7 +325,7 @@ private:
     const FunctionPlan& functions_;
     const size_t max_nodes_;
     std::vector<NodeInstance>& instances_;
-    TextList& titles_;
+    StringPool& titles_;
     std::unordered_map<const NodeType*, uint32_t> title_of_type_;
     std::vector<NodePlace>& places_;
     FlatGraph graph_;

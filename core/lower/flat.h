@@ -47,7 +47,7 @@ struct FlatNode {
     uint32_t base_node = none;  // the node with the input `base` for this node's conversions
     uint32_t function = none;   // calls only: the file that is called
 
-    bool is_pass() const { return type == nullptr; }
+    bool is_passthrough() const { return type == nullptr; }
 };
 
 struct FlatGraph {
@@ -57,13 +57,13 @@ struct FlatGraph {
     std::vector<uint32_t> output_index;  // in the top document's outputs
     std::vector<uint32_t> order;         // every node after those that it reads
     std::deque<Port> output_ports;       // ports of pass-through nodes
-    bool bases_are_said = false;         // true: some node's `base` is a node
+    bool any_own_base = false;           // true: some node's `base` is a node
 
     const Port& port(const FlatNode& node, uint32_t index) const {
-        return node.is_pass() ? *node.pass : node.type->ports[index];
+        return node.is_passthrough() ? *node.pass : node.type->ports[index];
     }
     uint32_t port_count(const FlatNode& node) const {
-        return node.is_pass() ? 1 : static_cast<uint32_t>(node.type->ports.size());
+        return node.is_passthrough() ? 1 : static_cast<uint32_t>(node.type->ports.size());
     }
     const Wire& wire(const FlatNode& node, uint32_t port) const {
         return wires[node.first_wire + port];
@@ -99,7 +99,7 @@ inline bool is_base(const Port& port) {
 
 // Returns true if the node has a base that differs from the surface: its input `base`, a normal, is
 // connected to a node. Its gradients are based on that normal.
-bool says_base(const FlatGraph& graph, const FlatNode& node);
+bool has_own_base(const FlatGraph& graph, const FlatNode& node);
 
 // Sets the base of each conversion to a gradient (base_node), by propagation over gradient wires.
 void infer_bases(FlatGraph& graph);

@@ -98,7 +98,7 @@ private:
 };
 
 // Returns true for a node that depends on values beyond the boundary of its sub-graph.
-bool looks_outside(const NodeType& type, const Node& node) {
+bool requires_inlining(const NodeType& type, const Node& node) {
     return std::any_of(type.ports.begin(), type.ports.end(), [&](const Port& port) {
         const bool base = port.name == "base" && port.type == PortType::normal_;
         if (!base && port.kind != Port::Kind::field) return false;
@@ -124,7 +124,7 @@ public:
             plan_.files[f].inputs = needs_[f].inputs;
         }
         const std::vector<uint32_t> order = files_in_order(project_);
-        if (written_out(order) <= inline_up_to || looks_outside_somewhere(order))
+        if (inlined_node_count(order) <= inline_up_to || looks_outside_somewhere(order))
             return std::move(plan_);
         std::vector<uint32_t> depth(project_.files.size(), 0);
         for (const uint32_t f : order) {
@@ -150,7 +150,7 @@ private:
     }
 
     // Returns the number of nodes after complete inlining, each use of a file counted.
-    uint64_t written_out(const std::vector<uint32_t>& order) const {
+    uint64_t inlined_node_count(const std::vector<uint32_t>& order) const {
         std::vector<uint64_t> nodes(project_.files.size(), 0);
         for (const uint32_t f : order) {
             const auto own = std::count(needs_[f].nodes.begin(), needs_[f].nodes.end(), true);
@@ -165,7 +165,7 @@ private:
             for (size_t i = 0; i < needs_[f].nodes.size(); ++i) {
                 const NodeType* type = types_.of(f, i);
                 if (!needs_[f].nodes[i] || !type || document(f).nodes[i]->subgraph()) continue;
-                if (looks_outside(*type, *document(f).nodes[i])) return true;
+                if (requires_inlining(*type, *document(f).nodes[i])) return true;
             }
             return false;
         });

@@ -114,7 +114,7 @@ private:
         infer_bases(*graph);
         order_nodes(*graph, project_, result_, diagnostics_);
         Module& m = result_.module;
-        if (frames_.empty()) m.make_room(graph->nodes.size() * instructions_of_a_node);
+        if (frames_.empty()) m.reserve(graph->nodes.size() * instructions_of_a_node);
         auto frame = std::make_unique<Frame>();
         frame->graph = std::move(*graph);
         frame->file = root.file;
@@ -145,7 +145,7 @@ private:
         const FlatNode& flat = frame.graph.nodes[node];
         if (flat.function != FlatNode::none) {
             if (!call(frame, node)) return;
-        } else if (flat.is_pass()) {
+        } else if (flat.is_passthrough()) {
             frame.lowering->input(node, 0);
         } else if (flat.muted) {
             pass_through(*frame.lowering, node);
@@ -234,7 +234,7 @@ private:
     NamedFiles& files_;
     size_t nodes_left_;
     Lowered result_;
-    ValueFacts facts_;
+    ValueAnalysis facts_;
     FunctionPlan functions_;
     std::map<Variant, uint32_t> variants_;  // the open function of each variant
     std::vector<std::unique_ptr<Frame>> frames_;

@@ -46,7 +46,7 @@ Id Lowering::input(uint32_t node, uint32_t port) {
 
 Id Lowering::output(uint32_t node, uint32_t port) {
     const FlatNode& flat = graph_.nodes[node];
-    if (flat.is_pass()) return input(node, 0);
+    if (flat.is_passthrough()) return input(node, 0);
     if (flat.muted) {
         const uint32_t passed = passed_input(graph_, flat, port);
         return passed == NodeType::none ? zero(flat.type->ports[port].type) : input(node, passed);
@@ -164,7 +164,7 @@ Id Lowering::base_of(uint32_t node) {
 
 Id Lowering::own_base(uint32_t node) {
     const FlatNode& flat = graph_.nodes[node];
-    if (!says_base(graph_, flat)) return poison;
+    if (!has_own_base(graph_, flat)) return poison;
     const Id normal = input(node, flat.type->find_input("base"));
     if (normal == surface(WR_SURFACE_normal)) return poison;
     return module_.add(Op::base_, {normal});

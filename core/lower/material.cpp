@@ -62,7 +62,7 @@ Compiled compile_material(const Project& project, const Registry& registry,
         if (!is_connected(file)) return compiled;
     const Types types(project, registry);
     NamedFiles files(project);
-    check(project, registry, types, diagnostics, {options.reached_only, &files});
+    check(project, registry, types, diagnostics, {options.reachable_only, &files});
     if (diagnostics.has_errors()) return compiled;
     if (!options.runs_calls.empty() && !may_expand(project, options.runs_calls, diagnostics))
         return compiled;

@@ -12,7 +12,7 @@ struct MaterialOptions {
     bool given_differentials = false;  // dx, dy come with the point, samples have an explicit lod
     bool vertex_tangents = true;       // false: --no-tangents
     Covariances covariances = Covariances::dropped;  // `kept` for plan_maps() only (bake/maps.h)
-    bool reached_only = false;  // check only nodes that the outputs need (live preview)
+    bool reachable_only = false;  // check only nodes that the outputs need (live preview)
     // The program that runs the module and executes every call of a sub-graph separately ("eval",
     // "render"): too many calls are an error (lower/expanded_calls.h). "": none, as for generated
     // source.

@@ -15,7 +15,7 @@ namespace {
 
 using json::Kind;
 
-constexpr uint32_t longest_sweep = 10'000;
+constexpr uint32_t max_sweep = 10'000;
 
 bool to_number(std::string_view text, double& number) {
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
@@ -28,7 +28,7 @@ std::vector<json::Value> sweep(std::string_view text) {
     const std::vector<std::string_view> parts = split(text, ':');
     double first = 0, last = 0, count = 0;
     if (parts.size() != 3 || !to_number(parts[0], first) || !to_number(parts[1], last)) return {};
-    if (!to_number(parts[2], count) || count < 2 || count > longest_sweep ||
+    if (!to_number(parts[2], count) || count < 2 || count > max_sweep ||
         count != static_cast<uint32_t>(count))
         return {json::Value{}};
     std::vector<json::Value> values;
@@ -186,7 +186,7 @@ std::optional<Override> parse_override(std::string_view text, Diagnostics& diagn
     if (result.values.empty()) result.values.push_back(detached(parse_value(value)));
     if (result.values.size() == 1 && result.values[0].is(Kind::null))
         return refuse("the value is neither JSON nor a sweep",
-                      "a sweep is A:B:N, N from 2 to " + std::to_string(longest_sweep));
+                      "a sweep is A:B:N, N from 2 to " + std::to_string(max_sweep));
     return result;
 }
 

@@ -17,7 +17,7 @@ constexpr double leaning_degrees = 1.5;                 // tilt of the mean norm
 constexpr double still_share = 0.6, step_share = 0.97;  // minimum shares of neighbours: banding
 constexpr double seam_factor = 2;
 constexpr double mixed_share = 0.15;  // minimum share of the curl, both signs
-constexpr double least_background = 0.02, least_plain = 0.1, shore_factor = 4;
+constexpr double min_background = 0.02, min_plain = 0.1, shore_factor = 4;
 constexpr double good_z = 0.03;  // rms limit; covers 8-bit JPEG
 
 struct NamedWords {
@@ -48,7 +48,7 @@ constexpr std::array flaws = {
     NamedWords{"not_finite", "it holds numbers that are not finite"},
     NamedWords{"unexpected", "it is not what it was to be"},
 };
-static_assert(flaws.size() == static_cast<size_t>(Flaw::unexpected) + 1);
+static_assert(flaws.size() == static_cast<size_t>(MapDefect::unexpected) + 1);
 
 template <typename... Values>
 std::string text(const char* format, Values... values) {
@@ -83,7 +83,7 @@ public:
         if (is_normal(verdict_.look) || verdict_.look == Look::two_channel) check_green();
         if (is_normal(verdict_.look)) check_normals();
         if (verdict_.look == Look::height && measured_.is_one_value())
-            find(Flaw::one_value, "all of its texels hold one height", false);
+            find(MapDefect::one_value, "all of its texels hold one height", false);
         const bool relief = is_normal(verdict_.look) || verdict_.look == Look::height;
         if (relief) check_steps();
         if (relief) check_seams();
@@ -92,7 +92,7 @@ public:
 
 private:
     void measure(const char* name, double value) { verdict_.evidence.push_back({name, value}); }
-    void find(Flaw flaw, std::string message, bool defect = true) {
+    void find(MapDefect flaw, std::string message, bool defect = true) {
         verdict_.findings.push_back({flaw, std::move(message), defect});
     }
 
@@ -100,7 +100,7 @@ private:
     bool check_finite() {
         if (measured_.not_finite() == 0) return true;
         verdict_.look = channels_ == 1 ? Look::height : Look::color;
-        find(Flaw::not_finite, text("%zu values are NaN or infinite", measured_.not_finite()));
+        find(MapDefect::not_finite, text("%zu values are NaN or infinite", measured_.not_finite()));
         return false;
     }
 
@@ -110,7 +110,7 @@ private:
         measure("gray", vectors_.gray);
         if (vectors_.gray > 0.995 || vectors_.empty == 1) {
             verdict_.look = Look::height;
-            return find(Flaw::gray, "three equal channels hold one height", false);
+            return find(MapDefect::gray, "three equal channels hold one height", false);
         }
         measure("unit", vectors_.unit);
         measure("downward", vectors_.downward);
@@ -143,9 +143,10 @@ private:
         measure("curl_correlation", curl.correlation);
         if (verdict_.look != Look::normal) return;
         if (std::min(curl.regions_gl, curl.regions_dx) > mixed_share)
-            return find(Flaw::mixed, text("green points up by %.0f %% of the slopes' curl and down "
-                                          "by %.0f %%, region by region",
-                                          100 * curl.regions_gl, 100 * curl.regions_dx));
+            return find(MapDefect::mixed,
+                        text("green points up by %.0f %% of the slopes' curl and down "
+                             "by %.0f %%, region by region",
+                             100 * curl.regions_gl, 100 * curl.regions_dx));
         if (std::abs(curl.correlation) < certain_curl) return;
         verdict_.look = curl.correlation > 0 ? Look::normal_gl : Look::normal_dx;
     }
@@ -154,18 +155,19 @@ private:
         measure("signed_z", vectors_.signed_z);
         measure("unsigned_z", vectors_.unsigned_z);
         if (has_unsigned_z())
-            find(Flaw::unsigned_z, text("blue is z from 0 to 1 within %.4f, and (1 + z) / 2 only "
-                                        "within %.4f",
-                                        vectors_.unsigned_z, vectors_.signed_z));
+            find(MapDefect::unsigned_z,
+                 text("blue is z from 0 to 1 within %.4f, and (1 + z) / 2 only "
+                      "within %.4f",
+                      vectors_.unsigned_z, vectors_.signed_z));
         else if (vectors_.unit <= 0.75)
-            find(Flaw::length,
+            find(MapDefect::length,
                  text("only %.1f %% of the vectors have length 1 within 0.1", 100 * vectors_.unit));
         const auto& mean = vectors_.mean;
         const double tilt = std::atan2(std::hypot(mean[0], mean[1]), mean[2]) * 57.29577951308232;
         measure("tilt_degrees", tilt);
         if (tilt > leaning_degrees)
-            find(Flaw::tilt, text("the mean normal leans by %.2f degrees, (%.4f, %.4f, %.4f)", tilt,
-                                  mean[0], mean[1], mean[2]));
+            find(MapDefect::tilt, text("the mean normal leans by %.2f degrees, (%.4f, %.4f, %.4f)",
+                                       tilt, mean[0], mean[1], mean[2]));
         if (info_.source == PixelType::u8) check_offset();
     }
 
@@ -180,7 +182,7 @@ private:
         if (offset.tilted < 0.01 || !is_half(offset.red) || !is_half(offset.green) ||
             std::abs(offset.red - offset.green) > 0.2)
             return;
-        find(Flaw::offset,
+        find(MapDefect::offset,
              text("red and green lie %+.2f and %+.2f steps of 255 beside 127.5: %d was "
                   "taken for the middle",
                   offset.red, offset.green, offset.red > 0 ? 128 : 127));
@@ -197,10 +199,11 @@ private:
             const bool stairs = steps.levels > 4 && steps.still > still_share && steps.one > 0 &&
                                 steps.still + steps.one > step_share;
             if (steps.eight_bits && steps.levels > 4)
-                return find(Flaw::banding, text("a file of 16 bits holds %zu values, all of 8 bits",
-                                                steps.levels));
+                return find(
+                    MapDefect::banding,
+                    text("a file of 16 bits holds %zu values, all of 8 bits", steps.levels));
             if (stairs && info_.source == PixelType::u8)
-                return find(Flaw::banding,
+                return find(MapDefect::banding,
                             text("%.1f %% of neighbours are equal and %.1f %% one level of 255 "
                                  "apart: slopes are stairs; 16 bits have none",
                                  100 * steps.still, 100 * steps.one));
@@ -211,8 +214,8 @@ private:
     // fade to flat; such images have a large flat share.
     bool is_atlas(const IslandMeasures& islands) const {
         const bool cut =
-            islands.background > least_background && islands.shore > shore_factor * islands.inside;
-        return is_layout_ || cut || (is_normal(verdict_.look) && islands.plain > least_plain);
+            islands.background > min_background && islands.shore > shore_factor * islands.inside;
+        return is_layout_ || cut || (is_normal(verdict_.look) && islands.plain > min_plain);
     }
 
     void check_seams() {
@@ -221,7 +224,7 @@ private:
         const uint32_t channels = verdict_.look == Look::height ? 1 : 2;
         for (const bool across_u : {true, false}) {
             const SeamMeasures seam = measured_.seam(channels, across_u);
-            const Flaw flaw = across_u ? Flaw::seam_u : Flaw::seam_v;
+            const MapDefect flaw = across_u ? MapDefect::seam_u : MapDefect::seam_v;
             measure(name_of(flaw).data(), seam.inside > 0 ? seam.border / seam.inside : 0);
             const double least = is_integer(info_) ? u8_step : 0;
             if (seam.border <= seam_factor * seam.inside || seam.border <= least) continue;
@@ -258,11 +261,11 @@ std::string_view description_of(Look look) {
     return looks[static_cast<size_t>(look)].words;
 }
 
-std::string_view name_of(Flaw flaw) {
+std::string_view name_of(MapDefect flaw) {
     return flaws[static_cast<size_t>(flaw)].name;
 }
 
-std::string_view words_of(Flaw flaw) {
+std::string_view words_of(MapDefect flaw) {
     return flaws[static_cast<size_t>(flaw)].words;
 }
 

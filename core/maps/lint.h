@@ -11,7 +11,7 @@
 //                  make the vectors unit and up: slopes, or normals with reconstructed z
 //   color          none of these
 //
-// Findings (Flaw), as defects or as information:
+// Findings (MapDefect), as defects or as information:
 //   tilt       the mean normal is tilted; that of a repeating bump is not
 //   unsigned_z blue holds z from 0 to 1, not (1 + z) / 2
 //   length     the vectors are unit neither as 2t - 1 nor with an unsigned z
@@ -60,7 +60,7 @@ struct Measure {
 };
 
 // As listed above; and `unexpected`, added by callers that know the expected kind.
-enum class Flaw : uint8_t {
+enum class MapDefect : uint8_t {
     tilt,
     unsigned_z,
     length,
@@ -74,11 +74,11 @@ enum class Flaw : uint8_t {
     not_finite,
     unexpected
 };
-std::string_view name_of(Flaw flaw);   // "seam_u"
-std::string_view words_of(Flaw flaw);  // description without numbers, half a sentence
+std::string_view name_of(MapDefect flaw);   // "seam_u"
+std::string_view words_of(MapDefect flaw);  // description without numbers, half a sentence
 
 struct Finding {
-    Flaw flaw = Flaw::unexpected;
+    MapDefect flaw = MapDefect::unexpected;
     std::string message;  // one sentence with its numbers
     bool defect = true;
 };

@@ -10,8 +10,8 @@ namespace wrinkle::maps {
 
 namespace {
 
-constexpr auto steepest = static_cast<float>(steepest_slope);
-constexpr auto least_depth = static_cast<float>(smallest_depth);
+constexpr auto max_slope_float = static_cast<float>(max_slope);
+constexpr auto min_depth_float = static_cast<float>(min_depth);
 
 float mean_of_colors(const float* texel, const Image& image) {
     const bool colors = image.channels >= 3;
@@ -33,7 +33,8 @@ Slope slope_of_normal(const float* texel, uint32_t channels, float green) {
     const float y = channels > 1 ? green * (2 * texel[1] - 1) : 0;
     const float z =
         channels > 2 ? std::abs(2 * texel[2] - 1) : std::sqrt(std::max(0.0f, 1 - x * x - y * y));
-    const float least = std::max(std::max(std::abs(x), std::abs(y)) / steepest, least_depth);
+    const float least =
+        std::max(std::max(std::abs(x), std::abs(y)) / max_slope_float, min_depth_float);
     const float depth = std::max(z, least);
     return {-x / depth, -y / depth};
 }

@@ -9,8 +9,8 @@ namespace {
 
 constexpr double unit_tolerance = 0.1;
 constexpr float spike = 4;
-constexpr double certain_region = 0.5;     // correlation
-constexpr double least_of_regions = 4096;  // texels
+constexpr double certain_region = 0.5;   // correlation
+constexpr double min_of_regions = 4096;  // texels
 
 bool is_integer_type(PixelType type) {
     return type == PixelType::u8 || type == PixelType::u16;
@@ -130,7 +130,7 @@ CurlMeasures CurlSums::measures() const {
             if (region.uv > certain_region * weight) curl.regions_gl += weight;
             if (region.uv < -certain_region * weight) curl.regions_dx += weight;
         }
-    if (weights == 0 || count < least_of_regions) {
+    if (weights == 0 || count < min_of_regions) {
         curl.regions_gl = curl.regions_dx = 0;
         return curl;
     }

@@ -17,7 +17,7 @@ using glm::dvec2;
 using glm::dvec3;
 
 constexpr uint32_t absent = UINT32_MAX;
-constexpr double smallest_area = 1.17549435e-38;  // smallest normal float, as in the reference
+constexpr double min_area = 1.17549435e-38;  // smallest normal float, as in the reference
 
 dvec3 in_plane(dvec3 v, dvec3 normal) {
     return unit_or_zero(v - glm::dot(normal, v) * normal);
@@ -84,7 +84,7 @@ private:
         const dvec2 d2 = uv(2) - uv(0);
         const double area = d1.x * d2.y - d2.x * d1.y;
         if (area > 0) triangle.sign = 1;
-        if (!(std::abs(area) > smallest_area) || !std::isfinite(area)) return;
+        if (!(std::abs(area) > min_area) || !std::isfinite(area)) return;
         const double sign = triangle.sign;
         triangle.along_u = unit_or_zero(sign * (d2.y * p1 - d1.y * p2));
         const dvec3 along_v = unit_or_zero(sign * (d1.x * p2 - d2.x * p1));

@@ -8,7 +8,7 @@
 namespace wrinkle {
 namespace {
 
-constexpr uint32_t most_squares = 2048;  // per axis
+constexpr uint32_t max_squares = 2048;  // per axis
 
 struct Box {
     glm::dvec2 low, high;
@@ -47,7 +47,7 @@ UvGrid::Cells UvGrid::cells_of(const Mesh& mesh, size_t triangle) const {
 // per triangle on average.
 void UvGrid::choose_side(const Mesh& mesh) {
     const double root = std::sqrt(static_cast<double>(covering_.size()));
-    side_ = std::clamp<uint32_t>(static_cast<uint32_t>(root), 1, most_squares);
+    side_ = std::clamp<uint32_t>(static_cast<uint32_t>(root), 1, max_squares);
     const auto entries = [&] {
         uint64_t count = 0;
         for (const uint32_t triangle : covering_)

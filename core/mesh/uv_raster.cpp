@@ -165,8 +165,8 @@ void UvRaster::drop_repeats() {
     const int64_t all = int64_t{layout_.width} * layout_.height;
     int64_t held = 0;
     for (size_t i = 0; i < triangles_.size() && held <= many * all; ++i) {
-        const Interval columns = texels_met(triangles_[i].columns, 0, layout_.width);
-        const Interval rows = texels_met(rows_[i], 0, layout_.height);
+        const Interval columns = covered_range(triangles_[i].columns, 0, layout_.width);
+        const Interval rows = covered_range(rows_[i], 0, layout_.height);
         if (!columns.empty() && !rows.empty())
             held += (columns.high - columns.low + 1) * (rows.high - rows.low + 1);
     }
@@ -214,7 +214,7 @@ std::vector<RowCandidate> UvRaster::in_rows(uint32_t y, uint32_t height) const {
         if (!meets(group_rows_[first / group])) continue;
         for (size_t i = first; i < std::min(first + group, rows_.size()); ++i) {
             const Texels& columns = triangles_[i].columns;
-            if (meets(rows_[i]) && !texels_met(columns, 0, layout_.width).empty())
+            if (meets(rows_[i]) && !covered_range(columns, 0, layout_.width).empty())
                 found.push_back({static_cast<uint32_t>(i), columns.low, columns.high});
         }
     }
@@ -222,8 +222,8 @@ std::vector<RowCandidate> UvRaster::in_rows(uint32_t y, uint32_t height) const {
 }
 
 // Branch-free, as a branch per candidate is unpredictable.
-void UvRaster::find_met(const TexelRect& rect, std::span<const RowCandidate> candidates,
-                        Coverage& out) {
+void UvRaster::find_overlapping(const TexelRect& rect, std::span<const RowCandidate> candidates,
+                                Coverage& out) {
     const auto low = static_cast<int32_t>(rect.x);
     const auto high = static_cast<int32_t>(rect.x + rect.width - 1);
     out.met.resize(candidates.size());
@@ -239,7 +239,7 @@ void UvRaster::cover(const TexelRect& rect, std::span<const RowCandidate> candid
                      Coverage& out) const {
     out.edges.clear();
     out.samples.clear();
-    find_met(rect, candidates, out);
+    find_overlapping(rect, candidates, out);
     own_centres(rect, out);
     if (across_ == 1) return;
     out.slots.assign(out.owners.size(), Coverage::none);
@@ -258,7 +258,7 @@ void UvRaster::cover(const TexelRect& rect, std::span<const RowCandidate> candid
 template <class Take>
 void UvRaster::each_span(const TexelRect& rect, uint32_t index, Take take) const {
     const Triangle& t = triangles_[index];
-    const Interval columns = texels_met(t.columns, rect.x, rect.width);
+    const Interval columns = covered_range(t.columns, rect.x, rect.width);
     const Interval rows = centres_within(t, rect.y, rect.height);
     if (rows.empty()) return;
     std::array<EdgeRows, 2> left, right;

@@ -99,8 +99,8 @@ private:
     };
 
     static Texels texels_of(const int32_t (&places)[3]);
-    static void find_met(const TexelRect& rect, std::span<const RowCandidate> candidates,
-                         Coverage& out);
+    static void find_overlapping(const TexelRect& rect, std::span<const RowCandidate> candidates,
+                                 Coverage& out);
     void add(const Mesh& mesh, size_t index);
     void drop_repeats();
     void find_group_rows();

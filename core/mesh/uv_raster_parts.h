@@ -41,7 +41,7 @@ RasterEdge edge_of(const Triangle& t, size_t k) {
 
 // Returns the texels of [first, first + count) that `box` overlaps.
 template <class Box>
-Interval texels_met(const Box& box, uint32_t first, uint32_t count) {
+Interval covered_range(const Box& box, uint32_t first, uint32_t count) {
     return {std::max<int64_t>(box.low, first),
             std::min<int64_t>(box.high, int64_t{first} + count - 1)};
 }

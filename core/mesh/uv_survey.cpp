@@ -10,7 +10,7 @@ namespace wrinkle {
 namespace {
 
 // Maximum coordinate of the baked unit square: floats resolve 1/16 there, and the corner is an int.
-constexpr double farthest_square = 1 << 20;
+constexpr double max_square = 1 << 20;
 
 // Range of the unit squares along one axis that an open interval overlaps.
 struct Squares {
@@ -86,8 +86,7 @@ private:
 
 bool is_one_square(const Reach& all) {
     return all.u.first == all.u.last && all.v.first == all.v.last &&
-           all.u.within(-farthest_square, farthest_square) &&
-           all.v.within(-farthest_square, farthest_square);
+           all.u.within(-max_square, max_square) && all.v.within(-max_square, max_square);
 }
 
 }  // namespace

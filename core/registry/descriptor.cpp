@@ -13,9 +13,9 @@ namespace wrinkle {
 namespace {
 
 constexpr uint32_t most_nodes = 10'000;
-constexpr uint32_t most_ports = 256;  // also the limit of choices and renames
+constexpr uint32_t max_ports = 256;  // also the limit of choices and renames
 constexpr size_t longest_text = 4096;
-constexpr size_t most_faults = 20;  // per plugin; reading stops there
+constexpr size_t max_faults = 20;  // per plugin; reading stops there
 
 // Size of a struct in the first version of the ABI; later versions have more members.
 template <class T>
@@ -47,7 +47,7 @@ public:
         : origin_(origin), diagnostics_(diagnostics) {}
 
     bool fine() const { return faults_ == 0; }
-    bool had_enough() const { return faults_ >= most_faults; }
+    bool had_enough() const { return faults_ >= max_faults; }
 
     bool plugin(const wr_plugin* source, wr_plugin& copy) {
         if (!source) return fault("its descriptor is null");
@@ -125,13 +125,13 @@ private:
     }
 
     bool name(const char* source, const char* what, std::string& copy) {
-        return text(source, what, copy, longest_name);
+        return text(source, what, copy, max_name);
     }
 
     void ports(const wr_node& node, NodeType& type) {
-        if (node.port_count > most_ports)
+        if (node.port_count > max_ports)
             return void(fault("it claims " + std::to_string(node.port_count) + " ports",
-                              "at most " + std::to_string(most_ports)));
+                              "at most " + std::to_string(max_ports)));
         if (node.port_count > 0 && !node.ports) return void(fault("its list of ports is null"));
         bool has_output = false;
         for (uint32_t i = 0; i < node.port_count; ++i) {
@@ -251,9 +251,9 @@ private:
 
     bool choices(const wr_port& source, Port& port) {
         if (source.choice_count == 0 || !source.choices) return fault("it has no choices");
-        if (source.choice_count > most_ports)
+        if (source.choice_count > max_ports)
             return fault("it claims " + std::to_string(source.choice_count) + " choices",
-                         "at most " + std::to_string(most_ports));
+                         "at most " + std::to_string(max_ports));
         for (uint32_t i = 0; i < source.choice_count; ++i) {
             std::string name;
             if (!this->name(source.choices[i], "the name of a choice", name)) return false;
@@ -267,7 +267,7 @@ private:
     }
 
     void renames(const wr_node& node, NodeType& type) {
-        if (node.rename_count > most_ports || (node.rename_count > 0 && !node.renames))
+        if (node.rename_count > max_ports || (node.rename_count > 0 && !node.renames))
             return void(fault("its list of renamed ports is null or too long"));
         for (uint32_t i = 0; i < node.rename_count; ++i) {
             Rename rename;

@@ -7,7 +7,7 @@
 namespace wrinkle {
 namespace {
 
-constexpr size_t most_kept = size_t{64} << 20;  // bytes
+constexpr size_t max_kept = size_t{64} << 20;  // bytes
 
 }  // namespace
 
@@ -31,7 +31,7 @@ std::shared_ptr<const std::string> PluginCode::calls(size_t node, std::span<cons
         reason.why = run.why;
         if (!run.started) return nullptr;
         kept_ += run.calls ? run.calls->size() : 0;
-        if (kept_ > most_kept) {
+        if (kept_ > max_kept) {
             runs_.clear();
             kept_ = run.calls ? run.calls->size() : 0;
         }

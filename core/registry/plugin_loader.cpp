@@ -57,7 +57,7 @@ public:
         std::error_code error;
         const fs::file_status status = fs::status(name, error);
         if (!fs::exists(status)) {
-            complain(name, "there is no such plugin or folder");
+            print_error(name, "there is no such plugin or folder");
         } else if (fs::is_directory(status)) {
             folder(name);
         } else {
@@ -74,7 +74,7 @@ private:
         fs::directory_iterator entry(name, error);
         for (; !error && entry != fs::directory_iterator(); entry.increment(error))
             if (entry->path().extension() == ".so") files.push_back(entry->path().string());
-        if (error) return complain(name, "the folder cannot be read: " + error.message());
+        if (error) return print_error(name, "the folder cannot be read: " + error.message());
         std::sort(files.begin(), files.end());
         for (const std::string& path : files)
             file(path, Severity::warning);
@@ -175,7 +175,7 @@ private:
         return !types.empty() && registry_.add(std::move(types), origin, ignored);
     }
 
-    void complain(const std::string& path, std::string message) {
+    void print_error(const std::string& path, std::string message) {
         PluginReport report;
         report.path = path;
         report.why = message;

@@ -12,7 +12,7 @@ namespace wrinkle {
 inline constexpr std::string_view reroute_type = "reroute";
 
 // Ids of nodes, names of ports and choices: lower_snake_case that begins with a letter.
-inline constexpr size_t longest_name = 64;  // bytes
+inline constexpr size_t max_name = 64;  // bytes
 bool is_name(std::string_view text);
 
 // Returns the type of a standard output of a graph: "normal" is a normal, "roughness" a float, ...;

@@ -1,6 +1,6 @@
 // Targets other than GLSL: SPIR-V for Vulkan, and HLSL and Metal translated from it. Uses glslang,
 // SPIRV-Tools and SPIRV-Cross, in a dynamic library that is loaded on first use (searched as in
-// base/companion.h), so that other programs do not load them. Equal inputs give equal bytes.
+// base/dynamic_library.h), so that other programs do not load them. Equal inputs give equal bytes.
 // Thread-safe.
 //
 // spirv   SPIR-V 1.0 words, little-endian as in files. Optimised inside functions; calls are not
@@ -24,7 +24,7 @@
 
 namespace wrinkle {
 
-// Returns true if the module can be loaded; otherwise sets `why` (hint: companion_remedy).
+// Returns true if the module can be loaded; otherwise sets `why` (hint: library_remedy).
 bool have_spirv_tools(std::string& why);
 
 // Calls emit(); for a target other than GLSL also translates the result: `vertex` and `fragment`

@@ -2,7 +2,7 @@
 
 #include <cstring>
 
-#include "base/companion.h"
+#include "base/dynamic_library.h"
 
 namespace wrinkle {
 namespace {
@@ -14,8 +14,8 @@ struct Found {
 
 Found find_module() {
     const std::string what = "the module for SPIR-V, HLSL and Metal";
-    const Companion companion =
-        open_companion(WRINKLE_SPIRV_MODULE, WRINKLE_SPIRV_MODULE_SYMBOL, what);
+    const DynamicLibrary companion =
+        open_library(WRINKLE_SPIRV_MODULE, WRINKLE_SPIRV_MODULE_SYMBOL, what);
     if (!companion.symbol) return {nullptr, companion.why};
     const auto entry = reinterpret_cast<WrinkleSpirvModuleEntry>(companion.symbol);
     const WrinkleSpirvModule* module = entry();

@@ -2,7 +2,7 @@
 #include <array>
 #include <charconv>
 
-#include "base/companion.h"
+#include "base/dynamic_library.h"
 #include "base/text.h"
 #include "glsl/log.h"
 #include "glsl/text.h"
@@ -177,7 +177,7 @@ Shader write_shader(const Module& module, const EmitOptions& options) {
     if (!is_translated(*options.target) || !shader.problems.empty()) return shader;
     std::string why;
     if (!have_spirv_tools(why)) {
-        shader.problems.push_back({0, why, companion_remedy});
+        shader.problems.push_back({0, why, library_remedy});
         shader.vertex.clear();
         shader.fragment.clear();
         return shader;

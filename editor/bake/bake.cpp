@@ -5,7 +5,7 @@
 #include <cstdio>
 
 #include "bake/mesh_check.h"
-#include "bake/picture.h"
+#include "bake/texture_set.h"
 #include "base/overwrite.h"
 #include "base/progress_text.h"
 #include "compile/inputs.h"
@@ -179,14 +179,14 @@ private:
         if (!writers) return false;
         written_.push_back(std::move(*writers));
         const std::vector<Texture> textures = textures_.textures_of(plan_->resources);
-        PictureInput input;
+        TextureSetInput input;
         input.mesh = &mesh_;
         input.plan = &*plan_;
         input.textures = textures;
         input.types = types_;
         input.layout = {choices_.width, choices_.height(), square, choices_.tuning.samples};
         input.dilate = choices_.tuning.dilate;
-        PictureTakers take;
+        BakeSinks take;
         take.rows = [&](size_t map, std::span<const std::byte> rows) {
             return written_.back().write(map, rows, disk_);
         };
@@ -194,7 +194,7 @@ private:
             progress_.done += texels;
             return !progress_.cancelled;
         };
-        return bake_picture(input, 0, choices_.height(), take, report_);
+        return bake_texture_set(input, 0, choices_.height(), take, report_);
     }
 
     bool finish() {

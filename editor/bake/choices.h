@@ -32,8 +32,8 @@ const StoredAs& stored_for(const StoredAs& chosen, std::string_view map);
 std::vector<std::string_view> compressions_of(const StoredAs& stored);
 inline constexpr uint32_t bake_tiles[] = {0, 64, 128, 256, 512};  // 0: rows
 
-inline constexpr uint32_t bake_sizes[] = {
-    16, 32, 64, 128, 256, 512, 1024, 2048, 4096, 8192, 16384, 32768, most_baked_side};
+inline constexpr uint32_t bake_sizes[] = {16,   32,   64,   128,   256,   512,           1024,
+                                          2048, 4096, 8192, 16384, 32768, max_baked_side};
 
 struct BakeChoices {
     std::string mesh;               // a shape's name, or the path of an OBJ or glTF file

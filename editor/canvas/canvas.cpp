@@ -240,7 +240,7 @@ void update_gesture(State& state, bool hovered) {
     const ImGuiIO& io = ImGui::GetIO();
     const Gesture& g = state.gesture;
     if (points_at_layout(g) && g.serial != state.history.serial()) cancel(state);
-    state.hovered = g.kind == Kind::wire              ? aim_wire(state, io.MousePos)
+    state.hovered = g.kind == Kind::wire              ? snap_wire(state, io.MousePos)
                     : hovered || g.kind != Kind::none ? pick(state, io.MousePos)
                                                       : Hit{};
     if (g.kind == Kind::none && hovered) {

@@ -10,7 +10,7 @@ namespace wrinkle::editor {
 namespace {
 
 constexpr float pad = 3;
-constexpr size_t least_letters = 3;
+constexpr size_t min_letters = 3;
 
 // Coverage of the canvas, in cells of 2 x 2 screen pixels.
 class Ground {
@@ -119,7 +119,7 @@ private:
     void put_cut(size_t card, const std::string& text, const Placed& at) {
         const std::string cut =
             fitting(font_, card_name_size, text, at.high.x - at.low.x - 2 * pad);
-        if (cut.size() < least_letters + 3) return;
+        if (cut.size() < min_letters + 3) return;
         add({card, cut, true, false, at.low + ImVec2(pad, 1), {}},
             text_width(font_, card_name_size, cut));
     }

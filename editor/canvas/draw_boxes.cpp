@@ -8,7 +8,7 @@
 namespace wrinkle::editor {
 namespace {
 
-constexpr size_t most_lines = 64;
+constexpr size_t max_lines = 64;
 
 void draw_outline(const Painter& p, ImVec2 low, ImVec2 high, bool selected, bool hovered) {
     const ImU32 color = selected ? theme::accent : hovered ? theme::text_dim : theme::border;
@@ -37,7 +37,7 @@ void draw_lines(const Painter& p, ImVec2 low, ImVec2 high, std::string_view text
             const char* stop =
                 std::max(font->CalcWordWrapPositionA(size / font->FontSize, next, end, room),
                          std::min(next + 1, end));
-            if (at.y + step > high.y || ++lines > most_lines) return;
+            if (at.y + step > high.y || ++lines > max_lines) return;
             draw_text(p.list, font, size, at, theme::text_dim, {next, stop});
             at.y += step;
             next = stop;

@@ -130,9 +130,9 @@ void draw_picture(const Painter& p, const Card& card, ImVec2 low, ImVec2 high) {
     const auto place = feed.pictures.places.find(card.id);
     if (place != feed.pictures.places.end() && place->second < feed.atlas.count()) {
         PictureAtlas::Place at = feed.atlas.place(place->second);
-        const float wide = (to.x - from.x) / (to.y - from.y) * NodePictures::height;
-        const float u = (at.u1 - at.u0) * (1 - std::min(wide / NodePictures::width, 1.0F)) / 2;
-        const float v = (at.v1 - at.v0) * (1 - std::min(NodePictures::width / wide, 1.0F)) / 2;
+        const float wide = (to.x - from.x) / (to.y - from.y) * NodePreviews::height;
+        const float u = (at.u1 - at.u0) * (1 - std::min(wide / NodePreviews::width, 1.0F)) / 2;
+        const float v = (at.v1 - at.v0) * (1 - std::min(NodePreviews::width / wide, 1.0F)) / 2;
         const ImU32 tint = theme::with_alpha(IM_COL32_WHITE, p.state.built.running() ? 1 : 0.5F);
         p.list.AddImageRounded(
             reinterpret_cast<ImTextureID>(static_cast<intptr_t>(feed.atlas.texture())), from, to,

@@ -269,10 +269,10 @@ std::vector<Extent> places_off_canvas(const State& state, const Document& docume
 
 void update_layout(State& state) {
     const Document& now = state.document();
-    const bool let_go = state.gesture.kind != Gesture::Kind::move &&
-                        (state.layout.dragged.x != 0 || state.layout.dragged.y != 0);
+    const bool reset_interaction = state.gesture.kind != Gesture::Kind::move &&
+                                   (state.layout.dragged.x != 0 || state.layout.dragged.y != 0);
     const bool anew =
-        state.layout_stale || let_go || state.layout.fonts != state.fonts.generation();
+        state.layout_stale || reset_interaction || state.layout.fonts != state.fonts.generation();
     if (anew || !same_document(state.layout_of, now)) {
         if (anew || !patch_layout(state)) state.layout = lay_out(state);
         state.layout_of = now;

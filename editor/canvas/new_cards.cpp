@@ -15,7 +15,7 @@ namespace {
 constexpr float clear = 16;  // between cards
 constexpr float step = 2 * grid;
 constexpr int most_steps = 128;
-constexpr size_t most_things = 16;
+constexpr size_t max_things = 16;
 
 Extent around(const std::vector<Extent>& things) {
     Extent all = things.front();
@@ -56,7 +56,7 @@ std::optional<ImVec2> free_on_ring(const std::vector<Extent>& fixed,
 ImVec2 free_shift(const std::vector<Extent>& fixed, std::vector<Extent> moving, ImVec2 by) {
     by = {std::round(by.x / grid) * grid, std::round(by.y / grid) * grid};
     if (moving.empty() || fixed.empty()) return by;
-    if (moving.size() > most_things) moving = {around(moving)};
+    if (moving.size() > max_things) moving = {around(moving)};
     for (int ring = 0; ring <= most_steps; ++ring)
         if (const auto place = free_on_ring(fixed, moving, by, ring)) return *place;
     return {by.x, grid_up(around(fixed).high.y + clear - around(moving).low.y)};

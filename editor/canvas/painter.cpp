@@ -16,7 +16,7 @@ Painter::Painter(const State& state, ImDrawList& list)
     find_selected();
     find_troubles();
     if (view.tracing && !view.selected.empty()) find_related();
-    if (view.heat && state.costs()) find_dearest();
+    if (view.heat && state.costs()) find_most_expensive();
 }
 
 void Painter::find_selected() {
@@ -32,7 +32,7 @@ void Painter::find_selected() {
 void Painter::find_troubles() {
     for (const Diagnostic& problem : state.built.problems.list())
         blame(problem);
-    for (const Remark& remark : state.images.remarks)
+    for (const ImageWarning& remark : state.images.remarks)
         blame(remark.problem);
 }
 
@@ -41,7 +41,7 @@ void Painter::blame(const Diagnostic& problem) {
     const Card* card = path.empty() ? nullptr : state.layout.find(path.substr(0, path.find('/')));
     if (!card) return;
     troubles_.resize(state.layout.cards.size());
-    Trouble& trouble = troubles_[static_cast<size_t>(card - state.layout.cards.data())];
+    NodeIssue& trouble = troubles_[static_cast<size_t>(card - state.layout.cards.data())];
     if (!trouble.worst || (!trouble.error() && problem.severity == Severity::error))
         trouble.worst = &problem;
 }
@@ -73,7 +73,7 @@ void Painter::find_related() {
     }
 }
 
-void Painter::find_dearest() {
+void Painter::find_most_expensive() {
     for (const Price& price : state.costs()->nodes) {
         dearest_.reads = std::max(dearest_.reads, price.cost.reads);
         dearest_.alu = std::max(dearest_.alu, price.cost.alu);
@@ -116,7 +116,7 @@ const Diagnostic* Painter::fault(const Card& card, std::string_view port) const 
         at.remove_prefix(found + inputs.size());
         if (at.substr(0, at.find('/')) == port) return &problem;
     }
-    for (const Remark& remark : state.images.remarks)
+    for (const ImageWarning& remark : state.images.remarks)
         if (remark.problem.node == card.id && remark.port == port) return &remark.problem;
     return nullptr;
 }

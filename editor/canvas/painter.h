@@ -13,7 +13,7 @@
 namespace wrinkle::editor {
 
 // The most severe diagnostic of a card; nullptr: none.
-struct Trouble {
+struct NodeIssue {
     const Diagnostic* worst = nullptr;
     bool error() const { return worst && worst->severity == Severity::error; }
 };
@@ -35,7 +35,9 @@ public:
         draw_magnified(list, state.fonts, style, zoom, at, color, what);
     }
     bool is_selected(size_t card) const { return !selected_.empty() && selected_[card]; }
-    Trouble trouble(size_t card) const { return troubles_.empty() ? Trouble{} : troubles_[card]; }
+    NodeIssue trouble(size_t card) const {
+        return troubles_.empty() ? NodeIssue{} : troubles_[card];
+    }
     // The first diagnostic at a port of the card; nullptr: none.
     const Diagnostic* fault(const Card& card, std::string_view port) const;
     bool is_primary(const Card& card) const { return &card == primary_; }
@@ -51,12 +53,12 @@ private:
     void find_troubles();
     void blame(const Diagnostic& problem);
     void find_related();
-    void find_dearest();
+    void find_most_expensive();
 
     ImVec2 origin_;
     Extent seen_;
     std::vector<bool> selected_;                 // by card; empty: none
-    std::vector<Trouble> troubles_;              // by card; empty: none
+    std::vector<NodeIssue> troubles_;            // by card; empty: none
     std::vector<bool> related_, related_wires_;  // by card, by wire; empty: nothing fades
     ShaderCost dearest_;                         // maximum reads and maximum ops of any node
     const Card* primary_ = nullptr;              // the last selected card, if several are selected

@@ -9,7 +9,7 @@
 namespace wrinkle::editor {
 namespace {
 
-constexpr size_t most_pieces = 16;
+constexpr size_t max_pieces = 16;
 constexpr auto nowhere = Table<NodePtr>::npos;
 
 // Differences between the nodes of the layout and those of the document.
@@ -78,7 +78,7 @@ private:
     bool find_nodes() {
         const bool typed = layout_.types == state_.model.types;
         size_t i = 0, k = 0;
-        while ((i < before_.size() || k < after_.size()) && difference_.size() <= most_pieces) {
+        while ((i < before_.size() || k < after_.size()) && difference_.size() <= max_pieces) {
             const bool more = i < before_.size(), more_after = k < after_.size();
             const bool same = more && more_after && before_[i] == after_[k];
             if (same || (more && more_after && before_[i]->id == after_[k]->id)) {
@@ -94,7 +94,7 @@ private:
                 return false;
             }
         }
-        return difference_.size() <= most_pieces;
+        return difference_.size() <= max_pieces;
     }
 
     // Returns false if a node lost its position.

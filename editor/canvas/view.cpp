@@ -9,7 +9,7 @@ namespace wrinkle::editor {
 namespace {
 
 // Horizontal and vertical margins; the breadcrumb and the zoom overlay the outer 44 pixels.
-const ImVec2 wide_margin(32, 60), least_margin(24, 48);
+const ImVec2 wide_margin(32, 60), min_margin(24, 48);
 
 float fitting_zoom(const View& view, ImVec2 low, ImVec2 high, ImVec2 margin) {
     const ImVec2 size = high - low;
@@ -47,7 +47,7 @@ void fit(View& view, const Layout& layout, bool selection_only) {
     }
     view.zoom = std::min(fitting_zoom(view, low, high, wide_margin), 1.0F);
     // Reduces the margin if that makes fields visible.
-    if (view.zoom < detail_zoom && fitting_zoom(view, low, high, least_margin) >= detail_zoom)
+    if (view.zoom < detail_zoom && fitting_zoom(view, low, high, min_margin) >= detail_zoom)
         view.zoom = detail_zoom;
     view.pan = view.extent * 0.5F - (low + high) * (0.5F * view.zoom);
     view.pan = {std::round(view.pan.x), std::round(view.pan.y)};
@@ -68,8 +68,8 @@ void bring_in_sight(View& view, const Card& card) {
         if (to > room - margin) from -= to - (room - margin), to = 0;
         return std::max(from, margin);
     };
-    view.pan = view.pan + ImVec2(shift(low.x, high.x, least_margin.x, view.extent.x) - low.x,
-                                 shift(low.y, high.y, least_margin.y, view.extent.y) - low.y);
+    view.pan = view.pan + ImVec2(shift(low.x, high.x, min_margin.x, view.extent.x) - low.x,
+                                 shift(low.y, high.y, min_margin.y, view.extent.y) - low.y);
 }
 
 }  // namespace wrinkle::editor

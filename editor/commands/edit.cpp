@@ -1,5 +1,5 @@
 #include "editor/canvas/boxes.h"
-#include "editor/canvas/room.h"
+#include "editor/canvas/make_space.h"
 #include "editor/commands/groups.h"
 #include "editor/document/clipboard.h"
 #include "editor/document/edits.h"

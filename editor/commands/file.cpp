@@ -37,14 +37,15 @@ std::string_view no_plugins(const State& state) {
 }
 
 void ask_recover(State& state) {
-    intend(state, {Intent::Kind::recover, state.keeping.recoverable.front().journal});
+    request_action(state,
+                   {PendingAction::Kind::recover, state.keeping.recoverable.front().journal});
 }
 
 constexpr Command file_table[] = {
     {"new", "New", "Ctrl+N", "File", always,
      [](State& s) {
          s.start.left = true;
-         intend(s, {Intent::Kind::new_graph, {}});
+         request_action(s, {PendingAction::Kind::new_graph, {}});
      }},
     {"open", "Open...", "Ctrl+O", "File", always, open},
     {"save", "Save", "Ctrl+S", "File", always, [](State& s) { save_file(s); }},
@@ -57,7 +58,7 @@ constexpr Command file_table[] = {
     {"reload-plugins", "Reload plugins", "", "File", no_plugins, reload_plugins},
     {"quit", "Quit", "Ctrl+Q", "File", always,
      [](State& s) {
-         intend(s, {Intent::Kind::quit, {}});
+         request_action(s, {PendingAction::Kind::quit, {}});
      }},
 };
 

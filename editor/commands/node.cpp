@@ -1,6 +1,6 @@
 #include "editor/canvas/arrange.h"
 #include "editor/canvas/layout.h"
-#include "editor/canvas/room.h"
+#include "editor/canvas/make_space.h"
 #include "editor/canvas/tidy.h"
 #include "editor/commands/groups.h"
 #include "editor/document/edits.h"
@@ -33,10 +33,10 @@ std::string_view no_group(const State& state) {
 
 // Return to the parent graph, or to the outermost graph.
 void leave_group(State& state) {
-    intend(state, {Intent::Kind::leave, {}, state.outer.size() - 1});
+    request_action(state, {PendingAction::Kind::leave, {}, state.outer.size() - 1});
 }
 void leave_groups(State& state) {
-    intend(state, {Intent::Kind::leave, {}, 0});
+    request_action(state, {PendingAction::Kind::leave, {}, 0});
 }
 std::string_view wants_two(const State& state) {
     return state.view.selected.size() < 2 ? "Fewer than two nodes are selected." : "";

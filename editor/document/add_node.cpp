@@ -2,8 +2,8 @@
 #include <algorithm>
 
 #include "editor/canvas/layout.h"
+#include "editor/canvas/make_space.h"
 #include "editor/canvas/new_cards.h"
-#include "editor/canvas/room.h"
 #include "editor/document/edits.h"
 #include "editor/document/wiring.h"
 #include "editor/look/draw.h"

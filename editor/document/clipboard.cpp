@@ -8,7 +8,7 @@
 #include "editor/canvas/new_cards.h"
 #include "editor/document/copies.h"
 #include "editor/document/edits.h"
-#include "editor/document/misfits.h"
+#include "editor/document/invalid_links.h"
 #include "editor/document/words.h"
 #include "editor/look/draw.h"
 #include "graph/edit.h"
@@ -155,8 +155,9 @@ void paste_nodes(State& state, const Document& source, const std::string& text) 
     const Document added = add_nodes(state.document(), copies.nodes, at);
     const Document wired = with_outer_wires(state, added, text, copies);
     const BoxCopies boxed = with_boxes(wired, source, boxes, by);
-    state.commit("Paste " + in_words(source), without_misfits(settled(state, boxed.document), fresh,
-                                                              state.folder(), *state.registry));
+    state.commit("Paste " + in_words(source),
+                 without_invalid_links(settled(state, boxed.document), fresh, state.folder(),
+                                       *state.registry));
     show_new(state, fresh);
     state.view.boxes = boxed.ids;
 }
@@ -186,10 +187,10 @@ std::string kept(const State& state) {
 
 std::optional<Document> nodes_from_text(const std::string& text, std::string& why) {
     if (text.empty()) return refuse(why, "the clipboard is empty.");
-    if (text.size() > longest_pasted) return refuse(why, "the text is longer than 32 MB.");
+    if (text.size() > max_pasted_bytes) return refuse(why, "the text is longer than 32 MB.");
     Diagnostics problems, links;
     ReadLimits limits;
-    limits.nodes = most_pasted;
+    limits.nodes = max_pasted_nodes;
     const Document document = read_document(text, "clipboard", problems, limits);
     check_links(document, links);
     if (!document.lost.empty() || problems.error_count() > links.error_count()) {
@@ -228,7 +229,7 @@ void copy_selected(State& state) {
 void cut_selected(State& state) {
     copy_selected(state);
     const Document part = extract(state, state.document());
-    Document document = delete_and_part(state.model, state.document(), state.view.selected);
+    Document document = delete_and_disconnect(state.model, state.document(), state.view.selected);
     for (const BoxId& id : state.view.boxes)
         document = without_box(document, id);
     state.commit("Cut " + in_words(part), document);

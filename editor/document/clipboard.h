@@ -13,8 +13,8 @@
 
 namespace wrinkle::editor {
 
-inline constexpr size_t most_pasted = 20'000;         // nodes
-inline constexpr size_t longest_pasted = 32'000'000;  // bytes
+inline constexpr size_t max_pasted_nodes = 20'000;      // nodes
+inline constexpr size_t max_pasted_bytes = 32'000'000;  // bytes
 
 // Returns the nodes of a text; std::nullopt with the reason in `why` on failure.
 std::optional<Document> nodes_from_text(const std::string& text, std::string& why);

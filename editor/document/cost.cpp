@@ -45,7 +45,7 @@ Costs estimate_costs(const Module& module, const Document& document) {
 
 Costs count_costs(const Module& module, const Document& document) {
     Costs costs = estimate_costs(module, document);
-    if (costs.total.cost.alu > most_counted) {
+    if (costs.total.cost.alu > max_counted) {
         costs.why =
             "It is too large to be counted beside the work; wrinkle compile --cost counts it.";
         return costs;

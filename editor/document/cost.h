@@ -32,7 +32,7 @@ struct Costs {
 
 // Modules with a larger estimate of ALU operations are not counted: the compilers would take many
 // seconds.
-inline constexpr uint32_t most_counted = 20'000;
+inline constexpr uint32_t max_counted = 20'000;
 
 Costs estimate_costs(const Module& module, const Document& document);
 Costs count_costs(const Module& module, const Document& document);  // or an estimate, and why

@@ -33,11 +33,11 @@ void remove_selected(State& state, Remove remove) {
 }  // namespace
 
 void delete_selected(State& state) {
-    remove_selected(state, delete_and_heal);
+    remove_selected(state, delete_and_reconnect);
 }
 
 void delete_selected_with_wires(State& state) {
-    remove_selected(state, delete_and_part);
+    remove_selected(state, delete_and_disconnect);
 }
 
 void duplicate_selected(State& state, bool with_inputs) {

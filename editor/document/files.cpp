@@ -28,7 +28,7 @@ void begin(State& state, const fs::path& path, Document document) {
     state.saved_serial = state.history.serial();
     state.view = {};
     state.keeping.disk = {};
-    let_go(state);
+    reset_interaction(state);
 }
 
 Document read_text(const State& state, std::string text) {
@@ -80,7 +80,7 @@ MovedPaths moved_to(const State& state, const fs::path& path, OutsideFiles files
 }
 
 void keep_settings(State& state) {
-    Keeping& keeping = state.keeping;
+    Persistence& keeping = state.keeping;
     keeping.settings.side = state.panes.side;
     keeping.settings.preview = state.panes.preview;
     keeping.settings.problems = state.panes.problems;
@@ -101,7 +101,7 @@ void keep_settings(State& state) {
 
 }  // namespace
 
-void let_go(State& state) {
+void reset_interaction(State& state) {
     state.gesture = {};
     state.palette = {};
     state.popup = {};
@@ -199,7 +199,7 @@ bool save_file_as(State& state, const fs::path& path, OutsideFiles files) {
     return true;
 }
 
-void load_theirs(State& state) {
+void reload_from_disk(State& state) {
     std::string why;
     const auto bytes = read_file(state.path, why);
     if (!bytes) {
@@ -214,14 +214,14 @@ void load_theirs(State& state) {
     state.status = name_of(state.path) + " was changed by another program and is read again.";
 }
 
-void keep_mine(State& state) {
+void keep_local_version(State& state) {
     std::string why;
     const auto bytes = read_file(state.path, why);
     state.keeping.disk = DiskCopy::of(state.path, bytes.value_or(""));
     state.saved_serial = State::never_saved;
 }
 
-void look_at_disk(State& state) {
+void check_disk_changes(State& state) {
     switch (compare(state.keeping.disk, state.path)) {
         case OnDisk::same:
             return;
@@ -231,7 +231,7 @@ void look_at_disk(State& state) {
             state.status = name_of(state.path) + " is no longer there. Save writes it again.";
             return;
         case OnDisk::changed:
-            if (!state.dirty()) return load_theirs(state);
+            if (!state.dirty()) return reload_from_disk(state);
             state.question = {.kind = Question::Kind::changed};
     }
 }
@@ -250,7 +250,7 @@ bool tend(State& state) {
     const bool busy = state.gesture.kind != Gesture::Kind::none || state.question.open() ||
                       state.popup.kind != Popup::Kind::none;
     const std::string status = state.status;
-    if (!busy && !state.path.empty()) look_at_disk(state);
+    if (!busy && !state.path.empty()) check_disk_changes(state);
     return read || state.question.open() || state.status != status;
 }
 

@@ -20,7 +20,7 @@ void open_file(State& state, const std::filesystem::path& path);
 void load_file(State& state, const std::filesystem::path& path);
 // Resets all interaction and derived state when another graph is on the canvas: gestures, popups,
 // build and previews.
-void let_go(State& state);
+void reset_interaction(State& state);
 
 // Returns false, with the reason in the status, if nothing was written; prompts for a name if there
 // is none, and for a decision if the file on disk changed or cannot be written.
@@ -35,9 +35,9 @@ std::vector<std::string> files_outside(const State& state, const std::filesystem
 
 // Compares with the disk. Reads a changed file again, in an undoable step, if there are no unsaved
 // edits; otherwise prompts which version to use.
-void look_at_disk(State& state);
-void load_theirs(State& state);
-void keep_mine(State& state);
+void check_disk_changes(State& state);
+void reload_from_disk(State& state);
+void keep_local_version(State& state);
 
 // Called once a frame, and occasionally while nothing is drawn: journals the edits; at most once a
 // second, writes the settings and checks the disk. Returns true if the window must be redrawn.

@@ -15,13 +15,13 @@ fs::path typed_path(const State& state) {
 }
 
 void done(State& state) {
-    const Intent then = state.question.then;
+    const PendingAction then = state.question.then;
     state.question = {};
     save_and_carry_out(state, then);
 }
 
 // Prompts again after a failed save, unless another question is open.
-void ask_again(State& state, const Intent& then) {
+void ask_again(State& state, const PendingAction& then) {
     if (!state.question.open())
         state.question = {.kind = Question::Kind::unsaved, .trouble = state.status};
     state.question.then = then;
@@ -36,7 +36,7 @@ void answer_open(State& state) {
         state.question.trouble = path.string() + " is a folder.";
     } else {
         state.question = {};
-        intend(state, {Intent::Kind::open, path});
+        request_action(state, {PendingAction::Kind::open, path});
     }
 }
 
@@ -73,44 +73,44 @@ void answer_name(State& state) {
 
 }  // namespace
 
-void carry_out(State& state, const Intent& intent) {
+void carry_out(State& state, const PendingAction& intent) {
     switch (intent.kind) {
-        case Intent::Kind::nothing:
+        case PendingAction::Kind::nothing:
             return;
-        case Intent::Kind::quit:
+        case PendingAction::Kind::quit:
             state.quit = !state.tasks.running;
             if (!state.quit) state.question = {.kind = Question::Kind::running, .then = intent};
             return;
-        case Intent::Kind::new_graph:
+        case PendingAction::Kind::new_graph:
             return new_file(state);
-        case Intent::Kind::open:
+        case PendingAction::Kind::open:
             open_file(state, intent.file);
             look_for_recoverable(state);
             return offer_recovery(state);
-        case Intent::Kind::recover:
+        case PendingAction::Kind::recover:
             state.question = {.kind = Question::Kind::recover, .file = intent.file};
             return;
-        case Intent::Kind::leave:
-            return come_back(state, intent.depth);
+        case PendingAction::Kind::leave:
+            return leave_subgraphs(state, intent.depth);
     }
 }
 
-void intend(State& state, const Intent& intent) {
+void request_action(State& state, const PendingAction& intent) {
     if (unsaved(state, intent).empty()) return carry_out(state, intent);
     state.question = {.kind = Question::Kind::unsaved, .then = intent};
 }
 
 void answer_save(State& state) {
-    const Intent then = state.question.then;
+    const PendingAction then = state.question.then;
     state.question = {};
     if (state.dirty() && !save_file(state)) return ask_again(state, then);
     save_and_carry_out(state, then);
 }
 
-void save_and_carry_out(State& state, const Intent& intent) {
+void save_and_carry_out(State& state, const PendingAction& intent) {
     while (!unsaved(state, intent).empty()) {
         if (!state.dirty())
-            come_back(state, state.outer.size() - 1);
+            leave_subgraphs(state, state.outer.size() - 1);
         else if (!save_file(state))
             return ask_again(state, intent);
     }

@@ -10,7 +10,7 @@ namespace wrinkle::editor {
 
 struct State;
 
-struct Intent {
+struct PendingAction {
     enum class Kind : uint8_t { nothing, quit, new_graph, open, recover, leave };
     Kind kind = Kind::nothing;
     std::filesystem::path file;  // for open; for recover, the journal
@@ -32,7 +32,7 @@ struct Question {
         save_as,  // under which name?
     };
     Kind kind = Kind::none;
-    Intent then = {};          // action after everything is saved
+    PendingAction then = {};   // action after everything is saved
     bool saving = false;       // for changed: it blocks a save
     std::string text = {};     // for open and save_as: the path as typed
     std::string trouble = {};  // why the last answer failed
@@ -44,11 +44,11 @@ struct Question {
 };
 
 // Carries out the intent, or prompts for unsaved work first.
-void intend(State& state, const Intent& intent);
+void request_action(State& state, const PendingAction& intent);
 // Saves the unsaved graphs that the intent closes, the innermost first, then carries it out.
-void save_and_carry_out(State& state, const Intent& intent);
+void save_and_carry_out(State& state, const PendingAction& intent);
 // Carries out the intent; before quitting, prompts if a background task is running.
-void carry_out(State& state, const Intent& intent);
+void carry_out(State& state, const PendingAction& intent);
 
 // Answers to the question. An answer that fails leaves the question open with the reason in it.
 void answer_save(State& state);

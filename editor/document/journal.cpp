@@ -138,12 +138,12 @@ std::error_code Journal::append(std::string_view kind, std::string_view payload)
 std::error_code Journal::keep(const fs::path& state_folder, const fs::path& graph,
                               const std::string& refused, const Document& document) {
     std::error_code error;
-    KeptText after;
+    JournaledText after;
     if (handle_ < 0) {
         error = create(state_folder);
         if (error) return error;
         std::string text;
-        after = KeptText(document, text);
+        after = JournaledText(document, text);
         std::string payload = graph.empty() ? "" : fs::absolute(graph, error).string();
         payload += '\0' + refused + '\0' + text;
         error = append("graph", payload);

@@ -21,7 +21,7 @@
 #include <system_error>
 #include <vector>
 
-#include "editor/document/kept_text.h"
+#include "editor/document/journaled_text.h"
 
 namespace wrinkle::editor {
 
@@ -66,8 +66,8 @@ private:
 
     int handle_ = -1;
     std::filesystem::path file_;
-    KeptText text_;     // after the last record
-    uint64_t sum_ = 0;  // chained checksum of the last record
+    JournaledText text_;  // after the last record
+    uint64_t sum_ = 0;    // chained checksum of the last record
     uint64_t size_ = 0, synced_ = 0;
     std::shared_ptr<std::atomic<bool>> syncing_ = std::make_shared<std::atomic<bool>>(false);
 };

@@ -66,12 +66,12 @@ void open_group(State& state) {
         state.status = why;
         return;
     }
-    dive(state, file);
+    enter_subgraph(state, file);
     look_for_recoverable(state);
     offer_recovery(state);
 }
 
-void dive(State& state, const fs::path& file) {
+void enter_subgraph(State& state, const fs::path& file) {
     if (state.dirty()) keep_edits_now(state);
     Level level;
     exchange(state, level);
@@ -81,14 +81,14 @@ void dive(State& state, const fs::path& file) {
     state.view.preview_view = seen;
 }
 
-void come_back(State& state, size_t depth) {
+void leave_subgraphs(State& state, size_t depth) {
     if (depth >= state.outer.size()) return;
     state.keeping.journal.drop();
     for (size_t i = depth + 1; i < state.outer.size(); ++i)
         state.outer[i].journal.drop();
     exchange(state, state.outer[depth]);
     state.outer.resize(depth);
-    let_go(state);
+    reset_interaction(state);
     state.keeping.looked = 0;
     state.status = "Back in " + state.file_name();
 }
@@ -99,12 +99,12 @@ void close_outer(State& state) {
     state.outer.clear();
 }
 
-std::vector<std::string> unsaved(const State& state, const Intent& intent) {
+std::vector<std::string> unsaved(const State& state, const PendingAction& intent) {
     const std::vector<std::string> files = open_files(state);
     std::vector<std::string> names;
     size_t kept = 0;  // number of outermost levels that stay open
-    if (intent.kind == Intent::Kind::nothing) kept = files.size();
-    if (intent.kind == Intent::Kind::leave) kept = intent.depth + 1;
+    if (intent.kind == PendingAction::Kind::nothing) kept = files.size();
+    if (intent.kind == PendingAction::Kind::leave) kept = intent.depth + 1;
     for (size_t i = files.size(); i-- > kept;)
         if (i < state.outer.size() ? state.outer[i].dirty() : state.dirty())
             names.push_back(files[i]);

@@ -18,16 +18,16 @@ const Node* selected_group(const State& state);
 // is already open as a parent graph.
 void open_group(State& state);
 // Opens a file as a sub-graph of the current graph.
-void dive(State& state, const std::filesystem::path& file);
+void enter_subgraph(State& state, const std::filesystem::path& file);
 
 // Returns to state.outer[depth] and reloads the files that it uses. The graphs inside it are closed
-// and their unsaved edits discarded: intend() prompts first.
-void come_back(State& state, size_t depth);
+// and their unsaved edits discarded: request_action() prompts first.
+void leave_subgraphs(State& state, size_t depth);
 // Closes the parent graphs of the current one and discards their unsaved edits.
 void close_outer(State& state);
 
 // Returns the files with unsaved edits that the intent would close, the innermost first.
-std::vector<std::string> unsaved(const State& state, const Intent& intent);
+std::vector<std::string> unsaved(const State& state, const PendingAction& intent);
 
 // Returns true if both paths exist and are the same file.
 bool is_same_file(const std::filesystem::path& a, const std::filesystem::path& b);

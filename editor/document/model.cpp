@@ -8,7 +8,7 @@
 #include "graph/edit.h"
 #include "graph/order.h"
 #include "lower/conversion.h"
-#include "lower/reached.h"
+#include "lower/reachable.h"
 
 namespace wrinkle::editor {
 namespace {

@@ -25,7 +25,7 @@ bool same_file(const fs::path& a, const fs::path& b) {
 }  // namespace
 
 bool keep_edits_now(State& state) {
-    Keeping& keeping = state.keeping;
+    Persistence& keeping = state.keeping;
     if (keeping.folders.state.empty()) return false;
     const uint64_t serial = state.history.serial();
     if (keeping.journal.exists() && keeping.journalled == serial) return true;
@@ -43,7 +43,7 @@ bool keep_edits_now(State& state) {
 }
 
 void keep_edits(State& state) {
-    Keeping& keeping = state.keeping;
+    Persistence& keeping = state.keeping;
     if (!state.dirty()) return keeping.journal.drop();
     const bool kept = keeping.journal.exists() && keeping.journalled == state.history.serial();
     if (kept || (state.history.merging() && ImGui::IsAnyMouseDown())) return;
@@ -53,7 +53,7 @@ void keep_edits(State& state) {
 }
 
 std::string kept_words(const State& state) {
-    const Keeping& keeping = state.keeping;
+    const Persistence& keeping = state.keeping;
     if (!state.dirty()) return state.path.empty() ? "" : "Saved";
     if (!keeping.unkept.empty()) return "Edits are in memory alone";
     if (!keeping.journal.exists()) return "Not saved";

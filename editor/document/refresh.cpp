@@ -11,7 +11,7 @@ namespace {
 
 // Requests a count only if the source differs; a changed value does not change it.
 void ask_costs(State& state) {
-    Follow& follow = state.follow;
+    CompileState& follow = state.follow;
     if (!follow.counter || !state.built.uniform) return;
     const std::string& text = state.built.uniform->source;
     if (follow.counting_of >= follow.first && follow.counting == text) return;
@@ -20,24 +20,24 @@ void ask_costs(State& state) {
     follow.counter->post({follow.came, state.built.module, follow.built_of});
 }
 
-void hear_costs(Follow& follow) {
+void poll_costs(CompileState& follow) {
     if (!follow.counter) return;
     if (auto counted = follow.counter->take()) follow.counted = std::move(*counted);
 }
 
 void take(State& state, Compilation compilation) {
-    Follow& follow = state.follow;
+    CompileState& follow = state.follow;
     if (compilation.version < follow.first || compilation.version <= follow.came) return;
     follow.came = compilation.version;
     ++state.counters.builds;
     state.built = std::move(compilation.build);
     follow.built_of = std::move(compilation.document);
     ask_costs(state);
-    run_newest(state);
+    apply_latest_build(state);
 }
 
 void ask(State& state) {
-    Follow& follow = state.follow;
+    CompileState& follow = state.follow;
     follow.asked_of = state.document();
     follow.asked_for = wanted_request(state);
     CompileJob job{++follow.asked, state.model, state.document(), material_name(state.path),
@@ -48,7 +48,7 @@ void ask(State& state) {
         take(state, compile(std::move(job), *state.registry));
 }
 
-void remodel(State& state) {
+void rebuild_model(State& state) {
     state.model = make_model(state.document(), state.folder(), *state.registry, state.root());
 }
 
@@ -57,15 +57,15 @@ void begin(State& state) {
     state.layout_stale = true;
     state.follow.first = state.follow.asked + 1;
     state.follow.running.reset();
-    remodel(state);
+    rebuild_model(state);
     ask(state);
 }
 
 void follow_document(State& state) {
-    Follow& follow = state.follow;
+    CompileState& follow = state.follow;
     const Change difference = change(follow.asked_of, state.document());
     if (difference.renamed) rename_in_request(state, follow.asked_of);
-    if (difference.renamed || difference.kind == Change::Kind::structure) remodel(state);
+    if (difference.renamed || difference.kind == Change::Kind::structure) rebuild_model(state);
     switch (difference.kind) {
         case Change::Kind::none:
         case Change::Kind::cosmetic:
@@ -107,7 +107,7 @@ void forget_what_is_gone(State& state) {
 }  // namespace
 
 void refresh(State& state) {
-    Follow& follow = state.follow;
+    CompileState& follow = state.follow;
     forget_what_is_gone(state);
     if (!state.fresh)
         begin(state);
@@ -119,10 +119,10 @@ void refresh(State& state) {
     }
     if (follow.compiler)
         if (auto result = follow.compiler->take()) take(state, std::move(*result));
-    hear_costs(follow);
-    hear_preview(state);
+    poll_costs(follow);
+    poll_preview_diagnostics(state);
     update_layout(state);
-    feed_node_pictures(state);
+    feed_node_previews(state);
 }
 
 bool is_settled(const State& state) {

@@ -29,8 +29,8 @@ void each_setting(S& settings, Visitor&& visit) {
     visit("problems", settings.problems, 0.0F, 0.9F);
     visit("scale", settings.scale, 1.0F, 3.0F);
     visit("theme", settings.theme, 0, 32);
-    visit("recent", settings.recent, Settings::most_recent);
-    visit("dismissed", settings.dismissed, Settings::most_dismissed);
+    visit("recent", settings.recent, Settings::max_recent);
+    visit("dismissed", settings.dismissed, Settings::max_dismissed);
     visit("bake_maps", settings.bake.maps, 0, 4096);
     visit("bake_size", settings.bake.size, 1, 65536);
     visit("bake_height", settings.bake.height, 0, 65536);
@@ -42,9 +42,9 @@ void each_setting(S& settings, Visitor&& visit) {
     auto& tuning = settings.bake.tuning;
     visit("bake_scale", tuning.scale, 1e-30, 1e30);
     visit("bake_samples", tuning.samples, uint32_t{1}, bake_sample_counts.back());
-    visit("bake_dilate", tuning.dilate, uint32_t{0}, most_dilation);
+    visit("bake_dilate", tuning.dilate, uint32_t{0}, max_dilation);
     visit("bake_compression", tuning.compression, 0, 32);
-    visit("bake_tile", tuning.tile, uint32_t{0}, most_bake_tile);
+    visit("bake_tile", tuning.tile, uint32_t{0}, max_bake_tile);
 }
 
 // Reads the valid fields and lists the names of the invalid ones.
@@ -165,8 +165,7 @@ void remember_recent(const Folders& folders, Settings& settings, const fs::path&
     if (error) absolute = file;
     std::erase(settings.recent, absolute);
     settings.recent.insert(settings.recent.begin(), absolute);
-    if (settings.recent.size() > Settings::most_recent)
-        settings.recent.resize(Settings::most_recent);
+    if (settings.recent.size() > Settings::max_recent) settings.recent.resize(Settings::max_recent);
     write_settings(folders, settings);
 }
 

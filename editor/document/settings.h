@@ -26,7 +26,7 @@ struct BakeSettings {
 };
 
 struct Settings {
-    static constexpr size_t most_recent = 10, most_dismissed = 500;
+    static constexpr size_t max_recent = 10, max_dismissed = 500;
 
     int width = 1600, height = 900;  // window size
     // Panes as fractions (panels/panes.h); 0 is the default size.

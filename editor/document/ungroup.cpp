@@ -5,7 +5,7 @@
 #include "editor/document/each_wire.h"
 #include "editor/document/edits.h"
 #include "editor/document/group.h"
-#include "editor/document/misfits.h"
+#include "editor/document/invalid_links.h"
 #include "editor/look/draw.h"
 #include "graph/edit.h"
 
@@ -140,7 +140,7 @@ void ungroup_selected(State& state) {
     for (const auto& [old, id] : ungrouper.copies.new_id)
         fresh.insert(id);
     state.commit("Ungroup " + node->id,
-                 without_misfits(ungrouper.result, fresh, state.folder(), *state.registry));
+                 without_invalid_links(ungrouper.result, fresh, state.folder(), *state.registry));
     show_new(state, fresh);
 }
 

@@ -61,7 +61,7 @@ std::set<std::string> loose_reroutes(const Document& before, const Document& aft
 }
 
 // Removes wires that no longer fit: a reroute has the type of its source, a float without one.
-Document without_misfits(const Model& model, const Document& before, Document after) {
+Document without_invalid_links(const Model& model, const Document& before, Document after) {
     const std::set<std::string> loose = loose_reroutes(before, after);
     if (loose.empty()) return after;
     std::vector<Connection> misfits;
@@ -165,8 +165,8 @@ std::optional<Passage> passage(const NodeType& type, PortType given,
     return best;
 }
 
-Document delete_and_heal(const Model& model, const Document& document,
-                         const std::set<std::string>& ids) {
+Document delete_and_reconnect(const Model& model, const Document& document,
+                              const std::set<std::string>& ids) {
     std::vector<Connection> healed;
     each_wire(document, [&](const Connection& wire) {
         if (!ids.contains(wire.from.node) || ids.contains(wire.node)) return;
@@ -178,12 +178,12 @@ Document delete_and_heal(const Model& model, const Document& document,
     Document result = document;
     for (const Connection& wire : healed)
         result = with_wire(result, wire.from, wire.node, wire.port);
-    return without_misfits(model, document, remove_nodes(result, ids));
+    return without_invalid_links(model, document, remove_nodes(result, ids));
 }
 
-Document delete_and_part(const Model& model, const Document& document,
-                         const std::set<std::string>& ids) {
-    return without_misfits(model, document, remove_nodes(document, ids));
+Document delete_and_disconnect(const Model& model, const Document& document,
+                               const std::set<std::string>& ids) {
+    return without_invalid_links(model, document, remove_nodes(document, ids));
 }
 
 Document cut_wires(const Model& model, const Document& document,
@@ -191,7 +191,7 @@ Document cut_wires(const Model& model, const Document& document,
     Document result = document;
     for (const Connection& wire : wires)
         result = without_wire(result, wire.node, wire.port);
-    return without_misfits(model, document, std::move(result));
+    return without_invalid_links(model, document, std::move(result));
 }
 
 Document without_outer_wires(const Model& model, const Document& document,

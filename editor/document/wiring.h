@@ -39,11 +39,11 @@ std::optional<Passage> passage(const NodeType& type, PortType given,
 
 // Removes the nodes and reconnects their users: each gets the source of the node's first connected
 // input of the output's type, else of the first connected input that converts to it.
-Document delete_and_heal(const Model& model, const Document& document,
-                         const std::set<std::string>& ids);
+Document delete_and_reconnect(const Model& model, const Document& document,
+                              const std::set<std::string>& ids);
 // Removes the nodes and their wires.
-Document delete_and_part(const Model& model, const Document& document,
-                         const std::set<std::string>& ids);
+Document delete_and_disconnect(const Model& model, const Document& document,
+                               const std::set<std::string>& ids);
 // Removes the wires from other nodes into these.
 Document without_outer_wires(const Model& model, const Document& document,
                              const std::set<std::string>& ids);

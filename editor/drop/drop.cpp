@@ -212,7 +212,7 @@ void handle(State& state, const FileDrop& drop) {
     std::vector<std::string> pictures;
     for (const std::string& file : drop.files) {
         const Kind kind = kind_of_name(file);
-        if (kind == Kind::graph) return intend(state, {Intent::Kind::open, file});
+        if (kind == Kind::graph) return request_action(state, {PendingAction::Kind::open, file});
         if (kind == Kind::mesh || (kind == Kind::environment && on_preview(state, drop)))
             state.dropped.for_preview = file;
         else

@@ -101,7 +101,7 @@ void follow_images(State& state, const std::vector<UsedFile>& files) {
                             images.wanted.end());
 }
 
-void tend_images(State& state) {
+void poll_images(State& state) {
     Images& images = state.images;
     if (images.examiner) {
         if (auto answer = images.examiner->take()) keep_answer(state, std::move(*answer));

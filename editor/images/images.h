@@ -47,7 +47,7 @@ struct Remedy {
     std::string label;  // "Read as dx"
     std::string word;   // new word of the input, or id of the new type
 };
-struct Remark {
+struct ImageWarning {
     Diagnostic problem;  // a warning at the node's input
     std::string port, file;
     std::string about;  // key of the dismissal: "green", "type", a finding's name
@@ -61,7 +61,7 @@ struct Images {
     std::vector<std::filesystem::path> wanted;  // pending; the first one is examined now
     uint64_t changes = 0;                       // version of all inputs of remarks but the document
 
-    std::vector<Remark> remarks;
+    std::vector<ImageWarning> remarks;
     Document remarks_of;
     uint64_t remarks_at = 0;
 
@@ -78,6 +78,6 @@ const Examined* examined_at(const State& state, const Node& node, std::string_vi
 // Sets the files that the graph currently uses.
 void follow_images(State& state, const std::vector<UsedFile>& files);
 // Called once a frame: takes results and updates the remarks.
-void tend_images(State& state);
+void poll_images(State& state);
 
 }  // namespace wrinkle::editor

@@ -57,7 +57,7 @@ std::string_view what_it_reads(const MapFamily& family, std::string_view type) {
 
 class Remarker {
 public:
-    Remarker(const State& state, std::vector<Remark>& remarks)
+    Remarker(const State& state, std::vector<ImageWarning>& remarks)
         : state_(state), images_(state.images), remarks_(remarks) {}
 
     void look_at(const Node& node, const NodeType& type) {
@@ -94,7 +94,7 @@ private:
         const std::vector<std::string>& dismissed = state_.keeping.settings.dismissed;
         const std::string mark = dismissal_mark(file_, examined_->stamp, about);
         if (std::find(dismissed.begin(), dismissed.end(), mark) != dismissed.end()) return;
-        Remark remark;
+        ImageWarning remark;
         remark.problem.severity = Severity::warning;
         remark.problem.pointer = "/nodes/" + node_->id + "/in/" + port_->name;
         remark.problem.node = node_->id;
@@ -161,11 +161,11 @@ private:
         for (const maps::Finding& finding : examined_->verdict.findings) {
             if (!finding.defect) continue;
             const bool is_seam =
-                finding.flaw == maps::Flaw::seam_u || finding.flaw == maps::Flaw::seam_v;
+                finding.flaw == maps::MapDefect::seam_u || finding.flaw == maps::MapDefect::seam_v;
             if (is_seam && (seam || literal_.wrap != Wrap::repeat)) continue;
             seam |= is_seam;
-            const bool of_z =
-                finding.flaw == maps::Flaw::unsigned_z || finding.flaw == maps::Flaw::length;
+            const bool of_z = finding.flaw == maps::MapDefect::unsigned_z ||
+                              finding.flaw == maps::MapDefect::length;
             if (of_z && (!is_normals() || !has_green())) continue;
             add(is_seam ? "seam" : std::string(name_of(finding.flaw)),
                 std::string(words_of(finding.flaw)), finding.message, remedy_of(is_seam, of_z));
@@ -180,7 +180,7 @@ private:
 
     const State& state_;
     const Images& images_;
-    std::vector<Remark>& remarks_;
+    std::vector<ImageWarning>& remarks_;
     const MapFamily* family_ = nullptr;
     const Node* node_ = nullptr;
     const NodeType* type_ = nullptr;
@@ -254,8 +254,8 @@ Document retyped(const State& state, const Node& node, const NodeType& to) {
 
 }  // namespace
 
-std::vector<Remark> find_remarks(const State& state) {
-    std::vector<Remark> remarks;
+std::vector<ImageWarning> find_remarks(const State& state) {
+    std::vector<ImageWarning> remarks;
     if (state.images.known.empty()) return remarks;
     Remarker remarker(state, remarks);
     for (const NodePtr& node : state.document().nodes)
@@ -263,7 +263,7 @@ std::vector<Remark> find_remarks(const State& state) {
     return remarks;
 }
 
-Document remedied(const State& state, const Remark& remark) {
+Document remedied(const State& state, const ImageWarning& remark) {
     const Document& document = state.document();
     const Node* node = document.find(remark.problem.node);
     const NodeType* type = node ? state.type_of(node->id) : nullptr;
@@ -286,16 +286,16 @@ Document remedied(const State& state, const Remark& remark) {
     return keeps_readers(state, result, node->id) ? result : document;
 }
 
-void apply_remedy(State& state, const Remark& remark) {
+void apply_remedy(State& state, const ImageWarning& remark) {
     state.commit(remark.problem.node + ": " + remark.remedy.label, remedied(state, remark));
 }
 
-void dismiss_remark(State& state, const Remark& remark) {
+void dismiss_remark(State& state, const ImageWarning& remark) {
     const auto known = state.images.known.find(remark.file);
     if (known == state.images.known.end()) return;
     std::vector<std::string>& dismissed = state.keeping.settings.dismissed;
     dismissed.push_back(dismissal_mark(remark.file, known->second.stamp, remark.about));
-    if (dismissed.size() > Settings::most_dismissed) dismissed.erase(dismissed.begin());
+    if (dismissed.size() > Settings::max_dismissed) dismissed.erase(dismissed.begin());
     ++state.images.changes;
 }
 

@@ -29,7 +29,7 @@ constexpr float sizes[] = {6,  7,  8,  9,  10, 11, 12, 13, 14, 15, 16, 17,
                            18, 19, 20, 24, 28, 34, 40, 48, 58, 72, 90, 112};
 constexpr float whole = 20;
 constexpr float interface_sizes[] = {14, 16, 18, 24};  // logical pixels
-constexpr float largest_zoom = 4, largest_text = 18;
+constexpr float max_zoom = 4, largest_text = 18;
 
 // Latin, Greek, general punctuation, arrows, operators.
 constexpr ImWchar all_letters[] = {0x20,   0xFF,   0x370,  0x3FF,  0x2010, 0x2026,
@@ -58,7 +58,7 @@ ImFont* add(const Face* face, float pixels, float scale) {
 
 std::vector<float> wanted_sizes(float scale) {
     std::vector<float> wanted;
-    const float largest = largest_text * largest_zoom * scale;
+    const float largest = largest_text * max_zoom * scale;
     for (const float size : sizes) {
         wanted.push_back(size);
         if (size >= largest) break;

@@ -58,10 +58,10 @@ void draw_magnified(ImDrawList& list, const Fonts& fonts, const TextStyle& style
     const float tall = style.size * zoom;
     if (at.y > list.GetClipRectMax().y || at.y + tall < list.GetClipRectMin().y) return;
     ImFont* measure = measuring_font(fonts, style);
-    if (style.right_aligned || tall < least_text) {
+    if (style.right_aligned || tall < min_text) {
         const float width = magnified_width(fonts, style, text) * zoom;
         if (style.right_aligned) at.x -= width;
-        if (tall < least_text) return draw_bar(list, style, zoom, at, color, width);
+        if (tall < min_text) return draw_bar(list, style, zoom, at, color, width);
     }
     float drawn = tall;
     ImFont* font = fonts.magnified(style.bold, tall, drawn);

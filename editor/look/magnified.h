@@ -17,7 +17,7 @@ struct TextStyle {
     bool right_aligned = false;  // ends at the given position
 };
 
-inline constexpr float least_text = 6;  // screen pixels; smaller text is drawn as a bar
+inline constexpr float min_text = 6;  // screen pixels; smaller text is drawn as a bar
 
 // `at` is the upper left corner, or the upper right one if right-aligned; screen pixels.
 void draw_magnified(ImDrawList& list, const Fonts& fonts, const TextStyle& style, float zoom,

@@ -14,7 +14,7 @@ namespace wrinkle::editor {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr size_t most_names = 4;  // most files that are listed by name
+constexpr size_t max_names = 4;  // most files that are listed by name
 
 // Draws the central square of the current preview image.
 void draw_object(const State& state, ImVec2 at) {
@@ -41,7 +41,7 @@ std::string what_is_replaced(const State& state) {
     for (const fs::path& file : baked_files(choices))
         if (fs::exists(file, error)) there.push_back(file.filename().string());
     if (there.empty()) return {};
-    if (there.size() > most_names) return counted(there.size(), "file") + " there are replaced.";
+    if (there.size() > max_names) return counted(there.size(), "file") + " there are replaced.";
     return listed(there) +
            (there.size() == 1 ? " is there already and is" : " are there already and are") +
            " replaced.";
@@ -147,7 +147,7 @@ std::string why_no_bake(const State& state) {
 
 std::string what_is_written(const BakeChoices& choices) {
     const std::vector<fs::path> files = baked_files(choices, choices.udim ? ".1001" : "");
-    const bool many = files.size() > most_names;
+    const bool many = files.size() > max_names;
     std::vector<std::string> names;
     for (const fs::path& file : files)
         names.push_back(file.filename().string());

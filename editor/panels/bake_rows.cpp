@@ -22,7 +22,7 @@ namespace {
 constexpr float label_wide = 96, bake_row_tall = 36;
 constexpr float control_wide = bake_wide - 2 * bake_padding - label_wide - picture_side - 16;
 constexpr float half_wide = (bake_wide - 2 * bake_padding - 16) / 2 - label_wide;
-constexpr float map_tall = 28, most_map_rows = 4;
+constexpr float map_tall = 28, max_map_rows = 4;
 constexpr const char* packs_tip =
     "Maps of others' channels, with a ; between two: orm: r=occlusion g=roughness b=metalness";
 
@@ -105,7 +105,7 @@ void draw_maps_row(State& state) {
     begin_bake_row(state, "Maps", bake_words::map);
     const auto rows = static_cast<float>((all.size() + 1) / 2);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
-    ImGui::BeginChild("##maps", {control_wide, std::min(rows, most_map_rows) * map_tall}, false);
+    ImGui::BeginChild("##maps", {control_wide, std::min(rows, max_map_rows) * map_tall}, false);
     ImGui::PopStyleVar();
     const float column = control_wide / 2;
     for (size_t i = 0; i < all.size(); ++i) {
@@ -204,7 +204,7 @@ void draw_edge_rows(State& state) {
     auto texels = static_cast<int>(tuning.dilate);
     ImGui::InputInt("##bake-dilate", &texels, 0, 0);
     ImGui::PopStyleColor();
-    tuning.dilate = static_cast<uint32_t>(std::clamp(texels, 0, static_cast<int>(most_dilation)));
+    tuning.dilate = static_cast<uint32_t>(std::clamp(texels, 0, static_cast<int>(max_dilation)));
     name_item(state, "bake:dilate");
     end_bake_row(top);
 }

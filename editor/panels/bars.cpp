@@ -14,8 +14,8 @@ namespace wrinkle::editor {
 namespace {
 
 constexpr const char* menus[] = {"File", "Edit", "View", "Node", "Preview", "Help"};
-constexpr float wordless = 1100;     // below this width toolbar buttons have no label
-constexpr float least_search = 640;  // below this one neither has the search field
+constexpr float wordless = 1100;   // below this width toolbar buttons have no label
+constexpr float min_search = 640;  // below this one neither has the search field
 
 bool is_used(std::string_view menu) {
     return std::any_of(commands().begin(), commands().end(),
@@ -62,14 +62,14 @@ void draw_menu(State& state, const char* menu) {
 // Returns the width of the search field in the menu bar.
 float search_room() {
     const float window = ImGui::GetWindowSize().x;
-    return window < least_search ? 46.0F : window < wordless ? 168.0F : 272.0F;
+    return window < min_search ? 46.0F : window < wordless ? 168.0F : 272.0F;
 }
 
 // Draws the field at the right of the menu bar that opens the list of commands; returns its left x.
 float draw_command_search(State& state) {
     const Command* search = find_command("commands");
     const float window = ImGui::GetWindowSize().x;
-    const bool words = window >= least_search;
+    const bool words = window >= min_search;
     const float wide = search_room() - 16, left = window - wide - 8;
     if (!search) return left;
     ImGui::SetCursorPos({left, 3});

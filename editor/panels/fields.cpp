@@ -5,9 +5,9 @@
 namespace wrinkle::editor {
 
 void focus_field(State& state) {
-    constexpr int most_frames = 6;
+    constexpr int max_frames = 6;
     ImGui::SetKeyboardFocusHere();
-    state.field_wait = most_frames;
+    state.field_wait = max_frames;
 }
 
 void note_field(State& state) {

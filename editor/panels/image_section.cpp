@@ -22,7 +22,7 @@ void draw_facts(const State& state, const Examined& examined) {
 }
 
 // Returns true if a button was pressed, which changes the list of remarks.
-bool draw_remark(State& state, const Remark& remark, const std::string& number) {
+bool draw_remark(State& state, const ImageWarning& remark, const std::string& number) {
     ImGui::Dummy({1, 4});
     const ImVec2 at = ImGui::GetCursorScreenPos();
     draw_warning(*ImGui::GetWindowDrawList(), at + ImVec2(9, 10), 18, theme::warn);
@@ -45,7 +45,7 @@ bool draw_remark(State& state, const Remark& remark, const std::string& number) 
 
 void draw_remarks(State& state, const std::string& node, const std::string& port) {
     size_t count = 0;
-    for (const Remark& remark : state.images.remarks) {
+    for (const ImageWarning& remark : state.images.remarks) {
         if (remark.problem.node != node || remark.port != port) continue;
         ImGui::PushID(static_cast<int>(++count));
         const bool done = draw_remark(state, remark, std::to_string(count));

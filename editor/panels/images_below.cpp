@@ -8,18 +8,17 @@ namespace wrinkle::editor {
 namespace fs = std::filesystem;
 
 // Breadth-first, so that the limits drop the files deepest below `folder`.
-std::vector<std::string> image_files(const fs::path& folder, size_t limit, size_t most_entries) {
+std::vector<std::string> image_files(const fs::path& folder, size_t limit, size_t max_entries) {
     constexpr std::string_view known[] = {".png", ".jpg", ".jpeg", ".tif", ".tiff", ".exr", ".hdr"};
     std::vector<std::string> files;
     std::deque<fs::path> folders{folder};
     size_t entries = 0;
-    for (; !folders.empty() && files.size() < limit && entries < most_entries;
-         folders.pop_front()) {
+    for (; !folders.empty() && files.size() < limit && entries < max_entries; folders.pop_front()) {
         std::set<fs::path> inner, images;
         std::error_code error, ignored;
         for (fs::directory_iterator at(folders.front(), error), end; !error && at != end;
              at.increment(error)) {
-            if (++entries > most_entries) break;
+            if (++entries > max_entries) break;
             const std::string extension = at->path().extension().string();
             if (at->is_directory(ignored) && !at->is_symlink(ignored))
                 inner.insert(at->path());

@@ -56,8 +56,8 @@ Listing list_folder(const fs::path& folder, std::span<const std::string> extensi
         if (entry.name.starts_with('.')) continue;
         if (!entry.folder && !has_extension(entry.name, extensions)) continue;
         listing.entries.push_back(std::move(entry));
-        if (listing.entries.size() < Listing::most_entries) continue;
-        listing.trouble = "Only the first " + std::to_string(Listing::most_entries) +
+        if (listing.entries.size() < Listing::max_entries) continue;
+        listing.trouble = "Only the first " + std::to_string(Listing::max_entries) +
                           " entries are listed. Type a name to go to the others.";
         break;
     }

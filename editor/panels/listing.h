@@ -15,7 +15,7 @@ struct Entry {
 };
 
 struct Listing {
-    static constexpr size_t most_entries = 100'000;
+    static constexpr size_t max_entries = 100'000;
 
     std::vector<Entry> entries;  // folders first, then files, each in name_before() order
     std::string trouble;         // why the list is empty or incomplete

@@ -53,7 +53,7 @@ struct Browser {
     bool focus = false, scroll = false;
     std::string node, port;  // purpose `picture`; "" adds a node
     size_t size = 0;         // purpose `export_picture`: index into picture_sizes()
-    Intent then;             // action after the graph is saved
+    PendingAction then;      // action after the graph is saved
     std::string trouble;     // why the last answer failed
 };
 

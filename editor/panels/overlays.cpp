@@ -116,7 +116,7 @@ void draw_crumbs(State& state) {
         if (&crumb != &crumbs.back())
             draw_icon(list, "into", at + ImVec2(-crumb_gap / 2, 8), theme::text_dim);
     }
-    if (pressed) intend(state, {Intent::Kind::leave, {}, *pressed});
+    if (pressed) request_action(state, {PendingAction::Kind::leave, {}, *pressed});
 }
 
 bool draw_part(State& state, const char* id, ImVec2 at, float width) {

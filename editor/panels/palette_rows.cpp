@@ -9,7 +9,7 @@
 namespace wrinkle::editor {
 namespace {
 
-constexpr size_t most_recent = 8;
+constexpr size_t max_recent = 8;
 
 // Sort key for an empty query: families that create bumps, then those that use them, tools last.
 size_t order_of_family(std::string_view family) {
@@ -132,7 +132,7 @@ std::vector<PaletteRow> palette_rows(const State& state) {
 void note_use(std::vector<std::string>& recent, std::string_view id) {
     std::erase(recent, id);
     recent.insert(recent.begin(), std::string(id));
-    if (recent.size() > most_recent) recent.resize(most_recent);
+    if (recent.size() > max_recent) recent.resize(max_recent);
 }
 
 }  // namespace wrinkle::editor

@@ -20,7 +20,7 @@
 namespace wrinkle::editor {
 namespace {
 
-constexpr size_t most_without_field = 8;  // most choices without a query field
+constexpr size_t max_without_field = 8;  // most choices without a query field
 constexpr float choice_tall = 24, choices_shown = 10;
 
 const Port* port_of(const State& state) {
@@ -158,7 +158,7 @@ bool draw_choices(State& state) {
     const std::vector<std::string> names =
         flag ? std::vector<std::string>{"no", "yes"} : port->choices;
     size_t taken = 0;
-    if (!draw_list(state, names, names.size() > most_without_field, taken))
+    if (!draw_list(state, names, names.size() > max_without_field, taken))
         return state.popup.next != 0;
     const Document& now = state.document();
     state.commit(node + ": " + port->name,

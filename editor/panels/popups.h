@@ -14,8 +14,8 @@ void choose_picture(State& state);  // opens a list of images; the chosen one is
 void edit_values(State& state);     // opens the first field of the selected node
 
 // Returns the image files below `folder`, relative to it, sorted: at most `limit`. The search stops
-// after `most_entries` files and folders.
+// after `max_entries` files and folders.
 std::vector<std::string> image_files(const std::filesystem::path& folder, size_t limit = 500,
-                                     size_t most_entries = 20'000);
+                                     size_t max_entries = 20'000);
 
 }  // namespace wrinkle::editor

@@ -37,7 +37,7 @@ std::vector<const Diagnostic*> shown(const State& state) {
         all.push_back(&problem);
     for (const Diagnostic& problem : state.plugins.problems.list())
         all.push_back(&problem);
-    for (const Remark& remark : state.images.remarks)
+    for (const ImageWarning& remark : state.images.remarks)
         all.push_back(&remark.problem);
     for (const Diagnostic& problem : told(state))
         all.push_back(&problem);
@@ -87,8 +87,8 @@ struct Fix {
     std::string label = {};  // "": there is no certain fix
     bool picture = false;    // true: choose an image; false: disconnect the wire
     std::string node = {}, port = {};
-    const Remark* remark = nullptr;  // if set, the fix is its remedy
-    bool can_go = false;             // the row can be dismissed without a fix
+    const ImageWarning* remark = nullptr;  // if set, the fix is its remedy
+    bool can_go = false;                   // the row can be dismissed without a fix
 
     int buttons() const { return (label.empty() ? 0 : 1) + (can_go ? 1 : 0); }
 };

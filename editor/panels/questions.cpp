@@ -34,21 +34,21 @@ void cancel(State& state) {
 }
 
 void discard(State& state) {
-    const Intent then = state.question.then;
+    const PendingAction then = state.question.then;
     state.question = {};
     carry_out(state, then);
 }
 
 void take_theirs(State& state) {
-    const Intent then = state.question.then;
+    const PendingAction then = state.question.then;
     state.question = {};
-    load_theirs(state);
+    reload_from_disk(state);
     save_and_carry_out(state, then);
 }
 
 // If the question blocked a save, saves now.
 void take_mine(State& state) {
-    keep_mine(state);
+    keep_local_version(state);
     if (state.question.saving) return answer_save(state);
     state.question = {};
 }
@@ -101,7 +101,7 @@ Sheet sheet_of(const State& state) {
     switch (question.kind) {
         case Question::Kind::unsaved:
             return {"Save changes to " + listed(unsaved(state, question.then)) + "?",
-                    question.then.kind == Intent::Kind::leave
+                    question.then.kind == PendingAction::Kind::leave
                         ? "The graph around it shows what is saved."
                         : "",
                     {{"Save", "answer:save", answer_save},
@@ -205,7 +205,7 @@ void draw_recent_files(State& state) {
         if (ImGui::IsItemHovered()) show_tooltip(beside_window(), recent[i].string());
         name_item(state, "recent:" + std::to_string(i + 1));
         ImGui::PopID();
-        if (chosen) intend(state, {Intent::Kind::open, recent[i]});
+        if (chosen) request_action(state, {PendingAction::Kind::open, recent[i]});
     }
 }
 

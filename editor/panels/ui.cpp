@@ -96,9 +96,9 @@ void draw_ui(State& state) {
     state.thumbnails.begin_frame();
     age_field_wait(state);
     run_keys(state);
-    tend_tasks(state);
+    poll_tasks(state);
     refresh(state);
-    tend_images(state);
+    poll_images(state);
     const Regions regions = regions_of(state);
     draw_bars(state, regions);
     draw_panes(state, regions);

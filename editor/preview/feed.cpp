@@ -11,7 +11,8 @@ namespace {
 
 // Returns the uniforms of the running program for a port of the document, which may have been
 // renamed since: one, or several if nodes were copied for a comparison.
-std::vector<const UniformInfo*> uniforms_at(const Follow& follow, const Change::Place& place) {
+std::vector<const UniformInfo*> uniforms_at(const CompileState& follow,
+                                            const Change::Place& place) {
     std::vector<const UniformInfo*> found;
     if (!follow.running || place.index >= follow.running_of.nodes.size()) return found;
     const std::string& node = follow.running_of.nodes[place.index]->id;
@@ -26,7 +27,7 @@ std::vector<const UniformInfo*> uniforms_at(const Follow& follow, const Change::
 
 // The running program may have no uniform for a port because it does not read it; compilation
 // determines whether that is so.
-bool all_are_uniforms(const Follow& follow, const Change& difference) {
+bool all_are_uniforms(const CompileState& follow, const Change& difference) {
     if (difference.kind == Change::Kind::structure) return false;
     return std::all_of(
         difference.values.begin(), difference.values.end(),
@@ -70,7 +71,7 @@ void forget_images(State& state) {
 }
 
 bool send_values(State& state) {
-    Follow& follow = state.follow;
+    CompileState& follow = state.follow;
     const Change difference = change(follow.sent, state.document());
     if (!all_are_uniforms(follow, difference)) return false;
     for (const Change::Place& place : difference.values)
@@ -79,8 +80,8 @@ bool send_values(State& state) {
     return true;
 }
 
-void run_newest(State& state) {
-    Follow& follow = state.follow;
+void apply_latest_build(State& state) {
+    CompileState& follow = state.follow;
     const Build& built = state.built;
     state.preview_stale = !built.running();
     if (!built.running()) return;
@@ -131,7 +132,7 @@ Diagnostic at_node(const Diagnostic& refusal, const Reflection& reflection,
     return result;
 }
 
-void hear_preview(State& state) {
+void poll_preview_diagnostics(State& state) {
     if (!state.preview) return;
     const PreviewPicture& picture = state.preview->picture();
     if (picture.version == state.follow.heard) return;

@@ -13,7 +13,7 @@ PreviewRequest wanted_request(const State& state);
 void forget_images(State& state);
 
 // Called after a build: replaces the program only if more than names and values differ.
-void run_newest(State& state);
+void apply_latest_build(State& state);
 // Sends the values that differ from those in the preview; returns false if one is not a uniform.
 bool send_values(State& state);
 // Updates the node ids in the request after a renaming.
@@ -21,7 +21,7 @@ void rename_in_request(State& state, const Document& before);
 
 // Collects the problems of the newest preview; maps a driver's errors to nodes by their source
 // lines.
-void hear_preview(State& state);
+void poll_preview_diagnostics(State& state);
 
 // Returns the output with the other normal of the running program; "" if nothing is compared.
 std::string other_normal(const State& state);

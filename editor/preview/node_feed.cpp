@@ -36,12 +36,12 @@ bool looks_the_same(const Document& before, const Document& after) {
 
 }  // namespace
 
-void feed_node_pictures(State& state) {
+void feed_node_previews(State& state) {
     NodeFeed& feed = state.node_feed;
     if (!feed.maker) return;
     if (auto newest = feed.maker->take(); newest && newest->version >= feed.first) {
         feed.pictures = std::move(*newest);
-        feed.atlas.fill(feed.pictures.texels, NodePictures::width, NodePictures::height);
+        feed.atlas.fill(feed.pictures.texels, NodePreviews::width, NodePreviews::height);
     }
     const bool busy = state.follow.building() || (state.preview && !state.preview->idle()) ||
                       state.gesture.kind != Gesture::Kind::none;

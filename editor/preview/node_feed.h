@@ -6,7 +6,7 @@
 #include <string>
 
 #include "editor/look/picture_atlas.h"
-#include "editor/preview/node_pictures.h"
+#include "editor/preview/node_previews.h"
 
 namespace wrinkle::editor {
 
@@ -15,7 +15,7 @@ struct State;
 struct NodeFeed {
     NodePictureMaker* maker = nullptr;  // nullptr: no node previews
     PictureAtlas atlas;
-    NodePictures pictures;  // the newest; its texels are in the atlas
+    NodePreviews pictures;  // the newest; its texels are in the atlas
     uint64_t asked = 0;     // version of the newest job
     uint64_t first = 1;     // first version of the open graph; older previews are another graph's
     uint64_t images = 0;    // when it changes, image files are read again
@@ -36,6 +36,6 @@ struct NodeFeed {
 
 // Takes a finished job; posts a new one if no other work is pending, so that the main preview is
 // drawn first.
-void feed_node_pictures(State& state);
+void feed_node_previews(State& state);
 
 }  // namespace wrinkle::editor

@@ -257,7 +257,7 @@ PreviewPicture PreviewPainter::draw(const PreviewJob& job, int held) {
 
 // Uses the state of the last rendering, with an opaque background.
 void PreviewPainter::draw_still(const PreviewJob& job) {
-    Still& still = *job.still;
+    ImageRequest& still = *job.still;
     Diagnostics problems = last_.problems;
     std::optional<Image> image;
     if (!still.cancelled && last_.texture && !last_.refused)

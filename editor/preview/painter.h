@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "editor/preview/displacement.h"
-#include "editor/preview/still.h"
+#include "editor/preview/image_request.h"
 #include "editor/preview/view.h"
 #include "gpu/renderer.h"
 
@@ -34,7 +34,7 @@ struct PreviewJob {
     int width = 0, height = 0;
     // If one of them changes, its files are read again.
     uint64_t images = 0, meshes = 0, lights = 0;
-    std::shared_ptr<Still> still;  // answered once, after the preview
+    std::shared_ptr<ImageRequest> still;  // answered once, after the preview
 };
 
 // Angles between the two normals, over the pixels of the mesh.

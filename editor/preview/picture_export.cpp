@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "editor/preview/still.h"
+#include "editor/preview/image_request.h"
 #include "editor/words.h"
 #include "image/load.h"
 
@@ -17,7 +17,7 @@ float shown_split(const State& state) {
     return compare.mode == CompareView::Mode::flip && compare.flipped ? 0.0F : 1.0F;
 }
 
-TaskOutcome draw_and_write(Still& still, const fs::path& file, TaskProgress& progress) {
+TaskOutcome draw_and_write(ImageRequest& still, const fs::path& file, TaskProgress& progress) {
     const std::string name = file.filename().string();
     progress.total = 2;
     Diagnostics problems;
@@ -45,7 +45,7 @@ std::vector<PictureSize> picture_sizes(const State& state) {
 
 void start_picture_export(State& state, const fs::path& file, PictureSize size) {
     if (!state.preview) return;
-    const auto still = std::make_shared<Still>(size.width, size.height, shown_split(state));
+    const auto still = std::make_shared<ImageRequest>(size.width, size.height, shown_split(state));
     const auto work = [still, file](TaskProgress& progress) {
         return draw_and_write(*still, file, progress);
     };

@@ -15,7 +15,7 @@ void Preview::begin() {
     const auto work = [this](PreviewJob&& job) {
         if (!painter_) {
             context_->make_current();
-            painter_ = std::make_unique<PreviewPainter>([this] { turns_.give_way(); });
+            painter_ = std::make_unique<PreviewPainter>([this] { turns_.wait_for_frame(); });
         }
         return painter_->draw(job, held_);
     };
@@ -39,7 +39,7 @@ void Preview::leave_context() {
     picture_ = PreviewPicture();
 }
 
-void Preview::renew() {
+void Preview::recreate_context() {
     begin();
     changed_ = true;
 }
@@ -78,7 +78,7 @@ void Preview::forget_light() {
     changed_ = true;
 }
 
-void Preview::draw_still(std::shared_ptr<Still> still) {
+void Preview::draw_still(std::shared_ptr<ImageRequest> still) {
     // Cancels the previous request.
     if (job_.still) job_.still->answer(std::nullopt, Diagnostics());
     job_.still = std::move(still);

@@ -10,8 +10,8 @@
 #include <span>
 #include <string>
 
+#include "editor/preview/frame_gate.h"
 #include "editor/preview/painter.h"
-#include "editor/preview/turns.h"
 #include "editor/worker.h"
 #include "gpu/context.h"
 
@@ -33,18 +33,18 @@ public:
     void forget_mesh();
     void forget_light();
     // Drawn once, as requested by the last show().
-    void draw_still(std::shared_ptr<Still> still);
+    void draw_still(std::shared_ptr<ImageRequest> still);
     // Sets view and comparison for the same material; width and height in pixels.
     void show(const PreviewView& view, const std::string& against, const CompareView& compare,
               int width, int height);
 
     // While the returned object exists, the window draws a frame and a slow rendering pauses.
-    Turns::Frame frame() { return Turns::Frame(turns_); }
+    FrameGate::Frame frame() { return FrameGate::Frame(turns_); }
 
     // leave_context() releases everything made in the window's context, which is destroyed next;
-    // renew() makes it again in the current one and draws again.
+    // recreate_context() makes it again in the current one and draws again.
     void leave_context();
-    void renew();
+    void recreate_context();
 
     // Returns the newest rendering. Its textures are valid until the next call.
     const PreviewPicture& picture();
@@ -64,7 +64,7 @@ private:
     bool changed_ = false;
     PreviewPicture picture_;
     std::atomic<int> held_ = -1;
-    Turns turns_;
+    FrameGate turns_;
     std::unique_ptr<PreviewPainter> painter_;                     // used by one thread only
     std::optional<gpu::Context> context_;                         // owned by the worker
     std::unique_ptr<Worker<PreviewJob, PreviewPicture>> worker_;  // destroyed first

@@ -8,7 +8,7 @@
 
 namespace wrinkle::editor {
 
-Task::Task(TaskOrder order, std::function<void()> wake)
+Task::Task(TaskSpec order, std::function<void()> wake)
     : order_(std::move(order)), thread_([this, wake = std::move(wake)] {
           outcome_ = order_.work(progress_);
           ended_ = true;
@@ -36,7 +36,7 @@ std::string progress_words(uint64_t done, uint64_t total, double seconds, const 
            rough_duration((all - now) / rate) + " left";
 }
 
-bool start_task(State& state, TaskOrder order) {
+bool start_task(State& state, TaskSpec order) {
     Tasks& tasks = state.tasks;
     if (tasks.running) {
         state.status = tasks.running->order().name + " is not done yet.";
@@ -61,11 +61,11 @@ void try_task_again(State& state) {
     if (again) again(state);
 }
 
-void tend_tasks(State& state) {
+void poll_tasks(State& state) {
     Tasks& tasks = state.tasks;
     if (!tasks.running || !tasks.running->ended()) return;
     TaskOutcome outcome = tasks.running->outcome();
-    const TaskOrder& order = tasks.running->order();
+    const TaskSpec& order = tasks.running->order();
     if (outcome.good || !tasks.running->cancelled()) {
         state.status = outcome.sentence;
         if (!outcome.good) tasks.failed = outcome.sentence;

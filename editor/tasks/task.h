@@ -37,7 +37,7 @@ struct TaskOutcome {
 // Runs on a separate thread, so it must own or share all data that it uses.
 using TaskWork = std::function<TaskOutcome(TaskProgress&)>;
 
-struct TaskOrder {
+struct TaskSpec {
     std::string name;  // "Exporting strap.glsl"
     TaskWork work;
     std::function<void(State&)> again;  // starts the same task again
@@ -47,12 +47,12 @@ struct TaskOrder {
 class Task {
 public:
     // `wake` is called on the task's thread at its end.
-    Task(TaskOrder order, std::function<void()> wake);
+    Task(TaskSpec order, std::function<void()> wake);
     Task(const Task&) = delete;
     Task& operator=(const Task&) = delete;
     ~Task();  // cancels, and waits for the end
 
-    const TaskOrder& order() const { return order_; }
+    const TaskSpec& order() const { return order_; }
     const TaskProgress& progress() const { return progress_; }
     void cancel() { progress_.cancelled = true; }
     bool cancelled() const { return progress_.cancelled; }
@@ -60,7 +60,7 @@ public:
     TaskOutcome outcome();  // waits for the end
 
 private:
-    TaskOrder order_;
+    TaskSpec order_;
     TaskProgress progress_;
     TaskOutcome outcome_;
     std::atomic<bool> ended_ = false;
@@ -85,10 +85,10 @@ struct Tasks {
 std::string progress_words(uint64_t done, uint64_t total, double seconds, const std::string& unit);
 
 // Returns false, with the reason in the status, while another task runs.
-bool start_task(State& state, TaskOrder order);
+bool start_task(State& state, TaskSpec order);
 void cancel_task(State& state);
 void try_task_again(State& state);
 // Called once a frame: takes the outcome of a task that has ended.
-void tend_tasks(State& state);
+void poll_tasks(State& state);
 
 }  // namespace wrinkle::editor

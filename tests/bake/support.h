@@ -27,7 +27,7 @@ struct LanePicture {
     size_t lanes = 0;
     std::vector<float> values;
     std::vector<uint8_t> covered;
-    BakeFindings findings;
+    BakeStatistics findings;
 
     // The lanes of texel (x, y); row 0 is the bottom row.
     const float* at(uint32_t x, uint32_t y) const { return values.data() + texel(x, y) * lanes; }

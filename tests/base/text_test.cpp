@@ -7,7 +7,7 @@
 #include <limits>
 #include <random>
 
-#include "base/text_list.h"
+#include "base/string_pool.h"
 
 namespace wrinkle {
 namespace {
@@ -77,12 +77,12 @@ TEST(Text, Utf8IsWellFormed) {
 }
 
 TEST(Text, AListHoldsEachTextOnce) {
-    TextList list;
+    StringPool list;
     EXPECT_EQ(list.add(""), 0u);
     const uint32_t weave = list.add("weave"), noise = list.add("noise");
     EXPECT_NE(weave, noise);
     EXPECT_EQ(list.add(std::string("weave")), weave);
-    const TextList moved = std::move(list);
+    const StringPool moved = std::move(list);
     EXPECT_EQ(moved[weave] + moved[noise] + moved[0], "weavenoise");
 }
 

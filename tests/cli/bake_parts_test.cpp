@@ -249,6 +249,7 @@ TEST_F(BakeStoppedTest, CtrlCLeavesNothing) {
 }
 
 TEST_F(BakeStoppedTest, WhatWasKilledGoesOn) {
+    MANY_PROCESSES;
     for (const int signal : {SIGKILL, SIGINT}) {
         const pid_t child = begin("out", {"--resume"});
         ASSERT_TRUE(under_way(child, "out.part"));

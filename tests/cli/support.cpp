@@ -1,14 +1,13 @@
 #include "cli/support.h"
 
 #include <fcntl.h>
-#include <linux/capability.h>
 #include <signal.h>
-#include <sys/prctl.h>
-#include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
+
+#include "support/privileges.h"
 
 namespace wrinkle::test {
 namespace {
@@ -23,16 +22,6 @@ std::vector<char*> pointers(const std::vector<std::string>& strings) {
         result.push_back(const_cast<char*>(string.c_str()));
     result.push_back(nullptr);
     return result;
-}
-
-// A program that root starts after this has no capabilities: file permissions apply to it. It is
-// still root: another user might not reach a program below /root.
-bool drop_capabilities() {
-    for (int capability = 0; prctl(PR_CAPBSET_READ, capability) >= 0; ++capability)
-        if (prctl(PR_CAPBSET_DROP, capability) != 0) return false;
-    __user_cap_header_struct header{_LINUX_CAPABILITY_VERSION_3, 0};
-    const __user_cap_data_struct none[2]{};
-    return syscall(SYS_capset, &header, none) == 0;
 }
 
 }  // namespace
@@ -70,7 +59,7 @@ pid_t CliTest::start(const std::vector<std::string>& args, int in, int out, int 
     const rlimit full{file_size, file_size};
     if (file_size != RLIM_INFINITY && setrlimit(RLIMIT_FSIZE, &full) == 0) signal(SIGXFSZ, SIG_IGN);
     alarm(seconds);  // survives exec
-    const bool changed = !unprivileged || geteuid() != 0 || drop_capabilities();
+    const bool changed = !unprivileged || drop_capabilities();
     if (chdir(folder.c_str()) == 0 && changed) execv(program.c_str(), argv.data());
     _exit(127);
 }

@@ -16,7 +16,7 @@ struct Mistake {
     const char* name;
     const char* declaration;  // follows node(...)
     const char* wanted;       // text in the first line with an error; "" if it compiles
-    int most_errors = 1;      // 2 if another error reports the first one as part of the body
+    int max_errors = 1;       // 2 if another error reports the first one as part of the body
 };
 void PrintTo(const Mistake& mistake, std::ostream* out) {
     *out << mistake.name;
@@ -121,7 +121,7 @@ TEST_P(Mistakes, FirstErrorSaysWhatToWrite) {
         }
         ASSERT_FALSE(lines.empty()) << compiler;
         EXPECT_NE(lines[0].find(mistake.wanted), std::string::npos) << compiler << "\n" << lines[0];
-        EXPECT_LE(lines.size(), size_t(mistake.most_errors)) << compiler << "\n" << lines.back();
+        EXPECT_LE(lines.size(), size_t(mistake.max_errors)) << compiler << "\n" << lines.back();
     }
 }
 

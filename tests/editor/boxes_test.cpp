@@ -30,7 +30,7 @@ protected:
         queue.motion(x, y);
         settle();
     }
-    void let_go() {
+    void reset_interaction() {
         queue.button(0, false);
         settle();
     }
@@ -82,10 +82,10 @@ TEST_F(Boxes, AnEdgeResizesAndEscapeGivesItBack) {
     EXPECT_DOUBLE_EQ(rect().x, before.x);
     play("key Escape");
     EXPECT_EQ(rect(), before);
-    let_go();
+    reset_interaction();
     press_at(title.x1 - 1, title.middle_y());
     move_to(title.x0 - 400, title.middle_y());
-    let_go();
+    reset_interaction();
     EXPECT_GE(rect().width, 64);
     play("key Ctrl+Z");
     EXPECT_EQ(rect(), before);
@@ -132,7 +132,7 @@ TEST_F(Boxes, TheViewFollowsWhatIsDraggedToTheBorder) {
     EXPECT_NEAR(moved.middle_x(), state.view.corner.x + 4, 8) << "it stays in the hand";
     play("key Escape\nassert clean");
     EXPECT_EQ(state.view.pan.x, pan.x);
-    let_go();
+    reset_interaction();
 }
 
 TEST_F(Boxes, PlacesAreBroughtInLine) {

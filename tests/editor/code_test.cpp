@@ -73,7 +73,7 @@ TEST_F(Headless, ExportsWhatTheProgramWrites) {
                 start_code_export(state, file);
                 const TaskOutcome outcome = state.tasks.running->outcome();
                 ASSERT_TRUE(outcome.good) << graph << outcome.sentence;
-                tend_tasks(state);
+                poll_tasks(state);
                 const auto compare = [&](const std::string& ours, const std::string& theirs) {
                     const std::string text = text_of(ours);
                     EXPECT_FALSE(text.empty());
@@ -107,7 +107,7 @@ TEST_F(Headless, ExportsEveryTargetAsTheProgramDoes) {
         const TaskOutcome outcome = state.tasks.running->outcome();
         ASSERT_TRUE(outcome.good) << outcome.sentence;
         EXPECT_NE(outcome.sentence.find(".frag" + end + "."), std::string::npos);
-        tend_tasks(state);
+        poll_tasks(state);
         for (const char* stage : {".vert", ".frag"})
             EXPECT_EQ(text_of(file + stage + end), text_of(made + stage + end)) << name;
         frame();

@@ -61,7 +61,7 @@ protected:
 
     // Closes everything that is open with Escape.
     void leave_all(RandomEvents& events) {
-        events.let_go();
+        events.reset_interaction();
         for (int i = 0; i < 8; ++i) {
             queue.chord("Escape");
             drain();
@@ -132,7 +132,7 @@ TEST_F(Events, AnyAreSurvivedAndUndone) {
     while (events.count() < count && !HasFailure()) {
         events.next();
         run_frames(random);
-        if (++gestures % 6 == 0) events.let_go();  // a held key masks the others
+        if (++gestures % 6 == 0) events.reset_interaction();  // a held key masks the others
         if (random() % 300 == 0)
             ImGui::GetIO().DisplaySize = {400.0F + static_cast<float>(random() % 1600),
                                           300.0F + static_cast<float>(random() % 900)};

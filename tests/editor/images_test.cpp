@@ -59,7 +59,7 @@ protected:
     }
     Names remarked() const {
         Names names;
-        for (const Remark& remark : state.images.remarks)
+        for (const ImageWarning& remark : state.images.remarks)
             names.push_back(remark.about + ": " + remark.remedy.label);
         return names;
     }
@@ -137,9 +137,9 @@ TEST_F(Pictures, WhatIsDismissedIsSoInTheNextSessionToo) {
     const Names of_the_new_one = remarked();
     EXPECT_TRUE(std::find(of_the_new_one.begin(), of_the_new_one.end(), "green: Read as dx") !=
                 of_the_new_one.end());
-    for (size_t i = 0; i < 2 * Settings::most_dismissed; ++i)
+    for (size_t i = 0; i < 2 * Settings::max_dismissed; ++i)
         dismiss_remark(state, state.images.remarks[0]);
-    EXPECT_EQ(state.keeping.settings.dismissed.size(), Settings::most_dismissed);
+    EXPECT_EQ(state.keeping.settings.dismissed.size(), Settings::max_dismissed);
 }
 
 TEST_F(Pictures, AnEncodingThatSaysSoNeedlesslyGoesWithItsMend) {

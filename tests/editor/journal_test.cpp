@@ -163,7 +163,7 @@ fs::path die(const TemporaryFolder& home) {
     return left;
 }
 
-void come_back(const TemporaryFolder& home, const fs::path& left) {
+void leave_subgraphs(const TemporaryFolder& home, const fs::path& left) {
     for (const auto& entry : fs::directory_iterator(left))
         fs::copy(entry,
                  home.path() / "state" / "journal" / ("left-" + entry.path().filename().string()));
@@ -220,8 +220,8 @@ TEST_F(Headless, WhatADeadProgramLeftIsOfferedAndComesBack) {
     const std::string edited = write_document(state.document());
     const fs::path left = die(home);
     open(small_graph);  // discards the edits
-    come_back(home, left);
-    carry_out(state, {Intent::Kind::open, file});
+    leave_subgraphs(home, left);
+    carry_out(state, {PendingAction::Kind::open, file});
     play("wait\nassert nodes 4\nclick answer:later\nassert nodes 4");
     EXPECT_EQ(journals(home), 1U);
     play("click menu:File\nclick menu:recover\nclick answer:recover\nassert nodes 3\nassert dirty");
@@ -239,7 +239,7 @@ TEST_F(Headless, AGraphWithoutAFileIsRecoveredToo) {
     play("key Space\ntype smoothstep\nkey Enter\nassert nodes 1");
     const fs::path left = die(home);
     new_file(state);
-    come_back(home, left);
+    leave_subgraphs(home, left);
     look_for_recoverable(state);
     offer_recovery(state);
     play("wait\nclick answer:recover\nassert node smoothstep\nassert dirty");
@@ -253,7 +253,7 @@ TEST_F(Headless, AGraphWithoutAFileIsRecoveredInItsFolder) {
     const fs::path left = die(home);
     new_file(state);
     ASSERT_NE(state.folder(), fs::canonical(folder.path()));
-    come_back(home, left);
+    leave_subgraphs(home, left);
     look_for_recoverable(state);
     offer_recovery(state);
     play("wait\nclick answer:recover\nassert nodes 2\nassert errors 0");
@@ -266,7 +266,7 @@ TEST_F(Headless, ARecoveredPartOfADamagedFileDoesNotReplaceIt) {
     play("click node:noise\nkey Delete");
     const fs::path left = die(home);
     open(small_graph);
-    come_back(home, left);
+    leave_subgraphs(home, left);
     folder.write("graph.json", broken);
     look_for_recoverable(state);
     ASSERT_EQ(state.keeping.recoverable.size(), 1U);
@@ -281,8 +281,8 @@ TEST_F(Headless, ADeadProgramsEditsCanBeGivenUp) {
     play("click node:number\nkey Delete");
     const fs::path left = die(home);
     open(small_graph);
-    come_back(home, left);
-    carry_out(state, {Intent::Kind::open, file});
+    leave_subgraphs(home, left);
+    carry_out(state, {PendingAction::Kind::open, file});
     play("wait\nclick answer:forget\nassert nodes 4");
     EXPECT_EQ(journals(home), 0U);
 }
@@ -311,7 +311,7 @@ TEST_F(Headless, AJournalThatCannotBeWrittenIsSaidAndTriedAgain) {
     frame();
     frame();
     EXPECT_TRUE(state.keeping.unkept.empty());
-    come_back(home, die(home));
+    leave_subgraphs(home, die(home));
     const auto found = list_recoverable(home.path() / "state");
     ASSERT_EQ(found.size(), 1U);
     EXPECT_EQ(found[0].text, write_document(state.document())) << "nothing torn is in between";

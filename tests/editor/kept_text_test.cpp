@@ -1,5 +1,5 @@
 // Tests of the text delta between two snapshots, computed from their differences.
-#include "editor/document/kept_text.h"
+#include "editor/document/journaled_text.h"
 
 #include "editor/document/text_delta.h"
 #include "graph/edit.h"
@@ -26,7 +26,7 @@ Node sum_node(const Document& document) {
 }
 
 // For any two snapshots the delta converts the text of the first into that of the second.
-TEST(KeptText, FollowsAnySnapshot) {
+TEST(JournaledText, FollowsAnySnapshot) {
     std::mt19937 random(11);
     Diagnostics ignored;
     std::vector<Document> all{{}, read_document(small_graph, "small.json", ignored)};
@@ -49,7 +49,7 @@ TEST(KeptText, FollowsAnySnapshot) {
         all.push_back(next[random() % std::size(next)]);
     }
     std::string text;
-    KeptText kept(all[0], text);
+    JournaledText kept(all[0], text);
     for (int i = 0; i < 5000; ++i) {
         const Document& next = all[random() % all.size()];
         std::string delta;
@@ -61,13 +61,13 @@ TEST(KeptText, FollowsAnySnapshot) {
     }
 }
 
-TEST(KeptText, WritesNoMoreThanWhatDiffers) {
+TEST(JournaledText, WritesNoMoreThanWhatDiffers) {
     std::mt19937 random(12);
     Document document = random_graph(random);
     for (int i = 0; i < 500; ++i)
         document = add_node(document, sum_node(document), i, 0);
     std::string text, delta;
-    const KeptText kept(document, text);
+    const JournaledText kept(document, text);
     const std::string id = document.nodes[200]->id;
     const auto size_after = [&](const Document& after) {
         (void)kept.next(after, delta);

@@ -226,7 +226,7 @@ TEST_F(Levels, RecoveryHasAllLevels) {
     EXPECT_EQ(journals(), 0U);
     fs::remove_all(state.keeping.folders.state / "journal");
     fs::copy(home.path() / "kept", state.keeping.folders.state / "journal");
-    carry_out(state, {Intent::Kind::open, file});
+    carry_out(state, {PendingAction::Kind::open, file});
     play("assert target answer:recover\nclick answer:recover\nassert dirty");
     EXPECT_TRUE(state.document().find("number")->muted);
     play(

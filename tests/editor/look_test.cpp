@@ -64,7 +64,7 @@ TEST_F(Headless, AZoomedTextIsAsWideAsTheZoomSays) {
     for (const bool bold : {false, true})
         for (int step = 0; step < zoom_steps; ++step) {
             const float zoom = zoom_at_step(step);
-            if (16 * zoom < least_text) continue;
+            if (16 * zoom < min_text) continue;
             ImDrawList list(ImGui::GetDrawListSharedData());
             list._ResetForNewFrame();
             list.PushTextureID(ImGui::GetIO().Fonts->TexID);

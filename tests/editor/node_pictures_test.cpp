@@ -1,5 +1,5 @@
 // Tests of node previews: expected texels are computed by hand for a flat patch.
-#include "editor/preview/node_pictures.h"
+#include "editor/preview/node_previews.h"
 
 #include <gtest/gtest.h>
 
@@ -12,7 +12,7 @@
 namespace wrinkle::editor {
 namespace {
 
-NodePictures pictures_of(const std::string& nodes, const std::filesystem::path& folder = ".") {
+NodePreviews pictures_of(const std::string& nodes, const std::filesystem::path& folder = ".") {
     Diagnostics problems;
     NodePictureJob job;
     job.version = 7;
@@ -29,11 +29,11 @@ struct Texel {
     int r = -1, g = -1, b = -1, a = -1;
 };
 
-Texel texel_of(const NodePictures& pictures, const std::string& node, uint32_t x, uint32_t y) {
+Texel texel_of(const NodePreviews& pictures, const std::string& node, uint32_t x, uint32_t y) {
     const auto place = pictures.places.find(node);
     if (place == pictures.places.end()) return {};
     const size_t at =
-        4 * ((size_t{place->second} * NodePictures::height + y) * NodePictures::width + x);
+        4 * ((size_t{place->second} * NodePreviews::height + y) * NodePreviews::width + x);
     if (at + 4 > pictures.texels.size()) return {};
     const uint8_t* t = pictures.texels.data() + at;
     return {t[0], t[1], t[2], t[3]};
@@ -53,38 +53,38 @@ constexpr const char* ramp = R"(
 "bump": { "type": "gradient_from_height", "in": { "height": { "from": "hill.height" } } },
 "normal": { "type": "resolve", "in": { "gradient": { "from": "bump.gradient" } } })";
 
-TEST(NodePictures, AHeightIsGrayOverItsRange) {
-    const NodePictures pictures = pictures_of(ramp);
+TEST(NodePreviews, AHeightIsGrayOverItsRange) {
+    const NodePreviews pictures = pictures_of(ramp);
     EXPECT_EQ(pictures.version, 7U);
     expect_texel(texel_of(pictures, "hill", 0, 20), 0, 0, 0);
-    expect_texel(texel_of(pictures, "hill", NodePictures::width - 1, 20), 255, 255, 255);
+    expect_texel(texel_of(pictures, "hill", NodePreviews::width - 1, 20), 255, 255, 255);
     const int middle = static_cast<int>(std::lround(64.0 / 127 * 255));
     expect_texel(texel_of(pictures, "half", 64, 3), middle, middle, middle);
 }
 
-TEST(NodePictures, ASlopeIsTheColourOfItsNormal) {
+TEST(NodePreviews, ASlopeIsTheColourOfItsNormal) {
     // h = u / 2 over a patch with u = x: the normal is (-1, 0, 2) / sqrt 5.
-    const NodePictures pictures = pictures_of(ramp);
+    const NodePreviews pictures = pictures_of(ramp);
     const auto shown = [](double v) { return static_cast<int>(std::lround(127.5 + 127.5 * v)); };
     const int r = shown(-1 / std::sqrt(5.0)), b = shown(2 / std::sqrt(5.0));
     for (const char* node : {"bump", "normal"})
         expect_texel(texel_of(pictures, node, 50, 40), r, shown(0), b);
 }
 
-TEST(NodePictures, EveryNodeThatMakesSomethingHasOne) {
-    const NodePictures pictures = pictures_of(ramp);
+TEST(NodePreviews, EveryNodeThatMakesSomethingHasOne) {
+    const NodePreviews pictures = pictures_of(ramp);
     EXPECT_EQ(pictures.places.size(), 5U);
-    EXPECT_EQ(pictures.texels.size(), 5U * 4 * NodePictures::width * NodePictures::height);
+    EXPECT_EQ(pictures.texels.size(), 5U * 4 * NodePreviews::width * NodePreviews::height);
 }
 
-TEST(NodePictures, WhatIsNotFiniteIsMagenta) {
-    const NodePictures pictures = pictures_of(std::string(ramp) + R"(,
+TEST(NodePreviews, WhatIsNotFiniteIsMagenta) {
+    const NodePreviews pictures = pictures_of(std::string(ramp) + R"(,
 "large": { "type": "multiply", "in": { "a": { "from": "split.x" }, "b": 3e38 } },
 "infinite": { "type": "multiply", "in": { "a": { "from": "large.result" }, "b": 3e38 } })");
     expect_texel(texel_of(pictures, "infinite", 5, 5), 255, 0, 255);
 }
 
-TEST(NodePictures, ABrokenGraphHasNone) {
+TEST(NodePreviews, ABrokenGraphHasNone) {
     EXPECT_TRUE(pictures_of(R"("a": { "type": "no_such_node" })").places.empty());
     EXPECT_TRUE(pictures_of("").places.empty());
     EXPECT_TRUE(pictures_of(R"(
@@ -93,9 +93,9 @@ TEST(NodePictures, ABrokenGraphHasNone) {
                     .places.empty());
 }
 
-TEST(NodePictures, ANodeThatDependsOnNothingBrokenHasAThumbnail) {
-    const NodePictures whole = pictures_of(ramp);
-    const NodePictures pictures = pictures_of(std::string(ramp) + R"(,
+TEST(NodePreviews, ANodeThatDependsOnNothingBrokenHasAThumbnail) {
+    const NodePreviews whole = pictures_of(ramp);
+    const NodePreviews pictures = pictures_of(std::string(ramp) + R"(,
 "unknown": { "type": "no_such_node" },
 "after": { "type": "sine", "in": { "angle": { "from": "unknown.value" } } },
 "lost": { "type": "height_map", "in": { "image": "not_there.png" } },
@@ -139,12 +139,12 @@ TEST_F(Headless, ThumbnailsOfTheFormerGraphAreForgotten) {
 
 TEST_F(Headless, ThePictureOfAMapIsTheMap) {
     const std::string name = texture("rivets_normal.png");
-    const NodePictures pictures = pictures_of(
+    const NodePreviews pictures = pictures_of(
         R"("map": { "type": "image", "in": { "image": ")" + name + R"(" } })", folder.path());
     ASSERT_TRUE(pictures.places.contains("map"));
     size_t other = 0;
     const Texel first = texel_of(pictures, "map", 0, 0);
-    for (uint32_t x = 0; x < NodePictures::width; ++x)
+    for (uint32_t x = 0; x < NodePreviews::width; ++x)
         other += texel_of(pictures, "map", x, 32).r != first.r;
     EXPECT_GT(other, 10U);
 }
@@ -182,12 +182,12 @@ TEST_F(Headless, PicturesFollowWhatChangesThemAndNothingElse) {
         frame();
         return state.node_feed.pictures;
     };
-    const NodePictures first = newest();
+    const NodePreviews first = newest();
     EXPECT_EQ(first.places.size(), 2U);
     play("drag node:noise node:noise+0,120");
     EXPECT_EQ(newest().version, first.version) << "moving made them anew";
     play("double field:noise.scale\ntype 9\nkey Enter");
-    const NodePictures second = newest();
+    const NodePreviews second = newest();
     EXPECT_GT(second.version, first.version);
     EXPECT_NE(second.texels, first.texels);
     play("double field:noise.scale\ntype 0/0\nkey Enter\nkey Escape");

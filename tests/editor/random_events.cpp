@@ -183,7 +183,7 @@ void RandomEvents::anything() {
     }
 }
 
-void RandomEvents::let_go() {
+void RandomEvents::reset_interaction() {
     for (int key = GLFW_KEY_SPACE; key <= GLFW_KEY_LAST; ++key)
         queue_.key(key, false);
     for (int button = 0; button < 3; ++button)

@@ -16,8 +16,8 @@ public:
     RandomEvents(State& state, InputQueue& queue, unsigned seed)
         : state_(state), queue_(queue), random_(seed) {}
 
-    void next();    // one gesture
-    void let_go();  // releases all keys and buttons
+    void next();               // one gesture
+    void reset_interaction();  // releases all keys and buttons
     size_t count() const { return count_; }
 
 private:

@@ -1,5 +1,5 @@
 // Tests of read-only folders and files. Root can write anywhere, so attempts run in a child process
-// as the user `nobody`.
+// without root's capabilities.
 #include <sys/wait.h>
 
 #include <unistd.h>
@@ -11,22 +11,20 @@
 #include "graph/edit.h"
 #include "graph/write.h"
 #include "headless.h"
+#include "support/privileges.h"
 
 namespace wrinkle::editor {
 namespace {
 
 namespace fs = std::filesystem;
 
-// Returns the result of `run`, called in a child process without root privileges.
-std::string as_nobody(const std::function<std::string()>& run) {
+// Returns the result of `run`, called in such a process.
+std::string unprivileged(const std::function<std::string()>& run) {
     int ends[2];
     if (pipe(ends) != 0) return "no pipe";
     const pid_t child = fork();
     if (child == 0) {
-        constexpr unsigned nobody = 65534;
-        const bool powerless =
-            getuid() != 0 || (setgid(nobody) == 0 && setuid(nobody) == 0 && getuid() == nobody);
-        const std::string said = powerless ? run() : "cannot become nobody";
+        const std::string said = test::drop_capabilities() ? run() : "the capabilities stay";
         const bool whole =
             write(ends[1], said.data(), said.size()) == static_cast<ssize_t>(said.size());
         _exit(whole ? 0 : 1);
@@ -67,7 +65,7 @@ TEST_F(ReadOnly, AFolderIsSaidAndTheEditsAreKept) {
     edit();
     fs::permissions(file, open_to_all);
     fs::permissions(folder.path(), enterable);
-    EXPECT_EQ(as_nobody([&] {
+    EXPECT_EQ(unprivileged([&] {
                   save_file(state);
                   return said();
               }),
@@ -85,14 +83,14 @@ TEST_F(ReadOnly, AFileIsNotReplacedThoughItsFolderWouldAllowIt) {
     edit();
     fs::permissions(folder.path(), open_to_all);
     fs::permissions(file, readable);
-    EXPECT_EQ(as_nobody([&] {
+    EXPECT_EQ(unprivileged([&] {
                   save_file(state);
                   return said();
               }),
               "graph.json was not saved: it is read-only. Your edits are kept in the recovery "
               "file. [dirty] [asks]");
     EXPECT_EQ(text_of(file), small_graph);
-    EXPECT_EQ(as_nobody([&] {
+    EXPECT_EQ(unprivileged([&] {
                   const fs::path link = folder.path() / "link.json";
                   fs::create_symlink(file, link);
                   save_file_as(state, link);
@@ -108,7 +106,7 @@ TEST_F(ReadOnly, AnotherNameIsOffered) {
     fs::permissions(folder.path(), open_to_all);
     fs::permissions(file, readable);
     fs::remove_all(home.path() / "config");  // owned by root if settings were saved before
-    EXPECT_EQ(as_nobody([&] {
+    EXPECT_EQ(unprivileged([&] {
                   play(
                       "key Ctrl+Q\nclick answer:save\nassert target answer:save-as\n"
                       "click answer:save\nassert target answer:save-as\n"
@@ -128,7 +126,7 @@ TEST_F(ReadOnly, AStateFolderIsSaidOnceAndWorkGoesOn) {
     fs::permissions(home.path(), enterable);
     fs::remove_all(home.path() / "state");
     fs::remove_all(home.path() / "config");
-    const std::string text = as_nobody([&] {
+    const std::string text = unprivileged([&] {
         std::string all;
         for (int i = 0; i < 5; ++i) {
             state.status.clear();
@@ -167,7 +165,7 @@ TEST_F(ReadOnly, RecentFilesAreRememberedWithoutADisk) {
     folder.write("other.json", small_graph);
     fs::permissions(folder.path(), open_to_all);
     fs::permissions(home.path(), enterable);
-    EXPECT_EQ(as_nobody([&] {
+    EXPECT_EQ(unprivileged([&] {
                   state.keeping.folders = folders_below(home.path() / "none");
                   open_file(state, folder.path() / "other.json");
                   open_file(state, file);

@@ -16,7 +16,7 @@ namespace {
 namespace fs = std::filesystem;
 
 // A task that ends when `go` is set or when it is cancelled.
-TaskOrder waiting_order(const std::shared_ptr<std::atomic<bool>>& go, bool good) {
+TaskSpec waiting_order(const std::shared_ptr<std::atomic<bool>>& go, bool good) {
     const auto work = [go, good](TaskProgress& progress) -> TaskOutcome {
         progress.total = 4;
         progress.done = 1;

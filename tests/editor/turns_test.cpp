@@ -1,5 +1,5 @@
 // Tests of turns: renderings wait for frames, but only for a limited time.
-#include "editor/preview/turns.h"
+#include "editor/preview/frame_gate.h"
 
 #include <gtest/gtest.h>
 
@@ -11,23 +11,23 @@
 namespace wrinkle::editor {
 namespace {
 
-TEST(Turns, WithoutAFrameNobodyWaits) {
-    Turns turns;
-    turns.give_way();
-    { const Turns::Frame frame(turns); }
-    turns.give_way();
+TEST(FrameGate, WithoutAFrameNobodyWaits) {
+    FrameGate turns;
+    turns.wait_for_frame();
+    { const FrameGate::Frame frame(turns); }
+    turns.wait_for_frame();
 }
 
-TEST(Turns, AStripComesAfterTheFrame) {
-    Turns turns;
+TEST(FrameGate, AStripComesAfterTheFrame) {
+    FrameGate turns;
     int early = 0;
     constexpr int rounds = 100;
     for (int i = 0; i < rounds; ++i) {
         std::atomic<bool> ended = false, begun = false;
-        std::optional<Turns::Frame> frame(std::in_place, turns);
+        std::optional<FrameGate::Frame> frame(std::in_place, turns);
         std::thread other([&] {
             begun = true;
-            turns.give_way();
+            turns.wait_for_frame();
             early += !ended;
         });
         while (!begun)
@@ -41,10 +41,10 @@ TEST(Turns, AStripComesAfterTheFrame) {
     EXPECT_LT(early, rounds / 2);
 }
 
-TEST(Turns, AFrameThatNeverEndsHoldsNothingUp) {
-    Turns turns;
-    const Turns::Frame frame(turns);
-    turns.give_way();
+TEST(FrameGate, AFrameThatNeverEndsHoldsNothingUp) {
+    FrameGate turns;
+    const FrameGate::Frame frame(turns);
+    turns.wait_for_frame();
 }
 
 }  // namespace

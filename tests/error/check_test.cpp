@@ -228,7 +228,7 @@ TEST(CheckGraph, UnreachedNodesCountUnlessToldOtherwise) {
                                   R"("a": {"from": "n.value"})"),
                       diagnostics);
     EXPECT_NE(reports(project), "");
-    EXPECT_EQ(reports(project, {.reached_only = true}), "");
+    EXPECT_EQ(reports(project, {.reachable_only = true}), "");
 }
 
 TEST(CheckGraph, AllProblemsComeInOneGo) {

@@ -36,7 +36,7 @@ TEST(Names, of_which_there_are_many_keep_their_texts) {
     globals.unique("map_7");
     NameSet names(&globals);
     std::vector<std::pair<std::string_view, std::string>> given;
-    const auto add = [&](const WantedName& wanted, std::string expected) {
+    const auto add = [&](const NameHint& wanted, std::string expected) {
         given.emplace_back(names.add(wanted), std::move(expected));
     };
     for (int i = 0; i < 3000; ++i) {
@@ -46,8 +46,8 @@ TEST(Names, of_which_there_are_many_keep_their_texts) {
     }
     for (const auto& [name, text] : given)
         EXPECT_EQ(name, text);
-    EXPECT_EQ((WantedName{"map", "uv"}.size()), 6u);
-    EXPECT_EQ((WantedName{{}, "uv"}.size()), 2u);
+    EXPECT_EQ((NameHint{"map", "uv"}.size()), 6u);
+    EXPECT_EQ((NameHint{{}, "uv"}.size()), 2u);
 }
 
 TEST(Names, comments_cannot_be_left) {

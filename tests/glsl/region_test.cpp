@@ -53,10 +53,10 @@ TEST(Regions, a_loop_breaks_before_it_computes_the_next_state) {
         m.swizzle(m.add(Op::sample_lod_, {state[1], m.number(0)},
                         m[image(m, "height", "h.png", m.input(SurfaceInput::uv0_))].extra),
                   "x");
-    const Id go_on = m.add(Op::lt_, {state[0], height});
+    const Id write_loop_condition = m.add(Op::lt_, {state[0], height});
     const Id next_depth = m.add(Op::add_, {state[0], m.add(Op::mul_, {far, m.number(0.1)})});
     const Id next_uv = m.add(Op::add_, {state[1], m.add(Op::mul_, {state[1], state[0]})});
-    const RegionUse loop = m.end_region(std::array{go_on, next_depth, next_uv}, 32);
+    const RegionUse loop = m.end_region(std::array{write_loop_condition, next_depth, next_uv}, 32);
     const auto results = m.apply(loop, std::array{m.number(0), m.input(SurfaceInput::uv0_)});
     name(m, "depth", results[0]);
     name(m, "uv", results[1]);
@@ -73,8 +73,8 @@ TEST(Regions, a_loops_state_changes_at_once) {
     Module m;
     node(m, "swap", "Swap");
     const auto s = m.begin_region(RegionKind::loop, "", std::array{Type::float_, Type::float_});
-    const Id go_on = m.literal(Type::bool_, 1);
-    const RegionUse loop = m.end_region(std::array{go_on, s[1], s[0]}, 3);
+    const Id write_loop_condition = m.literal(Type::bool_, 1);
+    const RegionUse loop = m.end_region(std::array{write_loop_condition, s[1], s[0]}, 3);
     const auto results = m.apply(loop, std::array{x_of(m), m.number(7)});
     output(m, "o", m.add(Op::sub_, {results[0], results[1]}));
     const std::string text = source(m);
@@ -90,9 +90,10 @@ TEST(Regions, a_loops_state_that_is_a_literal_waits_for_no_other) {
     Module m;
     node(m, "reset", "Reset");
     const auto s = m.begin_region(RegionKind::loop, "", std::array{Type::float_, Type::float_});
-    const Id go_on = m.add(Op::lt_, {s[0], s[1]});
+    const Id write_loop_condition = m.add(Op::lt_, {s[0], s[1]});
     const Id next = m.add(Op::add_, {s[0], m.add(Op::sin_, {s[1]})});
-    const RegionUse loop = m.end_region(std::array{go_on, next, m.number(0.123456789)}, 3);
+    const RegionUse loop =
+        m.end_region(std::array{write_loop_condition, next, m.number(0.123456789)}, 3);
     const auto results = m.apply(loop, std::array{x_of(m), m.add(Op::cos_, {x_of(m)})});
     output(m, "o", m.add(Op::sub_, {results[0], results[1]}));
     const std::string text = source(m);
@@ -129,8 +130,8 @@ TEST(Regions, siblings_that_share_instructions) {
         const auto s = m.begin_region(RegionKind::loop, "", std::array{Type::float_});
         const Id common = m.add(Op::sin_, {s[0]});
         const Id next = m.add(Op::add_, {m.add(Op::mul_, {common, common}), s[0]});
-        const Id go_on = m.add(Op::lt_, {common, m.number(limit)});
-        const RegionUse loop = m.end_region(std::array{go_on, next}, 8);
+        const Id write_loop_condition = m.add(Op::lt_, {common, m.number(limit)});
+        const RegionUse loop = m.end_region(std::array{write_loop_condition, next}, 8);
         sum = m.add(Op::add_, {sum, m.apply(loop, std::array{x_of(m)})[0]});
     }
     output(m, "o", sum);

@@ -198,7 +198,7 @@ TEST_F(LoadTest, RowsAreThoseOfTheWholePictureFromTheTop) {
     const auto back = load_image(folder / "rows.exr", whole);
     ASSERT_TRUE(back);
     uint32_t count = 0, different = 0, most = 151;
-    const TakeImageRow take = [&](const ImageInfo& info, const float* row) {
+    const ImageRowSink take = [&](const ImageInfo& info, const float* row) {
         const size_t bytes = size_t{info.width} * info.channels * sizeof(float);
         different += std::memcmp(row, back->texel(0, info.height - 1 - count), bytes) != 0;
         return ++count < most;

@@ -118,7 +118,7 @@ void functions_in_functions(int count) {
         below = m.end_region(std::array{op(Op::sin_, inner * (i + 1.0)).id});
         if (!below.region) break;
     }
-    EXPECT_EQ(m.problems.empty(), count <= Module::deepest_call + 1);
+    EXPECT_EQ(m.problems.empty(), count <= Module::max_call + 1);
     if (!m.problems.empty()) return;
     const Id u = m.swizzle(m.input(SurfaceInput::uv0_), "x");
     const Id value = m.apply(below, std::array{u})[0];
@@ -131,8 +131,8 @@ TEST(Chain, OfFunctionsThatCallEachOther) {
     // The derivative recurses over calls, up to that limit; sanitizers enlarge its stack frames
     // several times.
     constexpr size_t stack = 1024 * 1024;
-    on_small_stack([] { functions_in_functions(Module::deepest_call); }, stack);
-    on_small_stack([] { functions_in_functions(Module::deepest_call + 2); }, stack);
+    on_small_stack([] { functions_in_functions(Module::max_call); }, stack);
+    on_small_stack([] { functions_in_functions(Module::max_call + 2); }, stack);
 }
 
 TEST(Chain, InRegions) {

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <functional>
 
-#include "ir/change_by_source.h"
+#include "ir/jacobian_by_source.h"
 #include "ir/support.h"
 #include "ir/value.h"
 #include "ir/verify.h"
@@ -34,7 +34,7 @@ struct DeriveTest : testing::Test {
     }
     double derived(Id id, int axis) {
         Direction direction = uv_direction(m, SurfaceInput::uv0_, axis);
-        const Id tangent = direction.tangent_or_zero(id);
+        const Id tangent = direction.jvp_or_zero(id);
         m.outputs = {{"tangent", WR_PORT_float, tangent}};
         EXPECT_EQ(verify(m), "");
         return interpret(m, tangent, around)[0];
@@ -90,7 +90,7 @@ TEST_F(DeriveTest, ZeroCostsNothing) {
     const Id other = m.swizzle(m.input(SurfaceInput::uv1_), "x");
     EXPECT_EQ(direction.tangent(m.add(Op::sin_, {other})), poison);
     EXPECT_EQ(direction.tangent(sine(detach(u)).id), poison);
-    EXPECT_EQ(direction.tangent_or_zero(other), m.number(0));
+    EXPECT_EQ(direction.jvp_or_zero(other), m.number(0));
 }
 
 TEST_F(DeriveTest, DetachedFactorsAreConstant) {
@@ -271,12 +271,12 @@ struct ChangeBySourceTest : DeriveTest {
         return result;
     }
     void expect_changes(Value value, size_t sources) {
-        const std::vector<SourceChange> changes = changes_by_source(value);
+        const std::vector<SourceJacobian> changes = jacobians_by_source(value);
         ASSERT_EQ(changes.size(), sources);
         for (int axis = 0; axis < 2; ++axis) {
             const Lanes wanted = difference(value.id, axis);
             Lanes sum{};
-            for (const SourceChange& change : changes) {
+            for (const SourceJacobian& change : changes) {
                 // A source that reads other sources only propagates their derivatives.
                 if (change.source != a.id && change.source != b.id) continue;
                 const Lanes moved = difference(change.source, axis);

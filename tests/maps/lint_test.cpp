@@ -275,7 +275,7 @@ TEST(Lint, AHeightInThreeChannelsIsAHeight) {
     const Verdict verdict = examine(gray, Wrap::repeat);
     EXPECT_EQ(name_of(verdict.look), "height");
     ASSERT_EQ(verdict.findings.size(), 1u);
-    EXPECT_EQ(verdict.findings[0].flaw, Flaw::gray);
+    EXPECT_EQ(verdict.findings[0].flaw, MapDefect::gray);
     EXPECT_FALSE(verdict.has_defects());
 }
 

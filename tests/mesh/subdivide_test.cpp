@@ -22,7 +22,7 @@ double area(const Mesh& mesh) {
     return sum;
 }
 
-float longest_edge(const Mesh& mesh) {
+float max_edge(const Mesh& mesh) {
     float longest = 0;
     for (size_t i = 0; i < mesh.indices.size(); ++i) {
         const size_t next = i - i % 3 + (i + 1) % 3;
@@ -56,10 +56,10 @@ TEST(Subdivided, KeepsTheShapeAndClosesEverySeam) {
     for (const Shape& shape : shapes()) {
         SCOPED_TRACE(std::string(shape.name));
         const Mesh coarse = shape.make();
-        const float longest = 0.6F * longest_edge(coarse);
+        const float longest = 0.6F * max_edge(coarse);
         const Mesh fine = subdivided(coarse, longest);
         EXPECT_GT(fine.triangle_count(), coarse.triangle_count());
-        EXPECT_LE(longest_edge(fine), longest);
+        EXPECT_LE(max_edge(fine), longest);
         EXPECT_NEAR(area(fine), area(coarse), 1e-5 * area(coarse));
         EXPECT_TRUE(shape.name == "plane" || open_edges(fine) == open_edges(coarse));
         for (const size_t count : {fine.normals.size(), fine.tangents.size(), fine.uvs[0].size(),

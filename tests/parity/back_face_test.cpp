@@ -92,7 +92,7 @@ TEST(EveryBump, T13_IsMirroredFlippedOrKeptOnBackFaces) {
         for (const Port& port : type.ports) {
             if (!is_bump(port)) continue;
             for (const Inputs inputs : {Inputs::defaults, Inputs::numbers})
-                expect_back(compile_around(type, inputs, 9).text, port.name, points);
+                expect_back(compile_harness(type, inputs, 9).text, port.name, points);
             ++bumps;
         }
     EXPECT_GE(bumps, 14);

@@ -34,13 +34,13 @@ std::string image_folder() {
     return folder ? folder->path().string() : "";
 }
 
-certify::Bench bench(bool gpu) {
+certify::CertifyContext bench(bool gpu) {
     return {all_nodes(), image_folder(), gpu,
             [](const Shader& shader) { return compile_errors(shader); }};
 }
 
-Subject compile_around(const NodeType& type, Inputs inputs, unsigned seed) {
-    Subject subject = certify::compile_around(type, inputs, seed, bench());
+Subject compile_harness(const NodeType& type, Inputs inputs, unsigned seed) {
+    Subject subject = certify::compile_harness(type, inputs, seed, bench());
     EXPECT_TRUE(subject.compiled.ok)
         << "no graph around '" << type.id << "' is legal: " << subject.problem << "\n"
         << subject.text;

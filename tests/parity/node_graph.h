@@ -17,8 +17,8 @@ const Registry& all_nodes();
 std::string image_folder();
 
 // Source is validated by glslang. `gpu`: a context is current.
-certify::Bench bench(bool gpu = false);
+certify::CertifyContext bench(bool gpu = false);
 
-Subject compile_around(const NodeType& type, Inputs inputs, unsigned seed);
+Subject compile_harness(const NodeType& type, Inputs inputs, unsigned seed);
 
 }  // namespace wrinkle::test

@@ -161,7 +161,7 @@ TEST(Tally, NamesThoseThatLeaveOutMost) {
 class SeededError : public WithGpu {
 protected:
     SeededError()
-        : subject(compile_around(*all_nodes().find("tangent_normal_map"), Inputs::numbers, 3)),
+        : subject(compile_harness(*all_nodes().find("tangent_normal_map"), Inputs::numbers, 3)),
           module(subject.compiled.module),
           judge(make_judge(module, the_points(), test_image)),
           gpu(on_gpu(module, the_points(), test_image)) {}

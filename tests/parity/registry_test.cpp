@@ -61,7 +61,7 @@ TEST(EveryNode, MeansTheSameBakedAndUniform) {
 // In single precision, at the smallest pixel sizes in use: eq. 3 divides by (pixel size)^2.
 TEST(HeightGradient, IsTheSameAtEveryPixelSize) {
     const Subject subject =
-        compile_around(*all_nodes().find("gradient_from_height"), Inputs::wires, 41);
+        compile_harness(*all_nodes().find("gradient_from_height"), Inputs::wires, 41);
     ASSERT_TRUE(subject.compiled.ok);
     const PointSet points = certify::random_points(100, 29);
     Values expected;

@@ -109,7 +109,7 @@ std::vector<BrowserJob> jobs_of(const std::vector<fs::path>& graphs) {
 }
 
 // Edges of cells and steps may fall on the other side of a pixel's centre: one in a thousand.
-constexpr int most_off = pass_size * pass_size / 1000;
+constexpr int max_off = pass_size * pass_size / 1000;
 
 TEST(WebGl2, DrawsEverySampleAsOpenGlDoes) {
     Diagnostics diagnostics;
@@ -129,7 +129,7 @@ TEST(WebGl2, DrawsEverySampleAsOpenGlDoes) {
         const Shader shader = shader_of(graph, targets().front(), Form::function);
         const std::vector<uint8_t> wanted = drawn(shader, shown_output(shader));
         ASSERT_EQ(results.at(name).pixels.size(), wanted.size());
-        EXPECT_LE(far_off(results.at(name).pixels, wanted), most_off);
+        EXPECT_LE(far_off(results.at(name).pixels, wanted), max_off);
     }
 }
 
@@ -146,7 +146,7 @@ TEST(WebGl2, NoticesOtherPicturesAndBadTexts) {
     EXPECT_NE(results.at("bad").log, "");
     std::vector<uint8_t> pixels = results.at(name_for(graph)).pixels;
     ASSERT_EQ(pixels.size(), static_cast<size_t>(pass_size) * pass_size * 4);
-    EXPECT_GT(far_off(pixels, std::vector<uint8_t>(pixels.size(), 255)), most_off);
+    EXPECT_GT(far_off(pixels, std::vector<uint8_t>(pixels.size(), 255)), max_off);
     EXPECT_EQ(far_off(pixels, pixels), 0);
 }
 

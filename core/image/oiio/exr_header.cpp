@@ -11,7 +11,7 @@ namespace wrinkle::oiio {
 namespace {
 
 constexpr uint32_t several_parts = 1 << 12;  // flag in the version field
-constexpr size_t longest_name = 255;
+constexpr size_t max_name = 255;
 
 class Header {
 public:
@@ -62,7 +62,7 @@ private:
         std::string text;
         for (int c = file_.get(); c != 0; c = file_.get()) {
             if (c < 0) ended();
-            if (text.size() == longest_name) throw Failure("a name in its header is too long");
+            if (text.size() == max_name) throw Failure("a name in its header is too long");
             text += static_cast<char>(c);
         }
         return text;

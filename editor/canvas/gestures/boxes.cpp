@@ -9,7 +9,7 @@
 namespace wrinkle::editor {
 namespace {
 
-constexpr double least_width = 64, least_height = 40;
+constexpr double min_width = 64, min_height = 40;
 
 double on_grid(double length) {
     return std::round(length / 8) * 8;
@@ -55,10 +55,10 @@ void drag_resize(State& state, ImVec2 delta) {
     const double dx = delta.x / state.view.zoom, dy = delta.y / state.view.zoom;
     double left = g.rect.x, right = left + g.rect.width;
     double top = g.rect.y, bottom = top + g.rect.height;
-    if (g.edges & 1) left = std::min(on_grid(left + dx), right - least_width);
-    if (g.edges & 2) right = std::max(on_grid(right + dx), left + least_width);
-    if (g.edges & 4) top = std::min(on_grid(top + dy), bottom - least_height);
-    if (g.edges & 8) bottom = std::max(on_grid(bottom + dy), top + least_height);
+    if (g.edges & 1) left = std::min(on_grid(left + dx), right - min_width);
+    if (g.edges & 2) right = std::max(on_grid(right + dx), left + min_width);
+    if (g.edges & 4) top = std::min(on_grid(top + dy), bottom - min_height);
+    if (g.edges & 8) bottom = std::max(on_grid(bottom + dy), top + min_height);
     box.rect = {left, top, right - left, bottom - top};
     state.commit(g.box.note ? "Resize note" : "Resize frame",
                  with_box(state.document(), g.box.note, std::move(box)), g.merge);

@@ -33,7 +33,7 @@ void drop_cards(State& state);
 // Returns the target pin of a wire: the nearest fitting pin within 12 pixels, else the pin of the
 // hovered row, else the best-fitting pin of the card. A pin that does not fit is returned only if
 // there is no better one.
-Hit aim_wire(const State& state, ImVec2 mouse);
+Hit snap_wire(const State& state, ImVec2 mouse);
 void begin_wire(State& state, const Card& card, const Pin& pin);
 void lift_wire(State& state);
 void drop_wire(State& state);

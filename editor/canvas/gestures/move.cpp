@@ -5,7 +5,7 @@
 #include "editor/canvas/boxes.h"
 #include "editor/canvas/crossing.h"
 #include "editor/canvas/layout.h"
-#include "editor/canvas/room.h"
+#include "editor/canvas/make_space.h"
 #include "editor/document/edits.h"
 #include "editor/document/refresh.h"
 #include "editor/document/wiring.h"
@@ -49,7 +49,7 @@ bool drop_in_wire(State& state, const Document& moved) {
     const Connection place{wire.from, wire.node, wire.port};
     const Document wired = insert_in_wire(moved, place, card.id, *passage_in(state, card, wire));
     std::optional<ImVec2> outputs_at;
-    state.commit("Insert " + card.id + " in a wire", with_room(state, wired, card, outputs_at));
+    state.commit("Insert " + card.id + " in a wire", make_space(state, wired, card, outputs_at));
     if (outputs_at) push_borders(state, {state.view.surface_at, outputs_at});
     return true;
 }

@@ -13,7 +13,7 @@
 namespace wrinkle::editor {
 namespace {
 
-constexpr size_t most_points = 4096;
+constexpr size_t max_points = 4096;
 
 Connection ends_of(const Wire& wire) {
     return {wire.from, wire.node, wire.port};
@@ -46,7 +46,7 @@ bool follow_stroke(State& state) {
     const ImVec2 at = to_canvas(state.view, ImGui::GetIO().MousePos);
     if (g.stroke.empty()) g.stroke.push_back(to_canvas(state.view, g.start));
     const ImVec2 last = g.stroke.back();
-    if ((last.x == at.x && last.y == at.y) || g.stroke.size() == most_points) return false;
+    if ((last.x == at.x && last.y == at.y) || g.stroke.size() == max_points) return false;
     g.stroke.push_back(at);
     return true;
 }

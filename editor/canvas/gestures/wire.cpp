@@ -77,7 +77,7 @@ bool is_own(const State& state, const Card& card) {
 
 }  // namespace
 
-Hit aim_wire(const State& state, ImVec2 mouse) {
+Hit snap_wire(const State& state, ImVec2 mouse) {
     const Aim near = pin_in_reach(state, mouse);
     if (near.fits) return near.hit;
     const ImVec2 at = to_canvas(state.view, mouse);
@@ -124,7 +124,7 @@ void lift_wire(State& state) {
 
 void drop_wire(State& state) {
     const Gesture wire = state.gesture;
-    const Hit hit = aim_wire(state, ImGui::GetIO().MousePos);
+    const Hit hit = snap_wire(state, ImGui::GetIO().MousePos);
     if (hit.kind == Hit::Kind::pin) {
         const Card& card = state.layout.cards[hit.card];
         connect_wire(state, wire, card, card.pins[hit.part]);

@@ -8,7 +8,7 @@
 
 namespace wrinkle::bench {
 
-inline constexpr size_t most_planes = 8;
+inline constexpr size_t max_planes = 8;
 struct Plane {
     Affine value;
     float* out;

@@ -99,7 +99,7 @@ void rows(uint32_t first, uint32_t last, uint32_t* out) {
 }
 
 void fill(const Plane* planes, size_t plane_count, uint32_t x, uint32_t y, uint32_t count) {
-    Float rows[most_planes];
+    Float rows[max_planes];
     for (size_t i = 0; i < plane_count; ++i)
         rows[i] = row_of(planes[i].value, y);
     for (uint32_t k = 0; k < count; k += lanes) {

@@ -1,0 +1,52 @@
+// Bakes one texture set: encoded rows of all its maps, and a report of problems for the end.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "bake/bake.h"
+#include "bake/map_files.h"
+#include "bake/maps.h"
+#include "base/diagnostics.h"
+
+namespace wrinkle {
+
+struct TextureSetInput {
+    const Mesh* mesh = nullptr;  // as in BakeInput
+    const BakePlan* plan = nullptr;
+    std::span<const Texture> textures;  // by resource of the plan
+    std::vector<PixelType> types;       // pixel types of the files, by map
+    UvLayout layout;
+    uint32_t dilate = 16;
+    uint32_t threads = 0;  // 0: one per core
+};
+
+// Findings over the texture sets of a bake.
+struct BakeReport {
+    uint64_t overlapped = 0, not_finite = 0;  // texels
+    glm::dvec2 overlap_uv{0};                 // at one overlapped texel
+    uint32_t overlap_triangle = 0;            // a triangle hidden there
+    std::vector<Clamped> clamped;             // by map
+
+    void add(const BakeStatistics& found, const UvLayout& layout);
+    // Appends the findings as warnings; `graph` and `mesh` are the file names as given by the user.
+    void tell(const std::string& graph, const std::string& mesh, std::span<const BakedMap> maps,
+              Diagnostics& warnings) const;
+};
+
+// Return false from either to cancel the bake.
+struct BakeSinks {
+    std::function<bool(size_t map, std::span<const std::byte> rows)> rows;
+    // Called after the rows of all maps of a band, with the band's end row (exclusive) and its
+    // texel count.
+    std::function<bool(uint32_t row, uint64_t texels)> band;
+};
+
+// Bakes rows [first, last) as bake_rows() does; returns false if it was cancelled.
+bool bake_texture_set(const TextureSetInput& input, uint32_t first, uint32_t last,
+                      const BakeSinks& take, BakeReport& report);
+
+}  // namespace wrinkle

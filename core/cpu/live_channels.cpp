@@ -1,0 +1,75 @@
+// Use analysis of compile_program(), between flattening and register allocation: constant
+// registers, used channels of samples, and steps used only for a lod.
+#include <algorithm>
+
+#include "cpu/flatten.h"
+
+namespace wrinkle {
+namespace {
+
+// Sufficient for a small material; the registers permanently occupy a part of the L1 cache.
+constexpr size_t max_presets = 24;
+
+constexpr uint32_t nobody = 0, everybody = ~0u;
+
+// Joins two uses of a value: `nobody` (unused), one texture's lod (resource index + 1), or
+// `everybody` (several uses).
+uint32_t both(uint32_t a, uint32_t b) {
+    if (a == nobody || a == b) return b;
+    return b == nobody ? a : everybody;
+}
+
+uint8_t channels_of(const Step& sample, const std::vector<uint32_t>& serves) {
+    uint8_t channels = 1;
+    for (uint8_t c = 1; c < 4; ++c)
+        if (serves[sample.out[c]] != nobody) channels = c == 3 ? 4 : 3;
+    return channels;
+}
+
+}  // namespace
+
+void hoist_constants(Program& program) {
+    if (program.constants.size() > max_presets) return;
+    std::vector<uint32_t> place;  // index of each step among the remaining ones
+    std::vector<Step> kept;
+    for (const Step& step : program.steps) {
+        place.push_back(static_cast<uint32_t>(kept.size()));
+        if (step.kind == Step::Kind::constant)
+            program.presets.push_back({program.constants[step.extra], step.type, step.out[0]});
+        else
+            kept.push_back(step);
+        if (step.kind == Step::Kind::loop_end) kept.back().extra = place[step.extra];
+    }
+    program.steps = std::move(kept);
+}
+
+void mark_live_channels(Program& program, size_t registers) {
+    std::vector<uint32_t> serves(registers, nobody);
+    for (const Program::Output& output : program.outputs)
+        for (const uint32_t reg : output.regs)
+            serves[reg] = everybody;
+    // Values that a loop moves or tests are read again by earlier steps, in the next iteration.
+    const auto is_pure = [](const Step& step) {
+        return step.kind == Step::Kind::op || step.kind == Step::Kind::sample ||
+               step.kind == Step::Kind::size;
+    };
+    for (const Step& step : program.steps)
+        if (!is_pure(step))
+            for (uint32_t i = 0; i < step.count; ++i)
+                serves[step.in[i]] = everybody;
+    for (size_t s = program.steps.size(); s-- > 0;) {
+        Step& step = program.steps[s];
+        if (!is_pure(step)) continue;
+        uint32_t whom = nobody;
+        for (uint32_t i = 0; i < step.outputs; ++i)
+            whom = both(whom, serves[step.out[i]]);
+        if (step.kind == Step::Kind::sample) step.channels = channels_of(step, serves);
+        step.lod_of = whom == everybody ? 0 : whom;
+        for (uint32_t i = 0; i < step.count; ++i) {
+            const bool lod = step.kind == Step::Kind::sample && i == 2;
+            serves[step.in[i]] = both(serves[step.in[i]], lod ? step.extra + 1 : whom);
+        }
+    }
+}
+
+}  // namespace wrinkle

@@ -1,0 +1,158 @@
+#include "ir/module_cloner.h"
+
+#include <algorithm>
+#include <unordered_set>
+
+#include "base/limits.h"
+
+namespace wrinkle {
+namespace {
+
+bool has_base(const Inst& inst) {
+    return inst.type == Type::gradient_ && inst.extra != poison;
+}
+
+}  // namespace
+
+bool is_global(const Module& module, Id id) {
+    return module.is_constant(id) || module[id].op == Op::parameter_ ||
+           module[id].op == Op::image_size_;
+}
+
+bool is_of_globals(const Module& module, Id value) {
+    std::unordered_set<Id> seen;
+    std::vector<Id> open{value};
+    while (!open.empty()) {
+        const Id id = open.back();
+        open.pop_back();
+        if (!seen.insert(id).second || is_global(module, id)) continue;
+        if (info(module[id].op).rule == Rule::leaf || is_sample(module[id].op)) return false;
+        append_dependencies(module, id, false, open);
+    }
+    return true;
+}
+
+void append_dependencies(const Module& module, Id id, bool into_functions, std::vector<Id>& out) {
+    const Inst& inst = module[id];
+    const auto operands = module.operands(id);
+    out.insert(out.end(), operands.begin(), operands.end());
+    if (has_base(inst)) out.push_back(inst.extra);
+    if (inst.op != Op::loop_ && !(inst.op == Op::call_ && into_functions)) return;
+    const std::vector<Id>& results = module.region(inst.extra).results;
+    out.insert(out.end(), results.begin(), results.end());
+}
+
+std::vector<Id> ModuleCloner::reachable_ids(std::span<const Id> roots) const {
+    std::unordered_set<Id> seen;
+    std::vector<Id> open(roots.begin(), roots.end()), list;
+    while (!open.empty()) {
+        const Id id = open.back();
+        open.pop_back();
+        if (id == poison || written_.has(id) || !seen.insert(id).second) continue;
+        list.push_back(id);
+        append_dependencies(*source_, id, false, open);
+    }
+    std::sort(list.begin(), list.end());
+    return list;
+}
+
+// Writes an instruction. If the module becomes too large, OverLimit names the node of the source
+// instruction, not that of its operands.
+Id ModuleCloner::write_for(Id id) {
+    try {
+        return write(id);
+    } catch (OverLimit& over) {
+        over.node = source_->origin[id];
+        const auto& nodes = into_functions_ ? target_->nodes : source_->nodes;
+        over.path = nodes[over.node].path;
+        throw;
+    }
+}
+
+void ModuleCloner::run(std::span<const Id> roots) {
+    written_.set(poison, poison);
+    const uint32_t node = target_->current_node;
+    const auto rewrite = [&](Id id) {
+        target_->current_node = source_->origin[id];
+        written_.set(id, write_for(id));
+    };
+    if (into_functions_) {
+        const std::vector<bool> reached = reachable(*source_, roots);
+        for (Id id = 0; id < reached.size(); ++id)
+            if (reached[id] && !written_.has(id)) rewrite(id);
+    } else {
+        for (const Id id : reachable_ids(roots))
+            rewrite(id);
+    }
+    target_->current_node = node;
+}
+
+Id ModuleCloner::write_leaf(const Inst& inst) {
+    switch (inst.op) {
+        case Op::literal_:
+            return target_->literal(inst.type, inst.value);
+        case Op::input_:
+            return target_->input(input_of(inst.extra), variant_of(inst.extra));
+        case Op::parameter_:
+            return target_->parameter(inst.extra);
+        case Op::region_param_: {
+            const int level = shifted(inst.level);
+            if (level > Module::max_region) return poison;
+            return target_->region_parameter(level, inst.extra, inst.type);
+        }
+        default:
+            return poison;
+    }
+}
+
+Id ModuleCloner::write_apply(const Inst& inst, std::span<const Id> args) {
+    Region region = source_->region(inst.extra);
+    if (inst.op == Op::loop_) {
+        const int level = shifted(region.level);
+        if (level > Module::max_region) {
+            target_->problem("loops stand more than " + std::to_string(Module::max_region) +
+                             " deep in each other");
+            return poison;
+        }
+        region.level = static_cast<uint8_t>(level);
+    }
+    if (inst.op == Op::loop_ || into_functions_)
+        for (Id& result : region.results)
+            if ((result = written_.at(result)) == poison) return poison;
+    return target_->apply_region(target_->intern_region(std::move(region)), args);
+}
+
+// Returns the replacement from the Replace callback, or poison.
+Id ModuleCloner::replaced(Id id, std::span<const Id> args) {
+    if (!replace_) return poison;
+    const Inst& inst = (*source_)[id];
+    if (!into_functions_ || inst.op != Op::call_ || !source_->region(inst.extra).is_open())
+        return replace_(context_, *target_, *source_, id, args);
+    std::vector<Id> with_results(args.begin(), args.end());
+    for (const Id result : source_->region(inst.extra).results)
+        with_results.push_back(written_.at(result));
+    return replace_(context_, *target_, *source_, id, with_results);
+}
+
+Id ModuleCloner::write(Id id) {
+    const Inst inst = (*source_)[id];
+    const auto operands = source_->operands(id);
+    if (args_.size() < operands.size()) args_.resize(operands.size());
+    const std::span args(args_.data(), operands.size());
+    const bool based = has_base(inst);
+    // Within one module, an instruction with unchanged operands stays one value.
+    bool kept = !into_functions_ && shift_ == 0 && (!based || is_kept(inst.extra));
+    for (size_t i = 0; i < args.size(); ++i) {
+        kept = kept && is_kept(operands[i]);
+        args[i] = written_.at(operands[i]);
+    }
+    if (const Id other = replaced(id, args)) return other;
+    if (inst.op == Op::loop_ || inst.op == Op::call_) return write_apply(inst, args);
+    if (info(inst.op).rule == Rule::leaf) return write_leaf(inst);
+    if (kept) return id;
+    if (inst.op == Op::result_) return target_->result(args[0], inst.extra);
+    const uint32_t extra = based ? written_.at(inst.extra) : inst.extra;
+    return target_->add(inst.op, args, extra, inst.type);
+}
+
+}  // namespace wrinkle

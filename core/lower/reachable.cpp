@@ -1,0 +1,91 @@
+#include "lower/reachable.h"
+
+namespace wrinkle {
+namespace {
+
+class Walk {
+public:
+    explicit Walk(const Project& project)
+        : project_(project), entered_(project.files.size(), false) {
+        for (const Project::File& file : project.files)
+            reached_.emplace_back(file.document.nodes.size(), false);
+    }
+
+    std::vector<std::vector<bool>> run() {
+        enter(0);
+        while (!open_.empty()) {
+            const Place place = open_.back();
+            open_.pop_back();
+            visit(place.file, place.node);
+        }
+        return std::move(reached_);
+    }
+
+private:
+    struct Place {
+        uint32_t file;
+        size_t node;
+    };
+
+    void enter(uint32_t file) {
+        if (entered_[file]) return;
+        entered_[file] = true;
+        for (const Output& output : project_.files[file].document.outputs)
+            follow(file, output.from.link);
+    }
+
+    void follow(uint32_t file, const Link& link) {
+        if (!link.is_node()) return;
+        const size_t node = project_.files[file].document.nodes.index_of(link.node);
+        if (node == Table<NodePtr>::npos || reached_[file][node]) return;
+        reached_[file][node] = true;
+        open_.push_back({file, node});
+    }
+
+    void visit(uint32_t file, size_t node) {
+        const uint32_t inner = project_.files[file].subgraphs[node];
+        if (inner != Project::File::none) enter(inner);
+        for (const Input& input : project_.files[file].document.nodes[node]->inputs)
+            follow(file, input.link);
+    }
+
+    const Project& project_;
+    std::vector<bool> entered_;
+    std::vector<std::vector<bool>> reached_;
+    std::vector<Place> open_;
+};
+
+}  // namespace
+
+std::vector<std::vector<bool>> reachable_nodes(const Project& project) {
+    return Walk(project).run();
+}
+
+Project reached_part(Project project) {
+    const std::vector<std::vector<bool>> reached = reachable_nodes(project);
+    std::vector<bool> used(project.files.size(), false);
+    used[0] = true;
+    for (size_t f = 0; f < project.files.size(); ++f) {
+        Project::File& file = project.files[f];
+        std::vector<NodePtr> nodes;
+        std::vector<uint32_t> subgraphs;
+        for (size_t n = 0; n < reached[f].size(); ++n) {
+            if (!reached[f][n]) continue;
+            nodes.push_back(file.document.nodes[n]);
+            subgraphs.push_back(file.subgraphs[n]);
+            if (subgraphs.back() != Project::File::none) used[subgraphs.back()] = true;
+        }
+        if (nodes.size() == reached[f].size()) continue;
+        file.document.nodes = Table<NodePtr>(std::move(nodes));
+        file.document.edited = true;  // wires as read lead to former indices
+        file.subgraphs = std::move(subgraphs);
+    }
+    for (size_t f = 0; f < project.files.size(); ++f)
+        if (!used[f]) {
+            project.files[f].document = Document();
+            project.files[f].subgraphs.clear();
+        }
+    return project;
+}
+
+}  // namespace wrinkle

@@ -1,0 +1,50 @@
+// Lets the window's frames interrupt slow renderings. Some drivers draw for all contexts
+// sequentially on the same cores, so that a frame submitted after a rendering of the material waits
+// for it. A slow rendering is therefore drawn in strips and waits for a frame between two of them.
+//
+// Each side has its own thread.
+#pragma once
+
+#include <chrono>
+#include <condition_variable>
+#include <mutex>
+
+namespace wrinkle::editor {
+
+class FrameGate {
+public:
+    // A frame is drawn while this object exists.
+    class Frame {
+    public:
+        explicit Frame(FrameGate& turns) : turns_(turns) { turns_.set(true); }
+        ~Frame() { turns_.set(false); }
+        Frame(const Frame&) = delete;
+        Frame& operator=(const Frame&) = delete;
+
+    private:
+        FrameGate& turns_;
+    };
+
+    // Waits until no frame is drawn, at most `longest`: a frame that waits for the screen leaves
+    // the driver idle, and renderings must make progress.
+    void wait_for_frame() {
+        std::unique_lock lock(mutex_);
+        changed_.wait_for(lock, longest, [this] { return !frame_; });
+    }
+
+private:
+    static constexpr std::chrono::milliseconds longest{25};
+    void set(bool frame) {
+        {
+            const std::lock_guard lock(mutex_);
+            frame_ = frame;
+        }
+        changed_.notify_all();
+    }
+
+    std::mutex mutex_;
+    std::condition_variable changed_;
+    bool frame_ = false;
+};
+
+}  // namespace wrinkle::editor
