@@ -312,6 +312,22 @@ TEST_F(Expand, GivesSamplesOfAJumpingUvTheirDerivative) {
     }
 }
 
+// A rounding or a choice that is the same at all pixels does not jump between them.
+TEST_F(Expand, AUvJumpsOnlyWhereAChoiceVaries) {
+    const uint32_t image = m.add_resource({"a.png", "a.png", {}, {}});
+    const Value uv = input(SurfaceInput::uv0_), more = uv * number(3);
+    const Value amount{&m, m.parameter(m.add_parameter({0, "amount", Type::float_, {2}, true}))};
+    const std::pair<Value, size_t> cases[] = {
+        {uv * op(Op::floor_, amount), 0},
+        {select(greater(amount, 1), uv, more), 0},
+        {select(greater(uv.x(), 0.5), uv, more), 1},
+        {select(greater(amount, 1), uv, op(Op::fract_, uv)), 1}};
+    for (const auto& [at, jumping] : cases) {
+        const Value texel{&m, m.add(Op::sample_, {at.id}, image)};
+        EXPECT_EQ(count(result_of(texel.xyz()), Op::sample_grad_), jumping);
+    }
+}
+
 TEST_F(Expand, ADetachedShiftLeavesAUvInItsSet) {
     const Value uv = input(SurfaceInput::uv0_) + detach(input(SurfaceInput::uv1_));
     const Value g = normal_map(0.5, frame(uv, WR_FRAME_vertex, WR_SCALE_unit));
