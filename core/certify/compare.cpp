@@ -7,6 +7,7 @@
 #include "base/text.h"
 #include "certify/points.h"
 #include "gpu/from_glsl.h"
+#include "ir/module.h"
 
 namespace wrinkle::certify {
 namespace {

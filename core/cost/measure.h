@@ -9,7 +9,7 @@
 #include <string>
 
 #include "cost/report.h"
-#include "ir/module.h"
+#include "ir/side_tables.h"
 
 namespace wrinkle {
 

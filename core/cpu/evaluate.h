@@ -18,9 +18,11 @@
 #include <vector>
 
 #include "cpu/texture.h"
-#include "ir/module.h"
+#include "ir/op.h"
 
 namespace wrinkle {
+
+class Module;  // ir/module.h
 
 // Surface points as arrays: [point * lanes + lane] by input and variant; empty if not given. Units
 // and spaces are those of the table of surface inputs; dx and dy are differentials per pixel.

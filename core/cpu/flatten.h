@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "cpu/evaluate.h"
+#include "ir/module.h"
 
 namespace wrinkle {
 

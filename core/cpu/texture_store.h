@@ -10,7 +10,7 @@
 #include "base/diagnostics.h"
 #include "base/limits.h"
 #include "cpu/texture.h"
-#include "ir/module.h"
+#include "ir/side_tables.h"
 
 namespace wrinkle {
 

@@ -4,7 +4,7 @@
 
 #include <array>
 
-#include "ir/module.h"
+#include "ir/op.h"
 
 namespace wrinkle {
 

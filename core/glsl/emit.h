@@ -40,7 +40,7 @@
 #include "base/limits.h"
 #include "glsl/reflection.h"
 #include "glsl/target.h"
-#include "ir/module.h"
+#include "ir/side_tables.h"
 
 namespace wrinkle {
 

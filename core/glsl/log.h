@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "glsl/reflection.h"
+#include "ir/side_tables.h"
 
 namespace wrinkle {
 

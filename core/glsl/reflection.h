@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "base/texture_options.h"
-#include "ir/module.h"
+#include "ir/op.h"
 
 namespace wrinkle {
 

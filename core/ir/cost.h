@@ -10,7 +10,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "ir/module.h"
+#include "ir/side_tables.h"
 
 namespace wrinkle {
 

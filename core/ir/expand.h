@@ -8,8 +8,8 @@
 // docs/surface-gradient.md.
 #pragma once
 
-#include "ir/module.h"
-#include "ir/surface.h"
+#include "base/back_faces.h"
+#include "ir/side_tables.h"
 
 namespace wrinkle {
 

@@ -52,26 +52,12 @@
 #include <vector>
 
 #include "base/string_pool.h"
-#include "base/texture_options.h"
 #include "ir/inst.h"
 #include "ir/intern_table.h"
 #include "ir/open_input.h"
+#include "ir/side_tables.h"
 
 namespace wrinkle {
-
-// `extra` of an input: which surface input, and the value itself or its differential to the next
-// pixel. In shaders the differential of `position` is taken from a camera-relative position in
-// object axes, for precision.
-enum class Variant : uint8_t { value, dx, dy };
-constexpr uint32_t input_extra(SurfaceInput input, Variant variant) {
-    return static_cast<uint32_t>(input) | static_cast<uint32_t>(variant) << 8;
-}
-constexpr SurfaceInput input_of(uint32_t extra) {
-    return static_cast<SurfaceInput>(extra & 0xFF);
-}
-constexpr Variant variant_of(uint32_t extra) {
-    return static_cast<Variant>(extra >> 8);
-}
 
 enum class RegionKind : uint8_t { function, loop };
 struct Region {
@@ -104,53 +90,6 @@ struct RegionBody {
 struct RegionUse {
     uint32_t region = 0;
     std::vector<Id> captured;
-};
-
-// A number the user may change. Its index in Module::parameters is its identity.
-struct Parameter {
-    uint32_t node = 0;  // Module::nodes; 0 for a graph input
-    std::string port;   // "amount"; for a graph input its name
-    Type type = Type::float_;
-    std::array<double, 4> value{};
-    bool graph_input = false;  // stays a uniform when parameters are baked
-};
-
-// An image that shaders sample. Equal file and options are one resource.
-struct Resource {
-    std::string file;  // resolved path, to be opened
-    std::string name;  // as written in the graph
-    TextureOptions options;
-    struct Reader {
-        uint32_t node;
-        std::string port;
-    };
-    std::vector<Reader> readers;  // node ports, in order of lowering
-};
-
-// A node instance. Entry 0 is the graph itself.
-struct NodeInstance {
-    std::string path;    // "weave"; in a sub-graph "strap/weave"
-    uint32_t title = 0;  // its type's title, index in Module::titles
-};
-
-// The name of a value in generated source.
-struct Named {
-    Id value;
-    uint32_t node;     // the node that names it; 0: the surface point, for all nodes
-    std::string name;  // "gradient"
-    bool output;       // an output of that node: is a separate statement, and has precedence
-};
-
-struct ModuleOutput {
-    std::string name;  // "normal"
-    uint32_t port_type = WR_PORT_float;
-    Id value = poison;
-};
-
-struct Problem {
-    uint32_t node;
-    std::string message;
-    std::string expected;
 };
 
 class Module {

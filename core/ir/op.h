@@ -99,6 +99,20 @@ constexpr bool is_gradient_source(Op op) {
            op == Op::gradient_from_outward_normal_;
 }
 
+// `extra` of an input: which surface input, and the value itself or its differential to the next
+// pixel. In shaders the differential of `position` is taken from a camera-relative position in
+// object axes, for precision.
+enum class Variant : uint8_t { value, dx, dy };
+constexpr uint32_t input_extra(SurfaceInput input, Variant variant) {
+    return static_cast<uint32_t>(input) | static_cast<uint32_t>(variant) << 8;
+}
+constexpr SurfaceInput input_of(uint32_t extra) {
+    return static_cast<SurfaceInput>(extra & 0xFF);
+}
+constexpr Variant variant_of(uint32_t extra) {
+    return static_cast<Variant>(extra >> 8);
+}
+
 // The components of a swizzle by its `extra`, WR_SWIZZLE.
 constexpr int swizzle_count(uint32_t extra) {
     return static_cast<int>(extra & 0xF);

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "base/back_faces.h"
-#include "ir/module.h"
+#include "ir/side_tables.h"
 
 namespace wrinkle {
 

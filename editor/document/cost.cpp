@@ -3,6 +3,7 @@
 #include "cost/limits.h"
 #include "cost/measure.h"
 #include "ir/cost.h"
+#include "ir/module.h"
 
 namespace wrinkle::editor {
 namespace {

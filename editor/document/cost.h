@@ -14,7 +14,7 @@
 #include "cost/spirv_count.h"
 #include "editor/worker.h"
 #include "graph/document.h"
-#include "ir/module.h"
+#include "ir/side_tables.h"
 
 namespace wrinkle::editor {
 

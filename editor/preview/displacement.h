@@ -7,7 +7,7 @@
 #include "base/diagnostics.h"
 #include "cpu/evaluate.h"
 #include "cpu/texture_store.h"
-#include "ir/module.h"
+#include "ir/side_tables.h"
 #include "mesh/mesh.h"
 
 namespace wrinkle::editor {

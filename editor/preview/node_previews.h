@@ -18,7 +18,7 @@
 #include "cpu/texture_store.h"
 #include "editor/document/model.h"
 #include "editor/worker.h"
-#include "ir/module.h"
+#include "ir/side_tables.h"
 
 namespace wrinkle::editor {
 

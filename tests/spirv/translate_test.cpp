@@ -6,6 +6,7 @@
 #include "base/text.h"
 #include "glsl/log.h"
 #include "glslang/validate.h"
+#include "ir/module.h"
 #include "spirv/metal.h"
 #include "spirv/spirv.h"
 
