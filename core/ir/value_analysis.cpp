@@ -75,9 +75,8 @@ ValueAnalysis::Facts ValueAnalysis::of_region(Id id) const {
     Facts inside = 0;
     if (!region.is_open())
         for (const Id result : region.results)
-            inside |= facts_[result] & all_inputs;
-    if (inside) facts |= varying;
-    return of_op(inst, facts) | inside;
+            inside |= facts_[result];
+    return of_op(inst, facts | (inside & varying)) | (inside & all_inputs);
 }
 
 bool is_position_alone(uint32_t dependencies) {

@@ -328,6 +328,19 @@ TEST_F(Expand, AUvJumpsOnlyWhereAChoiceVaries) {
     }
 }
 
+// The loop's value depends on the surface through a captured value without a derivative.
+TEST_F(Expand, ALoopOfACapturedStepJumps) {
+    const uint32_t image = m.add_resource({"a.png", "a.png", {}, {}});
+    const Value uv = input(SurfaceInput::uv0_);
+    const Value whole = op(Op::floor_, uv.x() * number(10));
+    const std::array types{Type::float_};
+    m.begin_region(RegionKind::loop, "", types);
+    const std::array results{greater(whole, 3).id, whole.id};
+    const Value last{&m, m.apply(m.end_region(results, 3), std::array{number(0).id})[0]};
+    const Value texel{&m, m.add(Op::sample_, {(uv + vec2(last, last)).id}, image)};
+    EXPECT_EQ(count(result_of(texel.xyz()), Op::sample_grad_), 1U);
+}
+
 TEST_F(Expand, ADetachedShiftLeavesAUvInItsSet) {
     const Value uv = input(SurfaceInput::uv0_) + detach(input(SurfaceInput::uv1_));
     const Value g = normal_map(0.5, frame(uv, WR_FRAME_vertex, WR_SCALE_unit));
