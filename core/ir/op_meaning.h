@@ -90,100 +90,42 @@ template <class T>
     return t * t * (3 - 2 * t);
 }
 
+#define WRINKLE_FUNCTION(name, parameters, result)                \
+    struct name##_ {                                              \
+        template <class T>                                        \
+        [[gnu::always_inline]] auto operator() parameters const { \
+            return result;                                        \
+        }                                                         \
+    };
+#define WRINKLE_CASE(name, parameters, result) \
+    case Op::name##_:                          \
+        return use(name##_{});
+#define WRINKLE_FAMILY(OPS)            \
+    OPS(WRINKLE_FUNCTION)              \
+    template <class Result, class Use> \
+    Result find(Op op, Use use) {      \
+        switch (op) {                  \
+            OPS(WRINKLE_CASE)          \
+            default:                   \
+                return {};             \
+        }                              \
+    }
+
 namespace floats {
-#define X(name, parameters, result)                               \
-    struct name##_ {                                              \
-        template <class T>                                        \
-        [[gnu::always_inline]] auto operator() parameters const { \
-            return result;                                        \
-        }                                                         \
-    };
-WRINKLE_FLOAT_OPS(X)
-#undef X
-template <class Result, class Use>
-Result find(Op op, Use use) {
-    switch (op) {
-#define X(name, parameters, result) \
-    case Op::name##_:               \
-        return use(name##_{});
-        WRINKLE_FLOAT_OPS(X)
-#undef X
-        default:
-            return {};
-    }
+WRINKLE_FAMILY(WRINKLE_FLOAT_OPS)
 }
-}  // namespace floats
-
 namespace comparisons {
-#define X(name, parameters, result)                               \
-    struct name##_ {                                              \
-        template <class T>                                        \
-        [[gnu::always_inline]] auto operator() parameters const { \
-            return result;                                        \
-        }                                                         \
-    };
-WRINKLE_COMPARISONS(X)
-#undef X
-template <class Result, class Use>
-Result find(Op op, Use use) {
-    switch (op) {
-#define X(name, parameters, result) \
-    case Op::name##_:               \
-        return use(name##_{});
-        WRINKLE_COMPARISONS(X)
-#undef X
-        default:
-            return {};
-    }
+WRINKLE_FAMILY(WRINKLE_COMPARISONS)
 }
-}  // namespace comparisons
-
 namespace words {
-#define X(name, parameters, result)                               \
-    struct name##_ {                                              \
-        template <class T>                                        \
-        [[gnu::always_inline]] auto operator() parameters const { \
-            return result;                                        \
-        }                                                         \
-    };
-WRINKLE_WORD_OPS(X)
-#undef X
-template <class Result, class Use>
-Result find(Op op, Use use) {
-    switch (op) {
-#define X(name, parameters, result) \
-    case Op::name##_:               \
-        return use(name##_{});
-        WRINKLE_WORD_OPS(X)
-#undef X
-        default:
-            return {};
-    }
+WRINKLE_FAMILY(WRINKLE_WORD_OPS)
 }
-}  // namespace words
-
 namespace ordered {
-#define X(name, parameters, result)                               \
-    struct name##_ {                                              \
-        template <class T>                                        \
-        [[gnu::always_inline]] auto operator() parameters const { \
-            return result;                                        \
-        }                                                         \
-    };
-WRINKLE_ORDERED_OPS(X)
-#undef X
-template <class Result, class Use>
-Result find(Op op, Use use) {
-    switch (op) {
-#define X(name, parameters, result) \
-    case Op::name##_:               \
-        return use(name##_{});
-        WRINKLE_ORDERED_OPS(X)
-#undef X
-        default:
-            return {};
-    }
+WRINKLE_FAMILY(WRINKLE_ORDERED_OPS)
 }
-}  // namespace ordered
+
+#undef WRINKLE_FAMILY
+#undef WRINKLE_CASE
+#undef WRINKLE_FUNCTION
 
 }  // namespace wrinkle::meaning
