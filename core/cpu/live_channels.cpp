@@ -10,19 +10,19 @@ namespace {
 // Sufficient for a small material; the registers permanently occupy a part of the L1 cache.
 constexpr size_t max_presets = 24;
 
-constexpr uint32_t nobody = 0, everybody = ~0u;
+constexpr uint32_t no_users = 0, many_users = ~0u;
 
-// Joins two uses of a value: `nobody` (unused), one texture's lod (resource index + 1), or
-// `everybody` (several uses).
+// Joins two uses of a value: `no_users` (unused), one texture's lod (resource index + 1), or
+// `many_users` (several uses).
 uint32_t both(uint32_t a, uint32_t b) {
-    if (a == nobody || a == b) return b;
-    return b == nobody ? a : everybody;
+    if (a == no_users || a == b) return b;
+    return b == no_users ? a : many_users;
 }
 
 uint8_t channels_of(const Step& sample, const std::vector<uint32_t>& serves) {
     uint8_t channels = 1;
     for (uint8_t c = 1; c < 4; ++c)
-        if (serves[sample.out[c]] != nobody) channels = c == 3 ? 4 : 3;
+        if (serves[sample.out[c]] != no_users) channels = c == 3 ? 4 : 3;
     return channels;
 }
 
@@ -44,10 +44,10 @@ void hoist_constants(Program& program) {
 }
 
 void mark_live_channels(Program& program, size_t registers) {
-    std::vector<uint32_t> serves(registers, nobody);
+    std::vector<uint32_t> serves(registers, no_users);
     for (const Program::Output& output : program.outputs)
         for (const uint32_t reg : output.regs)
-            serves[reg] = everybody;
+            serves[reg] = many_users;
     // Values that a loop moves or tests are read again by earlier steps, in the next iteration.
     const auto is_pure = [](const Step& step) {
         return step.kind == Step::Kind::op || step.kind == Step::Kind::sample ||
@@ -56,15 +56,15 @@ void mark_live_channels(Program& program, size_t registers) {
     for (const Step& step : program.steps)
         if (!is_pure(step))
             for (uint32_t i = 0; i < step.count; ++i)
-                serves[step.in[i]] = everybody;
+                serves[step.in[i]] = many_users;
     for (size_t s = program.steps.size(); s-- > 0;) {
         Step& step = program.steps[s];
         if (!is_pure(step)) continue;
-        uint32_t whom = nobody;
+        uint32_t whom = no_users;
         for (uint32_t i = 0; i < step.outputs; ++i)
             whom = both(whom, serves[step.out[i]]);
         if (step.kind == Step::Kind::sample) step.channels = channels_of(step, serves);
-        step.lod_of = whom == everybody ? 0 : whom;
+        step.lod_of = whom == many_users ? 0 : whom;
         for (uint32_t i = 0; i < step.count; ++i) {
             const bool lod = step.kind == Step::Kind::sample && i == 2;
             serves[step.in[i]] = both(serves[step.in[i]], lod ? step.extra + 1 : whom);
