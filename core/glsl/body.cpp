@@ -46,6 +46,7 @@ void Body::output_function(Id value, const std::string& name, const std::string&
     decide(plan_, values_, scope, roots);
     text_.line(0, type_name(m_.type(root)) + " " + name + "(" + argument + ") {");
     const std::vector<Id> ids = schedule(plan_, values_, scope, scope.order);
+    locals_.reserve(ids.size());
     Id read = root;  // the value that the line computes; the output may be a part of it
     while (plan_.role(read) == Role::view && m_[read].op != Op::result_)
         read = plan_.operands(read)[0];

@@ -26,6 +26,7 @@ public:
     // Returns the hint as a legal identifier, with "_2", "_3", ... appended if it is taken. The
     // view is valid as long as the set.
     std::string_view add(const NameHint& wanted);
+    void reserve(size_t names) { next_.reserve(names); }
     std::string unique(std::string_view wanted) { return std::string(add({{}, wanted})); }
 
 private:

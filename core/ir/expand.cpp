@@ -2,6 +2,7 @@
 
 #include <unordered_map>
 #include <utility>
+#include <vector>
 
 #include "base/slope_limit.h"
 #include "ir/finish.h"
@@ -28,30 +29,32 @@ struct Expander {
     const ExpandOptions& options;
     const ValueAnalysis facts;  // for the source
     Module* target = nullptr;
-    Id nothing = poison;  // id of opaque values; never read, as every user is opaque
     std::optional<OpenFunctions> functions;
     std::optional<ScreenDerivatives> screen;
     std::optional<GradientAlgebra> algebra;
     std::optional<NormalVariance> variance;  // only if an output or the options need it
-    // By source Id.
-    std::unordered_map<Id, Frame> frames;
-    std::unordered_map<Id, Derivative> derivatives;
-    std::unordered_map<Id, GradientSum> gradients;
-    std::unordered_map<Id, Value> bases;  // the resolved normal; empty for the surface
+    // An opaque value is mapped to its index in the vector of its type, in place of an Id of the
+    // target. The first two entries are empty: 0 is poison, 1 any value that cannot be expanded.
+    static constexpr Id unexpanded = 1;
+    std::vector<Frame> frames{2};
+    std::vector<Derivative> derivatives{2};
+    std::vector<GradientSum> gradients{2};
+    // By source Id: the resolved normal; empty for the surface.
+    std::unordered_map<Id, Value> bases;
 
     Value value(Id id) const { return {target, id}; }
     Id parameter(const Parameter& parameter);
     Value base_normal(const Module& source, Id gradient) const;
-    Value resolved(const Module& source, Id gradient);
+    Value resolved(const Module& source, Id resolve, const GradientSum& gradient);
     Id opaque(const Module& source, Id id, std::span<const Id> mapped);
-    void gradient(const Module& source, Id id, std::span<const Id> mapped);
+    GradientSum gradient(const Module& source, Id id, std::span<const Id> mapped);
     GradientSum source_gradient(const Module& source, Id id, std::span<const Id> mapped);
     GradientSum scaled(const GradientSum& gradient, Value amount);
     GradientSum gradient_from_position(Id height);
     GradientSum from_derivative(const Derivative& d);
     GradientSum from_normal(Value n, Value v);
     Derivative normal_derivative(Value m, Value strength, const Frame& frame);
-    void base(const Module& source, Id id, std::span<const Id> mapped);
+    void base(const Module& source, Id id, Id normal);
     Id sample(const Module& source, Id id, std::span<const Id> mapped);
 };
 
@@ -60,6 +63,12 @@ Id Expander::parameter(const Parameter& parameter) {
     if (options.parameters == Parameters::kept || parameter.graph_input) return poison;
     return target->constant(parameter.type,
                             std::span(parameter.value.data(), info(parameter.type).lanes));
+}
+
+template <class T>
+Id append(std::vector<T>& list, T value) {
+    list.push_back(std::move(value));
+    return static_cast<Id>(list.size() - 1);
 }
 
 Value Expander::base_normal(const Module& source, Id gradient) const {
@@ -103,6 +112,7 @@ Derivative Expander::normal_derivative(Value m, Value strength, const Frame& fra
 }
 
 GradientSum Expander::from_derivative(const Derivative& d) {
+    if (!d.slope) return {};
     if (!d.depth) return algebra->from_slope(d.frame.key, slope_in_basis(d.frame, d.slope));
     const Value downhill = slope_in_basis(d.frame, d.slope * d.strength);
     return algebra->from_negated_slope(d.frame.key, downhill, d.depth);
@@ -119,10 +129,8 @@ GradientSum Expander::gradient_from_position(Id height) {
 GradientSum Expander::source_gradient(const Module& source, Id id, std::span<const Id> mapped) {
     const Inst& inst = source[id];
     switch (inst.op) {
-        case Op::gradient_from_derivative_: {
-            const auto found = derivatives.find(inst.arg[0]);
-            return found == derivatives.end() ? GradientSum{} : from_derivative(found->second);
-        }
+        case Op::gradient_from_derivative_:
+            return from_derivative(derivatives.at(mapped[0]));
         case Op::gradient_from_height_: {
             if (is_position_alone(facts.dependencies(inst.arg[0])))
                 return gradient_from_position(mapped[0]);
@@ -158,38 +166,34 @@ GradientSum Expander::scaled(const GradientSum& gradient, Value amount) {
     return algebra->scale(gradient, amount);
 }
 
-void Expander::gradient(const Module& source, Id id, std::span<const Id> mapped) {
-    const Inst& inst = source[id];
-    GradientSum result;
-    if (inst.op == Op::gradient_add_) {
-        result = algebra->add(gradients.at(inst.arg[0]), gradients.at(inst.arg[1]));
-    } else if (inst.op == Op::gradient_scale_) {
-        result = scaled(gradients.at(inst.arg[0]), value(mapped[1]));
-    } else if (inst.op == Op::gradient_mix_) {
-        const Value t = value(mapped[2]);
-        result = algebra->add(scaled(gradients.at(inst.arg[0]), number(t, 1) - t),
-                              scaled(gradients.at(inst.arg[1]), t));
-    } else {
-        result = source_gradient(source, id, mapped);
+GradientSum Expander::gradient(const Module& source, Id id, std::span<const Id> mapped) {
+    switch (source[id].op) {
+        case Op::gradient_add_:
+            return algebra->add(gradients.at(mapped[0]), gradients.at(mapped[1]));
+        case Op::gradient_scale_:
+            return scaled(gradients.at(mapped[0]), value(mapped[1]));
+        case Op::gradient_mix_: {
+            const Value t = value(mapped[2]);
+            return algebra->add(scaled(gradients.at(mapped[0]), number(t, 1) - t),
+                                scaled(gradients.at(mapped[1]), t));
+        }
+        default:
+            return source_gradient(source, id, mapped);
     }
-    gradients.emplace(id, std::move(result));
 }
 
-Value Expander::resolved(const Module& source, Id gradient) {
+// `resolve` is the instruction whose gradient is resolved.
+Value Expander::resolved(const Module& source, Id resolve, const GradientSum& gradient) {
     Value facing;
     if (options.back_faces != BackFaces::none) facing = value(target->input(SurfaceInput::facing_));
     const Value sign = options.back_faces == BackFaces::flip ? facing : Value{};
-    return algebra->resolve(gradients.at(gradient), facing, sign, base_normal(source, gradient));
+    return algebra->resolve(gradient, facing, sign, base_normal(source, source[resolve].arg[0]));
 }
 
-void Expander::base(const Module& source, Id id, std::span<const Id> mapped) {
-    const Inst& inst = source[id];
-    if (source[inst.arg[0]].op == Op::resolve_) {
-        bases.emplace(id, value(mapped[0]));
-        return;
-    }
-    bases.emplace(id, Value{});
-    if (!is_surface_normal(source, inst.arg[0]))
+void Expander::base(const Module& source, Id id, Id normal) {
+    const bool on_resolve = source[source[id].arg[0]].op == Op::resolve_;
+    bases.emplace(id, on_resolve ? value(normal) : Value{});
+    if (!on_resolve && !is_surface_normal(source, source[id].arg[0]))
         target->problem("the base is neither the surface's normal nor the output of a resolve",
                         "connect a resolve's normal, or leave the port unconnected");
 }
@@ -202,43 +206,38 @@ Id Expander::opaque(const Module& source, Id id, std::span<const Id> mapped) {
         case Op::ddy_:
             return screen->on_screen(Variant::dy, mapped[0]).id;
         case Op::base_:
-            base(source, id, mapped);
-            break;
+            base(source, id, mapped[0]);
+            return unexpanded;
         case Op::frame_: {
             const Id direction = mapped.size() > 1 ? mapped[1] : poison;
             const uint32_t uv = facts.dependencies(inst.arg[0]);
             const FrameChoice choice = choose_frame(*target, inst.extra, uv, options);
-            frames.emplace(id, make_frame(*target, *screen, mapped[0], direction, choice));
-            break;
+            return append(frames, make_frame(*target, *screen, mapped[0], direction, choice));
         }
         case Op::derivative_:
-            derivatives.emplace(id, Derivative{value(mapped[0]), frames.at(inst.arg[1]), {}, {}});
-            break;
+            return append(derivatives, {value(mapped[0]), frames.at(mapped[1]), {}, {}});
         case Op::normal_derivative_:
-            derivatives.emplace(
-                id, normal_derivative(value(mapped[0]), value(mapped[1]), frames.at(inst.arg[2])));
-            break;
+            return append(derivatives, normal_derivative(value(mapped[0]), value(mapped[1]),
+                                                         frames.at(mapped[2])));
         case Op::slope_: {
-            const auto found = derivatives.find(inst.arg[0]);
-            if (found == derivatives.end()) return target->zero(Type::vec2_);
-            const auto& [slope, frame, strength, depth] = found->second;
+            const auto& [slope, frame, strength, depth] = derivatives.at(mapped[0]);
+            if (!slope) return target->zero(Type::vec2_);
             return depth ? (slope * (-strength / depth)).id : slope.id;
         }
         case Op::gradient_vector_: {
             const Value on_base = base_normal(source, inst.arg[0]);
-            const Value gamma = algebra->vector(gradients.at(inst.arg[0]), on_base);
+            const Value gamma = algebra->vector(gradients.at(mapped[0]), on_base);
             return gamma ? gamma.id : target->zero(Type::vec3_);
         }
         case Op::resolve_:
-            return detach(resolved(source, inst.arg[0])).id;
+            return detach(resolved(source, id, gradients.at(mapped[0]))).id;
         case Op::normal_variance_:
-            return variance->of(resolved(source, inst.arg[0])).id;
+            return variance->of(resolved(source, id, gradients.at(mapped[0]))).id;
         case Op::with_covariance_:
             return variance ? variance->varying(value(mapped[0]), value(mapped[1])).id : mapped[0];
         default:
-            gradient(source, id, mapped);
+            return append(gradients, gradient(source, id, mapped));
     }
-    return nothing;
 }
 
 Id Expander::sample(const Module& source, Id id, std::span<const Id> mapped) {
@@ -253,7 +252,7 @@ Id expand_one(void* context, Module& target, const Module& source, Id id,
     auto& expander = *static_cast<Expander*>(context);
     if (!expander.target) {
         expander.target = &target;
-        expander.nothing = target.number(0);
+        target.number(0);  // Id 1 is `unexpanded` of an ordinary type too
         expander.screen.emplace(target);
         expander.algebra.emplace(target, *expander.screen);
         if (expander.options.covariances == Covariances::kept || wants_normal_variance(source))
@@ -269,7 +268,7 @@ Id expand_one(void* context, Module& target, const Module& source, Id id,
     if (source[id].level > 0) {
         target.problem("a bump cannot be made inside a loop or a function",
                        "compute heights or slopes there, and make the gradient outside");
-        return expander.nothing;
+        return Expander::unexpanded;
     }
     return expander.opaque(source, id, mapped);
 }

@@ -102,15 +102,15 @@ void GradientAlgebra::divide(GradientSum& sum) {
     sum.pending.clear();
 }
 
-GradientSum GradientAlgebra::add(GradientSum a, GradientSum b) {
+GradientSum GradientAlgebra::add(GradientSum a, const GradientSum& b) {
     a.flat = add(std::move(a.flat), b.flat);
-    for (GradientSum::Term& term : b.pending) {
+    for (const GradientSum::Term& term : b.pending) {
         const auto same = [&](const auto& other) { return other.depth.id == term.depth.id; };
         const auto found = std::find_if(a.pending.begin(), a.pending.end(), same);
         if (found != a.pending.end())
             found->over = add(std::move(found->over), term.over);
         else
-            a.pending.push_back(std::move(term));
+            a.pending.push_back(term);
     }
     if (a.pending.size() > max_pending) divide(a);
     return a;

@@ -53,7 +53,7 @@ public:
     GradientSum from_slope(const FrameKey& basis, Value slope);
     // -slope / depth; the division may stay pending.
     GradientSum from_negated_slope(const FrameKey& basis, Value slope, Value depth);
-    GradientSum add(GradientSum a, GradientSum b);
+    GradientSum add(GradientSum a, const GradientSum& b);
     GradientSum scale(GradientSum a, Value amount);
 
     // Returns Gamma, every term divided and tangent to its base; empty if it is flat. `on_base` is

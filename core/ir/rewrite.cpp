@@ -115,7 +115,7 @@ Id substitute(Module& module, Id root, std::span<const Id> from, std::span<const
 Module rebuild(Module&& source, Replace replace, void* context) {
     Module target;
     target.most_values = source.most_values;
-    target.reserve(2 * size_t{source.size()});  // expansion adds instructions
+    target.reserve(source.size());
     target.nodes = std::move(source.nodes);
     target.titles = std::move(source.titles);
     target.parameters = std::move(source.parameters);
