@@ -81,9 +81,13 @@ void Module::reserve(size_t expected) {
 
 Id Module::intern(const Inst& inst) {
     Id& slot = table_.find(inst, inst_);
-    if (slot != poison) return slot;
+    if (slot == poison) slot = append(inst);
+    return slot;
+}
+
+Id Module::append(const Inst& inst) {
     if (inst_.size() > most_values) throw too_many(*this);
-    const Id added = slot = size();
+    const Id added = size();
     inst_.push_back(inst);
     origin.push_back(current_node);
     has_[static_cast<size_t>(inst.op)] = true;
@@ -274,12 +278,12 @@ Id Module::input(SurfaceInput which, Variant variant) {
     return intern(inst);
 }
 
+// Interned by index, not by the table: a node writes several, and never twice the same.
 Id Module::parameter(uint32_t index) {
-    Inst inst;
-    inst.op = Op::parameter_;
-    inst.type = parameters[index].type;
-    inst.extra = index;
-    return intern(inst);
+    if (index >= parameter_ids_.size()) parameter_ids_.resize(index + size_t{1});
+    Id& id = parameter_ids_[index];
+    if (id == poison) id = append({Op::parameter_, parameters[index].type, 0, {}, index, 0});
+    return id;
 }
 
 Id Module::region_parameter(int level, uint32_t index, Type type) {

@@ -204,6 +204,7 @@ private:
         std::vector<Type> params;
     };
     Id intern(const Inst& inst);
+    Id append(const Inst& inst);
     bool has_constant_parts(Id construct) const;
     bool has_literal_parts(Id construct, double value) const;
     uint32_t intern_list(std::span<const Id> ids);
@@ -222,6 +223,7 @@ private:
 
     std::vector<Inst> inst_;
     InternTable table_;
+    std::vector<Id> parameter_ids_;  // by index of the parameter
     std::array<bool, tables::op_count> has_{};
     std::vector<std::vector<Id>> lists_;
     std::map<std::vector<Id>, uint32_t> list_table_;
