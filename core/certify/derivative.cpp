@@ -66,7 +66,7 @@ Module with_derivatives(const Subject& subject, const CertifyContext& bench) {
     }
     const ExpandOptions options{.back_faces = subject.project.top().back_face_rule()};
     Module module = explicit_lod(expand(std::move(lowered), options));
-    Direction direction = screen_direction(module, Variant::dx, false);
+    ForwardDiff direction = screen_direction(module, Variant::dx, false);
     for (size_t k = 0; k < module.outputs.size(); k += columns)
         module.outputs[k + derived].value = direction.jvp_or_zero(module.outputs[k + value].value);
     return module;

@@ -3,7 +3,7 @@
 #include "certify/compare.h"
 #include "gpu/program.h"
 #include "graph/write.h"
-#include "ir/print.h"
+#include "ir/inspect.h"
 #include "registry/plugin_code.h"
 
 namespace wrinkle::certify {

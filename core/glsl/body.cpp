@@ -30,30 +30,30 @@ std::string comment_on(const Region& region) {
     return text.empty() ? "" : "// " + comment_text(region.name + " gives " + text);
 }
 
-std::vector<Id> plain_all(const EmitAnalysis& plan, std::span<const Id> ids) {
+std::vector<Id> strip_all(const EmitAnalysis& analysis, std::span<const Id> ids) {
     std::vector<Id> result;
     for (const Id id : ids)
-        result.push_back(plan.plain(id));
+        result.push_back(analysis.strip_detach(id));
     return result;
 }
 
 }  // namespace
 
 void Body::output_function(Id value, const std::string& name, const std::string& argument) {
-    const Id root = plan_.plain(value);
+    const Id root = analysis_.strip_detach(value);
     const std::span roots(&root, 1);
-    const Scope scope = collect(plan_, values_, roots, 0);
-    decide(plan_, values_, scope, roots);
+    const Scope scope = collect(analysis_, values_, roots, 0);
+    decide(analysis_, values_, scope, roots);
     text_.line(0, type_name(m_.type(root)) + " " + name + "(" + argument + ") {");
-    const std::vector<Id> ids = schedule(plan_, values_, scope, scope.order);
+    const std::vector<Id> ids = schedule(analysis_, values_, scope, scope.order);
     locals_.reserve(ids.size());
     Id read = root;  // the value that the line computes; the output may be a part of it
-    while (plan_.role(read) == Role::view && m_[read].op != Op::result_)
-        read = plan_.operands(read)[0];
-    const bool folded = plan_.role(read) == Role::value && !values_.state[read].statement;
-    const uint32_t group = folded        ? group_of(plan_, values_, read)
+    while (analysis_.role(read) == Role::view && m_[read].op != Op::result_)
+        read = analysis_.operands(read)[0];
+    const bool folded = analysis_.role(read) == Role::value && !values_.state[read].statement;
+    const uint32_t group = folded        ? group_of(analysis_, values_, read)
                            : ids.empty() ? no_node
-                                         : group_of(plan_, values_, ids.back());
+                                         : group_of(analysis_, values_, ids.back());
     statements(ids, 1, group);
     line_.clear();
     line_.append("return ");
@@ -99,13 +99,13 @@ void Body::region_function(uint32_t index, const std::string& name) {
     std::vector<std::string> outs;
     for (size_t k = 1; k < region.results.size(); ++k)
         outs.push_back(locals_.unique(result_name(region, k)));
-    const std::vector<Id> roots = plain_all(plan_, region.results);
-    const Scope scope = collect(plan_, values_, roots, 0);
-    decide(plan_, values_, scope, roots);
+    const std::vector<Id> roots = strip_all(analysis_, region.results);
+    const Scope scope = collect(analysis_, values_, roots, 0);
+    decide(analysis_, values_, scope, roots);
     if (const std::string comment = comment_on(region); !comment.empty())
         text_.line(0, comment, no_node);
     code(0, signature(region, name, parameters, outs), no_node);
-    statements(schedule(plan_, values_, scope, scope.order), 1);
+    statements(schedule(analysis_, values_, scope, scope.order), 1);
     for (size_t k = 1; k < roots.size(); ++k)
         code(1, outs[k - 1] + " = " + text_of(context_, roots[k]) + ";", node_of(group_));
     code(1, "return " + text_of(context_, roots[0]) + ";", node_of(group_));
@@ -175,7 +175,7 @@ void Body::statements(std::span<const Id> ids, int indent, uint32_t next) {
     std::vector<uint32_t> groups;
     groups.reserve(ids.size() + 1);
     for (const Id id : ids)
-        groups.push_back(group_of(plan_, values_, id));
+        groups.push_back(group_of(analysis_, values_, id));
     groups.push_back(next);
     for (size_t i = 0; i < ids.size(); ++i) {
         const bool single = groups[i + 1] != groups[i] && groups[i + 1] != no_node;
@@ -200,7 +200,7 @@ std::string_view Body::name_value(Id id, const NameHint& wanted) {
 }
 
 void Body::assign(Id id, int indent, uint32_t group, bool single) {
-    const std::string_view name = name_value(id, name_hint(plan_, values_, id));
+    const std::string_view name = name_value(id, name_hint(analysis_, values_, id));
     line_.clear();
     line_.append(info(m_.type(id)).name).append(" ").append(name).append(" = ");
     write_definition(context_, id, line_);
@@ -211,10 +211,10 @@ void Body::assign(Id id, int indent, uint32_t group, bool single) {
 std::vector<std::string> Body::name_members(Id tuple) {
     const std::string& path = m_.nodes[m_.origin[tuple]].path;
     std::vector<std::string> names;
-    for (const Id member : plan_.members(tuple)) {
+    for (const Id member : analysis_.members(tuple)) {
         const NameHint unread{path, "state"};
         names.emplace_back(
-            name_value(member, member == poison ? unread : name_hint(plan_, values_, member)));
+            name_value(member, member == no_id ? unread : name_hint(analysis_, values_, member)));
     }
     return names;
 }
@@ -223,7 +223,7 @@ std::vector<std::string> Body::name_members(Id tuple) {
 void Body::call(Id id, int indent) {
     const Region& region = m_.region(m_[id].extra);
     std::string text;
-    for (const Id argument : plan_.operands(id))
+    for (const Id argument : analysis_.operands(id))
         text += (text.empty() ? "" : ", ") + text_of(context_, argument);
     const std::vector<std::string> names = name_members(id);
     for (size_t k = 1; k < names.size(); ++k) {
@@ -241,7 +241,7 @@ void Body::loop(Id id, int indent) {
     const auto initial = m_.operands(id);
     std::vector<std::string> texts;
     for (const Id value : initial)
-        texts.push_back(text_of(context_, plan_.plain(value)));
+        texts.push_back(text_of(context_, analysis_.strip_detach(value)));
     const std::vector<std::string> state = name_members(id);
     const uint32_t node = node_of(group_);
     for (size_t k = 0; k < state.size(); ++k)
@@ -259,22 +259,23 @@ void Body::loop_body(Id id, const std::vector<std::string>& state, int indent) {
     const Region& region = m_.region(m_[id].extra);
     if (context_.parameters.size() <= region.level) context_.parameters.resize(region.level + 1u);
     context_.parameters[region.level] = state;
-    const std::vector<Id> roots = plain_all(plan_, region.results);
-    const Scope scope = collect(plan_, values_, roots, region.level);
-    decide(plan_, values_, scope, roots);
+    const std::vector<Id> roots = strip_all(analysis_, region.results);
+    const Scope scope = collect(analysis_, values_, roots, region.level);
+    decide(analysis_, values_, scope, roots);
     const std::span<const Id> order(scope.order);
-    const uint32_t node = node_of(group_of(plan_, values_, id));
-    statements(schedule(plan_, values_, scope, order.first(scope.first_part)), indent);
+    const uint32_t node = node_of(group_of(analysis_, values_, id));
+    statements(schedule(analysis_, values_, scope, order.first(scope.first_part)), indent);
     write_loop_condition(roots[0], indent, node);
-    statements(schedule(plan_, values_, scope, order.subspan(scope.first_part)), indent);
+    statements(schedule(analysis_, values_, scope, order.subspan(scope.first_part)), indent);
     next_state(id, std::span(roots).subspan(1), state, indent);
 }
 
 void Body::write_loop_condition(Id condition, int indent, uint32_t node) {
     if (m_.is_literal(condition, 1)) return;
-    const bool folded = plan_.role(condition) == Role::value && !values_.state[condition].statement;
+    const bool folded =
+        analysis_.role(condition) == Role::value && !values_.state[condition].statement;
     if (folded && m_[condition].op == Op::not_) {
-        const Id inner = plan_.plain(m_[condition].arg[0]);
+        const Id inner = analysis_.strip_detach(m_[condition].arg[0]);
         code(indent, "if (" + text_of(context_, inner) + ") break;", node);
         return;
     }
@@ -290,9 +291,9 @@ std::vector<uint32_t> Body::state_read(Id value, uint8_t level) {
         const Id id = open.back();
         open.pop_back();
         if (m_[id].op == Op::region_param_ && m_[id].level == level) result.push_back(m_[id].extra);
-        if (plan_.role(id) == Role::value && values_.state[id].statement) continue;
-        if (m_[id].op == Op::result_ && plan_.role(id) == Role::view) continue;
-        const auto operands = plan_.operands(id);
+        if (analysis_.role(id) == Role::value && values_.state[id].statement) continue;
+        if (m_[id].op == Op::result_ && analysis_.role(id) == Role::view) continue;
+        const auto operands = analysis_.operands(id);
         open.insert(open.end(), operands.begin(), operands.end());
     }
     return result;
@@ -303,7 +304,7 @@ std::vector<uint32_t> Body::state_read(Id value, uint8_t level) {
 void Body::next_state(Id loop, std::span<const Id> next, const std::vector<std::string>& state,
                       int indent) {
     const uint8_t level = m_.region(m_[loop].extra).level;
-    const uint32_t node = node_of(group_of(plan_, values_, loop));
+    const uint32_t node = node_of(group_of(analysis_, values_, loop));
     std::vector<bool> assigned(state.size());
     std::vector<std::string> assignments;
     for (uint32_t k = 0; k < state.size(); ++k) {

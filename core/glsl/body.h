@@ -12,13 +12,13 @@ namespace wrinkle {
 
 class Body {
 public:
-    Body(const EmitAnalysis& plan, Values& values, const Symbols& symbols, const NameSet& globals,
-         const Target& target, Text& text)
-        : plan_(plan),
-          m_(plan.module()),
+    Body(const EmitAnalysis& analysis, Values& values, const Symbols& symbols,
+         const NameSet& globals, const Target& target, Text& text)
+        : analysis_(analysis),
+          m_(analysis.module()),
           values_(values),
           locals_(&globals),
-          context_{plan, values, symbols, target, {}},
+          context_{analysis, values, symbols, target, {}},
           text_(text) {}
 
     // Append a complete function. An output's function takes `argument` ("WrinkleSurface_x s" or
@@ -53,7 +53,7 @@ private:
                     int indent);
     std::vector<uint32_t> state_read(Id value, uint8_t level);
 
-    const EmitAnalysis& plan_;
+    const EmitAnalysis& analysis_;
     const Module& m_;
     Values& values_;
     NameSet locals_;

@@ -7,17 +7,17 @@
 namespace wrinkle {
 namespace {
 
-void write_function_form(const EmitAnalysis& plan, const EmitOptions& options, Interface& face,
+void write_function_form(const EmitAnalysis& analysis, const EmitOptions& options, Interface& face,
                          Shader& shader) {
     assign_bindings(options, face.reflection);
-    Text text = reserve_text(plan, options.max_bytes);
-    std::string title = title_of(plan.module(), face.reflection.name);
-    if (plan.implicit) title += " Call in uniform control flow.";
+    Text text = reserve_text(analysis, options.max_bytes);
+    std::string title = title_of(analysis.module(), face.reflection.name);
+    if (analysis.implicit) title += " Call in uniform control flow.";
     text.line(0, title);
     write_precision(*options.target, text);
     write_struct(face.reflection, text);
-    write_uniforms(plan.module(), face.reflection, text);
-    write_functions(plan, face, *options.target, text);
+    write_uniforms(analysis.module(), face.reflection, text);
+    write_functions(analysis, face, *options.target, text);
     shader.source = std::move(text.text);
     face.reflection.lines = std::move(text.nodes);
 }
@@ -40,12 +40,12 @@ bool refused(const Module& module, const EmitOptions& options, Shader& shader) {
 }
 
 void write_texts(const Module& module, const EmitOptions& options, Shader& shader) {
-    const EmitAnalysis plan(module, options.differentials == Differentials::given);
-    Interface face = make_interface(plan, options);
+    const EmitAnalysis analysis(module, options.differentials == Differentials::given);
+    Interface face = make_interface(analysis, options);
     if (options.form == Form::function)
-        write_function_form(plan, options, face, shader);
+        write_function_form(analysis, options, face, shader);
     else
-        write_shader_form(plan, options, face, shader);
+        write_shader_form(analysis, options, face, shader);
     shader.reflection = std::move(face.reflection);
 }
 

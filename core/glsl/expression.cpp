@@ -65,7 +65,10 @@ constexpr auto own_widths = [] {
 class Writer {
 public:
     Writer(const ExpressionContext& context, std::string& text)
-        : context_(context), plan_(context.plan), m_(context.plan.module()), text_(text) {}
+        : context_(context),
+          analysis_(context.analysis),
+          m_(context.analysis.module()),
+          text_(text) {}
 
     void read(Id id, int least);
     void define(Id id);
@@ -85,7 +88,7 @@ private:
     void sample(Id id);
 
     const ExpressionContext& context_;
-    const EmitAnalysis& plan_;
+    const EmitAnalysis& analysis_;
     const Module& m_;
     std::string& text_;
 };
@@ -117,17 +120,18 @@ int Writer::definition_binding(Id id) const {
             break;
     }
     if (info(inst.op).precedence == 0) return call_precedence;
-    return plan_.operands(id).size() == 1 ? prefix : info(inst.op).precedence;
+    return analysis_.operands(id).size() == 1 ? prefix : info(inst.op).precedence;
 }
 
 int Writer::binding(Id id) const {
-    if (plan_.role(id) == Role::leaf) return leaf_binding(id);
-    if (plan_.role(id) == Role::view) return m_[id].op == Op::result_ ? name_precedence : postfix;
+    if (analysis_.role(id) == Role::leaf) return leaf_binding(id);
+    if (analysis_.role(id) == Role::view)
+        return m_[id].op == Op::result_ ? name_precedence : postfix;
     return definition_binding(id);
 }
 
 void Writer::read(Id id, int least) {
-    if (plan_.role(id) == Role::value && context_.values.state[id].statement) {
+    if (analysis_.role(id) == Role::value && context_.values.state[id].statement) {
         text_.append(context_.values.state[id].name);
         return;
     }
@@ -139,7 +143,7 @@ void Writer::read(Id id, int least) {
 
 // Writes a value that is not a temporary.
 void Writer::write_inline(Id id) {
-    switch (plan_.role(id)) {
+    switch (analysis_.role(id)) {
         case Role::leaf:
             return leaf(id);
         case Role::view:
@@ -161,7 +165,7 @@ void Writer::list(std::span<const Id> ids) {
 void Writer::input(Id id) {
     const SurfaceInput which = input_of(m_[id].extra);
     const Variant variant = variant_of(m_[id].extra);
-    const bool change = plan_.role(id) != Role::leaf;
+    const bool change = analysis_.role(id) != Role::leaf;
     if (change)
         text_.append(variant == Variant::dx ? context_.target.change_x : context_.target.change_y)
             .append("(");
@@ -179,7 +183,7 @@ void Writer::leaf(Id id) {
     const Inst& inst = m_[id];
     switch (inst.op) {
         case Op::literal_:
-            text_.append(plan_.literal(id));
+            text_.append(analysis_.literal(id));
             break;
         case Op::input_:
             input(id);
@@ -207,7 +211,7 @@ void Writer::view(Id id) {
         text_.append(context_.values.state[id].name);
         return;
     }
-    read(plan_.plain(inst.arg[0]), postfix);
+    read(analysis_.strip_detach(inst.arg[0]), postfix);
     if (inst.op == Op::column_) {
         text_.append("[").append(std::to_string(inst.extra)).append("]");
         return;
@@ -224,7 +228,7 @@ void Writer::sample(Id id) {
         return;
     }
     text_.append(info(m_[id].op).glsl).append("(").append(image);
-    for (const Id operand : plan_.operands(id)) {
+    for (const Id operand : analysis_.operands(id)) {
         text_.append(", ");
         read(operand, 0);
     }
@@ -233,7 +237,7 @@ void Writer::sample(Id id) {
 
 void Writer::builtin(Id id) {
     const Inst& inst = m_[id];
-    const auto operands = plan_.operands(id);
+    const auto operands = analysis_.operands(id);
     const auto is_float = [&](Id operand) { return m_.type(operand) == Type::float_; };
     const bool broadcasts =
         info(inst.op).rule == Rule::floats || info(inst.op).rule == Rule::broadcast;
@@ -253,18 +257,18 @@ void Writer::builtin(Id id) {
 
 // If the other operand is a vector, a constant with equal components is written as a scalar.
 void Writer::operand(Id id, size_t k, int least) {
-    const auto operands = plan_.operands(id);
+    const auto operands = analysis_.operands(id);
     const Id own = operands[k], other = operands[1 - k];
     const bool broadcast = info(m_[id].op).rule == Rule::broadcast || m_[id].op == Op::div_;
-    const bool splat = broadcast && plan_.role(own) == Role::leaf && m_[own].op == Op::construct_ &&
-                       plan_.is_splat(own) && m_.type(other) == m_.type(own) &&
-                       !m_.is_constant(other);
+    const bool splat = broadcast && analysis_.role(own) == Role::leaf &&
+                       m_[own].op == Op::construct_ && analysis_.is_splat(own) &&
+                       m_.type(other) == m_.type(own) && !m_.is_constant(other);
     read(splat ? m_[own].arg[0] : own, least);
 }
 
 void Writer::operation(Id id) {
     const OpInfo& op = info(m_[id].op);
-    const auto operands = plan_.operands(id);
+    const auto operands = analysis_.operands(id);
     if (operands.size() == 1) {
         text_.append(op.glsl);
         read(operands[0], prefix + 1);
@@ -282,25 +286,25 @@ void Writer::define(Id id) {
             return input(id);
         case Op::construct_:
             text_.append(info(inst.type).name);
-            return list(plan_.operands(id));
+            return list(analysis_.operands(id));
         case Op::sample_:
         case Op::sample_lod_:
         case Op::sample_grad_:
         case Op::image_size_:
             return sample(id);
         case Op::sign_nonzero_:
-            read(plan_.plain(inst.arg[0]), relational + 1);
+            read(analysis_.strip_detach(inst.arg[0]), relational + 1);
             text_.append(" < 0.0 ? -1.0 : 1.0");
             return;
         case Op::select_:
-            read(plan_.plain(inst.arg[0]), conditional + 1);
+            read(analysis_.strip_detach(inst.arg[0]), conditional + 1);
             text_.append(" ? ");
-            read(plan_.plain(inst.arg[1]), conditional + 1);
+            read(analysis_.strip_detach(inst.arg[1]), conditional + 1);
             text_.append(" : ");
-            return read(plan_.plain(inst.arg[2]), conditional);
+            return read(analysis_.strip_detach(inst.arg[2]), conditional);
         case Op::result_:
             text_.append(context_.symbols.functions[m_[inst.arg[0]].extra]);
-            return list(plan_.operands(id));
+            return list(analysis_.operands(id));
         default:
             return info(inst.op).precedence ? operation(id) : builtin(id);
     }
@@ -326,12 +330,12 @@ void write_definition(const ExpressionContext& context, Id id, std::string& text
     Writer(context, text).define(id);
 }
 
-uint32_t leaf_width(const EmitAnalysis& plan, Id leaf) {
-    const Module& m = plan.module();
+uint32_t leaf_width(const EmitAnalysis& analysis, Id leaf) {
+    const Module& m = analysis.module();
     const Inst& inst = m[leaf];
     switch (inst.op) {
         case Op::literal_:
-            return static_cast<uint32_t>(plan.literal(leaf).size());
+            return static_cast<uint32_t>(analysis.literal(leaf).size());
         case Op::parameter_: {
             const Parameter& parameter = m.parameters[inst.extra];
             return static_cast<uint32_t>(m.nodes[parameter.node].path.size() + 1 +
@@ -340,21 +344,21 @@ uint32_t leaf_width(const EmitAnalysis& plan, Id leaf) {
         case Op::input_:
             return static_cast<uint32_t>(info(input_of(inst.extra)).name.size() + 2);
         case Op::construct_: {
-            uint32_t width = own_width(plan, leaf);
-            for (const Id part : plan.operands(leaf))
-                width += leaf_width(plan, part);
+            uint32_t width = own_width(analysis, leaf);
+            for (const Id part : analysis.operands(leaf))
+                width += leaf_width(analysis, part);
             return width;
         }
         case Op::swizzle_:
-            return leaf_width(plan, plan.plain(inst.arg[0])) + 1 +
+            return leaf_width(analysis, analysis.strip_detach(inst.arg[0])) + 1 +
                    static_cast<uint32_t>(swizzle_count(inst.extra));
         default:
             return 2;
     }
 }
 
-uint32_t own_width(const EmitAnalysis& plan, Id id) {
-    const Module& m = plan.module();
+uint32_t own_width(const EmitAnalysis& analysis, Id id) {
+    const Module& m = analysis.module();
     const Inst& inst = m[id];
     if (inst.op == Op::result_)
         return 16 + static_cast<uint32_t>(m.region(m[inst.arg[0]].extra).name.size() +

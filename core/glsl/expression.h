@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "glsl/plan.h"
+#include "glsl/emit_analysis.h"
 #include "glsl/scope.h"
 #include "glsl/target.h"
 
@@ -18,7 +18,7 @@ struct Symbols {
 };
 
 struct ExpressionContext {
-    const EmitAnalysis& plan;
+    const EmitAnalysis& analysis;
     const Values& values;
     const Symbols& symbols;
     const Target& target;
@@ -37,7 +37,7 @@ std::string text_of(const ExpressionContext& context, Id id, int least = 0);
 void write_definition(const ExpressionContext& context, Id id, std::string& text);
 
 // Widths in characters for folding decisions: of a leaf; of an operation without its operands.
-uint32_t leaf_width(const EmitAnalysis& plan, Id leaf);
-uint32_t own_width(const EmitAnalysis& plan, Id id);
+uint32_t leaf_width(const EmitAnalysis& analysis, Id leaf);
+uint32_t own_width(const EmitAnalysis& analysis, Id id);
 
 }  // namespace wrinkle

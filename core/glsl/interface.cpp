@@ -17,11 +17,11 @@ std::string node_path(const Module& m, uint32_t node) {
     return node < m.nodes.size() ? m.nodes[node].path : "";
 }
 
-void add_uniforms(const EmitAnalysis& plan, Interface& face) {
-    const Module& m = plan.module();
+void add_uniforms(const EmitAnalysis& analysis, Interface& face) {
+    const Module& m = analysis.module();
     face.symbols.parameters.resize(m.parameters.size());
     for (uint32_t i = 0; i < m.parameters.size(); ++i) {
-        if (!plan.parameters_used[i]) continue;
+        if (!analysis.parameters_used[i]) continue;
         const Parameter& parameter = m.parameters[i];
         UniformInfo uniform;
         uniform.node = parameter.graph_input ? "" : node_path(m, parameter.node);
@@ -47,10 +47,10 @@ std::string sampler_name(const Module& m, const EmitAnalysis::UsedResource& used
     return at_node(node_path(m, reader->node), reader->port);
 }
 
-void add_samplers(const EmitAnalysis& plan, Interface& face) {
-    const Module& m = plan.module();
+void add_samplers(const EmitAnalysis& analysis, Interface& face) {
+    const Module& m = analysis.module();
     face.symbols.resources.resize(m.resources.size());
-    for (const EmitAnalysis::UsedResource& used : plan.resources) {
+    for (const EmitAnalysis::UsedResource& used : analysis.resources) {
         const Resource& resource = m.resources[used.resource];
         SamplerInfo sampler;
         sampler.name = face.globals.unique(sampler_name(m, used));
@@ -69,11 +69,11 @@ MemberInfo member(SurfaceInput input, Variant variant) {
     return {member_name(input, variant), info(input).type, input, variant, false};
 }
 
-void add_members(const EmitAnalysis& plan, bool given, Reflection& reflection) {
+void add_members(const EmitAnalysis& analysis, bool given, Reflection& reflection) {
     for (int i = 0; i < surface_input_count; ++i) {
         const auto input = static_cast<SurfaceInput>(i);
         const auto used = [&](Variant variant) {
-            return plan.inputs_used[EmitAnalysis::input_slot(input, variant)];
+            return analysis.inputs_used[EmitAnalysis::input_slot(input, variant)];
         };
         const bool changes = used(Variant::dx) || used(Variant::dy);
         const bool relative = !given && changes && input == SurfaceInput::position_;
@@ -88,14 +88,14 @@ void add_members(const EmitAnalysis& plan, bool given, Reflection& reflection) {
     if (!reflection.members.empty()) reflection.struct_name = "WrinkleSurface_" + reflection.name;
 }
 
-void add_functions(const EmitAnalysis& plan, Interface& face) {
-    const Module& m = plan.module();
+void add_functions(const EmitAnalysis& analysis, Interface& face) {
+    const Module& m = analysis.module();
     const std::string prefix = "wrinkle_" + face.reflection.name + "_";
     for (const ModuleOutput& output : m.outputs)
         face.reflection.functions.push_back({output.name, face.globals.unique(prefix + output.name),
                                              m.type(output.value), output.port_type, -1, ""});
     face.symbols.functions.resize(m.region_count());
-    for (const uint32_t region : plan.functions)
+    for (const uint32_t region : analysis.functions)
         face.symbols.functions[region] = face.globals.unique(prefix + m.region(region).name);
 }
 
@@ -175,32 +175,32 @@ std::string behind_underscores(const std::string& name) {
 
 }  // namespace
 
-Interface make_interface(const EmitAnalysis& plan, const EmitOptions& options) {
+Interface make_interface(const EmitAnalysis& analysis, const EmitOptions& options) {
     Interface face{NameSet(&fixed_names()), {}, {}};
-    const Module& m = plan.module();
+    const Module& m = analysis.module();
     NameSet plain;
     face.reflection.target = options.target->name;
     face.reflection.name = plain.unique(behind_underscores(identifier(options.name)));
     face.globals.unique("WrinkleSurface_" + face.reflection.name);
     face.globals.unique("WrinkleParameters_" + face.reflection.name);
-    add_functions(plan, face);
-    add_samplers(plan, face);
-    add_uniforms(plan, face);
-    add_members(plan, options.differentials == Differentials::given, face.reflection);
-    face.reflection.uniform_control_flow = plan.implicit;
+    add_functions(analysis, face);
+    add_samplers(analysis, face);
+    add_uniforms(analysis, face);
+    add_members(analysis, options.differentials == Differentials::given, face.reflection);
+    face.reflection.uniform_control_flow = analysis.implicit;
     face.reflection.node_paths.reserve(m.nodes.size());
     for (const NodeInstance& node : m.nodes)
         face.reflection.node_paths.push_back(node.path);
     return face;
 }
 
-Text reserve_text(const EmitAnalysis& plan, uint64_t most) {
+Text reserve_text(const EmitAnalysis& analysis, uint64_t most) {
     constexpr size_t letters_a_value = 28, values_a_line = 2;  // estimates
     constexpr size_t outside = 1000;
     Text text;
     text.most = most;
-    text.text.reserve(std::min<size_t>(letters_a_value * plan.used_count() + outside, most));
-    text.nodes.reserve(plan.used_count() / values_a_line);
+    text.text.reserve(std::min<size_t>(letters_a_value * analysis.used_count() + outside, most));
+    text.nodes.reserve(analysis.used_count() / values_a_line);
     return text;
 }
 
@@ -249,19 +249,19 @@ std::string argument_text(const Reflection& reflection) {
     return reflection.struct_name.empty() ? "" : reflection.struct_name + " s";
 }
 
-void write_functions(const EmitAnalysis& plan, const Interface& face, const Target& target,
+void write_functions(const EmitAnalysis& analysis, const Interface& face, const Target& target,
                      Text& text) {
-    const Module& m = plan.module();
-    Values values(plan);
-    for (const uint32_t region : plan.functions) {
+    const Module& m = analysis.module();
+    Values values(analysis);
+    for (const uint32_t region : analysis.functions) {
         text.line(0, "");
-        Body(plan, values, face.symbols, face.globals, target, text)
+        Body(analysis, values, face.symbols, face.globals, target, text)
             .region_function(region, face.symbols.functions[region]);
     }
     const std::string argument = argument_text(face.reflection);
     for (size_t i = 0; i < m.outputs.size(); ++i) {
         text.line(0, "");
-        Body(plan, values, face.symbols, face.globals, target, text)
+        Body(analysis, values, face.symbols, face.globals, target, text)
             .output_function(m.outputs[i].value, face.reflection.functions[i].function, argument);
     }
 }

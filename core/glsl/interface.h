@@ -12,10 +12,10 @@ struct Interface {
     Reflection reflection;
 };
 
-Interface make_interface(const EmitAnalysis& plan, const EmitOptions& options);
+Interface make_interface(const EmitAnalysis& analysis, const EmitOptions& options);
 
 // Returns an empty Text with the limit `most` in bytes and capacity reserved for the module.
-Text reserve_text(const EmitAnalysis& plan, uint64_t most);
+Text reserve_text(const EmitAnalysis& analysis, uint64_t most);
 
 // Append declarations to `text`.
 void write_struct(const Reflection& reflection, Text& text);
@@ -26,7 +26,7 @@ void write_precision(const Target& target, Text& text);  // before fragment code
 std::string argument_text(const Reflection& reflection);
 
 // Appends helper functions, then one per output.
-void write_functions(const EmitAnalysis& plan, const Interface& interface, const Target& target,
+void write_functions(const EmitAnalysis& analysis, const Interface& interface, const Target& target,
                      Text& text);
 
 // Returns the title comment: the graph's title, or NAME if it has none.
@@ -34,7 +34,7 @@ std::string title_of(const Module& module, const std::string& name);
 
 // Writes the complete vertex and fragment pair; adds attributes, varyings and frame uniforms to the
 // reflection.
-void write_shader_form(const EmitAnalysis& plan, const EmitOptions& options, Interface& interface,
-                       Shader& shader);
+void write_shader_form(const EmitAnalysis& analysis, const EmitOptions& options,
+                       Interface& interface, Shader& shader);
 
 }  // namespace wrinkle

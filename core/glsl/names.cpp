@@ -6,6 +6,7 @@
 
 #include "base/printable.h"
 #include "base/text.h"
+#include "ir/op_traits.h"
 
 namespace wrinkle {
 namespace {
@@ -52,65 +53,6 @@ bool is_texel(const Module& m, Id id) {
     }
     return false;
 }
-
-constexpr std::pair<Op, std::string_view> op_words[] = {{Op::image_size_, "size"},
-                                                        {Op::add_, "sum"},
-                                                        {Op::sub_, "difference"},
-                                                        {Op::mul_, "product"},
-                                                        {Op::matrix_product_, "product"},
-                                                        {Op::div_, "quotient"},
-                                                        {Op::neg_, "negated"},
-                                                        {Op::normalize_, "unit"},
-                                                        {Op::select_, "choice"},
-                                                        {Op::construct_, "vector"},
-                                                        {Op::transform_, "transformed"},
-                                                        {Op::lt_, "test"},
-                                                        {Op::le_, "test"},
-                                                        {Op::gt_, "test"},
-                                                        {Op::ge_, "test"},
-                                                        {Op::eq_, "test"},
-                                                        {Op::ne_, "test"},
-                                                        {Op::and_, "test"},
-                                                        {Op::or_, "test"},
-                                                        {Op::not_, "test"},
-                                                        {Op::bit_and_, "bits"},
-                                                        {Op::bit_or_, "bits"},
-                                                        {Op::bit_xor_, "bits"},
-                                                        {Op::shift_left_, "bits"},
-                                                        {Op::shift_right_, "bits"},
-                                                        {Op::sign_nonzero_, "sign"},
-                                                        {Op::to_float_, "number"},
-                                                        {Op::to_int_, "whole"},
-                                                        {Op::to_uint_, "whole"},
-                                                        {Op::mod_, "remainder"},
-                                                        {Op::abs_, "magnitude"},
-                                                        {Op::floor_, "floored"},
-                                                        {Op::ceil_, "raised"},
-                                                        {Op::fract_, "fraction"},
-                                                        {Op::min_, "least"},
-                                                        {Op::max_, "greatest"},
-                                                        {Op::clamp_, "clamped"},
-                                                        {Op::mix_, "mixed"},
-                                                        {Op::step_, "edge"},
-                                                        {Op::smoothstep_, "ramp"},
-                                                        {Op::sqrt_, "root"},
-                                                        {Op::inversesqrt_, "inverse_root"},
-                                                        {Op::pow_, "power"},
-                                                        {Op::exp_, "exponential"},
-                                                        {Op::exp2_, "exponential"},
-                                                        {Op::log_, "logarithm"},
-                                                        {Op::log2_, "logarithm"},
-                                                        {Op::sin_, "sine"},
-                                                        {Op::cos_, "cosine"},
-                                                        {Op::asin_, "angle"},
-                                                        {Op::acos_, "angle"},
-                                                        {Op::atan_, "angle"},
-                                                        {Op::atan2_, "angle"},
-                                                        {Op::dot_, "dot_product"},
-                                                        {Op::cross_, "cross_product"},
-                                                        {Op::length_, "extent"},
-                                                        {Op::reflect_, "reflected"},
-                                                        {Op::transpose_, "transposed"}};
 
 bool is_plain_comment(std::string_view text) {
     static constexpr auto plain = [] {
@@ -199,14 +141,7 @@ std::string_view word_for(const Module& module, Id id) {
         const Region& region = module.region(module[module[id].arg[0]].extra);
         return region.kind == RegionKind::loop ? "state" : std::string_view(region.name);
     }
-    static constexpr auto words = [] {
-        std::array<std::string_view, tables::op_count> table{};
-        for (const auto& [known, word] : op_words)
-            table[static_cast<size_t>(known)] = word;
-        return table;
-    }();
-    const std::string_view word = words[static_cast<size_t>(op)];
-    return word.empty() ? info(op).name : word;
+    return traits(op).word;
 }
 
 }  // namespace wrinkle

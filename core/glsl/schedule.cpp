@@ -41,8 +41,8 @@ struct Group {
 
 class Scheduler {
 public:
-    Scheduler(const EmitAnalysis& plan, Values& values, const Scope& scope)
-        : plan_(plan), values_(values), scope_(scope) {}
+    Scheduler(const EmitAnalysis& analysis, Values& values, const Scope& scope)
+        : analysis_(analysis), values_(values), scope_(scope) {}
     std::vector<Id> run(std::span<const Id> part);
 
 private:
@@ -55,7 +55,7 @@ private:
     void write_group(Group& group);
     void write_statement(Statement& statement);
 
-    const EmitAnalysis& plan_;
+    const EmitAnalysis& analysis_;
     Values& values_;
     const Scope& scope_;
     std::vector<Statement> statements_;
@@ -83,7 +83,7 @@ void Scheduler::find_groups() {
     groups_.reserve(statements_.size() / 2);
     users_.reserve(2 * statements_.size());
     const auto slot_of = [&](const Statement& statement) {
-        const uint32_t owner = group_of(plan_, values_, statement.id);
+        const uint32_t owner = group_of(analysis_, values_, statement.id);
         return owner == surface_group ? known.size() - 1 : owner;
     };
     for (uint32_t i = 0; i < statements_.size(); ++i) {
@@ -108,7 +108,7 @@ void Scheduler::find_needs(uint32_t statement) {
     while (!open_.empty()) {
         const Id reader = open_.back();
         open_.pop_back();
-        for (const Id operand : plan_.operands(reader)) {
+        for (const Id operand : analysis_.operands(reader)) {
             const ValueState& s = values_.state[operand];
             if (s.epoch != scope_.epoch) continue;
             if (!s.statement) {
@@ -171,9 +171,9 @@ std::vector<Id> Scheduler::run(std::span<const Id> part) {
 
 }  // namespace
 
-std::vector<Id> schedule(const EmitAnalysis& plan, Values& values, const Scope& scope,
+std::vector<Id> schedule(const EmitAnalysis& analysis, Values& values, const Scope& scope,
                          std::span<const Id> part) {
-    return Scheduler(plan, values, scope).run(part);
+    return Scheduler(analysis, values, scope).run(part);
 }
 
 }  // namespace wrinkle

@@ -29,17 +29,17 @@ uint8_t precedence_of(Op op) {
     return table[static_cast<size_t>(op)];
 }
 
-bool needs_parentheses(const EmitAnalysis& plan, Id reader, Id operand) {
-    const int outer = precedence_of(plan.module()[reader].op);
-    const int inner = precedence_of(plan.module()[operand].op);
+bool needs_parentheses(const EmitAnalysis& analysis, Id reader, Id operand) {
+    const int outer = precedence_of(analysis.module()[reader].op);
+    const int inner = precedence_of(analysis.module()[operand].op);
     return outer > 0 && inner > 0 && inner <= outer;
 }
 
 // Folding decisions for one scope, operands first.
-class Folder {
+class TemporarySelector {
 public:
-    Folder(const EmitAnalysis& plan, Values& values, const Scope& scope)
-        : plan_(plan), m_(plan.module()), values_(values), scope_(scope) {}
+    TemporarySelector(const EmitAnalysis& analysis, Values& values, const Scope& scope)
+        : analysis_(analysis), m_(analysis.module()), values_(values), scope_(scope) {}
 
     void count_uses(std::span<const Id> roots);
     void visit(Id id);
@@ -51,7 +51,7 @@ private:
         uint8_t depth = 1;
         bool implicit = false;
         uint32_t max_width = 0;
-        Id widest = poison;  // the widest folded operand
+        Id widest = no_id;  // the widest folded operand
     };
 
     ValueState& state(Id id) { return values_.state[id]; }
@@ -67,20 +67,20 @@ private:
     bool is_too_wide(Id id, const Folded& text);
     bool must_name(Id id, bool is_root);
 
-    const EmitAnalysis& plan_;
+    const EmitAnalysis& analysis_;
     const Module& m_;
     Values& values_;
     const Scope& scope_;
 };
 
 // Returns the value that a swizzle or column reads; other values are returned unchanged.
-Id Folder::base(Id id) {
-    while (plan_.role(id) == Role::view && m_[id].op != Op::result_)
-        id = plan_.operands(id)[0];
+Id TemporarySelector::base(Id id) {
+    while (analysis_.role(id) == Role::view && m_[id].op != Op::result_)
+        id = analysis_.operands(id)[0];
     return id;
 }
 
-void Folder::count_uses(std::span<const Id> roots) {
+void TemporarySelector::count_uses(std::span<const Id> roots) {
     for (const Id root : roots) {
         if (!inside(root)) continue;
         ++state(root).uses;
@@ -89,9 +89,9 @@ void Folder::count_uses(std::span<const Id> roots) {
     }
     for (size_t i = scope_.order.size(); i-- > 0;) {
         const Id id = scope_.order[i];
-        const auto operands = plan_.operands(id);
-        const uint32_t uses = plan_.role(id) == Role::view ? std::max(1u, state(id).uses) : 1;
-        const bool shared = group_of(plan_, values_, id) == surface_group;
+        const auto operands = analysis_.operands(id);
+        const uint32_t uses = analysis_.role(id) == Role::view ? std::max(1u, state(id).uses) : 1;
+        const bool shared = group_of(analysis_, values_, id) == surface_group;
         const bool loop = m_[id].op == Op::loop_;
         const size_t own = loop ? m_.operands(id).size() : operands.size();
         for (size_t k = 0; k < operands.size(); ++k) {
@@ -104,7 +104,7 @@ void Folder::count_uses(std::span<const Id> roots) {
     }
 }
 
-void Folder::make_statement(Id id) {
+void TemporarySelector::make_statement(Id id) {
     ValueState& s = state(id);
     if (s.statement) return;
     s.statement = true;
@@ -112,12 +112,12 @@ void Folder::make_statement(Id id) {
 }
 
 // Precondition: count_uses() has run, because the name depends on ValueState::shared.
-uint32_t Folder::name_width(Id id) const {
-    return static_cast<uint32_t>(name_hint(plan_, values_, id).size());
+uint32_t TemporarySelector::name_width(Id id) const {
+    return static_cast<uint32_t>(name_hint(analysis_, values_, id).size());
 }
 
 // A value that is known to become a temporary shares the line with its declaration.
-uint32_t Folder::room_for(Id id) {
+uint32_t TemporarySelector::room_for(Id id) {
     if (state(id).root && state(id).uses == 1) return max_result;
     if (!must_name(id, false)) return max_expression_width;
     const uint32_t declaration = 12 + name_width(id);
@@ -125,32 +125,32 @@ uint32_t Folder::room_for(Id id) {
 }
 
 // Returns true if the text exceeds its line and folding fewer operands makes it narrower.
-bool Folder::is_too_wide(Id id, const Folded& text) {
-    return text.width > min_room && text.widest != poison && m_[id].op != Op::loop_ &&
+bool TemporarySelector::is_too_wide(Id id, const Folded& text) {
+    return text.width > min_room && text.widest != no_id && m_[id].op != Op::loop_ &&
            text.width > room_for(id);
 }
 
 // A left-associative chain of one precedence, as a + b + c, counts as one level.
-uint8_t Folder::depth_in(Id reader, Id operand, Id value) {
+uint8_t TemporarySelector::depth_in(Id reader, Id operand, Id value) {
     const uint8_t precedence = precedence_of(m_[reader].op);
     const bool chain = operand == value && precedence > 0 &&
                        precedence == precedence_of(m_[value].op) &&
-                       operand == plan_.operands(reader)[0];
+                       operand == analysis_.operands(reader)[0];
     return static_cast<uint8_t>(state(value).depth + (chain ? 0 : 1));
 }
 
 // Returns true if the operand is too deep to fold, or takes implicit derivatives where the reader
 // may skip it and they are undefined: GLSL evaluates only one branch of ?:, and && and || may skip
 // their right side.
-bool Folder::must_precede(Id reader, Id operand, const ValueState& read, uint8_t depth) {
+bool TemporarySelector::must_precede(Id reader, Id operand, const ValueState& read, uint8_t depth) {
     const Op op = m_[reader].op;
     if (op == Op::loop_) return false;
     const bool skips = op == Op::select_ || op == Op::and_ || op == Op::or_;
-    if (skips && read.implicit && operand != plan_.operands(reader)[0]) return true;
+    if (skips && read.implicit && operand != analysis_.operands(reader)[0]) return true;
     return depth > max_expression_depth;
 }
 
-void Folder::read_value(Id reader, Id operand, Id value, Folded& text) {
+void TemporarySelector::read_value(Id reader, Id operand, Id value, Folded& text) {
     const ValueState& read = state(value);
     const uint32_t suffix = operand == value ? 0 : view_suffix;
     const bool folded = read.epoch == scope_.epoch && !read.statement;
@@ -159,7 +159,7 @@ void Folder::read_value(Id reader, Id operand, Id value, Folded& text) {
     const uint32_t width = suffix + read.width;
     text.width += width;
     if (!folded || read.statement) return;
-    if (needs_parentheses(plan_, reader, operand)) text.width += parentheses;
+    if (needs_parentheses(analysis_, reader, operand)) text.width += parentheses;
     text.depth = std::max(text.depth, depth);
     text.implicit = text.implicit || read.implicit;
     if (width <= text.max_width) return;
@@ -167,37 +167,37 @@ void Folder::read_value(Id reader, Id operand, Id value, Folded& text) {
     text.widest = value;
 }
 
-Folder::Folded Folder::measure(Id id) {
+TemporarySelector::Folded TemporarySelector::measure(Id id) {
     const Op op = m_[id].op;
     Folded text;
-    text.width = own_width(plan_, id);
+    text.width = own_width(analysis_, id);
     text.implicit = op == Op::sample_ || op == Op::input_;
-    for (const Id operand : plan_.operands(id)) {
+    for (const Id operand : analysis_.operands(id)) {
         const Id value = base(operand);
-        const Role role = plan_.role(value);
+        const Role role = analysis_.role(value);
         if (role == Role::value) {
             read_value(id, operand, value, text);
             continue;
         }
         text.width += operand == value ? 0 : view_suffix;
-        text.width += role == Role::leaf ? leaf_width(plan_, value) : loop_state_width;
+        text.width += role == Role::leaf ? leaf_width(analysis_, value) : loop_state_width;
     }
     return text;
 }
 
-bool Folder::must_name(Id id, bool is_root) {
+bool TemporarySelector::must_name(Id id, bool is_root) {
     const ValueState& s = state(id);
     if (m_.type(id) == Type::tuple_ || s.uses > 1 || s.captured) return true;
-    const Named* name = plan_.name(id);
+    const Named* name = analysis_.name(id);
     return name && name->output && !is_root;
 }
 
-void Folder::visit(Id id) {
-    if (plan_.role(id) == Role::view) return;
+void TemporarySelector::visit(Id id) {
+    if (analysis_.role(id) == Role::view) return;
     ValueState& own = state(id);
     Folded text;
     do {
-        if (text.widest != poison) make_statement(text.widest);
+        if (text.widest != no_id) make_statement(text.widest);
         text = measure(id);
         own.depth = std::max(own.depth, text.depth);
     } while (is_too_wide(id, text));
@@ -208,15 +208,15 @@ void Folder::visit(Id id) {
 
 }  // namespace
 
-Scope collect(const EmitAnalysis& plan, Values& values, std::span<const Id> roots, int level) {
+Scope collect(const EmitAnalysis& analysis, Values& values, std::span<const Id> roots, int level) {
     Scope scope;
     scope.epoch = ++values.epoch;
     scope.order.reserve(usual_room);
     std::vector<Id> stack;
     stack.reserve(usual_room);
     const auto push = [&](Id id) {
-        if (values.state[id].epoch == scope.epoch || plan.role(id) == Role::leaf) return;
-        if (level == 0 || plan.module()[id].level >= level) stack.push_back(id);
+        if (values.state[id].epoch == scope.epoch || analysis.role(id) == Role::leaf) return;
+        if (level == 0 || analysis.module()[id].level >= level) stack.push_back(id);
     };
     for (size_t r = 0; r < roots.size(); ++r) {
         push(roots[r]);
@@ -227,7 +227,7 @@ Scope collect(const EmitAnalysis& plan, Values& values, std::span<const Id> root
                 state = {};
                 state.epoch = scope.epoch;
                 state.shared = true;
-                const auto operands = plan.operands(id);
+                const auto operands = analysis.operands(id);
                 for (size_t k = operands.size(); k-- > 0;)
                     push(operands[k]);
                 if (stack.back() != id) continue;
@@ -241,30 +241,30 @@ Scope collect(const EmitAnalysis& plan, Values& values, std::span<const Id> root
     return scope;
 }
 
-void decide(const EmitAnalysis& plan, Values& values, const Scope& scope,
+void decide(const EmitAnalysis& analysis, Values& values, const Scope& scope,
             std::span<const Id> roots) {
-    Folder folder(plan, values, scope);
-    folder.count_uses(roots);
+    TemporarySelector selector(analysis, values, scope);
+    selector.count_uses(roots);
     for (const Id id : scope.order)
-        folder.visit(id);
+        selector.visit(id);
 }
 
-uint32_t group_of(const EmitAnalysis& plan, const Values& values, Id id) {
-    const Module& m = plan.module();
+uint32_t group_of(const EmitAnalysis& analysis, const Values& values, Id id) {
+    const Module& m = analysis.module();
     if (values.anonymous) return 0;
-    if (const Named* name = plan.name(id)) return name->node ? name->node : surface_group;
-    const bool shared = values.state[id].shared && !plan.reads_texture(id);
+    if (const Named* name = analysis.name(id)) return name->node ? name->node : surface_group;
+    const bool shared = values.state[id].shared && !analysis.reads_texture(id);
     return shared || m[id].op == Op::input_ ? surface_group : m.origin[id];
 }
 
-NameHint name_hint(const EmitAnalysis& plan, const Values& values, Id id) {
-    const Module& m = plan.module();
-    const Named* name = plan.name(id);
+NameHint name_hint(const EmitAnalysis& analysis, const Values& values, Id id) {
+    const Module& m = analysis.module();
+    const Named* name = analysis.name(id);
     if (values.anonymous) return {{}, name ? std::string_view(name->name) : word_for(m, id)};
     if (name) return {name->node ? std::string_view(m.nodes[name->node].path) : "", name->name};
     if (m[id].op == Op::input_) return {{}, change_name(m[id].extra)};
-    const std::string_view word = plan.is_gradient(id) ? "gradient" : word_for(m, id);
-    if (group_of(plan, values, id) == surface_group) return {"surface", word};
+    const std::string_view word = analysis.is_gradient(id) ? "gradient" : word_for(m, id);
+    if (group_of(analysis, values, id) == surface_group) return {"surface", word};
     return {m.nodes[m.origin[id]].path, word};
 }
 

@@ -10,8 +10,8 @@
 #include <span>
 #include <vector>
 
+#include "glsl/emit_analysis.h"
 #include "glsl/names.h"
-#include "glsl/plan.h"
 
 namespace wrinkle {
 
@@ -33,8 +33,8 @@ struct ValueState {
 
 // State of all values of a module; collect() resets only the states of values in its scope.
 struct Values {
-    explicit Values(const EmitAnalysis& plan)
-        : state(plan.module().size()), group_numbers(plan.module().nodes.size() + 1) {}
+    explicit Values(const EmitAnalysis& analysis)
+        : state(analysis.module().size()), group_numbers(analysis.module().nodes.size() + 1) {}
     std::vector<ValueState> state;        // by Id
     std::vector<uint32_t> group_numbers;  // scratch of schedule(); all zero between calls
     uint32_t epoch = 0;
@@ -49,22 +49,22 @@ struct Scope {
 
 // Collects the values that `roots` need. `level` is 0 for a function's body, else the loop's level;
 // values of lower levels are computed outside the loop and are not in its scope.
-Scope collect(const EmitAnalysis& plan, Values& values, std::span<const Id> roots, int level);
+Scope collect(const EmitAnalysis& analysis, Values& values, std::span<const Id> roots, int level);
 
 // Selects the temporaries of the scope.
-void decide(const EmitAnalysis& plan, Values& values, const Scope& scope,
+void decide(const EmitAnalysis& analysis, Values& values, const Scope& scope,
             std::span<const Id> roots);
 
 // Returns the statements in `part` of the scope's order, in the order of emission.
-std::vector<Id> schedule(const EmitAnalysis& plan, Values& values, const Scope& scope,
+std::vector<Id> schedule(const EmitAnalysis& analysis, Values& values, const Scope& scope,
                          std::span<const Id> part);
 
 // Group of a statement, by which statements are ordered and commented: a node's index, or
 // surface_group for the surface point, which all nodes share.
 inline constexpr uint32_t surface_group = ~1U;
-uint32_t group_of(const EmitAnalysis& plan, const Values& values, Id id);
+uint32_t group_of(const EmitAnalysis& analysis, const Values& values, Id id);
 
 // Returns the name hint of a value: its node and port, or the surface point.
-NameHint name_hint(const EmitAnalysis& plan, const Values& values, Id id);
+NameHint name_hint(const EmitAnalysis& analysis, const Values& values, Id id);
 
 }  // namespace wrinkle

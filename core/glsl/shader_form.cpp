@@ -14,7 +14,7 @@ constexpr std::array<std::string_view, 8> standard_outputs = {
     "normal", "color", "roughness", "metalness", "occlusion", "height", "displacement", "emission"};
 
 struct Stage {
-    const EmitAnalysis& plan;
+    const EmitAnalysis& analysis;
     const EmitOptions& options;
     Interface& face;
     bool relative = false;  // the position relative to the eye is used
@@ -94,7 +94,7 @@ std::string vertex_text(const Stage& stage) {
     const Reflection& r = stage.face.reflection;
     Text text;
     text.line(0, stage.options.target->version);
-    text.line(0, title_of(stage.plan.module(), r.name));
+    text.line(0, title_of(stage.analysis.module(), r.name));
     for (const AttributeInfo& attribute : r.attributes)
         text.line(0, at(attribute.location) + "in " + std::string(info(attribute.type).name) + " " +
                          attribute.name + ";");
@@ -148,9 +148,9 @@ void write_main(const Stage& stage, Text& text) {
 
 Text fragment_text(const Stage& stage) {
     const Reflection& r = stage.face.reflection;
-    Text text = reserve_text(stage.plan, stage.options.max_bytes);
+    Text text = reserve_text(stage.analysis, stage.options.max_bytes);
     text.line(0, stage.options.target->version);
-    text.line(0, title_of(stage.plan.module(), r.name));
+    text.line(0, title_of(stage.analysis.module(), r.name));
     write_precision(*stage.options.target, text);
     for (size_t i = 0; i < r.varyings.size(); ++i)
         text.line(0, at_varying(stage, i) + "in " + varying_type(r, r.varyings[i]) + " " +
@@ -160,8 +160,8 @@ Text fragment_text(const Stage& stage) {
                          function.variable + ";");
     if (stage.world) write_frame(stage, false, text);
     write_struct(r, text);
-    write_uniforms(stage.plan.module(), r, text);
-    write_functions(stage.plan, stage.face, *stage.options.target, text);
+    write_uniforms(stage.analysis.module(), r, text);
+    write_functions(stage.analysis, stage.face, *stage.options.target, text);
     if (stage.world) write_normal_to_world(text);
     write_main(stage, text);
     return text;
@@ -169,9 +169,9 @@ Text fragment_text(const Stage& stage) {
 
 }  // namespace
 
-void write_shader_form(const EmitAnalysis& plan, const EmitOptions& options, Interface& face,
+void write_shader_form(const EmitAnalysis& analysis, const EmitOptions& options, Interface& face,
                        Shader& shader) {
-    Stage stage{plan, options, face};
+    Stage stage{analysis, options, face};
     assign_locations(face);
     find_varyings(stage);
     assign_bindings(options, face.reflection);

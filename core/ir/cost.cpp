@@ -1,6 +1,7 @@
 #include "ir/cost.h"
 
 #include "ir/module_cloner.h"
+#include "ir/op_traits.h"
 
 namespace wrinkle {
 namespace {
@@ -25,7 +26,7 @@ public:
         while (!open.empty()) {
             const Id id = open.back();
             open.pop_back();
-            if (id == poison || seen_[id] == walks_) continue;
+            if (id == no_id || seen_[id] == walks_) continue;
             seen_[id] = walks_;
             const bool calls = module_[id].op == Op::call_;
             each(id, calls ? functions_[module_[id].extra] : own_cost(module_, id));
@@ -44,52 +45,10 @@ private:
 
 Cost own_cost(const Module& module, Id id) {
     const Inst& inst = module[id];
-    const uint32_t lanes = info(inst.type).lanes;
-    const auto first = [&] { return uint32_t{info(module.type(inst.arg[0])).lanes}; };
-    switch (inst.op) {
-        case Op::poison_:
-        case Op::literal_:
-        case Op::input_:
-        case Op::parameter_:
-        case Op::region_param_:
-        case Op::construct_:
-        case Op::swizzle_:
-        case Op::column_:
-        case Op::transpose_:
-        case Op::detach_:
-        case Op::image_size_:
-        case Op::loop_:
-        case Op::call_:
-        case Op::result_:
-            return {};
-        case Op::sample_:
-        case Op::sample_lod_:
-        case Op::sample_grad_:
-            return {1, 0};
-        case Op::sign_nonzero_:
-        case Op::clamp_:
-            return {0, 2 * lanes};
-        case Op::mix_:
-        case Op::pow_:
-        case Op::normalize_:
-            return {0, 3 * lanes};
-        case Op::smoothstep_:
-            return {0, 7 * lanes};
-        case Op::dot_:
-            return {0, 2 * first() - 1};
-        case Op::length_:
-            return {0, 2 * first()};
-        case Op::cross_:
-            return {0, 9};
-        case Op::reflect_:
-            return {0, 4 * lanes};  // v - 2 dot(n, v) n
-        case Op::transform_:
-            return {0, 15};
-        case Op::matrix_product_:
-            return {0, 45};
-        default:
-            return {0, lanes};
-    }
+    const OpTraits& op = traits(inst.op);
+    int operations = op.per_component * info(inst.type).lanes + op.fixed;
+    if (op.per_operand) operations += op.per_operand * info(module.type(inst.arg[0])).lanes;
+    return {is_sample(inst.op) ? 1U : 0U, static_cast<uint32_t>(operations)};
 }
 
 std::vector<Cost> cost_by_node(const Module& module) {

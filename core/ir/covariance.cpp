@@ -11,16 +11,16 @@ namespace {
 
 class Terms {
 public:
-    void add_source(Module& m, const SourceJacobian& change) {
-        const Value covariance{&m, m[change.source].arg[1]};
-        if (m.type(change.source) == Type::vec3_) {
+    void add_source(Module& m, const SourceJacobian& jacobian) {
+        const Value covariance{&m, m[jacobian.source].arg[1]};
+        if (m.type(jacobian.source) == Type::vec3_) {
             for (size_t i = 0; i < 3; ++i)
-                add(change.columns[i], change.columns[i], covariance);
+                add(jacobian.columns[i], jacobian.columns[i], covariance);
             return;
         }
-        add(change.columns[0], change.columns[0], covariance.x());
-        add(change.columns[1], change.columns[1], covariance.y());
-        add(change.columns[0], change.columns[1], covariance.z() * 2);
+        add(jacobian.columns[0], jacobian.columns[0], covariance.x());
+        add(jacobian.columns[1], jacobian.columns[1], covariance.y());
+        add(jacobian.columns[0], jacobian.columns[1], covariance.z() * 2);
     }
     std::vector<CovarianceTerm> list() && { return std::move(terms_); }
 
@@ -42,15 +42,15 @@ private:
 };
 
 Id drop_one(void*, Module&, const Module& source, Id id, std::span<const Id> mapped) {
-    return source[id].op == Op::with_covariance_ ? mapped[0] : poison;
+    return source[id].op == Op::with_covariance_ ? mapped[0] : no_id;
 }
 
 }  // namespace
 
 std::vector<CovarianceTerm> covariance_terms(Value value) {
     Terms terms;
-    for (const SourceJacobian& change : jacobians_by_source(value))
-        terms.add_source(*value.module, change);
+    for (const SourceJacobian& jacobian : jacobians_by_source(value))
+        terms.add_source(*value.module, jacobian);
     return std::move(terms).list();
 }
 

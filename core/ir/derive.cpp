@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "ir/jvp_rules.h"
 #include "ir/rewrite.h"
 #include "ir/surface.h"
 #include "ir/value.h"
@@ -11,15 +10,15 @@
 namespace wrinkle {
 namespace {
 
-// Returns the surface inputs that change along the axis, a bit per SurfaceInput.
-uint32_t changing_inputs(Change change) {
+// Returns the surface inputs that vary along the axis, a bit per SurfaceInput.
+uint32_t varying_inputs(DiffAxis axis) {
     const auto bit = [](SurfaceInput input) { return 1U << static_cast<uint32_t>(input); };
-    if (change == Change::none) return 0;
-    if (change >= Change::uv0_u) {
-        const int set = (static_cast<int>(change) - static_cast<int>(Change::uv0_u)) / 2;
+    if (axis == DiffAxis::none) return 0;
+    if (axis >= DiffAxis::uv0_u) {
+        const int set = (static_cast<int>(axis) - static_cast<int>(DiffAxis::uv0_u)) / 2;
         return bit(SurfaceInput::uv0_) << set;
     }
-    if (change >= Change::space_x) return bit(SurfaceInput::position_);
+    if (axis >= DiffAxis::space_x) return bit(SurfaceInput::position_);
     return bit(SurfaceInput::position_) | bit(SurfaceInput::normal_) | bit(SurfaceInput::uv0_) |
            bit(SurfaceInput::uv1_) | bit(SurfaceInput::uv2_) | bit(SurfaceInput::uv3_) |
            bit(SurfaceInput::color0_);
@@ -42,10 +41,10 @@ std::vector<Id> reads_of(const Module& m, Id value) {
     return reads;
 }
 
-Id Direction::local_jvp(Id value, Id operand, Id change) {
+Id ForwardDiff::local_jvp(Id value, Id operand, Id derivative) {
     const std::vector<Id> reads = reads_of(*module_, value);
     for (const Id read : reads)
-        memo_.set(read, read == operand ? change : poison);
+        memo_.set(read, read == operand ? derivative : no_id);
     const uint32_t node = std::exchange(module_->current_node, module_->origin[value]);
     const Id result = compute(value);
     module_->current_node = node;
@@ -56,16 +55,16 @@ Id Direction::local_jvp(Id value, Id operand, Id change) {
     return result;
 }
 
-Id Direction::tangent(Id value) {
-    if (value == poison || memo_.has(value)) return memo_.at(value);
-    // The body of a loop calls tangent() again from compute(), with a list of its own.
+Id ForwardDiff::jvp(Id value) {
+    if (value == no_id || memo_.has(value)) return memo_.at(value);
+    // The body of a loop calls jvp() again from compute(), with a list of its own.
     std::vector<Id> list = std::exchange(spare_list_, {});
     collect_worklist(value, list);
     const uint32_t node = module_->current_node;
     for (const Id id : list) {
         module_->current_node = module_->origin[id];
-        const Id change = compute(id);
-        memo_.set(id, change);
+        const Id derivative = compute(id);
+        memo_.set(id, derivative);
         log_.push_back(id);
     }
     module_->current_node = node;
@@ -73,15 +72,15 @@ Id Direction::tangent(Id value) {
     return memo_.at(value);
 }
 
-// Collects the values needed for the tangent of `value` that have none yet, in id order, and marks
-// them.
-void Direction::collect_worklist(Id value, std::vector<Id>& list) {
+// Collects and marks the values that the derivative of `value` needs and that have none yet, in id
+// order.
+void ForwardDiff::collect_worklist(Id value, std::vector<Id>& list) {
     list.clear();
     open_.assign(1, value);
     while (!open_.empty()) {
         const Id id = open_.back();
         open_.pop_back();
-        if (id == poison || !memo_.mark(id)) continue;
+        if (id == no_id || !memo_.mark(id)) continue;
         list.push_back(id);
         const Inst& inst = (*module_)[id];
         if (is_constant(inst)) continue;
@@ -95,39 +94,38 @@ void Direction::collect_worklist(Id value, std::vector<Id>& list) {
     std::sort(list.begin(), list.end());
 }
 
-Id Direction::jvp_or_zero(Id value) {
-    const Id change = tangent(value);
-    return change ? change : module_->zero(module_->type(value));
+Id ForwardDiff::jvp_or_zero(Id value) {
+    const Id derivative = jvp(value);
+    return derivative ? derivative : module_->zero(module_->type(value));
 }
 
-Id Direction::change_of_input(uint32_t index) {
+Id ForwardDiff::derivative_of_input(uint32_t index) {
     const OpenInput input = module_->open_inputs[index];
-    if (!is_float_type(input.type) || !(input.dependencies & changing_inputs(change_)))
-        return poison;
-    const uint32_t known = input.changes[static_cast<size_t>(change_)];
+    if (!is_float_type(input.type) || !(input.dependencies & varying_inputs(axis_))) return no_id;
+    const uint32_t known = input.derivatives[static_cast<size_t>(axis_)];
     if (known) return module_->region_parameter(0, known, input.type);
     OpenInput changed = input;
     changed.tangent = false;
-    changed.change = change_;
+    changed.axis = axis_;
     changed.of = index;
-    changed.changes = {};
+    changed.derivatives = {};
     const Id id = module_->add_open_input(std::move(changed));
-    module_->open_inputs[index].changes[static_cast<size_t>(change_)] = (*module_)[id].extra;
+    module_->open_inputs[index].derivatives[static_cast<size_t>(axis_)] = (*module_)[id].extra;
     return id;
 }
 
 // Before expansion the derivative is an op (ddx, ddy), which expand() replaces.
-Id Direction::change_of_open_result(Id result) {
-    if (change_ == Change::screen_x) return module_->add(Op::ddx_, {result});
-    if (change_ == Change::screen_y) return module_->add(Op::ddy_, {result});
-    return poison;
+Id ForwardDiff::derivative_of_open_result(Id result) {
+    if (axis_ == DiffAxis::screen_x) return module_->add(Op::ddx_, {result});
+    if (axis_ == DiffAxis::screen_y) return module_->add(Op::ddy_, {result});
+    return no_id;
 }
 
-Id Direction::compute(Id id) {
+Id ForwardDiff::compute(Id id) {
     const Inst inst = (*module_)[id];
-    if (module_->is_open_input(id)) return change_of_input(inst.extra);
-    if (is_float_type(inst.type) && module_->open_result(id)) return change_of_open_result(id);
-    if (is_constant(inst) || inst.type == Type::tuple_) return poison;
+    if (module_->is_open_input(id)) return derivative_of_input(inst.extra);
+    if (is_float_type(inst.type) && module_->open_result(id)) return derivative_of_open_result(id);
+    if (is_constant(inst) || inst.type == Type::tuple_) return no_id;
     if (inst.op == Op::detach_ || inst.op == Op::with_covariance_) return memo_.at(inst.arg[0]);
     if (inst.op == Op::result_)
         return (*module_)[inst.arg[0]].op == Op::loop_ ? loop_member(inst) : call_member(inst);
@@ -135,24 +133,24 @@ Id Direction::compute(Id id) {
     // Takes differences of the components that are read, not of all four.
     if (inst.op == Op::swizzle_ && is_sample((*module_)[inst.arg[0]].op))
         return texture(inst.arg[0], id);
-    std::array<Id, 4> changes{};
+    std::array<Id, 4> derivatives{};
     size_t count = 0;
     bool any = false;
     for (const Id operand : module_->operands(id)) {
-        changes[count] = memo_.at(operand);
-        any = any || changes[count];
+        derivatives[count] = memo_.at(operand);
+        any = any || derivatives[count];
         ++count;
     }
-    if (!any) return poison;
-    const Id change = jvp_rule(*module_, id, std::span(changes.data(), count));
-    return module_->is_literal(change, 0) ? poison : change;
+    if (!any) return no_id;
+    const Id derivative = jvp_rule(*module_, id, std::span(derivatives.data(), count));
+    return module_->is_literal(derivative, 0) ? no_id : derivative;
 }
 
-struct Direction::Screen {
-    Direction x, y;
+struct ForwardDiff::Screen {
+    ForwardDiff x, y;
 };
 
-Direction::Screen& Direction::screen() {
+ForwardDiff::Screen& ForwardDiff::screen() {
     if (!screen_) {
         own_screen_ =
             std::make_shared<Screen>(Screen{screen_direction(*module_, Variant::dx, false),
@@ -164,12 +162,12 @@ Direction::Screen& Direction::screen() {
 
 // Forward differences over one texel of the mip level in use, times the derivative of uv. `read` is
 // the sample itself or a swizzle of it.
-Id Direction::texture(Id sample, Id read) {
+Id ForwardDiff::texture(Id sample, Id read) {
     Module& m = *module_;
     const Inst inst = m[sample];
     const Inst reader = m[read];
-    const Value change{&m, memo_.at(inst.arg[0])};
-    if (!change) return poison;
+    const Value derivative{&m, memo_.at(inst.arg[0])};
+    if (!derivative) return no_id;
     Id lod = inst.arg[1];
     if (inst.op == Op::sample_) {
         const Id x = screen().x.jvp_or_zero(inst.arg[0]);
@@ -192,39 +190,39 @@ Id Direction::texture(Id sample, Id read) {
     const Value here{&m, read};
     const Value along_u = (tap(uv + vec2(step.x(), none)) - here) / step.x();
     const Value along_v = (tap(uv + vec2(none, step.y())) - here) / step.y();
-    return (along_u * change.x() + along_v * change.y()).id;
+    return (along_u * derivative.x() + along_v * derivative.y()).id;
 }
 
-Id Direction::call_member(const Inst& result) {
+Id ForwardDiff::call_member(const Inst& result) {
     const Inst call = (*module_)[result.arg[0]];
     const auto operands = module_->operands(result.arg[0]);
     std::vector<Id> args(operands.begin(), operands.end());
-    std::vector<bool> changing;
-    std::vector<Id> changes;
+    std::vector<bool> active;
+    std::vector<Id> derivatives;
     for (const Id arg : operands) {
-        const Id change = memo_.at(arg);
-        changing.push_back(change != poison);
-        if (change) changes.push_back(change);
+        const Id derivative = memo_.at(arg);
+        active.push_back(derivative != no_id);
+        if (derivative) derivatives.push_back(derivative);
     }
-    if (changes.empty()) return poison;
-    const DerivedFunction& function = derived(call.extra, changing);
+    if (derivatives.empty()) return no_id;
+    const DerivedFunction& function = derived(call.extra, active);
     const int member = function.member[result.extra];
-    if (member < 0) return poison;
-    args.insert(args.end(), changes.begin(), changes.end());
+    if (member < 0) return no_id;
+    args.insert(args.end(), derivatives.begin(), derivatives.end());
     return module_->result(module_->apply_region(function.region, args),
                            static_cast<uint32_t>(member));
 }
 
-const Direction::DerivedFunction& Direction::derived(uint32_t index,
-                                                     const std::vector<bool>& changing) {
-    const auto [entry, added] = functions_.try_emplace({index, changing});
+const ForwardDiff::DerivedFunction& ForwardDiff::derived(uint32_t index,
+                                                         const std::vector<bool>& active) {
+    const auto [entry, added] = functions_.try_emplace({index, active});
     if (!added) return entry->second;
     Region region = module_->region(index);
-    Direction inside(*module_);
+    ForwardDiff inside(*module_);
     inside.functions_ = std::move(functions_);
     const auto own = static_cast<uint32_t>(region.params.size());
     for (uint32_t k = 0; k < own; ++k) {
-        if (!changing[k]) continue;
+        if (!active[k]) continue;
         const Type type = region.params[k];
         inside.seed(
             module_->region_parameter(1, k, type),
@@ -237,10 +235,10 @@ const Direction::DerivedFunction& Direction::derived(uint32_t index,
     std::vector<Id> results;
     std::vector<std::string> names;
     for (size_t k = 0; k < region.results.size(); ++k) {
-        const Id change = inside.tangent(region.results[k]);
-        function.member.push_back(change ? static_cast<int>(results.size()) : -1);
-        if (change) results.push_back(change);
-        if (change && k < region.result_names.size())
+        const Id derivative = inside.jvp(region.results[k]);
+        function.member.push_back(derivative ? static_cast<int>(results.size()) : -1);
+        if (derivative) results.push_back(derivative);
+        if (derivative && k < region.result_names.size())
             names.push_back(region.result_names[k] + "_change");
     }
     functions_ = std::move(inside.functions_);
@@ -248,10 +246,10 @@ const Direction::DerivedFunction& Direction::derived(uint32_t index,
     region.name += "_change";
     region.result_names = std::move(names);
     if (!region.results.empty()) function.region = module_->intern_region(std::move(region));
-    return functions_[{index, changing}] = std::move(function);
+    return functions_[{index, active}] = std::move(function);
 }
 
-Id Direction::loop_member(const Inst& result) {
+Id ForwardDiff::loop_member(const Inst& result) {
     const auto found = loops_.find(result.arg[0]);
     if (found != loops_.end()) return found->second[result.extra];
     std::vector<Id> members = dual_loop(result.arg[0]);
@@ -260,7 +258,7 @@ Id Direction::loop_member(const Inst& result) {
     return member;
 }
 
-void Direction::forget(size_t first) {
+void ForwardDiff::forget(size_t first) {
     for (size_t i = first; i < log_.size(); ++i) {
         memo_.forget(log_[i]);
         loops_.erase(log_[i]);
@@ -270,48 +268,47 @@ void Direction::forget(size_t first) {
 
 // Marks the members of the state that become active because of those marked; returns false if none
 // was added.
-bool Direction::spread(const Region& region, std::vector<bool>& changing) {
+bool ForwardDiff::propagate_activity(const Region& region, std::vector<bool>& active) {
     bool grew = false;
-    for (size_t k = 0; k < changing.size(); ++k) {
-        if (changing[k] || tangent(region.results[k + 1]) == poison) continue;
-        changing[k] = grew = true;
+    for (size_t k = 0; k < active.size(); ++k) {
+        if (active[k] || jvp(region.results[k + 1]) == no_id) continue;
+        active[k] = grew = true;
     }
     return grew;
 }
 
-// Seeds the state: the tangents of active members are parameters after the state, in order; the
+// Seeds the state: the derivatives of active members are parameters after the state, in order; the
 // other members are constant.
-void Direction::seed_state(const Region& region, const std::vector<bool>& changing) {
-    auto next = static_cast<uint32_t>(changing.size());
-    for (uint32_t k = 0; k < changing.size(); ++k) {
+void ForwardDiff::seed_state(const Region& region, const std::vector<bool>& active) {
+    auto next = static_cast<uint32_t>(active.size());
+    for (uint32_t k = 0; k < active.size(); ++k) {
         const Type type = region.params[k];
         const Id param = module_->region_parameter(region.level, k, type);
-        memo_.set(param,
-                  changing[k] ? module_->region_parameter(region.level, next++, type) : poison);
+        memo_.set(param, active[k] ? module_->region_parameter(region.level, next++, type) : no_id);
         log_.push_back(param);
     }
 }
 
-// Returns the tangents of a loop's members: results of a loop over the state followed by the
-// tangents of its active members.
-std::vector<Id> Direction::dual_loop(Id loop) {
+// Returns the derivatives of a loop's members: results of a loop over the state followed by the
+// derivatives of its active members (dual numbers).
+std::vector<Id> ForwardDiff::dual_loop(Id loop) {
     const Inst inst = (*module_)[loop];
     Region region = module_->region(inst.extra);
     const auto operands = module_->operands(loop);
     std::vector<Id> args(operands.begin(), operands.end());
     const size_t own = args.size();
-    std::vector<bool> changing;
+    std::vector<bool> active;
     for (const Id arg : args)
-        changing.push_back(memo_.at(arg) != poison);
+        active.push_back(memo_.at(arg) != no_id);
     const size_t before = log_.size();
     do {
         forget(before);
-        seed_state(region, changing);
-    } while (spread(region, changing));
-    std::vector<Id> members(own, poison);
+        seed_state(region, active);
+    } while (propagate_activity(region, active));
+    std::vector<Id> members(own, no_id);
     const std::vector<Type> types = region.params;
     for (size_t k = 0; k < own; ++k) {
-        if (!changing[k]) continue;
+        if (!active[k]) continue;
         const Id start = memo_.at(args[k]);
         args.push_back(start ? start : module_->zero(types[k]));
         region.params.push_back(types[k]);
@@ -322,21 +319,21 @@ std::vector<Id> Direction::dual_loop(Id loop) {
     const Id wide = module_->apply_region(module_->intern_region(std::move(region)), args);
     auto next = static_cast<uint32_t>(own);
     for (size_t k = 0; k < own; ++k)
-        if (changing[k]) members[k] = module_->result(wide, next++);
+        if (active[k]) members[k] = module_->result(wide, next++);
     return members;
 }
 
-Direction screen_direction(Module& module, Variant axis, bool project_position) {
-    constexpr SurfaceInput changing[] = {SurfaceInput::normal_, SurfaceInput::uv0_,
-                                         SurfaceInput::uv1_,    SurfaceInput::uv2_,
-                                         SurfaceInput::uv3_,    SurfaceInput::color0_};
+ForwardDiff screen_direction(Module& module, Variant axis, bool project_position) {
+    constexpr SurfaceInput varying[] = {SurfaceInput::normal_, SurfaceInput::uv0_,
+                                        SurfaceInput::uv1_,    SurfaceInput::uv2_,
+                                        SurfaceInput::uv3_,    SurfaceInput::color0_};
     const bool y = axis == Variant::dy;
-    const Change change = project_position ? (y ? Change::surface_y : Change::surface_x)
-                                           : (y ? Change::screen_y : Change::screen_x);
-    Direction direction(module, change);
+    const DiffAxis along = project_position ? (y ? DiffAxis::surface_y : DiffAxis::surface_x)
+                                            : (y ? DiffAxis::screen_y : DiffAxis::screen_x);
+    ForwardDiff direction(module, along);
     const uint32_t node = module.current_node;
     module.current_node = 0;
-    for (const SurfaceInput input : changing)
+    for (const SurfaceInput input : varying)
         direction.seed(module.input(input), module.input(input, axis));
     direction.seed(module.input(SurfaceInput::position_),
                    project_position ? projected_position(module, axis)
@@ -345,17 +342,17 @@ Direction screen_direction(Module& module, Variant axis, bool project_position) 
     return direction;
 }
 
-Direction space_direction(Module& module, int axis) {
-    const auto change = static_cast<Change>(static_cast<int>(Change::space_x) + axis);
-    Direction direction(module, change);
+ForwardDiff space_direction(Module& module, int axis) {
+    ForwardDiff direction(module,
+                          static_cast<DiffAxis>(static_cast<int>(DiffAxis::space_x) + axis));
     std::array<double, 3> along{};
     along[static_cast<size_t>(axis)] = 1;
     direction.seed(module.input(SurfaceInput::position_), module.constant(Type::vec3_, along));
     return direction;
 }
 
-Direction uv_direction(Module& module, SurfaceInput uv_set, int axis) {
-    Direction direction(module, change_of_uv(uv_set, axis));
+ForwardDiff uv_direction(Module& module, SurfaceInput uv_set, int axis) {
+    ForwardDiff direction(module, axis_of_uv(uv_set, axis));
     const std::array<double, 2> along{axis == 0 ? 1.0 : 0.0, axis == 0 ? 0.0 : 1.0};
     direction.seed(module.input(uv_set), module.constant(Type::vec2_, along));
     return direction;

@@ -1,9 +1,9 @@
 // Forward-mode derivatives (Jacobian-vector products, JVP): how a value changes along one
 // direction.
 //
-// A direction seeds leaves with their tangents, each of the leaf's type; leaves without a seed are
-// constant. The derivative is emitted as ordinary instructions of the same module, by a worklist
-// with a memo. Poison represents a zero derivative and emits no instruction, so derivatives of
+// A ForwardDiff seeds leaves with their derivatives, each of the leaf's type; leaves without a seed
+// are constant. The derivative is emitted as ordinary instructions of the same module, by a worklist
+// with a memo. no_id represents a zero derivative and emits no instruction, so derivatives of
 // sparse expressions stay sparse. The rules at singular points are documented above the op table
 // (wrinkle/plugin.h). Opaque values have no derivative here: expand them first.
 //
@@ -36,39 +36,40 @@ inline bool has_zero_derivative(const Inst& inst) {
 // its uv.
 std::vector<Id> reads_of(const Module& module, Id value);
 
-class Direction {
+class ForwardDiff {
 public:
-    // `change` identifies the direction; required if inputs of open functions need derivatives.
-    explicit Direction(Module& module, Change change = Change::none)
-        : module_(&module), change_(change) {}
-    void seed(Id leaf, Id tangent) { memo_.set(leaf, tangent); }
+    // `axis` identifies the direction; required if inputs of open functions need derivatives.
+    explicit ForwardDiff(Module& module, DiffAxis axis = DiffAxis::none)
+        : module_(&module), axis_(axis) {}
+    void seed(Id leaf, Id derivative) { memo_.set(leaf, derivative); }
     // Differentiates `detach` as the identity: for directions that are not positions on the
     // surface.
     void differentiate_detached() { through_detach_ = true; }
-    // Returns true if the tangent of the instruction is 0 for any tangents of its operands.
+    // Returns true if the instruction's derivative is 0 for any derivatives of its operands.
     bool is_constant(const Inst& inst) const {
         return has_zero_derivative(inst) && !(through_detach_ && inst.op == Op::detach_);
     }
 
-    // Returns the tangent of `value`; poison represents zero (see jvp_or_zero). Memoised.
-    Id tangent(Id value);
+    // Returns the derivative of `value`; no_id represents zero (see jvp_or_zero). Memoised.
+    Id jvp(Id value);
     Id jvp_or_zero(Id value);
-    // Returns the derivative of the single instruction `value` along `change` of `operand` (one of
-    // reads_of()), with all other operands constant. Precondition: the direction has no seeds.
-    Id local_jvp(Id value, Id operand, Id change);
+    // Returns the derivative of the single instruction `value` if its operand `operand` (one of
+    // reads_of()) has this derivative and all others are constant. Precondition: there are no
+    // seeds.
+    Id local_jvp(Id value, Id operand, Id derivative);
 
 private:
-    // Memoised tangents by Id; the vector grows with the module.
+    // Memoised derivatives by Id; the vector grows with the module.
     class Memo {
     public:
-        bool has(Id id) const { return id < tangents_.size() && tangents_[id] < marked; }
-        Id at(Id id) const { return has(id) ? tangents_[id] : poison; }
-        void set(Id id, Id tangent) { (*this)[id] = tangent; }
+        bool has(Id id) const { return id < derivatives_.size() && derivatives_[id] < marked; }
+        Id at(Id id) const { return has(id) ? derivatives_[id] : no_id; }
+        void set(Id id, Id derivative) { (*this)[id] = derivative; }
         void forget(Id id) { (*this)[id] = unknown; }
-        // Marks a value as visited, before its tangent is computed. Returns false if it is already
-        // marked or has a tangent.
+        // Marks a value as visited, before its derivative is computed. Returns false if it is
+        // already marked or has one.
         bool mark(Id id) {
-            if (id < tangents_.size() && tangents_[id] != unknown) return false;
+            if (id < derivatives_.size() && derivatives_[id] != unknown) return false;
             (*this)[id] = marked;
             return true;
         }
@@ -76,10 +77,10 @@ private:
     private:
         static constexpr Id unknown = ~0U, marked = ~0U - 1;
         Id& operator[](Id id) {
-            if (id >= tangents_.size()) tangents_.resize(id + size_t{1}, unknown);
-            return tangents_[id];
+            if (id >= derivatives_.size()) derivatives_.resize(id + size_t{1}, unknown);
+            return derivatives_[id];
         }
-        std::vector<Id> tangents_;
+        std::vector<Id> derivatives_;
     };
 
     // The derivative of a function with respect to a subset of its arguments.
@@ -90,23 +91,23 @@ private:
 
     void collect_worklist(Id value, std::vector<Id>& list);
     Id compute(Id id);
-    Id change_of_input(uint32_t index);
-    Id change_of_open_result(Id result);
+    Id derivative_of_input(uint32_t index);
+    Id derivative_of_open_result(Id result);
     Id call_member(const Inst& result);
     Id loop_member(const Inst& result);
-    const DerivedFunction& derived(uint32_t region, const std::vector<bool>& changing);
+    const DerivedFunction& derived(uint32_t region, const std::vector<bool>& active);
     std::vector<Id> dual_loop(Id loop);
-    void seed_state(const Region& region, const std::vector<bool>& changing);
-    bool spread(const Region& region, std::vector<bool>& changing);
+    void seed_state(const Region& region, const std::vector<bool>& active);
+    bool propagate_activity(const Region& region, std::vector<bool>& active);
     void forget(size_t first);
     Id texture(Id sample, Id read);
 
     Module* module_;
-    Change change_;
+    DiffAxis axis_;
     bool through_detach_ = false;
     Memo memo_;
     std::vector<Id> log_;                // memoised ids, in order
-    std::vector<Id> open_, spare_list_;  // scratch memory of tangent()
+    std::vector<Id> open_, spare_list_;  // scratch memory of jvp()
     std::map<std::pair<uint32_t, std::vector<bool>>, DerivedFunction> functions_;
     std::unordered_map<Id, std::vector<Id>> loops_;
     // Screen directions, for the mip level of textures. The pair uses itself for nested samples: in
@@ -121,12 +122,17 @@ private:
 // The direction to the next pixel in x or y: every interpolated input is seeded with its own
 // differential (position's is projected on the tangent plane of the surface normal if
 // `project_position`, so that a height of position equals its volume form on low-poly meshes too).
-Direction screen_direction(Module& module, Variant axis, bool project_position);
+ForwardDiff screen_direction(Module& module, Variant axis, bool project_position);
 
 // d/dx, d/dy or d/dz: the position is seeded with a unit vector, all else is constant.
-Direction space_direction(Module& module, int axis);
+ForwardDiff space_direction(Module& module, int axis);
 
 // d/du or d/dv of a uv set: that set is seeded with (1,0) or (0,1), all else is constant.
-Direction uv_direction(Module& module, SurfaceInput uv_set, int axis);
+ForwardDiff uv_direction(Module& module, SurfaceInput uv_set, int axis);
+
+// The rule of each op: returns the derivative of instruction `id`, of the instruction's type, from
+// those of its operands (no_id: zero). Precondition: at least one is not zero; the instruction is
+// not a texture sample, call or loop.
+Id jvp_rule(Module& module, Id id, std::span<const Id> derivatives);
 
 }  // namespace wrinkle

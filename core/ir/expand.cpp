@@ -5,11 +5,11 @@
 #include <vector>
 
 #include "base/slope_limit.h"
-#include "ir/finish.h"
 #include "ir/gradient_sum.h"
 #include "ir/normal_variance.h"
 #include "ir/open_function.h"
 #include "ir/rewrite.h"
+#include "ir/surface.h"
 
 namespace wrinkle {
 namespace {
@@ -34,7 +34,7 @@ struct Expander {
     std::optional<GradientAlgebra> algebra;
     std::optional<NormalVariance> variance;  // only if an output or the options need it
     // An opaque value is mapped to its index in the vector of its type, in place of an Id of the
-    // target. The first two entries are empty: 0 is poison, 1 any value that cannot be expanded.
+    // target. The first two entries are empty: 0 is no_id, 1 any value that cannot be expanded.
     static constexpr Id unexpanded = 1;
     std::vector<Frame> frames{2};
     std::vector<Derivative> derivatives{2};
@@ -58,9 +58,9 @@ struct Expander {
     Id sample(const Module& source, Id id, std::span<const Id> mapped);
 };
 
-// Returns the parameter as a constant of its value; poison for one that stays a parameter.
+// Returns the parameter as a constant of its value; no_id for one that stays a parameter.
 Id Expander::parameter(const Parameter& parameter) {
-    if (options.parameters == Parameters::kept || parameter.graph_input) return poison;
+    if (options.parameters == Parameters::kept || parameter.graph_input) return no_id;
     return target->constant(parameter.type,
                             std::span(parameter.value.data(), info(parameter.type).lanes));
 }
@@ -73,7 +73,7 @@ Id append(std::vector<T>& list, T value) {
 
 Value Expander::base_normal(const Module& source, Id gradient) const {
     const Id base = source[gradient].extra;
-    return base == poison ? Value{} : bases.at(base);
+    return base == no_id ? Value{} : bases.at(base);
 }
 
 // Strips a positive literal factor from a normal that may have any length.
@@ -94,9 +94,9 @@ GradientSum Expander::from_normal(Value n, Value v) {
     const Value k = dot(n, v);
     GradientSum result;
     GradientSum::Term& term = result.pending.emplace_back();
-    term.over.rest = v;
-    term.over.along = -k;
-    term.depth = max(abs(k), min_cosine / factor);
+    term.numerator.rest = v;
+    term.numerator.along = -k;
+    term.denominator = max(abs(k), min_cosine / factor);
     return result;
 }
 
@@ -209,7 +209,7 @@ Id Expander::opaque(const Module& source, Id id, std::span<const Id> mapped) {
             base(source, id, mapped[0]);
             return unexpanded;
         case Op::frame_: {
-            const Id direction = mapped.size() > 1 ? mapped[1] : poison;
+            const Id direction = mapped.size() > 1 ? mapped[1] : no_id;
             const uint32_t uv = facts.dependencies(inst.arg[0]);
             const FrameChoice choice = choose_frame(*target, inst.extra, uv, options);
             return append(frames, make_frame(*target, *screen, mapped[0], direction, choice));
@@ -241,7 +241,8 @@ Id Expander::opaque(const Module& source, Id id, std::span<const Id> mapped) {
 }
 
 Id Expander::sample(const Module& source, Id id, std::span<const Id> mapped) {
-    if (!facts.jumps(source[id].arg[0]) && !functions->in_function(mapped[0])) return poison;
+    if (!facts.is_discontinuous(source[id].arg[0]) && !functions->in_function(mapped[0]))
+        return no_id;
     const Id dx = screen->on_screen(Variant::dx, mapped[0]).id;
     const Id dy = screen->on_screen(Variant::dy, mapped[0]).id;
     return target->add(Op::sample_grad_, {mapped[0], dx, dy}, source[id].extra);
@@ -264,7 +265,7 @@ Id expand_one(void* context, Module& target, const Module& source, Id id,
     if (op == Op::sample_) return expander.sample(source, id, mapped);
     if (op == Op::call_) return expander.functions->call(source, id, mapped);
     if (op == Op::result_) return expander.functions->result(source, id, mapped[0]);
-    if (!is_opaque(source[id].op)) return poison;
+    if (!is_opaque(source[id].op)) return no_id;
     if (source[id].level > 0) {
         target.problem("a bump cannot be made inside a loop or a function",
                        "compute heights or slopes there, and make the gradient outside");

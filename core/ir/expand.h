@@ -38,4 +38,8 @@ struct ExpandOptions {
 // recorded as a problem of the result.
 Module expand(Module source, const ExpandOptions& options);
 
+// The last rewrite of expand(): removes `detach`, removes `with_covariance` unless it is kept, and
+// replaces normalize(v) by v * inversesqrt(dot(v, v)) if that factor is computed elsewhere too.
+Module finish(Module expanded, Covariances covariances);
+
 }  // namespace wrinkle

@@ -1,4 +1,4 @@
-#include "ir/finish.h"
+#include "ir/expand.h"
 
 #include <vector>
 
@@ -8,11 +8,11 @@
 namespace wrinkle {
 namespace {
 
-// Returns v if `id` is inversesqrt(dot(v, v)), otherwise poison.
+// Returns v if `id` is inversesqrt(dot(v, v)), otherwise no_id.
 Id inverse_length_of(const Module& m, Id id) {
-    if (m[id].op != Op::inversesqrt_) return poison;
+    if (m[id].op != Op::inversesqrt_) return no_id;
     const Inst& square = m[m[id].arg[0]];
-    return square.op == Op::dot_ && square.arg[0] == square.arg[1] ? square.arg[0] : poison;
+    return square.op == Op::dot_ && square.arg[0] == square.arg[1] ? square.arg[0] : no_id;
 }
 
 struct Finisher {
@@ -29,7 +29,7 @@ struct Finisher {
         for (Id id = 1; id < source.size(); ++id)
             if (needed[id] && source[id].level == 0)
                 inverse_known[inverse_length_of(source, id)] = true;
-        inverse_known[poison] = false;
+        inverse_known[no_id] = false;
     }
 };
 
@@ -47,7 +47,7 @@ bool reads_detached(const Module& m) {
 
 bool divides_by_length(const Module& m) {
     for (Id id = 1; m.has(Op::inversesqrt_) && id < m.size(); ++id)
-        if (inverse_length_of(m, id) != poison) return true;
+        if (inverse_length_of(m, id) != no_id) return true;
     return false;
 }
 
@@ -66,9 +66,8 @@ Id finish_one(void* context, Module& target, const Module& source, Id id,
     const auto& finisher = *static_cast<const Finisher*>(context);
     if (source[id].op == Op::detach_) return mapped[0];
     if (source[id].op == Op::with_covariance_)
-        return finisher.covariances == Covariances::kept ? poison : mapped[0];
-    if (source[id].op != Op::normalize_ || !finisher.inverse_known[source[id].arg[0]])
-        return poison;
+        return finisher.covariances == Covariances::kept ? no_id : mapped[0];
+    if (source[id].op != Op::normalize_ || !finisher.inverse_known[source[id].arg[0]]) return no_id;
     const Value v{&target, mapped[0]};
     return (v * inversesqrt(dot(v, v))).id;
 }

@@ -1,4 +1,4 @@
-#include "ir/fold.h"
+#include "ir/add.h"
 
 #include <cmath>
 #include <cstdint>

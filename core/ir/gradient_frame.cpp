@@ -28,12 +28,12 @@ std::optional<SurfaceInput> single_uv_set(uint32_t dependencies) {
 
 // Sets the frame's rows to those of J^T / sqrt|det J|, J = d(uv)/d(set); leaves them empty if `uv`
 // is the set itself.
-void change_basis_to_set(Module& target, ScreenDerivatives& changes, Id uv, SurfaceInput set,
+void change_basis_to_set(Module& target, ScreenDerivatives& screen, Id uv, SurfaceInput set,
                          Frame& frame) {
     const Id whole = target.input(set);
     if (uv == whole) return;
-    const Value u = changes.in_uv_set(set, 0, uv);
-    const Value v = changes.in_uv_set(set, 1, uv);
+    const Value u = screen.in_uv_set(set, 0, uv);
+    const Value v = screen.in_uv_set(set, 1, uv);
     const Value det = abs(u.x() * v.y() - u.y() * v.x());
     const Value scale = select(greater(det, 0), inversesqrt(max(det, tiny_square)), number(u, 0));
     frame.row_u = vec2(u.x() * scale, u.y() * scale);
@@ -143,33 +143,33 @@ Value TangentBasis::along(Value slope) const {
     return named("along_u", t * x) + named("along_v", b * y);
 }
 
-Direction& ScreenDerivatives::direction(Change change) {
-    auto& known = directions_[static_cast<size_t>(change)];
+ForwardDiff& ScreenDerivatives::direction(DiffAxis axis) {
+    auto& known = directions_[static_cast<size_t>(axis)];
     if (known) return *known;
-    const auto axis_from = [&](Change first) {
-        return static_cast<int>(change) - static_cast<int>(first);
+    const auto index_from = [&](DiffAxis first) {
+        return static_cast<int>(axis) - static_cast<int>(first);
     };
-    if (change <= Change::surface_y) {
-        const bool y = change == Change::screen_y || change == Change::surface_y;
-        const bool project = change >= Change::surface_x;
+    if (axis <= DiffAxis::surface_y) {
+        const bool y = axis == DiffAxis::screen_y || axis == DiffAxis::surface_y;
+        const bool project = axis >= DiffAxis::surface_x;
         known = screen_direction(*target_, y ? Variant::dy : Variant::dx, project);
-    } else if (change <= Change::space_z) {
-        known = space_direction(*target_, axis_from(Change::space_x));
+    } else if (axis <= DiffAxis::space_z) {
+        known = space_direction(*target_, index_from(DiffAxis::space_x));
     } else {
-        const int axis = axis_from(Change::uv0_u);
-        const int set = static_cast<int>(SurfaceInput::uv0_) + axis / 2;
-        known = uv_direction(*target_, static_cast<SurfaceInput>(set), axis % 2);
+        const int index = index_from(DiffAxis::uv0_u);
+        const int set = static_cast<int>(SurfaceInput::uv0_) + index / 2;
+        known = uv_direction(*target_, static_cast<SurfaceInput>(set), index % 2);
     }
     return *known;
 }
 
 Value ScreenDerivatives::along_surface(Variant axis, Id value) {
-    const Change change = axis == Variant::dy ? Change::surface_y : Change::surface_x;
-    return {target_, direction(change).jvp_or_zero(value)};
+    const DiffAxis along = axis == Variant::dy ? DiffAxis::surface_y : DiffAxis::surface_x;
+    return {target_, direction(along).jvp_or_zero(value)};
 }
 Value ScreenDerivatives::on_screen(Variant axis, Id value) {
-    const Change change = axis == Variant::dy ? Change::screen_y : Change::screen_x;
-    return {target_, direction(change).jvp_or_zero(value)};
+    const DiffAxis along = axis == Variant::dy ? DiffAxis::screen_y : DiffAxis::screen_x;
+    return {target_, direction(along).jvp_or_zero(value)};
 }
 
 Value ScreenDerivatives::position(Variant axis) {
@@ -177,16 +177,16 @@ Value ScreenDerivatives::position(Variant axis) {
 }
 
 Value ScreenDerivatives::in_space(int axis, Id value) {
-    const auto change = static_cast<Change>(static_cast<int>(Change::space_x) + axis);
-    return {target_, direction(change).jvp_or_zero(value)};
+    const auto along = static_cast<DiffAxis>(static_cast<int>(DiffAxis::space_x) + axis);
+    return {target_, direction(along).jvp_or_zero(value)};
 }
 
 Value ScreenDerivatives::in_uv_set(SurfaceInput set, int axis, Id value) {
-    return {target_, direction(change_of_uv(set, axis)).jvp_or_zero(value)};
+    return {target_, direction(axis_of_uv(set, axis)).jvp_or_zero(value)};
 }
 
-Id ScreenDerivatives::along(Change change, Id value) {
-    return direction(change).tangent(value);
+Id ScreenDerivatives::along(DiffAxis axis, Id value) {
+    return direction(axis).jvp(value);
 }
 
 FrameChoice choose_frame(Module& target, uint32_t extra, uint32_t dependencies,
@@ -205,7 +205,7 @@ Frame make_frame(Module& target, ScreenDerivatives& screen, Id uv, Id direction,
     Frame frame;
     if (method == WR_FRAME_pixel) return frame;
     if (method == WR_FRAME_exact && source) {
-        frame.key = {Basis::space, poison};
+        frame.key = {Basis::space, no_id};
         frame.row_u = screen.in_space(0, uv);
         frame.row_v = screen.in_space(1, uv);
         frame.row_z = screen.in_space(2, uv);
@@ -220,7 +220,7 @@ Frame make_frame(Module& target, ScreenDerivatives& screen, Id uv, Id direction,
     if (method == WR_FRAME_guess)
         frame.key = {Basis::guess, direction};
     else if (method == WR_FRAME_vertex)
-        frame.key = {Basis::vertex, poison};
+        frame.key = {Basis::vertex, no_id};
     else if (source)
         frame.key = {Basis::derived_set, static_cast<Id>(*source)};
     else

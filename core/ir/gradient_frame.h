@@ -31,7 +31,7 @@
 
 namespace wrinkle {
 
-// Derivatives of values to the next pixel or along another axis; each Direction is created when it
+// Derivatives of values to the next pixel or along another axis; each direction is created when it
 // is first used.
 class ScreenDerivatives {
 public:
@@ -47,20 +47,20 @@ public:
     Value in_space(int axis, Id value);
     // Derivative along u or v (axis 0 or 1) of a uv set.
     Value in_uv_set(SurfaceInput set, int axis, Id value);
-    // Derivative along any of these; poison represents zero.
-    Id along(Change change, Id value);
+    // Derivative along any of these; no_id represents zero.
+    Id along(DiffAxis axis, Id value);
 
 private:
-    Direction& direction(Change change);
+    ForwardDiff& direction(DiffAxis axis);
     Module* target_;
-    std::array<std::optional<Direction>, static_cast<size_t>(Change::end)> directions_;
+    std::array<std::optional<ForwardDiff>, static_cast<size_t>(DiffAxis::end)> directions_;
 };
 
 enum class Basis : uint8_t { vertex, derived_set, derived_uv, guess, exact, space };
 
 struct FrameKey {
     Basis basis = Basis::exact;
-    Id source = poison;  // the uv set (as its number), the uv, or the direction
+    Id source = no_id;  // the uv set (as its number), the uv, or the direction
     bool operator==(const FrameKey&) const = default;
 };
 

@@ -96,8 +96,8 @@ Slopes GradientAlgebra::scale(Slopes result, Value amount) {
 
 void GradientAlgebra::divide(GradientSum& sum) {
     for (GradientSum::Term& term : sum.pending) {
-        const Value inverse = number(term.depth, -1) / term.depth;
-        sum.flat = add(std::move(sum.flat), scale(std::move(term.over), inverse));
+        const Value inverse = number(term.denominator, -1) / term.denominator;
+        sum.flat = add(std::move(sum.flat), scale(std::move(term.numerator), inverse));
     }
     sum.pending.clear();
 }
@@ -105,10 +105,12 @@ void GradientAlgebra::divide(GradientSum& sum) {
 GradientSum GradientAlgebra::add(GradientSum a, const GradientSum& b) {
     a.flat = add(std::move(a.flat), b.flat);
     for (const GradientSum::Term& term : b.pending) {
-        const auto same = [&](const auto& other) { return other.depth.id == term.depth.id; };
+        const auto same = [&](const auto& other) {
+            return other.denominator.id == term.denominator.id;
+        };
         const auto found = std::find_if(a.pending.begin(), a.pending.end(), same);
         if (found != a.pending.end())
-            found->over = add(std::move(found->over), term.over);
+            found->numerator = add(std::move(found->numerator), term.numerator);
         else
             a.pending.push_back(term);
     }
@@ -119,7 +121,7 @@ GradientSum GradientAlgebra::add(GradientSum a, const GradientSum& b) {
 GradientSum GradientAlgebra::scale(GradientSum a, Value amount) {
     a.flat = scale(std::move(a.flat), amount);
     for (GradientSum::Term& term : a.pending)
-        term.over = scale(std::move(term.over), amount);
+        term.numerator = scale(std::move(term.numerator), amount);
     return a;
 }
 
@@ -166,12 +168,13 @@ Value GradientAlgebra::vector(const GradientSum& sum, Value on_base) {
 Slopes GradientAlgebra::terms_over_depth(const GradientSum& sum, Value& depth) {
     if (sum.pending.empty()) return sum.flat;
     const GradientSum::Term& first = sum.pending[0];
-    Slopes terms = first.over;
-    depth = first.depth;
+    Slopes terms = first.numerator;
+    depth = first.denominator;
     if (sum.pending.size() == 2) {
         const GradientSum::Term& second = sum.pending[1];
-        terms = add(scale(first.over, second.depth), scale(second.over, first.depth));
-        depth = first.depth * second.depth;
+        terms = add(scale(first.numerator, second.denominator),
+                    scale(second.numerator, first.denominator));
+        depth = first.denominator * second.denominator;
     }
     return sum.flat.empty() ? terms : add(terms, scale(sum.flat, -depth));
 }

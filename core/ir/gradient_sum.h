@@ -36,8 +36,8 @@ struct Slopes {
 struct GradientSum {
     Slopes flat;
     struct Term {
-        Slopes over;  // to be divided by -depth (downhill)
-        Value depth;  // float > 0
+        Slopes numerator;   // of a slope downhill: the term is -numerator / denominator
+        Value denominator;  // float > 0
     };
     std::vector<Term> pending;  // at most 2
 };

@@ -9,7 +9,8 @@
 namespace wrinkle {
 
 using Id = uint32_t;
-inline constexpr Id poison = 0;
+inline constexpr Id no_id = 0;   // absent
+inline constexpr Id poison = 0;  // the result of an invalid instruction
 
 struct Inst {
     Op op = Op::poison_;

@@ -33,9 +33,9 @@ uint64_t hash_of(const Inst& inst) {
     return h ^ h >> 29;
 }
 
-// Returns poison for leaves, and for loops and calls, which have their operands in a list.
+// Returns no_id for leaves, and for loops and calls, which have their operands in a list.
 Id newest_operand(const Inst& inst) {
-    if (inst.op == Op::loop_ || inst.op == Op::call_) return poison;
+    if (inst.op == Op::loop_ || inst.op == Op::call_) return no_id;
     return std::max(std::max(inst.arg[0], inst.arg[1]), std::max(inst.arg[2], inst.arg[3]));
 }
 
@@ -44,15 +44,15 @@ Id newest_operand(const Inst& inst) {
 // About a sixteenth of the instructions are distinct leaves, and at most half of the slots are
 // used.
 void InternTable::reserve(size_t expected) {
-    slots_.assign(std::bit_ceil(std::max<size_t>(expected / 8, 128)), poison);
+    slots_.assign(std::bit_ceil(std::max<size_t>(expected / 8, 128)), no_id);
 }
 
 Id& InternTable::find(const Inst& wanted, const std::vector<Inst>& inst) {
     const Id operand = newest_operand(wanted);
-    if (operand == poison) return find_in_table(wanted, inst);
+    if (operand == no_id) return find_in_table(wanted, inst);
     if (inst.size() > users_.size()) users_.resize(inst.capacity());
     Id* slot = &users_[operand].first;
-    for (int steps = 0; *slot != poison && !identical(inst[*slot], wanted); ++steps) {
+    for (int steps = 0; *slot != no_id && !identical(inst[*slot], wanted); ++steps) {
         if (steps == max_chain) return find_in_table(wanted, inst);
         slot = &users_[*slot].next;
     }
@@ -61,7 +61,7 @@ Id& InternTable::find(const Inst& wanted, const std::vector<Inst>& inst) {
 
 Id& InternTable::find_in_table(const Inst& wanted, const std::vector<Inst>& inst) {
     Id& slot = slot_of(wanted, inst);
-    if (slot != poison || ++taken_ * 2 <= slots_.size()) return slot;
+    if (slot != no_id || ++taken_ * 2 <= slots_.size()) return slot;
     grow(inst);
     return slot_of(wanted, inst);
 }
@@ -69,16 +69,16 @@ Id& InternTable::find_in_table(const Inst& wanted, const std::vector<Inst>& inst
 Id& InternTable::slot_of(const Inst& wanted, const std::vector<Inst>& inst) {
     const size_t mask = slots_.size() - 1;
     size_t slot = hash_of(wanted) & mask;
-    while (slots_[slot] != poison && !identical(inst[slots_[slot]], wanted))
+    while (slots_[slot] != no_id && !identical(inst[slots_[slot]], wanted))
         slot = (slot + 1) & mask;
     return slots_[slot];
 }
 
 void InternTable::grow(const std::vector<Inst>& inst) {
     const std::vector<Id> before =
-        std::exchange(slots_, std::vector<Id>(std::max<size_t>(slots_.size() * 2, 64), poison));
+        std::exchange(slots_, std::vector<Id>(std::max<size_t>(slots_.size() * 2, 64), no_id));
     for (const Id id : before)
-        if (id != poison) slot_of(inst[id], inst) = id;
+        if (id != no_id) slot_of(inst[id], inst) = id;
 }
 
 }  // namespace wrinkle

@@ -17,21 +17,21 @@ public:
     void reserve(size_t expected);  // expected number of instructions; before the first find()
 
     // Returns the slot of the instruction among `inst` that equals `wanted`. If the slot holds
-    // poison there is none, and the caller appends the instruction and writes its Id to the slot.
+    // no_id there is none, and the caller appends the instruction and writes its Id to the slot.
     // Literals are compared by their bits: -0 and 0 are different.
     Id& find(const Inst& wanted, const std::vector<Inst>& inst);
 
 private:
     struct Users {
-        Id first = poison;  // first instruction with this one as its newest operand
-        Id next = poison;   // next in the chain that contains this one
+        Id first = no_id;  // first instruction with this one as its newest operand
+        Id next = no_id;   // next in the chain that contains this one
     };
     Id& find_in_table(const Inst& wanted, const std::vector<Inst>& inst);
     Id& slot_of(const Inst& wanted, const std::vector<Inst>& inst);
     void grow(const std::vector<Inst>& inst);
 
-    std::vector<Users> users_;                  // by Id
-    std::vector<Id> slots_ = {poison, poison};  // poison: free
+    std::vector<Users> users_;                // by Id
+    std::vector<Id> slots_ = {no_id, no_id};  // no_id: free
     size_t taken_ = 0;
 };
 

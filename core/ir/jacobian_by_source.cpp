@@ -20,9 +20,9 @@ Value unit_number(Module& m, Type type, size_t lane) {
 }
 
 // Moves scalar factors of a product from the vector to the factor.
-Scaled without_factors(Value change, Value factor) {
-    Module& m = *change.module;
-    Scaled result{change, factor};
+Scaled without_factors(Value derivative, Value factor) {
+    Module& m = *derivative.module;
+    Scaled result{derivative, factor};
     while (m[result.vector.id].op == Op::mul_) {
         const Inst inst = m[result.vector.id];
         const size_t scalar = m.type(inst.arg[0]) == Type::float_ ? 0 : 1;
@@ -74,7 +74,7 @@ private:
         while (!open.empty()) {
             const Id id = open.back();
             open.pop_back();
-            if (id == poison || seen[id]) continue;
+            if (id == no_id || seen[id]) continue;
             seen[id] = true;
             if (local_.is_constant(m_[id])) continue;
             needed.push_back(id);
@@ -98,12 +98,12 @@ private:
         if (of.whole && stays_whole(id, read)) return;
         for (uint32_t lane = 0; lane < info(m_.type(read)).lanes; ++lane) {
             const Value unit = unit_number(m_, m_.type(read), lane);
-            const Value change{&m_, local_.local_jvp(id, read, unit.id)};
-            if (!change) continue;
+            const Value derivative{&m_, local_.local_jvp(id, read, unit.id)};
+            if (!derivative) continue;
             if (of.whole)
-                add(read, lane, without_factors(change, of.factor));
+                add(read, lane, without_factors(derivative, of.factor));
             else
-                add_combined(read, lane, change, of.lanes);
+                add_combined(read, lane, derivative, of.lanes);
         }
     }
 
@@ -163,11 +163,11 @@ private:
             add(id, lane, {unit_number(m_, m_.type(id), lane), factor});
     }
 
-    // The chain rule: each component of `change` times the column of that component.
-    void add_combined(Id read, uint32_t lane, Value change, std::array<Scaled, 4> of) {
-        const uint32_t count = info(m_.type(change.id)).lanes;
+    // The chain rule: each component of `derivative` times the column of that component.
+    void add_combined(Id read, uint32_t lane, Value derivative, std::array<Scaled, 4> of) {
+        const uint32_t count = info(m_.type(derivative.id)).lanes;
         for (uint32_t i = 0; i < count; ++i) {
-            const Value number{&m_, count == 1 ? change.id : m_.component(change.id, i)};
+            const Value number{&m_, count == 1 ? derivative.id : m_.component(derivative.id, i)};
             if (!of[i].vector || m_.is_literal(number.id, 0)) continue;
             const bool is_one = m_.is_literal(number.id, 1);
             add(read, lane,
@@ -195,7 +195,7 @@ private:
 
     Module& m_;
     const Id value_;
-    Direction local_;
+    ForwardDiff local_;
     std::vector<std::optional<Columns>> columns_;  // by Id
     std::vector<bool> varies_;                     // by Id
 };

@@ -1,4 +1,4 @@
-#include "ir/jvp_rules.h"
+#include "ir/derive.h"
 
 #include <cassert>
 #include <numbers>
@@ -94,8 +94,8 @@ Value derive_smoothstep(const Operands& x) {
     const Value width = x.b - x.a;
     const Value t = op(Op::clamp_, (x.c - x.a) / width, constant(x, 0), constant(x, 1));
     const Value dwidth = difference(x.tb, x.ta);
-    const Value change = difference(difference(x.tc, x.ta), times(dwidth, t));
-    return change * (t * (constant(x, 1) - t) * 6) / width;
+    const Value derivative = difference(difference(x.tc, x.ta), times(dwidth, t));
+    return derivative * (t * (constant(x, 1) - t) * 6) / width;
 }
 
 Value derive_arithmetic(const Operands& x, Op o) {
@@ -222,20 +222,20 @@ Value derive_structure(const Operands& x, const Inst& inst, std::span<const Id> 
 
 Id jvp_rule(Module& m, Id id, std::span<const Id> tangents) {
     const Inst inst = m[id];
-    std::array<Id, 4> operands{}, changes{};
+    std::array<Id, 4> operands{}, derivatives{};
     const size_t count = tangents.size();
     for (size_t i = 0; i < count; ++i) {
         operands[i] = m.operands(id)[i];
-        changes[i] = tangents[i];
+        derivatives[i] = tangents[i];
     }
     const Operands x{&m,
                      {&m, id},
                      {&m, operands[0]},
                      {&m, operands[1]},
                      {&m, operands[2]},
-                     {&m, changes[0]},
-                     {&m, changes[1]},
-                     {&m, changes[2]}};
+                     {&m, derivatives[0]},
+                     {&m, derivatives[1]},
+                     {&m, derivatives[2]}};
     Value result = derive_structure(x, inst, std::span(operands.data(), count), tangents);
     if (!result) result = derive_arithmetic(x, inst.op);
     if (!result) result = derive_transcendental(x, inst.op);

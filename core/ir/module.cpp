@@ -4,9 +4,7 @@
 #include <cmath>
 
 #include "base/limits.h"
-#include "ir/fold.h"
-#include "ir/simplify.h"
-#include "ir/typing.h"
+#include "ir/add.h"
 
 namespace wrinkle {
 namespace {
@@ -50,7 +48,7 @@ bool may_fold(Op op, Type type) {
 }
 
 std::string base_in_words(const Module& m, Id base) {
-    if (base == poison) return "the surface";
+    if (base == no_id) return "the surface";
     const uint32_t node = m.origin[m[base].arg[0]];
     return "the normal of node '" + (node < m.nodes.size() ? m.nodes[node].path : "") + "'";
 }
@@ -81,7 +79,7 @@ void Module::reserve(size_t expected) {
 
 Id Module::intern(const Inst& inst) {
     Id& slot = table_.find(inst, inst_);
-    if (slot == poison) slot = append(inst);
+    if (slot == no_id) slot = append(inst);
     return slot;
 }
 
@@ -104,7 +102,7 @@ uint32_t Module::intern_list(std::span<const Id> ids) {
 std::span<const Id> Module::listed_operands(const Inst& inst) const {
     if (is_variadic_list(inst.op)) return lists_[inst.arg[0]];
     size_t count = inst.arg.size();
-    while (count > 0 && inst.arg[count - 1] == poison)
+    while (count > 0 && inst.arg[count - 1] == no_id)
         --count;
     return std::span(inst.arg.data(), count);
 }
@@ -204,7 +202,7 @@ Id Module::folded_constant(Op op, std::span<const Id> args, uint32_t extra, Type
     for (size_t i = 0; i < args.size(); ++i)
         constants[i] = {this->type(args[i]), lanes_of(args[i])};
     Lanes lanes{};
-    if (!fold(op, type, extra, std::span(constants.data(), args.size()), lanes)) return poison;
+    if (!fold(op, type, extra, std::span(constants.data(), args.size()), lanes)) return no_id;
     return constant(type, std::span(lanes.data(), info(type).lanes));
 }
 
@@ -230,7 +228,7 @@ std::array<double, 9> Module::lanes_of(Id id) const {
 // records a problem on failure.
 bool Module::set_base(Op op, std::span<const Id> args, uint32_t& extra) {
     if (is_gradient_source(op)) {
-        if (extra == poison || (extra < size() && type(extra) == Type::base_)) return true;
+        if (extra == no_id || (extra < size() && type(extra) == Type::base_)) return true;
         problem(std::string(info(op).name) + " is given a base that is none");
         return false;
     }
@@ -282,7 +280,7 @@ Id Module::input(SurfaceInput which, Variant variant) {
 Id Module::parameter(uint32_t index) {
     if (index >= parameter_ids_.size()) parameter_ids_.resize(index + size_t{1});
     Id& id = parameter_ids_[index];
-    if (id == poison) id = append({Op::parameter_, parameters[index].type, 0, {}, index, 0});
+    if (id == no_id) id = append({Op::parameter_, parameters[index].type, 0, {}, index, 0});
     return id;
 }
 

@@ -5,14 +5,12 @@
 // equal expressions are one value. It also checks types, folds constants and applies peepholes, so
 // an expression is simplified while it is written.
 //
-// `poison` is Id 0. It is not LLVM's poison (deferred undefined behaviour), but has three uses:
-//   error value       the result of an invalid add(), which records a problem. An op with a poison
-//                     operand is poison, without another problem.
-//   absent Id         an unused operand, the surface as base of a gradient, an empty Value, a free
-//                     slot of InternTable, "none" as the result of a query (open_result(),
-//                     simplified()) or of a Replace callback.
-//   zero derivative   the result of Direction::tangent() (ir/derive.h). It must not become an
-//                     operand: jvp_or_zero() returns an instruction instead.
+// Id 0 is no instruction and has two names.
+//   poison   the result of an invalid add(), which records a problem. An op with a poison operand is
+//            poison, without another problem. (LLVM's poison, deferred undefined behaviour, is
+//            something else.)
+//   no_id    absent: an unused operand, the surface as base of a gradient, an empty Value, a zero
+//            derivative (ir/derive.h), "none" as the result of a query or of a Replace callback.
 //
 // Regions represent both loops and functions. A region's body is ordinary instructions over
 // region_param(level, k). A level is a region depth: that of an instruction is the greatest level
@@ -135,7 +133,7 @@ public:
         return inst_[id].op == Op::region_param_ && inst_[id].level == 0;
     }
     // If `id` is a result of a call of an open function, returns the value of that result in the
-    // function's body; otherwise poison.
+    // function's body; otherwise no_id.
     Id open_result(Id id) const;
     // Derivatives of nested loops cost more with every level, and so does their execution.
     static constexpr int max_region = 16;

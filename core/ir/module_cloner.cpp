@@ -9,7 +9,7 @@ namespace wrinkle {
 namespace {
 
 bool has_base(const Inst& inst) {
-    return inst.type == Type::gradient_ && inst.extra != poison;
+    return inst.type == Type::gradient_ && inst.extra != no_id;
 }
 
 }  // namespace
@@ -48,7 +48,7 @@ std::vector<Id> ModuleCloner::reachable_ids(std::span<const Id> roots) const {
     while (!open.empty()) {
         const Id id = open.back();
         open.pop_back();
-        if (id == poison || written_.has(id) || !seen.insert(id).second) continue;
+        if (id == no_id || ids_.has(id) || !seen.insert(id).second) continue;
         list.push_back(id);
         append_dependencies(*source_, id, false, open);
     }
@@ -70,16 +70,16 @@ Id ModuleCloner::write_for(Id id) {
 }
 
 void ModuleCloner::run(std::span<const Id> roots) {
-    written_.set(poison, poison);
+    ids_.set(no_id, no_id);
     const uint32_t node = target_->current_node;
     const auto rewrite = [&](Id id) {
         target_->current_node = source_->origin[id];
-        written_.set(id, write_for(id));
+        ids_.set(id, write_for(id));
     };
     if (into_functions_) {
         const std::vector<bool> reached = reachable(*source_, roots);
         for (Id id = 0; id < reached.size(); ++id)
-            if (reached[id] && !written_.has(id)) rewrite(id);
+            if (reached[id] && !ids_.has(id)) rewrite(id);
     } else {
         for (const Id id : reachable_ids(roots))
             rewrite(id);
@@ -118,19 +118,19 @@ Id ModuleCloner::write_apply(const Inst& inst, std::span<const Id> args) {
     }
     if (inst.op == Op::loop_ || into_functions_)
         for (Id& result : region.results)
-            if ((result = written_.at(result)) == poison) return poison;
+            if ((result = ids_.at(result)) == poison) return poison;
     return target_->apply_region(target_->intern_region(std::move(region)), args);
 }
 
-// Returns the replacement from the Replace callback, or poison.
+// Returns the replacement from the Replace callback, or no_id.
 Id ModuleCloner::replaced(Id id, std::span<const Id> args) {
-    if (!replace_) return poison;
+    if (!replace_) return no_id;
     const Inst& inst = (*source_)[id];
     if (!into_functions_ || inst.op != Op::call_ || !source_->region(inst.extra).is_open())
         return replace_(context_, *target_, *source_, id, args);
     std::vector<Id> with_results(args.begin(), args.end());
     for (const Id result : source_->region(inst.extra).results)
-        with_results.push_back(written_.at(result));
+        with_results.push_back(ids_.at(result));
     return replace_(context_, *target_, *source_, id, with_results);
 }
 
@@ -144,14 +144,14 @@ Id ModuleCloner::write(Id id) {
     bool kept = !into_functions_ && shift_ == 0 && (!based || is_kept(inst.extra));
     for (size_t i = 0; i < args.size(); ++i) {
         kept = kept && is_kept(operands[i]);
-        args[i] = written_.at(operands[i]);
+        args[i] = ids_.at(operands[i]);
     }
     if (const Id other = replaced(id, args)) return other;
     if (inst.op == Op::loop_ || inst.op == Op::call_) return write_apply(inst, args);
     if (info(inst.op).rule == Rule::leaf) return write_leaf(inst);
     if (kept) return id;
     if (inst.op == Op::result_) return target_->result(args[0], inst.extra);
-    const uint32_t extra = based ? written_.at(inst.extra) : inst.extra;
+    const uint32_t extra = based ? ids_.at(inst.extra) : inst.extra;
     return target_->add(inst.op, args, extra, inst.type);
 }
 

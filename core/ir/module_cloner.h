@@ -11,9 +11,9 @@ namespace wrinkle {
 
 // Map from ids of the source module to the ids written for them in the target module. With `count`
 // > 0 it is a vector of `count` entries; with 0 it is a hash map, for few ids.
-class Written {
+class IdMap {
 public:
-    explicit Written(size_t count) : all_(count, none) {}
+    explicit IdMap(size_t count) : all_(count, none) {}
     bool has(Id id) const { return all_.empty() ? few_.count(id) > 0 : all_[id] != none; }
     Id at(Id id) const { return all_.empty() ? few_.at(id) : all_[id]; }
     void set(Id id, Id written) { (all_.empty() ? few_[id] : all_[id]) = written; }
@@ -33,9 +33,9 @@ public:
         : target_(&target),
           source_(&source),
           into_functions_(into_functions),
-          written_(into_functions ? source.size() : 0) {}
+          ids_(into_functions ? source.size() : 0) {}
 
-    void map(Id from, Id to) { written_.set(from, to); }
+    void map(Id from, Id to) { ids_.set(from, to); }
     void set_replace(Replace replace, void* context) {
         replace_ = replace;
         context_ = context;
@@ -48,13 +48,13 @@ public:
 
     void run(std::span<const Id> roots);
     // Precondition: `id` is mapped or the roots of run() need it.
-    Id operator[](Id id) const { return written_.at(id); }
-    bool has(Id id) const { return written_.has(id); }
+    Id operator[](Id id) const { return ids_.at(id); }
+    bool has(Id id) const { return ids_.has(id); }
 
 private:
     std::vector<Id> reachable_ids(std::span<const Id> roots) const;
     int shifted(int level) const { return level >= first_level_ ? level + shift_ : level; }
-    bool is_kept(Id id) const { return written_.at(id) == id; }
+    bool is_kept(Id id) const { return ids_.at(id) == id; }
     Id replaced(Id id, std::span<const Id> args);
     Id write_for(Id id);
     Id write(Id id);
@@ -68,7 +68,7 @@ private:
     int shift_ = 0;
     Replace replace_ = nullptr;
     void* context_ = nullptr;
-    Written written_;
+    IdMap ids_;
     std::vector<Id> args_;  // scratch: operands of the instruction being written come first
 };
 

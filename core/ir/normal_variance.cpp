@@ -14,10 +14,10 @@ bool is_arrangement(Op op) {
 }
 
 // Returns the single texture read that the value is an affine function of, as decoding makes it;
-// poison otherwise. Only affine functions map a mean to a mean.
+// no_id otherwise. Only affine functions map a mean to a mean.
 Id picture_of(const Module& m, Id value) {
     std::vector<Id> open{value}, seen;
-    Id read = poison;
+    Id read = no_id;
     while (!open.empty()) {
         const Id id = open.back();
         open.pop_back();
@@ -27,13 +27,13 @@ Id picture_of(const Module& m, Id value) {
         const bool scaled =
             inst.op == Op::mul_ && (m.is_constant(inst.arg[0]) || m.is_constant(inst.arg[1]));
         if (is_sample(inst.op)) {
-            if (read != poison && read != id) return poison;
+            if (read != no_id && read != id) return no_id;
             read = id;
         } else if (is_arrangement(inst.op) || scaled) {
             for (const Id operand : m.operands(id))
                 open.push_back(operand);
         } else {
-            return poison;
+            return no_id;
         }
     }
     return read;
@@ -55,7 +55,7 @@ Value level_in_use(Module& m, ScreenDerivatives& screen, Id read) {
 // `normal`; std::nullopt if `normal` is not a function of a single texture read.
 std::optional<Value> NormalVariance::variance_lost_to_filtering(Value normal, double factor) {
     const Id read = picture_of(*target_, normal.id);
-    if (read == poison) return {};
+    if (read == no_id) return {};
     const Value none = number(normal, 0), one = number(normal, 1);
     const Value level = level_in_use(*target_, *screen_, read);
     const Value minified = named("minified", op(Op::clamp_, level, none, one));
@@ -88,7 +88,7 @@ Value NormalVariance::varying(Value value, Value covariance) {
 Value NormalVariance::of(Value normal) {
     Module& m = *target_;
     const Inst unit = m[normal.id];
-    const Value bumped{&m, unit.op == Op::normalize_ ? unit.arg[0] : poison};
+    const Value bumped{&m, unit.op == Op::normalize_ ? unit.arg[0] : no_id};
     Value sum;
     for (const auto& [a, b, weight] :
          bumped ? covariance_terms(bumped) : std::vector<CovarianceTerm>()) {

@@ -8,14 +8,14 @@ namespace wrinkle {
 bool is_tangent(const Module& source, const Module& target, Id vector) {
     if (source.is_open_input(vector)) return target.open_inputs[source[vector].extra].tangent;
     const Id inside = source.open_result(vector);
-    return inside != poison && source[inside].op == Op::gradient_vector_;
+    return inside != no_id && source[inside].op == Op::gradient_vector_;
 }
 
 OpenFunctions::OpenFunctions(Module& target, ScreenDerivatives& screen, const Module& source)
     : target_(&target), screen_(&screen), closed_(source.region_count()) {
     if (!source.has(Op::result_)) return;
     for (Id id = 1; id < source.size(); ++id) {
-        if (source.open_result(id) == poison) continue;
+        if (source.open_result(id) == no_id) continue;
         const uint32_t region = source[source[id].arg[0]].extra;
         std::vector<bool>& used = closed_[region].used;
         used.resize(source.region(region).results.size(), false);
@@ -69,18 +69,18 @@ std::vector<Id> OpenFunctions::body(std::span<const Id> results, Closed& closed)
 }
 
 std::string OpenFunctions::name_of(Id param) const {
-    constexpr std::string_view changes[] = {"",         "_dx",   "_dy",   "_along_x",
-                                            "_along_y", "_in_x", "_in_y", "_in_z"};
+    constexpr std::string_view suffixes[] = {"",         "_dx",   "_dy",   "_along_x",
+                                             "_along_y", "_in_x", "_in_y", "_in_z"};
     const Module& m = *target_;
     if (!m.is_open_input(param)) {
         const Inst& inst = m[param];
         return inst.op == Op::input_ ? std::string(info(input_of(inst.extra)).name) : "";
     }
     const OpenInput& input = m.open_inputs[m[param].extra];
-    const auto change = static_cast<size_t>(input.change);
-    if (change < std::size(changes)) return input.name + std::string(changes[change]);
-    const size_t axis = change - static_cast<size_t>(Change::uv0_u);
-    return input.name + "_in_" + (axis % 2 == 0 ? "u" : "v") + std::to_string(axis / 2);
+    const auto axis = static_cast<size_t>(input.axis);
+    if (axis < std::size(suffixes)) return input.name + std::string(suffixes[axis]);
+    const size_t in_set = axis - static_cast<size_t>(DiffAxis::uv0_u);
+    return input.name + "_in_" + (in_set % 2 == 0 ? "u" : "v") + std::to_string(in_set / 2);
 }
 
 void OpenFunctions::close(const Region& open, std::span<const Id> results, Closed& closed) {
@@ -121,19 +121,19 @@ Id OpenFunctions::argument(Id param, uint32_t first_input, std::span<const Id> a
     if (!target_->is_open_input(param)) return param;
     uint32_t index = (*target_)[param].extra;
     const Type type = target_->type(param);
-    std::vector<Change> changes;
-    for (; target_->open_inputs[index].change != Change::none;
+    std::vector<DiffAxis> axes;
+    for (; target_->open_inputs[index].axis != DiffAxis::none;
          index = target_->open_inputs[index].of)
-        changes.push_back(target_->open_inputs[index].change);
+        axes.push_back(target_->open_inputs[index].axis);
     Id value = arguments[index - first_input];
-    for (size_t i = changes.size(); i-- > 0 && value != poison;)
-        value = screen_->along(changes[i], value);
-    return value == poison ? target_->zero(type) : value;
+    for (size_t i = axes.size(); i-- > 0 && value != no_id;)
+        value = screen_->along(axes[i], value);
+    return value == no_id ? target_->zero(type) : value;
 }
 
 Id OpenFunctions::call(const Module& source, Id id, std::span<const Id> mapped) {
     const Region& open = source.region(source[id].extra);
-    if (!open.is_open()) return poison;
+    if (!open.is_open()) return no_id;
     Closed& closed = closed_[source[id].extra];
     const auto arguments = mapped.first(open.params.size());
     if (!closed.done) close(open, mapped.subspan(open.params.size()), closed);
@@ -145,7 +145,7 @@ Id OpenFunctions::call(const Module& source, Id id, std::span<const Id> mapped) 
 }
 
 Id OpenFunctions::result(const Module& source, Id id, Id tuple) {
-    if (source.open_result(id) == poison) return poison;
+    if (source.open_result(id) == no_id) return no_id;
     const Closed& closed = closed_[source[source[id].arg[0]].extra];
     const uint32_t member = closed.member[source[id].extra];
     if (closed.region == 0 || member == unused) return target_->zero(source.type(id));

@@ -28,7 +28,7 @@ class OpenFunctions {
 public:
     OpenFunctions(Module& target, ScreenDerivatives& screen, const Module& source);
 
-    // For a call of an open function, returns a call of the closed function; poison for any other
+    // For a call of an open function, returns a call of the closed function; no_id for any other
     // call. `mapped` holds the arguments, followed by the function's results.
     Id call(const Module& source, Id id, std::span<const Id> mapped);
     Id result(const Module& source, Id id, Id tuple);

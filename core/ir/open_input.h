@@ -20,7 +20,7 @@ namespace wrinkle {
 
 // Axis of a derivative: the next pixel (of the value on the screen, or along the surface's tangent
 // plane), an axis of space, or an axis of a uv set.
-enum class Change : uint8_t {
+enum class DiffAxis : uint8_t {
     none,
     screen_x,
     screen_y,
@@ -32,23 +32,23 @@ enum class Change : uint8_t {
     uv0_u,  // then uv0_v, uv1_u, ... uv3_v
     end = uv0_u + 8,
 };
-constexpr Change change_of_uv(SurfaceInput set, int axis) {
+constexpr DiffAxis axis_of_uv(SurfaceInput set, int axis) {
     const int sets = static_cast<int>(set) - static_cast<int>(SurfaceInput::uv0_);
-    return static_cast<Change>(static_cast<int>(Change::uv0_u) + 2 * sets + axis);
+    return static_cast<DiffAxis>(static_cast<int>(DiffAxis::uv0_u) + 2 * sets + axis);
 }
 
 struct OpenInput {
     Type type = Type::float_;
     std::string name;
-    uint32_t dependencies = 0;  // a bit per SurfaceInput that the arguments depend on
-    bool jumps = false;         // as defined in ir/value_analysis.h
-    bool reads = false;
+    uint32_t dependencies = 0;   // a bit per SurfaceInput that the arguments depend on
+    bool discontinuous = false;  // as defined in ir/value_analysis.h
+    bool samples_texture = false;
     bool tangent = false;  // vec3 only: a gradient, tangent to the surface
     // For the derivative of another input: its axis, and that input's index in Module::open_inputs.
-    Change change = Change::none;
+    DiffAxis axis = DiffAxis::none;
     uint32_t of = 0;
-    // Its own derivatives, by Change: their indices in Module::open_inputs; 0: not needed so far.
-    std::array<uint32_t, static_cast<size_t>(Change::end)> changes{};
+    // Its own derivatives, by DiffAxis: their indices in Module::open_inputs; 0: not needed so far.
+    std::array<uint32_t, static_cast<size_t>(DiffAxis::end)> derivatives{};
 };
 
 }  // namespace wrinkle

@@ -1,4 +1,4 @@
-#include "ir/print.h"
+#include "ir/inspect.h"
 
 #include <unordered_set>
 

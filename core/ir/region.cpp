@@ -216,9 +216,9 @@ Id Module::add_open_input(OpenInput input) {
 }
 
 Id Module::open_result(Id id) const {
-    if (inst_[id].op != Op::result_ || inst_[inst_[id].arg[0]].op != Op::call_) return poison;
+    if (inst_[id].op != Op::result_ || inst_[inst_[id].arg[0]].op != Op::call_) return no_id;
     const Region& region = regions_[inst_[inst_[id].arg[0]].extra];
-    return region.is_open() ? region.results[inst_[id].extra] : poison;
+    return region.is_open() ? region.results[inst_[id].extra] : no_id;
 }
 
 std::vector<Id> Module::apply(const RegionUse& use, std::span<const Id> args) {

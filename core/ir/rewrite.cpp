@@ -16,7 +16,7 @@ namespace {
 constexpr double min_footprint = 9.094947017729282e-13;  // 2^-40
 
 struct LodWriter {
-    std::optional<Direction> x, y;
+    std::optional<ForwardDiff> x, y;
 };
 
 Id write_lod(void* context, Module& target, const Module& source, Id id,
@@ -26,7 +26,7 @@ Id write_lod(void* context, Module& target, const Module& source, Id id,
     };
     if (source[id].op == Op::sample_grad_)
         return with(sample_lod_of(target, source[id].extra, mapped[1], mapped[2]));
-    if (source[id].op != Op::sample_) return poison;
+    if (source[id].op != Op::sample_) return no_id;
     auto& writer = *static_cast<LodWriter*>(context);
     if (!writer.x) {
         writer.x = screen_direction(target, Variant::dx, false);
@@ -40,7 +40,7 @@ Id write_lod(void* context, Module& target, const Module& source, Id id,
 // `from` need not move and stay one value.
 void keep_what_does_not_read(const Module& m, Id root, std::span<const Id> from,
                              ModuleCloner& copier) {
-    std::unordered_map<Id, bool> reads{{poison, false}};
+    std::unordered_map<Id, bool> reads{{no_id, false}};
     for (const Id id : from)
         reads[id] = true;
     std::vector<Id> open{root}, list, below;
@@ -88,11 +88,11 @@ std::vector<bool> reachable(const Module& module, std::span<const Id> roots) {
             continue;
         }
         const Inst& inst = module[id];
-        for (size_t i = 0; i < inst.arg.size() && inst.arg[i] != poison; ++i)
+        for (size_t i = 0; i < inst.arg.size() && inst.arg[i] != no_id; ++i)
             needed[inst.arg[i]] = true;
         if (inst.type == Type::gradient_) needed[inst.extra] = true;  // its base
     }
-    needed[poison] = false;
+    needed[no_id] = false;
     return needed;
 }
 

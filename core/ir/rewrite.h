@@ -17,7 +17,7 @@ namespace wrinkle {
 std::vector<bool> reachable(const Module& module, std::span<const Id> roots);
 
 // Rebuilds a module from its outputs with one callback: `replace(target, source, id, mapped)`
-// returns the new id of source instruction `id`, or poison to copy it unchanged. mapped[] holds the
+// returns the new id of source instruction `id`, or no_id to copy it unchanged. mapped[] holds the
 // new ids of its operands, followed, for a call of an open function, by those of the function's
 // results. Side tables (nodes, parameters, resources, named values that are still needed, origins)
 // are carried over; those of a moved-from source are in the target when `replace` is called.

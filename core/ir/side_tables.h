@@ -52,7 +52,7 @@ struct Named {
 struct ModuleOutput {
     std::string name;  // "normal"
     uint32_t port_type = WR_PORT_float;
-    Id value = poison;
+    Id value = no_id;
 };
 
 struct Problem {

@@ -1,8 +1,10 @@
-#include "ir/simplify.h"
+#include "ir/add.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+
+#include "ir/module.h"
 
 namespace wrinkle {
 namespace {
@@ -46,7 +48,7 @@ Id simplify_sum(Module& m, Op op, Args a, Type type) {
     if (op == Op::add_) {
         if (m.is_literal(a[0], 0)) return widened(m, a[1], type);
         if (m[a[1]].op == Op::neg_) return m.add(Op::sub_, {a[0], m[a[1]].arg[0]});
-        return poison;
+        return no_id;
     }
     if (a[0] == a[1]) return m.zero(type);
     if (m.is_literal(a[0], 0) && m.type(a[1]) == type) return m.add(Op::neg_, {a[1]});
@@ -54,7 +56,7 @@ Id simplify_sum(Module& m, Op op, Args a, Type type) {
     const Inst& taken = m[a[1]];
     if (taken.op == Op::literal_ && taken.type == Type::float_ && taken.value < 0)
         return m.add(Op::add_, {a[0], m.number(-taken.value)});
-    return poison;
+    return no_id;
 }
 
 Id simplify_product(Module& m, Args a, Type type) {
@@ -63,7 +65,7 @@ Id simplify_product(Module& m, Args a, Type type) {
         if (m.is_literal(a[i], 1)) return widened(m, a[1 - i], type);
         if (m.is_literal(a[i], -1) && m.type(a[1 - i]) == type) return m.add(Op::neg_, {a[1 - i]});
     }
-    return poison;
+    return no_id;
 }
 
 Id simplify_arithmetic(Module& m, Op op, Args a, Type type) {
@@ -72,7 +74,7 @@ Id simplify_arithmetic(Module& m, Op op, Args a, Type type) {
             if (m[a[0]].op == Op::neg_) return m[a[0]].arg[0];
             if (m[a[0]].op == Op::sub_ && m.type(m[a[0]].arg[0]) == m.type(m[a[0]].arg[1]))
                 return m.add(Op::sub_, {m[a[0]].arg[1], m[a[0]].arg[0]});
-            return poison;
+            return no_id;
         case Op::add_:
         case Op::sub_:
             return simplify_sum(m, op, a, type);
@@ -80,43 +82,43 @@ Id simplify_arithmetic(Module& m, Op op, Args a, Type type) {
             return simplify_product(m, a, type);
         case Op::div_:
             if (m.is_literal(a[1], 1)) return widened(m, a[0], type);
-            return m.is_literal(a[0], 0) ? m.zero(type) : poison;
+            return m.is_literal(a[0], 0) ? m.zero(type) : no_id;
         case Op::min_:
-            return a[0] == a[1] ? a[0] : poison;
+            return a[0] == a[1] ? a[0] : no_id;
         case Op::max_:
             if (a[0] == a[1]) return a[0];
-            if (!is_float_type(type) || m[a[1]].op != Op::literal_) return poison;
-            return min_of(m, a[0]) >= m[a[1]].value ? a[0] : poison;
+            if (!is_float_type(type) || m[a[1]].op != Op::literal_) return no_id;
+            return min_of(m, a[0]) >= m[a[1]].value ? a[0] : no_id;
         case Op::mix_:
             if (a[0] == a[1] || m.is_literal(a[2], 0)) return widened(m, a[0], type);
-            return m.is_literal(a[2], 1) ? widened(m, a[1], type) : poison;
+            return m.is_literal(a[2], 1) ? widened(m, a[1], type) : no_id;
         case Op::abs_:
-            return m[a[0]].op == op ? a[0] : poison;
+            return m[a[0]].op == op ? a[0] : no_id;
         case Op::cross_:
             if (a[0] == a[1]) return m.zero(type);
             [[fallthrough]];
         case Op::dot_:
-            return m.is_literal(a[0], 0) || m.is_literal(a[1], 0) ? m.zero(type) : poison;
+            return m.is_literal(a[0], 0) || m.is_literal(a[1], 0) ? m.zero(type) : no_id;
         case Op::select_:
             if (a[1] == a[2]) return a[1];
             if (m[a[0]].op == Op::literal_) return m[a[0]].value != 0 ? a[1] : a[2];
-            return poison;
+            return no_id;
         case Op::not_:
-            return m[a[0]].op == Op::not_ ? m[a[0]].arg[0] : poison;
+            return m[a[0]].op == Op::not_ ? m[a[0]].arg[0] : no_id;
         case Op::and_:
         case Op::or_: {
             const bool absorbing = op == Op::or_;
             for (const size_t i : {0u, 1u})
                 if (m[a[i]].op == Op::literal_)
                     return (m[a[i]].value != 0) == absorbing ? a[i] : a[1 - i];
-            return a[0] == a[1] ? a[0] : poison;
+            return a[0] == a[1] ? a[0] : no_id;
         }
         case Op::detach_:
             return m.is_constant(a[0]) || m[a[0]].op == Op::detach_ || m[a[0]].op == Op::parameter_
                        ? a[0]
-                       : poison;
+                       : no_id;
         default:
-            return poison;
+            return no_id;
     }
 }
 
@@ -141,42 +143,42 @@ bool is_unit(const Module& m, Id id) {
 Id simplify_unit(Module& m, Op op, Args a) {
     switch (op) {
         case Op::normalize_:
-            return is_unit(m, a[0]) ? a[0] : poison;
+            return is_unit(m, a[0]) ? a[0] : no_id;
         case Op::length_:
-            return is_unit(m, a[0]) ? m.number(1) : poison;
+            return is_unit(m, a[0]) ? m.number(1) : no_id;
         case Op::dot_:
-            if (a[0] == a[1]) return is_unit(m, a[0]) ? m.number(1) : poison;
+            if (a[0] == a[1]) return is_unit(m, a[0]) ? m.number(1) : no_id;
             for (const size_t i : {0u, 1u}) {
                 const Inst& turned = m[a[i]];
                 if (turned.op == Op::mul_ && turned.arg[0] == a[1 - i] &&
                     is_facing(m, turned.arg[1]) && is_unit(m, a[1 - i]))
                     return turned.arg[1];
             }
-            return poison;
+            return no_id;
         case Op::sign_nonzero_:
-            return is_facing(m, a[0]) ? a[0] : poison;
+            return is_facing(m, a[0]) ? a[0] : no_id;
         case Op::mul_:
             if (is_facing(m, a[1]) && m[a[0]].op == Op::mul_ && m[a[0]].arg[1] == a[1])
                 return m[a[0]].arg[0];
-            return poison;
+            return no_id;
         case Op::abs_:
             return m[a[0]].op == Op::mul_ && is_facing(m, m[a[0]].arg[1])
                        ? m.add(Op::abs_, {m[a[0]].arg[0]})
-                       : poison;
+                       : no_id;
         default:
-            return poison;
+            return no_id;
     }
 }
 
 // Small integer powers become products; pow is undefined below 0.
 Id simplify_power(Module& m, Args a) {
-    if (m.is_constant(a[0])) return poison;
+    if (m.is_constant(a[0])) return no_id;
     const Id base = a[0];
     if (m.is_literal(a[1], 1)) return base;
     const Id square = m.add(Op::mul_, {base, base});
     if (m.is_literal(a[1], 2)) return square;
     if (m.is_literal(a[1], 3)) return m.add(Op::mul_, {square, base});
-    return m.is_literal(a[1], 4) ? m.add(Op::mul_, {square, square}) : poison;
+    return m.is_literal(a[1], 4) ? m.add(Op::mul_, {square, square}) : no_id;
 }
 
 uint32_t swizzle_of(std::span<const int> components) {
@@ -221,12 +223,12 @@ Id simplify_swizzle(Module& m, Id vector, uint32_t extra, Type type) {
         return m.add(Op::swizzle_, {inner.arg[0]},
                      swizzle_of(std::span(components.data(), static_cast<size_t>(count))));
     }
-    if (inner.op != Op::construct_) return poison;
+    if (inner.op != Op::construct_) return no_id;
     std::array<Id, 4> lanes{};
     for (int i = 0; i < count; ++i) {
-        Id part = poison;
+        Id part = no_id;
         int within = 0;
-        if (!lane_of_construct(m, vector, swizzle_component(extra, i), part, within)) return poison;
+        if (!lane_of_construct(m, vector, swizzle_component(extra, i), part, within)) return no_id;
         lanes[static_cast<size_t>(i)] = lane_of(m, part, within);
     }
     if (count == 1) return lanes[0];
@@ -235,7 +237,7 @@ Id simplify_swizzle(Module& m, Id vector, uint32_t extra, Type type) {
 
 // Flattens nested constructs; components that are all taken from one vector become a swizzle of it.
 Id simplify_construct(Module& m, Args parts, Type type) {
-    if (type == Type::mat3_) return poison;
+    if (type == Type::mat3_) return no_id;
     if (parts.size() == 1) return parts[0];
     std::array<Id, 4> flat{};
     size_t count = 0;
@@ -247,12 +249,12 @@ Id simplify_construct(Module& m, Args parts, Type type) {
             flat[count++] = part;
     }
     if (count > parts.size()) return m.add(Op::construct_, std::span(flat.data(), count), 0, type);
-    Id vector = poison;
+    Id vector = no_id;
     std::array<int, 4> components{};
     size_t lane = 0;
     for (const Id part : parts) {
         const Inst& inst = m[part];
-        if (inst.op != Op::swizzle_ || (vector && inst.arg[0] != vector)) return poison;
+        if (inst.op != Op::swizzle_ || (vector && inst.arg[0] != vector)) return no_id;
         vector = inst.arg[0];
         for (int i = 0; i < swizzle_count(inst.extra); ++i)
             components[lane++] = swizzle_component(inst.extra, i);
@@ -275,11 +277,11 @@ bool is_sparse(const Module& m, Op op, Id id) {
 
 // Applies the op by components if that removes some: vec2(x, 0) * s is vec2(x * s, 0).
 Id simplify_sparse(Module& m, Op op, Args args, Type type) {
-    if (op != Op::add_ && op != Op::sub_ && op != Op::mul_ && op != Op::dot_) return poison;
+    if (op != Op::add_ && op != Op::sub_ && op != Op::mul_ && op != Op::dot_) return no_id;
     const Id a = args[0], b = args[1];
     const Op lane_op = op == Op::dot_ ? Op::mul_ : op;
-    if (info(m.type(a)).lanes < 2 && info(m.type(b)).lanes < 2) return poison;
-    if (!is_sparse(m, lane_op, a) && !is_sparse(m, lane_op, b)) return poison;
+    if (info(m.type(a)).lanes < 2 && info(m.type(b)).lanes < 2) return no_id;
+    if (!is_sparse(m, lane_op, a) && !is_sparse(m, lane_op, b)) return no_id;
     const int count = std::max(info(m.type(a)).lanes, info(m.type(b)).lanes);
     std::array<Id, 4> lanes{};
     for (int i = 0; i < count; ++i)
@@ -297,11 +299,11 @@ Id simplify_gradient(Module& m, Op op, Args a) {
     // Flat on any base, or on that of the other gradient: a flat gradient retains its base, as one
     // scaled by a parameter does.
     const auto nothing_beside = [&](Id id, Id other) {
-        return flat(id) && (m[id].extra == poison || m[id].extra == m[other].extra);
+        return flat(id) && (m[id].extra == no_id || m[id].extra == m[other].extra);
     };
     switch (op) {
         case Op::gradient_add_:
-            return nothing_beside(a[0], a[1]) ? a[1] : nothing_beside(a[1], a[0]) ? a[0] : poison;
+            return nothing_beside(a[0], a[1]) ? a[1] : nothing_beside(a[1], a[0]) ? a[0] : no_id;
         case Op::gradient_scale_:
             if (flat(a[0]) || m.is_literal(a[1], 1)) return a[0];
             if (m.is_literal(a[1], 0)) return m.add(Op::gradient_zero_, {}, m[a[0]].extra);
@@ -310,16 +312,16 @@ Id simplify_gradient(Module& m, Op op, Args a) {
                 return m.add(Op::gradient_scale_,
                              {inner.arg[0], m.add(Op::mul_, {inner.arg[1], a[1]})});
             }
-            return poison;
+            return no_id;
         case Op::gradient_mix_:
             if (a[0] == a[1]) return a[0];
             if (nothing_beside(a[0], a[1])) return m.add(Op::gradient_scale_, {a[1], a[2]});
             if (nothing_beside(a[1], a[0]))
                 return m.add(Op::gradient_scale_, {a[0], m.add(Op::sub_, {m.number(1), a[2]})});
-            if (m[a[0]].extra != m[a[1]].extra) return poison;
-            return m.is_literal(a[2], 0) ? a[0] : m.is_literal(a[2], 1) ? a[1] : poison;
+            if (m[a[0]].extra != m[a[1]].extra) return no_id;
+            return m.is_literal(a[2], 0) ? a[0] : m.is_literal(a[2], 1) ? a[1] : no_id;
         default:
-            return poison;
+            return no_id;
     }
 }
 
@@ -332,7 +334,7 @@ Id simplified(Module& m, Op op, Args args, uint32_t extra, Type result) {
         case Op::construct_:
             return simplify_construct(m, args, result);
         case Op::column_:
-            return m[args[0]].op == Op::construct_ ? m[args[0]].arg[extra] : poison;
+            return m[args[0]].op == Op::construct_ ? m[args[0]].arg[extra] : no_id;
         case Op::pow_:
             return simplify_power(m, args);
         default:
@@ -341,7 +343,7 @@ Id simplified(Module& m, Op op, Args args, uint32_t extra, Type result) {
     if (result == Type::gradient_) return simplify_gradient(m, op, args);
     if (const Id simpler = simplify_arithmetic(m, op, args, result)) return simpler;
     if (const Id simpler = simplify_unit(m, op, args)) return simpler;
-    return result != Type::float_ || op == Op::dot_ ? simplify_sparse(m, op, args, result) : poison;
+    return result != Type::float_ || op == Op::dot_ ? simplify_sparse(m, op, args, result) : no_id;
 }
 
 }  // namespace wrinkle

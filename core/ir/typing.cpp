@@ -1,4 +1,4 @@
-#include "ir/typing.h"
+#include "ir/add.h"
 
 #include <algorithm>
 

@@ -1,6 +1,6 @@
 // A value of a module with operators, so that passes read like the formulas they implement.
 //   Value gamma = t * slope.x() + b * slope.y();
-// A Value is an Id and its module; every operator is one Module::add(). With the Id poison it is
+// A Value is an Id and its module; every operator is one Module::add(). With the Id no_id it is
 // empty.
 #pragma once
 
@@ -10,7 +10,7 @@ namespace wrinkle {
 
 struct Value {
     Module* module = nullptr;
-    Id id = poison;
+    Id id = no_id;
 
     Value x() const { return {module, module->component(id, 0)}; }
     Value y() const { return {module, module->component(id, 1)}; }
@@ -18,7 +18,7 @@ struct Value {
     Value w() const { return {module, module->component(id, 3)}; }
     Value xy() const { return {module, module->swizzle(id, "xy")}; }
     Value xyz() const { return {module, module->swizzle(id, "xyz")}; }
-    explicit operator bool() const { return id != poison; }
+    explicit operator bool() const { return id != no_id; }
 };
 
 // Name the value in generated source: surface_named() for values of the surface point, shared by

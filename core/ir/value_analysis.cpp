@@ -38,8 +38,8 @@ ValueAnalysis::Facts ValueAnalysis::of(Id id) const {
         case Op::region_param_: {
             if (!m.is_open_input(id)) return varying;
             const OpenInput& input = m.open_inputs[inst.extra];
-            return varying | input.dependencies | (input.jumps ? jumping : 0) |
-                   (input.reads ? reading : 0);
+            return varying | input.dependencies | (input.discontinuous ? jumping : 0) |
+                   (input.samples_texture ? reading : 0);
         }
         case Op::result_:
             if (const Id result = m.open_result(id)) return facts_[result];

@@ -21,9 +21,9 @@ public:
     // not, so that its hardware differences are not a footprint: it depends on a rounding,
     // remainder, select, atan2 or loop of values that vary over the surface, or on a texture read
     // that is detached.
-    bool jumps(Id id) const { return facts_[id] & jumping; }
+    bool is_discontinuous(Id id) const { return facts_[id] & jumping; }
     // Returns true if the value depends on a texture read.
-    bool reads(Id id) const { return facts_[id] & reading; }
+    bool samples_texture(Id id) const { return facts_[id] & reading; }
 
 private:
     // One bit per fact, so that a value inherits those of its operands in one operation.

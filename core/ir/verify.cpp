@@ -1,11 +1,11 @@
-#include "ir/verify.h"
+#include "ir/inspect.h"
 
 #include <algorithm>
 #include <unordered_set>
 
+#include "ir/add.h"
 #include "ir/module_cloner.h"
 #include "ir/rewrite.h"
-#include "ir/typing.h"
 
 namespace wrinkle {
 namespace {

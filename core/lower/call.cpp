@@ -46,8 +46,8 @@ OpenInput leaf_for(const Module& m, const Port& port, Id argument, const ValueAn
     leaf.type = m.type(argument);
     leaf.name = port.name;
     leaf.dependencies = facts.dependencies(argument);
-    leaf.jumps = facts.jumps(argument);
-    leaf.reads = facts.reads(argument);
+    leaf.discontinuous = facts.is_discontinuous(argument);
+    leaf.samples_texture = facts.samples_texture(argument);
     leaf.tangent = port.type == PortType::gradient_;
     return leaf;
 }
@@ -67,8 +67,8 @@ CallInputs call_inputs(Lowering& caller, uint32_t node, const std::vector<bool>&
         if (port.type == PortType::gradient_) argument = m.add(Op::gradient_vector_, {argument});
         facts.update();
         const OpenInput leaf = leaf_for(m, port, argument, facts);
-        inputs.key += std::to_string(leaf.dependencies) + (leaf.jumps ? " jumps" : "") +
-                      (leaf.reads ? " reads" : "");
+        inputs.key += std::to_string(leaf.dependencies) + (leaf.discontinuous ? " jumps" : "") +
+                      (leaf.samples_texture ? " reads" : "");
         inputs.arguments.push_back(argument);
         inputs.leaf_of.push_back(p);
         inputs.leaves.push_back(leaf);

@@ -43,7 +43,7 @@ Id sample_inside(Module& module, uint32_t resource, Id uv) {
     std::array<Id, 2> changes{};
     constexpr std::array axes{Variant::dx, Variant::dy};
     for (size_t i = 0; i < 2; ++i) {
-        changes[i] = screen_direction(module, axes[i], false).tangent(uv);
+        changes[i] = screen_direction(module, axes[i], false).jvp(uv);
         if (changes[i] == poison) changes[i] = module.input(SurfaceInput::uv0_, axes[i]);
     }
     return module.add(Op::sample_grad_, {uv, changes[0], changes[1]}, resource);

@@ -3,8 +3,8 @@
 #include <cassert>
 
 #include "graph/order.h"
+#include "ir/inspect.h"
 #include "ir/rewrite.h"
-#include "ir/verify.h"
 #include "lower/check.h"
 #include "lower/expanded_calls.h"
 

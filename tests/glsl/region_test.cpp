@@ -6,7 +6,7 @@
 #include "glslang/validate.h"
 #include "golden.h"
 #include "graphs.h"
-#include "ir/verify.h"
+#include "ir/inspect.h"
 
 namespace wrinkle::test {
 namespace {

@@ -3,11 +3,10 @@
 
 #include "ir/derive.h"
 #include "ir/expand.h"
-#include "ir/print.h"
+#include "ir/inspect.h"
 #include "ir/rewrite.h"
 #include "ir/support.h"
 #include "ir/value.h"
-#include "ir/verify.h"
 #include "support/small_stack.h"
 
 namespace wrinkle::test {
@@ -34,8 +33,8 @@ void pass_through_every_pass() {
     const Id written = m.size();
     EXPECT_LT(written, 2u * length + 10);
     EXPECT_EQ(verify(m), "");
-    Direction direction = uv_direction(m, SurfaceInput::uv0_, 1);
-    EXPECT_NE(direction.tangent(m.outputs[0].value), poison);
+    ForwardDiff direction = uv_direction(m, SurfaceInput::uv0_, 1);
+    EXPECT_NE(direction.jvp(m.outputs[0].value), poison);
     EXPECT_LT(m.size() - written, 2u * length + 10);
     const Id from = m.input(SurfaceInput::uv0_), to = m.input(SurfaceInput::uv1_);
     const Id before = m.size();
@@ -75,8 +74,8 @@ void chain_in_regions() {
     const Id last = m.apply(m.end_region(results, 3), std::array{start})[0];
     m.outputs = {{"height", WR_PORT_height, last}};
     const Id written = m.size();
-    Direction direction = uv_direction(m, SurfaceInput::uv0_, 0);
-    const Id change = direction.tangent(last);
+    ForwardDiff direction = uv_direction(m, SurfaceInput::uv0_, 0);
+    const Id change = direction.jvp(last);
     EXPECT_NE(change, poison);
     EXPECT_LT(m.size() - written, 8u * shorter);
     m.outputs.push_back({"change", WR_PORT_float, change});
@@ -96,7 +95,7 @@ void loops_after_loops() {
         last = m.apply(m.end_region(results, 3), std::array{last})[0];
     }
     const Id written = m.size();
-    const Id change = uv_direction(m, SurfaceInput::uv0_, 0).tangent(last);
+    const Id change = uv_direction(m, SurfaceInput::uv0_, 0).jvp(last);
     EXPECT_NE(change, poison);
     EXPECT_LT(m.size() - written, 200u * 40);
     m.outputs = {{"change", WR_PORT_float, change}};
@@ -122,7 +121,7 @@ void functions_in_functions(int count) {
     if (!m.problems.empty()) return;
     const Id u = m.swizzle(m.input(SurfaceInput::uv0_), "x");
     const Id value = m.apply(below, std::array{u})[0];
-    const Id change = uv_direction(m, SurfaceInput::uv0_, 0).tangent(value);
+    const Id change = uv_direction(m, SurfaceInput::uv0_, 0).jvp(value);
     m.outputs = {{"change", WR_PORT_float, change}};
     EXPECT_EQ(verify(m), "");
 }
@@ -168,8 +167,8 @@ void calls() {
         y = m.apply(f, std::array{y})[0];
     m.outputs = {{"height", WR_PORT_height, y}};
     const Id written = m.size();
-    Direction direction = uv_direction(m, SurfaceInput::uv0_, 0);
-    EXPECT_NE(direction.tangent(y), poison);
+    ForwardDiff direction = uv_direction(m, SurfaceInput::uv0_, 0);
+    EXPECT_NE(direction.jvp(y), poison);
     EXPECT_LT(m.size() - written, 3u * shorter);
     EXPECT_EQ(verify(expand(m, {.parameters = Parameters::baked})), "");
 }

@@ -7,10 +7,10 @@
 #include <cmath>
 #include <functional>
 
+#include "ir/inspect.h"
 #include "ir/jacobian_by_source.h"
 #include "ir/support.h"
 #include "ir/value.h"
-#include "ir/verify.h"
 
 namespace wrinkle::test {
 namespace {
@@ -33,7 +33,7 @@ struct DeriveTest : testing::Test {
         return interpret(m, id, moved)[0];
     }
     double derived(Id id, int axis) {
-        Direction direction = uv_direction(m, SurfaceInput::uv0_, axis);
+        ForwardDiff direction = uv_direction(m, SurfaceInput::uv0_, axis);
         const Id tangent = direction.jvp_or_zero(id);
         m.outputs = {{"tangent", WR_PORT_float, tangent}};
         EXPECT_EQ(verify(m), "");
@@ -86,10 +86,10 @@ TEST_F(DeriveTest, ChainsOfOps) {
 }
 
 TEST_F(DeriveTest, ZeroCostsNothing) {
-    Direction direction = uv_direction(m, SurfaceInput::uv0_, 0);
+    ForwardDiff direction = uv_direction(m, SurfaceInput::uv0_, 0);
     const Id other = m.swizzle(m.input(SurfaceInput::uv1_), "x");
-    EXPECT_EQ(direction.tangent(m.add(Op::sin_, {other})), poison);
-    EXPECT_EQ(direction.tangent(sine(detach(u)).id), poison);
+    EXPECT_EQ(direction.jvp(m.add(Op::sin_, {other})), poison);
+    EXPECT_EQ(direction.jvp(sine(detach(u)).id), poison);
     EXPECT_EQ(direction.jvp_or_zero(other), m.number(0));
 }
 
@@ -124,17 +124,17 @@ TEST_F(DeriveTest, ScreenDirectionsMoveEveryInterpolatedInput) {
     for (const SurfaceInput input : {SurfaceInput::position_, SurfaceInput::normal_,
                                      SurfaceInput::uv1_, SurfaceInput::uv3_, SurfaceInput::color0_})
         for (const Variant axis : {Variant::dx, Variant::dy}) {
-            Direction direction = screen_direction(m, axis, false);
-            EXPECT_EQ(direction.tangent(m.input(input)), m.input(input, axis));
+            ForwardDiff direction = screen_direction(m, axis, false);
+            EXPECT_EQ(direction.jvp(m.input(input)), m.input(input, axis));
         }
-    Direction direction = screen_direction(m, Variant::dx, false);
-    EXPECT_EQ(direction.tangent(m.input(SurfaceInput::facing_)), poison);
-    EXPECT_EQ(direction.tangent(m.input(SurfaceInput::view_)), poison);
+    ForwardDiff direction = screen_direction(m, Variant::dx, false);
+    EXPECT_EQ(direction.jvp(m.input(SurfaceInput::facing_)), poison);
+    EXPECT_EQ(direction.jvp(m.input(SurfaceInput::view_)), poison);
 }
 
 TEST_F(DeriveTest, ProjectedPositionsStayInTheTangentPlane) {
-    Direction direction = screen_direction(m, Variant::dx, true);
-    const Id change = direction.tangent(m.input(SurfaceInput::position_));
+    ForwardDiff direction = screen_direction(m, Variant::dx, true);
+    const Id change = direction.jvp(m.input(SurfaceInput::position_));
     around.inputs[input_extra(SurfaceInput::normal_, Variant::value)] = {0, 0, 2};
     around.inputs[input_extra(SurfaceInput::position_, Variant::dx)] = {3, 4, 5};
     const Lanes got = interpret(m, change, around);
@@ -183,9 +183,9 @@ TEST_F(DeriveTest, NestedFunctionsAreDerivedOnceEach) {
         before = last;
         last = next;
     }
-    Direction direction = uv_direction(m, SurfaceInput::uv0_, 0);
+    ForwardDiff direction = uv_direction(m, SurfaceInput::uv0_, 0);
     const uint32_t regions = m.region_count();
-    EXPECT_NE(direction.tangent(apply(last, {u})[0].id), poison);
+    EXPECT_NE(direction.jvp(apply(last, {u})[0].id), poison);
     EXPECT_EQ(m.region_count(), regions + count + 2);
 }
 
@@ -370,10 +370,10 @@ TEST_F(TextureTest, TheChangeOfUvMultiplies) {
 }
 
 TEST_F(TextureTest, AFixedPlaceDoesNotChange) {
-    Direction direction = uv_direction(m, SurfaceInput::uv0_, 0);
+    ForwardDiff direction = uv_direction(m, SurfaceInput::uv0_, 0);
     const Id there = m.constant(Type::vec2_, std::array{0.5, 0.5});
-    EXPECT_EQ(direction.tangent(red(Op::sample_lod_, {there, u.id}).id), poison);
-    EXPECT_EQ(direction.tangent(m.add(Op::image_size_, {}, image)), poison);
+    EXPECT_EQ(direction.jvp(red(Op::sample_lod_, {there, u.id}).id), poison);
+    EXPECT_EQ(direction.jvp(m.add(Op::image_size_, {}, image)), poison);
 }
 
 }  // namespace

@@ -7,10 +7,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ir/inspect.h"
 #include "ir/interpret.h"
 #include "ir/rewrite.h"
 #include "ir/value.h"
-#include "ir/verify.h"
 
 namespace wrinkle::test {
 namespace {

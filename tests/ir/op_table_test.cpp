@@ -73,7 +73,7 @@ struct Moving {
     Id value = poison, tangent = poison;
 
     Moving(const Application& a, unsigned mask) {
-        Direction direction(m);
+        ForwardDiff direction(m);
         for (size_t i = 0; i < a.operands.size(); ++i) {
             const Type type = a.operands[i];
             const bool moves = mask >> i & 1;
@@ -82,10 +82,10 @@ struct Moving {
             if (moves) seed(direction, m, leaves[i], speeds[i]);
         }
         value = m.add(a.op, leaves, a.extra, a.wanted);
-        tangent = direction.tangent(value);
+        tangent = direction.jvp(value);
     }
 
-    static void seed(Direction& direction, const Module& m, Id leaf, Id speed) {
+    static void seed(ForwardDiff& direction, const Module& m, Id leaf, Id speed) {
         if (m.type(leaf) != Type::mat3_) return direction.seed(leaf, speed);
         for (size_t k = 0; k < 3; ++k)
             direction.seed(m.operands(leaf)[k], m.operands(speed)[k]);
@@ -154,7 +154,7 @@ TEST(OpTable, OpsOfZeroDerivativeCostNothing) {
         if (!(info(a.op).flags & WR_FLAG_ZERO_DERIVATIVE) || !moves(a.operands[0])) continue;
         Module m;
         std::vector<Id> args;
-        Direction direction(m);
+        ForwardDiff direction(m);
         for (const Type type : a.operands) {
             args.push_back(m.swizzle(m.input(SurfaceInput::tangent_), "x"));
             if (type == Type::mat3_) args.back() = new_leaf(m, type);
@@ -165,7 +165,7 @@ TEST(OpTable, OpsOfZeroDerivativeCostNothing) {
         direction.seed(m.input(SurfaceInput::tangent_), new_leaf(m, Type::vec4_));
         const Id value = m.add(a.op, args, a.extra, a.wanted);
         const Id size = m.size();
-        EXPECT_EQ(direction.tangent(value), poison) << text(a);
+        EXPECT_EQ(direction.jvp(value), poison) << text(a);
         EXPECT_LE(m.size(), size + 1) << text(a);
     }
 }

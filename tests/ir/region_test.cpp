@@ -1,8 +1,8 @@
 // Tests of functions and loops: closed regions, interning, hoisted invariants, nesting.
 #include <gtest/gtest.h>
 
+#include "ir/inspect.h"
 #include "ir/support.h"
-#include "ir/verify.h"
 
 namespace wrinkle::test {
 namespace {

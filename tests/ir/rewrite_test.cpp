@@ -6,10 +6,9 @@
 #include <cmath>
 
 #include "ir/expand.h"
-#include "ir/print.h"
+#include "ir/inspect.h"
 #include "ir/support.h"
 #include "ir/value.h"
-#include "ir/verify.h"
 
 namespace wrinkle::test {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ir/typing.h"
+#include "ir/add.h"
 
 namespace wrinkle::test {
 namespace {

@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "glsl/emit.h"
-#include "ir/verify.h"
+#include "ir/inspect.h"
 #include "lower/expanded_calls.h"
 #include "lower/fixture.h"
 

@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-#include "ir/verify.h"
+#include "ir/inspect.h"
 #include "lower/check.h"
 #include "lower/fixture.h"
 

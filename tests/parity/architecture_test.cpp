@@ -10,7 +10,7 @@
 #include "glsl/emit.h"
 #include "graph/read.h"
 #include "ir/expand.h"
-#include "ir/print.h"
+#include "ir/inspect.h"
 #include "ir/rewrite.h"
 #include "lower/material.h"
 #include "parity/node_graph.h"

@@ -7,7 +7,7 @@
 #include "certify/points.h"
 #include "glsl/emit.h"
 #include "glsl/golden.h"
-#include "ir/verify.h"
+#include "ir/inspect.h"
 #include "parity/compare.h"
 #include "parity/context.h"
 #include "parity/nested.h"

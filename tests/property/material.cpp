@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "ir/verify.h"
+#include "ir/inspect.h"
 
 namespace wrinkle::test {
 

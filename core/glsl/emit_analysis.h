@@ -29,7 +29,7 @@ public:
     EmitAnalysis(const Module& module, bool given);
 
     const Module& module() const { return *module_; }
-    Id plain(Id id) const {  // strips detach
+    Id strip_detach(Id id) const {
         while ((*module_)[id].op == Op::detach_)
             id = (*module_)[id].arg[0];
         return id;
@@ -50,7 +50,7 @@ public:
     }
     bool single_call(Id result) const;  // true for the result of a call with one result
     bool is_splat(Id construct) const;  // true if all components are one scalar
-    // Members of a loop's or call's tuple, by index; poison if the member is not read.
+    // Members of a loop's or call's tuple, by index; no_id if the member is not read.
     const std::vector<Id>& members(Id tuple) const { return members_.at(tuple); }
     // Returns the value's entry in Module::named; null if it has none.
     const Named* name(Id id) const {

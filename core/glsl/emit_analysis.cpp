@@ -1,4 +1,4 @@
-#include "glsl/plan.h"
+#include "glsl/emit_analysis.h"
 
 #include <algorithm>
 #include <unordered_set>
@@ -27,7 +27,7 @@ EmitAnalysis::EmitAnalysis(const Module& module, bool given)
 void EmitAnalysis::find_names() {
     const std::vector<Named>& named = module_->named;
     for (uint32_t i = 0; i < named.size(); ++i) {
-        uint32_t& name = values_[plain(named[i].value)].name;
+        uint32_t& name = values_[strip_detach(named[i].value)].name;
         if (name == 0 || (named[i].output && !named[name - 1].output)) name = i + 1;
     }
 }
@@ -37,9 +37,9 @@ void EmitAnalysis::find_members() {
     for (Id id = 1; id < m.size(); ++id) {
         const Inst& inst = m[id];
         if (inst.op == Op::loop_)
-            members_[id].resize(m.region(inst.extra).params.size(), poison);
+            members_[id].resize(m.region(inst.extra).params.size(), no_id);
         else if (inst.op == Op::call_)
-            members_[id].resize(m.region(inst.extra).results.size(), poison);
+            members_[id].resize(m.region(inst.extra).results.size(), no_id);
         else if (inst.op == Op::result_)
             members_[inst.arg[0]][inst.extra] = id;
     }
@@ -59,8 +59,8 @@ Role EmitAnalysis::role_of(Id id) const {
         case Op::construct_:
             return inst.type != Type::mat3_ && m.is_constant(id) ? Role::leaf : Role::value;
         case Op::swizzle_:
-            return role(plain(inst.arg[0])) == Role::leaf &&
-                           m[plain(inst.arg[0])].op != Op::construct_
+            return role(strip_detach(inst.arg[0])) == Role::leaf &&
+                           m[strip_detach(inst.arg[0])].op != Op::construct_
                        ? Role::leaf
                        : Role::view;
         case Op::column_:
@@ -91,7 +91,7 @@ void EmitAnalysis::list_operands(Id id) {
     if (op == Op::construct_ && is_splat(id)) operands = operands.first(1);
     if (single_call(id)) operands = m.operands(m[id].arg[0]);
     for (const Id operand : operands)
-        operands_.push_back(plain(operand));
+        operands_.push_back(strip_detach(operand));
     if (op == Op::loop_) list_captures(m.region(m[id].extra));
 }
 
@@ -102,7 +102,7 @@ void EmitAnalysis::list_captures(const Region& loop) {
     std::unordered_set<Id> seen;
     std::vector<Id> open(loop.results.rbegin(), loop.results.rend());
     while (!open.empty()) {
-        const Id id = plain(open.back());
+        const Id id = strip_detach(open.back());
         open.pop_back();
         if (role(id) == Role::leaf || !seen.insert(id).second) continue;
         if (m[id].level < loop.level && (role(id) == Role::value || m[id].op == Op::result_)) {
@@ -215,7 +215,7 @@ void EmitAnalysis::use_function(uint32_t region) {
 
 // Records the gradient of normalize(n - gradient).
 void EmitAnalysis::use_normalize(const Inst& inst) {
-    const Id sum = plain(inst.arg[0]);
+    const Id sum = strip_detach(inst.arg[0]);
     if (inst.type == Type::vec3_ && (*module_)[sum].op == Op::sub_)
         gradients_.push_back(operands(sum)[1]);
 }
