@@ -22,8 +22,8 @@ const std::string numbered_squares = "with u from 0 to 10 and v on one side of 0
 std::string nothing_to_bake(const UvSurvey& uvs, bool udim, std::string& expected) {
     expected = "a mesh with a uv layout";
     if (uvs.triangles == uvs.without_area) return "no triangle has an area in uv";
-    if (udim ? !uvs.squares.empty() : uvs.in_square > 0) return "";
-    expected = uvs.squares.empty() ? "uvs " + numbered_squares : beyond_first;
+    if (udim ? !uvs.udim_tiles.empty() : uvs.in_square > 0) return "";
+    expected = uvs.udim_tiles.empty() ? "uvs " + numbered_squares : beyond_first;
     return udim ? "no triangle lies in a square of uv that UDIM has a number for"
                 : "no triangle lies in the uv square from (0, 0) to (1, 1), and the layout lies in "
                   "several others";
@@ -51,7 +51,7 @@ bool check_uvs(const UvSurvey& uvs, bool udim, const std::string& name, Diagnost
              diagnostics);
     if (!udim && uvs.in_square < area)
         warn(name, share(area - uvs.in_square, uvs.triangles) + " lie outside of the uv square",
-             uvs.squares.size() > 1 ? beyond_first : "uvs " + numbered_squares, diagnostics);
+             uvs.udim_tiles.size() > 1 ? beyond_first : "uvs " + numbered_squares, diagnostics);
     if (udim && uvs.beyond_udim > 0)
         warn(name,
              share(uvs.beyond_udim, uvs.triangles) +

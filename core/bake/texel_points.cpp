@@ -143,7 +143,7 @@ void TexelPoints::fill(const Coverage& coverage, const TexelRect& rect, size_t s
                            out, met);
         }
     for (const UvSample& sample : coverage.samples) {
-        const glm::dvec2 uv = layout_.uv(sample.place.x, sample.place.y);
+        const glm::dvec2 uv = layout_.uv(sample.position.x, sample.position.y);
         const std::array<double, interpolate_padding> u = {uv.x};
         out = fill_row({&sample.triangle, 1}, u.data(), uv.y, stride, out, met);
     }

@@ -19,7 +19,7 @@ std::vector<BakePicture> pictures_of(const BakeJob& job, const UvSurvey& uvs,
     std::vector<BakePicture> pictures;
     const std::vector<glm::ivec2> one = {uvs.square};
     for (size_t run = 0; run < job.plans.size(); ++run)
-        for (const glm::ivec2 square : job.options.udim ? uvs.squares : one) {
+        for (const glm::ivec2 square : job.options.udim ? uvs.udim_tiles : one) {
             std::string suffix = path_of_run("", overrides, run);
             if (job.options.udim) suffix += "." + std::to_string(udim_number(square));
             pictures.push_back({run, square, suffix});

@@ -1,7 +1,6 @@
 #include "mesh/sample.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "base/text.h"
 #include "mesh/uv_triangle.h"
@@ -12,23 +11,7 @@ namespace {
 using glm::dvec2;
 using glm::dvec3;
 
-// Returns true if uv is outside the triangle's uv box by more than the slack of find_cover().
-bool is_far(const Mesh& mesh, size_t triangle, dvec2 uv) {
-    const uint32_t* corners = mesh.indices.data() + 3 * triangle;
-    const auto& uvs = mesh.uvs[0];
-    const auto beside = [&](int axis) {
-        const double a = uvs[corners[0]][axis];
-        const double b = uvs[corners[1]][axis];
-        const double c = uvs[corners[2]][axis];
-        const double low = std::min({a, b, c});
-        const double high = std::max({a, b, c});
-        const double margin = uv_box_margin * (high - low);
-        return uv[axis] < low - margin || uv[axis] > high + margin;
-    };
-    return beside(0) || beside(1);
-}
-
-double smallest(dvec3 v) {
+double min_of(dvec3 v) {
     return std::min({v.x, v.y, v.z});
 }
 
@@ -38,7 +21,7 @@ struct Cover {
 };
 
 // Rounding may leave a gap between two triangles; a triangle this near (in barycentric weight)
-// counts as covering.
+// counts as covering. Smaller than the margin of uv_box().
 constexpr double slack = 1e-6;
 
 // Returns the first of the triangles nth(0) to nth(count - 1) that covers uv; else the nearest one
@@ -49,10 +32,10 @@ std::optional<Cover> find_cover(const Mesh& mesh, size_t count, Nth nth, dvec2 u
     double best = -slack;
     for (size_t i = 0; i < count; ++i) {
         const size_t t = nth(i);
-        if (is_far(mesh, t, uv)) continue;
+        if (!uv_box(mesh, t).contains(uv)) continue;
         const std::optional<UvTriangle> map = uv_triangle(mesh, t);
         if (!map) continue;
-        const double inside = smallest(map->weights(uv));
+        const double inside = min_of(map->weights(uv));
         if (inside >= 0) return Cover{t, *map};
         if (inside > best) {
             best = inside;

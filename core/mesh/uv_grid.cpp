@@ -2,43 +2,40 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 
 #include "mesh/uv_triangle.h"
 
 namespace wrinkle {
 namespace {
 
-constexpr uint32_t max_squares = 2048;  // per axis
+constexpr uint32_t max_side = 2048;  // per axis
 
-struct Box {
-    glm::dvec2 low, high;
-};
+}  // namespace
 
-Box box_of(const Mesh& mesh, size_t triangle) {
+UvBox uv_box(const Mesh& mesh, size_t triangle) {
     const uint32_t* corners = mesh.indices.data() + 3 * triangle;
     const auto& uvs = mesh.uvs[0];
-    Box box{};
+    UvBox box;
     for (int axis = 0; axis < 2; ++axis) {
         const auto [low, high] =
             std::minmax({double{uvs[corners[0]][axis]}, double{uvs[corners[1]][axis]},
                          double{uvs[corners[2]][axis]}});
-        const double margin = uv_box_margin * (high - low);
+        const double margin = 1e-5 * (high - low);
         box.low[axis] = low - margin;
         box.high[axis] = high + margin;
     }
     return box;
 }
 
-}  // namespace
-
-uint32_t UvGrid::cell_of(double place, int axis) const {
-    const double size = high_[axis] - low_[axis];
-    const double cell = size > 0 ? std::floor((place - low_[axis]) / size * side_) : 0;
+uint32_t UvGrid::cell_of(double coordinate, int axis) const {
+    const double size = box_.high[axis] - box_.low[axis];
+    const double cell = size > 0 ? std::floor((coordinate - box_.low[axis]) / size * side_) : 0;
     return static_cast<uint32_t>(std::clamp<double>(cell, 0, side_ - 1));
 }
 
 UvGrid::Cells UvGrid::cells_of(const Mesh& mesh, size_t triangle) const {
-    const Box box = box_of(mesh, triangle);
+    const UvBox box = uv_box(mesh, triangle);
     return {{cell_of(box.low.x, 0), cell_of(box.low.y, 1)},
             {cell_of(box.high.x, 0), cell_of(box.high.y, 1)}};
 }
@@ -47,7 +44,7 @@ UvGrid::Cells UvGrid::cells_of(const Mesh& mesh, size_t triangle) const {
 // per triangle on average.
 void UvGrid::choose_side(const Mesh& mesh) {
     const double root = std::sqrt(static_cast<double>(covering_.size()));
-    side_ = std::clamp<uint32_t>(static_cast<uint32_t>(root), 1, max_squares);
+    side_ = std::clamp<uint32_t>(static_cast<uint32_t>(root), 1, max_side);
     const auto entries = [&] {
         uint64_t count = 0;
         for (const uint32_t triangle : covering_)
@@ -61,13 +58,9 @@ void UvGrid::choose_side(const Mesh& mesh) {
 UvGrid::UvGrid(const Mesh& mesh) {
     for (size_t t = 0; t < mesh.triangle_count(); ++t) {
         if (!has_uv_area(mesh, t)) continue;
-        const Box box = box_of(mesh, t);
-        low_ = covering_.empty()
-                   ? box.low
-                   : glm::dvec2(std::min(low_.x, box.low.x), std::min(low_.y, box.low.y));
-        high_ = covering_.empty()
-                    ? box.high
-                    : glm::dvec2(std::max(high_.x, box.high.x), std::max(high_.y, box.high.y));
+        const UvBox box = uv_box(mesh, t);
+        if (covering_.empty()) box_ = box;
+        box_ = {glm::min(box_.low, box.low), glm::max(box_.high, box.high)};
         covering_.push_back(static_cast<uint32_t>(t));
     }
     choose_side(mesh);

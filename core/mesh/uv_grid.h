@@ -13,8 +13,16 @@
 
 namespace wrinkle {
 
-// A triangle may cover uvs this far outside its box, relative to the size of the box.
-inline constexpr double uv_box_margin = 1e-5;
+// Bounding box of a triangle in uv, enlarged by 1e-5 of its size for rounding errors: the triangle
+// covers no uv outside of it.
+struct UvBox {
+    glm::dvec2 low{0}, high{0};
+
+    bool contains(glm::dvec2 uv) const {
+        return uv.x >= low.x && uv.y >= low.y && uv.x <= high.x && uv.y <= high.y;
+    }
+};
+UvBox uv_box(const Mesh& mesh, size_t triangle);  // precondition: the mesh has uv0
 
 class UvGrid {
 public:
@@ -28,11 +36,11 @@ private:
         uint32_t low[2], high[2];  // inclusive
         uint64_t count() const { return uint64_t{high[0] - low[0] + 1} * (high[1] - low[1] + 1); }
     };
-    uint32_t cell_of(double place, int axis) const;
+    uint32_t cell_of(double coordinate, int axis) const;
     Cells cells_of(const Mesh& mesh, size_t triangle) const;
     void choose_side(const Mesh& mesh);
 
-    glm::dvec2 low_{0}, high_{0};     // box of the layout
+    UvBox box_;                       // of the layout
     uint32_t side_ = 1;               // cells per axis
     std::vector<uint32_t> covering_;  // triangles with an area, in the mesh's order
     std::vector<uint32_t> first_;     // first index in triangles_ per cell, and the end

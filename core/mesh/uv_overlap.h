@@ -36,18 +36,18 @@ private:
 // first owns, the second shows the overlap, further ones have no effect. O(n log n).
 template <class Triangle, class Drop>
 void each_third_repeat(const std::vector<Triangle>& triangles, Drop drop) {
-    using Place = std::array<std::pair<int32_t, int32_t>, 3>;
-    std::vector<std::pair<Place, uint32_t>> places;
-    places.reserve(triangles.size());
+    using Corners = std::array<std::pair<int32_t, int32_t>, 3>;
+    std::vector<std::pair<Corners, uint32_t>> sorted;
+    sorted.reserve(triangles.size());
     for (uint32_t i = 0; i < triangles.size(); ++i) {
         const Triangle& t = triangles[i];
-        Place place{{{t.x[0], t.y[0]}, {t.x[1], t.y[1]}, {t.x[2], t.y[2]}}};
-        std::sort(place.begin(), place.end());
-        places.emplace_back(place, i);
+        Corners corners{{{t.x[0], t.y[0]}, {t.x[1], t.y[1]}, {t.x[2], t.y[2]}}};
+        std::sort(corners.begin(), corners.end());
+        sorted.emplace_back(corners, i);
     }
-    std::sort(places.begin(), places.end());
-    for (size_t i = 2; i < places.size(); ++i)
-        if (places[i].first == places[i - 2].first) drop(places[i].second);
+    std::sort(sorted.begin(), sorted.end());
+    for (size_t i = 2; i < sorted.size(); ++i)
+        if (sorted[i].first == sorted[i - 2].first) drop(sorted[i].second);
 }
 
 }  // namespace wrinkle

@@ -44,7 +44,7 @@ struct TexelRect {
 // A sample of an edge texel.
 struct UvSample {
     uint32_t triangle;
-    glm::dvec2 place;  // in texels of the layout
+    glm::dvec2 position;  // in texels of the layout
 };
 
 // Coverage of one rectangle of texels. Reuse it to avoid allocations.
@@ -63,7 +63,7 @@ struct Coverage {
     uint32_t overlap_texel = 0;  // the first of them, and a triangle that does not own it
     uint32_t overlap_triangle = none;
 
-    std::vector<uint32_t> slots, sub_owners, met;  // scratch
+    std::vector<uint32_t> slots, sub_owners, candidates;  // scratch
     OpenTexels open;
 };
 
@@ -98,18 +98,16 @@ private:
         uint8_t borders = 0;  // bit k: the edge from corner k is an island border
     };
 
-    static Texels texels_of(const int32_t (&places)[3]);
+    static Texels texels_of(const int32_t (&corners)[3]);
     static void find_overlapping(const TexelRect& rect, std::span<const RowCandidate> candidates,
                                  Coverage& out);
     void add(const Mesh& mesh, size_t index);
     void drop_repeats();
-    void find_group_rows();
     void find_borders();
-    // Calls take(texel, count) for each row's span of covered texel centres.
+    // Calls take(first, last) for each row's span of covered texel centres, as indices in `owners`.
     template <class Take>
     void each_span(const TexelRect& rect, uint32_t index, Take take) const;
     void own_centres(const TexelRect& rect, Coverage& out) const;
-    void own_in_order(const TexelRect& rect, Coverage& out) const;
     void mark_borders(const TexelRect& rect, uint32_t index, Coverage& out) const;
     void own_samples(const TexelRect& rect, uint32_t index, Coverage& out) const;
     void gather_edges(const TexelRect& rect, Coverage& out) const;
@@ -117,8 +115,7 @@ private:
     UvLayout layout_;
     uint32_t across_ = 1;  // samples per axis of a texel
     std::vector<Triangle> triangles_;
-    std::vector<Texels> rows_;        // rows that each triangle touches
-    std::vector<Texels> group_rows_;  // rows that each group of triangles touches
+    std::vector<Texels> rows_;  // rows that each triangle touches
 };
 
 }  // namespace wrinkle

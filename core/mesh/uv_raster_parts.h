@@ -14,9 +14,9 @@ constexpr int64_t floor_div(int64_t a, int64_t b) {  // b > 0
 }
 
 // Returns the texel that contains a coordinate in units.
-constexpr int64_t texel_at(int64_t place) {
+constexpr int64_t texel_at(int64_t coordinate) {
     static_assert(units == 256);
-    return place >> 8;
+    return coordinate >> 8;
 }
 
 // One edge of a counter-clockwise triangle, from (ax, ay) by (dx, dy). Points to its left are
@@ -24,8 +24,10 @@ constexpr int64_t texel_at(int64_t place) {
 struct RasterEdge {
     int64_t ax, ay, dx, dy;
 
-    int64_t least() const { return dy < 0 || (dy == 0 && dx > 0) ? 0 : 1; }
-    bool has_inside(int64_t x, int64_t y) const { return dx * (y - ay) - dy * (x - ax) >= least(); }
+    int64_t min_inside() const { return dy < 0 || (dy == 0 && dx > 0) ? 0 : 1; }
+    bool has_inside(int64_t x, int64_t y) const {
+        return dx * (y - ay) - dy * (x - ax) >= min_inside();
+    }
 };
 
 struct Interval {

@@ -1,4 +1,4 @@
-// Survey of a mesh's uv layout for a bake: the unit squares of uv that hold triangles, and counts
+// Survey of a mesh's uv layout for a bake: the unit squares of uv that triangles overlap, and counts
 // for warnings. A square is identified by its lower left corner, two integers. Linear in the
 // triangles.
 //
@@ -21,7 +21,7 @@ struct UvSurvey {
     glm::ivec2 square{0};     // baked without UDIM: (0, 0), or the only square with triangles
     size_t in_square = 0;     // triangles with area that overlap it
     size_t beyond_udim = 0;   // triangles with area that overlap unnumbered squares
-    std::vector<glm::ivec2> squares;  // UDIM tiles with triangles, sorted by number
+    std::vector<glm::ivec2> udim_tiles;  // with triangles, sorted by number
 };
 
 // Precondition: the mesh has uv0.
@@ -30,9 +30,9 @@ UvSurvey survey_uvs(const Mesh& mesh);
 inline constexpr int udim_columns = 10;
 inline constexpr int udim_rows = 899;  // four digits: 1001 to 9990
 
-// Returns the UDIM number of an element of UvSurvey::squares.
-constexpr int udim_number(glm::ivec2 square) {
-    return 1001 + square.x + udim_columns * (square.y < 0 ? -square.y : square.y);
+// Returns the UDIM number of an element of UvSurvey::udim_tiles.
+constexpr int udim_number(glm::ivec2 tile) {
+    return 1001 + tile.x + udim_columns * (tile.y < 0 ? -tile.y : tile.y);
 }
 
 }  // namespace wrinkle

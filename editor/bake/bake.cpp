@@ -146,7 +146,7 @@ private:
 
     bool bake_squares() {
         const std::vector<glm::ivec2> one = {uvs_.square};
-        const std::vector<glm::ivec2>& squares = choices_.udim ? uvs_.squares : one;
+        const std::vector<glm::ivec2>& squares = choices_.udim ? uvs_.udim_tiles : one;
         std::vector<std::string> made;
         for (const glm::ivec2 square : squares)
             for (const fs::path& path : baked_files(choices_, suffix_of(square)))

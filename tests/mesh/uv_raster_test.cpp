@@ -240,11 +240,11 @@ TEST(UvRaster, EveryOwnerOfASampleCoversIt) {
         EXPECT_TRUE(seen.insert(edge.texel).second);
         for (uint32_t i = edge.first; i < edge.first + edge.count; ++i) {
             const UvSample& sample = got.samples[i];
-            EXPECT_EQ(static_cast<uint32_t>(sample.place.x), edge.texel % side);
-            EXPECT_EQ(static_cast<uint32_t>(sample.place.y), edge.texel / side);
+            EXPECT_EQ(static_cast<uint32_t>(sample.position.x), edge.texel % side);
+            EXPECT_EQ(static_cast<uint32_t>(sample.position.y), edge.texel / side);
             EXPECT_NE(side_of(&corners[3 * size_t{sample.triangle}],
-                              static_cast<int>(sample.place.x * parts),
-                              static_cast<int>(sample.place.y * parts)),
+                              static_cast<int>(sample.position.x * parts),
+                              static_cast<int>(sample.position.y * parts)),
                       Side::outside);
         }
     }

@@ -16,8 +16,8 @@ TEST(UvSurvey, ShapesLieInTheFirstSquareUnmirrored) {
         EXPECT_EQ(survey.beyond_udim, 0U) << shape.name;
         EXPECT_EQ(survey.in_square + survey.without_area, survey.triangles) << shape.name;
         EXPECT_EQ(survey.square, glm::ivec2(0)) << shape.name;
-        ASSERT_EQ(survey.squares.size(), 1U) << shape.name;
-        EXPECT_EQ(udim_number(survey.squares[0]), 1001);
+        ASSERT_EQ(survey.udim_tiles.size(), 1U) << shape.name;
+        EXPECT_EQ(udim_number(survey.udim_tiles[0]), 1001);
     }
 }
 
@@ -30,18 +30,18 @@ TEST(UvSurvey, CountsWhatIsMirroredOutsideOrWithoutArea) {
     EXPECT_EQ(survey.mirrored, all);
     EXPECT_EQ(survey.in_square, all);
     EXPECT_EQ(survey.square, glm::ivec2(2, 1));
-    ASSERT_EQ(survey.squares.size(), 1U);
-    EXPECT_EQ(udim_number(survey.squares[0]), 1013);
+    ASSERT_EQ(survey.udim_tiles.size(), 1U);
+    EXPECT_EQ(udim_number(survey.udim_tiles[0]), 1013);
     for (glm::vec2& uv : plane.uvs[0])
         uv.x -= 2.5F;
     survey = survey_uvs(plane);
     EXPECT_GT(survey.beyond_udim, 0U);
-    EXPECT_EQ(udim_number(survey.squares[0]), 1011);
+    EXPECT_EQ(udim_number(survey.udim_tiles[0]), 1011);
     for (glm::vec2& uv : plane.uvs[0])
         uv.x = 0.5F;
     survey = survey_uvs(plane);
     EXPECT_EQ(survey.without_area, all);
-    EXPECT_TRUE(survey.squares.empty());
+    EXPECT_TRUE(survey.udim_tiles.empty());
     plane.uvs[0][plane.indices[0]].x = std::numeric_limits<float>::quiet_NaN();
     EXPECT_EQ(survey_uvs(plane).without_area, all);
     plane.uvs[0][plane.indices[0]].x = 1e30F;
@@ -65,7 +65,7 @@ UvSurvey survey_at(const std::vector<glm::vec2>& corners, float side = 1) {
 
 std::vector<int> numbers(const UvSurvey& survey) {
     std::vector<int> result;
-    for (const glm::ivec2 square : survey.squares)
+    for (const glm::ivec2 square : survey.udim_tiles)
         result.push_back(udim_number(square));
     return result;
 }
