@@ -9,7 +9,7 @@
 #include "cli/evaluation.h"
 #include "gpu/from_glsl.h"
 #include "image/load.h"
-#include "mesh/subdivide.h"
+#include "mesh/mesh.h"
 
 namespace wrinkle::cli {
 namespace {

@@ -1,6 +1,4 @@
-#include "mesh/accessor.h"
-
-#include <tiny_gltf.h>
+#include "mesh/gltf_parts.h"
 
 #include <algorithm>
 #include <cstring>
@@ -94,21 +92,14 @@ uint32_t index_at(const unsigned char* at, int type) {
     }
 }
 
-// Returns 0 for a component type that no mesh attribute uses.
+// Component types that a mesh attribute may have; doubles and signed 32-bit integers are excluded.
+bool is_component_type(int type) {
+    return type >= TINYGLTF_COMPONENT_TYPE_BYTE && type <= TINYGLTF_COMPONENT_TYPE_FLOAT &&
+           type != TINYGLTF_COMPONENT_TYPE_INT;
+}
+
 uint64_t size_of_component(int type) {
-    switch (type) {
-        case TINYGLTF_COMPONENT_TYPE_BYTE:
-        case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
-            return 1;
-        case TINYGLTF_COMPONENT_TYPE_SHORT:
-        case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
-            return 2;
-        case TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT:
-        case TINYGLTF_COMPONENT_TYPE_FLOAT:
-            return 4;
-        default:
-            return 0;
-    }
+    return static_cast<uint64_t>(tinygltf::GetComponentSizeInBytes(static_cast<uint32_t>(type)));
 }
 
 bool is_index_type(int type) {
@@ -117,26 +108,16 @@ bool is_index_type(int type) {
            type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT;
 }
 
-int components_of(int type) {
-    switch (type) {
-        case TINYGLTF_TYPE_SCALAR:
-            return 1;
-        case TINYGLTF_TYPE_VEC2:
-            return 2;
-        case TINYGLTF_TYPE_VEC3:
-            return 3;
-        case TINYGLTF_TYPE_VEC4:
-            return 4;
-        default:
-            return 0;
-    }
+bool is_scalar_or_vector(int type) {
+    return type == TINYGLTF_TYPE_SCALAR || type == TINYGLTF_TYPE_VEC2 ||
+           type == TINYGLTF_TYPE_VEC3 || type == TINYGLTF_TYPE_VEC4;
 }
 
 const Accessor* find_accessor(const Model& model, int index, uint64_t max_count, std::string& why) {
     const Accessor* accessor = find(model.accessors, index);
     if (!accessor)
         why = "there is no " + name_of("accessor", index);
-    else if (components_of(accessor->type) == 0 || size_of_component(accessor->componentType) == 0)
+    else if (!is_scalar_or_vector(accessor->type) || !is_component_type(accessor->componentType))
         why = name_of("accessor", index) + " has a type that no vertex attribute has";
     else if (accessor->bufferView < 0 && accessor->count > max_without_bytes)
         why = name_of("accessor", index) + " has many elements and no buffer view";
@@ -186,7 +167,7 @@ std::optional<AccessorFloats> read_floats(const Model& model, int index, uint64_
     const Accessor* accessor = find_accessor(model, index, max_count, why);
     if (!accessor) return {};
     AccessorFloats result;
-    result.components = components_of(accessor->type);
+    result.components = tinygltf::GetNumComponentsInType(static_cast<uint32_t>(accessor->type));
     result.count = accessor->count;
     const auto width = static_cast<size_t>(result.components);
     const uint64_t part = size_of_component(accessor->componentType);

@@ -1,4 +1,4 @@
-#include "mesh/gltf.h"
+#include "mesh/readers.h"
 
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -7,12 +7,9 @@
 #include <glm/mat4x4.hpp>
 #include <glm/matrix.hpp>
 
-#include "mesh/accessor.h"
-#include "mesh/combine.h"
-#include "mesh/gltf_file.h"
-#include "mesh/gltf_uv.h"
-#include "mesh/normals.h"
-#include "mesh/tangents.h"
+#include "base/file_problem.h"
+#include "mesh/gltf_parts.h"
+#include "mesh/vertex_frames.h"
 
 namespace wrinkle {
 namespace {
@@ -78,13 +75,13 @@ public:
     bool is_double_sided() const { return double_sided_; }
 
 private:
-    struct Place {
+    struct SceneNode {
         int node;
         glm::dmat4 parent;
     };
 
     void read_scene() {
-        std::vector<Place> open;
+        std::vector<SceneNode> open;
         for (const int root : roots())
             open.push_back({root, glm::dmat4(1)});
         if (model_.nodes.empty())
@@ -92,16 +89,16 @@ private:
                 add_mesh(static_cast<int>(i), glm::dmat4(1));
         std::vector<bool> seen(model_.nodes.size());
         while (!open.empty() && !failed_) {
-            const Place place = open.back();
+            const SceneNode next = open.back();
             open.pop_back();
-            const auto index = static_cast<size_t>(place.node);
-            if (place.node < 0 || index >= model_.nodes.size())
-                return error("there is no node " + std::to_string(place.node));
+            const auto index = static_cast<size_t>(next.node);
+            if (next.node < 0 || index >= model_.nodes.size())
+                return error("there is no node " + std::to_string(next.node));
             if (seen[index])
                 return error("node " + std::to_string(index) + " has two parents or is its own");
             seen[index] = true;
             const tinygltf::Node& node = model_.nodes[index];
-            const glm::dmat4 m = place.parent * matrix_of(node);
+            const glm::dmat4 m = next.parent * matrix_of(node);
             if (node.mesh >= 0) add_mesh(node.mesh, node.skin >= 0 ? glm::dmat4(1) : m);
             for (const int child : node.children)
                 open.push_back({child, m});
@@ -148,12 +145,12 @@ private:
 
     bool read_primitive(const tinygltf::Primitive& primitive, Mesh& part) {
         if (!has_triangles(primitive.mode)) return false;
-        const bool fine = read_vector(primitive, "POSITION", part.positions, 3) &&
-                          read_vector(primitive, "NORMAL", part.normals, 3) &&
-                          read_vector(primitive, "TANGENT", part.tangents, 4) &&
-                          read_vector(primitive, "COLOR_0", part.colors, 3) &&
-                          read_uvs(primitive, part);
-        if (!fine) return false;
+        const bool ok = read_vector(primitive, "POSITION", part.positions, 3) &&
+                        read_vector(primitive, "NORMAL", part.normals, 3) &&
+                        read_vector(primitive, "TANGENT", part.tangents, 4) &&
+                        read_vector(primitive, "COLOR_0", part.colors, 3) &&
+                        read_uvs(primitive, part);
+        if (!ok) return false;
         if (part.positions.empty()) return error("has no positions"), false;
         std::vector<uint32_t> order;
         if (!read_order(primitive, part.vertex_count(), order)) return false;
@@ -256,12 +253,7 @@ private:
     void warn(const std::string& message) { add(Severity::warning, message, ""); }
 
     void add(Severity severity, const std::string& message, const std::string& expected) {
-        Diagnostic problem;
-        problem.severity = severity;
-        problem.where.file = file_;
-        problem.message = where_ + message;
-        problem.expected = expected;
-        diagnostics_.add(std::move(problem));
+        diagnostics_.add(file_problem(severity, file_, where_ + message, expected));
     }
 
     const tinygltf::Model& model_;

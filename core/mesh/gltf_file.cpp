@@ -1,8 +1,7 @@
-#include "mesh/gltf_file.h"
-
-#include <cstring>
+#include "mesh/gltf_parts.h"
 
 #include "base/file.h"
+#include "base/file_problem.h"
 
 namespace wrinkle {
 namespace fs = std::filesystem;
@@ -68,19 +67,19 @@ struct FileGate {
     const fs::path folder;
     const fs::path root;
     uint64_t bytes_left;
-    std::vector<fs::path>* taken;
+    std::vector<fs::path>* files_read;
     std::string refused;  // the first problem, one sentence
 
-    bool is_picture(const fs::path& path) const {
+    bool is_image(const fs::path& path) const {
         const std::string type = path.extension().string();
-        for (const char* picture : {".png", ".jpg", ".jpeg", ".ktx2", ".webp", ".dds", ".basis"})
-            if (type == picture) return true;
+        for (const char* image : {".png", ".jpg", ".jpeg", ".ktx2", ".webp", ".dds", ".basis"})
+            if (type == image) return true;
         return false;
     }
 
     bool allows(const std::string& name) {
         const fs::path path(name);
-        if (is_picture(path)) return false;
+        if (is_image(path)) return false;
         if (inside(folder, path) || (!root.empty() && inside(root, path))) return true;
         if (refused.empty())
             refused = "names the external file '" + path.filename().string() +
@@ -99,7 +98,7 @@ struct FileGate {
         else if (const auto bytes = read_file(name, bytes_left, why)) {
             out.assign(bytes->begin(), bytes->end());
             bytes_left -= std::min<uint64_t>(bytes_left, bytes->size());
-            if (taken) taken->emplace_back(name);
+            if (files_read) files_read->emplace_back(name);
             return true;
         }
         if (refused.empty()) refused = "needs '" + name + "', which " + why;
@@ -146,18 +145,17 @@ bool parse(std::string_view bytes, FileGate& gate, tinygltf::Model& model, std::
     std::string error, ignored;
     const auto size = static_cast<unsigned int>(bytes.size());
     const std::string base = gate.folder.string();
-    bool fine = false;
+    bool ok = false;
     try {
-        fine =
-            bytes.starts_with("glTF")
-                ? library.LoadBinaryFromMemory(&model, &error, &ignored,
-                                               reinterpret_cast<const unsigned char*>(bytes.data()),
-                                               size, base)
-                : library.LoadASCIIFromString(&model, &error, &ignored, bytes.data(), size, base);
+        ok = bytes.starts_with("glTF")
+                 ? library.LoadBinaryFromMemory(
+                       &model, &error, &ignored,
+                       reinterpret_cast<const unsigned char*>(bytes.data()), size, base)
+                 : library.LoadASCIIFromString(&model, &error, &ignored, bytes.data(), size, base);
     } catch (const std::exception& problem) {
         error = problem.what();
     }
-    if (fine) return true;
+    if (ok) return true;
     why = !gate.refused.empty() ? gate.refused : "is no valid glTF: " + one_line(error);
     return false;
 }
@@ -173,15 +171,11 @@ bool read_gltf_file(std::string_view bytes, const fs::path& path, const MeshFile
     const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
     FileGate gate{folder, options.root, options.limits.max_bytes, options.read, ""};
     if (why.empty() && parse(bytes, gate, model, why)) return true;
-    Diagnostic problem;
-    problem.where.file = path.string();
-    problem.message = why;
-    problem.expected =
-        gate.refused.empty()
-            ? "a whole glTF 2.0 file; export it again"
-            : "external files stand below the mesh's folder, or --root names a folder "
-              "that holds them";
-    diagnostics.add(std::move(problem));
+    const char* expected = gate.refused.empty()
+                               ? "a whole glTF 2.0 file; export it again"
+                               : "external files stand below the mesh's folder, or --root names a "
+                                 "folder that holds them";
+    diagnostics.add(file_problem(Severity::error, path.string(), why, expected));
     return false;
 }
 

@@ -1,4 +1,4 @@
-#include "mesh/gltf_uv.h"
+#include "mesh/gltf_parts.h"
 
 #include <cmath>
 

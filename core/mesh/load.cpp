@@ -5,24 +5,19 @@
 #include <glm/geometric.hpp>
 
 #include "base/file.h"
-#include "mesh/gltf.h"
-#include "mesh/normals.h"
-#include "mesh/obj.h"
-#include "mesh/tangents.h"
+#include "base/file_problem.h"
+#include "mesh/readers.h"
+#include "mesh/vertex_frames.h"
 
 namespace wrinkle {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr float farthest = 1e15F;  // squares of coordinates fit into float
+constexpr float max_coordinate = 1e15F;  // squares of coordinates fit into float
 
-void error(const fs::path& path, std::string message, std::string expected,
+void error(const fs::path& path, const std::string& message, const std::string& expected,
            Diagnostics& diagnostics) {
-    Diagnostic problem;
-    problem.where.file = path.string();
-    problem.message = std::move(message);
-    problem.expected = std::move(expected);
-    diagnostics.add(std::move(problem));
+    diagnostics.add(file_problem(Severity::error, path.string(), message, expected));
 }
 
 template <typename T>
@@ -41,7 +36,7 @@ std::string problem_of(const Mesh& mesh) {
             return "a uv of set " + std::to_string(set) + " is no finite number";
     if (!all_finite(mesh.colors)) return "a colour is no finite number";
     for (const glm::vec3 p : mesh.positions)
-        if (std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}) > farthest)
+        if (std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}) > max_coordinate)
             return "a coordinate is beyond 1e15";
     for (size_t i = 0; i < mesh.indices.size(); i += 3) {
         const glm::dvec3 a = mesh.positions[mesh.indices[i]];

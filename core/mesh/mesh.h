@@ -17,6 +17,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <glm/fwd.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
@@ -54,5 +55,21 @@ Bounds bounds_of(const Mesh& mesh);  // box of the drawn positions of all triang
 
 // Appends a copy of vertex `index` with all attributes of the mesh; returns its index.
 uint32_t copy_vertex(Mesh& mesh, uint32_t index);
+
+// Transforms positions by M, normals by cof(M) times the sign of det(M), tangents by M. If M
+// mirrors, the corner order of triangles and tangent.w are reversed, so that the outside stays
+// outside. Normals and tangents that M maps to zero are unchanged.
+void transform(Mesh& mesh, const glm::dmat4& m);
+
+// Appends `part` to `mesh`. The result has every attribute that at least one of them has; vertices
+// that lack it get uv (0, 0), white, or a tangent perpendicular to their normal with w = 1.
+void append(Mesh& mesh, const Mesh& part);
+
+// Returns the mesh with smaller triangles and the same surface: every edge longer than `longest` is
+// split at its midpoint, repeatedly. Midpoint attributes are the mean of both ends; normals and
+// tangents are normalised. The split depends only on the two ends of an edge, so triangles that
+// share an edge or a uv seam still match. Facets stay flat. Stops before the mesh has more than
+// `max_triangles` triangles. longest <= 0 or NaN: returns the mesh unchanged.
+Mesh subdivided(Mesh mesh, float longest, size_t max_triangles = 1'000'000);
 
 }  // namespace wrinkle

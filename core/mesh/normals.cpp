@@ -1,4 +1,4 @@
-#include "mesh/normals.h"
+#include "mesh/vertex_frames.h"
 
 #include <algorithm>
 #include <cmath>

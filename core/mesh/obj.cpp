@@ -1,11 +1,11 @@
-#include "mesh/obj.h"
+#include "base/file_problem.h"
+#include "mesh/readers.h"
+#include "mesh/weld.h"
 
 #include <array>
 #include <charconv>
 #include <cmath>
 #include <unordered_map>
-
-#include "mesh/polygon.h"
 
 namespace wrinkle {
 namespace {
@@ -15,17 +15,6 @@ constexpr size_t max_problems = 20;  // a corrupt file has one in every line
 
 // A face corner: indices of position, uv and normal.
 using Corner = std::array<uint32_t, 3>;
-
-struct CornerHash {
-    size_t operator()(const Corner& corner) const {
-        uint64_t hash = 0;
-        for (const uint32_t index : corner) {
-            hash = (hash ^ index) * 0x9E3779B97F4A7C15;
-            hash ^= hash >> 29;
-        }
-        return hash;
-    }
-};
 
 class ObjReader {
 public:
@@ -85,7 +74,7 @@ private:
 
     // Reads up to N numbers and returns their count. Words after '#' are a comment.
     template <size_t N>
-    size_t read_numbers(std::string_view line, std::array<float, N>& values, size_t least,
+    size_t read_numbers(std::string_view line, std::array<float, N>& values, size_t min_count,
                         const char* statement) {
         size_t count = 0;
         for (std::string_view word = next_word(line); !word.empty() && word[0] != '#' && count < N;
@@ -104,9 +93,9 @@ private:
             }
             values[count++] = static_cast<float>(value);
         }
-        if (count < least)
+        if (count < min_count)
             error(line,
-                  std::to_string(count) + " numbers where at least " + std::to_string(least) +
+                  std::to_string(count) + " numbers where at least " + std::to_string(min_count) +
                       " belong",
                   statement);
         return count;
@@ -174,12 +163,12 @@ private:
     void read_face(std::string_view line) {
         const std::string_view whole = line;
         std::vector<uint32_t> corners;
-        std::vector<glm::vec3> places;
+        std::vector<glm::vec3> positions;
         for (std::string_view word = next_word(line); !word.empty() && word[0] != '#';
              word = next_word(line)) {
             Corner corner;
             if (!read_corner(word, corner)) return;
-            places.push_back(positions_[corner[0]]);
+            positions.push_back(positions_[corner[0]]);
             corners.push_back(vertex_of(corner));
         }
         if (corners.size() < 3)
@@ -191,7 +180,7 @@ private:
             problems_ = max_problems;
             return;
         }
-        append_triangles(places, corners, mesh_.indices);
+        append_triangles(positions, corners, mesh_.indices);
     }
 
     uint32_t vertex_of(const Corner& corner) {
@@ -224,12 +213,10 @@ private:
     }
 
     void error(std::string_view at, std::string message, std::string expected) {
-        Diagnostic problem;
-        problem.where.file = file_;
+        Diagnostic problem =
+            file_problem(Severity::error, file_, std::move(message), std::move(expected));
         problem.where.line = line_;
         problem.where.column = static_cast<uint32_t>(at.data() - begin_) + 1;
-        problem.message = std::move(message);
-        problem.expected = std::move(expected);
         diagnostics_.add(std::move(problem));
         ++problems_;
     }
@@ -246,7 +233,7 @@ private:
     std::vector<glm::vec4> colors_;
     bool any_color_ = false;
     std::vector<Corner> corners_;  // one per vertex of the mesh
-    std::unordered_map<Corner, uint32_t, CornerHash> vertices_;
+    std::unordered_map<Corner, uint32_t, ArrayHash<Corner>> vertices_;
     Mesh mesh_;
 };
 

@@ -1,4 +1,4 @@
-#include "mesh/polygon.h"
+#include "mesh/readers.h"
 
 #include <cmath>
 #include <glm/geometric.hpp>

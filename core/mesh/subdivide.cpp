@@ -1,8 +1,8 @@
-#include "mesh/subdivide.h"
-
 #include <algorithm>
 #include <glm/geometric.hpp>
 #include <unordered_map>
+
+#include "mesh/mesh.h"
 
 namespace wrinkle {
 namespace {
@@ -101,9 +101,9 @@ private:
 
 }  // namespace
 
-Mesh subdivided(Mesh mesh, float longest, size_t most) {
+Mesh subdivided(Mesh mesh, float longest, size_t max_triangles) {
     if (!(longest > 0)) return mesh;
-    while (mesh.triangle_count() * 4 <= most) {
+    while (mesh.triangle_count() * 4 <= max_triangles) {
         const size_t before = mesh.indices.size();
         mesh.indices = Pass(mesh, longest).run();
         if (mesh.indices.size() == before) break;

@@ -1,4 +1,4 @@
-#include "mesh/tangents.h"
+#include "mesh/vertex_frames.h"
 
 #include <algorithm>
 #include <array>
@@ -24,7 +24,7 @@ dvec3 in_plane(dvec3 v, dvec3 normal) {
 }
 
 struct Triangle {
-    std::array<uint32_t, 3> places;                          // welded corners
+    std::array<uint32_t, 3> vertices;                        // welded corners
     std::array<uint32_t, 3> across{absent, absent, absent};  // across the edge from corner k
     std::array<uint32_t, 3> groups{absent, absent, absent};
     dvec3 along_u{0};       // unit, or zero
@@ -35,14 +35,14 @@ struct Triangle {
 
 // The corners at one welded vertex that share a tangent.
 struct Group {
-    uint32_t place;
+    uint32_t vertex;
     float sign;
     std::vector<uint32_t> triangles;
 };
 
-size_t corner_at(const Triangle& triangle, uint32_t place) {
-    const auto* found = std::find(triangle.places.begin(), triangle.places.end(), place);
-    return static_cast<size_t>(found - triangle.places.begin());
+size_t corner_at(const Triangle& triangle, uint32_t vertex) {
+    const auto* found = std::find(triangle.vertices.begin(), triangle.vertices.end(), vertex);
+    return static_cast<size_t>(found - triangle.vertices.begin());
 }
 
 class TangentMaker {
@@ -66,7 +66,7 @@ private:
         for (size_t t = 0; t < triangles_.size(); ++t) {
             Triangle& triangle = triangles_[t];
             for (size_t k = 0; k < 3; ++k)
-                triangle.places[k] = welded_[mesh_.indices[3 * t + k]];
+                triangle.vertices[k] = welded_[mesh_.indices[3 * t + k]];
             const dvec3 p[3] = {position(triangle, 0), position(triangle, 1),
                                 position(triangle, 2)};
             triangle.is_point = p[0] == p[1] || p[1] == p[2] || p[2] == p[0];
@@ -75,11 +75,11 @@ private:
     }
 
     dvec3 position(const Triangle& triangle, size_t corner) const {
-        return mesh_.positions[triangle.places[corner]];
+        return mesh_.positions[triangle.vertices[corner]];
     }
 
     void orient(Triangle& triangle, dvec3 p1, dvec3 p2) const {
-        const auto uv = [&](size_t k) { return dvec2(mesh_.uvs[0][triangle.places[k]]); };
+        const auto uv = [&](size_t k) { return dvec2(mesh_.uvs[0][triangle.vertices[k]]); };
         const dvec2 d1 = uv(1) - uv(0);
         const dvec2 d2 = uv(2) - uv(0);
         const double area = d1.x * d2.y - d2.x * d1.y;
@@ -111,7 +111,7 @@ private:
     }
 
     uint32_t start(uint32_t triangle, uint32_t k) const {
-        return triangles_[triangle].places[k % 3];
+        return triangles_[triangle].vertices[k % 3];
     }
 
     // Links the i-th triangle that runs upwards along the edge to the i-th that runs downwards.
@@ -136,7 +136,7 @@ private:
             for (size_t k = 0; k < 3; ++k) {
                 const Triangle& triangle = triangles_[t];
                 if (triangle.is_point || triangle.joins || triangle.groups[k] != absent) continue;
-                groups_.push_back({triangle.places[k], triangle.sign, {}});
+                groups_.push_back({triangle.vertices[k], triangle.sign, {}});
                 grow(t);
             }
     }
@@ -151,7 +151,7 @@ private:
             open.pop_back();
             if (t == absent) continue;
             Triangle& triangle = triangles_[t];
-            const size_t k = corner_at(triangle, group.place);
+            const size_t k = corner_at(triangle, group.vertex);
             if (k == 3 || triangle.groups[k] != absent) continue;
             const bool is_free = triangle.groups == std::array{absent, absent, absent};
             if (triangle.joins && is_free) triangle.sign = group.sign;
@@ -163,12 +163,12 @@ private:
     }
 
     void average(const Group& group, std::vector<glm::vec4>& corners) const {
-        const dvec3 normal = unit_or_zero(mesh_.normals[group.place]);
+        const dvec3 normal = unit_or_zero(mesh_.normals[group.vertex]);
         dvec3 sum(0);
         for (const uint32_t t : group.triangles) {
             const Triangle& triangle = triangles_[t];
             if (triangle.joins) continue;
-            const size_t k = corner_at(triangle, group.place);
+            const size_t k = corner_at(triangle, group.vertex);
             const dvec3 at = position(triangle, k);
             const dvec3 a = in_plane(position(triangle, (k + 2) % 3) - at, normal);
             const dvec3 b = in_plane(position(triangle, (k + 1) % 3) - at, normal);
@@ -182,7 +182,7 @@ private:
             if (direction == dvec3(0)) direction = in_plane(triangles_[t].along_u, normal);
             const glm::vec3 tangent =
                 direction == dvec3(0) ? any_perpendicular(normal) : glm::vec3(direction);
-            corners[3 * t + corner_at(triangles_[t], group.place)] = {tangent, group.sign};
+            corners[3 * t + corner_at(triangles_[t], group.vertex)] = {tangent, group.sign};
         }
     }
 
@@ -190,16 +190,16 @@ private:
     void lend_to_points(std::vector<glm::vec4>& corners) const {
         std::vector<uint32_t> lender(mesh_.vertex_count(), absent);
         for (uint32_t i = 0; i < corners.size(); ++i) {
-            uint32_t& first = lender[triangles_[i / 3].places[i % 3]];
+            uint32_t& first = lender[triangles_[i / 3].vertices[i % 3]];
             if (first == absent && corners[i] != glm::vec4(0)) first = i;
         }
         for (uint32_t i = 0; i < corners.size(); ++i) {
-            const uint32_t place = triangles_[i / 3].places[i % 3];
+            const uint32_t vertex = triangles_[i / 3].vertices[i % 3];
             if (corners[i] != glm::vec4(0)) continue;
-            if (triangles_[i / 3].is_point && lender[place] != absent)
-                corners[i] = corners[lender[place]];
+            if (triangles_[i / 3].is_point && lender[vertex] != absent)
+                corners[i] = corners[lender[vertex]];
             else
-                corners[i] = glm::vec4(any_perpendicular(mesh_.normals[place]), 1);
+                corners[i] = glm::vec4(any_perpendicular(mesh_.normals[vertex]), 1);
         }
     }
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <unordered_map>
@@ -10,26 +9,14 @@
 namespace wrinkle {
 namespace {
 
-template <size_t N>
-struct KeyHash {
-    size_t operator()(const std::array<float, N>& key) const {
-        uint64_t hash = 0xCBF29CE484222325;
-        for (const float value : key) {
-            hash ^= std::bit_cast<uint32_t>(value);
-            hash *= 0x9E3779B97F4A7C15;
-            hash ^= hash >> 32;
-        }
-        return hash;
-    }
-};
-
 template <size_t N, typename KeyOf>
 std::vector<uint32_t> weld(size_t count, KeyOf key_of) {
-    std::unordered_map<std::array<float, N>, uint32_t, KeyHash<N>> first;
+    using Key = std::array<float, N>;
+    std::unordered_map<Key, uint32_t, ArrayHash<Key>> first;
     first.reserve(count);
     std::vector<uint32_t> result(count);
     for (uint32_t v = 0; v < count; ++v) {
-        std::array<float, N> key = key_of(v);
+        Key key = key_of(v);
         bool is_number = true;
         for (float& value : key) {
             is_number = is_number && !std::isnan(value);

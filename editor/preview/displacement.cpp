@@ -3,7 +3,7 @@
 #include <glm/geometric.hpp>
 
 #include "bake/displace.h"
-#include "mesh/subdivide.h"
+#include "mesh/mesh.h"
 
 namespace wrinkle::editor {
 

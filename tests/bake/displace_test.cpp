@@ -7,8 +7,8 @@
 #include <glm/geometric.hpp>
 
 #include "lower/material.h"
+#include "mesh/mesh.h"
 #include "mesh/shapes.h"
-#include "mesh/subdivide.h"
 #include "support/angle.h"
 #include "support/linked_nodes.h"
 

@@ -9,7 +9,7 @@
 #include "base/file.h"
 #include "json/parse.h"
 #include "mesh/load.h"
-#include "mesh/tangents.h"
+#include "mesh/vertex_frames.h"
 
 namespace wrinkle {
 namespace {

@@ -1,5 +1,3 @@
-#include "mesh/subdivide.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>

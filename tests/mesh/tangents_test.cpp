@@ -1,4 +1,4 @@
-#include "mesh/tangents.h"
+#include "mesh/vertex_frames.h"
 
 #include <gtest/gtest.h>
 

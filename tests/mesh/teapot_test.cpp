@@ -9,7 +9,7 @@
 
 #include "mesh/sample.h"
 #include "mesh/shapes.h"
-#include "mesh/tangents.h"
+#include "mesh/vertex_frames.h"
 
 namespace wrinkle {
 namespace {

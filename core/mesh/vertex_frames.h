@@ -1,5 +1,11 @@
-// Vertex tangents from uv0: MikkTSpace (Mikkelsen, "Simulation of Wrinkled Surfaces Revisited",
-// 2008, section 3; www.mikktspace.com), for triangles and with the default angular threshold of 180
+// Generates the vertex normals and tangents that a mesh lacks.
+//
+// Normals: that of a position is the mean of the face normals of all corners at that position,
+// weighted by corner angle, whichever vertices they belong to; uv seams are invisible. Faces
+// without area do not contribute. A vertex without a face with area gets +z.
+//
+// Tangents from uv0: MikkTSpace (Mikkelsen, "Simulation of Wrinkled Surfaces Revisited", 2008,
+// section 3; www.mikktspace.com), for triangles and with the default angular threshold of 180
 // degrees.
 //
 // Corners of equal position, normal and uv are welded. The tangent of a triangle is the direction
@@ -22,6 +28,10 @@
 #include "mesh/mesh.h"
 
 namespace wrinkle {
+
+// Generates missing normals, normalises all, and replaces those that are zero or not finite.
+// Returns the number of replaced normals.
+size_t complete_normals(Mesh& mesh);
 
 // Replaces the tangents. Returns false and does nothing if the mesh has no normals or no uv0.
 bool make_tangents(Mesh& mesh);
