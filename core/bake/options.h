@@ -11,7 +11,7 @@ namespace wrinkle {
 inline constexpr std::array<uint32_t, 4> bake_sample_counts = {1, 4, 16, 64};
 inline constexpr uint32_t max_baked_side = 65536;  // texels
 inline constexpr uint32_t max_bake_tile = 4096;    // side of tiles in files
-// File formats by extension; image/writable.h defines the types that each can store.
+// File formats by extension; image/formats.h defines the types that each can store.
 inline constexpr std::array bake_formats = {"png", "tif", "exr", "hdr"};
 
 struct BakeTuning {

@@ -7,7 +7,7 @@
 #include "cli/bake_run.h"
 #include "cli/interrupt.h"
 #include "cli/output.h"
-#include "image/writable.h"
+#include "image/formats.h"
 
 namespace wrinkle::cli {
 namespace fs = std::filesystem;

@@ -21,6 +21,9 @@ enum class PixelType : uint8_t { u8, u16, half, float32 };
 
 std::string_view name_of(PixelType type);  // "u8", "u16", "half", "float"
 size_t bytes_of(PixelType type);
+constexpr bool is_integer(PixelType type) {
+    return type == PixelType::u8 || type == PixelType::u16;
+}
 
 struct Image {
     uint32_t width = 0;

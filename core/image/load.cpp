@@ -4,12 +4,10 @@
 #include <cmath>
 #include <memory>
 #include <new>
-#include <utility>
 
-#include "image/format.h"
+#include "image/formats.h"
 #include "image/module.h"
 #include "image/stored.h"
-#include "image/writable.h"
 
 namespace wrinkle {
 namespace fs = std::filesystem;
@@ -31,23 +29,31 @@ struct Opened {
     Reader reader{nullptr, CloseReader{nullptr}};
 };
 
-void refuse_size(const fs::path& path, const std::string& what, uint64_t found, uint64_t limit,
-                 const char* variable, Diagnostics& diagnostics) {
-    diagnostics.error(quoted(path) + "has " + what + " " + std::to_string(found) +
-                          ", over the limit of " + std::to_string(limit),
-                      "a smaller image, or set " + std::string(variable) + "=" +
-                          std::to_string(found) + " to raise the limit");
+std::string raised(Limit limit, uint64_t value) {
+    return "or set " + std::string(row_of(limit).variable) + "=" + std::to_string(value) +
+           " to raise the limit";
 }
 
-void refuse_together(const fs::path& path, uint64_t found, uint64_t left,
-                     Diagnostics& diagnostics) {
+// Returns true if `found` is within the limit; else appends an error.
+bool check_size(const fs::path& path, const char* what, uint64_t found, uint64_t max, Limit limit,
+                Diagnostics& diagnostics) {
+    if (found <= max) return true;
+    diagnostics.error(quoted(path) + "has " + what + " " + std::to_string(found) +
+                          ", over the limit of " + std::to_string(max),
+                      "a smaller image, " + raised(limit, found));
+    return false;
+}
+
+bool check_size_together(const fs::path& path, uint64_t found, uint64_t left,
+                         Diagnostics& diagnostics) {
+    if (found <= left) return true;
     const uint64_t all = limit_of(Limit::all_images_bytes);
-    diagnostics.error(quoted(path) + "has a size in memory of " + std::to_string(found) +
-                          " with its mips, and of the limit of " + std::to_string(all) +
-                          " for all images of the graph " + std::to_string(left) + " are left",
-                      "fewer or smaller images, or set " +
-                          std::string(row_of(Limit::all_images_bytes).variable) + "=" +
-                          std::to_string(all - left + found) + " to raise the limit");
+    diagnostics.error(
+        quoted(path) + "has a size in memory of " + std::to_string(found) +
+            " with its mips, and of the limit of " + std::to_string(all) +
+            " for all images of the graph " + std::to_string(left) + " are left",
+        "fewer or smaller images, " + raised(Limit::all_images_bytes, all - left + found));
+    return false;
 }
 
 bool within_limits(const fs::path& path, const ImageInfo& info, const ImageLimits& limits,
@@ -57,23 +63,15 @@ bool within_limits(const fs::path& path, const ImageInfo& info, const ImageLimit
         return false;
     }
     const uint64_t pixels = uint64_t{info.width} * info.height;
-    const uint64_t bytes = pixels * info.channels * sizeof(float);
-    const char* side = "WRINKLE_IMAGE_MAX_SIDE";
-    if (info.width > limits.max_side)
-        refuse_size(path, "width", info.width, limits.max_side, side, diagnostics);
-    else if (info.height > limits.max_side)
-        refuse_size(path, "height", info.height, limits.max_side, side, diagnostics);
-    else if (pixels > limits.max_pixels)
-        refuse_size(path, "a pixel count of", pixels, limits.max_pixels, "WRINKLE_IMAGE_MAX_PIXELS",
-                    diagnostics);
-    else if (bytes > limits.max_bytes)
-        refuse_size(path, "a size in memory of", bytes, limits.max_bytes, "WRINKLE_IMAGE_MAX_BYTES",
-                    diagnostics);
-    else if (bytes_with_mips(info) > limits.left_bytes)
-        refuse_together(path, bytes_with_mips(info), limits.left_bytes, diagnostics);
-    else
-        return true;
-    return false;
+    const auto check = [&](const char* what, uint64_t found, uint64_t max, Limit limit) {
+        return check_size(path, what, found, max, limit, diagnostics);
+    };
+    return check("width", info.width, limits.max_side, Limit::image_side) &&
+           check("height", info.height, limits.max_side, Limit::image_side) &&
+           check("a pixel count of", pixels, limits.max_pixels, Limit::image_pixels) &&
+           check("a size in memory of", pixels * info.channels * sizeof(float), limits.max_bytes,
+                 Limit::image_bytes) &&
+           check_size_together(path, bytes_with_mips(info), limits.left_bytes, diagnostics);
 }
 
 uint32_t side_of(const ImageLimits& limits) {
@@ -114,12 +112,13 @@ struct NonFinite {
 };
 
 // Rows arrive from the top, so the last row with a non-finite value contains the first one.
-void note_non_finite(const ImageInfo& info, uint32_t y, const float* row, NonFinite& found) {
+void note_non_finite(const ImageInfo& info, uint32_t y, const std::vector<float>& row,
+                     NonFinite& found) {
     const auto is_bad = [](float value) { return !std::isfinite(value); };
-    const float* end = row + size_t{info.width} * info.channels;
-    const auto count = std::count_if(row, end, is_bad);
+    const auto count = std::count_if(row.begin(), row.end(), is_bad);
     if (count == 0) return;
-    const auto first = static_cast<size_t>(std::find_if(row, end, is_bad) - row);
+    const auto first =
+        static_cast<size_t>(std::find_if(row.begin(), row.end(), is_bad) - row.begin());
     found = {found.count + static_cast<size_t>(count), first / info.channels, y};
 }
 
@@ -134,22 +133,14 @@ void warn_of_non_finite(const fs::path& path, const NonFinite& found, Diagnostic
     diagnostics.add(std::move(warning));
 }
 
-// Destination of row y from the bottom, and a callback after it is decoded; return false to stop.
-struct RowsTaker {
-    std::function<float*(uint32_t y)> place;
-    std::function<bool(uint32_t y)> taken;
-};
-
-// Decodes in bands, so that a row is still in the cache when it is converted. The file's first row
-// is the top one.
-bool decode(const fs::path& path, const Opened& opened, const RowsTaker& rows,
+// Decodes in bands, so that a row is still in the cache when it is converted.
+bool decode(const fs::path& path, const Opened& opened, const ImageRowSink& take,
             Diagnostics& diagnostics) {
     const ImageInfo& info = opened.info;
     const WrinkleImageModule* module = opened.reader.get_deleter().module;
     const uint32_t band = module->band(opened.reader.get());
-    const size_t values = size_t{info.width} * info.channels;
-    const size_t stride = values * bytes_of(info.source);
-    const bool any_number = info.source == PixelType::half || info.source == PixelType::float32;
+    std::vector<float> row(size_t{info.width} * info.channels);
+    const size_t stride = row.size() * bytes_of(info.source);
     std::vector<std::byte> stored(std::min(band, info.height) * stride);
     NonFinite non_finite;
     for (uint32_t top = 0; top < info.height; top += band) {
@@ -161,49 +152,14 @@ bool decode(const fs::path& path, const Opened& opened, const RowsTaker& rows,
             return false;
         }
         for (uint32_t i = 0; i < count; ++i) {
-            const uint32_t y = info.height - 1 - top - i;
-            float* row = rows.place(y);
-            values_from(info.source, stored.data() + i * stride, {row, values});
-            if (any_number) note_non_finite(info, y, row, non_finite);
-            if (!rows.taken(y)) return false;
+            values_from(info.source, stored.data() + i * stride, row);
+            if (!is_integer(info.source))
+                note_non_finite(info, info.height - 1 - top - i, row, non_finite);
+            if (!take(info, row.data())) return false;
         }
     }
     if (non_finite.count > 0) warn_of_non_finite(path, non_finite, diagnostics);
     return true;
-}
-
-std::optional<Image> decode_whole(const fs::path& path, const Opened& opened,
-                                  Diagnostics& diagnostics) {
-    const ImageInfo& info = opened.info;
-    Image image = make_image(info.width, info.height, info.channels, info.source);
-    image.has_alpha = info.has_alpha;
-    const RowsTaker rows = {[&](uint32_t y) { return image.texel(0, y); },
-                            [](uint32_t) { return true; }};
-    if (!decode(path, opened, rows, diagnostics)) return {};
-    return image;
-}
-
-std::optional<ImageInfo> decode_rows(const fs::path& path, const Opened& opened,
-                                     const ImageRowSink& take, Diagnostics& diagnostics) {
-    std::vector<float> row(size_t{opened.info.width} * opened.info.channels);
-    const RowsTaker rows = {[&](uint32_t) { return row.data(); },
-                            [&](uint32_t) { return take(opened.info, row.data()); }};
-    if (!decode(path, opened, rows, diagnostics)) return {};
-    return opened.info;
-}
-
-// Returns the result of `read` on the opened file; empty on failure.
-template <class Read>
-auto opened_and(const fs::path& path, const ImageLimits& limits, Diagnostics& diagnostics,
-                Read read) -> decltype(read(std::declval<const Opened&>())) {
-    try {
-        const Opened opened = open_within(path, limits, diagnostics);
-        if (!opened.reader) return {};
-        return read(opened);
-    } catch (const std::bad_alloc&) {
-        diagnostics.error(quoted(path) + "does not fit into memory", "a smaller image");
-        return {};
-    }
 }
 
 // Returns std::nullopt if the environment holds an invalid limit.
@@ -215,6 +171,11 @@ std::optional<ImageLimits> usual_limits(Diagnostics& diagnostics) {
 }
 
 }  // namespace
+
+ImageLimits image_limits_from_environment(Diagnostics& diagnostics) {
+    report_limits(diagnostics);
+    return {};
+}
 
 uint64_t bytes_with_mips(const ImageInfo& info) {
     const uint64_t pixels = uint64_t{info.width} * info.height;
@@ -246,9 +207,19 @@ std::optional<float> read_image_number(const fs::path& path, const std::string& 
 
 std::optional<Image> load_image(const fs::path& path, const ImageLimits& limits,
                                 Diagnostics& diagnostics) {
-    return opened_and(path, limits, diagnostics, [&](const Opened& opened) {
-        return decode_whole(path, opened, diagnostics);
-    });
+    Image image;
+    uint32_t rows_left = 0;
+    const auto take = [&](const ImageInfo& info, const float* row) {
+        if (image.empty()) {
+            image = make_image(info.width, info.height, info.channels, info.source);
+            image.has_alpha = info.has_alpha;
+            rows_left = info.height;
+        }
+        std::copy_n(row, size_t{info.width} * info.channels, image.texel(0, --rows_left));
+        return true;
+    };
+    if (!read_image_rows(path, limits, take, diagnostics)) return {};
+    return image;
 }
 
 std::optional<Image> load_image(const fs::path& path, Diagnostics& diagnostics) {
@@ -258,9 +229,14 @@ std::optional<Image> load_image(const fs::path& path, Diagnostics& diagnostics) 
 
 std::optional<ImageInfo> read_image_rows(const fs::path& path, const ImageLimits& limits,
                                          const ImageRowSink& take, Diagnostics& diagnostics) {
-    return opened_and(path, limits, diagnostics, [&](const Opened& opened) {
-        return decode_rows(path, opened, take, diagnostics);
-    });
+    try {
+        const Opened opened = open_within(path, limits, diagnostics);
+        if (!opened.reader || !decode(path, opened, take, diagnostics)) return {};
+        return opened.info;
+    } catch (const std::bad_alloc&) {
+        diagnostics.error(quoted(path) + "does not fit into memory", "a smaller image");
+        return {};
+    }
 }
 
 std::optional<ImageInfo> read_image_rows(const fs::path& path, const ImageRowSink& take,

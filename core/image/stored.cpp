@@ -1,10 +1,11 @@
 #include "image/stored.h"
 
-#include <algorithm>
-#include <cstdint>
-#include <cstring>
+// Without its table of all values, which is in a library.
+#define IMATH_HALF_NO_LOOKUP_TABLE
+#include <Imath/half.h>
 
-#include "image/half.h"
+#include <algorithm>
+#include <cstring>
 
 namespace wrinkle {
 
@@ -35,6 +36,14 @@ void convert_each(const std::byte* in, std::span<float> out, Convert convert) {
 }
 
 }  // namespace
+
+uint16_t half_from_float(float value) {
+    return imath_float_to_half(value);
+}
+
+float float_from_half(uint16_t bits) {
+    return imath_half_to_float(bits);
+}
 
 void store_values(PixelType type, std::span<const float> values, std::byte* out) {
     switch (type) {

@@ -5,10 +5,10 @@
 #include <utility>
 
 #include "base/file.h"
+#include "image/formats.h"
 #include "image/mips.h"
 #include "image/module.h"
 #include "image/stored.h"
-#include "image/writable.h"
 
 namespace wrinkle {
 namespace fs = std::filesystem;
@@ -140,11 +140,6 @@ std::vector<std::string> channel_names(uint32_t channels, bool has_alpha) {
     if (channels == 2 && has_alpha) return {"Y", "A"};
     const std::vector<std::string> all = {"R", "G", "B", "A"};
     return {all.begin(), all.begin() + std::min(channels, 4u)};
-}
-
-bool keeps_numbers(const fs::path& path) {
-    const Writable* format = format_to_write(path);
-    return format && format->numbers;
 }
 
 std::optional<ImageWriter> ImageWriter::open(const fs::path& path, const WriterOptions& options,

@@ -61,9 +61,6 @@ struct WriterOptions {
 // Returns Y, YA or RG, RGB, RGBA.
 std::vector<std::string> channel_names(uint32_t channels, bool has_alpha);
 
-// Returns true if files with this extension can store ImageNumbers.
-bool keeps_numbers(const std::filesystem::path& path);
-
 class ImageWriter {
 public:
     static std::optional<ImageWriter> open(const std::filesystem::path& path,

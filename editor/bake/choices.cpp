@@ -7,7 +7,7 @@
 #include "bake/map_files.h"
 #include "bake/maps.h"
 #include "base/text.h"
-#include "image/writable.h"
+#include "image/formats.h"
 
 namespace wrinkle::editor {
 namespace fs = std::filesystem;

@@ -1,6 +1,6 @@
 // Tests of half floats against the definition of the format with ldexp and a search for the nearest
 // value.
-#include "image/half.h"
+#include "image/stored.h"
 
 #include <gtest/gtest.h>
 

@@ -6,7 +6,7 @@
 #include <cstring>
 #include <thread>
 
-#include "image/half.h"
+#include "image/stored.h"
 #include "support.h"
 
 namespace wrinkle::test {

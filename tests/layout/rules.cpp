@@ -52,6 +52,7 @@ const std::map<std::string, std::string, std::less<>> library_of_folder = {
     {"nlohmann", "nlohmann"},
     {"OpenImageIO", "oiio"},
     {"OpenEXR", "openexr"},
+    {"Imath", "openexr"},
     {"glm", "glm"},
     {"epoxy", "gl"},
     {"GL", "gl"},

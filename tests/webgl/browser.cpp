@@ -6,7 +6,7 @@
 #include <sstream>
 
 #include "base/text.h"
-#include "image/half.h"
+#include "image/stored.h"
 #include "webgl/pass.h"
 
 namespace wrinkle::test {

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "image/half.h"
+#include "image/stored.h"
 
 namespace wrinkle::test {
 namespace {

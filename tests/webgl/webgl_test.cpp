@@ -56,12 +56,12 @@ std::vector<uint8_t> drawn(const Shader& shader, size_t output) {
     EXPECT_TRUE(target);
     if (!program || !target) return {};
     program->use();
-    std::vector<gpu::Lookup> lookups;
+    std::vector<gpu::Sampler> samplers;
     for (const SamplerInfo& sampler : shader.reflection.samplers) {
-        const auto unit = static_cast<int>(lookups.size());
-        lookups.emplace_back(sampler.options.wrap, sampler.options.filter);
+        const auto unit = static_cast<int>(samplers.size());
+        samplers.emplace_back(sampler.options.wrap, sampler.options.filter);
         picture.bind(unit);
-        lookups.back().bind(unit);
+        samplers.back().bind(unit);
         program->set(sampler.name.c_str(), unit);
     }
     GLuint empty = 0;

@@ -14,10 +14,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
-#include <span>
 #include <vector>
 
-#include "image/oiio/exr_chunk.h"
 #include "image/oiio/image_module.h"
 #include "image/oiio/output_file.h"
 
@@ -45,25 +43,25 @@ private:
     struct Slot {                                      // a chunk being encoded
         uint32_t x = 0, y = 0, width = 0, height = 0;  // in texels of its level
         const std::byte* texels = nullptr;
-        std::vector<std::byte> packed, compressed;
-        std::span<const std::byte> stored;  // `packed` or `compressed`
+        std::vector<std::byte> stored;
     };
     struct FinishContext {
         void operator()(exr_context_t context) const;
     };
 
+    size_t texel_bytes() const { return order_.size() * value_bytes_; }
     void declare(const WrinkleImageWrite& what);
     void declare_channels(const WrinkleImageWrite& what);
     void sort_channels(const WrinkleImageWrite& what);
-    void place(const Rows& rows, uint32_t index, Slot& slot) const;
-    void make(const Rows& rows, Slot& slot) const;
+    void locate(const Rows& rows, uint32_t index, Slot& slot) const;
     void encode(const Rows& rows, Slot& slot) const;
     void put(const Rows& rows, const Slot& slot);
     void put_all(const Rows& rows);
 
     std::unique_ptr<_priv_exr_context_t, FinishContext> context_;
     exr_compression_t compression_ = EXR_COMPRESSION_NONE;
-    ChunkLayout layout_;
+    std::vector<uint32_t> order_;  // the caller's channels in the file's order
+    size_t value_bytes_ = 0;       // 2 or 4
     uint32_t width_ = 0, height_ = 0;
     uint32_t tile_ = 0;            // 0: scan lines
     uint32_t rows_per_chunk_ = 0;  // except in the last chunk

@@ -1,5 +1,5 @@
-// Helpers of the module's functions: exceptions converted to messages in the caller's buffer, the
-// settings of OpenImageIO, and its types in the order of PixelType.
+// Helpers of the module's functions: exceptions converted to messages in the caller's buffer, no
+// output of libraries, the settings of OpenImageIO, and its types in the order of PixelType.
 #pragma once
 
 #include <OpenImageIO/imageio.h>
@@ -10,7 +10,6 @@
 #include <string>
 
 #include "image/oiio/image_module.h"
-#include "image/oiio/quiet.h"
 
 namespace wrinkle::oiio {
 
@@ -22,7 +21,19 @@ struct Failure : std::runtime_error {
 };
 
 std::string sentence(std::string text);  // one line: OpenImageIO's messages may have several
-void tell(WrinkleImageText why, const std::string& text);
+void set_text(WrinkleImageText why, const std::string& text);
+
+// Suppresses a thread's output to the C stream `stderr` during its lifetime; the output of other
+// threads is not affected. Required for libpng, which prints errors that OpenImageIO reports anyway
+// and has no option against it. libpng also returns from errors by longjmp, which leaks temporaries
+// of OpenImageIO, so the thread's allocations are exempt from leak checking meanwhile.
+class Quiet {
+public:
+    Quiet();
+    ~Quiet();
+    Quiet(const Quiet&) = delete;
+    Quiet& operator=(const Quiet&) = delete;
+};
 
 // Runs `work`; neither exceptions nor output that a library prints leave the module.
 template <typename Work>
@@ -31,9 +42,9 @@ auto guarded(WrinkleImageText why, Work work) -> decltype(work()) {
     try {
         return work();
     } catch (const std::exception& error) {
-        tell(why, sentence(error.what()));
+        set_text(why, sentence(error.what()));
     } catch (...) {
-        tell(why, "an unknown failure in a library");
+        set_text(why, "an unknown failure in a library");
     }
     return {};
 }

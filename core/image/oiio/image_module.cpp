@@ -72,8 +72,8 @@ WrinkleImageHeader header_of(const ImageSpec& spec, int channels) {
     header.height = static_cast<uint32_t>(std::max(spec.height, 0));
     header.channels = static_cast<uint32_t>(channels);
     header.has_alpha = channels == 4 || (spec.alpha_channel == 1 && channels == 2);
-    const auto place = std::find(types.begin(), types.end(), readable_type(spec));
-    header.type = static_cast<uint32_t>(place - types.begin());
+    const auto found = std::find(types.begin(), types.end(), readable_type(spec));
+    header.type = static_cast<uint32_t>(found - types.begin());
     return header;
 }
 

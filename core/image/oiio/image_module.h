@@ -36,7 +36,7 @@ typedef struct WrinkleImageNumber {
 
 typedef struct WrinkleImageWrite {
     const char* format;        /* "png", "jpeg", "tiff", "openexr", "hdr" */
-    const char* compression;   /* as in writable.cpp, "" if the format has no choice */
+    const char* compression;   /* as in formats.cpp, "" if the format has no choice */
     int32_t quality;           /* jpeg only */
     WrinkleImageHeader header; /* any number of channels */
     const char* const* channel_names;

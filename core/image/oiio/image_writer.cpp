@@ -156,16 +156,11 @@ int32_t write_rows(WrinkleImageWriter* writer, uint32_t level, const void* pixel
 int32_t end_image(WrinkleImageWriter* writer, WrinkleImageText why) {
     const std::unique_ptr<WrinkleImageWriter> owned(writer);
     return guarded(why, [&]() -> int32_t {
-        if (owned->exr) {
-            with_reason(*owned, [&] {
-                owned->exr->close();
-                owned->file.close();
-            });
-            return 1;
-        }
-        const bool closed = owned->output->close();
+        if (owned->exr) with_reason(*owned, [&] { owned->exr->close(); });
+        const bool closed = owned->exr || owned->output->close();
         owned->file.close();
-        if (!closed || !owned->file.failure().empty()) fail(*owned, owned->output->geterror());
+        if (!closed) fail(*owned, owned->output->geterror());
+        if (!owned->file.failure().empty()) fail(*owned, "");
         return 1;
     });
 }
@@ -185,11 +180,11 @@ bool find_number(const ImageSpec& spec, const char* name, float& value) {
     }
     const std::string text = " " + std::string(spec.get_string_attribute(description));
     const std::string key = " " + std::string(name) + "=";
-    const size_t place = text.find(key);
-    if (place == text.npos) return false;
+    const size_t found = text.find(key);
+    if (found == text.npos) return false;
     char* end = nullptr;
-    value = std::strtof(text.c_str() + place + key.size(), &end);
-    return end != text.c_str() + place + key.size();
+    value = std::strtof(text.c_str() + found + key.size(), &end);
+    return end != text.c_str() + found + key.size();
 }
 
 }  // namespace wrinkle::oiio

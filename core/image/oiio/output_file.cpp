@@ -1,25 +1,14 @@
 #include "image/oiio/output_file.h"
 
-#include <fcntl.h>
-#include <sys/uio.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <utility>
 
 namespace wrinkle::oiio {
 
-namespace {
-
-constexpr size_t gather_limit = size_t{1} << 20;
-constexpr size_t large = size_t{1} << 15;  // written without a copy
-
-}  // namespace
-
-OutputFile::OutputFile(const char* path)
-    : IOProxy(path, Write), handle_(::open(path, O_RDWR | O_CREAT | O_TRUNC | O_CLOEXEC, 0666)) {
-    if (handle_ < 0) error_ = errno;
+OutputFile::OutputFile(const char* path) : IOProxy(path, Write), file_(std::fopen(path, "w+be")) {
+    if (note(file_ != nullptr)) std::setvbuf(file_, nullptr, _IOFBF, size_t{1} << 20);
 }
 
 OutputFile::~OutputFile() {
@@ -27,39 +16,21 @@ OutputFile::~OutputFile() {
 }
 
 void OutputFile::close() {
-    if (handle_ < 0) return;
-    drain();
-    if (::close(handle_) != 0 && error_ == 0) error_ = errno;
-    handle_ = -1;
+    if (!file_) return;
+    note(std::fclose(std::exchange(file_, nullptr)) == 0);
     m_mode = Closed;
 }
 
-// Writes the buffered bytes and, after them, `bytes`.
-bool OutputFile::put(const char* bytes, size_t size) const {
-    iovec parts[] = {{gathered_.data(), gathered_.size()}, {const_cast<char*>(bytes), size}};
-    int64_t offset = gathered_at_;
-    while (parts[0].iov_len + parts[1].iov_len > 0 && error_ == 0) {
-        const ssize_t count = ::pwritev(handle_, parts, 2, offset);
-        if (count < 0 && errno == EINTR) continue;
-        if (count <= 0) {
-            error_ = count < 0 ? errno : ENOSPC;
-            break;
-        }
-        offset += count;
-        auto left = static_cast<size_t>(count);
-        for (iovec& part : parts) {
-            const size_t taken = std::min(left, part.iov_len);
-            part.iov_base = static_cast<char*>(part.iov_base) + taken;
-            part.iov_len -= taken;
-            left -= taken;
-        }
-    }
-    gathered_.clear();
-    return error_ == 0;
+// Stores the system's error if `ok` is false and there is none yet; returns `ok`.
+bool OutputFile::note(bool ok) const {
+    if (!ok && error_ == 0) error_ = errno;
+    return ok;
 }
 
-bool OutputFile::drain() const {
-    return put(nullptr, 0);
+// A seek empties the buffer, so it is left out between writes of adjacent bytes.
+bool OutputFile::move_to(int64_t offset) {
+    if (std::exchange(next_write_, -1) == offset) return true;
+    return note(::fseeko(file_, offset, SEEK_SET) == 0);
 }
 
 bool OutputFile::seek(int64_t offset) {
@@ -80,22 +51,18 @@ size_t OutputFile::write(const void* bytes, size_t size) {
 }
 
 size_t OutputFile::pread(void* bytes, size_t size, int64_t offset) {
-    if (!drain()) return 0;
-    const ssize_t count = ::pread(handle_, bytes, size, offset);
-    return count < 0 ? 0 : static_cast<size_t>(count);
+    next_write_ = -1;
+    if (error_ != 0 || !file_ || !move_to(offset)) return 0;
+    return std::fread(bytes, 1, size, file_);
 }
 
 size_t OutputFile::pwrite(const void* bytes, size_t size, int64_t offset) {
-    if (error_ != 0 || handle_ < 0) return 0;
-    const bool follows =
-        !gathered_.empty() && offset == gathered_at_ + static_cast<int64_t>(gathered_.size());
-    if (!follows && !drain()) return 0;
-    const char* first = static_cast<const char*>(bytes);
-    end_ = std::max(end_, offset + static_cast<int64_t>(size));
-    if (gathered_.empty()) gathered_at_ = offset;
-    if (size >= large || gathered_.size() + size > gather_limit) return put(first, size) ? size : 0;
-    gathered_.insert(gathered_.end(), first, first + size);
-    return size;
+    if (error_ != 0 || !file_ || !move_to(offset)) return 0;
+    const size_t count = std::fwrite(bytes, 1, size, file_);
+    if (!note(count == size)) return count;
+    next_write_ = offset + static_cast<int64_t>(count);
+    end_ = std::max(end_, next_write_);
+    return count;
 }
 
 size_t OutputFile::size() const {
@@ -103,7 +70,7 @@ size_t OutputFile::size() const {
 }
 
 void OutputFile::flush() const {
-    drain();
+    if (file_) note(std::fflush(file_) == 0);
 }
 
 std::string OutputFile::failure() const {

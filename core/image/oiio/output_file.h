@@ -1,12 +1,12 @@
-// Output file of a writer. OpenImageIO does not report every failed write, and never the reason;
-// this class stores the first system error. Small writes are buffered. OpenEXR's own library writes
-// only through pwrite().
+// Output file of a writer. OpenImageIO's own proxy (IOFile) does not serve: OpenImageIO does not
+// report every failed write, and never the reason; this class stores the first system error.
+// OpenEXR's own library writes only through pwrite().
 #pragma once
 
 #include <OpenImageIO/filesystem.h>
 
+#include <cstdio>
 #include <string>
-#include <vector>
 
 namespace wrinkle::oiio {
 
@@ -31,14 +31,13 @@ public:
     std::string failure() const;
 
 private:
-    bool put(const char* bytes, size_t size) const;
-    bool drain() const;
+    bool note(bool ok) const;
+    bool move_to(int64_t offset);
 
-    int handle_ = -1;
+    std::FILE* file_ = nullptr;
     mutable int error_ = 0;
-    mutable std::vector<char> gathered_;
-    mutable int64_t gathered_at_ = 0;
-    mutable int64_t end_ = 0;
+    int64_t next_write_ = -1;  // position of the stream after a write; -1 if unknown
+    int64_t end_ = 0;
 };
 
 }  // namespace wrinkle::oiio

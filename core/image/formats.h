@@ -1,4 +1,8 @@
-// Capabilities of each writable image format.
+// Image formats: detection of a file's format by its first bytes, and capabilities of each writable
+// format.
+//
+// The detection is written by hand because OpenImageIO, which could do it, tries all of its plugins
+// on an unknown file; only the few that are tested with damaged files may see one.
 #pragma once
 
 #include <filesystem>
@@ -8,6 +12,18 @@
 #include "image/writer.h"
 
 namespace wrinkle {
+
+struct ImageFormat {
+    std::string name;    // "png", "jpeg", "tiff", "exr", "hdr", "pnm"; "" when none is recognised
+    std::string plugin;  // OpenImageIO's name
+};
+
+// Returns an empty format and the reason in `why` if the file is unreadable, empty or not an image
+// of a known format.
+ImageFormat sniff_format(const std::filesystem::path& path, std::string& why);
+
+inline constexpr const char* readable_formats =
+    "a PNG, JPEG, TIFF, OpenEXR, Radiance HDR, PFM or PNM file";
 
 // Lists are words separated by spaces.
 struct Writable {
