@@ -47,8 +47,7 @@ Range range_of(const Rows& rows, const Target& target) {
 
 // Encoding of integer files: slopes symmetric about 0, heights from the lowest to the highest.
 Stored stored_of(const Rows& rows, const Target& target) {
-    const bool integers = target.type == PixelType::u8 || target.type == PixelType::u16;
-    if (!integers || target.kind == Kind::normal) return {};
+    if (!is_integer(target.type) || target.kind == Kind::normal) return {};
     const Range range = range_of(rows, target);
     if (range.low > range.high) return {};
     if (target.kind == Kind::height)
@@ -59,7 +58,7 @@ Stored stored_of(const Rows& rows, const Target& target) {
 }
 
 std::vector<ImageNumber> numbers_of(const Target& target, const Stored& stored) {
-    if (target.type != PixelType::u8 && target.type != PixelType::u16) return {};
+    if (!is_integer(target.type)) return {};
     if (target.kind == Kind::derivative || target.kind == Kind::moments)
         return {{scale_name, stored.scale / 2}};
     if (target.kind == Kind::height)
@@ -97,10 +96,7 @@ Image solved(const Rows& rows) {
         du[i] *= source.texel_width;
         dv[i] *= source.texel_height;
     }
-    Image image;
-    image.width = width;
-    image.height = height;
-    image.channels = 1;
+    Image image = make_image(width, height, 1);
     image.data = height_of_slopes(std::move(du), std::move(dv), width, height, source.wrap);
     return image;
 }

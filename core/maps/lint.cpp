@@ -57,10 +57,6 @@ std::string text(const char* format, Values... values) {
     return buffer;
 }
 
-bool is_integer(const ImageInfo& info) {
-    return info.source == PixelType::u8 || info.source == PixelType::u16;
-}
-
 bool is_normal(Look look) {
     return look == Look::normal || look == Look::normal_gl || look == Look::normal_dx;
 }
@@ -189,7 +185,7 @@ private:
     }
 
     void check_steps() {
-        if (!is_integer(info_)) return;
+        if (!is_integer(info_.source)) return;
         const uint32_t last = verdict_.look == Look::height ? 1 : 2;
         for (uint32_t channel = 0; channel < last; ++channel) {
             const StepMeasures steps = measured_.steps(channel);
@@ -226,7 +222,7 @@ private:
             const SeamMeasures seam = measured_.seam(channels, across_u);
             const MapDefect flaw = across_u ? MapDefect::seam_u : MapDefect::seam_v;
             measure(name_of(flaw).data(), seam.inside > 0 ? seam.border / seam.inside : 0);
-            const double least = is_integer(info_) ? u8_step : 0;
+            const double least = is_integer(info_.source) ? u8_step : 0;
             if (seam.border <= seam_factor * seam.inside || seam.border <= least) continue;
             if (!verdict_.measure("background")) {
                 measure("background", islands.background);

@@ -106,7 +106,7 @@ void Rows::decode(uint32_t y, float* du, float* dv) const {
     const uint32_t channels = image.channels - (image.has_alpha ? 1 : 0);
     const float* texel = image.texel(0, y);
     const bool normal = source_.kind == Kind::normal;
-    const bool integers = image.source == PixelType::u8 || image.source == PixelType::u16;
+    const bool integers = is_integer(image.source);
     const float scale = integers ? source_.stored_scale : 0.5f, middle = integers ? 1.0f : 0.0f;
     const bool uv = source_.per == Per::uv && !normal;
     const float across = source_.factor / (uv ? static_cast<float>(width()) : 1);

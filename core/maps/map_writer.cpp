@@ -1,7 +1,6 @@
 #include "maps/map_writer.h"
 
 #include <tbb/parallel_for.h>
-#include <tbb/task_group.h>
 
 #include <algorithm>
 
@@ -34,8 +33,7 @@ MapWriter::MapWriter(const Rows& rows, const Target& target, const Stored& store
       stored_(stored),
       writer_(writer),
       means_(mean_channels(target.kind)),
-      channels_(channels),
-      plain_(is_plain(target, channels_)) {
+      channels_(channels) {
     uint32_t width = rows.width(), height = rows.height();
     for (uint32_t i = 0; i < writer.levels(); ++i) {
         levels_.push_back({width, height});
@@ -45,110 +43,82 @@ MapWriter::MapWriter(const Rows& rows, const Target& target, const Stored& store
 }
 
 bool MapWriter::write(Diagnostics& diagnostics) {
-    tbb::task_group writing;
-    bool written = true;
-    for (uint32_t turn = 0; levels_[0].made < rows_.height(); turn ^= 1) {
-        make(turn);
-        writing.wait();
-        if (!written) return false;
-        writing.run([&, turn] { written = put(turn, diagnostics); });
+    while (levels_[0].made < rows_.height()) {
+        for (uint32_t i = 0; i < levels_.size(); ++i) {
+            const uint32_t count = i == 0 ? make_first() : make_next(levels_[i - 1], levels_[i]);
+            if (!put(i, count, diagnostics)) return false;
+        }
+        for (uint32_t i = 0; i < levels_.size(); ++i)
+            drop_unneeded(i);
     }
-    writing.wait();
-    return written && writer_.finish(diagnostics);
+    return writer_.finish(diagnostics);
 }
 
-void MapWriter::make(uint32_t turn) {
-    make_first(turn);
-    for (size_t i = 1; i < levels_.size(); ++i)
-        make_next(levels_[i - 1], levels_[i], turn);
-}
-
-// Allocates `count` new rows after a copy of the last `kept` rows of the previous band.
-void MapWriter::begin(Level& level, uint32_t kept, uint32_t count, uint32_t turn) const {
-    Band &band = level.bands[turn], &before = level.bands[turn ^ 1];
-    const size_t row = size_t{level.width} * means_;
-    band.kept = kept;
-    band.count = count;
-    band.means.resize((kept + count) * row);
-    const size_t end = (before.kept + before.count) * row;
-    std::copy(before.means.begin() + (end - kept * row), before.means.begin() + end,
-              band.means.begin());
-    if (!plain_ || target_.type != PixelType::float32)
-        band.stored.resize(size_t{level.width} * channels_ * bytes_of(target_.type) * count);
+// Makes room for the next rows of a level; returns the first number of the first one.
+float* MapWriter::add_rows(Level& level, uint32_t count) const {
+    const size_t end = level.means.size();
+    level.means.resize(end + count * row_size(level));
     level.made += count;
+    return level.means.data() + end;
 }
 
-// Returns the number of newest rows of a level that the next level still needs.
-uint32_t MapWriter::rows_needed(uint32_t index) const {
-    const Level& level = levels_[index];
-    if (index + 1 == levels_.size()) return 0;
-    const Level& next = levels_[index + 1];
-    if (next.made == next.height) return 0;
-    return level.made - finer_rows(level.height, next.height, next.made).first;
-}
-
-void MapWriter::make_first(uint32_t turn) {
+// Both return the number of new rows.
+uint32_t MapWriter::make_first() {
     Level& level = levels_[0];
-    const uint32_t top = level.made;
-    begin(level, rows_needed(0), std::min(rows_at_once, level.height - top), turn);
-    Band& band = level.bands[turn];
-    tbb::parallel_for(0u, band.count, [&](uint32_t i) {
-        mean_row(rows_, target_, level.height - 1 - top - i,
-                 &band.means[(band.kept + i) * size_t{level.width} * means_]);
-        store(level, band, i);
+    const uint32_t bottom = level.height - level.made;  // rows count from the bottom in an image
+    const uint32_t count = std::min(rows_at_once, bottom);
+    float* out = add_rows(level, count);
+    tbb::parallel_for(0u, count, [&](uint32_t i) {
+        mean_row(rows_, target_, bottom - 1 - i, out + i * row_size(level));
     });
+    return count;
 }
 
-// Returns the number of rows of a level that can be computed from the finer one.
-uint32_t MapWriter::rows_ready(const Level& finer, const Level& level) const {
-    uint32_t row = level.made;
-    while (row < level.height && finer_rows(finer.height, level.height, row).last < finer.made)
-        ++row;
-    return row - level.made;
-}
-
-void MapWriter::make_next(const Level& finer, Level& level, uint32_t turn) const {
-    const uint32_t top = level.made;
-    const auto index = static_cast<uint32_t>(&level - levels_.data());
-    begin(level, rows_needed(index), rows_ready(finer, level), turn);
-    const Band& from = finer.bands[turn];
-    const uint32_t from_top = finer.made - from.kept - from.count;
-    Band& band = level.bands[turn];
-    tbb::parallel_for(0u, band.count, [&](uint32_t i) {
-        const FinerRows used = finer_rows(finer.height, level.height, top + i);
+uint32_t MapWriter::make_next(const Level& finer, Level& level) const {
+    const uint32_t first = level.made;
+    uint32_t end = first;
+    while (end < level.height && finer_rows(finer.height, level.height, end).last < finer.made)
+        ++end;
+    float* out = add_rows(level, end - first);
+    const float* finer_end = finer.means.data() + finer.means.size();
+    tbb::parallel_for(first, end, [&](uint32_t row) {
+        const FinerRows used = finer_rows(finer.height, level.height, row);
         const float* rows[3] = {};  // bottom up
-        for (uint32_t row = used.last + 1, j = 0; row-- > used.first; ++j)
-            rows[j] = &from.means[(row - from_top) * size_t{finer.width} * means_];
-        half_row(finer.width, finer.height, means_, level.height - 1 - top - i, rows,
-                 &band.means[(band.kept + i) * size_t{level.width} * means_]);
-        store(level, band, i);
+        for (uint32_t y = used.last + 1, j = 0; y-- > used.first; ++j)
+            rows[j] = finer_end - (finer.made - y) * row_size(finer);
+        half_row(finer.width, finer.height, means_, level.height - 1 - row, rows,
+                 out + (row - first) * row_size(level));
     });
+    return end - first;
 }
 
-// Encodes new row `row` of a band for the file.
-void MapWriter::store(const Level& level, Band& band, uint32_t row) const {
-    if (band.stored.empty()) return;
-    const float* means = &band.means[(band.kept + row) * size_t{level.width} * means_];
+// Writes the last `count` rows of a level.
+bool MapWriter::put(uint32_t index, uint32_t count, Diagnostics& diagnostics) {
+    const Level& level = levels_[index];
     const size_t values = size_t{level.width} * channels_;
-    thread_local std::vector<float> encoded;
-    if (!plain_) {
-        encoded.resize(values);
-        encode(target_, stored_, means, level.width, channels_, encoded.data());
-    }
-    store_values(target_.type, {plain_ ? means : encoded.data(), values},
-                 &band.stored[row * values * bytes_of(target_.type)]);
+    const size_t row_bytes = values * bytes_of(target_.type);
+    const float* means = level.means.data() + level.means.size() - count * row_size(level);
+    encoded_.resize(count * row_bytes);
+    tbb::parallel_for(0u, count, [&](uint32_t row) {
+        std::vector<float> numbers(values);
+        encode(target_, stored_, means + row * row_size(level), level.width, channels_,
+               numbers.data());
+        store_values(target_.type, numbers, encoded_.data() + row * row_bytes);
+    });
+    return writer_.write_stored(encoded_, diagnostics, index);
 }
 
-bool MapWriter::put(uint32_t turn, Diagnostics& diagnostics) {
-    for (uint32_t i = 0; i < levels_.size(); ++i) {
-        const Band& band = levels_[i].bands[turn];
-        const size_t kept = size_t{band.kept} * levels_[i].width * means_;
-        const std::span<const float> made(band.means.data() + kept, band.means.size() - kept);
-        const std::span<const std::byte> stored =
-            band.stored.empty() ? std::as_bytes(made) : std::span(band.stored);
-        if (!writer_.write_stored(stored, diagnostics, i)) return false;
+// Drops the rows of a level that no further row of the next level covers.
+void MapWriter::drop_unneeded(uint32_t index) {
+    Level& level = levels_[index];
+    uint32_t needed = 0;
+    if (index + 1 < levels_.size()) {
+        const Level& next = levels_[index + 1];
+        if (next.made < next.height)
+            needed = level.made - finer_rows(level.height, next.height, next.made).first;
     }
-    return true;
+    const auto end = level.means.end() - static_cast<ptrdiff_t>(needed * row_size(level));
+    level.means.erase(level.means.begin(), end);
 }
 
 }  // namespace wrinkle::maps

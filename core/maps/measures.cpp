@@ -12,10 +12,6 @@ constexpr float spike = 4;
 constexpr double certain_region = 0.5;   // correlation
 constexpr double min_of_regions = 4096;  // texels
 
-bool is_integer_type(PixelType type) {
-    return type == PixelType::u8 || type == PixelType::u16;
-}
-
 }  // namespace
 
 void VectorSums::add(const float* t, uint32_t width, uint32_t channels) {
@@ -235,7 +231,7 @@ Measuring::Measuring(const ImageInfo& info, Wrap wrap)
       curl_(info.width, info.height, wrap),
       made_curl_(info.width, info.height, wrap) {
     const uint32_t count = std::min(colors_, 2u);
-    if (is_integer_type(info.source)) steps_.assign(count, StepSums(info.source));
+    if (is_integer(info.source)) steps_.assign(count, StepSums(info.source));
     seams_.assign(count, SeamSums(info.width));
     islands_ = {IslandSums(IslandSums::Background::zero),
                 IslandSums(IslandSums::Background::middle)};
@@ -287,9 +283,9 @@ SeamMeasures Measuring::seam(uint32_t channels, bool across_u) const {
     sums.pop_back();
     std::vector<double>& inside = sums;
     if (inside.empty()) return {};
-    const auto place = inside.begin() + static_cast<ptrdiff_t>((inside.size() - 1) * 99 / 100);
-    std::nth_element(inside.begin(), place, inside.end());
-    return {border, *place};
+    const auto percentile = inside.begin() + static_cast<ptrdiff_t>((inside.size() - 1) * 99 / 100);
+    std::nth_element(inside.begin(), percentile, inside.end());
+    return {border, *percentile};
 }
 
 }  // namespace wrinkle::maps

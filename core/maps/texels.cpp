@@ -7,10 +7,6 @@ namespace wrinkle::maps {
 
 namespace {
 
-bool holds_integers(const Target& target) {
-    return target.type == PixelType::u8 || target.type == PixelType::u16;
-}
-
 void six_channels(const float* heights, const float* du, const float* dv, uint32_t count,
                   float* out) {
     for (uint32_t x = 0; x < count; ++x, out += 6) {
@@ -103,17 +99,12 @@ void encode(const Target& target, const Stored& stored, const float* means, size
     if (target.kind == Kind::normal)
         return encode_normals(target.green == Green::dx ? -1.0f : 1.0f, means, count, out);
     const uint32_t from = mean_channels(target.kind);
-    const bool integers = holds_integers(target);
+    const bool integers = is_integer(target.type);
     for (size_t i = 0; i < count; ++i, means += from, out += channels)
         for (uint32_t c = 0; c < channels; ++c) {
             const float value = c < from ? means[c] : 0;  // a third channel is constant 0
             out[c] = integers ? (value - stored.offset) / stored.scale : value;
         }
-}
-
-bool is_plain(const Target& target, uint32_t channels) {
-    return target.kind != Kind::normal && !holds_integers(target) &&
-           channels == mean_channels(target.kind);
 }
 
 }  // namespace wrinkle::maps

@@ -28,6 +28,5 @@ void mean_row(const Rows& rows, const Target& target, uint32_t y, float* out);
 // Encodes `count` texels for a file with `channels` channels.
 void encode(const Target& target, const Stored& stored, const float* means, size_t count,
             uint32_t channels, float* out);
-bool is_plain(const Target& target, uint32_t channels);  // true if encode() is a copy
 
 }  // namespace wrinkle::maps
