@@ -23,7 +23,7 @@ namespace {
 struct TileScratch {
     Coverage coverage;
     PlaneScratch planes;
-    TriangleCache met;
+    TriangleCache cache;
     size_t stride = 0;  // floats per plane, for the largest point count so far
     AlignedVector<float> inputs, outputs;
 };
@@ -56,7 +56,7 @@ public:
                   lanes_of_outputs(*input.program)) {}
 
     bool run(const RowSink& take) {
-        tbb::task_group taking;
+        tbb::task_group sink;
         bool wanted = true;
         uint32_t given = first_;
         for (uint32_t row = low_; row < high_; row += bake_tile) {
@@ -65,23 +65,23 @@ public:
             const uint32_t seen = end - std::min(end, input_.dilate);
             const uint32_t ready = end == high_ ? last_ : seen / bake_tile * bake_tile;
             if (ready <= given) continue;
-            give_[1].resize(window_, ready - given);
-            dilate(window_, given, ready, low_, end, input_.dilate, give_[1].values.data(),
-                   give_[1].covered.data());
-            taking.wait();
+            output_[1].resize(window_, ready - given);
+            dilate(window_, given, ready, low_, end, input_.dilate, output_[1].values.data(),
+                   output_[1].covered.data());
+            sink.wait();
             if (!wanted) return false;
-            std::swap(give_[0], give_[1]);
-            const BakedRows rows = {given, ready - given, give_[0].values.data(),
-                                    give_[0].covered.data(), found_in(given, ready)};
-            taking.run([&wanted, &take, rows] { wanted = take(rows); });
+            std::swap(output_[0], output_[1]);
+            const BakedRows rows = {given, ready - given, output_[0].values.data(),
+                                    output_[0].covered.data(), found_in(given, ready)};
+            sink.run([&wanted, &take, rows] { wanted = take(rows); });
             given = ready;
         }
-        taking.wait();
+        sink.wait();
         return wanted;
     }
 
 private:
-    struct Given {
+    struct Output {
         std::vector<float> values;
         std::vector<uint8_t> covered;
 
@@ -118,7 +118,7 @@ private:
         raster_.cover(rect, candidates, scratch.coverage);
         const size_t count = TexelPoints::count(scratch.coverage);
         evaluate(rect, count, scratch);
-        place(rect, scratch, found);
+        scatter(rect, scratch, found);
         const Coverage& coverage = scratch.coverage;
         if (coverage.overlapped == 0) return;
         found.overlapped = coverage.overlapped;
@@ -137,7 +137,7 @@ private:
             scratch.outputs.resize(window_.lanes * stride);
             points_.fill_constants(stride, scratch.inputs.data());
         }
-        points_.fill(scratch.coverage, rect, scratch.stride, scratch.inputs.data(), scratch.met);
+        points_.fill(scratch.coverage, rect, scratch.stride, scratch.inputs.data(), scratch.cache);
         Planes planes;
         for (size_t i = 0; i < program.inputs.size(); ++i)
             planes.inputs.push_back(scratch.inputs.data() + i * scratch.stride);
@@ -147,14 +147,14 @@ private:
     }
 
     // Scatters the results from point order to texel order.
-    void place(const TexelRect& rect, TileScratch& scratch, BakeStatistics& found) {
+    void scatter(const TexelRect& rect, TileScratch& scratch, BakeStatistics& found) {
         size_t point = 0;
         for (uint32_t y = 0; y < rect.height; ++y)
-            point = place_row(rect, y, point, scratch);
-        note(scratch, point, found);
+            point = scatter_row(rect, y, point, scratch);
+        count_points(scratch, point, found);
         std::vector<float> texel(window_.lanes);
         for (const Coverage::EdgeTexel& edge : scratch.coverage.edges) {
-            mix(scratch, point + edge.first, edge.count, texel);
+            average_samples(scratch, point + edge.first, edge.count, texel);
             const uint32_t x = rect.x + edge.texel % rect.width;
             const uint32_t row = row_of(rect, edge.texel / rect.width);
             window_.covered[window_.covered_at(row) + x] = 1;
@@ -166,7 +166,8 @@ private:
     }
 
     // Writes one row of results, which begin at `point`; returns the index of the next point.
-    size_t place_row(const TexelRect& rect, uint32_t y, size_t point, const TileScratch& scratch) {
+    size_t scatter_row(const TexelRect& rect, uint32_t y, size_t point,
+                       const TileScratch& scratch) {
         const uint32_t row = row_of(rect, y);
         const uint32_t* owners = scratch.coverage.owners.data() + size_t{y} * rect.width;
         uint8_t* covered = window_.covered.data() + window_.covered_at(row) + rect.x;
@@ -190,8 +191,8 @@ private:
         return layout_.height - 1 - (rect.y + y);
     }
 
-    void mix(const TileScratch& scratch, size_t first, uint32_t samples,
-             std::vector<float>& to) const {
+    void average_samples(const TileScratch& scratch, size_t first, uint32_t samples,
+                         std::vector<float>& to) const {
         for (size_t lane = 0; lane < window_.lanes; ++lane) {
             double sum = 0;
             for (uint32_t i = 0; i < samples; ++i)
@@ -207,13 +208,13 @@ private:
     }
 
     static bool are_finite(std::span<const float> values) {
-        uint32_t endless = 0;  // branch-free, so that the loop is vectorised
+        uint32_t not_finite = 0;  // branch-free, so that the loop is vectorised
         for (const float value : values)
-            endless |= std::bit_cast<uint32_t>(value) << 1 >= 0xFF000000U;
-        return endless == 0;
+            not_finite |= std::bit_cast<uint32_t>(value) << 1 >= 0xFF000000U;
+        return not_finite == 0;
     }
 
-    void note(const TileScratch& scratch, size_t count, BakeStatistics& found) const {
+    void count_points(const TileScratch& scratch, size_t count, BakeStatistics& found) const {
         const auto lane_at = [&](size_t lane) {
             return std::span(scratch.outputs).subspan(lane * scratch.stride, count);
         };
@@ -236,7 +237,7 @@ private:
     uint32_t first_, last_;  // requested rows
     uint32_t low_, high_;    // computed rows: with the margins that dilation reads
     RowWindow window_;
-    Given give_[2];                      // the rows passed to `take`, and the next ones
+    Output output_[2];                   // the rows passed to `take`, and the next ones
     std::vector<BakeStatistics> found_;  // per row of tiles, from low_
     tbb::enumerable_thread_specific<TileScratch> scratch_;
 };

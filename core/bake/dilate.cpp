@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <optional>
 
 namespace wrinkle {
 namespace {
@@ -24,13 +23,13 @@ public:
           low_(low),
           high_(high),
           reach_(reach),
-          ways_(size_t{window.width} * (last - first), nothing_near) {
+          distances_(size_t{window.width} * (last - first), nothing_near) {
         tbb::parallel_for(tbb::blocked_range<uint32_t>(0, window.width, 256),
                           [&](const auto& columns) { measure(columns.begin(), columns.end()); });
     }
 
     const int16_t* row(uint32_t row) const {
-        return ways_.data() + size_t{row - first_} * window_.width;
+        return distances_.data() + size_t{row - first_} * window_.width;
     }
 
 private:
@@ -39,62 +38,62 @@ private:
         std::vector<int32_t> nearest(end - begin, -far);
         const uint32_t top = std::max(low_, first_ - std::min(first_, reach_));
         for (uint32_t r = top; r < last_; ++r)
-            look(r, begin, end, nearest);
+            visit_row(r, begin, end, nearest);
         std::fill(nearest.begin(), nearest.end(), far);
         for (uint32_t r = std::min(high_, last_ + reach_); r-- > first_;)
-            look(r, begin, end, nearest);
+            visit_row(r, begin, end, nearest);
     }
 
-    void look(uint32_t r, uint32_t begin, uint32_t end, std::vector<int32_t>& nearest) {
+    void visit_row(uint32_t r, uint32_t begin, uint32_t end, std::vector<int32_t>& nearest) {
         const uint8_t* covered = window_.covered.data() + window_.covered_at(r) + begin;
         const auto row = static_cast<int32_t>(r), reach = static_cast<int32_t>(reach_);
         int32_t* at = nearest.data();
         for (uint32_t x = 0; x < end - begin; ++x)
             at[x] = covered[x] ? row : at[x];
         if (r < first_ || r >= last_) return;
-        int16_t* ways = ways_.data() + size_t{r - first_} * window_.width + begin;
+        int16_t* distances = distances_.data() + size_t{r - first_} * window_.width + begin;
         for (uint32_t x = 0; x < end - begin; ++x) {
-            const int32_t found = at[x] - row, way = ways[x];
-            const int32_t least = std::min(reach, std::abs(way) - 1);
-            ways[x] = static_cast<int16_t>(std::abs(found) <= least ? found : way);
+            const int32_t found = at[x] - row, old = distances[x];
+            const int32_t max_found = std::min(reach, std::abs(old) - 1);
+            distances[x] = static_cast<int16_t>(std::abs(found) <= max_found ? found : old);
         }
     }
 
     const RowWindow& window_;
     uint32_t first_, last_, low_, high_, reach_;
-    std::vector<int16_t> ways_;
+    std::vector<int16_t> distances_;
 };
 
 struct Nearest {
     int64_t x = -1;
-    int16_t way = 0;
+    int16_t distance = 0;
 };
 
 // Visits columns by increasing distance, as long as one can be nearer than the best.
-Nearest nearest_of(const int16_t* ways, int64_t width, int64_t x, int64_t reach) {
+Nearest nearest_of(const int16_t* distances, int64_t width, int64_t x, int64_t reach) {
     Nearest best;
-    int64_t least = reach * reach + 1;
-    const auto look = [&](int64_t column, int64_t aside) {
-        if (column < 0 || column >= width || ways[column] == nothing_near) return;
-        const int64_t square = aside * aside + int64_t{ways[column]} * ways[column];
-        if (square >= least) return;
-        least = square;
-        best = {column, ways[column]};
+    int64_t best_square = reach * reach + 1;
+    const auto visit = [&](int64_t column, int64_t aside) {
+        if (column < 0 || column >= width || distances[column] == nothing_near) return;
+        const int64_t square = aside * aside + int64_t{distances[column]} * distances[column];
+        if (square >= best_square) return;
+        best_square = square;
+        best = {column, distances[column]};
     };
-    for (int64_t aside = 0; aside <= reach && aside * aside < least; ++aside) {
-        look(x - aside, aside);
-        look(x + aside, aside);
+    for (int64_t aside = 0; aside <= reach && aside * aside < best_square; ++aside) {
+        visit(x - aside, aside);
+        visit(x + aside, aside);
     }
     return best;
 }
 
 // One output row: the lanes of its texels, 0 for texels without a value.
-struct GivenRow {
+struct RowOutput {
     float* values;
     uint8_t* covered;
 };
 
-void copy_row(const RowWindow& window, uint32_t r, const GivenRow& to) {
+void copy_row(const RowWindow& window, uint32_t r, const RowOutput& to) {
     const uint8_t* covered = window.covered.data() + window.covered_at(r);
     std::copy_n(covered, window.width, to.covered);
     for (size_t lane = 0; lane < window.lanes; ++lane) {
@@ -105,43 +104,33 @@ void copy_row(const RowWindow& window, uint32_t r, const GivenRow& to) {
     }
 }
 
-// `ways` holds the distances in the columns of this row.
-void widen_row(const RowWindow& window, uint32_t r, const int16_t* ways, uint32_t reach,
-               const GivenRow& to) {
-    const bool empty =
-        std::all_of(ways, ways + window.width, [](int16_t way) { return way == nothing_near; });
+// `distances` holds the distances in the columns of this row.
+void fill_gaps(const RowWindow& window, uint32_t r, const int16_t* distances, uint32_t reach,
+               const RowOutput& to) {
+    const bool empty = std::all_of(distances, distances + window.width,
+                                   [](int16_t distance) { return distance == nothing_near; });
     for (uint32_t x = 0; x < window.width && !empty; ++x) {
-        if (ways[x] == 0) continue;
-        const Nearest nearest = nearest_of(ways, window.width, x, reach);
+        if (distances[x] == 0) continue;
+        const Nearest nearest = nearest_of(distances, window.width, x, reach);
         if (nearest.x < 0) continue;
         to.covered[x] = 2;
-        const auto row = static_cast<uint32_t>(int64_t{r} + nearest.way);
+        const auto row = static_cast<uint32_t>(int64_t{r} + nearest.distance);
         for (size_t lane = 0; lane < window.lanes; ++lane)
             to.values[lane * window.width + x] =
                 window.values[window.lane_at(row, lane) + static_cast<size_t>(nearest.x)];
     }
 }
 
-bool are_covered(const RowWindow& window, uint32_t first, uint32_t last) {
-    for (uint32_t r = first; r < last; ++r) {
-        const auto row = window.covered.begin() + static_cast<ptrdiff_t>(window.covered_at(r));
-        if (std::count(row, row + window.width, uint8_t{0}) > 0) return false;
-    }
-    return true;
-}
-
 }  // namespace
 
 void dilate(const RowWindow& window, uint32_t first, uint32_t last, uint32_t low, uint32_t high,
             uint32_t reach, float* values, uint8_t* covered) {
-    std::optional<ColumnDistances> distances;
-    if (reach > 0 && !are_covered(window, first, last))
-        distances.emplace(window, first, last, low, high, reach);
+    const ColumnDistances distances(window, first, last, low, high, reach);
     tbb::parallel_for(first, last, [&](uint32_t r) {
         const size_t texels = size_t{r - first} * window.width;
-        const GivenRow to = {values + texels * window.lanes, covered + texels};
+        const RowOutput to = {values + texels * window.lanes, covered + texels};
         copy_row(window, r, to);
-        if (distances) widen_row(window, r, distances->row(r), reach, to);
+        fill_gaps(window, r, distances.row(r), reach, to);
     });
 }
 

@@ -1,10 +1,11 @@
 #include "bake/displace.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <map>
+
+#include "bake/mesh_check.h"
+#include "mesh/weld.h"
 
 namespace wrinkle {
 namespace {
@@ -26,64 +27,32 @@ uint32_t neighbour(const Mesh& mesh, const std::vector<int64_t>& corners, uint32
     return mesh.indices[corner - corner % 3 + (corner + step) % 3];
 }
 
-template <class Vector>
-void fill(PointSet& set, const Mesh& mesh, const std::vector<int64_t>& corners, InputNeed need,
-          const std::vector<Vector>& values) {
-    std::vector<double>& target = set.at(need.input, need.variant);
-    for (uint32_t vertex = 0; vertex < values.size(); ++vertex) {
-        const auto step = static_cast<size_t>(need.variant);
-        const uint32_t other = step > 0 ? neighbour(mesh, corners, vertex, step) : vertex;
-        for (int lane = 0; lane < Vector::length(); ++lane) {
-            const double here = values[vertex][lane];
-            target.push_back(step > 0 ? values[other][lane] - here : here);
-        }
-    }
-}
-
 void fill(PointSet& set, const Mesh& mesh, const std::vector<int64_t>& corners, InputNeed need) {
-    switch (need.input) {
-        case SurfaceInput::position_:
-            return fill(set, mesh, corners, need, mesh.positions);
-        case SurfaceInput::normal_:
-        case SurfaceInput::view_:
-            return fill(set, mesh, corners, need, mesh.normals);
-        case SurfaceInput::tangent_:
-            return fill(set, mesh, corners, need, mesh.tangents);
-        case SurfaceInput::color0_:
-            return fill(set, mesh, corners, need, mesh.colors);
-        case SurfaceInput::facing_:
-            set.at(need.input, need.variant)
-                .assign(mesh.vertex_count(), need.variant == Variant::value ? 1 : 0);
-            return;
-        default:
-            break;
+    std::vector<double>& target = set.at(need.input, need.variant);
+    const auto step = static_cast<size_t>(need.variant);
+    if (need.input == SurfaceInput::facing_) {
+        target.assign(mesh.vertex_count(), step == 0 ? 1 : 0);
+        return;
     }
-    const size_t uv = static_cast<size_t>(need.input) - static_cast<size_t>(SurfaceInput::uv0_);
-    if (uv < max_uv_sets) fill(set, mesh, corners, need, mesh.uvs[uv]);
+    const auto [values, stride] = attribute_of(mesh, need.input);
+    for (uint32_t vertex = 0; values && vertex < mesh.vertex_count(); ++vertex) {
+        const float* here = values + size_t{vertex} * stride;
+        const float* other = values + size_t{neighbour(mesh, corners, vertex, step)} * stride;
+        for (uint32_t lane = 0; lane < stride; ++lane)
+            target.push_back(step > 0 ? other[lane] - double{here[lane]} : here[lane]);
+    }
 }
-
-using Place = std::array<uint32_t, 3>;  // bit patterns of the coordinates
 
 void join_seams(Mesh& mesh) {
-    struct Sum {
-        glm::dvec3 sum{0};
-        double count = 0;
-    };
-    std::map<Place, Sum> places;
-    const auto place = [&](size_t i) {
-        const glm::vec3 p = mesh.positions[i] + 0.0F;  // -0 equals 0
-        return Place{std::bit_cast<uint32_t>(p.x), std::bit_cast<uint32_t>(p.y),
-                     std::bit_cast<uint32_t>(p.z)};
-    };
-    for (size_t i = 0; i < mesh.vertex_count(); ++i) {
-        Sum& sum = places[place(i)];
-        sum.sum += glm::dvec3(mesh.displaced[i]);
-        sum.count += 1;
+    const std::vector<uint32_t> first = weld_positions(mesh);
+    std::vector<glm::dvec3> sums(first.size(), glm::dvec3(0));
+    std::vector<double> counts(first.size());
+    for (size_t i = 0; i < first.size(); ++i) {
+        sums[first[i]] += glm::dvec3(mesh.displaced[i]);
+        counts[first[i]] += 1;
     }
-    for (size_t i = 0; i < mesh.vertex_count(); ++i) {
-        const Sum& sum = places[place(i)];
-        if (sum.count > 1) mesh.displaced[i] = glm::vec3(sum.sum / sum.count);
-    }
+    for (size_t i = 0; i < first.size(); ++i)
+        if (counts[first[i]] > 1) mesh.displaced[i] = glm::vec3(sums[first[i]] / counts[first[i]]);
 }
 
 }  // namespace
@@ -100,11 +69,9 @@ PointSet vertex_points(const Mesh& mesh, const Program& program) {
 std::string displace(Mesh& mesh, const Program& program, size_t output,
                      std::span<const Texture> textures) {
     if (mesh.normals.empty()) return "a mesh without normals cannot be displaced";
+    const std::string missing = missing_input(mesh, program);
+    if (!missing.empty()) return "the displacement reads '" + missing + "', which the mesh lacks";
     const PointSet points = vertex_points(mesh, program);
-    for (const InputNeed& need : needed_inputs(program))
-        if (points.at(need.input, need.variant).empty() && points.count > 0)
-            return "the displacement reads '" + std::string(info(need.input).name) +
-                   "', which the mesh lacks";
     Results results = make_results(program, points.count);
     evaluate<float>(program, points, textures, 0, points.count, results);
     const std::vector<double>& heights = results.values[output];

@@ -11,10 +11,6 @@
 namespace wrinkle {
 namespace {
 
-bool is_integer(PixelType type) {
-    return type == PixelType::u8 || type == PixelType::u16;
-}
-
 // Half a step of 16 bits: smaller excess is lost to rounding and is not reported.
 constexpr float rounding = 0.5F / 65535;
 

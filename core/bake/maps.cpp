@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cassert>
 #include <map>
 
 #include "bake/map_values.h"
@@ -163,15 +162,15 @@ private:
         for (const PackedChannel& from : request.pack) {
             const size_t to = std::string_view("rgba").find(from.to);
             if (map.channels.size() <= to) map.channels.resize(to + 1, {"", 0, 0, 0, false, 0});
-            const BakedMap whole = map_of(from.map, request.integers);
-            if (from.channel >= whole.channels.size()) {
-                if (!whole.channels.empty())
+            const BakedMap source = map_of(from.map, request.integers);
+            if (from.channel >= source.channels.size()) {
+                if (!source.channels.empty())
                     diagnostics_.error("the map '" + from.map + "' has " +
-                                           std::to_string(whole.channels.size()) + " channels",
+                                           std::to_string(source.channels.size()) + " channels",
                                        "one of them, such as " + from.map + ".r");
                 continue;
             }
-            map.channels[to] = whole.channels[from.channel];
+            map.channels[to] = source.channels[from.channel];
             map.channels[to].srgb = false;
         }
         for (size_t i = 0; i < map.channels.size(); ++i)
@@ -191,29 +190,6 @@ private:
 float srgb_coded(float linear) {
     if (!(linear > 0.0031308F)) return linear * 12.92F;
     return 1.055F * math::pow(linear, 1 / 2.4F) - 0.055F;
-}
-
-constexpr size_t max_channels = 8;
-constexpr size_t block = 256;  // texels per iteration
-
-// `known` is the channel count if it is a common one, else 0.
-template <size_t known>
-void interleave(const float* planes, size_t channels, size_t count, float* stored) {
-    const size_t step = known ? known : channels;
-    for (size_t i = 0; i < count; ++i)
-        for (size_t c = 0; c < step; ++c)
-            stored[i * step + c] = planes[c * block + i];
-}
-
-void store_channel(const MapChannel& channel, const float* from, const uint8_t* covered,
-                   size_t count, float* to) {
-    const float gain = channel.gain, offset = channel.offset, empty = channel.empty;
-    for (size_t i = 0; i < count; ++i) {
-        const float value = from[i] * gain + offset;
-        to[i] = covered[i] ? value : empty;
-    }
-    for (size_t i = 0; channel.srgb && i < count; ++i)
-        if (covered[i]) to[i] = srgb_coded(to[i]);
 }
 
 }  // namespace
@@ -251,15 +227,17 @@ std::optional<BakePlan> plan_maps(const Module& module, const std::vector<MapReq
 void store_map(const BakedMap& map, const float* lanes, const uint8_t* covered, size_t count,
                float* stored) {
     const size_t channels = map.channels.size();
-    assert(channels <= max_channels);
-    std::array<float, max_channels * block> planes;
-    for (size_t first = 0; first < count; first += block) {
-        const size_t n = std::min(block, count - first);
-        for (size_t c = 0; c < channels; ++c)
-            store_channel(map.channels[c], lanes + map.channels[c].lane * count + first,
-                          covered + first, n, &planes[c * block]);
-        (channels == 3 ? interleave<3> : interleave<0>)(planes.data(), channels, n,
-                                                        stored + first * channels);
+    for (size_t c = 0; c < channels; ++c) {
+        const MapChannel& channel = map.channels[c];
+        const float* lane = lanes + channel.lane * count;
+        for (size_t i = 0; i < count; ++i) {
+            float value = channel.empty;
+            if (covered[i]) {
+                value = lane[i] * channel.gain + channel.offset;
+                if (channel.srgb) value = srgb_coded(value);
+            }
+            stored[i * channels + c] = value;
+        }
     }
 }
 

@@ -1,4 +1,5 @@
-// Checks that a mesh can be baked onto. Errors and warnings use the mesh name given by the user.
+// What a mesh provides to a program, and checks that it can be baked onto. Errors and warnings use
+// the mesh name given by the user.
 #pragma once
 
 #include <span>
@@ -9,6 +10,18 @@
 #include "mesh/uv_survey.h"
 
 namespace wrinkle {
+
+// The values of an input at the vertices: lane k of vertex i is values[i * stride + k].
+struct MeshAttribute {
+    const float* values = nullptr;
+    uint32_t stride = 0;
+};
+
+// Returns null values for an attribute that the mesh lacks. The view is that along the normal.
+MeshAttribute attribute_of(const Mesh& mesh, SurfaceInput input);
+
+// Returns the name of an input that the program needs and the mesh lacks, such as "uv1"; else "".
+std::string missing_input(const Mesh& mesh, const Program& program);
 
 bool has_uv_layout(const Mesh& mesh, const std::string& name, Diagnostics& diagnostics);
 

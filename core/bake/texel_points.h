@@ -20,25 +20,22 @@
 
 namespace wrinkle {
 
-// Returns the name of an input that the program needs and the mesh lacks, such as "uv1"; else "".
-std::string missing_input(const Mesh& mesh, const Program& program);
-
-// Per-thread cache of recently used triangles: a row of texels crosses mostly the same triangles as
-// the row below.
-struct TriangleCache {
-    struct Met {
-        uint32_t triangle = Coverage::none;
-        UvTriangle uv;
-        TrianglePlanes planes;  // points into the vectors below
-        std::vector<VaryingInput> linear;
-        std::vector<FlatInput> constant;
-    };
-    std::array<Met, 64> met;  // direct-mapped by the lowest bits of the triangle index
+// A triangle with its inputs, prepared for interpolation.
+struct CachedTriangle {
+    uint32_t triangle = Coverage::none;
+    UvTriangle uv;
+    TrianglePlanes planes;  // points into the vectors below
+    std::vector<VaryingInput> linear;
+    std::vector<FlatInput> constant;
 };
+
+// Per-thread cache of recently used triangles, direct-mapped by the lowest bits of the triangle
+// index: a row of texels crosses mostly the same triangles as the row below.
+using TriangleCache = std::array<CachedTriangle, 64>;
 
 class TexelPoints {
 public:
-    // Precondition: missing_input() returns "". The mesh must outlive this object and not change.
+    // Precondition: missing_input() (bake/mesh_check.h) returns "". The mesh must outlive this object and not change.
     TexelPoints(const Mesh& mesh, const Program& program, const UvLayout& layout);
 
     // Returns the number of points. Points are ordered as in `coverage`: owned texels, then
@@ -46,12 +43,12 @@ public:
     static size_t count(const Coverage& coverage);
 
     // Plane i, by index of Program::inputs, begins at planes + i * stride. fill() overwrites up to
-    // `interpolate_padding` numbers after the last point of a plane. `met` must be used with this
+    // `interpolate_padding` numbers after the last point of a plane. `cache` must be used with this
     // object only. fill() does not write planes that are constant over the bake; fill_constants()
     // does.
     void fill_constants(size_t stride, float* planes) const;
     void fill(const Coverage& coverage, const TexelRect& rect, size_t stride, float* planes,
-              TriangleCache& met) const;
+              TriangleCache& cache) const;
 
 private:
     // One input; its value at vertex i is values[i * stride].
@@ -65,18 +62,18 @@ private:
 
     void add(const Program::Input& input, size_t plane);
     glm::dvec3 change(const UvTriangle& triangle, Variant variant) const;
-    void learn(uint32_t triangle, TriangleCache::Met& one) const;
+    void insert(uint32_t triangle, CachedTriangle& one) const;
     // Fills the points of adjacent texels; returns the output position after them.
     float* fill_row(std::span<const uint32_t> owners, const double* u, double v, size_t stride,
-                    float* out, TriangleCache& met) const;
-    void fill_places(const PlaceRow& row, size_t stride, float* out) const;
-    void fill_view(const TriangleCache::Met& one, const PlaceRow& row, const Source& source,
+                    float* out, TriangleCache& cache) const;
+    void fill_uvs(const PlaceRow& row, size_t stride, float* out) const;
+    void fill_view(const CachedTriangle& one, const PlaceRow& row, const Source& source,
                    float* out) const;
 
     const Mesh& mesh_;
     UvLayout layout_;
     // Inputs grouped by their variation over a triangle; `constants_` are constant over the layout.
-    std::vector<Source> linear_, changes_, places_, views_;
+    std::vector<Source> linear_, changes_, uvs_, views_;
     std::vector<FlatInput> constants_;
     std::vector<double> columns_;  // u of texel centres
     Interpolate interpolate_;

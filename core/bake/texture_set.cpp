@@ -22,8 +22,8 @@ void BakeReport::add(const BakeStatistics& found, const UvLayout& layout) {
     not_finite += found.not_finite;
 }
 
-void BakeReport::tell(const std::string& graph, const std::string& mesh,
-                      std::span<const BakedMap> maps, Diagnostics& warnings) const {
+void BakeReport::append_warnings(const std::string& graph, const std::string& mesh,
+                                 std::span<const BakedMap> maps, Diagnostics& warnings) const {
     if (overlapped > 0)
         make_warning(mesh,
                      std::to_string(overlapped) +

@@ -33,8 +33,8 @@ struct BakeReport {
 
     void add(const BakeStatistics& found, const UvLayout& layout);
     // Appends the findings as warnings; `graph` and `mesh` are the file names as given by the user.
-    void tell(const std::string& graph, const std::string& mesh, std::span<const BakedMap> maps,
-              Diagnostics& warnings) const;
+    void append_warnings(const std::string& graph, const std::string& mesh,
+                         std::span<const BakedMap> maps, Diagnostics& warnings) const;
 };
 
 // Return false from either to cancel the bake.

@@ -45,7 +45,7 @@ public:
         if (!whole)
             outcome.end = outcome.environment.has_errors() ? BakeEnd::failed : BakeEnd::interrupted;
         else
-            report.tell(job_.options.file, job_.options.mesh, job_.plans[0].maps, outcome.warnings);
+            report.append_warnings(job_.options.file, job_.options.mesh, job_.plans[0].maps, outcome.warnings);
     }
 
 private:

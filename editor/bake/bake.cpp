@@ -205,7 +205,7 @@ private:
 
     Diagnostics warnings() const {
         Diagnostics all = found_;
-        report_.tell(job_.graph, choices_.mesh, plan_->maps, all);
+        report_.append_warnings(job_.graph, choices_.mesh, plan_->maps, all);
         Diagnostics named;
         for (Diagnostic problem : all.list()) {
             problem.message = blamed(problem);

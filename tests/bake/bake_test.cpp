@@ -8,8 +8,8 @@
 #include <cstring>
 #include <glm/geometric.hpp>
 
+#include "bake/mesh_check.h"
 #include "bake/support.h"
-#include "bake/texel_points.h"
 #include "mesh/sample.h"
 #include "mesh/shapes.h"
 #include "support/files.h"
