@@ -6,7 +6,7 @@
 #include "base/angle.h"
 #include "base/text.h"
 #include "certify/points.h"
-#include "gpu/from_glsl.h"
+#include "gpu/point_runner.h"
 #include "ir/module.h"
 
 namespace wrinkle::certify {

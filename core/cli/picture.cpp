@@ -7,7 +7,7 @@
 #include "bake/displace.h"
 #include "base/text.h"
 #include "cli/evaluation.h"
-#include "gpu/from_glsl.h"
+#include "gpu/material.h"
 #include "image/load.h"
 #include "mesh/mesh.h"
 

@@ -5,7 +5,6 @@
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <utility>
 
 #include "gpu/wrapper.h"
 
@@ -29,7 +28,7 @@ void main() {
 constexpr const char* fragment_head = R"(#version 330 core
 in vec3 WrView_direction;
 out vec4 WrView_color;
-uniform sampler2D WrView_picture;
+uniform sampler2D WrView_image;
 uniform float WrView_factor;
 )";
 
@@ -37,7 +36,7 @@ constexpr const char* fragment_body = R"(
 void main() {
     vec3 d = normalize(WrView_direction);
     vec2 uv = vec2(atan(d.x, -d.z) / 6.283185307, asin(clamp(d.y, -1.0, 1.0)) / 3.141592654) + 0.5;
-    vec3 radiance = textureLod(WrView_picture, uv, 0.0).rgb * WrView_factor;
+    vec3 radiance = textureLod(WrView_image, uv, 0.0).rgb * WrView_factor;
     WrView_color = vec4(WrView_display(radiance), 1.0);
 }
 )";
@@ -45,31 +44,15 @@ void main() {
 }  // namespace
 
 Backdrop::Backdrop(const MipChain& radiance)
-    : texture_(Texture::upload(radiance)), lookup_(Wrap::repeat, Filter::linear) {
+    : texture_(Texture::upload(radiance)), sampler_(Wrap::repeat, Filter::linear) {
     const std::array<std::string, 1> outputs{"WrView_color"};
     std::string log;
     program_ = Program::link(backdrop_vertex_text,
                              std::string(fragment_head).append(display_text()) + fragment_body,
                              outputs, log);
-    glGenVertexArrays(1, &array_);
-}
-
-Backdrop::Backdrop(Backdrop&& other) noexcept
-    : texture_(std::move(other.texture_)),
-      lookup_(std::move(other.lookup_)),
-      program_(std::move(other.program_)),
-      array_(std::exchange(other.array_, 0)) {}
-
-Backdrop& Backdrop::operator=(Backdrop&& other) noexcept {
-    std::swap(texture_, other.texture_);
-    std::swap(lookup_, other.lookup_);
-    std::swap(program_, other.program_);
-    std::swap(array_, other.array_);
-    return *this;
-}
-
-Backdrop::~Backdrop() {
-    if (array_) glDeleteVertexArrays(1, &array_);
+    GLuint array = 0;
+    glGenVertexArrays(1, &array);
+    array_ = VertexArrayHandle(array);
 }
 
 void Backdrop::draw(const OrbitCamera& camera, float aspect, float factor, float exposure) const {
@@ -84,12 +67,12 @@ void Backdrop::draw(const OrbitCamera& camera, float aspect, float factor, float
     program_->set("WrView_up", axis(1) * half / std::fmin(aspect, 1.0F));
     program_->set("WrView_factor", factor);
     program_->set("WrView_exposure", exposure);
-    program_->set("WrView_picture", 0);
+    program_->set("WrView_image", 0);
     texture_.bind(0);
-    lookup_.bind(0);
+    sampler_.bind(0);
     glDisable(GL_DEPTH_TEST);
     glDisable(GL_BLEND);
-    glBindVertexArray(array_);
+    glBindVertexArray(array_.id());
     glDrawArrays(GL_TRIANGLES, 0, 3);
     glBindVertexArray(0);
     glBindSampler(0, 0);

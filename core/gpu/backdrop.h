@@ -14,9 +14,6 @@ class Backdrop {
 public:
     // `radiance` is the result of radiance_of().
     explicit Backdrop(const MipChain& radiance);
-    Backdrop(Backdrop&& other) noexcept;
-    Backdrop& operator=(Backdrop&& other) noexcept;
-    ~Backdrop();
 
     // Fills the bound target and leaves its depth unchanged. The radiance is multiplied by `factor`
     // and passed through the display curve of the shaded view.
@@ -24,9 +21,9 @@ public:
 
 private:
     Texture texture_;
-    Sampler lookup_;
+    Sampler sampler_;
     std::optional<Program> program_;
-    uint32_t array_ = 0;  // vertex array without attributes
+    VertexArrayHandle array_;  // vertex array without attributes
 };
 
 }  // namespace wrinkle::gpu

@@ -9,8 +9,6 @@
 #include <numbers>
 #include <utility>
 
-#include "image/mips.h"
-
 namespace wrinkle::gpu {
 namespace {
 
@@ -118,11 +116,11 @@ dvec2 equirect_uv(dvec3 d) {
             0.5 + std::asin(std::clamp(d.y, -1.0, 1.0)) / pi};
 }
 
-MipChain radiance_of(const Image& picture) {
-    Image clean = make_image(picture.width, picture.height, 3);
-    for (size_t i = 0; i < size_t{picture.width} * picture.height; ++i) {
+MipChain radiance_of(const Image& image) {
+    Image clean = make_image(image.width, image.height, 3);
+    for (size_t i = 0; i < size_t{image.width} * image.height; ++i) {
         const auto texel =
-            expand_texel(&picture.data[i * picture.channels], picture.channels, picture.has_alpha);
+            expand_texel(&image.data[i * image.channels], image.channels, image.has_alpha);
         for (size_t k = 0; k < 3; ++k)
             clean.data[3 * i + k] =
                 std::isfinite(texel[k]) ? std::clamp(texel[k], 0.0F, 65504.0F) : 0;
@@ -130,9 +128,9 @@ MipChain radiance_of(const Image& picture) {
     return build_mips(std::move(clean));
 }
 
-EnvironmentCube prefilter(const Image& picture) {
+EnvironmentCube prefilter(const Image& image) {
     EnvironmentCube cube;
-    const MipChain chain = radiance_of(picture);
+    const MipChain chain = radiance_of(image);
     for (int level = 0; level < environment_levels; ++level) {
         const int side = environment_side >> level;
         const bool mirror = level == 0, diffuse = level == environment_levels - 1;
@@ -152,9 +150,11 @@ EnvironmentCube prefilter(const Image& picture) {
 }
 
 EnvironmentTexture::EnvironmentTexture(const EnvironmentCube& cube) {
-    glGenTextures(1, &id_);
+    GLuint id = 0;
+    glGenTextures(1, &id);
+    handle_ = TextureHandle(id);
     glActiveTexture(GL_TEXTURE0);
-    glBindTexture(GL_TEXTURE_CUBE_MAP, id_);
+    glBindTexture(GL_TEXTURE_CUBE_MAP, id);
     for (size_t level = 0; level < cube.faces.size(); ++level)
         for (size_t face = 0; face < 6; ++face) {
             const GLsizei side = environment_side >> level;
@@ -168,21 +168,9 @@ EnvironmentTexture::EnvironmentTexture(const EnvironmentCube& cube) {
     glEnable(GL_TEXTURE_CUBE_MAP_SEAMLESS);
 }
 
-EnvironmentTexture::EnvironmentTexture(EnvironmentTexture&& other) noexcept
-    : id_(std::exchange(other.id_, 0)) {}
-
-EnvironmentTexture& EnvironmentTexture::operator=(EnvironmentTexture&& other) noexcept {
-    std::swap(id_, other.id_);
-    return *this;
-}
-
-EnvironmentTexture::~EnvironmentTexture() {
-    if (id_) glDeleteTextures(1, &id_);
-}
-
 void EnvironmentTexture::bind(int unit) const {
     glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
-    glBindTexture(GL_TEXTURE_CUBE_MAP, id_);
+    glBindTexture(GL_TEXTURE_CUBE_MAP, handle_.id());
 }
 
 }  // namespace wrinkle::gpu

@@ -19,6 +19,7 @@
 #include <glm/vec3.hpp>
 #include <vector>
 
+#include "gpu/gl_handle.h"
 #include "image/mips.h"
 
 namespace wrinkle::gpu {
@@ -32,9 +33,9 @@ struct EnvironmentCube {
 };
 
 // Returns the image's first three channels, sanitised as above, with mip levels.
-MipChain radiance_of(const Image& picture);
+MipChain radiance_of(const Image& image);
 
-EnvironmentCube prefilter(const Image& picture);
+EnvironmentCube prefilter(const Image& image);
 
 glm::dvec3 cube_direction(int face, glm::dvec2 st);  // unit; s and t in [0, 1] as in GL
 glm::dvec2 equirect_uv(glm::dvec3 direction);
@@ -42,14 +43,10 @@ glm::dvec2 equirect_uv(glm::dvec3 direction);
 class EnvironmentTexture {
 public:
     explicit EnvironmentTexture(const EnvironmentCube& cube);
-    EnvironmentTexture(EnvironmentTexture&& other) noexcept;
-    EnvironmentTexture& operator=(EnvironmentTexture&& other) noexcept;
-    ~EnvironmentTexture();
-
     void bind(int unit) const;
 
 private:
-    uint32_t id_ = 0;
+    TextureHandle handle_;
 };
 
 }  // namespace wrinkle::gpu

@@ -1,4 +1,7 @@
-#include "gpu/from_glsl.h"
+// Inputs of the renderer and the point runner from a generated shader.
+#include "glsl/emit.h"
+#include "gpu/material.h"
+#include "gpu/point_runner.h"
 
 namespace wrinkle::gpu {
 namespace {

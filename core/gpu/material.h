@@ -21,6 +21,10 @@
 
 #include "base/texture_options.h"
 
+namespace wrinkle {
+struct Shader;
+}
+
 namespace wrinkle::gpu {
 
 struct Member {
@@ -59,6 +63,11 @@ struct Material {
     std::vector<MaterialSampler> samplers;
     std::vector<MaterialUniform> uniforms;
 };
+
+// Converts a generated shader and its reflection. Uniforms get the values of the graph; samplers get
+// the file name under which the image is opened. Precondition: the shader has no problems, is in the
+// function form and has differentials from the screen.
+Material material_from(const Shader& shader);
 
 const OutputFunction* find_output(const Material& material, const std::string& output);
 

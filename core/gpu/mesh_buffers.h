@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "glsl/attributes.h"
+#include "gpu/gl_handle.h"
 #include "mesh/mesh.h"
 
 namespace wrinkle::gpu {
@@ -13,9 +14,6 @@ namespace wrinkle::gpu {
 class MeshBuffers {
 public:
     explicit MeshBuffers(const Mesh& mesh);
-    MeshBuffers(MeshBuffers&& other) noexcept;
-    MeshBuffers& operator=(MeshBuffers&& other) noexcept;
-    ~MeshBuffers();
 
     void draw() const;
     bool has(int location) const { return has_[static_cast<size_t>(location)]; }
@@ -25,8 +23,8 @@ private:
     template <typename T>
     void add(int location, const std::vector<T>& values);
 
-    uint32_t array_ = 0;
-    std::vector<uint32_t> buffers_;
+    VertexArrayHandle array_;
+    std::vector<BufferHandle> buffers_;
     std::array<bool, attribute_count + 1> has_{};
     int indices_ = 0;
     Bounds bounds_;

@@ -114,12 +114,12 @@ public:
         for (size_t i = 0; i < job.samplers.size(); ++i) {
             const MaterialSampler& sampler = job.samplers[i];
             textures_.push_back(Texture::upload(*find_image(job, sampler.file)));
-            lookups_.emplace_back(sampler.options.wrap, sampler.options.filter);
+            samplers_.emplace_back(sampler.options.wrap, sampler.options.filter);
             program.set(sampler.name.c_str(), static_cast<int>(i) + 1);
         }
         for (size_t i = 0; i < textures_.size(); ++i) {
             textures_[i].bind(static_cast<int>(i) + 1);
-            lookups_[i].bind(static_cast<int>(i) + 1);
+            samplers_[i].bind(static_cast<int>(i) + 1);
         }
     }
     BoundImages(const BoundImages&) = delete;
@@ -131,7 +131,7 @@ public:
 
 private:
     std::vector<Texture> textures_;
-    std::vector<Sampler> lookups_;
+    std::vector<Sampler> samplers_;
 };
 
 void draw_all_pixels() {

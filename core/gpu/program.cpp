@@ -3,32 +3,20 @@
 #include <epoxy/gl.h>
 
 #include <glm/gtc/type_ptr.hpp>
-#include <utility>
 
 namespace wrinkle::gpu {
 namespace {
 
-// Drivers terminate their logs with newlines and a null character.
-std::string trimmed(std::string log) {
+// Returns the log of a shader or program without the newlines and the null character at its end.
+std::string log_of(GLuint id, PFNGLGETSHADERIVPROC get_parameter,
+                   PFNGLGETSHADERINFOLOGPROC get_log) {
+    GLint size = 0;
+    get_parameter(id, GL_INFO_LOG_LENGTH, &size);
+    std::string log(static_cast<size_t>(size), '\0');
+    get_log(id, size, nullptr, log.data());
     while (!log.empty() && (log.back() == '\n' || log.back() == '\0'))
         log.pop_back();
     return log;
-}
-
-std::string shader_log(GLuint shader) {
-    GLint size = 0;
-    glGetShaderiv(shader, GL_INFO_LOG_LENGTH, &size);
-    std::string log(static_cast<size_t>(size), '\0');
-    glGetShaderInfoLog(shader, size, nullptr, log.data());
-    return trimmed(std::move(log));
-}
-
-std::string program_log(GLuint program) {
-    GLint size = 0;
-    glGetProgramiv(program, GL_INFO_LOG_LENGTH, &size);
-    std::string log(static_cast<size_t>(size), '\0');
-    glGetProgramInfoLog(program, size, nullptr, log.data());
-    return trimmed(std::move(log));
 }
 
 uint32_t compile(GLenum stage, const std::string& text, std::string& log) {
@@ -37,20 +25,20 @@ uint32_t compile(GLenum stage, const std::string& text, std::string& log) {
     const auto length = static_cast<GLint>(text.size());
     glShaderSource(shader, 1, &source, &length);
     glCompileShader(shader);
-    GLint fine = 0;
-    glGetShaderiv(shader, GL_COMPILE_STATUS, &fine);
-    if (fine) return shader;
-    log +=
-        (stage == GL_VERTEX_SHADER ? "vertex shader: " : "fragment shader: ") + shader_log(shader);
+    GLint ok = 0;
+    glGetShaderiv(shader, GL_COMPILE_STATUS, &ok);
+    if (ok) return shader;
+    log += (stage == GL_VERTEX_SHADER ? "vertex shader: " : "fragment shader: ") +
+           log_of(shader, glGetShaderiv, glGetShaderInfoLog);
     glDeleteShader(shader);
     return 0;
 }
 
 bool link_status(uint32_t program, std::string& log) {
-    GLint fine = 0;
-    glGetProgramiv(program, GL_LINK_STATUS, &fine);
-    if (!fine) log += "link: " + program_log(program);
-    return fine;
+    GLint ok = 0;
+    glGetProgramiv(program, GL_LINK_STATUS, &ok);
+    if (!ok) log += "link: " + log_of(program, glGetProgramiv, glGetProgramInfoLog);
+    return ok;
 }
 
 }  // namespace
@@ -63,64 +51,53 @@ std::optional<Program> Program::link(const std::string& vertex, const std::strin
     std::optional<Program> program;
     if (vertex_shader && fragment_shader) {
         program = Program(glCreateProgram());
-        glAttachShader(program->id_, vertex_shader);
-        glAttachShader(program->id_, fragment_shader);
+        glAttachShader(program->id(), vertex_shader);
+        glAttachShader(program->id(), fragment_shader);
         for (size_t i = 0; i < outputs.size(); ++i)
-            glBindFragDataLocation(program->id_, static_cast<GLuint>(i), outputs[i].c_str());
-        glLinkProgram(program->id_);
-        if (!link_status(program->id_, log)) program.reset();
+            glBindFragDataLocation(program->id(), static_cast<GLuint>(i), outputs[i].c_str());
+        glLinkProgram(program->id());
+        if (!link_status(program->id(), log)) program.reset();
     }
     glDeleteShader(vertex_shader);
     glDeleteShader(fragment_shader);
     return program;
 }
 
-Program::Program(Program&& other) noexcept : id_(std::exchange(other.id_, 0)) {}
-
-Program& Program::operator=(Program&& other) noexcept {
-    std::swap(id_, other.id_);
-    return *this;
-}
-
-Program::~Program() {
-    if (id_) glDeleteProgram(id_);
-}
-
 void Program::use() const {
-    glUseProgram(id_);
+    glUseProgram(id());
 }
 
 // GL ignores location -1, the location of an unused name.
 void Program::set(const char* name, float value) const {
-    glUniform1f(glGetUniformLocation(id_, name), value);
+    glUniform1f(glGetUniformLocation(id(), name), value);
 }
 
 void Program::set(const char* name, int value) const {
-    glUniform1i(glGetUniformLocation(id_, name), value);
+    glUniform1i(glGetUniformLocation(id(), name), value);
 }
 
 void Program::set(const char* name, glm::vec2 value) const {
-    glUniform2fv(glGetUniformLocation(id_, name), 1, glm::value_ptr(value));
+    glUniform2fv(glGetUniformLocation(id(), name), 1, glm::value_ptr(value));
 }
 
 void Program::set(const char* name, glm::vec3 value) const {
-    glUniform3fv(glGetUniformLocation(id_, name), 1, glm::value_ptr(value));
+    glUniform3fv(glGetUniformLocation(id(), name), 1, glm::value_ptr(value));
 }
 
 void Program::set(const char* name, glm::vec4 value) const {
-    glUniform4fv(glGetUniformLocation(id_, name), 1, glm::value_ptr(value));
+    glUniform4fv(glGetUniformLocation(id(), name), 1, glm::value_ptr(value));
 }
 
 void Program::set(const char* name, const glm::mat3& value) const {
-    glUniformMatrix3fv(glGetUniformLocation(id_, name), 1, GL_FALSE, glm::value_ptr(value));
+    glUniformMatrix3fv(glGetUniformLocation(id(), name), 1, GL_FALSE, glm::value_ptr(value));
 }
 
 void Program::set(const char* name, const glm::mat4& value) const {
-    glUniformMatrix4fv(glGetUniformLocation(id_, name), 1, GL_FALSE, glm::value_ptr(value));
+    glUniformMatrix4fv(glGetUniformLocation(id(), name), 1, GL_FALSE, glm::value_ptr(value));
 }
 
 void Program::set(const char* name, std::span<const float> value) const {
-    const GLint location = glGetUniformLocation(id_, name);
+    const GLint location = glGetUniformLocation(id(), name);
     switch (value.size()) {
         case 1:
             return glUniform1fv(location, 1, value.data());

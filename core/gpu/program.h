@@ -8,6 +8,8 @@
 #include <span>
 #include <string>
 
+#include "gpu/gl_handle.h"
+
 namespace wrinkle::gpu {
 
 class Program {
@@ -16,10 +18,6 @@ public:
     // driver's log. `outputs` are the fragment shader's variables for color attachments 0, 1, …
     static std::optional<Program> link(const std::string& vertex, const std::string& fragment,
                                        std::span<const std::string> outputs, std::string& log);
-
-    Program(Program&& other) noexcept;
-    Program& operator=(Program&& other) noexcept;
-    ~Program();
 
     void use() const;
 
@@ -33,11 +31,11 @@ public:
     void set(const char* name, const glm::mat4& value) const;
     void set(const char* name, std::span<const float> value) const;  // 1 to 4 components
 
-    uint32_t id() const { return id_; }
+    uint32_t id() const { return handle_.id(); }
 
 private:
-    explicit Program(uint32_t id) : id_(id) {}
-    uint32_t id_ = 0;
+    explicit Program(uint32_t id) : handle_(id) {}
+    ProgramHandle handle_;
 };
 
 }  // namespace wrinkle::gpu

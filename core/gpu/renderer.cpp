@@ -88,7 +88,7 @@ struct Renderer::State {
     };
     std::optional<MeshBuffers> mesh;
     std::optional<Material> material;
-    std::vector<Sampler> lookups;  // one per sampler of the material
+    std::vector<Sampler> samplers;  // one per sampler of the material
     std::map<ProgramKey, Program> programs;
     std::map<std::string, CachedTexture> images;
     std::optional<EnvironmentTexture> environment;
@@ -135,21 +135,20 @@ bool Renderer::State::upload_stale_images(const Material& material, Diagnostics&
                           "at most " + std::to_string(units));
         return false;
     }
-    bool fine = true;
+    bool ok = true;
     ImageLimits limits = image_limits_from_environment(diagnostics);
     limits.left_bytes = limit_of(Limit::all_images_bytes);
     for (const MaterialSampler& sampler : material.samplers) {
-        const auto kept = images.find(sampler.file);
-        const bool fresh = kept != images.end() && !kept->second.stale;
-        if (!fresh) {
+        const auto cached = images.find(sampler.file);
+        if (cached == images.end() || cached->second.stale) {
             std::optional<Image> image = load_image(sampler.file, limits, diagnostics);
-            fine = image &&
-                   upload(sampler.file, build_mips(std::move(*image)), true, diagnostics) && fine;
+            ok = image && upload(sampler.file, build_mips(std::move(*image)), true, diagnostics) &&
+                 ok;
         }
         if (const auto now = images.find(sampler.file); now != images.end())
             limits.left_bytes -= std::min(limits.left_bytes, now->second.bytes);
     }
-    return fine;
+    return ok;
 }
 
 const Program* Renderer::State::program_for(const ViewOptions& options, Diagnostics& diagnostics) {
@@ -180,34 +179,34 @@ bool Renderer::State::can_draw(Diagnostics& diagnostics) const {
         diagnostics.error("there is nothing to draw: a mesh and a material are needed");
         return false;
     }
-    bool fine = true;
+    bool ok = true;
     for (const Member& member : material->members) {
         const int location = attribute_location(member.property);
         if (location < 0 || mesh->has(location)) continue;
         diagnostics.error(
             "the material reads " + in_quotes(member.property) + ", which the mesh does not have",
             "a mesh that has it, or a graph that reads another one");
-        fine = false;
+        ok = false;
     }
-    return fine;
+    return ok;
 }
 
 void Renderer::State::draw_mesh(const Program& program) const {
     for (size_t i = 0; i < material->samplers.size(); ++i) {
         const MaterialSampler& sampler = material->samplers[i];
         images.at(sampler.file).texture.bind(static_cast<int>(i));
-        lookups[i].bind(static_cast<int>(i));
+        samplers[i].bind(static_cast<int>(i));
         program.set(sampler.name.c_str(), static_cast<int>(i));
     }
     for (const MaterialUniform& uniform : material->uniforms)
         program.set(uniform.name.c_str(), std::span<const float>(uniform.value));
     if (shading.environment) {
-        const auto unit = static_cast<int>(lookups.size());
+        const auto unit = static_cast<int>(samplers.size());
         environment->bind(unit);
         program.set("WrView_surroundings", unit);
     }
     mesh->draw();
-    for (size_t i = 0; i < lookups.size(); ++i)
+    for (size_t i = 0; i < samplers.size(); ++i)
         glBindSampler(static_cast<GLuint>(i), 0);  // so that other drawing is not affected
 }
 
@@ -248,9 +247,9 @@ void Renderer::set_lighting(Lighting lighting) {
     state_->wanted.lighting = lighting;
 }
 
-void Renderer::set_environment(const Image& picture) {
-    state_->environment.emplace(prefilter(picture));
-    state_->backdrop.emplace(radiance_of(picture));
+void Renderer::set_environment(const Image& image) {
+    state_->environment.emplace(prefilter(image));
+    state_->backdrop.emplace(radiance_of(image));
     state_->wanted.environment = true;
 }
 
@@ -281,9 +280,9 @@ bool Renderer::set_material(const Material& material, Diagnostics& diagnostics) 
         state_->programs.emplace(State::ProgramKey{}, std::move(*shaded));
     }
     state_->material = material;
-    state_->lookups.clear();
+    state_->samplers.clear();
     for (const MaterialSampler& sampler : material.samplers)
-        state_->lookups.emplace_back(sampler.options.wrap, sampler.options.filter);
+        state_->samplers.emplace_back(sampler.options.wrap, sampler.options.filter);
     return true;
 }
 

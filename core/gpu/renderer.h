@@ -116,7 +116,7 @@ public:
 
     // Lighting of the shaded view; takes effect at the next set_material(). Compiles nothing.
     void set_lighting(Lighting lighting);
-    void set_environment(const Image& picture);
+    void set_environment(const Image& image);
     void forget_environment();  // back to sky and ground
 
     // Compiles the shaded view and uploads the images; on failure returns false and retains the

@@ -3,7 +3,6 @@
 #include <epoxy/gl.h>
 
 #include <algorithm>
-#include <utility>
 
 namespace wrinkle::gpu {
 namespace {
@@ -18,18 +17,18 @@ GLenum internal_format(PixelFormat format) {
     return format == PixelFormat::rgba8 ? GL_RGBA8 : GL_RGBA32F;
 }
 
-uint32_t make_framebuffer() {
+FramebufferHandle make_framebuffer() {
     GLuint id = 0;
     glGenFramebuffers(1, &id);
     glBindFramebuffer(GL_FRAMEBUFFER, id);
-    return id;
+    return FramebufferHandle(id);
 }
 
 GLenum attachment(size_t color) {
     return GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(color);
 }
 
-uint32_t make_color_texture(const TargetOptions& options) {
+TextureHandle make_color_texture(const TargetOptions& options) {
     GLuint id = 0;
     glGenTextures(1, &id);
     glActiveTexture(GL_TEXTURE0);
@@ -42,10 +41,10 @@ uint32_t make_color_texture(const TargetOptions& options) {
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
-    return id;
+    return TextureHandle(id);
 }
 
-uint32_t attach_buffer(GLenum where, GLenum format, const TargetOptions& options) {
+RenderbufferHandle attach_buffer(GLenum where, GLenum format, const TargetOptions& options) {
     GLuint id = 0;
     glGenRenderbuffers(1, &id);
     glBindRenderbuffer(GL_RENDERBUFFER, id);
@@ -53,7 +52,7 @@ uint32_t attach_buffer(GLenum where, GLenum format, const TargetOptions& options
     glRenderbufferStorageMultisample(GL_RENDERBUFFER, samples, format, options.width,
                                      options.height);
     glFramebufferRenderbuffer(GL_FRAMEBUFFER, where, GL_RENDERBUFFER, id);
-    return id;
+    return RenderbufferHandle(id);
 }
 
 void draw_to_all_colors(size_t count) {
@@ -101,72 +100,44 @@ bool Target::build() {
     return complete && glGetError() == GL_NO_ERROR;
 }
 
-uint32_t Target::framebuffer_of_textures() {
-    const uint32_t id = make_framebuffer();
+FramebufferHandle Target::framebuffer_of_textures() {
+    FramebufferHandle handle = make_framebuffer();
     for (size_t i = 0; i < static_cast<size_t>(options_.colors); ++i) {
         textures_.push_back(make_color_texture(options_));
-        glFramebufferTexture2D(GL_FRAMEBUFFER, attachment(i), GL_TEXTURE_2D, textures_.back(), 0);
+        glFramebufferTexture2D(GL_FRAMEBUFFER, attachment(i), GL_TEXTURE_2D,
+                               texture(static_cast<int>(i)), 0);
     }
     if (options_.depth && options_.samples == 1)
         buffers_.push_back(attach_buffer(GL_DEPTH_ATTACHMENT, GL_DEPTH_COMPONENT24, options_));
     draw_to_all_colors(textures_.size());
-    return id;
+    return handle;
 }
 
-uint32_t Target::framebuffer_of_samples() {
-    const uint32_t id = make_framebuffer();
+FramebufferHandle Target::framebuffer_of_samples() {
+    FramebufferHandle handle = make_framebuffer();
     for (size_t i = 0; i < textures_.size(); ++i)
         buffers_.push_back(
             attach_buffer(attachment(i), internal_format(options_.format), options_));
     if (options_.depth)
         buffers_.push_back(attach_buffer(GL_DEPTH_ATTACHMENT, GL_DEPTH_COMPONENT24, options_));
     draw_to_all_colors(textures_.size());
-    return id;
-}
-
-Target::Target(Target&& other) noexcept
-    : options_(other.options_),
-      textures_(std::exchange(other.textures_, {})),
-      buffers_(std::exchange(other.buffers_, {})),
-      framebuffer_(std::exchange(other.framebuffer_, 0)),
-      sample_framebuffer_(std::exchange(other.sample_framebuffer_, 0)) {}
-
-Target& Target::operator=(Target&& other) noexcept {
-    std::swap(options_, other.options_);
-    std::swap(textures_, other.textures_);
-    std::swap(buffers_, other.buffers_);
-    std::swap(framebuffer_, other.framebuffer_);
-    std::swap(sample_framebuffer_, other.sample_framebuffer_);
-    return *this;
-}
-
-Target::~Target() {
-    destroy();
-}
-
-void Target::destroy() {
-    if (framebuffer_) glDeleteFramebuffers(1, &framebuffer_);
-    if (sample_framebuffer_) glDeleteFramebuffers(1, &sample_framebuffer_);
-    if (!buffers_.empty())
-        glDeleteRenderbuffers(static_cast<GLsizei>(buffers_.size()), buffers_.data());
-    if (!textures_.empty())
-        glDeleteTextures(static_cast<GLsizei>(textures_.size()), textures_.data());
+    return handle;
 }
 
 void Target::bind() const {
-    glBindFramebuffer(GL_FRAMEBUFFER, sample_framebuffer_ ? sample_framebuffer_ : framebuffer_);
+    glBindFramebuffer(GL_FRAMEBUFFER,
+                      (sample_framebuffer_.id() ? sample_framebuffer_ : framebuffer_).id());
     glViewport(0, 0, options_.width, options_.height);
 }
 
 void Target::resolve() const {
-    if (!sample_framebuffer_) return;
-    glBindFramebuffer(GL_READ_FRAMEBUFFER, sample_framebuffer_);
-    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer_);
+    if (!sample_framebuffer_.id()) return;
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, sample_framebuffer_.id());
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer_.id());
     for (size_t i = 0; i < textures_.size(); ++i) {
         glReadBuffer(attachment(i));
-        const GLenum color = attachment(i);
         std::vector<GLenum> only(i + 1, GL_NONE);
-        only[i] = color;
+        only[i] = attachment(i);
         glDrawBuffers(static_cast<GLsizei>(only.size()), only.data());
         glBlitFramebuffer(0, 0, options_.width, options_.height, 0, 0, options_.width,
                           options_.height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
@@ -177,7 +148,7 @@ void Target::resolve() const {
 std::vector<float> Target::read(int color) const {
     std::vector<float> pixels(4 * static_cast<size_t>(options_.width) *
                               static_cast<size_t>(options_.height));
-    glBindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer_);
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer_.id());
     glReadBuffer(attachment(static_cast<size_t>(color)));
     glReadPixels(0, 0, options_.width, options_.height, GL_RGBA, GL_FLOAT, pixels.data());
     return pixels;

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/diagnostics.h"
+#include "gpu/gl_handle.h"
 #include "image/image.h"
 
 namespace wrinkle::gpu {
@@ -30,17 +31,13 @@ public:
     // an incomplete framebuffer.
     static std::optional<Target> make(const TargetOptions& options, Diagnostics& diagnostics);
 
-    Target(Target&& other) noexcept;
-    Target& operator=(Target&& other) noexcept;
-    ~Target();
-
     void bind() const;     // as the draw framebuffer, with a viewport over all of it
     void resolve() const;  // call after drawing, before the texture is used or read
 
     int width() const { return options_.width; }
     int height() const { return options_.height; }
     const TargetOptions& options() const { return options_; }
-    uint32_t texture(int color = 0) const { return textures_[static_cast<size_t>(color)]; }
+    uint32_t texture(int color = 0) const { return textures_[static_cast<size_t>(color)].id(); }
 
     // Four floats per pixel; value / 255 for an rgba8 target.
     std::vector<float> read(int color = 0) const;
@@ -51,15 +48,14 @@ public:
 private:
     Target() = default;
     bool build();
-    uint32_t framebuffer_of_textures();
-    uint32_t framebuffer_of_samples();
-    void destroy();
+    FramebufferHandle framebuffer_of_textures();
+    FramebufferHandle framebuffer_of_samples();
 
     TargetOptions options_;
-    std::vector<uint32_t> textures_;
-    std::vector<uint32_t> buffers_;    // renderbuffers: depth and multisampled colors
-    uint32_t framebuffer_ = 0;         // with the textures attached
-    uint32_t sample_framebuffer_ = 0;  // 0 without multisampling
+    std::vector<TextureHandle> textures_;
+    std::vector<RenderbufferHandle> buffers_;  // depth and multisampled colors
+    FramebufferHandle framebuffer_;            // with the textures attached
+    FramebufferHandle sample_framebuffer_;     // none without multisampling
 };
 
 }  // namespace wrinkle::gpu

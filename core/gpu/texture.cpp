@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <utility>
 #include <vector>
 
 namespace wrinkle::gpu {
@@ -99,45 +98,25 @@ Texture Texture::of_floats(int width, int height, std::span<const float> rgba) {
     return texture;
 }
 
-Texture::Texture(Texture&& other) noexcept : id_(std::exchange(other.id_, 0)) {}
-
-Texture& Texture::operator=(Texture&& other) noexcept {
-    std::swap(id_, other.id_);
-    return *this;
-}
-
-Texture::~Texture() {
-    if (id_) glDeleteTextures(1, &id_);
-}
-
 void Texture::bind(int unit) const {
     glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
-    glBindTexture(GL_TEXTURE_2D, id_);
+    glBindTexture(GL_TEXTURE_2D, handle_.id());
 }
 
 Sampler::Sampler(Wrap wrap, Filter filter) {
-    glGenSamplers(1, &id_);
+    GLuint id = 0;
+    glGenSamplers(1, &id);
+    handle_ = SamplerHandle(id);
     const bool linear = filter == Filter::linear;
-    glSamplerParameteri(id_, GL_TEXTURE_WRAP_S, wrap_mode(wrap));
-    glSamplerParameteri(id_, GL_TEXTURE_WRAP_T, wrap_mode(wrap));
-    glSamplerParameteri(id_, GL_TEXTURE_MAG_FILTER, linear ? GL_LINEAR : GL_NEAREST);
-    glSamplerParameteri(id_, GL_TEXTURE_MIN_FILTER,
+    glSamplerParameteri(id, GL_TEXTURE_WRAP_S, wrap_mode(wrap));
+    glSamplerParameteri(id, GL_TEXTURE_WRAP_T, wrap_mode(wrap));
+    glSamplerParameteri(id, GL_TEXTURE_MAG_FILTER, linear ? GL_LINEAR : GL_NEAREST);
+    glSamplerParameteri(id, GL_TEXTURE_MIN_FILTER,
                         linear ? GL_LINEAR_MIPMAP_LINEAR : GL_NEAREST_MIPMAP_NEAREST);
 }
 
-Sampler::Sampler(Sampler&& other) noexcept : id_(std::exchange(other.id_, 0)) {}
-
-Sampler& Sampler::operator=(Sampler&& other) noexcept {
-    std::swap(id_, other.id_);
-    return *this;
-}
-
-Sampler::~Sampler() {
-    if (id_) glDeleteSamplers(1, &id_);
-}
-
 void Sampler::bind(int unit) const {
-    glBindSampler(static_cast<GLuint>(unit), id_);
+    glBindSampler(static_cast<GLuint>(unit), handle_.id());
 }
 
 }  // namespace wrinkle::gpu

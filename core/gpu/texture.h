@@ -11,6 +11,7 @@
 #include <span>
 
 #include "base/texture_options.h"
+#include "gpu/gl_handle.h"
 #include "image/mips.h"
 
 namespace wrinkle::gpu {
@@ -21,30 +22,22 @@ public:
     // 32-bit floats, four per texel, row by row from the bottom; one level, for texelFetch.
     static Texture of_floats(int width, int height, std::span<const float> rgba);
 
-    Texture(Texture&& other) noexcept;
-    Texture& operator=(Texture&& other) noexcept;
-    ~Texture();
-
     void bind(int unit) const;
-    uint32_t id() const { return id_; }
+    uint32_t id() const { return handle_.id(); }
 
 private:
-    explicit Texture(uint32_t id) : id_(id) {}
-    uint32_t id_ = 0;
+    explicit Texture(uint32_t id) : handle_(id) {}
+    TextureHandle handle_;
 };
 
 // Sampler object. linear: trilinear; nearest: the nearest texel of the nearest level.
 class Sampler {
 public:
     Sampler(Wrap wrap, Filter filter);
-    Sampler(Sampler&& other) noexcept;
-    Sampler& operator=(Sampler&& other) noexcept;
-    ~Sampler();
-
     void bind(int unit) const;
 
 private:
-    uint32_t id_ = 0;
+    SamplerHandle handle_;
 };
 
 }  // namespace wrinkle::gpu

@@ -4,7 +4,7 @@
 
 #include "editor/canvas/field.h"
 #include "glsl/log.h"
-#include "gpu/from_glsl.h"
+#include "gpu/material.h"
 
 namespace wrinkle::editor {
 namespace {

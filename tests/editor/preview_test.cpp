@@ -2,7 +2,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "gpu/from_glsl.h"
+#include "gpu/material.h"
 #include "graph/edit.h"
 #include "graph/read.h"
 #include "lower/material.h"

@@ -1,6 +1,8 @@
-#include "gpu/from_glsl.h"
+#include "gpu/material.h"
+#include "gpu/point_runner.h"
 
 #include "fixture.h"
+#include "glsl/emit.h"
 
 namespace wrinkle::gpu {
 namespace {

@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "glsl/emit.h"
-#include "gpu/from_glsl.h"
+#include "gpu/material.h"
 #include "gpu/renderer.h"
 #include "mesh/shapes.h"
 #include "parity/context.h"
