@@ -4,6 +4,9 @@
 // `#line` numbers identify nodes: 1 + the index in Module::nodes, or 1 for a line without a node. A
 // helper function has no node; each node that calls it, directly or through other helpers, gets a
 // copy of it with the node's line number.
+//
+// The copies are made in the text, by hand, because an inlined instruction keeps the line of its
+// helper and could not be attributed to a caller.
 #pragma once
 
 #include <string>

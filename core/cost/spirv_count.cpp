@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "ir/op_traits.h"
+
 namespace wrinkle {
 namespace {
 
@@ -49,6 +51,40 @@ constexpr Range image_reads[] = {{87, 98}, {305, 315}, {320, 320}};
 constexpr Range image_queries[] = {{101, 107}};
 constexpr Range screen_derivatives[] = {{207, 215}};
 constexpr Range block_ends[] = {{249, 255}};
+
+// Functions of GLSL.std.450 that cost more than one operation per component.
+struct FunctionCost {
+    Range functions;
+    uint32_t alu, transcendental = 0;
+};
+constexpr FunctionCost per_component[] = {
+    {{13, 18}, 1, 1},                               // Sin to Atan
+    {{25, 25}, 1, 1},                               // Atan2
+    {{26, 26}, traits(Op::pow_).per_component, 2},  // Pow
+    {{27, 32}, 1, 1},                               // Exp to InverseSqrt
+    {{43, 45}, traits(Op::clamp_).per_component},   // FClamp, UClamp, SClamp
+    {{46, 46}, traits(Op::mix_).per_component},     // FMix
+    {{49, 49}, traits(Op::smoothstep_).per_component},
+    {{50, 50}, 2},                                  // Fma
+    {{81, 81}, traits(Op::clamp_).per_component}};  // NClamp
+constexpr FunctionCost per_operand_component[] = {
+    {{66, 66}, traits(Op::length_).per_operand, 1},
+    {{67, 67}, traits(Op::length_).per_operand + 1, 1},  // Distance
+    {{69, 69}, traits(Op::normalize_).per_component, 1}};
+constexpr uint32_t function_cross = 68;
+
+// Product of a matrix of `rows` x `inner` numbers and one of `inner` x `columns`; dot is a product
+// of a row and a column.
+constexpr uint32_t product_cost(uint32_t rows, uint32_t inner, uint32_t columns) {
+    return rows * (2 * inner - 1) * columns;
+}
+
+const FunctionCost* cost_in(std::span<const FunctionCost> table, uint32_t function) {
+    const auto found = std::find_if(table.begin(), table.end(), [&](const FunctionCost& row) {
+        return row.functions.holds(function);
+    });
+    return found == table.end() ? nullptr : &*found;
+}
 
 struct Shape {
     uint32_t rows = 0, columns = 0;  // scalar 1, 1; vector n, 1; 0: unknown
@@ -113,8 +149,8 @@ private:
 
     uint32_t product(uint32_t op, std::span<const uint32_t> operands) const {
         const Shape left = shape(at(operands, 2)), right = shape(at(operands, 3));
-        if (op == op_vector_times_matrix) return (2 * right.rows - 1) * right.columns;
-        return (2 * left.columns - 1) * left.rows * right.columns;
+        if (op == op_vector_times_matrix) return product_cost(1, right.rows, right.columns);
+        return product_cost(left.rows, left.columns, right.columns);
     }
 
     ShaderCost cost_of(uint32_t op, std::span<const uint32_t> operands) const {
@@ -128,7 +164,7 @@ private:
             cost.derivatives = 1;
             cost.derivative_lanes = lanes;
         } else if (op == op_dot) {
-            cost.alu = 2 * shape(at(operands, 2)).lanes() - 1;
+            cost.alu = product_cost(1, shape(at(operands, 2)).lanes(), 1);
         } else if (op == op_any || op == op_all) {
             cost.alu = shape(at(operands, 2)).lanes();
         } else if (op_vector_times_matrix <= op && op <= op_matrix_times_matrix) {
@@ -144,33 +180,13 @@ private:
 
     static void extended(uint32_t function, uint32_t lanes, uint32_t operand_lanes,
                          ShaderCost& cost) {
-        constexpr Range clamps{43, 45}, transcendental{13, 18}, roots_and_powers{27, 32};
-        cost.alu = lanes;
-        if (clamps.holds(function) || function == 50 || function == 81) cost.alu = 2 * lanes;
-        if (transcendental.holds(function) || roots_and_powers.holds(function) || function == 25)
-            cost.transcendental = lanes;
-        switch (function) {
-            case 26:  // Pow
-                cost.alu = 3 * lanes;
-                cost.transcendental = 2 * lanes;
-                break;
-            case 46:  // FMix
-                cost.alu = 3 * lanes;
-                break;
-            case 49:  // SmoothStep
-                cost.alu = 7 * lanes;
-                break;
-            case 66:  // Length
-            case 67:  // Distance
-            case 69:  // Normalize
-                cost.alu = (function == 66 ? 2 : 3) * operand_lanes;
-                cost.transcendental = 1;
-                break;
-            case 68:  // Cross
-                cost.alu = 9;
-                break;
-            default:
-                break;
+        cost.alu = function == function_cross ? traits(Op::cross_).fixed : lanes;
+        if (const FunctionCost* found = cost_in(per_component, function)) {
+            cost.alu = found->alu * lanes;
+            cost.transcendental = found->transcendental * lanes;
+        } else if (const FunctionCost* length = cost_in(per_operand_component, function)) {
+            cost.alu = length->alu * operand_lanes;
+            cost.transcendental = length->transcendental;
         }
     }
 

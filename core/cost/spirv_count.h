@@ -1,6 +1,9 @@
 // Counts the cost of a SPIR-V module by the rules of docs/cost.md: every instruction of every
 // function once, also in loops. Precondition: optimised by `spirv-opt -O`, no call remains.
 //
+// Written by hand, because no linked library counts operations: SPIRV-Tools would only replace the
+// loop over the words, and is in a module that is loaded on demand.
+//
 //   alu            scalar operations: arithmetic, comparison, selection, logic, bit operations and
 //                  conversion: 1 per component of the result; dot of n components 2n-1; a matrix of
 //                  c columns and r rows times a vector (2c-1)r; clamp and fma 2 per component, mix

@@ -1,10 +1,9 @@
 // Cost of a module in a shader, computed without a driver: scalar operations and texture reads.
 //
-// An operation counts once per component of its result, with the exceptions of docs/cost.md: dot of
-// n components 2n-1, clamp 2 per component, mix 3, smoothstep 7, pow 3, cross 9, length 2n,
-// normalize 3n, a matrix times a vector 15, times a matrix 45. Constructs, swizzles and columns are
-// free, and so are leaves and screen derivatives. The body of a loop counts once, a function at
-// each of its calls. A value that several nodes need counts for the node that wrote it first.
+// An operation counts once per component of its result, with the exceptions of docs/cost.md, which
+// ir/op_traits.h lists. Constructs, swizzles and columns are free, and so are leaves and screen
+// derivatives. The body of a loop counts once, a function at each of its calls. A value that
+// several nodes need counts for the node that wrote it first.
 #pragma once
 
 #include <cstdint>

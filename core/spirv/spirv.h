@@ -12,7 +12,8 @@
 // msl     Metal 2.0, entry points NAME_vertex and NAME_fragment. An image has a sampler
 //         NAMESmplr.
 //
-// HLSL and Metal have a comment where the code of each node begins, as in GLSL.
+// HLSL and Metal have a comment where the code of each node begins, as in GLSL. That and the line
+// table are the hand-written part of the translation: SPIRV-Cross knows lines, but no nodes.
 #pragma once
 
 #include <optional>
