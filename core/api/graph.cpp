@@ -1,8 +1,6 @@
 #include "api/parts.h"
 #include "base/text.h"
 #include "compile/inputs.h"
-#include "compile/shader.h"
-#include "compile/text_sums.h"
 
 namespace wrinkle::api {
 namespace {

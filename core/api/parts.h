@@ -7,8 +7,9 @@
 #include <array>
 #include <mutex>
 
-#include "compile/textures.h"
+#include "compile/shader.h"
 #include "cpu/columns.h"
+#include "cpu/texture_store.h"
 #include "graph/subgraph.h"
 #include "registry/registry.h"
 

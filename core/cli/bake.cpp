@@ -1,11 +1,8 @@
 // wrinkle bake FILE --mesh NAME|PATH -o OUT: bakes a graph's maps onto the uv layout of a mesh.
-#include <memory>
-
 #include "base/overwrite.h"
 #include "base/text.h"
 #include "cli/arguments.h"
 #include "cli/bake_run.h"
-#include "cli/interrupt.h"
 #include "cli/output.h"
 #include "image/formats.h"
 
@@ -21,23 +18,18 @@ struct BakeCommand {
         if (!options.merge.empty()) return merge();
         BakeRequest wishes;
         std::string why;
-        if (!read_request(options, wishes, why)) return usage(why);
+        if (!read_request(options, wishes, why)) return fail(exit_usage, why);
         Diagnostics diagnostics;
         auto job = make_bake_job(options, wishes, diagnostics);
         if (!job) return report(diagnostics, options.common.diagnostics);
         const PartHeader header = header_of(*job);
-        if (!wishes.is_shard() && !can_be_written(header, why)) return usage(why);
+        if (!wishes.is_shard() && !can_be_written(header, why)) return fail(exit_usage, why);
         if (!may_be_written(*job, header, diagnostics))
             return report(diagnostics, options.common.diagnostics);
         BakeOutcome outcome = carry_out(*job, header);
         diagnostics.append(outcome.warnings);
         report(diagnostics, options.common.diagnostics);
         return write_depfile(*job, outcome) ? finish(outcome) : int{exit_environment};
-    }
-
-    static int usage(const std::string& sentence) {
-        print_error(sentence);
-        return exit_usage;
     }
 
     // Checks file formats before the bake, which may take hours.
@@ -116,19 +108,21 @@ struct BakeCommand {
     bool write_depfile(const BakeJob& job, const BakeOutcome& outcome) const {
         const Depfile& depfile = options.depfile;
         if (!depfile.wanted || outcome.end != BakeEnd::done) return true;
-        return write_result(depfile_place(), make_rules({{outcome.files, job.inputs}}, depfile));
+        return write_result(depfile_place(), make_rules({{outcome.files, job.inputs}}, depfile)) ==
+               exit_success;
     }
 
     int merge() const {
         if (!options.file.empty() || !options.mesh.empty() || !options.shard.empty() ||
             options.resume)
-            return usage("--merge joins what was baked; it takes folders and -o OUT alone");
+            return fail(exit_usage,
+                        "--merge joins what was baked; it takes folders and -o OUT alone");
         Diagnostics diagnostics;
         std::vector<fs::path> folders(options.merge.begin(), options.merge.end());
         const auto headers = read_parts(folders, diagnostics);
         if (headers.empty()) return report(diagnostics, options.common.diagnostics);
         std::string why;
-        if (!can_be_written(headers[0], why)) return usage(why);
+        if (!can_be_written(headers[0], why)) return fail(exit_usage, why);
         const uint64_t pictures = headers[0].pictures.size();
         BakeOutcome outcome;
         {
@@ -149,18 +143,16 @@ struct BakeCommand {
         std::string files;
         for (const std::string& file : outcome.files)
             files += (files.empty() ? "" : ", ") + json_quoted(file);
-        return write_result("-", "{\"files\": [" + files + "]}\n") ? exit_success
-                                                                   : exit_environment;
+        return write_result("-", "{\"files\": [" + files + "]}\n");
     }
 };
 
 }  // namespace
 
 void declare_bake(CLI::App& app, Run& run) {
-    auto command = std::make_shared<BakeCommand>();
-    CLI::App& sub = *app.add_subcommand("bake", "A graph's maps on the uv layout of a mesh");
-    declare_bake_options(sub, command->options);
-    sub.callback([command, &run] { run = [command] { return command->run(); }; });
+    auto [sub, c] =
+        add_command<BakeCommand>(app, run, "bake", "A graph's maps on the uv layout of a mesh");
+    declare_bake_options(sub, c.options);
 }
 
 }  // namespace wrinkle::cli

@@ -5,10 +5,8 @@
 #include "bake/mesh_check.h"
 #include "base/file.h"
 #include "base/sha256.h"
-#include "cli/cache.h"
 #include "cli/identity.h"
 #include "cli/meshes.h"
-#include "compile/inputs.h"
 #include "mesh/uv_survey.h"
 
 namespace wrinkle::cli {
@@ -90,9 +88,7 @@ void plan_runs(BakeJob& job, const Overrides& overrides, Diagnostics& diagnostic
             problems.add(std::move(problem));
         }
         if (plan) job.plans.push_back(std::move(*plan));
-        if (!job.inputs.empty()) return;
-        for (const InputFile& input : inputs_of(run.project, Types(run.project, nodes.registry)))
-            job.inputs.push_back(input.path);
+        if (job.inputs.empty()) job.inputs = input_paths(run.project, nodes.registry);
     };
     const bool moments = covariances_for(requests) == Covariances::kept;
     compile_runs(job.options.file, job.options.common, nodes.registry, overrides,

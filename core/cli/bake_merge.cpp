@@ -7,7 +7,6 @@
 
 #include "base/file_problem.h"
 #include "cli/bake_run.h"
-#include "cli/interrupt.h"
 
 namespace wrinkle::cli {
 namespace fs = std::filesystem;

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "bake/texture_set.h"
-#include "cli/interrupt.h"
 
 namespace wrinkle::cli {
 namespace fs = std::filesystem;

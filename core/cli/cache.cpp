@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <charconv>
 #include <chrono>
 #include <cstring>
 #include <vector>
@@ -132,28 +131,6 @@ void Cache::prune() {
             size -= kept[k].size;
         }
     }
-}
-
-std::string join_fields(const std::vector<std::string>& fields) {
-    std::string bytes;
-    for (const std::string& field : fields)
-        bytes += std::to_string(field.size()) + "\n" + field;
-    return bytes;
-}
-
-std::optional<std::vector<std::string>> split_fields(std::string_view bytes) {
-    std::vector<std::string> fields;
-    while (!bytes.empty()) {
-        size_t size = 0;
-        const char* const end = bytes.data() + bytes.size();
-        const auto [stop, problem] = std::from_chars(bytes.data(), end, size);
-        if (problem != std::errc() || stop == end || *stop != '\n') return {};
-        bytes.remove_prefix(static_cast<size_t>(stop - bytes.data()) + 1);
-        if (size > bytes.size()) return {};
-        fields.emplace_back(bytes.substr(0, size));
-        bytes.remove_prefix(size);
-    }
-    return fields;
 }
 
 }  // namespace wrinkle::cli

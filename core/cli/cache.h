@@ -18,7 +18,6 @@
 #include <optional>
 #include <string>
 #include <string_view>
-#include <vector>
 
 namespace wrinkle::cli {
 
@@ -43,10 +42,5 @@ private:
     uint64_t limit_;
     std::array<std::atomic<bool>, parts> grown_{};
 };
-
-// Serialises strings into one and back; split_fields() returns std::nullopt if the bytes are not an
-// output of join_fields().
-std::string join_fields(const std::vector<std::string>& fields);
-std::optional<std::vector<std::string>> split_fields(std::string_view bytes);
 
 }  // namespace wrinkle::cli

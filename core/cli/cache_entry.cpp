@@ -4,6 +4,7 @@
 #include <map>
 
 #include "base/file.h"
+#include "base/file_problem.h"
 #include "base/sha256.h"
 #include "cli/identity.h"
 #include "graph/write.h"
@@ -92,8 +93,8 @@ Diagnostic warning_of(const std::string* fields, const Project& project) {
 std::string cache_key(const Project& project, const Types& types, const std::string& name,
                       const Compilation& with) {
     const TextOptions& options = with.options;
-    const bool compilers = options.cost || is_translated(*find_target(options.target));
-    const std::string identity = program_identity() + (compilers ? loaded_identity() : "");
+    const std::string identity =
+        program_identity() + (needs_compilers(options) ? loaded_identity() : "");
     Fields fields = {identity,
                      options.target,
                      options.form,
@@ -150,10 +151,8 @@ void store_entry(const Compilation& with, const std::string& key, const Project&
         add_warning(warning, project, fields);
     std::string why;
     if (with.cache->store(key, join_fields(fields), why)) return;
-    Diagnostic warning;
-    warning.severity = Severity::warning;
-    warning.message = "the cache cannot be written: " + why;
-    result.diagnostics.add(std::move(warning));
+    result.diagnostics.add(
+        file_problem(Severity::warning, "", "the cache cannot be written: " + why, ""));
 }
 
 }  // namespace wrinkle::cli

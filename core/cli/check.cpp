@@ -1,6 +1,4 @@
 // wrinkle check FILE...: reports all problems of graphs.
-#include <memory>
-
 #include "cli/graph_files.h"
 #include "cli/material_run.h"
 #include "cli/output.h"
@@ -40,11 +38,10 @@ struct CheckCommand {
 }  // namespace
 
 void declare_check(CLI::App& app, Run& run) {
-    auto command = std::make_shared<CheckCommand>();
-    CLI::App& sub = *app.add_subcommand("check", "Reports every problem of graphs at once");
-    sub.add_option("FILE", command->files, "Graphs; - reads standard input")->required();
-    declare_common(sub, command->common);
-    sub.callback([command, &run] { run = [command] { return command->run(); }; });
+    auto [sub, c] =
+        add_command<CheckCommand>(app, run, "check", "Reports every problem of graphs at once");
+    sub.add_option("FILE", c.files, "Graphs; - reads standard input")->required();
+    declare_common(sub, c.common);
 }
 
 }  // namespace wrinkle::cli

@@ -1,6 +1,7 @@
 #include "cli/cli.h"
 
 #include <algorithm>
+#include <cstdio>
 
 #include "base/diagnostics.h"
 #include "base/printable.h"
@@ -10,15 +11,12 @@
 namespace wrinkle::cli {
 namespace {
 
-constexpr const char* version = "wrinkle " WRINKLE_VERSION;
-
 int guarded(const Run& run) {
     try {
         return run();
     } catch (...) {
-        print_error(exception_text());
+        return fail(exit_environment, exception_text());
     }
-    return exit_environment;
 }
 
 // Formats a parse error on one line. It is escaped, because it may quote a file name expanded from
@@ -29,27 +27,21 @@ std::string one_line_failure(const CLI::App* app, const CLI::Error& error) {
         app, CLI::Error(error.get_name(), sentence, error.get_exit_code()));
 }
 
-}  // namespace
-
+// Parses the command line, runs the command, returns the exit code.
 int run_cli(int argc, const char* const* argv) {
     CLI::App app("Layered bump mapping: graphs to GLSL, pictures and numbers.", "wrinkle");
-    app.set_version_flag("--version", version);
+    app.set_version_flag("--version", "wrinkle " WRINKLE_VERSION);
     app.require_subcommand(1);
     app.get_formatter()->column_width(34);
     app.footer("Sizes have limits, which environment variables change: `wrinkle man` lists them.");
     app.failure_message(one_line_failure);
     Run run;
-    for (auto declare : {declare_check, declare_compile, declare_eval, declare_render, declare_bake,
-                         declare_convert, declare_lint, declare_test, declare_format,
-                         declare_upgrade, declare_inputs, declare_nodes, declare_plugins,
-                         declare_new_plugin, declare_explain_log, declare_completion, declare_man})
-        declare(app, run);
+#define WRINKLE_DECLARE(name) declare_##name(app, run);
+    WRINKLE_COMMANDS(WRINKLE_DECLARE)
+#undef WRINKLE_DECLARE
     std::string why;
     auto words = command_words(argc, argv, why);
-    if (!words) {
-        print_error(why);
-        return exit_usage;
-    }
+    if (!words) return fail(exit_usage, why);
     std::reverse(words->begin(), words->end());  // CLI11 expects the words in reverse order
     try {
         app.parse(std::move(*words));
@@ -60,4 +52,21 @@ int run_cli(int argc, const char* const* argv) {
     return guarded(run);
 }
 
+}  // namespace
+
+void declare_diagnostics(CLI::App& command, std::string& format) {
+    command.add_option("--diagnostics", format, "How problems are printed")
+        ->check(CLI::IsMember({"text", "json"}))
+        ->capture_default_str();
+}
+
 }  // namespace wrinkle::cli
+
+// Flushes standard output, because a buffered write may still fail.
+int main(int argc, char** argv) {
+    using namespace wrinkle::cli;
+    const int code = run_cli(argc, argv);
+    const bool printed = std::fflush(stdout) == 0 && std::ferror(stdout) == 0;
+    if (printed || code == exit_environment) return code;
+    return fail(exit_environment, "standard output cannot be written");
+}

@@ -1,6 +1,7 @@
-// The `wrinkle` program: one file per command, each declared by one function.
+// Commands of the `wrinkle` program, one file each.
 //
-// declare_X() adds the options of a command to the parser and sets `run` when the command is
+// A new command is a row of WRINKLE_COMMANDS, a file that defines its declare_NAME(), and a test.
+// declare_NAME() adds the options of the command to the parser and sets `run` when the command is
 // chosen; run() returns the exit code. Errors go to standard error, results to standard output or
 // to files that are written atomically.
 #pragma once
@@ -9,39 +10,37 @@
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
 #include <functional>
+#include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace wrinkle::cli {
 
-enum ExitCode : int {
-    exit_success = 0,
-    exit_input = 1,        // an input has errors or cannot be read
-    exit_usage = 2,        // wrong usage
-    exit_environment = 3,  // an output cannot be written, no GL
-};
-
 using Run = std::function<int()>;
 
-void declare_check(CLI::App& app, Run& run);
-void declare_compile(CLI::App& app, Run& run);
-void declare_eval(CLI::App& app, Run& run);
-void declare_render(CLI::App& app, Run& run);
-void declare_bake(CLI::App& app, Run& run);
-void declare_convert(CLI::App& app, Run& run);
-void declare_lint(CLI::App& app, Run& run);
-void declare_test(CLI::App& app, Run& run);
-void declare_format(CLI::App& app, Run& run);
-void declare_upgrade(CLI::App& app, Run& run);
-void declare_inputs(CLI::App& app, Run& run);
-void declare_nodes(CLI::App& app, Run& run);
-void declare_plugins(CLI::App& app, Run& run);
-void declare_new_plugin(CLI::App& app, Run& run);
-void declare_explain_log(CLI::App& app, Run& run);
-void declare_completion(CLI::App& app, Run& run);
-void declare_man(CLI::App& app, Run& run);
+// In the order of --help.
+#define WRINKLE_COMMANDS(row)                                                                \
+    row(check) row(compile) row(eval) row(render) row(bake) row(convert) row(lint) row(test) \
+        row(format) row(upgrade) row(inputs) row(nodes) row(plugins) row(new_plugin)         \
+            row(explain_log) row(completion) row(man)
 
-// Implementation of main(): parses the command line, runs the command, returns the exit code.
-int run_cli(int argc, const char* const* argv);
+#define WRINKLE_DECLARE(name) void declare_##name(CLI::App& app, Run& run);
+WRINKLE_COMMANDS(WRINKLE_DECLARE)
+#undef WRINKLE_DECLARE
+
+// Adds a command to the parser and returns it with its Command, which holds the values of the
+// options; Command::run() returns the exit code.
+template <class Command>
+std::pair<CLI::App&, Command&> add_command(CLI::App& app, Run& run, const char* name,
+                                           const char* summary) {
+    auto command = std::make_shared<Command>();
+    CLI::App& sub = *app.add_subcommand(name, summary);
+    sub.callback([command, &run] { run = [command] { return command->run(); }; });
+    return {sub, *command};
+}
+
+// Adds --diagnostics, the format of report().
+void declare_diagnostics(CLI::App& command, std::string& format);
 
 }  // namespace wrinkle::cli

@@ -4,22 +4,16 @@
 #include <exception>
 #include <filesystem>
 #include <functional>
-#include <memory>
 #include <optional>
 #include <thread>
 
-#include "base/dynamic_library.h"
 #include "base/file.h"
 #include "base/overwrite.h"
 #include "cli/arguments.h"
 #include "cli/compile_graph.h"
-#include "cli/cost.h"
 #include "cli/graph_files.h"
 #include "cli/output.h"
 #include "cli/outputs.h"
-#include "compile/shader.h"
-#include "glsl/target.h"
-#include "spirv/spirv.h"
 
 namespace wrinkle::cli {
 namespace fs = std::filesystem;
@@ -40,6 +34,7 @@ struct CompileCommand {
     CommonOptions common;
     TextOptions text;
     Outputs outputs;
+    const CLI::Option* output = nullptr;  // -o
     std::string cache_folder;
     uint64_t cache_size = default_cache_size;
     unsigned jobs = 0;  // 0: one per processor
@@ -47,14 +42,17 @@ struct CompileCommand {
     int run() {
         Diagnostics diagnostics;
         outputs.files = graphs_among(outputs.files, diagnostics);
-        if (const std::string why = wrong_usage(); !why.empty()) return usage(why);
-        if (std::string why; needs_compilers() && !have_spirv_tools(why)) {
-            print_error(why + "; " + library_remedy);
-            return exit_environment;
-        }
+        outputs.costs = text.cost;
+        outputs.texts = !text.cost || output->count() > 0;
+        if (const std::string why = wrong_usage(); !why.empty()) return fail(exit_usage, why);
+        outputs.form = form_of(text);
+        outputs.suffix = find_target(text.target)->suffix;
+        if (const std::string why = outputs.conflict(); !why.empty()) return fail(exit_usage, why);
+        if (std::string why; !have_compilers(text, why)) return fail(exit_environment, why);
         const Nodes nodes = load_nodes(common, diagnostics);
         const Overrides overrides = parse_overrides(common, diagnostics);
-        if (overrides.is_sweep()) return usage("compile takes no sweep; give --set one value");
+        if (overrides.is_sweep())
+            return fail(exit_usage, "compile takes no sweep; give --set one value");
         if (diagnostics.has_errors()) return report(diagnostics, common.diagnostics);
         std::optional<Cache> cache;
         if (!cache_folder.empty()) cache.emplace(cache_folder, cache_size);
@@ -66,13 +64,6 @@ struct CompileCommand {
         return finish(outcomes, diagnostics);
     }
 
-    bool needs_compilers() const { return text.cost || is_translated(*find_target(text.target)); }
-
-    static int usage(const std::string& sentence) {
-        print_error(sentence);
-        return exit_usage;
-    }
-
     std::string wrong_usage() const {
         const Depfile& depfile = outputs.depfile;
         if (outputs.files.empty()) return "compile needs a graph; - reads standard input";
@@ -80,7 +71,7 @@ struct CompileCommand {
         if (!depfile.wanted && (depfile.phony || !(depfile.path + depfile.target).empty()))
             return "-MF, -MT and -MP go with -MD";
         if (text.json && !text.cost) return "--json goes with --cost";
-        return outputs.conflict();
+        return "";
     }
 
     // Reports an error if an output would overwrite an input of any graph. The first of several
@@ -103,13 +94,9 @@ struct CompileCommand {
     }
 
     static std::vector<std::string> inputs_read(const std::string& file, const Compilation& with) {
-        std::vector<std::string> paths;
-        if (!stream_title(file).empty()) return paths;  // a stream can be read only once
+        if (!stream_title(file).empty()) return {};  // a stream can be read only once
         Diagnostics later;
-        const Project project = open_project(file, with.common, later);
-        for (InputFile& input : inputs_of(project, Types(project, with.registry)))
-            paths.push_back(std::move(input.path));
-        return paths;
+        return input_paths(open_project(file, with.common, later), with.registry);
     }
 
     // The files of a graph are written together or not at all, independently of other graphs. With
@@ -228,8 +215,8 @@ struct CompileCommand {
         std::vector<GraphCost> costs;
         for (size_t i = 0; i < outcomes.size(); ++i)
             if (!outcomes[i].cost.empty()) costs.push_back({outputs.files[i], outcomes[i].cost});
-        return costs.empty() ||
-               write_result("-", printed_costs(costs, outputs.several(), text.json));
+        return costs.empty() || write_result("-", printed_costs(costs, outputs.several(),
+                                                                text.json)) == exit_success;
     }
 };
 
@@ -257,15 +244,14 @@ void declare_judgement(CLI::App& sub, TextOptions& text) {
 }  // namespace
 
 void declare_compile(CLI::App& app, Run& run) {
-    auto command = std::make_shared<CompileCommand>();
-    CompileCommand& c = *command;
-    CLI::App& sub = *app.add_subcommand("compile", "Graphs to GLSL, SPIR-V, HLSL or Metal");
+    auto [sub, c] =
+        add_command<CompileCommand>(app, run, "compile", "Graphs to GLSL, SPIR-V, HLSL or Metal");
     sub.add_option("FILE", c.outputs.files, "Graphs; - reads standard input");
-    sub.add_option("-o", c.outputs.output,
-                   "The file; of the shader form OUT.vert and OUT.frag; of several "
-                   "graphs a folder")
-        ->type_name("OUT")
-        ->capture_default_str();
+    c.output = sub.add_option("-o", c.outputs.output,
+                              "The file; of the shader form OUT.vert and OUT.frag; of several "
+                              "graphs a folder")
+                   ->type_name("OUT")
+                   ->capture_default_str();
     declare_text(sub, c.text);
     declare_judgement(sub, c.text);
     sub.add_option("--stage", c.outputs.stage, "Which stage goes to standard output")
@@ -277,15 +263,6 @@ void declare_compile(CLI::App& app, Run& run) {
     declare_depfile(sub, c.outputs.depfile);
     declare_cache(sub, c);
     declare_common(sub, c.common);
-    sub.callback([command, &run, &sub] {
-        if (const Target* target = find_target(command->text.target)) {
-            command->outputs.form = form_of(command->text);
-            command->outputs.suffix = target->suffix;
-        }
-        command->outputs.costs = command->text.cost;
-        command->outputs.texts = !command->text.cost || sub.count("-o") > 0;
-        run = [command] { return command->run(); };
-    });
 }
 
 }  // namespace wrinkle::cli

@@ -1,17 +1,29 @@
 #include "cli/compile_graph.h"
 
+#include "base/dynamic_library.h"
+#include "base/printable.h"
+#include "base/text.h"
 #include "cli/cache_entry.h"
-#include "cli/cost.h"
 #include "cli/output.h"
 #include "cli/outputs.h"
-#include "compile/shader.h"
-#include "compile/text_sums.h"
+#include "cost/report.h"
+#include "spirv/spirv.h"
 
 namespace wrinkle::cli {
 namespace {
 
 std::string name_for(const std::string& file, const TextOptions& options) {
     return options.name.empty() ? material_name(file) : options.name;
+}
+
+// Returns the cost report as a table or as JSON; "" and an error on failure.
+std::string cost_of(const Module& module, Differentials differentials, bool json,
+                    const std::string& file, Diagnostics& diagnostics) {
+    std::string why;
+    const auto report = measure_cost(module, differentials, why);
+    if (report) return json ? to_json(*report) : to_text(*report);
+    diagnostics.add(file_problem(Severity::error, file, "its cost cannot be counted: " + why, ""));
+    return {};
 }
 
 void make_texts(const std::string& file, const Project& project, const Compilation& with,
@@ -91,6 +103,16 @@ Form form_of(const TextOptions& options) {
     return options.form == "shader" ? Form::shader : Form::function;
 }
 
+bool needs_compilers(const TextOptions& options) {
+    return options.cost || is_translated(*find_target(options.target));
+}
+
+bool have_compilers(const TextOptions& options, std::string& why) {
+    if (!needs_compilers(options) || have_spirv_tools(why)) return true;
+    why += std::string("; ") + library_remedy;
+    return false;
+}
+
 std::vector<Text> blank_texts(const TextOptions& options) {
     if (form_of(options) == Form::function) return {{"", "", ""}};
     const std::string suffix(find_target(options.target)->suffix);
@@ -112,6 +134,19 @@ CompiledGraph compile_graph(const std::string& file, const Compilation& with) {
     make_texts(file, project, with, result);
     if (!key.empty() && !result.texts.empty()) store_entry(with, key, project, result);
     return result;
+}
+
+std::string printed_costs(std::span<const GraphCost> costs, bool several, bool json) {
+    std::string text;
+    for (const GraphCost& each : costs) {
+        if (json)
+            text += (text.empty() ? "\n" : ",\n") + ("{\"file\": " + json_quoted(each.file)) +
+                    ", \"cost\":\n" + each.report + "}";
+        else
+            text += (text.empty() ? "" : "\n") + (several ? printable(each.file) + "\n" : "") +
+                    each.report;
+    }
+    return json ? "{\"version\": 1, \"graphs\": [" + text + "\n]}\n" : text;
 }
 
 }  // namespace wrinkle::cli

@@ -2,6 +2,7 @@
 // the same result, including the warnings.
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -28,6 +29,11 @@ void declare_text(CLI::App& command, TextOptions& text);
 // Returns the reason if the options conflict or the target does not exist; otherwise "".
 std::string wrong_text(const TextOptions& text);
 Form form_of(const TextOptions& options);  // precondition: the target exists
+
+// Returns true if the output depends on the compilers of core/spirv.
+bool needs_compilers(const TextOptions& options);
+// Returns false and the reason in `why` if they are needed and cannot be loaded.
+bool have_compilers(const TextOptions& options, std::string& why);
 
 struct Text {
     std::string stage;   // "vertex" or "fragment"; "" in function form
@@ -60,5 +66,12 @@ ShaderOptions shader_options(const std::string& file, const Compilation& with);
 
 // Thread-safe; several threads may share one Compilation.
 CompiledGraph compile_graph(const std::string& file, const Compilation& with);
+
+// Output of --cost: the table of one graph; for several, each table below its file name. With
+// `json`: {"version": 1, "graphs": [{"file", "cost": to_json(CostReport)}]}.
+struct GraphCost {
+    std::string file, report;
+};
+std::string printed_costs(std::span<const GraphCost> costs, bool several, bool json);
 
 }  // namespace wrinkle::cli

@@ -1,14 +1,15 @@
-// wrinkle completion SHELL, and the command `complete` that its scripts call.
-#include "cli/completion.h"
-
+// wrinkle completion SHELL: prints a script that calls `wrinkle complete -- WORD...`, whose candidates
+// are made from the declared commands, the existing files and the nodes of the plugins that would be
+// found.
 #include <filesystem>
-#include <memory>
 #include <set>
+#include <span>
 
 #include "base/text.h"
 #include "cli/meshes.h"
 #include "cli/output.h"
 #include "cli/session.h"
+#include "cli/texts.h"
 #include "glsl/target.h"
 
 namespace wrinkle::cli {
@@ -170,94 +171,45 @@ private:
     Found found_;
 };
 
-constexpr const char* bash_script = R"sh(# Completion for bash. Either read it in ~/.bashrc:
-#   source <(wrinkle completion bash)
-# or put it where bash-completion looks: share/bash-completion/completions/wrinkle
-_wrinkle() {
-    local i
-    mapfile -t COMPREPLY < <("$1" complete -- "${COMP_WORDS[@]:1:COMP_CWORD}" 2>/dev/null)
-    for i in "${!COMPREPLY[@]}"; do printf -v "COMPREPLY[i]" %q "${COMPREPLY[i]}"; done
-    [[ ${#COMPREPLY[@]} -eq 1 && ${COMPREPLY[0]} == */ ]] && compopt -o nospace 2>/dev/null
-    return 0
+std::string_view script_of(std::string_view shell) {
+    return shell == "bash"  ? texts::completion_bash
+           : shell == "zsh" ? texts::completion_zsh
+                            : texts::completion_fish;
 }
-complete -o default -F _wrinkle wrinkle
-)sh";
-
-constexpr const char* zsh_script = R"sh(#compdef wrinkle
-# Completion for zsh: as _wrinkle in a folder of $fpath, or in ~/.zshrc after compinit:
-#   source <(wrinkle completion zsh)
-_wrinkle() {
-    local -a found
-    found=(${(f)"$(${(Q)words[1]} complete -- "${(@Q)words[2,CURRENT]}" 2>/dev/null)"})
-    if (( ! $#found )); then
-        _files
-        return
-    fi
-    compadd -S '' -- ${(M)found:#*/}
-    compadd -- ${found:#*/}
-}
-if [[ $funcstack[1] == _wrinkle ]]; then
-    _wrinkle "$@"
-else
-    compdef _wrinkle wrinkle
-fi
-)sh";
-
-constexpr const char* fish_script =
-    R"sh(# Completion for fish: as wrinkle.fish in ~/.config/fish/completions, or
-#   wrinkle completion fish | source
-function __wrinkle_complete
-    set -l words (commandline -opc) (commandline -ct)
-    set -l found ($words[1] complete -- $words[2..-1] 2>/dev/null)
-    if test (count $found) -gt 0
-        printf '%s\n' $found
-    else
-        __fish_complete_path (commandline -ct)
-    end
-end
-complete -c wrinkle -f -a '(__wrinkle_complete)'
-)sh";
 
 struct CompletionCommand {
     std::string shell;
-    std::vector<std::string> words;
+
+    int run() const { return write_result("-", std::string(script_of(shell))); }
+};
+
+// Prints candidates for the last of `words`, which is being typed and may be "". Folders end with
+// '/'. If nothing is printed, the shell offers file names.
+struct CompleteCommand {
+    const CLI::App* app = nullptr;
+    std::vector<std::string> words;  // without the program's name
+
+    int run() const {
+        std::string text;
+        for (const std::string& each : Line(*app, words).found())
+            text += each + "\n";
+        return write_result("-", std::move(text));
+    }
 };
 
 }  // namespace
 
-std::vector<std::string> completions(const CLI::App& app, std::span<const std::string> words) {
-    const Found found = Line(app, words).found();
-    return {found.begin(), found.end()};
-}
-
-std::string completion_script(std::string_view shell) {
-    return shell == "bash" ? bash_script : shell == "zsh" ? zsh_script : fish_script;
-}
-
 void declare_completion(CLI::App& app, Run& run) {
-    auto command = std::make_shared<CompletionCommand>();
-    CLI::App& sub =
-        *app.add_subcommand("completion", "A script that lets a shell complete these commands");
-    sub.add_option("SHELL", command->shell, "The shell")
+    auto [sub, c] = add_command<CompletionCommand>(
+        app, run, "completion", "A script that lets a shell complete these commands");
+    sub.add_option("SHELL", c.shell, "The shell")
         ->required()
         ->check(CLI::IsMember({"bash", "zsh", "fish"}));
-    sub.callback([command, &run] {
-        run = [command] {
-            const bool written = write_result("-", completion_script(command->shell));
-            return written ? int{exit_success} : int{exit_environment};
-        };
-    });
-    CLI::App& complete = *app.add_subcommand("complete", "What a shell offers after WORD...");
+    auto [complete, command] =
+        add_command<CompleteCommand>(app, run, "complete", "What a shell offers after WORD...");
+    command.app = &app;
     complete.group("");
-    complete.add_option("WORD", command->words, "After the program's name, the last being typed");
-    complete.callback([command, &app, &run] {
-        run = [command, &app] {
-            std::string text;
-            for (const std::string& each : completions(app, command->words))
-                text += each + "\n";
-            return write_result("-", text) ? int{exit_success} : int{exit_environment};
-        };
-    });
+    complete.add_option("WORD", command.words, "After the program's name, the last being typed");
 }
 
 }  // namespace wrinkle::cli

@@ -1,20 +1,63 @@
 // wrinkle convert IN -o OUT --to KIND: converts a bump map to another kind.
+#include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <filesystem>
-#include <memory>
+#include <span>
 
 #include "base/overwrite.h"
 #include "base/text.h"
 #include "cli/cli.h"
-#include "cli/map_kind.h"
 #include "cli/output.h"
 #include "image/load.h"
 #include "maps/convert.h"
+#include "maps/lint.h"
 
 namespace wrinkle::cli {
 namespace fs = std::filesystem;
 namespace {
+
+struct KindName {
+    const char* name;
+    maps::Kind kind;
+    maps::Green green = maps::Green::gl;
+};
+constexpr KindName target_kinds[] = {{"derivative", maps::Kind::derivative},
+                                     {"normal", maps::Kind::normal},
+                                     {"slopes", maps::Kind::slopes},
+                                     {"moments", maps::Kind::moments},
+                                     {"height", maps::Kind::height}};
+constexpr KindName source_kinds[] = {{"height", maps::Kind::height},
+                                     {"normal_gl", maps::Kind::normal},
+                                     {"normal_dx", maps::Kind::normal, maps::Green::dx},
+                                     {"derivative", maps::Kind::derivative}};
+
+std::vector<std::string> names_in(std::span<const KindName> table) {
+    std::vector<std::string> names;
+    for (const KindName& row : table)
+        names.emplace_back(row.name);
+    return names;
+}
+
+// Returns the row of a name; nullptr if there is none.
+const KindName* named(std::span<const KindName> table, std::string_view name) {
+    const auto found = std::find_if(table.begin(), table.end(),
+                                    [&](const KindName& row) { return row.name == name; });
+    return found == table.end() ? nullptr : &*found;
+}
+
+// Detects the kind of an image and reports it as a warning. Returns nullptr and reports an error
+// that suggests --from if the image matches none of them.
+const KindName* source_found(const Image& image, const std::string& file,
+                             Diagnostics& diagnostics) {
+    const maps::Look look = maps::examine(image, Wrap::clamp).look;
+    const std::string description(description_of(look));
+    const KindName* kind = named(source_kinds, name_of(look));
+    diagnostics.add(kind ? file_problem(Severity::warning, file, "is taken for " + description,
+                                        "--from says what it is")
+                         : file_problem(Severity::error, file, "looks like " + description,
+                                        "--from height, normal_gl, normal_dx or derivative"));
+    return kind;
+}
 
 PixelType type_named(const std::string& name) {
     for (const PixelType type : {PixelType::u8, PixelType::u16, PixelType::half})
@@ -31,17 +74,15 @@ struct ConvertCommand {
     bool mips = false;
 
     int run() const {
-        const std::string sentence = wrong_usage();
-        if (!sentence.empty()) {
-            print_error(sentence);
-            return exit_usage;
-        }
+        if (const std::string why = wrong_usage(); !why.empty()) return fail(exit_usage, why);
         Diagnostics problems;
         const auto image = load_image(input, problems);
-        maps::Source source;
-        if (image && find_kind(*image, source, problems)) describe(source);
-        const int code = report(problems, problems.has_errors() ? diagnostics : quiet_text());
+        const KindName* kind = nullptr;
+        if (image)
+            kind = from.empty() ? source_found(*image, input, problems) : named(source_kinds, from);
+        const int code = report(problems, problems.has_errors() ? diagnostics : "text");
         if (code != exit_success) return code;
+        maps::Source source = described(*kind);
         source.image = &*image;
         maps::read_stored_scale(input, source);
         Diagnostics environment;
@@ -49,10 +90,6 @@ struct ConvertCommand {
         report(environment, diagnostics);
         return exit_environment;
     }
-
-private:
-    // Diagnostics format if there are only warnings: never JSON.
-    std::string quiet_text() const { return diagnostics == "json" ? "text" : diagnostics; }
 
     std::string wrong_usage() const {
         if (input == "-" || output == "-") return "convert reads and writes files, no streams";
@@ -66,28 +103,21 @@ private:
         return {};
     }
 
-    // Sets `source` from --from, else detects it and reports a warning; returns false on failure.
-    bool find_kind(const Image& image, maps::Source& source, Diagnostics& problems) const {
-        if (!from.empty()) {
-            source = source_named(from);
-            return true;
-        }
-        const auto found = source_found(image, input, problems);
-        if (found) source = *found;
-        return found.has_value();
-    }
-
-    void describe(maps::Source& source) const {
+    maps::Source described(const KindName& kind) const {
+        maps::Source source;
+        source.kind = kind.kind;
+        source.green = kind.green;
         source.wrap = *wrap_named(wrap);
         source.factor = scale;
         source.per = from_per == "uv" ? maps::Per::uv : maps::Per::texel;
         source.texel_width = texel.front();
         source.texel_height = texel.back();
+        return source;
     }
 
     maps::Target target() const {
         maps::Target target;
-        target.kind = kind_named(to);
+        target.kind = named(target_kinds, to)->kind;
         target.green = green == "dx" ? maps::Green::dx : maps::Green::gl;
         target.per = per == "uv" ? maps::Per::uv : maps::Per::texel;
         target.type = type_named(type.empty() ? usual_type() : type);
@@ -112,10 +142,10 @@ void declare_options(CLI::App& sub, ConvertCommand& c) {
         ->type_name("OUT")
         ->required();
     sub.add_option("--to", c.to, "What it is to be")
-        ->check(CLI::IsMember(kind_names()))
+        ->check(CLI::IsMember(names_in(target_kinds)))
         ->required();
     sub.add_option("--from", c.from, "What IN is; default: what it looks like, which is said")
-        ->check(CLI::IsMember(source_names()));
+        ->check(CLI::IsMember(names_in(source_kinds)));
     sub.add_option("--type", c.type, "Of its values; default: half, or what the format has")
         ->check(CLI::IsMember({"u8", "u16", "half", "float"}));
     sub.add_option("--compression", c.compression,
@@ -141,18 +171,15 @@ void declare_options(CLI::App& sub, ConvertCommand& c) {
     sub.add_option("--from-per", c.from_per, "And those of a derivative map that is read")
         ->check(CLI::IsMember({"texel", "uv"}))
         ->capture_default_str();
-    sub.add_option("--diagnostics", c.diagnostics, "How problems are printed")
-        ->check(CLI::IsMember({"text", "json"}))
-        ->capture_default_str();
+    declare_diagnostics(sub, c.diagnostics);
 }
 
 }  // namespace
 
 void declare_convert(CLI::App& app, Run& run) {
-    auto command = std::make_shared<ConvertCommand>();
-    CLI::App& sub = *app.add_subcommand("convert", "One map of a bump made from another");
-    declare_options(sub, *command);
-    sub.callback([command, &run] { run = [command] { return command->run(); }; });
+    auto [sub, c] =
+        add_command<ConvertCommand>(app, run, "convert", "One map of a bump made from another");
+    declare_options(sub, c);
 }
 
 }  // namespace wrinkle::cli

@@ -1,6 +1,5 @@
 // wrinkle eval FILE: evaluates a graph's outputs at surface points, as JSON, CSV or NPY.
 #include <filesystem>
-#include <memory>
 
 #include "base/text.h"
 #include "cli/eval_text.h"
@@ -36,7 +35,7 @@ struct EvalCommand {
     PointOptions at;
 
     int run() const {
-        if (!check_usage()) return exit_usage;
+        if (const std::string why = wrong_usage(); !why.empty()) return fail(exit_usage, why);
         Diagnostics diagnostics;
         const Nodes nodes = load_nodes(common, diagnostics);
         const Overrides overrides = parse_overrides(common, diagnostics);
@@ -56,11 +55,11 @@ struct EvalCommand {
             results[0].text += overrides.is_sweep() ? "\n]}\n" : "}\n";
         const int code = report(diagnostics, common.diagnostics);
         if (code != exit_success) return code;
-        return write_results(std::move(results)) ? exit_success : exit_environment;
+        return write_results(results);
     }
 
     // Returns one sentence on wrong usage, otherwise "".
-    std::string sentence() const {
+    std::string wrong_usage() const {
         if (at.mesh.empty() && at.at.empty())
             return "eval needs points: --at JSON, --at FILE.csv|npy, or --mesh NAME|PATH with "
                    "--uv U,V or --at";
@@ -75,11 +74,6 @@ struct EvalCommand {
         if (output == "-" && chosen_form() != EvalForm::json && is_sweep())
             return "a sweep writes a file for each of its runs: -o OUT";
         return "";
-    }
-    bool check_usage() const {
-        const std::string wrong = sentence();
-        if (!wrong.empty()) print_error(wrong);
-        return wrong.empty();
     }
 
     static std::string extension_of(const std::string& path) {
@@ -139,10 +133,8 @@ struct EvalCommand {
 }  // namespace
 
 void declare_eval(CLI::App& app, Run& run) {
-    auto command = std::make_shared<EvalCommand>();
-    EvalCommand& c = *command;
-    CLI::App& sub =
-        *app.add_subcommand("eval", "A graph's outputs at surface points, as JSON, CSV or NPY");
+    auto [sub, c] = add_command<EvalCommand>(
+        app, run, "eval", "A graph's outputs at surface points, as JSON, CSV or NPY");
     sub.add_option("FILE", c.file, "A graph; - reads standard input")->required();
     sub.add_option("--at", c.at.at,
                    "A point such as {\"normal\": [0, 0, 1], \"uv0\": [0.5, 0.5], \"dx\": {...}}, "
@@ -165,7 +157,6 @@ void declare_eval(CLI::App& app, Run& run) {
         ->check(CLI::IsMember({"float", "double"}))
         ->capture_default_str();
     declare_common(sub, c.common);
-    sub.callback([command, &run] { run = [command] { return command->run(); }; });
 }
 
 }  // namespace wrinkle::cli

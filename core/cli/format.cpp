@@ -1,6 +1,5 @@
 // wrinkle format and wrinkle upgrade: rewrite graph files in place.
 #include <cstdio>
-#include <memory>
 
 #include "base/file.h"
 #include "base/printable.h"
@@ -62,10 +61,10 @@ struct RewriteCommand {
 
     int run() const {
         for (const std::string& file : files)
-            if (file != "-" && !check_only && !stream_title(file).empty()) {
-                print_error(file + " is a stream, which cannot be rewritten; - is stdin to stdout");
-                return exit_usage;
-            }
+            if (file != "-" && !check_only && !stream_title(file).empty())
+                return fail(exit_usage, file +
+                                            " is a stream, which cannot be rewritten; "
+                                            "- is stdin to stdout");
         Diagnostics diagnostics;
         Registry registry;
         if (upgrade) registry = std::move(load_nodes(common, diagnostics).registry);
@@ -91,22 +90,17 @@ struct RewriteCommand {
         }
         const int code = report(diagnostics, common.diagnostics);
         if (code != exit_success || would_change) return exit_input;
-        return write_results(results) ? exit_success : exit_environment;
+        return write_results(results);
     }
 };
 
 void declare(CLI::App& app, Run& run, const char* name, const char* summary, bool upgrade) {
-    auto command = std::make_shared<RewriteCommand>();
-    command->upgrade = upgrade;
-    CLI::App& sub = *app.add_subcommand(name, summary);
-    sub.add_option("FILE", command->files, "Graphs, rewritten in place; - is stdin to stdout")
-        ->required();
-    sub.add_flag("--check", command->check_only, "Write nothing; exit 1 when a file would change");
-    sub.add_option("--diagnostics", command->common.diagnostics, "How problems are printed")
-        ->check(CLI::IsMember({"text", "json"}))
-        ->capture_default_str();
-    if (upgrade) declare_plugin_path(sub, command->common);
-    sub.callback([command, &run] { run = [command] { return command->run(); }; });
+    auto [sub, c] = add_command<RewriteCommand>(app, run, name, summary);
+    c.upgrade = upgrade;
+    sub.add_option("FILE", c.files, "Graphs, rewritten in place; - is stdin to stdout")->required();
+    sub.add_flag("--check", c.check_only, "Write nothing; exit 1 when a file would change");
+    declare_diagnostics(sub, c.common.diagnostics);
+    if (upgrade) declare_plugin_path(sub, c.common);
 }
 
 }  // namespace

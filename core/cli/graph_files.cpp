@@ -1,5 +1,7 @@
 #include "cli/graph_files.h"
 
+#include "base/file_problem.h"
+
 namespace wrinkle::cli {
 namespace {
 
@@ -12,11 +14,10 @@ bool is_graph(std::string_view file) {
 bool report_no_graph(const std::string& file, Diagnostics& diagnostics) {
     if (is_graph(file)) return false;
     const bool test = file.ends_with(test_suffix);
-    Diagnostic problem;
-    problem.where.file = file;
-    problem.message = test ? "is a regression test, not a graph" : "is a preset, not a graph";
-    problem.expected = test ? "wrinkle test runs it" : "name the graph that it belongs to";
-    diagnostics.add(std::move(problem));
+    diagnostics.add(
+        file_problem(Severity::error, file,
+                     test ? "is a regression test, not a graph" : "is a preset, not a graph",
+                     test ? "wrinkle test runs it" : "name the graph that it belongs to"));
     return true;
 }
 
@@ -32,10 +33,8 @@ std::vector<std::string> graphs_among(const std::vector<std::string>& files,
         names += (i ? ", " : "") + others[i];
     if (others.size() > max_names)
         names += " and " + std::to_string(others.size() - max_names) + " more";
-    Diagnostic note;
-    note.severity = Severity::warning;
-    note.message = "left out, as tests and presets are not graphs: " + names;
-    diagnostics.add(std::move(note));
+    diagnostics.add(file_problem(Severity::warning, "",
+                                 "left out, as tests and presets are not graphs: " + names, ""));
     return graphs;
 }
 

@@ -3,6 +3,7 @@
 #include <elf.h>
 #include <link.h>
 
+#include <charconv>
 #include <cstring>
 
 #include "base/file.h"
@@ -32,34 +33,33 @@ std::string build_id_in(const char* at, size_t left) {
     return {};
 }
 
-void append_build_id(const dl_phdr_info* info, std::string& result) {
-    for (int i = 0; i < info->dlpi_phnum; ++i) {
-        const ElfW(Phdr)& header = info->dlpi_phdr[i];
+std::string build_id_of(const dl_phdr_info& object) {
+    for (int i = 0; i < object.dlpi_phnum; ++i) {
+        const ElfW(Phdr)& header = object.dlpi_phdr[i];
         if (header.p_type != PT_NOTE) continue;
-        const auto* const notes = reinterpret_cast<const char*>(info->dlpi_addr + header.p_vaddr);
-        const std::string id = build_id_in(notes, header.p_memsz);
-        if (id.empty()) continue;
-        result += id;
-        break;
+        const auto* const notes = reinterpret_cast<const char*>(object.dlpi_addr + header.p_vaddr);
+        if (std::string id = build_id_in(notes, header.p_memsz); !id.empty()) return id;
     }
+    return {};
 }
 
-int take_first(dl_phdr_info* info, size_t, void* result) {
-    append_build_id(info, *static_cast<std::string*>(result));
-    return 1;  // stop: the first object is the program
-}
-
-int take_each(dl_phdr_info* info, size_t, void* result) {
-    append_build_id(info, *static_cast<std::string*>(result));
-    return 0;
+// Build ids of the program and the loaded libraries, in this order; "" for one without.
+std::vector<std::string> build_ids() {
+    std::vector<std::string> ids;
+    const auto add = [](dl_phdr_info* object, size_t, void* list) {
+        static_cast<std::vector<std::string>*>(list)->push_back(build_id_of(*object));
+        return 0;
+    };
+    dl_iterate_phdr(add, &ids);
+    return ids;
 }
 
 }  // namespace
 
 std::string program_identity() {
-    std::string id, why;
-    dl_iterate_phdr(take_first, &id);
+    std::string id = build_ids().at(0);
     if (id.empty()) {
+        std::string why;
         const auto bytes = read_file("/proc/self/exe", why);
         if (!bytes) return {};
         id = sha256(*bytes);
@@ -68,9 +68,32 @@ std::string program_identity() {
 }
 
 std::string loaded_identity() {
-    std::string ids;
-    dl_iterate_phdr(take_each, &ids);
-    return ids;
+    std::string all;
+    for (const std::string& id : build_ids())
+        all += id;
+    return all;
+}
+
+std::string join_fields(const std::vector<std::string>& fields) {
+    std::string bytes;
+    for (const std::string& field : fields)
+        bytes += std::to_string(field.size()) + "\n" + field;
+    return bytes;
+}
+
+std::optional<std::vector<std::string>> split_fields(std::string_view bytes) {
+    std::vector<std::string> fields;
+    while (!bytes.empty()) {
+        size_t size = 0;
+        const char* const end = bytes.data() + bytes.size();
+        const auto [stop, problem] = std::from_chars(bytes.data(), end, size);
+        if (problem != std::errc() || stop == end || *stop != '\n') return {};
+        bytes.remove_prefix(static_cast<size_t>(stop - bytes.data()) + 1);
+        if (size > bytes.size()) return {};
+        fields.emplace_back(bytes.substr(0, size));
+        bytes.remove_prefix(size);
+    }
+    return fields;
 }
 
 }  // namespace wrinkle::cli

@@ -1,5 +1,4 @@
 // wrinkle inputs FILE...: lists the input files of graphs, for build systems.
-#include <memory>
 #include <set>
 
 #include "base/printable.h"
@@ -36,12 +35,12 @@ struct InputsCommand {
         if (code != exit_success) return code;
         for (const std::string& path : all)
             if (!json && printable(path) != path) {
-                print_error("the name '" + path + "' cannot be a line of a list; --json lists it");
-                return exit_input;
+                const std::string name = "the name '" + path + "'";
+                return fail(exit_input, name + " cannot be a line of a list; --json lists it");
             }
         const std::string text =
             json ? "{\"version\": 1, \"graphs\": [" + entries + "\n]}\n" : lines(all);
-        return write_result("-", text) ? exit_success : exit_environment;
+        return write_result("-", text);
     }
 
     static std::string entry(const std::string& file, const std::vector<InputFile>& inputs) {
@@ -66,12 +65,11 @@ struct InputsCommand {
 }  // namespace
 
 void declare_inputs(CLI::App& app, Run& run) {
-    auto command = std::make_shared<InputsCommand>();
-    CLI::App& sub = *app.add_subcommand("inputs", "Lists every file that graphs read");
-    sub.add_option("FILE", command->files, "Graphs; - reads standard input")->required();
-    sub.add_flag("--json", command->json, "As JSON: for each graph its inputs with their kind");
-    declare_common(sub, command->common, false);
-    sub.callback([command, &run] { run = [command] { return command->run(); }; });
+    auto [sub, c] =
+        add_command<InputsCommand>(app, run, "inputs", "Lists every file that graphs read");
+    sub.add_option("FILE", c.files, "Graphs; - reads standard input")->required();
+    sub.add_flag("--json", c.json, "As JSON: for each graph its inputs with their kind");
+    declare_common(sub, c.common, false);
 }
 
 }  // namespace wrinkle::cli

@@ -1,6 +1,5 @@
 // wrinkle lint IMAGE...: detects the kind of maps and reports their defects.
 #include <cstdio>
-#include <memory>
 
 #include "base/printable.h"
 #include "base/text.h"
@@ -49,8 +48,8 @@ std::string as_json(const std::string& file, const maps::Verdict& verdict) {
 
 struct LintCommand {
     std::vector<std::string> files;
-    std::string expect, wrap = "repeat", diagnostics = "text";
-    bool json = false, wrap_given = false;
+    std::string expect, wrap, diagnostics = "text";
+    bool json = false;
 
     // Makes seams defects if --wrap repeat is given, even for an image classified as an atlas.
     static void hold_to_repeat(maps::Verdict& verdict) {
@@ -65,10 +64,11 @@ struct LintCommand {
         bool healthy = true;
         size_t count = 0;
         for (const std::string& file : files) {
-            auto examined = maps::examine(file, *wrap_named(wrap), problems);
+            auto examined =
+                maps::examine(file, *wrap_named(wrap.empty() ? "repeat" : wrap), problems);
             if (!examined) continue;
             maps::Verdict& verdict = examined->verdict;
-            if (wrap_given && wrap == "repeat") hold_to_repeat(verdict);
+            if (wrap == "repeat") hold_to_repeat(verdict);
             if (!expect.empty() && name_of(verdict.look) != expect)
                 verdict.findings.push_back(
                     {maps::MapDefect::unexpected, "it was to be " + expect, true});
@@ -78,7 +78,7 @@ struct LintCommand {
         }
         if (json) text = "{\"images\": [" + text + "]}\n";
         const int code = report(problems, diagnostics);
-        if (!write_result("-", text)) return exit_environment;
+        if (write_result("-", text) != exit_success) return exit_environment;
         return code == exit_success && !healthy ? int{exit_input} : code;
     }
 };
@@ -86,9 +86,8 @@ struct LintCommand {
 }  // namespace
 
 void declare_lint(CLI::App& app, Run& run) {
-    auto command = std::make_shared<LintCommand>();
-    LintCommand& c = *command;
-    CLI::App& sub = *app.add_subcommand("lint", "What maps are and what is wrong with them");
+    auto [sub, c] =
+        add_command<LintCommand>(app, run, "lint", "What maps are and what is wrong with them");
     sub.add_option("IMAGE", c.files, "Normal maps and height maps")->required();
     sub.add_option("--expect", c.expect, "What each is to be; anything else is a defect")
         ->check(CLI::IsMember({"normal_gl", "normal_dx", "height"}));
@@ -97,13 +96,7 @@ void declare_lint(CLI::App& app, Run& run) {
                    "but in an atlas")
         ->check(CLI::IsMember({"repeat", "clamp"}));
     sub.add_flag("--json", c.json, "Verdicts and numbers for programs");
-    sub.add_option("--diagnostics", c.diagnostics, "How problems are printed")
-        ->check(CLI::IsMember({"text", "json"}))
-        ->capture_default_str();
-    sub.callback([command, &run, &sub] {
-        command->wrap_given = sub.count("--wrap") > 0;
-        run = [command] { return command->run(); };
-    });
+    declare_diagnostics(sub, c.diagnostics);
 }
 
 }  // namespace wrinkle::cli

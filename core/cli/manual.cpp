@@ -1,8 +1,6 @@
-// wrinkle man [COMMAND]: prints manual pages.
-#include "cli/manual.h"
-
+// wrinkle man [COMMAND]: prints manual pages in roff (man(7)), made from the declared commands.
+#include <algorithm>
 #include <filesystem>
-#include <memory>
 
 #include "base/limits.h"
 #include "cli/cli.h"
@@ -132,38 +130,6 @@ std::string environment() {
     return text;
 }
 
-struct ManCommand {
-    std::string name, folder;
-
-    int run(const CLI::App& app) const {
-        if (!folder.empty()) return write_all(app);
-        std::string text = manual_page(app);
-        if (!name.empty()) {
-            const CLI::App* found = nullptr;
-            for (const CLI::App* command : commands_of(app))
-                if (command->get_name() == name) found = command;
-            if (!found) {
-                print_error("there is no command '" + name + "'; wrinkle --help lists them");
-                return exit_usage;
-            }
-            text = manual_page(app, *found);
-        }
-        return write_result("-", text) ? exit_success : exit_environment;
-    }
-
-    int write_all(const CLI::App& app) const {
-        std::vector<Result> pages = {{folder + "/wrinkle.1", manual_page(app)}};
-        for (const CLI::App* command : commands_of(app))
-            pages.push_back(
-                {folder + "/wrinkle-" + command->get_name() + ".1", manual_page(app, *command)});
-        std::error_code ignored;  // write_results() reports the error
-        std::filesystem::create_directories(folder, ignored);
-        return write_results(pages) ? exit_success : exit_environment;
-    }
-};
-
-}  // namespace
-
 std::string manual_page(const CLI::App& app) {
     std::string text = head("wrinkle", app.get_description()) +
                        ".SH SYNOPSIS\n.B wrinkle\n\\fICOMMAND\\fR [\\fIOPTION\\fR]... "
@@ -192,14 +158,42 @@ std::string manual_page(const CLI::App& app, const CLI::App& command) {
            plain(app.get_name()) + " (1)\n";
 }
 
+struct ManCommand {
+    const CLI::App* app = nullptr;
+    std::string name, folder;
+
+    int run() const {
+        const auto commands = commands_of(*app);
+        if (!folder.empty()) return write_all(commands);
+        if (name.empty()) return write_result("-", manual_page(*app));
+        const auto found =
+            std::find_if(commands.begin(), commands.end(),
+                         [&](const CLI::App* command) { return command->get_name() == name; });
+        if (found == commands.end())
+            return fail(exit_usage,
+                        "there is no command '" + name + "'; wrinkle --help lists them");
+        return write_result("-", manual_page(*app, **found));
+    }
+
+    int write_all(const std::vector<const CLI::App*>& commands) const {
+        std::vector<Result> pages = {{folder + "/wrinkle.1", manual_page(*app)}};
+        for (const CLI::App* command : commands)
+            pages.push_back(
+                {folder + "/wrinkle-" + command->get_name() + ".1", manual_page(*app, *command)});
+        std::error_code ignored;  // write_results() reports the error
+        std::filesystem::create_directories(folder, ignored);
+        return write_results(pages);
+    }
+};
+
+}  // namespace
+
 void declare_man(CLI::App& app, Run& run) {
-    auto command = std::make_shared<ManCommand>();
-    CLI::App& sub = *app.add_subcommand("man", "A manual page, in roff");
+    auto [sub, c] = add_command<ManCommand>(app, run, "man", "A manual page, in roff");
+    c.app = &app;
     sub.group("");
-    sub.add_option("COMMAND", command->name, "Of this command; else of the whole program");
-    sub.add_option("--folder", command->folder, "Writes all pages into this folder")
-        ->type_name("DIR");
-    sub.callback([command, &app, &run] { run = [command, &app] { return command->run(app); }; });
+    sub.add_option("COMMAND", c.name, "Of this command; else of the whole program");
+    sub.add_option("--folder", c.folder, "Writes all pages into this folder")->type_name("DIR");
 }
 
 }  // namespace wrinkle::cli

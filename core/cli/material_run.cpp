@@ -2,8 +2,6 @@
 
 #include <array>
 
-#include "compile/double_sided.h"
-
 namespace wrinkle::cli {
 namespace {
 

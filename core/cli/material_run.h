@@ -6,7 +6,7 @@
 
 #include "cli/session.h"
 #include "compile/shader.h"
-#include "compile/textures.h"
+#include "cpu/texture_store.h"
 
 namespace wrinkle::cli {
 

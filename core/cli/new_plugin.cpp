@@ -2,13 +2,13 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
-#include <memory>
 
 #include "base/file.h"
 #include "base/folders.h"
+#include "base/text.h"
 #include "cli/output.h"
-#include "cli/scaffold.h"
 #include "cli/session.h"
+#include "cli/texts.h"
 #include "nodes/all.h"
 #include "registry/standard.h"
 
@@ -18,113 +18,23 @@ namespace {
 namespace fs = std::filesystem;
 
 // C++ keywords that are valid node names, and target names reserved by CMake.
-constexpr std::string_view reserved[] = {"all",
-                                         "alignas",
-                                         "alignof",
-                                         "and",
-                                         "and_eq",
-                                         "asm",
-                                         "auto",
-                                         "bitand",
-                                         "bitor",
-                                         "bool",
-                                         "break",
-                                         "case",
-                                         "catch",
-                                         "char",
-                                         "class",
-                                         "clean",
-                                         "co_await",
-                                         "co_return",
-                                         "co_yield",
-                                         "compl",
-                                         "concept",
-                                         "const",
-                                         "const_cast",
-                                         "consteval",
-                                         "constexpr",
-                                         "constinit",
-                                         "continue",
-                                         "decltype",
-                                         "default",
-                                         "delete",
-                                         "depend",
-                                         "do",
-                                         "double",
-                                         "dynamic_cast",
-                                         "edit_cache",
-                                         "else",
-                                         "enum",
-                                         "explicit",
-                                         "export",
-                                         "extern",
-                                         "false",
-                                         "float",
-                                         "for",
-                                         "friend",
-                                         "goto",
-                                         "help",
-                                         "if",
-                                         "inline",
-                                         "install",
-                                         "int",
-                                         "long",
-                                         "mutable",
-                                         "namespace",
-                                         "new",
-                                         "noexcept",
-                                         "not",
-                                         "not_eq",
-                                         "nullptr",
-                                         "operator",
-                                         "or",
-                                         "or_eq",
-                                         "package",
-                                         "package_source",
-                                         "preinstall",
-                                         "private",
-                                         "protected",
-                                         "public",
-                                         "rebuild_cache",
-                                         "register",
-                                         "reinterpret_cast",
-                                         "requires",
-                                         "return",
-                                         "short",
-                                         "signed",
-                                         "sizeof",
-                                         "static",
-                                         "static_assert",
-                                         "static_cast",
-                                         "struct",
-                                         "switch",
-                                         "template",
-                                         "test",
-                                         "this",
-                                         "thread_local",
-                                         "throw",
-                                         "true",
-                                         "try",
-                                         "typedef",
-                                         "typeid",
-                                         "typename",
-                                         "union",
-                                         "unsigned",
-                                         "using",
-                                         "virtual",
-                                         "void",
-                                         "volatile",
-                                         "wchar_t",
-                                         "while",
-                                         "xor",
-                                         "xor_eq"};
+constexpr std::string_view reserved =
+    "all alignas alignof and and_eq asm auto bitand bitor bool break case catch char class clean "
+    "co_await co_return co_yield compl concept const const_cast consteval constexpr constinit "
+    "continue decltype default delete depend do double dynamic_cast edit_cache else enum explicit "
+    "export extern false float for friend goto help if inline install int long mutable namespace "
+    "new noexcept not not_eq nullptr operator or or_eq package package_source preinstall private "
+    "protected public rebuild_cache register reinterpret_cast requires return short signed sizeof "
+    "static static_assert static_cast struct switch template test this thread_local throw true try "
+    "typedef typeid typename union unsigned using virtual void volatile wchar_t while xor xor_eq";
 
 // Returns the reason if `name` is not valid for a new node, otherwise "".
 std::string why_not(const std::string& name) {
     if (!is_name(name))
         return "is no name for a node: a letter a-z, then letters, digits and _, at most " +
                std::to_string(max_name);
-    if (std::find(std::begin(reserved), std::end(reserved), name) != std::end(reserved))
+    const auto words = split(reserved, ' ');
+    if (std::find(words.begin(), words.end(), name) != words.end())
         return "is a word of C++ or CMake; the node needs another name";
     Registry registry;
     Diagnostics ignored;
@@ -141,6 +51,42 @@ std::string sdk_prefix() {
     const fs::path prefix = program_folder().parent_path();
     const bool there = fs::exists(prefix / "lib/cmake/WrinkleSDK/WrinkleSDKConfig.cmake", error);
     return there ? prefix.string() : std::string();
+}
+
+// Replaces @NAME@, @TITLE@ and @PREFIX@ in a template.
+std::string filled(std::string_view form, std::string_view name, std::string_view prefix) {
+    std::string title(name);
+    title[0] = static_cast<char>(title[0] - 'a' + 'A');
+    std::replace(title.begin(), title.end(), '_', ' ');
+    const std::pair<std::string_view, std::string_view> blanks[] = {
+        {"NAME", name}, {"TITLE", title}, {"PREFIX", prefix}};
+    std::string text;
+    for (bool is_blank = false; const std::string_view part : split(form, '@')) {
+        if (!is_blank) text += part;
+        for (const auto& [blank, value] : blanks)
+            if (is_blank && part == blank) text += value;
+        is_blank = !is_blank;
+    }
+    return text;
+}
+
+struct ScaffoldFile {
+    std::string name, text;
+};
+
+// Returns the files of a node with its graph, test and build. `prefix` is the install or build
+// folder of the SDK, "" if unknown.
+std::vector<ScaffoldFile> scaffold(const std::string& name, std::string_view prefix) {
+    const std::pair<std::string, std::string_view> forms[] = {
+        {name + ".cpp", texts::plugin_cpp_in},
+        {"CMakeLists.txt", texts::plugin_cmake_in},
+        {name + ".json", texts::plugin_json_in},
+        {name + ".test.json", texts::plugin_test_json_in},
+        {"README.md", texts::plugin_md_in}};
+    std::vector<ScaffoldFile> files;
+    for (const auto& [file, form] : forms)
+        files.push_back({file, filled(form, name, prefix)});
+    return files;
 }
 
 // Returns the topmost missing folder on the way to `path`; empty if `path` exists.
@@ -172,10 +118,7 @@ struct NewPluginCommand {
 
     int run() const {
         const fs::path place = folder.empty() ? fs::path(name) : fs::path(folder);
-        if (const std::string why = write(place); !why.empty()) {
-            print_error(why);
-            return exit_environment;
-        }
+        if (const std::string why = write(place); !why.empty()) return fail(exit_environment, why);
         std::printf("%s\n    cmake -B build . && cmake --build build && ctest --test-dir build\n",
                     place.c_str());
         return exit_success;
@@ -205,10 +148,10 @@ struct NewPluginCommand {
 }  // namespace
 
 void declare_new_plugin(CLI::App& app, Run& run) {
-    auto command = std::make_shared<NewPluginCommand>();
-    CLI::App& sub = *app.add_subcommand(
-        "new-plugin", "Writes a folder with a node of your own, ready to build and to test");
-    sub.add_option("NAME", command->name, "What the node is called in graphs")
+    auto [sub, c] = add_command<NewPluginCommand>(
+        app, run, "new-plugin",
+        "Writes a folder with a node of your own, ready to build and to test");
+    sub.add_option("NAME", c.name, "What the node is called in graphs")
         ->required()
         ->check(CLI::Validator(
             [](const std::string& name) {
@@ -216,10 +159,8 @@ void declare_new_plugin(CLI::App& app, Run& run) {
                 return why.empty() ? why : "'" + name + "' " + why;
             },
             ""));
-    sub.add_option("--folder", command->folder,
-                   "Where to write it, a new or empty folder; default: NAME")
+    sub.add_option("--folder", c.folder, "Where to write it, a new or empty folder; default: NAME")
         ->type_name("DIR");
-    sub.callback([command, &run] { run = [command] { return command->run(); }; });
 }
 
 }  // namespace wrinkle::cli

@@ -1,6 +1,4 @@
 // wrinkle nodes: lists the node types, or describes one.
-#include <memory>
-
 #include "base/text.h"
 #include "cli/output.h"
 #include "cli/session.h"
@@ -23,8 +21,8 @@ struct NodesCommand {
                               did_you_mean(id, nodes.registry.ids(), "wrinkle nodes lists them"));
             return report(diagnostics, common.diagnostics);
         }
-        if (!write_result("-", text(nodes.registry, type))) return exit_environment;
-        return report(diagnostics, common.diagnostics);
+        const int code = write_result("-", text(nodes.registry, type));
+        return code == exit_success ? report(diagnostics, common.diagnostics) : code;
     }
 
     std::string text(const Registry& registry, const NodeType* type) const {
@@ -38,16 +36,15 @@ struct NodesCommand {
 }  // namespace
 
 void declare_nodes(CLI::App& app, Run& run) {
-    auto command = std::make_shared<NodesCommand>();
-    CLI::App& sub = *app.add_subcommand("nodes", "Lists the node types, or explains one");
-    sub.add_option("ID", command->id, "A node type");
+    auto [sub, c] =
+        add_command<NodesCommand>(app, run, "nodes", "Lists the node types, or explains one");
+    sub.add_option("ID", c.id, "A node type");
     auto* form = sub.add_option_group("form");
-    form->add_flag("--json", command->json, "As JSON");
-    form->add_flag("--markdown", command->markdown, "As a reference page");
-    form->add_flag("--schema", command->schema, "The JSON Schema of graph files");
+    form->add_flag("--json", c.json, "As JSON");
+    form->add_flag("--markdown", c.markdown, "As a reference page");
+    form->add_flag("--schema", c.schema, "The JSON Schema of graph files");
     form->require_option(0, 1);
-    declare_common(sub, command->common, false);
-    sub.callback([command, &run] { run = [command] { return command->run(); }; });
+    declare_common(sub, c.common, false);
 }
 
 }  // namespace wrinkle::cli

@@ -4,10 +4,8 @@
 
 #include "base/file.h"
 #include "base/printable.h"
-#include "cli/cli.h"
 
 namespace wrinkle::cli {
-
 namespace {
 
 bool print(std::string_view text) {
@@ -17,15 +15,13 @@ bool print(std::string_view text) {
 
 }  // namespace
 
-bool write_result(const std::string& path, std::string_view text) {
-    return write_results({{path, std::string(text)}});
+int write_result(const std::string& path, std::string text) {
+    return write_results({{path, std::move(text)}});
 }
 
-bool write_results(const std::vector<Result>& results) {
+int write_results(const std::vector<Result>& results) {
     std::string why;
-    const bool written = write_results(results, why);
-    if (!written) print_error(why);
-    return written;
+    return write_results(results, why) ? int{exit_success} : fail(exit_environment, why);
 }
 
 bool write_results(const std::vector<Result>& results, std::string& why) {
@@ -51,6 +47,11 @@ int report(const Diagnostics& diagnostics, const std::string& format) {
 
 void print_error(std::string_view sentence) {
     std::fprintf(stderr, "wrinkle: error: %s\n", printable(sentence).c_str());
+}
+
+int fail(ExitCode code, std::string_view sentence) {
+    print_error(sentence);
+    return code;
 }
 
 }  // namespace wrinkle::cli

@@ -5,20 +5,27 @@
 #include <string_view>
 #include <vector>
 
-#include "base/diagnostics.h"
+#include "base/file_problem.h"
 
 namespace wrinkle::cli {
 
-// Writes a file atomically, or standard output if `path` is "-". Returns false and prints the
-// reason on failure (exit code 3).
-bool write_result(const std::string& path, std::string_view text);
+enum ExitCode : int {
+    exit_success = 0,
+    exit_input = 1,        // an input has errors or cannot be read
+    exit_usage = 2,        // wrong usage
+    exit_environment = 3,  // an output cannot be written, no GL
+};
 
-// Writes several results, files first. No file is replaced before all temporary files are written.
+// Writes files atomically, and standard output if a path is "-"; files first. No file is replaced
+// before all temporary files are written. Returns exit_success, or exit_environment after printing
+// the reason.
 struct Result {
     std::string path, text;
 };
-bool write_results(const std::vector<Result>& results);
-bool write_results(const std::vector<Result>& results, std::string& why);  // prints nothing
+int write_results(const std::vector<Result>& results);
+int write_result(const std::string& path, std::string text);
+// Prints nothing; returns false and the reason in `why` on failure.
+bool write_results(const std::vector<Result>& results, std::string& why);
 
 // Prints the problems to standard error, as text or as JSON. Returns exit_input if there are
 // errors, otherwise exit_success.
@@ -26,5 +33,7 @@ int report(const Diagnostics& diagnostics, const std::string& format);
 
 // Prints one sentence to standard error, escaped by printable().
 void print_error(std::string_view sentence);
+// Prints the sentence and returns `code`.
+int fail(ExitCode code, std::string_view sentence);
 
 }  // namespace wrinkle::cli

@@ -1,14 +1,156 @@
 // wrinkle plugins: lists the found plugins; tests one or writes its manifest.
-#include <memory>
+//
+// --test holds a plugin's nodes to the properties of the built-in nodes (core/certify) and prints a
+// report. Exit code: 1 if there are findings or the plugin is refused; else 3 if the GPU check could
+// not run and --no-gpu was not given; else 0.
+#include <algorithm>
+#include <cstdio>
+#include <optional>
+#include <set>
 
 #include "base/overwrite.h"
-#include "cli/certify.h"
+#include "base/printable.h"
+#include "certify/certify.h"
 #include "cli/output.h"
 #include "cli/session.h"
+#include "gpu/context.h"
+#include "nodes/all.h"
 #include "registry/describe.h"
 
 namespace wrinkle::cli {
 namespace {
+
+struct CertifyOptions {
+    std::string file;
+    bool no_gpu = false;
+    std::vector<std::string> allow;    // checks with suppressed findings
+    std::string diagnostics = "text";  // json: the findings as diagnostics on standard error too
+};
+
+using TypeList = std::vector<const NodeType*>;
+
+// The plugin and the built-in nodes, which drive inputs in the test graphs.
+struct Loaded {
+    Registry registry;
+    std::vector<PluginReport> reports;
+    bool fine() const { return !reports.empty() && reports.front().is_taken(); }
+};
+
+void load(const std::string& file, bool built_in, Loaded& loaded, Diagnostics& diagnostics) {
+    if (built_in) loaded.registry.add_plugin(built_in_nodes(), Registry::built_in, diagnostics);
+    const std::vector<std::string> places{file};
+    loaded.reports = load_plugins(loaded.registry, places, diagnostics);
+}
+
+// Loads the plugin. A plugin that defines a built-in id is refused, unless it defines all built-in
+// nodes and thus replaces them.
+void load(const std::string& file, Loaded& loaded, Diagnostics& diagnostics) {
+    Diagnostics refused;
+    load(file, true, loaded, refused);
+    if (loaded.fine()) return diagnostics.append(refused);
+    Loaded alone, built_in;
+    Diagnostics ignored;
+    load(file, false, alone, ignored);
+    built_in.registry.add_plugin(built_in_nodes(), Registry::built_in, ignored);
+    const auto ids = built_in.registry.ids();
+    const auto is_there = [&](const std::string& id) { return alone.registry.find(id); };
+    if (alone.fine() && std::all_of(ids.begin(), ids.end(), is_there))
+        std::swap(loaded, alone);
+    else
+        diagnostics.append(refused);
+}
+
+TypeList types_of(const Loaded& loaded) {
+    TypeList types;
+    for (const NodeType& type : loaded.registry.list())
+        if (type.origin != Registry::built_in) types.push_back(&type);
+    return types;
+}
+
+// GL context for the checks on the GPU, or the reason why it is unavailable.
+struct Gpu {
+    std::optional<gpu::Context> context;
+    std::string missing;  // reason; "" if there is a context
+
+    explicit Gpu(bool wanted) {
+        if (!wanted) {
+            missing = "--no-gpu";
+            return;
+        }
+        Diagnostics diagnostics;
+        context = gpu::Context::offscreen(diagnostics);
+        if (context && context->make_current()) return;
+        context.reset();
+        missing = diagnostics.list().empty() ? "the context cannot be used"
+                                             : diagnostics.list().front().message;
+    }
+};
+
+int summary(size_t nodes, size_t failed, const Gpu& gpu, bool gpu_wanted) {
+    if (gpu.missing.empty())
+        std::printf("GPU: %s\n", gpu::Context::renderer_name().c_str());
+    else
+        std::printf("GPU: NOT RUN, CPU and GPU were not compared (%s)\n", gpu.missing.c_str());
+    std::printf("%zu ok, %zu failed\n", nodes - failed, failed);
+    if (failed > 0) return exit_input;
+    return gpu.missing.empty() || !gpu_wanted ? exit_success : exit_environment;
+}
+
+void declare_certify(CLI::App& command, CertifyOptions& options) {
+    CLI::Option* file =
+        command
+            .add_option("--test", options.file,
+                        "Holds the nodes of this plugin to what the built-in ones are held to")
+            ->type_name("FILE.so");
+    command.add_flag("--no-gpu", options.no_gpu, "Of --test: CPU and GPU are not compared")
+        ->needs(file);
+    const auto names = certify::check_names();
+    command
+        .add_option("--allow", options.allow,
+                    "Of --test: what this check finds is meant, and is not reported")
+        ->check(CLI::IsMember(std::set<std::string>(names.begin(), names.end())))
+        ->allow_extra_args(false)
+        ->take_all()
+        ->needs(file);
+    command
+        .add_option("--diagnostics", options.diagnostics, "How the findings of --test are printed")
+        ->check(CLI::IsMember({"text", "json"}))
+        ->capture_default_str()
+        ->needs(file);
+}
+
+int certify_plugin(const CertifyOptions& options) {
+    Diagnostics diagnostics;
+    Loaded loaded;
+    load(options.file, loaded, diagnostics);
+    if (!loaded.fine()) return report(diagnostics, options.diagnostics);
+    std::string why;
+    const auto pictures = certify::PictureFolder::make(why);
+    if (!pictures) return fail(exit_environment, why);
+    const Gpu gpu(!options.no_gpu);
+    const certify::CertifyContext bench{loaded.registry, pictures->path(), gpu.missing.empty(), {}};
+    const TypeList types = types_of(loaded);
+    const PluginReport& plugin = loaded.reports.front();
+    std::printf("%s\n    %s %s\n", printable(options.file).c_str(), plugin.id.c_str(),
+                plugin.version.c_str());
+    size_t failed = 0;
+    for (const NodeType* type : types) {
+        std::fflush(stdout);
+        certify::Report found = certify::certify(*type, bench);
+        const auto meant = [&](const certify::Finding& finding) {
+            return std::find(options.allow.begin(), options.allow.end(), finding.check) !=
+                   options.allow.end();
+        };
+        std::erase_if(found.findings, meant);
+        failed += found.findings.empty() ? 0 : 1;
+        std::fputs(certify::to_text(found, bench.gpu).c_str(), stdout);
+        for (const certify::Finding& finding : found.findings)
+            diagnostics.add(to_diagnostic(finding, found, options.file));
+    }
+    const int code = summary(types.size(), failed, gpu, !options.no_gpu);
+    if (options.diagnostics == "json") report(diagnostics, options.diagnostics);
+    return code;
+}
 
 struct PluginsCommand {
     CommonOptions common;
@@ -20,8 +162,8 @@ struct PluginsCommand {
         if (!manifest.empty()) return make_manifest();
         Diagnostics diagnostics;
         const Nodes nodes = load_nodes(common, diagnostics);
-        if (!write_result("-", to_text(nodes.plugins))) return exit_environment;
-        return report(diagnostics, common.diagnostics);
+        const int code = write_result("-", to_text(nodes.plugins));
+        return code == exit_success ? report(diagnostics, common.diagnostics) : code;
     }
 
     int make_manifest() const {
@@ -30,28 +172,22 @@ struct PluginsCommand {
         if (!listing) return report(diagnostics, "text");
         const std::string file = manifest_of(manifest);
         const std::string read[] = {manifest}, made[] = {file};
-        if (const std::string why = overwrite_fault(made, read); !why.empty()) {
-            print_error(why);
-            return exit_usage;
-        }
-        const bool written =
-            write_result(file, to_json(*listing)) && write_result("-", file + "\n");
-        return written ? exit_success : exit_environment;
+        if (const std::string why = overwrite_fault(made, read); !why.empty())
+            return fail(exit_usage, why);
+        return write_results({{file, to_json(*listing)}, {"-", file + "\n"}});
     }
 };
 
 }  // namespace
 
 void declare_plugins(CLI::App& app, Run& run) {
-    auto command = std::make_shared<PluginsCommand>();
-    CLI::App& sub =
-        *app.add_subcommand("plugins", "Says which plugins were found, loaded or refused, and why");
-    declare_plugin_path(sub, command->common);
-    declare_certify(sub, command->certify);
-    sub.add_option("--manifest", command->manifest,
+    auto [sub, c] = add_command<PluginsCommand>(
+        app, run, "plugins", "Says which plugins were found, loaded or refused, and why");
+    declare_plugin_path(sub, c.common);
+    declare_certify(sub, c.certify);
+    sub.add_option("--manifest", c.manifest,
                    "Writes FILE.json beside a plugin: its nodes are listed without its code")
         ->type_name("FILE.so");
-    sub.callback([command, &run] { run = [command] { return command->run(); }; });
 }
 
 }  // namespace wrinkle::cli

@@ -1,9 +1,12 @@
 #include "cli/progress.h"
 
+#include <signal.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdio>
+#include <cstdlib>
 #include <utility>
 
 #include "base/progress_text.h"
@@ -13,6 +16,15 @@ namespace wrinkle::cli {
 namespace {
 
 constexpr double seconds_between_lines = 0.1;
+
+volatile sig_atomic_t caught_signal = 0;
+constexpr std::array<int, 2> noticed = {SIGINT, SIGTERM};
+
+void notice(int signal) {
+    caught_signal = signal;
+}
+
+std::array<struct sigaction, noticed.size()> before = {};
 
 }  // namespace
 
@@ -60,6 +72,34 @@ void Progress::show(double seconds) const {
         static_cast<double>(done_) / static_cast<double>(std::max<uint64_t>(total_, 1));
     std::fprintf(stderr, "\r\x1b[K%3.0f %%, %s%s/s, %s left", 100 * part, rough_count(rate).c_str(),
                  unit_.c_str(), rough_duration(left).c_str());
+}
+
+// Ignored signals stay ignored: shells ignore SIGINT for background jobs.
+Interruption::Interruption() {
+    caught_signal = 0;
+    struct sigaction action = {};
+    action.sa_handler = notice;
+    action.sa_flags = SA_RESTART;
+    for (size_t i = 0; i < noticed.size(); ++i) {
+        sigaction(noticed[i], nullptr, &before[i]);
+        if (before[i].sa_handler != SIG_IGN) sigaction(noticed[i], &action, nullptr);
+    }
+}
+
+Interruption::~Interruption() {
+    for (size_t i = 0; i < noticed.size(); ++i)
+        sigaction(noticed[i], &before[i], nullptr);
+}
+
+bool Interruption::requested() {
+    return caught_signal != 0;
+}
+
+void Interruption::reraise() {
+    const int caught = caught_signal;
+    signal(caught, SIG_DFL);
+    raise(caught);
+    std::_Exit(128 + caught);
 }
 
 }  // namespace wrinkle::cli

@@ -1,5 +1,7 @@
-// Progress of long work: one line that is overwritten on a terminal, JSON lines for tools, or no
-// output in a pipe.
+// Long work: its progress, and its interruption by a signal.
+//
+// Progress is one line that is overwritten on a terminal, JSON lines for tools, or no output in a
+// pipe.
 //
 //   {"done": 131072, "total": 1048576, "per_second": 5.2e7, "seconds_left": 0.02}
 #pragma once
@@ -34,6 +36,20 @@ private:
     std::string unit_;
     uint64_t total_, done_ = 0, skipped_ = 0;
     Clock::time_point begun_ = Clock::now(), shown_{};
+};
+
+// Catches SIGINT (Ctrl-C) and SIGTERM, so that a command can clean up unfinished work before it
+// ends.
+class Interruption {
+public:
+    Interruption();   // installs the handlers
+    ~Interruption();  // restores the previous handlers
+    Interruption(const Interruption&) = delete;
+    Interruption& operator=(const Interruption&) = delete;
+
+    static bool requested();
+    // Raises the caught signal again with the default action, so that the parent process sees it.
+    [[noreturn]] static void reraise();
 };
 
 }  // namespace wrinkle::cli

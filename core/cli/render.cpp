@@ -4,7 +4,6 @@
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
-#include <memory>
 #include <optional>
 
 #include "base/file.h"
@@ -15,7 +14,6 @@
 #include "cli/meshes.h"
 #include "cli/output.h"
 #include "cli/picture.h"
-#include "compile/inputs.h"
 #include "image/load.h"
 
 namespace wrinkle::cli {
@@ -31,7 +29,8 @@ struct RenderCommand {
 
     int run() const {
         PictureOptions options;
-        if (!read_options(options)) return exit_usage;
+        if (const std::string why = read_options(options); !why.empty())
+            return fail(exit_usage, why);
         Diagnostics diagnostics;
         bool double_sided = false;
         std::vector<std::string> read = option_files();
@@ -42,10 +41,8 @@ struct RenderCommand {
                 options.environment = std::move(*picture);
         const Nodes nodes = load_nodes(common, diagnostics);
         const Overrides overrides = parse_overrides(common, diagnostics);
-        if (overrides.is_sweep() && output == "-") {
-            print_error("a sweep makes several pictures; standard output takes one");
-            return exit_usage;
-        }
+        if (overrides.is_sweep() && output == "-")
+            return fail(exit_usage, "a sweep makes several pictures; standard output takes one");
         std::vector<Shader> shaders;
         std::vector<Mesh> meshes;
         TextureStore textures;
@@ -65,8 +62,8 @@ struct RenderCommand {
 
     void refuse_overwriting(const Project& project, const Nodes& nodes, const Overrides& overrides,
                             std::vector<std::string> read, Diagnostics& diagnostics) const {
-        for (const InputFile& input : inputs_of(project, Types(project, nodes.registry)))
-            read.push_back(input.path);
+        const std::vector<std::string> inputs = input_paths(project, nodes.registry);
+        read.insert(read.end(), inputs.begin(), inputs.end());
         std::vector<std::string> places;
         for (size_t i = 0; i < overrides.runs; ++i)
             places.push_back(path_of_run(output, overrides, i));
@@ -88,31 +85,30 @@ struct RenderCommand {
         return meshes;
     }
 
-    bool read_options(PictureOptions& options) const {
+    // Returns one sentence on wrong usage, otherwise "".
+    std::string read_options(PictureOptions& options) const {
         options.mesh = mesh;
         options.against = against;
         options.view = *gpu::view_named(view);
         options.backdrop = background == "environment";
         options.lighting = lighting == "phong" ? gpu::Lighting::phong : gpu::Lighting::ggx;
         const std::string type = fs::path(output).extension().string();
-        std::string sentence;
         if (!parse_size(size, options.width, options.height))
-            sentence = "--size " + size + " is no size; 512x512 is one, at most 16384 a side";
-        else if (!against.empty() && options.view != gpu::View::difference)
-            sentence = "--against goes with --view difference";
-        else if (options.view != gpu::View::shaded && !(environment.empty() && phong.empty()))
-            sentence = "--environment and --phong go with --view shaded";
-        else if (!phong.empty() && options.lighting != gpu::Lighting::phong)
-            sentence = "--phong goes with --lighting phong";
-        else if (!phong.empty() && !parse_phong(phong, options.phong))
-            sentence = "--phong " + phong + " is no KA,KD,KS,SHININESS such as 0.1,0.7,0.4,32";
-        else if (!environment.empty() && options.lighting != gpu::Lighting::ggx)
-            sentence = "--environment goes with --lighting ggx; Phong's light reflects nothing";
-        else if (output != "-" && type != ".png" && type != ".jpg" && type != ".jpeg" &&
-                 type != ".tif" && type != ".tiff")
-            sentence = output + ": a picture is written as .png, .jpg or .tif";
-        if (!sentence.empty()) print_error(sentence);
-        return sentence.empty();
+            return "--size " + size + " is no size; 512x512 is one, at most 16384 a side";
+        if (!against.empty() && options.view != gpu::View::difference)
+            return "--against goes with --view difference";
+        if (options.view != gpu::View::shaded && !(environment.empty() && phong.empty()))
+            return "--environment and --phong go with --view shaded";
+        if (!phong.empty() && options.lighting != gpu::Lighting::phong)
+            return "--phong goes with --lighting phong";
+        if (!phong.empty() && !parse_phong(phong, options.phong))
+            return "--phong " + phong + " is no KA,KD,KS,SHININESS such as 0.1,0.7,0.4,32";
+        if (!environment.empty() && options.lighting != gpu::Lighting::ggx)
+            return "--environment goes with --lighting ggx; Phong's light reflects nothing";
+        if (output != "-" && type != ".png" && type != ".jpg" && type != ".jpeg" &&
+            type != ".tif" && type != ".tiff")
+            return output + ": a picture is written as .png, .jpg or .tif";
+        return "";
     }
 
     // Renders and saves the image of each run; returns the exit code. `still` determines the
@@ -158,7 +154,7 @@ struct RenderCommand {
         std::optional<std::string> bytes;
         if (save_image(image, path, {}, environment)) bytes = read_file(path, why);
         fs::remove_all(folder, ignored);
-        return bytes && write_result("-", *bytes);
+        return bytes && write_result("-", std::move(*bytes)) == exit_success;
     }
 
     void print(const gpu::AngleStatistics& angles, const std::string& path) const {
@@ -170,9 +166,7 @@ struct RenderCommand {
 }  // namespace
 
 void declare_render(CLI::App& app, Run& run) {
-    auto command = std::make_shared<RenderCommand>();
-    RenderCommand& c = *command;
-    CLI::App& sub = *app.add_subcommand("render", "A picture of a graph");
+    auto [sub, c] = add_command<RenderCommand>(app, run, "render", "A picture of a graph");
     sub.add_option("FILE", c.file, "A graph; - reads standard input")->required();
     sub.add_option("-o", c.output, "The picture: .png, .jpg or .tif; - is standard output")
         ->type_name("OUT")
@@ -205,7 +199,6 @@ void declare_render(CLI::App& app, Run& run) {
         ->check(CLI::IsMember({"environment", "plain"}))
         ->capture_default_str();
     declare_common(sub, c.common);
-    sub.callback([command, &run] { run = [command] { return command->run(); }; });
 }
 
 }  // namespace wrinkle::cli

@@ -6,6 +6,7 @@
 #include "base/limits.h"
 #include "cli/graph_files.h"
 #include "cli/output.h"
+#include "compile/inputs.h"
 #include "glsl/target.h"
 #include "nodes/all.h"
 
@@ -16,8 +17,7 @@ void list_targets() {
     std::string text;
     for (const Target& each : targets())
         text += std::string(each.name) + "  " + std::string(each.doc) + "\n";
-    if (!write_result("-", text)) throw CLI::RuntimeError(exit_environment);
-    throw CLI::Success();
+    throw CLI::RuntimeError(write_result("-", text));
 }
 
 }  // namespace
@@ -49,9 +49,7 @@ void declare_common(CLI::App& command, CommonOptions& options, bool with_set) {
                               "Lists the languages that compile writes");
     command.add_flag("--no-tangents", options.no_tangents,
                      "Meshes have no vertex tangents: frames of uv0 are derived");
-    command.add_option("--diagnostics", options.diagnostics, "How problems are printed")
-        ->check(CLI::IsMember({"text", "json"}))
-        ->capture_default_str();
+    declare_diagnostics(command, options.diagnostics);
 }
 
 Nodes load_nodes(const CommonOptions& options, Diagnostics& diagnostics) {
@@ -67,12 +65,8 @@ std::optional<std::string> read_text(const std::string& file, Diagnostics& diagn
     const std::string stream = stream_title(file);
     std::string why;
     auto text = stream.empty() ? read_file(file, why) : read_stream(file, why);
-    if (!text) {
-        Diagnostic problem;
-        problem.where.file = stream.empty() ? file : stream;
-        problem.message = why;
-        diagnostics.add(std::move(problem));
-    }
+    if (!text)
+        diagnostics.add(file_problem(Severity::error, stream.empty() ? file : stream, why, ""));
     return text;
 }
 
@@ -116,6 +110,13 @@ Overrides parse_overrides(const CommonOptions& options, Diagnostics& diagnostics
         overrides.list.push_back(std::move(*parsed));
     }
     return overrides;
+}
+
+std::vector<std::string> input_paths(const Project& project, const Registry& registry) {
+    std::vector<std::string> paths;
+    for (InputFile& input : inputs_of(project, Types(project, registry)))
+        paths.push_back(std::move(input.path));
+    return paths;
 }
 
 std::string path_of_run(const std::string& path, const Overrides& overrides, size_t run) {

@@ -51,6 +51,9 @@ struct Overrides {
 };
 Overrides parse_overrides(const CommonOptions& options, Diagnostics& diagnostics);
 
+// Returns the paths of all files that a graph reads (compile/inputs.h).
+std::vector<std::string> input_paths(const Project& project, const Registry& registry);
+
 // Returns `path` with ".003" inserted before the extension for run 3 of a sweep, else `path`.
 std::string path_of_run(const std::string& path, const Overrides& overrides, size_t run);
 

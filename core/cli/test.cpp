@@ -1,6 +1,5 @@
 // wrinkle test PATH...: runs regression cases (cli/test_case.h).
 #include <cstdio>
-#include <memory>
 
 #include "base/file.h"
 #include "cli/output.h"
@@ -17,12 +16,11 @@ struct TestCommand {
     bool schema = false;
 
     int run() const {
-        if (schema) return write_result("-", case_schema()) ? exit_success : exit_environment;
-        if (paths.empty()) {
-            print_error(
-                "test needs NAME.test.json, or a folder with such files; --help lists more");
-            return exit_usage;
-        }
+        if (schema) return write_result("-", case_schema());
+        if (paths.empty())
+            return fail(exit_usage,
+                        "test needs NAME.test.json, or a folder with such files; "
+                        "--help lists more");
         Diagnostics diagnostics;
         const Nodes nodes = load_nodes(common, diagnostics);
         const auto tests = find_tests(paths, diagnostics);
@@ -45,9 +43,8 @@ struct TestCommand {
 }  // namespace
 
 void declare_test(CLI::App& app, Run& run) {
-    auto command = std::make_shared<TestCommand>();
-    TestCommand& c = *command;
-    CLI::App& sub = *app.add_subcommand("test", "Runs the regression cases of graphs");
+    auto [sub, c] =
+        add_command<TestCommand>(app, run, "test", "Runs the regression cases of graphs");
     sub.add_option("PATH", c.paths, "NAME.test.json, or folders that are searched for such files");
     sub.add_flag("--schema", c.schema, "Prints the JSON Schema of such files, and runs none");
     sub.add_flag("--update", c.options.update,
@@ -56,7 +53,6 @@ void declare_test(CLI::App& app, Run& run) {
                    "Gets the texts and pictures that differ from golden files")
         ->type_name("DIR");
     declare_common(sub, c.common, false);
-    sub.callback([command, &run] { run = [command] { return command->run(); }; });
 }
 
 }  // namespace wrinkle::cli

@@ -1,10 +1,33 @@
 #include "compile/shader.h"
 
+#include "base/file_problem.h"
+#include "base/sha256.h"
+#include "base/text.h"
 #include "cost/limits.h"
+#include "cpu/texture_store.h"
+#include "graph/document.h"
 #include "lower/check.h"
 #include "spirv/spirv.h"
 
 namespace wrinkle {
+namespace {
+
+// Returns the image's problem at the port that names the file.
+Diagnostic at_reader(const Diagnostic& problem, const Resource& resource, const Compiled& compiled,
+                     const Project& project) {
+    if (resource.readers.empty()) return problem;
+    const Resource::Reader& reader = resource.readers.front();
+    const NodePlace place = compiled.places[reader.node];
+    if (place.node == NodePlace::none) return problem;
+    const Document& document = project.files[place.file].document;
+    Diagnostic result = diagnose_port(document, *document.nodes[place.node], reader.port,
+                                      problem.message, problem.expected);
+    result.severity = problem.severity;
+    result.node = compiled.module.nodes[reader.node].path;
+    return result;
+}
+
+}  // namespace
 
 Form default_form(const Target& target) {
     return is_translated(target) ? Form::shader : Form::function;
@@ -16,6 +39,15 @@ std::string form_conflict(const Target& target, Form form, Differentials differe
     if (form == Form::shader && differentials == Differentials::given)
         return "the shader form takes its differentials from the screen";
     return {};
+}
+
+void follow_double_sided(Document& document, const std::string& mesh, Diagnostics& diagnostics) {
+    if (document.back_faces) return;
+    document.back_faces = BackFaces::flip;
+    diagnostics.add(
+        file_problem(Severity::warning, mesh,
+                     "a material is doubleSided, so back faces are drawn by the rule 'flip'",
+                     "\"back_faces\" in the graph chooses the rule"));
 }
 
 Compiled compile_or_check(const Project& project, const Registry& registry,
@@ -34,12 +66,8 @@ void check_limits(const Reflection& reflection, const std::string& file, bool st
                   Diagnostics& diagnostics) {
     for (const Excess& excess : {texture_unit_excess(reflection), draw_buffer_excess(reflection)}) {
         if (excess.problem.empty()) continue;
-        Diagnostic found;
-        found.severity = strict ? Severity::error : Severity::warning;
-        found.where.file = file;
-        found.message = excess.problem;
-        found.expected = excess.remedy;
-        diagnostics.add(found);
+        diagnostics.add(file_problem(strict ? Severity::error : Severity::warning, file,
+                                     excess.problem, excess.remedy));
     }
 }
 
@@ -53,6 +81,30 @@ MadeShader make_shader(const Project& project, const Registry& registry, ShaderO
     report_emit(made.shader, made.compiled, project, diagnostics);
     check_limits(made.shader.reflection, project.top().file, options.strict, diagnostics);
     return made;
+}
+
+std::string reflection_json(const Shader& shader) {
+    std::string sums;
+    const auto add = [&](const char* name, const std::string& text) {
+        if (text.empty()) return;
+        sums += (sums.empty() ? "" : ", ") + json_quoted(name) + ": " + json_quoted(sha256(text));
+    };
+    add("function", shader.source);
+    add("vertex", shader.vertex);
+    add("fragment", shader.fragment);
+    std::string text = to_json(shader.reflection);
+    text.resize(text.rfind("\n}"));
+    return text + ",\n  \"sha256\": {" + sums + "}\n}\n";
+}
+
+void read_textures(TextureStore& textures, const Compiled& compiled, const Project& project,
+                   Diagnostics& diagnostics) {
+    for (const Resource& resource : compiled.module.resources) {
+        Diagnostics own;
+        textures.read(resource.file, own);
+        for (const Diagnostic& problem : own.list())
+            diagnostics.add(at_reader(problem, resource, compiled, project));
+    }
 }
 
 }  // namespace wrinkle

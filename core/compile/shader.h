@@ -1,5 +1,6 @@
-// Compiles a project to a shader and reports each problem at its location. `wrinkle compile` and
-// the embedded library (core/api) share it: their output and messages are identical.
+// Compiles a project to a shader or loads its images, and reports each problem at its location. The
+// program, the editor and the embedded library (core/api) share it: their output and messages are
+// identical.
 #pragma once
 
 #include <string>
@@ -8,6 +9,8 @@
 #include "lower/material.h"
 
 namespace wrinkle {
+
+class TextureStore;
 
 // Largest descriptor set and first binding that a caller may choose.
 inline constexpr int max_descriptor_set = 31, max_first_binding = 4095;
@@ -18,6 +21,11 @@ Form default_form(const Target& target);
 // Returns a clause with the reason why target, form and differentials are incompatible; "" if they
 // are compatible.
 std::string form_conflict(const Target& target, Form form, Differentials differentials);
+
+// Call before compiling for a mesh with a double-sided material (glTF), whose bumps are dents when
+// seen from behind: if the graph does not set "back_faces", sets the rule `flip` and reports a
+// warning at `mesh`.
+void follow_double_sided(Document& document, const std::string& mesh, Diagnostics& diagnostics);
 
 // Compiles the project. If `diagnostics` already has errors, only checks the project, so that all
 // problems are reported at once; the result is then not ok.
@@ -46,5 +54,15 @@ struct MadeShader {
 };
 MadeShader make_shader(const Project& project, const Registry& registry, ShaderOptions options,
                        Diagnostics& diagnostics);
+
+// Returns the reflection file of a shader: to_json() of the reflection with an additional last key
+// "sha256": the hashes of the shader's sources, {"function": "..."} or {"vertex": "...",
+// "fragment": "..."}. They show whether the files come from the same run.
+std::string reflection_json(const Shader& shader);
+
+// Reads the images that the module samples, for evaluation, baking and rendering. A problem is
+// reported at the first node that reads the image; a file that fails is reported only once.
+void read_textures(TextureStore& textures, const Compiled& compiled, const Project& project,
+                   Diagnostics& diagnostics);
 
 }  // namespace wrinkle

@@ -10,6 +10,7 @@
 #include "base/text.h"
 #include "cost/counted_shader.h"
 #include "cost/limits.h"
+#include "spirv/spirv.h"
 
 namespace wrinkle {
 namespace {
@@ -73,6 +74,25 @@ CostReport cost_report(const Shader& shader, const SpirvCount& count) {
     std::stable_sort(report.nodes.begin(), report.nodes.end(),
                      [](const NodeCost& a, const NodeCost& b) { return a.cost.alu > b.cost.alu; });
     return report;
+}
+
+std::optional<CostReport> measure_cost(const Module& module, Differentials differentials,
+                                       std::string& why) {
+    EmitOptions options;
+    options.differentials = differentials;
+    options.target = find_target("glsl450");
+    const Shader shader = emit(module, options);
+    if (!shader.problems.empty()) {
+        why = shader.problems.front().message;
+        return {};
+    }
+    const auto words =
+        compile_to_spirv(counted_shader(shader), ShaderStage::fragment, Lines::keep, why);
+    const auto small = words ? optimised(*words, Inlining::all, why) : std::nullopt;
+    const auto count = small ? count_spirv(*small, why) : std::nullopt;
+    if (count) return cost_report(shader, *count);
+    why.resize(std::min(why.find('\n'), why.size()));  // a log
+    return {};
 }
 
 std::string to_text(const CostReport& report) {

@@ -7,11 +7,13 @@
 // Instructions removed by the optimiser cost nothing.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "cost/spirv_count.h"
 #include "glsl/emit.h"
+#include "ir/side_tables.h"
 
 namespace wrinkle {
 
@@ -29,6 +31,14 @@ struct CostReport {
 };
 // `shader` is the function form from which counted_shader() was made; `count` is its count.
 CostReport cost_report(const Shader& shader, const SpirvCount& count);
+
+// Measures the cost of an expanded module: emits GLSL 4.50 functions, compiles them, optimises as
+// `spirv-opt -O` and counts. All functions are inlined, so it takes milliseconds for a material of a
+// few nodes and seconds for one of thousands. Returns std::nullopt and sets `why` if the emitter
+// reports a problem, or the compiler module (spirv/spirv.h) is missing or rejects the source.
+// Thread-safe.
+std::optional<CostReport> measure_cost(const Module& module, Differentials differentials,
+                                       std::string& why);
 
 // Human-readable report: totals, then one line per node.
 //   ALU div reads derivs units  node

@@ -3,7 +3,7 @@
 #include <chrono>
 #include <set>
 
-#include "compile/double_sided.h"
+#include "compile/shader.h"
 #include "editor/words.h"
 #include "graph/order.h"
 #include "lower/check.h"

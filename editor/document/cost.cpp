@@ -1,7 +1,7 @@
 #include "editor/document/cost.h"
 
 #include "cost/limits.h"
-#include "cost/measure.h"
+#include "cost/report.h"
 #include "ir/cost.h"
 #include "ir/module.h"
 

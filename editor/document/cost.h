@@ -1,7 +1,7 @@
 // Cost of the material on the canvas, per node: of the shader that the preview runs, with its
 // values as uniforms. Costs of a sub-graph's nodes are added to its node in the document.
 //
-// The count equals that of `wrinkle compile --cost --params uniform` (cost/measure.h). It runs
+// The count equals that of `wrinkle compile --cost --params uniform` (cost/report.h). It runs
 // compilers for a fraction of a second or longer on its own thread (CostCounter) and is repeated
 // only if the generated source changes. Every compilation has an estimate (ir/cost.h), which is
 // shown until the first count is done, or with a reason if nothing can be counted.
